@@ -1,0 +1,90 @@
+"""Hostile routes with class, witness and reason (R6).
+
+Two routes are hostile when they cannot be set together: they share a section, need a machine in two
+positions, cross on a diamond, or foul each other.  The first class that applies names the reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from interlock.derive.routes import Path
+from interlock.model.elements import MachineId, Position, RouteId, SectionId
+from interlock.model.traversal import Traversal
+from interlock.table.rows import (
+    Because,
+    Hostile,
+    HostileClass,
+    PointDemand,
+    Role,
+    TraversalKey,
+    TraversalRow,
+)
+
+
+def derive_hostile(
+    paths: Sequence[Path],
+    locks: Mapping[TraversalKey, TraversalRow],
+    demands: Mapping[RouteId, Sequence[PointDemand]],
+) -> dict[RouteId, tuple[Hostile, ...]]:
+    """For every route, its hostile routes in order of number."""
+    out: dict[RouteId, list[Hostile]] = {p.id: [] for p in paths}
+    for i, a in enumerate(paths):
+        for b in paths[i + 1 :]:
+            found = classify(a, b, locks, demands)
+            if found is None:
+                continue
+            kind, witness, rule = found
+            for x, y in ((a, b), (b, a)):
+                out[x.id].append(Hostile(y.id, kind, witness, Because(rule, f"{x.id} and {y.id}: {kind}, {witness}")))
+    return {r: tuple(hs) for r, hs in out.items()}
+
+
+def _positions(demands: Sequence[PointDemand], roles: tuple[Role, ...]) -> dict[MachineId, Position]:
+    return {d.machine: d.position for d in demands if d.role in roles}
+
+
+def classify(
+    a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], demands: Mapping[RouteId, Sequence[PointDemand]]
+) -> tuple[HostileClass, str, str] | None:
+    """Class, witness and rule of a hostile pair, or None when both may be set together."""
+    if a.entry == b.entry:
+        return HostileClass.SAME_ENTRY, f"both begin at {a.entry}", "R6.5"
+    path_a, path_b = _positions(demands[a.id], (Role.PATH,)), _positions(demands[b.id], (Role.PATH,))
+    for m, x in path_a.items():
+        if path_b.get(m, x) is not x:
+            return HostileClass.POINTS, f"machine {m} lies {x} for {a.id} and {path_b[m]} for {b.id}", "R6.1"
+    shared = _shared(a, b)
+    if shared is not None:
+        return shared
+    for t in a.ways:
+        for ex in locks[t.key].exclusions:
+            for o in b.ways:
+                if o.section == ex.section and (not ex.numbers or o.number in ex.numbers):
+                    kind = HostileClass.CROSSING if ex.because.rule == "R6" else HostileClass.FOUL
+                    rule = "R6.4" if kind is HostileClass.CROSSING else "R6.10"
+                    return kind, f"{t.section} and {o.section}: {ex.because.text}", rule
+    all_a = _positions(demands[a.id], (Role.FLANK, Role.PATH))
+    all_b = _positions(demands[b.id], (Role.FLANK, Role.PATH))
+    for m, x in all_a.items():
+        if all_b.get(m, x) is not x:
+            return HostileClass.FLANK, f"machine {m} must lie {x} for {a.id} and {all_b[m]} for {b.id}", "R6.9"
+    return None
+
+
+def _shared(a: Path, b: Path) -> tuple[HostileClass, str, str] | None:
+    of_b: dict[SectionId, Traversal] = {t.section: t for t in b.ways}
+    common = [(t, of_b[t.section]) for t in a.ways if t.section in of_b]
+    if not common:
+        return None
+    names = ", ".join(t.section for t, _ in common)
+    for t, o in common:
+        if t.exit == o.entry or t.entry == o.exit:
+            return HostileClass.OPPOSING, f"opposite directions in {t.section}", "R6.2"
+    for t, o in common:
+        if t.exit == o.exit and t.entry != o.entry:
+            return HostileClass.CONVERGING, f"both lead out of {t.section} the same way", "R6.3"
+    for t, o in common:
+        if t.exit != o.exit and t.entry != o.entry:
+            return HostileClass.CROSSING, f"both pass {t.section}", "R6.4"
+    return HostileClass.FOLLOWING, f"share {names}", "R6.5"

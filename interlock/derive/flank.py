@@ -1,0 +1,179 @@
+"""Flank protection (R5) as an AND/OR search.
+
+Requesters: the unused leg of every point on the way, and both ends of the other arm of every diamond.
+From there the search goes outward until something keeps vehicles away:
+    leg of another point    that point turned away, OR whatever protects beyond its toe
+    toe of another point    both legs must be protected (AND)
+    main signal at stop     if it stands clear of the fouling point; otherwise the search goes on
+    buffer, outgoing boundary, one-way track    nothing can come
+A point turned away is preferred to a signal, nothing-can-come is preferred to both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId
+from interlock.model.layout import Layout
+from interlock.model.traversal import Traversal
+from interlock.table.rows import Because, FlankCell, Provider, ProviderKind
+
+Demands = Mapping[MachineId, Position]
+_PASSIVE = (ProviderKind.BUFFER, ProviderKind.BOUNDARY, ProviderKind.ONE_WAY)
+
+
+@dataclass(frozen=True)
+class Requester:
+    """A place at which a vehicle must not come in: looking outward from `node` along `edge`."""
+
+    name: str
+    node: NodeId
+    edge: EdgeId
+    section: SectionId
+    clear_of: float
+    waiver: str | None
+
+
+def requesters(layout: Layout, t: Traversal) -> tuple[Requester, ...]:
+    """The requesters of one way through a section."""
+    out: list[Requester] = []
+    margin = layout.principles.clearance_m
+    waived = {(w.point, w.leg): w.reason for w in layout.waivers}
+    for pid, position in t.points:
+        p = layout.point[pid]
+        leg = position.other
+        out.append(Requester(f"{pid}.{'normal' if leg is Position.NORMAL else 'reverse'}", p.node, p.leg(leg),
+                             t.section, p.fouling + margin, waived.get((pid, leg))))
+    for cid, arm in t.crossings:
+        c = layout.crossing[cid]
+        for side, edge in zip("ab", c.arms[1 - arm], strict=True):
+            out.append(Requester(f"{cid}.{2 - arm}{side}", c.node, edge, t.section,
+                                 layout.principles.fouling_m + margin, None))
+    return tuple(out)
+
+
+def options(layout: Layout, r: Requester) -> Iterator[tuple[Provider, ...]]:
+    """Every set of providers that protects a requester, preferred sets first."""
+    return _outward(layout, r, r.edge, r.node, 0.0, frozenset({r.node}))
+
+
+def _outward(
+    layout: Layout, r: Requester, edge: EdgeId, node: NodeId, gone: float, seen: frozenset[NodeId]
+) -> Iterator[tuple[Provider, ...]]:
+    e = layout.edge[edge]
+    if e.one_way and e.a == node:
+        yield (Provider(ProviderKind.ONE_WAY, e.section),)
+        return
+    far = layout.far(edge, node)
+    gone += e.length
+    if far in seen:
+        yield ()  # a closed ring: nothing comes from outside
+        return
+    seen = seen | {far}
+    if far in layout.buffer_at:
+        yield (Provider(ProviderKind.BUFFER, far),)
+        return
+    signal = next((g for g in layout.signals if g.node == far and g.into == edge), None)
+    if signal is not None and gone >= r.clear_of:
+        yield (Provider(ProviderKind.SIGNAL, signal.id),)
+        return
+    boundary = layout.boundary_at.get(far)
+    if boundary is not None:
+        if boundary.kind is BoundaryKind.OUT:
+            yield (Provider(ProviderKind.BOUNDARY, far),)
+        return
+    point = layout.point_at.get(far)
+    if point is None:
+        crossing = layout.crossing_at.get(far)
+        onward = [x.id for x in layout.edges_at[far] if x.id != edge]
+        if crossing is not None:
+            onward = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
+        for nxt in onward:
+            yield from _outward(layout, r, nxt, far, gone, seen)
+        return
+    position = point.position_of(edge)
+    if position is None:
+        for left in _outward(layout, r, point.normal, far, gone, seen):
+            for right in _outward(layout, r, point.reverse, far, gone, seen):
+                yield tuple(dict.fromkeys(left + right))
+        return
+    turned = (Provider(ProviderKind.POINT, point.machine, position.other),)
+    beyond = _outward(layout, r, point.toe, far, gone, seen)
+    first = next(beyond, None)
+    if first is not None and all(p.kind in _PASSIVE for p in first):
+        yield first
+        first = None
+    yield turned
+    if first is not None:
+        yield first
+    yield from beyond
+
+
+def point_demands(providers: Sequence[Provider]) -> dict[MachineId, Position] | None:
+    """The positions that providers demand, or None when they contradict each other."""
+    found: dict[MachineId, Position] = {}
+    for p in providers:
+        if p.position is not None and found.setdefault(MachineId(p.name), p.position) is not p.position:
+            return None
+    return found
+
+
+def consistent(a: Demands, b: Demands) -> bool:
+    """Whether two sets of positions can hold together."""
+    return all(b.get(m, x) is x for m, x in a.items())
+
+
+def protect(
+    layout: Layout, t: Traversal, own: Demands, routes: Sequence[Demands]
+) -> tuple[tuple[FlankCell, ...], tuple[Requester, ...]]:
+    """The flank cells of one way through a section, and the requesters left unprotected.
+
+    The first choice of providers that contradicts neither the way itself nor any route over it wins; a
+    choice that only contradicts routes is the second best (those routes are then reported as impossible).
+    """
+    wanted = requesters(layout, t)
+    open_: list[Requester] = []
+    asked: list[Requester] = []
+    for r in wanted:
+        (asked if next(options(layout, r), None) is not None else open_).append(r)
+    for others in (routes, ()):
+        chosen = _choose(layout, asked, 0, dict(own), others)
+        if chosen is not None:
+            cells = [_cell(r, providers) for r, providers in zip(asked, chosen, strict=True)]
+            cells += [
+                FlankCell(r.name, r.section, (Provider(ProviderKind.WAIVED, r.waiver),),
+                          Because("R5", f"the layout waives the protection of {r.name}: {r.waiver}"))
+                for r in open_
+                if r.waiver is not None
+            ]
+            return tuple(cells), tuple(r for r in open_ if r.waiver is None)
+    return (), wanted
+
+
+def _choose(
+    layout: Layout, asked: Sequence[Requester], i: int, demands: dict[MachineId, Position], routes: Sequence[Demands]
+) -> list[tuple[Provider, ...]] | None:
+    if i == len(asked):
+        return []
+    for option in options(layout, asked[i]):
+        more = point_demands(option)
+        if more is None or not consistent(more, demands) or any(not consistent(more, r) for r in routes):
+            continue
+        rest = _choose(layout, asked, i + 1, {**demands, **more}, routes)
+        if rest is not None:
+            return [option, *rest]
+    return None
+
+
+def _cell(r: Requester, providers: tuple[Provider, ...]) -> FlankCell:
+    told = {
+        ProviderKind.POINT: "point {} turns vehicles away",
+        ProviderKind.SIGNAL: "signal {} at stop, clear of the fouling point",
+        ProviderKind.BUFFER: "the track ends at {}",
+        ProviderKind.BOUNDARY: "no train comes in at {}",
+        ProviderKind.ONE_WAY: "{} runs one way only",
+        ProviderKind.WAIVED: "waived: {}",
+    }
+    text = " and ".join(told[p.kind].format(p) for p in providers) or "a closed ring, nothing comes from outside"
+    return FlankCell(r.name, r.section, providers, Because("R5", f"towards {r.name}: {text}"))

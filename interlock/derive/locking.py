@@ -1,0 +1,61 @@
+"""Approach locking (R8), sectional release (R9), block and external conditions (R3, R12 in part, R17)."""
+
+from __future__ import annotations
+
+from interlock.derive.routes import Path
+from interlock.model.layout import Layout
+from interlock.model.traversal import topology
+from interlock.table.rows import ApproachCell, Because, BlockCell, ConditionCell, ExitKind, ReleaseStep
+
+
+def derive_approach(layout: Layout, path: Path) -> ApproachCell:
+    """The approach section and the delay of a cancellation while it is occupied."""
+    delay = layout.principles.approach_release_s
+    boundary = layout.boundary_at.get(path.entry_node)
+    rear = boundary.approach if boundary is not None else topology(layout).beyond(path.ways[0].section, path.entry_node)
+    if rear is None:
+        return ApproachCell(None, delay, Because("R8", f"{path.entry} has no approach section: always approach locked"))
+    return ApproachCell(rear, delay, Because("R8", f"{rear} lies in rear of {path.entry}"))
+
+
+def derive_release(layout: Layout, path: Path) -> tuple[ReleaseStep, ...]:
+    """Sections in the order in which they are released behind the train (three-point check)."""
+    steps = []
+    delay = layout.principles.release_delay_s
+    for i, t in enumerate(path.ways):
+        last = i == len(path.ways) - 1
+        after = path.ways[i - 1].section if i else None
+        if not last:
+            proved = path.ways[i + 1].section
+            why = f"{t.section} was occupied, then {proved} with it, then {t.section} clear"
+        elif path.exit_kind is ExitKind.BOUNDARY:
+            proved = "clear"
+            why = f"{t.section} was occupied and is clear: the train has left at {path.exit}"
+        else:
+            proved = "next movement"
+            why = f"{t.section} stays locked until the train has left it under a further route"
+        steps.append(ReleaseStep(t.section, after, proved, delay, Because("R9", why)))
+    return tuple(steps)
+
+
+def derive_block(layout: Layout, path: Path) -> tuple[BlockCell, ...]:
+    """Beyond a boundary through which trains also come in, the approach section must be clear."""
+    if path.exit_kind is not ExitKind.BOUNDARY:
+        return ()
+    boundary = layout.boundary_at[path.ways[-1].exit]
+    if boundary.approach is None:
+        return ()
+    return (BlockCell(boundary.approach, Because("R12", f"the line beyond {path.exit} is used both ways")),)
+
+
+def derive_conditions(layout: Layout, path: Path) -> tuple[ConditionCell, ...]:
+    """External inputs that the route requires."""
+    out = []
+    sections = {t.section for t in path.ways}
+    for c in layout.conditions:
+        hit = sorted(sections & set(c.over))
+        if hit:
+            out.append(ConditionCell(c.id, Because("R17", f"required by every route over {', '.join(hit)}")))
+        elif path.entry in c.signals:
+            out.append(ConditionCell(c.id, Because("R17", f"required by every route from {path.entry}")))
+    return tuple(out)

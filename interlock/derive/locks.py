@@ -1,0 +1,95 @@
+"""What each way through a section demands and excludes when it is locked (R1, R5, R6, R7).
+
+Only ways that some route uses become locks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from interlock.derive.flank import point_demands, protect
+from interlock.derive.routes import Path, machine_positions
+from interlock.diag import Sink
+from interlock.model.elements import SectionId
+from interlock.model.foul import FoulJoint, foul_joints
+from interlock.model.layout import Layout
+from interlock.model.traversal import Traversal
+from interlock.table.rows import (
+    Because,
+    Exclusion,
+    FlankCell,
+    FoulCell,
+    PointDemand,
+    Role,
+    TraversalRow,
+)
+
+
+def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[TraversalRow, ...]:
+    """Every lock, ordered by section and number; reports unprotected flanks (IL4001)."""
+    used: dict[tuple[SectionId, int], Traversal] = {}
+    over: dict[tuple[SectionId, int], list[Path]] = {}
+    for path in paths:
+        for t in path.ways:
+            used[t.key] = t
+            over.setdefault(t.key, []).append(path)
+    fouls = foul_joints(layout)
+    missing: dict[str, list[str]] = {}
+    rows = []
+    for key, t in sorted(used.items()):
+        own = machine_positions(layout, (t,)) or {}
+        routes = [machine_positions(layout, p.ways) or {} for p in over[key]]
+        cells, unprotected = protect(layout, t, own, routes)
+        for r in unprotected:
+            missing.setdefault(r.name, []).extend(p.id for p in over[key])
+        rows.append(_row(layout, t, cells, used, fouls))
+    for name, routes_ in sorted(missing.items()):
+        sink.add("IL4001", f"nothing keeps vehicles away from {name}; routes {', '.join(sorted(set(routes_)))} pass there",
+                 None, f"add a signal or a protecting point, or waive it: "
+                 f"`waive: [{{flank: {name}, reason: ...}}]`")
+    needed = {c.requester for r in rows for c in r.flank for p in c.providers if p.kind.value == "waived"}
+    for w in layout.waivers:
+        name = f"{w.point}.{'normal' if w.leg == 'N' else 'reverse'}"
+        if name not in needed:
+            sink.add("IL2008", f"the waiver of {name} waives nothing: it is protected, or no route passes there",
+                     None, "remove the waiver")
+    return tuple(rows)
+
+
+def _row(
+    layout: Layout,
+    t: Traversal,
+    flank: tuple[FlankCell, ...],
+    used: dict[tuple[SectionId, int], Traversal],
+    fouls: tuple[FoulJoint, ...],
+) -> TraversalRow:
+    demands = {
+        layout.point[p].machine: PointDemand(
+            layout.point[p].machine, x, Role.PATH, t.section, Because("R1", f"point {p} lies on the way through {t.section}")
+        )
+        for p, x in t.points
+    }
+    for cell in flank:
+        for machine, position in (point_demands(cell.providers) or {}).items():
+            demands.setdefault(machine, PointDemand(machine, position, Role.FLANK, t.section, cell.because))
+    exclusions: list[Exclusion] = []
+    for cid, arm in t.crossings:
+        across = sorted(k for k, o in used.items() if (cid, 1 - arm) in o.crossings and k[0] != t.section)
+        for section in sorted({s for s, _ in across}):
+            numbers = tuple(n for s, n in across if s == section)
+            exclusions.append(Exclusion(section, numbers, Because("R6", f"the ways cross on the diamond {cid}")))
+    foul_cells: list[FoulCell] = []
+    for f in fouls:
+        if any(p == f.point and x is not f.leg for p, x in t.points):
+            why = Because("R7", f"the joint {f.section}|{f.neighbour} is foul of point {f.point}")
+            foul_cells.append(FoulCell(f.neighbour, f.point, why))
+            exclusions.append(Exclusion(f.neighbour, (), why))
+    for key, other in sorted(used.items()):
+        if key[0] == t.section:
+            continue
+        for f in fouls:
+            if f.neighbour == t.section and any(p == f.point and x is not f.leg for p, x in other.points):
+                exclusions.append(Exclusion(key[0], (key[1],),
+                                            Because("R7", f"{t.section} is foul of point {f.point}")))
+    return TraversalRow(t.section, t.number, t.entry, t.exit, tuple(demands.values()), t.crossings, flank,
+                        tuple(exclusions), tuple(foul_cells))

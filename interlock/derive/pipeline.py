@@ -1,0 +1,118 @@
+"""The derivation as a visible order of steps.
+
+Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics IL4001-IL4005, IL2007, IL2008, IL3012.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from interlock.derive.conflicts import derive_hostile
+from interlock.derive.locking import derive_approach, derive_block, derive_conditions, derive_release
+from interlock.derive.locks import derive_locks
+from interlock.derive.routes import Path, find_routes
+from interlock.diag import Sink
+from interlock.diag.suggest import did_you_mean
+from interlock.model.elements import MachineId, RouteId
+from interlock.model.layout import Layout
+from interlock.table.rows import (
+    Because,
+    ClearCell,
+    FoulCell,
+    InterlockingTable,
+    PointDemand,
+    RouteRow,
+    TraversalKey,
+    TraversalRow,
+)
+
+LONG_ROUTE = 3  # sections; document B 2.2
+
+
+def derive(layout: Layout, sink: Sink) -> InterlockingTable:
+    """The interlocking table of a layout."""
+    paths = find_routes(layout, sink)
+    locks = derive_locks(layout, paths, sink)
+    by_key = {t.key: t for t in locks}
+    demands = {p.id: _demands(p, by_key, sink) for p in paths}
+    hostile = derive_hostile(paths, by_key, demands)
+    names = _names(layout, paths, sink)
+    _notes(layout, paths, sink)
+    rows = tuple(
+        RouteRow(
+            id=p.id,
+            number=p.number,
+            names=names.get(p.id, ()),
+            entry=p.entry,
+            entry_node=p.entry_node,
+            exit=p.exit,
+            exit_kind=p.exit_kind,
+            variant=p.variant,
+            traversals=tuple(t.key for t in p.ways),
+            length=p.length,
+            points=demands[p.id],
+            sections=tuple(ClearCell(t.section, Because("R3", f"{t.section} lies on the path")) for t in p.ways),
+            foul=_foul(p, by_key, sink),
+            flank=tuple(dict.fromkeys(c for t in p.ways for c in by_key[t.key].flank)),
+            hostile=hostile[p.id],
+            conditions=derive_conditions(layout, p),
+            block=derive_block(layout, p),
+            approach=derive_approach(layout, p),
+            release=derive_release(layout, p),
+            because=Because("R1", f"found from {p.entry} to {p.exit_kind} {p.exit}"),
+        )
+        for p in paths
+    )
+    return InterlockingTable(layout.name, layout.digest, rows, locks)
+
+
+def _demands(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) -> tuple[PointDemand, ...]:
+    found: dict[MachineId, PointDemand] = {}
+    for t in path.ways:
+        for d in locks[t.key].points:
+            first = found.setdefault(d.machine, d)
+            if first.position is not d.position:
+                sink.add("IL4002", f"route {path.id} demands machine {d.machine} in both positions: "
+                         f"{first.because.text}; {d.because.text}", None,
+                         "give one of the two places another protection (a signal), or waive it with a reason")
+            elif first.role != d.role and d.role == "path":
+                found[d.machine] = d
+    return tuple(found.values())
+
+
+def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) -> tuple[FoulCell, ...]:
+    cells = tuple(dict.fromkeys(c for t in path.ways for c in locks[t.key].foul))
+    own = {t.section for t in path.ways}
+    for c in cells:
+        if c.section in own:
+            sink.add("IL4002", f"route {path.id} fouls itself: {c.because.text}, and {c.section} is on its path", None,
+                     "move the joint out of the fouling point")
+    return cells
+
+
+def _names(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[RouteId, tuple[str, ...]]:
+    out: dict[RouteId, tuple[str, ...]] = {}
+    for n in layout.named_routes:
+        fits = [
+            p
+            for p in paths
+            if p.entry == n.entry and p.exit == n.exit and set(n.via) <= {t.section for t in p.ways}
+        ]
+        if not fits:
+            ends = sorted({p.exit for p in paths if p.entry == n.entry})
+            sink.add("IL2007", f"there is no route from {n.entry} to {n.exit} (named {n.name})", None,
+                     did_you_mean(n.exit, ends))
+        else:
+            out[fits[0].id] = (*out.get(fits[0].id, ()), n.name)
+    return out
+
+
+def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
+    used = {t.section for p in paths for t in p.ways}
+    for s in layout.sections:
+        if not s.approach and s.id not in used:
+            sink.add("IL3012", f"no route uses section {s.id}", None, "add a signal, or check the directions")
+    for p in paths:
+        if len(p.ways) > LONG_ROUTE:
+            sink.add("IL4004", f"route {p.id} has {len(p.ways)} sections; document B finds three usual", None,
+                     "an intermediate signal would let trains follow more closely")

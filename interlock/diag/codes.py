@@ -1,0 +1,86 @@
+"""Every diagnostic code with its severity and its one-line title.
+
+`interlock explain CODE` prints the page of the same name under docs/codes.  A test keeps this list,
+the pages and the triggering layouts in step.
+"""
+
+from __future__ import annotations
+
+from interlock.diag.diagnostic import Severity
+
+_E, _W, _I = Severity.ERROR, Severity.WARNING, Severity.INFO
+
+CODES: dict[str, tuple[Severity, str]] = {
+    # 1: the file and its shape
+    "IL1001": (_E, "the file cannot be read"),
+    "IL1002": (_E, "the file is not UTF-8 text"),
+    "IL1003": (_E, "the file is too large"),
+    "IL1004": (_E, "the YAML is broken"),
+    "IL1005": (_E, "a key is given twice"),
+    "IL1006": (_E, "anchors and aliases are not part of the layout language"),
+    "IL1007": (_E, "the file is empty"),
+    "IL1008": (_E, "the file holds more than one document"),
+    "IL1009": (_E, "the file is not a layout"),
+    "IL1010": (_E, "a required key is missing"),
+    "IL1011": (_E, "an unknown key"),
+    "IL1012": (_E, "a value of the wrong shape"),
+    "IL1013": (_E, "a length or number that is not a number"),
+    "IL1014": (_E, "a number out of range"),
+    "IL1015": (_E, "an unsupported language version"),
+    "IL1016": (_E, "a name that cannot be used"),
+    "IL1017": (_E, "an unknown choice"),
+    "IL1018": (_E, "the file is nested too deeply"),
+    "IL1019": (_E, "YAML tags are not part of the layout language"),
+    # 2: names and references
+    "IL2001": (_E, "a reference to something that does not exist"),
+    "IL2002": (_E, "a name is used for two things"),
+    "IL2003": (_E, "an element has no such end"),
+    "IL2004": (_E, "an unknown section"),
+    "IL2005": (_E, "an unknown boundary or buffer"),
+    "IL2006": (_E, "an unknown signal"),
+    "IL2007": (_E, "a named route that does not exist"),
+    "IL2008": (_E, "a waiver that waives nothing"),
+    "IL2009": (_E, "a waiver without a reason"),
+    "IL2010": (_E, "two names become the same PLC name"),
+    "IL2011": (_W, "a condition that no route requires"),
+    # 3: topology and geometry
+    "IL3001": (_E, "an element is wired to itself"),
+    "IL3002": (_E, "one end is joined twice"),
+    "IL3003": (_E, "an end is joined to nothing"),
+    "IL3004": (_E, "two elements disagree on how they are joined"),
+    "IL3005": (_E, "a signal that stands at no joint"),
+    "IL3006": (_E, "the joint of a signal is ambiguous"),
+    "IL3007": (_E, "two signals in one place, same direction"),
+    "IL3008": (_E, "two signals facing one buffer"),
+    "IL3009": (_E, "a section is split into separate pieces"),
+    "IL3010": (_E, "a section that no train can reach"),
+    "IL3011": (_E, "trains can come in where no signal stands"),
+    "IL3012": (_W, "a section that no route uses"),
+    "IL3013": (_E, "an approach section is also inside the layout"),
+    "IL3014": (_E, "a machine with more than two ends"),
+    "IL3015": (_E, "a boundary or buffer is joined wrongly"),
+    "IL3016": (_E, "the layout has no signal"),
+    "IL3017": (_E, "a track without a section"),
+    "IL3018": (_I, "a foul joint"),
+    "IL3019": (_E, "a signal for a direction in which no train runs"),
+    # 4: derivation
+    "IL4001": (_E, "flank protection is missing"),
+    "IL4002": (_E, "a route that demands one machine in two positions"),
+    "IL4003": (_E, "a signal from which no route leads"),
+    "IL4004": (_I, "a route of more than three sections"),
+    "IL4005": (_I, "a path that meets itself was left out"),
+    "IL4006": (_E, "a route that no train can drive"),
+    "IL4007": (_E, "the audit disagrees with the derived table"),
+    # 5: proof and output
+    "IL5001": (_E, "a claim is refuted"),
+    "IL5002": (_E, "a claim could not be decided"),
+    "IL5003": (_E, "the generated files are not current"),
+    "IL5004": (_E, "an output cannot be written"),
+    "IL5005": (_E, "an unknown route, column or code"),
+    "IL5006": (_E, "nothing is written without a proof"),
+}
+
+
+def severity_of(code: str) -> Severity:
+    """The severity of a code; an unregistered code is a programming error (KeyError)."""
+    return CODES[code][0]

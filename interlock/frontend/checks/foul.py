@@ -1,0 +1,15 @@
+"""Tell the author which joints are foul (R7).  IL3018."""
+
+from __future__ import annotations
+
+from interlock.frontend.context import Context
+from interlock.model.foul import foul_joints
+from interlock.model.layout import Layout
+
+
+def check_foul(ctx: Context, layout: Layout) -> None:
+    """Report each foul joint; the derivation protects it."""
+    for f in foul_joints(layout):
+        ctx.add("IL3018", f"the joint {f.section}|{f.neighbour} is foul of point {f.point}: it lies {f.distance:g} m "
+                f"from the point, and {f.needed:g} m are needed", ctx.at_key("points", f.point),
+                f"routes over the other leg of {f.point} will require {f.neighbour} clear")

@@ -1,0 +1,30 @@
+"""What the resolving passes share: the typed file, its tree (for places) and the sink."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from interlock.diag import Sink, Span
+from interlock.frontend.schema import LayoutFile, span_of
+from interlock.frontend.yaml_tree import Node
+
+
+@dataclass(frozen=True)
+class Context:
+    """One layout file on its way to a `Layout`."""
+
+    file: LayoutFile
+    root: Node
+    sink: Sink
+
+    def at(self, *path: str | int) -> Span:
+        """The place of a value in the source."""
+        return span_of(self.root, path)
+
+    def at_key(self, *path: str | int) -> Span:
+        """The place of a key in the source."""
+        return span_of(self.root, path, key=True)
+
+    def add(self, code: str, message: str, span: Span, fix: str = "") -> None:
+        """Report a problem."""
+        self.sink.add(code, message, span, fix)

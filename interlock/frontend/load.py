@@ -1,0 +1,130 @@
+"""The front end as one function: text in, `Layout` out, every problem reported.
+
+Order of passes: read, YAML tree, schema, names, wiring, resolve, checks.  A pass runs only when the ones
+before it left something to work on, so that one mistake is reported once.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, replace
+
+from interlock.diag import Sink, Span
+from interlock.frontend.checks import CHECKS
+from interlock.frontend.context import Context
+from interlock.frontend.names import check_names
+from interlock.frontend.resolve import resolve_conditions, resolve_routes, resolve_signals, resolve_waivers
+from interlock.frontend.schema import validate
+from interlock.frontend.wiring import Wirer, Wiring
+from interlock.frontend.yaml_tree import parse
+from interlock.model.elements import Lane, Section, SectionId
+from interlock.model.layout import Layout
+from interlock.model.principles import PROFILES
+
+MAX_BYTES = 4_000_000
+
+
+@dataclass(frozen=True)
+class Source:
+    """A layout file as read: its name, its text, and the context for later diagnostics."""
+
+    file: str
+    text: str
+    context: Context | None = None
+
+    def at(self, *path: str | int) -> Span:
+        """The place of an element for diagnostics of later phases."""
+        return self.context.at_key(*path) if self.context else Span(self.file, 1, 1)
+
+
+def read(path: str, sink: Sink) -> str | None:
+    """The text of a file, or None with IL1001, IL1002 or IL1003."""
+    try:
+        if os.path.isdir(path):
+            sink.add("IL1001", f"{path} is a folder", Span(path, 0, 0), "name a layout file, for instance mine11.yaml")
+            return None
+        if os.path.getsize(path) > MAX_BYTES:
+            sink.add("IL1003", f"{path} has {os.path.getsize(path) / 1e6:.0f} MB", Span(path, 0, 0),
+                     f"a layout has at most {MAX_BYTES // 1_000_000} MB; is this another kind of file?")
+            return None
+        with open(path, "rb") as handle:
+            data = handle.read(MAX_BYTES + 1)
+    except OSError as error:
+        sink.add("IL1001", f"{path}: {error.strerror}", Span(path, 0, 0), "check the name and the permissions")
+        return None
+    try:
+        return data.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
+    except UnicodeDecodeError as error:
+        line = data[: error.start].count(b"\n") + 1
+        sink.add("IL1002", f"{path} is not UTF-8 text (byte {error.start}, line {line})", Span(path, 0, 0),
+                 "save the layout as UTF-8; a PDF, a spreadsheet or a drawing is not a layout")
+        return None
+
+
+def load(path: str, sink: Sink) -> tuple[Layout | None, Source]:
+    """Read and resolve a layout file; the layout is None when there are errors."""
+    text = read(path, sink)
+    if text is None:
+        return None, Source(path, "")
+    return load_text(path, text, sink)
+
+
+def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
+    """Resolve a layout from its text."""
+    root = parse(file, text, sink)
+    if root is None or sink.has_errors:
+        return None, Source(file, text)
+    data = validate(root, sink)
+    if data is None:
+        return None, Source(file, text)
+    ctx = Context(data, root, sink)
+    source = Source(file, text, ctx)
+    principles = replace(PROFILES[data.profile], **data.principles)
+    wiring = Wirer(ctx, principles).run()
+    check_names(ctx, {**wiring.sections, **wiring.approaches})
+    _check_sections(ctx, wiring)
+    conditions = resolve_conditions(ctx, wiring)
+    routes = resolve_routes(ctx, wiring)
+    waivers = resolve_waivers(ctx)
+    if sink.has_errors:
+        return None, source
+    signals = resolve_signals(ctx, wiring)
+    if sink.has_errors:
+        return None, source
+    sections = [
+        Section(SectionId(s), False, Lane(data.sections[s].lane) if s in data.sections else Lane.LEVEL)
+        for s in wiring.sections
+    ] + [Section(SectionId(s), True) for s in wiring.approaches]
+    layout = Layout(
+        name=data.name,
+        title=data.title,
+        profile=data.profile,
+        principles=principles,
+        sections=tuple(sorted(sections, key=lambda s: s.id)),
+        edges=tuple(sorted(wiring.edges, key=lambda e: e.id)),
+        points=tuple(sorted(wiring.points, key=lambda p: p.id)),
+        crossings=tuple(sorted(wiring.crossings, key=lambda c: c.id)),
+        boundaries=tuple(sorted(wiring.boundaries, key=lambda b: b.node)),
+        buffers=tuple(sorted(wiring.buffers, key=lambda b: b.node)),
+        signals=signals,
+        conditions=conditions,
+        waivers=waivers,
+        named_routes=routes,
+        labels={n: b.label for n, b in data.boundaries.items() if b.label},
+    )
+    for check in CHECKS:
+        check(ctx, layout)
+    return (None if sink.has_errors else layout), source
+
+
+def _check_sections(ctx: Context, wiring: Wiring) -> None:
+    for name in ctx.file.sections:
+        if name not in wiring.sections:
+            from interlock.diag.suggest import did_you_mean
+
+            ctx.add("IL2004", f"there is no section {name}", ctx.at_key("sections", name),
+                    did_you_mean(name, wiring.sections))
+    for name, span in wiring.approaches.items():
+        if name in wiring.sections:
+            ctx.add("IL3013", f"{name} is an approach section and also lies inside the layout", span,
+                    "an approach section lies outside the boundary; give it a name of its own")

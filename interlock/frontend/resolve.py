@@ -1,0 +1,160 @@
+"""Pass 3: signals, conditions, named routes and waivers, once the graph stands.
+
+Output: diagnostics IL2004, IL2006, IL3005-IL3007, IL2008 (malformed), and the elements.
+"""
+
+from __future__ import annotations
+
+from interlock.diag.suggest import did_you_mean
+from interlock.frontend.context import Context
+from interlock.frontend.wiring import Wiring
+from interlock.model.elements import (
+    Condition,
+    ConditionId,
+    Edge,
+    NamedRoute,
+    NodeId,
+    PointId,
+    Position,
+    SectionId,
+    Signal,
+    SignalId,
+    Waiver,
+)
+
+
+def _edges_at(wiring: Wiring) -> dict[NodeId, list[Edge]]:
+    at: dict[NodeId, list[Edge]] = {}
+    for e in wiring.edges:
+        at.setdefault(e.a, []).append(e)
+        at.setdefault(e.b, []).append(e)
+    return at
+
+
+def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
+    """Signals at their joints."""
+    at = _edges_at(wiring)
+    special = {p.node for p in wiring.points} | {c.node for c in wiring.crossings}
+    boundaries = {b.node for b in wiring.boundaries}
+    taken: dict[tuple[NodeId, str], str] = {}
+    signals: list[Signal] = []
+    known = [*wiring.sections, *boundaries]
+    for name, spec in ctx.file.signals.items():
+        bad = False
+        for key, value, names in (("from", spec.from_, known), ("into", spec.into, list(wiring.sections))):
+            if value not in names:
+                hint = did_you_mean(value, names)
+                if value in wiring.approaches:
+                    hint = "an entry signal stands at the boundary: write the boundary's name after `from`"
+                ctx.add("IL2004", f"signal {name}: there is no section {value}", ctx.at("signals", name, key), hint)
+                bad = True
+        if bad:
+            continue
+        places = [
+            (node, into)
+            for node, edges in sorted(at.items())
+            if node not in special
+            for into in edges
+            if into.section == spec.into
+            and (
+                node == spec.from_
+                or any(e.section == spec.from_ and e.section != into.section for e in edges)
+            )
+        ]
+        if spec.at is not None:
+            places = [(n, e) for n, e in places if _near(wiring, at, n, spec.at)]
+        if not places:
+            near = f" next to {spec.at}" if spec.at else ""
+            ctx.add("IL3005", f"signal {name} stands at no joint: {spec.from_} and {spec.into} do not meet{near}",
+                    ctx.at("signals", name, "into"),
+                    f"{spec.into} meets: " + ", ".join(_neighbours(wiring, at, spec.into)))
+            continue
+        if len(places) > 1:
+            ctx.add("IL3006", f"signal {name}: {spec.from_} and {spec.into} meet in {len(places)} places",
+                    ctx.at("signals", name, "into"), "add `at: POINT`, naming a point next to the joint meant")
+            continue
+        node, into = places[0]
+        if (node, into.section) in taken:
+            ctx.add("IL3007", f"signal {name} stands where {taken[node, into.section]} stands, in the same direction",
+                    ctx.at_key("signals", name), "remove one of them, or turn it round: swap `from` and `into`")
+            continue
+        taken[node, into.section] = name
+        signals.append(Signal(SignalId(name), node, into.id))
+    return tuple(sorted(signals, key=lambda g: g.id))
+
+
+def _near(wiring: Wiring, at: dict[NodeId, list[Edge]], node: NodeId, point: str) -> bool:
+    legs = {e for p in wiring.points if p.id == point for e in (p.toe, p.normal, p.reverse)}
+    return any(e.id in legs for e in at[node])
+
+
+def _neighbours(wiring: Wiring, at: dict[NodeId, list[Edge]], section: str) -> list[str]:
+    boundaries = {b.node for b in wiring.boundaries}
+    found: set[str] = set()
+    for node, edges in at.items():
+        if any(e.section == section for e in edges):
+            found |= {e.section for e in edges if e.section != section}
+            if node in boundaries:
+                found.add(node)
+    return sorted(found)
+
+
+def resolve_conditions(ctx: Context, wiring: Wiring) -> tuple[Condition, ...]:
+    """External conditions with what requires them."""
+    out = []
+    for name, spec in ctx.file.conditions.items():
+        for i, s in enumerate(spec.over):
+            if s not in wiring.sections:
+                ctx.add("IL2004", f"condition {name}: there is no section {s}",
+                        ctx.at("conditions", name, "over", i), did_you_mean(s, wiring.sections))
+        for i, g in enumerate(spec.signals):
+            if g not in ctx.file.signals:
+                ctx.add("IL2006", f"condition {name}: there is no signal {g}",
+                        ctx.at("conditions", name, "signals", i), did_you_mean(g, ctx.file.signals))
+        out.append(Condition(ConditionId(name), spec.text,
+                             tuple(sorted(map(SectionId, spec.over))), tuple(sorted(map(SignalId, spec.signals)))))
+        if not spec.over and not spec.signals:
+            ctx.add("IL2011", f"no route requires {name}", ctx.at_key("conditions", name),
+                    "say what requires it: `over: [sections]` or `signals: [signals]`")
+    return tuple(sorted(out, key=lambda c: c.id))
+
+
+def resolve_routes(ctx: Context, wiring: Wiring) -> tuple[NamedRoute, ...]:
+    """Names that the author gives to routes; whether the routes exist is known after derivation."""
+    out = []
+    ends = [*ctx.file.signals, *ctx.file.boundaries, *ctx.file.buffers]
+    for name, spec in ctx.file.routes.items():
+        if spec.from_ not in ctx.file.signals:
+            ctx.add("IL2006", f"route {name}: there is no signal {spec.from_}", ctx.at("routes", name, "from"),
+                    did_you_mean(spec.from_, ctx.file.signals))
+        if spec.to not in ends:
+            ctx.add("IL2006", f"route {name}: there is no signal, boundary or buffer {spec.to}",
+                    ctx.at("routes", name, "to"), did_you_mean(spec.to, ends))
+        for i, s in enumerate(spec.via):
+            if s not in wiring.sections:
+                ctx.add("IL2004", f"route {name}: there is no section {s}", ctx.at("routes", name, "via", i),
+                        did_you_mean(s, wiring.sections))
+        out.append(NamedRoute(name, SignalId(spec.from_), spec.to, tuple(map(SectionId, spec.via))))
+    return tuple(sorted(out, key=lambda r: r.name))
+
+
+def resolve_waivers(ctx: Context) -> tuple[Waiver, ...]:
+    """Waivers of flank protection; each needs an existing leg and a reason."""
+    out = []
+    for i, spec in enumerate(ctx.file.waive):
+        name, _, leg = spec.flank.partition(".")
+        span = ctx.at("waive", i, "flank")
+        if name not in ctx.file.points:
+            ctx.add("IL2001", f"the waiver names {name}, which is no point", span,
+                    did_you_mean(name, ctx.file.points))
+            continue
+        if leg not in ("normal", "reverse"):
+            ctx.add("IL2003", f"flank protection is asked at a leg: {name} has no leg `{leg}`", span,
+                    f"write {name}.normal or {name}.reverse")
+            continue
+        if not spec.reason:
+            ctx.add("IL2009", f"the waiver of {spec.flank} gives no reason", span,
+                    "add `reason: ...`: say why a vehicle can never roll from there")
+            continue
+        out.append(Waiver(PointId(name), Position.NORMAL if leg == "normal" else Position.REVERSE, spec.reason))
+    return tuple(sorted(out, key=lambda w: (w.point, w.leg)))

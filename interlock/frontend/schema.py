@@ -1,0 +1,366 @@
+"""The layout language: keys, shapes and types.  One definition for validation and JSON Schema.
+
+Input: the YAML tree.  Output: a `LayoutFile`, or diagnostics IL1009-IL1017.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Annotated, Any, Literal
+
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    ValidationError,
+    WithJsonSchema,
+)
+from pydantic_core import PydanticCustomError
+
+from interlock.diag import Sink, Span
+from interlock.diag.suggest import did_you_mean
+from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
+from interlock.model.principles import KNOBS, PROFILES
+
+NAME = re.compile(r"[A-Za-z0-9]+([_/-][A-Za-z0-9]+)*")
+MAX_NAME = 14
+MAX_LENGTH_M = 100_000.0
+_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)")
+
+
+def _name(value: object) -> object:
+    if not isinstance(value, str):
+        raise PydanticCustomError("shape", "a name is expected")
+    if not NAME.fullmatch(value):
+        raise PydanticCustomError(
+            "name", "'{v}' cannot be a name: use letters, digits and single _ - / between them", {"v": value}
+        )
+    if len(value) > MAX_NAME:
+        raise PydanticCustomError(
+            "name", "'{v}' is longer than {n} characters", {"v": value, "n": MAX_NAME}
+        )
+    return value
+
+
+def number(text: str) -> float:
+    """A finite number in plain decimal notation; raises PydanticCustomError otherwise."""
+    if not _NUMBER.fullmatch(text):
+        raise PydanticCustomError("number", "'{v}' is not a number", {"v": text})
+    return float(text)
+
+
+def _length(value: object) -> object:
+    if not isinstance(value, str):
+        raise PydanticCustomError("number", "a length in metres is expected")
+    x = number(value)
+    if not math.isfinite(x) or not 0 < x <= MAX_LENGTH_M:
+        raise PydanticCustomError("range", "{v} m is not a possible length", {"v": value})
+    return x
+
+
+def _seconds(value: object) -> object:
+    if not isinstance(value, str):
+        raise PydanticCustomError("number", "a number is expected")
+    x = number(value)
+    if not math.isfinite(x) or not 0 < x <= 86_400:
+        raise PydanticCustomError("range", "{v} is out of range (0 to 86400)", {"v": value})
+    return x
+
+
+def _text(value: object) -> object:
+    if not isinstance(value, str):
+        raise PydanticCustomError("shape", "a text is expected")
+    return value
+
+
+def _some_text(value: str) -> str:
+    if not value.strip():
+        raise PydanticCustomError("reason", "the reason is empty")
+    return value
+
+
+def _version(value: object) -> object:
+    if value != "1":
+        raise PydanticCustomError("version", "version {v} is not supported", {"v": str(value)})
+    return 1
+
+
+def _choice(kind: str, known: tuple[str, ...]) -> BeforeValidator:
+    def check(value: object) -> object:
+        if not isinstance(value, str):
+            raise PydanticCustomError("shape", "a text is expected")
+        if value not in known:
+            raise PydanticCustomError(
+                "choice", "'{v}' is not a {k}", {"v": value, "k": kind, "known": list(known)}
+            )
+        return value
+
+    return BeforeValidator(check)
+
+
+_NAME_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{NAME.pattern}$", "maxLength": MAX_NAME}
+Name = Annotated[str, BeforeValidator(_name), WithJsonSchema(_NAME_SCHEMA)]
+Text = Annotated[str, BeforeValidator(_text)]
+Reason = Annotated[str, BeforeValidator(_text), AfterValidator(_some_text)]
+Length = Annotated[
+    float,
+    BeforeValidator(_length),
+    WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": MAX_LENGTH_M}),
+]
+Seconds = Annotated[
+    float,
+    BeforeValidator(_seconds),
+    WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": 86400}),
+]
+End = Annotated[str, BeforeValidator(_text)]
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+class BoundarySpec(_Part):
+    """Where trains come in or leave."""
+
+    approach: Annotated[Text | None, Field(description="approach section outside: `name length`")] = None
+    trains: Annotated[Literal["both", "in", "out"], _choice("direction", ("both", "in", "out"))] = "both"
+    label: Text = ""
+
+
+class PointSpec(_Part):
+    """A set of points; each end names what it is joined to (`track.start`, `point.toe`, a boundary)."""
+
+    section: Name
+    toe: End | None = None
+    normal: End | None = None
+    reverse: End | None = None
+    machine: Annotated[Name | None, Field(description="machine, where one works two ends")] = None
+    legs: Annotated[Length | None, Field(description="length of each of the three legs in metres")] = None
+    fouling: Annotated[Length | None, Field(description="distance to the fouling point in metres")] = None
+
+
+class ArmSpec(_Part):
+    """One arm of a diamond crossing."""
+
+    section: Name
+    ends: Annotated[list[End], Field(min_length=2, max_length=2)]
+
+
+class CrossingSpec(_Part):
+    """A diamond crossing of two arms."""
+
+    arms: Annotated[list[ArmSpec], Field(min_length=2, max_length=2)]
+    legs: Length | None = None
+
+
+class SignalSpec(_Part):
+    """A main signal at the joint between two sections, read by trains that go into `into`."""
+
+    from_: Annotated[Name, Field(alias="from")]
+    into: Name
+    at: Annotated[Name | None, Field(description="a point next to the joint, if sections meet twice")] = None
+
+
+class SectionSpec(_Part):
+    """More about a section."""
+
+    lane: Annotated[Literal["level", "inclined"], _choice("lane", ("level", "inclined"))] = "level"
+    one_way: Annotated[
+        Literal["forward", "backward"] | None,
+        _choice("direction", ("forward", "backward")),
+        Field(description="only this way along the track as it is written"),
+    ] = None
+
+
+class ConditionSpec(_Part):
+    """A named input from outside that routes require."""
+
+    text: Text = ""
+    over: list[Name] = []
+    signals: list[Name] = []
+
+
+class RouteSpec(_Part):
+    """A name for a derived route."""
+
+    from_: Annotated[Name, Field(alias="from")]
+    to: Name
+    via: list[Name] = []
+
+
+class WaiverSpec(_Part):
+    """Flank protection given up on purpose."""
+
+    flank: Annotated[Text, Field(description="leg of a point: `point.normal` or `point.reverse`")]
+    reason: Reason = ""
+
+
+class LayoutFile(_Part):
+    """A track layout for interlock."""
+
+    interlock: Annotated[int, BeforeValidator(_version), WithJsonSchema({"const": 1})]
+    name: Name
+    title: Text = ""
+    profile: Annotated[str, _choice("profile", tuple(PROFILES)), WithJsonSchema({"enum": list(PROFILES)})] = (
+        "generic"
+    )
+    principles: dict[Annotated[str, _choice("principle", KNOBS)], Seconds] = {}
+    boundaries: dict[Name, BoundarySpec] = {}
+    buffers: list[Name] = []
+    tracks: dict[Name, list[Text]] = {}
+    points: dict[Name, PointSpec] = {}
+    crossings: dict[Name, CrossingSpec] = {}
+    signals: dict[Name, SignalSpec] = {}
+    sections: dict[Name, SectionSpec] = {}
+    conditions: dict[Name, ConditionSpec] = {}
+    routes: dict[Name, RouteSpec] = {}
+    waive: list[WaiverSpec] = []
+
+
+def json_schema() -> dict[str, Any]:
+    """The JSON Schema (draft-07 subset) of the layout language, for completion in editors."""
+    schema = LayoutFile.model_json_schema(by_alias=True)
+    schema["$schema"] = "http://json-schema.org/draft-07/schema#"
+    schema["title"] = "interlock layout"
+    text = _rename_defs(schema)
+    assert isinstance(text, dict)
+    return text
+
+
+def _rename_defs(value: Any) -> Any:
+    """draft-07 keeps shared parts under `definitions`; pydantic writes `$defs`."""
+    if isinstance(value, dict):
+        return {("definitions" if k == "$defs" else k): _rename_defs(v) for k, v in value.items()}
+    if isinstance(value, list):
+        return [_rename_defs(v) for v in value]
+    if isinstance(value, str):
+        return value.replace("#/$defs/", "#/definitions/")
+    return value
+
+
+def plain(node: Node) -> Any:
+    """The tree as plain Python data; every scalar is text."""
+    if isinstance(node, Scalar):
+        return node.text
+    if isinstance(node, Sequence):
+        return [plain(n) for n in node.items]
+    return {k: plain(v) for k, (_, v) in node.items.items()}
+
+
+def span_of(root: Node, path: tuple[str | int, ...], *, key: bool = False) -> Span:
+    """The place of the value (or key) at a path; the nearest enclosing node when the path ends early."""
+    node: Node = root
+    span = root.span
+    for step in path:
+        if isinstance(node, Mapping) and str(step) in node.items:
+            k, node = node.items[str(step)]
+            span = k.span if key or not isinstance(node, Scalar) or not node.text else node.span
+        elif isinstance(node, Sequence) and isinstance(step, int) and step < len(node.items):
+            node = node.items[step]
+            span = node.span
+        else:
+            break
+    return span
+
+
+_KEYS: dict[str, tuple[str, ...]] = {
+    "": tuple(f.alias or n for n, f in LayoutFile.model_fields.items()),
+    "boundaries": tuple(BoundarySpec.model_fields),
+    "points": tuple(PointSpec.model_fields),
+    "crossings": (*CrossingSpec.model_fields, *ArmSpec.model_fields),
+    "signals": ("from", "into", "at"),
+    "sections": tuple(SectionSpec.model_fields),
+    "conditions": tuple(ConditionSpec.model_fields),
+    "routes": ("from", "to", "via"),
+    "waive": tuple(WaiverSpec.model_fields),
+}
+_CODES = {
+    "missing": "IL1010",
+    "extra_forbidden": "IL1011",
+    "number": "IL1013",
+    "range": "IL1014",
+    "version": "IL1015",
+    "name": "IL1016",
+    "choice": "IL1017",
+    "reason": "IL2009",
+}
+
+
+def validate(root: Node, sink: Sink) -> LayoutFile | None:
+    """The file as typed data, or None with every shape error reported."""
+    if not isinstance(root, Mapping):
+        sink.add("IL1009", "this is not a layout: a mapping of keys to values is expected", root.span,
+                 "a layout begins with `interlock: 1`")
+        return None
+    if "interlock" not in root.items and not ({"tracks", "signals"} & set(root.items)):
+        sink.add("IL1009", "this is not a layout: the key `interlock` is missing", root.span,
+                 "a layout begins with `interlock: 1`")
+        return None
+    try:
+        return LayoutFile.model_validate(plain(root), by_alias=True)
+    except ValidationError as error:
+        for e in error.errors(include_url=False):
+            _report(root, e["type"], tuple(e["loc"]), e["msg"], e.get("ctx", {}), sink)
+        return None
+
+
+def _report(
+    root: Node, kind: str, loc: tuple[str | int, ...], text: str, ctx: dict[str, Any], sink: Sink
+) -> None:
+    path = tuple(p for p in loc if p != "[key]" and not (isinstance(p, str) and p.startswith("function-")))
+    on_key = "[key]" in loc
+    code = _CODES.get(kind, "IL1012")
+    room = str(path[0]) if len(path) > 1 else ""
+    if kind == "missing":
+        span, where = span_of(root, path[:-1], key=True), ".".join(map(str, path[:-1])) or "the layout"
+        sink.add(code, f"{where} lacks the key `{path[-1]}`", span, f"add `{path[-1]}: ...`")
+    elif kind == "extra_forbidden":
+        known = _KEYS.get(room, ())
+        sink.add(code, f"unknown key `{path[-1]}`", span_of(root, path, key=True),
+                 did_you_mean(str(path[-1]), known))
+    elif code == "IL1012":
+        got = _kind_at(root, path)
+        want = _WANT.get(kind, "another shape")
+        sink.add(code, f"{'.'.join(map(str, path))}: {want} is expected here, not {got}",
+                 span_of(root, path), "see `interlock explain IL1012`")
+    else:
+        fix = _FIX.get(code, "")
+        if code == "IL1017":
+            fix = did_you_mean(str(ctx.get("v", "")), ctx.get("known", ()))
+        sink.add(code, f"{'.'.join(map(str, path))}: {text}", span_of(root, path, key=on_key), fix)
+
+
+_WANT = {
+    "dict_type": "a mapping",
+    "model_type": "a mapping",
+    "model_attributes_type": "a mapping",
+    "list_type": "a list",
+    "string_type": "a text",
+    "shape": "a text",
+    "too_short": "a list of two",
+    "too_long": "a list of two",
+}
+_FIX = {
+    "IL1013": "write metres or seconds as a plain decimal number, for instance 350 or 12.5",
+    "IL1014": "give a length above 0 and at most 100 km, or a time above 0 and at most a day",
+    "IL1015": "this release reads `interlock: 1`",
+    "IL1016": f"at most {MAX_NAME} ASCII letters and digits; put the full name into `title` or `label`",
+    "IL2009": "say why a vehicle can never roll from there",
+}
+
+
+def _kind_at(root: Node, path: tuple[str | int, ...]) -> str:
+    node: Node = root
+    for step in path:
+        if isinstance(node, Mapping) and str(step) in node.items:
+            node = node.items[str(step)][1]
+        elif isinstance(node, Sequence) and isinstance(step, int) and step < len(node.items):
+            node = node.items[step]
+        else:
+            break
+    if isinstance(node, Scalar):
+        return f"the text '{node.text[:40]}'" if node.text else "nothing"
+    return f"a list of {len(node.items)}" if isinstance(node, Sequence) else "a mapping"

@@ -1,0 +1,350 @@
+"""Pass 2: tracks, points and crossings become edges and nodes.
+
+Every end of a track, point or crossing arm is a *port*; the file joins ports in pairs.  Each pair becomes
+one node.  Output: edges, points, crossings, boundaries, buffers; diagnostics IL2001-IL2005, IL3001-IL3004,
+IL3015, IL3017.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from pydantic_core import PydanticCustomError
+
+from interlock.diag import Span
+from interlock.diag.suggest import did_you_mean
+from interlock.frontend.context import Context
+from interlock.frontend.schema import MAX_LENGTH_M, MAX_NAME, NAME, number
+from interlock.model.elements import (
+    Boundary,
+    BoundaryKind,
+    Buffer,
+    Crossing,
+    CrossingId,
+    Edge,
+    EdgeId,
+    MachineId,
+    NodeId,
+    Point,
+    PointId,
+    SectionId,
+)
+from interlock.model.principles import Principles
+
+_ITEM = re.compile(r"(\S+)\s+(\S+)")
+
+
+@dataclass(frozen=True, order=True)
+class Port:
+    """One end of something: `kind` is track, point, crossing, boundary or buffer."""
+
+    kind: str
+    name: str
+    end: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.name}.{self.end}" if self.end else self.name
+
+
+@dataclass
+class Wiring:
+    """The outcome: graph parts, the place where each section was first named, and foreseen names."""
+
+    edges: list[Edge] = field(default_factory=list)
+    points: list[Point] = field(default_factory=list)
+    crossings: list[Crossing] = field(default_factory=list)
+    boundaries: list[Boundary] = field(default_factory=list)
+    buffers: list[Buffer] = field(default_factory=list)
+    sections: dict[str, Span] = field(default_factory=dict)
+    approaches: dict[str, Span] = field(default_factory=dict)
+
+
+@dataclass
+class _Stretch:
+    section: str
+    length: float
+
+
+def section_and_length(ctx: Context, text: str, span: Span) -> tuple[str, float] | None:
+    """'q1 400' as section and metres; reports IL1012, IL1013, IL1014, IL1016."""
+    match = _ITEM.fullmatch(text.strip())
+    if match is None:
+        ctx.add("IL1012", f"'{text}': a section and its length are expected here", span,
+                "write `section length`, for instance `q1 400`")
+        return None
+    name, length = match.groups()
+    if not NAME.fullmatch(name) or len(name) > MAX_NAME:
+        ctx.add("IL1016", f"'{name}' cannot be a name", span,
+                f"at most {MAX_NAME} ASCII letters and digits; put the full name into `title` or `label`")
+        return None
+    try:
+        metres = number(length)
+    except PydanticCustomError:
+        ctx.add("IL1013", f"the length of {name}, '{length}', is not a number", span,
+                "write metres as a plain decimal number, for instance 350 or 12.5")
+        return None
+    if not 0 < metres <= MAX_LENGTH_M:
+        ctx.add("IL1014", f"{length} m is not a possible length of {name}", span,
+                "give a length above 0 and at most 100 km")
+        return None
+    return name, metres
+
+
+class Wirer:
+    """Builds the graph; one instance per file."""
+
+    def __init__(self, ctx: Context, principles: Principles) -> None:
+        self.ctx = ctx
+        self.principles = principles
+        self.out = Wiring()
+        self.mate: dict[Port, tuple[Port, Span]] = {}
+        self.tracks: dict[str, list[_Stretch]] = {}
+        self.first_edge: dict[Port, EdgeId] = {}
+
+    def run(self) -> Wiring:
+        """All steps; the graph is complete only when no error was reported."""
+        self._read_approaches()
+        self._read_tracks()
+        self._read_sections_of_points()
+        self._join_points()
+        self._join_crossings()
+        self._check_complete()
+        if not self.ctx.sink.has_errors:
+            self._build()
+        return self.out
+
+    # --- reading -------------------------------------------------------------------------------
+
+    def _read_approaches(self) -> None:
+        for name, b in self.ctx.file.boundaries.items():
+            if b.approach is None:
+                continue
+            span = self.ctx.at("boundaries", name, "approach")
+            got = section_and_length(self.ctx, b.approach, span)
+            if got is not None:
+                if got[0] in self.out.approaches:
+                    self.ctx.add("IL2002", f"{got[0]} is already the approach of another boundary", span,
+                                 "every boundary has an approach section of its own")
+                self.out.approaches[got[0]] = span
+
+    def _read_tracks(self) -> None:
+        f = self.ctx.file
+        ends = set(f.boundaries) | set(f.buffers)
+        for name, items in f.tracks.items():
+            stretches: list[_Stretch] = []
+            head: Port | None = None
+            for i, item in enumerate(items):
+                span = self.ctx.at("tracks", name, i)
+                if " " not in item.strip():
+                    port = self._terminal(item.strip(), ends, span, first=i == 0, last=i == len(items) - 1)
+                    if port is None:
+                        continue
+                    if i == 0:
+                        head = port
+                    elif stretches:
+                        self._join(Port("track", name, "end"), port, span)
+                    continue
+                got = section_and_length(self.ctx, item, span)
+                if got is None:
+                    continue
+                stretches.append(_Stretch(*got))
+                self.out.sections.setdefault(got[0], span)
+            if not stretches:
+                if not self.ctx.sink.has_errors:
+                    self.ctx.add("IL3017", f"the track {name} has no section", self.ctx.at_key("tracks", name),
+                                 "give it a section with a length, or join the boundary to the point directly")
+                continue
+            if head is not None:
+                self._join(Port("track", name, "start"), head, self.ctx.at("tracks", name, 0))
+            self.tracks[name] = stretches
+
+    def _terminal(self, name: str, ends: set[str], span: Span, *, first: bool, last: bool) -> Port | None:
+        if name not in ends:
+            self.ctx.add("IL2005", f"{name} is neither a boundary nor a buffer, and a section needs a length",
+                         span, did_you_mean(name, ends) or f"write `{name} 100`, or declare {name} under boundaries")
+            return None
+        if not (first or last):
+            self.ctx.add("IL3015", f"{name} stands in the middle of a track", span,
+                         "a boundary or buffer is the first or the last thing on a track")
+            return None
+        return self._end_port(name)
+
+    def _end_port(self, name: str) -> Port:
+        return Port("boundary" if name in self.ctx.file.boundaries else "buffer", name)
+
+    def _read_sections_of_points(self) -> None:
+        for name, p in self.ctx.file.points.items():
+            self.out.sections.setdefault(p.section, self.ctx.at("points", name, "section"))
+        for name, c in self.ctx.file.crossings.items():
+            for i, arm in enumerate(c.arms):
+                self.out.sections.setdefault(arm.section, self.ctx.at("crossings", name, "arms", i, "section"))
+
+    # --- joining -------------------------------------------------------------------------------
+
+    def _join_points(self) -> None:
+        for name, p in self.ctx.file.points.items():
+            for end, ref in (("toe", p.toe), ("normal", p.normal), ("reverse", p.reverse)):
+                if ref is None:
+                    continue
+                span = self.ctx.at("points", name, end)
+                target = self.resolve(ref, span)
+                if target is not None:
+                    self._join(Port("point", name, end), target, span)
+
+    def _join_crossings(self) -> None:
+        for name, c in self.ctx.file.crossings.items():
+            for i, arm in enumerate(c.arms):
+                for k, ref in enumerate(arm.ends):
+                    span = self.ctx.at("crossings", name, "arms", i, "ends", k)
+                    target = self.resolve(ref, span)
+                    if target is not None:
+                        self._join(Port("crossing", name, f"{i + 1}{'ab'[k]}"), target, span)
+
+    def resolve(self, ref: str, span: Span) -> Port | None:
+        """A reference as a port; reports IL2001 and IL2003."""
+        f = self.ctx.file
+        name, dot, end = ref.strip().partition(".")
+        if not dot:
+            if name in f.boundaries or name in f.buffers:
+                return self._end_port(name)
+            ends = "toe, normal or reverse" if name in f.points else "start or end"
+            if name in f.points or name in f.tracks:
+                first = "toe" if name in f.points else "start"
+                self.ctx.add("IL2003", f"{name} has several ends", span, f"say which: {name}.{first}, ... ({ends})")
+                return None
+        for kind, names, ends_ in (
+            ("track", f.tracks, ("start", "end")),
+            ("point", f.points, ("toe", "normal", "reverse")),
+            ("crossing", f.crossings, ("1a", "1b", "2a", "2b")),
+        ):
+            if name in names:
+                if end in ends_:
+                    return Port(kind, name, end)
+                self.ctx.add("IL2003", f"the {kind} {name} has no end `{end}`", span,
+                             did_you_mean(end, ends_) or "one of " + ", ".join(ends_))
+                return None
+        if name in f.boundaries or name in f.buffers:
+            self.ctx.add("IL2003", f"{name} has only one end", span, f"write `{name}`")
+            return None
+        known = [*f.tracks, *f.points, *f.crossings, *f.boundaries, *f.buffers]
+        self.ctx.add("IL2001", f"there is no track, point, boundary or buffer {name}", span,
+                     did_you_mean(name, known))
+        return None
+
+    def _join(self, a: Port, b: Port, span: Span) -> None:
+        if a == b or (a.kind == b.kind in ("point", "crossing") and a.name == b.name):
+            self.ctx.add("IL3001", f"{a} is wired to {b}, the same element", span,
+                         "an end leads to another track, point or boundary")
+            return
+        for x, y in ((a, b), (b, a)):
+            if x in self.mate and self.mate[x][0] != y:
+                other, where = self.mate[x]
+                if x is a:
+                    self.ctx.add("IL3004", f"{a} is joined to {b} here, but {other} says otherwise in line"
+                                 f" {where.line}", span, "make both ends agree, or leave one of them out")
+                elif other.kind == a.kind == "point" and other.name == a.name:
+                    self.ctx.add("IL3002", f"{a.name} is wired to {x} twice ({other.end} and {a.end})", span,
+                                 "toe, normal and reverse lead to three different ends")
+                else:
+                    self.ctx.add("IL3002", f"{x} is joined to {other} already (line {where.line})", span,
+                                 "exactly two ends meet in one place")
+                return
+        self.mate[a] = (b, span)
+        self.mate[b] = (a, span)
+
+    def _check_complete(self) -> None:
+        f = self.ctx.file
+        wanted: list[tuple[Port, Span, str]] = []
+        for name in self.tracks:
+            for end in ("start", "end"):
+                wanted.append((Port("track", name, end), self.ctx.at_key("tracks", name),
+                               "join it to a point, put a boundary there, or a buffer if the track ends"))
+        for name in f.points:
+            for end in ("toe", "normal", "reverse"):
+                wanted.append((Port("point", name, end), self.ctx.at_key("points", name),
+                               f"add `{end}: ...`"))
+        for name in f.boundaries:
+            wanted.append((Port("boundary", name), self.ctx.at_key("boundaries", name),
+                           "name it at the start or the end of a track"))
+        for i, name in enumerate(f.buffers):
+            wanted.append((Port("buffer", name), self.ctx.at("buffers", i),
+                           "name it at the start or the end of a track"))
+        if any(d.code.startswith(("IL2001", "IL2003", "IL1")) for d in self.ctx.sink.diagnostics):
+            return  # what is missing may only be misspelt
+        for port, span, fix in wanted:
+            if port not in self.mate:
+                self.ctx.add("IL3003", f"{port} is joined to nothing", span, fix)
+        for port, (other, span) in sorted(self.mate.items()):
+            if port.kind in ("boundary", "buffer") and other.kind in ("boundary", "buffer") and port < other:
+                self.ctx.add("IL3015", f"{port} and {other} are joined without a track between", span,
+                             "put a section between them")
+
+    # --- building ------------------------------------------------------------------------------
+
+    def _node(self, port: Port) -> NodeId:
+        other = self.mate[port][0]
+        for p in (port, other):
+            if p.kind in ("boundary", "buffer"):
+                return NodeId(p.name)
+        a, b = sorted((self._section_at(port), self._section_at(other)))
+        first, second = sorted((str(port), str(other)))
+        return NodeId(f"{a}|{b}@{first}") if a != b else NodeId(f"{a}@{first}+{second}")
+
+    def _section_at(self, port: Port) -> str:
+        f = self.ctx.file
+        if port.kind == "track":
+            return self.tracks[port.name][0 if port.end == "start" else -1].section
+        if port.kind == "point":
+            return f.points[port.name].section
+        return f.crossings[port.name].arms[int(port.end[0]) - 1].section
+
+    def _edge(self, name: str, a: NodeId, b: NodeId, length: float, section: str) -> EdgeId:
+        one_way = None
+        spec = self.ctx.file.sections.get(section)
+        if spec is not None:
+            one_way = spec.one_way
+        if one_way == "backward":
+            a, b = b, a
+        self.out.edges.append(Edge(EdgeId(name), a, b, length, SectionId(section), one_way is not None))
+        return EdgeId(name)
+
+    def _build(self) -> None:
+        f = self.ctx.file
+        for name, stretches in self.tracks.items():
+            here = self._node(Port("track", name, "start"))
+            for i, s in enumerate(stretches):
+                if i == len(stretches) - 1:
+                    there = self._node(Port("track", name, "end"))
+                elif stretches[i + 1].section == s.section:
+                    there = NodeId(f"{s.section}+{name}.{i}")
+                else:
+                    a, b = sorted((s.section, stretches[i + 1].section))
+                    there = NodeId(f"{a}|{b}@{name}.{i}")
+                self._edge(f"{name}.{i}", here, there, s.length, s.section)
+                here = there
+        for name, p in f.points.items():
+            length = p.legs if p.legs is not None else self.principles.leg_m
+            legs = {
+                end: self._edge(f"{name}.{end}", NodeId(name), self._node(Port("point", name, end)), length, p.section)
+                for end in ("toe", "normal", "reverse")
+            }
+            fouling = p.fouling if p.fouling is not None else self.principles.fouling_m
+            self.out.points.append(Point(PointId(name), MachineId(p.machine or name), NodeId(name),
+                                         legs["toe"], legs["normal"], legs["reverse"], fouling))
+        for name, c in f.crossings.items():
+            length = c.legs if c.legs is not None else self.principles.leg_m
+            arms = []
+            for i, arm in enumerate(c.arms):
+                pair = [
+                    self._edge(f"{name}.{i + 1}{side}", NodeId(name),
+                               self._node(Port("crossing", name, f"{i + 1}{side}")), length, arm.section)
+                    for side in "ab"
+                ]
+                arms.append((pair[0], pair[1]))
+            self.out.crossings.append(Crossing(CrossingId(name), NodeId(name), (arms[0], arms[1])))
+        for name, b in f.boundaries.items():
+            approach = b.approach.split()[0] if b.approach else None
+            self.out.boundaries.append(
+                Boundary(NodeId(name), BoundaryKind(b.trains), SectionId(approach) if approach else None))
+        self.out.buffers.extend(Buffer(NodeId(name)) for name in f.buffers)

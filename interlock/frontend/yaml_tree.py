@@ -1,0 +1,145 @@
+"""YAML as a tree of nodes with places; scalars stay text until the schema gives them a type.
+
+Input: the text of a file.  Output: a tree, or diagnostics IL1004-IL1008, IL1018, IL1019.
+The tree is built from parser events without recursion, so that no input can exhaust the stack.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import yaml
+
+from interlock.diag import Sink, Span
+
+MAX_DEPTH = 12
+_LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+@dataclass
+class Scalar:
+    """A text, exactly as written; `plain` is False for quoted text."""
+
+    text: str
+    span: Span
+    plain: bool = True
+
+
+@dataclass
+class Sequence:
+    """A list of nodes."""
+
+    span: Span
+    items: list[Node] = field(default_factory=list)
+
+
+@dataclass
+class Mapping:
+    """Keys and values in source order; keys are scalars and unique."""
+
+    span: Span
+    items: dict[str, tuple[Scalar, Node]] = field(default_factory=dict)
+
+
+Node = Scalar | Sequence | Mapping
+
+
+def _span(file: str, event: yaml.Event, text_lines: list[str]) -> Span:
+    start, end = event.start_mark, event.end_mark
+    width = 1
+    if end.line == start.line:
+        width = max(1, end.column - start.column)
+    elif start.line < len(text_lines):
+        width = max(1, len(text_lines[start.line]) - start.column)
+    return Span(file, start.line + 1, start.column + 1, width)
+
+
+def parse(file: str, text: str, sink: Sink) -> Node | None:
+    """The tree of the only document in the text, or None when there is none to go on with."""
+    lines = text.split("\n")
+    root: Node | None = None
+    stack: list[tuple[Node, Scalar | None]] = []  # container, pending key
+    documents = 0
+    try:
+        for event in yaml.parse(text, Loader=_LOADER):
+            if isinstance(event, yaml.DocumentStartEvent):
+                documents += 1
+                if documents > 1:
+                    sink.add("IL1008", "the file holds more than one document", _span(file, event, lines),
+                             "put each layout into a file of its own and remove the line `---`")
+                    return None
+                continue
+            if isinstance(event, yaml.AliasEvent):
+                sink.add("IL1006", f"the alias *{event.anchor} is not allowed", _span(file, event, lines),
+                         "write the value out; a layout is read by people from top to bottom")
+                return None
+            if isinstance(event, yaml.ScalarEvent | yaml.CollectionStartEvent):
+                span = _span(file, event, lines)
+                if event.anchor:
+                    sink.add("IL1006", f"the anchor &{event.anchor} is not allowed", span,
+                             "write the value out; a layout is read by people from top to bottom")
+                    return None
+                if event.tag and event.tag != "!":
+                    sink.add("IL1019", f"the tag {event.tag} is not allowed", span, "remove the tag")
+                    return None
+                if len(stack) >= MAX_DEPTH:
+                    sink.add("IL1018", f"more than {MAX_DEPTH} levels of nesting", span,
+                             "a layout needs no more than five")
+                    return None
+                node: Node
+                if isinstance(event, yaml.ScalarEvent):
+                    node = Scalar(event.value, span, event.style is None)
+                elif isinstance(event, yaml.SequenceStartEvent):
+                    node = Sequence(span)
+                else:
+                    node = Mapping(span)
+                if not _attach(stack, node, sink):
+                    return None
+                if not stack and root is None:
+                    root = node
+                if not isinstance(node, Scalar):
+                    stack.append((node, None))
+            elif isinstance(event, yaml.CollectionEndEvent):
+                stack.pop()
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        what = error.problem or error.context or "broken YAML"
+        hint = "check the indentation, the colons and the brackets up to this place"
+        if "\\t" in what or "tab" in what:
+            hint = "YAML indents with spaces, never with tabs"
+        span = Span(file, mark.line + 1, mark.column + 1) if mark else Span(file, 1, 1)
+        sink.add("IL1004", f"broken YAML: {what}", span, hint)
+        return None
+    except yaml.YAMLError as error:
+        sink.add("IL1004", f"broken YAML: {str(error).splitlines()[0]}", Span(file, 1, 1),
+                 "save the file as plain UTF-8 text")
+        return None
+    if root is None or (isinstance(root, Scalar) and not root.text.strip()):
+        sink.add("IL1007", "the file is empty", Span(file, 1, 1), "`interlock explain IL1007` shows a layout")
+        return None
+    return root
+
+
+def _attach(stack: list[tuple[Node, Scalar | None]], node: Node, sink: Sink) -> bool:
+    """Put a node into its container; False when the document cannot be followed further."""
+    if not stack:
+        return True
+    container, key = stack[-1]
+    if isinstance(container, Sequence):
+        container.items.append(node)
+        return True
+    assert isinstance(container, Mapping)
+    if key is None:
+        if not isinstance(node, Scalar):
+            sink.add("IL1012", "a key must be a plain text", node.span, "write `key: value`")
+            return False
+        stack[-1] = (container, node)
+        return True
+    if key.text in container.items:
+        first = container.items[key.text][0].span
+        sink.add("IL1005", f"{key.text} is given twice (first in line {first.line})", key.span,
+                 "keep one of them, or rename one")
+    else:
+        container.items[key.text] = (key, node)
+    stack[-1] = (container, None)
+    return True

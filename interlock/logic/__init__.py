@@ -1,0 +1,1 @@
+"""Control logic and physics in one expression language."""

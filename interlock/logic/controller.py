@@ -1,0 +1,223 @@
+"""The controller as typed data: what the PLC computes in one scan.
+
+One scan: (1) read the inputs; (2) compute the steps, wires and timers, in order, from inputs, old state and
+earlier steps; (3) compute the next value of every state variable from the same; (4) commit all next values
+at once; (5) compute the outputs from the new state.  Nothing else is remembered from scan to scan.
+
+Built by `logic.lower`, verified here: every name defined once, no use before definition (so no combinational
+cycle), every output restrictive in the initial state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
+
+from interlock.logic.expr import Expr, Substitution, conj, disj, evaluate, var, variables
+from interlock.model.elements import (
+    ConditionId,
+    MachineId,
+    NodeId,
+    Position,
+    RouteId,
+    SectionId,
+    SignalId,
+)
+
+
+class MalformedController(Exception):
+    """The controller breaks its own rules; always a defect of the lowering."""
+
+
+class Join(StrEnum):
+    """How the terms of an equation are joined."""
+
+    ALL = "all"
+    ANY = "any"
+
+
+@dataclass(frozen=True)
+class Term:
+    """One operand with its reason; `kind` names the sort of condition, for comments and mutants."""
+
+    expr: Expr
+    kind: str
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Equation:
+    """`name := AND/OR of terms`, as it is printed.  `group` is the block in which it is computed."""
+
+    name: str
+    join: Join
+    terms: tuple[Term, ...]
+    group: str
+    note: str = ""
+
+    @property
+    def expr(self) -> Expr:
+        """The equation's right side."""
+        join = conj if self.join is Join.ALL else disj
+        return join(t.expr for t in self.terms)
+
+
+@dataclass(frozen=True)
+class Timer:
+    """On-delay: `name` becomes true when `input` has been true for `preset_ms` without a break."""
+
+    name: str
+    input: str
+    preset_ms: int
+    note: str = ""
+
+
+Step = Equation | Timer
+
+
+@dataclass(frozen=True)
+class Input:
+    """A process or operator input; `size` 0 is Boolean, otherwise values 0 to size-1.
+
+    `restrictive` is the value that permits least; a missing input takes it.
+    """
+
+    name: str
+    note: str
+    size: int = 0
+    restrictive: int = 0
+
+
+@dataclass(frozen=True)
+class StateVar:
+    """A bit that is kept from scan to scan."""
+
+    name: str
+    initial: bool
+    note: str
+
+
+@dataclass(frozen=True)
+class Output:
+    """A process output or indication, computed from the new state; `restrictive` is its safe value."""
+
+    name: str
+    expr: Expr
+    restrictive: bool
+    note: str
+
+
+@dataclass(frozen=True)
+class RouteSymbols:
+    """Names of the variables of one route, and what it locks."""
+
+    id: RouteId
+    number: int
+    entry: SignalId
+    ways: tuple[tuple[SectionId, int], ...]
+    active: str
+    locked: str
+    want: str
+    proceed: str
+    shown: str
+
+
+@dataclass(frozen=True)
+class Symbols:
+    """What the variables of a controller mean; claims speak through these names alone."""
+
+    valid: str
+    request: str
+    clear: Mapping[SectionId, str]
+    blocked: Mapping[SectionId, str]
+    detected: Mapping[tuple[MachineId, Position], str]
+    command: Mapping[tuple[MachineId, Position], str]
+    condition: Mapping[ConditionId, str]
+    restart: Mapping[SectionId, str]
+    lock: Mapping[tuple[SectionId, int], str]
+    firm: Mapping[SectionId, str]
+    used: Mapping[SectionId, str]
+    passed: Mapping[SectionId, str]
+    stale: Mapping[SectionId, str]
+    cancelling: Mapping[SignalId, str]
+    approach_timer: Mapping[SignalId, str]
+    approach_of: Mapping[SignalId, SectionId | None]
+    routes: tuple[RouteSymbols, ...]
+    demands: Mapping[tuple[SectionId, int], tuple[tuple[MachineId, Position], ...]]
+    excluded: Mapping[tuple[SectionId, int], tuple[tuple[SectionId, tuple[int, ...]], ...]]
+    ends: Mapping[SectionId, tuple[NodeId, ...]]
+
+    def signal(self, g: SignalId) -> Expr:
+        """Whether the controller shows proceed at a signal."""
+        return disj(var(r.proceed) for r in self.routes if r.entry == g)
+
+
+@dataclass(frozen=True)
+class Controller:
+    """The whole controller.  See the module's docstring for the meaning of one scan."""
+
+    name: str
+    inputs: tuple[Input, ...]
+    state: tuple[StateVar, ...]
+    steps: tuple[Step, ...]
+    next: tuple[Equation, ...]
+    outputs: tuple[Output, ...]
+    symbols: Symbols = field(repr=False)
+
+    def __post_init__(self) -> None:
+        defined: set[str] = set()
+        for name in [*(i.name for i in self.inputs), *(s.name for s in self.state)]:
+            if name in defined:
+                raise MalformedController(f"{name} is defined twice")
+            defined.add(name)
+        for step in self.steps:
+            used = variables((step.expr,)) if isinstance(step, Equation) else {step.input: None}
+            for name in used:
+                if name not in defined:
+                    raise MalformedController(f"{step.name} reads {name} before it is computed")
+            if step.name in defined:
+                raise MalformedController(f"{step.name} is defined twice")
+            defined.add(step.name)
+        kept = {s.name for s in self.state}
+        if [e.name for e in self.next] != [s.name for s in self.state]:
+            raise MalformedController("next-state equations and state variables differ")
+        for e in self.next:
+            for name in variables((e.expr,)):
+                if name not in defined:
+                    raise MalformedController(f"the next value of {e.name} reads {name}, which is not defined")
+        initial = {s.name: int(s.initial) for s in self.state}
+        for o in self.outputs:
+            if not set(variables((o.expr,))) <= kept:
+                raise MalformedController(f"output {o.name} reads more than the new state")
+            if evaluate(o.expr, initial.__getitem__, {}) != o.restrictive:
+                raise MalformedController(f"output {o.name} is not restrictive in the initial state")
+
+    @cached_property
+    def timers(self) -> tuple[Timer, ...]:
+        """The timers in order."""
+        return tuple(s for s in self.steps if isinstance(s, Timer))
+
+    @cached_property
+    def equations(self) -> tuple[Equation, ...]:
+        """The wires in order."""
+        return tuple(s for s in self.steps if isinstance(s, Equation))
+
+    @cached_property
+    def expanded(self) -> dict[str, Expr]:
+        """Every wire as an expression over inputs, old state and timer outputs alone."""
+        known: dict[str, Expr] = {}
+        for e in self.equations:
+            known[e.name] = _expand(e.expr, known)
+        return known
+
+    @cached_property
+    def next_state(self) -> dict[str, Expr]:
+        """Every next value as an expression over inputs, old state and timer outputs alone."""
+        sub = Substitution(self.expanded)
+        return {e.name: sub(e.expr) for e in self.next}
+
+
+def _expand(x: Expr, known: dict[str, Expr]) -> Expr:
+    return Substitution({n: known[n] for n in variables((x,)) if n in known})(x)

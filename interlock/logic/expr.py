@@ -1,0 +1,226 @@
+"""Boolean expressions, hash-consed: equal expressions are the same object.
+
+Atoms are Boolean variables and comparisons of a small-range variable with a constant.  There are no
+floats, no loops and no side effects; `And` and `Or` take any number of operands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from enum import IntEnum
+
+
+class Op(IntEnum):
+    """Kind of an expression node."""
+
+    FALSE = 0
+    TRUE = 1
+    VAR = 2
+    EQ = 3
+    NOT = 4
+    AND = 5
+    OR = 6
+
+
+class Expr:
+    """One node.  Build with the functions of this module, never directly."""
+
+    __slots__ = ("args", "name", "op", "value")
+
+    def __init__(self, op: Op, args: tuple[Expr, ...] = (), name: str = "", value: int = 0) -> None:
+        self.op = op
+        self.args = args
+        self.name = name
+        self.value = value
+
+    def __repr__(self) -> str:
+        return text(self)
+
+    def __invert__(self) -> Expr:
+        return neg(self)
+
+    def __and__(self, other: Expr) -> Expr:
+        return conj((self, other))
+
+    def __or__(self, other: Expr) -> Expr:
+        return disj((self, other))
+
+
+_interned: dict[tuple[object, ...], Expr] = {}
+FALSE = Expr(Op.FALSE)
+TRUE = Expr(Op.TRUE)
+
+
+def _make(op: Op, args: tuple[Expr, ...] = (), name: str = "", value: int = 0) -> Expr:
+    key: tuple[object, ...] = (op, name, value, *map(id, args))
+    found = _interned.get(key)
+    if found is None:
+        found = _interned[key] = Expr(op, args, name, value)
+    return found
+
+
+def var(name: str) -> Expr:
+    """A Boolean variable."""
+    return _make(Op.VAR, (), name)
+
+
+def eq(name: str, value: int) -> Expr:
+    """Whether the small-range variable has the value."""
+    return _make(Op.EQ, (), name, value)
+
+
+def neg(x: Expr) -> Expr:
+    """NOT."""
+    if x is TRUE:
+        return FALSE
+    if x is FALSE:
+        return TRUE
+    if x.op is Op.NOT:
+        return x.args[0]
+    return _make(Op.NOT, (x,))
+
+
+def _nary(op: Op, unit: Expr, zero: Expr, xs: Iterable[Expr]) -> Expr:
+    flat: dict[int, Expr] = {}
+    for x in xs:
+        if x is zero:
+            return zero
+        if x is unit:
+            continue
+        for y in x.args if x.op is op else (x,):
+            flat.setdefault(id(y), y)
+    for y in flat.values():
+        if id(neg(y)) in flat:
+            return zero
+    if not flat:
+        return unit
+    if len(flat) == 1:
+        return next(iter(flat.values()))
+    return _make(op, tuple(flat.values()))
+
+
+def conj(xs: Iterable[Expr]) -> Expr:
+    """AND of any number of operands; TRUE when there is none."""
+    return _nary(Op.AND, TRUE, FALSE, xs)
+
+
+def disj(xs: Iterable[Expr]) -> Expr:
+    """OR of any number of operands; FALSE when there is none."""
+    return _nary(Op.OR, FALSE, TRUE, xs)
+
+
+def implies(a: Expr, b: Expr) -> Expr:
+    """NOT a OR b."""
+    return disj((neg(a), b))
+
+
+def iff(a: Expr, b: Expr) -> Expr:
+    """Both or neither."""
+    return conj((implies(a, b), implies(b, a)))
+
+
+def at_most_one(xs: Iterable[Expr]) -> Expr:
+    """No two of them."""
+    seen = list(xs)
+    return conj(neg(a & b) for i, a in enumerate(seen) for b in seen[i + 1 :])
+
+
+def walk(roots: Iterable[Expr]) -> Iterator[Expr]:
+    """Every node below the roots, operands first, each once; without recursion."""
+    done: set[int] = set()
+    for root in roots:
+        stack: list[tuple[Expr, bool]] = [(root, False)]
+        while stack:
+            node, ready = stack.pop()
+            if id(node) in done:
+                continue
+            if ready or not node.args:
+                done.add(id(node))
+                yield node
+                continue
+            stack.append((node, True))
+            stack.extend((a, False) for a in node.args if id(a) not in done)
+
+
+def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
+    """A node of the same kind over other operands."""
+    if node.op is Op.NOT:
+        return neg(args[0])
+    if node.op is Op.AND:
+        return conj(args)
+    if node.op is Op.OR:
+        return disj(args)
+    return node
+
+
+class Substitution:
+    """Replaces variables by expressions; remembers what it did, so that many roots share the work."""
+
+    def __init__(self, mapping: Mapping[str, Expr]) -> None:
+        self._mapping = mapping
+        self._done: dict[int, tuple[Expr, Expr]] = {}
+
+    def __call__(self, root: Expr) -> Expr:
+        done = self._done
+        if id(root) in done:
+            return done[id(root)][1]
+        stack = [(root, False)]
+        while stack:
+            node, ready = stack.pop()
+            if id(node) in done:
+                continue
+            if not node.args:
+                new = self._mapping.get(node.name, node) if node.op is Op.VAR else node
+                done[id(node)] = (node, new)
+            elif ready:
+                done[id(node)] = (node, rebuild(node, tuple(done[id(a)][1] for a in node.args)))
+            else:
+                stack.append((node, True))
+                stack.extend((a, False) for a in node.args if id(a) not in done)
+        return done[id(root)][1]
+
+
+def variables(roots: Iterable[Expr]) -> dict[str, None]:
+    """Names of all variables below the roots, in order of appearance."""
+    return {n.name: None for n in walk(roots) if n.op in (Op.VAR, Op.EQ)}
+
+
+def evaluate(root: Expr, value: Callable[[str], int], memo: dict[int, bool]) -> bool:
+    """The truth of an expression; `memo` may be shared between roots of one valuation."""
+    if id(root) in memo:
+        return memo[id(root)]
+    for node in walk((root,)):
+        if id(node) in memo:
+            continue
+        if node.op is Op.VAR:
+            memo[id(node)] = bool(value(node.name))
+        elif node.op is Op.EQ:
+            memo[id(node)] = value(node.name) == node.value
+        elif node.op is Op.NOT:
+            memo[id(node)] = not memo[id(node.args[0])]
+        elif node.op is Op.AND:
+            memo[id(node)] = all(memo[id(a)] for a in node.args)
+        elif node.op is Op.OR:
+            memo[id(node)] = any(memo[id(a)] for a in node.args)
+        else:
+            memo[id(node)] = node.op is Op.TRUE
+    return memo[id(root)]
+
+
+def text(x: Expr) -> str:
+    """A readable form, for messages and golden tests."""
+    if x.op is Op.TRUE:
+        return "TRUE"
+    if x.op is Op.FALSE:
+        return "FALSE"
+    if x.op is Op.VAR:
+        return x.name
+    if x.op is Op.EQ:
+        return f"{x.name} = {x.value}"
+    if x.op is Op.NOT:
+        return f"NOT {_inner(x.args[0])}"
+    return (" AND " if x.op is Op.AND else " OR ").join(_inner(a) for a in x.args)
+
+
+def _inner(x: Expr) -> str:
+    return f"({text(x)})" if x.op in (Op.AND, Op.OR, Op.EQ) else text(x)

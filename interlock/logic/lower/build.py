@@ -1,0 +1,74 @@
+"""The order of the lowering, and the symbols through which claims read the result."""
+
+from __future__ import annotations
+
+from interlock.logic.controller import Controller, RouteSymbols, Symbols
+from interlock.logic.lower import points, routes, sections
+from interlock.logic.lower.draft import Draft
+from interlock.model.elements import Position, SectionId
+from interlock.model.layout import Layout
+from interlock.model.portable import portable
+from interlock.table.rows import InterlockingTable
+
+PASSES = (
+    routes.inputs,
+    sections.inputs,
+    points.inputs,
+    sections.image,
+    points.detection,
+    points.movable,
+    routes.grants,
+    routes.locking,
+    sections.three_point,
+    routes.cancellation,
+    sections.release,
+    points.commands,
+    points.supervision,
+    routes.keep,
+    sections.keep,
+)
+
+
+def lower(layout: Layout, table: InterlockingTable) -> Controller:
+    """The controller of a table.  Raises `MalformedController` only for a defect of this package."""
+    d = Draft(layout, table)
+    for add in PASSES:
+        add(d)
+    return Controller(
+        layout.name, tuple(d.inputs), tuple(d.state), tuple(d.steps), tuple(d.next), tuple(d.outputs), _symbols(d)
+    )
+
+
+def _symbols(d: Draft) -> Symbols:
+    sections = d.sections
+    signals = [g.id for g in d.layout.signals if d.routes_from[g.id]]
+
+    def each(prefix: str) -> dict[SectionId, str]:
+        return {s: f"{prefix}_{portable(s)}" for s in sections}
+
+    return Symbols(
+        valid="VALID",
+        request="REQ",
+        clear={s.id: f"CLR_{portable(s.id)}" for s in d.layout.sections},
+        blocked=each("BLK"),
+        detected={(m, x): f"D{x}_{portable(m)}" for m in d.machines for x in Position},
+        command={(m, x): f"C{x}_{portable(m)}" for m in d.machines for x in Position},
+        condition={c.id: f"E_{portable(c.id)}" for c in d.layout.conditions},
+        restart=each("K"),
+        lock={t.key: f"L_{portable(t.section)}_{t.number}" for t in d.table.locks},
+        firm=each("F"),
+        used=each("U"),
+        passed=each("P"),
+        stale=each("D"),
+        cancelling={g: f"X_{portable(g)}" for g in signals},
+        approach_timer={g: f"AT_{portable(g)}" for g in signals},
+        approach_of={g: d.rear(d.first_section(g), d.layout.signal[g].node) for g in signals},
+        routes=tuple(
+            RouteSymbols(r.id, r.number, r.entry, r.traversals, f"A_R{r.number}", f"B_R{r.number}",
+                         f"W_R{r.number}", f"S_R{r.number}", f"H_R{r.number}")
+            for r in d.table.routes
+        ),
+        demands={t.key: tuple((p.machine, p.position) for p in t.points) for t in d.table.locks},
+        excluded={t.key: tuple((e.section, e.numbers) for e in t.exclusions) for t in d.table.locks},
+        ends=dict(d.topo.ends),
+    )

@@ -1,0 +1,160 @@
+"""What the lowering collects, and the names of everything.
+
+Every name is a prefix, the layout's name and at most a number: portable, at most 24 characters.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+
+from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
+from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
+from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, SignalId
+from interlock.model.layout import Layout
+from interlock.model.portable import portable
+from interlock.model.traversal import Topology, topology
+from interlock.table.rows import InterlockingTable, RouteRow, TraversalRow
+
+
+class Draft:
+    """A controller in the making."""
+
+    def __init__(self, layout: Layout, table: InterlockingTable) -> None:
+        self.layout = layout
+        self.table = table
+        self.topo: Topology = topology(layout)
+        self.inputs: list[Input] = []
+        self.state: list[StateVar] = []
+        self.steps: list[Step] = []
+        self.next: list[Equation] = []
+        self.outputs: list[Output] = []
+
+    # --- what is there -------------------------------------------------------------------------
+
+    @cached_property
+    def sections(self) -> tuple[SectionId, ...]:
+        """Sections inside the layout."""
+        return self.topo.sections
+
+    @cached_property
+    def machines(self) -> tuple[MachineId, ...]:
+        """Machines in order."""
+        return tuple(sorted(self.layout.ends_of_machine))
+
+    @cached_property
+    def locks_of(self) -> Mapping[SectionId, tuple[TraversalRow, ...]]:
+        """The locks of each section."""
+        out: dict[SectionId, list[TraversalRow]] = {s: [] for s in self.sections}
+        for t in self.table.locks:
+            out[t.section].append(t)
+        return {s: tuple(ts) for s, ts in out.items()}
+
+    @cached_property
+    def routes_over(self) -> Mapping[tuple[SectionId, int], tuple[RouteRow, ...]]:
+        """The routes that use each lock."""
+        out: dict[tuple[SectionId, int], list[RouteRow]] = {}
+        for r in self.table.routes:
+            for key in r.traversals:
+                out.setdefault(key, []).append(r)
+        return {k: tuple(v) for k, v in out.items()}
+
+    @cached_property
+    def routes_from(self) -> Mapping[SignalId, tuple[RouteRow, ...]]:
+        """The routes of each signal."""
+        out: dict[SignalId, list[RouteRow]] = {g.id: [] for g in self.layout.signals}
+        for r in self.table.routes:
+            out[r.entry].append(r)
+        return {g: tuple(v) for g, v in out.items()}
+
+    def first_section(self, g: SignalId) -> SectionId:
+        """The section just beyond a signal."""
+        return self.layout.section_of(self.layout.signal[g].into)
+
+    def signal_at(self, section: SectionId, node: NodeId) -> SignalId | None:
+        """The signal that governs entry into a section at an end."""
+        return self.topo.signal_into.get((node, section))
+
+    def rear(self, section: SectionId, node: NodeId) -> SectionId | None:
+        """The section that a train comes from: the neighbour, or the approach section of a boundary."""
+        boundary = self.layout.boundary_at.get(node)
+        return boundary.approach if boundary is not None else self.topo.beyond(section, node)
+
+    def sections_of(self, machine: MachineId) -> tuple[SectionId, ...]:
+        """The sections in which a machine's ends lie."""
+        ends = self.layout.ends_of_machine[machine]
+        return tuple(sorted({self.layout.section_of(p.toe) for p in ends}))
+
+    # --- adding --------------------------------------------------------------------------------
+
+    def wire(self, name: str, join: Join, terms: Iterable[Term], group: str, note: str = "") -> Expr:
+        """Add a wire; returns its variable."""
+        self.steps.append(Equation(name, join, tuple(terms), group, note))
+        return var(name)
+
+    def timer(self, name: str, input_: str, seconds: float, note: str) -> Expr:
+        """Add an on-delay timer; returns its output."""
+        self.steps.append(Timer(name, input_, round(seconds * 1000), note))
+        return var(name)
+
+    def kept(self, name: str, initial: bool, note: str, join: Join, terms: Iterable[Term], group: str) -> None:
+        """Add a state variable with its next-state equation."""
+        self.state.append(StateVar(name, initial, note))
+        self.next.append(Equation(name, join, tuple(terms), group, note))
+
+    # --- names ---------------------------------------------------------------------------------
+
+    def lock(self, section: SectionId, number: int) -> Expr:
+        """Section locked for one way through it."""
+        return var(f"L_{portable(section)}_{number}")
+
+    def locked_in(self, section: SectionId, node: NodeId) -> Expr:
+        """Locked for a way that comes in at an end."""
+        return disj(self.lock(*t.key) for t in self.locks_of[section] if t.entry == node)
+
+    def locked_out(self, section: SectionId, node: NodeId) -> Expr:
+        """Locked for a way that goes out at an end."""
+        return disj(self.lock(*t.key) for t in self.locks_of[section] if t.exit == node)
+
+    @staticmethod
+    def occupied(section: SectionId | None) -> Expr:
+        """Reported occupied (or not reported at all); an end without detection counts as occupied."""
+        return neg(FALSE) if section is None else var(f"OCC_{portable(section)}")
+
+    @staticmethod
+    def detected(machine: MachineId, position: Position) -> Expr:
+        """Detected in a position, by valid and unambiguous contacts."""
+        return var(f"Q{position}_{portable(machine)}")
+
+    @staticmethod
+    def command(machine: MachineId, position: Position) -> Expr:
+        """Commanded to a position."""
+        return var(f"C{position}_{portable(machine)}")
+
+    def any_active(self, g: SignalId) -> Expr:
+        """A route from the signal is set and not yet used."""
+        return disj(var(f"A_R{r.number}") for r in self.routes_from[g])
+
+    def approach_clear(self, g: SignalId) -> Expr:
+        """The approach section is reported clear."""
+        return neg(self.occupied(self.rear(self.first_section(g), self.layout.signal[g].node)))
+
+    def approach_safe(self, g: SignalId) -> Expr:
+        """No train can be about to pass the signal: approach clear, or the delay has run out."""
+        return disj((self.approach_clear(g), var(f"AT_{portable(g)}")))
+
+    @staticmethod
+    def route_var(prefix: str, route: RouteRow | RouteId, number: int | None = None) -> Expr:
+        """A variable of a route."""
+        n = number if number is not None else (route.number if isinstance(route, RouteRow) else 0)
+        return var(f"{prefix}_R{n}")
+
+
+def all_of(*terms: Term) -> tuple[Term, ...]:
+    """Terms of a conjunction."""
+    return terms
+
+
+def both(a: Expr, b: Expr) -> Expr:
+    """AND of two."""
+    return conj((a, b))

@@ -1,0 +1,194 @@
+"""Sections: locks, the three-point check, release (R8, R9, R16).
+
+Per section: K restart lock (nobody may use it after power-up until it is released by hand, R16); L one bit for
+each way through it; F firm, the route is locked and its points detected; U used, a train came in from the rear;
+P passed, a train went on into the next section; D stale, inputs were lost while locked, so that automatic release
+is off and the lock is released by hand.
+"""
+
+from __future__ import annotations
+
+from interlock.logic.controller import Input, Join, Output, Term
+from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
+from interlock.logic.lower.draft import Draft
+from interlock.model.elements import NodeId, SectionId
+from interlock.model.portable import portable
+
+
+def inputs(d: Draft) -> None:
+    """Detection (1 = clear, so that a broken wire reads occupied), manual release and blocking."""
+    for s in d.layout.sections:
+        d.inputs.append(Input(f"CLR_{portable(s.id)}", f"section {s.id} reported clear"))
+    for s_ in d.sections:
+        d.inputs.append(Input(f"REL_{portable(s_)}", f"operator: release section {s_} (hold until released)"))
+    for s_ in d.sections:
+        d.inputs.append(Input(f"BLK_{portable(s_)}", f"operator: section {s_} is blocked", restrictive=1))
+    d.inputs.append(Input("REL_ALL", "operator: release all clear sections after a restart"))
+
+
+def image(d: Draft) -> None:
+    """A section counts as occupied unless it is validly reported clear (R3, R16)."""
+    for s in d.layout.sections:
+        n = portable(s.id)
+        d.wire(f"OCC_{n}", Join.ANY, (
+            Term(neg(var(f"CLR_{n}")), "not reported clear"),
+            Term(neg(var("VALID")), "inputs lost"),
+        ), f"section {s.id}", f"{s.id} counts as occupied")
+    for s_ in d.sections:
+        n = portable(s_)
+        d.wire(f"FREE_{n}", Join.ALL, (
+            Term(neg(var(f"K_{n}")), "no restart lock"),
+            *(Term(neg(d.lock(*t.key)), "not locked") for t in d.locks_of[s_]),
+        ), f"section {s_}", f"{s_} is not locked by anybody")
+
+
+def _new_use(section: SectionId, index: int) -> str:
+    return f"NU_{portable(section)}_{index}"
+
+
+def three_point(d: Draft) -> None:
+    """A train has come in: occupied together with the section in rear, which was itself used (R9)."""
+    for s in d.sections:
+        n = portable(s)
+        for i, node in enumerate(d.topo.ends[s], start=1):
+            locked = d.locked_in(s, node)
+            if locked is FALSE:
+                continue
+            rear = d.rear(s, node)
+            terms = [
+                Term(var("VALID"), "inputs valid"),
+                Term(var(f"F_{n}"), "firmly locked"),
+                Term(neg(var(f"D_{n}")), "inputs never lost"),
+                Term(neg(var(f"U_{n}")), "not used yet"),
+                Term(locked, "locked from here"),
+                Term(d.occupied(s), "occupied"),
+                Term(d.occupied(rear), "rear occupied", f"{rear or 'no detection'} in rear occupied"),
+            ]
+            if d.signal_at(s, node) is None and rear is not None:
+                terms.append(Term(var(f"U_{portable(rear)}"), "rear used", f"{rear} itself was used"))
+                terms.append(Term(d.locked_out(rear, node), "rear leads here", f"{rear} is locked towards {s}"))
+            d.wire(_new_use(s, i), Join.ALL, terms, f"section {s}", f"a train comes into {s} at {node} (R9)")
+
+
+def rear_free(d: Draft, s: SectionId) -> list[Term]:
+    """No lock in rear still leads into the section."""
+    out = []
+    for node in d.topo.ends[s]:
+        rear = d.topo.beyond(s, node)
+        if rear is None or d.signal_at(s, node) is not None:
+            continue
+        locked, leading = d.locked_in(s, node), d.locked_out(rear, node)
+        if locked is FALSE or leading is FALSE:
+            continue
+        out.append(Term(neg(conj((locked, leading))), "rear released", f"{rear} in rear is released"))
+    return out
+
+
+def release(d: Draft) -> None:
+    """All the ways in which a section is released; none of them while it counts as occupied."""
+    for s in d.sections:
+        n = portable(s)
+        group = f"section {s}"
+        clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
+        valid = Term(var("VALID"), "inputs valid")
+        rear = rear_free(d, s)
+        d.wire(f"EX_{n}", Join.ANY, _exits(d, s), group, f"a train in {s} leaves over a boundary, or has passed on")
+        d.wire(f"RTI_{n}", Join.ALL, (
+            valid,
+            Term(var(f"U_{n}"), "was used"),
+            clear,
+            *rear,
+            Term(var(f"EX_{n}"), "went on"),
+        ), group, f"{s} may be released behind the train (R9)")
+        done = d.timer(f"RT_{n}", f"RTI_{n}", d.layout.principles.release_delay_s, f"{s}: release delay (R9)")
+        unsignalled = disj(
+            d.locked_in(s, node)
+            for node in d.topo.ends[s]
+            if d.signal_at(s, node) is None and d.topo.beyond(s, node) is not None
+        )
+        d.wire(f"CA_{n}", Join.ALL, (
+            valid, clear, Term(neg(var(f"U_{n}")), "not used"), Term(unsignalled, "locked from inside"), *rear,
+        ), group, f"the lock before {s} was withdrawn (R8)")
+        by_hand = [
+            valid, clear, *rear, Term(var(f"REL_{n}"), "by hand"),
+            Term(disj(d.lock(*t.key) for t in d.locks_of[s]), "locked"),
+        ]
+        cancelled: list[Term] = []
+        for node in d.topo.ends[s]:
+            g = d.signal_at(s, node)
+            locked = d.locked_in(s, node)
+            if g is None or locked is FALSE:
+                continue
+            safe = conj((neg(d.any_active(g)), d.approach_safe(g)))
+            by_hand.append(Term(disj((neg(locked), safe)), "no train about to come",
+                                f"no route from {g} is set and no train is about to pass it"))
+            cancelled.append(Term(var(f"CD_{portable(g)}"), "cancelled", f"route from {g} cancelled"))
+        d.wire(f"HR_{n}", Join.ALL, by_hand, group, f"{s} released by hand (R8, section fault release)")
+        d.wire(f"SR_{n}", Join.ALL, (
+            valid, clear, Term(var(f"K_{n}"), "restart lock"),
+            Term(disj((var(f"REL_{n}"), var("REL_ALL"))), "operator"),
+        ), group, f"{s} released after a restart (R16)")
+        d.wire(f"RLS_{n}", Join.ANY, (
+            Term(done, "behind the train"),
+            Term(var(f"CA_{n}"), "withdrawn"),
+            *cancelled,
+            Term(var(f"HR_{n}"), "by hand"),
+            Term(var(f"SR_{n}"), "after restart"),
+        ), group, f"{s} is released")
+
+
+def _exits(d: Draft, s: SectionId) -> list[Term]:
+    out = [Term(var(f"P_{portable(s)}"), "passed on", "the next section was occupied together with this one")]
+    by_entry: dict[NodeId, list[Expr]] = {}
+    for t in d.locks_of[s]:
+        if t.exit in d.layout.boundary_at:
+            by_entry.setdefault(t.entry, []).append(d.lock(*t.key))
+    for node, locks in by_entry.items():
+        g = d.signal_at(s, node)
+        leaves = disj(locks)
+        if g is None:
+            out.append(Term(leaves, "leaves at a boundary"))
+        else:
+            out.append(Term(conj((leaves, d.approach_safe(g))), "leaves at a boundary",
+                            f"and no train is about to pass {g}"))
+    return out
+
+
+def keep(d: Draft) -> None:
+    """Next values of every section's state."""
+    for s in d.sections:
+        n = portable(s)
+        group = f"section {s}"
+        stays = Term(neg(var(f"RLS_{n}")), "not released")
+        locks = disj(d.lock(*t.key) for t in d.locks_of[s])
+        d.kept(f"K_{n}", True, f"{s}: restart lock (R16)", Join.ALL, (Term(var(f"K_{n}"), "held"), stays), group)
+        firmer: list[Expr] = []
+        for t in d.locks_of[s]:
+            name = f"L_{n}_{t.number}"
+            grants = [var(f"G_R{r.number}") for r in d.routes_over[t.key]]
+            firmer.extend(var(f"LK_R{r.number}") for r in d.routes_over[t.key])
+            d.kept(name, False, f"{s} locked from {t.entry} to {t.exit}", Join.ALL, (
+                Term(disj((var(name), *grants)), "held or granted"), stays,
+            ), group)
+        d.kept(f"F_{n}", False, f"{s} firmly locked", Join.ALL, (
+            Term(disj((var(f"F_{n}"), *firmer)), "held or locked"), stays,
+        ), group)
+        uses = [
+            var(_new_use(s, i)) for i, node in enumerate(d.topo.ends[s], 1) if d.locked_in(s, node) is not FALSE
+        ]
+        d.kept(f"U_{n}", True, f"{s} used by a train (R9)", Join.ALL, (
+            Term(disj((var(f"U_{n}"), *uses)), "held or new"), stays,
+        ), group)
+        gone = []
+        for node in d.topo.ends[s]:
+            ahead = d.topo.beyond(s, node)
+            if ahead is not None and d.locked_in(ahead, node) is not FALSE:
+                gone.append(var(_new_use(ahead, d.topo.ends[ahead].index(node) + 1)))
+        going = conj((var(f"U_{n}"), d.occupied(s), disj(gone)))
+        d.kept(f"P_{n}", False, f"{s}: the train went on (R9)", Join.ALL, (
+            Term(disj((var(f"P_{n}"), going)), "held or new"), stays,
+        ), group)
+        d.kept(f"D_{n}", False, f"{s}: inputs were lost while locked", Join.ALL, (
+            Term(disj((var(f"D_{n}"), conj((neg(var("VALID")), locks)))), "held or lost"), stays,
+        ), group)
+        d.outputs.append(Output(f"YL_{n}", disj((var(f"K_{n}"), locks)), True, f"indication: {s} is locked"))

@@ -1,0 +1,499 @@
+"""The physics: what trains, points, detectors and lamps can do.  Built from the layout alone.
+
+The plant is a transition system in the same expression language.  A step of the whole system is:
+    1. the plant moves (any number of trains, points), seeing the outputs of the last scan, or of the scan
+       before, since outputs reach signals and machines up to one scan late;
+    2. inputs are sampled: an input image is any image that the detection assumptions permit;
+    3. the controller scans.
+
+State, by prefix (s a section, j an end of it, g a signal, m a machine):
+    o.s       a train, or part of one, stands in s
+    in.s.j    it came in at end j (after a reversal: it stands as if it had come in there)
+    x.j.s     a train stands across end j, going out of s (head beyond, tail in s)
+    rest.s    it has stood in s since the restart and moves only when a signal calls it
+    go.g      a train has accepted the proceed of g and will pass it
+    at.m.N/R  the machine really lies normal / reverse; neither means it is moving
+    img.s     s was reported occupied in the last scan
+    lamp.g    proceed was shown at g in the scan before the last
+    cmd.m.x   the command of the scan before the last
+No train has an identity, a length or a speed: heads and tails move separately.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
+from interlock.model.elements import BoundaryKind, MachineId, NodeId, Position, SectionId, SignalId
+from interlock.model.foul import foul_joints
+from interlock.model.layout import Layout
+from interlock.model.traversal import Traversal, topology
+
+
+@dataclass(frozen=True)
+class Wiring:
+    """The only way in which the plant sees a controller: names of its signals, commands and inputs."""
+
+    proceed: Mapping[SignalId, Expr]
+    command: Mapping[tuple[MachineId, Position], Expr]
+    valid: str
+    clear: Mapping[SectionId, str]
+    detected: Mapping[tuple[MachineId, Position], str]
+    approach_timer: Mapping[SignalId, str]
+
+
+@dataclass(frozen=True)
+class Assumption:
+    """A named sentence about the world, and what it says of one step."""
+
+    id: str
+    text: str
+    expr: Expr
+
+
+@dataclass(frozen=True)
+class Hazard:
+    """A bad event of one step; `expr` speaks of old state and choices."""
+
+    id: str
+    place: str
+    expr: Expr
+
+
+@dataclass
+class Plant:
+    """State, choices, next-state functions, assumptions and hazards."""
+
+    state: dict[str, str] = field(default_factory=dict)
+    choices: dict[str, str] = field(default_factory=dict)
+    next: dict[str, Expr] = field(default_factory=dict)
+    initial: list[Expr] = field(default_factory=list)
+    assumptions: list[Assumption] = field(default_factory=list)
+    hazards: list[Hazard] = field(default_factory=list)
+    events: dict[str, Expr] = field(default_factory=dict)
+
+
+def o(s: str) -> Expr:
+    """A train stands in a section (or approach section)."""
+    return var(f"o.{s}")
+
+
+def came(s: str, j: str) -> Expr:
+    """The train in s came in at j."""
+    return var(f"in.{s}.{j}")
+
+
+def across(j: str, s: str) -> Expr:
+    """A train stands across j on its way out of s."""
+    return var(f"x.{j}.{s}")
+
+
+def rests(s: str) -> Expr:
+    """The train in s has not been called since the restart."""
+    return var(f"rest.{s}")
+
+
+def accepted(g: str) -> Expr:
+    """A train has accepted the proceed of g."""
+    return var(f"go.{g}")
+
+
+def lies(m: str, x: Position) -> Expr:
+    """The machine really lies so."""
+    return var(f"at.{m}.{x}")
+
+
+def image(s: str) -> Expr:
+    """The section was reported occupied in the last scan."""
+    return var(f"img.{s}")
+
+
+def lamp(g: str) -> Expr:
+    """Proceed was shown in the scan before the last."""
+    return var(f"lamp.{g}")
+
+
+def old_command(m: str, x: Position) -> Expr:
+    """The command of the scan before the last."""
+    return var(f"cmd.{m}.{x}")
+
+
+OUTSIDE = "outside"
+
+
+class PlantBuilder:
+    """Builds the plant of a layout."""
+
+    def __init__(self, layout: Layout, wiring: Wiring, dropped: frozenset[str] = frozenset()) -> None:
+        self.layout = layout
+        self.topo = topology(layout)
+        self.w = wiring
+        self.dropped = dropped
+        self.p = Plant()
+
+    def build(self) -> Plant:
+        """All parts in order."""
+        self._points()
+        self._movements()
+        self._states()
+        self._images()
+        self._hazards()
+        return self.p
+
+    # --- small pieces --------------------------------------------------------------------------
+
+    def lie(self, t: Traversal) -> Expr:
+        """Every point on the way really lies for it."""
+        return conj(lies(self.layout.point[p].machine, x) for p, x in t.points)
+
+    def ways(self, s: SectionId, a: NodeId, b: NodeId | None = None) -> list[Traversal]:
+        """Traversals from an end, to an end if given."""
+        return [t for t in self.topo.through(s, a) if b is None or t.exit == b]
+
+    def heading(self, s: SectionId, b: NodeId) -> Expr:
+        """The train in s is heading to its end b, as the points lie."""
+        return disj(
+            conj((came(s, a), self.lie(t))) for a in self.topo.ends[s] for t in self.ways(s, a, b)
+        )
+
+    def choice(self, name: str, text: str) -> Expr:
+        """A free choice of the world."""
+        self.p.choices[name] = text
+        return var(name)
+
+    def rear(self, g: SignalId) -> tuple[NodeId, SectionId, SectionId | None]:
+        """Joint, section beyond and section in rear (None: outside without detection) of a signal."""
+        signal = self.layout.signal[g]
+        first = self.layout.section_of(signal.into)
+        boundary = self.layout.boundary_at.get(signal.node)
+        if boundary is not None:
+            return signal.node, first, boundary.approach
+        return signal.node, first, self.topo.beyond(first, signal.node)
+
+    def seen(self, g: SignalId) -> Expr:
+        """A driver may see proceed: shown in the last scan, or in the one before (A-LATE-OUTPUT)."""
+        return disj((self.w.proceed.get(g, FALSE), lamp(g)))
+
+    # --- points --------------------------------------------------------------------------------
+
+    def _points(self) -> None:
+        for m in sorted(self.layout.ends_of_machine):
+            starts = {}
+            for x in Position:
+                self.p.state[f"at.{m}.{x}"] = f"machine {m} lies {x}"
+                self.p.state[f"cmd.{m}.{x}"] = f"machine {m} was commanded {x}"
+                self.p.next[f"cmd.{m}.{x}"] = self.w.command[m, x]
+                self.p.initial.append(neg(old_command(m, x)))
+                away = disj((self.w.command[m, x.other], old_command(m, x.other)))
+                if "A-POINT" in self.dropped:
+                    away = TRUE
+                starts[x] = conj((lies(m, x), away, self.choice(f"?start.{m}.{x}", f"machine {m} leaves {x}")))
+                self.p.events[f"start.{m}.{x}"] = starts[x]
+            moving = conj(neg(lies(m, x)) for x in Position)
+            for x in Position:
+                may = disj((self.w.command[m, x], old_command(m, x)))
+                arrives = conj((moving, may, self.choice(f"?arrive.{m}.{x}", f"machine {m} arrives {x}")))
+                # both commands may be pending in one step: normal wins, so that it never lies both ways
+                if x is Position.REVERSE:
+                    arrives = conj((arrives, neg(self.p.events[f"arrive.{m}.N"])))
+                self.p.events[f"arrive.{m}.{x}"] = arrives
+                self.p.next[f"at.{m}.{x}"] = disj((conj((lies(m, x), neg(starts[x]))), arrives))
+            self.p.initial.append(at_most_one(lies(m, x) for x in Position))
+
+    # --- movements -----------------------------------------------------------------------------
+
+    def _movements(self) -> None:
+        topo = self.topo
+        for s in topo.sections:
+            for j in topo.ends[s]:
+                if j in self.layout.buffer_at:
+                    continue
+                ahead = topo.beyond(s, j)
+                g = topo.signal_into.get((j, ahead)) if ahead is not None else None
+                self._head(s, j, g)
+                self._tail(s, j, ahead)
+        for b in self.layout.boundaries:
+            if b.kind is BoundaryKind.OUT:
+                continue
+            s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
+            g = topo.signal_into.get((b.node, s))
+            if g is None:
+                continue
+            outside = b.approach or f"{OUTSIDE}.{b.node}"
+            scanned = image(outside) if b.approach and "A-SCAN" not in self.dropped else TRUE
+            free = neg(across(b.node, outside)) if "A-HEADWAY" not in self.dropped else TRUE
+            self.p.events[f"head.{b.node}.{outside}"] = conj((
+                o(outside), neg(across(b.node, outside)), accepted(g), scanned,
+                self.choice(f"?head.{b.node}.{outside}", f"a train enters at {b.node}"),
+            ))
+            self.p.events[f"tail.{b.node}.{outside}"] = conj((
+                across(b.node, outside), image(s) if "A-SCAN" not in self.dropped else TRUE,
+                self.choice(f"?tail.{b.node}.{outside}", f"its tail enters at {b.node}"),
+            ))
+            self.p.events[f"appear.{outside}"] = conj((
+                neg(o(outside)), self.choice(f"?appear.{outside}", f"a train comes to {b.node}")))
+            self._accept(g, outside, conj((o(outside), scanned, free)))
+        for g_ in self.layout.signals:
+            node, first, rear = self.rear(g_.id)
+            if node in self.layout.boundary_at or rear is None:
+                continue
+            ready = conj((
+                o(rear), self.heading(rear, node),
+                neg(across(node, rear)) if "A-HEADWAY" not in self.dropped else TRUE,
+                neg(across(node, first)),
+                image(rear) if "A-SCAN" not in self.dropped else TRUE,
+            ))
+            self._accept(g_.id, rear, ready)
+        for s in topo.sections:
+            self._reversal(s)
+
+    def _accept(self, g: SignalId, rear: str, ready: Expr) -> None:
+        del rear
+        self.p.events[f"accept.{g}"] = conj((
+            ready, self.seen(g), self.choice(f"?accept.{g}", f"a driver accepts the proceed of {g}")))
+        self.p.events[f"refuse.{g}"] = self.choice(f"?refuse.{g}", f"the train before {g} stops after all")
+
+    def _head(self, s: SectionId, j: NodeId, g: SignalId | None) -> None:
+        scanned = image(s) if "A-SCAN" not in self.dropped else TRUE
+        authority = accepted(g) if g is not None else (neg(rests(s)) if "A-RESTART" not in self.dropped else TRUE)
+        if g is not None and "A-OBEY" in self.dropped:
+            authority = TRUE
+        self.p.events[f"head.{j}.{s}"] = conj((
+            o(s), neg(across(j, s)), self.heading(s, j), authority, scanned,
+            self.choice(f"?head.{j}.{s}", f"the head of the train in {s} passes {j}"),
+        ))
+
+    def _tail(self, s: SectionId, j: NodeId, ahead: SectionId | None) -> None:
+        others = [k for k in self.topo.ends[s] if k != j]
+        inside = conj(neg(across(k, self._other_side(s, k))) for k in others if k not in self.layout.buffer_at)
+        scanned = image(ahead) if ahead is not None and "A-SCAN" not in self.dropped else TRUE
+        self.p.events[f"tail.{j}.{s}"] = conj((
+            across(j, s), inside, scanned,
+            self.choice(f"?tail.{j}.{s}", f"the tail of the train in {s} passes {j}"),
+        ))
+
+    def _other_side(self, s: SectionId, j: NodeId) -> str:
+        """What lies across an end: a section, an approach section, or outside."""
+        ahead = self.topo.beyond(s, j)
+        if ahead is not None:
+            return ahead
+        boundary = self.layout.boundary_at.get(j)
+        return (boundary.approach if boundary and boundary.approach else None) or f"{OUTSIDE}.{j}"
+
+    def comes_in(self, s: SectionId, j: NodeId) -> Expr:
+        """A head comes into s at j in this step."""
+        if j in self.layout.buffer_at:
+            return FALSE
+        return self.p.events.get(f"head.{j}.{self._other_side(s, j)}", FALSE)
+
+    def _reversal(self, s: SectionId) -> None:
+        """A train reverses at a standstill where a signal governs its new direction."""
+        for a in self.topo.ends[s]:
+            ahead = self.topo.beyond(s, a)
+            g = self.topo.signal_into.get((a, ahead)) if ahead is not None else None
+            if g is None:
+                continue
+            for b in self.topo.ends[s]:
+                back = disj(self.lie(t) for t in self.ways(s, b, a))
+                there = disj(self.lie(t) for t in self.ways(s, a, b))
+                if a == b or back is FALSE or there is FALSE:
+                    continue
+                alone = conj(
+                    neg(across(k, x))
+                    for k in self.topo.ends[s]
+                    if k not in self.layout.buffer_at
+                    for x in (s, self._other_side(s, k))
+                )
+                waiting = conj([
+                    *(neg(accepted(h)) for h in self._exit_signals(s)),
+                    *(neg(self.p.events[f"accept.{h}"]) for h in self._exit_signals(s)),
+                    *(neg(self.p.events[f"head.{k}.{s}"]) for k in self.topo.ends[s] if k not in self.layout.buffer_at),
+                ])
+                self.p.events[f"turn.{s}.{a}.{b}"] = conj((
+                    o(s), came(s, a), there, neg(rests(s)), alone, image(s), waiting,
+                    self.choice(f"?turn.{s}.{a}.{b}", f"the train in {s} changes direction"),
+                ))
+
+    def _exit_signals(self, s: SectionId) -> list[SignalId]:
+        found = []
+        for j in self.topo.ends[s]:
+            ahead = self.topo.beyond(s, j)
+            g = self.topo.signal_into.get((j, ahead)) if ahead is not None else None
+            if g is not None:
+                found.append(g)
+        return found
+
+    # --- next states ---------------------------------------------------------------------------
+
+    def _states(self) -> None:
+        topo, p = self.topo, self.p
+        for s in topo.sections:
+            out = disj(p.events[f"tail.{j}.{s}"] for j in topo.ends[s] if j not in self.layout.buffer_at)
+            enter = {j: self.comes_in(s, j) for j in topo.ends[s]}
+            p.state[f"o.{s}"] = f"a train stands in {s}"
+            p.next[f"o.{s}"] = disj((conj((o(s), neg(out))), *enter.values()))
+            p.state[f"rest.{s}"] = f"the train in {s} has stood there since the restart"
+            p.next[f"rest.{s}"] = conj((rests(s), neg(out)))
+            p.initial.append(iff(rests(s), o(s)))
+            for j in topo.ends[s]:
+                turned_in = disj(
+                    p.events[f"turn.{s}.{a}.{j}"] for a in topo.ends[s] if f"turn.{s}.{a}.{j}" in p.events
+                )
+                turned_out = disj(
+                    p.events[f"turn.{s}.{j}.{b}"] for b in topo.ends[s] if f"turn.{s}.{j}.{b}" in p.events
+                )
+                p.state[f"in.{s}.{j}"] = f"the train in {s} came in at {j}"
+                p.next[f"in.{s}.{j}"] = disj((
+                    conj((came(s, j), neg(out), neg(turned_out))), enter[j], turned_in))
+                if j in self.layout.buffer_at:
+                    continue
+                p.state[f"x.{j}.{s}"] = f"a train stands across {j}, going out of {s}"
+                p.next[f"x.{j}.{s}"] = disj((
+                    conj((across(j, s), neg(p.events[f"tail.{j}.{s}"]))), p.events[f"head.{j}.{s}"]))
+            p.initial.append(at_most_one(came(s, j) for j in topo.ends[s]))
+            p.initial.append(iff(o(s), disj(came(s, j) for j in topo.ends[s])))
+            for j in topo.ends[s]:
+                if j in self.layout.buffer_at:
+                    continue
+                ahead = topo.beyond(s, j)
+                standing = conj((o(s), o(ahead), came(ahead, j))) if ahead is not None else o(s)
+                p.initial.append(implies(across(j, s), conj((standing, self.heading(s, j)))))
+        for b in self.layout.boundaries:
+            outside = b.approach or f"{OUTSIDE}.{b.node}"
+            if f"appear.{outside}" not in p.events:
+                continue
+            left, came_ = p.events[f"tail.{b.node}.{outside}"], p.events[f"appear.{outside}"]
+            p.state[f"o.{outside}"] = f"a train stands before {b.node}"
+            p.next[f"o.{outside}"] = disj((conj((o(outside), neg(left))), came_))
+            p.state[f"x.{b.node}.{outside}"] = f"a train stands across {b.node}, coming in"
+            p.next[f"x.{b.node}.{outside}"] = disj((
+                conj((across(b.node, outside), neg(left))), p.events[f"head.{b.node}.{outside}"]))
+            p.initial.append(neg(across(b.node, outside)))
+        for g in self.layout.signals:
+            node, _, rear = self.rear(g.id)
+            behind = rear or f"{OUTSIDE}.{node}"
+            if f"accept.{g.id}" not in p.events:
+                continue
+            p.state[f"go.{g.id}"] = f"a train has accepted {g.id}"
+            p.next[f"go.{g.id}"] = conj((
+                disj((accepted(g.id), p.events[f"accept.{g.id}"])),
+                neg(p.events[f"refuse.{g.id}"]), neg(p.events[f"head.{node}.{behind}"])))
+            p.initial.append(neg(accepted(g.id)))
+            p.state[f"lamp.{g.id}"] = f"{g.id} showed proceed one scan ago"
+            p.next[f"lamp.{g.id}"] = self.w.proceed.get(g.id, FALSE)
+            p.initial.append(neg(lamp(g.id)))
+
+    # --- what the inputs show ------------------------------------------------------------------
+
+    def _images(self) -> None:
+        p, topo = self.p, self.topo
+        valid = var(self.w.valid)
+        false_: dict[str, Expr] = {}
+        for s, name in self.w.clear.items():
+            if f"o.{s}" not in p.state:
+                # an approach section beyond an outgoing boundary holds no train of this model
+                p.state[f"img.{s}"] = f"{s} was reported occupied"
+                p.next[f"img.{s}"] = neg(conj((var(name), valid)))
+                continue
+            reported = neg(var(name))
+            p.state[f"img.{s}"] = f"{s} was reported occupied"
+            p.next[f"img.{s}"] = disj((reported, neg(valid)))
+            p.initial.append(image(s))
+            self._assume("A-DETECT", "A train that stands in a section before and after a step is reported "
+                         "(no loss of shunt); a train that just came in or left may be reported either way.",
+                         implies(conj((o(s), p.next[f"o.{s}"], valid)), reported))
+            false_[s] = conj((reported, neg(o(s)), neg(p.next[f"o.{s}"]), valid))
+        pairs = [(a, b) for _, a, b in topo.joints()] + [
+            (b.approach, self.layout.section_of(self.layout.edges_at[b.node][0].id))
+            for b in self.layout.boundaries
+            if b.approach is not None
+        ]
+        for a, b_ in pairs:
+            if a in false_ and b_ in false_:
+                self._assume("A-ONE-FALSE", "No two neighbouring sections are falsely reported occupied in the "
+                             "same scan.", neg(conj((false_[a], false_[b_]))))
+        for (m, x), name in self.w.detected.items():
+            self._assume("A-CONTACT", "A point is never reported in a position in which it does not lie; a missing "
+                         "report is always possible.", implies(conj((valid, var(name))), p.next[f"at.{m}.{x}"]))
+        for g, name in self.w.approach_timer.items():
+            if f"go.{g}" in p.next:
+                self._assume("A-TIMER", "When the approach locking delay has run out with the signal at stop, the "
+                             "train before it has passed it or stands.", implies(var(name), conj((neg(accepted(g)), neg(p.next[f"go.{g}"])))))
+
+    def _assume(self, id_: str, text: str, expr: Expr) -> None:
+        if id_ not in self.dropped:
+            self.p.assumptions.append(Assumption(id_, text, expr))
+
+    # --- hazards -------------------------------------------------------------------------------
+
+    def _hazards(self) -> None:
+        p, topo, layout = self.p, self.topo, self.layout
+        for s in topo.sections:
+            enter = [self.comes_in(s, j) for j in topo.ends[s]]
+            enter = [e for e in enter if e is not FALSE]
+            p.hazards.append(Hazard("COLLISION", s, disj((
+                conj((o(s), disj(enter))), neg(at_most_one(enter))))))
+            wrong = []
+            for j in topo.ends[s]:
+                good = disj(self.lie(t) for t in self.ways(s, j))
+                wrong.append(conj((came(s, j), neg(good))))
+            p.hazards.append(Hazard("DERAIL", s, conj((o(s), neg(rests(s)), disj(wrong)))))
+        for m, ends in sorted(layout.ends_of_machine.items()):
+            secs = sorted({layout.section_of(e.toe) for e in ends})
+            starts = disj(p.events[f"start.{m}.{x}"] for x in Position)
+            moving = conj(neg(lies(m, x)) for x in Position)
+            bad = []
+            for s_ in secs:
+                entering = disj(self.comes_in(s_, j) for j in topo.ends[s_])
+                bad += [conj((starts, o(s_))), conj((entering, disj((moving, starts))))]
+            p.hazards.append(Hazard("POINT-MOVES", m, disj(bad)))
+        for c in layout.crossings:
+            sides = []
+            for arm in (0, 1):
+                sec = layout.section_of(c.arms[arm][0])
+                sides.append((sec, disj(
+                    conj((o(sec), came(sec, t.entry), self.lie(t)))
+                    for t in topo.traversals[sec] if (c.id, arm) in t.crossings)))
+            if sides[0][0] != sides[1][0]:
+                p.hazards.append(Hazard("DIAMOND", c.id, conj((
+                    sides[0][1], sides[1][1],
+                    neg(conj((rests(sides[0][0]), rests(sides[1][0]))))))))
+        for f in foul_joints(layout):
+            over = disj(
+                conj((came(f.section, t.entry), self.lie(t)))
+                for t in topo.traversals[f.section]
+                if any(q == f.point and x is not f.leg for q, x in t.points)
+            )
+            p.hazards.append(Hazard("FOUL", f"{f.section}/{f.neighbour}", conj((
+                o(f.section), over, o(f.neighbour),
+                neg(conj((rests(f.section), rests(f.neighbour))))))))
+
+
+def build_plant(layout: Layout, wiring: Wiring, dropped: frozenset[str] = frozenset()) -> Plant:
+    """The plant of a layout; `dropped` names assumptions to leave out (to show that they matter)."""
+    return PlantBuilder(layout, wiring, dropped).build()
+
+
+ASSUMPTIONS: dict[str, str] = {
+    "A-OBEY": "A train passes a signal only after its driver has accepted a proceed that was shown.",
+    "A-SCAN": "A head leaves a section, and a tail leaves it, only after the occupation that it causes has been "
+    "scanned (or while inputs are lost); a driver accepts a signal only from a scanned section in rear of it.",
+    "A-HEADWAY": "No second train accepts a signal in the very scan in which the tail of the first passes it.",
+    "A-DETECT": "A train that stands in a section before and after a step is reported; one that just came in or "
+    "left may be reported either way (no loss of shunt beyond one scan).",
+    "A-ONE-FALSE": "No two neighbouring sections are falsely reported occupied in the same scan.",
+    "A-CONTACT": "A point is never reported in a position in which it does not lie; a missing report is always "
+    "possible.",
+    "A-POINT": "A point moves only when commanded, at most one scan late.",
+    "A-TIMER": "When the approach locking delay has run out with the signal at stop, the train before it has "
+    "passed it or stands.",
+    "A-RESTART": "At a restart trains stand anywhere, points lie anyhow; a train moves again only when a signal "
+    "calls it (others are moved under local rules before their section is released).",
+    "A-REVERSE": "A train changes direction only at a standstill, wholly within one section, where a signal governs "
+    "its new direction.",
+    "A-LATE-OUTPUT": "Signals and machines follow the outputs of the last scan or of the scan before, not older.",
+    "A-BEYOND": "Beyond a boundary the neighbour protects trains; nothing is proved there.",
+    "A-STANDS": "A vehicle inside the layout that is not on a route stands still; others may roll in only from "
+    "beyond the next stop signal, and a signal at stop stops them.",
+}

@@ -1,0 +1,1 @@
+"""The railway as facts: elements, layout, topology, traversals.  No YAML, no solver."""

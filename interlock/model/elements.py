@@ -1,0 +1,162 @@
+"""The elements of a layout, resolved and frozen.
+
+A layout is a graph.  An `Edge` is a stretch of track within one section; edges meet at nodes.  A node
+is a point, a crossing, a boundary, a buffer, a joint between two sections, or a plain continuation.
+All lengths are in metres.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import NewType
+
+SectionId = NewType("SectionId", str)
+SignalId = NewType("SignalId", str)
+PointId = NewType("PointId", str)
+MachineId = NewType("MachineId", str)
+CrossingId = NewType("CrossingId", str)
+NodeId = NewType("NodeId", str)
+EdgeId = NewType("EdgeId", str)
+ConditionId = NewType("ConditionId", str)
+RouteId = NewType("RouteId", str)
+
+
+class Position(StrEnum):
+    """How a point lies.  Normal is 定位 / Plus, reverse is 反位 / Minus."""
+
+    NORMAL = "N"
+    REVERSE = "R"
+
+    @property
+    def other(self) -> Position:
+        """The opposite position."""
+        return Position.REVERSE if self is Position.NORMAL else Position.NORMAL
+
+
+class BoundaryKind(StrEnum):
+    """Which way trains pass a boundary, seen from inside the layout."""
+
+    BOTH = "both"
+    IN = "in"
+    OUT = "out"
+
+
+class Lane(StrEnum):
+    """Kind of line in a mine (document A, section 1)."""
+
+    LEVEL = "level"
+    INCLINED = "inclined"
+
+
+@dataclass(frozen=True)
+class Section:
+    """A detection section.  An approach section lies outside, in rear of an entry signal."""
+
+    id: SectionId
+    approach: bool = False
+    lane: Lane = Lane.LEVEL
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A stretch of track between two nodes within one section; `one_way` permits only a to b."""
+
+    id: EdgeId
+    a: NodeId
+    b: NodeId
+    length: float
+    section: SectionId
+    one_way: bool = False
+
+
+@dataclass(frozen=True)
+class Point:
+    """One end of a set of points: three edges at one node, worked by a machine.
+
+    `fouling` is the distance from the node to the fouling point (警冲标 / Grenzzeichen) on either leg.
+    """
+
+    id: PointId
+    machine: MachineId
+    node: NodeId
+    toe: EdgeId
+    normal: EdgeId
+    reverse: EdgeId
+    fouling: float
+
+    def leg(self, position: Position) -> EdgeId:
+        """The edge to which the point leads in that position."""
+        return self.normal if position is Position.NORMAL else self.reverse
+
+    def position_of(self, edge: EdgeId) -> Position | None:
+        """The position that leads to the edge, or None for the toe."""
+        if edge == self.normal:
+            return Position.NORMAL
+        return Position.REVERSE if edge == self.reverse else None
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """A diamond crossing: two arms through one node, each a pair of edges."""
+
+    id: CrossingId
+    node: NodeId
+    arms: tuple[tuple[EdgeId, EdgeId], tuple[EdgeId, EdgeId]]
+
+
+@dataclass(frozen=True)
+class Boundary:
+    """Where trains come in or leave; `approach` is the section outside it, in rear of the entry signal."""
+
+    node: NodeId
+    kind: BoundaryKind
+    approach: SectionId | None
+
+
+@dataclass(frozen=True)
+class Buffer:
+    """End of track."""
+
+    node: NodeId
+
+
+@dataclass(frozen=True)
+class Signal:
+    """A main signal at a joint; a train that passes it goes onto edge `into`."""
+
+    id: SignalId
+    node: NodeId
+    into: EdgeId
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A named input from outside (hoist stopped, barrier closed) that routes require.
+
+    It is required by every route over one of `over` and by every route from one of `signals`.
+    """
+
+    id: ConditionId
+    text: str
+    over: tuple[SectionId, ...]
+    signals: tuple[SignalId, ...]
+
+
+@dataclass(frozen=True)
+class Waiver:
+    """Flank protection that the author gives up for one leg of a point, with the reason."""
+
+    point: PointId
+    leg: Position
+    reason: str
+
+
+@dataclass(frozen=True)
+class NamedRoute:
+    """A name that the author gives to a derived route, for instance one that a document uses."""
+
+    name: str
+    entry: SignalId
+    exit: str
+    via: tuple[SectionId, ...] = field(default=())

@@ -1,0 +1,54 @@
+"""Foul joints (侵限绝缘), computed from distances (R7).
+
+A joint on a leg of a point is foul when it lies nearer to the point than its fouling point plus the
+clearance: a vehicle that stands beyond the joint can still foul the other leg.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from interlock.model.elements import EdgeId, NodeId, PointId, Position, SectionId
+from interlock.model.layout import Layout
+
+
+@dataclass(frozen=True)
+class FoulJoint:
+    """The neighbour section fouls routes over the *other* leg of the point."""
+
+    point: PointId
+    leg: Position
+    section: SectionId
+    neighbour: SectionId
+    node: NodeId
+    distance: float
+    needed: float
+
+
+def foul_joints(layout: Layout) -> tuple[FoulJoint, ...]:
+    """Every foul joint, ordered by point and leg."""
+    found = []
+    for p in layout.points:
+        needed = p.fouling + layout.principles.clearance_m
+        for leg in Position:
+            found.extend(_along(layout, p.id, leg, p.leg(leg), p.node, 0.0, needed))
+    return tuple(found)
+
+
+def _along(
+    layout: Layout, point: PointId, leg: Position, edge: EdgeId, node: NodeId, gone: float, needed: float
+) -> list[FoulJoint]:
+    """Walk out from the point until the distance needed is covered; collect joints nearer than it."""
+    home = layout.section_of(layout.point[point].toe)
+    far = layout.far(edge, node)
+    gone += layout.edge[edge].length
+    if gone >= needed or far in layout.point_at or far in layout.crossing_at:
+        return []
+    out = []
+    for e in layout.edges_at[far]:
+        if e.id == edge:
+            continue
+        if e.section not in (home, layout.section_of(edge)):
+            out.append(FoulJoint(point, leg, home, e.section, far, gone, needed))
+        out.extend(_along(layout, point, leg, e.id, far, gone, needed))
+    return out

@@ -1,0 +1,134 @@
+"""The layout: every element, resolved and checked, in a fixed order.
+
+Built by the front end; read by everything else.  The digest ignores source order and spans.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field
+from functools import cached_property
+
+from interlock.model.elements import (
+    Boundary,
+    Buffer,
+    Condition,
+    Crossing,
+    CrossingId,
+    Edge,
+    EdgeId,
+    MachineId,
+    NamedRoute,
+    NodeId,
+    Point,
+    PointId,
+    Section,
+    SectionId,
+    Signal,
+    SignalId,
+    Waiver,
+)
+from interlock.model.principles import Principles
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """A railway as resolved facts.  Every tuple is ordered by id."""
+
+    name: str
+    title: str
+    profile: str
+    principles: Principles
+    sections: tuple[Section, ...]
+    edges: tuple[Edge, ...]
+    points: tuple[Point, ...]
+    crossings: tuple[Crossing, ...]
+    boundaries: tuple[Boundary, ...]
+    buffers: tuple[Buffer, ...]
+    signals: tuple[Signal, ...]
+    conditions: tuple[Condition, ...]
+    waivers: tuple[Waiver, ...]
+    named_routes: tuple[NamedRoute, ...]
+    labels: Mapping[str, str] = field(default_factory=dict, compare=False)
+
+    @cached_property
+    def edge(self) -> dict[EdgeId, Edge]:
+        """Edges by id."""
+        return {e.id: e for e in self.edges}
+
+    @cached_property
+    def section(self) -> dict[SectionId, Section]:
+        """Sections by id."""
+        return {s.id: s for s in self.sections}
+
+    @cached_property
+    def point(self) -> dict[PointId, Point]:
+        """Points by id."""
+        return {p.id: p for p in self.points}
+
+    @cached_property
+    def crossing(self) -> dict[CrossingId, Crossing]:
+        """Crossings by id."""
+        return {c.id: c for c in self.crossings}
+
+    @cached_property
+    def signal(self) -> dict[SignalId, Signal]:
+        """Signals by id."""
+        return {s.id: s for s in self.signals}
+
+    @cached_property
+    def point_at(self) -> dict[NodeId, Point]:
+        """The point that stands at a node."""
+        return {p.node: p for p in self.points}
+
+    @cached_property
+    def crossing_at(self) -> dict[NodeId, Crossing]:
+        """The crossing that lies at a node."""
+        return {c.node: c for c in self.crossings}
+
+    @cached_property
+    def boundary_at(self) -> dict[NodeId, Boundary]:
+        """The boundary at a node."""
+        return {b.node: b for b in self.boundaries}
+
+    @cached_property
+    def buffer_at(self) -> dict[NodeId, Buffer]:
+        """The buffer at a node."""
+        return {b.node: b for b in self.buffers}
+
+    @cached_property
+    def edges_at(self) -> dict[NodeId, tuple[Edge, ...]]:
+        """The edges that end at a node."""
+        found: dict[NodeId, list[Edge]] = {}
+        for e in self.edges:
+            found.setdefault(e.a, []).append(e)
+            found.setdefault(e.b, []).append(e)
+        return {n: tuple(es) for n, es in found.items()}
+
+    @cached_property
+    def ends_of_machine(self) -> dict[MachineId, tuple[Point, ...]]:
+        """The point ends that one machine works."""
+        found: dict[MachineId, list[Point]] = {}
+        for p in self.points:
+            found.setdefault(p.machine, []).append(p)
+        return {m: tuple(ps) for m, ps in found.items()}
+
+    def far(self, edge: EdgeId, node: NodeId) -> NodeId:
+        """The other end of an edge."""
+        e = self.edge[edge]
+        return e.b if e.a == node else e.a
+
+    def section_of(self, edge: EdgeId) -> SectionId:
+        """The section of an edge."""
+        return self.edge[edge].section
+
+    @cached_property
+    def digest(self) -> str:
+        """SHA-256 of the facts (labels and titles included), independent of source order."""
+        return hashlib.sha256(self.to_text().encode()).hexdigest()
+
+    def to_text(self) -> str:
+        """One readable, canonical text form."""
+        return json.dumps(asdict(self), indent=1, sort_keys=True, ensure_ascii=False)

@@ -1,0 +1,40 @@
+"""The railway's policy knobs.  A profile is a named set; a layout may override single knobs.
+
+Every knob names its source.  Where no source gives a figure, the docstring says that it is our choice.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+
+@dataclass(frozen=True)
+class Principles:
+    """Knobs of derivation and control.
+
+    release_delay_s: delay of sectional release after the three-point check (R9: 3 s).
+    approach_release_s: delay of a cancellation while the approach is occupied
+        (R8: 180 s receiving and main-line departure, 30 s side track and shunt; an Indian example
+        has 120 s).  `mine` takes 60 s, our choice for 8 km/h.
+    point_supervision_s: time after which a commanded point without detection raises an alarm (R10: 13 s).
+    fouling_m: distance from a point to its fouling point where the layout states none (our choice).
+    clearance_m: least distance from the fouling point to a joint that is not foul (R7: 3.5 m).
+    leg_m: length of the legs of a point where the layout states none (our choice).
+    scan_ms: cycle time that the time-outs assume (our choice).
+    """
+
+    release_delay_s: float = 3.0
+    approach_release_s: float = 180.0
+    point_supervision_s: float = 13.0
+    fouling_m: float = 12.0
+    clearance_m: float = 3.5
+    leg_m: float = 20.0
+    scan_ms: float = 100.0
+
+
+PROFILES: dict[str, Principles] = {
+    "generic": Principles(),
+    "mine": Principles(approach_release_s=60.0, fouling_m=8.0),
+}
+
+KNOBS: tuple[str, ...] = tuple(f.name for f in fields(Principles))

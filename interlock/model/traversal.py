@@ -1,0 +1,186 @@
+"""Ways through a section: from one of its ends to another, with the point positions needed.
+
+A section's ends are its joints with neighbours, boundaries and buffers.  The plant, the derivation
+and the strengthening invariants all speak of traversals; the audit walks the edges itself instead.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+from interlock.model.elements import (
+    BoundaryKind,
+    CrossingId,
+    EdgeId,
+    NodeId,
+    PointId,
+    Position,
+    SectionId,
+    SignalId,
+)
+from interlock.model.layout import Layout
+
+
+@dataclass(frozen=True)
+class Traversal:
+    """One way through a section.
+
+    `points` gives the position of every point on the way, `crossings` the arm (0 or 1) of every diamond.
+    `number` counts the traversals of the section from 1.
+    """
+
+    section: SectionId
+    number: int
+    entry: NodeId
+    exit: NodeId
+    points: tuple[tuple[PointId, Position], ...]
+    crossings: tuple[tuple[CrossingId, int], ...]
+    edges: tuple[EdgeId, ...]
+    length: float
+
+    @property
+    def key(self) -> tuple[SectionId, int]:
+        """Section and number."""
+        return (self.section, self.number)
+
+
+class Topology:
+    """Sections, their ends, neighbours, traversals and the signals at the ends."""
+
+    def __init__(self, layout: Layout) -> None:
+        self.layout = layout
+        self.ends: dict[SectionId, tuple[NodeId, ...]] = {}
+        self.edges_of: dict[SectionId, list[EdgeId]] = {}
+        for e in layout.edges:
+            self.edges_of.setdefault(e.section, []).append(e.id)
+        self.sections: tuple[SectionId, ...] = tuple(s for s in sorted(self.edges_of))
+        self._touch: dict[NodeId, list[SectionId]] = {}
+        for s in self.sections:
+            nodes = dict.fromkeys(
+                n for eid in self.edges_of[s] for n in (layout.edge[eid].a, layout.edge[eid].b)
+            )
+            self.ends[s] = tuple(sorted(n for n in nodes if self.is_end(n)))
+            for n in self.ends[s]:
+                self._touch.setdefault(n, []).append(s)
+        self.traversals: dict[SectionId, tuple[Traversal, ...]] = {
+            s: tuple(self._walk_section(s)) for s in self.sections
+        }
+        self.signal_into: dict[tuple[NodeId, SectionId], SignalId] = {
+            (g.node, layout.section_of(g.into)): g.id for g in layout.signals
+        }
+
+    def is_end(self, node: NodeId) -> bool:
+        """Whether sections end at this node."""
+        if node in self.layout.boundary_at or node in self.layout.buffer_at:
+            return True
+        if node in self.layout.point_at or node in self.layout.crossing_at:
+            return False
+        return len({e.section for e in self.layout.edges_at[node]}) > 1
+
+    def beyond(self, section: SectionId, node: NodeId) -> SectionId | None:
+        """The neighbour across an end, or None at a boundary or buffer."""
+        for other in self._touch.get(node, ()):
+            if other != section:
+                return other
+        return None
+
+    def joints(self) -> tuple[tuple[NodeId, SectionId, SectionId], ...]:
+        """Every joint between two sections, once."""
+        return tuple((n, ss[0], ss[1]) for n, ss in sorted(self._touch.items()) if len(ss) == 2)
+
+    def entries(self, section: SectionId) -> tuple[NodeId, ...]:
+        """Ends over which a train can come into the section (not buffers, not outgoing boundaries)."""
+        out = []
+        for n in self.ends[section]:
+            b = self.layout.boundary_at.get(n)
+            if n in self.layout.buffer_at or (b is not None and b.kind is BoundaryKind.OUT):
+                continue
+            out.append(n)
+        return tuple(out)
+
+    def through(self, section: SectionId, entry: NodeId) -> tuple[Traversal, ...]:
+        """The traversals of a section that start at an end."""
+        return tuple(t for t in self.traversals[section] if t.entry == entry)
+
+    def reversed(self, t: Traversal) -> Traversal | None:
+        """The same way in the other direction, if trains may run it."""
+        for other in self.traversals[t.section]:
+            if other.entry == t.exit and other.exit == t.entry and other.points == tuple(reversed(t.points)):
+                return other
+        return None
+
+    def _walk_section(self, section: SectionId) -> list[Traversal]:
+        layout = self.layout
+        mine = set(self.edges_of[section])
+        found: list[tuple[NodeId, NodeId, tuple[EdgeId, ...]]] = []
+
+        def go(node: NodeId, path: list[EdgeId], start: NodeId, seen: frozenset[NodeId]) -> None:
+            edge = path[-1]
+            e = layout.edge[edge]
+            if e.one_way and e.a != node:
+                return
+            nxt = layout.far(edge, node)
+            if self.is_end(nxt):
+                found.append((start, nxt, tuple(path)))
+                return
+            if nxt in seen:
+                return
+            for onward in onward_edges(layout, nxt, edge):
+                if onward in mine:
+                    go(nxt, [*path, onward], start, seen | {nxt})
+
+        for start in self.ends[section]:
+            for e in layout.edges_at[start]:
+                if e.id in mine:
+                    go(start, [e.id], start, frozenset({start}))
+        return [
+            self._traversal(section, i, a, b, path)
+            for i, (a, b, path) in enumerate(sorted(found), start=1)
+        ]
+
+    def _traversal(
+        self, section: SectionId, number: int, a: NodeId, b: NodeId, path: tuple[EdgeId, ...]
+    ) -> Traversal:
+        layout = self.layout
+        points: list[tuple[PointId, Position]] = []
+        crossings: list[tuple[CrossingId, int]] = []
+        node = a
+        for here, onward in zip(path, path[1:], strict=False):
+            node = layout.far(here, node)
+            point = layout.point_at.get(node)
+            if point is not None:
+                leg = here if onward == point.toe else onward
+                position = point.position_of(leg)
+                assert position is not None
+                points.append((point.id, position))
+            crossing = layout.crossing_at.get(node)
+            if crossing is not None:
+                crossings.append((crossing.id, 0 if here in crossing.arms[0] else 1))
+        length = sum(layout.edge[e].length for e in path)
+        return Traversal(section, number, a, b, tuple(points), tuple(crossings), path, length)
+
+
+def onward_edges(layout: Layout, node: NodeId, arriving: EdgeId) -> tuple[EdgeId, ...]:
+    """The edges on which a vehicle can go on that comes to a node over an edge.
+
+    Over a point: from the toe to either leg, from a leg to the toe.  Over a diamond: straight on.
+    """
+    point = layout.point_at.get(node)
+    if point is not None:
+        return (point.normal, point.reverse) if arriving == point.toe else (point.toe,)
+    crossing = layout.crossing_at.get(node)
+    if crossing is not None:
+        for a, b in crossing.arms:
+            if arriving == a:
+                return (b,)
+            if arriving == b:
+                return (a,)
+        return ()
+    return tuple(e.id for e in layout.edges_at[node] if e.id != arriving)
+
+
+@lru_cache(maxsize=64)
+def topology(layout: Layout) -> Topology:
+    """The topology of a layout (kept, since several rooms ask for it)."""
+    return Topology(layout)

@@ -1,0 +1,1 @@
+"""Proof: the controller, run against the physics, keeps every claim in every reachable state."""

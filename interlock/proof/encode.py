@@ -1,0 +1,91 @@
+"""Expressions as clauses (Tseitin), with compact variable numbers.
+
+Comparisons of a small-range variable become one variable each; two different values of the same variable
+exclude each other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from interlock.logic.expr import Expr, Op, walk
+
+
+class Cnf:
+    """Clauses over positive variable numbers; `literal` adds an expression and returns its literal."""
+
+    def __init__(self) -> None:
+        self.clauses: list[tuple[int, ...]] = []
+        self.count = 0
+        self.names: dict[str, int] = {}
+        self._of: dict[int, tuple[Expr, int]] = {}
+        self._values: dict[str, dict[int, int]] = {}
+        self._true = self._fresh()
+        self.clauses.append((self._true,))
+
+    def _fresh(self) -> int:
+        self.count += 1
+        return self.count
+
+    def literal(self, root: Expr) -> int:
+        """The literal that is equivalent to the expression."""
+        of = self._of
+        if id(root) in of:
+            return of[id(root)][1]
+        clauses = self.clauses
+        for node in walk((root,)):
+            if id(node) in of:
+                continue
+            if node.op is Op.VAR:
+                lit = self.names.get(node.name, 0) or self._named(node.name)
+            elif node.op is Op.EQ:
+                lit = self._value(node.name, node.value)
+            elif node.op is Op.NOT:
+                lit = -of[id(node.args[0])][1]
+            elif node.op is Op.TRUE:
+                lit = self._true
+            elif node.op is Op.FALSE:
+                lit = -self._true
+            else:
+                sign = 1 if node.op is Op.AND else -1
+                lit = self._fresh()
+                args = [sign * of[id(a)][1] for a in node.args]
+                clauses.extend((-lit, a) for a in args)
+                clauses.append((lit, *(-a for a in args)))
+                lit *= sign
+            of[id(node)] = (node, lit)
+        return of[id(root)][1]
+
+    def _named(self, name: str) -> int:
+        n = self.names[name] = self._fresh()
+        return n
+
+    def _value(self, name: str, value: int) -> int:
+        values = self._values.setdefault(name, {})
+        if value not in values:
+            new = self._fresh()
+            self.clauses.extend((-new, -old) for old in values.values())
+            values[value] = new
+        return values[value]
+
+    def require(self, x: Expr) -> None:
+        """Add the expression as a fact."""
+        if x.op is Op.AND:
+            for a in x.args:
+                self.require(a)
+        elif x.op is Op.OR:
+            self.clauses.append(tuple(self.literal(a) for a in x.args))
+        else:
+            self.clauses.append((self.literal(x),))
+
+    def dimacs(self) -> str:
+        """The clauses as DIMACS text."""
+        body = "\n".join(" ".join(map(str, c)) + " 0" for c in self.clauses)
+        return f"p cnf {self.count} {len(self.clauses)}\n{body}\n"
+
+    def read(self, model: Mapping[int, bool]) -> dict[str, int]:
+        """Values of the named variables under a model of variable numbers."""
+        out = {name: int(model.get(n, False)) for name, n in self.names.items()}
+        for name, values in self._values.items():
+            out[name] = next((v for v, n in values.items() if model.get(n, False)), 0)
+        return out

@@ -1,0 +1,262 @@
+"""The claims, in the field's words.  Each class has a stable id, a sentence and its instances.
+
+Train level: T-...; signal level: S-...; locking level: L-...; points: P-....
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
+from interlock.logic.plant import accepted, across, came, lamp, lies, o, rests
+from interlock.model.elements import BoundaryKind, EdgeId, NodeId, Position, SectionId, SignalId
+from interlock.model.foul import foul_joints
+from interlock.model.traversal import Traversal
+from interlock.proof.invariants.kinds import Claim, Facts
+
+CLAIMS: dict[str, str] = {
+    "T-COLLISION": "No train comes into a section in which another train stands, nor two at once.",
+    "T-DIAMOND": "No two trains are on the two arms of a diamond crossing.",
+    "T-FOUL": "No train passes a point while another stands foul of it.",
+    "T-DERAIL": "No train meets a point that is moving or set against it.",
+    "T-POINT-MOVES": "No point moves under a train, and no train comes to a point that moves.",
+    "T-FLANK": "While a train or a proceed uses a point or diamond, no vehicle can roll into it from the flank.",
+    "S-OPPOSING": "No two signals that lead towards each other over the same track show proceed.",
+    "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
+    "S-CLEAR": "Proceed is shown only when every section of the path, as the points lie, is reported clear.",
+    "S-DETECTED": "Proceed is shown only when every point of the path is detected in position in that very scan.",
+    "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
+    "S-CONDITION": "Proceed is shown only when every external condition of the path holds and the line beyond is clear.",
+    "S-BLOCKED": "No proceed is shown over a blocked section.",
+    "S-LOST-INPUT": "When inputs are lost, every signal shows stop in the same scan, and nothing is granted or released.",
+    "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
+    "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
+    "L-HELD": "A section in which a train moves is locked.",
+    "P-LOCKED": "A point is commanded only when the sections of all its ends were unlocked and are reported clear.",
+    "P-START": "At a restart nothing is commanded, all signals show stop, and every section is locked.",
+}
+
+
+@dataclass(frozen=True)
+class SignalPath:
+    """A path from a signal to the next, found on the layout by its own search."""
+
+    signal: SignalId
+    ways: tuple[Traversal, ...]
+
+
+def signal_paths(f: Facts, g: SignalId) -> list[SignalPath]:
+    """Every path from a signal to the next signal of its direction, a boundary or a buffer."""
+    signal = f.layout.signal[g]
+    found: list[SignalPath] = []
+
+    def go(section: SectionId, entry: NodeId, ways: tuple[Traversal, ...]) -> None:
+        for t in f.topo.through(section, entry):
+            path = (*ways, t)
+            ahead = f.topo.beyond(section, t.exit)
+            if ahead is None or (t.exit, ahead) in f.topo.signal_into:
+                found.append(SignalPath(g, path))
+            elif all(w.section != ahead for w in path):
+                go(ahead, t.exit, path)
+
+    go(f.layout.section_of(signal.into), signal.node, ())
+    return found
+
+
+def claims(f: Facts) -> tuple[Claim, ...]:
+    """Every instance of every claim."""
+    out: list[Claim] = []
+    for h in f.system.plant.hazards:
+        out.append(Claim(f"T-{h.id}", h.place, neg(h.expr), True))
+    for name, place, expr, physical in (
+        *((*x, True) for x in _flank(f)),
+        *((*x, False) for x in _pairs(f)),
+        *((*x, False) for x in _signals(f)),
+        *((*x, False) for x in _locks(f)),
+        *((*x, False) for x in _points(f)),
+    ):
+        out.append(Claim(name, place, expr, physical))
+    order = list(CLAIMS)
+    return tuple(sorted(out, key=lambda c: (order.index(c.id), c.place)))
+
+
+def lie(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
+    """All points of a path really lie for it."""
+    return conj(lies(f.layout.point[p].machine, x) for t in ways for p, x in t.points)
+
+
+# --- flank ---------------------------------------------------------------------------------------
+
+
+def exposed(f: Facts, edge: EdgeId, node: NodeId, gone: float, clear_of: float, seen: frozenset[NodeId]) -> Expr:
+    """Whether a vehicle from beyond the next signal could roll along `edge` to `node`, as everything really lies."""
+    layout = f.layout
+    e = layout.edge[edge]
+    if e.one_way and e.a == node:
+        return FALSE
+    far = layout.far(edge, node)
+    gone += e.length
+    if far in seen or far in layout.buffer_at:
+        return FALSE
+    seen = seen | {far}
+    for g in layout.signals:
+        if g.node == far and g.into == edge and gone >= clear_of:
+            return disj((f.sym.signal(g.id), lamp(g.id), accepted(g.id)))
+    boundary = layout.boundary_at.get(far)
+    if boundary is not None:
+        return FALSE if boundary.kind is BoundaryKind.OUT else neg(FALSE)
+    point = layout.point_at.get(far)
+    if point is not None:
+        position = point.position_of(edge)
+        if position is None:
+            return disj(exposed(f, leg, far, gone, clear_of, seen) for leg in (point.normal, point.reverse))
+        return conj((
+            neg(lies(point.machine, position.other)), exposed(f, point.toe, far, gone, clear_of, seen)))
+    crossing = layout.crossing_at.get(far)
+    if crossing is not None:
+        onward = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
+    else:
+        onward = [x.id for x in layout.edges_at[far] if x.id != edge]
+    return disj(exposed(f, x, far, gone, clear_of, seen) for x in onward)
+
+
+def _flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    margin = f.layout.principles.clearance_m
+    for s in f.topo.sections:
+        for t in f.topo.traversals[s]:
+            if (s, t.number) not in f.sym.lock:
+                continue
+            places: list[tuple[str, NodeId, EdgeId, float]] = []
+            for pid, x in t.points:
+                p = f.layout.point[pid]
+                places.append((f"{pid}.{x.other}", p.node, p.leg(x.other), p.fouling + margin))
+            for cid, arm in t.crossings:
+                c = f.layout.crossing[cid]
+                for edge in c.arms[1 - arm]:
+                    places.append((f"{cid}.{edge}", c.node, edge, f.layout.principles.fouling_m + margin))
+            uses = conj((f.firm(s), f.lock(s, t.number)))
+            train = conj((o(s), neg(rests(s)), came(s, t.entry)))
+            shown = disj(
+                f.sym.signal(g.id) for g in f.layout.signals
+                for path in signal_paths(f, g.id) if t in path.ways
+            )
+            for name, node, edge, clear_of in places:
+                danger = exposed(f, edge, node, 0.0, clear_of, frozenset({node}))
+                yield "T-FLANK", f"{s}:{t.number}:{name}", implies(
+                    conj((uses, disj((train, shown)))), neg(danger))
+
+
+# --- signals -------------------------------------------------------------------------------------
+
+
+def _conflict(f: Facts, a: SignalPath, b: SignalPath) -> str | None:
+    of_b = {t.section: t for t in b.ways}
+    hostile = False
+    for t in a.ways:
+        if t.section in of_b:
+            x = of_b[t.section]
+            if t.entry == x.exit or t.exit == x.entry:
+                return "S-OPPOSING"
+            hostile = True
+        for c, arm in t.crossings:
+            hostile = hostile or any((c, 1 - arm) in x.crossings for x in b.ways)
+    for fj in foul_joints(f.layout):
+        for x, y in ((a, b), (b, a)):
+            over = any(p == fj.point and q is not fj.leg for t in x.ways for p, q in t.points)
+            hostile = hostile or (over and any(t.section == fj.neighbour for t in y.ways))
+    return "S-HOSTILE" if hostile else None
+
+
+def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    signals = [g.id for g in f.layout.signals]
+    paths = {g: signal_paths(f, g) for g in signals}
+    for i, g in enumerate(signals):
+        for h in signals[i + 1 :]:
+            bad: dict[str, list[Expr]] = {}
+            for a in paths[g]:
+                for b in paths[h]:
+                    kind = _conflict(f, a, b)
+                    if kind is not None:
+                        bad.setdefault(kind, []).append(conj((lie(f, a.ways), lie(f, b.ways))))
+            for kind, ways in sorted(bad.items()):
+                yield kind, f"{g}/{h}", neg(conj((f.sym.signal(g), f.sym.signal(h), disj(ways))))
+
+
+def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """Claims about the scan that shows proceed: new outputs against the inputs of that scan."""
+    after = f.system.after
+    valid = var(f.sym.valid)
+    for g in f.layout.signals:
+        shows = after(f.sym.signal(g.id))
+        yield "S-LOST-INPUT", g.id, implies(neg(valid), neg(shows))
+        if g.id in f.sym.cancelling:
+            yield "S-CANCELLED", g.id, implies(var(f"CAN_{f.sym.cancelling[g.id][2:]}"), neg(shows))
+        for k, path in enumerate(signal_paths(f, g.id), 1):
+            place = f"{g.id}:{k}"
+            here = conj((shows, after(lie(f, path.ways))))
+            if here is FALSE:
+                continue
+            yield "S-CLEAR", place, implies(here, conj(var(f.sym.clear[t.section]) for t in path.ways))
+            yield "S-DETECTED", place, implies(here, conj(
+                conj((var(f.sym.detected[f.layout.point[p].machine, x]),
+                      neg(var(f.sym.detected[f.layout.point[p].machine, x.other]))))
+                for t in path.ways for p, x in t.points))
+            yield "S-BLOCKED", place, implies(here, conj(neg(var(f.sym.blocked[t.section])) for t in path.ways))
+            locked = [f.lock(t.section, t.number) for t in path.ways if (t.section, t.number) in f.sym.lock]
+            ok = conj([*locked, *(f.firm(t.section) for t in path.ways)]) if len(locked) == len(path.ways) else FALSE
+            yield "S-LOCKED", place, implies(here, after(ok))
+            needed = [
+                var(f.sym.condition[c.id]) for c in f.layout.conditions
+                if g.id in c.signals or any(t.section in c.over for t in path.ways)
+            ]
+            boundary = f.layout.boundary_at.get(path.ways[-1].exit)
+            if boundary is not None and boundary.approach is not None:
+                needed.append(var(f.sym.clear[boundary.approach]))
+            for fj in foul_joints(f.layout):
+                if any(p == fj.point and x is not fj.leg for t in path.ways for p, x in t.points):
+                    needed.append(var(f.sym.clear[fj.neighbour]))
+            if needed:
+                yield "S-CONDITION", place, implies(here, conj(needed))
+
+
+# --- locks and points ----------------------------------------------------------------------------
+
+
+def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    after = f.system.after
+    valid = var(f.sym.valid)
+    for s in f.topo.sections:
+        held = f.held(s)
+        gone = conj((held, neg(after(held))))
+        coming = []
+        for j in f.topo.ends[s]:
+            g = f.topo.signal_into.get((j, s))
+            if g is not None:
+                coming.append(conj((f.locked_in(s, j), after(accepted(g)))))
+        for j, a, b in f.plain_joints():
+            if b == s:
+                for n, x in f.locks(a):
+                    if f.way(a, n)[1] == j:
+                        coming.append(after(conj((o(a), came(a, f.way(a, n)[0]), x, neg(rests(a))))))
+        yield "L-RELEASE", s, implies(gone, conj((valid, neg(after(o(s))), neg(disj(coming)))))
+        yield "L-HELD", s, implies(o(s), held)
+        yield "S-LOST-INPUT", s, implies(neg(valid), conj((implies(held, after(held)), implies(neg(held), after(neg(held))))))
+
+
+def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    after = f.system.after
+    for m, ends in sorted(f.layout.ends_of_machine.items()):
+        secs = sorted({f.layout.section_of(p.toe) for p in ends})
+        changes = disj(
+            conj((neg(var(f.sym.command[m, x])), after(var(f.sym.command[m, x])))) for x in Position
+        )
+        free = conj([
+            *(neg(f.held(s)) for s in secs),
+            *(var(f.sym.clear[s]) for s in secs),
+            var(f.sym.valid),
+        ])
+        yield "P-LOCKED", m, implies(changes, free)
+
+
+__all__ = ["CLAIMS", "SignalPath", "across", "claims", "signal_paths"]

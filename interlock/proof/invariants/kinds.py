@@ -1,0 +1,129 @@
+"""Claims, invariants, and the facts that they are written in."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from interlock.logic.controller import Symbols
+from interlock.logic.expr import Expr, conj, disj, neg, var
+from interlock.logic.plant import Plant
+from interlock.model.elements import NodeId, SectionId
+from interlock.model.layout import Layout
+from interlock.model.traversal import Topology
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One instance of a claim: `expr` must hold in every step from a reachable state.
+
+    `expr` speaks of the old state and the inputs of the step.  `physical` claims speak of trains and points;
+    the others of what the controller does.
+    """
+
+    id: str
+    place: str
+    expr: Expr
+    physical: bool
+
+
+@dataclass(frozen=True)
+class Invariant:
+    """A strengthening invariant: holds initially and is kept by every step; proved, never assumed."""
+
+    id: str
+    place: str
+    expr: Expr
+
+
+class SystemView(Protocol):
+    """What invariants may see of the system."""
+
+    layout: Layout
+    topo: Topology
+    symbols: Symbols
+    plant: Plant
+
+    def after(self, x: Expr) -> Expr:
+        """The expression one step later."""
+        ...
+
+
+class Facts:
+    """Short names for what invariants speak of."""
+
+    def __init__(self, system: SystemView) -> None:
+        self.system = system
+        self.layout = system.layout
+        self.topo = system.topo
+        self.sym = system.symbols
+
+    def lock(self, s: str, n: int) -> Expr:
+        """Locked for one way."""
+        return var(self.sym.lock[SectionId(s), n])
+
+    def locks(self, s: str) -> list[tuple[int, Expr]]:
+        """All locks of a section."""
+        return [(n, var(name)) for (sec, n), name in sorted(self.sym.lock.items()) if sec == s]
+
+    def restart(self, s: str) -> Expr:
+        """Restart lock."""
+        return var(self.sym.restart[SectionId(s)])
+
+    def firm(self, s: str) -> Expr:
+        """Firmly locked."""
+        return var(self.sym.firm[SectionId(s)])
+
+    def used(self, s: str) -> Expr:
+        """Used by a train."""
+        return var(self.sym.used[SectionId(s)])
+
+    def passed(self, s: str) -> Expr:
+        """The train has gone on."""
+        return var(self.sym.passed[SectionId(s)])
+
+    def stale(self, s: str) -> Expr:
+        """Inputs were lost while locked."""
+        return var(self.sym.stale[SectionId(s)])
+
+    def been(self, s: str) -> Expr:
+        """History: a train has come in since it was locked."""
+        return var(f"been.{s}")
+
+    def way(self, s: str, n: int) -> tuple[NodeId, NodeId]:
+        """Entry and exit of a way."""
+        t = self.topo.traversals[SectionId(s)][n - 1]
+        return t.entry, t.exit
+
+    def locked_in(self, s: str, j: str) -> Expr:
+        """Locked for a way in at j."""
+        return disj(x for n, x in self.locks(s) if self.way(s, n)[0] == j)
+
+    def locked_out(self, s: str, j: str) -> Expr:
+        """Locked for a way out at j."""
+        return disj(x for n, x in self.locks(s) if self.way(s, n)[1] == j)
+
+    def any_lock(self, s: str) -> Expr:
+        """Locked for some way."""
+        return disj(x for _, x in self.locks(s))
+
+    def held(self, s: str) -> Expr:
+        """Locked in any manner."""
+        return disj((self.restart(s), self.any_lock(s)))
+
+    def signal_out(self, s: str, j: str) -> str | None:
+        """The signal that governs leaving s at j."""
+        ahead = self.topo.beyond(SectionId(s), NodeId(j))
+        return None if ahead is None else self.topo.signal_into.get((NodeId(j), ahead))
+
+    def plain_joints(self) -> list[tuple[NodeId, SectionId, SectionId]]:
+        """Every (joint, from, to) where no signal governs the passage."""
+        out = []
+        for j, a, b in self.topo.joints():
+            for s, t in ((a, b), (b, a)):
+                if (j, t) not in self.topo.signal_into:
+                    out.append((j, s, t))
+        return out
+
+
+__all__ = ["Claim", "Facts", "Invariant", "SystemView", "conj", "neg"]

@@ -1,0 +1,252 @@
+"""The interlocking table as frozen values.
+
+Input: built by `derive`.  Output: read by `logic.lower`, the exporters and the audit.
+Every derived cell carries `Because(rule, text)`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import cached_property
+
+from interlock.model.elements import (
+    ConditionId,
+    CrossingId,
+    MachineId,
+    NodeId,
+    PointId,
+    Position,
+    RouteId,
+    SectionId,
+    SignalId,
+)
+
+SCHEMA_VERSION = 1
+TraversalKey = tuple[SectionId, int]
+
+
+@dataclass(frozen=True)
+class Because:
+    """Why a cell is as it is: the rule (R1-R18) and a sentence about this very place."""
+
+    rule: str
+    text: str
+
+
+class Role(StrEnum):
+    """What a point demand is for."""
+
+    PATH = "path"
+    FLANK = "flank"
+
+
+@dataclass(frozen=True)
+class PointDemand:
+    """A machine that must lie, be detected and stay locked in a position."""
+
+    machine: MachineId
+    position: Position
+    role: Role
+    section: SectionId
+    because: Because
+
+
+class ProviderKind(StrEnum):
+    """What keeps vehicles off a leg or arm (R5)."""
+
+    POINT = "point"
+    SIGNAL = "signal"
+    BUFFER = "end of track"
+    BOUNDARY = "no train comes in"
+    ONE_WAY = "one way"
+    WAIVED = "waived"
+
+
+@dataclass(frozen=True)
+class Provider:
+    """One provider of flank protection; `position` only for points."""
+
+    kind: ProviderKind
+    name: str
+    position: Position | None = None
+
+    def __str__(self) -> str:
+        return f"{self.name} {self.position}" if self.position else self.name
+
+
+@dataclass(frozen=True)
+class FlankCell:
+    """A requester (leg of a point or arm of a diamond) with everything that protects it."""
+
+    requester: str
+    section: SectionId
+    providers: tuple[Provider, ...]
+    because: Because
+
+
+@dataclass(frozen=True)
+class ClearCell:
+    """A section that must be reported clear."""
+
+    section: SectionId
+    because: Because
+
+
+@dataclass(frozen=True)
+class FoulCell:
+    """A section outside the path that must be clear and unlocked because of a foul joint (R7)."""
+
+    section: SectionId
+    point: PointId
+    because: Because
+
+
+@dataclass(frozen=True)
+class Exclusion:
+    """A lock that forbids other locks: while held, none of `others` may be held (diamonds, foul joints).
+
+    An empty `numbers` means every lock of that section.
+    """
+
+    section: SectionId
+    numbers: tuple[int, ...]
+    because: Because
+
+
+class HostileClass(StrEnum):
+    """Conflict classes of R6, in the order in which they name a reason."""
+
+    POINTS = "points in different positions"
+    OPPOSING = "opposing"
+    CONVERGING = "converging"
+    CROSSING = "crossing"
+    FOLLOWING = "following"
+    SAME_ENTRY = "same entry"
+    FLANK = "flank"
+    FOUL = "foul"
+
+
+@dataclass(frozen=True)
+class Hostile:
+    """A hostile route with class and the shared resource that shows it."""
+
+    route: RouteId
+    kind: HostileClass
+    witness: str
+    because: Because
+
+
+@dataclass(frozen=True)
+class ConditionCell:
+    """An external input that must be true."""
+
+    condition: ConditionId
+    because: Because
+
+
+@dataclass(frozen=True)
+class BlockCell:
+    """What must hold beyond a boundary: the approach section of the neighbour reported clear."""
+
+    section: SectionId
+    because: Because
+
+
+@dataclass(frozen=True)
+class ApproachCell:
+    """Approach locking: the section in rear of the signal (None: always approach locked) and the delay."""
+
+    section: SectionId | None
+    delay_s: float
+    because: Because
+
+
+@dataclass(frozen=True)
+class ReleaseStep:
+    """One section's release: after which section, and which occupation proves the train has gone on."""
+
+    section: SectionId
+    after: SectionId | None
+    proved_by: str
+    delay_s: float
+    because: Because
+
+
+class ExitKind(StrEnum):
+    """Where a route ends."""
+
+    SIGNAL = "signal"
+    BOUNDARY = "boundary"
+    BUFFER = "buffer"
+
+
+@dataclass(frozen=True)
+class TraversalRow:
+    """One way through a section, as it is locked: what it demands and what it excludes."""
+
+    section: SectionId
+    number: int
+    entry: NodeId
+    exit: NodeId
+    points: tuple[PointDemand, ...]
+    crossings: tuple[tuple[CrossingId, int], ...]
+    flank: tuple[FlankCell, ...]
+    exclusions: tuple[Exclusion, ...]
+    foul: tuple[FoulCell, ...]
+
+    @property
+    def key(self) -> TraversalKey:
+        """Section and number."""
+        return (self.section, self.number)
+
+
+@dataclass(frozen=True)
+class RouteRow:
+    """One route: entry, exit, alternative, and every derived column."""
+
+    id: RouteId
+    number: int
+    names: tuple[str, ...]
+    entry: SignalId
+    entry_node: NodeId
+    exit: str
+    exit_kind: ExitKind
+    variant: int
+    traversals: tuple[TraversalKey, ...]
+    length: float
+    points: tuple[PointDemand, ...]
+    sections: tuple[ClearCell, ...]
+    foul: tuple[FoulCell, ...]
+    flank: tuple[FlankCell, ...]
+    hostile: tuple[Hostile, ...]
+    conditions: tuple[ConditionCell, ...]
+    block: tuple[BlockCell, ...]
+    approach: ApproachCell
+    release: tuple[ReleaseStep, ...]
+    because: Because
+
+    @property
+    def section_ids(self) -> tuple[SectionId, ...]:
+        """The sections of the path in order."""
+        return tuple(s for s, _ in self.traversals)
+
+
+@dataclass(frozen=True)
+class InterlockingTable:
+    """All routes of a layout and the locks that they are made of."""
+
+    layout: str
+    layout_digest: str
+    routes: tuple[RouteRow, ...]
+    locks: tuple[TraversalRow, ...]
+
+    @cached_property
+    def route(self) -> dict[RouteId, RouteRow]:
+        """Routes by id."""
+        return {r.id: r for r in self.routes}
+
+    @cached_property
+    def lock(self) -> dict[TraversalKey, TraversalRow]:
+        """Locks by section and number."""
+        return {t.key: t for t in self.locks}
