@@ -59,7 +59,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                 by_exit.setdefault((kind, name), []).append(ways)
         if dropped:
             sink.add("IL4005", f"{dropped} path{'s' if dropped > 1 else ''} from {g.id} cannot be run: "
-                     "a section is met twice, or a machine is needed in two positions")
+                     "a section is met twice, a machine is needed in two positions, or the track is one way")
         if not by_exit:
             sink.add("IL4003", f"no route leads from signal {g.id}", None,
                      "check its direction (`from`, `into`) and where the track goes")
@@ -82,11 +82,14 @@ def _rank(layout: Layout, ways: tuple[Traversal, ...]) -> tuple[int, float, int,
 def _search(
     layout: Layout, topo: Topology, g: Signal
 ) -> Iterator[tuple[ExitKind | None, str, tuple[Traversal, ...]]]:
-    """Depth first over traversals; yields (None, "", path) for a path that meets itself."""
+    """Depth first over traversals; yields (None, "", path) for a path that cannot be run to its end."""
     stack: list[tuple[SectionId, NodeId, tuple[Traversal, ...]]] = [(layout.section_of(g.into), g.node, ())]
     while stack:
         section, entry, ways = stack.pop()
-        for t in reversed(topo.through(section, entry)):
+        onward_ways = topo.through(section, entry)
+        if not onward_ways:
+            yield None, "", ways
+        for t in reversed(onward_ways):
             path = (*ways, t)
             if t.exit in layout.boundary_at:
                 yield ExitKind.BOUNDARY, t.exit, path

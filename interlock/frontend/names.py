@@ -28,25 +28,28 @@ def _declared(ctx: Context) -> list[tuple[str, str, Span]]:
 
 
 def check_names(ctx: Context, sections: dict[str, Span]) -> None:
-    """Report names used twice.  Tracks are only names for lists, so they may share with nothing else."""
+    """Report names used twice.  A track's name never leaves the layout, so it only needs to differ from what
+    else can be joined: points, crossings, boundaries and buffers."""
+    elements = [d for d in _declared(ctx) if d[0] != "track"] + [("section", n, s) for n, s in sections.items()]
     seen: dict[str, tuple[str, str, Span]] = {}
-    declared = [*_declared(ctx), *(("section", n, s) for n, s in sections.items())]
-    for kind, name, span in declared:
+    for kind, name, span in elements:
         before = seen.setdefault(name.lower(), (kind, name, span))
-        if before[2] == span:
-            continue
-        if {kind, before[0]} == {"track", "section"}:
-            continue  # a track of one section may bear its name
-        ctx.add(
-            "IL2002",
-            f"{name} names a {kind} and, in line {before[2].line}, the {before[0]} {before[1]}",
-            span,
-            "rename one of them; upper and lower case are not told apart in PLC text",
-        )
-    text: dict[tuple[str, str], tuple[str, Span]] = {}
-    machines = {p.machine: ctx.at("points", n, "machine") for n, p in ctx.file.points.items() if p.machine}
-    for kind, name, span in [*declared, *(("point", n, s) for n, s in machines.items())]:
-        first = text.setdefault((kind, portable(name).lower()), (name, span))
+        if before[2] != span:
+            _clash(ctx, (kind, name, span), before)
+    joinable = {n: (k, n, s) for k, n, s in elements if k in ("point", "crossing", "boundary", "buffer")}
+    for name in ctx.file.tracks:
+        if name in joinable:
+            _clash(ctx, ("track", name, ctx.at_key("tracks", name)), joinable[name])
+    machines: dict[str, Span] = {}
+    for name, p in ctx.file.points.items():
+        if p.machine:
+            machines.setdefault(p.machine, ctx.at("points", name, "machine"))
+    for name, span in machines.items():
+        if name.lower() in seen and name not in ctx.file.points:
+            _clash(ctx, ("machine", name, span), seen[name.lower()])
+    written: dict[tuple[str, str], tuple[str, Span]] = {}
+    for kind, name, span in [*elements, *(("point", n, s) for n, s in machines.items())]:
+        first = written.setdefault((kind, portable(name).lower()), (name, span))
         if first[0].lower() != name.lower():
             ctx.add(
                 "IL2010",
@@ -54,3 +57,12 @@ def check_names(ctx: Context, sections: dict[str, Span]) -> None:
                 span,
                 "rename one of them",
             )
+
+
+def _clash(ctx: Context, new: tuple[str, str, Span], old: tuple[str, str, Span]) -> None:
+    ctx.add(
+        "IL2002",
+        f"{new[1]} names a {new[0]} and, in line {old[2].line}, the {old[0]} {old[1]}",
+        new[2],
+        "rename one of them; upper and lower case are not told apart in PLC text",
+    )

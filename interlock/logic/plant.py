@@ -224,7 +224,7 @@ class PlantBuilder:
             scanned = image(outside) if b.approach and "A-SCAN" not in self.dropped else TRUE
             free = neg(across(b.node, outside)) if "A-HEADWAY" not in self.dropped else TRUE
             self.p.events[f"head.{b.node}.{outside}"] = conj((
-                o(outside), neg(across(b.node, outside)), accepted(g), scanned,
+                o(outside), neg(across(b.node, outside)), accepted(g) if "A-OBEY" not in self.dropped else TRUE, scanned,
                 self.choice(f"?head.{b.node}.{outside}", f"a train enters at {b.node}"),
             ))
             self.p.events[f"tail.{b.node}.{outside}"] = conj((
@@ -266,12 +266,19 @@ class PlantBuilder:
 
     def _tail(self, s: SectionId, j: NodeId, ahead: SectionId | None) -> None:
         others = [k for k in self.topo.ends[s] if k != j]
-        inside = conj(neg(across(k, self._other_side(s, k))) for k in others if k not in self.layout.buffer_at)
+        inside = conj(neg(self._coming(s, k)) for k in others)
         scanned = image(ahead) if ahead is not None and "A-SCAN" not in self.dropped else TRUE
         self.p.events[f"tail.{j}.{s}"] = conj((
             across(j, s), inside, scanned,
             self.choice(f"?tail.{j}.{s}", f"the tail of the train in {s} passes {j}"),
         ))
+
+    def _coming(self, s: SectionId, j: NodeId) -> Expr:
+        """A train stands across j on its way into s."""
+        boundary = self.layout.boundary_at.get(j)
+        if j in self.layout.buffer_at or (boundary is not None and (j, s) not in self.topo.signal_into):
+            return FALSE
+        return across(j, self._other_side(s, j))
 
     def _other_side(self, s: SectionId, j: NodeId) -> str:
         """What lies across an end: a section, an approach section, or outside."""
@@ -300,10 +307,10 @@ class PlantBuilder:
                 if a == b or back is FALSE or there is FALSE:
                     continue
                 alone = conj(
-                    neg(across(k, x))
+                    neg(x)
                     for k in self.topo.ends[s]
                     if k not in self.layout.buffer_at
-                    for x in (s, self._other_side(s, k))
+                    for x in (across(k, s), self._coming(s, k))
                 )
                 waiting = conj([
                     *(neg(accepted(h)) for h in self._exit_signals(s)),

@@ -20,10 +20,11 @@ class Cnf:
         self.names: dict[str, int] = {}
         self._of: dict[int, tuple[Expr, int]] = {}
         self._values: dict[str, dict[int, int]] = {}
-        self._true = self._fresh()
+        self._true = self.fresh()
         self.clauses.append((self._true,))
 
-    def _fresh(self) -> int:
+    def fresh(self) -> int:
+        """A new variable number."""
         self.count += 1
         return self.count
 
@@ -48,7 +49,7 @@ class Cnf:
                 lit = -self._true
             else:
                 sign = 1 if node.op is Op.AND else -1
-                lit = self._fresh()
+                lit = self.fresh()
                 args = [sign * of[id(a)][1] for a in node.args]
                 clauses.extend((-lit, a) for a in args)
                 clauses.append((lit, *(-a for a in args)))
@@ -57,16 +58,20 @@ class Cnf:
         return of[id(root)][1]
 
     def _named(self, name: str) -> int:
-        n = self.names[name] = self._fresh()
+        n = self.names[name] = self.fresh()
         return n
 
     def _value(self, name: str, value: int) -> int:
         values = self._values.setdefault(name, {})
         if value not in values:
-            new = self._fresh()
+            new = self.fresh()
             self.clauses.extend((-new, -old) for old in values.values())
             values[value] = new
         return values[value]
+
+    def value_literals(self) -> list[int]:
+        """The literals of all comparisons of small-range variables with values other than 0."""
+        return [n for values in self._values.values() for v, n in values.items() if v]
 
     def require(self, x: Expr) -> None:
         """Add the expression as a fact."""

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from interlock.logic.controller import Controller
-from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, implies, neg, var
+from interlock.logic.controller import Controller, MalformedController
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, implies, neg, var, variables
 from interlock.logic.plant import Assumption, Plant, Wiring, build_plant
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
@@ -47,6 +47,16 @@ class System:
                            implies(var(t.name), controller.expanded[t.input]))
             )
         self._ghosts()
+        self._check_closed()
+
+    def _check_closed(self) -> None:
+        """Nothing may read a variable that nobody defines: it would be a free choice by accident."""
+        known = {*self.next, *self.inputs}
+        parts = [*self.next.values(), *(h.expr for h in self.plant.hazards), *self.plant.initial,
+                 *(a.expr for a in self.assumptions)]
+        unknown = sorted(set(variables(parts)) - known)
+        if unknown:
+            raise MalformedController(f"undefined variables in the system: {', '.join(unknown[:5])}")
 
     @cached_property
     def initial(self) -> Expr:

@@ -45,12 +45,16 @@ class Z3Sat:
             return Answer.UNSAT
         return Answer.SAT if found == z3.sat else Answer.UNKNOWN
 
-    def model(self) -> dict[str, int]:
-        """Values of all named variables after a SAT answer."""
+    def values(self) -> dict[int, bool]:
+        """Truth of the variable numbers after a SAT answer."""
         model = self._solver.model()
-        values: dict[int, bool] = {}
+        found: dict[int, bool] = {}
         for decl in model.decls():
             name = decl.name()
             number = int(name[2:]) if isinstance(name, str) and name.startswith("k!") else int(name)
-            values[number] = z3.is_true(model[decl])
-        return self._cnf.read(values)
+            found[number] = z3.is_true(model[decl])
+        return found
+
+    def model(self) -> dict[str, int]:
+        """Values of all named variables after a SAT answer."""
+        return self._cnf.read(self.values())

@@ -21,12 +21,13 @@ CLAIMS: dict[str, str] = {
     "T-FOUL": "No train passes a point while another stands foul of it.",
     "T-DERAIL": "No train meets a point that is moving or set against it.",
     "T-POINT-MOVES": "No point moves under a train, and no train comes to a point that moves.",
-    "T-FLANK": "While a train or a proceed uses a point or diamond, no vehicle can roll into it from the flank.",
+    "T-FLANK": "While a train uses a point or diamond, no vehicle can roll into it from the flank.",
     "S-OPPOSING": "No two signals that lead towards each other over the same track show proceed.",
     "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
     "S-CLEAR": "Proceed is shown only when every section of the path, as the points lie, is reported clear.",
     "S-DETECTED": "Proceed is shown only when every point of the path is detected in position in that very scan.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
+    "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
     "S-CONDITION": "Proceed is shown only when every external condition of the path holds and the line beyond is clear.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop in the same scan, and nothing is granted or released.",
@@ -70,7 +71,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
     for h in f.system.plant.hazards:
         out.append(Claim(f"T-{h.id}", h.place, neg(h.expr), True))
     for name, place, expr, physical in (
-        *((*x, True) for x in _flank(f)),
+        *((*x, x[0] == "T-FLANK") for x in _flank(f)),
         *((*x, False) for x in _pairs(f)),
         *((*x, False) for x in _signals(f)),
         *((*x, False) for x in _locks(f)),
@@ -143,8 +144,8 @@ def _flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             )
             for name, node, edge, clear_of in places:
                 danger = exposed(f, edge, node, 0.0, clear_of, frozenset({node}))
-                yield "T-FLANK", f"{s}:{t.number}:{name}", implies(
-                    conj((uses, disj((train, shown)))), neg(danger))
+                yield "T-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, train)), neg(danger))
+                yield "S-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, shown)), neg(danger))
 
 
 # --- signals -------------------------------------------------------------------------------------

@@ -1,0 +1,185 @@
+"""From a layout and its controller to one verdict per claim.
+
+1. The strengthening invariants hold at the restart and are kept by every step: an invariant that is not kept is
+   dropped, and the rest is checked again without it, until what remains is inductive.
+2. Every claim follows from the remaining invariants in every step.
+3. What does not follow is searched for from the restart: a run found is REFUTED; otherwise UNKNOWN.
+Every solver answer other than UNSAT counts against the claim.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import StrEnum
+
+from interlock.logic.expr import Expr, conj, neg, var
+from interlock.proof.encode import Cnf
+from interlock.proof.engines.z3_sat import Answer, Z3Sat
+from interlock.proof.invariants import CLAIMS, Claim, Facts, Invariant, claims, strengthening
+from interlock.proof.search import search
+from interlock.proof.story import Story, tell
+from interlock.proof.system import System
+from interlock.proof.witness import Witness, witnesses
+
+Progress = Callable[[str, int, int], None]
+
+
+class Verdict(StrEnum):
+    """UNKNOWN is never green."""
+
+    PROVED = "PROVED"
+    REFUTED = "REFUTED"
+    UNKNOWN = "UNKNOWN"
+
+
+@dataclass(frozen=True)
+class ClaimResult:
+    """One claim over all its places."""
+
+    id: str
+    sentence: str
+    verdict: Verdict
+    places: int
+    open: tuple[str, ...]
+    seconds: float
+    story: Story | None = None
+
+
+@dataclass(frozen=True)
+class ProofResult:
+    """All claims, the invariants that carried them, and the witnesses."""
+
+    claims: tuple[ClaimResult, ...]
+    invariants: int
+    dropped: tuple[str, ...]
+    obligations: int
+    witnesses: tuple[Witness, ...]
+    seconds: float
+
+    @property
+    def proved(self) -> bool:
+        """Whether every claim is proved and every route has its witness."""
+        return all(c.verdict is Verdict.PROVED for c in self.claims) and all(w.ok for w in self.witnesses)
+
+
+@dataclass(frozen=True)
+class Limits:
+    """How long to try."""
+
+    query_ms: int = 20_000
+    search_depth: int = 16
+    search_s: float = 60.0
+
+
+def quiet(stage: str, done: int, total: int) -> None:
+    """A progress report that goes nowhere."""
+    del stage, done, total
+
+
+def prove(system: System, limits: Limits | None = None, progress: Progress = quiet) -> ProofResult:
+    """One verdict per claim."""
+    limits = limits or Limits()
+    began = time.monotonic()
+    facts = Facts(system)
+    kept = list(strengthening(facts))
+    wanted = claims(facts)
+    count = len(kept)
+    kept, dropped = _base(system, kept, limits)
+    obligations = count
+    while True:
+        cnf = _hypotheses(system, kept)
+        goals = [cnf.literal(system.after(i.expr)) for i in kept]
+        solver = Z3Sat(cnf, limits.query_ms)
+        failed: list[Invariant] = []
+        for n, (inv, lit) in enumerate(zip(kept, goals, strict=True)):
+            if n % 64 == 0:
+                progress("invariants", n, len(kept))
+            obligations += 1
+            if solver.ask(-lit) is not Answer.UNSAT:
+                failed.append(inv)
+        if not failed:
+            break
+        dropped += [f"{i.id} at {i.place}" for i in failed]
+        gone = set(map(id, failed))
+        kept = [i for i in kept if id(i) not in gone]
+    results = _claims(system, kept, wanted, limits, progress)
+    obligations += len(wanted) + 1
+    runs = witnesses(system)
+    results.append(_start(system, limits))
+    order = list(CLAIMS)
+    results.sort(key=lambda r: order.index(r.id))
+    return ProofResult(tuple(results), len(kept), tuple(dropped), obligations, runs, time.monotonic() - began)
+
+
+def _base(system: System, invariants: list[Invariant], limits: Limits) -> tuple[list[Invariant], list[str]]:
+    cnf = Cnf()
+    cnf.require(system.initial)
+    goals = [cnf.literal(i.expr) for i in invariants]
+    solver = Z3Sat(cnf, limits.query_ms)
+    if solver.ask() is not Answer.SAT:
+        raise RuntimeError("the restart states contradict each other")
+    kept, dropped = [], []
+    for inv, lit in zip(invariants, goals, strict=True):
+        if solver.ask(-lit) is Answer.UNSAT:
+            kept.append(inv)
+        else:
+            dropped.append(f"{inv.id} at {inv.place} (at the restart)")
+    return kept, dropped
+
+
+def _hypotheses(system: System, invariants: list[Invariant]) -> Cnf:
+    cnf = Cnf()
+    for i in invariants:
+        cnf.require(i.expr)
+    for a in system.assumptions:
+        cnf.require(a.expr)
+    return cnf
+
+
+def _claims(
+    system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress
+) -> list[ClaimResult]:
+    cnf = _hypotheses(system, kept)
+    literals = [cnf.literal(c.expr) for c in wanted]
+    solver = Z3Sat(cnf, limits.query_ms)
+    open_: dict[str, list[Claim]] = {}
+    places: dict[str, int] = {}
+    seconds: dict[str, float] = {}
+    for n, (c, lit) in enumerate(zip(wanted, literals, strict=True)):
+        if n % 32 == 0:
+            progress("claims", n, len(wanted))
+        began = time.monotonic()
+        if solver.ask(-lit) is not Answer.UNSAT:
+            open_.setdefault(c.id, []).append(c)
+        seconds[c.id] = seconds.get(c.id, 0.0) + time.monotonic() - began
+        places[c.id] = places.get(c.id, 0) + 1
+    out = []
+    for id_ in CLAIMS:
+        if id_ == "P-START":
+            continue
+        verdict, story = Verdict.PROVED, None
+        if id_ in open_:
+            progress(f"searching a counterexample to {id_}", 0, 1)
+            run = search(system, open_[id_], limits.search_depth, limits.search_s)
+            verdict = Verdict.REFUTED if run is not None else Verdict.UNKNOWN
+            story = tell(system, run) if run is not None else None
+        out.append(ClaimResult(id_, CLAIMS[id_], verdict, places.get(id_, 0),
+                               tuple(c.place for c in open_.get(id_, ())), seconds.get(id_, 0.0), story))
+    return out
+
+
+def _start(system: System, limits: Limits) -> ClaimResult:
+    """The restart: nothing commanded, all signals at stop, every section locked."""
+    began = time.monotonic()
+    sym = system.symbols
+    quiet_: list[Expr] = [neg(var(n)) for n in sym.command.values()]
+    quiet_ += [neg(sym.signal(g.id)) for g in system.layout.signals]
+    quiet_ += [var(n) for n in sym.restart.values()]
+    cnf = Cnf()
+    cnf.require(system.initial)
+    lit = cnf.literal(conj(quiet_))
+    ok = Z3Sat(cnf, limits.query_ms).ask(-lit) is Answer.UNSAT
+    return ClaimResult("P-START", CLAIMS["P-START"], Verdict.PROVED if ok else Verdict.UNKNOWN, 1,
+                       () if ok else ("restart",), time.monotonic() - began)

@@ -1,0 +1,101 @@
+"""A counterexample told in the engineer's words, as numbered steps."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from interlock.logic.expr import evaluate
+from interlock.proof.invariants import CLAIMS
+from interlock.proof.search import Run
+from interlock.proof.system import System
+
+
+@dataclass(frozen=True)
+class Story:
+    """The claim that fails, the steps in words, and the raw run for replay."""
+
+    claim: str
+    place: str
+    sentence: str
+    steps: tuple[str, ...]
+    frames: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]
+
+
+def tell(system: System, run: Run) -> Story:
+    """The run as sentences; frames with nothing to tell are joined to the next."""
+    steps: list[str] = []
+    trains = [n[2:] for n in system.state if n.startswith("o.")]
+    first = run.frames[0].state
+    standing = [s for s in trains if first[f"o.{s}"]]
+    lying = _points(system, first)
+    steps.append("Restart: everything is locked, all signals show stop"
+                 + (f"; a train stands in {', '.join(standing)}" if standing else "; no train inside")
+                 + (f"; {lying}" if lying else "") + ".")
+    raw: list[tuple[tuple[str, ...], tuple[str, ...]]] = []
+    for i, frame in enumerate(run.frames):
+        values = {**frame.state, **frame.inputs}
+        memo: dict[int, bool] = {}
+        events = [
+            system.plant.choices["?" + e]
+            for e, x in system.plant.events.items()
+            if "?" + e in system.plant.choices and evaluate(x, lambda n, v=values: v.get(n, 0), memo)  # type: ignore[misc]
+        ]
+        asked = _requests(system, frame.inputs)
+        after = run.frames[i + 1].state if i + 1 < len(run.frames) else None
+        shown = _changes(system, frame.state, after) if after is not None else []
+        sentences = [*events, *asked, *shown]
+        raw.append((tuple(sorted(n for n, v in frame.state.items() if v)),
+                    tuple(f"{n}={v}" for n, v in sorted(frame.inputs.items()) if v)))
+        if sentences:
+            steps.append("; ".join(_capital(s) if k == 0 else s for k, s in enumerate(sentences)) + ".")
+    last = run.frames[-1].state
+    where = ", ".join(s for s in trains if last[f"o.{s}"]) or "nowhere"
+    steps.append(f"Now trains stand in {where}; {_points(system, last)}.")
+    sentence = CLAIMS[run.claim.id]
+    steps.append(f"This violates {run.claim.id} at {run.claim.place}: {sentence}")
+    return Story(run.claim.id, run.claim.place, sentence, tuple(steps), tuple(raw))
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
+def _points(system: System, state: dict[str, int]) -> str:
+    out = []
+    for m in sorted(system.layout.ends_of_machine):
+        word = "normal" if state[f"at.{m}.N"] else "reverse" if state[f"at.{m}.R"] else "between its positions"
+        out.append(f"{m} lies {word}")
+    return ", ".join(out)
+
+
+def _requests(system: System, inputs: dict[str, int]) -> list[str]:
+    out = []
+    request = inputs.get(system.symbols.request, 0)
+    for r in system.symbols.routes:
+        if r.number == request:
+            out.append(f"the operator asks for route {r.id}")
+    for i in system.controller.inputs:
+        if i.note.startswith("operator:") and not i.size and inputs.get(i.name):
+            out.append(i.note.replace("operator: ", "the operator: ").split(" (")[0])
+    if not inputs.get(system.symbols.valid, 0):
+        out.append("inputs are lost")
+    return out
+
+
+def _changes(system: System, old: dict[str, int], new: dict[str, int]) -> list[str]:
+    out = []
+    for r in system.symbols.routes:
+        if new[r.proceed] and not old[r.proceed]:
+            out.append(f"signal {r.entry} shows proceed for route {r.id}")
+        if old[r.proceed] and not new[r.proceed]:
+            out.append(f"signal {r.entry} returns to stop")
+    for (m, x), name in system.symbols.command.items():
+        if new[name] and not old[name]:
+            out.append(f"machine {m} is commanded {'normal' if x == 'N' else 'reverse'}")
+    for s, name in system.symbols.clear.items():
+        del name
+        if f"o.{s}" in new and new[f"img.{s}"] and not new[f"o.{s}"] and not old[f"img.{s}"]:
+            out.append(f"{s} is falsely reported occupied")
+    return out
+
+

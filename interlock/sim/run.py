@@ -1,0 +1,91 @@
+"""Controller and plant run together, step by step, with chosen events and truthful inputs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from interlock.logic.compile import compile_exprs
+from interlock.logic.controller import Controller
+from interlock.logic.plant import Plant
+
+
+class Simulator:
+    """One run.  `compile` once per system, then `reset` for each run."""
+
+    def __init__(self, controller: Controller, plant: Plant, dt_ms: int = 1000) -> None:
+        self.controller = controller
+        self.plant = plant
+        self.dt_ms = dt_ms
+        self._events = compile_exprs(plant.events)
+        # the plant's next state, except the parts that depend on this scan's inputs (img.*)
+        self._move = compile_exprs({n: e for n, e in plant.next.items() if not n.startswith("img.")})
+        self._timer_inputs = compile_exprs({t.name: controller.expanded[t.input] for t in controller.timers})
+        self._next = compile_exprs(controller.next_state)
+        self._rules = compile_exprs({f"{i}": a.expr for i, a in enumerate(plant.assumptions)})
+        self._hazards = compile_exprs({f"{h.id} {h.place}": h.expr for h in plant.hazards})
+        self._choices = dict.fromkeys(plant.choices, 0)
+        self.reset({})
+
+    def reset(self, plant_state: dict[str, int]) -> None:
+        """Back to the restart, with the given plant state on top of an empty railway with all points normal."""
+        self.state: dict[str, int] = {s.name: int(s.initial) for s in self.controller.state}
+        self.state |= dict.fromkeys(self.plant.next, 0)
+        for name in self.plant.state:
+            if name.startswith("img.") or (name.startswith("at.") and name.endswith(".N")):
+                self.state[name] = 1
+        self.state |= plant_state
+        self.elapsed = {t.name: 0 for t in self.controller.timers}
+        self.count = 0
+        self.hazards: list[str] = []
+        self.broken: list[str] = []
+
+    def is_on(self, name: str) -> bool:
+        """The value of a state variable of controller or plant."""
+        return bool(self.state[name])
+
+    def step(self, events: Iterable[str] = (), inputs: dict[str, int] | None = None) -> None:
+        """One step: the wanted events (if possible), true inputs with `inputs` on top, one scan."""
+        self.count += 1
+        values = dict(self.state) | self._choices
+        for e in events:
+            values["?" + e] = 1
+        for i in self.controller.inputs:
+            values[i.name] = i.restrictive
+        for t in self.controller.timers:
+            values[t.name] = 0
+        moved = self._move(values)
+        for s in self.controller.symbols.clear:
+            values[self.controller.symbols.clear[s]] = int(not moved.get(f"o.{s}", False))
+        for (m, x), name in self.controller.symbols.detected.items():
+            values[name] = int(moved[f"at.{m}.{x}"])
+        values[self.controller.symbols.valid] = 1
+        for name in self.controller.symbols.blocked.values():
+            values[name] = 0
+        for name in self.controller.symbols.condition.values():
+            values[name] = 1
+        values |= inputs or {}
+        self._run_timers(values)
+        new = self._next(values)
+        rules = self._rules(values)
+        self.broken += [self.plant.assumptions[int(i)].id for i, ok in rules.items() if not ok]
+        self.hazards += [h for h, bad in self._hazards(values).items() if bad]
+        valid = bool(values[self.controller.symbols.valid])
+        self.state = {**self.state, **{k: int(v) for k, v in moved.items()}, **{k: int(v) for k, v in new.items()}}
+        for s, name in self.controller.symbols.clear.items():
+            self.state[f"img.{s}"] = int(not (valid and values[name]))
+
+    def possible(self) -> list[str]:
+        """Events that could happen now."""
+        values = dict(self.state) | dict.fromkeys(self.plant.choices, 1)
+        return [e for e, ok in self._events(values).items() if ok]
+
+    def _run_timers(self, values: dict[str, int]) -> None:
+        # timer inputs may depend on earlier timers: settle in order
+        for t in self.controller.timers:
+            if self._timer_inputs(values)[t.name]:
+                self.elapsed[t.name] = min(self.elapsed[t.name] + self.dt_ms, t.preset_ms)
+                values[t.name] = int(self.elapsed[t.name] >= t.preset_ms)
+            else:
+                self.elapsed[t.name] = 0
+                values[t.name] = 0
+
