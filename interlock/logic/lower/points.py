@@ -109,6 +109,8 @@ def supervision(d: Draft) -> None:
         d.wire(f"STI_{n}", Join.ANY, tuple(
             Term(conj((d.command(m, x), neg(d.detected(m, x)))), "not detected") for x in Position
         ), f"point {m}", f"machine {m} is not where it was commanded")
+    for m in d.machines:
+        n = portable(m)
         late = d.timer(f"ST_{n}", f"STI_{n}", d.layout.principles.point_supervision_s, f"machine {m}: time-out")
         d.kept(f"AL_{n}", False, f"alarm: machine {m} not detected", Join.ANY, (Term(late, "late"),), f"point {m}")
         d.outputs.append(Output(f"YA_{n}", var(f"AL_{n}"), False, f"alarm: machine {m} not detected in time"))

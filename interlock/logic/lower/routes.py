@@ -101,34 +101,37 @@ def locking(d: Draft) -> None:
 
 def cancellation(d: Draft) -> None:
     """Cancel: at once while nobody has seen the signal or the approach is clear, else after the delay (R8)."""
-    for g in d.layout.signals:
-        routes = d.routes_from[g.id]
+    signals = [g for g in d.layout.signals if d.routes_from[g.id]]
+    for g in signals:
         n = portable(g.id)
-        if not routes:
-            continue
         first = d.first_section(g.id)
         f = portable(first)
-        locked = d.locked_in(first, g.node)
         leaving = disj(
             d.lock(*t.key) for t in d.locks_of[first] if t.entry == g.node and t.exit in d.layout.boundary_at
         )
         waiting = conj((
             neg(d.any_active(g.id)),
-            locked,
+            d.locked_in(first, g.node),
             disj((var(f"REL_{f}"), conj((leaving, var(f"U_{f}"), neg(d.occupied(first)))))),
         ))
         d.wire(f"ATI_{n}", Join.ANY, (
             Term(var(f"X_{n}"), "cancelling"),
             Term(waiting, "release waits"),
         ), f"signal {g.id}", f"{g.id} at stop, waiting for a train that may still come (R8)")
+    for g in signals:
+        n = portable(g.id)
         d.timer(f"AT_{n}", f"ATI_{n}", d.layout.principles.approach_release_s, f"{g.id}: approach locking delay (R8)")
+    for g in signals:
+        n = portable(g.id)
+        first = d.first_section(g.id)
+        seen = disj(var(f"H_R{r.number}") for r in d.routes_from[g.id])
         d.wire(f"CD_{n}", Join.ALL, (
             Term(var(f"X_{n}"), "cancelling"),
             Term(d.any_active(g.id), "active"),
             Term(var("VALID"), "inputs valid"),
             Term(neg(d.occupied(first)), "section clear", f"{first} clear"),
-            Term(disj((d.approach_safe(g.id), neg(disj(var(f"H_R{r.number}") for r in routes)))),
-                 "no train about to come", "approach clear, or delay over, or the signal was never open"),
+            Term(disj((d.approach_safe(g.id), neg(seen))), "no train about to come",
+                 "approach clear, or delay over, or the signal was never open"),
         ), f"signal {g.id}", f"the route from {g.id} is cancelled (R8)")
 
 

@@ -86,11 +86,11 @@ def rear_free(d: Draft, s: SectionId) -> list[Term]:
 
 def release(d: Draft) -> None:
     """All the ways in which a section is released; none of them while it counts as occupied."""
+    valid = Term(var("VALID"), "inputs valid")
     for s in d.sections:
         n = portable(s)
         group = f"section {s}"
         clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
-        valid = Term(var("VALID"), "inputs valid")
         rear = rear_free(d, s)
         d.wire(f"EX_{n}", Join.ANY, _exits(d, s), group, f"a train in {s} leaves over a boundary, or has passed on")
         d.wire(f"RTI_{n}", Join.ALL, (
@@ -100,7 +100,14 @@ def release(d: Draft) -> None:
             *rear,
             Term(var(f"EX_{n}"), "went on"),
         ), group, f"{s} may be released behind the train (R9)")
-        done = d.timer(f"RT_{n}", f"RTI_{n}", d.layout.principles.release_delay_s, f"{s}: release delay (R9)")
+    for s in d.sections:
+        n = portable(s)
+        d.timer(f"RT_{n}", f"RTI_{n}", d.layout.principles.release_delay_s, f"{s}: release delay (R9)")
+    for s in d.sections:
+        n = portable(s)
+        group = f"section {s}"
+        clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
+        rear = rear_free(d, s)
         unsignalled = disj(
             d.locked_in(s, node)
             for node in d.topo.ends[s]
@@ -129,7 +136,7 @@ def release(d: Draft) -> None:
             Term(disj((var(f"REL_{n}"), var("REL_ALL"))), "operator"),
         ), group, f"{s} released after a restart (R16)")
         d.wire(f"RLS_{n}", Join.ANY, (
-            Term(done, "behind the train"),
+            Term(var(f"RT_{n}"), "behind the train"),
             Term(var(f"CA_{n}"), "withdrawn"),
             *cancelled,
             Term(var(f"HR_{n}"), "by hand"),

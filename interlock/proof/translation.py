@@ -1,0 +1,132 @@
+"""The emitted text equals the controller: proved output by output, base case and step.
+
+The text is parsed back by our own grammar and executed symbolically; every state variable's initial and next value,
+every timer's input and preset, and every output must be the same function as in the controller.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from interlock.logic.controller import Controller
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, iff, neg, var
+from interlock.proof.encode import Cnf
+from interlock.proof.engines.z3_sat import Answer, Z3Sat
+from interlock.st.meaning import BadText, Execution, Symbol, Symbols, Term
+from interlock.st.parser import NotInSubset, parse_unit
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A place where text and controller differ, with an input that tells them apart."""
+
+    name: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Translation:
+    """`proved` when no difference is possible."""
+
+    compared: int
+    differences: tuple[Difference, ...]
+
+    @property
+    def proved(self) -> bool:
+        """Whether text and controller are equal."""
+        return not self.differences
+
+
+def compare_st(controller: Controller, text: str, query_ms: int = 20_000) -> Translation:
+    """Compare a Structured Text file with its controller."""
+    try:
+        unit = parse_unit(text)
+        algebra = Symbols(timer_names={f"TON_{t.name}": t.name for t in controller.timers})
+        run: Execution[Term] = Execution(unit, algebra)
+        found = _state_of(run)
+        base = dict(found)
+        for s in controller.state:
+            place = _holder(run, s.name)
+            place[s.name] = var(s.name)
+        inputs: dict[str, Term] = {i.name: Symbol(i.name) if i.size else var(i.name) for i in controller.inputs}
+        outputs = run.scan(inputs)
+        after = _state_of(run)
+    except (NotInSubset, BadText, KeyError) as error:
+        return Translation(0, (Difference("text", f"cannot be read: {error}"),))
+    return _compare(controller, base, after, outputs, algebra, query_ms)
+
+
+def _holder(run: Execution[Term], name: str) -> dict[str, Term]:
+    for inst in run.main.inner.values():
+        if name in {d.name for d in inst.block.outputs} and f"N_{name}" in inst.values:
+            return inst.values
+    raise KeyError(name)
+
+
+def _state_of(run: Execution[Term]) -> dict[str, Term]:
+    out: dict[str, Term] = {}
+    for inst in run.main.inner.values():
+        outputs = {d.name for d in inst.block.outputs}
+        for name in outputs:
+            if f"N_{name}" in inst.values:
+                out[name] = inst.values[name]
+    return out
+
+
+def _compare(
+    controller: Controller,
+    base: dict[str, Term],
+    after: dict[str, Term],
+    outputs: dict[str, Term],
+    algebra: Symbols,
+    query_ms: int,
+) -> Translation:
+    wrong: list[Difference] = []
+    pairs: list[tuple[str, Expr, Expr]] = []
+    for s in controller.state:
+        if base.get(s.name) is not (TRUE if s.initial else FALSE):
+            wrong.append(Difference(s.name, "another initial value"))
+        mine = after.get(s.name)
+        if isinstance(mine, Expr):
+            pairs.append((s.name, mine, controller.next_state[s.name]))
+        else:
+            wrong.append(Difference(s.name, "missing in the text"))
+    new = Substitution(controller.next_state)
+    for o in controller.outputs:
+        mine = outputs.get(o.name)
+        if isinstance(mine, Expr):
+            pairs.append((o.name, mine, new(o.expr)))
+        else:
+            wrong.append(Difference(o.name, "missing in the text"))
+    if set(outputs) != {o.name for o in controller.outputs}:
+        wrong.append(Difference("outputs", "the text has other outputs"))
+    by_name = {algebra.timer_names.get(p, p): x for p, x in algebra.timers.items()}
+    for t in controller.timers:
+        got = by_name.pop(t.name, None)
+        if got is None or got[1] != t.preset_ms:
+            wrong.append(Difference(t.name, "timer missing or another time"))
+        else:
+            pairs.append((t.name, got[0], controller.expanded[t.input]))
+    wrong.extend(Difference(n, "a timer that the controller lacks") for n in by_name)
+    open_ = [(n, a, b) for n, a, b in pairs if a is not b]
+    cnf = Cnf()
+    literals = [cnf.literal(iff(a, b)) for _, a, b in open_]
+    solver = Z3Sat(cnf, query_ms)
+    for (name, a, b), lit in zip(open_, literals, strict=True):
+        answer = solver.ask(-lit)
+        if answer is Answer.SAT:
+            model = solver.model()
+            seen = sorted(n for n, v in model.items() if v and n in _names(a, b))
+            wrong.append(Difference(name, f"differs when {', '.join(seen[:12]) or 'everything is false'}"))
+        elif answer is Answer.UNKNOWN:
+            wrong.append(Difference(name, "could not be decided"))
+    return Translation(len(pairs) + len(controller.state), tuple(wrong))
+
+
+def _names(a: Expr, b: Expr) -> set[str]:
+    from interlock.logic.expr import variables
+
+    return set(variables((a, b)))
+
+
+__all__ = ["Difference", "Translation", "compare_st", "neg"]

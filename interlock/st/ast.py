@@ -1,0 +1,127 @@
+"""Syntax tree of the Structured Text subset (PLC.md section 1): what is emitted and what is read back.
+
+No loops, no pointers, no enumerations: BOOL, INT and TIME scalars, function blocks, TON, assignments and calls.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Name:
+    """A variable, or an output of an instance: `x` or `inst.x`."""
+
+    parts: tuple[str, ...]
+
+    def __str__(self) -> str:
+        return ".".join(self.parts)
+
+
+@dataclass(frozen=True)
+class Bool:
+    """TRUE or FALSE."""
+
+    value: bool
+
+
+@dataclass(frozen=True)
+class Int:
+    """An integer literal."""
+
+    value: int
+
+
+@dataclass(frozen=True)
+class Time:
+    """A time literal in milliseconds."""
+
+    ms: int
+
+
+@dataclass(frozen=True)
+class Not:
+    """NOT x."""
+
+    arg: Expression
+
+
+@dataclass(frozen=True)
+class Nary:
+    """AND, OR or XOR of two or more; `notes` stand beside the operands as comments."""
+
+    op: str
+    args: tuple[Expression, ...]
+    notes: tuple[str, ...] = field(default=(), compare=False)
+
+
+@dataclass(frozen=True)
+class Compare:
+    """A comparison of two integers."""
+
+    op: str
+    left: Expression
+    right: Expression
+
+
+Expression = Name | Bool | Int | Time | Not | Nary | Compare
+
+
+@dataclass(frozen=True)
+class Assign:
+    """target := value."""
+
+    target: Name
+    value: Expression
+    note: str = field(default="", compare=False)
+
+
+@dataclass(frozen=True)
+class Call:
+    """instance(param := value, ...)."""
+
+    instance: str
+    params: tuple[tuple[str, Expression], ...]
+    note: str = field(default="", compare=False)
+
+
+@dataclass(frozen=True)
+class If:
+    """IF condition THEN ... ELSE ... END_IF."""
+
+    condition: Expression
+    then: tuple[Statement, ...]
+    otherwise: tuple[Statement, ...] = ()
+
+
+Statement = Assign | Call | If
+
+
+@dataclass(frozen=True)
+class Declaration:
+    """One variable: name, type, initial value and comment."""
+
+    name: str
+    type: str
+    initial: Expression | None = None
+    note: str = field(default="", compare=False)
+
+
+@dataclass(frozen=True)
+class Block:
+    """A function block."""
+
+    name: str
+    inputs: tuple[Declaration, ...]
+    outputs: tuple[Declaration, ...]
+    locals: tuple[Declaration, ...]
+    body: tuple[Statement, ...]
+    note: str = field(default="", compare=False)
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A file: function blocks, callees first; the last one is the interlocking."""
+
+    blocks: tuple[Block, ...]
+    header: tuple[str, ...] = field(default=(), compare=False)

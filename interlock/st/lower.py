@@ -1,0 +1,208 @@
+"""From the controller to Structured Text.
+
+The steps are cut into small function blocks in their order; a block gets what it reads as inputs and gives what it
+computes as outputs.  State lives in blocks of its own that are called last, so that every equation of a scan sees
+the old state.  The main block calls them in one fixed order and holds the timers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Timer
+from interlock.logic.expr import Expr, Op, variables
+from interlock.model.portable import portable
+from interlock.st.ast import (
+    Assign,
+    Block,
+    Bool,
+    Call,
+    Compare,
+    Declaration,
+    Expression,
+    Int,
+    Name,
+    Nary,
+    Not,
+    Statement,
+    Time,
+    Unit,
+)
+
+MAX_OPERANDS = 10
+MAX_ROWS = 360  # of equations and declarations in a computing block; the strictest guide found allows 500
+MAX_STATE = 120
+
+
+def lower_st(controller: Controller, header: Sequence[str]) -> Unit:
+    """The whole text of a controller as a tree."""
+    prefix = f"IL_{portable(controller.name)}"
+    ranges = {i.name for i in controller.inputs if i.size}
+    next_wires = [
+        Equation(f"N_{e.name}", e.join, e.terms, e.group, f"next: {e.note}") for e in controller.next
+    ]
+    pieces = _cut([*controller.steps, *next_wires])
+    blocks: list[Block] = []
+    where: dict[str, Name] = {i.name: Name((i.name,)) for i in controller.inputs}
+    body: list[Statement] = []
+    locals_: list[Declaration] = []
+    state_blocks = [
+        controller.state[i : i + MAX_STATE] for i in range(0, len(controller.state), MAX_STATE)
+    ]
+    for k, part in enumerate(state_blocks, 1):
+        for s in part:
+            where[s.name] = Name((f"S{k:02d}", s.name))
+    for piece in pieces:
+        if isinstance(piece, Timer):
+            instance = f"TON_{piece.name}"
+            locals_.append(Declaration(instance, "TON", None, piece.note))
+            body.append(Call(instance, (("IN", where[piece.input]), ("PT", Time(piece.preset_ms))), piece.note))
+            where[piece.name] = Name((instance, "Q"))
+            continue
+        block = _computing(f"{prefix}_B{len(blocks) + 1:02d}", piece, ranges)
+        blocks.append(block)
+        instance = f"B{len(blocks):02d}"
+        locals_.append(Declaration(instance, block.name, None, block.note))
+        body.append(Call(instance, tuple((d.name, where[d.name]) for d in block.inputs)))
+        for e in piece:
+            where[e.name] = Name((instance, e.name))
+    for k, part in enumerate(state_blocks, 1):
+        block = _keeping(f"{prefix}_S{k:02d}", part)
+        blocks.append(block)
+        locals_.insert(k - 1, Declaration(f"S{k:02d}", block.name, None, block.note))
+        body.append(Call(f"S{k:02d}", tuple((d.name, where[d.name]) for d in block.inputs)))
+    for o in controller.outputs:
+        body.append(Assign(Name((o.name,)), _expression(o.expr, where), o.note))
+    main = Block(
+        prefix,
+        tuple(_input(i) for i in controller.inputs),
+        tuple(Declaration(o.name, "BOOL", Bool(o.restrictive), o.note) for o in controller.outputs),
+        tuple(locals_),
+        tuple(body),
+        f"interlocking {controller.name}: one call per cycle; the order of the calls is part of the proof",
+    )
+    return Unit((*blocks, main), tuple(header))
+
+
+def _input(i: Input) -> Declaration:
+    initial: Expression = Int(i.restrictive) if i.size else Bool(bool(i.restrictive))
+    return Declaration(i.name, "INT" if i.size else "BOOL", initial, i.note)
+
+
+def _rows(e: Equation) -> int:
+    return 3 + len(e.terms) + sum(max(0, len(t.expr.args)) // 4 for t in e.terms)
+
+
+def _cut(steps: Sequence[Equation | Timer]) -> list[list[Equation] | Timer]:
+    """Consecutive equations in pieces; consecutive timers stay single."""
+    out: list[list[Equation] | Timer] = []
+    rows, reads = 0, set[str]()
+    for step in steps:
+        if isinstance(step, Timer):
+            out.append(step)
+            continue
+        new = set(variables(t.expr for t in step.terms))
+        last = out[-1] if out else None
+        if isinstance(last, list) and rows + _rows(step) + len(reads | new) <= MAX_ROWS:
+            last.append(step)
+            rows += _rows(step)
+            reads |= new
+        else:
+            out.append([step])
+            rows, reads = _rows(step), new
+    return out
+
+
+def _computing(name: str, equations: Sequence[Equation], ranges: set[str]) -> Block:
+    made = {e.name for e in equations}
+    reads = {n: None for e in equations for n in variables(t.expr for t in e.terms) if n not in made}
+    where = {n: Name((n,)) for n in [*reads, *made]}
+    extra: list[Declaration] = []
+    body: list[Statement] = []
+    for e in equations:
+        body.extend(_equation(e, where, extra))
+    return Block(
+        name,
+        tuple(Declaration(n, "INT" if n in ranges else "BOOL") for n in reads),
+        tuple(Declaration(e.name, "BOOL", None, e.note) for e in equations),
+        tuple(extra),
+        tuple(body),
+        ", ".join(dict.fromkeys(e.group for e in equations))[:100],
+    )
+
+
+def _equation(e: Equation, where: dict[str, Name], extra: list[Declaration]) -> list[Statement]:
+    """One equation; more operands than allowed are joined in steps."""
+    op = "AND" if e.join is Join.ALL else "OR"
+    out: list[Statement] = []
+    operands: list[tuple[Expression, str]] = []
+    for t in e.terms:
+        x = t.expr
+        if x.op in (Op.TRUE, Op.FALSE) and len(e.terms) > 1 and (x.op is Op.TRUE) == (e.join is Join.ALL):
+            continue
+        operands.append((_short(x, where, extra, out), t.note or t.kind))
+    if not operands:
+        operands = [(Bool(e.join is Join.ALL), "nothing")]
+    while len(operands) > MAX_OPERANDS:
+        first, operands = operands[:MAX_OPERANDS], operands[MAX_OPERANDS:]
+        temp = _temp(extra)
+        out.append(Assign(temp, Nary(op, tuple(x for x, _ in first), tuple(n for _, n in first)), f"part of {e.name}"))
+        operands.insert(0, (temp, "part above"))
+    if len(operands) == 1:
+        value: Expression = operands[0][0]
+    else:
+        value = Nary(op, tuple(x for x, _ in operands), tuple(n for _, n in operands))
+    out.append(Assign(where[e.name], value, e.note))
+    return out
+
+
+def _temp(extra: list[Declaration]) -> Name:
+    extra.append(Declaration(f"T_{len(extra) + 1}", "BOOL"))
+    return Name((extra[-1].name,))
+
+
+def _short(x: Expr, where: dict[str, Name], extra: list[Declaration], out: list[Statement]) -> Expression:
+    """An operand: at most two levels deep and ten wide, the rest in temporaries."""
+    if x.op is Op.NOT and x.args[0].op in (Op.AND, Op.OR):
+        return Not(_short(x.args[0], where, extra, out))
+    if x.op not in (Op.AND, Op.OR):
+        return _expression(x, where)
+    args: list[Expression] = []
+    for a in x.args:
+        inner = a.args[0] if a.op is Op.NOT else a
+        if inner.op in (Op.AND, Op.OR):
+            temp = _temp(extra)
+            out.append(Assign(temp, _short(inner, where, extra, out)))
+            args.append(Not(temp) if a.op is Op.NOT else temp)
+        else:
+            args.append(_expression(a, where))
+    op = "AND" if x.op is Op.AND else "OR"
+    while len(args) > MAX_OPERANDS:
+        temp = _temp(extra)
+        out.append(Assign(temp, Nary(op, tuple(args[:MAX_OPERANDS]))))
+        args = [temp, *args[MAX_OPERANDS:]]
+    return Nary(op, tuple(args))
+
+
+def _expression(x: Expr, where: dict[str, Name]) -> Expression:
+    if x.op is Op.TRUE or x.op is Op.FALSE:
+        return Bool(x.op is Op.TRUE)
+    if x.op is Op.VAR:
+        return where[x.name]
+    if x.op is Op.EQ:
+        return Compare("=", where[x.name], Int(x.value))
+    if x.op is Op.NOT:
+        return Not(_expression(x.args[0], where))
+    args = tuple(_expression(a, where) for a in x.args)
+    return Nary("AND" if x.op is Op.AND else "OR", args)
+
+
+def _keeping(name: str, part: Sequence[StateVar]) -> Block:
+    return Block(
+        name,
+        tuple(Declaration(f"N_{s.name}", "BOOL", Bool(s.initial)) for s in part),
+        tuple(Declaration(s.name, "BOOL", Bool(s.initial), s.note) for s in part),
+        (),
+        tuple(Assign(Name((s.name,)), Name((f"N_{s.name}",))) for s in part),
+        "state: committed at the end of the scan",
+    )

@@ -1,0 +1,267 @@
+"""What a parsed text means: one walk over the statements, with numbers for execution or expressions for proof.
+
+`Algebra` says what the operators do.  With `Numbers` the walk is an interpreter with TON timers; with `Symbols` it
+is symbolic execution and gives every state variable's next value as an expression.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Generic, Protocol, TypeVar
+
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
+from interlock.st.ast import (
+    Assign,
+    Block,
+    Bool,
+    Call,
+    Compare,
+    Expression,
+    If,
+    Int,
+    Name,
+    Nary,
+    Not,
+    Statement,
+    Time,
+    Unit,
+)
+
+V = TypeVar("V")
+
+
+class BadText(Exception):
+    """The text does something that the subset does not allow (unknown name, wrong type, second write)."""
+
+
+class Algebra(Protocol[V]):
+    """Operators over some kind of value."""
+
+    def literal(self, x: Bool | Int | Time) -> V: ...
+    def neg(self, x: V) -> V: ...
+    def nary(self, op: str, xs: list[V]) -> V: ...
+    def compare(self, op: str, a: V, b: V) -> V: ...
+    def choose(self, c: V, a: V, b: V) -> V: ...
+    def timer(self, path: str, on: V, preset: V) -> V: ...
+
+
+@dataclass
+class Instance(Generic[V]):
+    """A function block instance: its variables and inner instances."""
+
+    block: Block
+    values: dict[str, V]
+    inner: dict[str, Instance[V]]
+    path: str
+
+
+class Execution(Generic[V]):
+    """Runs scans of the last block of a unit over an algebra."""
+
+    def __init__(self, unit: Unit, algebra: Algebra[V]) -> None:
+        self.algebra = algebra
+        self.blocks = {b.name.upper(): b for b in unit.blocks}
+        if len(self.blocks) != len(unit.blocks):
+            raise BadText("two blocks of one name")
+        self.main = self._instance(unit.blocks[-1], "")
+
+    def _instance(self, block: Block, path: str) -> Instance[V]:
+        values: dict[str, V] = {}
+        inner: dict[str, Instance[V]] = {}
+        seen: set[str] = set()
+        for d in (*block.inputs, *block.outputs, *block.locals):
+            if d.name.upper() in seen:
+                raise BadText(f"{block.name}: {d.name} is declared twice")
+            seen.add(d.name.upper())
+            kind = d.type.upper()
+            if kind == "TON":
+                values[f"{d.name}.Q"] = self.algebra.literal(Bool(False))
+            elif kind in ("BOOL", "INT"):
+                default: Bool | Int = Bool(False) if kind == "BOOL" else Int(0)
+                if d.initial is not None and not isinstance(d.initial, Bool | Int):
+                    raise BadText(f"{block.name}: the initial value of {d.name} is no literal")
+                values[d.name] = self.algebra.literal(d.initial if d.initial is not None else default)
+            elif kind in self.blocks:
+                inner[d.name] = self._instance(self.blocks[kind], f"{path}{d.name}.")
+            else:
+                raise BadText(f"{block.name}: unknown type {d.type}")
+        return Instance(block, values, inner, path)
+
+    def scan(self, inputs: Mapping[str, V]) -> dict[str, V]:
+        """One call of the main block."""
+        self._call(self.main, inputs)
+        return {d.name: self.main.values[d.name] for d in self.main.block.outputs}
+
+    def _call(self, inst: Instance[V], inputs: Mapping[str, V]) -> None:
+        names = {d.name for d in inst.block.inputs}
+        for n, v in inputs.items():
+            if n not in names:
+                raise BadText(f"{inst.block.name} has no input {n}")
+            inst.values[n] = v
+        self._run(inst, inst.block.body)
+
+    def _run(self, inst: Instance[V], body: tuple[Statement, ...]) -> None:
+        for s in body:
+            if isinstance(s, Assign):
+                if len(s.target.parts) != 1 or s.target.parts[0] not in inst.values:
+                    raise BadText(f"{inst.block.name}: cannot assign to {s.target}")
+                inst.values[s.target.parts[0]] = self._value(inst, s.value)
+            elif isinstance(s, Call):
+                self._invoke(inst, s)
+            else:
+                self._branch(inst, s)
+
+    def _invoke(self, inst: Instance[V], s: Call) -> None:
+        given = {n: self._value(inst, x) for n, x in s.params}
+        if len(given) != len(s.params):
+            raise BadText(f"{inst.block.name}: a parameter of {s.instance} is given twice")
+        if s.instance in inst.inner:
+            self._call(inst.inner[s.instance], given)
+        elif f"{s.instance}.Q" in inst.values and set(given) == {"IN", "PT"}:
+            path = f"{inst.path}{s.instance}"
+            inst.values[f"{s.instance}.Q"] = self.algebra.timer(path, given["IN"], given["PT"])
+        else:
+            raise BadText(f"{inst.block.name}: cannot call {s.instance}")
+
+    def _branch(self, inst: Instance[V], s: If) -> None:
+        condition = self._value(inst, s.condition)
+        for x in (*s.then, *s.otherwise):
+            if not isinstance(x, Assign):
+                raise BadText(f"{inst.block.name}: only assignments may stand under IF")
+        before = dict(inst.values)
+        self._run(inst, s.then)
+        then, inst.values = inst.values, before.copy()
+        self._run(inst, s.otherwise)
+        inst.values = {
+            n: v if then[n] is v else self.algebra.choose(condition, then[n], v) for n, v in inst.values.items()
+        }
+
+    def _value(self, inst: Instance[V], x: Expression) -> V:
+        a = self.algebra
+        if isinstance(x, Bool | Int | Time):
+            return a.literal(x)
+        if isinstance(x, Name):
+            if len(x.parts) == 2 and x.parts[0] in inst.inner:
+                inner = inst.inner[x.parts[0]]
+                if x.parts[1] not in {d.name for d in inner.block.outputs}:
+                    raise BadText(f"{inst.block.name}: {x} is no output")
+                return inner.values[x.parts[1]]
+            if str(x) in inst.values:
+                return inst.values[str(x)]
+            raise BadText(f"{inst.block.name}: unknown name {x}")
+        if isinstance(x, Not):
+            return a.neg(self._value(inst, x.arg))
+        if isinstance(x, Nary):
+            return a.nary(x.op, [self._value(inst, y) for y in x.args])
+        assert isinstance(x, Compare)
+        return a.compare(x.op, self._value(inst, x.left), self._value(inst, x.right))
+
+
+@dataclass
+class Numbers:
+    """Execution: Booleans as 0 and 1, integers, and timers that count the time given to each scan."""
+
+    dt_ms: int = 0
+    elapsed: dict[str, int] = field(default_factory=dict)
+
+    def literal(self, x: Bool | Int | Time) -> int:
+        """The value of a literal."""
+        return x.ms if isinstance(x, Time) else int(x.value)
+
+    def neg(self, x: int) -> int:
+        """NOT."""
+        return int(not x)
+
+    def nary(self, op: str, xs: list[int]) -> int:
+        """AND, OR, XOR."""
+        if op == "AND":
+            return int(all(xs))
+        return int(any(xs)) if op == "OR" else sum(map(bool, xs)) % 2
+
+    def compare(self, op: str, a: int, b: int) -> int:
+        """A comparison."""
+        return int({"=": a == b, "<>": a != b, "<": a < b, ">": a > b, "<=": a <= b, ">=": a >= b}[op])
+
+    def choose(self, c: int, a: int, b: int) -> int:
+        """a if c else b."""
+        return a if c else b
+
+    def timer(self, path: str, on: int, preset: int) -> int:
+        """On-delay."""
+        if not on:
+            self.elapsed[path] = 0
+            return 0
+        self.elapsed[path] = min(self.elapsed.get(path, 0) + self.dt_ms, preset)
+        return int(self.elapsed[path] >= preset)
+
+
+@dataclass(frozen=True)
+class Constant:
+    """An integer or time constant in symbolic execution."""
+
+    value: int
+
+
+@dataclass(frozen=True)
+class Symbol:
+    """A named integer in symbolic execution."""
+
+    name: str
+
+
+Term = Expr | Constant | Symbol
+
+
+@dataclass
+class Symbols:
+    """Symbolic execution; `timers` collects input and preset of every timer by its path."""
+
+    timers: dict[str, tuple[Expr, int]] = field(default_factory=dict)
+    timer_names: dict[str, str] = field(default_factory=dict)
+
+    def literal(self, x: Bool | Int | Time) -> Term:
+        """Constants."""
+        if isinstance(x, Bool):
+            return TRUE if x.value else FALSE
+        return Constant(x.ms if isinstance(x, Time) else x.value)
+
+    def _bool(self, x: Term) -> Expr:
+        if not isinstance(x, Expr):
+            raise BadText("an integer stands where a truth value is needed")
+        return x
+
+    def neg(self, x: Term) -> Term:
+        """NOT."""
+        return neg(self._bool(x))
+
+    def nary(self, op: str, xs: list[Term]) -> Term:
+        """AND, OR, XOR."""
+        args = [self._bool(x) for x in xs]
+        if op == "AND":
+            return conj(args)
+        if op == "OR":
+            return disj(args)
+        out = args[0]
+        for y in args[1:]:
+            out = disj((conj((out, neg(y))), conj((neg(out), y))))
+        return out
+
+    def compare(self, op: str, a: Term, b: Term) -> Term:
+        """Equality of a named integer with a constant; nothing else occurs in the subset."""
+        if isinstance(a, Symbol) and isinstance(b, Constant) and op in ("=", "<>"):
+            same = eq(a.name, b.value)
+            return same if op == "=" else neg(same)
+        raise BadText(f"a comparison outside the subset: {op}")
+
+    def choose(self, c: Term, a: Term, b: Term) -> Term:
+        """a if c else b."""
+        x, y, z = self._bool(c), self._bool(a), self._bool(b)
+        return disj((conj((x, y)), conj((neg(x), z))))
+
+    def timer(self, path: str, on: Term, preset: Term) -> Term:
+        """A fresh variable for the output; its input and preset are compared separately."""
+        if not isinstance(preset, Constant) or path in self.timers:
+            raise BadText(f"timer {path} is called twice or without a constant time")
+        self.timers[path] = (self._bool(on), preset.value)
+        return var(self.timer_names.get(path, f"timer {path}"))
