@@ -1,0 +1,190 @@
+"""Re-check of a table against its layout.
+
+Flank is judged by Hansen's area condition: freeze the points that the route locks, let vehicles come in over every
+boundary that admits trains, stop them only at signals that stand clear of the fouling point, and see whether their
+area touches a leg or arm that the route does not use.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from interlock.audit.walk import Frozen, Move, Trip, distances, signal_distance, signal_facing, steps, trips
+from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId
+from interlock.model.layout import Layout
+from interlock.table.rows import InterlockingTable, RouteRow
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A cell that the audit sees differently."""
+
+    route: str
+    column: str
+    text: str
+
+
+def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
+    """Every disagreement, in the order of the table."""
+    found: list[Finding] = []
+    matched: dict[str, Trip] = {}
+    mine = [t for g in layout.signals for t in trips(layout, g)]
+    for r in table.routes:
+        same = [t for t in mine if t.entry == r.entry and t.exit == r.exit and t.sections == r.section_ids
+                and _path_positions(r) == dict(t.positions)]
+        if len(same) != 1:
+            found.append(Finding(r.id, "route", f"the audit finds {len(same)} such paths"))
+            continue
+        matched[r.id] = same[0]
+        mine.remove(same[0])
+    found += [Finding(f"{t.entry}-{t.exit}", "route", f"not in the table: over {', '.join(t.sections)}") for t in mine]
+    for r in table.routes:
+        if r.id in matched:
+            found += _row(layout, r, matched[r.id])
+    found += _hostile(layout, table, matched)
+    return tuple(found)
+
+
+def _path_positions(r: RouteRow) -> dict[MachineId, Position]:
+    return {p.machine: p.position for p in r.points if p.role == "path"}
+
+
+def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
+    if tuple(c.section for c in r.sections) != trip.sections:
+        yield Finding(r.id, "sections", f"the path lies over {', '.join(trip.sections)}")
+    if tuple(s.section for s in r.release) != trip.sections:
+        yield Finding(r.id, "release", "the order is not that of the path")
+    boundary = layout.boundary_at.get(r.entry_node)
+    rear = {e.section for e in layout.edges_at[r.entry_node]} - {trip.sections[0]}
+    want = boundary.approach if boundary is not None else next(iter(rear), None)
+    if r.approach.section != want:
+        yield Finding(r.id, "approach", f"{want} lies in rear of {r.entry}")
+    foul = foul_neighbours(layout, trip)
+    if {c.section for c in r.foul} != foul:
+        yield Finding(r.id, "foul", f"foul sections are {', '.join(sorted(foul)) or 'none'}")
+    frozen = {p.machine: p.position for p in r.points}
+    waived = {(w.point, w.leg) for w in layout.waivers}
+    for place in open_flanks(layout, trip, frozen):
+        if (place.point, place.leg) not in waived:
+            yield Finding(r.id, "flank", f"a vehicle can reach {place.name}")
+    needed = {c.id for c in layout.conditions if r.entry in c.signals or set(c.over) & set(trip.sections)}
+    if {c.condition for c in r.conditions} != needed:
+        yield Finding(r.id, "conditions", f"required are {', '.join(sorted(needed)) or 'none'}")
+
+
+@dataclass(frozen=True)
+class Place:
+    """An unused leg of a point or an end of a crossed arm: entered over `edge` towards `node`."""
+
+    name: str
+    node: NodeId
+    edge: EdgeId
+    clear_of: float
+    point: str
+    leg: Position | None
+
+
+def unused_places(layout: Layout, trip: Trip) -> list[Place]:
+    """Every place beside the path at which a vehicle could come in."""
+    out: list[Place] = []
+    margin = layout.principles.clearance_m
+    for a, b in zip(trip.moves, trip.moves[1:], strict=False):
+        point = layout.point_at.get(a.node)
+        if point is not None:
+            unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
+            leg = Position.NORMAL if unused == point.normal else Position.REVERSE
+            out.append(Place(f"{point.id}.{leg}", a.node, unused, point.fouling + margin, point.id, leg))
+        crossing = layout.crossing_at.get(a.node)
+        if crossing is not None:
+            for arm in crossing.arms:
+                if a.edge not in arm:
+                    out += [Place(f"{crossing.id}/{e}", a.node, e, layout.principles.fouling_m + margin, "", None)
+                            for e in arm]
+    return out
+
+
+def open_flanks(layout: Layout, trip: Trip, frozen: Frozen) -> list[Place]:
+    """Places that the area of some vehicle from outside touches."""
+    return [p for p in unused_places(layout, trip) if _reached(layout, p, frozen)]
+
+
+def _reached(layout: Layout, place: Place, frozen: Frozen) -> bool:
+    goal = Move(place.edge, place.node)
+    todo: list[Move] = []
+    for b in layout.boundaries:
+        if b.kind is BoundaryKind.OUT:
+            continue
+        e = layout.edges_at[b.node][0]
+        start = Move(e.id, e.b if e.a == b.node else e.a)
+        if not _stops(layout, b.node, e.id, place) and not (e.one_way and start.node != e.b):
+            todo.append(start)
+    seen: set[Move] = set()
+    while todo:
+        here = todo.pop()
+        if here in seen:
+            continue
+        seen.add(here)
+        if here == goal:
+            return True
+        if here.node == place.node:
+            continue  # over the path itself: that is a hostile movement, not a flank
+        todo.extend(m for m, _ in steps(layout, here, frozen) if not _stops(layout, here.node, m.edge, place))
+    return False
+
+
+def _stops(layout: Layout, node: NodeId, onto: EdgeId, place: Place) -> bool:
+    """Whether a signal at stop keeps a vehicle there, clear of the fouling point of the place."""
+    g = signal_facing(layout, node, onto)
+    if g is None:
+        return False
+    away = signal_distance(layout, place.node, place.edge, g)
+    return away is None or away >= place.clear_of
+
+
+def foul_neighbours(layout: Layout, trip: Trip) -> set[SectionId]:
+    """Sections that begin too near to a point of the path, on its unused leg."""
+    out: set[SectionId] = set()
+    for a, b in zip(trip.moves, trip.moves[1:], strict=False):
+        point = layout.point_at.get(a.node)
+        if point is None:
+            continue
+        unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
+        home = layout.section_of(point.toe)
+        for (edge, _), gone in distances(layout, a.node, unused).items():
+            if layout.section_of(edge) != home and gone < point.fouling + layout.principles.clearance_m:
+                out.add(layout.section_of(edge))
+    return out
+
+
+def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
+    rows = [r for r in table.routes if r.id in matched]
+    for i, a in enumerate(rows):
+        for b in rows[i + 1 :]:
+            why = _cannot_both(layout, a, b, matched[a.id], matched[b.id])
+            for x, y in ((a, b), (b, a)):
+                listed = any(h.route == y.id for h in x.hostile)
+                if why and not listed:
+                    yield Finding(x.id, "hostile", f"{y.id} is hostile: {why}")
+                if listed and not why:
+                    yield Finding(x.id, "hostile", f"{y.id} is not hostile")
+
+
+def _cannot_both(layout: Layout, a: RouteRow, b: RouteRow, ta: Trip, tb: Trip) -> str:
+    if ta.entry == tb.entry:
+        return "the same signal"
+    shared = set(ta.sections) & set(tb.sections)
+    if shared:
+        return f"both pass {', '.join(sorted(shared))}"
+    nodes = {m.node for m in ta.moves[:-1]} & {m.node for m in tb.moves[:-1]}
+    if any(n in layout.crossing_at or n in layout.point_at for n in nodes):
+        return f"both pass {', '.join(sorted(nodes))}"
+    want = {p.machine: p.position for p in a.points}
+    for p in b.points:
+        if want.get(p.machine, p.position) is not p.position:
+            return f"machine {p.machine} in two positions"
+    for x, y in ((ta, tb), (tb, ta)):
+        foul = foul_neighbours(layout, x) & set(y.sections)
+        if foul:
+            return f"{', '.join(sorted(foul))} is foul"
+    return ""

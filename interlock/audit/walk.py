@@ -1,0 +1,133 @@
+"""Vehicles on edges: the audit's own picture of the layout.
+
+A vehicle is on an edge and moves towards one of its nodes.  From there it goes on over every edge that the track
+allows, whatever position points have, unless the caller freezes them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, Signal
+from interlock.model.layout import Layout
+
+Frozen = Mapping[MachineId, Position]
+
+
+@dataclass(frozen=True, order=True)
+class Move:
+    """On `edge`, moving towards `node`."""
+
+    edge: EdgeId
+    node: NodeId
+
+
+@dataclass(frozen=True)
+class Trip:
+    """A signal's path as the audit finds it."""
+
+    entry: str
+    exit: str
+    moves: tuple[Move, ...]
+    sections: tuple[SectionId, ...]
+    positions: tuple[tuple[MachineId, Position], ...]
+
+
+def steps(layout: Layout, at: Move, frozen: Frozen | None = None) -> Iterator[tuple[Move, tuple[MachineId, Position] | None]]:
+    """Where a vehicle can go next, and the position that a point takes or needs for it.
+
+    A frozen point leads a facing vehicle one way only; a trailing vehicle runs through any point.
+    """
+    for e in layout.edges_at[at.node]:
+        if e.id == at.edge:
+            continue
+        ahead = Move(e.id, e.b if e.a == at.node else e.a)
+        if e.one_way and ahead.node != e.b:
+            continue
+        needs: tuple[MachineId, Position] | None = None
+        crossing = layout.crossing_at.get(at.node)
+        if crossing is not None and not any(at.edge in arm and e.id in arm for arm in crossing.arms):
+            continue
+        point = layout.point_at.get(at.node)
+        if point is not None:
+            if point.toe not in (at.edge, e.id):
+                continue
+            leg = e.id if at.edge == point.toe else at.edge
+            needs = (point.machine, Position.NORMAL if leg == point.normal else Position.REVERSE)
+            facing = at.edge == point.toe
+            if frozen is not None and facing and frozen.get(point.machine, needs[1]) is not needs[1]:
+                continue
+        yield ahead, needs
+
+
+def signal_facing(layout: Layout, node: NodeId, onto: EdgeId) -> Signal | None:
+    """The signal that a vehicle meets at a node before it goes onto an edge."""
+    for g in layout.signals:
+        if g.node == node and g.into == onto:
+            return g
+    return None
+
+
+def trips(layout: Layout, g: Signal) -> list[Trip]:
+    """Every path of a signal, by exhaustive walk over edges."""
+    e = layout.edge[g.into]
+    first = Move(g.into, e.b if e.a == g.node else e.a)
+    if e.one_way and first.node != e.b:
+        return []
+    found: list[Trip] = []
+    todo: list[tuple[tuple[Move, ...], tuple[tuple[MachineId, Position], ...]]] = [((first,), ())]
+    while todo:
+        moves, positions = todo.pop()
+        here = moves[-1]
+        ending = here.node in layout.boundary_at or here.node in layout.buffer_at
+        options = list(steps(layout, here))
+        ahead = next((signal_facing(layout, here.node, m.edge) for m, _ in options), None)
+        if ending or ahead is not None:
+            exit_ = str(here.node) if ending else str(ahead.id if ahead else "")
+            sections = tuple(dict.fromkeys(layout.section_of(m.edge) for m in moves))
+            runs = [layout.section_of(m.edge) for m in moves]
+            split = sum(1 for a, b in zip(runs, runs[1:], strict=False) if a != b) + 1 != len(sections)
+            wanted: dict[MachineId, Position] = {}
+            clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
+            if not split and not clash:
+                found.append(Trip(g.id, exit_, moves, sections, tuple(sorted(wanted.items()))))
+            continue
+        for m, needs in options:
+            if any(m.edge == x.edge for x in moves):
+                continue
+            todo.append(((*moves, m), (*positions, needs) if needs else positions))
+    return found
+
+
+def distances(layout: Layout, node: NodeId, leg: EdgeId) -> dict[tuple[EdgeId, NodeId], float]:
+    """Metres from a point's node, out over one leg, to the near node of every edge up to the next point."""
+    out: dict[tuple[EdgeId, NodeId], float] = {}
+    todo: list[tuple[EdgeId, NodeId, float]] = [(leg, node, 0.0)]
+    while todo:
+        edge, near, gone = todo.pop()
+        if (edge, near) in out:
+            continue
+        out[edge, near] = gone
+        far = layout.far(edge, near)
+        if far not in layout.point_at and far not in layout.crossing_at:
+            todo.extend((e.id, far, gone + layout.edge[edge].length) for e in layout.edges_at[far] if e.id != edge)
+    return out
+
+
+def signal_distance(layout: Layout, node: NodeId, leg: EdgeId, g: Signal) -> float | None:
+    """Shortest metres from a node, out over an edge, through anything, to the place of a signal."""
+    best: dict[NodeId, float] = {}
+    todo: list[tuple[EdgeId, NodeId, float]] = [(leg, node, 0.0)]
+    while todo:
+        todo.sort(key=lambda x: -x[2])
+        edge, near, gone = todo.pop()
+        far = layout.far(edge, near)
+        total = gone + layout.edge[edge].length
+        if far in best and best[far] <= total:
+            continue
+        best[far] = total
+        if far == g.node:
+            return total
+        todo.extend((e.id, far, total) for e in layout.edges_at[far] if e.id != edge)
+    return None

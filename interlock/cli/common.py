@@ -1,0 +1,145 @@
+"""What the verbs share: options, progress, rendering, exit codes."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from interlock.diag import Diagnostic, Severity
+from interlock.diag import render as renderers
+
+if TYPE_CHECKING:
+    from interlock.app.compile import Proved
+
+OK, FINDINGS, NOT_PROVED = 0, 1, 3
+
+layouts_argument = click.argument("layouts", nargs=-1, required=True, metavar="LAYOUT...")
+format_option = click.option(
+    "--format", "form", type=click.Choice(["full", "concise", "json"]), default="full", show_default=True,
+    help="How results are shown.",
+)
+jobs_option = click.option("-j", "--jobs", type=click.IntRange(1, 64), default=1, show_default=True, help="Processes.")
+
+
+def show(diagnostics: Iterable[Diagnostic], sources: dict[str, str], form: str) -> None:
+    """Print diagnostics; notes of severity info take one line each."""
+    found = list(diagnostics)
+    if form == "concise":
+        click.echo(renderers.concise(found, sources), nl=False)
+        return
+    click.echo(renderers.full([d for d in found if d.severity is not Severity.INFO], sources), nl=False)
+    click.echo(renderers.concise([d for d in found if d.severity is Severity.INFO], sources), nl=False)
+
+
+def put_json(body: Any) -> None:
+    """Print JSON."""
+    click.echo(json.dumps(body, indent=2, ensure_ascii=False))
+
+
+def exit_code(proofs: Sequence[Proved]) -> int:
+    """1 when anything is wrong, else 3 when something is open, else 0."""
+    if any(not p.checked.ok for p in proofs) or any(not p.green and not p.unknown for p in proofs):
+        return FINDINGS
+    return NOT_PROVED if any(p.unknown for p in proofs) else OK
+
+
+@contextmanager
+def progress(label: str) -> Iterator[Callable[[str, int, int], None]]:
+    """A progress bar after one second, on a terminal only."""
+    if not sys.stderr.isatty():
+        yield lambda stage, done, total: None
+        return
+    began = time.monotonic()
+    bar: Any = None
+    task: Any = None
+
+    def report(stage: str, done: int, total: int) -> None:
+        nonlocal bar, task
+        if bar is None:
+            if time.monotonic() - began < 1:
+                return
+            from rich.console import Console
+            from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+            bar = Progress(
+                TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(),
+                console=Console(stderr=True), transient=True,
+            )
+            bar.start()
+            task = bar.add_task(label, total=total)
+        bar.update(task, description=f"{label}: {stage}", completed=done, total=total)
+
+    try:
+        yield report
+    finally:
+        if bar is not None:
+            bar.stop()
+
+
+_COLOURS = {"PROVED": "green", "REFUTED": "red", "UNKNOWN": "yellow"}
+
+
+def proof_body(p: Proved) -> dict[str, Any]:
+    """A proof as data."""
+    body: dict[str, Any] = {
+        "file": p.checked.path,
+        "ok": p.green,
+        "diagnostics": renderers.as_json([*p.checked.diagnostics, *p.notes]),
+        "files": list(p.files),
+    }
+    if p.proof is not None:
+        body |= {
+            "claims": [
+                {
+                    "id": c.id, "verdict": str(c.verdict), "sentence": c.sentence, "seconds": round(c.seconds, 4),
+                    "places": c.places, "open": list(c.open), "story": list(c.story.steps) if c.story else None,
+                }
+                for c in p.proof.claims
+            ],
+            "witnesses": [{"route": w.route, "ok": w.ok, "text": w.text} for w in p.proof.witnesses],
+            "text_equals_controller": p.text_equal,
+            "seconds": round(p.proof.seconds, 3),
+        }
+    return body
+
+
+def show_proof(p: Proved, form: str, verbose: bool) -> None:
+    """A proof for people."""
+    sources = {p.checked.source.file: p.checked.source.text}
+    if not p.checked.ok:
+        show(p.checked.diagnostics, sources, form)
+        click.echo(f"{p.checked.path}: {renderers.summary(p.checked.diagnostics) or 'errors'}")
+        return
+    show([d for d in p.checked.diagnostics if d.severity is not Severity.INFO], sources, form)
+    if p.proof is None:
+        return
+    done = sum(c.verdict == "PROVED" for c in p.proof.claims)
+    ok = sum(w.ok for w in p.proof.witnesses)
+    if verbose or not p.green:
+        for c in p.proof.claims:
+            mark = click.style(f"{c.verdict:8}", fg=_COLOURS[c.verdict])
+            count = f"{c.places} place{'s' if c.places != 1 else ''}" if c.places else "nothing to claim"
+            click.echo(f"  {mark} {c.id:15} {count:>16}  {c.sentence}")
+        same = "PROVED  " if p.text_equal else "REFUTED "
+        click.echo(f"  {click.style(same, fg=_COLOURS[same.strip()])} text = controller")
+    show(p.notes, sources, form)
+    for c in p.proof.claims:
+        if c.story:
+            click.echo(f"  Counterexample to {c.id}:")
+            for n, step in enumerate(c.story.steps, 1):
+                click.echo(f"    {n}. {step}")
+    if p.green:
+        verdict = click.style("PROVED", fg="green")
+    else:
+        verdict = click.style("COULD NOT BE PROVED" if p.unknown else "NOT SAFE", fg="red")
+    routes = len(p.proof.witnesses)
+    click.echo(
+        f"{p.checked.path}: {verdict}  {done}/{len(p.proof.claims)} claims, {routes} routes, {ok} driven by a witness, "
+        f"text {'=' if p.text_equal else 'differs from'} controller, {p.proof.seconds:.1f} s"
+    )

@@ -1,0 +1,52 @@
+"""`interlock compile`: table, proof, Structured Text and runtime."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from interlock.app.compile import compile_file, run_many
+from interlock.cli.common import (
+    exit_code,
+    format_option,
+    jobs_option,
+    layouts_argument,
+    progress,
+    proof_body,
+    put_json,
+    show_proof,
+)
+from interlock.proof.runner import Limits
+
+
+@click.command("compile")
+@layouts_argument
+@click.option("-o", "--out", type=click.Path(path_type=Path, file_okay=False), default=Path("generated"),
+              show_default=True, help="Folder for the outputs; each layout gets a folder of its own in it.")
+@jobs_option
+@click.option("--check", is_flag=True, help="Write nothing; tell whether the outputs are current.")
+@click.option("--unproved", is_flag=True, help="Write PLC text although something is not proved, with a mark.")
+@click.option("-v", "--verbose", is_flag=True, help="Show every claim.")
+@format_option
+def command(
+    layouts: tuple[str, ...], out: Path, jobs: int, check: bool, unproved: bool, verbose: bool, form: str
+) -> None:
+    """Derive the table, prove the controller, and write all outputs."""
+    if jobs > 1 and len(layouts) > 1:
+        results = run_many(compile_file, [(p, out, check, unproved, Limits()) for p in layouts], jobs)
+    else:
+        results = []
+        for p in layouts:
+            with progress(p) as report:
+                results.append(compile_file(p, out, check, unproved, Limits(), report))
+    if form == "json":
+        put_json([proof_body(r) for r in results])
+    else:
+        for r in results:
+            show_proof(r, form, verbose)
+            if r.green and r.checked.layout is not None:
+                where = out / r.checked.layout.name
+                click.echo(f"  {'current' if check else 'written'}: {where} ({len(r.files)} files)")
+    sys.exit(exit_code(results))

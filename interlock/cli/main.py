@@ -1,0 +1,78 @@
+"""The entry point: picks a verb, and turns what goes wrong inside into exit code 70 instead of a traceback.
+
+Exit codes: 0 fine, 1 findings or refuted, 2 usage, 3 could not be proved, 70 internal error.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+
+import click
+
+from interlock import __version__
+
+VERBS = ("check", "compile", "prove", "why", "explain", "schema")
+
+
+class _Verbs(click.Group):
+    """Loads a verb's module only when it is called, so that `--help` is quick."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        return list(VERBS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name not in VERBS:
+            return None
+        module = importlib.import_module(f"interlock.cli.{cmd_name}")
+        command = module.command
+        assert isinstance(command, click.Command)
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        if args and args[0] not in VERBS and not args[0].startswith("-"):
+            import difflib
+
+            near = difflib.get_close_matches(args[0], VERBS, n=1)
+            hint = f" Did you mean {near[0]}?" if near else ""
+            if args[0].endswith((".yaml", ".yml")):
+                hint = f" Say what to do with it, for instance: interlock compile {args[0]}"
+            ctx.fail(f"No such command '{args[0]}'.{hint}")
+        return super().resolve_command(ctx, args)
+
+
+@click.group(cls=_Verbs, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, prog_name="interlock")
+def cli() -> None:
+    """From a track layout to a proved interlocking table, Structured Text and a Python runtime.
+
+    Start with: interlock compile layouts/mine11.yaml
+    """
+
+
+def main() -> None:
+    """Run the command line."""
+    try:
+        cli(standalone_mode=True)
+    except SystemExit:
+        raise
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
+    except Exception as error:
+        if os.environ.get("INTERLOCK_DEBUG"):
+            raise
+        click.echo(
+            f"internal error: {type(error).__name__}: {error}\n"
+            "This is a defect of interlock, not of your layout. Please report it with the layout; "
+            "INTERLOCK_DEBUG=1 shows where it happened.",
+            err=True,
+        )
+        sys.exit(70)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,46 @@
+"""`interlock prove`: one verdict per claim."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+
+from interlock.app.compile import prove_file, run_many
+from interlock.cli.common import (
+    exit_code,
+    format_option,
+    jobs_option,
+    layouts_argument,
+    progress,
+    proof_body,
+    put_json,
+    show_proof,
+)
+from interlock.proof.runner import Limits
+
+
+@click.command("prove")
+@layouts_argument
+@jobs_option
+@click.option("--search-depth", type=click.IntRange(1, 60), default=16, show_default=True,
+              help="Scans to search for a counterexample.")
+@click.option("--search-seconds", type=click.FloatRange(0.1, 36000), default=60.0, show_default=True,
+              help="Time to search for a counterexample to one claim.")
+@format_option
+def command(layouts: tuple[str, ...], jobs: int, search_depth: int, search_seconds: float, form: str) -> None:
+    """Prove every safety claim for every possible train movement."""
+    limits = Limits(search_depth=search_depth, search_s=search_seconds)
+    if jobs > 1 and len(layouts) > 1:
+        results = run_many(prove_file, [(p, limits) for p in layouts], jobs)
+    else:
+        results = []
+        for p in layouts:
+            with progress(p) as report:
+                results.append(prove_file(p, limits, report))
+    if form == "json":
+        put_json([proof_body(r) for r in results])
+    else:
+        for r in results:
+            show_proof(r, form, verbose=True)
+    sys.exit(exit_code(results))

@@ -1,0 +1,40 @@
+"""`interlock why`: the reasons of a route's cells."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+
+from interlock.app.compile import why
+from interlock.cli.common import FINDINGS, OK, format_option, put_json, show
+from interlock.diag import render
+
+
+@click.command("why")
+@click.argument("layout")
+@click.argument("route")
+@click.argument("column", required=False)
+@format_option
+def command(layout: str, route: str, column: str | None, form: str) -> None:
+    """Print why each cell of a route's row is as it is (all columns, or one)."""
+    checked, reasons, problems = why(layout, route, column)
+    failed = bool(problems) or not checked.ok
+    if form == "json":
+        put_json({
+            "route": route,
+            "reasons": [{"column": r.column, "item": r.item, "rule": r.rule, "text": r.text} for r in reasons],
+            "diagnostics": render.as_json([*checked.diagnostics, *problems]),
+        })
+        sys.exit(FINDINGS if failed else OK)
+    if failed:
+        show([*(d for d in checked.diagnostics if not checked.ok), *problems],
+             {checked.source.file: checked.source.text}, form)
+        sys.exit(FINDINGS)
+    last = ""
+    for r in reasons:
+        if r.column != last:
+            click.echo(click.style(r.column, bold=True))
+            last = r.column
+        click.echo(f"  {r.item:32} {r.rule:6} {r.text}")
+    sys.exit(OK)

@@ -1,0 +1,1 @@
+"""Outputs: tables, Structured Text files, the Python runtime, manifests."""

@@ -1,0 +1,66 @@
+"""A folder of outputs with a manifest of digests, written atomically, or compared with what is there."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import shutil
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+MANIFEST = "manifest.json"
+
+
+def with_manifest(files: Mapping[str, bytes], facts: Mapping[str, object]) -> dict[str, bytes]:
+    """The files with a manifest that names each with its SHA-256."""
+    body = {
+        "schema": "interlock-manifest/1",
+        **facts,
+        "files": {n: hashlib.sha256(files[n]).hexdigest() for n in sorted(files)},
+    }
+    text = json.dumps(body, indent=1, ensure_ascii=False) + "\n"
+    return {**files, MANIFEST: text.encode()}
+
+
+def write_folder(target: Path, files: Mapping[str, bytes]) -> None:
+    """Replace a folder by the files: all of them, or (on an error) none.  Raises OSError."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    fresh = Path(tempfile.mkdtemp(prefix=f".{target.name}.", dir=target.parent))
+    try:
+        for name, data in files.items():
+            path = fresh / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(data)
+        fresh.chmod(0o755)
+        if target.exists():
+            old = fresh.with_name(fresh.name + ".old")
+            os.rename(target, old)
+            os.rename(fresh, target)
+            shutil.rmtree(old)
+        else:
+            os.rename(fresh, target)
+    except BaseException:
+        shutil.rmtree(fresh, ignore_errors=True)
+        raise
+
+
+def is_bundle(target: Path) -> bool:
+    """Whether a folder is one of ours (or not there), so that it may be replaced."""
+    return not target.exists() or (target / MANIFEST).is_file() or not any(target.iterdir())
+
+
+def differences(target: Path, files: Mapping[str, bytes]) -> list[str]:
+    """What differs between a folder and the files it should hold; empty when it is current."""
+    out = []
+    for name, data in sorted(files.items()):
+        path = target / name
+        if not path.is_file():
+            out.append(f"{name} is missing")
+        elif path.read_bytes() != data:
+            out.append(f"{name} differs")
+    if target.is_dir():
+        there = {str(p.relative_to(target)) for p in target.rglob("*") if p.is_file()}
+        out.extend(f"{n} is not an output" for n in sorted(there - set(files)))
+    return out

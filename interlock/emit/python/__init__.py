@@ -1,0 +1,1 @@
+"""The Python runtime: one file that stands alone."""

@@ -1,0 +1,100 @@
+"""The controller as one Python file without any dependency; same scan, same names as the Structured Text."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from interlock.logic.controller import Controller, Equation, Join
+from interlock.logic.expr import Expr, Op
+
+
+def _code(x: Expr, outer: str = "") -> str:
+    if x.op is Op.TRUE or x.op is Op.FALSE:
+        return str(x.op is Op.TRUE)
+    if x.op is Op.VAR:
+        return x.name
+    if x.op is Op.EQ:
+        return f"({x.name} == {x.value})"
+    if x.op is Op.NOT:
+        return f"(not {_code(x.args[0], 'not')})"
+    op = " and " if x.op is Op.AND else " or "
+    body = op.join(_code(a, op) for a in x.args)
+    return f"({body})" if outer else body
+
+
+def _equation(e: Equation, name: str) -> str:
+    op = " and " if e.join is Join.ALL else " or "
+    terms = [_code(t.expr, op) for t in e.terms] or [str(e.join is Join.ALL)]
+    return f"        {name} = {op.join(terms)}  # {_plain(e.note)}"
+
+
+def _plain(text: str) -> str:
+    return "".join(c if c.isprintable() else "?" for c in text)
+
+
+def runtime_py(controller: Controller, header: Sequence[str]) -> str:
+    """The text of the runtime."""
+    c = controller
+    lines = [f"# {_plain(h)}" for h in header]
+    lines += [
+        f'"""Interlocking {c.name}: call `Controller().scan(inputs, dt_ms)` once per cycle.',
+        "",
+        "Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.",
+        '"""',
+        "",
+        "# name: (restrictive value, number of values), meaning",
+        "INPUTS = {",
+        *(f"    {i.name!r}: ({i.restrictive}, {i.size or 2}),  # {_plain(i.note)}" for i in c.inputs),
+        "}",
+        "# name: value at a restart, meaning",
+        "STATE = {",
+        *(f"    {s.name!r}: {s.initial},  # {_plain(s.note)}" for s in c.state),
+        "}",
+        "# name: time in milliseconds, meaning",
+        "TIMERS = {",
+        *(f"    {t.name!r}: {t.preset_ms},  # {_plain(t.note)}" for t in c.timers),
+        "}",
+        "# name: restrictive value, meaning",
+        "OUTPUTS = {",
+        *(f"    {o.name!r}: {o.restrictive},  # {_plain(o.note)}" for o in c.outputs),
+        "}",
+        "",
+        "",
+        "class Controller:",
+        '    """A running controller; `state` and `elapsed` are all that it remembers."""',
+        "",
+        "    def __init__(self):",
+        "        self.state = dict(STATE)",
+        "        self.elapsed = dict.fromkeys(TIMERS, 0)",
+        "",
+        "    def _timer(self, name, on, dt_ms):",
+        "        if not on:",
+        "            self.elapsed[name] = 0",
+        "            return False",
+        "        self.elapsed[name] = min(self.elapsed[name] + dt_ms, TIMERS[name])",
+        "        return self.elapsed[name] >= TIMERS[name]",
+        "",
+        "    def scan(self, inputs, dt_ms):",
+        '        """One scan, `dt_ms` milliseconds after the last; returns the outputs."""',
+        "        read = {}",
+        "        for name, (restrictive, size) in INPUTS.items():",
+        "            value = int(inputs.get(name, restrictive))",
+        "            read[name] = value if 0 <= value < size else restrictive",
+        "        old = self.state",
+    ]
+    lines += [f"        {i.name} = read[{i.name!r}]" for i in c.inputs]
+    lines += [f"        {s.name} = old[{s.name!r}]" for s in c.state]
+    for step in c.steps:
+        if isinstance(step, Equation):
+            lines.append(_equation(step, step.name))
+        else:
+            lines.append(f"        {step.name} = self._timer({step.name!r}, {step.input}, dt_ms)  # {_plain(step.note)}")
+    lines += [_equation(e, f"N_{e.name}") for e in c.next]
+    lines.append("        self.state = {")
+    lines += [f"            {e.name!r}: bool(N_{e.name})," for e in c.next]
+    lines.append("        }")
+    lines += [f"        {s.name} = self.state[{s.name!r}]" for s in c.state]
+    lines.append("        return {")
+    lines += [f"            {o.name!r}: bool({_code(o.expr)})," for o in c.outputs]
+    lines.append("        }")
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,1 @@
+"""The interlocking table as JSON, CSV, XLSX and HTML."""

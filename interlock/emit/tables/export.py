@@ -1,0 +1,125 @@
+"""The table in every file format; the same input gives the same bytes."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from dataclasses import asdict
+from datetime import datetime
+from functools import lru_cache
+
+import xlsxwriter
+from jinja2 import Environment, PackageLoader, select_autoescape
+
+from interlock.model.layout import Layout
+from interlock.table.columns import COLUMNS
+from interlock.table.matrix import Matrix, beyond_matrix, matrix
+from interlock.table.rows import SCHEMA_VERSION, InterlockingTable
+
+
+def table_json(table: InterlockingTable) -> str:
+    """Canonical JSON with a versioned schema; every derived cell carries rule and text of its reason."""
+    body = {"schema": f"interlock-table/{SCHEMA_VERSION}", **asdict(table)}
+    return json.dumps(body, indent=1, ensure_ascii=False) + "\n"
+
+
+def table_csv(table: InterlockingTable) -> str:
+    """One line per route, English headings."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow([c.en for c in COLUMNS])
+    writer.writerows([c.text(r) for c in COLUMNS] for r in table.routes)
+    return out.getvalue()
+
+
+def _matrix_rows(name: str, rows: tuple[str, ...], columns: tuple[str, ...], cells: tuple[tuple[int, ...], ...]) -> list[list[str]]:
+    body = [[r, *map(str, line)] for r, line in zip(rows, cells, strict=True)]
+    return [[name, *columns], *body, []]
+
+
+def _matrices(table: InterlockingTable) -> list[list[str]]:
+    rows: list[list[str]] = []
+    parts: list[tuple[str, Matrix]] = [("all routes", matrix(table))]
+    named = matrix(table, named_only=True)
+    if named.routes:
+        parts.append(("named routes", named))
+    for title, m in parts:
+        rows += _matrix_rows(f"M ({title})", m.routes, m.sections, m.rows)
+        rows += _matrix_rows(f"M.M^T ({title})", m.routes, m.routes, m.m_mt())
+        rows += _matrix_rows(f"M^T.M ({title})", m.sections, m.sections, m.mt_m())
+    beyond = beyond_matrix(table)
+    rows.append(["Hostile pairs that M.M^T does not show", str(len(beyond))])
+    rows += [[b.a, b.b, b.kind, b.witness] for b in beyond]
+    return rows
+
+
+def matrix_csv(table: InterlockingTable) -> str:
+    """M, M.M^T and M^T.M of document A, and the hostile pairs that they miss."""
+    out = io.StringIO()
+    csv.writer(out, lineterminator="\n").writerows(_matrices(table))
+    return out.getvalue()
+
+
+def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
+    """A workbook: table, reasons, matrices.  Dates are fixed, so that the bytes are reproducible."""
+    out = io.BytesIO()
+    with xlsxwriter.Workbook(out, {"in_memory": True}) as book:
+        book.set_properties({"title": f"Interlocking table {layout.name}", "created": datetime(2000, 1, 1)})
+        head = book.add_format({"bold": True, "text_wrap": True, "valign": "top", "bottom": 1})
+        cell = book.add_format({"text_wrap": True, "valign": "top"})
+        sheet = book.add_worksheet("Table")
+        sheet.set_landscape()
+        sheet.set_paper(8)
+        sheet.fit_to_pages(1, 0)
+        sheet.repeat_rows(0)
+        sheet.freeze_panes(1, 2)
+        for x, c in enumerate(COLUMNS):
+            width = max([len(c.en), *(len(c.text(r)) for r in table.routes)], default=10)
+            sheet.set_column(x, x, min(34, max(6, width + 1)))
+            sheet.write_string(0, x, f"{c.en}\n{c.zh}", head)
+            for y, r in enumerate(table.routes, 1):
+                sheet.write_string(y, x, c.text(r), cell)
+        why = book.add_worksheet("Reasons")
+        for x, (title, width) in enumerate((("Route", 14), ("Column", 20), ("Item", 30), ("Rule", 8), ("Reason", 90))):
+            why.set_column(x, x, width)
+            why.write_string(0, x, title, head)
+        line = 1
+        for r in table.routes:
+            for c in COLUMNS:
+                for text, because in c.items(r):
+                    for x, value in enumerate((r.id, c.en, text, because.rule, because.text)):
+                        why.write_string(line, x, value, cell)
+                    line += 1
+        sheet = book.add_worksheet("Matrices")
+        for y, row in enumerate(_matrices(table)):
+            for x, value in enumerate(row):
+                if value.isdigit() and x:
+                    sheet.write_number(y, x, int(value))
+                else:
+                    sheet.write_string(y, x, value)
+    return out.getvalue()
+
+
+@lru_cache(maxsize=1)
+def _environment() -> Environment:
+    return Environment(
+        loader=PackageLoader("interlock.emit.tables", "."),
+        autoescape=select_autoescape(default=True, default_for_string=True),
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+
+
+def table_html(layout: Layout, table: InterlockingTable, claims: list[dict[str, object]], watermark: str) -> str:
+    """One self-contained page that prints on A3 landscape; every cell shows its reason on hover and focus."""
+    named = matrix(table, named_only=True)
+    return _environment().get_template("table.html.j2").render(
+        layout=layout,
+        table=table,
+        columns=COLUMNS,
+        claims=claims,
+        watermark=watermark,
+        m=named if named.routes else matrix(table),
+        beyond=beyond_matrix(table),
+    )

@@ -1,0 +1,77 @@
+"""The columns of the printed table, in order: one `Column` drives every export and `interlock why`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from interlock.table.rows import Because, PointDemand, Role, RouteRow
+
+Reasons = list[tuple[str, Because]]
+
+
+@dataclass(frozen=True)
+class Column:
+    """Key, headings in English, Chinese and German, the cell's text and the reason of each of its items."""
+
+    key: str
+    en: str
+    zh: str
+    de: str
+    items: Callable[[RouteRow], Reasons]
+
+    def text(self, row: RouteRow) -> str:
+        """The cell as printed."""
+        return ", ".join(t for t, _ in self.items(row))
+
+
+def _points(role: Role) -> Callable[[RouteRow], Reasons]:
+    def items(r: RouteRow) -> Reasons:
+        return [(_demand(p), p.because) for p in r.points if p.role is role]
+
+    return items
+
+
+def _demand(p: PointDemand) -> str:
+    return f"{p.machine} {p.position}"
+
+
+def _approach(r: RouteRow) -> Reasons:
+    where = r.approach.section or "always"
+    return [(f"{where} ({r.approach.delay_s:g} s)", r.approach.because)]
+
+
+def _flank(r: RouteRow) -> Reasons:
+    out = []
+    for c in r.flank:
+        providers = " + ".join(map(str, c.providers)) or "closed ring"
+        out.append((f"{c.requester}: {providers}", c.because))
+    return out
+
+
+COLUMNS: tuple[Column, ...] = (
+    Column("number", "No.", "进路号码", "Nr.", lambda r: [(str(r.number), r.because)]),
+    Column("route", "Route", "进路", "Fahrstraße", lambda r: [(r.id, r.because)]),
+    Column("names", "Name", "名称", "Name", lambda r: [(n, Because("R1", "named in the layout")) for n in r.names]),
+    Column("entry", "Entry signal", "始端信号机", "Start", lambda r: [(r.entry, r.because)]),
+    Column("exit", "Exit", "终端", "Ziel", lambda r: [(r.exit, r.because)]),
+    Column("variant", "Alternative", "进路方式", "Variante", lambda r: [(
+        str(r.variant), Because("R1", "1 is basic: fewest points reversed, then shortest, then fewest points"))]),
+    Column("length", "Length (m)", "长度 (m)", "Länge (m)", lambda r: [(f"{r.length:g}", r.because)]),
+    Column("points", "Points", "道岔", "Weichen", _points(Role.PATH)),
+    Column("flank_points", "Flank points", "防护道岔", "Flankenschutzweichen", _points(Role.FLANK)),
+    Column("sections", "Sections clear", "轨道区段", "Freimeldeabschnitte",
+           lambda r: [(c.section, c.because) for c in r.sections]),
+    Column("foul", "Foul sections clear", "侵限区段", "Grenzzeichenfreiheit",
+           lambda r: [(c.section, c.because) for c in r.foul]),
+    Column("flank", "Flank protection", "侧面防护", "Flankenschutz", _flank),
+    Column("hostile", "Hostile routes", "敌对进路", "Feindliche Fahrstraßen",
+           lambda r: [(f"{h.route} ({h.kind})", h.because) for h in r.hostile]),
+    Column("conditions", "External conditions", "其他联锁", "Bedingungen",
+           lambda r: [(c.condition, c.because) for c in r.conditions]),
+    Column("block", "Line beyond clear", "闭塞条件", "Streckenblock",
+           lambda r: [(c.section, c.because) for c in r.block]),
+    Column("approach", "Approach locking", "接近锁闭", "Annäherungsverschluss", _approach),
+    Column("release", "Sectional release", "分段解锁", "Teilauflösung",
+           lambda r: [(f"{s.section} by {s.proved_by}", s.because) for s in r.release]),
+)
