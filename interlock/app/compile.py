@@ -50,8 +50,11 @@ class Proved:
     @property
     def green(self) -> bool:
         """Everything proved; UNKNOWN is never green."""
-        return self.proof is not None and self.proof.proved and self.text_equal is not False and not any(
-            d.severity is Severity.ERROR for d in self.notes
+        return (
+            self.proof is not None
+            and self.proof.proved
+            and self.text_equal is not False
+            and not any(d.severity is Severity.ERROR for d in self.notes)
         )
 
     @property
@@ -74,8 +77,12 @@ def check_file(path: str) -> Checked:
         table = derive(layout, sink)
         if not sink.has_errors:
             for finding in audit(layout, table):
-                sink.add("IL4007", f"route {finding.route}, {finding.column}: {finding.text}", None,
-                         "this is a defect of interlock; please report the layout")
+                sink.add(
+                    "IL4007",
+                    f"route {finding.route}, {finding.column}: {finding.text}",
+                    None,
+                    "this is a defect of interlock; please report the layout",
+                )
     except Stopped as stopped:
         return Checked(path, Source(path, ""), stopped.diagnostics)
     placed = tuple(_place(d, source, path) for d in sink.diagnostics)
@@ -119,10 +126,13 @@ def _prove(checked: Checked, limits: Limits | None, progress: Progress) -> tuple
     texts = _texts(checked.layout, controller, proof)
     translation = compare_st(controller, texts[f"st/iec/{checked.layout.name}.st"].decode())
     notes = list(_notes(checked, proof))
-    notes += [Diagnostic("IL5001", Severity.ERROR, f"text and controller differ at {d.name}: {d.text}")
-              for d in translation.differences]
-    return Proved(checked, proof, translation.proved, tuple(d.name for d in translation.differences), (),
-                  tuple(notes)), texts
+    notes += [
+        Diagnostic("IL5001", Severity.ERROR, f"text and controller differ at {d.name}: {d.text}")
+        for d in translation.differences
+    ]
+    return Proved(
+        checked, proof, translation.proved, tuple(d.name for d in translation.differences), (), tuple(notes)
+    ), texts
 
 
 def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
@@ -131,15 +141,36 @@ def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
     for c in proof.claims:
         where = ", ".join(c.open[:6]) + (" ..." if len(c.open) > 6 else "")
         if c.verdict is Verdict.REFUTED:
-            out.append(Diagnostic("IL5001", Severity.ERROR, f"{c.id} is refuted at {where}: {c.sentence}", span,
-                                  "read the counterexample below; change the layout, or remove the waiver"))
+            out.append(
+                Diagnostic(
+                    "IL5001",
+                    Severity.ERROR,
+                    f"{c.id} is refuted at {where}: {c.sentence}",
+                    span,
+                    "read the counterexample below; change the layout, or remove the waiver",
+                )
+            )
         elif c.verdict is Verdict.UNKNOWN:
-            out.append(Diagnostic("IL5002", Severity.ERROR, f"{c.id} could not be decided at {where}: {c.sentence}",
-                                  span, "nothing may be concluded; try `--search-depth` or report the layout"))
+            out.append(
+                Diagnostic(
+                    "IL5002",
+                    Severity.ERROR,
+                    f"{c.id} could not be decided at {where}: {c.sentence}",
+                    span,
+                    "nothing may be concluded; try `--search-depth` or report the layout",
+                )
+            )
     for w in proof.witnesses:
         if not w.ok:
-            out.append(Diagnostic("IL4006", Severity.ERROR, f"route {w.route} cannot be driven: {w.text}", span,
-                                  "check lengths, directions and conditions on its way"))
+            out.append(
+                Diagnostic(
+                    "IL4006",
+                    Severity.ERROR,
+                    f"route {w.route} cannot be driven: {w.text}",
+                    span,
+                    "check lengths, directions and conditions on its way",
+                )
+            )
     return out
 
 
@@ -175,7 +206,9 @@ def _texts(layout: Layout, controller: Controller, proof: ProofResult) -> dict[s
     }
 
 
-def build(path: str, *, unproved: bool = False, limits: Limits | None = None, progress: Progress = quiet) -> tuple[Proved, dict[str, bytes]]:
+def build(
+    path: str, *, unproved: bool = False, limits: Limits | None = None, progress: Progress = quiet
+) -> tuple[Proved, dict[str, bytes]]:
     """All outputs of a layout in memory; empty when there are errors, no PLC text when something is open."""
     checked = check_file(path)
     if not checked.ok:
@@ -226,9 +259,14 @@ def finish(checked: Checked, files: dict[str, bytes]) -> dict[str, bytes]:
     from interlock.emit.bundle import with_manifest
 
     assert checked.layout is not None
-    return with_manifest(files, {
-        "layout": checked.layout.name, "layout_digest": checked.layout.digest, "tool": f"interlock {__version__}",
-    })
+    return with_manifest(
+        files,
+        {
+            "layout": checked.layout.name,
+            "layout_digest": checked.layout.digest,
+            "tool": f"interlock {__version__}",
+        },
+    )
 
 
 def compile_file(
@@ -251,20 +289,43 @@ def compile_file(
     span = proved.checked.source.at("name")
     notes = list(proved.notes)
     if check:
-        notes += [Diagnostic("IL5003", Severity.ERROR, f"{target}: {d}", span, f"run `interlock compile {path} -o {out}`")
-                  for d in differences(target, files)]
+        notes += [
+            Diagnostic("IL5003", Severity.ERROR, f"{target}: {d}", span, f"run `interlock compile {path} -o {out}`")
+            for d in differences(target, files)
+        ]
     elif not is_bundle(target):
-        notes.append(Diagnostic("IL5004", Severity.ERROR, f"{target} exists and was not made by interlock", span,
-                                "choose another folder with -o, or move it away"))
+        notes.append(
+            Diagnostic(
+                "IL5004",
+                Severity.ERROR,
+                f"{target} exists and was not made by interlock",
+                span,
+                "choose another folder with -o, or move it away",
+            )
+        )
     else:
         try:
             write_folder(target, files)
         except OSError as error:
-            notes.append(Diagnostic("IL5004", Severity.ERROR, f"{target}: {error.strerror}", span,
-                                    "check the folder and its permissions"))
+            notes.append(
+                Diagnostic(
+                    "IL5004",
+                    Severity.ERROR,
+                    f"{target}: {error.strerror}",
+                    span,
+                    "check the folder and its permissions",
+                )
+            )
     if not proved.green and not unproved and not check:
-        notes.append(Diagnostic("IL5006", Severity.ERROR, "no PLC text and no runtime were written", span,
-                                "everything must be PROVED first; `--unproved` writes them with a mark, for study"))
+        notes.append(
+            Diagnostic(
+                "IL5006",
+                Severity.ERROR,
+                "no PLC text and no runtime were written",
+                span,
+                "everything must be PROVED first; `--unproved` writes them with a mark, for study",
+            )
+        )
     return replace(proved, files=tuple(sorted(files)), notes=tuple(notes))
 
 
@@ -289,12 +350,34 @@ def why(path: str, route: str, column: str | None) -> tuple[Checked, tuple[Reaso
     rows = [r for r in checked.table.routes if route in (r.id, str(r.number), *r.names)]
     if not rows:
         known = [n for r in checked.table.routes for n in (r.id, *r.names)]
-        return checked, (), (Diagnostic("IL5005", Severity.ERROR, f"{path} has no route {route}", None,
-                                        did_you_mean(route, known) or "known: " + ", ".join(known)),)
+        return (
+            checked,
+            (),
+            (
+                Diagnostic(
+                    "IL5005",
+                    Severity.ERROR,
+                    f"{path} has no route {route}",
+                    None,
+                    did_you_mean(route, known) or "known: " + ", ".join(known),
+                ),
+            ),
+        )
     picked = [c for c in COLUMNS if column in (None, c.key, c.en)]
     if not picked:
-        return checked, (), (Diagnostic("IL5005", Severity.ERROR, f"there is no column {column}", None,
-                                        did_you_mean(column or "", [c.key for c in COLUMNS])),)
+        return (
+            checked,
+            (),
+            (
+                Diagnostic(
+                    "IL5005",
+                    Severity.ERROR,
+                    f"there is no column {column}",
+                    None,
+                    did_you_mean(column or "", [c.key for c in COLUMNS]),
+                ),
+            ),
+        )
     reasons = [Reason(c.en, item, b.rule, b.text) for c in picked for r in rows for item, b in c.items(r)]
     return checked, tuple(reasons), ()
 

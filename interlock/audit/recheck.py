@@ -31,8 +31,14 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     matched: dict[str, Trip] = {}
     mine = [t for g in layout.signals for t in trips(layout, g)]
     for r in table.routes:
-        same = [t for t in mine if t.entry == r.entry and t.exit == r.exit and t.sections == r.section_ids
-                and _path_positions(r) == dict(t.positions)]
+        same = [
+            t
+            for t in mine
+            if t.entry == r.entry
+            and t.exit == r.exit
+            and t.sections == r.section_ids
+            and _path_positions(r) == dict(t.positions)
+        ]
         if len(same) != 1:
             found.append(Finding(r.id, "route", f"the audit finds {len(same)} such paths"))
             continue
@@ -99,8 +105,10 @@ def unused_places(layout: Layout, trip: Trip) -> list[Place]:
         if crossing is not None:
             for arm in crossing.arms:
                 if a.edge not in arm:
-                    out += [Place(f"{crossing.id}/{e}", a.node, e, layout.principles.fouling_m + margin, "", None)
-                            for e in arm]
+                    out += [
+                        Place(f"{crossing.id}/{e}", a.node, e, layout.principles.fouling_m + margin, "", None)
+                        for e in arm
+                    ]
     return out
 
 

@@ -34,7 +34,9 @@ class Trip:
     positions: tuple[tuple[MachineId, Position], ...]
 
 
-def steps(layout: Layout, at: Move, frozen: Frozen | None = None) -> Iterator[tuple[Move, tuple[MachineId, Position] | None]]:
+def steps(
+    layout: Layout, at: Move, frozen: Frozen | None = None
+) -> Iterator[tuple[Move, tuple[MachineId, Position] | None]]:
     """Where a vehicle can go next, and the position that a point takes or needs for it.
 
     A frozen point leads a facing vehicle one way only; a trailing vehicle runs through any point.

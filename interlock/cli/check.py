@@ -18,11 +18,17 @@ def command(layouts: tuple[str, ...], form: str) -> None:
     """Report every problem of the layouts with place, code and fix (fast, no proof)."""
     results = [check_file(p) for p in layouts]
     if form == "json":
-        put_json([
-            {"file": r.path, "ok": r.ok, "diagnostics": render.as_json(r.diagnostics),
-             "routes": len(r.table.routes) if r.table else None}
-            for r in results
-        ])
+        put_json(
+            [
+                {
+                    "file": r.path,
+                    "ok": r.ok,
+                    "diagnostics": render.as_json(r.diagnostics),
+                    "routes": len(r.table.routes) if r.table else None,
+                }
+                for r in results
+            ]
+        )
     else:
         for r in results:
             show(r.diagnostics, {r.source.file: r.source.text}, form)

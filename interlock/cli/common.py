@@ -21,7 +21,11 @@ OK, FINDINGS, NOT_PROVED = 0, 1, 3
 
 layouts_argument = click.argument("layouts", nargs=-1, required=True, metavar="LAYOUT...")
 format_option = click.option(
-    "--format", "form", type=click.Choice(["full", "concise", "json"]), default="full", show_default=True,
+    "--format",
+    "form",
+    type=click.Choice(["full", "concise", "json"]),
+    default="full",
+    show_default=True,
     help="How results are shown.",
 )
 jobs_option = click.option("-j", "--jobs", type=click.IntRange(1, 64), default=1, show_default=True, help="Processes.")
@@ -68,8 +72,11 @@ def progress(label: str) -> Iterator[Callable[[str, int, int], None]]:
             from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
             bar = Progress(
-                TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(),
-                console=Console(stderr=True), transient=True,
+                TextColumn("{task.description}"),
+                BarColumn(),
+                TimeElapsedColumn(),
+                console=Console(stderr=True),
+                transient=True,
             )
             bar.start()
             task = bar.add_task(label, total=total)
@@ -97,8 +104,13 @@ def proof_body(p: Proved) -> dict[str, Any]:
         body |= {
             "claims": [
                 {
-                    "id": c.id, "verdict": str(c.verdict), "sentence": c.sentence, "seconds": round(c.seconds, 4),
-                    "places": c.places, "open": list(c.open), "story": list(c.story.steps) if c.story else None,
+                    "id": c.id,
+                    "verdict": str(c.verdict),
+                    "sentence": c.sentence,
+                    "seconds": round(c.seconds, 4),
+                    "places": c.places,
+                    "open": list(c.open),
+                    "story": list(c.story.steps) if c.story else None,
                 }
                 for c in p.proof.claims
             ],

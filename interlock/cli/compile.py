@@ -23,8 +23,14 @@ from interlock.proof.runner import Limits
 
 @click.command("compile")
 @layouts_argument
-@click.option("-o", "--out", type=click.Path(path_type=Path, file_okay=False), default=Path("generated"),
-              show_default=True, help="Folder for the outputs; each layout gets a folder of its own in it.")
+@click.option(
+    "-o",
+    "--out",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=Path("generated"),
+    show_default=True,
+    help="Folder for the outputs; each layout gets a folder of its own in it.",
+)
 @jobs_option
 @click.option("--check", is_flag=True, help="Write nothing; tell whether the outputs are current.")
 @click.option("--unproved", is_flag=True, help="Write PLC text although something is not proved, with a mark.")

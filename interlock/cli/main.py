@@ -13,7 +13,15 @@ import click
 
 from interlock import __version__
 
-VERBS = ("check", "compile", "prove", "why", "explain", "schema")
+VERBS = {
+    "check": "Report every problem of the layouts (fast, no proof).",
+    "compile": "Derive the table, prove the controller, write all outputs.",
+    "prove": "Prove every safety claim for every possible train movement.",
+    "why": "Print why each cell of a route's row is as it is.",
+    "explain": "Explain a diagnostic code; without a code, list them all.",
+    "mutate": "Weaken table and controller on purpose; see which claim fails.",
+    "schema": "Print the JSON Schema of the layout language.",
+}
 
 
 class _Verbs(click.Group):
@@ -21,6 +29,10 @@ class _Verbs(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(VERBS)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        with formatter.section("Commands"):
+            formatter.write_dl(list(VERBS.items()))
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in VERBS:

@@ -23,10 +23,20 @@ from interlock.proof.runner import Limits
 @click.command("prove")
 @layouts_argument
 @jobs_option
-@click.option("--search-depth", type=click.IntRange(1, 60), default=16, show_default=True,
-              help="Scans to search for a counterexample.")
-@click.option("--search-seconds", type=click.FloatRange(0.1, 36000), default=60.0, show_default=True,
-              help="Time to search for a counterexample to one claim.")
+@click.option(
+    "--search-depth",
+    type=click.IntRange(1, 60),
+    default=16,
+    show_default=True,
+    help="Scans to search for a counterexample.",
+)
+@click.option(
+    "--search-seconds",
+    type=click.FloatRange(0.1, 36000),
+    default=60.0,
+    show_default=True,
+    help="Time to search for a counterexample to one claim.",
+)
 @format_option
 def command(layouts: tuple[str, ...], jobs: int, search_depth: int, search_seconds: float, form: str) -> None:
     """Prove every safety claim for every possible train movement."""

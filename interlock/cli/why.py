@@ -21,15 +21,20 @@ def command(layout: str, route: str, column: str | None, form: str) -> None:
     checked, reasons, problems = why(layout, route, column)
     failed = bool(problems) or not checked.ok
     if form == "json":
-        put_json({
-            "route": route,
-            "reasons": [{"column": r.column, "item": r.item, "rule": r.rule, "text": r.text} for r in reasons],
-            "diagnostics": render.as_json([*checked.diagnostics, *problems]),
-        })
+        put_json(
+            {
+                "route": route,
+                "reasons": [{"column": r.column, "item": r.item, "rule": r.rule, "text": r.text} for r in reasons],
+                "diagnostics": render.as_json([*checked.diagnostics, *problems]),
+            }
+        )
         sys.exit(FINDINGS if failed else OK)
     if failed:
-        show([*(d for d in checked.diagnostics if not checked.ok), *problems],
-             {checked.source.file: checked.source.text}, form)
+        show(
+            [*(d for d in checked.diagnostics if not checked.ok), *problems],
+            {checked.source.file: checked.source.text},
+            form,
+        )
         sys.exit(FINDINGS)
     last = ""
     for r in reasons:

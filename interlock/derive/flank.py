@@ -43,13 +43,22 @@ def requesters(layout: Layout, t: Traversal) -> tuple[Requester, ...]:
     for pid, position in t.points:
         p = layout.point[pid]
         leg = position.other
-        out.append(Requester(f"{pid}.{'normal' if leg is Position.NORMAL else 'reverse'}", p.node, p.leg(leg),
-                             t.section, p.fouling + margin, waived.get((pid, leg))))
+        out.append(
+            Requester(
+                f"{pid}.{'normal' if leg is Position.NORMAL else 'reverse'}",
+                p.node,
+                p.leg(leg),
+                t.section,
+                p.fouling + margin,
+                waived.get((pid, leg)),
+            )
+        )
     for cid, arm in t.crossings:
         c = layout.crossing[cid]
         for side, edge in zip("ab", c.arms[1 - arm], strict=True):
-            out.append(Requester(f"{cid}.{2 - arm}{side}", c.node, edge, t.section,
-                                 layout.principles.fouling_m + margin, None))
+            out.append(
+                Requester(f"{cid}.{2 - arm}{side}", c.node, edge, t.section, layout.principles.fouling_m + margin, None)
+            )
     return tuple(out)
 
 
@@ -142,8 +151,12 @@ def protect(
         if chosen is not None:
             cells = [_cell(r, providers) for r, providers in zip(asked, chosen, strict=True)]
             cells += [
-                FlankCell(r.name, r.section, (Provider(ProviderKind.WAIVED, r.waiver),),
-                          Because("R5", f"the layout waives the protection of {r.name}: {r.waiver}"))
+                FlankCell(
+                    r.name,
+                    r.section,
+                    (Provider(ProviderKind.WAIVED, r.waiver),),
+                    Because("R5", f"the layout waives the protection of {r.name}: {r.waiver}"),
+                )
                 for r in open_
                 if r.waiver is not None
             ]

@@ -25,6 +25,7 @@ def derive_release(layout: Layout, path: Path) -> tuple[ReleaseStep, ...]:
     for i, t in enumerate(path.ways):
         last = i == len(path.ways) - 1
         after = path.ways[i - 1].section if i else None
+        proved: str
         if not last:
             proved = path.ways[i + 1].section
             why = f"{t.section} was occupied, then {proved} with it, then {t.section} clear"

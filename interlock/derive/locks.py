@@ -44,15 +44,22 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
             missing.setdefault(r.name, []).extend(p.id for p in over[key])
         rows.append(_row(layout, t, cells, used, fouls))
     for name, routes_ in sorted(missing.items()):
-        sink.add("IL4001", f"nothing keeps vehicles away from {name}; routes {', '.join(sorted(set(routes_)))} pass there",
-                 None, f"add a signal or a protecting point, or waive it: "
-                 f"`waive: [{{flank: {name}, reason: ...}}]`")
+        sink.add(
+            "IL4001",
+            f"nothing keeps vehicles away from {name}; routes {', '.join(sorted(set(routes_)))} pass there",
+            None,
+            f"add a signal or a protecting point, or waive it: `waive: [{{flank: {name}, reason: ...}}]`",
+        )
     needed = {c.requester for r in rows for c in r.flank for p in c.providers if p.kind.value == "waived"}
     for w in layout.waivers:
         name = f"{w.point}.{'normal' if w.leg == 'N' else 'reverse'}"
         if name not in needed:
-            sink.add("IL2008", f"the waiver of {name} waives nothing: it is protected, or no route passes there",
-                     None, "remove the waiver")
+            sink.add(
+                "IL2008",
+                f"the waiver of {name} waives nothing: it is protected, or no route passes there",
+                None,
+                "remove the waiver",
+            )
     return tuple(rows)
 
 
@@ -65,7 +72,11 @@ def _row(
 ) -> TraversalRow:
     demands = {
         layout.point[p].machine: PointDemand(
-            layout.point[p].machine, x, Role.PATH, t.section, Because("R1", f"point {p} lies on the way through {t.section}")
+            layout.point[p].machine,
+            x,
+            Role.PATH,
+            t.section,
+            Because("R1", f"point {p} lies on the way through {t.section}"),
         )
         for p, x in t.points
     }
@@ -89,7 +100,17 @@ def _row(
             continue
         for f in fouls:
             if f.neighbour == t.section and any(p == f.point and x is not f.leg for p, x in other.points):
-                exclusions.append(Exclusion(key[0], (key[1],),
-                                            Because("R7", f"{t.section} is foul of point {f.point}")))
-    return TraversalRow(t.section, t.number, t.entry, t.exit, tuple(demands.values()), t.crossings, flank,
-                        tuple(exclusions), tuple(foul_cells))
+                exclusions.append(
+                    Exclusion(key[0], (key[1],), Because("R7", f"{t.section} is foul of point {f.point}"))
+                )
+    return TraversalRow(
+        t.section,
+        t.number,
+        t.entry,
+        t.exit,
+        tuple(demands.values()),
+        t.crossings,
+        flank,
+        tuple(exclusions),
+        tuple(foul_cells),
+    )

@@ -72,9 +72,13 @@ def _demands(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink)
         for d in locks[t.key].points:
             first = found.setdefault(d.machine, d)
             if first.position is not d.position:
-                sink.add("IL4002", f"route {path.id} demands machine {d.machine} in both positions: "
-                         f"{first.because.text}; {d.because.text}", None,
-                         "give one of the two places another protection (a signal), or waive it with a reason")
+                sink.add(
+                    "IL4002",
+                    f"route {path.id} demands machine {d.machine} in both positions: "
+                    f"{first.because.text}; {d.because.text}",
+                    None,
+                    "give one of the two places another protection (a signal), or waive it with a reason",
+                )
             elif first.role != d.role and d.role == "path":
                 found[d.machine] = d
     return tuple(found.values())
@@ -85,8 +89,12 @@ def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) ->
     own = {t.section for t in path.ways}
     for c in cells:
         if c.section in own:
-            sink.add("IL4002", f"route {path.id} fouls itself: {c.because.text}, and {c.section} is on its path", None,
-                     "move the joint out of the fouling point")
+            sink.add(
+                "IL4002",
+                f"route {path.id} fouls itself: {c.because.text}, and {c.section} is on its path",
+                None,
+                "move the joint out of the fouling point",
+            )
     return cells
 
 
@@ -94,14 +102,16 @@ def _names(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[RouteId,
     out: dict[RouteId, tuple[str, ...]] = {}
     for n in layout.named_routes:
         fits = [
-            p
-            for p in paths
-            if p.entry == n.entry and p.exit == n.exit and set(n.via) <= {t.section for t in p.ways}
+            p for p in paths if p.entry == n.entry and p.exit == n.exit and set(n.via) <= {t.section for t in p.ways}
         ]
         if not fits:
             ends = sorted({p.exit for p in paths if p.entry == n.entry})
-            sink.add("IL2007", f"there is no route from {n.entry} to {n.exit} (named {n.name})", None,
-                     did_you_mean(n.exit, ends))
+            sink.add(
+                "IL2007",
+                f"there is no route from {n.entry} to {n.exit} (named {n.name})",
+                None,
+                did_you_mean(n.exit, ends),
+            )
         else:
             out[fits[0].id] = (*out.get(fits[0].id, ()), n.name)
     return out
@@ -114,5 +124,9 @@ def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
             sink.add("IL3012", f"no route uses section {s.id}", None, "add a signal, or check the directions")
     for p in paths:
         if len(p.ways) > LONG_ROUTE:
-            sink.add("IL4004", f"route {p.id} has {len(p.ways)} sections; document B finds three usual", None,
-                     "an intermediate signal would let trains follow more closely")
+            sink.add(
+                "IL4004",
+                f"route {p.id} has {len(p.ways)} sections; document B finds three usual",
+                None,
+                "an intermediate signal would let trains follow more closely",
+            )

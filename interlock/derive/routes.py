@@ -58,17 +58,25 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
             else:
                 by_exit.setdefault((kind, name), []).append(ways)
         if dropped:
-            sink.add("IL4005", f"{dropped} path{'s' if dropped > 1 else ''} from {g.id} cannot be run: "
-                     "a section is met twice, a machine is needed in two positions, or the track is one way")
+            sink.add(
+                "IL4005",
+                f"{dropped} path{'s' if dropped > 1 else ''} from {g.id} cannot be run: "
+                "a section is met twice, a machine is needed in two positions, or the track is one way",
+            )
         if not by_exit:
-            sink.add("IL4003", f"no route leads from signal {g.id}", None,
-                     "check its direction (`from`, `into`) and where the track goes")
+            sink.add(
+                "IL4003",
+                f"no route leads from signal {g.id}",
+                None,
+                "check its direction (`from`, `into`) and where the track goes",
+            )
         for (kind, name), alternatives in sorted(by_exit.items(), key=lambda x: x[0][1]):
             alternatives.sort(key=lambda w: _rank(layout, w))
             for variant, ways in enumerate(alternatives, start=1):
                 suffix = f".{variant}" if variant > 1 else ""
-                paths.append(Path(RouteId(f"{g.id}-{name}{suffix}"), len(paths) + 1, g.id, g.node, name, kind,
-                                  variant, ways))
+                paths.append(
+                    Path(RouteId(f"{g.id}-{name}{suffix}"), len(paths) + 1, g.id, g.node, name, kind, variant, ways)
+                )
     return tuple(paths)
 
 
@@ -79,9 +87,7 @@ def _rank(layout: Layout, ways: tuple[Traversal, ...]) -> tuple[int, float, int,
     return (points.count(Position.REVERSE), sum(t.length for t in ways), len(points), tuple(t.key for t in ways))
 
 
-def _search(
-    layout: Layout, topo: Topology, g: Signal
-) -> Iterator[tuple[ExitKind | None, str, tuple[Traversal, ...]]]:
+def _search(layout: Layout, topo: Topology, g: Signal) -> Iterator[tuple[ExitKind | None, str, tuple[Traversal, ...]]]:
     """Depth first over traversals; yields (None, "", path) for a path that cannot be run to its end."""
     stack: list[tuple[SectionId, NodeId, tuple[Traversal, ...]]] = [(layout.section_of(g.into), g.node, ())]
     while stack:

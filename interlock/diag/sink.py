@@ -14,9 +14,7 @@ class Sink:
 
     def add(self, code: str, message: str, span: Span | None = None, fix: str = "") -> None:
         """Record one problem.  The severity belongs to the code, so that it cannot vary by place."""
-        self._found.setdefault(
-            (code, message, span), Diagnostic(code, severity_of(code), message, span, fix)
-        )
+        self._found.setdefault((code, message, span), Diagnostic(code, severity_of(code), message, span, fix))
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:

@@ -44,8 +44,12 @@ def read(path: str, sink: Sink) -> str | None:
             sink.add("IL1001", f"{path} is a folder", Span(path, 0, 0), "name a layout file, for instance mine11.yaml")
             return None
         if os.path.getsize(path) > MAX_BYTES:
-            sink.add("IL1003", f"{path} has {os.path.getsize(path) / 1e6:.0f} MB", Span(path, 0, 0),
-                     f"a layout has at most {MAX_BYTES // 1_000_000} MB; is this another kind of file?")
+            sink.add(
+                "IL1003",
+                f"{path} has {os.path.getsize(path) / 1e6:.0f} MB",
+                Span(path, 0, 0),
+                f"a layout has at most {MAX_BYTES // 1_000_000} MB; is this another kind of file?",
+            )
             return None
         with open(path, "rb") as handle:
             data = handle.read(MAX_BYTES + 1)
@@ -56,8 +60,12 @@ def read(path: str, sink: Sink) -> str | None:
         return data.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
         line = data[: error.start].count(b"\n") + 1
-        sink.add("IL1002", f"{path} is not UTF-8 text (byte {error.start}, line {line})", Span(path, 0, 0),
-                 "save the layout as UTF-8; a PDF, a spreadsheet or a drawing is not a layout")
+        sink.add(
+            "IL1002",
+            f"{path} is not UTF-8 text (byte {error.start}, line {line})",
+            Span(path, 0, 0),
+            "save the layout as UTF-8; a PDF, a spreadsheet or a drawing is not a layout",
+        )
         return None
 
 
@@ -122,9 +130,17 @@ def _check_sections(ctx: Context, wiring: Wiring) -> None:
         if name not in wiring.sections:
             from interlock.diag.suggest import did_you_mean
 
-            ctx.add("IL2004", f"there is no section {name}", ctx.at_key("sections", name),
-                    did_you_mean(name, wiring.sections))
+            ctx.add(
+                "IL2004",
+                f"there is no section {name}",
+                ctx.at_key("sections", name),
+                did_you_mean(name, wiring.sections),
+            )
     for name, span in wiring.approaches.items():
         if name in wiring.sections:
-            ctx.add("IL3013", f"{name} is an approach section and also lies inside the layout", span,
-                    "an approach section lies outside the boundary; give it a name of its own")
+            ctx.add(
+                "IL3013",
+                f"{name} is an approach section and also lies inside the layout",
+                span,
+                "an approach section lies outside the boundary; give it a name of its own",
+            )

@@ -56,27 +56,35 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
             if node not in special
             for into in edges
             if into.section == spec.into
-            and (
-                node == spec.from_
-                or any(e.section == spec.from_ and e.section != into.section for e in edges)
-            )
+            and (node == spec.from_ or any(e.section == spec.from_ and e.section != into.section for e in edges))
         ]
         if spec.at is not None:
             places = [(n, e) for n, e in places if _near(wiring, at, n, spec.at)]
         if not places:
             near = f" next to {spec.at}" if spec.at else ""
-            ctx.add("IL3005", f"signal {name} stands at no joint: {spec.from_} and {spec.into} do not meet{near}",
-                    ctx.at("signals", name, "into"),
-                    f"{spec.into} meets: " + ", ".join(_neighbours(wiring, at, spec.into)))
+            ctx.add(
+                "IL3005",
+                f"signal {name} stands at no joint: {spec.from_} and {spec.into} do not meet{near}",
+                ctx.at("signals", name, "into"),
+                f"{spec.into} meets: " + ", ".join(_neighbours(wiring, at, spec.into)),
+            )
             continue
         if len(places) > 1:
-            ctx.add("IL3006", f"signal {name}: {spec.from_} and {spec.into} meet in {len(places)} places",
-                    ctx.at("signals", name, "into"), "add `at: POINT`, naming a point next to the joint meant")
+            ctx.add(
+                "IL3006",
+                f"signal {name}: {spec.from_} and {spec.into} meet in {len(places)} places",
+                ctx.at("signals", name, "into"),
+                "add `at: POINT`, naming a point next to the joint meant",
+            )
             continue
         node, into = places[0]
         if (node, into.section) in taken:
-            ctx.add("IL3007", f"signal {name} stands where {taken[node, into.section]} stands, in the same direction",
-                    ctx.at_key("signals", name), "remove one of them, or turn it round: swap `from` and `into`")
+            ctx.add(
+                "IL3007",
+                f"signal {name} stands where {taken[node, into.section]} stands, in the same direction",
+                ctx.at_key("signals", name),
+                "remove one of them, or turn it round: swap `from` and `into`",
+            )
             continue
         taken[node, into.section] = name
         signals.append(Signal(SignalId(name), node, into.id))
@@ -105,17 +113,35 @@ def resolve_conditions(ctx: Context, wiring: Wiring) -> tuple[Condition, ...]:
     for name, spec in ctx.file.conditions.items():
         for i, s in enumerate(spec.over):
             if s not in wiring.sections:
-                ctx.add("IL2004", f"condition {name}: there is no section {s}",
-                        ctx.at("conditions", name, "over", i), did_you_mean(s, wiring.sections))
+                ctx.add(
+                    "IL2004",
+                    f"condition {name}: there is no section {s}",
+                    ctx.at("conditions", name, "over", i),
+                    did_you_mean(s, wiring.sections),
+                )
         for i, g in enumerate(spec.signals):
             if g not in ctx.file.signals:
-                ctx.add("IL2006", f"condition {name}: there is no signal {g}",
-                        ctx.at("conditions", name, "signals", i), did_you_mean(g, ctx.file.signals))
-        out.append(Condition(ConditionId(name), spec.text,
-                             tuple(sorted(map(SectionId, spec.over))), tuple(sorted(map(SignalId, spec.signals)))))
+                ctx.add(
+                    "IL2006",
+                    f"condition {name}: there is no signal {g}",
+                    ctx.at("conditions", name, "signals", i),
+                    did_you_mean(g, ctx.file.signals),
+                )
+        out.append(
+            Condition(
+                ConditionId(name),
+                spec.text,
+                tuple(sorted(map(SectionId, spec.over))),
+                tuple(sorted(map(SignalId, spec.signals))),
+            )
+        )
         if not spec.over and not spec.signals:
-            ctx.add("IL2011", f"no route requires {name}", ctx.at_key("conditions", name),
-                    "say what requires it: `over: [sections]` or `signals: [signals]`")
+            ctx.add(
+                "IL2011",
+                f"no route requires {name}",
+                ctx.at_key("conditions", name),
+                "say what requires it: `over: [sections]` or `signals: [signals]`",
+            )
     return tuple(sorted(out, key=lambda c: c.id))
 
 
@@ -125,15 +151,27 @@ def resolve_routes(ctx: Context, wiring: Wiring) -> tuple[NamedRoute, ...]:
     ends = [*ctx.file.signals, *ctx.file.boundaries, *ctx.file.buffers]
     for name, spec in ctx.file.routes.items():
         if spec.from_ not in ctx.file.signals:
-            ctx.add("IL2006", f"route {name}: there is no signal {spec.from_}", ctx.at("routes", name, "from"),
-                    did_you_mean(spec.from_, ctx.file.signals))
+            ctx.add(
+                "IL2006",
+                f"route {name}: there is no signal {spec.from_}",
+                ctx.at("routes", name, "from"),
+                did_you_mean(spec.from_, ctx.file.signals),
+            )
         if spec.to not in ends:
-            ctx.add("IL2006", f"route {name}: there is no signal, boundary or buffer {spec.to}",
-                    ctx.at("routes", name, "to"), did_you_mean(spec.to, ends))
+            ctx.add(
+                "IL2006",
+                f"route {name}: there is no signal, boundary or buffer {spec.to}",
+                ctx.at("routes", name, "to"),
+                did_you_mean(spec.to, ends),
+            )
         for i, s in enumerate(spec.via):
             if s not in wiring.sections:
-                ctx.add("IL2004", f"route {name}: there is no section {s}", ctx.at("routes", name, "via", i),
-                        did_you_mean(s, wiring.sections))
+                ctx.add(
+                    "IL2004",
+                    f"route {name}: there is no section {s}",
+                    ctx.at("routes", name, "via", i),
+                    did_you_mean(s, wiring.sections),
+                )
         out.append(NamedRoute(name, SignalId(spec.from_), spec.to, tuple(map(SectionId, spec.via))))
     return tuple(sorted(out, key=lambda r: r.name))
 
@@ -145,16 +183,23 @@ def resolve_waivers(ctx: Context) -> tuple[Waiver, ...]:
         name, _, leg = spec.flank.partition(".")
         span = ctx.at("waive", i, "flank")
         if name not in ctx.file.points:
-            ctx.add("IL2001", f"the waiver names {name}, which is no point", span,
-                    did_you_mean(name, ctx.file.points))
+            ctx.add("IL2001", f"the waiver names {name}, which is no point", span, did_you_mean(name, ctx.file.points))
             continue
         if leg not in ("normal", "reverse"):
-            ctx.add("IL2003", f"flank protection is asked at a leg: {name} has no leg `{leg}`", span,
-                    f"write {name}.normal or {name}.reverse")
+            ctx.add(
+                "IL2003",
+                f"flank protection is asked at a leg: {name} has no leg `{leg}`",
+                span,
+                f"write {name}.normal or {name}.reverse",
+            )
             continue
         if not spec.reason:
-            ctx.add("IL2009", f"the waiver of {spec.flank} gives no reason", span,
-                    "add `reason: ...`: say why a vehicle can never roll from there")
+            ctx.add(
+                "IL2009",
+                f"the waiver of {spec.flank} gives no reason",
+                span,
+                "add `reason: ...`: say why a vehicle can never roll from there",
+            )
             continue
         out.append(Waiver(PointId(name), Position.NORMAL if leg == "normal" else Position.REVERSE, spec.reason))
     return tuple(sorted(out, key=lambda w: (w.point, w.leg)))

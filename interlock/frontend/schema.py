@@ -39,9 +39,7 @@ def _name(value: object) -> object:
             "name", "'{v}' cannot be a name: use letters, digits and single _ - / between them", {"v": value}
         )
     if len(value) > MAX_NAME:
-        raise PydanticCustomError(
-            "name", "'{v}' is longer than {n} characters", {"v": value, "n": MAX_NAME}
-        )
+        raise PydanticCustomError("name", "'{v}' is longer than {n} characters", {"v": value, "n": MAX_NAME})
     return value
 
 
@@ -93,9 +91,7 @@ def _choice(kind: str, known: tuple[str, ...]) -> BeforeValidator:
         if not isinstance(value, str):
             raise PydanticCustomError("shape", "a text is expected")
         if value not in known:
-            raise PydanticCustomError(
-                "choice", "'{v}' is not a {k}", {"v": value, "k": kind, "known": list(known)}
-            )
+            raise PydanticCustomError("choice", "'{v}' is not a {k}", {"v": value, "k": kind, "known": list(known)})
         return value
 
     return BeforeValidator(check)
@@ -204,9 +200,7 @@ class LayoutFile(_Part):
     interlock: Annotated[int, BeforeValidator(_version), WithJsonSchema({"const": 1})]
     name: Name
     title: Text = ""
-    profile: Annotated[str, _choice("profile", tuple(PROFILES)), WithJsonSchema({"enum": list(PROFILES)})] = (
-        "generic"
-    )
+    profile: Annotated[str, _choice("profile", tuple(PROFILES)), WithJsonSchema({"enum": list(PROFILES)})] = "generic"
     principles: dict[Annotated[str, _choice("principle", KNOBS)], Seconds] = {}
     boundaries: dict[Name, BoundarySpec] = {}
     buffers: list[Name] = []
@@ -292,12 +286,20 @@ _CODES = {
 def validate(root: Node, sink: Sink) -> LayoutFile | None:
     """The file as typed data, or None with every shape error reported."""
     if not isinstance(root, Mapping):
-        sink.add("IL1009", "this is not a layout: a mapping of keys to values is expected", root.span,
-                 "a layout begins with `interlock: 1`")
+        sink.add(
+            "IL1009",
+            "this is not a layout: a mapping of keys to values is expected",
+            root.span,
+            "a layout begins with `interlock: 1`",
+        )
         return None
     if "interlock" not in root.items and not ({"tracks", "signals"} & set(root.items)):
-        sink.add("IL1009", "this is not a layout: the key `interlock` is missing", root.span,
-                 "a layout begins with `interlock: 1`")
+        sink.add(
+            "IL1009",
+            "this is not a layout: the key `interlock` is missing",
+            root.span,
+            "a layout begins with `interlock: 1`",
+        )
         return None
     try:
         return LayoutFile.model_validate(plain(root), by_alias=True)
@@ -307,9 +309,7 @@ def validate(root: Node, sink: Sink) -> LayoutFile | None:
         return None
 
 
-def _report(
-    root: Node, kind: str, loc: tuple[str | int, ...], text: str, ctx: dict[str, Any], sink: Sink
-) -> None:
+def _report(root: Node, kind: str, loc: tuple[str | int, ...], text: str, ctx: dict[str, Any], sink: Sink) -> None:
     path = tuple(p for p in loc if p != "[key]" and not (isinstance(p, str) and p.startswith("function-")))
     on_key = "[key]" in loc
     code = _CODES.get(kind, "IL1012")
@@ -319,13 +319,16 @@ def _report(
         sink.add(code, f"{where} lacks the key `{path[-1]}`", span, f"add `{path[-1]}: ...`")
     elif kind == "extra_forbidden":
         known = _KEYS.get(room, ())
-        sink.add(code, f"unknown key `{path[-1]}`", span_of(root, path, key=True),
-                 did_you_mean(str(path[-1]), known))
+        sink.add(code, f"unknown key `{path[-1]}`", span_of(root, path, key=True), did_you_mean(str(path[-1]), known))
     elif code == "IL1012":
         got = _kind_at(root, path)
         want = _WANT.get(kind, "another shape")
-        sink.add(code, f"{'.'.join(map(str, path))}: {want} is expected here, not {got}",
-                 span_of(root, path), "see `interlock explain IL1012`")
+        sink.add(
+            code,
+            f"{'.'.join(map(str, path))}: {want} is expected here, not {got}",
+            span_of(root, path),
+            "see `interlock explain IL1012`",
+        )
     else:
         fix = _FIX.get(code, "")
         if code == "IL1017":

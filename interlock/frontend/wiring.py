@@ -70,23 +70,36 @@ def section_and_length(ctx: Context, text: str, span: Span) -> tuple[str, float]
     """'q1 400' as section and metres; reports IL1012, IL1013, IL1014, IL1016."""
     match = _ITEM.fullmatch(text.strip())
     if match is None:
-        ctx.add("IL1012", f"'{text}': a section and its length are expected here", span,
-                "write `section length`, for instance `q1 400`")
+        ctx.add(
+            "IL1012",
+            f"'{text}': a section and its length are expected here",
+            span,
+            "write `section length`, for instance `q1 400`",
+        )
         return None
     name, length = match.groups()
     if not NAME.fullmatch(name) or len(name) > MAX_NAME:
-        ctx.add("IL1016", f"'{name}' cannot be a name", span,
-                f"at most {MAX_NAME} ASCII letters and digits; put the full name into `title` or `label`")
+        ctx.add(
+            "IL1016",
+            f"'{name}' cannot be a name",
+            span,
+            f"at most {MAX_NAME} ASCII letters and digits; put the full name into `title` or `label`",
+        )
         return None
     try:
         metres = number(length)
     except PydanticCustomError:
-        ctx.add("IL1013", f"the length of {name}, '{length}', is not a number", span,
-                "write metres as a plain decimal number, for instance 350 or 12.5")
+        ctx.add(
+            "IL1013",
+            f"the length of {name}, '{length}', is not a number",
+            span,
+            "write metres as a plain decimal number, for instance 350 or 12.5",
+        )
         return None
     if not 0 < metres <= MAX_LENGTH_M:
-        ctx.add("IL1014", f"{length} m is not a possible length of {name}", span,
-                "give a length above 0 and at most 100 km")
+        ctx.add(
+            "IL1014", f"{length} m is not a possible length of {name}", span, "give a length above 0 and at most 100 km"
+        )
         return None
     return name, metres
 
@@ -124,8 +137,12 @@ class Wirer:
             got = section_and_length(self.ctx, b.approach, span)
             if got is not None:
                 if got[0] in self.out.approaches:
-                    self.ctx.add("IL2002", f"{got[0]} is already the approach of another boundary", span,
-                                 "every boundary has an approach section of its own")
+                    self.ctx.add(
+                        "IL2002",
+                        f"{got[0]} is already the approach of another boundary",
+                        span,
+                        "every boundary has an approach section of its own",
+                    )
                 self.out.approaches[got[0]] = span
 
     def _read_tracks(self) -> None:
@@ -152,8 +169,12 @@ class Wirer:
                 self.out.sections.setdefault(got[0], span)
             if not stretches:
                 if not self.ctx.sink.has_errors:
-                    self.ctx.add("IL3017", f"the track {name} has no section", self.ctx.at_key("tracks", name),
-                                 "give it a section with a length, or join the boundary to the point directly")
+                    self.ctx.add(
+                        "IL3017",
+                        f"the track {name} has no section",
+                        self.ctx.at_key("tracks", name),
+                        "give it a section with a length, or join the boundary to the point directly",
+                    )
                 continue
             if head is not None:
                 self._join(Port("track", name, "start"), head, self.ctx.at("tracks", name, 0))
@@ -161,12 +182,20 @@ class Wirer:
 
     def _terminal(self, name: str, ends: set[str], span: Span, *, first: bool, last: bool) -> Port | None:
         if name not in ends:
-            self.ctx.add("IL2005", f"{name} is neither a boundary nor a buffer, and a section needs a length",
-                         span, did_you_mean(name, ends) or f"write `{name} 100`, or declare {name} under boundaries")
+            self.ctx.add(
+                "IL2005",
+                f"{name} is neither a boundary nor a buffer, and a section needs a length",
+                span,
+                did_you_mean(name, ends) or f"write `{name} 100`, or declare {name} under boundaries",
+            )
             return None
         if not (first or last):
-            self.ctx.add("IL3015", f"{name} stands in the middle of a track", span,
-                         "a boundary or buffer is the first or the last thing on a track")
+            self.ctx.add(
+                "IL3015",
+                f"{name} stands in the middle of a track",
+                span,
+                "a boundary or buffer is the first or the last thing on a track",
+            )
             return None
         return self._end_port(name)
 
@@ -221,34 +250,53 @@ class Wirer:
             if name in names:
                 if end in ends_:
                     return Port(kind, name, end)
-                self.ctx.add("IL2003", f"the {kind} {name} has no end `{end}`", span,
-                             did_you_mean(end, ends_) or "one of " + ", ".join(ends_))
+                self.ctx.add(
+                    "IL2003",
+                    f"the {kind} {name} has no end `{end}`",
+                    span,
+                    did_you_mean(end, ends_) or "one of " + ", ".join(ends_),
+                )
                 return None
         if name in f.boundaries or name in f.buffers:
             self.ctx.add("IL2003", f"{name} has only one end", span, f"write `{name}`")
             return None
         known = [*f.tracks, *f.points, *f.crossings, *f.boundaries, *f.buffers]
-        self.ctx.add("IL2001", f"there is no track, point, boundary or buffer {name}", span,
-                     did_you_mean(name, known))
+        self.ctx.add("IL2001", f"there is no track, point, boundary or buffer {name}", span, did_you_mean(name, known))
         return None
 
     def _join(self, a: Port, b: Port, span: Span) -> None:
         if a == b or (a.kind == b.kind in ("point", "crossing") and a.name == b.name):
-            self.ctx.add("IL3001", f"{a} is wired to {b}, the same element", span,
-                         "an end leads to another track, point or boundary")
+            self.ctx.add(
+                "IL3001",
+                f"{a} is wired to {b}, the same element",
+                span,
+                "an end leads to another track, point or boundary",
+            )
             return
         for x, y in ((a, b), (b, a)):
             if x in self.mate and self.mate[x][0] != y:
                 other, where = self.mate[x]
                 if x is a:
-                    self.ctx.add("IL3004", f"{a} is joined to {b} here, but {other} says otherwise in line"
-                                 f" {where.line}", span, "make both ends agree, or leave one of them out")
+                    self.ctx.add(
+                        "IL3004",
+                        f"{a} is joined to {b} here, but {other} says otherwise in line {where.line}",
+                        span,
+                        "make both ends agree, or leave one of them out",
+                    )
                 elif other.kind == a.kind == "point" and other.name == a.name:
-                    self.ctx.add("IL3002", f"{a.name} is wired to {x} twice ({other.end} and {a.end})", span,
-                                 "toe, normal and reverse lead to three different ends")
+                    self.ctx.add(
+                        "IL3002",
+                        f"{a.name} is wired to {x} twice ({other.end} and {a.end})",
+                        span,
+                        "toe, normal and reverse lead to three different ends",
+                    )
                 else:
-                    self.ctx.add("IL3002", f"{x} is joined to {other} already (line {where.line})", span,
-                                 "exactly two ends meet in one place")
+                    self.ctx.add(
+                        "IL3002",
+                        f"{x} is joined to {other} already (line {where.line})",
+                        span,
+                        "exactly two ends meet in one place",
+                    )
                 return
         self.mate[a] = (b, span)
         self.mate[b] = (a, span)
@@ -258,18 +306,28 @@ class Wirer:
         wanted: list[tuple[Port, Span, str]] = []
         for name in self.tracks:
             for end in ("start", "end"):
-                wanted.append((Port("track", name, end), self.ctx.at_key("tracks", name),
-                               "join it to a point, put a boundary there, or a buffer if the track ends"))
+                wanted.append(
+                    (
+                        Port("track", name, end),
+                        self.ctx.at_key("tracks", name),
+                        "join it to a point, put a boundary there, or a buffer if the track ends",
+                    )
+                )
         for name in f.points:
             for end in ("toe", "normal", "reverse"):
-                wanted.append((Port("point", name, end), self.ctx.at_key("points", name),
-                               f"add `{end}: ...`"))
+                wanted.append((Port("point", name, end), self.ctx.at_key("points", name), f"add `{end}: ...`"))
         for name in f.boundaries:
-            wanted.append((Port("boundary", name), self.ctx.at_key("boundaries", name),
-                           "name it at the start or the end of a track"))
+            wanted.append(
+                (
+                    Port("boundary", name),
+                    self.ctx.at_key("boundaries", name),
+                    "name it at the start or the end of a track",
+                )
+            )
         for i, name in enumerate(f.buffers):
-            wanted.append((Port("buffer", name), self.ctx.at("buffers", i),
-                           "name it at the start or the end of a track"))
+            wanted.append(
+                (Port("buffer", name), self.ctx.at("buffers", i), "name it at the start or the end of a track")
+            )
         if any(d.code.startswith(("IL2001", "IL2003", "IL1")) for d in self.ctx.sink.diagnostics):
             return  # what is missing may only be misspelt
         for port, span, fix in wanted:
@@ -277,8 +335,12 @@ class Wirer:
                 self.ctx.add("IL3003", f"{port} is joined to nothing", span, fix)
         for port, (other, span) in sorted(self.mate.items()):
             if port.kind in ("boundary", "buffer") and other.kind in ("boundary", "buffer") and port < other:
-                self.ctx.add("IL3015", f"{port} and {other} are joined without a track between", span,
-                             "put a section between them")
+                self.ctx.add(
+                    "IL3015",
+                    f"{port} and {other} are joined without a track between",
+                    span,
+                    "put a section between them",
+                )
 
     # --- building ------------------------------------------------------------------------------
 
@@ -330,21 +392,36 @@ class Wirer:
                 for end in ("toe", "normal", "reverse")
             }
             fouling = p.fouling if p.fouling is not None else self.principles.fouling_m
-            self.out.points.append(Point(PointId(name), MachineId(p.machine or name), NodeId(name),
-                                         legs["toe"], legs["normal"], legs["reverse"], fouling))
+            self.out.points.append(
+                Point(
+                    PointId(name),
+                    MachineId(p.machine or name),
+                    NodeId(name),
+                    legs["toe"],
+                    legs["normal"],
+                    legs["reverse"],
+                    fouling,
+                )
+            )
         for name, c in f.crossings.items():
             length = c.legs if c.legs is not None else self.principles.leg_m
             arms = []
             for i, arm in enumerate(c.arms):
                 pair = [
-                    self._edge(f"{name}.{i + 1}{side}", NodeId(name),
-                               self._node(Port("crossing", name, f"{i + 1}{side}")), length, arm.section)
+                    self._edge(
+                        f"{name}.{i + 1}{side}",
+                        NodeId(name),
+                        self._node(Port("crossing", name, f"{i + 1}{side}")),
+                        length,
+                        arm.section,
+                    )
                     for side in "ab"
                 ]
                 arms.append((pair[0], pair[1]))
             self.out.crossings.append(Crossing(CrossingId(name), NodeId(name), (arms[0], arms[1])))
-        for name, b in f.boundaries.items():
-            approach = b.approach.split()[0] if b.approach else None
+        for name, spec in f.boundaries.items():
+            approach = spec.approach.split()[0] if spec.approach else None
             self.out.boundaries.append(
-                Boundary(NodeId(name), BoundaryKind(b.trains), SectionId(approach) if approach else None))
+                Boundary(NodeId(name), BoundaryKind(spec.trains), SectionId(approach) if approach else None)
+            )
         self.out.buffers.extend(Buffer(NodeId(name)) for name in f.buffers)

@@ -46,6 +46,7 @@ Node = Scalar | Sequence | Mapping
 
 def _span(file: str, event: yaml.Event, text_lines: list[str]) -> Span:
     start, end = event.start_mark, event.end_mark
+    assert start is not None and end is not None
     width = 1
     if end.line == start.line:
         width = max(1, end.column - start.column)
@@ -65,26 +66,39 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
             if isinstance(event, yaml.DocumentStartEvent):
                 documents += 1
                 if documents > 1:
-                    sink.add("IL1008", "the file holds more than one document", _span(file, event, lines),
-                             "put each layout into a file of its own and remove the line `---`")
+                    sink.add(
+                        "IL1008",
+                        "the file holds more than one document",
+                        _span(file, event, lines),
+                        "put each layout into a file of its own and remove the line `---`",
+                    )
                     return None
                 continue
             if isinstance(event, yaml.AliasEvent):
-                sink.add("IL1006", f"the alias *{event.anchor} is not allowed", _span(file, event, lines),
-                         "write the value out; a layout is read by people from top to bottom")
+                sink.add(
+                    "IL1006",
+                    f"the alias *{event.anchor} is not allowed",
+                    _span(file, event, lines),
+                    "write the value out; a layout is read by people from top to bottom",
+                )
                 return None
             if isinstance(event, yaml.ScalarEvent | yaml.CollectionStartEvent):
                 span = _span(file, event, lines)
                 if event.anchor:
-                    sink.add("IL1006", f"the anchor &{event.anchor} is not allowed", span,
-                             "write the value out; a layout is read by people from top to bottom")
+                    sink.add(
+                        "IL1006",
+                        f"the anchor &{event.anchor} is not allowed",
+                        span,
+                        "write the value out; a layout is read by people from top to bottom",
+                    )
                     return None
                 if event.tag and event.tag != "!":
                     sink.add("IL1019", f"the tag {event.tag} is not allowed", span, "remove the tag")
                     return None
                 if len(stack) >= MAX_DEPTH:
-                    sink.add("IL1018", f"more than {MAX_DEPTH} levels of nesting", span,
-                             "a layout needs no more than five")
+                    sink.add(
+                        "IL1018", f"more than {MAX_DEPTH} levels of nesting", span, "a layout needs no more than five"
+                    )
                     return None
                 node: Node
                 if isinstance(event, yaml.ScalarEvent):
@@ -111,8 +125,12 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
         sink.add("IL1004", f"broken YAML: {what}", span, hint)
         return None
     except yaml.YAMLError as error:
-        sink.add("IL1004", f"broken YAML: {str(error).splitlines()[0]}", Span(file, 1, 1),
-                 "save the file as plain UTF-8 text")
+        sink.add(
+            "IL1004",
+            f"broken YAML: {str(error).splitlines()[0]}",
+            Span(file, 1, 1),
+            "save the file as plain UTF-8 text",
+        )
         return None
     if root is None or (isinstance(root, Scalar) and not root.text.strip()):
         sink.add("IL1007", "the file is empty", Span(file, 1, 1), "`interlock explain IL1007` shows a layout")
@@ -137,8 +155,12 @@ def _attach(stack: list[tuple[Node, Scalar | None]], node: Node, sink: Sink) -> 
         return True
     if key.text in container.items:
         first = container.items[key.text][0].span
-        sink.add("IL1005", f"{key.text} is given twice (first in line {first.line})", key.span,
-                 "keep one of them, or rename one")
+        sink.add(
+            "IL1005",
+            f"{key.text} is given twice (first in line {first.line})",
+            key.span,
+            "keep one of them, or rename one",
+        )
     else:
         container.items[key.text] = (key, node)
     stack[-1] = (container, None)

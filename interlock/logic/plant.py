@@ -153,9 +153,7 @@ class PlantBuilder:
 
     def heading(self, s: SectionId, b: NodeId) -> Expr:
         """The train in s is heading to its end b, as the points lie."""
-        return disj(
-            conj((came(s, a), self.lie(t))) for a in self.topo.ends[s] for t in self.ways(s, a, b)
-        )
+        return disj(conj((came(s, a), self.lie(t))) for a in self.topo.ends[s] for t in self.ways(s, a, b))
 
     def choice(self, name: str, text: str) -> Expr:
         """A free choice of the world."""
@@ -223,35 +221,48 @@ class PlantBuilder:
             outside = b.approach or f"{OUTSIDE}.{b.node}"
             scanned = image(outside) if b.approach and "A-SCAN" not in self.dropped else TRUE
             free = neg(across(b.node, outside)) if "A-HEADWAY" not in self.dropped else TRUE
-            self.p.events[f"head.{b.node}.{outside}"] = conj((
-                o(outside), neg(across(b.node, outside)), accepted(g) if "A-OBEY" not in self.dropped else TRUE, scanned,
-                self.choice(f"?head.{b.node}.{outside}", f"a train enters at {b.node}"),
-            ))
-            self.p.events[f"tail.{b.node}.{outside}"] = conj((
-                across(b.node, outside), image(s) if "A-SCAN" not in self.dropped else TRUE,
-                self.choice(f"?tail.{b.node}.{outside}", f"its tail enters at {b.node}"),
-            ))
-            self.p.events[f"appear.{outside}"] = conj((
-                neg(o(outside)), self.choice(f"?appear.{outside}", f"a train comes to {b.node}")))
+            self.p.events[f"head.{b.node}.{outside}"] = conj(
+                (
+                    o(outside),
+                    neg(across(b.node, outside)),
+                    accepted(g) if "A-OBEY" not in self.dropped else TRUE,
+                    scanned,
+                    self.choice(f"?head.{b.node}.{outside}", f"a train enters at {b.node}"),
+                )
+            )
+            self.p.events[f"tail.{b.node}.{outside}"] = conj(
+                (
+                    across(b.node, outside),
+                    image(s) if "A-SCAN" not in self.dropped else TRUE,
+                    self.choice(f"?tail.{b.node}.{outside}", f"its tail enters at {b.node}"),
+                )
+            )
+            self.p.events[f"appear.{outside}"] = conj(
+                (neg(o(outside)), self.choice(f"?appear.{outside}", f"a train comes to {b.node}"))
+            )
             self._accept(g, outside, conj((o(outside), scanned, free)))
         for g_ in self.layout.signals:
             node, first, rear = self.rear(g_.id)
             if node in self.layout.boundary_at or rear is None:
                 continue
-            ready = conj((
-                o(rear), self.heading(rear, node),
-                neg(across(node, rear)) if "A-HEADWAY" not in self.dropped else TRUE,
-                neg(across(node, first)),
-                image(rear) if "A-SCAN" not in self.dropped else TRUE,
-            ))
+            ready = conj(
+                (
+                    o(rear),
+                    self.heading(rear, node),
+                    neg(across(node, rear)) if "A-HEADWAY" not in self.dropped else TRUE,
+                    neg(across(node, first)),
+                    image(rear) if "A-SCAN" not in self.dropped else TRUE,
+                )
+            )
             self._accept(g_.id, rear, ready)
         for s in topo.sections:
             self._reversal(s)
 
     def _accept(self, g: SignalId, rear: str, ready: Expr) -> None:
         del rear
-        self.p.events[f"accept.{g}"] = conj((
-            ready, self.seen(g), self.choice(f"?accept.{g}", f"a driver accepts the proceed of {g}")))
+        self.p.events[f"accept.{g}"] = conj(
+            (ready, self.seen(g), self.choice(f"?accept.{g}", f"a driver accepts the proceed of {g}"))
+        )
         self.p.events[f"refuse.{g}"] = self.choice(f"?refuse.{g}", f"the train before {g} stops after all")
 
     def _head(self, s: SectionId, j: NodeId, g: SignalId | None) -> None:
@@ -259,19 +270,29 @@ class PlantBuilder:
         authority = accepted(g) if g is not None else (neg(rests(s)) if "A-RESTART" not in self.dropped else TRUE)
         if g is not None and "A-OBEY" in self.dropped:
             authority = TRUE
-        self.p.events[f"head.{j}.{s}"] = conj((
-            o(s), neg(across(j, s)), self.heading(s, j), authority, scanned,
-            self.choice(f"?head.{j}.{s}", f"the head of the train in {s} passes {j}"),
-        ))
+        self.p.events[f"head.{j}.{s}"] = conj(
+            (
+                o(s),
+                neg(across(j, s)),
+                self.heading(s, j),
+                authority,
+                scanned,
+                self.choice(f"?head.{j}.{s}", f"the head of the train in {s} passes {j}"),
+            )
+        )
 
     def _tail(self, s: SectionId, j: NodeId, ahead: SectionId | None) -> None:
         others = [k for k in self.topo.ends[s] if k != j]
         inside = conj(neg(self._coming(s, k)) for k in others)
         scanned = image(ahead) if ahead is not None and "A-SCAN" not in self.dropped else TRUE
-        self.p.events[f"tail.{j}.{s}"] = conj((
-            across(j, s), inside, scanned,
-            self.choice(f"?tail.{j}.{s}", f"the tail of the train in {s} passes {j}"),
-        ))
+        self.p.events[f"tail.{j}.{s}"] = conj(
+            (
+                across(j, s),
+                inside,
+                scanned,
+                self.choice(f"?tail.{j}.{s}", f"the tail of the train in {s} passes {j}"),
+            )
+        )
 
     def _coming(self, s: SectionId, j: NodeId) -> Expr:
         """A train stands across j on its way into s."""
@@ -312,15 +333,29 @@ class PlantBuilder:
                     if k not in self.layout.buffer_at
                     for x in (across(k, s), self._coming(s, k))
                 )
-                waiting = conj([
-                    *(neg(accepted(h)) for h in self._exit_signals(s)),
-                    *(neg(self.p.events[f"accept.{h}"]) for h in self._exit_signals(s)),
-                    *(neg(self.p.events[f"head.{k}.{s}"]) for k in self.topo.ends[s] if k not in self.layout.buffer_at),
-                ])
-                self.p.events[f"turn.{s}.{a}.{b}"] = conj((
-                    o(s), came(s, a), there, neg(rests(s)), alone, image(s), waiting,
-                    self.choice(f"?turn.{s}.{a}.{b}", f"the train in {s} changes direction"),
-                ))
+                waiting = conj(
+                    [
+                        *(neg(accepted(h)) for h in self._exit_signals(s)),
+                        *(neg(self.p.events[f"accept.{h}"]) for h in self._exit_signals(s)),
+                        *(
+                            neg(self.p.events[f"head.{k}.{s}"])
+                            for k in self.topo.ends[s]
+                            if k not in self.layout.buffer_at
+                        ),
+                    ]
+                )
+                self.p.events[f"turn.{s}.{a}.{b}"] = conj(
+                    (
+                        o(s),
+                        came(s, a),
+                        there,
+                        neg(rests(s)),
+                        alone,
+                        image(s),
+                        waiting,
+                        self.choice(f"?turn.{s}.{a}.{b}", f"the train in {s} changes direction"),
+                    )
+                )
 
     def _exit_signals(self, s: SectionId) -> list[SignalId]:
         found = []
@@ -344,20 +379,18 @@ class PlantBuilder:
             p.next[f"rest.{s}"] = conj((rests(s), neg(out)))
             p.initial.append(iff(rests(s), o(s)))
             for j in topo.ends[s]:
-                turned_in = disj(
-                    p.events[f"turn.{s}.{a}.{j}"] for a in topo.ends[s] if f"turn.{s}.{a}.{j}" in p.events
-                )
+                turned_in = disj(p.events[f"turn.{s}.{a}.{j}"] for a in topo.ends[s] if f"turn.{s}.{a}.{j}" in p.events)
                 turned_out = disj(
                     p.events[f"turn.{s}.{j}.{b}"] for b in topo.ends[s] if f"turn.{s}.{j}.{b}" in p.events
                 )
                 p.state[f"in.{s}.{j}"] = f"the train in {s} came in at {j}"
-                p.next[f"in.{s}.{j}"] = disj((
-                    conj((came(s, j), neg(out), neg(turned_out))), enter[j], turned_in))
+                p.next[f"in.{s}.{j}"] = disj((conj((came(s, j), neg(out), neg(turned_out))), enter[j], turned_in))
                 if j in self.layout.buffer_at:
                     continue
                 p.state[f"x.{j}.{s}"] = f"a train stands across {j}, going out of {s}"
-                p.next[f"x.{j}.{s}"] = disj((
-                    conj((across(j, s), neg(p.events[f"tail.{j}.{s}"]))), p.events[f"head.{j}.{s}"]))
+                p.next[f"x.{j}.{s}"] = disj(
+                    (conj((across(j, s), neg(p.events[f"tail.{j}.{s}"]))), p.events[f"head.{j}.{s}"])
+                )
             p.initial.append(at_most_one(came(s, j) for j in topo.ends[s]))
             p.initial.append(iff(o(s), disj(came(s, j) for j in topo.ends[s])))
             for j in topo.ends[s]:
@@ -374,8 +407,9 @@ class PlantBuilder:
             p.state[f"o.{outside}"] = f"a train stands before {b.node}"
             p.next[f"o.{outside}"] = disj((conj((o(outside), neg(left))), came_))
             p.state[f"x.{b.node}.{outside}"] = f"a train stands across {b.node}, coming in"
-            p.next[f"x.{b.node}.{outside}"] = disj((
-                conj((across(b.node, outside), neg(left))), p.events[f"head.{b.node}.{outside}"]))
+            p.next[f"x.{b.node}.{outside}"] = disj(
+                (conj((across(b.node, outside), neg(left))), p.events[f"head.{b.node}.{outside}"])
+            )
             p.initial.append(neg(across(b.node, outside)))
         for g in self.layout.signals:
             node, _, rear = self.rear(g.id)
@@ -383,9 +417,13 @@ class PlantBuilder:
             if f"accept.{g.id}" not in p.events:
                 continue
             p.state[f"go.{g.id}"] = f"a train has accepted {g.id}"
-            p.next[f"go.{g.id}"] = conj((
-                disj((accepted(g.id), p.events[f"accept.{g.id}"])),
-                neg(p.events[f"refuse.{g.id}"]), neg(p.events[f"head.{node}.{behind}"])))
+            p.next[f"go.{g.id}"] = conj(
+                (
+                    disj((accepted(g.id), p.events[f"accept.{g.id}"])),
+                    neg(p.events[f"refuse.{g.id}"]),
+                    neg(p.events[f"head.{node}.{behind}"]),
+                )
+            )
             p.initial.append(neg(accepted(g.id)))
             p.state[f"lamp.{g.id}"] = f"{g.id} showed proceed one scan ago"
             p.next[f"lamp.{g.id}"] = self.w.proceed.get(g.id, FALSE)
@@ -407,9 +445,12 @@ class PlantBuilder:
             p.state[f"img.{s}"] = f"{s} was reported occupied"
             p.next[f"img.{s}"] = disj((reported, neg(valid)))
             p.initial.append(image(s))
-            self._assume("A-DETECT", "A train that stands in a section before and after a step is reported "
-                         "(no loss of shunt); a train that just came in or left may be reported either way.",
-                         implies(conj((o(s), p.next[f"o.{s}"], valid)), reported))
+            self._assume(
+                "A-DETECT",
+                "A train that stands in a section before and after a step is reported "
+                "(no loss of shunt); a train that just came in or left may be reported either way.",
+                implies(conj((o(s), p.next[f"o.{s}"], valid)), reported),
+            )
             false_[s] = conj((reported, neg(o(s)), neg(p.next[f"o.{s}"]), valid))
         pairs = [(a, b) for _, a, b in topo.joints()] + [
             (b.approach, self.layout.section_of(self.layout.edges_at[b.node][0].id))
@@ -418,15 +459,26 @@ class PlantBuilder:
         ]
         for a, b_ in pairs:
             if a in false_ and b_ in false_:
-                self._assume("A-ONE-FALSE", "No two neighbouring sections are falsely reported occupied in the "
-                             "same scan.", neg(conj((false_[a], false_[b_]))))
+                self._assume(
+                    "A-ONE-FALSE",
+                    "No two neighbouring sections are falsely reported occupied in the same scan.",
+                    neg(conj((false_[a], false_[b_]))),
+                )
         for (m, x), name in self.w.detected.items():
-            self._assume("A-CONTACT", "A point is never reported in a position in which it does not lie; a missing "
-                         "report is always possible.", implies(conj((valid, var(name))), p.next[f"at.{m}.{x}"]))
+            self._assume(
+                "A-CONTACT",
+                "A point is never reported in a position in which it does not lie; a missing "
+                "report is always possible.",
+                implies(conj((valid, var(name))), p.next[f"at.{m}.{x}"]),
+            )
         for g, name in self.w.approach_timer.items():
             if f"go.{g}" in p.next:
-                self._assume("A-TIMER", "When the approach locking delay has run out with the signal at stop, the "
-                             "train before it has passed it or stands.", implies(var(name), conj((neg(accepted(g)), neg(p.next[f"go.{g}"])))))
+                self._assume(
+                    "A-TIMER",
+                    "When the approach locking delay has run out with the signal at stop, the "
+                    "train before it has passed it or stands.",
+                    implies(var(name), conj((neg(accepted(g)), neg(p.next[f"go.{g}"])))),
+                )
 
     def _assume(self, id_: str, text: str, expr: Expr) -> None:
         if id_ not in self.dropped:
@@ -439,8 +491,7 @@ class PlantBuilder:
         for s in topo.sections:
             enter = [self.comes_in(s, j) for j in topo.ends[s]]
             enter = [e for e in enter if e is not FALSE]
-            p.hazards.append(Hazard("COLLISION", s, disj((
-                conj((o(s), disj(enter))), neg(at_most_one(enter))))))
+            p.hazards.append(Hazard("COLLISION", s, disj((conj((o(s), disj(enter))), neg(at_most_one(enter))))))
             wrong = []
             for j in topo.ends[s]:
                 good = disj(self.lie(t) for t in self.ways(s, j))
@@ -459,22 +510,37 @@ class PlantBuilder:
             sides = []
             for arm in (0, 1):
                 sec = layout.section_of(c.arms[arm][0])
-                sides.append((sec, disj(
-                    conj((o(sec), came(sec, t.entry), self.lie(t)))
-                    for t in topo.traversals[sec] if (c.id, arm) in t.crossings)))
+                sides.append(
+                    (
+                        sec,
+                        disj(
+                            conj((o(sec), came(sec, t.entry), self.lie(t)))
+                            for t in topo.traversals[sec]
+                            if (c.id, arm) in t.crossings
+                        ),
+                    )
+                )
             if sides[0][0] != sides[1][0]:
-                p.hazards.append(Hazard("DIAMOND", c.id, conj((
-                    sides[0][1], sides[1][1],
-                    neg(conj((rests(sides[0][0]), rests(sides[1][0]))))))))
+                p.hazards.append(
+                    Hazard(
+                        "DIAMOND",
+                        c.id,
+                        conj((sides[0][1], sides[1][1], neg(conj((rests(sides[0][0]), rests(sides[1][0])))))),
+                    )
+                )
         for f in foul_joints(layout):
             over = disj(
                 conj((came(f.section, t.entry), self.lie(t)))
                 for t in topo.traversals[f.section]
                 if any(q == f.point and x is not f.leg for q, x in t.points)
             )
-            p.hazards.append(Hazard("FOUL", f"{f.section}/{f.neighbour}", conj((
-                o(f.section), over, o(f.neighbour),
-                neg(conj((rests(f.section), rests(f.neighbour))))))))
+            p.hazards.append(
+                Hazard(
+                    "FOUL",
+                    f"{f.section}/{f.neighbour}",
+                    conj((o(f.section), over, o(f.neighbour), neg(conj((rests(f.section), rests(f.neighbour)))))),
+                )
+            )
 
 
 def build_plant(layout: Layout, wiring: Wiring, dropped: frozenset[str] = frozenset()) -> Plant:

@@ -57,9 +57,7 @@ class Topology:
         self.sections: tuple[SectionId, ...] = tuple(s for s in sorted(self.edges_of))
         self._touch: dict[NodeId, list[SectionId]] = {}
         for s in self.sections:
-            nodes = dict.fromkeys(
-                n for eid in self.edges_of[s] for n in (layout.edge[eid].a, layout.edge[eid].b)
-            )
+            nodes = dict.fromkeys(n for eid in self.edges_of[s] for n in (layout.edge[eid].a, layout.edge[eid].b))
             self.ends[s] = tuple(sorted(n for n in nodes if self.is_end(n)))
             for n in self.ends[s]:
                 self._touch.setdefault(n, []).append(s)
@@ -134,14 +132,9 @@ class Topology:
             for e in layout.edges_at[start]:
                 if e.id in mine:
                     go(start, [e.id], start, frozenset({start}))
-        return [
-            self._traversal(section, i, a, b, path)
-            for i, (a, b, path) in enumerate(sorted(found), start=1)
-        ]
+        return [self._traversal(section, i, a, b, path) for i, (a, b, path) in enumerate(sorted(found), start=1)]
 
-    def _traversal(
-        self, section: SectionId, number: int, a: NodeId, b: NodeId, path: tuple[EdgeId, ...]
-    ) -> Traversal:
+    def _traversal(self, section: SectionId, number: int, a: NodeId, b: NodeId, path: tuple[EdgeId, ...]) -> Traversal:
         layout = self.layout
         points: list[tuple[PointId, Position]] = []
         crossings: list[tuple[CrossingId, int]] = []

@@ -78,16 +78,12 @@ def quiet(stage: str, done: int, total: int) -> None:
     del stage, done, total
 
 
-def prove(system: System, limits: Limits | None = None, progress: Progress = quiet) -> ProofResult:
-    """One verdict per claim."""
-    limits = limits or Limits()
-    began = time.monotonic()
-    facts = Facts(system)
-    kept = list(strengthening(facts))
-    wanted = claims(facts)
-    count = len(kept)
+def inductive(system: System, limits: Limits, progress: Progress = quiet) -> tuple[list[Invariant], list[str], int]:
+    """The strengthening invariants that hold at the restart and are kept by every step, the dropped ones, and the
+    number of obligations decided."""
+    kept = list(strengthening(Facts(system)))
+    obligations = len(kept)
     kept, dropped = _base(system, kept, limits)
-    obligations = count
     while True:
         cnf = _hypotheses(system, kept)
         goals = [cnf.literal(system.after(i.expr)) for i in kept]
@@ -100,10 +96,18 @@ def prove(system: System, limits: Limits | None = None, progress: Progress = qui
             if solver.ask(-lit) is not Answer.UNSAT:
                 failed.append(inv)
         if not failed:
-            break
+            return kept, dropped, obligations
         dropped += [f"{i.id} at {i.place}" for i in failed]
         gone = set(map(id, failed))
         kept = [i for i in kept if id(i) not in gone]
+
+
+def prove(system: System, limits: Limits | None = None, progress: Progress = quiet) -> ProofResult:
+    """One verdict per claim."""
+    limits = limits or Limits()
+    began = time.monotonic()
+    kept, dropped, obligations = inductive(system, limits, progress)
+    wanted = claims(Facts(system))
     results = _claims(system, kept, wanted, limits, progress)
     obligations += len(wanted) + 1
     runs = witnesses(system)
@@ -138,14 +142,14 @@ def _hypotheses(system: System, invariants: list[Invariant]) -> Cnf:
     return cnf
 
 
-def _claims(
-    system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress
-) -> list[ClaimResult]:
+def open_claims(
+    system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress = quiet
+) -> tuple[dict[str, list[Claim]], dict[str, float]]:
+    """The claims that do not follow from the invariants, and the seconds spent on each id."""
     cnf = _hypotheses(system, kept)
     literals = [cnf.literal(c.expr) for c in wanted]
     solver = Z3Sat(cnf, limits.query_ms)
     open_: dict[str, list[Claim]] = {}
-    places: dict[str, int] = {}
     seconds: dict[str, float] = {}
     for n, (c, lit) in enumerate(zip(wanted, literals, strict=True)):
         if n % 32 == 0:
@@ -154,6 +158,15 @@ def _claims(
         if solver.ask(-lit) is not Answer.UNSAT:
             open_.setdefault(c.id, []).append(c)
         seconds[c.id] = seconds.get(c.id, 0.0) + time.monotonic() - began
+    return open_, seconds
+
+
+def _claims(
+    system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress
+) -> list[ClaimResult]:
+    open_, seconds = open_claims(system, kept, wanted, limits, progress)
+    places: dict[str, int] = {}
+    for c in wanted:
         places[c.id] = places.get(c.id, 0) + 1
     out = []
     for id_ in CLAIMS:
@@ -165,8 +178,17 @@ def _claims(
             run = search(system, open_[id_], limits.search_depth, limits.search_s)
             verdict = Verdict.REFUTED if run is not None else Verdict.UNKNOWN
             story = tell(system, run) if run is not None else None
-        out.append(ClaimResult(id_, CLAIMS[id_], verdict, places.get(id_, 0),
-                               tuple(c.place for c in open_.get(id_, ())), seconds.get(id_, 0.0), story))
+        out.append(
+            ClaimResult(
+                id_,
+                CLAIMS[id_],
+                verdict,
+                places.get(id_, 0),
+                tuple(c.place for c in open_.get(id_, ())),
+                seconds.get(id_, 0.0),
+                story,
+            )
+        )
     return out
 
 
@@ -181,5 +203,11 @@ def _start(system: System, limits: Limits) -> ClaimResult:
     cnf.require(system.initial)
     lit = cnf.literal(conj(quiet_))
     ok = Z3Sat(cnf, limits.query_ms).ask(-lit) is Answer.UNSAT
-    return ClaimResult("P-START", CLAIMS["P-START"], Verdict.PROVED if ok else Verdict.UNKNOWN, 1,
-                       () if ok else ("restart",), time.monotonic() - began)
+    return ClaimResult(
+        "P-START",
+        CLAIMS["P-START"],
+        Verdict.PROVED if ok else Verdict.UNKNOWN,
+        1,
+        () if ok else ("restart",),
+        time.monotonic() - began,
+    )

@@ -58,9 +58,7 @@ class _Unrolled:
         out.count = self.size * depth
         for k in range(depth):
             shift = k * self.size
-            out.clauses.extend(
-                tuple(x + shift if x > 0 else x - shift for x in c) for c in self.template.clauses
-            )
+            out.clauses.extend(tuple(x + shift if x > 0 else x - shift for x in c) for c in self.template.clauses)
             if k:
                 for n, lit in self.now.items():
                     a, b = lit + shift, self.then[n]
@@ -125,4 +123,3 @@ def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: Z3Sat, 
     memo: dict[int, bool] = {}
     violated = next(c for c in claims if not evaluate(c.expr, lambda n: last.get(n, 0), memo))
     return Run(violated, tuple(frames))
-

@@ -28,9 +28,12 @@ def tell(system: System, run: Run) -> Story:
     first = run.frames[0].state
     standing = [s for s in trains if first[f"o.{s}"]]
     lying = _points(system, first)
-    steps.append("Restart: everything is locked, all signals show stop"
-                 + (f"; a train stands in {', '.join(standing)}" if standing else "; no train inside")
-                 + (f"; {lying}" if lying else "") + ".")
+    steps.append(
+        "Restart: everything is locked, all signals show stop"
+        + (f"; a train stands in {', '.join(standing)}" if standing else "; no train inside")
+        + (f"; {lying}" if lying else "")
+        + "."
+    )
     raw: list[tuple[tuple[str, ...], tuple[str, ...]]] = []
     for i, frame in enumerate(run.frames):
         values = {**frame.state, **frame.inputs}
@@ -44,8 +47,12 @@ def tell(system: System, run: Run) -> Story:
         after = run.frames[i + 1].state if i + 1 < len(run.frames) else None
         shown = _changes(system, frame.state, after) if after is not None else []
         sentences = [*events, *asked, *shown]
-        raw.append((tuple(sorted(n for n, v in frame.state.items() if v)),
-                    tuple(f"{n}={v}" for n, v in sorted(frame.inputs.items()) if v)))
+        raw.append(
+            (
+                tuple(sorted(n for n, v in frame.state.items() if v)),
+                tuple(f"{n}={v}" for n, v in sorted(frame.inputs.items()) if v),
+            )
+        )
         if sentences:
             steps.append("; ".join(_capital(s) if k == 0 else s for k, s in enumerate(sentences)) + ".")
     last = run.frames[-1].state
@@ -97,5 +104,3 @@ def _changes(system: System, old: dict[str, int], new: dict[str, int]) -> list[s
         if f"o.{s}" in new and new[f"img.{s}"] and not new[f"o.{s}"] and not old[f"img.{s}"]:
             out.append(f"{s} is falsely reported occupied")
     return out
-
-

@@ -43,8 +43,11 @@ class System:
         for t in controller.timers:
             # an on-delay with a positive preset is true only while its input is true
             self.assumptions.append(
-                Assumption("A-TON", "An on-delay timer is true only while its input is true.",
-                           implies(var(t.name), controller.expanded[t.input]))
+                Assumption(
+                    "A-TON",
+                    "An on-delay timer is true only while its input is true.",
+                    implies(var(t.name), controller.expanded[t.input]),
+                )
             )
         self._ghosts()
         self._check_closed()
@@ -52,8 +55,12 @@ class System:
     def _check_closed(self) -> None:
         """Nothing may read a variable that nobody defines: it would be a free choice by accident."""
         known = {*self.next, *self.inputs}
-        parts = [*self.next.values(), *(h.expr for h in self.plant.hazards), *self.plant.initial,
-                 *(a.expr for a in self.assumptions)]
+        parts = [
+            *self.next.values(),
+            *(h.expr for h in self.plant.hazards),
+            *self.plant.initial,
+            *(a.expr for a in self.assumptions),
+        ]
         unknown = sorted(set(variables(parts)) - known)
         if unknown:
             raise MalformedController(f"undefined variables in the system: {', '.join(unknown[:5])}")
@@ -81,9 +88,7 @@ class System:
         for s in self.topo.sections:
             locks = [name for (sec, _), name in self.symbols.lock.items() if sec == s]
             held = disj(self.next[name] for name in locks) if locks else FALSE
-            came_in = disj(
-                self.plant.events.get(f"head.{j}.{self._beyond(s, j)}", FALSE) for j in self.topo.ends[s]
-            )
+            came_in = disj(self.plant.events.get(f"head.{j}.{self._beyond(s, j)}", FALSE) for j in self.topo.ends[s])
             self.next[f"been.{s}"] = conj((disj((var(f"been.{s}"), came_in)), held))
         self.state = tuple(self.next)
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from interlock.logic.controller import RouteSymbols
 from interlock.model.elements import MachineId, NodeId, Position, SectionId
 from interlock.model.layout import Layout
-from interlock.model.traversal import Topology, topology
+from interlock.model.traversal import Topology
 from interlock.proof.system import System
 from interlock.sim.run import Simulator
 

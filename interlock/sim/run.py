@@ -88,4 +88,3 @@ class Simulator:
             else:
                 self.elapsed[t.name] = 0
                 values[t.name] = 0
-

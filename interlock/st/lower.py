@@ -38,17 +38,13 @@ def lower_st(controller: Controller, header: Sequence[str]) -> Unit:
     """The whole text of a controller as a tree."""
     prefix = f"IL_{portable(controller.name)}"
     ranges = {i.name for i in controller.inputs if i.size}
-    next_wires = [
-        Equation(f"N_{e.name}", e.join, e.terms, e.group, f"next: {e.note}") for e in controller.next
-    ]
+    next_wires = [Equation(f"N_{e.name}", e.join, e.terms, e.group, f"next: {e.note}") for e in controller.next]
     pieces = _cut([*controller.steps, *next_wires])
     blocks: list[Block] = []
     where: dict[str, Name] = {i.name: Name((i.name,)) for i in controller.inputs}
     body: list[Statement] = []
     locals_: list[Declaration] = []
-    state_blocks = [
-        controller.state[i : i + MAX_STATE] for i in range(0, len(controller.state), MAX_STATE)
-    ]
+    state_blocks = [controller.state[i : i + MAX_STATE] for i in range(0, len(controller.state), MAX_STATE)]
     for k, part in enumerate(state_blocks, 1):
         for s in part:
             where[s.name] = Name((f"S{k:02d}", s.name))

@@ -88,7 +88,9 @@ def runtime_py(controller: Controller, header: Sequence[str]) -> str:
         if isinstance(step, Equation):
             lines.append(_equation(step, step.name))
         else:
-            lines.append(f"        {step.name} = self._timer({step.name!r}, {step.input}, dt_ms)  # {_plain(step.note)}")
+            lines.append(
+                f"        {step.name} = self._timer({step.name!r}, {step.input}, dt_ms)  # {_plain(step.note)}"
+            )
     lines += [_equation(e, f"N_{e.name}") for e in c.next]
     lines.append("        self.state = {")
     lines += [f"            {e.name!r}: bool(N_{e.name})," for e in c.next]

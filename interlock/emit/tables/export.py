@@ -33,7 +33,9 @@ def table_csv(table: InterlockingTable) -> str:
     return out.getvalue()
 
 
-def _matrix_rows(name: str, rows: tuple[str, ...], columns: tuple[str, ...], cells: tuple[tuple[int, ...], ...]) -> list[list[str]]:
+def _matrix_rows(
+    name: str, rows: tuple[str, ...], columns: tuple[str, ...], cells: tuple[tuple[int, ...], ...]
+) -> list[list[str]]:
     body = [[r, *map(str, line)] for r, line in zip(rows, cells, strict=True)]
     return [[name, *columns], *body, []]
 
@@ -114,12 +116,16 @@ def _environment() -> Environment:
 def table_html(layout: Layout, table: InterlockingTable, claims: list[dict[str, object]], watermark: str) -> str:
     """One self-contained page that prints on A3 landscape; every cell shows its reason on hover and focus."""
     named = matrix(table, named_only=True)
-    return _environment().get_template("table.html.j2").render(
-        layout=layout,
-        table=table,
-        columns=COLUMNS,
-        claims=claims,
-        watermark=watermark,
-        m=named if named.routes else matrix(table),
-        beyond=beyond_matrix(table),
+    return (
+        _environment()
+        .get_template("table.html.j2")
+        .render(
+            layout=layout,
+            table=table,
+            columns=COLUMNS,
+            claims=claims,
+            watermark=watermark,
+            m=named if named.routes else matrix(table),
+            beyond=beyond_matrix(table),
+        )
     )

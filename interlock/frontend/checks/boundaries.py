@@ -13,6 +13,9 @@ def check_boundaries(ctx: Context, layout: Layout) -> None:
     for b in layout.boundaries:
         inside = layout.edges_at[b.node][0].section
         if b.kind is not BoundaryKind.OUT and b.node not in guarded:
-            ctx.add("IL3011", f"trains can come in at {b.node}, and no signal stands there",
-                    ctx.at_key("boundaries", b.node),
-                    f"add a signal `from: {b.node}, into: {inside}`, or say `trains: out`")
+            ctx.add(
+                "IL3011",
+                f"trains can come in at {b.node}, and no signal stands there",
+                ctx.at_key("boundaries", b.node),
+                f"add a signal `from: {b.node}, into: {inside}`, or say `trains: out`",
+            )

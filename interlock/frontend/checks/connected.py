@@ -33,8 +33,12 @@ def check_connected(ctx: Context, layout: Layout) -> None:
     for section, graph in sorted(parts.items()):
         pieces = sorted(sorted(c) for c in nx.connected_components(graph))
         if len(pieces) > 1:
-            ctx.add("IL3009", f"section {section} is split into {len(pieces)} pieces that do not touch",
-                    ctx.at(*_place(ctx, section)), "a detector watches one piece of track: name each piece")
+            ctx.add(
+                "IL3009",
+                f"section {section} is split into {len(pieces)} pieces that do not touch",
+                ctx.at(*_place(ctx, section)),
+                "a detector watches one piece of track: name each piece",
+            )
     starts = [b.node for b in layout.boundaries] or [g.node for g in layout.signals][:1]
     reached: set[str] = set()
     for node in starts:
@@ -42,5 +46,9 @@ def check_connected(ctx: Context, layout: Layout) -> None:
             reached |= nx.node_connected_component(whole, node)
     for section, graph in sorted(parts.items()):
         if not reached & set(graph.nodes):
-            ctx.add("IL3010", f"no train can reach section {section}: it is joined to no boundary",
-                    ctx.at(*_place(ctx, section)), "join it to the rest of the layout, or remove it")
+            ctx.add(
+                "IL3010",
+                f"no train can reach section {section}: it is joined to no boundary",
+                ctx.at(*_place(ctx, section)),
+                "join it to the rest of the layout, or remove it",
+            )

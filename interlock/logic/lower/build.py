@@ -64,8 +64,17 @@ def _symbols(d: Draft) -> Symbols:
         approach_timer={g: f"AT_{portable(g)}" for g in signals},
         approach_of={g: d.rear(d.first_section(g), d.layout.signal[g].node) for g in signals},
         routes=tuple(
-            RouteSymbols(r.id, r.number, r.entry, r.traversals, f"A_R{r.number}", f"B_R{r.number}",
-                         f"W_R{r.number}", f"S_R{r.number}", f"H_R{r.number}")
+            RouteSymbols(
+                r.id,
+                r.number,
+                r.entry,
+                r.traversals,
+                f"A_R{r.number}",
+                f"B_R{r.number}",
+                f"W_R{r.number}",
+                f"S_R{r.number}",
+                f"H_R{r.number}",
+            )
             for r in d.table.routes
         ),
         demands={t.key: tuple((p.machine, p.position) for p in t.points) for t in d.table.locks},

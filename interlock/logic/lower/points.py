@@ -29,14 +29,24 @@ def detection(d: Draft) -> None:
     for m in d.machines:
         n = portable(m)
         for x in Position:
-            d.wire(f"Q{x}_{n}", Join.ALL, (
-                Term(var("VALID"), "inputs valid"),
-                Term(var(f"D{x}_{n}"), "contact"),
-                Term(neg(var(f"D{x.other}_{n}")), "no opposite contact"),
-            ), f"point {m}", f"machine {m} lies {x} (R10)")
-        d.wire(f"QA_{n}", Join.ANY, tuple(
-            Term(conj((d.detected(m, x), d.command(m, x))), "at rest") for x in Position
-        ), f"point {m}", f"machine {m} is at rest as commanded")
+            d.wire(
+                f"Q{x}_{n}",
+                Join.ALL,
+                (
+                    Term(var("VALID"), "inputs valid"),
+                    Term(var(f"D{x}_{n}"), "contact"),
+                    Term(neg(var(f"D{x.other}_{n}")), "no opposite contact"),
+                ),
+                f"point {m}",
+                f"machine {m} lies {x} (R10)",
+            )
+        d.wire(
+            f"QA_{n}",
+            Join.ANY,
+            tuple(Term(conj((d.detected(m, x), d.command(m, x))), "at rest") for x in Position),
+            f"point {m}",
+            f"machine {m} is at rest as commanded",
+        )
 
 
 def flank_demand(d: Draft, m: MachineId, x: Position) -> Expr:
@@ -62,10 +72,16 @@ def movable(d: Draft) -> None:
             terms.append(Term(neg(held), "flank not held", f"nobody needs {m} {x} as flank protection"))
         d.wire(f"MOV_{n}", Join.ALL, terms, f"point {m}", f"machine {m} is free to move (R10)")
         for x in Position:
-            d.wire(f"AV{x}_{n}", Join.ANY, (
-                Term(d.command(m, x), "commanded"),
-                Term(var(f"MOV_{n}"), "free to move"),
-            ), f"point {m}", f"machine {m} can be demanded {x}")
+            d.wire(
+                f"AV{x}_{n}",
+                Join.ANY,
+                (
+                    Term(d.command(m, x), "commanded"),
+                    Term(var(f"MOV_{n}"), "free to move"),
+                ),
+                f"point {m}",
+                f"machine {m} can be demanded {x}",
+            )
 
 
 def commands(d: Draft) -> None:
@@ -73,32 +89,49 @@ def commands(d: Draft) -> None:
     for m in d.machines:
         n = portable(m)
         secs = set(d.sections_of(m))
-        touching = [
-            r for r in d.table.routes if secs & set(r.section_ids) or any(p.machine == m for p in r.points)
-        ]
+        touching = [r for r in d.table.routes if secs & set(r.section_ids) or any(p.machine == m for p in r.points)]
         touched = disj(var(f"G_R{r.number}") for r in touching)
         for x in Position:
             granted = disj(
                 var(f"G_R{r.number}") for r in touching if any(p.machine == m and p.position is x for p in r.points)
             )
             d.wire(f"GP{x}_{n}", Join.ANY, (Term(granted, "granted"),), f"point {m}", f"a grant needs {m} {x}")
-            d.wire(f"MA{x}_{n}", Join.ALL, (
-                Term(var(f"M{x}_{n}"), "by hand"),
-                Term(neg(var(f"M{x.other}_{n}")), "not both by hand"),
-                Term(var(f"MOV_{n}"), "point free by hand"),
-                Term(neg(touched), "no grant in this scan"),
-            ), f"point {m}", f"machine {m} moved {x} by hand")
+            d.wire(
+                f"MA{x}_{n}",
+                Join.ALL,
+                (
+                    Term(var(f"M{x}_{n}"), "by hand"),
+                    Term(neg(var(f"M{x.other}_{n}")), "not both by hand"),
+                    Term(var(f"MOV_{n}"), "point free by hand"),
+                    Term(neg(touched), "no grant in this scan"),
+                ),
+                f"point {m}",
+                f"machine {m} moved {x} by hand",
+            )
         for x in Position:
-            d.wire(f"HD{x}_{n}", Join.ALL, (
-                Term(d.command(m, x), "held"),
-                Term(neg(var(f"GP{x.other}_{n}")), "no opposite grant"),
-                Term(neg(var(f"MA{x.other}_{n}")), "not moved by hand"),
-            ), f"point {m}", f"the command {x} stays")
-            d.kept(f"C{x}_{n}", False, f"machine {m} commanded {x}", Join.ANY, (
-                Term(var(f"GP{x}_{n}"), "granted"),
-                Term(var(f"MA{x}_{n}"), "by hand"),
-                Term(var(f"HD{x}_{n}"), "held"),
-            ), f"point {m}")
+            d.wire(
+                f"HD{x}_{n}",
+                Join.ALL,
+                (
+                    Term(d.command(m, x), "held"),
+                    Term(neg(var(f"GP{x.other}_{n}")), "no opposite grant"),
+                    Term(neg(var(f"MA{x.other}_{n}")), "not moved by hand"),
+                ),
+                f"point {m}",
+                f"the command {x} stays",
+            )
+            d.kept(
+                f"C{x}_{n}",
+                False,
+                f"machine {m} commanded {x}",
+                Join.ANY,
+                (
+                    Term(var(f"GP{x}_{n}"), "granted"),
+                    Term(var(f"MA{x}_{n}"), "by hand"),
+                    Term(var(f"HD{x}_{n}"), "held"),
+                ),
+                f"point {m}",
+            )
             d.outputs.append(Output(f"Y{x}_{n}", d.command(m, x), False, f"drive machine {m} to {x}"))
 
 
@@ -106,9 +139,13 @@ def supervision(d: Draft) -> None:
     """A commanded machine that is not detected in time raises an alarm (R10)."""
     for m in d.machines:
         n = portable(m)
-        d.wire(f"STI_{n}", Join.ANY, tuple(
-            Term(conj((d.command(m, x), neg(d.detected(m, x)))), "not detected") for x in Position
-        ), f"point {m}", f"machine {m} is not where it was commanded")
+        d.wire(
+            f"STI_{n}",
+            Join.ANY,
+            tuple(Term(conj((d.command(m, x), neg(d.detected(m, x)))), "not detected") for x in Position),
+            f"point {m}",
+            f"machine {m} is not where it was commanded",
+        )
     for m in d.machines:
         n = portable(m)
         late = d.timer(f"ST_{n}", f"STI_{n}", d.layout.principles.point_supervision_s, f"machine {m}: time-out")

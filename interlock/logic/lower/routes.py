@@ -10,7 +10,6 @@ from __future__ import annotations
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import conj, disj, eq, neg, var
 from interlock.logic.lower.draft import Draft
-
 from interlock.model.portable import portable
 from interlock.table.rows import RouteRow
 
@@ -32,14 +31,14 @@ def _clear_terms(d: Draft, r: RouteRow) -> list[Term]:
 
 
 def _block_terms(d: Draft, r: RouteRow) -> list[Term]:
-    return [
-        Term(neg(var(f"BLK_{portable(s)}")), "not blocked", f"{s} not blocked") for s in r.section_ids
-    ]
+    return [Term(neg(var(f"BLK_{portable(s)}")), "not blocked", f"{s} not blocked") for s in r.section_ids]
 
 
 def _detection_terms(d: Draft, r: RouteRow) -> list[Term]:
     out = [
-        Term(d.detected(p.machine, p.position), f"{p.role} point detected", f"{p.machine} {p.position}: {p.because.text}")
+        Term(
+            d.detected(p.machine, p.position), f"{p.role} point detected", f"{p.machine} {p.position}: {p.because.text}"
+        )
         for p in r.points
     ]
     demanded = {p.machine for p in r.points}
@@ -68,8 +67,13 @@ def grants(d: Draft) -> None:
                     held = neg(var(f"FREE_{portable(ex.section)}"))
                 terms.append(Term(neg(held), "exclusion", f"{ex.section}: {ex.because.text}"))
         for p in r.points:
-            terms.append(Term(var(f"AV{p.position}_{portable(p.machine)}"), f"{p.role} point available",
-                              f"{p.machine} {p.position}: {p.because.text}"))
+            terms.append(
+                Term(
+                    var(f"AV{p.position}_{portable(p.machine)}"),
+                    f"{p.role} point available",
+                    f"{p.machine} {p.position}: {p.because.text}",
+                )
+            )
         d.wire(f"G_R{r.number}", Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} (R6)")
 
 
@@ -79,24 +83,36 @@ def locking(d: Draft) -> None:
         g = portable(r.entry)
         group = f"route {r.id}"
         first = portable(r.section_ids[0])
-        d.wire(f"LK_R{r.number}", Join.ALL, (
-            Term(var(f"A_R{r.number}"), "active"),
-            Term(neg(var(f"B_R{r.number}")), "not locked yet"),
-            Term(var("VALID"), "inputs valid"),
-            Term(neg(var(f"X_{g}")), "not cancelling"),
-            Term(neg(var(f"CAN_{g}")), "not cancelled"),
-            *_clear_terms(d, r),
-            *_detection_terms(d, r),
-        ), group, f"route {r.id} becomes locked (R3)")
-        d.wire(f"CO_R{r.number}", Join.ALL, (
-            Term(var("VALID"), "inputs valid"),
-            *_clear_terms(d, r),
-            *_block_terms(d, r),
-            *_detection_terms(d, r),
-            *(Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions),
-            *(Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block),
-            Term(neg(var(f"D_{first}")), "inputs never lost"),
-        ), group, f"conditions of proceed for route {r.id} (R3)")
+        d.wire(
+            f"LK_R{r.number}",
+            Join.ALL,
+            (
+                Term(var(f"A_R{r.number}"), "active"),
+                Term(neg(var(f"B_R{r.number}")), "not locked yet"),
+                Term(var("VALID"), "inputs valid"),
+                Term(neg(var(f"X_{g}")), "not cancelling"),
+                Term(neg(var(f"CAN_{g}")), "not cancelled"),
+                *_clear_terms(d, r),
+                *_detection_terms(d, r),
+            ),
+            group,
+            f"route {r.id} becomes locked (R3)",
+        )
+        d.wire(
+            f"CO_R{r.number}",
+            Join.ALL,
+            (
+                Term(var("VALID"), "inputs valid"),
+                *_clear_terms(d, r),
+                *_block_terms(d, r),
+                *_detection_terms(d, r),
+                *(Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions),
+                *(Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block),
+                Term(neg(var(f"D_{first}")), "inputs never lost"),
+            ),
+            group,
+            f"conditions of proceed for route {r.id} (R3)",
+        )
 
 
 def cancellation(d: Draft) -> None:
@@ -109,15 +125,23 @@ def cancellation(d: Draft) -> None:
         leaving = disj(
             d.lock(*t.key) for t in d.locks_of[first] if t.entry == g.node and t.exit in d.layout.boundary_at
         )
-        waiting = conj((
-            neg(d.any_active(g.id)),
-            d.locked_in(first, g.node),
-            disj((var(f"REL_{f}"), conj((leaving, var(f"U_{f}"), neg(d.occupied(first)))))),
-        ))
-        d.wire(f"ATI_{n}", Join.ANY, (
-            Term(var(f"X_{n}"), "cancelling"),
-            Term(waiting, "release waits"),
-        ), f"signal {g.id}", f"{g.id} at stop, waiting for a train that may still come (R8)")
+        waiting = conj(
+            (
+                neg(d.any_active(g.id)),
+                d.locked_in(first, g.node),
+                disj((var(f"REL_{f}"), conj((leaving, var(f"U_{f}"), neg(d.occupied(first)))))),
+            )
+        )
+        d.wire(
+            f"ATI_{n}",
+            Join.ANY,
+            (
+                Term(var(f"X_{n}"), "cancelling"),
+                Term(waiting, "release waits"),
+            ),
+            f"signal {g.id}",
+            f"{g.id} at stop, waiting for a train that may still come (R8)",
+        )
     for g in signals:
         n = portable(g.id)
         d.timer(f"AT_{n}", f"ATI_{n}", d.layout.principles.approach_release_s, f"{g.id}: approach locking delay (R8)")
@@ -125,14 +149,23 @@ def cancellation(d: Draft) -> None:
         n = portable(g.id)
         first = d.first_section(g.id)
         seen = disj(var(f"H_R{r.number}") for r in d.routes_from[g.id])
-        d.wire(f"CD_{n}", Join.ALL, (
-            Term(var(f"X_{n}"), "cancelling"),
-            Term(d.any_active(g.id), "active"),
-            Term(var("VALID"), "inputs valid"),
-            Term(neg(d.occupied(first)), "section clear", f"{first} clear"),
-            Term(disj((d.approach_safe(g.id), neg(seen))), "no train about to come",
-                 "approach clear, or delay over, or the signal was never open"),
-        ), f"signal {g.id}", f"the route from {g.id} is cancelled (R8)")
+        d.wire(
+            f"CD_{n}",
+            Join.ALL,
+            (
+                Term(var(f"X_{n}"), "cancelling"),
+                Term(d.any_active(g.id), "active"),
+                Term(var("VALID"), "inputs valid"),
+                Term(neg(d.occupied(first)), "section clear", f"{first} clear"),
+                Term(
+                    disj((d.approach_safe(g.id), neg(seen))),
+                    "no train about to come",
+                    "approach clear, or delay over, or the signal was never open",
+                ),
+            ),
+            f"signal {g.id}",
+            f"the route from {g.id} is cancelled (R8)",
+        )
 
 
 def keep(d: Draft) -> None:
@@ -143,47 +176,98 @@ def keep(d: Draft) -> None:
         group = f"route {r.id}"
         first = r.section_ids[0]
         used = var(f"NU_{portable(first)}_{d.topo.ends[first].index(r.entry_node) + 1}")
-        d.wire(f"KP_R{k}", Join.ALL, (
-            Term(neg(used), "not entered", f"no train has entered {first}"),
-            Term(neg(var(f"CD_{g}")), "not cancelled"),
-        ), group, f"route {r.id} stays set")
+        d.wire(
+            f"KP_R{k}",
+            Join.ALL,
+            (
+                Term(neg(used), "not entered", f"no train has entered {first}"),
+                Term(neg(var(f"CD_{g}")), "not cancelled"),
+            ),
+            group,
+            f"route {r.id} stays set",
+        )
         stays = Term(var(f"KP_R{k}"), "stays")
         stop = (Term(neg(var(f"X_{g}")), "not cancelling"), Term(neg(var(f"CAN_{g}")), "not cancelled"))
-        d.wire(f"PR_R{k}", Join.ALL, (
-            Term(var(f"A_R{k}"), "active"),
-            Term(var(f"B_R{k}"), "locked"),
-            Term(var(f"W_R{k}"), "wanted"),
-            Term(var(f"CO_R{k}"), "conditions"),
-            stays,
-            *stop,
-        ), group, f"proceed for route {r.id} (R3, R11)")
-        d.wire(f"LS_R{k}", Join.ALL, (
-            Term(var(f"S_R{k}"), "showing"), Term(neg(var(f"CO_R{k}")), "conditions lost"),
-        ), group, f"route {r.id}: a condition was lost; no reopening by itself (R14)")
-        d.kept(f"A_R{k}", False, f"route {r.id} active", Join.ALL, (
-            Term(disj((var(f"A_R{k}"), var(f"G_R{k}"))), "held or granted"), stays), group)
-        d.kept(f"B_R{k}", False, f"route {r.id} locked", Join.ALL, (
-            Term(disj((var(f"B_R{k}"), var(f"LK_R{k}"))), "held or locked"), stays), group)
+        d.wire(
+            f"PR_R{k}",
+            Join.ALL,
+            (
+                Term(var(f"A_R{k}"), "active"),
+                Term(var(f"B_R{k}"), "locked"),
+                Term(var(f"W_R{k}"), "wanted"),
+                Term(var(f"CO_R{k}"), "conditions"),
+                stays,
+                *stop,
+            ),
+            group,
+            f"proceed for route {r.id} (R3, R11)",
+        )
+        d.wire(
+            f"LS_R{k}",
+            Join.ALL,
+            (
+                Term(var(f"S_R{k}"), "showing"),
+                Term(neg(var(f"CO_R{k}")), "conditions lost"),
+            ),
+            group,
+            f"route {r.id}: a condition was lost; no reopening by itself (R14)",
+        )
+        d.kept(
+            f"A_R{k}",
+            False,
+            f"route {r.id} active",
+            Join.ALL,
+            (Term(disj((var(f"A_R{k}"), var(f"G_R{k}"))), "held or granted"), stays),
+            group,
+        )
+        d.kept(
+            f"B_R{k}",
+            False,
+            f"route {r.id} locked",
+            Join.ALL,
+            (Term(disj((var(f"B_R{k}"), var(f"LK_R{k}"))), "held or locked"), stays),
+            group,
+        )
         again = conj((eq("REQ", k), var(f"B_R{k}")))
-        d.kept(f"W_R{k}", False, f"route {r.id}: proceed wanted", Join.ALL, (
-            Term(disj((var(f"W_R{k}"), var(f"LK_R{k}"), again)), "wanted"),
-            Term(neg(var(f"LS_R{k}")), "conditions kept"),
-            stays, *stop), group)
+        d.kept(
+            f"W_R{k}",
+            False,
+            f"route {r.id}: proceed wanted",
+            Join.ALL,
+            (
+                Term(disj((var(f"W_R{k}"), var(f"LK_R{k}"), again)), "wanted"),
+                Term(neg(var(f"LS_R{k}")), "conditions kept"),
+                stays,
+                *stop,
+            ),
+            group,
+        )
         d.kept(f"S_R{k}", False, f"route {r.id}: proceed", Join.ALL, (Term(var(f"PR_R{k}"), "proceed"),), group)
-        d.kept(f"H_R{k}", False, f"route {r.id}: signal has been open", Join.ALL, (
-            Term(disj((var(f"H_R{k}"), var(f"PR_R{k}"))), "held or shown"), stays), group)
+        d.kept(
+            f"H_R{k}",
+            False,
+            f"route {r.id}: signal has been open",
+            Join.ALL,
+            (Term(disj((var(f"H_R{k}"), var(f"PR_R{k}"))), "held or shown"), stays),
+            group,
+        )
     for signal in d.layout.signals:
         n = portable(signal.id)
         routes = d.routes_from[signal.id]
         if not routes:
             continue
-        d.kept(f"X_{n}", False, f"{signal.id}: cancelling", Join.ALL, (
-            Term(disj((var(f"X_{n}"), var(f"CAN_{n}"))), "held or asked"),
-            Term(d.any_active(signal.id), "active"),
-            Term(neg(var(f"CD_{n}")), "not done")), f"signal {signal.id}")
+        d.kept(
+            f"X_{n}",
+            False,
+            f"{signal.id}: cancelling",
+            Join.ALL,
+            (
+                Term(disj((var(f"X_{n}"), var(f"CAN_{n}"))), "held or asked"),
+                Term(d.any_active(signal.id), "active"),
+                Term(neg(var(f"CD_{n}")), "not done"),
+            ),
+            f"signal {signal.id}",
+        )
         proceed = disj(var(f"S_R{r.number}") for r in routes)
         d.outputs.append(Output(f"YP_{n}", proceed, False, f"signal {signal.id}: proceed (green)"))
         d.outputs.append(Output(f"YS_{n}", neg(proceed), True, f"signal {signal.id}: stop (red)"))
-
-
-

@@ -30,16 +30,28 @@ def image(d: Draft) -> None:
     """A section counts as occupied unless it is validly reported clear (R3, R16)."""
     for s in d.layout.sections:
         n = portable(s.id)
-        d.wire(f"OCC_{n}", Join.ANY, (
-            Term(neg(var(f"CLR_{n}")), "not reported clear"),
-            Term(neg(var("VALID")), "inputs lost"),
-        ), f"section {s.id}", f"{s.id} counts as occupied")
+        d.wire(
+            f"OCC_{n}",
+            Join.ANY,
+            (
+                Term(neg(var(f"CLR_{n}")), "not reported clear"),
+                Term(neg(var("VALID")), "inputs lost"),
+            ),
+            f"section {s.id}",
+            f"{s.id} counts as occupied",
+        )
     for s_ in d.sections:
         n = portable(s_)
-        d.wire(f"FREE_{n}", Join.ALL, (
-            Term(neg(var(f"K_{n}")), "no restart lock"),
-            *(Term(neg(d.lock(*t.key)), "not locked") for t in d.locks_of[s_]),
-        ), f"section {s_}", f"{s_} is not locked by anybody")
+        d.wire(
+            f"FREE_{n}",
+            Join.ALL,
+            (
+                Term(neg(var(f"K_{n}")), "no restart lock"),
+                *(Term(neg(d.lock(*t.key)), "not locked") for t in d.locks_of[s_]),
+            ),
+            f"section {s_}",
+            f"{s_} is not locked by anybody",
+        )
 
 
 def _new_use(section: SectionId, index: int) -> str:
@@ -93,13 +105,19 @@ def release(d: Draft) -> None:
         clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
         rear = rear_free(d, s)
         d.wire(f"EX_{n}", Join.ANY, _exits(d, s), group, f"a train in {s} leaves over a boundary, or has passed on")
-        d.wire(f"RTI_{n}", Join.ALL, (
-            valid,
-            Term(var(f"U_{n}"), "was used"),
-            clear,
-            *rear,
-            Term(var(f"EX_{n}"), "went on"),
-        ), group, f"{s} may be released behind the train (R9)")
+        d.wire(
+            f"RTI_{n}",
+            Join.ALL,
+            (
+                valid,
+                Term(var(f"U_{n}"), "was used"),
+                clear,
+                *rear,
+                Term(var(f"EX_{n}"), "went on"),
+            ),
+            group,
+            f"{s} may be released behind the train (R9)",
+        )
     for s in d.sections:
         n = portable(s)
         d.timer(f"RT_{n}", f"RTI_{n}", d.layout.principles.release_delay_s, f"{s}: release delay (R9)")
@@ -113,11 +131,24 @@ def release(d: Draft) -> None:
             for node in d.topo.ends[s]
             if d.signal_at(s, node) is None and d.topo.beyond(s, node) is not None
         )
-        d.wire(f"CA_{n}", Join.ALL, (
-            valid, clear, Term(neg(var(f"U_{n}")), "not used"), Term(unsignalled, "locked from inside"), *rear,
-        ), group, f"the lock before {s} was withdrawn (R8)")
+        d.wire(
+            f"CA_{n}",
+            Join.ALL,
+            (
+                valid,
+                clear,
+                Term(neg(var(f"U_{n}")), "not used"),
+                Term(unsignalled, "locked from inside"),
+                *rear,
+            ),
+            group,
+            f"the lock before {s} was withdrawn (R8)",
+        )
         by_hand = [
-            valid, clear, *rear, Term(var(f"REL_{n}"), "by hand"),
+            valid,
+            clear,
+            *rear,
+            Term(var(f"REL_{n}"), "by hand"),
             Term(disj(d.lock(*t.key) for t in d.locks_of[s]), "locked"),
         ]
         cancelled: list[Term] = []
@@ -127,21 +158,40 @@ def release(d: Draft) -> None:
             if g is None or locked is FALSE:
                 continue
             safe = conj((neg(d.any_active(g)), d.approach_safe(g)))
-            by_hand.append(Term(disj((neg(locked), safe)), "no train about to come",
-                                f"no route from {g} is set and no train is about to pass it"))
+            by_hand.append(
+                Term(
+                    disj((neg(locked), safe)),
+                    "no train about to come",
+                    f"no route from {g} is set and no train is about to pass it",
+                )
+            )
             cancelled.append(Term(var(f"CD_{portable(g)}"), "cancelled", f"route from {g} cancelled"))
         d.wire(f"HR_{n}", Join.ALL, by_hand, group, f"{s} released by hand (R8, section fault release)")
-        d.wire(f"SR_{n}", Join.ALL, (
-            valid, clear, Term(var(f"K_{n}"), "restart lock"),
-            Term(disj((var(f"REL_{n}"), var("REL_ALL"))), "operator"),
-        ), group, f"{s} released after a restart (R16)")
-        d.wire(f"RLS_{n}", Join.ANY, (
-            Term(var(f"RT_{n}"), "behind the train"),
-            Term(var(f"CA_{n}"), "withdrawn"),
-            *cancelled,
-            Term(var(f"HR_{n}"), "by hand"),
-            Term(var(f"SR_{n}"), "after restart"),
-        ), group, f"{s} is released")
+        d.wire(
+            f"SR_{n}",
+            Join.ALL,
+            (
+                valid,
+                clear,
+                Term(var(f"K_{n}"), "restart lock"),
+                Term(disj((var(f"REL_{n}"), var("REL_ALL"))), "operator"),
+            ),
+            group,
+            f"{s} released after a restart (R16)",
+        )
+        d.wire(
+            f"RLS_{n}",
+            Join.ANY,
+            (
+                Term(var(f"RT_{n}"), "behind the train"),
+                Term(var(f"CA_{n}"), "withdrawn"),
+                *cancelled,
+                Term(var(f"HR_{n}"), "by hand"),
+                Term(var(f"SR_{n}"), "after restart"),
+            ),
+            group,
+            f"{s} is released",
+        )
 
 
 def _exits(d: Draft, s: SectionId) -> list[Term]:
@@ -156,8 +206,9 @@ def _exits(d: Draft, s: SectionId) -> list[Term]:
         if g is None:
             out.append(Term(leaves, "leaves at a boundary"))
         else:
-            out.append(Term(conj((leaves, d.approach_safe(g))), "leaves at a boundary",
-                            f"and no train is about to pass {g}"))
+            out.append(
+                Term(conj((leaves, d.approach_safe(g))), "leaves at a boundary", f"and no train is about to pass {g}")
+            )
     return out
 
 
@@ -172,30 +223,68 @@ def keep(d: Draft) -> None:
         firmer: list[Expr] = []
         for t in d.locks_of[s]:
             name = f"L_{n}_{t.number}"
-            grants = [var(f"G_R{r.number}") for r in d.routes_over[t.key]]
-            firmer.extend(var(f"LK_R{r.number}") for r in d.routes_over[t.key])
-            d.kept(name, False, f"{s} locked from {t.entry} to {t.exit}", Join.ALL, (
-                Term(disj((var(name), *grants)), "held or granted"), stays,
-            ), group)
-        d.kept(f"F_{n}", False, f"{s} firmly locked", Join.ALL, (
-            Term(disj((var(f"F_{n}"), *firmer)), "held or locked"), stays,
-        ), group)
-        uses = [
-            var(_new_use(s, i)) for i, node in enumerate(d.topo.ends[s], 1) if d.locked_in(s, node) is not FALSE
-        ]
-        d.kept(f"U_{n}", True, f"{s} used by a train (R9)", Join.ALL, (
-            Term(disj((var(f"U_{n}"), *uses)), "held or new"), stays,
-        ), group)
+            grants = [var(f"G_R{r.number}") for r in d.routes_over.get(t.key, ())]
+            firmer.extend(var(f"LK_R{r.number}") for r in d.routes_over.get(t.key, ()))
+            d.kept(
+                name,
+                False,
+                f"{s} locked from {t.entry} to {t.exit}",
+                Join.ALL,
+                (
+                    Term(disj((var(name), *grants)), "held or granted"),
+                    stays,
+                ),
+                group,
+            )
+        d.kept(
+            f"F_{n}",
+            False,
+            f"{s} firmly locked",
+            Join.ALL,
+            (
+                Term(disj((var(f"F_{n}"), *firmer)), "held or locked"),
+                stays,
+            ),
+            group,
+        )
+        uses = [var(_new_use(s, i)) for i, node in enumerate(d.topo.ends[s], 1) if d.locked_in(s, node) is not FALSE]
+        d.kept(
+            f"U_{n}",
+            True,
+            f"{s} used by a train (R9)",
+            Join.ALL,
+            (
+                Term(disj((var(f"U_{n}"), *uses)), "held or new"),
+                stays,
+            ),
+            group,
+        )
         gone = []
         for node in d.topo.ends[s]:
             ahead = d.topo.beyond(s, node)
             if ahead is not None and d.locked_in(ahead, node) is not FALSE:
                 gone.append(var(_new_use(ahead, d.topo.ends[ahead].index(node) + 1)))
         going = conj((var(f"U_{n}"), d.occupied(s), disj(gone)))
-        d.kept(f"P_{n}", False, f"{s}: the train went on (R9)", Join.ALL, (
-            Term(disj((var(f"P_{n}"), going)), "held or new"), stays,
-        ), group)
-        d.kept(f"D_{n}", False, f"{s}: inputs were lost while locked", Join.ALL, (
-            Term(disj((var(f"D_{n}"), conj((neg(var("VALID")), locks)))), "held or lost"), stays,
-        ), group)
+        d.kept(
+            f"P_{n}",
+            False,
+            f"{s}: the train went on (R9)",
+            Join.ALL,
+            (
+                Term(disj((var(f"P_{n}"), going)), "held or new"),
+                stays,
+            ),
+            group,
+        )
+        d.kept(
+            f"D_{n}",
+            False,
+            f"{s}: inputs were lost while locked",
+            Join.ALL,
+            (
+                Term(disj((var(f"D_{n}"), conj((neg(var("VALID")), locks)))), "held or lost"),
+                stays,
+            ),
+            group,
+        )
         d.outputs.append(Output(f"YL_{n}", disj((var(f"K_{n}"), locks)), True, f"indication: {s} is locked"))

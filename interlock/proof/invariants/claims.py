@@ -112,8 +112,7 @@ def exposed(f: Facts, edge: EdgeId, node: NodeId, gone: float, clear_of: float, 
         position = point.position_of(edge)
         if position is None:
             return disj(exposed(f, leg, far, gone, clear_of, seen) for leg in (point.normal, point.reverse))
-        return conj((
-            neg(lies(point.machine, position.other)), exposed(f, point.toe, far, gone, clear_of, seen)))
+        return conj((neg(lies(point.machine, position.other)), exposed(f, point.toe, far, gone, clear_of, seen)))
     crossing = layout.crossing_at.get(far)
     if crossing is not None:
         onward = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
@@ -139,8 +138,7 @@ def _flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             uses = conj((f.firm(s), f.lock(s, t.number)))
             train = conj((o(s), neg(rests(s)), came(s, t.entry)))
             shown = disj(
-                f.sym.signal(g.id) for g in f.layout.signals
-                for path in signal_paths(f, g.id) if t in path.ways
+                f.sym.signal(g.id) for g in f.layout.signals for path in signal_paths(f, g.id) if t in path.ways
             )
             for name, node, edge, clear_of in places:
                 danger = exposed(f, edge, node, 0.0, clear_of, frozenset({node}))
@@ -163,9 +161,9 @@ def _conflict(f: Facts, a: SignalPath, b: SignalPath) -> str | None:
         for c, arm in t.crossings:
             hostile = hostile or any((c, 1 - arm) in x.crossings for x in b.ways)
     for fj in foul_joints(f.layout):
-        for x, y in ((a, b), (b, a)):
-            over = any(p == fj.point and q is not fj.leg for t in x.ways for p, q in t.points)
-            hostile = hostile or (over and any(t.section == fj.neighbour for t in y.ways))
+        for one, other in ((a, b), (b, a)):
+            over = any(p == fj.point and q is not fj.leg for t in one.ways for p, q in t.points)
+            hostile = hostile or (over and any(t.section == fj.neighbour for t in other.ways))
     return "S-HOSTILE" if hostile else None
 
 
@@ -191,6 +189,7 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for g in f.layout.signals:
         shows = after(f.sym.signal(g.id))
         yield "S-LOST-INPUT", g.id, implies(neg(valid), neg(shows))
+        yield "S-LOCKED", g.id, implies(shows, after(disj(lie(f, p.ways) for p in signal_paths(f, g.id))))
         if g.id in f.sym.cancelling:
             yield "S-CANCELLED", g.id, implies(var(f"CAN_{f.sym.cancelling[g.id][2:]}"), neg(shows))
         for k, path in enumerate(signal_paths(f, g.id), 1):
@@ -199,16 +198,30 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             if here is FALSE:
                 continue
             yield "S-CLEAR", place, implies(here, conj(var(f.sym.clear[t.section]) for t in path.ways))
-            yield "S-DETECTED", place, implies(here, conj(
-                conj((var(f.sym.detected[f.layout.point[p].machine, x]),
-                      neg(var(f.sym.detected[f.layout.point[p].machine, x.other]))))
-                for t in path.ways for p, x in t.points))
+            yield (
+                "S-DETECTED",
+                place,
+                implies(
+                    here,
+                    conj(
+                        conj(
+                            (
+                                var(f.sym.detected[f.layout.point[p].machine, x]),
+                                neg(var(f.sym.detected[f.layout.point[p].machine, x.other])),
+                            )
+                        )
+                        for t in path.ways
+                        for p, x in t.points
+                    ),
+                ),
+            )
             yield "S-BLOCKED", place, implies(here, conj(neg(var(f.sym.blocked[t.section])) for t in path.ways))
             locked = [f.lock(t.section, t.number) for t in path.ways if (t.section, t.number) in f.sym.lock]
             ok = conj([*locked, *(f.firm(t.section) for t in path.ways)]) if len(locked) == len(path.ways) else FALSE
             yield "S-LOCKED", place, implies(here, after(ok))
             needed = [
-                var(f.sym.condition[c.id]) for c in f.layout.conditions
+                var(f.sym.condition[c.id])
+                for c in f.layout.conditions
                 if g.id in c.signals or any(t.section in c.over for t in path.ways)
             ]
             boundary = f.layout.boundary_at.get(path.ways[-1].exit)
@@ -242,21 +255,25 @@ def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                         coming.append(after(conj((o(a), came(a, f.way(a, n)[0]), x, neg(rests(a))))))
         yield "L-RELEASE", s, implies(gone, conj((valid, neg(after(o(s))), neg(disj(coming)))))
         yield "L-HELD", s, implies(o(s), held)
-        yield "S-LOST-INPUT", s, implies(neg(valid), conj((implies(held, after(held)), implies(neg(held), after(neg(held))))))
+        yield (
+            "S-LOST-INPUT",
+            s,
+            implies(neg(valid), conj((implies(held, after(held)), implies(neg(held), after(neg(held)))))),
+        )
 
 
 def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     after = f.system.after
     for m, ends in sorted(f.layout.ends_of_machine.items()):
         secs = sorted({f.layout.section_of(p.toe) for p in ends})
-        changes = disj(
-            conj((neg(var(f.sym.command[m, x])), after(var(f.sym.command[m, x])))) for x in Position
+        changes = disj(conj((neg(var(f.sym.command[m, x])), after(var(f.sym.command[m, x])))) for x in Position)
+        free = conj(
+            [
+                *(neg(f.held(s)) for s in secs),
+                *(var(f.sym.clear[s]) for s in secs),
+                var(f.sym.valid),
+            ]
         )
-        free = conj([
-            *(neg(f.held(s)) for s in secs),
-            *(var(f.sym.clear[s]) for s in secs),
-            var(f.sym.valid),
-        ])
         yield "P-LOCKED", m, implies(changes, free)
 
 

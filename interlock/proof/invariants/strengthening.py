@@ -22,36 +22,43 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
         out += [Invariant(i, s, x) for i, x in _section(f, s)]
     for j, s, t in f.plain_joints():
         out += [Invariant(i, f"{j}:{s}>{t}", x) for i, x in _joint(f, j, s, t)]
-    for j, s, t in _all_joints(f):
-        out += [Invariant(i, f"{j}:{s}>{t}", x) for i, x in _crossing_joint(f, j, s, t)]
+    for joint, here, there in _all_joints(f):
+        out += [Invariant(i, f"{joint}:{here}>{there}", x) for i, x in _crossing_joint(f, joint, here, there)]
     for g in f.layout.signals:
         out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id)]
     for r in f.sym.routes:
         out += [Invariant(i, r.id, x) for i, x in _route(f, r)]
     for m in sorted(f.layout.ends_of_machine):
-        out.append(Invariant("P-ONE", m, conj((
-            at_most_one(lies(m, x) for x in Position),
-            at_most_one(var(f.sym.command[m, x]) for x in Position),
-            at_most_one(old_command(m, x) for x in Position),
-        ))))
+        out.append(
+            Invariant(
+                "P-ONE",
+                m,
+                conj(
+                    (
+                        at_most_one(lies(m, x) for x in Position),
+                        at_most_one(var(f.sym.command[m, x]) for x in Position),
+                        at_most_one(old_command(m, x) for x in Position),
+                    )
+                ),
+            )
+        )
     return tuple(out)
 
 
 def _all_joints(f: Facts) -> list[tuple[str, str, str]]:
-    """Every (joint, from, to), with the outside of boundaries."""
-    out = []
+    """Every (joint, from, to), with the outside of boundaries; `to` is empty outside."""
+    out: list[tuple[str, str, str]] = []
     for s in f.topo.sections:
         for j in f.topo.ends[s]:
             if j in f.layout.buffer_at:
                 continue
-            ahead = f.topo.beyond(s, j)
+            out.append((j, s, f.topo.beyond(s, j) or ""))
             boundary = f.layout.boundary_at.get(j)
-            out.append((j, s, ahead or ""))
             if boundary is not None:
                 outside = boundary.approach or f"outside.{j}"
                 if f"o.{outside}" in f.system.plant.state:
                     out.append((j, outside, s))
-    return [(str(j), str(s), str(t)) for j, s, t in out]
+    return out
 
 
 def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
@@ -63,11 +70,16 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     yield "S-RESTART", implies(f.restart(s), f.used(s))
     yield "S-STALE", implies(f.stale(s), f.any_lock(s))
     yield "S-BEEN", implies(f.been(s), f.firm(s))
-    yield "S-CAME", conj((
-        at_most_one(came(s, j) for j in f.topo.ends[s]),
-        implies(o(s), disj(came(s, j) for j in f.topo.ends[s])),
-        *(implies(came(s, j), o(s)) for j in f.topo.ends[s]),
-    ))
+    yield (
+        "S-CAME",
+        conj(
+            (
+                at_most_one(came(s, j) for j in f.topo.ends[s]),
+                implies(o(s), disj(came(s, j) for j in f.topo.ends[s])),
+                *(implies(came(s, j), o(s)) for j in f.topo.ends[s]),
+            )
+        ),
+    )
     yield "S-REST", conj((implies(rests(s), conj((o(s), f.restart(s)))), implies(conj((f.restart(s), o(s))), rests(s))))
     trains = []
     for n, x in locks:
@@ -108,8 +120,7 @@ def _joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Expr]]:
     for n, x in f.locks(s):
         a, b = f.way(s, n)
         if b == j:
-            yield f"J-AHEAD:{n}", implies(
-                conj((x, o(s), came(s, a), neg(rests(s)), neg(across(j, s)))), neg(f.been(t)))
+            yield f"J-AHEAD:{n}", implies(conj((x, o(s), came(s, a), neg(rests(s)), neg(across(j, s)))), neg(f.been(t)))
 
 
 def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Expr]]:
@@ -118,7 +129,9 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
     if SectionId(s) in f.topo.ends:
         heading = disj(
             conj((came(s, way.entry), conj(lies(f.layout.point[p].machine, x) for p, x in way.points)))
-            for way in f.topo.traversals[SectionId(s)] if way.exit == j)
+            for way in f.topo.traversals[SectionId(s)]
+            if way.exit == j
+        )
         yield "X-HEADING", implies(conj((across(j, s), rests(s))), heading)
         leads = []
         for n, x in f.locks(s):
@@ -130,8 +143,10 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
         yield "X-REAR", implies(across(j, s), disj((f.used(s), f.stale(s))))
         yield "X-FROM", implies(conj((across(j, s), neg(rests(s)))), disj(leads))
     if t:
-        yield "X-UNUSED", implies(conj((f.locked_in(t, j), f.been(t), neg(f.used(t)), neg(f.stale(t)))),
-                                  conj((o(t), across(j, s))))
+        yield (
+            "X-UNUSED",
+            implies(conj((f.locked_in(t, j), f.been(t), neg(f.used(t)), neg(f.stale(t)))), conj((o(t), across(j, s)))),
+        )
 
 
 def _signal(f: Facts, g: SignalId) -> Iterator[tuple[str, Expr]]:
@@ -149,9 +164,13 @@ def _signal(f: Facts, g: SignalId) -> Iterator[tuple[str, Expr]]:
     yield "G-ACCEPTED", implies(accepted(g), conj((ready, neg(f.been(t)), neg(o(t)))))
     standing = [o(rear), neg(across(j, rear))]
     if rear in f.sym.restart:
-        standing.append(disj(
-            conj((came(rear, way.entry), conj(lies(f.layout.point[p].machine, x) for p, x in way.points)))
-            for way in f.topo.traversals[SectionId(rear)] if way.exit == j))
+        standing.append(
+            disj(
+                conj((came(rear, way.entry), conj(lies(f.layout.point[p].machine, x) for p, x in way.points)))
+                for way in f.topo.traversals[SectionId(rear)]
+                if way.exit == j
+            )
+        )
     yield "G-TRAIN", implies(accepted(g), conj(standing))
     if f"img.{rear}" in f.system.plant.state:
         yield "G-REPORTED", implies(accepted(g), image(rear))

@@ -1,0 +1,270 @@
+"""Mutants: a proof that cannot fail proves nothing.
+
+Each kind weakens the table or the controller in one place.  A mutant is *killed* when a claim no longer follows; the
+bounded search then looks for a real train movement from the restart.  It is *redundant* when every claim is still
+proved: the rest of the controller protects without that condition.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from interlock.logic.controller import Controller, Equation, StateVar
+from interlock.logic.expr import TRUE, Substitution
+from interlock.logic.lower import lower
+from interlock.model.layout import Layout
+from interlock.proof.invariants import Facts, claims
+from interlock.proof.runner import Limits, inductive, open_claims
+from interlock.proof.search import search
+from interlock.proof.story import tell
+from interlock.proof.system import System
+from interlock.table.rows import InterlockingTable, PointDemand, RouteRow, TraversalRow
+
+Mutant = tuple[str, Controller]
+
+
+class Fate(StrEnum):
+    """What became of a mutant."""
+
+    KILLED = "killed by a train movement"
+    STRICT = "killed, no movement found"
+    REDUNDANT = "redundant"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One mutant's fate: the claims that fail, and a story when one was found."""
+
+    kind: str
+    place: str
+    fate: Fate
+    claims: tuple[str, ...]
+    story: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of weakening: its name, what it does, and its mutants."""
+
+    name: str
+    text: str
+    make: Callable[[Layout, InterlockingTable], Iterator[Mutant]]
+
+
+# --- weakenings of the controller ----------------------------------------------------------------
+
+
+def _with(c: Controller, old: Equation, new: Equation) -> Controller:
+    steps = tuple(new if s is old else s for s in c.steps)
+    following = tuple(new if e is old else e for e in c.next)
+    return replace(c, steps=steps, next=following)
+
+
+def without(prefix: str, *kinds: str) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
+    """Drop one term of the given kinds from an equation whose name has the prefix."""
+
+    def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+        c = lower(layout, table)
+        for e in (*c.equations, *c.next):
+            if not e.name.startswith(prefix + "_"):
+                continue
+            for i, t in enumerate(e.terms):
+                if t.kind in kinds and t.expr is not TRUE:
+                    less = replace(e, terms=e.terms[:i] + e.terms[i + 1 :])
+                    yield f"{e.name} without {t.note or t.kind}", _with(c, e, less)
+
+    return make
+
+
+def _not_locked_at_restart(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    for i, s in enumerate(c.state):
+        if s.name.startswith("K_"):
+            changed = StateVar(s.name, False, s.note)
+            outputs = tuple(o for o in c.outputs if not o.name.startswith("YL_"))
+            yield s.name, replace(c, state=(*c.state[:i], changed, *c.state[i + 1 :]), outputs=outputs)
+
+
+def _validity_not_wired(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    always = Substitution({c.symbols.valid: TRUE})
+
+    def blind(e: Equation) -> Equation:
+        return replace(e, terms=tuple(replace(t, expr=always(t.expr)) for t in e.terms))
+
+    steps = tuple(blind(s) if isinstance(s, Equation) else s for s in c.steps)
+    yield "VALID", replace(c, steps=steps, next=tuple(blind(e) for e in c.next))
+
+
+# --- weakenings of the table ---------------------------------------------------------------------
+
+
+def _relower(layout: Layout, table: InterlockingTable, key: tuple[str, int], row: TraversalRow) -> Controller:
+    locks = tuple(row if t.key == key else t for t in table.locks)
+    by_key = {t.key: t for t in locks}
+    routes = []
+    for r in table.routes:
+        points: dict[str, PointDemand] = {}
+        for k in r.traversals:
+            for p in by_key[k].points:
+                points.setdefault(p.machine, p)
+        routes.append(replace(r, points=tuple(points.values())) if key in r.traversals else r)
+    return lower(layout, replace(table, locks=locks, routes=tuple(routes)))
+
+
+def _points(role: str, wrong: bool) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
+    def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+        for t in table.locks:
+            for i, p in enumerate(t.points):
+                if p.role != role:
+                    continue
+                other = (replace(p, position=p.position.other),) if wrong else ()
+                row = replace(t, points=t.points[:i] + other + t.points[i + 1 :])
+                yield f"{t.section}:{t.number} {p.machine} {p.position}", _relower(layout, table, t.key, row)
+
+    return make
+
+
+def _exclusions(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    for t in table.locks:
+        for i, e in enumerate(t.exclusions):
+            row = replace(t, exclusions=t.exclusions[:i] + t.exclusions[i + 1 :])
+            yield f"{t.section}:{t.number} against {e.section}", _relower(layout, table, t.key, row)
+
+
+def _direction(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A route locks one of its sections for the opposite direction."""
+    back = {(t.section, t.exit, t.entry): t.key for t in table.locks}
+    for r in table.routes:
+        for i, key in enumerate(r.traversals):
+            t = table.lock[key]
+            other = back.get((t.section, t.entry, t.exit))
+            if other is None or (t.section, t.entry) == (t.section, t.exit):
+                continue
+            turned = replace(r, traversals=(*r.traversals[:i], other, *r.traversals[i + 1 :]))
+            routes = tuple(turned if x is r else x for x in table.routes)
+            yield f"{r.id} in {t.section}", lower(layout, replace(table, routes=routes))
+
+
+def _shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    for r in table.routes:
+        if len(r.traversals) > 1:
+            less: RouteRow = replace(
+                r,
+                traversals=r.traversals[:-1],
+                sections=r.sections[:-1],
+                release=r.release[:-1],
+                points=tuple(p for p in r.points if p.section != r.traversals[-1][0]),
+            )
+            yield (
+                f"{r.id} without {r.traversals[-1][0]}",
+                lower(layout, replace(table, routes=tuple(less if x is r else x for x in table.routes))),
+            )
+
+
+KINDS: tuple[Kind, ...] = (
+    Kind("hostile-not-excluded", "a route is granted over a section that another holds", without("G", "section free")),
+    Kind("diamond-not-excluded", "the exclusion over a diamond or foul joint is missing", _exclusions),
+    Kind("two-grants", "a route is granted without having been asked for, beside another", without("G", "requested")),
+    Kind("point-missing", "a point demand of the path is missing", _points("path", False)),
+    Kind("point-wrong", "a point demand of the path is in the wrong position", _points("path", True)),
+    Kind("flank-missing", "a flank demand is missing", _points("flank", False)),
+    Kind("flank-wrong", "a flank demand is in the wrong position", _points("flank", True)),
+    Kind("section-missing", "the last section of a route is left out", _shorter),
+    Kind(
+        "detection-not-required",
+        "proceed without detection of a point",
+        without("CO", "path point detected", "flank point detected"),
+    ),
+    Kind(
+        "lock-without-detection",
+        "locked before the point is detected",
+        without("LK", "path point detected", "flank point detected"),
+    ),
+    Kind("section-not-checked", "proceed without a section clear", without("CO", "section clear")),
+    Kind(
+        "condition-not-checked",
+        "proceed without an external condition or the line beyond",
+        without("CO", "condition", "line beyond clear"),
+    ),
+    Kind("blocked-not-checked", "proceed over a blocked section", without("CO", "not blocked")),
+    Kind("proceed-before-lock", "proceed before the route is locked", without("PR", "locked")),
+    Kind("signal-not-dropped", "proceed stays when a condition is lost", without("PR", "conditions")),
+    Kind("signal-open-behind-train", "the signal is not closed by the train", without("PR", "stays")),
+    Kind("cancel-not-obeyed", "proceed stays after a cancellation", without("PR", "not cancelled", "not cancelling")),
+    Kind("cancel-with-train", "a route is cancelled while a train approaches", without("CD", "no train about to come")),
+    Kind("cancel-occupied", "a route is cancelled with its first section occupied", without("CD", "section clear")),
+    Kind("release-occupied", "a section is released under a train", without("HR", "section clear")),
+    Kind(
+        "release-by-hand-early",
+        "a section is released by hand before a train that may come",
+        without("HR", "no train about to come"),
+    ),
+    Kind("release-out-of-order", "a section is released before the one in rear", without("HR", "rear released")),
+    Kind("withdraw-occupied", "a withdrawn lock goes under a train", without("CA", "section clear")),
+    Kind("withdraw-early", "a withdrawn lock goes before the one in rear", without("CA", "rear released")),
+    Kind("release-one-early", "automatic release before the train has gone on", without("RTI", "went on")),
+    Kind("release-unused", "automatic release without the section having been used", without("RTI", "was used")),
+    Kind("release-under-train", "automatic release of an occupied section", without("RTI", "section clear")),
+    Kind("restart-release-occupied", "an occupied section is released after a restart", without("SR", "section clear")),
+    Kind("restart-unlocked", "a section is not locked at a restart", _not_locked_at_restart),
+    Kind("use-without-rear", "a section counts as used although the rear is clear", without("NU", "rear occupied")),
+    Kind("use-while-stale", "the three-point check goes on after inputs were lost", without("NU", "inputs never lost")),
+    Kind("point-free-while-locked", "a machine may move in a locked section", without("MOV", "point section free")),
+    Kind("point-free-under-train", "a machine may move in an occupied section", without("MOV", "point section clear")),
+    Kind("flank-not-held", "a machine may move although it protects a flank", without("MOV", "flank not held")),
+    Kind(
+        "hand-beside-grant",
+        "a machine is moved by hand in the scan of a grant",
+        without("MAN", "no grant in this scan"),
+    ),
+    Kind("wrong-direction", "a lock stands for the wrong direction of travel", _direction),
+    Kind("lost-input-ignored", "lost inputs do not read as occupied", without("OCC", "inputs lost")),
+    Kind("validity-not-wired", "the health of the inputs is not looked at", _validity_not_wired),
+    Kind("proceed-on-lost-input", "proceed stays when inputs are lost", without("CO", "inputs valid")),
+)
+
+
+def run_mutants(
+    layout: Layout,
+    table: InterlockingTable,
+    sample: int,
+    limits: Limits,
+    report: Callable[[Outcome], None] = lambda outcome: None,
+    only: tuple[str, ...] = (),
+) -> tuple[Outcome, ...]:
+    """Up to `sample` evenly spread mutants of each kind (0: all)."""
+    out = []
+    for kind in KINDS:
+        if only and kind.name not in only:
+            continue
+        mutants = list(kind.make(layout, table))
+        step = max(1, -(-len(mutants) // sample)) if sample else 1
+        for place, controller in mutants[::step]:
+            outcome = judge(layout, kind.name, place, controller, limits)
+            report(outcome)
+            out.append(outcome)
+    return tuple(out)
+
+
+def judge(layout: Layout, kind: str, place: str, controller: Controller, limits: Limits) -> Outcome:
+    """Prove a mutant; when a claim fails, look for the train movement."""
+    system = System(layout, controller)
+    kept, _, _ = inductive(system, limits)
+    wanted = claims(Facts(system))
+    open_, _ = open_claims(system, kept, wanted, limits)
+    at_restart = [n for n in system.symbols.restart.values() if not _initial(controller, n)]
+    failing = [*open_, *(["P-START"] if at_restart else [])]
+    if not failing:
+        return Outcome(kind, place, Fate.REDUNDANT, (), ())
+    run = search(system, [c for cs in open_.values() for c in cs], limits.search_depth, limits.search_s)
+    if run is None:
+        return Outcome(kind, place, Fate.STRICT, tuple(failing), ())
+    order = [run.claim.id, *(f for f in failing if f != run.claim.id)]
+    return Outcome(kind, place, Fate.KILLED, tuple(order), tell(system, run).steps)
+
+
+def _initial(controller: Controller, name: str) -> bool:
+    return next(s.initial for s in controller.state if s.name == name)
