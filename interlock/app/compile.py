@@ -177,7 +177,8 @@ def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
 def _header(layout: Layout, proof: ProofResult) -> list[str]:
     claims = json.dumps(claims_json(proof), sort_keys=True)
     head = [
-        f"Interlocking {layout.name}, made by interlock {__version__}. Standard program, not certified, not an F-program.",
+        f"Interlocking {layout.name}, made by interlock {__version__}. Standard program, not certified.",
+        "Not an F-program.",
         f"layout {layout.digest}",
         f"claims {hashlib.sha256(claims.encode()).hexdigest()}",
     ]
@@ -243,7 +244,7 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
             {"claim": c.id, "place": c.story.place, "steps": list(c.story.steps)} for c in proof.claims if c.story
         ],
     }
-    files = {
+    return {
         "table.json": table_json(table).encode(),
         "table.csv": table_csv(table).encode(),
         "table.xlsx": table_xlsx(layout, table),
@@ -251,7 +252,6 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
         "matrix.csv": matrix_csv(table).encode(),
         "proof.json": (json.dumps(body, indent=1, ensure_ascii=False) + "\n").encode(),
     }
-    return files
 
 
 def finish(checked: Checked, files: dict[str, bytes]) -> dict[str, bytes]:

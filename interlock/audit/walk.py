@@ -6,6 +6,7 @@ allows, whatever position points have, unless the caller freezes them.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
@@ -89,10 +90,11 @@ def trips(layout: Layout, g: Signal) -> list[Trip]:
             exit_ = str(here.node) if ending else str(ahead.id if ahead else "")
             sections = tuple(dict.fromkeys(layout.section_of(m.edge) for m in moves))
             runs = [layout.section_of(m.edge) for m in moves]
-            split = sum(1 for a, b in zip(runs, runs[1:], strict=False) if a != b) + 1 != len(sections)
+            split = sum(1 for a, b in itertools.pairwise(runs) if a != b) + 1 != len(sections)
             wanted: dict[MachineId, Position] = {}
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
-            if not split and not clash:
+            diamonds = [m.node for m in moves[:-1] if m.node in layout.crossing_at]
+            if not split and not clash and len(diamonds) == len(set(diamonds)):
                 found.append(Trip(g.id, exit_, moves, sections, tuple(sorted(wanted.items()))))
             continue
         for m, needs in options:

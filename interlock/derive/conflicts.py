@@ -60,7 +60,7 @@ def classify(
     for t in a.ways:
         for ex in locks[t.key].exclusions:
             for o in b.ways:
-                if o.section == ex.section and (not ex.numbers or o.number in ex.numbers):
+                if o.section == ex.section and (ex.whole or o.number in ex.numbers):
                     kind = HostileClass.CROSSING if ex.because.rule == "R6" else HostileClass.FOUL
                     rule = "R6.4" if kind is HostileClass.CROSSING else "R6.10"
                     return kind, f"{t.section} and {o.section}: {ex.because.text}", rule

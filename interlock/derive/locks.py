@@ -85,24 +85,25 @@ def _row(
             demands.setdefault(machine, PointDemand(machine, position, Role.FLANK, t.section, cell.because))
     exclusions: list[Exclusion] = []
     for cid, arm in t.crossings:
-        across = sorted(k for k, o in used.items() if (cid, 1 - arm) in o.crossings and k[0] != t.section)
-        for section in sorted({s for s, _ in across}):
-            numbers = tuple(n for s, n in across if s == section)
-            exclusions.append(Exclusion(section, numbers, Because("R6", f"the ways cross on the diamond {cid}")))
+        across = layout.section_of(layout.crossing[cid].arms[1 - arm][0])
+        if across != t.section:
+            numbers = tuple(sorted(n for (s, n), o in used.items() if s == across and (cid, 1 - arm) in o.crossings))
+            exclusions.append(Exclusion(across, False, numbers, Because("R6", f"the ways cross on the diamond {cid}")))
     foul_cells: list[FoulCell] = []
     for f in fouls:
+        why = Because("R7", f"the joint {f.section}|{f.neighbour} is foul of point {f.point}")
         if any(p == f.point and x is not f.leg for p, x in t.points):
-            why = Because("R7", f"the joint {f.section}|{f.neighbour} is foul of point {f.point}")
             foul_cells.append(FoulCell(f.neighbour, f.point, why))
-            exclusions.append(Exclusion(f.neighbour, (), why))
-    for key, other in sorted(used.items()):
-        if key[0] == t.section:
-            continue
-        for f in fouls:
-            if f.neighbour == t.section and any(p == f.point and x is not f.leg for p, x in other.points):
-                exclusions.append(
-                    Exclusion(key[0], (key[1],), Because("R7", f"{t.section} is foul of point {f.point}"))
+            exclusions.append(Exclusion(f.neighbour, True, (), why))
+        if f.neighbour == t.section:
+            numbers = tuple(
+                sorted(
+                    n
+                    for (s, n), o in used.items()
+                    if s == f.section and any(p == f.point and x is not f.leg for p, x in o.points)
                 )
+            )
+            exclusions.append(Exclusion(f.section, False, numbers, why))
     return TraversalRow(
         t.section,
         t.number,

@@ -45,6 +45,12 @@ def machine_positions(layout: Layout, ways: tuple[Traversal, ...]) -> dict[Machi
     return found
 
 
+def _crosses_itself(ways: tuple[Traversal, ...]) -> bool:
+    """Whether a path runs over both arms of a diamond."""
+    over = [c for t in ways for c, _ in t.crossings]
+    return len(over) != len(set(over))
+
+
 def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
     """Every route, ordered by signal, then exit, then rank of the alternative."""
     topo = topology(layout)
@@ -53,7 +59,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
         by_exit: dict[tuple[ExitKind, str], list[tuple[Traversal, ...]]] = {}
         dropped = 0
         for kind, name, ways in _search(layout, topo, g):
-            if kind is None or machine_positions(layout, ways) is None:
+            if kind is None or machine_positions(layout, ways) is None or _crosses_itself(ways):
                 dropped += 1
             else:
                 by_exit.setdefault((kind, name), []).append(ways)

@@ -146,7 +146,7 @@ class Symbols:
     approach_of: Mapping[SignalId, SectionId | None]
     routes: tuple[RouteSymbols, ...]
     demands: Mapping[tuple[SectionId, int], tuple[tuple[MachineId, Position], ...]]
-    excluded: Mapping[tuple[SectionId, int], tuple[tuple[SectionId, tuple[int, ...]], ...]]
+    excluded: Mapping[tuple[SectionId, int], tuple[tuple[SectionId, bool, tuple[int, ...]], ...]]
     ends: Mapping[SectionId, tuple[NodeId, ...]]
 
     def signal(self, g: SignalId) -> Expr:

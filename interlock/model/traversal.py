@@ -6,6 +6,7 @@ and the strengthening invariants all speak of traversals; the audit walks the ed
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -139,7 +140,7 @@ class Topology:
         points: list[tuple[PointId, Position]] = []
         crossings: list[tuple[CrossingId, int]] = []
         node = a
-        for here, onward in zip(path, path[1:], strict=False):
+        for here, onward in itertools.pairwise(path):
             node = layout.far(here, node)
             point = layout.point_at.get(node)
             if point is not None:

@@ -39,9 +39,13 @@ def _drive(system: System, sim: Simulator, r: RouteSymbols) -> Witness:
     layout, topo = system.layout, system.topo
     signal = layout.signal[r.entry]
     rear = _rear(layout, topo, signal.node, r.ways[0][0])
-    start = _stand(system, rear, signal.node)
-    if start is None:
+    start = _lying(system, r)
+    standing = _stand(system, rear, signal.node)
+    if standing is None:
         return Witness(r.id, False, 0, f"no train can stand before {r.entry}")
+    if any(start.get(name, value) != value for name, value in standing.items()):
+        return Witness(r.id, False, 0, f"a train before {r.entry} stands on points that the route needs otherwise")
+    start |= standing
     sim.reset(start)
 
     def run(wanted: str, events: tuple[str, ...] = (), inputs: dict[str, int] | None = None, limit: int = 12) -> bool:
@@ -85,6 +89,15 @@ def _drive(system: System, sim: Simulator, r: RouteSymbols) -> Witness:
     if sim.hazards or sim.broken:
         return Witness(r.id, False, sim.count, f"the run meets {', '.join(sim.hazards + sim.broken)}")
     return Witness(r.id, True, sim.count, "set, driven and released")
+
+
+def _lying(system: System, r: RouteSymbols) -> dict[str, int]:
+    """Points as the route needs them, so that none has to move under the waiting train."""
+    state: dict[str, int] = {}
+    for way in r.ways:
+        for m, x in system.symbols.demands[way]:
+            state |= {f"at.{m}.N": int(x is Position.NORMAL), f"at.{m}.R": int(x is Position.REVERSE)}
+    return state
 
 
 def _held(system: System, sim: Simulator, s: SectionId) -> bool:

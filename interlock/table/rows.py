@@ -106,10 +106,12 @@ class FoulCell:
 class Exclusion:
     """A lock that forbids other locks: while held, none of `others` may be held (diamonds, foul joints).
 
-    An empty `numbers` means every lock of that section.
+    `whole` means every lock of that section; otherwise those with the numbers.  A restart lock of the section
+    forbids it in any case, since a train may stand anywhere in it.
     """
 
     section: SectionId
+    whole: bool
     numbers: tuple[int, ...]
     because: Because
 

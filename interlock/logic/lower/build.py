@@ -78,6 +78,6 @@ def _symbols(d: Draft) -> Symbols:
             for r in d.table.routes
         ),
         demands={t.key: tuple((p.machine, p.position) for p in t.points) for t in d.table.locks},
-        excluded={t.key: tuple((e.section, e.numbers) for e in t.exclusions) for t in d.table.locks},
+        excluded={t.key: tuple((e.section, e.whole, e.numbers) for e in t.exclusions) for t in d.table.locks},
         ends=dict(d.topo.ends),
     )

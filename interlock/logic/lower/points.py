@@ -43,9 +43,9 @@ def detection(d: Draft) -> None:
         d.wire(
             f"QA_{n}",
             Join.ANY,
-            tuple(Term(conj((d.detected(m, x), d.command(m, x))), "at rest") for x in Position),
+            tuple(Term(conj((d.detected(m, x), neg(d.command(m, x.other)))), "at rest") for x in Position),
             f"point {m}",
-            f"machine {m} is at rest as commanded",
+            f"machine {m} is at rest, not commanded away",
         )
 
 
@@ -78,6 +78,10 @@ def movable(d: Draft) -> None:
                 (
                     Term(d.command(m, x), "commanded"),
                     Term(var(f"MOV_{n}"), "free to move"),
+                    Term(
+                        conj((d.detected(m, x), *(neg(d.command(m, y)) for y in Position))),
+                        "lies there since the restart",
+                    ),
                 ),
                 f"point {m}",
                 f"machine {m} can be demanded {x}",

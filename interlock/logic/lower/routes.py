@@ -61,10 +61,10 @@ def grants(d: Draft) -> None:
             for ex in d.table.lock[key].exclusions:
                 if ex.section not in d.sections:
                     continue
-                if ex.numbers:
-                    held = disj([*(d.lock(ex.section, n) for n in ex.numbers), var(f"K_{portable(ex.section)}")])
-                else:
+                if ex.whole:
                     held = neg(var(f"FREE_{portable(ex.section)}"))
+                else:
+                    held = disj([*(d.lock(ex.section, n) for n in ex.numbers), var(f"K_{portable(ex.section)}")])
                 terms.append(Term(neg(held), "exclusion", f"{ex.section}: {ex.because.text}"))
         for p in r.points:
             terms.append(

@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
-from interlock.logic.plant import accepted, across, came, lamp, lies, o, rests
-from interlock.model.elements import BoundaryKind, EdgeId, NodeId, Position, SectionId, SignalId
+from interlock.logic.plant import accepted, came, lamp, lies, o, rests
+from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import foul_joints
 from interlock.model.traversal import Traversal
 from interlock.proof.invariants.kinds import Claim, Facts
@@ -28,13 +28,13 @@ CLAIMS: dict[str, str] = {
     "S-DETECTED": "Proceed is shown only when every point of the path is detected in position in that very scan.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
-    "S-CONDITION": "Proceed is shown only when every external condition of the path holds and the line beyond is clear.",
+    "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
-    "S-LOST-INPUT": "When inputs are lost, every signal shows stop in the same scan, and nothing is granted or released.",
+    "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
-    "P-LOCKED": "A point is commanded only when the sections of all its ends were unlocked and are reported clear.",
+    "P-LOCKED": "A point is commanded to move only when the sections of all its ends are unlocked and reported clear.",
     "P-START": "At a restart nothing is commanded, all signals show stop, and every section is locked.",
 }
 
@@ -264,9 +264,17 @@ def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     after = f.system.after
+
+    def stays(m: MachineId, x: Position) -> Expr:
+        """It lies there already and was never commanded elsewhere: nothing will move."""
+        never = conj(neg(var(f.sym.command[m, y])) for y in Position)
+        return conj((var(f.sym.detected[m, x]), after(lies(m, x)), never))
+
     for m, ends in sorted(f.layout.ends_of_machine.items()):
         secs = sorted({f.layout.section_of(p.toe) for p in ends})
-        changes = disj(conj((neg(var(f.sym.command[m, x])), after(var(f.sym.command[m, x])))) for x in Position)
+        changes = disj(
+            conj((neg(var(f.sym.command[m, x])), after(var(f.sym.command[m, x])), neg(stays(m, x)))) for x in Position
+        )
         free = conj(
             [
                 *(neg(f.held(s)) for s in secs),
@@ -275,6 +283,3 @@ def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             ]
         )
         yield "P-LOCKED", m, implies(changes, free)
-
-
-__all__ = ["CLAIMS", "SignalPath", "across", "claims", "signal_paths"]

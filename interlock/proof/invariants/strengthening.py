@@ -92,18 +92,19 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         for m, p in f.sym.demands[s, n]:
             yield f"S-COMMAND:{n}:{m}", implies(x, var(f.sym.command[m, p]))
             yield f"S-LIES:{n}:{m}", implies(conj((x, f.firm(s))), conj((lies(m, p), old_command(m, p))))
-        for other, numbers in f.sym.excluded[s, n]:
-            if numbers:
-                against = disj([f.restart(other), *(f.lock(other, k) for k in numbers)])
-            else:
-                against = f.held(other)
+        for other, whole, numbers in f.sym.excluded[s, n]:
+            against = f.held(other) if whole else disj([f.restart(other), *(f.lock(other, k) for k in numbers)])
             yield f"S-EXCLUDES:{n}:{other}", implies(x, neg(against))
         yield f"S-PASSED-BEEN:{n}", implies(conj((x, f.passed(s))), f.been(s))
     for m, ends in sorted(f.layout.ends_of_machine.items()):
         if any(f.layout.section_of(p.toe) == s for p in ends):
-            rest = disj(conj((lies(m, p), var(f.sym.command[m, p]), old_command(m, p))) for p in Position)
+            rest = disj(
+                conj((lies(m, p), neg(var(f.sym.command[m, p.other])), neg(old_command(m, p.other)))) for p in Position
+            )
             yield f"S-AT-REST:{m}", implies(f.firm(s), rest)
-            quiet = [neg(x) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))]
+            quiet = [
+                implies(x, lies(m, p)) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))
+            ]
             yield f"S-QUIET:{m}", implies(f.restart(s), conj(quiet))
 
 
