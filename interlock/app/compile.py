@@ -93,14 +93,22 @@ def _place(d: Diagnostic, source: Source, path: str) -> Diagnostic:
     """Diagnostics of the derivation point at the element that they speak of."""
     if d.span is not None:
         return d
-    words = d.message.replace(",", " ").replace(":", " ").replace(";", " ").split()
-    for room in ("signals", "points", "routes", "crossings"):
-        for word in words:
-            name = word.split(".")[0]
-            for candidate in (name, name.split("-")[0]):
-                file = source.context.file if source.context else None
-                if file is not None and candidate in getattr(file, room):
-                    return replace(d, span=source.at(room, candidate))
+    if d.code == "IL2008" and source.context is not None:
+        for i, w in enumerate(source.context.file.waive):
+            if f" {w.flank} " in d.message:
+                return replace(d, span=source.context.at("waive", i, "flank"))
+    file = source.context.file if source.context else None
+    if file is None:
+        return replace(d, span=source.at("name"))
+    for word in "".join(c if c not in ",:;()" else " " for c in d.message).split():
+        for name in (word, word.split(".")[0], word.split("-")[0]):
+            for room in ("points", "signals", "routes", "crossings"):
+                if name in getattr(file, room):
+                    return replace(d, span=source.at(room, name))
+            for track, items in file.tracks.items():
+                for i, item in enumerate(items):
+                    if item.split()[0] == name and source.context is not None:
+                        return replace(d, span=source.context.at("tracks", track, i))
     return replace(d, span=source.at("name"))
 
 

@@ -138,18 +138,19 @@ def protect(
 ) -> tuple[tuple[FlankCell, ...], tuple[Requester, ...]]:
     """The flank cells of one way through a section, and the requesters left unprotected.
 
-    The first choice of providers that contradicts neither the way itself nor any route over it wins; a
-    choice that only contradicts routes is the second best (those routes are then reported as impossible).
+    The first choice of providers that contradicts neither the way itself nor any route over it wins; then one that
+    leaves out waived places; then one that only contradicts routes (those are reported as impossible).
     """
     wanted = requesters(layout, t)
     open_: list[Requester] = []
     asked: list[Requester] = []
     for r in wanted:
         (asked if next(options(layout, r), None) is not None else open_).append(r)
-    for others in (routes, ()):
-        chosen = _choose(layout, asked, 0, dict(own), others)
+    unwaived = [r for r in asked if r.waiver is None]
+    for search, others in ((asked, routes), (unwaived, routes), (asked, ())):
+        chosen = _choose(layout, search, 0, dict(own), others)
         if chosen is not None:
-            cells = [_cell(r, providers) for r, providers in zip(asked, chosen, strict=True)]
+            cells = [_cell(r, providers) for r, providers in zip(search, chosen, strict=True)]
             cells += [
                 FlankCell(
                     r.name,
@@ -157,8 +158,8 @@ def protect(
                     (Provider(ProviderKind.WAIVED, r.waiver),),
                     Because("R5", f"the layout waives the protection of {r.name}: {r.waiver}"),
                 )
-                for r in open_
-                if r.waiver is not None
+                for r in wanted
+                if r not in search and r.waiver is not None
             ]
             return tuple(cells), tuple(r for r in open_ if r.waiver is None)
     return (), wanted

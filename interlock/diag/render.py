@@ -26,7 +26,7 @@ def _excerpt(d: Diagnostic, lines: list[str]) -> list[str]:
         return []
     raw = lines[d.span.line - 1]
     start = max(0, d.span.column - 1)
-    shift = max(0, start - _MAX_LINE // 2)
+    shift = max(0, start - _MAX_LINE // 2) if start + d.span.width > _MAX_LINE else 0
     before = _printable(raw[shift:start])
     shown = _printable(raw[shift : shift + _MAX_LINE]).rstrip()
     marked = _printable(raw[start : start + max(1, d.span.width)])

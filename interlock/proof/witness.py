@@ -36,59 +36,88 @@ def witnesses(system: System) -> tuple[Witness, ...]:
 
 
 def _drive(system: System, sim: Simulator, r: RouteSymbols) -> Witness:
+    """First with a train that has stood before the signal since the restart; if that is refused, with a train that
+    came there under another route."""
+    failure = _start(system, sim, r) or _run(system, sim, r)
+    if failure is None:
+        return Witness(r.id, True, sim.count, "set, driven and released")
+    rear = _rear(system.layout, system.topo, system.layout.signal[r.entry].node, r.ways[0][0])
+    for before in system.symbols.routes:
+        if before.ways[-1][0] != rear:
+            continue
+        if (
+            _start(system, sim, before) is None
+            and _run(system, sim, before) is None
+            and _run(system, sim, r, turning=rear) is None
+        ):
+            return Witness(r.id, True, sim.count, f"set, driven and released, coming over {before.id}")
+    return Witness(r.id, False, sim.count, failure)
+
+
+def _start(system: System, sim: Simulator, r: RouteSymbols) -> str | None:
+    """A restart with one train before the signal and every clear section released; says what is impossible."""
+    node = system.layout.signal[r.entry].node
+    state = _lying(system, r)
+    standing = _stand(system, _rear(system.layout, system.topo, node, r.ways[0][0]), node)
+    if standing is None:
+        return f"no train can stand before {r.entry}"
+    if any(state.get(name, value) != value for name, value in standing.items()):
+        return f"a train before {r.entry} stands on points that the route needs otherwise"
+    sim.reset(state | standing)
+    sim.step((), {"REL_ALL": 1})
+    sim.step((), {"REL_ALL": 1})
+    return None
+
+
+def _run(system: System, sim: Simulator, r: RouteSymbols, turning: str = "") -> str | None:
+    """Set the route, drive it with the train before its signal, and wait for the release behind it."""
     layout, topo = system.layout, system.topo
     signal = layout.signal[r.entry]
-    rear = _rear(layout, topo, signal.node, r.ways[0][0])
-    start = _lying(system, r)
-    standing = _stand(system, rear, signal.node)
-    if standing is None:
-        return Witness(r.id, False, 0, f"no train can stand before {r.entry}")
-    if any(start.get(name, value) != value for name, value in standing.items()):
-        return Witness(r.id, False, 0, f"a train before {r.entry} stands on points that the route needs otherwise")
-    start |= standing
-    sim.reset(start)
 
-    def run(wanted: str, events: tuple[str, ...] = (), inputs: dict[str, int] | None = None, limit: int = 12) -> bool:
+    def until(wanted: str, events: tuple[str, ...] = (), request: int = 0, limit: int = 12) -> bool:
         for _ in range(limit):
             moves = [e for e in sim.possible() if e.startswith("arrive.") or _leaves(sim, e)]
-            sim.step((*events, *moves), inputs)
+            sim.step((*events, *moves), {system.symbols.request: request})
             if sim.is_on(wanted):
                 return True
         return False
 
-    sim.step((), {"REL_ALL": 1})
-    sim.step((), {"REL_ALL": 1})
-    if not run(r.active, inputs={system.symbols.request: r.number}, limit=2):
-        return Witness(r.id, False, sim.count, "the request is refused on an empty railway")
-    if not run(r.proceed):
-        return Witness(r.id, False, sim.count, "the signal does not open")
-    if not run(f"go.{r.entry}", (f"accept.{r.entry}",)):
-        return Witness(r.id, False, sim.count, "no train can accept the signal")
-    place: str = rear
-    joint: NodeId = signal.node
+    if turning:
+        turns = [e for e in sim.possible() if e.startswith(f"turn.{turning}.{signal.node}.")]
+        sim.step(turns)
+    if not until(r.active, request=r.number, limit=2):
+        return "the request is refused: " + _not(sim, f"G_R{r.number}")
+    if not until(r.proceed):
+        return "the signal does not open: " + _not(sim, f"LK_R{r.number}")
+    if not until(f"go.{r.entry}", (f"accept.{r.entry}",)):
+        return "no train can accept the signal"
+    place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
     for section, number in r.ways:
-        if not run(f"o.{section}", (f"head.{joint}.{place}",)):
-            return Witness(r.id, False, sim.count, f"the train cannot enter {section}")
+        if not until(f"o.{section}", (f"head.{joint}.{place}",)):
+            return f"the train cannot enter {section}"
         if not _until_off(sim, f"x.{joint}.{place}", f"tail.{joint}.{place}"):
-            return Witness(r.id, False, sim.count, f"the train's tail does not leave {place}")
+            return f"the train's tail does not leave {place}"
         place, joint = section, topo.traversals[section][number - 1].exit
     if joint in layout.boundary_at:
-        if not run(f"x.{joint}.{place}", (f"head.{joint}.{place}",)):
-            return Witness(r.id, False, sim.count, f"the train cannot leave at {joint}")
+        if not until(f"x.{joint}.{place}", (f"head.{joint}.{place}",)):
+            return f"the train cannot leave at {joint}"
         if not _until_off(sim, f"o.{place}", f"tail.{joint}.{place}"):
-            return Witness(r.id, False, sim.count, f"the train's tail does not leave {place}")
+            return f"the train's tail does not leave {place}"
     keep = set() if joint in layout.boundary_at else {place}
-    left: list[SectionId] = []
     for _ in range(MAX_STEPS):
         left = [s for s in topo.sections if s not in keep and _held(system, sim, s)]
         if not left:
             break
         sim.step(())
     else:
-        return Witness(r.id, False, sim.count, f"{', '.join(left)} stay locked behind the train")
+        return f"{', '.join(left)} stay locked behind the train"
     if sim.hazards or sim.broken:
-        return Witness(r.id, False, sim.count, f"the run meets {', '.join(sim.hazards + sim.broken)}")
-    return Witness(r.id, True, sim.count, "set, driven and released")
+        return f"the run meets {', '.join(sim.hazards + sim.broken)}"
+    return None
+
+
+def _not(sim: Simulator, equation: str) -> str:
+    return "; ".join("not " + t for t in sim.missing(equation)) or "a condition came and went"
 
 
 def _lying(system: System, r: RouteSymbols) -> dict[str, int]:

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from interlock.logic.compile import compile_exprs
 from interlock.logic.controller import Controller
+from interlock.logic.expr import Substitution, evaluate
 from interlock.logic.plant import Plant
 
 
@@ -36,6 +37,7 @@ class Simulator:
         self.state |= plant_state
         self.elapsed = {t.name: 0 for t in self.controller.timers}
         self.count = 0
+        self.last: dict[str, int] = {}
         self.hazards: list[str] = []
         self.broken: list[str] = []
 
@@ -69,10 +71,20 @@ class Simulator:
         rules = self._rules(values)
         self.broken += [self.plant.assumptions[int(i)].id for i, ok in rules.items() if not ok]
         self.hazards += [h for h, bad in self._hazards(values).items() if bad]
+        self.last = values
         valid = bool(values[self.controller.symbols.valid])
         self.state = {**self.state, **{k: int(v) for k, v in moved.items()}, **{k: int(v) for k, v in new.items()}}
         for s, name in self.controller.symbols.clear.items():
             self.state[f"img.{s}"] = int(not (valid and values[name]))
+
+    def missing(self, equation: str) -> list[str]:
+        """The terms of an equation that were false in the last scan, in words."""
+        found = next(e for e in self.controller.equations if e.name == equation)
+        sub = Substitution(self.controller.expanded)
+        memo: dict[int, bool] = {}
+        return [
+            t.note or t.kind for t in found.terms if not evaluate(sub(t.expr), lambda n: self.last.get(n, 0), memo)
+        ]
 
     def possible(self) -> list[str]:
         """Events that could happen now."""
