@@ -1,0 +1,102 @@
+"""Reference interpreter, Python runtime and Structured Text give equal outputs on the same inputs."""
+
+from __future__ import annotations
+
+import random
+import types
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from interlock.emit.python.runtime import runtime_py
+from interlock.logic.controller import Controller
+from interlock.logic.eval import Machine
+from interlock.proof.system import System
+from interlock.sim.run import Simulator
+from interlock.st.lower import lower_st
+from interlock.st.meaning import Execution, Numbers
+from interlock.st.parser import parse_unit
+from interlock.st.printer import print_unit
+from tests.layouts import SHIPPED, built
+
+
+class Three:
+    """One controller in its three forms."""
+
+    def __init__(self, controller: Controller) -> None:
+        self.controller = controller
+        self.reference = Machine(controller)
+        module = types.ModuleType("runtime")
+        exec(compile(runtime_py(controller, []), "runtime.py", "exec"), module.__dict__)
+        self.runtime = module.Controller()
+        self.numbers = Numbers()
+        self.text: Execution[int] = Execution(parse_unit(print_unit(lower_st(controller, []))), self.numbers)
+
+    def scan(self, inputs: dict[str, int], dt_ms: int) -> dict[str, bool]:
+        """One scan of each; they must agree."""
+        full = {i.name: inputs.get(i.name, i.restrictive) for i in self.controller.inputs}
+        a = self.reference.scan(inputs, dt_ms)
+        b = self.runtime.scan(inputs, dt_ms)
+        self.numbers.dt_ms = dt_ms
+        c = {k: bool(v) for k, v in self.text.scan(full).items()}
+        assert a == b == c
+        assert {k: bool(v) for k, v in self.runtime.state.items()} == {k: bool(v) for k, v in self.reference.state.items()}
+        return a
+
+
+def random_inputs(controller: Controller, rng: random.Random) -> dict[str, int]:
+    """Inputs that are neither always true nor always false, so that much happens."""
+    bias = {"CLR": 0.9, "VAL": 0.97, "DN_": 0.7, "DR_": 0.3, "BLK": 0.02, "CAN": 0.05, "REL": 0.4}
+    out: dict[str, int] = {}
+    for i in controller.inputs:
+        out[i.name] = rng.randrange(i.size) if i.size else int(rng.random() < bias.get(i.name[:3], 0.5))
+    return out
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+@settings(max_examples=3, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True, database=None)
+@given(seed=st.integers(0, 2**32 - 1))
+def test_random_traces(name: str, seed: int) -> None:
+    _, _, controller = built(name)
+    three, rng = Three(controller), random.Random(seed)
+    for _ in range(25):
+        three.scan(random_inputs(controller, rng), rng.choice([20, 100, 1000, 70_000]))
+
+
+@pytest.mark.parametrize("name", ["mine11", "terminus", "junction"])
+def test_traces_with_trains(name: str) -> None:
+    """Random train movements and requests; the image that the trains make is fed to all three."""
+    layout, _, controller = built(name)
+    sim = Simulator(controller, System(layout, controller).plant)
+    rng = random.Random(11)
+    shown = 0
+    for _ in range(3):
+        three = Three(controller)
+        sim.reset({})
+        for step in range(90):
+            events = [e for e in sim.possible() if rng.random() < 0.6 and not e.startswith("refuse")]
+            inputs = {"REL_ALL": int(step < 3), "REQ": rng.randrange(len(controller.symbols.routes) + 1)}
+            sim.step(events, inputs)
+            seen = {i.name: sim.last[i.name] for i in controller.inputs}
+            outputs = three.scan(seen, sim.dt_ms)
+            shown += sum(v for k, v in outputs.items() if k.startswith("YP_"))
+            assert all(three.reference.state[s.name] == sim.state[s.name] for s in controller.state)
+        assert not sim.hazards
+    assert shown > 20
+
+
+def test_a_missing_or_impossible_input_takes_its_restrictive_value() -> None:
+    _, _, controller = built("fig2_2")
+    three = Three(controller)
+    clear = {"VALID": 1, "CLR_DP": 1, "CLR_SA": 1, "CLR_SB": 1, "CLR_SC": 1, "BLK_DP": 0, "DN_P1": 1}
+    three.scan({**clear, "REL_DP": 1}, 100)
+    three.scan({**clear, "REQ": 1}, 100)
+    for _ in range(3):
+        out = three.scan(clear, 100)
+    assert out["YP_X1"] and not out["YS_X1"]
+    missing = {k: v for k, v in clear.items() if k != "CLR_DP"}
+    out = Three.scan(three, missing, 100)
+    assert not out["YP_X1"] and out["YS_X1"]
+    three.scan({**clear, "REQ": 99}, 100)  # no such route: nothing is granted
+    assert not any(three.reference.state[r.active] for r in controller.symbols.routes if r.number != 1)

@@ -1,0 +1,83 @@
+"""Properties of layouts that grow at random."""
+
+from __future__ import annotations
+
+import pytest
+
+from interlock.audit import audit
+from interlock.audit.recheck import open_flanks
+from interlock.audit.walk import trips
+from interlock.logic.lower import lower
+from interlock.proof.runner import Limits, Verdict, prove
+from interlock.proof.system import System
+from interlock.proof.translation import compare_st
+from interlock.st.lower import lower_st
+from interlock.st.printer import print_unit
+from tests.grow import grow
+from tests.layouts import grown
+
+REFUSABLE = {"IL4001", "IL4002", "IL4003", "IL3006", "IL3008", "IL3015", "IL3019"}
+
+
+@pytest.mark.parametrize("block", range(8))
+def test_derivation_and_audit_agree(block: int) -> None:
+    compared = 0
+    for seed in range(block * 40, block * 40 + 40):
+        made = grown(grow(seed))
+        if made is None:
+            continue
+        layout, table, sink = made
+        errors = {d.code for d in sink.diagnostics if d.severity == "error"}
+        assert errors <= REFUSABLE, (seed, errors)
+        if errors:
+            continue
+        assert audit(layout, table) == (), seed
+        compared += 1
+    assert compared >= 15
+
+
+def test_what_the_derivation_calls_unprotected_the_audit_reaches_however_points_lie() -> None:
+    import itertools
+
+    from interlock.model.elements import Position
+
+    seen = 0
+    for seed in range(400):
+        made = grown(grow(seed))
+        if made is None:
+            continue
+        layout, _, sink = made
+        machines = sorted(layout.ends_of_machine)
+        named = [d.message.split(" from ")[1].split(";")[0] for d in sink.diagnostics if d.code == "IL4001"]
+        if not named or len(machines) > 5 or any(d.code == "IL4002" for d in sink.diagnostics):
+            continue
+        all_trips = [t for g in layout.signals for t in trips(layout, g)]
+        for requester in named:
+            point = requester.split(".")[0]
+            if point not in layout.point:
+                continue
+            leg = "N" if requester.endswith("normal") else "R"
+            for trip in all_trips:
+                if not any(layout.point[point].node == m.node for m in trip.moves[:-1]):  # type: ignore[index]
+                    continue
+                used = dict(trip.positions)
+                if used.get(layout.point[point].machine) == leg:  # type: ignore[index]
+                    continue
+                for choice in itertools.product(Position, repeat=len(machines)):
+                    frozen = {**dict(zip(machines, choice, strict=True)), **used}
+                    assert any(p.name == f"{point}.{leg}" for p in open_flanks(layout, trip, frozen)), (seed, requester)
+                seen += 1
+    assert seen >= 10
+
+
+@pytest.mark.parametrize("seed", [0, 3, 5, 76, 99, 118, 152, 166, 218, 229])
+def test_random_layouts_are_proved_and_their_text_equals_the_controller(seed: int) -> None:
+    made = grown(grow(seed))
+    if made is None or made[2].has_errors:
+        pytest.fail("choose another seed: this one is not valid")
+    layout, table, _ = made
+    controller = lower(layout, table)
+    result = prove(System(layout, controller), Limits(search_s=10))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED}
+    assert result.dropped == ()
+    assert compare_st(controller, print_unit(lower_st(controller, []))).proved

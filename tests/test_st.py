@@ -1,0 +1,135 @@
+"""The emitted Structured Text: subset, sizes, parsers, and the proof that text equals controller can fail."""
+
+from __future__ import annotations
+
+import random
+import re
+
+import pytest
+import tree_sitter
+import tree_sitter_iec61131_3_st
+
+from interlock.proof.translation import compare_st
+from interlock.st.lower import MAX_OPERANDS, lower_st
+from interlock.st.parser import NotInSubset, parse_unit
+from interlock.st.printer import MAX_COLUMNS, comment, print_unit
+from tests.layouts import SHIPPED, built
+
+
+def text_of(name: str) -> str:
+    _, _, controller = built(name)
+    return print_unit(lower_st(controller, ["made for a test"]))
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_text_keeps_to_the_portable_subset(name: str) -> None:
+    text = text_of(name)
+    assert text.endswith("\n") and text.isascii()
+    assert max(map(len, text.splitlines())) <= MAX_COLUMNS
+    code = re.sub(r"\(\*.*?\*\)", "", text, flags=re.S)
+    assert not re.search(r"\b(FOR|WHILE|REPEAT|CASE|EXIT|RETURN|POINTER|REF_TO|VAR_GLOBAL|VAR_EXTERNAL|RETAIN|ARRAY)\b", code)
+    assert "//" not in code and "/*" not in code and ";;" not in code
+    for word in set(re.findall(r"[A-Za-z_]\w*", code)):
+        assert len(word) <= 24 and "__" not in word and not word.endswith("_"), word
+    for block in text.split("END_FUNCTION_BLOCK")[:-1]:
+        inner = block.split("FUNCTION_BLOCK ")[1]
+        rows = inner.count("\n")
+        limit = 500 if re.match(r"\w+_[BS]\d\d\b", inner) else 560
+        assert rows <= limit, (inner.split()[0], rows)
+    for statement in code.split(";"):
+        depth = 0
+        deepest = 0
+        for c in statement:
+            depth += (c == "(") - (c == ")")
+            deepest = max(deepest, depth)
+        assert deepest <= 3
+        if ":=" in statement and "(" not in statement.split(":=")[0]:
+            assert len(re.findall(r"\b(AND|OR)\b", statement)) < MAX_OPERANDS * 4
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_an_independent_parser_accepts_every_text(name: str) -> None:
+    parser = tree_sitter.Parser(tree_sitter.Language(tree_sitter_iec61131_3_st.language()))
+    assert not parser.parse(text_of(name).encode()).root_node.has_error
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_parse_and_print_round_trip(name: str) -> None:
+    text = text_of(name)
+    unit = parse_unit(text)
+    assert unit.blocks == lower_st(built(name)[2], []).blocks
+    assert parse_unit(print_unit(unit)) == unit
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_text_equals_controller(name: str) -> None:
+    _, _, controller = built(name)
+    result = compare_st(controller, text_of(name))
+    assert result.proved and result.compared > 2 * len(controller.state)
+
+
+def _edits(text: str, rng: random.Random) -> tuple[str, str]:
+    """One random edit of the code that is likely to change its meaning."""
+    kind = rng.choice(["and-or", "drop-not", "swap", "drop-line", "initial", "time", "number"])
+    if kind == "and-or":
+        found = list(re.finditer(r"\bAND\b", text))
+        m = rng.choice(found)
+        return kind, text[: m.start()] + "OR" + text[m.end() :]
+    if kind == "drop-not":
+        m = rng.choice(list(re.finditer(r"\bNOT ", text)))
+        return kind, text[: m.start()] + text[m.end() :]
+    if kind == "swap":
+        m = rng.choice(list(re.finditer(r"OCC_(\w+)", text)))
+        other = rng.choice([x for x in set(re.findall(r"OCC_\w+", text)) if x != m.group()] or ["VALID"])
+        return kind, text[: m.start()] + other + text[m.end() :]
+    if kind == "drop-line":
+        m = rng.choice(list(re.finditer(r"\n    AND [^;\n]*(?=\n)", text)))
+        return kind, text[: m.start()] + text[m.end() :]
+    if kind == "initial":
+        m = rng.choice(list(re.finditer(r"  (N_)?([A-Z]_\w+) : BOOL := (TRUE|FALSE);", text)))
+        if m.group(1):
+            return "same", text
+        flipped = m.group().replace("TRUE", "X").replace("FALSE", "TRUE").replace("X", "FALSE")
+        return kind, text[: m.start()] + flipped + text[m.end() :]
+    if kind == "time":
+        return kind, text.replace("T#60s", "T#59s", 1) if "T#60s" in text else text.replace("T#180s", "T#18s", 1)
+    m = rng.choice(list(re.finditer(r"REQ = (\d+)", text)))
+    return kind, text[: m.start()] + f"REQ = {int(m.group(1)) + 1}" + text[m.end() :]
+
+
+def test_edited_text_is_refuted_unless_the_edit_changes_nothing() -> None:
+    """Each edit that the proof accepts must be harmless: the text behaves the same on many random scans."""
+    from interlock.st.meaning import BadText, Execution, Numbers
+    from tests.test_equal import random_inputs
+
+    rng = random.Random(5)
+    _, _, controller = built("fig2_3_split")
+    text = text_of("fig2_3_split")
+    refuted = 0
+    for _ in range(60):
+        kind, edited = _edits(text, rng)
+        result = compare_st(controller, edited)
+        if not result.proved:
+            refuted += 1
+            assert result.differences[0].name and result.differences[0].text
+            continue
+        try:
+            runs = []
+            for t in (text, edited):
+                numbers = Numbers(1000)
+                run: Execution[int] = Execution(parse_unit(t), numbers)
+                trace = random.Random(1)
+                runs.append([run.scan(random_inputs(controller, trace)) for _ in range(60)])
+            assert runs[0] == runs[1], kind
+        except BadText:
+            raise AssertionError(f"a text that cannot run was accepted ({kind})") from None
+    assert refuted >= 40
+
+
+def test_text_outside_the_subset_is_refused() -> None:
+    with pytest.raises(NotInSubset, match="line 3"):
+        parse_unit("FUNCTION_BLOCK A\nVAR X : BOOL; END_VAR\nFOR X := 1 TO 2 DO END_FOR;\nEND_FUNCTION_BLOCK\n")
+
+
+def test_a_comment_cannot_be_ended_by_a_name() -> None:
+    assert comment("a *) b (* c") == "(* a * ) b ( * c *)"
