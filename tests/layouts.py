@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from interlock.app.compile import check_file
-from interlock.diag import Sink
 from interlock.derive import derive
+from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower

@@ -41,7 +41,9 @@ class Three:
         self.numbers.dt_ms = dt_ms
         c = {k: bool(v) for k, v in self.text.scan(full).items()}
         assert a == b == c
-        assert {k: bool(v) for k, v in self.runtime.state.items()} == {k: bool(v) for k, v in self.reference.state.items()}
+        assert {k: bool(v) for k, v in self.runtime.state.items()} == {
+            k: bool(v) for k, v in self.reference.state.items()
+        }
         return a
 
 

@@ -52,7 +52,10 @@ def test_sizes_agree_with_the_drafts(name: str, routes: int, sections: int, poin
     assert checked.layout is not None and checked.table is not None
     layout = checked.layout
     assert (len(checked.table.routes), len(layout.sections), len(layout.points), len(layout.signals)) == (
-        routes, sections, points, signals,
+        routes,
+        sections,
+        points,
+        signals,
     )
 
 

@@ -57,7 +57,14 @@ def test_a_timer_needs_its_input_without_a_break() -> None:
     c = small((eqn("V", var("I")), Timer("T", "V", 300)), ("A",), (eqn("A", var("T")),))
     m = Machine(c)
     assert [m.scan({"I": i}, 100)["Y_A"] for i in (1, 1, 0, 1, 1, 1, 1, 0)] == [
-        False, False, False, False, False, True, True, False,
+        False,
+        False,
+        False,
+        False,
+        False,
+        True,
+        True,
+        False,
     ]
 
 
@@ -80,4 +87,6 @@ def test_a_malformed_controller_cannot_be_built(
 def test_an_output_that_is_not_restrictive_at_a_restart_is_refused() -> None:
     good = small((), ("A",), (eqn("A", var("I")),))
     with pytest.raises(MalformedController, match="not restrictive"):
-        Controller("bad", good.inputs, good.state, (), good.next, (Output("Y", neg(var("A")), False, ""),), good.symbols)
+        Controller(
+            "bad", good.inputs, good.state, (), good.next, (Output("Y", neg(var("A")), False, ""),), good.symbols
+        )

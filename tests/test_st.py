@@ -27,7 +27,9 @@ def test_text_keeps_to_the_portable_subset(name: str) -> None:
     assert text.endswith("\n") and text.isascii()
     assert max(map(len, text.splitlines())) <= MAX_COLUMNS
     code = re.sub(r"\(\*.*?\*\)", "", text, flags=re.S)
-    assert not re.search(r"\b(FOR|WHILE|REPEAT|CASE|EXIT|RETURN|POINTER|REF_TO|VAR_GLOBAL|VAR_EXTERNAL|RETAIN|ARRAY)\b", code)
+    assert not re.search(
+        r"\b(FOR|WHILE|REPEAT|CASE|EXIT|RETURN|POINTER|REF_TO|VAR_GLOBAL|VAR_EXTERNAL|RETAIN|ARRAY)\b", code
+    )
     assert "//" not in code and "/*" not in code and ";;" not in code
     for word in set(re.findall(r"[A-Za-z_]\w*", code)):
         assert len(word) <= 24 and "__" not in word and not word.endswith("_"), word

@@ -60,8 +60,8 @@ class Proved:
     @property
     def unknown(self) -> bool:
         """Something could not be decided, and nothing is refuted."""
-        p = self.proof
-        return p is not None and not self.green and not any(c.verdict is Verdict.REFUTED for c in p.claims)
+        verdicts = {c.verdict for c in self.proof.claims} if self.proof is not None else set()
+        return Verdict.UNKNOWN in verdicts and Verdict.REFUTED not in verdicts
 
 
 def check_file(path: str) -> Checked:

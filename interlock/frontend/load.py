@@ -10,10 +10,17 @@ import os
 from dataclasses import dataclass, replace
 
 from interlock.diag import Sink, Span
+from interlock.diag.suggest import did_you_mean
 from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.names import check_names
-from interlock.frontend.resolve import resolve_conditions, resolve_routes, resolve_signals, resolve_waivers
+from interlock.frontend.resolve import (
+    check_signal_names,
+    resolve_conditions,
+    resolve_routes,
+    resolve_signals,
+    resolve_waivers,
+)
 from interlock.frontend.schema import validate
 from interlock.frontend.wiring import Wirer, Wiring
 from interlock.frontend.yaml_tree import parse
@@ -91,6 +98,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     wiring = Wirer(ctx, principles).run()
     check_names(ctx, {**wiring.sections, **wiring.approaches})
     _check_sections(ctx, wiring)
+    check_signal_names(ctx, wiring)
     conditions = resolve_conditions(ctx, wiring)
     routes = resolve_routes(ctx, wiring)
     waivers = resolve_waivers(ctx)
@@ -128,8 +136,6 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
 def _check_sections(ctx: Context, wiring: Wiring) -> None:
     for name in ctx.file.sections:
         if name not in wiring.sections:
-            from interlock.diag.suggest import did_you_mean
-
             ctx.add(
                 "IL2004",
                 f"there is no section {name}",

@@ -31,25 +31,27 @@ def _edges_at(wiring: Wiring) -> dict[NodeId, list[Edge]]:
     return at
 
 
-def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
-    """Signals at their joints."""
-    at = _edges_at(wiring)
-    special = {p.node for p in wiring.points} | {c.node for c in wiring.crossings}
-    boundaries = {b.node for b in wiring.boundaries}
-    taken: dict[tuple[NodeId, str], str] = {}
-    signals: list[Signal] = []
-    known = [*wiring.sections, *boundaries]
+def check_signal_names(ctx: Context, wiring: Wiring) -> None:
+    """Report signals that name no section; runs even when the graph does not stand yet."""
+    mentioned = {item.split()[0] for items in ctx.file.tracks.values() for item in items if item.strip()}
+    sections = [*wiring.sections, *(m for m in mentioned if m not in wiring.sections)]
+    known = [*sections, *ctx.file.boundaries]
     for name, spec in ctx.file.signals.items():
-        bad = False
-        for key, value, names in (("from", spec.from_, known), ("into", spec.into, list(wiring.sections))):
+        for key, value, names in (("from", spec.from_, known), ("into", spec.into, sections)):
             if value not in names:
                 hint = did_you_mean(value, names)
                 if value in wiring.approaches:
                     hint = "an entry signal stands at the boundary: write the boundary's name after `from`"
                 ctx.add("IL2004", f"signal {name}: there is no section {value}", ctx.at("signals", name, key), hint)
-                bad = True
-        if bad:
-            continue
+
+
+def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
+    """Signals at their joints."""
+    at = _edges_at(wiring)
+    special = {p.node for p in wiring.points} | {c.node for c in wiring.crossings}
+    taken: dict[tuple[NodeId, str], str] = {}
+    signals: list[Signal] = []
+    for name, spec in ctx.file.signals.items():
         places = [
             (node, into)
             for node, edges in sorted(at.items())

@@ -328,7 +328,10 @@ class Wirer:
             wanted.append(
                 (Port("buffer", name), self.ctx.at("buffers", i), "name it at the start or the end of a track")
             )
-        if any(d.code.startswith(("IL2001", "IL2003", "IL2005", "IL3001", "IL3002", "IL3004", "IL3017", "IL1")) for d in self.ctx.sink.diagnostics):
+        if any(
+            d.code.startswith(("IL2001", "IL2003", "IL2005", "IL3001", "IL3002", "IL3004", "IL3017", "IL1"))
+            for d in self.ctx.sink.diagnostics
+        ):
             return  # what is missing may only be misspelt
         for port, span, fix in wanted:
             if port not in self.mate:

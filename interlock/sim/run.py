@@ -82,9 +82,7 @@ class Simulator:
         found = next(e for e in self.controller.equations if e.name == equation)
         sub = Substitution(self.controller.expanded)
         memo: dict[int, bool] = {}
-        return [
-            t.note or t.kind for t in found.terms if not evaluate(sub(t.expr), lambda n: self.last.get(n, 0), memo)
-        ]
+        return [t.note or t.kind for t in found.terms if not evaluate(sub(t.expr), lambda n: self.last.get(n, 0), memo)]
 
     def possible(self) -> list[str]:
         """Events that could happen now."""

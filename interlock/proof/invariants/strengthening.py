@@ -102,9 +102,7 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
                 conj((lies(m, p), neg(var(f.sym.command[m, p.other])), neg(old_command(m, p.other)))) for p in Position
             )
             yield f"S-AT-REST:{m}", implies(f.firm(s), rest)
-            quiet = [
-                implies(x, lies(m, p)) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))
-            ]
+            quiet = [implies(x, lies(m, p)) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))]
             yield f"S-QUIET:{m}", implies(f.restart(s), conj(quiet))
 
 

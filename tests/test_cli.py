@@ -1,0 +1,218 @@
+"""The command line as a user meets it."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from interlock.cli.main import VERBS, cli
+
+
+def run(*args: str) -> Result:
+    return CliRunner().invoke(cli, list(args))
+
+
+def process(*args: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "interlock.cli.main", *args], capture_output=True, text=True, check=False
+    )
+
+
+def test_help_names_every_verb_and_the_first_command() -> None:
+    done = process("--help")
+    assert done.returncode == 0 and "interlock compile layouts/mine11.yaml" in done.stdout
+    for verb in VERBS:
+        assert f"  {verb} " in done.stdout
+
+
+def test_help_loads_neither_solver_nor_schema() -> None:
+    code = "import sys; sys.argv=['interlock','--help']\nfrom interlock.cli.main import main\n"
+    code += "try: main()\nexcept SystemExit: pass\nprint(sorted({'z3','pydantic','lark','rich','networkx'} & set(sys.modules)))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip().endswith("[]")
+
+
+@pytest.mark.parametrize("verb", list(VERBS))
+def test_every_verb_has_help(verb: str) -> None:
+    assert run(verb, "--help").exit_code == 0
+
+
+def test_usage_errors_end_with_2_and_say_what_to_do() -> None:
+    done = process("layouts/mine11.yaml")
+    assert done.returncode == 2 and "interlock compile layouts/mine11.yaml" in done.stderr
+    done = process("chek", "layouts/mine11.yaml")
+    assert done.returncode == 2 and "Did you mean check?" in done.stderr
+    assert process("check").returncode == 2
+
+
+def test_check() -> None:
+    done = run("check", "layouts/mine11.yaml", "layouts/junction.yaml")
+    assert done.exit_code == 0 and "layouts/junction.yaml: no problems, 10 routes" in done.output
+    done = run("check", "tests/diagnostics/IL2004.yaml", "--format", "json")
+    body = json.loads(done.output)
+    assert (
+        done.exit_code == 1
+        and body[0]["diagnostics"][0]["code"] == "IL2004"
+        and body[0]["diagnostics"][0]["line"] == 16
+    )
+
+
+def test_prove_as_json_names_claims_with_verdict_sentence_and_seconds() -> None:
+    done = run("prove", "layouts/fig2_2.yaml", "--format", "json")
+    body = json.loads(done.output)[0]
+    assert done.exit_code == 0 and body["ok"] and body["text_equals_controller"]
+    for claim in body["claims"]:
+        assert {"id", "verdict", "sentence", "seconds", "places"} <= set(claim) and claim["verdict"] == "PROVED"
+
+
+def test_a_refuted_layout_ends_with_1_and_tells_its_story() -> None:
+    done = run("prove", "layouts/refuted/wrong_waiver.yaml")
+    assert done.exit_code == 1
+    assert "Counterexample to T-FLANK:" in done.output and "    1. Restart:" in done.output
+    assert "NOT SAFE" in done.output
+
+
+def test_what_cannot_be_decided_ends_with_3() -> None:
+    done = run("prove", "layouts/refuted/wrong_waiver.yaml", "--search-depth", "1", "--search-seconds", "5")
+    assert done.exit_code == 3 and "COULD NOT BE PROVED" in done.output and "IL5002" in done.output
+
+
+def test_compile_writes_everything_and_check_tells_whether_it_is_current(tmp_path: Path) -> None:
+    args = ("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path))
+    assert run(*args, "--check").exit_code == 1
+    done = run(*args)
+    assert done.exit_code == 0, done.output
+    folder = tmp_path / "fig2_2"
+    names = {str(p.relative_to(folder)) for p in folder.rglob("*") if p.is_file()}
+    assert names == {
+        "manifest.json",
+        "matrix.csv",
+        "proof.json",
+        "runtime.py",
+        "st/iec/fig2_2.st",
+        "table.csv",
+        "table.html",
+        "table.json",
+        "table.xlsx",
+    }
+    assert run(*args, "--check").exit_code == 0
+    (folder / "table.csv").write_text("tampered")
+    done = run(*args, "--check")
+    assert done.exit_code == 1 and "IL5003" in done.output and "table.csv differs" in done.output
+    assert run(*args).exit_code == 0 and run(*args, "--check").exit_code == 0
+    assert [p.name for p in tmp_path.iterdir()] == ["fig2_2"]  # nothing half-written stays behind
+
+
+def test_no_plc_text_without_a_proof_unless_marked(tmp_path: Path) -> None:
+    args = ("compile", "layouts/refuted/wrong_waiver.yaml", "-o", str(tmp_path))
+    done = run(*args)
+    assert done.exit_code == 1 and "IL5006" in done.output
+    folder = tmp_path / "wrong_waiver"
+    assert not list(folder.rglob("*.st")) and not list(folder.rglob("*.py"))
+    assert "NOT PROVED" in (folder / "table.html").read_text("utf-8")
+    assert run(*args, "--unproved").exit_code == 1
+    assert "NOT PROVED" in (folder / "st/iec/wrong_waiver.st").read_text("utf-8").splitlines()[0]
+    assert "NOT PROVED" in (folder / "runtime.py").read_text("utf-8").splitlines()[0]
+
+
+def test_a_folder_that_is_not_ours_is_left_alone(tmp_path: Path) -> None:
+    precious = tmp_path / "fig2_2"
+    precious.mkdir()
+    (precious / "thesis.txt").write_text("years of work")
+    done = run("compile", "layouts/fig2_2.yaml", "-o", str(tmp_path))
+    assert done.exit_code == 1 and "IL5004" in done.output
+    assert [p.name for p in precious.iterdir()] == ["thesis.txt"]
+
+
+def test_several_layouts_on_two_processes(tmp_path: Path) -> None:
+    done = process("compile", "layouts/fig2_2.yaml", "layouts/fig2_3_whole.yaml", "-o", str(tmp_path), "-j", "2")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["fig2_2", "fig2_3_whole"]
+
+
+def test_why_names_rule_and_reason() -> None:
+    done = run("why", "layouts/junction.yaml", "S2J-S6", "flank_points")
+    assert done.exit_code == 0 and "101 N" in done.output and "R5" in done.output
+    done = run("why", "layouts/mine11.yaml", "j1")
+    assert done.exit_code == 0 and "Hostile routes" in done.output
+    done = run("why", "layouts/mine11.yaml", "X1-X33")
+    assert done.exit_code == 1 and "did you mean X1-X3?" in done.output
+    done = run("why", "layouts/mine11.yaml", "j1", "sectoins")
+    assert done.exit_code == 1 and "did you mean sections?" in done.output
+
+
+def test_explain() -> None:
+    assert "anchors" in run("explain", "IL1006").output
+    assert run("explain", "il1006").exit_code == 0
+    done = run("explain", "IL9999")
+    assert done.exit_code == 1
+    assert len(run("explain").output.splitlines()) >= 40
+
+
+def test_schema_is_draft_07_and_accepts_the_shipped_layouts() -> None:
+    schema = json.loads(run("schema").output)
+    assert schema["$schema"].endswith("draft-07/schema#")
+    assert {"tracks", "points", "signals"} <= set(schema["properties"])
+    assert schema["additionalProperties"] is False
+    text = json.dumps(schema)
+    for ref in set(text.split('"$ref": "')[1:]):
+        name = ref.split('"')[0].rsplit("/", 1)[1]
+        assert name in schema["definitions"]
+
+
+def test_an_internal_error_gives_no_traceback(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from interlock.cli import main as module
+
+    def broken(**_: object) -> None:
+        raise ZeroDivisionError("one over nothing")
+
+    monkeypatch.setattr(module, "cli", broken)
+    with pytest.raises(SystemExit) as stop:
+        module.main()
+    assert stop.value.code == 70 and "Traceback" not in capsys.readouterr().err
+
+
+def test_the_same_layout_gives_the_same_bytes() -> None:
+    from interlock.app.compile import build, finish
+
+    a, files_a = build("layouts/fig2_3_split.yaml")
+    build("layouts/fig2_2.yaml")
+    b, files_b = build("layouts/fig2_3_split.yaml")
+    assert finish(a.checked, files_a) == finish(b.checked, files_b)
+
+
+def test_the_workbook_opens_and_holds_the_table() -> None:
+    import io
+
+    import openpyxl
+
+    from interlock.app.compile import build
+
+    _, files = build("layouts/fig2_2.yaml")
+    book = openpyxl.load_workbook(io.BytesIO(files["table.xlsx"]))
+    assert book.sheetnames == ["Table", "Reasons", "Matrices"]
+    assert [c.value for c in book["Table"]["B"]][1:] == ["X1-A", "X1-B", "X2-C", "X3-C"]
+
+
+def test_the_runtime_stands_alone(tmp_path: Path) -> None:
+    from interlock.app.compile import build
+
+    _, files = build("layouts/fig2_2.yaml")
+    (tmp_path / "runtime.py").write_bytes(files["runtime.py"])
+    code = (
+        "import runtime; c = runtime.Controller(); o = c.scan({}, 100); print(o['YS_X1'], o['YP_X1'], c.state['K_DP'])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-I", "-c", f"import sys; sys.path.insert(0, {str(tmp_path)!r}); {code}"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.stdout.split() == ["True", "False", "True"], done.stderr

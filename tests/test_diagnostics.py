@@ -1,0 +1,142 @@
+"""Every code has a page, a trigger and an exact screen; bad input never gives a traceback."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from interlock.app.compile import check_file, explain
+from interlock.diag import Sink
+from interlock.diag.codes import CODES
+from interlock.frontend import load, load_text
+from tests.screens import FOLDER, screen
+
+TRIGGERS = sorted(p.stem for p in FOLDER.glob("*.yaml"))
+# shown elsewhere: files that are no text (below), proof and output (test_cli, test_proof)
+ELSEWHERE = {
+    "IL1001",
+    "IL1002",
+    "IL1003",
+    "IL4006",
+    "IL4007",
+    "IL5001",
+    "IL5002",
+    "IL5003",
+    "IL5004",
+    "IL5005",
+    "IL5006",
+}
+
+
+def test_every_code_is_triggered_somewhere() -> None:
+    assert set(TRIGGERS) | ELSEWHERE == set(CODES)
+    assert len(TRIGGERS) >= 40
+
+
+@pytest.mark.parametrize("code", sorted(CODES))
+def test_every_code_has_a_page(code: str) -> None:
+    page = explain(code)
+    assert page is not None and page.startswith(f"# {code}: {CODES[code][1]}\n")
+    assert "**What to do.**" in page
+
+
+@pytest.mark.parametrize("code", TRIGGERS)
+def test_screen(code: str) -> None:
+    shown = screen(f"{code}.yaml")
+    assert f"[{code}]" in shown
+    assert shown == FOLDER.joinpath(f"{code}.txt").read_text("utf-8")
+
+
+@pytest.mark.parametrize("code", [c for c in TRIGGERS if CODES[c][0] == "error"])
+def test_a_layout_with_an_error_gives_no_plc_text(code: str, tmp_path: Path) -> None:
+    from interlock.app.compile import compile_file
+
+    done = compile_file(str(FOLDER / f"{code}.yaml"), tmp_path)
+    assert not done.green and list(tmp_path.rglob("*.st")) == [] and list(tmp_path.rglob("*.py")) == []
+
+
+def codes_of(path: Path) -> set[str]:
+    return {d.code for d in check_file(str(path)).diagnostics}
+
+
+def test_files_that_are_no_layout(tmp_path: Path) -> None:
+    assert codes_of(tmp_path / "missing.yaml") == {"IL1001"}
+    assert codes_of(tmp_path) == {"IL1001"}
+    (tmp_path / "pdf.yaml").write_bytes(b"%PDF-1.7\n\xff\xfe\x00\x80")
+    assert codes_of(tmp_path / "pdf.yaml") == {"IL1002"}
+    big = tmp_path / "big.yaml"
+    with open(big, "wb") as handle:
+        handle.truncate(50_000_000)
+    assert codes_of(big) == {"IL1003"}
+    big.write_text("a: " + "x" * 3_000_000)
+    assert codes_of(big) == {"IL1009"}
+
+
+def test_a_file_without_permission(tmp_path: Path) -> None:
+    path = tmp_path / "secret.yaml"
+    path.write_text("interlock: 1\n")
+    path.chmod(0)
+    codes = codes_of(path)
+    assert codes == ({"IL1001"} if os.geteuid() else codes)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "\0",
+        "\ufeffinterlock: 1",
+        "&a [*a]",
+        "a: &a {b: *a}",
+        "? [x]\n: y",
+        "- - - -",
+        "interlock: 1\nname: x\ntracks: 5",
+        "interlock: 1\nname: x\ntracks: {t: [[a]]}",
+        "interlock: 1\nname: x\npoints: {P: {}}",
+        "{" * 5000,
+        "a: |\n  \t x",
+        "interlock: 1\nname: x\nsignals: {X: {from: , into: }}",
+        "%YAML 9.9\n---\na",
+        "interlock: !!float 1\nname: x",
+        "interlock: 1\nname: x\ntracks: {t: ['q1 1e400']}",
+        "interlock: 1\nname: x\ntracks: {t: ['q1 nan', 'q1 inf']}",
+        "interlock: 1\nname: x\ntracks: {t: []}\nsignals: {}",
+        "interlock: 1\nname: x\nwaive: [{flank: , reason: }]",
+    ],
+)
+def test_odd_texts_give_diagnostics(text: str) -> None:
+    sink = Sink()
+    layout, _ = load_text("odd.yaml", text, sink)
+    assert layout is None and sink.has_errors
+
+
+def test_every_problem_of_a_phase_is_reported_at_once() -> None:
+    text = Path("layouts/mine11.yaml").read_text("utf-8")
+    text = (
+        text.replace("into: q2}", "into: q99}").replace("into: q5}", "into: q98}").replace("W, q1 400", "W, q1 400, q1")
+    )
+    sink = Sink()
+    load_text("many.yaml", text, sink)
+    assert len([d for d in sink.diagnostics if d.severity == "error"]) >= 3
+
+
+def test_line_ends_and_a_byte_order_mark_do_not_matter(tmp_path: Path) -> None:
+    text = Path("layouts/fig2_2.yaml").read_bytes()
+    path = tmp_path / "dos.yaml"
+    path.write_bytes(b"\xef\xbb\xbf" + text.replace(b"\n", b"\r\n"))
+    a, _ = load(str(path), Sink())
+    b, _ = load("layouts/fig2_2.yaml", Sink())
+    assert a is not None and b is not None and a.digest == b.digest
+
+
+def test_the_digest_ignores_the_order_of_the_source() -> None:
+    lines = Path("layouts/fig2_2.yaml").read_text("utf-8")
+    swapped = lines.replace(
+        "  X1: {from: C, into: DP}\n  X2: {from: A, into: DP}\n",
+        "  X2: {from: A, into: DP}\n  X1: {from: C, into: DP}\n",
+    )
+    assert swapped != lines
+    a, _ = load_text("a", lines, Sink())
+    b, _ = load_text("b", swapped, Sink())
+    assert a is not None and b is not None and a.digest == b.digest

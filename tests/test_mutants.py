@@ -1,0 +1,55 @@
+"""Single weakenings: each kind fails a claim, or is shown redundant by the proof."""
+
+from __future__ import annotations
+
+import pytest
+
+from interlock.proof.mutate import KINDS, Fate, judge, run_mutants
+from interlock.proof.runner import Limits
+from tests.layouts import built
+
+NO_SEARCH = Limits(search_depth=0)
+
+# where the rest of the controller protects without the condition; the long campaign says the same
+REDUNDANT = {
+    "proceed-before-lock": "W is set only by the lock itself",
+    "signal-open-behind-train": "the occupied section closes the signal as well",
+    "lost-input-ignored": "everything else looks at the inputs' health too",
+    "proceed-on-lost-input": "sections read occupied when inputs are lost",
+    "use-without-rear": "a train that is only reported is no danger behind the approach locking delay",
+    "use-while-stale": "stale sections are released by hand",
+    "flank-not-held": "the flank points of the shipped layouts lie in the locked section itself, or a signal protects too",
+}
+FLANK = "../tests/layouts_for_tests/flank_point"
+# the layout on which a kind has mutants
+ON = {
+    "diamond-not-excluded": "junction",
+    "flank-missing": FLANK,
+    "flank-wrong": FLANK,
+    "withdraw-occupied": FLANK,
+}
+
+
+@pytest.mark.parametrize("kind", [k.name for k in KINDS if k.name not in REDUNDANT])
+def test_each_kind_is_killed_somewhere(kind: str) -> None:
+    layout, table, _ = built(ON.get(kind, "fig2_3_split"))
+    outcomes = run_mutants(layout, table, 2, NO_SEARCH, only=(kind,))
+    assert outcomes and any(o.fate is not Fate.REDUNDANT for o in outcomes), outcomes
+
+
+@pytest.mark.parametrize("kind", ["lost-input-ignored", "proceed-on-lost-input", "proceed-before-lock"])
+def test_redundant_kinds_are_shown_redundant(kind: str) -> None:
+    layout, table, _ = built("fig2_2")
+    assert {o.fate for o in run_mutants(layout, table, 1, NO_SEARCH, only=(kind,))} == {Fate.REDUNDANT}
+
+
+def test_a_killed_mutant_has_a_train_movement() -> None:
+    layout, table, _ = built("fig2_2")
+    kind = next(k for k in KINDS if k.name == "release-occupied")
+    place, controller = next(kind.make(layout, table))
+    outcome = judge(layout, kind.name, place, controller, Limits(search_depth=12, search_s=60))
+    assert outcome.fate is Fate.KILLED and len(outcome.story) >= 4
+
+
+def test_at_least_twelve_kinds() -> None:
+    assert len({k.name for k in KINDS}) == len(KINDS) >= 30
