@@ -18,7 +18,7 @@ REDUNDANT = {
     "proceed-on-lost-input": "sections read occupied when inputs are lost",
     "use-without-rear": "a train that is only reported is no danger behind the approach locking delay",
     "use-while-stale": "stale sections are released by hand",
-    "flank-not-held": "the flank points of the shipped layouts lie in the locked section itself, or a signal protects too",
+    "flank-not-held": "the flank points lie in the locked section itself, or a signal protects too",
 }
 FLANK = "../tests/layouts_for_tests/flank_point"
 # the layout on which a kind has mutants
