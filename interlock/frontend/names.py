@@ -1,4 +1,4 @@
-"""Pass 1: names.  No two elements may share a name, not even in another case (PLC text ignores case).
+"""Pass 1: names.  Within a room no two elements may share a name, not even in another case (PLC text ignores case).
 
 Output: diagnostics IL2002, IL2010.
 """
@@ -27,28 +27,38 @@ def _declared(ctx: Context) -> list[tuple[str, str, Span]]:
     return found
 
 
+# names of one room are told apart where the layout refers to them, or in PLC text
+ROOMS: tuple[tuple[str, ...], ...] = (
+    ("section", "boundary"),
+    ("point", "crossing", "boundary", "buffer"),
+    ("signal", "boundary", "buffer"),
+    ("condition",),
+    ("machine",),
+)
+
+
 def check_names(ctx: Context, sections: dict[str, Span]) -> None:
-    """Report names used twice.  A track's name never leaves the layout, so it only needs to differ from what
-    else can be joined: points, crossings, boundaries and buffers."""
+    """Report names used twice within a room.  A track's name never leaves the layout, so it only needs to differ
+    from what else can be joined: points, crossings, boundaries and buffers."""
     elements = [d for d in _declared(ctx) if d[0] != "track"] + [("section", n, s) for n, s in sections.items()]
-    seen: dict[str, tuple[str, str, Span]] = {}
-    for kind, name, span in elements:
-        before = seen.setdefault(name.lower(), (kind, name, span))
-        if before[2] != span:
-            _clash(ctx, (kind, name, span), before)
-    joinable = {n: (k, n, s) for k, n, s in elements if k in ("point", "crossing", "boundary", "buffer")}
-    for name in ctx.file.tracks:
-        if name in joinable:
-            _clash(ctx, ("track", name, ctx.at_key("tracks", name)), joinable[name])
     machines: dict[str, Span] = {}
     for name, p in ctx.file.points.items():
         if p.machine:
             machines.setdefault(p.machine, ctx.at("points", name, "machine"))
-    for name, span in machines.items():
-        if name.lower() in seen and name not in ctx.file.points:
-            _clash(ctx, ("machine", name, span), seen[name.lower()])
+    elements += [("machine", n, s) for n, s in machines.items()]
+    for room in ROOMS:
+        seen: dict[str, tuple[str, str, Span]] = {}
+        for kind, name, span in elements:
+            if kind in room:
+                before = seen.setdefault(name.lower(), (kind, name, span))
+                if before[2] != span:
+                    _clash(ctx, (kind, name, span), before)
+    joinable = {n: (k, n, s) for k, n, s in elements if k in ("point", "crossing", "boundary", "buffer")}
+    for name in ctx.file.tracks:
+        if name in joinable:
+            _clash(ctx, ("track", name, ctx.at_key("tracks", name)), joinable[name])
     written: dict[tuple[str, str], tuple[str, Span]] = {}
-    for kind, name, span in [*elements, *(("point", n, s) for n, s in machines.items())]:
+    for kind, name, span in [(("point" if k == "machine" else k), n, s) for k, n, s in elements]:
         first = written.setdefault((kind, portable(name).lower()), (name, span))
         if first[0].lower() != name.lower():
             ctx.add(

@@ -1,0 +1,77 @@
+"""What the documents say is true of the code."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from interlock.app.compile import check_file
+from interlock.diag import Sink
+from interlock.frontend import load_text
+from interlock.frontend.schema import LayoutFile
+from interlock.logic.plant import ASSUMPTIONS
+from interlock.model.principles import KNOBS, PROFILES
+from interlock.proof.invariants import CLAIMS
+from interlock.proof.runner import prove
+from interlock.proof.system import System
+
+README = Path("README.md").read_text("utf-8")
+
+
+def test_the_readmes_two_commands_are_single_lines() -> None:
+    for name in ("compile", "test"):
+        block = README.split(f"<!-- command: {name} -->\n```sh\n")[1].split("```")[0]
+        assert len(block.strip().splitlines()) == 1
+
+
+def test_the_readmes_layout_is_proved() -> None:
+    from interlock.derive import derive
+    from interlock.logic.lower import lower
+
+    text = README.split("```yaml\n")[1].split("```")[0]
+    sink = Sink()
+    layout, _ = load_text("README.md", text, sink)
+    assert layout is not None, sink.diagnostics
+    assert prove(System(layout, lower(layout, derive(layout, sink)))).proved
+
+
+def test_the_readme_names_every_claim() -> None:
+    for claim in CLAIMS:
+        assert claim in README, claim
+
+
+def test_the_proof_page_gives_every_assumption_in_its_words() -> None:
+    page = Path("interlock/docs/proof.md").read_text("utf-8")
+    for id_, sentence in ASSUMPTIONS.items():
+        assert f"- **{id_}**: {sentence}" in page
+
+
+def test_the_language_page_names_every_key_knob_and_profile() -> None:
+    page = Path("interlock/docs/language.md").read_text("utf-8")
+    for name, field in LayoutFile.model_fields.items():
+        assert f"| `{field.alias or name}` |" in page
+    for word in (*KNOBS, *PROFILES):
+        assert f"`{word}`" in page
+
+
+def test_links_in_the_documents_lead_somewhere() -> None:
+    for page in [Path("README.md"), *Path("interlock/docs").glob("*.md"), *Path("proofs").glob("*.md")]:
+        for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text("utf-8")):
+            assert page.parent.joinpath(target).exists(), f"{page}: {target}"
+
+
+def test_every_shipped_layout_says_where_it_comes_from() -> None:
+    for path in Path("layouts").rglob("*.yaml"):
+        assert path.read_text("utf-8").startswith("# "), path
+        if "rejected" not in path.parts:
+            assert check_file(str(path)).ok, path
+
+
+def test_the_mine_takes_about_forty_lines() -> None:
+    lines = [x for x in Path("layouts/mine11.yaml").read_text("utf-8").splitlines() if x.strip() and x[0] != "#"]
+    assert len(lines) <= 45
+
+
+def test_no_module_is_long() -> None:
+    for path in Path("interlock").rglob("*.py"):
+        assert len(path.read_text("utf-8").splitlines()) <= 560, path
