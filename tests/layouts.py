@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from interlock.app.compile import check_file
+from interlock.app.check import check_file
 from interlock.derive import derive
 from interlock.diag import Sink
 from interlock.frontend import load_text

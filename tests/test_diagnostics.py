@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from interlock.app.compile import check_file, explain
+from interlock.app.check import check_file
+from interlock.app.why import explain
 from interlock.diag import Sink
 from interlock.diag.codes import CODES
 from interlock.frontend import load, load_text

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from interlock.app.compile import check_file
+from interlock.app.check import check_file
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.frontend.schema import LayoutFile

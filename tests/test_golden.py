@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from interlock.app.compile import check_file
+from interlock.app.check import check_file
 from interlock.table.matrix import beyond_matrix, matrix
 from interlock.table.rows import InterlockingTable
 

@@ -146,8 +146,7 @@ def _stops(layout: Layout, node: NodeId, onto: EdgeId, place: Place) -> bool:
     g = signal_facing(layout, node, onto)
     if g is None:
         return False
-    away = signal_distance(layout, place.node, place.edge, g)
-    return away is None or away >= place.clear_of
+    return signal_distance(layout, place.node, place.edge, g, place.clear_of) is None
 
 
 def foul_neighbours(layout: Layout, trip: Trip) -> set[SectionId]:
@@ -165,34 +164,53 @@ def foul_neighbours(layout: Layout, trip: Trip) -> set[SectionId]:
     return out
 
 
+@dataclass(frozen=True)
+class _Ground:
+    """What a route occupies, so that all pairs can be compared."""
+
+    row: RouteRow
+    entry: str
+    sections: frozenset[SectionId]
+    nodes: frozenset[NodeId]
+    foul: frozenset[SectionId]
+    positions: dict[MachineId, Position]
+
+
+def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
+    special = (m.node for m in trip.moves[:-1] if m.node in layout.crossing_at or m.node in layout.point_at)
+    return _Ground(
+        row,
+        trip.entry,
+        frozenset(trip.sections),
+        frozenset(special),
+        frozenset(foul_neighbours(layout, trip)),
+        {p.machine: p.position for p in row.points},
+    )
+
+
 def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
-    rows = [r for r in table.routes if r.id in matched]
-    for i, a in enumerate(rows):
-        for b in rows[i + 1 :]:
-            why = _cannot_both(layout, a, b, matched[a.id], matched[b.id])
-            for x, y in ((a, b), (b, a)):
-                listed = any(h.route == y.id for h in x.hostile)
-                if why and not listed:
-                    yield Finding(x.id, "hostile", f"{y.id} is hostile: {why}")
-                if listed and not why:
-                    yield Finding(x.id, "hostile", f"{y.id} is not hostile")
+    grounds = [_ground(layout, r, matched[r.id]) for r in table.routes if r.id in matched]
+    listed = {(r.id, h.route) for r in table.routes for h in r.hostile}
+    for i, a in enumerate(grounds):
+        for b in grounds[i + 1 :]:
+            why = _cannot_both(a, b)
+            for x, y in ((a.row.id, b.row.id), (b.row.id, a.row.id)):
+                if why and (x, y) not in listed:
+                    yield Finding(x, "hostile", f"{y} is hostile: {why}")
+                if not why and (x, y) in listed:
+                    yield Finding(x, "hostile", f"{y} is not hostile")
 
 
-def _cannot_both(layout: Layout, a: RouteRow, b: RouteRow, ta: Trip, tb: Trip) -> str:
-    if ta.entry == tb.entry:
+def _cannot_both(a: _Ground, b: _Ground) -> str:
+    if a.entry == b.entry:
         return "the same signal"
-    shared = set(ta.sections) & set(tb.sections)
-    if shared:
-        return f"both pass {', '.join(sorted(shared))}"
-    nodes = {m.node for m in ta.moves[:-1]} & {m.node for m in tb.moves[:-1]}
-    if any(n in layout.crossing_at or n in layout.point_at for n in nodes):
-        return f"both pass {', '.join(sorted(nodes))}"
-    want = {p.machine: p.position for p in a.points}
-    for p in b.points:
-        if want.get(p.machine, p.position) is not p.position:
-            return f"machine {p.machine} in two positions"
-    for x, y in ((ta, tb), (tb, ta)):
-        foul = foul_neighbours(layout, x) & set(y.sections)
-        if foul:
-            return f"{', '.join(sorted(foul))} is foul"
-    return ""
+    if not a.sections.isdisjoint(b.sections):
+        return f"both pass {', '.join(sorted(a.sections & b.sections))}"
+    if not a.nodes.isdisjoint(b.nodes):
+        return f"both pass {', '.join(sorted(a.nodes & b.nodes))}"
+    if not a.positions.keys().isdisjoint(b.positions):
+        for m in sorted(a.positions.keys() & b.positions.keys()):
+            if a.positions[m] is not b.positions[m]:
+                return f"machine {m} in two positions"
+    foul = (a.foul & b.sections) | (b.foul & a.sections)
+    return f"{', '.join(sorted(foul))} is foul" if foul else ""

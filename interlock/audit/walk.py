@@ -119,19 +119,16 @@ def distances(layout: Layout, node: NodeId, leg: EdgeId) -> dict[tuple[EdgeId, N
     return out
 
 
-def signal_distance(layout: Layout, node: NodeId, leg: EdgeId, g: Signal) -> float | None:
-    """Shortest metres from a node, out over an edge, through anything, to the place of a signal."""
+def signal_distance(layout: Layout, node: NodeId, leg: EdgeId, g: Signal, limit: float) -> float | None:
+    """Shortest metres from a node, out over an edge, through anything, to a signal; None from the limit on."""
     best: dict[NodeId, float] = {}
     todo: list[tuple[EdgeId, NodeId, float]] = [(leg, node, 0.0)]
     while todo:
-        todo.sort(key=lambda x: -x[2])
         edge, near, gone = todo.pop()
         far = layout.far(edge, near)
         total = gone + layout.edge[edge].length
-        if far in best and best[far] <= total:
+        if total >= limit or best.get(far, limit) <= total:
             continue
         best[far] = total
-        if far == g.node:
-            return total
         todo.extend((e.id, far, total) for e in layout.edges_at[far] if e.id != edge)
-    return None
+    return best.get(g.node)

@@ -15,7 +15,7 @@ from interlock.diag import Diagnostic, Severity
 from interlock.diag import render as renderers
 
 if TYPE_CHECKING:
-    from interlock.app.compile import Proved
+    from interlock.app.prove import Proved
 
 OK, FINDINGS, NOT_PROVED = 0, 1, 3
 

@@ -6,7 +6,7 @@ import sys
 
 import click
 
-from interlock.app.compile import explain
+from interlock.app.why import explain
 from interlock.cli.common import FINDINGS, OK
 from interlock.diag.codes import CODES
 from interlock.diag.suggest import did_you_mean

@@ -6,7 +6,7 @@ import sys
 
 import click
 
-from interlock.app.compile import check_file
+from interlock.app.check import check_file
 from interlock.cli.common import FINDINGS, OK, format_option, put_json, show
 from interlock.proof.mutate import KINDS, Fate, Outcome, run_mutants
 from interlock.proof.runner import Limits

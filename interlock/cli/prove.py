@@ -6,7 +6,8 @@ import sys
 
 import click
 
-from interlock.app.compile import prove_file, run_many
+from interlock.app.compile import run_many
+from interlock.app.prove import prove_file
 from interlock.cli.common import (
     exit_code,
     format_option,

@@ -6,7 +6,7 @@ import sys
 
 import click
 
-from interlock.app.compile import why
+from interlock.app.why import why
 from interlock.cli.common import FINDINGS, OK, format_option, put_json, show
 from interlock.diag import render
 

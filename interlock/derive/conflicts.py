@@ -29,15 +29,31 @@ def derive_hostile(
 ) -> dict[RouteId, tuple[Hostile, ...]]:
     """For every route, its hostile routes in order of number."""
     out: dict[RouteId, list[Hostile]] = {p.id: [] for p in paths}
-    for i, a in enumerate(paths):
-        for b in paths[i + 1 :]:
-            found = classify(a, b, locks, demands)
-            if found is None:
-                continue
-            kind, witness, rule = found
-            for x, y in ((a, b), (b, a)):
-                out[x.id].append(Hostile(y.id, kind, witness, Because(rule, f"{x.id} and {y.id}: {kind}, {witness}")))
-    return {r: tuple(hs) for r, hs in out.items()}
+    for i, j in sorted(_candidates(paths, locks, demands)):
+        a, b = paths[i], paths[j]
+        found = classify(a, b, locks, demands)
+        if found is None:
+            continue
+        kind, witness, rule = found
+        for x, y in ((a, b), (b, a)):
+            out[x.id].append(Hostile(y.id, kind, witness, Because(rule, f"{x.id} and {y.id}: {kind}, {witness}")))
+    number = {p.id: p.number for p in paths}
+    return {r: tuple(sorted(hs, key=lambda h: number[h.route])) for r, hs in out.items()}
+
+
+def _candidates(
+    paths: Sequence[Path],
+    locks: Mapping[TraversalKey, TraversalRow],
+    demands: Mapping[RouteId, Sequence[PointDemand]],
+) -> set[tuple[int, int]]:
+    """Pairs that meet in some resource: without a common one there is no conflict, and most pairs have none."""
+    users: dict[tuple[str, str], list[int]] = {}
+    for i, p in enumerate(paths):
+        uses = {("section", t.section) for t in p.ways} | {("machine", d.machine) for d in demands[p.id]}
+        uses |= {("section", e.section) for t in p.ways for e in locks[t.key].exclusions}
+        for resource in uses:
+            users.setdefault(resource, []).append(i)
+    return {(i, j) for those in users.values() for k, i in enumerate(those) for j in those[k + 1 :]}
 
 
 def _positions(demands: Sequence[PointDemand], roles: tuple[Role, ...]) -> dict[MachineId, Position]:

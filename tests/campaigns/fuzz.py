@@ -22,7 +22,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType
 
-from interlock.app.compile import build, check_file
+from interlock.app.check import check_file
+from interlock.app.compile import build
 from tests.grow import grow
 
 LIMIT_S = 2.0

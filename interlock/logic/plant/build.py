@@ -1,125 +1,25 @@
-"""The physics: what trains, points, detectors and lamps can do.  Built from the layout alone.
-
-The plant is a transition system in the same expression language.  A step of the whole system is:
-    1. the plant moves (any number of trains, points), seeing the outputs of the last scan, or of the scan
-       before, since outputs reach signals and machines up to one scan late;
-    2. inputs are sampled: an input image is any image that the detection assumptions permit;
-    3. the controller scans.
-
-State, by prefix (s a section, j an end of it, g a signal, m a machine):
-    o.s       a train, or part of one, stands in s
-    in.s.j    it came in at end j (after a reversal: it stands as if it had come in there)
-    x.j.s     a train stands across end j, going out of s (head beyond, tail in s)
-    rest.s    it has stood in s since the restart and moves only when a signal calls it
-    go.g      a train has accepted the proceed of g and will pass it
-    at.m.N/R  the machine really lies normal / reverse; neither means it is moving
-    img.s     s was reported occupied in the last scan
-    lamp.g    proceed was shown at g in the scan before the last
-    cmd.m.x   the command of the scan before the last
-No train has an identity, a length or a speed: heads and tails move separately.
-"""
+"""The plant of a layout: points, movements, next states, images, hazards."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
-from interlock.model.elements import BoundaryKind, MachineId, NodeId, Position, SectionId, SignalId
+from interlock.logic.plant.kinds import Assumption, Hazard, Plant, Wiring
+from interlock.logic.plant.words import (
+    OUTSIDE,
+    accepted,
+    across,
+    came,
+    image,
+    lamp,
+    lies,
+    o,
+    old_command,
+    rests,
+)
+from interlock.model.elements import BoundaryKind, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
-
-
-@dataclass(frozen=True)
-class Wiring:
-    """The only way in which the plant sees a controller: names of its signals, commands and inputs."""
-
-    proceed: Mapping[SignalId, Expr]
-    command: Mapping[tuple[MachineId, Position], Expr]
-    valid: str
-    clear: Mapping[SectionId, str]
-    detected: Mapping[tuple[MachineId, Position], str]
-    approach_timer: Mapping[SignalId, str]
-
-
-@dataclass(frozen=True)
-class Assumption:
-    """A named sentence about the world, and what it says of one step."""
-
-    id: str
-    text: str
-    expr: Expr
-
-
-@dataclass(frozen=True)
-class Hazard:
-    """A bad event of one step; `expr` speaks of old state and choices."""
-
-    id: str
-    place: str
-    expr: Expr
-
-
-@dataclass
-class Plant:
-    """State, choices, next-state functions, assumptions and hazards."""
-
-    state: dict[str, str] = field(default_factory=dict)
-    choices: dict[str, str] = field(default_factory=dict)
-    next: dict[str, Expr] = field(default_factory=dict)
-    initial: list[Expr] = field(default_factory=list)
-    assumptions: list[Assumption] = field(default_factory=list)
-    hazards: list[Hazard] = field(default_factory=list)
-    events: dict[str, Expr] = field(default_factory=dict)
-
-
-def o(s: str) -> Expr:
-    """A train stands in a section (or approach section)."""
-    return var(f"o.{s}")
-
-
-def came(s: str, j: str) -> Expr:
-    """The train in s came in at j."""
-    return var(f"in.{s}.{j}")
-
-
-def across(j: str, s: str) -> Expr:
-    """A train stands across j on its way out of s."""
-    return var(f"x.{j}.{s}")
-
-
-def rests(s: str) -> Expr:
-    """The train in s has not been called since the restart."""
-    return var(f"rest.{s}")
-
-
-def accepted(g: str) -> Expr:
-    """A train has accepted the proceed of g."""
-    return var(f"go.{g}")
-
-
-def lies(m: str, x: Position) -> Expr:
-    """The machine really lies so."""
-    return var(f"at.{m}.{x}")
-
-
-def image(s: str) -> Expr:
-    """The section was reported occupied in the last scan."""
-    return var(f"img.{s}")
-
-
-def lamp(g: str) -> Expr:
-    """Proceed was shown in the scan before the last."""
-    return var(f"lamp.{g}")
-
-
-def old_command(m: str, x: Position) -> Expr:
-    """The command of the scan before the last."""
-    return var(f"cmd.{m}.{x}")
-
-
-OUTSIDE = "outside"
 
 
 class PlantBuilder:
@@ -546,27 +446,3 @@ class PlantBuilder:
 def build_plant(layout: Layout, wiring: Wiring, dropped: frozenset[str] = frozenset()) -> Plant:
     """The plant of a layout; `dropped` names assumptions to leave out (to show that they matter)."""
     return PlantBuilder(layout, wiring, dropped).build()
-
-
-ASSUMPTIONS: dict[str, str] = {
-    "A-OBEY": "A train passes a signal only after its driver has accepted a proceed that was shown.",
-    "A-SCAN": "A head leaves a section, and a tail leaves it, only after the occupation that it causes has been "
-    "scanned (or while inputs are lost); a driver accepts a signal only from a scanned section in rear of it.",
-    "A-HEADWAY": "No second train accepts a signal in the very scan in which the tail of the first passes it.",
-    "A-DETECT": "A train that stands in a section before and after a step is reported; one that just came in or "
-    "left may be reported either way (no loss of shunt beyond one scan).",
-    "A-ONE-FALSE": "No two neighbouring sections are falsely reported occupied in the same scan.",
-    "A-CONTACT": "A point is never reported in a position in which it does not lie; a missing report is always "
-    "possible.",
-    "A-POINT": "A point moves only when commanded, at most one scan late.",
-    "A-TIMER": "When the approach locking delay has run out with the signal at stop, the train before it has "
-    "passed it or stands.",
-    "A-RESTART": "At a restart trains stand anywhere, points lie anyhow; a train moves again only when a signal "
-    "calls it (others are moved under local rules before their section is released).",
-    "A-REVERSE": "A train changes direction only at a standstill, wholly within one section, where a signal governs "
-    "its new direction.",
-    "A-LATE-OUTPUT": "Signals and machines follow the outputs of the last scan or of the scan before, not older.",
-    "A-BEYOND": "Beyond a boundary the neighbour protects trains; nothing is proved there.",
-    "A-STANDS": "A vehicle inside the layout that is not on a route stands still; others may roll in only from "
-    "beyond the next stop signal, and a signal at stop stops them.",
-}

@@ -1,0 +1,74 @@
+"""Load, derive and audit a layout file.  No solver is loaded here, so that `check` is quick."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from interlock.diag import Diagnostic, Severity, Sink, Stopped
+from interlock.frontend import Source, load
+from interlock.model.layout import Layout
+from interlock.table.rows import InterlockingTable
+
+
+@dataclass(frozen=True)
+class Checked:
+    """A layout file with its diagnostics; layout and table are None when there are errors."""
+
+    path: str
+    source: Source
+    diagnostics: tuple[Diagnostic, ...]
+    layout: Layout | None = None
+    table: InterlockingTable | None = None
+
+    @property
+    def ok(self) -> bool:
+        """No errors."""
+        return self.layout is not None and not any(d.severity is Severity.ERROR for d in self.diagnostics)
+
+
+def check_file(path: str) -> Checked:
+    """Load and derive; audit the derived table."""
+    from interlock.audit import audit
+    from interlock.derive import derive
+
+    sink = Sink()
+    try:
+        layout, source = load(path, sink)
+        if layout is None:
+            return Checked(path, source, sink.diagnostics)
+        table = derive(layout, sink)
+        if not sink.has_errors:
+            for finding in audit(layout, table):
+                sink.add(
+                    "IL4007",
+                    f"route {finding.route}, {finding.column}: {finding.text}",
+                    None,
+                    "this is a defect of interlock; please report the layout",
+                )
+    except Stopped as stopped:
+        return Checked(path, Source(path, ""), stopped.diagnostics)
+    placed = tuple(_place(d, source, path) for d in sink.diagnostics)
+    return Checked(path, source, placed, layout, table)
+
+
+def _place(d: Diagnostic, source: Source, path: str) -> Diagnostic:
+    """Diagnostics of the derivation point at the element that they speak of."""
+    if d.span is not None:
+        return d
+    if d.code == "IL2008" and source.context is not None:
+        for i, w in enumerate(source.context.file.waive):
+            if f" {w.flank} " in d.message:
+                return replace(d, span=source.context.at("waive", i, "flank"))
+    file = source.context.file if source.context else None
+    if file is None:
+        return replace(d, span=source.at("name"))
+    for word in "".join(c if c not in ",:;()" else " " for c in d.message).split():
+        for name in (word, word.split(".")[0], word.split("-")[0]):
+            for room in ("points", "signals", "routes", "crossings"):
+                if name in getattr(file, room):
+                    return replace(d, span=source.at(room, name))
+            for track, items in file.tracks.items():
+                for i, item in enumerate(items):
+                    if item.split()[0] == name and source.context is not None:
+                        return replace(d, span=source.context.at("tracks", track, i))
+    return replace(d, span=source.at("name"))

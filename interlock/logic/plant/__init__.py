@@ -1,0 +1,54 @@
+"""The physics: what trains, points, detectors and lamps can do.  Built from the layout alone.
+
+The plant is a transition system in the same expression language.  A step of the whole system is:
+    1. the plant moves (any number of trains, points), seeing the outputs of the last scan, or of the scan
+       before, since outputs reach signals and machines up to one scan late;
+    2. inputs are sampled: an input image is any image that the detection assumptions permit;
+    3. the controller scans.
+
+State, by prefix (s a section, j an end of it, g a signal, m a machine):
+    o.s       a train, or part of one, stands in s
+    in.s.j    it came in at end j (after a reversal: it stands as if it had come in there)
+    x.j.s     a train stands across end j, going out of s (head beyond, tail in s)
+    rest.s    it has stood in s since the restart and moves only when a signal calls it
+    go.g      a train has accepted the proceed of g and will pass it
+    at.m.N/R  the machine really lies normal / reverse; neither means it is moving
+    img.s     s was reported occupied in the last scan
+    lamp.g    proceed was shown at g in the scan before the last
+    cmd.m.x   the command of the scan before the last
+No train has an identity, a length or a speed: heads and tails move separately.
+"""
+
+from interlock.logic.plant.build import build_plant
+from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, Wiring
+from interlock.logic.plant.words import (
+    OUTSIDE,
+    accepted,
+    across,
+    came,
+    image,
+    lamp,
+    lies,
+    o,
+    old_command,
+    rests,
+)
+
+__all__ = [
+    "ASSUMPTIONS",
+    "OUTSIDE",
+    "Assumption",
+    "Hazard",
+    "Plant",
+    "Wiring",
+    "accepted",
+    "across",
+    "build_plant",
+    "came",
+    "image",
+    "lamp",
+    "lies",
+    "o",
+    "old_command",
+    "rests",
+]

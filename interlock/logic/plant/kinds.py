@@ -1,0 +1,76 @@
+"""What a plant consists of, and the assumptions about the world in words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from interlock.logic.expr import Expr
+from interlock.model.elements import MachineId, Position, SectionId, SignalId
+
+
+@dataclass(frozen=True)
+class Wiring:
+    """The only way in which the plant sees a controller: names of its signals, commands and inputs."""
+
+    proceed: Mapping[SignalId, Expr]
+    command: Mapping[tuple[MachineId, Position], Expr]
+    valid: str
+    clear: Mapping[SectionId, str]
+    detected: Mapping[tuple[MachineId, Position], str]
+    approach_timer: Mapping[SignalId, str]
+
+
+@dataclass(frozen=True)
+class Assumption:
+    """A named sentence about the world, and what it says of one step."""
+
+    id: str
+    text: str
+    expr: Expr
+
+
+@dataclass(frozen=True)
+class Hazard:
+    """A bad event of one step; `expr` speaks of old state and choices."""
+
+    id: str
+    place: str
+    expr: Expr
+
+
+@dataclass
+class Plant:
+    """State, choices, next-state functions, assumptions and hazards."""
+
+    state: dict[str, str] = field(default_factory=dict)
+    choices: dict[str, str] = field(default_factory=dict)
+    next: dict[str, Expr] = field(default_factory=dict)
+    initial: list[Expr] = field(default_factory=list)
+    assumptions: list[Assumption] = field(default_factory=list)
+    hazards: list[Hazard] = field(default_factory=list)
+    events: dict[str, Expr] = field(default_factory=dict)
+
+
+ASSUMPTIONS: dict[str, str] = {
+    "A-OBEY": "A train passes a signal only after its driver has accepted a proceed that was shown.",
+    "A-SCAN": "A head leaves a section, and a tail leaves it, only after the occupation that it causes has been "
+    "scanned (or while inputs are lost); a driver accepts a signal only from a scanned section in rear of it.",
+    "A-HEADWAY": "No second train accepts a signal in the very scan in which the tail of the first passes it.",
+    "A-DETECT": "A train that stands in a section before and after a step is reported; one that just came in or "
+    "left may be reported either way (no loss of shunt beyond one scan).",
+    "A-ONE-FALSE": "No two neighbouring sections are falsely reported occupied in the same scan.",
+    "A-CONTACT": "A point is never reported in a position in which it does not lie; a missing report is always "
+    "possible.",
+    "A-POINT": "A point moves only when commanded, at most one scan late.",
+    "A-TIMER": "When the approach locking delay has run out with the signal at stop, the train before it has "
+    "passed it or stands.",
+    "A-RESTART": "At a restart trains stand anywhere, points lie anyhow; a train moves again only when a signal "
+    "calls it (others are moved under local rules before their section is released).",
+    "A-REVERSE": "A train changes direction only at a standstill, wholly within one section, where a signal governs "
+    "its new direction.",
+    "A-LATE-OUTPUT": "Signals and machines follow the outputs of the last scan or of the scan before, not older.",
+    "A-BEYOND": "Beyond a boundary the neighbour protects trains; nothing is proved there.",
+    "A-STANDS": "A vehicle inside the layout that is not on a route stands still; others may roll in only from "
+    "beyond the next stop signal, and a signal at stop stops them.",
+}

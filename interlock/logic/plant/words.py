@@ -1,0 +1,53 @@
+"""The plant's state variables by name."""
+
+from __future__ import annotations
+
+from interlock.logic.expr import Expr, var
+from interlock.model.elements import Position
+
+OUTSIDE = "outside"
+
+
+def o(s: str) -> Expr:
+    """A train stands in a section (or approach section)."""
+    return var(f"o.{s}")
+
+
+def came(s: str, j: str) -> Expr:
+    """The train in s came in at j."""
+    return var(f"in.{s}.{j}")
+
+
+def across(j: str, s: str) -> Expr:
+    """A train stands across j on its way out of s."""
+    return var(f"x.{j}.{s}")
+
+
+def rests(s: str) -> Expr:
+    """The train in s has not been called since the restart."""
+    return var(f"rest.{s}")
+
+
+def accepted(g: str) -> Expr:
+    """A train has accepted the proceed of g."""
+    return var(f"go.{g}")
+
+
+def lies(m: str, x: Position) -> Expr:
+    """The machine really lies so."""
+    return var(f"at.{m}.{x}")
+
+
+def image(s: str) -> Expr:
+    """The section was reported occupied in the last scan."""
+    return var(f"img.{s}")
+
+
+def lamp(g: str) -> Expr:
+    """Proceed was shown in the scan before the last."""
+    return var(f"lamp.{g}")
+
+
+def old_command(m: str, x: Position) -> Expr:
+    """The command of the scan before the last."""
+    return var(f"cmd.{m}.{x}")
