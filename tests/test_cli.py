@@ -189,6 +189,18 @@ def test_the_same_layout_gives_the_same_bytes() -> None:
     assert finish(a.checked, files_a) == finish(b.checked, files_b)
 
 
+def test_the_bytes_do_not_depend_on_the_process(tmp_path: Path) -> None:
+    import os
+
+    for seed in ("1", "2"):
+        args = [sys.executable, "-m", "interlock.cli.main", "compile", "layouts/passing_loop.yaml", "-o", str(tmp_path)]
+        check = ["--check"] if seed == "2" else []
+        done = subprocess.run(
+            [*args, *check], env={**os.environ, "PYTHONHASHSEED": seed}, capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stdout
+
+
 def test_the_workbook_opens_and_holds_the_table() -> None:
     import io
 

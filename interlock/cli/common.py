@@ -146,10 +146,12 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
             click.echo(f"  Counterexample to {c.id}:")
             for n, step in enumerate(c.story.steps, 1):
                 click.echo(f"    {n}. {step}")
-    if p.green:
+    if p.unknown:
+        verdict = click.style("COULD NOT BE PROVED", fg="red")
+    elif p.proof.proved and p.text_equal:
         verdict = click.style("PROVED", fg="green")
     else:
-        verdict = click.style("COULD NOT BE PROVED" if p.unknown else "NOT SAFE", fg="red")
+        verdict = click.style("NOT SAFE", fg="red")
     routes = len(p.proof.witnesses)
     click.echo(
         f"{p.checked.path}: {verdict}  {done}/{len(p.proof.claims)} claims, {routes} routes, {ok} driven by a witness, "

@@ -6,6 +6,7 @@ the diagonal of M^T.M counts the routes over a section.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from interlock.model.elements import RouteId, SectionId
@@ -32,14 +33,8 @@ class Matrix:
 
 def _natural(name: str) -> tuple[tuple[int, int, str], ...]:
     """Sort key in which q2 comes before q10."""
-    out: list[tuple[int, int, str]] = []
-    run = ""
-    for c in name + "\0":
-        if run and c.isdigit() != run[-1].isdigit():
-            out.append((0, int(run), "") if run.isdigit() else (1, 0, run))
-            run = ""
-        run += c
-    return tuple(out)
+    parts = re.findall(r"\d+|\D+", name)
+    return tuple((0, int(p), "") if p.isdigit() else (1, 0, p) for p in parts)
 
 
 def matrix(table: InterlockingTable, named_only: bool = False) -> Matrix:

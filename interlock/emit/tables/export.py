@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import zipfile
 from dataclasses import asdict
 from datetime import datetime
 from functools import lru_cache
@@ -100,6 +101,15 @@ def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
                     sheet.write_number(y, x, int(value))
                 else:
                     sheet.write_string(y, x, value)
+    return _stored(out.getvalue())
+
+
+def _stored(data: bytes) -> bytes:
+    """The same archive without compression and with fixed dates: equal bytes whatever zlib the machine has."""
+    out = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(out, "w", zipfile.ZIP_STORED) as new:
+        for item in old.infolist():
+            new.writestr(zipfile.ZipInfo(item.filename, (2000, 1, 1, 0, 0, 0)), old.read(item))
     return out.getvalue()
 
 
