@@ -130,6 +130,13 @@ def test_a_folder_that_is_not_ours_is_left_alone(tmp_path: Path) -> None:
     assert [p.name for p in precious.iterdir()] == ["thesis.txt"]
 
 
+def test_two_layouts_of_one_name_do_not_overwrite_each_other(tmp_path: Path) -> None:
+    twin = tmp_path / "twin.yaml"
+    twin.write_text(Path("layouts/fig2_2.yaml").read_text("utf-8"), encoding="utf-8")
+    done = run("compile", "layouts/fig2_2.yaml", str(twin), "-o", str(tmp_path / "out"))
+    assert done.exit_code == 1 and "IL5004" in done.output and not (tmp_path / "out").exists()
+
+
 def test_several_layouts_on_two_processes(tmp_path: Path) -> None:
     done = process("compile", "layouts/fig2_2.yaml", "layouts/fig2_3_whole.yaml", "-o", str(tmp_path), "-j", "2")
     assert done.returncode == 0, done.stdout + done.stderr

@@ -78,7 +78,7 @@ def test_traces_with_trains(name: str) -> None:
         sim.reset({})
         for step in range(90):
             events = [e for e in sim.possible() if rng.random() < 0.6 and not e.startswith("refuse")]
-            inputs = {"REL_ALL": int(step < 3), "REQ": rng.randrange(len(controller.symbols.routes) + 1)}
+            inputs = {"RELALL": int(step < 3), "REQ": rng.randrange(len(controller.symbols.routes) + 1)}
             sim.step(events, inputs)
             seen = {i.name: sim.last[i.name] for i in controller.inputs}
             outputs = three.scan(seen, sim.dt_ms)

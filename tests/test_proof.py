@@ -48,6 +48,8 @@ def test_a_wrong_waiver_is_refuted_with_a_story() -> None:
         ("A-POINT", "fig2_2", "T-DERAIL"),
         ("A-TIMER", "fig2_2", "T-COLLISION"),
         ("A-RESTART", "fig2_3_split", "T-COLLISION"),
+        ("A-REVERSE", "fig2_3_split", "T-COLLISION"),
+        ("A-LATE-OUTPUT", "fig2_2", "T-POINT-MOVES"),
     ],
 )
 def test_dropping_an_assumption_gives_a_train_movement_to_harm(assumption: str, name: str, claim: str) -> None:

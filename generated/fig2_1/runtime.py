@@ -1,6 +1,6 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 07c6e95d4b6e3863781d3eaaaea2ab1e036842302c39392d70967be6e120cbf4
+# layout 6338276e58ccd917a48db3fbb27b92512b5a4c8b2f008e5f6997a0adf0ea274a
 # claims 1f2f95771be6ffd217eb17fcbface114bbf22980045df22d69bdaea9aca720f8
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -51,7 +51,7 @@ INPUTS = {
     'BLK_H': (1, 2),  # operator: section H is blocked
     'BLK_ap_II': (1, 2),  # operator: section ap_II is blocked
     'BLK_ap_IV': (1, 2),  # operator: section ap_IV is blocked
-    'REL_ALL': (0, 2),  # operator: release all clear sections after a restart
+    'RELALL': (0, 2),  # operator: release all clear sections after a restart
     'DN_PB': (0, 2),  # machine PB detected normal
     'DR_PB': (0, 2),  # machine PB detected reverse
     'MN_PB': (0, 2),  # operator: move machine PB normal
@@ -319,7 +319,7 @@ class Controller:
         BLK_H = read['BLK_H']
         BLK_ap_II = read['BLK_ap_II']
         BLK_ap_IV = read['BLK_ap_IV']
-        REL_ALL = read['REL_ALL']
+        RELALL = read['RELALL']
         DN_PB = read['DN_PB']
         DR_PB = read['DR_PB']
         MN_PB = read['MN_PB']
@@ -596,43 +596,43 @@ class Controller:
         RT_ap_IV = self._timer('RT_ap_IV', RTI_ap_IV, dt_ms)  # ap_IV: release delay (R9)
         CA_A = VALID and (not OCC_A) and (not U_A) and L_A_1 and (not (L_A_1 and L_B_2))  # the lock before A was withdrawn (R8)
         HR_A = VALID and (not OCC_A) and (not (L_A_1 and L_B_2)) and REL_A and (L_A_1 or L_A_2) and ((not L_A_2) or ((not A_R8) and ((not OCC_ap_I) or AT_SI)))  # A released by hand (R8, section fault release)
-        SR_A = VALID and (not OCC_A) and K_A and (REL_A or REL_ALL)  # A released after a restart (R16)
+        SR_A = VALID and (not OCC_A) and K_A and (REL_A or RELALL)  # A released after a restart (R16)
         RLS_A = RT_A or CA_A or CD_SI or HR_A or SR_A  # A is released
         CA_B = VALID and (not OCC_B) and (not U_B) and (L_B_2 or L_B_3) and (not ((L_B_2 or L_B_3) and L_C_2))  # the lock before B was withdrawn (R8)
         HR_B = VALID and (not OCC_B) and (not ((L_B_2 or L_B_3) and L_C_2)) and REL_B and (L_B_1 or L_B_2 or L_B_3) and ((not L_B_1) or ((not A_R10) and ((not OCC_A) or AT_SV)))  # B released by hand (R8, section fault release)
-        SR_B = VALID and (not OCC_B) and K_B and (REL_B or REL_ALL)  # B released after a restart (R16)
+        SR_B = VALID and (not OCC_B) and K_B and (REL_B or RELALL)  # B released after a restart (R16)
         RLS_B = RT_B or CA_B or CD_SV or HR_B or SR_B  # B is released
         CA_C = VALID and (not OCC_C) and (not U_C) and L_C_1 and (not (L_C_1 and L_B_1))  # the lock before C was withdrawn (R8)
         HR_C = VALID and (not OCC_C) and (not (L_C_1 and L_B_1)) and REL_C and (L_C_1 or L_C_2) and ((not L_C_2) or ((not (A_R3 or A_R4)) and ((not OCC_D) or AT_SD)))  # C released by hand (R8, section fault release)
-        SR_C = VALID and (not OCC_C) and K_C and (REL_C or REL_ALL)  # C released after a restart (R16)
+        SR_C = VALID and (not OCC_C) and K_C and (REL_C or RELALL)  # C released after a restart (R16)
         RLS_C = RT_C or CA_C or CD_SD or HR_C or SR_C  # C is released
         CA_D = VALID and (not OCC_D) and (not U_D) and L_D_2 and (not (L_D_2 and L_E_4))  # the lock before D was withdrawn (R8)
         HR_D = VALID and (not OCC_D) and (not (L_D_2 and L_E_4)) and REL_D and (L_D_1 or L_D_2) and ((not L_D_1) or ((not (A_R1 or A_R2)) and ((not OCC_C) or AT_SC)))  # D released by hand (R8, section fault release)
-        SR_D = VALID and (not OCC_D) and K_D and (REL_D or REL_ALL)  # D released after a restart (R16)
+        SR_D = VALID and (not OCC_D) and K_D and (REL_D or RELALL)  # D released after a restart (R16)
         RLS_D = RT_D or CA_D or CD_SC or HR_D or SR_D  # D is released
         CA_E = VALID and (not OCC_E) and (not U_E) and (L_E_1 or L_E_2) and (not ((L_E_1 or L_E_2) and L_D_1))  # the lock before E was withdrawn (R8)
         HR_E = VALID and (not OCC_E) and (not ((L_E_1 or L_E_2) and L_D_1)) and REL_E and (L_E_1 or L_E_2 or L_E_4) and ((not L_E_4) or ((not A_R5) and ((not OCC_H) or AT_SE)))  # E released by hand (R8, section fault release)
-        SR_E = VALID and (not OCC_E) and K_E and (REL_E or REL_ALL)  # E released after a restart (R16)
+        SR_E = VALID and (not OCC_E) and K_E and (REL_E or RELALL)  # E released after a restart (R16)
         RLS_E = RT_E or CA_E or CD_SE or HR_E or SR_E  # E is released
         CA_F = VALID and (not OCC_F) and (not U_F) and L_F_1 and (not (L_F_1 and L_E_1))  # the lock before F was withdrawn (R8)
         HR_F = VALID and (not OCC_F) and (not (L_F_1 and L_E_1)) and REL_F and L_F_1  # F released by hand (R8, section fault release)
-        SR_F = VALID and (not OCC_F) and K_F and (REL_F or REL_ALL)  # F released after a restart (R16)
+        SR_F = VALID and (not OCC_F) and K_F and (REL_F or RELALL)  # F released after a restart (R16)
         RLS_F = RT_F or CA_F or HR_F or SR_F  # F is released
         CA_G = VALID and (not OCC_G) and (not U_G) and L_G_1 and (not (L_G_1 and L_B_3))  # the lock before G was withdrawn (R8)
         HR_G = VALID and (not OCC_G) and (not (L_G_1 and L_B_3)) and REL_G and L_G_1  # G released by hand (R8, section fault release)
-        SR_G = VALID and (not OCC_G) and K_G and (REL_G or REL_ALL)  # G released after a restart (R16)
+        SR_G = VALID and (not OCC_G) and K_G and (REL_G or RELALL)  # G released after a restart (R16)
         RLS_G = RT_G or CA_G or HR_G or SR_G  # G is released
         CA_H = VALID and (not OCC_H) and (not U_H) and L_H_1 and (not (L_H_1 and L_E_2))  # the lock before H was withdrawn (R8)
         HR_H = VALID and (not OCC_H) and (not (L_H_1 and L_E_2)) and REL_H and (L_H_1 or L_H_2) and ((not L_H_2) or ((not A_R9) and ((not OCC_ap_III) or AT_SIII)))  # H released by hand (R8, section fault release)
-        SR_H = VALID and (not OCC_H) and K_H and (REL_H or REL_ALL)  # H released after a restart (R16)
+        SR_H = VALID and (not OCC_H) and K_H and (REL_H or RELALL)  # H released after a restart (R16)
         RLS_H = RT_H or CA_H or CD_SIII or HR_H or SR_H  # H is released
         CA_ap_II = VALID and (not OCC_ap_II) and (not U_ap_II) and False  # the lock before ap_II was withdrawn (R8)
         HR_ap_II = VALID and (not OCC_ap_II) and REL_ap_II and L_ap_II_1 and ((not L_ap_II_1) or ((not A_R6) and ((not OCC_F) or AT_SF)))  # ap_II released by hand (R8, section fault release)
-        SR_ap_II = VALID and (not OCC_ap_II) and K_ap_II and (REL_ap_II or REL_ALL)  # ap_II released after a restart (R16)
+        SR_ap_II = VALID and (not OCC_ap_II) and K_ap_II and (REL_ap_II or RELALL)  # ap_II released after a restart (R16)
         RLS_ap_II = RT_ap_II or CA_ap_II or CD_SF or HR_ap_II or SR_ap_II  # ap_II is released
         CA_ap_IV = VALID and (not OCC_ap_IV) and (not U_ap_IV) and False  # the lock before ap_IV was withdrawn (R8)
         HR_ap_IV = VALID and (not OCC_ap_IV) and REL_ap_IV and L_ap_IV_1 and ((not L_ap_IV_1) or ((not A_R7) and ((not OCC_G) or AT_SG)))  # ap_IV released by hand (R8, section fault release)
-        SR_ap_IV = VALID and (not OCC_ap_IV) and K_ap_IV and (REL_ap_IV or REL_ALL)  # ap_IV released after a restart (R16)
+        SR_ap_IV = VALID and (not OCC_ap_IV) and K_ap_IV and (REL_ap_IV or RELALL)  # ap_IV released after a restart (R16)
         RLS_ap_IV = RT_ap_IV or CA_ap_IV or CD_SG or HR_ap_IV or SR_ap_IV  # ap_IV is released
         GPN_PB = (G_R3 or G_R10)  # a grant needs PB N
         MAN_PB = MN_PB and (not MR_PB) and MOV_PB and (not (G_R3 or G_R4 or G_R10))  # machine PB moved N by hand

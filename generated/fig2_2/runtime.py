@@ -1,6 +1,6 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 76be475becfed4fc90ac8ca37a7fb5c0482efd28accea6b7f8a2a307594fc397
+# layout 5d314238180a2b7c01997ed58340fccd126c934d232090d6893dee545dbd65f0
 # claims 67424691c62ccc3746ea07d149b8895ccecc1a2b5519014c7b82256abe1c79fc
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -20,7 +20,7 @@ INPUTS = {
     'CLR_SC': (0, 2),  # section SC reported clear
     'REL_DP': (0, 2),  # operator: release section DP (hold until released)
     'BLK_DP': (1, 2),  # operator: section DP is blocked
-    'REL_ALL': (0, 2),  # operator: release all clear sections after a restart
+    'RELALL': (0, 2),  # operator: release all clear sections after a restart
     'DN_P1': (0, 2),  # machine P1 detected normal
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
@@ -119,7 +119,7 @@ class Controller:
         CLR_SC = read['CLR_SC']
         REL_DP = read['REL_DP']
         BLK_DP = read['BLK_DP']
-        REL_ALL = read['REL_ALL']
+        RELALL = read['RELALL']
         DN_P1 = read['DN_P1']
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
@@ -199,7 +199,7 @@ class Controller:
         RT_DP = self._timer('RT_DP', RTI_DP, dt_ms)  # DP: release delay (R9)
         CA_DP = VALID and (not OCC_DP) and (not U_DP) and False  # the lock before DP was withdrawn (R8)
         HR_DP = VALID and (not OCC_DP) and REL_DP and (L_DP_1 or L_DP_2 or L_DP_3 or L_DP_4) and ((not L_DP_1) or ((not A_R3) and ((not OCC_SA) or AT_X2))) and ((not L_DP_2) or ((not A_R4) and ((not OCC_SB) or AT_X3))) and ((not (L_DP_3 or L_DP_4)) or ((not (A_R1 or A_R2)) and ((not OCC_SC) or AT_X1)))  # DP released by hand (R8, section fault release)
-        SR_DP = VALID and (not OCC_DP) and K_DP and (REL_DP or REL_ALL)  # DP released after a restart (R16)
+        SR_DP = VALID and (not OCC_DP) and K_DP and (REL_DP or RELALL)  # DP released after a restart (R16)
         RLS_DP = RT_DP or CA_DP or CD_X2 or CD_X3 or CD_X1 or HR_DP or SR_DP  # DP is released
         GPN_P1 = (G_R1 or G_R3)  # a grant needs P1 N
         MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not (G_R1 or G_R2 or G_R3 or G_R4))  # machine P1 moved N by hand

@@ -1,6 +1,6 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 5e837ca3c82dfba8e3e898c097977cb92f8d1e94f8cd89ed183534bf1122348b
+# layout e5a1dae67419b31ea8b1b687b9005341c51874b0f5ccc455282c99b5f06dfa5d
 # claims 7bad1dfee9d63536cb73cf490a219e1f0bd3948c68e626d3af69699f0abdc1be
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -26,7 +26,7 @@ INPUTS = {
     'BLK_III': (1, 2),  # operator: section III is blocked
     'BLK_IV': (1, 2),  # operator: section IV is blocked
     'BLK_SC': (1, 2),  # operator: section SC is blocked
-    'REL_ALL': (0, 2),  # operator: release all clear sections after a restart
+    'RELALL': (0, 2),  # operator: release all clear sections after a restart
     'DN_P1': (0, 2),  # machine P1 detected normal
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
@@ -156,7 +156,7 @@ class Controller:
         BLK_III = read['BLK_III']
         BLK_IV = read['BLK_IV']
         BLK_SC = read['BLK_SC']
-        REL_ALL = read['REL_ALL']
+        RELALL = read['RELALL']
         DN_P1 = read['DN_P1']
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
@@ -271,15 +271,15 @@ class Controller:
         RT_SC = self._timer('RT_SC', RTI_SC, dt_ms)  # SC: release delay (R9)
         CA_III = VALID and (not OCC_III) and (not U_III) and False  # the lock before III was withdrawn (R8)
         HR_III = VALID and (not OCC_III) and REL_III and (L_III_1 or L_III_2 or L_III_3 or L_III_4) and ((not (L_III_1 or L_III_2)) or ((not (A_R1 or A_R2)) and ((not OCC_SB) or AT_X3))) and ((not L_III_3) or ((not A_R3) and ((not OCC_SD) or AT_X4))) and ((not L_III_4) or ((not A_R5) and ((not OCC_IV) or AT_X6)))  # III released by hand (R8, section fault release)
-        SR_III = VALID and (not OCC_III) and K_III and (REL_III or REL_ALL)  # III released after a restart (R16)
+        SR_III = VALID and (not OCC_III) and K_III and (REL_III or RELALL)  # III released after a restart (R16)
         RLS_III = RT_III or CA_III or CD_X3 or CD_X4 or CD_X6 or HR_III or SR_III  # III is released
         CA_IV = VALID and (not OCC_IV) and (not U_IV) and L_IV_1 and (not (L_IV_1 and L_III_2))  # the lock before IV was withdrawn (R8)
         HR_IV = VALID and (not OCC_IV) and (not (L_IV_1 and L_III_2)) and REL_IV and L_IV_1  # IV released by hand (R8, section fault release)
-        SR_IV = VALID and (not OCC_IV) and K_IV and (REL_IV or REL_ALL)  # IV released after a restart (R16)
+        SR_IV = VALID and (not OCC_IV) and K_IV and (REL_IV or RELALL)  # IV released after a restart (R16)
         RLS_IV = RT_IV or CA_IV or HR_IV or SR_IV  # IV is released
         CA_SC = VALID and (not OCC_SC) and (not U_SC) and False  # the lock before SC was withdrawn (R8)
         HR_SC = VALID and (not OCC_SC) and REL_SC and L_SC_2 and ((not L_SC_2) or ((not A_R4) and ((not OCC_IV) or AT_X5)))  # SC released by hand (R8, section fault release)
-        SR_SC = VALID and (not OCC_SC) and K_SC and (REL_SC or REL_ALL)  # SC released after a restart (R16)
+        SR_SC = VALID and (not OCC_SC) and K_SC and (REL_SC or RELALL)  # SC released after a restart (R16)
         RLS_SC = RT_SC or CA_SC or CD_X5 or HR_SC or SR_SC  # SC is released
         GPN_P1 = (G_R2 or G_R5)  # a grant needs P1 N
         MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not (G_R1 or G_R2 or G_R3 or G_R5))  # machine P1 moved N by hand

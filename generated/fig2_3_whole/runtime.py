@@ -1,6 +1,6 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 3d7d68c2736f6933b96c506b9b7b3ce26823c1b303e4ce93125a8ead5eadf92c
+# layout 1c1a9ebfb04ef1b1f9d1aec7c455c6d0c179160880964150a4c65734a856c894
 # claims a05e9e5a7d025401c3fbe6a8a2cf59b156dcf21934af86a8147f00a739b73c57
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -22,7 +22,7 @@ INPUTS = {
     'REL_SC': (0, 2),  # operator: release section SC (hold until released)
     'BLK_III': (1, 2),  # operator: section III is blocked
     'BLK_SC': (1, 2),  # operator: section SC is blocked
-    'REL_ALL': (0, 2),  # operator: release all clear sections after a restart
+    'RELALL': (0, 2),  # operator: release all clear sections after a restart
     'DN_P1': (0, 2),  # machine P1 detected normal
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
@@ -130,7 +130,7 @@ class Controller:
         REL_SC = read['REL_SC']
         BLK_III = read['BLK_III']
         BLK_SC = read['BLK_SC']
-        REL_ALL = read['REL_ALL']
+        RELALL = read['RELALL']
         DN_P1 = read['DN_P1']
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
@@ -219,11 +219,11 @@ class Controller:
         RT_SC = self._timer('RT_SC', RTI_SC, dt_ms)  # SC: release delay (R9)
         CA_III = VALID and (not OCC_III) and (not U_III) and False  # the lock before III was withdrawn (R8)
         HR_III = VALID and (not OCC_III) and REL_III and (L_III_1 or L_III_2 or L_III_3) and ((not (L_III_1 or L_III_2)) or ((not (A_R1 or A_R2)) and ((not OCC_SB) or AT_X3))) and ((not L_III_3) or ((not A_R3) and ((not OCC_SD) or AT_X4)))  # III released by hand (R8, section fault release)
-        SR_III = VALID and (not OCC_III) and K_III and (REL_III or REL_ALL)  # III released after a restart (R16)
+        SR_III = VALID and (not OCC_III) and K_III and (REL_III or RELALL)  # III released after a restart (R16)
         RLS_III = RT_III or CA_III or CD_X3 or CD_X4 or HR_III or SR_III  # III is released
         CA_SC = VALID and (not OCC_SC) and (not U_SC) and False  # the lock before SC was withdrawn (R8)
         HR_SC = VALID and (not OCC_SC) and REL_SC and L_SC_2 and ((not L_SC_2) or ((not A_R4) and ((not OCC_III) or AT_X5)))  # SC released by hand (R8, section fault release)
-        SR_SC = VALID and (not OCC_SC) and K_SC and (REL_SC or REL_ALL)  # SC released after a restart (R16)
+        SR_SC = VALID and (not OCC_SC) and K_SC and (REL_SC or RELALL)  # SC released after a restart (R16)
         RLS_SC = RT_SC or CA_SC or CD_X5 or HR_SC or SR_SC  # SC is released
         GPN_P1 = G_R2  # a grant needs P1 N
         MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not (G_R1 or G_R2 or G_R3))  # machine P1 moved N by hand

@@ -1,6 +1,6 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 4284ff596bf41e0236ca6825d19171d6fa04ba1215c4deddbc4a16848d135b8f
+# layout 6a255df874ebaa202054bb2d40c915e2262f94ce847b74064cb4eeb0399a9d5e
 # claims a5e81a4d254c4900f914730496aeb98dc9fd6c4da932e826e3d627c75e4c4a26
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -57,7 +57,7 @@ INPUTS = {
     'BLK_s7': (1, 2),  # operator: section s7 is blocked
     'BLK_s8_xc3': (1, 2),  # operator: section s8_xc3 is blocked
     'BLK_s9': (1, 2),  # operator: section s9 is blocked
-    'REL_ALL': (0, 2),  # operator: release all clear sections after a restart
+    'RELALL': (0, 2),  # operator: release all clear sections after a restart
     'DN_P1': (0, 2),  # machine P1 detected normal
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
@@ -430,7 +430,7 @@ class Controller:
         BLK_s7 = read['BLK_s7']
         BLK_s8_xc3 = read['BLK_s8_xc3']
         BLK_s9 = read['BLK_s9']
-        REL_ALL = read['REL_ALL']
+        RELALL = read['RELALL']
         DN_P1 = read['DN_P1']
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
@@ -840,47 +840,47 @@ class Controller:
         RT_s9 = self._timer('RT_s9', RTI_s9, dt_ms)  # s9: release delay (R9)
         CA_s10_xc4 = VALID and (not OCC_s10_xc4) and (not U_s10_xc4) and L_s10_xc4_2 and (not (L_s10_xc4_2 and L_s9_3))  # the lock before s10_xc4 was withdrawn (R8)
         HR_s10_xc4 = VALID and (not OCC_s10_xc4) and (not (L_s10_xc4_2 and L_s9_3)) and REL_s10_xc4 and L_s10_xc4_2  # s10_xc4 released by hand (R8, section fault release)
-        SR_s10_xc4 = VALID and (not OCC_s10_xc4) and K_s10_xc4 and (REL_s10_xc4 or REL_ALL)  # s10_xc4 released after a restart (R16)
+        SR_s10_xc4 = VALID and (not OCC_s10_xc4) and K_s10_xc4 and (REL_s10_xc4 or RELALL)  # s10_xc4 released after a restart (R16)
         RLS_s10_xc4 = RT_s10_xc4 or CA_s10_xc4 or HR_s10_xc4 or SR_s10_xc4  # s10_xc4 is released
         CA_s11_xc5 = VALID and (not OCC_s11_xc5) and (not U_s11_xc5) and L_s11_xc5_2 and (not (L_s11_xc5_2 and L_s9_4))  # the lock before s11_xc5 was withdrawn (R8)
         HR_s11_xc5 = VALID and (not OCC_s11_xc5) and (not (L_s11_xc5_2 and L_s9_4)) and REL_s11_xc5 and L_s11_xc5_2  # s11_xc5 released by hand (R8, section fault release)
-        SR_s11_xc5 = VALID and (not OCC_s11_xc5) and K_s11_xc5 and (REL_s11_xc5 or REL_ALL)  # s11_xc5 released after a restart (R16)
+        SR_s11_xc5 = VALID and (not OCC_s11_xc5) and K_s11_xc5 and (REL_s11_xc5 or RELALL)  # s11_xc5 released after a restart (R16)
         RLS_s11_xc5 = RT_s11_xc5 or CA_s11_xc5 or HR_s11_xc5 or SR_s11_xc5  # s11_xc5 is released
         CA_s2 = VALID and (not OCC_s2) and (not U_s2) and False  # the lock before s2 was withdrawn (R8)
         HR_s2 = VALID and (not OCC_s2) and REL_s2 and (L_s2_1 or L_s2_2 or L_s2_3 or L_s2_4) and ((not (L_s2_1 or L_s2_2)) or ((not (A_R1 or A_R2 or A_R3 or A_R4)) and ((not OCC_s1_wait) or AT_XB))) and ((not L_s2_3) or ((not A_R14) and ((not OCC_s2_out) or AT_XO))) and ((not L_s2_4) or ((not A_R15) and ((not OCC_s3) or AT_XT3)))  # s2 released by hand (R8, section fault release)
-        SR_s2 = VALID and (not OCC_s2) and K_s2 and (REL_s2 or REL_ALL)  # s2 released after a restart (R16)
+        SR_s2 = VALID and (not OCC_s2) and K_s2 and (REL_s2 or RELALL)  # s2 released after a restart (R16)
         RLS_s2 = RT_s2 or CA_s2 or CD_XB or CD_XO or CD_XT3 or HR_s2 or SR_s2  # s2 is released
         CA_s2_out = VALID and (not OCC_s2_out) and (not U_s2_out) and L_s2_out_2 and (not (L_s2_out_2 and L_s2_1))  # the lock before s2_out was withdrawn (R8)
         HR_s2_out = VALID and (not OCC_s2_out) and (not (L_s2_out_2 and L_s2_1)) and REL_s2_out and L_s2_out_2  # s2_out released by hand (R8, section fault release)
-        SR_s2_out = VALID and (not OCC_s2_out) and K_s2_out and (REL_s2_out or REL_ALL)  # s2_out released after a restart (R16)
+        SR_s2_out = VALID and (not OCC_s2_out) and K_s2_out and (REL_s2_out or RELALL)  # s2_out released after a restart (R16)
         RLS_s2_out = RT_s2_out or CA_s2_out or HR_s2_out or SR_s2_out  # s2_out is released
         CA_s3 = VALID and (not OCC_s3) and (not U_s3) and (L_s3_1 or L_s3_2 or L_s3_4) and (not ((L_s3_1 or L_s3_2) and L_s2_2)) and (not (L_s3_4 and (L_s6_3 or L_s6_4)))  # the lock before s3 was withdrawn (R8)
         HR_s3 = VALID and (not OCC_s3) and (not ((L_s3_1 or L_s3_2) and L_s2_2)) and (not (L_s3_4 and (L_s6_3 or L_s6_4))) and REL_s3 and (L_s3_1 or L_s3_2 or L_s3_3 or L_s3_4) and ((not L_s3_3) or ((not A_R9) and ((not OCC_s4_xc1) or AT_XL1)))  # s3 released by hand (R8, section fault release)
-        SR_s3 = VALID and (not OCC_s3) and K_s3 and (REL_s3 or REL_ALL)  # s3 released after a restart (R16)
+        SR_s3 = VALID and (not OCC_s3) and K_s3 and (REL_s3 or RELALL)  # s3 released after a restart (R16)
         RLS_s3 = RT_s3 or CA_s3 or CD_XL1 or HR_s3 or SR_s3  # s3 is released
         CA_s4_xc1 = VALID and (not OCC_s4_xc1) and (not U_s4_xc1) and L_s4_xc1_2 and (not (L_s4_xc1_2 and L_s3_1))  # the lock before s4_xc1 was withdrawn (R8)
         HR_s4_xc1 = VALID and (not OCC_s4_xc1) and (not (L_s4_xc1_2 and L_s3_1)) and REL_s4_xc1 and L_s4_xc1_2  # s4_xc1 released by hand (R8, section fault release)
-        SR_s4_xc1 = VALID and (not OCC_s4_xc1) and K_s4_xc1 and (REL_s4_xc1 or REL_ALL)  # s4_xc1 released after a restart (R16)
+        SR_s4_xc1 = VALID and (not OCC_s4_xc1) and K_s4_xc1 and (REL_s4_xc1 or RELALL)  # s4_xc1 released after a restart (R16)
         RLS_s4_xc1 = RT_s4_xc1 or CA_s4_xc1 or HR_s4_xc1 or SR_s4_xc1  # s4_xc1 is released
         CA_s5_xc2 = VALID and (not OCC_s5_xc2) and (not U_s5_xc2) and L_s5_xc2_2 and (not (L_s5_xc2_2 and L_s6_1))  # the lock before s5_xc2 was withdrawn (R8)
         HR_s5_xc2 = VALID and (not OCC_s5_xc2) and (not (L_s5_xc2_2 and L_s6_1)) and REL_s5_xc2 and L_s5_xc2_2  # s5_xc2 released by hand (R8, section fault release)
-        SR_s5_xc2 = VALID and (not OCC_s5_xc2) and K_s5_xc2 and (REL_s5_xc2 or REL_ALL)  # s5_xc2 released after a restart (R16)
+        SR_s5_xc2 = VALID and (not OCC_s5_xc2) and K_s5_xc2 and (REL_s5_xc2 or RELALL)  # s5_xc2 released after a restart (R16)
         RLS_s5_xc2 = RT_s5_xc2 or CA_s5_xc2 or HR_s5_xc2 or SR_s5_xc2  # s5_xc2 is released
         CA_s6 = VALID and (not OCC_s6) and (not U_s6) and (L_s6_1 or L_s6_2) and (not ((L_s6_1 or L_s6_2) and L_s3_2))  # the lock before s6 was withdrawn (R8)
         HR_s6 = VALID and (not OCC_s6) and (not ((L_s6_1 or L_s6_2) and L_s3_2)) and REL_s6 and (L_s6_1 or L_s6_2 or L_s6_3 or L_s6_4) and ((not L_s6_3) or ((not A_R10) and ((not OCC_s5_xc2) or AT_XL2))) and ((not L_s6_4) or ((not A_R16) and ((not OCC_s7) or AT_XT7)))  # s6 released by hand (R8, section fault release)
-        SR_s6 = VALID and (not OCC_s6) and K_s6 and (REL_s6 or REL_ALL)  # s6 released after a restart (R16)
+        SR_s6 = VALID and (not OCC_s6) and K_s6 and (REL_s6 or RELALL)  # s6 released after a restart (R16)
         RLS_s6 = RT_s6 or CA_s6 or CD_XL2 or CD_XT7 or HR_s6 or SR_s6  # s6 is released
         CA_s7 = VALID and (not OCC_s7) and (not U_s7) and False  # the lock before s7 was withdrawn (R8)
         HR_s7 = VALID and (not OCC_s7) and REL_s7 and (L_s7_1 or L_s7_2 or L_s7_3 or L_s7_4) and ((not (L_s7_1 or L_s7_2)) or ((not (A_R5 or A_R6)) and ((not OCC_s6) or AT_XI7))) and ((not L_s7_3) or ((not A_R11) and ((not OCC_s8_xc3) or AT_XL3))) and ((not L_s7_4) or ((not A_R17) and ((not OCC_s9) or AT_XT9)))  # s7 released by hand (R8, section fault release)
-        SR_s7 = VALID and (not OCC_s7) and K_s7 and (REL_s7 or REL_ALL)  # s7 released after a restart (R16)
+        SR_s7 = VALID and (not OCC_s7) and K_s7 and (REL_s7 or RELALL)  # s7 released after a restart (R16)
         RLS_s7 = RT_s7 or CA_s7 or CD_XI7 or CD_XL3 or CD_XT9 or HR_s7 or SR_s7  # s7 is released
         CA_s8_xc3 = VALID and (not OCC_s8_xc3) and (not U_s8_xc3) and L_s8_xc3_2 and (not (L_s8_xc3_2 and L_s7_1))  # the lock before s8_xc3 was withdrawn (R8)
         HR_s8_xc3 = VALID and (not OCC_s8_xc3) and (not (L_s8_xc3_2 and L_s7_1)) and REL_s8_xc3 and L_s8_xc3_2  # s8_xc3 released by hand (R8, section fault release)
-        SR_s8_xc3 = VALID and (not OCC_s8_xc3) and K_s8_xc3 and (REL_s8_xc3 or REL_ALL)  # s8_xc3 released after a restart (R16)
+        SR_s8_xc3 = VALID and (not OCC_s8_xc3) and K_s8_xc3 and (REL_s8_xc3 or RELALL)  # s8_xc3 released after a restart (R16)
         RLS_s8_xc3 = RT_s8_xc3 or CA_s8_xc3 or HR_s8_xc3 or SR_s8_xc3  # s8_xc3 is released
         CA_s9 = VALID and (not OCC_s9) and (not U_s9) and False  # the lock before s9 was withdrawn (R8)
         HR_s9 = VALID and (not OCC_s9) and REL_s9 and (L_s9_1 or L_s9_2 or L_s9_3 or L_s9_4) and ((not L_s9_1) or ((not A_R12) and ((not OCC_s10_xc4) or AT_XL4))) and ((not L_s9_2) or ((not A_R13) and ((not OCC_s11_xc5) or AT_XL5))) and ((not (L_s9_3 or L_s9_4)) or ((not (A_R7 or A_R8)) and ((not OCC_s7) or AT_XI9)))  # s9 released by hand (R8, section fault release)
-        SR_s9 = VALID and (not OCC_s9) and K_s9 and (REL_s9 or REL_ALL)  # s9 released after a restart (R16)
+        SR_s9 = VALID and (not OCC_s9) and K_s9 and (REL_s9 or RELALL)  # s9 released after a restart (R16)
         RLS_s9 = RT_s9 or CA_s9 or CD_XL4 or CD_XL5 or CD_XI9 or HR_s9 or SR_s9  # s9 is released
         GPN_P1 = (G_R3 or G_R4 or G_R10 or G_R16)  # a grant needs P1 N
         MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not (G_R2 or G_R3 or G_R4 or G_R9 or G_R10 or G_R16))  # machine P1 moved N by hand

@@ -1,6 +1,6 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 7b0a13fa4f21343c72e891b5d1786401a6fefd2983ee753b266420ed6a70e60a
+# layout 9470c4e9df26f2b59c1dc4edb858db4cc7445b540cc3c6c179feee89e523772a
 # claims ae82952f07d333fa05c6f6b9ab337f3f262a562c7837a74f2619f703f8271a15
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -46,7 +46,7 @@ INPUTS = {
     'BLK_i2': (1, 2),  # operator: section i2 is blocked
     'BLK_u2': (1, 2),  # operator: section u2 is blocked
     'BLK_u3_stub': (1, 2),  # operator: section u3_stub is blocked
-    'REL_ALL': (0, 2),  # operator: release all clear sections after a restart
+    'RELALL': (0, 2),  # operator: release all clear sections after a restart
     'DN_PD': (0, 2),  # machine PD detected normal
     'DR_PD': (0, 2),  # machine PD detected reverse
     'MN_PD': (0, 2),  # operator: move machine PD normal
@@ -277,7 +277,7 @@ class Controller:
         BLK_i2 = read['BLK_i2']
         BLK_u2 = read['BLK_u2']
         BLK_u3_stub = read['BLK_u3_stub']
-        REL_ALL = read['REL_ALL']
+        RELALL = read['RELALL']
         DN_PD = read['DN_PD']
         DR_PD = read['DR_PD']
         MN_PD = read['MN_PD']
@@ -508,31 +508,31 @@ class Controller:
         RT_u3_stub = self._timer('RT_u3_stub', RTI_u3_stub, dt_ms)  # u3_stub: release delay (R9)
         CA_d1 = VALID and (not OCC_d1) and (not U_d1) and False  # the lock before d1 was withdrawn (R8)
         HR_d1 = VALID and (not OCC_d1) and REL_d1 and (L_d1_1 or L_d1_2 or L_d1_3 or L_d1_4) and ((not L_d1_1) or ((not A_R1) and ((not OCC_d2) or AT_XD2))) and ((not L_d1_2) or ((not A_R2) and ((not OCC_d3) or AT_XD3))) and ((not (L_d1_3 or L_d1_4)) or ((not (A_R4 or A_R5)) and ((not OCC_i2) or AT_XM)))  # d1 released by hand (R8, section fault release)
-        SR_d1 = VALID and (not OCC_d1) and K_d1 and (REL_d1 or REL_ALL)  # d1 released after a restart (R16)
+        SR_d1 = VALID and (not OCC_d1) and K_d1 and (REL_d1 or RELALL)  # d1 released after a restart (R16)
         RLS_d1 = RT_d1 or CA_d1 or CD_XD2 or CD_XD3 or CD_XM or HR_d1 or SR_d1  # d1 is released
         CA_d2 = VALID and (not OCC_d2) and (not U_d2) and L_d2_2 and (not (L_d2_2 and L_d1_3))  # the lock before d2 was withdrawn (R8)
         HR_d2 = VALID and (not OCC_d2) and (not (L_d2_2 and L_d1_3)) and REL_d2 and L_d2_2  # d2 released by hand (R8, section fault release)
-        SR_d2 = VALID and (not OCC_d2) and K_d2 and (REL_d2 or REL_ALL)  # d2 released after a restart (R16)
+        SR_d2 = VALID and (not OCC_d2) and K_d2 and (REL_d2 or RELALL)  # d2 released after a restart (R16)
         RLS_d2 = RT_d2 or CA_d2 or HR_d2 or SR_d2  # d2 is released
         CA_d3 = VALID and (not OCC_d3) and (not U_d3) and L_d3_2 and (not (L_d3_2 and L_d1_4))  # the lock before d3 was withdrawn (R8)
         HR_d3 = VALID and (not OCC_d3) and (not (L_d3_2 and L_d1_4)) and REL_d3 and (L_d3_1 or L_d3_2) and ((not L_d3_1) or ((not A_R3) and ((not OCC_lane) or AT_XL)))  # d3 released by hand (R8, section fault release)
-        SR_d3 = VALID and (not OCC_d3) and K_d3 and (REL_d3 or REL_ALL)  # d3 released after a restart (R16)
+        SR_d3 = VALID and (not OCC_d3) and K_d3 and (REL_d3 or RELALL)  # d3 released after a restart (R16)
         RLS_d3 = RT_d3 or CA_d3 or CD_XL or HR_d3 or SR_d3  # d3 is released
         CA_i1 = VALID and (not OCC_i1) and (not U_i1) and (L_i1_1 or L_i1_2) and (not (L_i1_1 and L_i2_1)) and (not (L_i1_2 and L_u2_1))  # the lock before i1 was withdrawn (R8)
         HR_i1 = VALID and (not OCC_i1) and (not (L_i1_1 and L_i2_1)) and (not (L_i1_2 and L_u2_1)) and REL_i1 and (L_i1_1 or L_i1_2)  # i1 released by hand (R8, section fault release)
-        SR_i1 = VALID and (not OCC_i1) and K_i1 and (REL_i1 or REL_ALL)  # i1 released after a restart (R16)
+        SR_i1 = VALID and (not OCC_i1) and K_i1 and (REL_i1 or RELALL)  # i1 released after a restart (R16)
         RLS_i1 = RT_i1 or CA_i1 or HR_i1 or SR_i1  # i1 is released
         CA_i2 = VALID and (not OCC_i2) and (not U_i2) and (L_i2_1 or L_i2_2) and (not (L_i2_1 and (L_d1_1 or L_d1_2))) and (not (L_i2_2 and L_i1_2))  # the lock before i2 was withdrawn (R8)
         HR_i2 = VALID and (not OCC_i2) and (not (L_i2_1 and (L_d1_1 or L_d1_2))) and (not (L_i2_2 and L_i1_2)) and REL_i2 and (L_i2_1 or L_i2_2)  # i2 released by hand (R8, section fault release)
-        SR_i2 = VALID and (not OCC_i2) and K_i2 and (REL_i2 or REL_ALL)  # i2 released after a restart (R16)
+        SR_i2 = VALID and (not OCC_i2) and K_i2 and (REL_i2 or RELALL)  # i2 released after a restart (R16)
         RLS_i2 = RT_i2 or CA_i2 or HR_i2 or SR_i2  # i2 is released
         CA_u2 = VALID and (not OCC_u2) and (not U_u2) and False  # the lock before u2 was withdrawn (R8)
         HR_u2 = VALID and (not OCC_u2) and REL_u2 and (L_u2_1 or L_u2_2 or L_u2_3 or L_u2_4) and ((not (L_u2_1 or L_u2_2)) or ((not (A_R7 or A_R8)) and ((not OCC_u1) or AT_XU))) and ((not L_u2_3) or ((not A_R6) and ((not OCC_i1) or AT_XN1))) and ((not L_u2_4) or ((not A_R9) and ((not OCC_u3_stub) or AT_XU3)))  # u2 released by hand (R8, section fault release)
-        SR_u2 = VALID and (not OCC_u2) and K_u2 and (REL_u2 or REL_ALL)  # u2 released after a restart (R16)
+        SR_u2 = VALID and (not OCC_u2) and K_u2 and (REL_u2 or RELALL)  # u2 released after a restart (R16)
         RLS_u2 = RT_u2 or CA_u2 or CD_XU or CD_XN1 or CD_XU3 or HR_u2 or SR_u2  # u2 is released
         CA_u3_stub = VALID and (not OCC_u3_stub) and (not U_u3_stub) and L_u3_stub_2 and (not (L_u3_stub_2 and L_u2_2))  # the lock before u3_stub was withdrawn (R8)
         HR_u3_stub = VALID and (not OCC_u3_stub) and (not (L_u3_stub_2 and L_u2_2)) and REL_u3_stub and L_u3_stub_2  # u3_stub released by hand (R8, section fault release)
-        SR_u3_stub = VALID and (not OCC_u3_stub) and K_u3_stub and (REL_u3_stub or REL_ALL)  # u3_stub released after a restart (R16)
+        SR_u3_stub = VALID and (not OCC_u3_stub) and K_u3_stub and (REL_u3_stub or RELALL)  # u3_stub released after a restart (R16)
         RLS_u3_stub = RT_u3_stub or CA_u3_stub or HR_u3_stub or SR_u3_stub  # u3_stub is released
         GPN_PD = (G_R1 or G_R5)  # a grant needs PD N
         MAN_PD = MN_PD and (not MR_PD) and MOV_PD and (not (G_R1 or G_R2 or G_R4 or G_R5))  # machine PD moved N by hand

@@ -1,6 +1,6 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 36428e5fd87903bbfb3b36a9bc504059b54104d04b0f8f8db3504893012e8802
+# layout ffaf03c1750a8fb080247619f8dfb7bb783a75737e2321fa6f782dffe83bcdd5
 # claims 9a7bf00a8419429d13d145043a93b57810d0292e47b52d3103659924762f48a7
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -56,7 +56,7 @@ INPUTS = {
     'BLK_CD': (1, 2),  # operator: section CD is blocked
     'BLK_CE': (1, 2),  # operator: section CE is blocked
     'BLK_DB': (1, 2),  # operator: section DB is blocked
-    'REL_ALL': (0, 2),  # operator: release all clear sections after a restart
+    'RELALL': (0, 2),  # operator: release all clear sections after a restart
     'DN_101': (0, 2),  # machine 101 detected normal
     'DR_101': (0, 2),  # machine 101 detected reverse
     'MN_101': (0, 2),  # operator: move machine 101 normal
@@ -335,7 +335,7 @@ class Controller:
         BLK_CD = read['BLK_CD']
         BLK_CE = read['BLK_CE']
         BLK_DB = read['BLK_DB']
-        REL_ALL = read['REL_ALL']
+        RELALL = read['RELALL']
         DN_101 = read['DN_101']
         DR_101 = read['DR_101']
         MN_101 = read['MN_101']
@@ -618,47 +618,47 @@ class Controller:
         RT_DB = self._timer('RT_DB', RTI_DB, dt_ms)  # DB: release delay (R9)
         CA_AB = VALID and (not OCC_AB) and (not U_AB) and False  # the lock before AB was withdrawn (R8)
         HR_AB = VALID and (not OCC_AB) and REL_AB and L_AB_2 and ((not L_AB_2) or ((not A_R1) and ((not OCC_AA) or AT_S1)))  # AB released by hand (R8, section fault release)
-        SR_AB = VALID and (not OCC_AB) and K_AB and (REL_AB or REL_ALL)  # AB released after a restart (R16)
+        SR_AB = VALID and (not OCC_AB) and K_AB and (REL_AB or RELALL)  # AB released after a restart (R16)
         RLS_AB = RT_AB or CA_AB or CD_S1 or HR_AB or SR_AB  # AB is released
         CA_AC = VALID and (not OCC_AC) and (not U_AC) and False  # the lock before AC was withdrawn (R8)
         HR_AC = VALID and (not OCC_AC) and REL_AC and (L_AC_1 or L_AC_2) and ((not (L_AC_1 or L_AC_2)) or ((not (A_R2 or A_R3)) and ((not OCC_AB) or AT_S1J)))  # AC released by hand (R8, section fault release)
-        SR_AC = VALID and (not OCC_AC) and K_AC and (REL_AC or REL_ALL)  # AC released after a restart (R16)
+        SR_AC = VALID and (not OCC_AC) and K_AC and (REL_AC or RELALL)  # AC released after a restart (R16)
         RLS_AC = RT_AC or CA_AC or CD_S1J or HR_AC or SR_AC  # AC is released
         CA_AD = VALID and (not OCC_AD) and (not U_AD) and L_AD_1 and (not (L_AD_1 and L_AC_1))  # the lock before AD was withdrawn (R8)
         HR_AD = VALID and (not OCC_AD) and (not (L_AD_1 and L_AC_1)) and REL_AD and L_AD_1  # AD released by hand (R8, section fault release)
-        SR_AD = VALID and (not OCC_AD) and K_AD and (REL_AD or REL_ALL)  # AD released after a restart (R16)
+        SR_AD = VALID and (not OCC_AD) and K_AD and (REL_AD or RELALL)  # AD released after a restart (R16)
         RLS_AD = RT_AD or CA_AD or HR_AD or SR_AD  # AD is released
         CA_AE = VALID and (not OCC_AE) and (not U_AE) and False  # the lock before AE was withdrawn (R8)
         HR_AE = VALID and (not OCC_AE) and REL_AE and L_AE_1 and ((not L_AE_1) or ((not A_R6) and ((not OCC_AD) or AT_S3)))  # AE released by hand (R8, section fault release)
-        SR_AE = VALID and (not OCC_AE) and K_AE and (REL_AE or REL_ALL)  # AE released after a restart (R16)
+        SR_AE = VALID and (not OCC_AE) and K_AE and (REL_AE or RELALL)  # AE released after a restart (R16)
         RLS_AE = RT_AE or CA_AE or CD_S3 or HR_AE or SR_AE  # AE is released
         CA_BB = VALID and (not OCC_BB) and (not U_BB) and False  # the lock before BB was withdrawn (R8)
         HR_BB = VALID and (not OCC_BB) and REL_BB and L_BB_2 and ((not L_BB_2) or ((not A_R4) and ((not OCC_BA) or AT_S2)))  # BB released by hand (R8, section fault release)
-        SR_BB = VALID and (not OCC_BB) and K_BB and (REL_BB or REL_ALL)  # BB released after a restart (R16)
+        SR_BB = VALID and (not OCC_BB) and K_BB and (REL_BB or RELALL)  # BB released after a restart (R16)
         RLS_BB = RT_BB or CA_BB or CD_S2 or HR_BB or SR_BB  # BB is released
         CA_BC = VALID and (not OCC_BC) and (not U_BC) and False  # the lock before BC was withdrawn (R8)
         HR_BC = VALID and (not OCC_BC) and REL_BC and (L_BC_1 or L_BC_4) and ((not L_BC_1) or ((not A_R5) and ((not OCC_BB) or AT_S2J))) and ((not L_BC_4) or ((not A_R8) and ((not OCC_DB) or AT_S4J)))  # BC released by hand (R8, section fault release)
-        SR_BC = VALID and (not OCC_BC) and K_BC and (REL_BC or REL_ALL)  # BC released after a restart (R16)
+        SR_BC = VALID and (not OCC_BC) and K_BC and (REL_BC or RELALL)  # BC released after a restart (R16)
         RLS_BC = RT_BC or CA_BC or CD_S2J or CD_S4J or HR_BC or SR_BC  # BC is released
         CA_BD = VALID and (not OCC_BD) and (not U_BD) and L_BD_1 and (not (L_BD_1 and (L_BC_1 or L_BC_4)))  # the lock before BD was withdrawn (R8)
         HR_BD = VALID and (not OCC_BD) and (not (L_BD_1 and (L_BC_1 or L_BC_4))) and REL_BD and L_BD_1  # BD released by hand (R8, section fault release)
-        SR_BD = VALID and (not OCC_BD) and K_BD and (REL_BD or REL_ALL)  # BD released after a restart (R16)
+        SR_BD = VALID and (not OCC_BD) and K_BD and (REL_BD or RELALL)  # BD released after a restart (R16)
         RLS_BD = RT_BD or CA_BD or HR_BD or SR_BD  # BD is released
         CA_BE = VALID and (not OCC_BE) and (not U_BE) and False  # the lock before BE was withdrawn (R8)
         HR_BE = VALID and (not OCC_BE) and REL_BE and L_BE_1 and ((not L_BE_1) or ((not A_R10) and ((not OCC_BD) or AT_S6)))  # BE released by hand (R8, section fault release)
-        SR_BE = VALID and (not OCC_BE) and K_BE and (REL_BE or REL_ALL)  # BE released after a restart (R16)
+        SR_BE = VALID and (not OCC_BE) and K_BE and (REL_BE or RELALL)  # BE released after a restart (R16)
         RLS_BE = RT_BE or CA_BE or CD_S6 or HR_BE or SR_BE  # BE is released
         CA_CD = VALID and (not OCC_CD) and (not U_CD) and L_CD_1 and (not (L_CD_1 and L_AC_2))  # the lock before CD was withdrawn (R8)
         HR_CD = VALID and (not OCC_CD) and (not (L_CD_1 and L_AC_2)) and REL_CD and L_CD_1  # CD released by hand (R8, section fault release)
-        SR_CD = VALID and (not OCC_CD) and K_CD and (REL_CD or REL_ALL)  # CD released after a restart (R16)
+        SR_CD = VALID and (not OCC_CD) and K_CD and (REL_CD or RELALL)  # CD released after a restart (R16)
         RLS_CD = RT_CD or CA_CD or HR_CD or SR_CD  # CD is released
         CA_CE = VALID and (not OCC_CE) and (not U_CE) and False  # the lock before CE was withdrawn (R8)
         HR_CE = VALID and (not OCC_CE) and REL_CE and L_CE_1 and ((not L_CE_1) or ((not A_R9) and ((not OCC_CD) or AT_S5)))  # CE released by hand (R8, section fault release)
-        SR_CE = VALID and (not OCC_CE) and K_CE and (REL_CE or REL_ALL)  # CE released after a restart (R16)
+        SR_CE = VALID and (not OCC_CE) and K_CE and (REL_CE or RELALL)  # CE released after a restart (R16)
         RLS_CE = RT_CE or CA_CE or CD_S5 or HR_CE or SR_CE  # CE is released
         CA_DB = VALID and (not OCC_DB) and (not U_DB) and False  # the lock before DB was withdrawn (R8)
         HR_DB = VALID and (not OCC_DB) and REL_DB and L_DB_2 and ((not L_DB_2) or ((not A_R7) and ((not OCC_DA) or AT_S4)))  # DB released by hand (R8, section fault release)
-        SR_DB = VALID and (not OCC_DB) and K_DB and (REL_DB or REL_ALL)  # DB released after a restart (R16)
+        SR_DB = VALID and (not OCC_DB) and K_DB and (REL_DB or RELALL)  # DB released after a restart (R16)
         RLS_DB = RT_DB or CA_DB or CD_S4 or HR_DB or SR_DB  # DB is released
         GPN_101 = (G_R2 or G_R5)  # a grant needs 101 N
         MAN_101 = MN_101 and (not MR_101) and MOV_101 and (not (G_R2 or G_R3 or G_R5))  # machine 101 moved N by hand

@@ -1,6 +1,6 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 65c76d78920103201929f482dcb907549f414894ec11a99bd40f2387d2eb551b
+# layout e5d5cdeb243bba4880f579deac4e99b6c798e11728e8f0e56565759bcdf55a91
 # claims 40270f68e2a0781275f40a356e83fa5962bb745a5cadf100cf32ca6641650280
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -53,7 +53,7 @@ INPUTS = {
     'BLK_q7': (1, 2),  # operator: section q7 is blocked
     'BLK_q8': (1, 2),  # operator: section q8 is blocked
     'BLK_q9': (1, 2),  # operator: section q9 is blocked
-    'REL_ALL': (0, 2),  # operator: release all clear sections after a restart
+    'RELALL': (0, 2),  # operator: release all clear sections after a restart
     'DN_P1': (0, 2),  # machine P1 detected normal
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
@@ -329,7 +329,7 @@ class Controller:
         BLK_q7 = read['BLK_q7']
         BLK_q8 = read['BLK_q8']
         BLK_q9 = read['BLK_q9']
-        REL_ALL = read['REL_ALL']
+        RELALL = read['RELALL']
         DN_P1 = read['DN_P1']
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
@@ -620,47 +620,47 @@ class Controller:
         RT_q9 = self._timer('RT_q9', RTI_q9, dt_ms)  # q9: release delay (R9)
         CA_q1 = VALID and (not OCC_q1) and (not U_q1) and L_q1_2 and (not (L_q1_2 and (L_q2_3 or L_q2_4)))  # the lock before q1 was withdrawn (R8)
         HR_q1 = VALID and (not OCC_q1) and (not (L_q1_2 and (L_q2_3 or L_q2_4))) and REL_q1 and (L_q1_1 or L_q1_2) and ((not L_q1_1) or ((not A_R9) and ((not OCC_ap_W) or AT_X7)))  # q1 released by hand (R8, section fault release)
-        SR_q1 = VALID and (not OCC_q1) and K_q1 and (REL_q1 or REL_ALL)  # q1 released after a restart (R16)
+        SR_q1 = VALID and (not OCC_q1) and K_q1 and (REL_q1 or RELALL)  # q1 released after a restart (R16)
         RLS_q1 = RT_q1 or CA_q1 or CD_X7 or HR_q1 or SR_q1  # q1 is released
         CA_q10 = VALID and (not OCC_q10) and (not U_q10) and (L_q10_1 or L_q10_2) and (not (L_q10_1 and L_q11_1)) and (not (L_q10_2 and L_q8_2))  # the lock before q10 was withdrawn (R8)
         HR_q10 = VALID and (not OCC_q10) and (not (L_q10_1 and L_q11_1)) and (not (L_q10_2 and L_q8_2)) and REL_q10 and (L_q10_1 or L_q10_2)  # q10 released by hand (R8, section fault release)
-        SR_q10 = VALID and (not OCC_q10) and K_q10 and (REL_q10 or REL_ALL)  # q10 released after a restart (R16)
+        SR_q10 = VALID and (not OCC_q10) and K_q10 and (REL_q10 or RELALL)  # q10 released after a restart (R16)
         RLS_q10 = RT_q10 or CA_q10 or HR_q10 or SR_q10  # q10 is released
         CA_q11 = VALID and (not OCC_q11) and (not U_q11) and (L_q11_3 or L_q11_4) and (not (L_q11_3 and L_q10_2)) and (not (L_q11_4 and L_q9_2))  # the lock before q11 was withdrawn (R8)
         HR_q11 = VALID and (not OCC_q11) and (not (L_q11_3 and L_q10_2)) and (not (L_q11_4 and L_q9_2)) and REL_q11 and (L_q11_1 or L_q11_2 or L_q11_3 or L_q11_4) and ((not (L_q11_1 or L_q11_2)) or ((not (A_R5 or A_R6)) and ((not OCC_ap_E) or AT_X4)))  # q11 released by hand (R8, section fault release)
-        SR_q11 = VALID and (not OCC_q11) and K_q11 and (REL_q11 or REL_ALL)  # q11 released after a restart (R16)
+        SR_q11 = VALID and (not OCC_q11) and K_q11 and (REL_q11 or RELALL)  # q11 released after a restart (R16)
         RLS_q11 = RT_q11 or CA_q11 or CD_X4 or HR_q11 or SR_q11  # q11 is released
         CA_q2 = VALID and (not OCC_q2) and (not U_q2) and (L_q2_3 or L_q2_4) and (not (L_q2_3 and L_q3_2)) and (not (L_q2_4 and L_q4_2))  # the lock before q2 was withdrawn (R8)
         HR_q2 = VALID and (not OCC_q2) and (not (L_q2_3 and L_q3_2)) and (not (L_q2_4 and L_q4_2)) and REL_q2 and (L_q2_1 or L_q2_2 or L_q2_3 or L_q2_4) and ((not (L_q2_1 or L_q2_2)) or ((not (A_R1 or A_R2)) and ((not OCC_q1) or AT_X1)))  # q2 released by hand (R8, section fault release)
-        SR_q2 = VALID and (not OCC_q2) and K_q2 and (REL_q2 or REL_ALL)  # q2 released after a restart (R16)
+        SR_q2 = VALID and (not OCC_q2) and K_q2 and (REL_q2 or RELALL)  # q2 released after a restart (R16)
         RLS_q2 = RT_q2 or CA_q2 or CD_X1 or HR_q2 or SR_q2  # q2 is released
         CA_q3 = VALID and (not OCC_q3) and (not U_q3) and L_q3_1 and (not (L_q3_1 and L_q2_1))  # the lock before q3 was withdrawn (R8)
         HR_q3 = VALID and (not OCC_q3) and (not (L_q3_1 and L_q2_1)) and REL_q3 and (L_q3_1 or L_q3_2) and ((not L_q3_2) or ((not A_R3) and ((not OCC_q5) or AT_X2)))  # q3 released by hand (R8, section fault release)
-        SR_q3 = VALID and (not OCC_q3) and K_q3 and (REL_q3 or REL_ALL)  # q3 released after a restart (R16)
+        SR_q3 = VALID and (not OCC_q3) and K_q3 and (REL_q3 or RELALL)  # q3 released after a restart (R16)
         RLS_q3 = RT_q3 or CA_q3 or CD_X2 or HR_q3 or SR_q3  # q3 is released
         CA_q4 = VALID and (not OCC_q4) and (not U_q4) and (L_q4_1 or L_q4_2) and (not (L_q4_1 and L_q2_2)) and (not (L_q4_2 and L_q6_2))  # the lock before q4 was withdrawn (R8)
         HR_q4 = VALID and (not OCC_q4) and (not (L_q4_1 and L_q2_2)) and (not (L_q4_2 and L_q6_2)) and REL_q4 and (L_q4_1 or L_q4_2)  # q4 released by hand (R8, section fault release)
-        SR_q4 = VALID and (not OCC_q4) and K_q4 and (REL_q4 or REL_ALL)  # q4 released after a restart (R16)
+        SR_q4 = VALID and (not OCC_q4) and K_q4 and (REL_q4 or RELALL)  # q4 released after a restart (R16)
         RLS_q4 = RT_q4 or CA_q4 or HR_q4 or SR_q4  # q4 is released
         CA_q5 = VALID and (not OCC_q5) and (not U_q5) and L_q5_2 and (not (L_q5_2 and L_q7_2))  # the lock before q5 was withdrawn (R8)
         HR_q5 = VALID and (not OCC_q5) and (not (L_q5_2 and L_q7_2)) and REL_q5 and (L_q5_1 or L_q5_2) and ((not L_q5_1) or ((not A_R4) and ((not OCC_q3) or AT_X3)))  # q5 released by hand (R8, section fault release)
-        SR_q5 = VALID and (not OCC_q5) and K_q5 and (REL_q5 or REL_ALL)  # q5 released after a restart (R16)
+        SR_q5 = VALID and (not OCC_q5) and K_q5 and (REL_q5 or RELALL)  # q5 released after a restart (R16)
         RLS_q5 = RT_q5 or CA_q5 or CD_X3 or HR_q5 or SR_q5  # q5 is released
         CA_q6 = VALID and (not OCC_q6) and (not U_q6) and L_q6_2 and (not (L_q6_2 and L_q8_1))  # the lock before q6 was withdrawn (R8)
         HR_q6 = VALID and (not OCC_q6) and (not (L_q6_2 and L_q8_1)) and REL_q6 and (L_q6_1 or L_q6_2) and ((not L_q6_1) or ((not A_R7) and ((not OCC_q4) or AT_X5)))  # q6 released by hand (R8, section fault release)
-        SR_q6 = VALID and (not OCC_q6) and K_q6 and (REL_q6 or REL_ALL)  # q6 released after a restart (R16)
+        SR_q6 = VALID and (not OCC_q6) and K_q6 and (REL_q6 or RELALL)  # q6 released after a restart (R16)
         RLS_q6 = RT_q6 or CA_q6 or CD_X5 or HR_q6 or SR_q6  # q6 is released
         CA_q7 = VALID and (not OCC_q7) and (not U_q7) and (L_q7_1 or L_q7_2) and (not (L_q7_1 and L_q5_1)) and (not (L_q7_2 and L_q9_1))  # the lock before q7 was withdrawn (R8)
         HR_q7 = VALID and (not OCC_q7) and (not (L_q7_1 and L_q5_1)) and (not (L_q7_2 and L_q9_1)) and REL_q7 and (L_q7_1 or L_q7_2)  # q7 released by hand (R8, section fault release)
-        SR_q7 = VALID and (not OCC_q7) and K_q7 and (REL_q7 or REL_ALL)  # q7 released after a restart (R16)
+        SR_q7 = VALID and (not OCC_q7) and K_q7 and (REL_q7 or RELALL)  # q7 released after a restart (R16)
         RLS_q7 = RT_q7 or CA_q7 or HR_q7 or SR_q7  # q7 is released
         CA_q8 = VALID and (not OCC_q8) and (not U_q8) and L_q8_2 and (not (L_q8_2 and L_q6_1))  # the lock before q8 was withdrawn (R8)
         HR_q8 = VALID and (not OCC_q8) and (not (L_q8_2 and L_q6_1)) and REL_q8 and (L_q8_1 or L_q8_2) and ((not L_q8_1) or ((not A_R8) and ((not OCC_q10) or AT_X6)))  # q8 released by hand (R8, section fault release)
-        SR_q8 = VALID and (not OCC_q8) and K_q8 and (REL_q8 or REL_ALL)  # q8 released after a restart (R16)
+        SR_q8 = VALID and (not OCC_q8) and K_q8 and (REL_q8 or RELALL)  # q8 released after a restart (R16)
         RLS_q8 = RT_q8 or CA_q8 or CD_X6 or HR_q8 or SR_q8  # q8 is released
         CA_q9 = VALID and (not OCC_q9) and (not U_q9) and (L_q9_1 or L_q9_2) and (not (L_q9_1 and L_q11_2)) and (not (L_q9_2 and L_q7_1))  # the lock before q9 was withdrawn (R8)
         HR_q9 = VALID and (not OCC_q9) and (not (L_q9_1 and L_q11_2)) and (not (L_q9_2 and L_q7_1)) and REL_q9 and (L_q9_1 or L_q9_2)  # q9 released by hand (R8, section fault release)
-        SR_q9 = VALID and (not OCC_q9) and K_q9 and (REL_q9 or REL_ALL)  # q9 released after a restart (R16)
+        SR_q9 = VALID and (not OCC_q9) and K_q9 and (REL_q9 or RELALL)  # q9 released after a restart (R16)
         RLS_q9 = RT_q9 or CA_q9 or HR_q9 or SR_q9  # q9 is released
         GPN_P1 = (G_R1 or G_R3)  # a grant needs P1 N
         MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not (G_R1 or G_R2 or G_R3 or G_R8))  # machine P1 moved N by hand

@@ -1,6 +1,6 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout aa472c96e16778860ca6abc302d80781b8535af9d27f9f8aa7e9e9b89aa9f6eb
+# layout 5d41b1809b20a70beab6b31c0b22f941cf50ae49b5407612768eb50a567cfd61
 # claims b2e6eb62fd5c184cbe4a3638730f32063e9908f221de580699b8a4cf508d408b
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -37,7 +37,7 @@ INPUTS = {
     'BLK_IAG': (1, 2),  # operator: section IAG is blocked
     'BLK_IG': (1, 2),  # operator: section IG is blocked
     'BLK_IIAG': (1, 2),  # operator: section IIAG is blocked
-    'REL_ALL': (0, 2),  # operator: release all clear sections after a restart
+    'RELALL': (0, 2),  # operator: release all clear sections after a restart
     'DN_1': (0, 2),  # machine 1 detected normal
     'DR_1': (0, 2),  # machine 1 detected reverse
     'MN_1': (0, 2),  # operator: move machine 1 normal
@@ -243,7 +243,7 @@ class Controller:
         BLK_IAG = read['BLK_IAG']
         BLK_IG = read['BLK_IG']
         BLK_IIAG = read['BLK_IIAG']
-        REL_ALL = read['REL_ALL']
+        RELALL = read['RELALL']
         DN_1 = read['DN_1']
         DR_1 = read['DR_1']
         MN_1 = read['MN_1']
@@ -452,27 +452,27 @@ class Controller:
         RT_IIAG = self._timer('RT_IIAG', RTI_IIAG, dt_ms)  # IIAG: release delay (R9)
         CA_1DG = VALID and (not OCC_1DG) and (not U_1DG) and (L_1DG_2 or L_1DG_3) and (not ((L_1DG_2 or L_1DG_3) and L_IAG_2))  # the lock before 1DG was withdrawn (R8)
         HR_1DG = VALID and (not OCC_1DG) and (not ((L_1DG_2 or L_1DG_3) and L_IAG_2)) and REL_1DG and (L_1DG_1 or L_1DG_2 or L_1DG_3 or L_1DG_4) and ((not L_1DG_1) or ((not A_R4) and ((not OCC_3G) or AT_S3))) and ((not L_1DG_4) or ((not A_R3) and ((not OCC_IG) or AT_S1)))  # 1DG released by hand (R8, section fault release)
-        SR_1DG = VALID and (not OCC_1DG) and K_1DG and (REL_1DG or REL_ALL)  # 1DG released after a restart (R16)
+        SR_1DG = VALID and (not OCC_1DG) and K_1DG and (REL_1DG or RELALL)  # 1DG released after a restart (R16)
         RLS_1DG = RT_1DG or CA_1DG or CD_S3 or CD_S1 or HR_1DG or SR_1DG  # 1DG is released
         CA_2DG = VALID and (not OCC_2DG) and (not U_2DG) and (L_2DG_3 or L_2DG_4) and (not ((L_2DG_3 or L_2DG_4) and L_IIAG_2))  # the lock before 2DG was withdrawn (R8)
         HR_2DG = VALID and (not OCC_2DG) and (not ((L_2DG_3 or L_2DG_4) and L_IIAG_2)) and REL_2DG and (L_2DG_1 or L_2DG_2 or L_2DG_3 or L_2DG_4) and ((not L_2DG_1) or ((not A_R8) and ((not OCC_3G) or AT_X3))) and ((not L_2DG_2) or ((not A_R7) and ((not OCC_IG) or AT_X1)))  # 2DG released by hand (R8, section fault release)
-        SR_2DG = VALID and (not OCC_2DG) and K_2DG and (REL_2DG or REL_ALL)  # 2DG released after a restart (R16)
+        SR_2DG = VALID and (not OCC_2DG) and K_2DG and (REL_2DG or RELALL)  # 2DG released after a restart (R16)
         RLS_2DG = RT_2DG or CA_2DG or CD_X3 or CD_X1 or HR_2DG or SR_2DG  # 2DG is released
         CA_3G = VALID and (not OCC_3G) and (not U_3G) and (L_3G_1 or L_3G_2) and (not (L_3G_1 and L_1DG_2)) and (not (L_3G_2 and L_2DG_3))  # the lock before 3G was withdrawn (R8)
         HR_3G = VALID and (not OCC_3G) and (not (L_3G_1 and L_1DG_2)) and (not (L_3G_2 and L_2DG_3)) and REL_3G and (L_3G_1 or L_3G_2)  # 3G released by hand (R8, section fault release)
-        SR_3G = VALID and (not OCC_3G) and K_3G and (REL_3G or REL_ALL)  # 3G released after a restart (R16)
+        SR_3G = VALID and (not OCC_3G) and K_3G and (REL_3G or RELALL)  # 3G released after a restart (R16)
         RLS_3G = RT_3G or CA_3G or HR_3G or SR_3G  # 3G is released
         CA_IAG = VALID and (not OCC_IAG) and (not U_IAG) and L_IAG_1 and (not (L_IAG_1 and (L_1DG_1 or L_1DG_4)))  # the lock before IAG was withdrawn (R8)
         HR_IAG = VALID and (not OCC_IAG) and (not (L_IAG_1 and (L_1DG_1 or L_1DG_4))) and REL_IAG and (L_IAG_1 or L_IAG_2) and ((not L_IAG_2) or ((not (A_R5 or A_R6)) and ((not OCC_XJG) or AT_X)))  # IAG released by hand (R8, section fault release)
-        SR_IAG = VALID and (not OCC_IAG) and K_IAG and (REL_IAG or REL_ALL)  # IAG released after a restart (R16)
+        SR_IAG = VALID and (not OCC_IAG) and K_IAG and (REL_IAG or RELALL)  # IAG released after a restart (R16)
         RLS_IAG = RT_IAG or CA_IAG or CD_X or HR_IAG or SR_IAG  # IAG is released
         CA_IG = VALID and (not OCC_IG) and (not U_IG) and (L_IG_1 or L_IG_2) and (not (L_IG_1 and L_1DG_3)) and (not (L_IG_2 and L_2DG_4))  # the lock before IG was withdrawn (R8)
         HR_IG = VALID and (not OCC_IG) and (not (L_IG_1 and L_1DG_3)) and (not (L_IG_2 and L_2DG_4)) and REL_IG and (L_IG_1 or L_IG_2)  # IG released by hand (R8, section fault release)
-        SR_IG = VALID and (not OCC_IG) and K_IG and (REL_IG or REL_ALL)  # IG released after a restart (R16)
+        SR_IG = VALID and (not OCC_IG) and K_IG and (REL_IG or RELALL)  # IG released after a restart (R16)
         RLS_IG = RT_IG or CA_IG or HR_IG or SR_IG  # IG is released
         CA_IIAG = VALID and (not OCC_IIAG) and (not U_IIAG) and L_IIAG_1 and (not (L_IIAG_1 and (L_2DG_1 or L_2DG_2)))  # the lock before IIAG was withdrawn (R8)
         HR_IIAG = VALID and (not OCC_IIAG) and (not (L_IIAG_1 and (L_2DG_1 or L_2DG_2))) and REL_IIAG and (L_IIAG_1 or L_IIAG_2) and ((not L_IIAG_2) or ((not (A_R1 or A_R2)) and ((not OCC_SJG) or AT_S)))  # IIAG released by hand (R8, section fault release)
-        SR_IIAG = VALID and (not OCC_IIAG) and K_IIAG and (REL_IIAG or REL_ALL)  # IIAG released after a restart (R16)
+        SR_IIAG = VALID and (not OCC_IIAG) and K_IIAG and (REL_IIAG or RELALL)  # IIAG released after a restart (R16)
         RLS_IIAG = RT_IIAG or CA_IIAG or CD_S or HR_IIAG or SR_IIAG  # IIAG is released
         GPN_1 = (G_R3 or G_R5)  # a grant needs 1 N
         MAN_1 = MN_1 and (not MR_1) and MOV_1 and (not (G_R3 or G_R4 or G_R5 or G_R6))  # machine 1 moved N by hand

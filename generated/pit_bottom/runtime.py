@@ -1,6 +1,6 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 49b0a740c3416e213d1580d3add44f5b7e645fb6954abf1a69e325c14305a1e5
+# layout b4179c716cccc23e368be61c9230973bc785d9d5cb8531635fe7f3eaa5a3043f
 # claims 13319a09575fc9ec095c830ff65ffb555547162459c04242f27a1f8c903e773a
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -66,7 +66,7 @@ INPUTS = {
     'BLK_q7': (1, 2),  # operator: section q7 is blocked
     'BLK_q8_dep': (1, 2),  # operator: section q8_dep is blocked
     'BLK_q9': (1, 2),  # operator: section q9 is blocked
-    'REL_ALL': (0, 2),  # operator: release all clear sections after a restart
+    'RELALL': (0, 2),  # operator: release all clear sections after a restart
     'DN_P1': (0, 2),  # machine P1 detected normal
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
@@ -447,7 +447,7 @@ class Controller:
         BLK_q7 = read['BLK_q7']
         BLK_q8_dep = read['BLK_q8_dep']
         BLK_q9 = read['BLK_q9']
-        REL_ALL = read['REL_ALL']
+        RELALL = read['RELALL']
         DN_P1 = read['DN_P1']
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
@@ -861,55 +861,55 @@ class Controller:
         RT_q9 = self._timer('RT_q9', RTI_q9, dt_ms)  # q9: release delay (R9)
         CA_q1 = VALID and (not OCC_q1) and (not U_q1) and L_q1_2 and (not (L_q1_2 and L_q2_4))  # the lock before q1 was withdrawn (R8)
         HR_q1 = VALID and (not OCC_q1) and (not (L_q1_2 and L_q2_4)) and REL_q1 and (L_q1_1 or L_q1_2) and ((not L_q1_1) or ((not A_R1) and ((not OCC_ap_W) or AT_S0)))  # q1 released by hand (R8, section fault release)
-        SR_q1 = VALID and (not OCC_q1) and K_q1 and (REL_q1 or REL_ALL)  # q1 released after a restart (R16)
+        SR_q1 = VALID and (not OCC_q1) and K_q1 and (REL_q1 or RELALL)  # q1 released after a restart (R16)
         RLS_q1 = RT_q1 or CA_q1 or CD_S0 or HR_q1 or SR_q1  # q1 is released
         CA_q10_bypass2 = VALID and (not OCC_q10_bypass2) and (not U_q10_bypass2) and (L_q10_bypass2_1 or L_q10_bypass2_2) and (not (L_q10_bypass2_1 and L_q7_2)) and (not (L_q10_bypass2_2 and L_q9_3))  # the lock before q10_bypass2 was withdrawn (R8)
         HR_q10_bypass2 = VALID and (not OCC_q10_bypass2) and (not (L_q10_bypass2_1 and L_q7_2)) and (not (L_q10_bypass2_2 and L_q9_3)) and REL_q10_bypass2 and (L_q10_bypass2_1 or L_q10_bypass2_2)  # q10_bypass2 released by hand (R8, section fault release)
-        SR_q10_bypass2 = VALID and (not OCC_q10_bypass2) and K_q10_bypass2 and (REL_q10_bypass2 or REL_ALL)  # q10_bypass2 released after a restart (R16)
+        SR_q10_bypass2 = VALID and (not OCC_q10_bypass2) and K_q10_bypass2 and (REL_q10_bypass2 or RELALL)  # q10_bypass2 released after a restart (R16)
         RLS_q10_bypass2 = RT_q10_bypass2 or CA_q10_bypass2 or HR_q10_bypass2 or SR_q10_bypass2  # q10_bypass2 is released
         CA_q11_material = VALID and (not OCC_q11_material) and (not U_q11_material) and L_q11_material_2 and (not (L_q11_material_2 and L_q9_4))  # the lock before q11_material was withdrawn (R8)
         HR_q11_material = VALID and (not OCC_q11_material) and (not (L_q11_material_2 and L_q9_4)) and REL_q11_material and L_q11_material_2  # q11_material released by hand (R8, section fault release)
-        SR_q11_material = VALID and (not OCC_q11_material) and K_q11_material and (REL_q11_material or REL_ALL)  # q11_material released after a restart (R16)
+        SR_q11_material = VALID and (not OCC_q11_material) and K_q11_material and (REL_q11_material or RELALL)  # q11_material released after a restart (R16)
         RLS_q11_material = RT_q11_material or CA_q11_material or HR_q11_material or SR_q11_material  # q11_material is released
         CA_q12 = VALID and (not OCC_q12) and (not U_q12) and (L_q12_2 or L_q12_3) and (not ((L_q12_2 or L_q12_3) and (L_q7_1 or L_q7_4)))  # the lock before q12 was withdrawn (R8)
         HR_q12 = VALID and (not OCC_q12) and (not ((L_q12_2 or L_q12_3) and (L_q7_1 or L_q7_4))) and REL_q12 and (L_q12_1 or L_q12_2 or L_q12_3 or L_q12_4) and ((not L_q12_1) or ((not A_R14) and ((not OCC_q13_man) or AT_S7))) and ((not L_q12_4) or ((not A_R16) and ((not OCC_q8_dep) or AT_S9)))  # q12 released by hand (R8, section fault release)
-        SR_q12 = VALID and (not OCC_q12) and K_q12 and (REL_q12 or REL_ALL)  # q12 released after a restart (R16)
+        SR_q12 = VALID and (not OCC_q12) and K_q12 and (REL_q12 or RELALL)  # q12 released after a restart (R16)
         RLS_q12 = RT_q12 or CA_q12 or CD_S7 or CD_S9 or HR_q12 or SR_q12  # q12 is released
         CA_q13_man = VALID and (not OCC_q13_man) and (not U_q13_man) and L_q13_man_2 and (not (L_q13_man_2 and L_q12_2))  # the lock before q13_man was withdrawn (R8)
         HR_q13_man = VALID and (not OCC_q13_man) and (not (L_q13_man_2 and L_q12_2)) and REL_q13_man and L_q13_man_2  # q13_man released by hand (R8, section fault release)
-        SR_q13_man = VALID and (not OCC_q13_man) and K_q13_man and (REL_q13_man or REL_ALL)  # q13_man released after a restart (R16)
+        SR_q13_man = VALID and (not OCC_q13_man) and K_q13_man and (REL_q13_man or RELALL)  # q13_man released after a restart (R16)
         RLS_q13_man = RT_q13_man or CA_q13_man or HR_q13_man or SR_q13_man  # q13_man is released
         CA_q2 = VALID and (not OCC_q2) and (not U_q2) and False  # the lock before q2 was withdrawn (R8)
         HR_q2 = VALID and (not OCC_q2) and REL_q2 and (L_q2_1 or L_q2_2 or L_q2_4) and ((not (L_q2_1 or L_q2_2)) or ((not (A_R2 or A_R3)) and ((not OCC_q1) or AT_S1))) and ((not L_q2_4) or ((not A_R5) and ((not OCC_q5_bypass1) or AT_S11)))  # q2 released by hand (R8, section fault release)
-        SR_q2 = VALID and (not OCC_q2) and K_q2 and (REL_q2 or REL_ALL)  # q2 released after a restart (R16)
+        SR_q2 = VALID and (not OCC_q2) and K_q2 and (REL_q2 or RELALL)  # q2 released after a restart (R16)
         RLS_q2 = RT_q2 or CA_q2 or CD_S1 or CD_S11 or HR_q2 or SR_q2  # q2 is released
         CA_q3_heavy = VALID and (not OCC_q3_heavy) and (not U_q3_heavy) and L_q3_heavy_1 and (not (L_q3_heavy_1 and L_q2_1))  # the lock before q3_heavy was withdrawn (R8)
         HR_q3_heavy = VALID and (not OCC_q3_heavy) and (not (L_q3_heavy_1 and L_q2_1)) and REL_q3_heavy and L_q3_heavy_1  # q3_heavy released by hand (R8, section fault release)
-        SR_q3_heavy = VALID and (not OCC_q3_heavy) and K_q3_heavy and (REL_q3_heavy or REL_ALL)  # q3_heavy released after a restart (R16)
+        SR_q3_heavy = VALID and (not OCC_q3_heavy) and K_q3_heavy and (REL_q3_heavy or RELALL)  # q3_heavy released after a restart (R16)
         RLS_q3_heavy = RT_q3_heavy or CA_q3_heavy or HR_q3_heavy or SR_q3_heavy  # q3_heavy is released
         CA_q4_tippler = VALID and (not OCC_q4_tippler) and (not U_q4_tippler) and False  # the lock before q4_tippler was withdrawn (R8)
         HR_q4_tippler = VALID and (not OCC_q4_tippler) and REL_q4_tippler and L_q4_tippler_1 and ((not L_q4_tippler_1) or ((not A_R6) and ((not OCC_q3_heavy) or AT_S2)))  # q4_tippler released by hand (R8, section fault release)
-        SR_q4_tippler = VALID and (not OCC_q4_tippler) and K_q4_tippler and (REL_q4_tippler or REL_ALL)  # q4_tippler released after a restart (R16)
+        SR_q4_tippler = VALID and (not OCC_q4_tippler) and K_q4_tippler and (REL_q4_tippler or RELALL)  # q4_tippler released after a restart (R16)
         RLS_q4_tippler = RT_q4_tippler or CA_q4_tippler or CD_S2 or HR_q4_tippler or SR_q4_tippler  # q4_tippler is released
         CA_q5_bypass1 = VALID and (not OCC_q5_bypass1) and (not U_q5_bypass1) and (L_q5_bypass1_1 or L_q5_bypass1_2) and (not (L_q5_bypass1_1 and L_q2_2)) and (not (L_q5_bypass1_2 and (L_q9_1 or L_q9_2)))  # the lock before q5_bypass1 was withdrawn (R8)
         HR_q5_bypass1 = VALID and (not OCC_q5_bypass1) and (not (L_q5_bypass1_1 and L_q2_2)) and (not (L_q5_bypass1_2 and (L_q9_1 or L_q9_2))) and REL_q5_bypass1 and (L_q5_bypass1_1 or L_q5_bypass1_2)  # q5_bypass1 released by hand (R8, section fault release)
-        SR_q5_bypass1 = VALID and (not OCC_q5_bypass1) and K_q5_bypass1 and (REL_q5_bypass1 or REL_ALL)  # q5_bypass1 released after a restart (R16)
+        SR_q5_bypass1 = VALID and (not OCC_q5_bypass1) and K_q5_bypass1 and (REL_q5_bypass1 or RELALL)  # q5_bypass1 released after a restart (R16)
         RLS_q5_bypass1 = RT_q5_bypass1 or CA_q5_bypass1 or HR_q5_bypass1 or SR_q5_bypass1  # q5_bypass1 is released
         CA_q6_empty = VALID and (not OCC_q6_empty) and (not U_q6_empty) and L_q6_empty_1 and (not (L_q6_empty_1 and L_q4_tippler_1))  # the lock before q6_empty was withdrawn (R8)
         HR_q6_empty = VALID and (not OCC_q6_empty) and (not (L_q6_empty_1 and L_q4_tippler_1)) and REL_q6_empty and L_q6_empty_1  # q6_empty released by hand (R8, section fault release)
-        SR_q6_empty = VALID and (not OCC_q6_empty) and K_q6_empty and (REL_q6_empty or REL_ALL)  # q6_empty released after a restart (R16)
+        SR_q6_empty = VALID and (not OCC_q6_empty) and K_q6_empty and (REL_q6_empty or RELALL)  # q6_empty released after a restart (R16)
         RLS_q6_empty = RT_q6_empty or CA_q6_empty or HR_q6_empty or SR_q6_empty  # q6_empty is released
         CA_q7 = VALID and (not OCC_q7) and (not U_q7) and L_q7_2 and (not (L_q7_2 and (L_q12_1 or L_q12_4)))  # the lock before q7 was withdrawn (R8)
         HR_q7 = VALID and (not OCC_q7) and (not (L_q7_2 and (L_q12_1 or L_q12_4))) and REL_q7 and (L_q7_1 or L_q7_2 or L_q7_4) and ((not L_q7_1) or ((not (A_R11 or A_R12)) and ((not OCC_q10_bypass2) or AT_S5))) and ((not L_q7_4) or ((not (A_R7 or A_R8)) and ((not OCC_q6_empty) or AT_S3)))  # q7 released by hand (R8, section fault release)
-        SR_q7 = VALID and (not OCC_q7) and K_q7 and (REL_q7 or REL_ALL)  # q7 released after a restart (R16)
+        SR_q7 = VALID and (not OCC_q7) and K_q7 and (REL_q7 or RELALL)  # q7 released after a restart (R16)
         RLS_q7 = RT_q7 or CA_q7 or CD_S5 or CD_S3 or HR_q7 or SR_q7  # q7 is released
         CA_q8_dep = VALID and (not OCC_q8_dep) and (not U_q8_dep) and L_q8_dep_2 and (not (L_q8_dep_2 and L_q12_3))  # the lock before q8_dep was withdrawn (R8)
         HR_q8_dep = VALID and (not OCC_q8_dep) and (not (L_q8_dep_2 and L_q12_3)) and REL_q8_dep and (L_q8_dep_1 or L_q8_dep_2) and ((not L_q8_dep_1) or ((not A_R15) and ((not OCC_ap_E) or AT_S8)))  # q8_dep released by hand (R8, section fault release)
-        SR_q8_dep = VALID and (not OCC_q8_dep) and K_q8_dep and (REL_q8_dep or REL_ALL)  # q8_dep released after a restart (R16)
+        SR_q8_dep = VALID and (not OCC_q8_dep) and K_q8_dep and (REL_q8_dep or RELALL)  # q8_dep released after a restart (R16)
         RLS_q8_dep = RT_q8_dep or CA_q8_dep or CD_S8 or HR_q8_dep or SR_q8_dep  # q8_dep is released
         CA_q9 = VALID and (not OCC_q9) and (not U_q9) and False  # the lock before q9 was withdrawn (R8)
         HR_q9 = VALID and (not OCC_q9) and REL_q9 and (L_q9_1 or L_q9_2 or L_q9_3 or L_q9_4) and ((not L_q9_1) or ((not A_R4) and ((not OCC_q10_bypass2) or AT_S10))) and ((not L_q9_2) or ((not A_R13) and ((not OCC_q11_material) or AT_S6))) and ((not (L_q9_3 or L_q9_4)) or ((not (A_R9 or A_R10)) and ((not OCC_q5_bypass1) or AT_S4)))  # q9 released by hand (R8, section fault release)
-        SR_q9 = VALID and (not OCC_q9) and K_q9 and (REL_q9 or REL_ALL)  # q9 released after a restart (R16)
+        SR_q9 = VALID and (not OCC_q9) and K_q9 and (REL_q9 or RELALL)  # q9 released after a restart (R16)
         RLS_q9 = RT_q9 or CA_q9 or CD_S10 or CD_S6 or CD_S4 or HR_q9 or SR_q9  # q9 is released
         GPN_P1 = G_R2  # a grant needs P1 N
         MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not (G_R2 or G_R3 or G_R5))  # machine P1 moved N by hand

@@ -1,6 +1,6 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 8fea5d9f7177e7ea222e11459f6305f824d5a44912a7a449cb8f09107378c5ee
+# layout ee3688f0befcbc9fceb461f4e6b62c621cd1320d6e23d4a97655098c374804a5
 # claims 471deeabb730b692354b8fc331a6899c30776403e248f785e2f0bf531fc0bd81
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -44,7 +44,7 @@ INPUTS = {
     'BLK_T3': (1, 2),  # operator: section T3 is blocked
     'BLK_T4': (1, 2),  # operator: section T4 is blocked
     'BLK_UA': (1, 2),  # operator: section UA is blocked
-    'REL_ALL': (0, 2),  # operator: release all clear sections after a restart
+    'RELALL': (0, 2),  # operator: release all clear sections after a restart
     'DN_201': (0, 2),  # machine 201 detected normal
     'DR_201': (0, 2),  # machine 201 detected reverse
     'MN_201': (0, 2),  # operator: move machine 201 normal
@@ -322,7 +322,7 @@ class Controller:
         BLK_T3 = read['BLK_T3']
         BLK_T4 = read['BLK_T4']
         BLK_UA = read['BLK_UA']
-        REL_ALL = read['REL_ALL']
+        RELALL = read['RELALL']
         DN_201 = read['DN_201']
         DR_201 = read['DR_201']
         MN_201 = read['MN_201']
@@ -623,39 +623,39 @@ class Controller:
         RT_UA = self._timer('RT_UA', RTI_UA, dt_ms)  # UA: release delay (R9)
         CA_P1 = VALID and (not OCC_P1) and (not U_P1) and L_P1_2 and (not (L_P1_2 and L_T3_3))  # the lock before P1 was withdrawn (R8)
         HR_P1 = VALID and (not OCC_P1) and (not (L_P1_2 and L_T3_3)) and REL_P1 and L_P1_2  # P1 released by hand (R8, section fault release)
-        SR_P1 = VALID and (not OCC_P1) and K_P1 and (REL_P1 or REL_ALL)  # P1 released after a restart (R16)
+        SR_P1 = VALID and (not OCC_P1) and K_P1 and (REL_P1 or RELALL)  # P1 released after a restart (R16)
         RLS_P1 = RT_P1 or CA_P1 or HR_P1 or SR_P1  # P1 is released
         CA_P2 = VALID and (not OCC_P2) and (not U_P2) and L_P2_2 and (not (L_P2_2 and L_T3_4))  # the lock before P2 was withdrawn (R8)
         HR_P2 = VALID and (not OCC_P2) and (not (L_P2_2 and L_T3_4)) and REL_P2 and L_P2_2  # P2 released by hand (R8, section fault release)
-        SR_P2 = VALID and (not OCC_P2) and K_P2 and (REL_P2 or REL_ALL)  # P2 released after a restart (R16)
+        SR_P2 = VALID and (not OCC_P2) and K_P2 and (REL_P2 or RELALL)  # P2 released after a restart (R16)
         RLS_P2 = RT_P2 or CA_P2 or HR_P2 or SR_P2  # P2 is released
         CA_P3 = VALID and (not OCC_P3) and (not U_P3) and L_P3_2 and (not (L_P3_2 and L_T4_3))  # the lock before P3 was withdrawn (R8)
         HR_P3 = VALID and (not OCC_P3) and (not (L_P3_2 and L_T4_3)) and REL_P3 and L_P3_2  # P3 released by hand (R8, section fault release)
-        SR_P3 = VALID and (not OCC_P3) and K_P3 and (REL_P3 or REL_ALL)  # P3 released after a restart (R16)
+        SR_P3 = VALID and (not OCC_P3) and K_P3 and (REL_P3 or RELALL)  # P3 released after a restart (R16)
         RLS_P3 = RT_P3 or CA_P3 or HR_P3 or SR_P3  # P3 is released
         CA_P4 = VALID and (not OCC_P4) and (not U_P4) and L_P4_2 and (not (L_P4_2 and L_T4_4))  # the lock before P4 was withdrawn (R8)
         HR_P4 = VALID and (not OCC_P4) and (not (L_P4_2 and L_T4_4)) and REL_P4 and L_P4_2  # P4 released by hand (R8, section fault release)
-        SR_P4 = VALID and (not OCC_P4) and K_P4 and (REL_P4 or REL_ALL)  # P4 released after a restart (R16)
+        SR_P4 = VALID and (not OCC_P4) and K_P4 and (REL_P4 or RELALL)  # P4 released after a restart (R16)
         RLS_P4 = RT_P4 or CA_P4 or HR_P4 or SR_P4  # P4 is released
         CA_T1 = VALID and (not OCC_T1) and (not U_T1) and (L_T1_3 or L_T1_5 or L_T1_6) and (not (L_T1_3 and L_T2_3)) and (not ((L_T1_5 or L_T1_6) and (L_T3_1 or L_T3_2)))  # the lock before T1 was withdrawn (R8)
         HR_T1 = VALID and (not OCC_T1) and (not (L_T1_3 and L_T2_3)) and (not ((L_T1_5 or L_T1_6) and (L_T3_1 or L_T3_2))) and REL_T1 and (L_T1_1 or L_T1_2 or L_T1_3 or L_T1_5 or L_T1_6) and ((not (L_T1_1 or L_T1_2)) or ((not (A_R1 or A_R2 or A_R3 or A_R4)) and ((not OCC_DA) or AT_S1)))  # T1 released by hand (R8, section fault release)
-        SR_T1 = VALID and (not OCC_T1) and K_T1 and (REL_T1 or REL_ALL)  # T1 released after a restart (R16)
+        SR_T1 = VALID and (not OCC_T1) and K_T1 and (REL_T1 or RELALL)  # T1 released after a restart (R16)
         RLS_T1 = RT_T1 or CA_T1 or CD_S1 or HR_T1 or SR_T1  # T1 is released
         CA_T2 = VALID and (not OCC_T2) and (not U_T2) and (L_T2_1 or L_T2_2 or L_T2_3 or L_T2_4) and (not (L_T2_1 and L_T1_1)) and (not (L_T2_2 and L_T1_6)) and (not ((L_T2_3 or L_T2_4) and (L_T4_1 or L_T4_2)))  # the lock before T2 was withdrawn (R8)
         HR_T2 = VALID and (not OCC_T2) and (not (L_T2_1 and L_T1_1)) and (not (L_T2_2 and L_T1_6)) and (not ((L_T2_3 or L_T2_4) and (L_T4_1 or L_T4_2))) and REL_T2 and (L_T2_1 or L_T2_2 or L_T2_3 or L_T2_4)  # T2 released by hand (R8, section fault release)
-        SR_T2 = VALID and (not OCC_T2) and K_T2 and (REL_T2 or REL_ALL)  # T2 released after a restart (R16)
+        SR_T2 = VALID and (not OCC_T2) and K_T2 and (REL_T2 or RELALL)  # T2 released after a restart (R16)
         RLS_T2 = RT_T2 or CA_T2 or HR_T2 or SR_T2  # T2 is released
         CA_T3 = VALID and (not OCC_T3) and (not U_T3) and (L_T3_3 or L_T3_4) and (not ((L_T3_3 or L_T3_4) and L_T1_2))  # the lock before T3 was withdrawn (R8)
         HR_T3 = VALID and (not OCC_T3) and (not ((L_T3_3 or L_T3_4) and L_T1_2)) and REL_T3 and (L_T3_1 or L_T3_2 or L_T3_3 or L_T3_4) and ((not L_T3_1) or ((not (A_R5 or A_R6)) and ((not OCC_P1) or AT_S11))) and ((not L_T3_2) or ((not (A_R7 or A_R8)) and ((not OCC_P2) or AT_S12)))  # T3 released by hand (R8, section fault release)
-        SR_T3 = VALID and (not OCC_T3) and K_T3 and (REL_T3 or REL_ALL)  # T3 released after a restart (R16)
+        SR_T3 = VALID and (not OCC_T3) and K_T3 and (REL_T3 or RELALL)  # T3 released after a restart (R16)
         RLS_T3 = RT_T3 or CA_T3 or CD_S11 or CD_S12 or HR_T3 or SR_T3  # T3 is released
         CA_T4 = VALID and (not OCC_T4) and (not U_T4) and (L_T4_3 or L_T4_4) and (not ((L_T4_3 or L_T4_4) and L_T2_1))  # the lock before T4 was withdrawn (R8)
         HR_T4 = VALID and (not OCC_T4) and (not ((L_T4_3 or L_T4_4) and L_T2_1)) and REL_T4 and (L_T4_1 or L_T4_2 or L_T4_3 or L_T4_4) and ((not L_T4_1) or ((not (A_R9 or A_R10)) and ((not OCC_P3) or AT_S13))) and ((not L_T4_2) or ((not (A_R11 or A_R12)) and ((not OCC_P4) or AT_S14)))  # T4 released by hand (R8, section fault release)
-        SR_T4 = VALID and (not OCC_T4) and K_T4 and (REL_T4 or REL_ALL)  # T4 released after a restart (R16)
+        SR_T4 = VALID and (not OCC_T4) and K_T4 and (REL_T4 or RELALL)  # T4 released after a restart (R16)
         RLS_T4 = RT_T4 or CA_T4 or CD_S13 or CD_S14 or HR_T4 or SR_T4  # T4 is released
         CA_UA = VALID and (not OCC_UA) and (not U_UA) and L_UA_1 and (not (L_UA_1 and (L_T2_2 or L_T2_4)))  # the lock before UA was withdrawn (R8)
         HR_UA = VALID and (not OCC_UA) and (not (L_UA_1 and (L_T2_2 or L_T2_4))) and REL_UA and L_UA_1  # UA released by hand (R8, section fault release)
-        SR_UA = VALID and (not OCC_UA) and K_UA and (REL_UA or REL_ALL)  # UA released after a restart (R16)
+        SR_UA = VALID and (not OCC_UA) and K_UA and (REL_UA or RELALL)  # UA released after a restart (R16)
         RLS_UA = RT_UA or CA_UA or HR_UA or SR_UA  # UA is released
         GPN_201 = (G_R1 or G_R2 or G_R5 or G_R7 or G_R10 or G_R12)  # a grant needs 201 N
         MAN_201 = MN_201 and (not MR_201) and MOV_201 and (not (G_R1 or G_R2 or G_R3 or G_R4 or G_R5 or G_R6 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12))  # machine 201 moved N by hand

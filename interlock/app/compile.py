@@ -13,9 +13,10 @@ from pathlib import Path
 from interlock import __version__
 from interlock.app.check import Checked, check_file
 from interlock.app.prove import Proved, claims_json, prove_checked
-from interlock.diag import Diagnostic, Severity
+from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
 from interlock.emit.tables.export import matrix_csv, table_csv, table_html, table_json, table_xlsx
+from interlock.frontend import load
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.proof.runner import Limits, Progress, quiet
 
@@ -133,6 +134,22 @@ def compile_file(
             )
         )
     return replace(proved, files=tuple(sorted(files)), notes=tuple(notes))
+
+
+def names_twice(paths: Sequence[str]) -> tuple[Diagnostic, ...]:
+    """Layouts of one name would overwrite each other's outputs."""
+    first: dict[str, str] = {}
+    found = []
+    for path in paths:
+        layout, source = load(path, Sink())
+        if layout is None:
+            continue
+        before = first.setdefault(layout.name.lower(), path)
+        if before != path:
+            message = f"{path} bears the name {layout.name}, as {before} does: their outputs would overwrite each other"
+            fix = "rename one of them, or compile them into different folders with -o"
+            found.append(Diagnostic("IL5004", Severity.ERROR, message, source.at("name"), fix))
+    return tuple(found)
 
 
 def run_many(work: Callable[..., Proved], calls: Sequence[tuple[object, ...]], jobs: int) -> list[Proved]:

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import click
 
-from interlock.app.compile import compile_file, run_many
+from interlock.app.compile import compile_file, names_twice, run_many
 from interlock.cli.common import (
+    FINDINGS,
     exit_code,
     format_option,
     jobs_option,
@@ -16,6 +17,7 @@ from interlock.cli.common import (
     progress,
     proof_body,
     put_json,
+    show,
     show_proof,
 )
 from interlock.proof.runner import Limits
@@ -40,6 +42,10 @@ def command(
     layouts: tuple[str, ...], out: Path, jobs: int, check: bool, unproved: bool, verbose: bool, form: str
 ) -> None:
     """Derive the table, prove the controller, and write all outputs."""
+    clashes = names_twice(layouts) if len(layouts) > 1 else ()
+    if clashes:
+        show(clashes, {}, form)
+        sys.exit(FINDINGS)
     if jobs > 1 and len(layouts) > 1:
         results = run_many(compile_file, [(p, out, check, unproved, Limits()) for p in layouts], jobs)
     else:

@@ -141,6 +141,7 @@ class Symbols:
     used: Mapping[SectionId, str]
     passed: Mapping[SectionId, str]
     stale: Mapping[SectionId, str]
+    cancel: Mapping[SignalId, str]
     cancelling: Mapping[SignalId, str]
     approach_timer: Mapping[SignalId, str]
     approach_of: Mapping[SignalId, SectionId | None]

@@ -20,7 +20,6 @@ class Principles:
     fouling_m: distance from a point to its fouling point where the layout states none (our choice).
     clearance_m: least distance from the fouling point to a joint that is not foul (R7: 3.5 m).
     leg_m: length of the legs of a point where the layout states none (our choice).
-    scan_ms: cycle time that the time-outs assume (our choice).
     """
 
     release_delay_s: float = 3.0
@@ -29,7 +28,6 @@ class Principles:
     fouling_m: float = 12.0
     clearance_m: float = 3.5
     leg_m: float = 20.0
-    scan_ms: float = 100.0
 
 
 PROFILES: dict[str, Principles] = {

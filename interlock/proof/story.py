@@ -58,6 +58,9 @@ def tell(system: System, run: Run) -> Story:
     last = run.frames[-1].state
     where = ", ".join(s for s in trains if last[f"o.{s}"]) or "nowhere"
     steps.append(f"Now trains stand in {where}; {_points(system, last)}.")
+    if run.claim.id.endswith("-FLANK"):
+        leg = run.claim.place.split(":", 2)[2]
+        steps.append(f"Nothing keeps a vehicle away that rolls in over {leg}: no signal at stop, no point turned away.")
     sentence = CLAIMS[run.claim.id]
     steps.append(f"This violates {run.claim.id} at {run.claim.place}: {sentence}")
     return Story(run.claim.id, run.claim.place, sentence, tuple(steps), tuple(raw))

@@ -64,8 +64,8 @@ def _start(system: System, sim: Simulator, r: RouteSymbols) -> str | None:
     if any(state.get(name, value) != value for name, value in standing.items()):
         return f"a train before {r.entry} stands on points that the route needs otherwise"
     sim.reset(state | standing)
-    sim.step((), {"REL_ALL": 1})
-    sim.step((), {"REL_ALL": 1})
+    sim.step((), {"RELALL": 1})
+    sim.step((), {"RELALL": 1})
     return None
 
 

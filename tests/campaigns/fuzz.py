@@ -24,6 +24,7 @@ from types import FrameType
 
 from interlock.app.check import check_file
 from interlock.app.compile import build
+from interlock.proof.runner import Limits
 from tests.grow import grow
 
 LIMIT_S = 2.0
@@ -39,6 +40,7 @@ class Tally:
     count: int = 0
     valid: int = 0
     compiled: int = 0
+    proved: int = 0
     slowest: float = 0.0
     codes: Counter[str] = field(default_factory=Counter)
     bad: list[str] = field(default_factory=list)
@@ -113,6 +115,12 @@ def one(seed: int, tally: Tally, folder: str) -> None:
             if any(n.endswith((".st", ".py")) for n in files):
                 tally.bad.append(f"seed {seed}: PLC text from a layout with an error")
             tally.compiled += 1
+        if checked.ok and rng.random() < 0.05:
+            proved, files = build(path, limits=Limits(search_depth=3, search_s=2))
+            if not proved.green and any(n.endswith((".st", ".py")) for n in files):
+                tally.bad.append(f"seed {seed}: PLC text without a proof")
+            tally.proved += proved.green
+            began = time.perf_counter()  # the limit of 2 s is for checking
     except _TooLong:
         tally.bad.append(f"seed {seed}: over {LIMIT_S} s")
     except Exception as error:  # the campaign is looking for exactly this
@@ -150,6 +158,7 @@ def main() -> int:
             total.count += t.count
             total.valid += t.valid
             total.compiled += t.compiled
+            total.proved += t.proved
             total.slowest = max(total.slowest, t.slowest)
             total.codes += t.codes
             total.bad += t.bad
@@ -160,7 +169,8 @@ def main() -> int:
         print(line)
     print(
         f"{total.count} layouts in {time.time() - began:.0f} s: {total.valid} valid, slowest {total.slowest:.2f} s, "
-        f"{total.compiled} with errors compiled without PLC text, {len(total.bad)} bad"
+        f"{total.compiled} with errors compiled without PLC text, {total.proved} of the valid ones proved, "
+        f"{len(total.bad)} bad"
     )
     return 1 if total.bad else 0
 

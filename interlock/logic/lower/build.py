@@ -60,6 +60,7 @@ def _symbols(d: Draft) -> Symbols:
         used=each("U"),
         passed=each("P"),
         stale=each("D"),
+        cancel={g: f"CAN_{portable(g)}" for g in signals},
         cancelling={g: f"X_{portable(g)}" for g in signals},
         approach_timer={g: f"AT_{portable(g)}" for g in signals},
         approach_of={g: d.rear(d.first_section(g), d.layout.signal[g].node) for g in signals},

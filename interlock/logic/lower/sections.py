@@ -23,7 +23,7 @@ def inputs(d: Draft) -> None:
         d.inputs.append(Input(f"REL_{portable(s_)}", f"operator: release section {s_} (hold until released)"))
     for s_ in d.sections:
         d.inputs.append(Input(f"BLK_{portable(s_)}", f"operator: section {s_} is blocked", restrictive=1))
-    d.inputs.append(Input("REL_ALL", "operator: release all clear sections after a restart"))
+    d.inputs.append(Input("RELALL", "operator: release all clear sections after a restart"))
 
 
 def image(d: Draft) -> None:
@@ -174,7 +174,7 @@ def release(d: Draft) -> None:
                 valid,
                 clear,
                 Term(var(f"K_{n}"), "restart lock"),
-                Term(disj((var(f"REL_{n}"), var("REL_ALL"))), "operator"),
+                Term(disj((var(f"REL_{n}"), var("RELALL"))), "operator"),
             ),
             group,
             f"{s} released after a restart (R16)",

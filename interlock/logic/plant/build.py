@@ -220,7 +220,7 @@ class PlantBuilder:
         for a in self.topo.ends[s]:
             ahead = self.topo.beyond(s, a)
             g = self.topo.signal_into.get((a, ahead)) if ahead is not None else None
-            if g is None:
+            if g is None and ("A-REVERSE" not in self.dropped or a in self.layout.buffer_at):
                 continue
             for b in self.topo.ends[s]:
                 back = disj(self.lie(t) for t in self.ways(s, b, a))
@@ -327,6 +327,9 @@ class PlantBuilder:
             p.initial.append(neg(accepted(g.id)))
             p.state[f"lamp.{g.id}"] = f"{g.id} showed proceed one scan ago"
             p.next[f"lamp.{g.id}"] = self.w.proceed.get(g.id, FALSE)
+            if "A-LATE-OUTPUT" in self.dropped:
+                stuck = self.choice(f"?stuck.{g.id}", f"{g.id} goes on showing proceed")
+                p.next[f"lamp.{g.id}"] = disj((p.next[f"lamp.{g.id}"], conj((lamp(g.id), stuck))))
             p.initial.append(neg(lamp(g.id)))
 
     # --- what the inputs show ------------------------------------------------------------------

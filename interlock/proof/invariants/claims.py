@@ -191,7 +191,7 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield "S-LOST-INPUT", g.id, implies(neg(valid), neg(shows))
         yield "S-LOCKED", g.id, implies(shows, after(disj(lie(f, p.ways) for p in signal_paths(f, g.id))))
         if g.id in f.sym.cancelling:
-            yield "S-CANCELLED", g.id, implies(var(f"CAN_{f.sym.cancelling[g.id][2:]}"), neg(shows))
+            yield "S-CANCELLED", g.id, implies(var(f.sym.cancel[g.id]), neg(shows))
         for k, path in enumerate(signal_paths(f, g.id), 1):
             place = f"{g.id}:{k}"
             here = conj((shows, after(lie(f, path.ways))))
