@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from interlock.logic.compile import compile_exprs
-from interlock.logic.controller import Controller
-from interlock.logic.expr import Substitution, evaluate
+from interlock.logic.controller import Controller, Timer
+from interlock.logic.expr import Substitution, evaluate, variables
 from interlock.logic.plant import Plant
 
 
@@ -20,7 +20,10 @@ class Simulator:
         self._events = compile_exprs(plant.events)
         # the plant's next state, except the parts that depend on this scan's inputs (img.*)
         self._move = compile_exprs({n: e for n, e in plant.next.items() if not n.startswith("img.")})
-        self._timer_inputs = compile_exprs({t.name: controller.expanded[t.input] for t in controller.timers})
+        self._timers = [
+            (group, compile_exprs({t.name: controller.expanded[t.input] for t in group}))
+            for group in _independent(controller)
+        ]
         self._next = compile_exprs(controller.next_state)
         self._rules = compile_exprs({f"{i}": a.expr for i, a in enumerate(plant.assumptions)})
         self._hazards = compile_exprs({f"{h.id} {h.place}": h.expr for h in plant.hazards})
@@ -90,11 +93,26 @@ class Simulator:
         return [e for e, ok in self._events(values).items() if ok]
 
     def _run_timers(self, values: dict[str, int]) -> None:
-        # timer inputs may depend on earlier timers: settle in order
-        for t in self.controller.timers:
-            if self._timer_inputs(values)[t.name]:
-                self.elapsed[t.name] = min(self.elapsed[t.name] + self.dt_ms, t.preset_ms)
-                values[t.name] = int(self.elapsed[t.name] >= t.preset_ms)
-            else:
-                self.elapsed[t.name] = 0
-                values[t.name] = 0
+        for group, inputs in self._timers:
+            running = inputs(values)
+            for t in group:
+                if running[t.name]:
+                    self.elapsed[t.name] = min(self.elapsed[t.name] + self.dt_ms, t.preset_ms)
+                    values[t.name] = int(self.elapsed[t.name] >= t.preset_ms)
+                else:
+                    self.elapsed[t.name] = 0
+                    values[t.name] = 0
+
+
+def _independent(controller: Controller) -> list[list[Timer]]:
+    """The timers in order, in groups of which no input reads a timer of the same group."""
+    groups: list[list[Timer]] = []
+    names: set[str] = set()
+    for t in controller.timers:
+        reads = set(variables((controller.expanded[t.input],)))
+        if not groups or reads & names:
+            groups.append([])
+            names = set()
+        groups[-1].append(t)
+        names.add(t.name)
+    return groups
