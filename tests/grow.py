@@ -83,7 +83,7 @@ class Grown:
             self.buffers.append(name)
         else:
             name = self.name("W")
-            kind = self.rng.choice(["both", "both", "in", "out"])
+            kind = self.rng.choice(["both"] * 6 + ["out"] * 3 + ["in"])
             approach = f"approach: {self.name('ap')} 100, " if self.rng.random() < 0.8 else ""
             self.boundaries[name] = f"{{{approach}trains: {kind}}}"
             if kind != "out":
@@ -120,7 +120,7 @@ class Grown:
         first = self.name("t")
         section = self.name("s")
         self.tracks[first] = [f"{section} {self.length()}"]
-        self.boundaries["W"] = f"{{approach: ap 100, trains: {self.rng.choice(['both', 'in'])}}}"
+        self.boundaries["W"] = f"{{approach: ap 100, trains: {self.rng.choice(['both'] * 9 + ['in'])}}}"
         self.tracks[first].insert(0, "W")
         self.signals.append(f"  X: {{from: W, into: {section}}}")
         open_ = [End(f"{first}.end", section)]

@@ -10,7 +10,7 @@ import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
-from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, Signal
+from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal
 from interlock.model.layout import Layout
 
 Frozen = Mapping[MachineId, Position]
@@ -83,6 +83,9 @@ def trips(layout: Layout, g: Signal) -> list[Trip]:
     while todo:
         moves, positions = todo.pop()
         here = moves[-1]
+        boundary = layout.boundary_at.get(here.node)
+        if boundary is not None and boundary.kind is BoundaryKind.IN:
+            continue
         ending = here.node in layout.boundary_at or here.node in layout.buffer_at
         options = list(steps(layout, here))
         ahead = next((signal_facing(layout, here.node, m.edge) for m, _ in options), None)

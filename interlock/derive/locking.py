@@ -40,13 +40,13 @@ def derive_release(layout: Layout, path: Path) -> tuple[ReleaseStep, ...]:
 
 
 def derive_block(layout: Layout, path: Path) -> tuple[BlockCell, ...]:
-    """Beyond a boundary through which trains also come in, the approach section must be clear."""
+    """Where a section beyond the boundary is detected, it must be clear."""
     if path.exit_kind is not ExitKind.BOUNDARY:
         return ()
     boundary = layout.boundary_at[path.ways[-1].exit]
     if boundary.approach is None:
         return ()
-    return (BlockCell(boundary.approach, Because("R12", f"the line beyond {path.exit} is used both ways")),)
+    return (BlockCell(boundary.approach, Because("R12", f"{boundary.approach} beyond {path.exit} must be clear")),)
 
 
 def derive_conditions(layout: Layout, path: Path) -> tuple[ConditionCell, ...]:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from interlock.diag import Sink
-from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, Signal, SignalId
+from interlock.model.elements import BoundaryKind, MachineId, NodeId, Position, RouteId, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
 from interlock.table.rows import ExitKind
@@ -67,7 +67,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
             sink.add(
                 "IL4005",
                 f"{dropped} path{'s' if dropped > 1 else ''} from {g.id} cannot be run: "
-                "a section is met twice, a machine is needed in two positions, or the track is one way",
+                "a section is met twice, a machine is needed in two positions, or no train may run that way",
             )
         if not by_exit:
             sink.add(
@@ -104,7 +104,8 @@ def _search(layout: Layout, topo: Topology, g: Signal) -> Iterator[tuple[ExitKin
         for t in reversed(onward_ways):
             path = (*ways, t)
             if t.exit in layout.boundary_at:
-                yield ExitKind.BOUNDARY, t.exit, path
+                leaves = layout.boundary_at[t.exit].kind is not BoundaryKind.IN
+                yield (ExitKind.BOUNDARY if leaves else None), t.exit, path
                 continue
             if t.exit in layout.buffer_at:
                 yield ExitKind.BUFFER, t.exit, path
