@@ -106,3 +106,26 @@ def test_every_cell_carries_its_reason() -> None:
             for c in COLUMNS:
                 for text, because in c.items(r):
                     assert text and because.rule.startswith("R") and because.text
+
+
+def test_a_foul_joint_keeps_the_siding_clear_for_the_main_line() -> None:
+    checked = check_file("tests/layouts_for_tests/foul_joint.yaml")
+    assert checked.ok and checked.table is not None
+    main = checked.table.route["X1-E"]  # type: ignore[index]
+    assert [c.section for c in main.foul] == ["s"] and "foul of point P" in main.foul[0].because.text
+    assert [c.section for c in checked.table.route["X1-B"].foul] == ["m"]  # type: ignore[index]
+    assert {d.code for d in checked.diagnostics} == {"IL3018"}
+
+
+def test_foul_joints_are_claimed_and_a_missing_exclusion_is_killed() -> None:
+    from interlock.logic.lower import lower
+    from interlock.proof.mutate import Fate, run_mutants
+    from interlock.proof.runner import Limits, prove
+    from interlock.proof.system import System
+
+    checked = check_file("tests/layouts_for_tests/foul_joint.yaml")
+    assert checked.layout is not None and checked.table is not None
+    result = prove(System(checked.layout, lower(checked.layout, checked.table)))
+    assert result.proved and next(c.places for c in result.claims if c.id == "T-FOUL") == 2
+    outcomes = run_mutants(checked.layout, checked.table, 0, Limits(search_depth=0), only=("diamond-not-excluded",))
+    assert any(o.fate is not Fate.REDUNDANT and "T-FOUL" in o.claims for o in outcomes), outcomes

@@ -100,7 +100,7 @@ def _compare(
             wrong.append(Difference(o.name, "missing in the text"))
     if set(outputs) != {o.name for o in controller.outputs}:
         wrong.append(Difference("outputs", "the text has other outputs"))
-    by_name = {algebra.timer_names.get(p, p): x for p, x in algebra.timers.items()}
+    by_name = dict(algebra.timers)
     for t in controller.timers:
         got = by_name.pop(t.name, None)
         if got is None or got[1] != t.preset_ms:

@@ -1,8 +1,8 @@
 """From the controller to Structured Text.
 
 The steps are cut into small function blocks in their order; a block gets what it reads as inputs and gives what it
-computes as outputs.  State lives in blocks of its own that are called last, so that every equation of a scan sees
-the old state.  The main block calls them in one fixed order and holds the timers.
+computes as outputs.  Timers stand in blocks of their own.  State lives in blocks that are called last, so that every
+equation of a scan sees the old state.  The main block calls them all in one fixed order.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from interlock.st.ast import (
 )
 
 MAX_OPERANDS = 10
-MAX_ROWS = 360  # of equations and declarations in a computing block; the strictest guide found allows 500
+MAX_ROWS = 400  # of equations and declarations in a computing block; the strictest guide found allows 500
 MAX_STATE = 120
 
 
@@ -48,20 +48,20 @@ def lower_st(controller: Controller, header: Sequence[str]) -> Unit:
     for k, part in enumerate(state_blocks, 1):
         for s in part:
             where[s.name] = Name((f"S{k:02d}", s.name))
+    counts = {"B": 0, "T": 0}
     for piece in pieces:
-        if isinstance(piece, Timer):
-            instance = f"TON_{piece.name}"
-            locals_.append(Declaration(instance, "TON", None, piece.note))
-            body.append(Call(instance, (("IN", where[piece.input]), ("PT", Time(piece.preset_ms))), piece.note))
-            where[piece.name] = Name((instance, "Q"))
-            continue
-        block = _computing(f"{prefix}_B{len(blocks) + 1:02d}", piece, ranges)
+        letter = "T" if isinstance(piece[0], Timer) else "B"
+        counts[letter] += 1
+        instance = f"{letter}{counts[letter]:02d}"
+        timers = [x for x in piece if isinstance(x, Timer)]
+        equations = [x for x in piece if isinstance(x, Equation)]
+        name = f"{prefix}_{instance}"
+        block = _timing(name, timers) if timers else _computing(name, equations, ranges)
         blocks.append(block)
-        instance = f"B{len(blocks):02d}"
         locals_.append(Declaration(instance, block.name, None, block.note))
         body.append(Call(instance, tuple((d.name, where[d.name]) for d in block.inputs)))
-        for e in piece:
-            where[e.name] = Name((instance, e.name))
+        for x in piece:
+            where[x.name] = Name((instance, x.name))
     for k, part in enumerate(state_blocks, 1):
         block = _keeping(f"{prefix}_S{k:02d}", part)
         blocks.append(block)
@@ -89,24 +89,37 @@ def _rows(e: Equation) -> int:
     return 3 + len(e.terms) + sum(max(0, len(t.expr.args)) // 4 for t in e.terms)
 
 
-def _cut(steps: Sequence[Equation | Timer]) -> list[list[Equation] | Timer]:
-    """Consecutive equations in pieces; consecutive timers stay single."""
-    out: list[list[Equation] | Timer] = []
+def _cut(steps: Sequence[Equation | Timer]) -> list[list[Equation | Timer]]:
+    """Consecutive equations, and consecutive timers, in pieces of limited size."""
+    out: list[list[Equation | Timer]] = []
     rows, reads = 0, set[str]()
     for step in steps:
-        if isinstance(step, Timer):
-            out.append(step)
-            continue
-        new = set(variables(t.expr for t in step.terms))
-        last = out[-1] if out else None
-        if isinstance(last, list) and rows + _rows(step) + len(reads | new) <= MAX_ROWS:
-            last.append(step)
-            rows += _rows(step)
+        new = set(variables(t.expr for t in step.terms)) if isinstance(step, Equation) else {step.input}
+        size = _rows(step) if isinstance(step, Equation) else 4
+        if out and type(out[-1][0]) is type(step) and rows + size + len(reads | new) <= MAX_ROWS:
+            out[-1].append(step)
+            rows += size
             reads |= new
         else:
             out.append([step])
-            rows, reads = _rows(step), new
+            rows, reads = size, new
     return out
+
+
+def _timing(name: str, timers: Sequence[Timer]) -> Block:
+    """On-delay timers: what they wait for comes in, whether the time is over goes out."""
+    body: list[Statement] = []
+    for t in timers:
+        body.append(Call(f"TON_{t.name}", (("IN", Name((t.input,))), ("PT", Time(t.preset_ms))), t.note))
+        body.append(Assign(Name((t.name,)), Name((f"TON_{t.name}", "Q"))))
+    return Block(
+        name,
+        tuple(Declaration(n, "BOOL") for n in dict.fromkeys(t.input for t in timers)),
+        tuple(Declaration(t.name, "BOOL", None, t.note) for t in timers),
+        tuple(Declaration(f"TON_{t.name}", "TON") for t in timers),
+        tuple(body),
+        "timers",
+    )
 
 
 def _computing(name: str, equations: Sequence[Equation], ranges: set[str]) -> Block:

@@ -215,7 +215,7 @@ Term = Expr | Constant | Symbol
 
 @dataclass
 class Symbols:
-    """Symbolic execution; `timers` collects input and preset of every timer by its path."""
+    """Symbolic execution; `timers` collects input and preset of every timer by its name."""
 
     timers: dict[str, tuple[Expr, int]] = field(default_factory=dict)
     timer_names: dict[str, str] = field(default_factory=dict)
@@ -261,7 +261,9 @@ class Symbols:
 
     def timer(self, path: str, on: Term, preset: Term) -> Term:
         """A fresh variable for the output; its input and preset are compared separately."""
-        if not isinstance(preset, Constant) or path in self.timers:
-            raise BadText(f"timer {path} is called twice or without a constant time")
-        self.timers[path] = (self._bool(on), preset.value)
-        return var(self.timer_names.get(path, f"timer {path}"))
+        own = path.rsplit(".", 1)[-1]
+        name = self.timer_names.get(own, f"timer {own}")
+        if not isinstance(preset, Constant) or name in self.timers:
+            raise BadText(f"timer {own} is called twice or without a constant time")
+        self.timers[name] = (self._bool(on), preset.value)
+        return var(name)
