@@ -133,7 +133,7 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
         return
     done = sum(c.verdict == "PROVED" for c in p.proof.claims)
     ok = sum(w.ok for w in p.proof.witnesses)
-    if verbose or not p.green:
+    if verbose or not (p.proof.proved and p.text_equal):
         for c in p.proof.claims:
             mark = click.style(f"{c.verdict:8}", fg=_COLOURS[c.verdict])
             count = f"{c.places} place{'s' if c.places != 1 else ''}" if c.places else "nothing to claim"

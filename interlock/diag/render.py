@@ -36,12 +36,17 @@ def _excerpt(d: Diagnostic, lines: list[str]) -> list[str]:
     return [f"{pad} |", f"{gutter} | {shown}", f"{pad} | {' ' * _columns(before)}{carets}"]
 
 
+def _where(d: Diagnostic) -> str:
+    """File, line and column; nothing for a file that could not be opened (its name stands in the message)."""
+    return f"{d.span.file}:{d.span.line}:{d.span.column}: " if d.span and d.span.line else ""
+
+
 def full(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str]) -> str:
     """Every diagnostic with its line, caret and fix.  `sources` maps file name to text."""
     out: list[str] = []
     split: dict[str, list[str]] = {}
     for d in diagnostics:
-        where = f"{d.span.file}:{d.span.line}:{d.span.column}: " if d.span else ""
+        where = _where(d)
         out.append(f"{where}{d.severity}[{d.code}]: {_printable(d.message)}")
         if d.span is not None:
             if d.span.file not in split:
@@ -58,7 +63,7 @@ def concise(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str]) -> st
     del sources
     rows = []
     for d in diagnostics:
-        where = f"{d.span.file}:{d.span.line}:{d.span.column}: " if d.span else ""
+        where = _where(d)
         rows.append(f"{where}{d.severity}[{d.code}]: {_printable(d.message)}\n")
     return "".join(rows)
 

@@ -119,8 +119,8 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
         mark = error.problem_mark or error.context_mark
         what = error.problem or error.context or "broken YAML"
         hint = "check the indentation, the colons and the brackets up to this place"
-        if "\\t" in what or "tab" in what:
-            hint = "YAML indents with spaces, never with tabs"
+        if mark is not None and mark.line < len(lines) and "\t" in lines[mark.line][: mark.column + 1]:
+            hint = "YAML indents with spaces, never with tabs: replace the tab"
         span = Span(file, mark.line + 1, mark.column + 1) if mark else Span(file, 1, 1)
         sink.add("IL1004", f"broken YAML: {what}", span, hint)
         return None

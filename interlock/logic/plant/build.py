@@ -22,6 +22,9 @@ from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
 
 
+WORD = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
+
+
 class PlantBuilder:
     """Builds the plant of a layout."""
 
@@ -86,12 +89,14 @@ class PlantBuilder:
                 away = disj((self.w.command[m, x.other], old_command(m, x.other)))
                 if "A-POINT" in self.dropped:
                     away = TRUE
-                starts[x] = conj((lies(m, x), away, self.choice(f"?start.{m}.{x}", f"machine {m} leaves {x}")))
+                starts[x] = conj(
+                    (lies(m, x), away, self.choice(f"?start.{m}.{x}", f"machine {m} starts to leave {WORD[x]}"))
+                )
                 self.p.events[f"start.{m}.{x}"] = starts[x]
             moving = conj(neg(lies(m, x)) for x in Position)
             for x in Position:
                 may = disj((self.w.command[m, x], old_command(m, x)))
-                arrives = conj((moving, may, self.choice(f"?arrive.{m}.{x}", f"machine {m} arrives {x}")))
+                arrives = conj((moving, may, self.choice(f"?arrive.{m}.{x}", f"machine {m} arrives {WORD[x]}")))
                 # both commands may be pending in one step: normal wins, so that it never lies both ways
                 if x is Position.REVERSE:
                     arrives = conj((arrives, neg(self.p.events[f"arrive.{m}.N"])))
@@ -177,7 +182,7 @@ class PlantBuilder:
                 self.heading(s, j),
                 authority,
                 scanned,
-                self.choice(f"?head.{j}.{s}", f"the head of the train in {s} passes {j}"),
+                self.choice(f"?head.{j}.{s}", f"the head of the train in {s} goes {self._to(s, j)}"),
             )
         )
 
@@ -190,7 +195,7 @@ class PlantBuilder:
                 across(j, s),
                 inside,
                 scanned,
-                self.choice(f"?tail.{j}.{s}", f"the tail of the train in {s} passes {j}"),
+                self.choice(f"?tail.{j}.{s}", f"its tail leaves {s}"),
             )
         )
 
@@ -200,6 +205,11 @@ class PlantBuilder:
         if j in self.layout.buffer_at or (boundary is not None and (j, s) not in self.topo.signal_into):
             return FALSE
         return across(j, self._other_side(s, j))
+
+    def _to(self, s: SectionId, j: NodeId) -> str:
+        """Where a train goes over an end, in words."""
+        ahead = self.topo.beyond(s, j)
+        return f"on into {ahead}" if ahead is not None else f"out at {j}"
 
     def _other_side(self, s: SectionId, j: NodeId) -> str:
         """What lies across an end: a section, an approach section, or outside."""
