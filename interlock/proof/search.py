@@ -92,25 +92,28 @@ def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: Z3Sat, 
     """Leave out every input that can be left out, one by one."""
     values = solver.values()
     shift = (depth - 1) * steps.size
+    valid = system.symbols.valid
+    healthy = {valid, *system.symbols.clear.values(), *system.symbols.detected.values()}  # else a fault is told
     kept: list[int] = [steps.bad + shift]
-    order = [n for n in steps.inputs if n.startswith("?")] + [n for n in steps.inputs if not n.startswith("?")]
-    quiet = {n: n.startswith(("CLR_",)) or n == system.symbols.valid for n in steps.inputs}
-    start = [n for n in steps.now if n.startswith("o.")]
-    wishes = [-steps.now[n] for n in start]
-    for name in order:
+    for k in range(depth):
+        lit = steps.inputs[valid] + k * steps.size
+        if solver.ask(*kept, lit) is Answer.SAT:
+            kept.append(lit)
+    values = solver.values() if solver.ask(*kept) is Answer.SAT else values
+    names = sorted((n for n in steps.inputs if n != valid), key=lambda n: not n.startswith("?"))
+    wishes = [-steps.now[n] for n in steps.now if n.startswith("o.")]
+    for name in names:
         for k in range(depth):
             lit = steps.inputs[name] + k * steps.size
-            wishes.append(lit if quiet[name] else -lit)
+            wishes.append(lit if name in healthy else -lit)
     wishes += [-(n + k * steps.size) for k in range(depth) for n in steps.template.value_literals()]
-    pending = []
-    for lit in wishes:
-        if values.get(abs(lit), False) == (lit > 0):
-            pending.append(lit)
     # first keep what already is as wished, then try to add the others one at a time
+    pending = [lit for lit in wishes if values.get(abs(lit), False) == (lit > 0)]
     if solver.ask(*kept, *pending) is Answer.SAT:
         kept += pending
+    held = set(kept)
     for lit in wishes:
-        if lit not in kept and solver.ask(*kept, lit) is Answer.SAT:
+        if lit not in held and solver.ask(*kept, lit) is Answer.SAT:
             kept.append(lit)
     solver.ask(*kept)
     values = solver.values()

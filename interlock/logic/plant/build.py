@@ -21,7 +21,6 @@ from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
 
-
 WORD = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
 
 
