@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import networkx as nx
+from collections.abc import Iterable
 
 from interlock.frontend.context import Context
+from interlock.model.elements import Edge, NodeId
 from interlock.model.layout import Layout
 
 
@@ -23,29 +24,36 @@ def _place(ctx: Context, section: str) -> tuple[str | int, ...]:
     return ()
 
 
+def _pieces(edges: Iterable[Edge]) -> list[set[NodeId]]:
+    """The connected pieces of some edges.  (Ten lines: a graph library would double the start-up of `check`.)"""
+    pieces: dict[NodeId, set[NodeId]] = {}
+    for e in edges:
+        a, b = pieces.setdefault(e.a, {e.a}), pieces.setdefault(e.b, {e.b})
+        if a is not b:
+            small, large = sorted((a, b), key=len)
+            large |= small
+            pieces.update(dict.fromkeys(small, large))
+    return list({id(p): p for p in pieces.values()}.values())
+
+
 def check_connected(ctx: Context, layout: Layout) -> None:
     """Report split and unreachable sections."""
-    whole = nx.Graph()
-    parts: dict[str, nx.Graph] = {}
+    parts: dict[str, list[Edge]] = {}
     for e in layout.edges:
-        whole.add_edge(e.a, e.b)
-        parts.setdefault(e.section, nx.Graph()).add_edge(e.a, e.b)
-    for section, graph in sorted(parts.items()):
-        pieces = sorted(sorted(c) for c in nx.connected_components(graph))
-        if len(pieces) > 1:
+        parts.setdefault(e.section, []).append(e)
+    for section, edges in sorted(parts.items()):
+        count = len(_pieces(edges))
+        if count > 1:
             ctx.add(
                 "IL3009",
-                f"section {section} is split into {len(pieces)} pieces that do not touch",
+                f"section {section} is split into {count} pieces that do not touch",
                 ctx.at(*_place(ctx, section)),
                 "a detector watches one piece of track: name each piece",
             )
-    starts = [b.node for b in layout.boundaries] or [g.node for g in layout.signals][:1]
-    reached: set[str] = set()
-    for node in starts:
-        if node in whole and node not in reached:
-            reached |= nx.node_connected_component(whole, node)
-    for section, graph in sorted(parts.items()):
-        if not reached & set(graph.nodes):
+    starts = {b.node for b in layout.boundaries} or {g.node for g in layout.signals[:1]}
+    reached = {n for piece in _pieces(layout.edges) if piece & starts for n in piece}
+    for section, edges in sorted(parts.items()):
+        if not any(e.a in reached for e in edges):
             ctx.add(
                 "IL3010",
                 f"no train can reach section {section}: it is joined to no boundary",
