@@ -160,6 +160,7 @@ def test_explain() -> None:
     done = run("explain", "IL9999")
     assert done.exit_code == 1
     assert len(run("explain").output.splitlines()) >= 40
+    assert json.loads(run("explain", "IL4001", "--format", "json").output)[0]["severity"] == "error"
 
 
 def test_schema_is_draft_07_and_accepts_the_shipped_layouts() -> None:

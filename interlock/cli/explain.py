@@ -7,15 +7,20 @@ import sys
 import click
 
 from interlock.app.why import explain
-from interlock.cli.common import FINDINGS, OK
+from interlock.cli.common import FINDINGS, OK, format_option, put_json
 from interlock.diag.codes import CODES
 from interlock.diag.suggest import did_you_mean
 
 
 @click.command("explain")
 @click.argument("code", required=False)
-def command(code: str | None) -> None:
+@format_option
+def command(code: str | None, form: str) -> None:
     """Explain a diagnostic code; without a code, list them all."""
+    if form == "json":
+        wanted = [c for c in CODES if code is None or c == code.upper()]
+        put_json([{"code": c, "severity": str(CODES[c][0]), "title": CODES[c][1], "page": explain(c)} for c in wanted])
+        sys.exit(OK if wanted else FINDINGS)
     if code is None:
         for c, (severity, title) in CODES.items():
             click.echo(f"{c}  {severity:8} {title}")
