@@ -75,3 +75,17 @@ def test_the_mine_takes_about_forty_lines() -> None:
 def test_no_module_is_long() -> None:
     for path in Path("interlock").rglob("*.py"):
         assert len(path.read_text("utf-8").splitlines()) <= 560, path
+
+
+def test_every_rule_that_a_cell_names_is_explained() -> None:
+    from interlock.app.why import explain
+    from interlock.table.columns import COLUMNS
+    from tests.layouts import SHIPPED, built
+
+    cited = {b.rule for n in SHIPPED for r in built(n)[1].routes for c in COLUMNS for _, b in c.items(r)}
+    for n in SHIPPED:
+        for e in (*built(n)[2].equations, *built(n)[2].next):
+            cited |= set(re.findall(r"\bR\d+\b", e.note))
+    assert {"R1", "R5", "R6.1", "R8", "R9"} <= cited
+    for rule in cited:
+        assert explain(rule) is not None, rule

@@ -16,9 +16,12 @@ from interlock.diag.suggest import did_you_mean
 @click.argument("code", required=False)
 @format_option
 def command(code: str | None, form: str) -> None:
-    """Explain a diagnostic code; without a code, list them all."""
+    """Explain a diagnostic code or a rule (R5); without one, list all codes."""
     if form == "json":
         wanted = [c for c in CODES if code is None or c == code.upper()]
+        if not wanted and code is not None and explain(code) is not None:
+            put_json([{"code": code.upper(), "severity": None, "title": "rule", "page": explain(code)}])
+            sys.exit(OK)
         put_json([{"code": c, "severity": str(CODES[c][0]), "title": CODES[c][1], "page": explain(c)} for c in wanted])
         sys.exit(OK if wanted else FINDINGS)
     if code is None:

@@ -18,7 +18,7 @@ VERBS = {
     "compile": "Derive the table, prove the controller, write all outputs.",
     "prove": "Prove every safety claim for every possible train movement.",
     "why": "Print why each cell of a route's row is as it is.",
-    "explain": "Explain a diagnostic code; without a code, list them all.",
+    "explain": "Explain a diagnostic code or a rule; without one, list all codes.",
     "mutate": "Weaken table and controller on purpose; see which claim fails.",
     "schema": "Print the JSON Schema of the layout language.",
 }

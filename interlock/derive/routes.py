@@ -87,7 +87,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
 
 
 def _rank(layout: Layout, ways: tuple[Traversal, ...]) -> tuple[int, float, int, tuple[tuple[str, int], ...]]:
-    """Basic before alternative: fewer points reversed, shorter, fewer points (DOMAIN 2a, without traffic)."""
+    """Basic before alternative: fewer points reversed, shorter, fewer points (R1)."""
     del layout
     points = [p for t in ways for _, p in t.points]
     return (points.count(Position.REVERSE), sum(t.length for t in ways), len(points), tuple(t.key for t in ways))

@@ -1,4 +1,4 @@
-"""Layout names as portable identifiers: ASCII letters, digits and single underscores (PLC.md rules)."""
+"""Layout names as portable identifiers: ASCII letters, digits and single underscores."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Syntax tree of the Structured Text subset (PLC.md section 1): what is emitted and what is read back.
+"""Syntax tree of the Structured Text subset: what is emitted and what is read back.
 
 No loops, no pointers, no enumerations: BOOL, INT and TIME scalars, function blocks, TON, assignments and calls.
 """

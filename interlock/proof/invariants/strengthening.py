@@ -1,4 +1,4 @@
-"""The invariants that make the claims inductive, one per element (PROOF.md section 3, adapted).
+"""The invariants that make the claims inductive, one per element.
 
 They tie the controller's locks to the trains: every moving train stands in sections that are firmly locked for
 its way; ahead of its head nobody has been since the lock; behind a joint without a signal the lock goes on.
