@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from interlock.diag import Diagnostic, Severity, Sink, Stopped
+from interlock.diag import Diagnostic, Severity, Sink
 from interlock.frontend import Source, load
 from interlock.model.layout import Layout
 from interlock.table.rows import InterlockingTable
@@ -32,21 +32,18 @@ def check_file(path: str) -> Checked:
     from interlock.derive import derive
 
     sink = Sink()
-    try:
-        layout, source = load(path, sink)
-        if layout is None:
-            return Checked(path, source, sink.diagnostics)
-        table = derive(layout, sink)
-        if not sink.has_errors:
-            for finding in audit(layout, table):
-                sink.add(
-                    "IL4007",
-                    f"route {finding.route}, {finding.column}: {finding.text}",
-                    None,
-                    "this is a defect of interlock; please report the layout",
-                )
-    except Stopped as stopped:
-        return Checked(path, Source(path, ""), stopped.diagnostics)
+    layout, source = load(path, sink)
+    if layout is None:
+        return Checked(path, source, sink.diagnostics)
+    table = derive(layout, sink)
+    if not sink.has_errors:
+        for finding in audit(layout, table):
+            sink.add(
+                "IL4007",
+                f"route {finding.route}, {finding.column}: {finding.text}",
+                None,
+                "this is a defect of interlock; please report the layout",
+            )
     placed = tuple(_place(d, source, path) for d in sink.diagnostics)
     return Checked(path, source, placed, layout, table)
 

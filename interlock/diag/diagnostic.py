@@ -41,11 +41,3 @@ class Diagnostic:
         """Sort key: by file, then place, then code."""
         s = self.span
         return (s.file if s else "", s.line if s else 0, s.column if s else 0, self.code, self.message)
-
-
-class Stopped(Exception):
-    """Raised when a phase cannot go on; carries every diagnostic collected so far."""
-
-    def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
-        super().__init__(f"{len(diagnostics)} diagnostics")
-        self.diagnostics = diagnostics

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import unicodedata
 from collections.abc import Iterable, Mapping
 
@@ -82,12 +81,6 @@ def as_json(diagnostics: Iterable[Diagnostic]) -> list[dict[str, object]]:
         }
         for d in diagnostics
     ]
-
-
-def json_text(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str]) -> str:
-    """The JSON form as text."""
-    del sources
-    return json.dumps(as_json(diagnostics), indent=2, ensure_ascii=False) + "\n"
 
 
 def summary(diagnostics: Iterable[Diagnostic]) -> str:

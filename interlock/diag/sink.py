@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from interlock.diag.codes import severity_of
-from interlock.diag.diagnostic import Diagnostic, Severity, Span, Stopped
+from interlock.diag.diagnostic import Diagnostic, Severity, Span
 
 
 class Sink:
-    """Collects diagnostics; `stop_on_errors` ends a phase that cannot be followed by another."""
+    """Collects diagnostics, so that a phase can report everything that it finds."""
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, str, Span | None], Diagnostic] = {}
@@ -25,8 +25,3 @@ class Sink:
     def has_errors(self) -> bool:
         """Whether anything found so far forbids going on."""
         return any(d.severity is Severity.ERROR for d in self._found.values())
-
-    def stop_on_errors(self) -> None:
-        """Raise `Stopped` when an error was recorded."""
-        if self.has_errors:
-            raise Stopped(self.diagnostics)

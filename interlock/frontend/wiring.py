@@ -113,7 +113,6 @@ class Wirer:
         self.out = Wiring()
         self.mate: dict[Port, tuple[Port, Span]] = {}
         self.tracks: dict[str, list[_Stretch]] = {}
-        self.first_edge: dict[Port, EdgeId] = {}
 
     def run(self) -> Wiring:
         """All steps; the graph is complete only when no error was reported."""

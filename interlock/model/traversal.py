@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from interlock.model.elements import (
-    BoundaryKind,
     CrossingId,
     EdgeId,
     NodeId,
@@ -87,16 +86,6 @@ class Topology:
     def joints(self) -> tuple[tuple[NodeId, SectionId, SectionId], ...]:
         """Every joint between two sections, once."""
         return tuple((n, ss[0], ss[1]) for n, ss in sorted(self._touch.items()) if len(ss) == 2)
-
-    def entries(self, section: SectionId) -> tuple[NodeId, ...]:
-        """Ends over which a train can come into the section (not buffers, not outgoing boundaries)."""
-        out = []
-        for n in self.ends[section]:
-            b = self.layout.boundary_at.get(n)
-            if n in self.layout.buffer_at or (b is not None and b.kind is BoundaryKind.OUT):
-                continue
-            out.append(n)
-        return tuple(out)
 
     def through(self, section: SectionId, entry: NodeId) -> tuple[Traversal, ...]:
         """The traversals of a section that start at an end."""

@@ -9,8 +9,8 @@ from collections.abc import Iterable, Mapping
 from functools import cached_property
 
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
-from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
-from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, SignalId
+from interlock.logic.expr import FALSE, Expr, disj, neg, var
+from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.model.traversal import Topology, topology
@@ -142,19 +142,3 @@ class Draft:
     def approach_safe(self, g: SignalId) -> Expr:
         """No train can be about to pass the signal: approach clear, or the delay has run out."""
         return disj((self.approach_clear(g), var(f"AT_{portable(g)}")))
-
-    @staticmethod
-    def route_var(prefix: str, route: RouteRow | RouteId, number: int | None = None) -> Expr:
-        """A variable of a route."""
-        n = number if number is not None else (route.number if isinstance(route, RouteRow) else 0)
-        return var(f"{prefix}_R{n}")
-
-
-def all_of(*terms: Term) -> tuple[Term, ...]:
-    """Terms of a conjunction."""
-    return terms
-
-
-def both(a: Expr, b: Expr) -> Expr:
-    """AND of two."""
-    return conj((a, b))

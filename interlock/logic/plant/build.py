@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
-from interlock.logic.plant.kinds import Assumption, Hazard, Plant, Wiring
+from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, Wiring
 from interlock.logic.plant.words import (
     OUTSIDE,
     accepted,
@@ -144,7 +144,7 @@ class PlantBuilder:
             self.p.events[f"appear.{outside}"] = conj(
                 (neg(o(outside)), self.choice(f"?appear.{outside}", f"a train comes to {b.node}"))
             )
-            self._accept(g, outside, conj((o(outside), scanned, free)))
+            self._accept(g, conj((o(outside), scanned, free)))
         for g_ in self.layout.signals:
             node, first, rear = self.rear(g_.id)
             if node in self.layout.boundary_at or rear is None:
@@ -158,12 +158,11 @@ class PlantBuilder:
                     image(rear) if "A-SCAN" not in self.dropped else TRUE,
                 )
             )
-            self._accept(g_.id, rear, ready)
+            self._accept(g_.id, ready)
         for s in topo.sections:
             self._reversal(s)
 
-    def _accept(self, g: SignalId, rear: str, ready: Expr) -> None:
-        del rear
+    def _accept(self, g: SignalId, ready: Expr) -> None:
         self.p.events[f"accept.{g}"] = conj(
             (ready, self.seen(g), self.choice(f"?accept.{g}", f"a driver accepts the proceed of {g}"))
         )
@@ -359,8 +358,6 @@ class PlantBuilder:
             p.initial.append(image(s))
             self._assume(
                 "A-DETECT",
-                "A train that stands in a section before and after a step is reported "
-                "(no loss of shunt); a train that just came in or left may be reported either way.",
                 implies(conj((o(s), p.next[f"o.{s}"], valid)), reported),
             )
             false_[s] = conj((reported, neg(o(s)), neg(p.next[f"o.{s}"]), valid))
@@ -373,28 +370,23 @@ class PlantBuilder:
             if a in false_ and b_ in false_:
                 self._assume(
                     "A-ONE-FALSE",
-                    "No two neighbouring sections are falsely reported occupied in the same scan.",
                     neg(conj((false_[a], false_[b_]))),
                 )
         for (m, x), name in self.w.detected.items():
             self._assume(
                 "A-CONTACT",
-                "A point is never reported in a position in which it does not lie; a missing "
-                "report is always possible.",
                 implies(conj((valid, var(name))), p.next[f"at.{m}.{x}"]),
             )
         for g, name in self.w.approach_timer.items():
             if f"go.{g}" in p.next:
                 self._assume(
                     "A-TIMER",
-                    "When the approach locking delay has run out with the signal at stop, the "
-                    "train before it has passed it or stands.",
                     implies(var(name), conj((neg(accepted(g)), neg(p.next[f"go.{g}"])))),
                 )
 
-    def _assume(self, id_: str, text: str, expr: Expr) -> None:
+    def _assume(self, id_: str, expr: Expr) -> None:
         if id_ not in self.dropped:
-            self.p.assumptions.append(Assumption(id_, text, expr))
+            self.p.assumptions.append(Assumption(id_, ASSUMPTIONS[id_], expr))
 
     # --- hazards -------------------------------------------------------------------------------
 
