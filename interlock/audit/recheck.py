@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from interlock.audit.walk import Frozen, Move, Trip, distances, signal_distance, signal_facing, steps, trips
-from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId
+from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal
 from interlock.model.layout import Layout
 from interlock.table.rows import InterlockingTable, RouteRow
 
@@ -29,13 +29,15 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     """Every disagreement, in the order of the table."""
     found: list[Finding] = []
     matched: dict[str, Trip] = {}
-    mine = [t for g in layout.signals for t in trips(layout, g)]
+    mine = [t for g in layout.signals for k in _functions(g) for t in trips(layout, g, k) if not _unwanted(layout, t)]
     for r in table.routes:
         same = [
             t
             for t in mine
             if t.entry == r.entry
             and t.exit == r.exit
+            and t.shunt == (r.kind == "shunt")
+            and t.berth == r.berth
             and t.sections == r.section_ids
             and _path_positions(r) == dict(t.positions)
         ]
@@ -52,12 +54,27 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     return tuple(found)
 
 
+def _functions(g: Signal) -> list[bool]:
+    return [False] * (g.kind != "shunt") + [True] * (g.kind != "main")
+
+
+def _unwanted(layout: Layout, t: Trip) -> bool:
+    """Whether the layout excludes a path."""
+    return any(
+        (x.entry is None or x.entry == t.entry)
+        and (x.exit is None or x.exit in (t.exit, t.sections[-1]))
+        and all(s in t.sections for s in x.via)
+        and (x.shunt is None or x.shunt == t.shunt)
+        for x in layout.excluded
+    )
+
+
 def _path_positions(r: RouteRow) -> dict[MachineId, Position]:
     return {p.machine: p.position for p in r.points if p.role == "path"}
 
 
 def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
-    if tuple(c.section for c in r.sections) != trip.sections:
+    if tuple(c.section for c in r.sections) != tuple(s for s in trip.sections if s != trip.berth):
         yield Finding(r.id, "sections", f"the path lies over {', '.join(trip.sections)}")
     if tuple(s.section for s in r.release) != trip.sections:
         yield Finding(r.id, "release", "the order is not that of the path")
@@ -67,8 +84,16 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     if r.approach.section != want:
         yield Finding(r.id, "approach", f"{want} lies in rear of {r.entry}")
     foul = foul_neighbours(layout, trip)
-    if {c.section for c in r.foul} != foul:
-        yield Finding(r.id, "foul", f"foul sections are {', '.join(sorted(foul)) or 'none'}")
+    if {(c.section, c.when) for c in r.foul} != foul:
+        told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w in foul)
+        yield Finding(r.id, "foul", f"foul sections are {', '.join(told) or 'none'}")
+    beside = {
+        p.machine: Position.NORMAL
+        for p in layout.points
+        if layout.section_of(p.toe) in trip.sections and p.machine not in frozen_machines(r)
+    }
+    if {p.machine: p.position for p in r.driven} != (beside if layout.principles.drive_points else {}):
+        yield Finding(r.id, "driven", f"beside the path lie {', '.join(sorted(beside)) or 'no points'}")
     frozen = {p.machine: p.position for p in r.points}
     waived = {(w.point, w.leg) for w in layout.waivers}
     for place in open_flanks(layout, trip, frozen):
@@ -77,6 +102,11 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     needed = {c.id for c in layout.conditions if r.entry in c.signals or set(c.over) & set(trip.sections)}
     if {c.condition for c in r.conditions} != needed:
         yield Finding(r.id, "conditions", f"required are {', '.join(sorted(needed)) or 'none'}")
+
+
+def frozen_machines(r: RouteRow) -> set[MachineId]:
+    """The machines that a route locks."""
+    return {p.machine for p in r.points}
 
 
 @dataclass(frozen=True)
@@ -149,19 +179,42 @@ def _stops(layout: Layout, node: NodeId, onto: EdgeId, place: Place) -> bool:
     return signal_distance(layout, place.node, place.edge, g, place.clear_of) is None
 
 
-def foul_neighbours(layout: Layout, trip: Trip) -> set[SectionId]:
-    """Sections that begin too near to a point of the path, on its unused leg."""
-    out: set[SectionId] = set()
+Foul = tuple[SectionId, tuple[MachineId, Position] | None]
+
+
+def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
+    """Sections that begin too near to a point of the path, on its unused leg, and the point that leads there."""
+    out: set[Foul] = set()
     for a, b in zip(trip.moves, trip.moves[1:], strict=False):
         point = layout.point_at.get(a.node)
         if point is None:
             continue
         unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
         home = layout.section_of(point.toe)
-        for (edge, _), gone in distances(layout, a.node, unused).items():
-            if layout.section_of(edge) != home and gone < point.fouling + layout.principles.clearance_m:
-                out.add(layout.section_of(edge))
+        for (edge, near), gone in distances(layout, a.node, unused).items():
+            behind = {layout.section_of(e.id) for e in layout.edges_at[near] if e.id != edge}
+            section = layout.section_of(edge)
+            if section in (home, *behind) or gone >= point.fouling + layout.principles.clearance_m:
+                continue
+            out.add((section, _way_out(layout, edge, near)))
     return out
+
+
+def _way_out(layout: Layout, edge: EdgeId, near: NodeId) -> tuple[MachineId, Position] | None:
+    """The first point beyond, within the section, that must lie so for a vehicle to come to `near`."""
+    section = layout.section_of(edge)
+    for _ in layout.edges:
+        near = layout.far(edge, near)
+        for p in layout.points:
+            if p.node == near:
+                if edge == p.toe:
+                    return None
+                return p.machine, Position.NORMAL if edge == p.normal else Position.REVERSE
+        further = [e.id for e in layout.edges_at[near] if e.id != edge and e.section == section]
+        if near in layout.crossing_at or len(further) != 1:
+            return None
+        edge = further[0]
+    return None
 
 
 @dataclass(frozen=True)
@@ -172,7 +225,8 @@ class _Ground:
     entry: str
     sections: frozenset[SectionId]
     nodes: frozenset[NodeId]
-    foul: frozenset[SectionId]
+    foul: frozenset[Foul]
+    positions_on_path: dict[MachineId, Position]
     positions: dict[MachineId, Position]
 
 
@@ -184,6 +238,7 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
         frozenset(trip.sections),
         frozenset(special),
         frozenset(foul_neighbours(layout, trip)),
+        dict(trip.positions),
         {p.machine: p.position for p in row.points},
     )
 
@@ -212,5 +267,8 @@ def _cannot_both(a: _Ground, b: _Ground) -> str:
         for m in sorted(a.positions.keys() & b.positions.keys()):
             if a.positions[m] is not b.positions[m]:
                 return f"machine {m} in two positions"
-    foul = (a.foul & b.sections) | (b.foul & a.sections)
-    return f"{', '.join(sorted(foul))} is foul" if foul else ""
+    for x, y in ((a, b), (b, a)):
+        for section, when in x.foul:
+            if section in y.sections and (when is None or y.positions_on_path.get(when[0]) is when[1]):
+                return f"{section} is foul"
+    return ""

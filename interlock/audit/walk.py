@@ -30,6 +30,8 @@ class Trip:
 
     entry: str
     exit: str
+    shunt: bool
+    berth: SectionId | None
     moves: tuple[Move, ...]
     sections: tuple[SectionId, ...]
     positions: tuple[tuple[MachineId, Position], ...]
@@ -72,8 +74,27 @@ def signal_facing(layout: Layout, node: NodeId, onto: EdgeId) -> Signal | None:
     return None
 
 
-def trips(layout: Layout, g: Signal) -> list[Trip]:
-    """Every path of a signal, by exhaustive walk over edges."""
+def standing_place(layout: Layout, section: SectionId) -> bool:
+    """Whether vehicles may stand in a section: plain track, and every way out over a joint has a signal, one of them
+    for shunting."""
+    kinds = []
+    for e in layout.edges:
+        if e.section != section:
+            continue
+        for node in (e.a, e.b):
+            if node in layout.point_at or node in layout.crossing_at:
+                return False
+            for onward in layout.edges_at[node]:
+                if onward.section != section:
+                    g = signal_facing(layout, node, onward.id)
+                    if g is None:
+                        return False
+                    kinds.append(g.kind)
+    return any(k != "main" for k in kinds)
+
+
+def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
+    """Every path of a signal for trains or for shunting movements, by exhaustive walk over edges."""
     e = layout.edge[g.into]
     first = Move(g.into, e.b if e.a == g.node else e.a)
     if e.one_way and first.node != e.b:
@@ -84,13 +105,18 @@ def trips(layout: Layout, g: Signal) -> list[Trip]:
         moves, positions = todo.pop()
         here = moves[-1]
         boundary = layout.boundary_at.get(here.node)
-        if boundary is not None and boundary.kind is BoundaryKind.IN:
+        section = layout.section_of(here.edge)
+        leaves_section = boundary is not None or any(e.section != section for e in layout.edges_at[here.node])
+        place = shunt and leaves_section and standing_place(layout, section)
+        if boundary is not None and not place and (shunt or boundary.kind is BoundaryKind.IN):
             continue
         ending = here.node in layout.boundary_at or here.node in layout.buffer_at
         options = list(steps(layout, here))
         ahead = next((signal_facing(layout, here.node, m.edge) for m, _ in options), None)
-        if ending or ahead is not None:
-            exit_ = str(here.node) if ending else str(ahead.id if ahead else "")
+        if ahead is not None and not shunt and not ahead.main:
+            ahead = None
+        if ending or place or ahead is not None:
+            exit_ = str(ahead.id) if ahead else str(here.node) if here.node in layout.buffer_at or not place else section
             sections = tuple(dict.fromkeys(layout.section_of(m.edge) for m in moves))
             runs = [layout.section_of(m.edge) for m in moves]
             split = sum(1 for a, b in itertools.pairwise(runs) if a != b) + 1 != len(sections)
@@ -98,7 +124,9 @@ def trips(layout: Layout, g: Signal) -> list[Trip]:
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
             diamonds = [m.node for m in moves[:-1] if m.node in layout.crossing_at]
             if not split and not clash and len(diamonds) == len(set(diamonds)):
-                found.append(Trip(g.id, exit_, moves, sections, tuple(sorted(wanted.items()))))
+                stands = shunt and len(sections) > 1 and standing_place(layout, section)
+                positions_ = tuple(sorted(wanted.items()))
+                found.append(Trip(g.id, exit_, shunt, section if stands else None, moves, sections, positions_))
             continue
         for m, needs in options:
             if any(m.edge == x.edge for x in moves):

@@ -4,9 +4,9 @@ Requesters: the unused leg of every point on the way, and both ends of the other
 From there the search goes outward until something keeps vehicles away:
     leg of another point    that point turned away, OR whatever protects beyond its toe
     toe of another point    both legs must be protected (AND)
-    main signal at stop     if it stands clear of the fouling point; otherwise the search goes on
+    signal at stop          if it stands clear of the fouling point; otherwise the search goes on
     buffer, outgoing boundary, one-way track    nothing can come
-A point turned away is preferred to a signal, nothing-can-come is preferred to both.
+Nothing-can-come is preferred; then a point turned away or a signal, as the principle `flank_by` says.
 """
 
 from __future__ import annotations
@@ -16,11 +16,13 @@ from dataclasses import dataclass
 
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId
 from interlock.model.layout import Layout
+from interlock.model.principles import FlankChoice
 from interlock.model.traversal import Traversal
 from interlock.table.rows import Because, FlankCell, Provider, ProviderKind
 
 Demands = Mapping[MachineId, Position]
 _PASSIVE = (ProviderKind.BUFFER, ProviderKind.BOUNDARY, ProviderKind.ONE_WAY)
+_BY_SIGNAL = (*_PASSIVE, ProviderKind.SIGNAL)
 
 
 @dataclass(frozen=True)
@@ -110,7 +112,8 @@ def _outward(
     turned = (Provider(ProviderKind.POINT, point.machine, position.other),)
     beyond = _outward(layout, r, point.toe, far, gone, seen)
     first = next(beyond, None)
-    if first is not None and all(p.kind in _PASSIVE for p in first):
+    preferred = _BY_SIGNAL if layout.principles.flank_by is FlankChoice.SIGNAL else _PASSIVE
+    if first is not None and all(p.kind in preferred for p in first):
         yield first
         first = None
     yield turned

@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 from interlock.derive.routes import Path
+from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 from interlock.table.rows import ApproachCell, Because, BlockCell, ConditionCell, ExitKind, ReleaseStep
 
 
+def approach_delay(layout: Layout, signal: SignalId) -> float:
+    """Seconds before a cancelled signal's route is released with a train in rear of it: one delay for a signal."""
+    g, p = layout.signal[signal], layout.principles
+    return max(p.approach_release_s if g.main else 0.0, p.shunt_release_s if g.shunt else 0.0)
+
+
 def derive_approach(layout: Layout, path: Path) -> ApproachCell:
     """The approach section and the delay of a cancellation while it is occupied."""
-    delay = layout.principles.approach_release_s
+    delay = approach_delay(layout, path.entry)
     boundary = layout.boundary_at.get(path.entry_node)
     rear = boundary.approach if boundary is not None else topology(layout).beyond(path.ways[0].section, path.entry_node)
     if rear is None:
@@ -26,7 +33,10 @@ def derive_release(layout: Layout, path: Path) -> tuple[ReleaseStep, ...]:
         last = i == len(path.ways) - 1
         after = path.ways[i - 1].section if i else None
         proved: str
-        if not last:
+        if t.section == path.berth:
+            proved = "next movement"
+            why = f"{t.section} stays locked while vehicles stand in it"
+        elif not last:
             proved = path.ways[i + 1].section
             why = f"{t.section} was occupied, then {proved} with it, then {t.section} clear"
         elif path.exit_kind is ExitKind.BOUNDARY:

@@ -13,7 +13,7 @@ from interlock.derive.locks import derive_locks
 from interlock.derive.routes import Path, find_routes
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
-from interlock.model.elements import MachineId, RouteId
+from interlock.model.elements import MachineId, Position, RouteId
 from interlock.model.layout import Layout
 from interlock.table.rows import (
     Because,
@@ -21,6 +21,7 @@ from interlock.table.rows import (
     FoulCell,
     InterlockingTable,
     PointDemand,
+    Role,
     RouteRow,
     TraversalKey,
     TraversalRow,
@@ -42,6 +43,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
         RouteRow(
             id=p.id,
             number=p.number,
+            kind=p.kind,
             names=names.get(p.id, ()),
             entry=p.entry,
             entry_node=p.entry_node,
@@ -49,9 +51,15 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             exit_kind=p.exit_kind,
             variant=p.variant,
             traversals=tuple(t.key for t in p.ways),
+            berth=p.berth,
             length=p.length,
             points=demands[p.id],
-            sections=tuple(ClearCell(t.section, Because("R3", f"{t.section} lies on the path")) for t in p.ways),
+            driven=_driven(layout, p, demands[p.id]),
+            sections=tuple(
+                ClearCell(t.section, Because("R3", f"{t.section} lies on the path"))
+                for t in p.ways
+                if t.section != p.berth
+            ),
             foul=_foul(p, by_key, sink),
             flank=tuple(dict.fromkeys(c for t in p.ways for c in by_key[t.key].flank)),
             hostile=hostile[p.id],
@@ -82,6 +90,20 @@ def _demands(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink)
             elif first.role != d.role and d.role == "path":
                 found[d.machine] = d
     return tuple(found.values())
+
+
+def _driven(layout: Layout, path: Path, demands: tuple[PointDemand, ...]) -> tuple[PointDemand, ...]:
+    """The other machines in the route's sections, driven to normal where the principle says so (R10)."""
+    if not layout.principles.drive_points:
+        return ()
+    demanded = {d.machine for d in demands}
+    out: dict[MachineId, PointDemand] = {}
+    for t in path.ways:
+        for p in layout.points:
+            if layout.section_of(p.toe) == t.section and p.machine not in demanded:
+                why = Because("R10", f"{p.id} lies in {t.section} beside the path; driven, never a condition")
+                out.setdefault(p.machine, PointDemand(p.machine, Position.NORMAL, Role.DRIVEN, t.section, why))
+    return tuple(out.values())
 
 
 def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) -> tuple[FoulCell, ...]:
@@ -123,7 +145,7 @@ def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
         if not s.approach and s.id not in used:
             sink.add("IL3012", f"no route uses section {s.id}", None, "add a signal, or check the directions")
     for p in paths:
-        if len(p.ways) > LONG_ROUTE:
+        if layout.profile == "mine" and len(p.ways) > LONG_ROUTE:
             sink.add(
                 "IL4004",
                 f"route {p.id} has {len(p.ways)} sections; document B finds three usual",

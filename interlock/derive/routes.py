@@ -1,19 +1,34 @@
-"""Routes (R1, R2 main): search from every main signal, no length cap, all alternatives kept.
+"""Routes (R1, R2): search from every signal, no length cap, all alternatives kept.
 
-A path follows the signal's direction to the next main signal of that direction, a boundary or a buffer.
+A train route follows the signal's direction to the next main signal of that direction, a boundary or a buffer.
+A shunt route ends at the next signal of either kind, at a buffer, or in the first berth: a plain section that is left
+only on a signal, where vehicles may stand.  It never leaves over a boundary.
 A path that meets itself, or that needs one machine in two positions, cannot be run and is reported.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from interlock.diag import Sink
-from interlock.model.elements import BoundaryKind, MachineId, NodeId, Position, RouteId, SectionId, Signal, SignalId
+from interlock.model.elements import (
+    BoundaryKind,
+    Exclude,
+    MachineId,
+    NodeId,
+    Position,
+    RouteId,
+    SectionId,
+    Signal,
+    SignalId,
+    SignalKind,
+)
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
-from interlock.table.rows import ExitKind
+from interlock.table.rows import ExitKind, RouteKind
+
+Ways = tuple[Traversal, ...]
 
 
 @dataclass(frozen=True)
@@ -22,12 +37,14 @@ class Path:
 
     id: RouteId
     number: int
+    kind: RouteKind
     entry: SignalId
     entry_node: NodeId
     exit: str
     exit_kind: ExitKind
     variant: int
-    ways: tuple[Traversal, ...]
+    ways: Ways
+    berth: SectionId | None
 
     @property
     def length(self) -> float:
@@ -35,7 +52,18 @@ class Path:
         return sum(t.length for t in self.ways)
 
 
-def machine_positions(layout: Layout, ways: tuple[Traversal, ...]) -> dict[MachineId, Position] | None:
+@dataclass(frozen=True)
+class _Found:
+    """A path before it has a name."""
+
+    signal: Signal
+    kind: RouteKind
+    exit: str
+    exit_kind: ExitKind
+    ways: Ways
+
+
+def machine_positions(layout: Layout, ways: Ways) -> dict[MachineId, Position] | None:
     """Positions of the machines on a path, or None when one is needed in both."""
     found: dict[MachineId, Position] = {}
     for t in ways:
@@ -45,57 +73,139 @@ def machine_positions(layout: Layout, ways: tuple[Traversal, ...]) -> dict[Machi
     return found
 
 
-def _crosses_itself(ways: tuple[Traversal, ...]) -> bool:
+def _crosses_itself(ways: Ways) -> bool:
     """Whether a path runs over both arms of a diamond."""
     over = [c for t in ways for c, _ in t.crossings]
     return len(over) != len(set(over))
 
 
 def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
-    """Every route, ordered by signal, then exit, then rank of the alternative."""
+    """Every route, ordered by signal, train before shunt, then exit, then rank of the alternative."""
     topo = topology(layout)
-    paths: list[Path] = []
+    found: list[_Found] = []
+    fits = [0] * len(layout.excluded)
     for g in layout.signals:
-        by_exit: dict[tuple[ExitKind, str], list[tuple[Traversal, ...]]] = {}
-        dropped = 0
-        for kind, name, ways in _search(layout, topo, g):
-            if kind is None or machine_positions(layout, ways) is None or _crosses_itself(ways):
-                dropped += 1
-            else:
-                by_exit.setdefault((kind, name), []).append(ways)
+        dropped = kept = 0
+        for kind in RouteKind:
+            if not (g.main if kind is RouteKind.MAIN else g.shunt):
+                continue
+            for exit_kind, name, ways in _search(layout, topo, g, kind):
+                if exit_kind is None or machine_positions(layout, ways) is None or _crosses_itself(ways):
+                    dropped += 1
+                    continue
+                path = _Found(g, kind, name, exit_kind, ways)
+                out = [i for i, x in enumerate(layout.excluded) if _excludes(x, path)]
+                kept += 1
+                if not out:
+                    found.append(path)
+                for i in out:
+                    fits[i] += 1
         if dropped:
             sink.add(
                 "IL4005",
                 f"{dropped} path{'s' if dropped > 1 else ''} from {g.id} cannot be run: "
-                "a section is met twice, a machine is needed in two positions, or no train may run that way",
+                "a section is met twice, a machine is needed in two positions, or no movement may leave that way",
             )
-        if not by_exit:
+        if not kept:
             sink.add(
                 "IL4003",
                 f"no route leads from signal {g.id}",
                 None,
                 "check its direction (`from`, `into`) and where the track goes",
             )
-        for (kind, name), alternatives in sorted(by_exit.items(), key=lambda x: x[0][1]):
-            alternatives.sort(key=lambda w: _rank(layout, w))
-            for variant, ways in enumerate(alternatives, start=1):
-                suffix = f".{variant}" if variant > 1 else ""
-                paths.append(
-                    Path(RouteId(f"{g.id}-{name}{suffix}"), len(paths) + 1, g.id, g.node, name, kind, variant, ways)
+    for x, n in zip(layout.excluded, fits, strict=True):
+        if not n:
+            sink.add("IL2012", f"the exclusion ({x.reason}) fits no route", None, "remove it, or correct its ends")
+    return _numbered(layout, found)
+
+
+def _excludes(x: Exclude, path: _Found) -> bool:
+    ends = {path.exit, path.ways[-1].section}
+    return (
+        x.entry in (None, path.signal.id)
+        and (x.exit is None or x.exit in ends)
+        and set(x.via) <= {t.section for t in path.ways}
+        and x.shunt in (None, path.kind is RouteKind.SHUNT)
+    )
+
+
+def _numbered(layout: Layout, found: Sequence[_Found]) -> tuple[Path, ...]:
+    effect = _Effect(layout, found)
+    groups: dict[tuple[SignalId, RouteKind, str], list[_Found]] = {}
+    for f in found:
+        groups.setdefault((f.signal.id, f.kind, f.exit), []).append(f)
+    kinds = list(RouteKind)
+    paths: list[Path] = []
+    for (g, kind, exit_), those in sorted(groups.items(), key=lambda x: (x[0][0], kinds.index(x[0][1]), x[0][2])):
+        ranked = sorted(those, key=effect.rank) if len(those) > 1 else those
+        mark = ".s" if kind is RouteKind.SHUNT and those[0].signal.kind is SignalKind.COMBINED else ""
+        for variant, f in enumerate(ranked, start=1):
+            suffix = f"{mark}.{variant}" if variant > 1 else mark
+            berth = f.ways[-1].section if _ends_in_berth(layout, f) else None
+            paths.append(
+                Path(
+                    RouteId(f"{g}-{exit_}{suffix}"),
+                    len(paths) + 1,
+                    kind,
+                    g,
+                    f.signal.node,
+                    exit_,
+                    f.exit_kind,
+                    variant,
+                    f.ways,
+                    berth,
                 )
+            )
     return tuple(paths)
 
 
-def _rank(layout: Layout, ways: tuple[Traversal, ...]) -> tuple[int, float, int, tuple[tuple[str, int], ...]]:
-    """Basic before alternative: fewer points reversed, shorter, fewer points (R1)."""
-    del layout
-    points = [p for t in ways for _, p in t.points]
-    return (points.count(Position.REVERSE), sum(t.length for t in ways), len(points), tuple(t.key for t in ways))
+def _ends_in_berth(layout: Layout, f: _Found) -> bool:
+    """A route over the berth alone keeps it clear: nothing else would be locked for it."""
+    return f.kind is RouteKind.SHUNT and len(f.ways) > 1 and f.ways[-1].section in topology(layout).berths
 
 
-def _search(layout: Layout, topo: Topology, g: Signal) -> Iterator[tuple[ExitKind | None, str, tuple[Traversal, ...]]]:
+class _Effect:
+    """Basic before alternative (R1): least effect on parallel routes, then shorter, then fewer points.
+
+    The effect counts the routes of other signals that cannot be set beside: receiving, departing, shunting, in this
+    order of weight.
+    """
+
+    def __init__(self, layout: Layout, found: Sequence[_Found]) -> None:
+        self.layout = layout
+        self.found = found
+        self.over: dict[SectionId, set[int]] = {}
+        self.needs: dict[tuple[MachineId, Position], set[int]] = {}
+        for i, f in enumerate(found):
+            for t in f.ways:
+                self.over.setdefault(t.section, set()).add(i)
+            for need in (machine_positions(layout, f.ways) or {}).items():
+                self.needs.setdefault(need, set()).add(i)
+
+    def rank(self, f: _Found) -> tuple[int, int, int, int, float, int, tuple[tuple[str, int], ...]]:
+        """The sort key of an alternative."""
+        against: set[int] = set()
+        positions = machine_positions(self.layout, f.ways) or {}
+        for t in f.ways:
+            against |= self.over[t.section]
+        for m, x in positions.items():
+            against |= self.needs.get((m, x.other), set())
+        others = [self.found[i] for i in against if self.found[i].signal is not f.signal]
+        receiving = sum(o.kind is RouteKind.MAIN and o.signal.node in self.layout.boundary_at for o in others)
+        departing = sum(o.kind is RouteKind.MAIN and o.exit_kind is ExitKind.BOUNDARY for o in others)
+        trains = sum(o.kind is RouteKind.MAIN for o in others)
+        points = [p for t in f.ways for p in t.points]
+        length = sum(t.length for t in f.ways)
+        key = tuple(t.key for t in f.ways)
+        return (receiving, departing, trains, len(others) - trains, length, len(points), key)
+
+
+def _search(
+    layout: Layout, topo: Topology, g: Signal, kind: RouteKind
+) -> Iterator[tuple[ExitKind | None, str, Ways]]:
     """Depth first over traversals; yields (None, "", path) for a path that cannot be run to its end."""
-    stack: list[tuple[SectionId, NodeId, tuple[Traversal, ...]]] = [(layout.section_of(g.into), g.node, ())]
+    stops = topo.main_into if kind is RouteKind.MAIN else topo.signal_into
+    stack: list[tuple[SectionId, NodeId, Ways]] = [(layout.section_of(g.into), g.node, ())]
     while stack:
         section, entry, ways = stack.pop()
         onward_ways = topo.through(section, entry)
@@ -103,18 +213,19 @@ def _search(layout: Layout, topo: Topology, g: Signal) -> Iterator[tuple[ExitKin
             yield None, "", ways
         for t in reversed(onward_ways):
             path = (*ways, t)
-            if t.exit in layout.boundary_at:
-                leaves = layout.boundary_at[t.exit].kind is not BoundaryKind.IN
-                yield (ExitKind.BOUNDARY if leaves else None), t.exit, path
-                continue
+            berth = kind is RouteKind.SHUNT and section in topo.berths
             if t.exit in layout.buffer_at:
                 yield ExitKind.BUFFER, t.exit, path
                 continue
             onward = topo.beyond(section, t.exit)
-            assert onward is not None
-            ahead = topo.signal_into.get((t.exit, onward))
+            ahead = stops.get((t.exit, onward)) if onward is not None else None
             if ahead is not None:
                 yield ExitKind.SIGNAL, ahead, path
+            elif berth:
+                yield ExitKind.BERTH, section, path
+            elif onward is None:
+                leaves = layout.boundary_at[t.exit].kind is not BoundaryKind.IN and kind is RouteKind.MAIN
+                yield (ExitKind.BOUNDARY if leaves else None), t.exit, path
             elif any(w.section == onward for w in path):
                 yield None, "", path
             else:

@@ -43,6 +43,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2009": (_E, "a waiver without a reason"),
     "IL2010": (_E, "two names become the same PLC name"),
     "IL2011": (_W, "a condition that no route requires"),
+    "IL2012": (_W, "an exclusion that fits no route"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),
     "IL3002": (_E, "one end is joined twice"),

@@ -7,7 +7,7 @@ before it left something to work on, so that one mistake is reported once.
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
@@ -17,6 +17,7 @@ from interlock.frontend.names import check_names
 from interlock.frontend.resolve import (
     check_signal_names,
     resolve_conditions,
+    resolve_excludes,
     resolve_routes,
     resolve_signals,
     resolve_waivers,
@@ -94,7 +95,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         return None, Source(file, text)
     ctx = Context(data, root, sink)
     source = Source(file, text, ctx)
-    principles = replace(PROFILES[data.profile], **data.principles)
+    principles = data.principles.override(PROFILES[data.profile])
     wiring = Wirer(ctx, principles).run()
     check_names(ctx, {**wiring.sections, **wiring.approaches})
     _check_sections(ctx, wiring)
@@ -102,6 +103,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     conditions = resolve_conditions(ctx, wiring)
     routes = resolve_routes(ctx, wiring)
     waivers = resolve_waivers(ctx)
+    excluded = resolve_excludes(ctx, wiring)
     if sink.has_errors:
         return None, source
     signals = resolve_signals(ctx, wiring)
@@ -126,6 +128,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         conditions=conditions,
         waivers=waivers,
         named_routes=routes,
+        excluded=excluded,
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )
     for check in CHECKS:

@@ -12,6 +12,7 @@ from interlock.model.elements import (
     Condition,
     ConditionId,
     Edge,
+    Exclude,
     NamedRoute,
     NodeId,
     PointId,
@@ -19,6 +20,7 @@ from interlock.model.elements import (
     SectionId,
     Signal,
     SignalId,
+    SignalKind,
     Waiver,
 )
 
@@ -89,7 +91,7 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
             )
             continue
         taken[node, into.section] = name
-        signals.append(Signal(SignalId(name), node, into.id))
+        signals.append(Signal(SignalId(name), node, into.id, SignalKind(spec.kind)))
     return tuple(sorted(signals, key=lambda g: g.id))
 
 
@@ -176,6 +178,39 @@ def resolve_routes(ctx: Context, wiring: Wiring) -> tuple[NamedRoute, ...]:
                 )
         out.append(NamedRoute(name, SignalId(spec.from_), spec.to, tuple(map(SectionId, spec.via))))
     return tuple(sorted(out, key=lambda r: r.name))
+
+
+def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:
+    """Routes not wanted; whether there were any such routes is known after derivation."""
+    out = []
+    ends = [*ctx.file.signals, *ctx.file.boundaries, *ctx.file.buffers, *wiring.sections]
+    for i, spec in enumerate(ctx.file.exclude):
+        for key, value, known in (("from", spec.from_, list(ctx.file.signals)), ("to", spec.to, ends)):
+            if value is not None and value not in known:
+                ctx.add(
+                    "IL2006",
+                    f"the exclusion names {value}, which is no {'signal' if key == 'from' else 'end of a route'}",
+                    ctx.at("exclude", i, key),
+                    did_you_mean(value, known),
+                )
+        for k, s in enumerate(spec.via):
+            if s not in wiring.sections:
+                ctx.add(
+                    "IL2004",
+                    f"the exclusion names {s}, which is no section",
+                    ctx.at("exclude", i, "via", k),
+                    did_you_mean(s, wiring.sections),
+                )
+        out.append(
+            Exclude(
+                SignalId(spec.from_) if spec.from_ else None,
+                spec.to,
+                tuple(map(SectionId, spec.via)),
+                None if spec.kind is None else spec.kind == "shunt",
+                spec.reason,
+            )
+        )
+    return tuple(out)
 
 
 def resolve_waivers(ctx: Context) -> tuple[Waiver, ...]:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 from typing import Annotated, Any, Literal
 
 from pydantic import (
@@ -23,7 +24,8 @@ from pydantic_core import PydanticCustomError
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
-from interlock.model.principles import KNOBS, PROFILES
+from interlock.model.elements import SignalKind
+from interlock.model.principles import KNOBS, PROFILES, FlankChoice, Principles
 
 NAME = re.compile(r"[A-Za-z0-9]+([_/-][A-Za-z0-9]+)*")
 MAX_NAME = 14
@@ -152,12 +154,16 @@ class CrossingSpec(_Part):
     legs: Length | None = None
 
 
+_KINDS = tuple(k.value for k in SignalKind)
+
+
 class SignalSpec(_Part):
-    """A main signal at the joint between two sections, read by trains that go into `into`."""
+    """A signal at the joint between two sections, read by movements that go into `into`."""
 
     from_: Annotated[Name, Field(alias="from")]
     into: Name
     at: Annotated[Name | None, Field(description="a point next to the joint, if sections meet twice")] = None
+    kind: Annotated[Literal["main", "shunt", "combined"], _choice("kind of signal", _KINDS)] = "main"
 
 
 class SectionSpec(_Part):
@@ -179,6 +185,16 @@ class ConditionSpec(_Part):
     signals: list[Name] = []
 
 
+class ExcludeSpec(_Part):
+    """Routes that shall not be: all that fit what is given; the reason says why."""
+
+    from_: Annotated[Name | None, Field(alias="from")] = None
+    to: Name | None = None
+    via: list[Name] = []
+    kind: Annotated[Literal["main", "shunt"] | None, _choice("kind of route", ("main", "shunt"))] = None
+    reason: Reason
+
+
 class RouteSpec(_Part):
     """A name for a derived route."""
 
@@ -194,6 +210,33 @@ class WaiverSpec(_Part):
     reason: Reason = ""
 
 
+def _yes_no(value: object) -> object:
+    if value not in ("yes", "no", "true", "false"):
+        raise PydanticCustomError("choice", "'{v}' is neither yes nor no", {"v": str(value), "known": ["yes", "no"]})
+    return value in ("yes", "true")
+
+
+YesNo = Annotated[bool, BeforeValidator(_yes_no), WithJsonSchema({"type": ["boolean", "string"]})]
+
+
+class PrinciplesSpec(_Part):
+    """Single knobs of the profile, overridden."""
+
+    release_delay_s: Seconds | None = None
+    approach_release_s: Seconds | None = None
+    shunt_release_s: Seconds | None = None
+    point_supervision_s: Seconds | None = None
+    fouling_m: Seconds | None = None
+    clearance_m: Seconds | None = None
+    leg_m: Seconds | None = None
+    flank_by: Annotated[FlankChoice | None, _choice("protection", tuple(FlankChoice))] = None
+    drive_points: YesNo | None = None
+
+    def override(self, base: Principles) -> Principles:
+        """The profile's principles with these knobs."""
+        return replace(base, **{k: v for k in KNOBS if (v := getattr(self, k)) is not None})
+
+
 class LayoutFile(_Part):
     """A track layout for interlock."""
 
@@ -201,7 +244,7 @@ class LayoutFile(_Part):
     name: Name
     title: Text = ""
     profile: Annotated[str, _choice("profile", tuple(PROFILES)), WithJsonSchema({"enum": list(PROFILES)})] = "generic"
-    principles: dict[Annotated[str, _choice("principle", KNOBS)], Seconds] = {}
+    principles: PrinciplesSpec = PrinciplesSpec()
     boundaries: dict[Name, BoundarySpec] = {}
     buffers: list[Name] = []
     tracks: dict[Name, list[Text]] = {}
@@ -211,6 +254,7 @@ class LayoutFile(_Part):
     sections: dict[Name, SectionSpec] = {}
     conditions: dict[Name, ConditionSpec] = {}
     routes: dict[Name, RouteSpec] = {}
+    exclude: list[ExcludeSpec] = []
     waive: list[WaiverSpec] = []
 
 
@@ -265,7 +309,9 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "boundaries": tuple(BoundarySpec.model_fields),
     "points": tuple(PointSpec.model_fields),
     "crossings": (*CrossingSpec.model_fields, *ArmSpec.model_fields),
-    "signals": ("from", "into", "at"),
+    "signals": ("from", "into", "at", "kind"),
+    "principles": KNOBS,
+    "exclude": ("from", "to", "via", "kind", "reason"),
     "sections": tuple(SectionSpec.model_fields),
     "conditions": tuple(ConditionSpec.model_fields),
     "routes": ("from", "to", "via"),

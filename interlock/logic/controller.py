@@ -116,7 +116,9 @@ class RouteSymbols:
     id: RouteId
     number: int
     entry: SignalId
+    shunt: bool
     ways: tuple[tuple[SectionId, int], ...]
+    berth: tuple[SectionId, int] | None
     active: str
     locked: str
     want: str
@@ -136,6 +138,7 @@ class Symbols:
     command: Mapping[tuple[MachineId, Position], str]
     condition: Mapping[ConditionId, str]
     restart: Mapping[SectionId, str]
+    train: Mapping[SectionId, str]
     lock: Mapping[tuple[SectionId, int], str]
     firm: Mapping[SectionId, str]
     used: Mapping[SectionId, str]
@@ -150,9 +153,13 @@ class Symbols:
     excluded: Mapping[tuple[SectionId, int], tuple[tuple[SectionId, bool, tuple[int, ...]], ...]]
     ends: Mapping[SectionId, tuple[NodeId, ...]]
 
-    def signal(self, g: SignalId) -> Expr:
-        """Whether the controller shows proceed at a signal."""
-        return disj(var(r.proceed) for r in self.routes if r.entry == g)
+    def signal(self, g: SignalId, shunt: bool = False) -> Expr:
+        """Whether the controller shows proceed at a signal: to trains, or to shunting movements."""
+        return disj(var(r.proceed) for r in self.routes if r.entry == g and r.shunt is shunt)
+
+    def shows(self, g: SignalId) -> Expr:
+        """Whether the controller shows anything but stop at a signal."""
+        return disj((self.signal(g), self.signal(g, shunt=True)))
 
 
 @dataclass(frozen=True)

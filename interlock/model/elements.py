@@ -121,13 +121,35 @@ class Buffer:
     node: NodeId
 
 
+class SignalKind(StrEnum):
+    """What a signal governs: train movements, shunting, or both (combined: 列车兼调车)."""
+
+    MAIN = "main"
+    SHUNT = "shunt"
+    COMBINED = "combined"
+
+
 @dataclass(frozen=True)
 class Signal:
-    """A main signal at a joint; a train that passes it goes onto edge `into`."""
+    """A signal at a joint; a movement that passes it goes onto edge `into`.
+
+    A train obeys main and combined signals and passes a shunt signal whatever it shows; a shunting movement obeys all.
+    """
 
     id: SignalId
     node: NodeId
     into: EdgeId
+    kind: SignalKind = SignalKind.MAIN
+
+    @property
+    def main(self) -> bool:
+        """Whether train routes begin and end here."""
+        return self.kind is not SignalKind.SHUNT
+
+    @property
+    def shunt(self) -> bool:
+        """Whether shunt routes begin here (shunt routes end at every signal)."""
+        return self.kind is not SignalKind.MAIN
 
 
 @dataclass(frozen=True)
@@ -160,3 +182,14 @@ class NamedRoute:
     entry: SignalId
     exit: str
     via: tuple[SectionId, ...] = field(default=())
+
+
+@dataclass(frozen=True)
+class Exclude:
+    """Routes that the author does not want: all that begin, end and pass as given (None: anything)."""
+
+    entry: SignalId | None
+    exit: str | None
+    via: tuple[SectionId, ...]
+    shunt: bool | None
+    reason: str

@@ -8,13 +8,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from interlock.model.elements import EdgeId, NodeId, PointId, Position, SectionId
+from interlock.model.elements import EdgeId, MachineId, NodeId, PointId, Position, SectionId
 from interlock.model.layout import Layout
 
 
 @dataclass(frozen=True)
 class FoulJoint:
-    """The neighbour section fouls routes over the *other* leg of the point."""
+    """The neighbour section fouls routes over the *other* leg of the point.
+
+    `when` is the point of the neighbour that leads vehicles to the joint in that position; detected in the other one,
+    no vehicle in the neighbour stands at the joint.  None: the neighbour fouls whatever points do.
+    """
 
     point: PointId
     leg: Position
@@ -23,6 +27,7 @@ class FoulJoint:
     node: NodeId
     distance: float
     needed: float
+    when: tuple[MachineId, Position] | None
 
 
 def foul_joints(layout: Layout) -> tuple[FoulJoint, ...]:
@@ -49,6 +54,26 @@ def _along(
         if e.id == edge:
             continue
         if e.section not in (home, layout.section_of(edge)):
-            out.append(FoulJoint(point, leg, home, e.section, far, gone, needed))
+            when = _decider(layout, e.id, far)
+            out.append(FoulJoint(point, leg, home, e.section, far, gone, needed, when))
         out.extend(_along(layout, point, leg, e.id, far, gone, needed))
     return out
+
+
+def _decider(layout: Layout, edge: EdgeId, node: NodeId) -> tuple[MachineId, Position] | None:
+    """The first point in the neighbour, if its leg leads to the joint."""
+    section = layout.section_of(edge)
+    seen = {node}
+    while True:
+        node = layout.far(edge, node)
+        if node in seen or node in layout.crossing_at:
+            return None
+        seen.add(node)
+        point = layout.point_at.get(node)
+        if point is not None:
+            position = point.position_of(edge)
+            return None if position is None else (point.machine, position)
+        onward = [e.id for e in layout.edges_at[node] if e.id != edge and e.section == section]
+        if len(onward) != 1:
+            return None
+        edge = onward[0]

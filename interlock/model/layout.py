@@ -19,6 +19,7 @@ from interlock.model.elements import (
     CrossingId,
     Edge,
     EdgeId,
+    Exclude,
     MachineId,
     NamedRoute,
     NodeId,
@@ -51,6 +52,7 @@ class Layout:
     conditions: tuple[Condition, ...]
     waivers: tuple[Waiver, ...]
     named_routes: tuple[NamedRoute, ...]
+    excluded: tuple[Exclude, ...] = ()
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     @cached_property

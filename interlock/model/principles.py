@@ -6,6 +6,14 @@ Every knob names its source.  Where no source gives a figure, the docstring says
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from enum import StrEnum
+
+
+class FlankChoice(StrEnum):
+    """What protects a flank where both a point and a signal could (R5)."""
+
+    POINT = "point"
+    SIGNAL = "signal"
 
 
 @dataclass(frozen=True)
@@ -13,26 +21,36 @@ class Principles:
     """Knobs of derivation and control.
 
     release_delay_s: delay of sectional release after the three-point check (R9: 3 s).
-    approach_release_s: delay of a cancellation while the approach is occupied
-        (R8: 180 s receiving and main-line departure, 30 s side track and shunt; an Indian example
-        has 120 s).  `mine` takes 60 s, our choice for 8 km/h.
+    approach_release_s: delay of a cancellation while the approach is occupied, for train routes
+        (R8: 180 s receiving and main-line departure; an Indian example has 120 s).  `mine` takes 60 s,
+        our choice for 8 km/h.
+    shunt_release_s: the same for shunt routes (R8: 30 s).
     point_supervision_s: time after which a commanded point without detection raises an alarm (R10: 13 s).
     fouling_m: distance from a point to its fouling point where the layout states none (our choice).
-    clearance_m: least distance from the fouling point to a joint that is not foul (R7: 3.5 m).
+    clearance_m: least distance from the fouling point to a joint that is not foul (R7: 3.5 m; 5 m on lines for
+        multiple units).
     leg_m: length of the legs of a point where the layout states none (our choice).
+    flank_by: whether a flank is protected by turning a point or by a signal at stop, where both can (R5); in
+        either case a flank where nothing can come is asked for nothing.
+    drive_points: whether a route drives the other points of its sections to normal, so that parallel routes stay
+        possible (带动道岔).  A driven point is never a condition of proceed (R10).
     """
 
     release_delay_s: float = 3.0
     approach_release_s: float = 180.0
+    shunt_release_s: float = 30.0
     point_supervision_s: float = 13.0
     fouling_m: float = 12.0
     clearance_m: float = 3.5
     leg_m: float = 20.0
+    flank_by: FlankChoice = FlankChoice.POINT
+    drive_points: bool = False
 
 
 PROFILES: dict[str, Principles] = {
     "generic": Principles(),
     "mine": Principles(approach_release_s=60.0, fouling_m=8.0),
+    "cn": Principles(flank_by=FlankChoice.SIGNAL, drive_points=True),
 }
 
 KNOBS: tuple[str, ...] = tuple(f.name for f in fields(Principles))

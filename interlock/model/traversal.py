@@ -67,6 +67,9 @@ class Topology:
         self.signal_into: dict[tuple[NodeId, SectionId], SignalId] = {
             (g.node, layout.section_of(g.into)): g.id for g in layout.signals
         }
+        self.main_into = {k: g for k, g in self.signal_into.items() if layout.signal[g].main}
+        self.shunt_into = {k: g for k, g in self.signal_into.items() if layout.signal[g].shunt}
+        self.berths: frozenset[SectionId] = frozenset(s for s in self.sections if self._is_berth(s))
 
     def is_end(self, node: NodeId) -> bool:
         """Whether sections end at this node."""
@@ -75,6 +78,22 @@ class Topology:
         if node in self.layout.point_at or node in self.layout.crossing_at:
             return False
         return len({e.section for e in self.layout.edges_at[node]}) > 1
+
+    def signals_out(self, section: SectionId) -> tuple[SignalId, ...]:
+        """The signals that govern leaving a section over its joints."""
+        found = ((n, self.beyond(section, n)) for n in self.ends[section])
+        return tuple(self.signal_into[n, o] for n, o in found if o is not None and (n, o) in self.signal_into)
+
+    def _is_berth(self, section: SectionId) -> bool:
+        """A plain section that is left over its joints only on a signal, one of them at least a shunt signal.
+
+        Shunting movements end there and may find vehicles standing (R2).
+        """
+        if any(t.points or t.crossings for t in self.traversals[section]):
+            return False
+        joints = [n for n in self.ends[section] if self.beyond(section, n) is not None]
+        out = self.signals_out(section)
+        return len(out) == len(joints) and any(self.layout.signal[g].shunt for g in out)
 
     def beyond(self, section: SectionId, node: NodeId) -> SectionId | None:
         """The neighbour across an end, or None at a boundary or buffer."""

@@ -197,7 +197,7 @@ def _start(system: System, limits: Limits) -> ClaimResult:
     began = time.monotonic()
     sym = system.symbols
     quiet_: list[Expr] = [neg(var(n)) for n in sym.command.values()]
-    quiet_ += [neg(sym.signal(g.id)) for g in system.layout.signals]
+    quiet_ += [neg(sym.shows(g.id)) for g in system.layout.signals]
     quiet_ += [var(n) for n in sym.restart.values()]
     cnf = Cnf()
     cnf.require(system.initial)

@@ -20,6 +20,7 @@ def wiring(controller: Controller, layout: Layout) -> Wiring:
     s = controller.symbols
     return Wiring(
         proceed={g.id: s.signal(g.id) for g in layout.signals},
+        call={g.id: s.signal(g.id, shunt=True) for g in layout.signals},
         command={k: var(v) for k, v in s.command.items()},
         valid=s.valid,
         clear=s.clear,

@@ -43,7 +43,7 @@ def _drive(system: System, sim: Simulator, r: RouteSymbols) -> Witness:
         return Witness(r.id, True, sim.count, "set, driven and released")
     rear = _rear(system.layout, system.topo, system.layout.signal[r.entry].node, r.ways[0][0])
     for before in system.symbols.routes:
-        if before.ways[-1][0] != rear:
+        if (before.berth or before.ways[-1])[0] != rear:
             continue
         if (
             _start(system, sim, before) is None
@@ -89,21 +89,24 @@ def _run(system: System, sim: Simulator, r: RouteSymbols, turning: str = "") -> 
         return "the request is refused: " + _not(sim, f"G_R{r.number}")
     if not until(r.proceed):
         return "the signal does not open: " + _not(sim, f"LK_R{r.number}")
-    if not until(f"go.{r.entry}", (f"accept.{r.entry}",)):
+    go, accept = ("gos", "accepts") if r.shunt else ("go", "accept")
+    if not until(f"{go}.{r.entry}", (f"{accept}.{r.entry}",)):
         return "no train can accept the signal"
     place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
-    for section, number in r.ways:
+    ways = r.ways if r.berth is None else (*r.ways, r.berth)
+    for section, number in ways:
         if not until(f"o.{section}", (f"head.{joint}.{place}",)):
             return f"the train cannot enter {section}"
         if not _until_off(sim, f"x.{joint}.{place}", f"tail.{joint}.{place}"):
             return f"the train's tail does not leave {place}"
         place, joint = section, topo.traversals[section][number - 1].exit
-    if joint in layout.boundary_at:
+    leaves = joint in layout.boundary_at and not r.shunt
+    if leaves:
         if not until(f"x.{joint}.{place}", (f"head.{joint}.{place}",)):
             return f"the train cannot leave at {joint}"
         if not _until_off(sim, f"o.{place}", f"tail.{joint}.{place}"):
             return f"the train's tail does not leave {place}"
-    keep = set() if joint in layout.boundary_at else {place}
+    keep = set() if leaves else {place}
     for _ in range(MAX_STEPS):
         left = [s for s in topo.sections if s not in keep and _held(system, sim, s)]
         if not left:

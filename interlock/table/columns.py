@@ -52,6 +52,7 @@ def _flank(r: RouteRow) -> Reasons:
 COLUMNS: tuple[Column, ...] = (
     Column("number", "No.", "进路号码", "Nr.", lambda r: [(str(r.number), r.because)]),
     Column("route", "Route", "进路", "Fahrstraße", lambda r: [(r.id, r.because)]),
+    Column("kind", "Kind", "进路性质", "Art", lambda r: [(r.kind, r.because)]),
     Column("names", "Name", "名称", "Name", lambda r: [(n, Because("R1", "named in the layout")) for n in r.names]),
     Column("entry", "Entry signal", "始端信号机", "Start", lambda r: [(r.entry, r.because)]),
     Column("exit", "Exit", "终端", "Ziel", lambda r: [(r.exit, r.because)]),
@@ -68,6 +69,13 @@ COLUMNS: tuple[Column, ...] = (
     Column("points", "Points", "道岔", "Weichen", _points(Role.PATH)),
     Column("flank_points", "Flank points", "防护道岔", "Flankenschutzweichen", _points(Role.FLANK)),
     Column(
+        "driven_points",
+        "Driven points",
+        "带动道岔",
+        "Mitgeführte Weichen",
+        lambda r: [(_demand(p), p.because) for p in r.driven],
+    ),
+    Column(
         "sections",
         "Sections clear",
         "轨道区段",
@@ -79,7 +87,7 @@ COLUMNS: tuple[Column, ...] = (
         "Foul sections clear",
         "侵限区段",
         "Grenzzeichenfreiheit",
-        lambda r: [(c.section, c.because) for c in r.foul],
+        lambda r: [(c.section if c.when is None else f"{c.section} if {c.when[0]} {c.when[1]}", c.because) for c in r.foul],
     ),
     Column("flank", "Flank protection", "侧面防护", "Flankenschutz", _flank),
     Column(

@@ -39,6 +39,7 @@ class Role(StrEnum):
 
     PATH = "path"
     FLANK = "flank"
+    DRIVEN = "driven"
 
 
 @dataclass(frozen=True)
@@ -95,10 +96,14 @@ class ClearCell:
 
 @dataclass(frozen=True)
 class FoulCell:
-    """A section outside the path that must be clear and unlocked because of a foul joint (R7)."""
+    """A section outside the path that must be clear and unlocked because of a foul joint (R7).
+
+    With `when`, only while that machine is not detected in the other position (lost detection counts as foul).
+    """
 
     section: SectionId
     point: PointId
+    when: tuple[MachineId, Position] | None
     because: Because
 
 
@@ -181,6 +186,14 @@ class ExitKind(StrEnum):
     SIGNAL = "signal"
     BOUNDARY = "boundary"
     BUFFER = "buffer"
+    BERTH = "section"
+
+
+class RouteKind(StrEnum):
+    """Train route or shunt route (R2)."""
+
+    MAIN = "main"
+    SHUNT = "shunt"
 
 
 @dataclass(frozen=True)
@@ -205,10 +218,15 @@ class TraversalRow:
 
 @dataclass(frozen=True)
 class RouteRow:
-    """One route: entry, exit, alternative, and every derived column."""
+    """One route: entry, exit, alternative, and every derived column.
+
+    `berth`: the shunt route ends in a plain section in which vehicles may stand; it is the last traversal, and the
+    only one that need not be clear.  `driven` points are moved along and never checked.
+    """
 
     id: RouteId
     number: int
+    kind: RouteKind
     names: tuple[str, ...]
     entry: SignalId
     entry_node: NodeId
@@ -216,8 +234,10 @@ class RouteRow:
     exit_kind: ExitKind
     variant: int
     traversals: tuple[TraversalKey, ...]
+    berth: SectionId | None
     length: float
     points: tuple[PointDemand, ...]
+    driven: tuple[PointDemand, ...]
     sections: tuple[ClearCell, ...]
     foul: tuple[FoulCell, ...]
     flank: tuple[FlankCell, ...]
@@ -227,6 +247,11 @@ class RouteRow:
     approach: ApproachCell
     release: tuple[ReleaseStep, ...]
     because: Because
+
+    @property
+    def locked(self) -> tuple[TraversalKey, ...]:
+        """The ways that the route locks for itself alone: all but the berth."""
+        return self.traversals[:-1] if self.berth is not None else self.traversals
 
     @property
     def section_ids(self) -> tuple[SectionId, ...]:

@@ -15,5 +15,6 @@ def check_foul(ctx: Context, layout: Layout) -> None:
             f"the joint {f.section}|{f.neighbour} is foul of point {f.point}: it lies {f.distance:g} m "
             f"from the point, and {f.needed:g} m are needed",
             ctx.at_key("points", f.point),
-            f"routes over the other leg of {f.point} will require {f.neighbour} clear",
+            f"routes over the other leg of {f.point} will require {f.neighbour} clear"
+            + (f" unless {f.when[0]} is detected {f.when[1].other}" if f.when is not None else ""),
         )

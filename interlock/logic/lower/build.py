@@ -8,7 +8,7 @@ from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, SectionId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
-from interlock.table.rows import InterlockingTable
+from interlock.table.rows import InterlockingTable, RouteKind
 
 PASSES = (
     routes.inputs,
@@ -55,6 +55,7 @@ def _symbols(d: Draft) -> Symbols:
         command={(m, x): f"C{x}_{portable(m)}" for m in d.machines for x in Position},
         condition={c.id: f"E_{portable(c.id)}" for c in d.layout.conditions},
         restart=each("K"),
+        train=each("M") if d.shunting else {},
         lock={t.key: f"L_{portable(t.section)}_{t.number}" for t in d.table.locks},
         firm=each("F"),
         used=each("U"),
@@ -69,7 +70,9 @@ def _symbols(d: Draft) -> Symbols:
                 r.id,
                 r.number,
                 r.entry,
-                r.traversals,
+                r.kind is RouteKind.SHUNT,
+                r.locked,
+                r.traversals[-1] if r.berth is not None else None,
                 f"A_R{r.number}",
                 f"B_R{r.number}",
                 f"W_R{r.number}",

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from functools import cached_property
 
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
-from interlock.logic.expr import FALSE, Expr, disj, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, disj, neg, var
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
@@ -67,6 +67,20 @@ class Draft:
             out[r.entry].append(r)
         return {g: tuple(v) for g, v in out.items()}
 
+    @cached_property
+    def shunting(self) -> bool:
+        """Whether there are shunt signals at all."""
+        return any(g.shunt for g in self.layout.signals)
+
+    @cached_property
+    def berths(self) -> frozenset[SectionId]:
+        """Sections in which shunt routes end and vehicles may stand."""
+        return frozenset(r.berth for r in self.table.routes if r.berth is not None)
+
+    def train(self, section: SectionId) -> Expr:
+        """The lock of a section is for a train movement that has not come to its end."""
+        return var(f"M_{portable(section)}") if self.shunting else TRUE
+
     def first_section(self, g: SignalId) -> SectionId:
         """The section just beyond a signal."""
         return self.layout.section_of(self.layout.signal[g].into)
@@ -74,6 +88,16 @@ class Draft:
     def signal_at(self, section: SectionId, node: NodeId) -> SignalId | None:
         """The signal that governs entry into a section at an end."""
         return self.topo.signal_into.get((node, section))
+
+    def main_at(self, section: SectionId, node: NodeId) -> SignalId | None:
+        """The signal that trains obey on entry into a section at an end."""
+        return self.topo.main_into.get((node, section))
+
+    def passing(self, section: SectionId, node: NodeId, rear: SectionId) -> tuple[Expr, ...]:
+        """What tells that a lock goes on over a joint: nothing without signal; past a shunt signal, trains do."""
+        if self.signal_at(section, node) is None:
+            return ()
+        return (self.train(section), self.train(rear))
 
     def rear(self, section: SectionId, node: NodeId) -> SectionId | None:
         """The section that a train comes from: the neighbour, or the approach section of a boundary."""

@@ -7,7 +7,7 @@ flank protection.  The command is held; in the initial state there is none, so t
 from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Output, Term
-from interlock.logic.expr import Expr, conj, disj, neg, var
+from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position
 from interlock.model.portable import portable
@@ -40,13 +40,6 @@ def detection(d: Draft) -> None:
                 f"point {m}",
                 f"machine {m} lies {x} (R10)",
             )
-        d.wire(
-            f"QA_{n}",
-            Join.ANY,
-            tuple(Term(conj((d.detected(m, x), neg(d.command(m, x.other)))), "at rest") for x in Position),
-            f"point {m}",
-            f"machine {m} is at rest, not commanded away",
-        )
 
 
 def flank_demand(d: Draft, m: MachineId, x: Position) -> Expr:
@@ -99,7 +92,13 @@ def commands(d: Draft) -> None:
             granted = disj(
                 var(f"G_R{r.number}") for r in touching if any(p.machine == m and p.position is x for p in r.points)
             )
-            d.wire(f"GP{x}_{n}", Join.ANY, (Term(granted, "granted"),), f"point {m}", f"a grant needs {m} {x}")
+            driven = disj(
+                var(f"G_R{r.number}") for r in touching if any(p.machine == m and p.position is x for p in r.driven)
+            )
+            terms = [Term(granted, "granted")]
+            if driven is not FALSE:
+                terms.append(Term(conj((driven, var(f"MOV_{n}"))), "driven along", "beside the path, if free to move"))
+            d.wire(f"GP{x}_{n}", Join.ANY, terms, f"point {m}", f"a grant needs {m} {x}")
             d.wire(
                 f"MA{x}_{n}",
                 Join.ALL,

@@ -8,10 +8,10 @@ One request is taken in a scan: REQ carries the number of the route, 0 for none.
 from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Output, Term
-from interlock.logic.expr import conj, disj, eq, neg, var
+from interlock.logic.expr import FALSE, conj, disj, eq, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.model.portable import portable
-from interlock.table.rows import RouteRow
+from interlock.table.rows import RouteKind, RouteRow
 
 
 def inputs(d: Draft) -> None:
@@ -26,7 +26,33 @@ def inputs(d: Draft) -> None:
 
 def _clear_terms(d: Draft, r: RouteRow) -> list[Term]:
     out = [Term(neg(d.occupied(c.section)), "section clear", f"{c.section} clear") for c in r.sections]
-    out += [Term(neg(d.occupied(c.section)), "foul section clear", c.because.text) for c in r.foul]
+    for c in r.foul:
+        clear = neg(d.occupied(c.section))
+        if c.when is not None:
+            clear = disj((clear, d.detected(c.when[0], c.when[1].other)))
+        out.append(Term(clear, "foul section clear", c.because.text))
+    return out
+
+
+def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
+    """Vehicles may stand in the berth, but no train is about to come in, nor another shunting movement (R2, R6.6)."""
+    if r.berth is None:
+        return []
+    s = r.berth
+    into = r.traversals[-1]
+    entry = d.table.lock[into].entry
+    out = [Term(neg(d.train(s)), "no train into the berth", f"{s} is not locked for a train")]
+    for node in d.topo.ends[s]:
+        rear = d.topo.beyond(s, node)
+        if node == entry:
+            continue
+        if d.signal_at(s, node) is not None:
+            waits = disj((neg(var(f"U_{portable(s)}")), d.occupied(d.rear(s, node))))
+            coming = conj((d.locked_in(s, node), waits))
+        else:
+            coming = FALSE if rear is None else d.locked_out(rear, node)
+        if coming is not FALSE:
+            out.append(Term(neg(coming), "no other movement into the berth", f"nothing is set into {s} at {node}"))
     return out
 
 
@@ -41,11 +67,6 @@ def _detection_terms(d: Draft, r: RouteRow) -> list[Term]:
         )
         for p in r.points
     ]
-    demanded = {p.machine for p in r.points}
-    on_path = set(r.section_ids)
-    for m in d.machines:
-        if m not in demanded and on_path & set(d.sections_of(m)):
-            out.append(Term(var(f"QA_{portable(m)}"), "other point at rest", f"{m} lies in a section of the route"))
     return out
 
 
@@ -53,8 +74,9 @@ def grants(d: Draft) -> None:
     """A route is granted when everything it needs is free (R6, R3)."""
     for r in d.table.routes:
         terms = [Term(eq("REQ", r.number), "requested"), Term(var("VALID"), "inputs valid")]
-        for s in r.section_ids:
+        for s, _ in r.locked:
             terms.append(Term(var(f"FREE_{portable(s)}"), "section free", f"{s} not locked"))
+        terms += _berth_terms(d, r)
         terms += _clear_terms(d, r)
         terms += _block_terms(d, r)
         for key in r.traversals:
@@ -118,6 +140,7 @@ def locking(d: Draft) -> None:
 def cancellation(d: Draft) -> None:
     """Cancel: at once while nobody has seen the signal or the approach is clear, else after the delay (R8)."""
     signals = [g for g in d.layout.signals if d.routes_from[g.id]]
+    seconds = {g.id: d.routes_from[g.id][0].approach.delay_s for g in signals}
     for g in signals:
         n = portable(g.id)
         first = d.first_section(g.id)
@@ -144,7 +167,7 @@ def cancellation(d: Draft) -> None:
         )
     for g in signals:
         n = portable(g.id)
-        d.timer(f"AT_{n}", f"ATI_{n}", d.layout.principles.approach_release_s, f"{g.id}: approach locking delay (R8)")
+        d.timer(f"AT_{n}", f"ATI_{n}", seconds[g.id], f"{g.id}: approach locking delay (R8)")
     for g in signals:
         n = portable(g.id)
         first = d.first_section(g.id)
@@ -268,6 +291,11 @@ def keep(d: Draft) -> None:
             ),
             f"signal {signal.id}",
         )
-        proceed = disj(var(f"S_R{r.number}") for r in routes)
-        d.outputs.append(Output(f"YP_{n}", proceed, False, f"signal {signal.id}: proceed (green)"))
-        d.outputs.append(Output(f"YS_{n}", neg(proceed), True, f"signal {signal.id}: stop (red)"))
+        trains = [var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.MAIN]
+        shunts = [var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.SHUNT]
+        if signal.main:
+            d.outputs.append(Output(f"YP_{n}", disj(trains), False, f"signal {signal.id}: proceed (green)"))
+        if signal.shunt:
+            d.outputs.append(Output(f"YW_{n}", disj(shunts), False, f"signal {signal.id}: shunt (white)"))
+        stop_ = neg(disj((*trains, *shunts)))
+        d.outputs.append(Output(f"YS_{n}", stop_, True, f"signal {signal.id}: stop"))

@@ -9,10 +9,11 @@ is off and the lock is released by hand.
 from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Output, Term
-from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import NodeId, SectionId
 from interlock.model.portable import portable
+from interlock.table.rows import RouteKind
 
 
 def inputs(d: Draft) -> None:
@@ -67,6 +68,8 @@ def three_point(d: Draft) -> None:
             if locked is FALSE:
                 continue
             rear = d.rear(s, node)
+            if s in d.berths and d.signal_at(s, node) is None:
+                locked = disj(d.lock(*t.key) for t in d.locks_of[s])  # whichever movement locked it first
             terms = [
                 Term(var("VALID"), "inputs valid"),
                 Term(var(f"F_{n}"), "firmly locked"),
@@ -76,23 +79,29 @@ def three_point(d: Draft) -> None:
                 Term(d.occupied(s), "occupied"),
                 Term(d.occupied(rear), "rear occupied", f"{rear or 'no detection'} in rear occupied"),
             ]
-            if d.signal_at(s, node) is None and rear is not None:
-                terms.append(Term(var(f"U_{portable(rear)}"), "rear used", f"{rear} itself was used"))
-                terms.append(Term(d.locked_out(rear, node), "rear leads here", f"{rear} is locked towards {s}"))
+            if d.main_at(s, node) is None and rear is not None:
+                own = neg(d.train(s)) if d.signal_at(s, node) is not None else FALSE
+                used, leads = var(f"U_{portable(rear)}"), d.locked_out(rear, node)
+                terms.append(Term(disj((own, used)), "rear used", f"{rear} itself was used"))
+                terms.append(Term(disj((own, leads)), "rear leads here", f"{rear} is locked towards {s}"))
             d.wire(_new_use(s, i), Join.ALL, terms, f"section {s}", f"a train comes into {s} at {node} (R9)")
 
 
 def rear_free(d: Draft, s: SectionId) -> list[Term]:
-    """No lock in rear still leads into the section."""
-    out = []
+    """No lock in rear still leads into the section, and none is granted in this scan."""
+    into = disj(var(f"G_R{r.number}") for r in d.table.routes if r.berth == s)
+    out = [] if into is FALSE else [Term(neg(into), "nothing granted into it")]
     for node in d.topo.ends[s]:
         rear = d.topo.beyond(s, node)
-        if rear is None or d.signal_at(s, node) is not None:
+        if rear is None or d.main_at(s, node) is not None:
             continue
         locked, leading = d.locked_in(s, node), d.locked_out(rear, node)
         if locked is FALSE or leading is FALSE:
             continue
-        out.append(Term(neg(conj((locked, leading))), "rear released", f"{rear} in rear is released"))
+        if s in d.berths and d.signal_at(s, node) is None:
+            locked = TRUE  # a shunting movement may lead into a berth that another one has locked
+        on = d.passing(s, node, rear)
+        out.append(Term(neg(conj((locked, leading, *on))), "rear released", f"{rear} in rear is released"))
     return out
 
 
@@ -127,10 +136,12 @@ def release(d: Draft) -> None:
         clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
         rear = rear_free(d, s)
         unsignalled = disj(
-            d.locked_in(s, node)
+            conj((d.locked_in(s, node), *([d.train(s)] if d.signal_at(s, node) is not None else [])))
             for node in d.topo.ends[s]
-            if d.signal_at(s, node) is None and d.topo.beyond(s, node) is not None
+            if d.main_at(s, node) is None and d.topo.beyond(s, node) is not None
         )
+        if s in d.berths:
+            d.wire(f"AR_{n}", Join.ALL, _arrival(d, s, rear), group, f"a train has arrived in {s}, wholly (R2)")
         d.wire(
             f"CA_{n}",
             Join.ALL,
@@ -175,6 +186,7 @@ def release(d: Draft) -> None:
                 clear,
                 Term(var(f"K_{n}"), "restart lock"),
                 Term(disj((var(f"REL_{n}"), var("RELALL"))), "operator"),
+                *(rear if s in d.berths else ()),
             ),
             group,
             f"{s} released after a restart (R16)",
@@ -192,6 +204,24 @@ def release(d: Draft) -> None:
             group,
             f"{s} is released",
         )
+
+
+def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
+    """A train stands in its last section: from now on vehicles may be shunted to it."""
+    terms = [Term(var("VALID"), "inputs valid"), Term(var(f"U_{portable(s)}"), "was used"), *rear]
+    for node in d.topo.ends[s]:
+        g = d.main_at(s, node)
+        if g is not None:
+            behind = d.occupied(d.rear(s, node))
+            terms.append(Term(neg(conj((d.locked_in(s, node), behind))), "wholly in", f"nothing stands before {g}"))
+        ahead = d.topo.beyond(s, node)
+        if ahead is None or d.main_at(ahead, node) is not None:
+            continue
+        leads, taken = d.locked_out(s, node), d.locked_in(ahead, node)
+        if leads is not FALSE and taken is not FALSE:
+            going = conj((leads, taken, *d.passing(ahead, node, s)))
+            terms.append(Term(neg(going), "ends here", f"the train does not go on into {ahead}"))
+    return terms
 
 
 def _exits(d: Draft, s: SectionId) -> list[Term]:
@@ -223,8 +253,12 @@ def keep(d: Draft) -> None:
         firmer: list[Expr] = []
         for t in d.locks_of[s]:
             name = f"L_{n}_{t.number}"
-            grants = [var(f"G_R{r.number}") for r in d.routes_over.get(t.key, ())]
-            firmer.extend(var(f"LK_R{r.number}") for r in d.routes_over.get(t.key, ()))
+            grants = []
+            for r in d.routes_over.get(t.key, ()):
+                grant, lock = var(f"G_R{r.number}"), var(f"LK_R{r.number}")
+                # a shunting movement locks its berth only if nobody has
+                grants.append(conj((grant, var(f"FREE_{n}"))) if r.berth == s else grant)
+                firmer.append(conj((lock, locks)) if r.berth == s else lock)
             d.kept(
                 name,
                 False,
@@ -234,6 +268,22 @@ def keep(d: Draft) -> None:
                     Term(disj((var(name), *grants)), "held or granted"),
                     stays,
                 ),
+                group,
+            )
+        if d.shunting:
+            trains = [
+                var(f"G_R{r.number}")
+                for t in d.locks_of[s]
+                for r in d.routes_over.get(t.key, ())
+                if r.kind is RouteKind.MAIN
+            ]
+            arrived = [Term(neg(var(f"AR_{n}")), "not arrived")] if s in d.berths else []
+            d.kept(
+                f"M_{n}",
+                False,
+                f"{s} locked for a train movement",
+                Join.ALL,
+                (Term(disj((var(f"M_{n}"), *trains)), "held or granted"), stays, *arrived),
                 group,
             )
         d.kept(

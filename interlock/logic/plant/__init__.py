@@ -14,9 +14,14 @@ State, by prefix (s a section, j an end of it, g a signal, m a machine):
     go.g      a train has accepted the proceed of g and will pass it
     at.m.N/R  the machine really lies normal / reverse; neither means it is moving
     img.s     s was reported occupied in the last scan
-    lamp.g    proceed was shown at g in the scan before the last
+    sh.s      the train in s moves as a shunting movement (layouts with shunt signals)
+    gos.g     a shunting movement has accepted the shunt aspect of g and will pass it
+    lamp.g    proceed was shown at g in the scan before the last; lamps.g the same of the shunt aspect
     cmd.m.x   the command of the scan before the last
 No train has an identity, a length or a speed: heads and tails move separately.
+
+In a *berth* (a plain section that is left over its joints only on a signal) vehicles may stand in any number: a
+shunting movement may come to them, each signal may call some of them, and some may stay behind.
 """
 
 from interlock.logic.plant.build import build_plant
@@ -32,6 +37,7 @@ from interlock.logic.plant.words import (
     o,
     old_command,
     rests,
+    shunting,
 )
 
 __all__ = [
@@ -51,4 +57,5 @@ __all__ = [
     "o",
     "old_command",
     "rests",
+    "shunting",
 ]

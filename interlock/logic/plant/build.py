@@ -15,6 +15,7 @@ from interlock.logic.plant.words import (
     o,
     old_command,
     rests,
+    shunting,
 )
 from interlock.model.elements import BoundaryKind, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import foul_joints
@@ -32,6 +33,7 @@ class PlantBuilder:
         self.topo = topology(layout)
         self.w = wiring
         self.dropped = dropped
+        self.shunts = any(g.shunt for g in layout.signals)
         self.p = Plant()
 
     def build(self) -> Plant:
@@ -71,9 +73,22 @@ class PlantBuilder:
             return signal.node, first, boundary.approach
         return signal.node, first, self.topo.beyond(first, signal.node)
 
-    def seen(self, g: SignalId) -> Expr:
+    def shown(self, g: SignalId, shunt: bool) -> Expr:
+        """What the controller shows at a signal, to trains or to shunting movements."""
+        return (self.w.call if shunt else self.w.proceed).get(g, FALSE)
+
+    def seen(self, g: SignalId, shunt: bool) -> Expr:
         """A driver may see proceed: shown in the last scan, or in the one before (A-LATE-OUTPUT)."""
-        return disj((self.w.proceed.get(g, FALSE), lamp(g)))
+        return disj((self.shown(g, shunt), lamp(g, shunt)))
+
+    def functions(self, g: SignalId) -> list[bool]:
+        """Whom a signal speaks to: False for trains, True for shunting movements."""
+        signal = self.layout.signal[g]
+        return [*([False] if signal.main else []), *([True] if signal.shunt else [])]
+
+    def berth(self, s: str) -> bool:
+        """Vehicles may stand there in any number."""
+        return s in self.topo.berths
 
     # --- points --------------------------------------------------------------------------------
 
@@ -125,15 +140,20 @@ class PlantBuilder:
             outside = b.approach or f"{OUTSIDE}.{b.node}"
             scanned = image(outside) if b.approach and "A-SCAN" not in self.dropped else TRUE
             free = neg(across(b.node, outside)) if "A-HEADWAY" not in self.dropped else TRUE
+            calls = disj(accepted(g, k) for k in self.functions(g))
             self.p.events[f"head.{b.node}.{outside}"] = conj(
                 (
                     o(outside),
                     neg(across(b.node, outside)),
-                    accepted(g) if "A-OBEY" not in self.dropped else TRUE,
+                    calls if "A-OBEY" not in self.dropped else TRUE,
                     scanned,
                     self.choice(f"?head.{b.node}.{outside}", f"a train enters at {b.node}"),
                 )
             )
+            if True in self.functions(g):
+                self.p.events[f"shunts.{b.node}.{outside}"] = conj(
+                    (self.p.events[f"head.{b.node}.{outside}"], accepted(g, True))
+                )
             self.p.events[f"tail.{b.node}.{outside}"] = conj(
                 (
                     across(b.node, outside),
@@ -152,7 +172,7 @@ class PlantBuilder:
             ready = conj(
                 (
                     o(rear),
-                    self.heading(rear, node),
+                    TRUE if self.berth(rear) else self.heading(rear, node),
                     neg(across(node, rear)) if "A-HEADWAY" not in self.dropped else TRUE,
                     neg(across(node, first)),
                     image(rear) if "A-SCAN" not in self.dropped else TRUE,
@@ -163,30 +183,44 @@ class PlantBuilder:
             self._reversal(s)
 
     def _accept(self, g: SignalId, ready: Expr) -> None:
-        self.p.events[f"accept.{g}"] = conj(
-            (ready, self.seen(g), self.choice(f"?accept.{g}", f"a driver accepts the proceed of {g}"))
-        )
+        for k in self.functions(g):
+            name = "accepts" if k else "accept"
+            what = "shunt aspect" if k else "proceed"
+            accepts = self.choice(f"?{name}.{g}", f"a driver accepts the {what} of {g}")
+            self.p.events[f"{name}.{g}"] = conj((ready, self.seen(g, k), accepts))
         self.p.events[f"refuse.{g}"] = self.choice(f"?refuse.{g}", f"the train before {g} stops after all")
 
     def _head(self, s: SectionId, j: NodeId, g: SignalId | None) -> None:
         scanned = image(s) if "A-SCAN" not in self.dropped else TRUE
-        authority = accepted(g) if g is not None else (neg(rests(s)) if "A-RESTART" not in self.dropped else TRUE)
+        heading = self.heading(s, j)
+        called_heading = TRUE if self.berth(s) else heading
+        called = FALSE if g is None else disj(conj((called_heading, accepted(g, k))) for k in self.functions(g))
+        passes: Expr = FALSE  # without a signal to obey
+        if g is None or not self.layout.signal[g].main:
+            free = neg(rests(s)) if "A-RESTART" not in self.dropped else TRUE
+            obeys = g is not None or self.topo.beyond(s, j) is None
+            as_train = neg(shunting(s)) if self.shunts and obeys else TRUE
+            passes = conj((free, as_train, heading))
         if g is not None and "A-OBEY" in self.dropped:
-            authority = TRUE
-        self.p.events[f"head.{j}.{s}"] = conj(
+            called = called_heading
+        head = conj(
             (
                 o(s),
                 neg(across(j, s)),
-                self.heading(s, j),
-                authority,
+                disj((called, passes)),
                 scanned,
                 self.choice(f"?head.{j}.{s}", f"the head of the train in {s} goes {self._to(s, j)}"),
             )
         )
+        self.p.events[f"head.{j}.{s}"] = head
+        if self.shunts:
+            by_call = FALSE if g is None or not self.layout.signal[g].shunt else accepted(g, True)
+            goes_on = conj((passes, shunting(s))) if g is None else FALSE
+            self.p.events[f"shunts.{j}.{s}"] = conj((head, disj((by_call, goes_on))))
 
     def _tail(self, s: SectionId, j: NodeId, ahead: SectionId | None) -> None:
         others = [k for k in self.topo.ends[s] if k != j]
-        inside = conj(neg(self._coming(s, k)) for k in others)
+        inside = TRUE if self.berth(s) else conj(neg(self._coming(s, k)) for k in others)
         scanned = image(ahead) if ahead is not None and "A-SCAN" not in self.dropped else TRUE
         self.p.events[f"tail.{j}.{s}"] = conj(
             (
@@ -223,8 +257,30 @@ class PlantBuilder:
             return FALSE
         return self.p.events.get(f"head.{j}.{self._other_side(s, j)}", FALSE)
 
+    def shunts_in(self, s: SectionId, j: NodeId) -> Expr:
+        """A shunting movement comes into s at j in this step."""
+        if j in self.layout.buffer_at:
+            return FALSE
+        return self.p.events.get(f"shunts.{j}.{self._other_side(s, j)}", FALSE)
+
+    def _staying(self, s: SectionId) -> Expr:
+        """Vehicles remain in a berth although a tail leaves it: left behind, or part of another movement."""
+        ends = [j for j in self.topo.ends[s] if j not in self.layout.buffer_at]
+        out = [conj((across(j, s), neg(self.p.events[f"tail.{j}.{s}"]))) for j in ends]
+        out += [self.p.events[f"head.{j}.{s}"] for j in ends]
+        into = [self._coming(s, j) for j in ends]
+        called = [
+            x
+            for g in self.topo.signals_out(s)
+            for k in self.functions(g)
+            for x in (accepted(g, k), self.p.events.get(f"{'accepts' if k else 'accept'}.{g}", FALSE))
+        ]
+        return disj((self.choice(f"?stay.{s}", f"vehicles stay behind in {s}"), *out, *into, *called))
+
     def _reversal(self, s: SectionId) -> None:
-        """A train reverses at a standstill where a signal governs its new direction."""
+        """A train reverses at a standstill where a signal governs its new direction; in a berth any signal calls."""
+        if self.berth(s):
+            return
         for a in self.topo.ends[s]:
             ahead = self.topo.beyond(s, a)
             g = self.topo.signal_into.get((a, ahead)) if ahead is not None else None
@@ -243,8 +299,12 @@ class PlantBuilder:
                 )
                 waiting = conj(
                     [
-                        *(neg(accepted(h)) for h in self._exit_signals(s)),
-                        *(neg(self.p.events[f"accept.{h}"]) for h in self._exit_signals(s)),
+                        *(neg(accepted(h, k)) for h in self.topo.signals_out(s) for k in self.functions(h)),
+                        *(
+                            neg(self.p.events[f"{'accepts' if k else 'accept'}.{h}"])
+                            for h in self.topo.signals_out(s)
+                            for k in self.functions(h)
+                        ),
                         *(
                             neg(self.p.events[f"head.{k}.{s}"])
                             for k in self.topo.ends[s]
@@ -265,15 +325,6 @@ class PlantBuilder:
                     )
                 )
 
-    def _exit_signals(self, s: SectionId) -> list[SignalId]:
-        found = []
-        for j in self.topo.ends[s]:
-            ahead = self.topo.beyond(s, j)
-            g = self.topo.signal_into.get((j, ahead)) if ahead is not None else None
-            if g is not None:
-                found.append(g)
-        return found
-
     # --- next states ---------------------------------------------------------------------------
 
     def _states(self) -> None:
@@ -282,10 +333,33 @@ class PlantBuilder:
             out = disj(p.events[f"tail.{j}.{s}"] for j in topo.ends[s] if j not in self.layout.buffer_at)
             enter = {j: self.comes_in(s, j) for j in topo.ends[s]}
             p.state[f"o.{s}"] = f"a train stands in {s}"
-            p.next[f"o.{s}"] = disj((conj((o(s), neg(out))), *enter.values()))
             p.state[f"rest.{s}"] = f"the train in {s} has stood there since the restart"
-            p.next[f"rest.{s}"] = conj((rests(s), neg(out)))
+            if self.berth(s):
+                stay = self._staying(s)
+                left = conj((out, stay, o(s)))
+                out = conj((out, neg(stay)))
+                joined = disj(self.shunts_in(s, j) for j in topo.ends[s])
+                p.state[f"rest.{s}"] = f"what stands in {s} moves only when a signal calls it"
+                p.next[f"rest.{s}"] = disj((conj((rests(s), neg(out))), left, joined))
+            else:
+                p.next[f"rest.{s}"] = conj((rests(s), neg(out)))
+            p.next[f"o.{s}"] = disj((conj((o(s), neg(out))), *enter.values()))
             p.initial.append(iff(rests(s), o(s)))
+            if self.shunts:
+                turned = disj(
+                    p.events[f"turn.{s}.{a}.{b}"]
+                    for a in topo.ends[s]
+                    for b in topo.ends[s]
+                    if f"turn.{s}.{a}.{b}" in p.events
+                )
+                p.state[f"sh.{s}"] = f"the train in {s} shunts"
+                p.next[f"sh.{s}"] = disj(
+                    (
+                        conj((shunting(s), neg(disj(enter.values())))),
+                        *(self.shunts_in(s, j) for j in topo.ends[s]),
+                        turned,
+                    )
+                )
             for j in topo.ends[s]:
                 turned_in = disj(p.events[f"turn.{s}.{a}.{j}"] for a in topo.ends[s] if f"turn.{s}.{a}.{j}" in p.events)
                 turned_out = disj(
@@ -322,23 +396,27 @@ class PlantBuilder:
         for g in self.layout.signals:
             node, _, rear = self.rear(g.id)
             behind = rear or f"{OUTSIDE}.{node}"
-            if f"accept.{g.id}" not in p.events:
-                continue
-            p.state[f"go.{g.id}"] = f"a train has accepted {g.id}"
-            p.next[f"go.{g.id}"] = conj(
-                (
-                    disj((accepted(g.id), p.events[f"accept.{g.id}"])),
-                    neg(p.events[f"refuse.{g.id}"]),
-                    neg(p.events[f"head.{node}.{behind}"]),
+            for k in self.functions(g.id):
+                accept = f"{'accepts' if k else 'accept'}.{g.id}"
+                if accept not in p.events:
+                    continue
+                go, shows = f"{'gos' if k else 'go'}.{g.id}", f"{'lamps' if k else 'lamp'}.{g.id}"
+                who, what = ("a shunting movement", "the shunt aspect") if k else ("a train", "proceed")
+                p.state[go] = f"{who} has accepted {g.id}"
+                p.next[go] = conj(
+                    (
+                        disj((accepted(g.id, k), p.events[accept])),
+                        neg(p.events[f"refuse.{g.id}"]),
+                        neg(p.events[f"head.{node}.{behind}"]),
+                    )
                 )
-            )
-            p.initial.append(neg(accepted(g.id)))
-            p.state[f"lamp.{g.id}"] = f"{g.id} showed proceed one scan ago"
-            p.next[f"lamp.{g.id}"] = self.w.proceed.get(g.id, FALSE)
-            if "A-LATE-OUTPUT" in self.dropped:
-                stuck = self.choice(f"?stuck.{g.id}", f"{g.id} goes on showing proceed")
-                p.next[f"lamp.{g.id}"] = disj((p.next[f"lamp.{g.id}"], conj((lamp(g.id), stuck))))
-            p.initial.append(neg(lamp(g.id)))
+                p.initial.append(neg(accepted(g.id, k)))
+                p.state[shows] = f"{g.id} showed {what} one scan ago"
+                p.next[shows] = self.shown(g.id, k)
+                if "A-LATE-OUTPUT" in self.dropped:
+                    stuck = self.choice(f"?stuck{'s' if k else ''}.{g.id}", f"{g.id} goes on showing {what}")
+                    p.next[shows] = disj((p.next[shows], conj((lamp(g.id, k), stuck))))
+                p.initial.append(neg(lamp(g.id, k)))
 
     # --- what the inputs show ------------------------------------------------------------------
 
@@ -378,11 +456,10 @@ class PlantBuilder:
                 implies(conj((valid, var(name))), p.next[f"at.{m}.{x}"]),
             )
         for g, name in self.w.approach_timer.items():
-            if f"go.{g}" in p.next:
-                self._assume(
-                    "A-TIMER",
-                    implies(var(name), conj((neg(accepted(g)), neg(p.next[f"go.{g}"])))),
-                )
+            for k in self.functions(g):
+                go = f"{'gos' if k else 'go'}.{g}"
+                if go in p.next:
+                    self._assume("A-TIMER", implies(var(name), conj((neg(accepted(g, k)), neg(p.next[go])))))
 
     def _assume(self, id_: str, expr: Expr) -> None:
         if id_ not in self.dropped:
@@ -395,20 +472,24 @@ class PlantBuilder:
         for s in topo.sections:
             enter = [self.comes_in(s, j) for j in topo.ends[s]]
             enter = [e for e in enter if e is not FALSE]
-            p.hazards.append(Hazard("COLLISION", s, disj((conj((o(s), disj(enter))), neg(at_most_one(enter))))))
-            wrong = []
+            p.hazards.append(Hazard("COLLISION", s, self._collision(s, enter)))
+            wrong: list[Expr] = []
             for j in topo.ends[s]:
                 good = disj(self.lie(t) for t in self.ways(s, j))
-                wrong.append(conj((came(s, j), neg(good))))
-            p.hazards.append(Hazard("DERAIL", s, conj((o(s), neg(rests(s)), disj(wrong)))))
+                wrong.append(conj((o(s), neg(rests(s)), came(s, j), neg(good))))
+                if self.ways(s, j):
+                    wrong.append(conj((self.comes_in(s, j), neg(good))))
+            p.hazards.append(Hazard("DERAIL", s, disj(wrong)))
         for m, ends in sorted(layout.ends_of_machine.items()):
-            secs = sorted({layout.section_of(e.toe) for e in ends})
             starts = disj(p.events[f"start.{m}.{x}"] for x in Position)
-            moving = conj(neg(lies(m, x)) for x in Position)
             bad = []
-            for s_ in secs:
-                entering = disj(self.comes_in(s_, j) for j in topo.ends[s_])
-                bad += [conj((starts, o(s_))), conj((entering, disj((moving, starts))))]
+            for s_ in sorted({layout.section_of(e.toe) for e in ends}):
+                mine = {e.id for e in ends}
+                over = [t for t in topo.traversals[s_] if mine & {q for q, _ in t.points}]
+                # under a train, as the points lie; anywhere under one that has stood there since the restart
+                under = disj((rests(s_), *(conj((came(s_, t.entry), self.lie(t))) for t in over)))
+                coming = disj(conj((self.comes_in(s_, t.entry), self.lie(t))) for t in over)
+                bad.append(conj((starts, disj((conj((o(s_), under)), coming)))))
             p.hazards.append(Hazard("POINT-MOVES", m, disj(bad)))
         for c in layout.crossings:
             sides = []
@@ -438,13 +519,42 @@ class PlantBuilder:
                 for t in topo.traversals[f.section]
                 if any(q == f.point and x is not f.leg for q, x in t.points)
             )
+            near = disj(
+                (
+                    rests(f.neighbour),
+                    *(
+                        conj((came(f.neighbour, t.entry), self.lie(t)))
+                        for t in topo.traversals[f.neighbour]
+                        if f.node in (t.entry, t.exit)
+                    ),
+                )
+            )
             p.hazards.append(
                 Hazard(
                     "FOUL",
                     f"{f.section}/{f.neighbour}",
-                    conj((o(f.section), over, o(f.neighbour), neg(conj((rests(f.section), rests(f.neighbour)))))),
+                    conj((o(f.section), over, o(f.neighbour), near, neg(conj((rests(f.section), rests(f.neighbour)))))),
                 )
             )
+
+    def _collision(self, s: SectionId, enter: list[Expr]) -> Expr:
+        """Entry into an occupied section, or two entries at once; in a berth shunting movements run on sight."""
+        if not self.berth(s):
+            return disj((conj((o(s), disj(enter))), neg(at_most_one(enter))))
+        ends = self.topo.ends[s]
+        shunts = [self.shunts_in(s, j) for j in ends]
+        trains = [conj((self.comes_in(s, j), neg(self.shunts_in(s, j)))) for j in ends]
+        train = disj(trains)
+        coming = disj(self._coming(s, j) for j in ends if j not in self.layout.buffer_at)
+        running_in = conj((o(s), neg(rests(s)), coming))
+        return disj(
+            (
+                conj((train, o(s))),
+                conj((train, disj(shunts))),
+                neg(at_most_one(trains)),
+                conj((disj(shunts), running_in)),
+            )
+        )
 
 
 def build_plant(layout: Layout, wiring: Wiring, dropped: frozenset[str] = frozenset()) -> Plant:

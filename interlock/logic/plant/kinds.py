@@ -14,6 +14,7 @@ class Wiring:
     """The only way in which the plant sees a controller: names of its signals, commands and inputs."""
 
     proceed: Mapping[SignalId, Expr]
+    call: Mapping[SignalId, Expr]
     command: Mapping[tuple[MachineId, Position], Expr]
     valid: str
     clear: Mapping[SectionId, str]
@@ -53,7 +54,10 @@ class Plant:
 
 
 ASSUMPTIONS: dict[str, str] = {
-    "A-OBEY": "A train passes a signal only after its driver has accepted a proceed that was shown.",
+    "A-OBEY": "A train passes a main signal, and a shunting movement any signal, only after its driver has accepted a "
+    "proceed that was shown to it.",
+    "A-SIGHT": "A shunting movement runs on sight: it stops short of standing vehicles in the plain section where its "
+    "route ends, and moves on from there only on a signal.",
     "A-SCAN": "A head leaves a section, and a tail leaves it, only after the occupation that it causes has been "
     "scanned (or while inputs are lost); a driver accepts a signal only from a scanned section in rear of it.",
     "A-HEADWAY": "No second train accepts a signal in the very scan in which the tail of the first passes it.",

@@ -28,9 +28,14 @@ def rests(s: str) -> Expr:
     return var(f"rest.{s}")
 
 
-def accepted(g: str) -> Expr:
-    """A train has accepted the proceed of g."""
-    return var(f"go.{g}")
+def shunting(s: str) -> Expr:
+    """The train in s moves as a shunting movement."""
+    return var(f"sh.{s}")
+
+
+def accepted(g: str, shunt: bool = False) -> Expr:
+    """A train has accepted the proceed of g, or a shunting movement its shunt aspect."""
+    return var(f"{'gos' if shunt else 'go'}.{g}")
 
 
 def lies(m: str, x: Position) -> Expr:
@@ -43,9 +48,9 @@ def image(s: str) -> Expr:
     return var(f"img.{s}")
 
 
-def lamp(g: str) -> Expr:
-    """Proceed was shown in the scan before the last."""
-    return var(f"lamp.{g}")
+def lamp(g: str, shunt: bool = False) -> Expr:
+    """Proceed (or the shunt aspect) was shown in the scan before the last."""
+    return var(f"{'lamps' if shunt else 'lamp'}.{g}")
 
 
 def old_command(m: str, x: Position) -> Expr:

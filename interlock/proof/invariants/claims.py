@@ -8,10 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
-from interlock.logic.plant import accepted, came, lamp, lies, o, rests
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
+from interlock.logic.plant import accepted, came, lamp, lies, o, rests, shunting
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
-from interlock.model.foul import foul_joints
+from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.traversal import Traversal
 from interlock.proof.invariants.kinds import Claim, Facts
 
@@ -44,20 +44,34 @@ class SignalPath:
     """A path from a signal to the next, found on the layout by its own search."""
 
     signal: SignalId
+    shunt: bool
     ways: tuple[Traversal, ...]
+    berth: SectionId | None
+
+    @property
+    def kept_clear(self) -> tuple[Traversal, ...]:
+        """The ways in which nothing may stand: all but the berth of a shunting movement."""
+        return self.ways if self.berth is None else self.ways[:-1]
 
 
-def signal_paths(f: Facts, g: SignalId) -> list[SignalPath]:
-    """Every path from a signal to the next signal of its direction, a boundary or a buffer."""
+def signal_paths(f: Facts, g: SignalId, shunt: bool = False) -> list[SignalPath]:
+    """Every path from a signal to the next one that the movement obeys, a boundary or a buffer.
+
+    A shunting movement obeys every signal, stops in the first berth, and does not leave over a boundary.
+    """
     signal = f.layout.signal[g]
+    stops = f.topo.signal_into if shunt else f.topo.main_into
     found: list[SignalPath] = []
 
     def go(section: SectionId, entry: NodeId, ways: tuple[Traversal, ...]) -> None:
         for t in f.topo.through(section, entry):
             path = (*ways, t)
             ahead = f.topo.beyond(section, t.exit)
-            if ahead is None or (t.exit, ahead) in f.topo.signal_into:
-                found.append(SignalPath(g, path))
+            stands = shunt and f.berth(section)
+            if ahead is None and shunt and not stands and t.exit in f.layout.boundary_at:
+                continue
+            if ahead is None or (t.exit, ahead) in stops or stands:
+                found.append(SignalPath(g, shunt, path, section if stands and len(path) > 1 else None))
             elif all(w.section != ahead for w in path):
                 go(ahead, t.exit, path)
 
@@ -103,7 +117,12 @@ def exposed(f: Facts, edge: EdgeId, node: NodeId, gone: float, clear_of: float, 
     seen = seen | {far}
     for g in layout.signals:
         if g.node == far and g.into == edge and gone >= clear_of:
-            return disj((f.sym.signal(g.id), lamp(g.id), accepted(g.id)))
+            called = [
+                x for k in f.functions(g.id) for x in (f.sym.signal(g.id, k), lamp(g.id, k), accepted(g.id, k))
+            ]
+            if not g.main:  # a train passes it on a lock that leads this way
+                called.append(conj((f.train(e.section), f.firm(e.section), f.locked_in(e.section, far))))
+            return disj(called)
     boundary = layout.boundary_at.get(far)
     if boundary is not None:
         return FALSE if boundary.kind is BoundaryKind.OUT else neg(FALSE)
@@ -123,6 +142,12 @@ def exposed(f: Facts, edge: EdgeId, node: NodeId, gone: float, clear_of: float, 
 
 def _flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     margin = f.layout.principles.clearance_m
+    over: dict[tuple[SectionId, int], dict[tuple[SignalId, bool], None]] = {}
+    for g in f.layout.signals:
+        for k in f.functions(g.id):
+            for path in signal_paths(f, g.id, k):
+                for t in path.ways:
+                    over.setdefault(t.key, {})[g.id, k] = None
     for s in f.topo.sections:
         for t in f.topo.traversals[s]:
             if (s, t.number) not in f.sym.lock:
@@ -137,9 +162,7 @@ def _flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                     places.append((f"{cid}.{edge}", c.node, edge, f.layout.principles.fouling_m + margin))
             uses = conj((f.firm(s), f.lock(s, t.number)))
             train = conj((o(s), neg(rests(s)), came(s, t.entry)))
-            shown = disj(
-                f.sym.signal(g.id) for g in f.layout.signals for path in signal_paths(f, g.id) if t in path.ways
-            )
+            shown = disj(f.sym.signal(g, k) for g, k in over.get(t.key, ()))
             for name, node, edge, clear_of in places:
                 danger = exposed(f, edge, node, 0.0, clear_of, frozenset({node}))
                 yield "T-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, train)), neg(danger))
@@ -163,41 +186,49 @@ def _conflict(f: Facts, a: SignalPath, b: SignalPath) -> str | None:
     for fj in foul_joints(f.layout):
         for one, other in ((a, b), (b, a)):
             over = any(p == fj.point and q is not fj.leg for t in one.ways for p, q in t.points)
-            hostile = hostile or (over and any(t.section == fj.neighbour for t in other.ways))
+            near = (t.section == fj.neighbour and (fj.when is None or fj.node in (t.entry, t.exit)) for t in other.ways)
+            hostile = hostile or (over and any(near))
     return "S-HOSTILE" if hostile else None
 
 
 def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    signals = [g.id for g in f.layout.signals]
-    paths = {g: signal_paths(f, g) for g in signals}
-    for i, g in enumerate(signals):
-        for h in signals[i + 1 :]:
+    shown = [(g.id, k) for g in f.layout.signals for k in f.functions(g.id)]
+    paths = {x: signal_paths(f, *x) for x in shown}
+    for i, x in enumerate(shown):
+        for y in shown[i + 1 :]:
             bad: dict[str, list[Expr]] = {}
-            for a in paths[g]:
-                for b in paths[h]:
+            for a in paths[x]:
+                for b in paths[y]:
                     kind = _conflict(f, a, b)
                     if kind is not None:
                         bad.setdefault(kind, []).append(conj((lie(f, a.ways), lie(f, b.ways))))
             for kind, ways in sorted(bad.items()):
-                yield kind, f"{g}/{h}", neg(conj((f.sym.signal(g), f.sym.signal(h), disj(ways))))
+                both = conj((f.sym.signal(*x), f.sym.signal(*y), disj(ways)))
+                yield kind, f"{_who(*x)}/{_who(*y)}", neg(both)
+
+
+def _who(g: SignalId, shunt: bool) -> str:
+    return f"{g} shunt" if shunt else g
 
 
 def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Claims about the scan that shows proceed: new outputs against the inputs of that scan."""
     after = f.system.after
     valid = var(f.sym.valid)
-    for g in f.layout.signals:
-        shows = after(f.sym.signal(g.id))
-        yield "S-LOST-INPUT", g.id, implies(neg(valid), neg(shows))
-        yield "S-LOCKED", g.id, implies(shows, after(disj(lie(f, p.ways) for p in signal_paths(f, g.id))))
-        if g.id in f.sym.cancelling:
-            yield "S-CANCELLED", g.id, implies(var(f.sym.cancel[g.id]), neg(shows))
-        for k, path in enumerate(signal_paths(f, g.id), 1):
-            place = f"{g.id}:{k}"
+    for signal, shunt in ((g.id, k) for g in f.layout.signals for k in f.functions(g.id)):
+        shows = after(f.sym.signal(signal, shunt))
+        who = _who(signal, shunt)
+        paths = signal_paths(f, signal, shunt)
+        yield "S-LOST-INPUT", who, implies(neg(valid), neg(shows))
+        yield "S-LOCKED", who, implies(shows, after(disj(lie(f, p.ways) for p in paths)))
+        if signal in f.sym.cancelling:
+            yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
+        for k, path in enumerate(paths, 1):
+            place = f"{who}:{k}"
             here = conj((shows, after(lie(f, path.ways))))
             if here is FALSE:
                 continue
-            yield "S-CLEAR", place, implies(here, conj(var(f.sym.clear[t.section]) for t in path.ways))
+            yield "S-CLEAR", place, implies(here, conj(var(f.sym.clear[t.section]) for t in path.kept_clear))
             yield (
                 "S-DETECTED",
                 place,
@@ -216,22 +247,35 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 ),
             )
             yield "S-BLOCKED", place, implies(here, conj(neg(var(f.sym.blocked[t.section])) for t in path.ways))
-            locked = [f.lock(t.section, t.number) for t in path.ways if (t.section, t.number) in f.sym.lock]
-            ok = conj([*locked, *(f.firm(t.section) for t in path.ways)]) if len(locked) == len(path.ways) else FALSE
+            own = path.kept_clear
+            locked = [f.lock(t.section, t.number) for t in own if (t.section, t.number) in f.sym.lock]
+            kind = [neg(f.train(t.section)) if shunt else f.train(t.section) for t in own]
+            ok = conj([*locked, *kind, *(f.firm(t.section) for t in own)]) if len(locked) == len(own) else FALSE
+            if path.berth is not None:
+                ok = conj((ok, f.held(path.berth), neg(f.train(path.berth))))
             yield "S-LOCKED", place, implies(here, after(ok))
             needed = [
                 var(f.sym.condition[c.id])
                 for c in f.layout.conditions
-                if g.id in c.signals or any(t.section in c.over for t in path.ways)
+                if signal in c.signals or any(t.section in c.over for t in path.ways)
             ]
             boundary = f.layout.boundary_at.get(path.ways[-1].exit)
-            if boundary is not None and boundary.approach is not None:
+            if boundary is not None and boundary.approach is not None and not shunt:
                 needed.append(var(f.sym.clear[boundary.approach]))
             for fj in foul_joints(f.layout):
                 if any(p == fj.point and x is not fj.leg for t in path.ways for p, x in t.points):
-                    needed.append(var(f.sym.clear[fj.neighbour]))
+                    needed.append(_not_foul(f, fj))
             if needed:
                 yield "S-CONDITION", place, implies(here, conj(needed))
+
+
+def _not_foul(f: Facts, fj: FoulJoint) -> Expr:
+    """The neighbour is clear, or its point is detected so that nothing in it stands at the joint."""
+    clear = var(f.sym.clear[fj.neighbour])
+    if fj.when is None:
+        return clear
+    m, x = fj.when
+    return disj((clear, conj((var(f.sym.detected[m, x.other]), neg(var(f.sym.detected[m, x]))))))
 
 
 # --- locks and points ----------------------------------------------------------------------------
@@ -246,13 +290,14 @@ def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         coming = []
         for j in f.topo.ends[s]:
             g = f.topo.signal_into.get((j, s))
-            if g is not None:
-                coming.append(conj((f.locked_in(s, j), after(accepted(g)))))
-        for j, a, b in f.plain_joints():
+            for k in f.functions(g) if g is not None else ():
+                coming.append(conj((f.locked_in(s, j), after(accepted(SignalId(str(g)), k)))))
+        for j, a, b, past in f.passed_joints():
             if b == s:
+                as_train = neg(shunting(a)) if past else TRUE
                 for n, x in f.locks(a):
                     if f.way(a, n)[1] == j:
-                        coming.append(after(conj((o(a), came(a, f.way(a, n)[0]), x, neg(rests(a))))))
+                        coming.append(after(conj((o(a), came(a, f.way(a, n)[0]), x, neg(rests(a)), as_train))))
         yield "L-RELEASE", s, implies(gone, conj((valid, neg(after(o(s))), neg(disj(coming)))))
         yield "L-HELD", s, implies(o(s), held)
         yield (

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from interlock.logic.controller import Symbols
-from interlock.logic.expr import Expr, conj, disj, neg, var
+from interlock.logic.expr import TRUE, Expr, conj, disj, neg, var
 from interlock.logic.plant import Plant
-from interlock.model.elements import NodeId, SectionId
+from interlock.model.elements import NodeId, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology
 
@@ -90,6 +90,24 @@ class Facts:
         """History: a train has come in since it was locked."""
         return var(f"been.{s}")
 
+    @property
+    def shunts(self) -> bool:
+        """Whether the layout has shunt signals, so that locks are of two kinds."""
+        return bool(self.sym.train)
+
+    def train(self, s: str) -> Expr:
+        """The lock is for a train movement that has not come to its end."""
+        return var(self.sym.train[SectionId(s)]) if self.shunts else TRUE
+
+    def berth(self, s: str) -> bool:
+        """Vehicles may stand there in any number."""
+        return self.shunts and s in self.topo.berths
+
+    def functions(self, g: str) -> tuple[bool, ...]:
+        """Whom a signal speaks to: False for trains, True for shunting movements."""
+        signal = self.layout.signal[SignalId(g)]
+        return (*([False] if signal.main else []), *([True] if signal.shunt else []))
+
     def way(self, s: str, n: int) -> tuple[NodeId, NodeId]:
         """Entry and exit of a way."""
         t = self.topo.traversals[SectionId(s)][n - 1]
@@ -116,13 +134,13 @@ class Facts:
         ahead = self.topo.beyond(SectionId(s), NodeId(j))
         return None if ahead is None else self.topo.signal_into.get((NodeId(j), ahead))
 
-    def plain_joints(self) -> list[tuple[NodeId, SectionId, SectionId]]:
-        """Every (joint, from, to) where no signal governs the passage."""
+    def passed_joints(self) -> list[tuple[NodeId, SectionId, SectionId, bool]]:
+        """Every (joint, from, to) over which locks go on: no signal governs the passage, or (True) only a shunt one."""
         out = []
         for j, a, b in self.topo.joints():
             for s, t in ((a, b), (b, a)):
-                if (j, t) not in self.topo.signal_into:
-                    out.append((j, s, t))
+                if (j, t) not in self.topo.main_into:
+                    out.append((j, s, t, (j, t) in self.topo.signal_into))
         return out
 
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.controller import RouteSymbols
-from interlock.logic.expr import Expr, at_most_one, conj, disj, implies, neg, var
-from interlock.logic.plant import accepted, across, came, image, lamp, lies, o, old_command, rests
+from interlock.logic.expr import TRUE, Expr, at_most_one, conj, disj, implies, neg, var
+from interlock.logic.plant import accepted, across, came, image, lamp, lies, o, old_command, rests, shunting
 from interlock.model.elements import Position, SectionId, SignalId
 from interlock.proof.invariants.kinds import Facts, Invariant
 
@@ -20,12 +20,15 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
     out: list[Invariant] = []
     for s in f.topo.sections:
         out += [Invariant(i, s, x) for i, x in _section(f, s)]
-    for j, s, t in f.plain_joints():
-        out += [Invariant(i, f"{j}:{s}>{t}", x) for i, x in _joint(f, j, s, t)]
+        if f.shunts:
+            out += [Invariant(i, s, x) for i, x in _movement(f, s)]
+    for j, s, t, past in f.passed_joints():
+        out += [Invariant(i, f"{j}:{s}>{t}", x) for i, x in _joint(f, j, s, t, past)]
     for joint, here, there in _all_joints(f):
         out += [Invariant(i, f"{joint}:{here}>{there}", x) for i, x in _crossing_joint(f, joint, here, there)]
     for g in f.layout.signals:
-        out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id)]
+        for k in f.functions(g.id):
+            out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id, k)]
     for r in f.sym.routes:
         out += [Invariant(i, r.id, x) for i, x in _route(f, r)]
     for m in sorted(f.layout.ends_of_machine):
@@ -70,24 +73,27 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     yield "S-RESTART", implies(f.restart(s), f.used(s))
     yield "S-STALE", implies(f.stale(s), f.any_lock(s))
     yield "S-BEEN", implies(f.been(s), f.firm(s))
+    one = at_most_one(came(s, j) for j in f.topo.ends[s])
     yield (
         "S-CAME",
         conj(
             (
-                at_most_one(came(s, j) for j in f.topo.ends[s]),
+                disj((rests(s), one)) if f.berth(s) else one,
                 implies(o(s), disj(came(s, j) for j in f.topo.ends[s])),
                 *(implies(came(s, j), o(s)) for j in f.topo.ends[s]),
             )
         ),
     )
-    yield "S-REST", conj((implies(rests(s), conj((o(s), f.restart(s)))), implies(conj((f.restart(s), o(s))), rests(s))))
+    unmoved = o(s) if f.berth(s) else conj((o(s), f.restart(s)))
+    yield "S-REST", conj((implies(rests(s), unmoved), implies(conj((f.restart(s), o(s))), rests(s))))
     trains = []
     for n, x in locks:
         a, b = f.way(s, n)
-        turned = came(s, b) if f.signal_out(s, a) is not None else conj((came(s, b), rests(s)))
+        turned = came(s, b) if f.signal_out(s, a) is not None and not f.berth(s) else conj((came(s, b), rests(s)))
         trains.append(conj((x, disj((came(s, a), turned)))))
     yield "S-TRAIN", implies(conj((o(s), neg(rests(s)))), conj((f.firm(s), f.been(s), disj(trains))))
-    yield "S-SEEN", implies(conj((o(s), image(s), neg(rests(s)))), disj((f.used(s), f.stale(s))))
+    moved = f.any_lock(s) if f.berth(s) else neg(rests(s))
+    yield "S-SEEN", implies(conj((o(s), image(s), moved)), disj((f.used(s), f.stale(s))))
     for n, x in locks:
         for m, p in f.sym.demands[s, n]:
             yield f"S-COMMAND:{n}:{m}", implies(x, var(f.sym.command[m, p]))
@@ -95,21 +101,73 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         for other, whole, numbers in f.sym.excluded[s, n]:
             against = f.held(other) if whole else disj([f.restart(other), *(f.lock(other, k) for k in numbers)])
             yield f"S-EXCLUDES:{n}:{other}", implies(x, neg(against))
-        yield f"S-PASSED-BEEN:{n}", implies(conj((x, f.passed(s))), f.been(s))
+        train = f.train(s) if f.berth(s) else TRUE
+        yield f"S-PASSED-BEEN:{n}", implies(conj((x, train, f.passed(s))), f.been(s))
     for m, ends in sorted(f.layout.ends_of_machine.items()):
         if any(f.layout.section_of(p.toe) == s for p in ends):
-            rest = disj(
-                conj((lies(m, p), neg(var(f.sym.command[m, p.other])), neg(old_command(m, p.other)))) for p in Position
-            )
-            yield f"S-AT-REST:{m}", implies(f.firm(s), rest)
             quiet = [implies(x, lies(m, p)) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))]
             yield f"S-QUIET:{m}", implies(f.restart(s), conj(quiet))
 
 
-def _joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Expr]]:
-    """Along a joint without signal, from s to t."""
-    yield "J-REST", implies(conj((across(j, s), rests(s))), rests(t))
+def _movement(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
+    """Train and shunting movements apart."""
+    moving = conj((o(s), neg(rests(s))))
+    yield "M-LOCK", implies(f.train(s), f.any_lock(s))
+    if f.berth(s):
+        yield "M-BERTH-HELD", implies(o(s), f.held(s))
+        yield "M-BERTH-MODE", implies(moving, neg(shunting(s)))
+        yield "M-BERTH-EMPTY", implies(conj((o(s), f.any_lock(s))), f.been(s))
+        leads = [f.locked_out(a, j) for j, a, b, past in f.passed_joints() if b == s and not past]
+        yield "M-BERTH-ONE", at_most_one(leads)
+        fresh = conj((f.any_lock(s), f.been(s), neg(f.used(s)), neg(f.stale(s))))
+        yield "M-BERTH-UNUSED", implies(fresh, conj((o(s), disj(_coming(f, s)))))
+        yield "M-BERTH-FRESH", implies(conj((f.train(s), neg(f.used(s)), neg(f.stale(s)))), neg(rests(s)))
+        yield "M-BERTH-ARRIVED", implies(conj((moving, neg(f.train(s)))), f.used(s))
+        for n, x in f.locks(s):
+            a, b = f.way(s, n)
+            out = f.signal_out(s, b)
+            if out is not None and not f.layout.signal[SignalId(out)].main:
+                yield f"M-BERTH-END:{n}", implies(conj((x, moving, came(s, a))), f.train(s))
+        return
+    along = disj(conj((x, came(s, f.way(s, n)[0]))) for n, x in f.locks(s))
+    yield "M-MODE", implies(conj((moving, neg(shunting(s)))), conj((f.train(s), along)))
+    for n, x in f.locks(s):
+        a, b = f.way(s, n)
+        if f.signal_out(s, b) is None:
+            yield f"M-STRAIGHT:{n}", implies(conj((x, moving, came(s, a), f.train(s))), neg(shunting(s)))
+
+
+def _coming(f: Facts, s: SectionId) -> list[Expr]:
+    """A train stands across an end of a section, going in: one expression for each end."""
+    return [across(j, here) for j, here, there in _all_joints(f) if there == s]
+
+
+def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, Expr]]:
+    """Along a joint over which locks go on, from s to t; `past`: past a shunt signal, so that only trains go on."""
+    if not past:
+        yield "J-REST", implies(conj((across(j, s), rests(s))), rests(t))
     out, into = f.locked_out(s, j), f.locked_in(t, j)
+    if past:
+        out, into = conj((out, f.train(s))), conj((into, f.train(t)))
+        yield "J-FROM", implies(into, neg(f.restart(s)))
+    elif f.berth(t):
+        shunt = conj((out, neg(f.train(s))))
+        yield "J-SHUNT", implies(shunt, conj((f.held(t), neg(f.train(t)))))
+        yield "J-SHUNT-FIRM", implies(conj((shunt, f.firm(s))), disj((f.restart(t), f.firm(t))))
+        for k in f.topo.ends[SectionId(t)]:
+            g = f.topo.signal_into.get((k, SectionId(t)))
+            if g is not None:
+                waiting = disj(
+                    x
+                    for shunts in f.functions(g)
+                    if f"{'gos' if shunts else 'go'}.{g}" in f.system.plant.state
+                    for x in (accepted(g, shunts), lamp(g, shunts))
+                )
+                yield f"J-SHUNT-ALONE:{k}", implies(conj((shunt, f.locked_in(t, k))), conj((f.used(t), neg(waiting))))
+        yield "J-SHUNT-STALE", implies(conj((shunt, f.stale(s))), disj((f.restart(t), f.stale(t))))
+        out, into = conj((out, f.train(s))), conj((into, f.train(t)))
+    elif f.shunts:
+        yield "J-KIND", implies(out, disj((conj((f.train(s), f.train(t))), neg(disj((f.train(s), f.train(t)))))))
     yield "J-ON", implies(out, into)
     yield "J-FIRM", implies(conj((out, f.firm(s))), f.firm(t))
     yield "J-NOT-FIRM", implies(conj((out, f.firm(t))), f.firm(s))
@@ -119,7 +177,13 @@ def _joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Expr]]:
     for n, x in f.locks(s):
         a, b = f.way(s, n)
         if b == j:
-            yield f"J-AHEAD:{n}", implies(conj((x, o(s), came(s, a), neg(rests(s)), neg(across(j, s)))), neg(f.been(t)))
+            goes = conj((x, f.train(s))) if past or f.berth(t) else x
+            if past:
+                goes = conj((goes, neg(shunting(s))))
+            yield (
+                f"J-AHEAD:{n}",
+                implies(conj((goes, o(s), came(s, a), neg(rests(s)), neg(across(j, s)))), neg(f.been(t))),
+            )
 
 
 def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Expr]]:
@@ -131,38 +195,54 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
             for way in f.topo.traversals[SectionId(s)]
             if way.exit == j
         )
-        yield "X-HEADING", implies(conj((across(j, s), rests(s))), heading)
-        leads = []
+        leads, turned = [], []
         for n, x in f.locks(s):
             a, b = f.way(s, n)
             if b == j:
                 leads.append(conj((x, came(s, a))))
             if a == j and f.signal_out(s, j) is not None:
-                leads.append(conj((x, came(s, b))))
+                turned.append(conj((x, came(s, b))))
+        moves = conj((across(j, s), neg(rests(s))))
+        if f.shunts and t and (j, t) in f.topo.signal_into and not f.berth(t):
+            shunts = conj((across(j, s), neg(rests(t)), shunting(t)))
+            yield "X-KIND", implies(shunts, neg(f.train(t)))
+        if f.shunts and t and (j, t) not in f.topo.main_into:
+            as_train = conj((across(j, s), neg(rests(t)), neg(shunting(t))))
+            yield "X-PASSING", implies(as_train, conj((f.train(s), disj(leads))))
         yield "X-REAR", implies(across(j, s), disj((f.used(s), f.stale(s))))
-        yield "X-FROM", implies(conj((across(j, s), neg(rests(s)))), disj(leads))
-    if t:
-        yield (
-            "X-UNUSED",
-            implies(conj((f.locked_in(t, j), f.been(t), neg(f.used(t)), neg(f.stale(t)))), conj((o(t), across(j, s)))),
-        )
+        if not f.berth(s):
+            yield "X-HEADING", implies(conj((across(j, s), rests(s))), heading)
+            yield "X-FROM", implies(moves, disj([*leads, *turned]))
+        if t and f.berth(t):
+            yield "X-INTO", implies(conj((across(j, s), neg(rests(t)))), f.train(t))
+    elif t and f.berth(t):
+        yield "X-INTO", implies(conj((across(j, s), neg(rests(t)))), f.train(t))
+    if t and f.berth(t):
+        lock = f.locked_in(t, j) if (j, t) in f.topo.signal_into else f.locked_out(s, j)
+        yield "X-LOCKED", implies(conj((across(j, s), f.any_lock(t))), lock)
+    if t and not (f.berth(t) and (j, t) not in f.topo.signal_into):
+        fresh = conj((f.locked_in(t, j), f.been(t), neg(f.used(t)), neg(f.stale(t))))
+        yield "X-UNUSED", implies(fresh, conj((o(t), across(j, s))))
 
 
-def _signal(f: Facts, g: SignalId) -> Iterator[tuple[str, Expr]]:
+def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     signal = f.layout.signal[g]
     j, t = signal.node, f.layout.section_of(signal.into)
     boundary = f.layout.boundary_at.get(j)
     rear: str | None = f.topo.beyond(t, j)
     if boundary is not None:
         rear = boundary.approach or f"outside.{j}"
-    if rear is None or f"go.{g}" not in f.system.plant.state:
+    if rear is None or f"{'gos' if shunt else 'go'}.{g}" not in f.system.plant.state:
         return
-    shown = disj((f.sym.signal(g), lamp(g)))
-    ready = conj((f.firm(t), f.locked_in(t, j), neg(f.passed(t))))
-    yield "G-SHOWN", implies(shown, conj((ready, implies(f.been(t), conj((o(t), across(j, rear)))))))
-    yield "G-ACCEPTED", implies(accepted(g), conj((ready, neg(f.been(t)), neg(o(t)))))
+    mark = "G-SHUNT" if shunt else "G"
+    went = accepted(g, shunt)
+    shown = disj((f.sym.signal(g, shunt), lamp(g, shunt)))
+    kind = neg(f.train(t)) if shunt else f.train(t)
+    ready = conj((f.firm(t), f.locked_in(t, j), neg(f.passed(t)), kind))
+    yield f"{mark}-SHOWN", implies(shown, conj((ready, implies(f.been(t), conj((o(t), across(j, rear)))))))
+    yield f"{mark}-ACCEPTED", implies(went, conj((ready, neg(f.been(t)), neg(o(t)))))
     standing = [o(rear), neg(across(j, rear))]
-    if rear in f.sym.restart:
+    if rear in f.sym.restart and not f.berth(rear):
         standing.append(
             disj(
                 conj((came(rear, way.entry), conj(lies(f.layout.point[p].machine, x) for p, x in way.points)))
@@ -170,15 +250,15 @@ def _signal(f: Facts, g: SignalId) -> Iterator[tuple[str, Expr]]:
                 if way.exit == j
             )
         )
-    yield "G-TRAIN", implies(accepted(g), conj(standing))
+    yield f"{mark}-TRAIN", implies(went, conj(standing))
     if f"img.{rear}" in f.system.plant.state:
-        yield "G-REPORTED", implies(accepted(g), image(rear))
+        yield f"{mark}-REPORTED", implies(went, image(rear))
     routes = [r for r in f.sym.routes if r.entry == g]
     active = disj(var(r.active) for r in routes)
     seen = disj(var(r.shown) for r in routes)
-    yield "G-MEMORY", implies(conj((active, disj((accepted(g), lamp(g))))), seen)
+    yield f"{mark}-MEMORY", implies(conj((active, disj((went, lamp(g, shunt))))), seen)
     if routes:
-        yield "G-CANCEL", implies(var(f.sym.cancelling[g]), neg(f.sym.signal(g)))
+        yield f"{mark}-CANCEL", implies(var(f.sym.cancelling[g]), neg(f.sym.signal(g, shunt)))
 
 
 def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
@@ -191,3 +271,8 @@ def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
     yield "R-PROCEED", implies(shows, conj((locked, var(r.shown), neg(f.stale(first)))))
     yield "R-WANTED", implies(var(r.want), locked)
     yield "R-SHOWN", implies(var(r.shown), locked)
+    if f.shunts:
+        kind = [neg(f.train(s)) if r.shunt else f.train(s) for s, _ in r.ways]
+        yield "R-KIND", implies(active, conj(kind))
+    if r.berth is not None:
+        yield "R-BERTH", implies(active, conj((f.held(r.berth[0]), neg(f.train(r.berth[0])))))
