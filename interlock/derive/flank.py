@@ -7,6 +7,7 @@ From there the search goes outward until something keeps vehicles away:
     signal at stop          if it stands clear of the fouling point; otherwise the search goes on
     buffer, outgoing boundary, one-way track    nothing can come
 Nothing-can-come is preferred; then a point turned away or a signal, as the principle `flank_by` says.
+A diamond is protected by a point wherever one can: the partner of a scissors crossover lies normal (防护道岔).
 """
 
 from __future__ import annotations
@@ -112,7 +113,8 @@ def _outward(
     turned = (Provider(ProviderKind.POINT, point.machine, position.other),)
     beyond = _outward(layout, r, point.toe, far, gone, seen)
     first = next(beyond, None)
-    preferred = _BY_SIGNAL if layout.principles.flank_by is FlankChoice.SIGNAL else _PASSIVE
+    by_signal = layout.principles.flank_by is FlankChoice.SIGNAL and r.node not in layout.crossing_at
+    preferred = _BY_SIGNAL if by_signal else _PASSIVE
     if first is not None and all(p.kind in preferred for p in first):
         yield first
         first = None

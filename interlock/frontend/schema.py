@@ -24,7 +24,7 @@ from pydantic_core import PydanticCustomError
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
-from interlock.model.elements import SignalKind
+from interlock.model.elements import BlockKind, SignalKind
 from interlock.model.principles import KNOBS, PROFILES, FlankChoice, Principles
 
 NAME = re.compile(r"[A-Za-z0-9]+([_/-][A-Za-z0-9]+)*")
@@ -116,6 +116,15 @@ Seconds = Annotated[
 End = Annotated[str, BeforeValidator(_text)]
 
 
+def _yes_no(value: object) -> object:
+    if value not in ("yes", "no", "true", "false"):
+        raise PydanticCustomError("choice", "'{v}' is neither yes nor no", {"v": str(value), "known": ["yes", "no"]})
+    return value in ("yes", "true")
+
+
+YesNo = Annotated[bool, BeforeValidator(_yes_no), WithJsonSchema({"type": ["boolean", "string"]})]
+
+
 class _Part(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -126,6 +135,9 @@ class BoundarySpec(_Part):
     approach: Annotated[Text | None, Field(description="approach section outside: `name length`")] = None
     trains: Annotated[Literal["both", "in", "out"], _choice("direction", ("both", "in", "out"))] = "both"
     label: Text = ""
+    block: Annotated[Literal["none", "semi-automatic", "automatic"], _choice("block", tuple(BlockKind))] = "none"
+    button: Annotated[Text, Field(description="button that ends departure routes here, as printed")] = ""
+    indicator: Annotated[YesNo, Field(description="departures this way have a route indicator")] = False
 
 
 class PointSpec(_Part):
@@ -208,15 +220,6 @@ class WaiverSpec(_Part):
 
     flank: Annotated[Text, Field(description="leg of a point: `point.normal` or `point.reverse`")]
     reason: Reason = ""
-
-
-def _yes_no(value: object) -> object:
-    if value not in ("yes", "no", "true", "false"):
-        raise PydanticCustomError("choice", "'{v}' is neither yes nor no", {"v": str(value), "known": ["yes", "no"]})
-    return value in ("yes", "true")
-
-
-YesNo = Annotated[bool, BeforeValidator(_yes_no), WithJsonSchema({"type": ["boolean", "string"]})]
 
 
 class PrinciplesSpec(_Part):

@@ -17,6 +17,7 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.schema import MAX_LENGTH_M, MAX_NAME, NAME, number
 from interlock.model.elements import (
+    BlockKind,
     Boundary,
     BoundaryKind,
     Buffer,
@@ -424,6 +425,13 @@ class Wirer:
         for name, spec in f.boundaries.items():
             approach = spec.approach.split()[0] if spec.approach else None
             self.out.boundaries.append(
-                Boundary(NodeId(name), BoundaryKind(spec.trains), SectionId(approach) if approach else None)
+                Boundary(
+                    NodeId(name),
+                    BoundaryKind(spec.trains),
+                    SectionId(approach) if approach else None,
+                    BlockKind(spec.block),
+                    spec.button,
+                    spec.indicator,
+                )
             )
         self.out.buffers.extend(Buffer(NodeId(name)) for name in f.buffers)

@@ -42,6 +42,14 @@ class BoundaryKind(StrEnum):
     OUT = "out"
 
 
+class BlockKind(StrEnum):
+    """How trains are kept apart on the line beyond a boundary (R12)."""
+
+    NONE = "none"
+    SEMI_AUTOMATIC = "semi-automatic"
+    AUTOMATIC = "automatic"
+
+
 class Lane(StrEnum):
     """Kind of line in a mine (document A, section 1)."""
 
@@ -107,11 +115,18 @@ class Crossing:
 
 @dataclass(frozen=True)
 class Boundary:
-    """Where trains come in or leave; `approach` is the section outside it, in rear of the entry signal."""
+    """Where trains come in or leave; `approach` is the section outside it, in rear of the entry signal.
+
+    `button`: the name of the operator's button that ends departure routes here; `indicator`: departures this way are
+    shown by a route indicator (both only printed).
+    """
 
     node: NodeId
     kind: BoundaryKind
     approach: SectionId | None
+    block: BlockKind = BlockKind.NONE
+    button: str = ""
+    indicator: bool = False
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,402 @@
+"""The Chinese interlocking table (联锁表) in its printed notation.
+
+    1/3  (1/3)      points on the path, normal and reverse (定位, 反位)
+    [1/3] [(1/3)]   protecting points (防护道岔): detected and locked
+    {1/3} {(1/3)}   driven points (带动道岔): moved along, never checked
+    D1  S5  S5L  S5D    hostile signal; of a combined signal both functions, the train or the shunt function
+    <1/3>D1         hostile only while 1/3 is normal; the condition spans what follows up to the next condition
+    <23/25>25DG     the foul section (侵限) is checked only while 23/25 is normal
+
+Input: layout and table.  Everything comes from topology, geometry and the table's cells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+from interlock.model.elements import BlockKind, MachineId, NodeId, Position, SectionId, SignalId, SignalKind
+from interlock.model.layout import Layout
+from interlock.model.traversal import Topology, Traversal, topology
+from interlock.table.national.sheet import Heading, Sheet
+from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow
+
+HEADINGS = (
+    Heading("Direction", "方向", "Richtung"),
+    Heading("Route", "进路", "Fahrstraße"),
+    Heading("Alternative", "进路方式", "Variante"),
+    Heading("Buttons", "排列进路按下的按钮", "Tasten"),
+    Heading("Deciding points", "确定运行方向道岔", "Entscheidungsweichen"),
+    Heading("Signal", "信号机名称", "Signal"),
+    Heading("Aspect", "信号机显示", "Signalbegriff"),
+    Heading("Indicator", "表示器", "Richtungsanzeiger"),
+    Heading("Points", "道岔", "Weichen"),
+    Heading("Hostile signals", "敌对信号", "Feindliche Signale"),
+    Heading("Track sections", "轨道区段", "Gleisabschnitte"),
+    Heading("Facing train routes", "迎面进路 列车", "Gegenfahrten Zug"),
+    Heading("Facing shunt routes", "迎面进路 调车", "Gegenfahrten Rangieren"),
+    Heading("Other", "其他联锁", "Sonstiges"),
+    Heading("No.", "进路号码", "Nr."),
+)
+_ROMAN = {"I": 1, "II": 2, "III": 3, "IV": 4, "V": 5, "VI": 6, "VII": 7, "VIII": 8, "IX": 9, "X": 10}
+Need = tuple[MachineId, Position]
+
+
+def chinese_table(layout: Layout, table: InterlockingTable) -> Sheet:
+    """Train routes first, then shunt routes, a signal's routes together; of shunt routes only the basic ones."""
+    form = _Form(layout, table)
+    rows = [form.row(r, number) for number, r in enumerate(form.printed, start=1)]
+    return Sheet("cn", Heading("Interlocking table (China)", "联锁表", "Verschlusstabelle (China)"), HEADINGS, tuple(rows))
+
+
+@dataclass(frozen=True)
+class _Form:
+    """What the columns are computed from."""
+
+    layout: Layout
+    table: InterlockingTable
+
+    @cached_property
+    def topo(self) -> Topology:
+        return topology(self.layout)
+
+    @cached_property
+    def printed(self) -> tuple[RouteRow, ...]:
+        """The routes in print, in order."""
+        shown = [r for r in self.table.routes if r.kind is RouteKind.MAIN or r.variant == 1]
+        return tuple(sorted(shown, key=self._place))
+
+    @cached_property
+    def tracks(self) -> frozenset[SectionId]:
+        """Station tracks (股道): where train routes end, or begin inside the station."""
+        ends = {
+            r.traversals[-1][0]
+            for r in self.table.routes
+            if r.kind is RouteKind.MAIN and self.receiving(r) and self.is_plain(r.traversals[-1][0])
+        }
+        starts = {self.behind(r) for r in self.table.routes if r.kind is RouteKind.MAIN}
+        return frozenset(ends | {s for s in starts if s is not None and self.is_plain(s)})
+
+    @cached_property
+    def of_signal(self) -> dict[tuple[SignalId, RouteKind], list[RouteRow]]:
+        """Every route of a signal's function."""
+        out: dict[tuple[SignalId, RouteKind], list[RouteRow]] = {}
+        for r in self.table.routes:
+            out.setdefault((r.entry, r.kind), []).append(r)
+        return out
+
+    # --- small questions -----------------------------------------------------------------------
+
+    def way(self, key: tuple[SectionId, int]) -> Traversal:
+        return self.topo.traversals[key[0]][key[1] - 1]
+
+    def is_plain(self, s: SectionId) -> bool:
+        return not any(t.points or t.crossings for t in self.topo.traversals[s])
+
+    def behind(self, r: RouteRow) -> SectionId | None:
+        """The section in rear of the route's signal, inside the layout."""
+        return self.topo.beyond(r.traversals[0][0], r.entry_node)
+
+    def receiving(self, r: RouteRow) -> bool:
+        return r.entry_node in self.layout.boundary_at
+
+    def departing(self, r: RouteRow) -> bool:
+        return r.exit_kind is ExitKind.BOUNDARY and not self.receiving(r)
+
+    def opposing(self, s: SectionId, node: NodeId) -> SignalId | None:
+        """The signal that governs leaving a section at the end over which the route came in."""
+        rear = self.topo.beyond(s, node)
+        return None if rear is None else self.topo.signal_into.get((node, rear))
+
+    def path(self, r: RouteRow) -> dict[MachineId, Position]:
+        return {p.machine: p.position for p in r.points if p.role is Role.PATH}
+
+    # --- order ---------------------------------------------------------------------------------
+
+    def _place(self, r: RouteRow) -> tuple[object, ...]:
+        if r.kind is RouteKind.MAIN:
+            line = self.direction(r)
+            track = self.track_name(self.end(r)) if self.receiving(r) else self.target(r)[1:].removesuffix("股道")
+            return (0, line[:-2], not self.receiving(r), _order(r.entry), _order(track), r.variant)
+        return (1, "", False, _order(r.entry), _order(self.target(r)[1:].removesuffix("股道")), r.variant)
+
+    def end(self, r: RouteRow) -> SectionId:
+        return r.traversals[-1][0]
+
+    # --- columns -------------------------------------------------------------------------------
+
+    def row(self, r: RouteRow, number: int) -> tuple[str, ...]:
+        """The fifteen cells."""
+        facing = self.facing(r)
+        return (
+            self.direction(r),
+            self.target(r),
+            self.alternative(r),
+            "、".join(self.buttons(r)),
+            self.deciding(r),
+            r.entry,
+            self.aspect(r),
+            self.indicator(r),
+            "、".join(self.points(r)),
+            "、".join(self.hostile(r)),
+            "、".join(self.sections(r)),
+            facing[0],
+            facing[1],
+            self.other(r),
+            str(number),
+        )
+
+    def direction(self, r: RouteRow) -> str:
+        """The line to or from which a train goes, and whether it is received (接车) or departs (发车)."""
+        if r.kind is RouteKind.SHUNT:
+            return "调车"
+        node = r.entry_node if self.receiving(r) else self.way(r.traversals[-1]).exit
+        name = self.layout.labels.get(node, node).split(" (")[0]
+        if self.receiving(r) and r.exit_kind is ExitKind.BOUNDARY and self.end(r) not in self.tracks:
+            return f"{name}通过"
+        return f"{name}{'接车' if self.receiving(r) else '发车'}"
+
+    def track_name(self, s: SectionId) -> str:
+        """5G is track 5 (5股道)."""
+        return s[:-1] if s.endswith("G") and len(s) > 1 else s
+
+    def target(self, r: RouteRow) -> str:
+        if self.departing(r):
+            start = self.behind(r)
+            return f"由{self.track_name(start)}股道" if start is not None else f"由{r.entry}"
+        if r.kind is RouteKind.MAIN:
+            return f"至{self.track_name(self.end(r))}股道"
+        if r.exit_kind is ExitKind.SIGNAL and self.end(r) not in self.tracks:
+            return f"至{r.exit}"
+        facing = self.opposing(self.end(r), self.way(r.traversals[-1]).entry)
+        if self.end(r) in self.tracks or facing is None:
+            return f"至{self.track_name(self.end(r))}股道"
+        return f"向{facing}"
+
+    def alternatives(self, r: RouteRow) -> list[RouteRow]:
+        """All routes with the same ends, the basic one first."""
+        same = [x for x in self.of_signal[r.entry, r.kind] if x.exit == r.exit]
+        return sorted(same, key=lambda x: x.variant)
+
+    def alternative(self, r: RouteRow) -> str:
+        return str(r.variant) if r.kind is RouteKind.MAIN and len(self.alternatives(r)) > 1 else ""
+
+    def deciding(self, r: RouteRow) -> str:
+        """The points that tell the route from the others with the same ends, first come first."""
+        others = [x for x in self.alternatives(r) if x is not r]
+        if r.kind is RouteKind.SHUNT:
+            return ""
+        out = []
+        for m, x in self.path(r).items():
+            if any(self.path(o).get(m, x) is not x for o in others):
+                out.append(_lying(m, x))
+                others = [o for o in others if self.path(o).get(m, x) is x]
+        return "、".join(out)
+
+    def buttons(self, r: RouteRow) -> list[str]:
+        """Start, what tells an alternative from the routes before it, and end."""
+        if r.kind is RouteKind.MAIN:
+            out = [f"{r.entry}LA", *self._between(r)]
+            return [*out, self._end_of_train(r)]
+        last = self.way(r.traversals[-1])
+        if r.berth is not None:
+            end = self.opposing(last.section, last.entry)
+        else:
+            back = self.opposing_at_exit(last)
+            end = back or (SignalId(r.exit) if r.exit_kind is ExitKind.SIGNAL else None)
+        return [self._shunt_button(r.entry), self._shunt_button(end) if end is not None else f"{r.exit}A"]
+
+    def opposing_at_exit(self, last: Traversal) -> SignalId | None:
+        """The signal back to back with the one at which the route ends."""
+        return self.topo.signal_into.get((last.exit, last.section))
+
+    def _shunt_button(self, g: SignalId) -> str:
+        return f"{g}DA" if self.layout.signal[g].kind is SignalKind.COMBINED else f"{g}A"
+
+    def _end_of_train(self, r: RouteRow) -> str:
+        last = self.way(r.traversals[-1])
+        if self.departing(r):
+            boundary = self.layout.boundary_at[last.exit]
+            back = self.topo.signal_into.get((last.exit, last.section))
+            return boundary.button or (f"{back}LA" if back is not None else f"{last.exit}LA")
+        facing = self.opposing(last.section, last.entry)
+        if facing is None:
+            return f"{r.exit}LA"
+        return f"{facing}LA" if self.layout.signal[facing].main else self._shunt_button(facing)
+
+    def _between(self, r: RouteRow) -> list[str]:
+        """For an alternative, a signal along it that no route of a lower number passes."""
+        if r.variant == 1:
+            return []
+        passed = [self._along(x) for x in self.alternatives(r)[: r.variant - 1]]
+        for g in self._along(r):
+            if all(g not in others for others in passed):
+                return [self._shunt_button(g)]
+        return []
+
+    def _along(self, r: RouteRow) -> list[SignalId]:
+        """Shunt signals at the joints within the route, in order."""
+        out: list[SignalId] = []
+        for a, b in zip(r.traversals, r.traversals[1:], strict=False):
+            node = self.way(a).exit
+            for key in ((node, b[0]), (node, a[0])):
+                g = self.topo.shunt_into.get(key)
+                if g is not None and not self.layout.signal[g].main:
+                    out.append(g)
+        return out
+
+    def aspect(self, r: RouteRow) -> str:
+        """Shunt white; received U with all points normal, else UU; departing as the block permits."""
+        if r.kind is RouteKind.SHUNT:
+            return "B"
+        if self.departing(r):
+            block = self.layout.boundary_at[self.way(r.traversals[-1]).exit].block
+            return "L、U、LU" if block is BlockKind.AUTOMATIC else "L"
+        return "UU" if Position.REVERSE in self.path(r).values() else "U"
+
+    def indicator(self, r: RouteRow) -> str:
+        """A route indicator tells a branching direction of departure."""
+        return "B" if self.departing(r) and self.layout.boundary_at[self.way(r.traversals[-1]).exit].indicator else ""
+
+    def points(self, r: RouteRow) -> list[str]:
+        """Points in the order of the path; protecting and driven ones with the section that asks for them."""
+        on_path, flank = self.path(r), [p for p in r.points if p.role is Role.FLANK]
+        out: dict[MachineId, str] = {}
+        for key in r.traversals:
+            for q, _ in self.way(key).points:
+                m = self.layout.point[q].machine
+                out.setdefault(m, _lying(m, on_path[m]))
+            for p in flank:
+                if p.section == key[0]:
+                    out.setdefault(p.machine, f"[{_lying(p.machine, p.position)}]")
+            for p in r.driven:
+                if p.section == key[0]:
+                    out.setdefault(p.machine, f"{{{_lying(p.machine, p.position)}}}")
+        return list(out.values())
+
+    def sections(self, r: RouteRow) -> list[str]:
+        """Sections to be clear, each foul section behind the one that it fouls."""
+        named = {p.machine for p in (*r.points, *r.driven)}
+        out: list[str] = []
+        foul = list(r.foul)
+        for cell in r.sections:
+            out.append(cell.section)
+            for f in [f for f in foul if self.layout.section_of(self.layout.point[f.point].toe) == cell.section]:
+                foul.remove(f)
+                if f.when is None:
+                    out.append(f.section)
+                elif f.when[0] not in named:
+                    out.append(f"<{_lying(*f.when)}>{f.section}")
+        return list(dict.fromkeys(out))
+
+    def facing(self, r: RouteRow) -> tuple[str, str]:
+        """What routes from the other end of the track exclude: train routes, shunt routes."""
+        track = self.end(r)
+        if track not in self.tracks or self.departing(r):
+            return "", ""
+        exits = self.opposing(track, self.way(r.traversals[-1]).entry)
+        trains = track if exits is not None and self.layout.signal[exits].main else ""
+        return (trains, track) if r.kind is RouteKind.MAIN else (trains, "")
+
+    def other(self, r: RouteRow) -> str:
+        """The block of the line on which a train departs (BS: 闭塞)."""
+        block = self.layout.boundary_at[self.way(r.traversals[-1]).exit].block if self.departing(r) else BlockKind.NONE
+        parts = ["BS"] if block is BlockKind.SEMI_AUTOMATIC else []
+        return "、".join([*parts, *(c.condition for c in r.conditions)])
+
+    # --- hostile signals -----------------------------------------------------------------------
+
+    def hostile(self, r: RouteRow) -> list[str]:
+        """Hostile signals; first those without condition, then each condition with its signals."""
+        found: dict[str, list[tuple[SignalId, str]]] = {}
+        for g in sorted(self.layout.signals, key=lambda s: _order(s.id)):
+            if g.id == r.entry:
+                continue
+            functions: dict[str, str] = {}
+            for kind, mark in ((RouteKind.MAIN, "L"), (RouteKind.SHUNT, "D")):
+                condition = self._when_hostile(r, g.id, kind)
+                if condition is not None:
+                    functions[mark] = condition
+            if g.kind is not SignalKind.COMBINED:
+                for condition in functions.values():
+                    found.setdefault(condition, []).append((g.id, ""))
+            elif len(functions) == 2 and len(set(functions.values())) == 1:
+                found.setdefault(functions["L"], []).append((g.id, ""))
+            else:
+                for mark, condition in functions.items():
+                    found.setdefault(condition, []).append((g.id, mark))
+        out: list[str] = []
+        for condition in sorted(found, key=lambda c: (c != "", c.strip("<>()"))):
+            names = [f"{g}{mark}" for g, mark in found[condition]]
+            out += [condition + names[0], *names[1:]]
+        return out
+
+    def _when_hostile(self, r: RouteRow, g: SignalId, kind: RouteKind) -> str | None:
+        """The condition under which a signal's function is hostile: "" always, None never.
+
+        It tells the signal's hostile routes from its other routes that the points of this one permit.
+        """
+        routes = [t for t in self.of_signal.get((g, kind), []) if self._agree(r, t)]
+        bad = [t for t in routes if self._conflicts(r, t)]
+        if not bad:
+            return None
+        good = [t for t in routes if t not in bad]
+        if not good:
+            return ""
+        own = self.path(r)
+        first = list(self.path(bad[0]).items())
+        common = [need for need in first if all(need in self.path(t).items() for t in bad)]
+        ranked = sorted(common, key=lambda need: (need[0] not in own, first.index(need)))
+        chosen: list[Need] = []
+        for need in ranked:
+            if not any(need in self.path(t).items() for t in good):
+                return f"<{_lying(*need)}>"
+        for need in ranked:
+            if any(need not in self.path(t).items() for t in good):
+                chosen.append(need)
+                good = [t for t in good if need in self.path(t).items()]
+            if not good:
+                return "<" + "、".join(_lying(*n) for n in chosen) + ">"
+        return ""
+
+    def _agree(self, r: RouteRow, t: RouteRow) -> bool:
+        """Both can have their points: what the points exclude is not printed as hostile."""
+        needs = {p.machine: p.position for p in r.points}
+        return all(needs.get(p.machine, p.position) is p.position for p in t.points)
+
+    def _conflicts(self, r: RouteRow, t: RouteRow) -> bool:
+        """Sections are shared, and they are not two shunting movements in one direction."""
+        shared = set(r.section_ids) & set(t.section_ids)
+        if not shared:
+            return False
+        if r.kind is RouteKind.MAIN or t.kind is RouteKind.MAIN:
+            return True
+        mine = {k[0]: self.way(k) for k in r.traversals}
+        return any(self._against(mine[k[0]], self.way(k)) for k in t.traversals if k[0] in shared)
+
+    @staticmethod
+    def _against(x: Traversal, y: Traversal) -> bool:
+        return x.entry == y.exit or x.exit == y.entry
+
+
+def _lying(m: MachineId, x: Position) -> str:
+    return m if x is Position.NORMAL else f"({m})"
+
+
+def _order(name: str) -> tuple[object, ...]:
+    """Signals as they stand from top to bottom: by letter; odd tracks descending, then even tracks ascending."""
+    head = name.rstrip("0123456789")
+    tail: Iterable[str] | str = name[len(head) :]
+    if not tail:
+        for k in range(1, len(name)):
+            if name[k:] in _ROMAN:
+                head, tail = name[:k], str(_ROMAN[name[k:]])
+                break
+    n = int(str(tail)) if tail else 0
+    if name in _ROMAN or name.isdigit():
+        n = _ROMAN.get(name, 0) or int(name)
+        return ("Z", -n if n % 2 else n)
+    if head == "D":
+        return (head, n)
+    return (head, -n if n % 2 else n)
