@@ -51,7 +51,9 @@ def test_what_the_derivation_calls_unprotected_the_audit_reaches_however_points_
         named = [d.message.split(" from ")[1].split(";")[0] for d in sink.diagnostics if d.code == "IL4001"]
         if not named or len(machines) > 5 or any(d.code == "IL4002" for d in sink.diagnostics):
             continue
-        all_trips = [t for g in layout.signals for t in trips(layout, g)]
+        all_trips = [
+            t for g in layout.signals for k in (False, True) if (g.shunt if k else g.main) for t in trips(layout, g, k)
+        ]
         for requester in named:
             point = requester.split(".")[0]
             if point not in layout.point:

@@ -15,10 +15,11 @@ from interlock.app.check import Checked, check_file
 from interlock.app.prove import Proved, claims_json, prove_checked
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
-from interlock.emit.tables.export import matrix_csv, table_csv, table_html, table_json, table_xlsx
+from interlock.emit.tables.export import matrix_csv, sheet_csv, table_csv, table_html, table_json, table_xlsx
 from interlock.frontend import load
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.proof.runner import Limits, Progress, quiet
+from interlock.table.national import national_sheets
 
 
 def build(
@@ -61,6 +62,7 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
         "table.xlsx": table_xlsx(layout, table),
         "table.html": table_html(layout, table, claims_json(proof), watermark).encode(),
         "matrix.csv": matrix_csv(table).encode(),
+        **{f"table_{form.key}.csv": sheet_csv(form).encode() for form in national_sheets(layout, table)},
         "proof.json": (json.dumps(body, indent=1, ensure_ascii=False) + "\n").encode(),
     }
 

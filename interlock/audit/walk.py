@@ -116,7 +116,9 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
         if ahead is not None and not shunt and not ahead.main:
             ahead = None
         if ending or place or ahead is not None:
-            exit_ = str(ahead.id) if ahead else str(here.node) if here.node in layout.buffer_at or not place else section
+            exit_ = (
+                str(ahead.id) if ahead else str(here.node) if here.node in layout.buffer_at or not place else section
+            )
             sections = tuple(dict.fromkeys(layout.section_of(m.edge) for m in moves))
             runs = [layout.section_of(m.edge) for m in moves]
             split = sum(1 for a, b in itertools.pairwise(runs) if a != b) + 1 != len(sections)

@@ -95,7 +95,9 @@ def _row(
         why = Because("R7", f"the joint {f.section}|{f.neighbour} is foul of point {f.point}{unless}")
         if any(p == f.point and x is not f.leg for p, x in t.points):
             foul_cells.append(FoulCell(f.neighbour, f.point, f.when, why))
-            touching = tuple(sorted(n for (s, n), o in used.items() if s == f.neighbour and f.node in (o.entry, o.exit)))
+            touching = tuple(
+                sorted(n for (s, n), o in used.items() if s == f.neighbour and f.node in (o.entry, o.exit))
+            )
             exclusions.append(Exclusion(f.neighbour, f.when is None, () if f.when is None else touching, why))
         if f.neighbour == t.section and (f.when is None or f.node in (t.entry, t.exit)):
             numbers = tuple(

@@ -200,9 +200,7 @@ class _Effect:
         return (receiving, departing, trains, len(others) - trains, length, len(points), key)
 
 
-def _search(
-    layout: Layout, topo: Topology, g: Signal, kind: RouteKind
-) -> Iterator[tuple[ExitKind | None, str, Ways]]:
+def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Iterator[tuple[ExitKind | None, str, Ways]]:
     """Depth first over traversals; yields (None, "", path) for a path that cannot be run to its end."""
     stops = topo.main_into if kind is RouteKind.MAIN else topo.signal_into
     stack: list[tuple[SectionId, NodeId, Ways]] = [(layout.section_of(g.into), g.node, ())]

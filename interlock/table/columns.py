@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from interlock.table.rows import Because, PointDemand, Role, RouteRow
+from interlock.table.rows import Because, FoulCell, PointDemand, Role, RouteRow
 
 Reasons = list[tuple[str, Because]]
 
@@ -34,6 +34,10 @@ def _points(role: Role) -> Callable[[RouteRow], Reasons]:
 
 def _demand(p: PointDemand) -> str:
     return f"{p.machine} {p.position}"
+
+
+def _foul(c: FoulCell) -> str:
+    return c.section if c.when is None else f"{c.section} if {c.when[0]} {c.when[1]}"
 
 
 def _approach(r: RouteRow) -> Reasons:
@@ -87,7 +91,9 @@ COLUMNS: tuple[Column, ...] = (
         "Foul sections clear",
         "侵限区段",
         "Grenzzeichenfreiheit",
-        lambda r: [(c.section if c.when is None else f"{c.section} if {c.when[0]} {c.when[1]}", c.because) for c in r.foul],
+        lambda r: [
+            (c.section if c.when is None else f"{c.section} if {c.when[0]} {c.when[1]}", c.because) for c in r.foul
+        ],
     ),
     Column("flank", "Flank protection", "侧面防护", "Flankenschutz", _flank),
     Column(

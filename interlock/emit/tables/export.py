@@ -16,6 +16,7 @@ from jinja2 import Environment, PackageLoader, select_autoescape
 from interlock.model.layout import Layout
 from interlock.table.columns import COLUMNS
 from interlock.table.matrix import Matrix, beyond_matrix, matrix
+from interlock.table.national import Sheet, national_sheets
 from interlock.table.rows import SCHEMA_VERSION, InterlockingTable
 
 
@@ -31,6 +32,15 @@ def table_csv(table: InterlockingTable) -> str:
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow([c.en for c in COLUMNS])
     writer.writerows([c.text(r) for c in COLUMNS] for r in table.routes)
+    return out.getvalue()
+
+
+def sheet_csv(sheet: Sheet) -> str:
+    """A national form: headings in the language of its railway, one line per row."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow([getattr(h, sheet.language) for h in sheet.headings])
+    writer.writerows(sheet.rows)
     return out.getvalue()
 
 
@@ -83,6 +93,21 @@ def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
             sheet.write_string(0, x, f"{c.en}\n{c.zh}", head)
             for y, r in enumerate(table.routes, 1):
                 sheet.write_string(y, x, c.text(r), cell)
+        for form in national_sheets(layout, table):
+            page = book.add_worksheet(form.key)
+            page.set_landscape()
+            page.set_paper(8)
+            page.fit_to_pages(1, 0)
+            page.repeat_rows(0)
+            page.freeze_panes(1, 2)
+            for x, h in enumerate(form.headings):
+                width = max([8, *(len(row[x]) for row in form.rows)])
+                page.set_column(x, x, min(34, width + 1))
+                native = getattr(h, form.language)
+                page.write_string(0, x, native if native == h.en else f"{native}\n{h.en}", head)
+            for y, cells in enumerate(form.rows, 1):
+                for x, value in enumerate(cells):
+                    page.write_string(y, x, value, cell)
         why = book.add_worksheet("Reasons")
         for x, (title, width) in enumerate((("Route", 14), ("Column", 20), ("Item", 30), ("Rule", 8), ("Reason", 90))):
             why.set_column(x, x, width)
@@ -137,5 +162,6 @@ def table_html(layout: Layout, table: InterlockingTable, claims: list[dict[str, 
             watermark=watermark,
             m=named if named.routes else matrix(table),
             beyond=beyond_matrix(table),
+            forms=national_sheets(layout, table),
         )
     )

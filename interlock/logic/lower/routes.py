@@ -61,13 +61,12 @@ def _block_terms(d: Draft, r: RouteRow) -> list[Term]:
 
 
 def _detection_terms(d: Draft, r: RouteRow) -> list[Term]:
-    out = [
+    return [
         Term(
             d.detected(p.machine, p.position), f"{p.role} point detected", f"{p.machine} {p.position}: {p.because.text}"
         )
         for p in r.points
     ]
-    return out
 
 
 def grants(d: Draft) -> None:

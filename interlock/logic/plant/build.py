@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
-from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, Wiring
+from interlock.logic.plant.hazards import hazards
+from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Plant, Wiring
 from interlock.logic.plant.words import (
     OUTSIDE,
     accepted,
@@ -18,7 +19,6 @@ from interlock.logic.plant.words import (
     shunting,
 )
 from interlock.model.elements import BoundaryKind, NodeId, Position, SectionId, SignalId
-from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
 
@@ -42,7 +42,7 @@ class PlantBuilder:
         self._movements()
         self._states()
         self._images()
-        self._hazards()
+        self.p.hazards.extend(hazards(self))
         return self.p
 
     # --- small pieces --------------------------------------------------------------------------
@@ -220,7 +220,7 @@ class PlantBuilder:
 
     def _tail(self, s: SectionId, j: NodeId, ahead: SectionId | None) -> None:
         others = [k for k in self.topo.ends[s] if k != j]
-        inside = TRUE if self.berth(s) else conj(neg(self._coming(s, k)) for k in others)
+        inside = TRUE if self.berth(s) else conj(neg(self.coming(s, k)) for k in others)
         scanned = image(ahead) if ahead is not None and "A-SCAN" not in self.dropped else TRUE
         self.p.events[f"tail.{j}.{s}"] = conj(
             (
@@ -231,7 +231,7 @@ class PlantBuilder:
             )
         )
 
-    def _coming(self, s: SectionId, j: NodeId) -> Expr:
+    def coming(self, s: SectionId, j: NodeId) -> Expr:
         """A train stands across j on its way into s."""
         boundary = self.layout.boundary_at.get(j)
         if j in self.layout.buffer_at or (boundary is not None and (j, s) not in self.topo.signal_into):
@@ -268,7 +268,7 @@ class PlantBuilder:
         ends = [j for j in self.topo.ends[s] if j not in self.layout.buffer_at]
         out = [conj((across(j, s), neg(self.p.events[f"tail.{j}.{s}"]))) for j in ends]
         out += [self.p.events[f"head.{j}.{s}"] for j in ends]
-        into = [self._coming(s, j) for j in ends]
+        into = [self.coming(s, j) for j in ends]
         called = [
             x
             for g in self.topo.signals_out(s)
@@ -295,7 +295,7 @@ class PlantBuilder:
                     neg(x)
                     for k in self.topo.ends[s]
                     if k not in self.layout.buffer_at
-                    for x in (across(k, s), self._coming(s, k))
+                    for x in (across(k, s), self.coming(s, k))
                 )
                 waiting = conj(
                     [
@@ -464,97 +464,6 @@ class PlantBuilder:
     def _assume(self, id_: str, expr: Expr) -> None:
         if id_ not in self.dropped:
             self.p.assumptions.append(Assumption(id_, ASSUMPTIONS[id_], expr))
-
-    # --- hazards -------------------------------------------------------------------------------
-
-    def _hazards(self) -> None:
-        p, topo, layout = self.p, self.topo, self.layout
-        for s in topo.sections:
-            enter = [self.comes_in(s, j) for j in topo.ends[s]]
-            enter = [e for e in enter if e is not FALSE]
-            p.hazards.append(Hazard("COLLISION", s, self._collision(s, enter)))
-            wrong: list[Expr] = []
-            for j in topo.ends[s]:
-                good = disj(self.lie(t) for t in self.ways(s, j))
-                wrong.append(conj((o(s), neg(rests(s)), came(s, j), neg(good))))
-                if self.ways(s, j):
-                    wrong.append(conj((self.comes_in(s, j), neg(good))))
-            p.hazards.append(Hazard("DERAIL", s, disj(wrong)))
-        for m, ends in sorted(layout.ends_of_machine.items()):
-            starts = disj(p.events[f"start.{m}.{x}"] for x in Position)
-            bad = []
-            for s_ in sorted({layout.section_of(e.toe) for e in ends}):
-                mine = {e.id for e in ends}
-                over = [t for t in topo.traversals[s_] if mine & {q for q, _ in t.points}]
-                # under a train, as the points lie; anywhere under one that has stood there since the restart
-                under = disj((rests(s_), *(conj((came(s_, t.entry), self.lie(t))) for t in over)))
-                coming = disj(conj((self.comes_in(s_, t.entry), self.lie(t))) for t in over)
-                bad.append(conj((starts, disj((conj((o(s_), under)), coming)))))
-            p.hazards.append(Hazard("POINT-MOVES", m, disj(bad)))
-        for c in layout.crossings:
-            sides = []
-            for arm in (0, 1):
-                sec = layout.section_of(c.arms[arm][0])
-                sides.append(
-                    (
-                        sec,
-                        disj(
-                            conj((o(sec), came(sec, t.entry), self.lie(t)))
-                            for t in topo.traversals[sec]
-                            if (c.id, arm) in t.crossings
-                        ),
-                    )
-                )
-            if sides[0][0] != sides[1][0]:
-                p.hazards.append(
-                    Hazard(
-                        "DIAMOND",
-                        c.id,
-                        conj((sides[0][1], sides[1][1], neg(conj((rests(sides[0][0]), rests(sides[1][0])))))),
-                    )
-                )
-        for f in foul_joints(layout):
-            over = disj(
-                conj((came(f.section, t.entry), self.lie(t)))
-                for t in topo.traversals[f.section]
-                if any(q == f.point and x is not f.leg for q, x in t.points)
-            )
-            near = disj(
-                (
-                    rests(f.neighbour),
-                    *(
-                        conj((came(f.neighbour, t.entry), self.lie(t)))
-                        for t in topo.traversals[f.neighbour]
-                        if f.node in (t.entry, t.exit)
-                    ),
-                )
-            )
-            p.hazards.append(
-                Hazard(
-                    "FOUL",
-                    f"{f.section}/{f.neighbour}",
-                    conj((o(f.section), over, o(f.neighbour), near, neg(conj((rests(f.section), rests(f.neighbour)))))),
-                )
-            )
-
-    def _collision(self, s: SectionId, enter: list[Expr]) -> Expr:
-        """Entry into an occupied section, or two entries at once; in a berth shunting movements run on sight."""
-        if not self.berth(s):
-            return disj((conj((o(s), disj(enter))), neg(at_most_one(enter))))
-        ends = self.topo.ends[s]
-        shunts = [self.shunts_in(s, j) for j in ends]
-        trains = [conj((self.comes_in(s, j), neg(self.shunts_in(s, j)))) for j in ends]
-        train = disj(trains)
-        coming = disj(self._coming(s, j) for j in ends if j not in self.layout.buffer_at)
-        running_in = conj((o(s), neg(rests(s)), coming))
-        return disj(
-            (
-                conj((train, o(s))),
-                conj((train, disj(shunts))),
-                neg(at_most_one(trains)),
-                conj((disj(shunts), running_in)),
-            )
-        )
 
 
 def build_plant(layout: Layout, wiring: Wiring, dropped: frozenset[str] = frozenset()) -> Plant:

@@ -117,9 +117,7 @@ def exposed(f: Facts, edge: EdgeId, node: NodeId, gone: float, clear_of: float, 
     seen = seen | {far}
     for g in layout.signals:
         if g.node == far and g.into == edge and gone >= clear_of:
-            called = [
-                x for k in f.functions(g.id) for x in (f.sym.signal(g.id, k), lamp(g.id, k), accepted(g.id, k))
-            ]
+            called = [x for k in f.functions(g.id) for x in (f.sym.signal(g.id, k), lamp(g.id, k), accepted(g.id, k))]
             if not g.main:  # a train passes it on a lock that leads this way
                 called.append(conj((f.train(e.section), f.firm(e.section), f.locked_in(e.section, far))))
             return disj(called)

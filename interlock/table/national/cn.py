@@ -47,7 +47,9 @@ def chinese_table(layout: Layout, table: InterlockingTable) -> Sheet:
     """Train routes first, then shunt routes, a signal's routes together; of shunt routes only the basic ones."""
     form = _Form(layout, table)
     rows = [form.row(r, number) for number, r in enumerate(form.printed, start=1)]
-    return Sheet("cn", Heading("Interlocking table (China)", "联锁表", "Verschlusstabelle (China)"), HEADINGS, tuple(rows))
+    return Sheet(
+        "cn", "zh", Heading("Interlocking table (China)", "联锁表", "Verschlusstabelle (China)"), HEADINGS, tuple(rows)
+    )
 
 
 @dataclass(frozen=True)

@@ -16,9 +16,10 @@ class Heading:
 
 @dataclass(frozen=True)
 class Sheet:
-    """One table as a railway prints it; `key` is part of its file name."""
+    """One table as a railway prints it; `key` is part of its file name, `language` (en, zh, de) that of its cells."""
 
     key: str
+    language: str
     title: Heading
     headings: tuple[Heading, ...]
     rows: tuple[tuple[str, ...], ...]
