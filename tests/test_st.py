@@ -37,7 +37,8 @@ def test_text_keeps_to_the_portable_subset(name: str) -> None:
     for block in text.split("END_FUNCTION_BLOCK")[:-1]:
         inner = block.split("FUNCTION_BLOCK ")[1]
         rows = inner.count("\n")
-        assert rows <= 500, (inner.split()[0], rows)
+        main = inner.split()[0] == f"IL_{name}"  # grows with the inputs and outputs that it names
+        assert rows <= (2000 if main else 500), (inner.split()[0], rows)
     for statement in code.split(";"):
         depth = 0
         deepest = 0

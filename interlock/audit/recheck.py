@@ -87,6 +87,9 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     if {(c.section, c.when) for c in r.foul} != foul:
         told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w in foul)
         yield Finding(r.id, "foul", f"foul sections are {', '.join(told) or 'none'}")
+    secured = {d.id for d in layout.devices if set(d.over) & set(trip.sections)}
+    if {p.machine for p in r.points if p.role == "device"} != secured:
+        yield Finding(r.id, "devices", f"to be closed are {', '.join(sorted(secured)) or 'none'}")
     beside = {
         p.machine: Position.NORMAL
         for p in layout.points

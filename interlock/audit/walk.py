@@ -78,6 +78,8 @@ def standing_place(layout: Layout, section: SectionId) -> bool:
     """Whether vehicles may stand in a section: plain track, and every way out over a joint has a signal, one of them
     for shunting."""
     kinds = []
+    if any(section in d.over for d in layout.devices):
+        return False
     for e in layout.edges:
         if e.section != section:
             continue
@@ -110,6 +112,8 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
         place = shunt and leaves_section and standing_place(layout, section)
         if boundary is not None and not place and (shunt or boundary.kind is BoundaryKind.IN):
             continue
+        if here.node in layout.buffer_at and layout.buffer_at[here.node].kind != "stop":
+            continue
         ending = here.node in layout.boundary_at or here.node in layout.buffer_at
         options = list(steps(layout, here))
         ahead = next((signal_facing(layout, here.node, m.edge) for m, _ in options), None)
@@ -124,6 +128,7 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
             split = sum(1 for a, b in itertools.pairwise(runs) if a != b) + 1 != len(sections)
             wanted: dict[MachineId, Position] = {}
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
+            clash = clash or any(p.work == "hand" and wanted.get(p.machine) == "R" for p in layout.points)
             diamonds = [m.node for m in moves[:-1] if m.node in layout.crossing_at]
             if not split and not clash and len(diamonds) == len(set(diamonds)):
                 stands = shunt and len(sections) > 1 and standing_place(layout, section)

@@ -110,7 +110,9 @@ def _outward(
             for right in _outward(layout, r, point.reverse, far, gone, seen):
                 yield tuple(dict.fromkeys(left + right))
         return
-    turned = (Provider(ProviderKind.POINT, point.machine, position.other),)
+    turned: tuple[Provider, ...] | None = (Provider(ProviderKind.POINT, point.machine, position.other),)
+    if point.machine in layout.by_hand and position.other is Position.REVERSE:
+        turned = None  # a key locks a hand-worked point in normal only
     beyond = _outward(layout, r, point.toe, far, gone, seen)
     first = next(beyond, None)
     by_signal = layout.principles.flank_by is FlankChoice.SIGNAL and r.node not in layout.crossing_at
@@ -118,7 +120,8 @@ def _outward(
     if first is not None and all(p.kind in preferred for p in first):
         yield first
         first = None
-    yield turned
+    if turned is not None:
+        yield turned
     if first is not None:
         yield first
     yield from beyond

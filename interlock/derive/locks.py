@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from interlock.derive.flank import point_demands, protect
 from interlock.derive.routes import Path, machine_positions
 from interlock.diag import Sink
-from interlock.model.elements import SectionId
+from interlock.model.elements import Position, SectionId
 from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal
@@ -83,6 +83,10 @@ def _row(
     for cell in flank:
         for machine, position in (point_demands(cell.providers) or {}).items():
             demands.setdefault(machine, PointDemand(machine, position, Role.FLANK, t.section, cell.because))
+    for device in layout.devices:
+        if t.section in device.over:
+            why = Because("R13", f"{device.kind} {device.id} lies over {t.section}")
+            demands[device.id] = PointDemand(device.id, Position.REVERSE, Role.DEVICE, t.section, why)
     exclusions: list[Exclusion] = []
     for cid, arm in t.crossings:
         across = layout.section_of(layout.crossing[cid].arms[1 - arm][0])

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from interlock.diag import Sink
 from interlock.model.elements import (
     BoundaryKind,
+    BufferKind,
     Exclude,
     MachineId,
     NodeId,
@@ -73,6 +74,14 @@ def machine_positions(layout: Layout, ways: Ways) -> dict[MachineId, Position] |
     return found
 
 
+def _runnable(layout: Layout, ways: Ways) -> bool:
+    """Whether a movement can run the path: no contradiction of points, no hand-worked point against its key."""
+    positions = machine_positions(layout, ways)
+    if positions is None or _crosses_itself(ways):
+        return False
+    return not any(positions.get(m) is Position.REVERSE for m in layout.by_hand)
+
+
 def _crosses_itself(ways: Ways) -> bool:
     """Whether a path runs over both arms of a diamond."""
     over = [c for t in ways for c, _ in t.crossings]
@@ -90,7 +99,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
             if not (g.main if kind is RouteKind.MAIN else g.shunt):
                 continue
             for exit_kind, name, ways in _search(layout, topo, g, kind):
-                if exit_kind is None or machine_positions(layout, ways) is None or _crosses_itself(ways):
+                if exit_kind is None or not _runnable(layout, ways):
                     dropped += 1
                     continue
                 path = _Found(g, kind, name, exit_kind, ways)
@@ -213,7 +222,8 @@ def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Itera
             path = (*ways, t)
             berth = kind is RouteKind.SHUNT and section in topo.berths
             if t.exit in layout.buffer_at:
-                yield ExitKind.BUFFER, t.exit, path
+                if layout.buffer_at[t.exit].kind is BufferKind.STOP:  # no route leads into a trap
+                    yield ExitKind.BUFFER, t.exit, path
                 continue
             onward = topo.beyond(section, t.exit)
             ahead = stops.get((t.exit, onward)) if onward is not None else None

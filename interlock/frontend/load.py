@@ -17,6 +17,7 @@ from interlock.frontend.names import check_names
 from interlock.frontend.resolve import (
     check_signal_names,
     resolve_conditions,
+    resolve_devices,
     resolve_excludes,
     resolve_routes,
     resolve_signals,
@@ -101,6 +102,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     _check_sections(ctx, wiring)
     check_signal_names(ctx, wiring)
     conditions = resolve_conditions(ctx, wiring)
+    devices = resolve_devices(ctx, wiring)
     routes = resolve_routes(ctx, wiring)
     waivers = resolve_waivers(ctx)
     excluded = resolve_excludes(ctx, wiring)
@@ -126,6 +128,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         buffers=tuple(sorted(wiring.buffers, key=lambda b: b.node)),
         signals=signals,
         conditions=conditions,
+        devices=devices,
         waivers=waivers,
         named_routes=routes,
         excluded=excluded,

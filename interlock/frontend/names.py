@@ -18,23 +18,32 @@ def _declared(ctx: Context) -> list[tuple[str, str, Span]]:
         ("track", f.tracks),
         ("point", f.points),
         ("crossing", f.crossings),
+        ("slip", f.slips),
+        ("derailer", f.derailers),
+        ("level crossing", f.level_crossings),
+        ("interlock", f.interlocks),
         ("signal", f.signals),
         ("condition", f.conditions),
     ):
-        room = {"boundary": "boundaries"}.get(kind, kind + "s")
+        room = {"boundary": "boundaries"}.get(kind, kind.replace(" ", "_") + "s")
         found.extend((kind, n, ctx.at_key(room, n)) for n in names)
     found.extend(("buffer", n, ctx.at("buffers", i)) for i, n in enumerate(f.buffers))
+    found.extend(("buffer", n, ctx.at("traps", i)) for i, n in enumerate(f.traps))
     return found
 
 
 # names of one room are told apart where the layout refers to them, or in PLC text
 ROOMS: tuple[tuple[str, ...], ...] = (
     ("section", "boundary"),
-    ("point", "crossing", "boundary", "buffer"),
+    ("point", "crossing", "slip", "derailer", "boundary", "buffer"),
     ("signal", "boundary", "buffer"),
     ("condition",),
-    ("machine",),
+    ("machine", "derailer", "level crossing", "interlock"),
 )
+
+
+# these become machines in PLC text
+MOVED = ("point", "machine", "derailer", "level crossing", "interlock")
 
 
 def check_names(ctx: Context, sections: dict[str, Span]) -> None:
@@ -45,6 +54,10 @@ def check_names(ctx: Context, sections: dict[str, Span]) -> None:
     for name, p in ctx.file.points.items():
         if p.machine:
             machines.setdefault(p.machine, ctx.at("points", name, "machine"))
+    for name, slip in ctx.file.slips.items():
+        for m in slip.machines or (f"{name}a", f"{name}b"):
+            machines.setdefault(m, ctx.at_key("slips", name))
+        elements += [("point", f"{name}{side}", ctx.at_key("slips", name)) for side in "ab"]
     elements += [("machine", n, s) for n, s in machines.items()]
     for room in ROOMS:
         seen: dict[str, tuple[str, str, Span]] = {}
@@ -53,12 +66,12 @@ def check_names(ctx: Context, sections: dict[str, Span]) -> None:
                 before = seen.setdefault(name.lower(), (kind, name, span))
                 if before[2] != span:
                     _clash(ctx, (kind, name, span), before)
-    joinable = {n: (k, n, s) for k, n, s in elements if k in ("point", "crossing", "boundary", "buffer")}
+    joinable = {n: (k, n, s) for k, n, s in elements if k in ROOMS[1]}
     for name in ctx.file.tracks:
         if name in joinable:
             _clash(ctx, ("track", name, ctx.at_key("tracks", name)), joinable[name])
     written: dict[tuple[str, str], tuple[str, Span]] = {}
-    for kind, name, span in [(("point" if k == "machine" else k), n, s) for k, n, s in elements]:
+    for kind, name, span in [(("machine" if k in MOVED else k), n, s) for k, n, s in elements]:
         first = written.setdefault((kind, portable(name).lower()), (name, span))
         if first[0].lower() != name.lower():
             ctx.add(

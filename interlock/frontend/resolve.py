@@ -11,8 +11,11 @@ from interlock.frontend.wiring import Wiring
 from interlock.model.elements import (
     Condition,
     ConditionId,
+    Device,
+    DeviceKind,
     Edge,
     Exclude,
+    MachineId,
     NamedRoute,
     NodeId,
     PointId,
@@ -149,10 +152,30 @@ def resolve_conditions(ctx: Context, wiring: Wiring) -> tuple[Condition, ...]:
     return tuple(sorted(out, key=lambda c: c.id))
 
 
+def resolve_devices(ctx: Context, wiring: Wiring) -> tuple[Device, ...]:
+    """Level crossings and other interlocks over their sections."""
+    out = []
+    for room, kind, specs in (
+        ("level_crossings", DeviceKind.LEVEL_CROSSING, ctx.file.level_crossings),
+        ("interlocks", DeviceKind.INTERLOCK, ctx.file.interlocks),
+    ):
+        for name, spec in specs.items():
+            for i, s in enumerate(spec.over):
+                if s not in wiring.sections:
+                    ctx.add(
+                        "IL2004",
+                        f"{kind} {name}: there is no section {s}",
+                        ctx.at(room, name, "over", i),
+                        did_you_mean(s, wiring.sections),
+                    )
+            out.append(Device(MachineId(name), kind, spec.text, tuple(sorted(map(SectionId, spec.over)))))
+    return tuple(sorted(out, key=lambda d: d.id))
+
+
 def resolve_routes(ctx: Context, wiring: Wiring) -> tuple[NamedRoute, ...]:
     """Names that the author gives to routes; whether the routes exist is known after derivation."""
     out = []
-    ends = [*ctx.file.signals, *ctx.file.boundaries, *ctx.file.buffers]
+    ends = [*ctx.file.signals, *ctx.file.boundaries, *ctx.file.buffers, *wiring.sections]
     for name, spec in ctx.file.routes.items():
         if spec.from_ not in ctx.file.signals:
             ctx.add(

@@ -24,7 +24,7 @@ from pydantic_core import PydanticCustomError
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
-from interlock.model.elements import BlockKind, SignalKind
+from interlock.model.elements import BlockKind, SignalKind, Work
 from interlock.model.principles import KNOBS, PROFILES, FlankChoice, Principles
 
 NAME = re.compile(r"[A-Za-z0-9]+([_/-][A-Za-z0-9]+)*")
@@ -150,6 +150,43 @@ class PointSpec(_Part):
     machine: Annotated[Name | None, Field(description="machine, where one works two ends")] = None
     legs: Annotated[Length | None, Field(description="length of each of the three legs in metres")] = None
     fouling: Annotated[Length | None, Field(description="distance to the fouling point in metres")] = None
+    work: Annotated[
+        Literal["motor", "hand"],
+        _choice("kind of work", tuple(Work)),
+        Field(description="hand: worked on the spot; a key locks it in normal"),
+    ] = "motor"
+
+
+class DerailerSpec(_Part):
+    """A derailer between two ends: `outer` is where vehicles stand that must not run off, `inner` what it protects."""
+
+    section: Name
+    outer: End | None = None
+    inner: End | None = None
+    legs: Length | None = None
+
+
+class SlipSpec(_Part):
+    """A slip: a diamond whose arms are also joined by slip rails.
+
+    Arms are pairs of ends, `[1a, 1b]` and `[2a, 2b]`.  A double slip joins 1a to 2b and 2a to 1b; `single` names the
+    only pair that is joined.  Each side has a machine, `NAMEa` and `NAMEb` unless `machines` says otherwise; one name
+    for both sides means one machine.
+    """
+
+    section: Name
+    arms: Annotated[list[list[End]], Field(min_length=2, max_length=2)]
+    single: Annotated[Literal["1a-2b", "2a-1b"] | None, _choice("pair of ends", ("1a-2b", "2a-1b"))] = None
+    machines: list[Name] = []
+    legs: Length | None = None
+    fouling: Length | None = None
+
+
+class DeviceSpec(_Part):
+    """A level crossing, or a bridge, door or hoist, closed for every movement over the sections."""
+
+    over: Annotated[list[Name], Field(min_length=1)]
+    text: Text = ""
 
 
 class ArmSpec(_Part):
@@ -250,9 +287,14 @@ class LayoutFile(_Part):
     principles: PrinciplesSpec = PrinciplesSpec()
     boundaries: dict[Name, BoundarySpec] = {}
     buffers: list[Name] = []
+    traps: list[Name] = []
     tracks: dict[Name, list[Text]] = {}
     points: dict[Name, PointSpec] = {}
     crossings: dict[Name, CrossingSpec] = {}
+    slips: dict[Name, SlipSpec] = {}
+    derailers: dict[Name, DerailerSpec] = {}
+    level_crossings: dict[Name, DeviceSpec] = {}
+    interlocks: dict[Name, DeviceSpec] = {}
     signals: dict[Name, SignalSpec] = {}
     sections: dict[Name, SectionSpec] = {}
     conditions: dict[Name, ConditionSpec] = {}
@@ -312,6 +354,10 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "boundaries": tuple(BoundarySpec.model_fields),
     "points": tuple(PointSpec.model_fields),
     "crossings": (*CrossingSpec.model_fields, *ArmSpec.model_fields),
+    "slips": tuple(SlipSpec.model_fields),
+    "derailers": tuple(DerailerSpec.model_fields),
+    "level_crossings": tuple(DeviceSpec.model_fields),
+    "interlocks": tuple(DeviceSpec.model_fields),
     "signals": ("from", "into", "at", "kind"),
     "principles": KNOBS,
     "exclude": ("from", "to", "via", "kind", "reason"),

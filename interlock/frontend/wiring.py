@@ -15,12 +15,13 @@ from pydantic_core import PydanticCustomError
 from interlock.diag import Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
-from interlock.frontend.schema import MAX_LENGTH_M, MAX_NAME, NAME, number
+from interlock.frontend.schema import MAX_LENGTH_M, MAX_NAME, NAME, DerailerSpec, SlipSpec, number
 from interlock.model.elements import (
     BlockKind,
     Boundary,
     BoundaryKind,
     Buffer,
+    BufferKind,
     Crossing,
     CrossingId,
     Edge,
@@ -30,6 +31,7 @@ from interlock.model.elements import (
     Point,
     PointId,
     SectionId,
+    Work,
 )
 from interlock.model.principles import Principles
 
@@ -122,6 +124,8 @@ class Wirer:
         self._read_sections_of_points()
         self._join_points()
         self._join_crossings()
+        self._join_slips()
+        self._join_derailers()
         self._check_complete()
         if not self.ctx.sink.has_errors:
             self._build()
@@ -147,7 +151,7 @@ class Wirer:
 
     def _read_tracks(self) -> None:
         f = self.ctx.file
-        ends = set(f.boundaries) | set(f.buffers)
+        ends = set(f.boundaries) | set(f.buffers) | set(f.traps)
         for name, items in f.tracks.items():
             stretches: list[_Stretch] = []
             head: Port | None = None
@@ -203,6 +207,10 @@ class Wirer:
         return Port("boundary" if name in self.ctx.file.boundaries else "buffer", name)
 
     def _read_sections_of_points(self) -> None:
+        for name, slip in self.ctx.file.slips.items():
+            self.out.sections.setdefault(slip.section, self.ctx.at("slips", name, "section"))
+        for name, derailer in self.ctx.file.derailers.items():
+            self.out.sections.setdefault(derailer.section, self.ctx.at("derailers", name, "section"))
         for name, p in self.ctx.file.points.items():
             self.out.sections.setdefault(p.section, self.ctx.at("points", name, "section"))
         for name, c in self.ctx.file.crossings.items():
@@ -230,12 +238,38 @@ class Wirer:
                     if target is not None:
                         self._join(Port("crossing", name, f"{i + 1}{'ab'[k]}"), target, span)
 
+    def _join_slips(self) -> None:
+        for name, slip in self.ctx.file.slips.items():
+            for i, arm in enumerate(slip.arms):
+                span = self.ctx.at("slips", name, "arms", i)
+                if len(arm) != 2:
+                    self.ctx.add(
+                        "IL1012",
+                        f"slips.{name}.arms.{i}: a list of two is expected here, not a list of {len(arm)}",
+                        span,
+                        "an arm joins two ends",
+                    )
+                    continue
+                for k, ref in enumerate(arm):
+                    target = self.resolve(ref, self.ctx.at("slips", name, "arms", i, k))
+                    if target is not None:
+                        self._join(Port("slip", name, f"{i + 1}{'ab'[k]}"), target, span)
+
+    def _join_derailers(self) -> None:
+        for name, d in self.ctx.file.derailers.items():
+            for end, ref in (("outer", d.outer), ("inner", d.inner)):
+                if ref is not None:
+                    span = self.ctx.at("derailers", name, end)
+                    target = self.resolve(ref, span)
+                    if target is not None:
+                        self._join(Port("derailer", name, end), target, span)
+
     def resolve(self, ref: str, span: Span) -> Port | None:
         """A reference as a port; reports IL2001 and IL2003."""
         f = self.ctx.file
         name, dot, end = ref.strip().partition(".")
         if not dot:
-            if name in f.boundaries or name in f.buffers:
+            if name in f.boundaries or name in f.buffers or name in f.traps:
                 return self._end_port(name)
             ends = "toe, normal or reverse" if name in f.points else "start or end"
             if name in f.points or name in f.tracks:
@@ -246,6 +280,8 @@ class Wirer:
             ("track", f.tracks, ("start", "end")),
             ("point", f.points, ("toe", "normal", "reverse")),
             ("crossing", f.crossings, ("1a", "1b", "2a", "2b")),
+            ("slip", f.slips, ("1a", "1b", "2a", "2b")),
+            ("derailer", f.derailers, ("outer", "inner")),
         ):
             if name in names:
                 if end in ends_:
@@ -257,15 +293,15 @@ class Wirer:
                     did_you_mean(end, ends_) or "one of " + ", ".join(ends_),
                 )
                 return None
-        if name in f.boundaries or name in f.buffers:
+        if name in f.boundaries or name in f.buffers or name in f.traps:
             self.ctx.add("IL2003", f"{name} has only one end", span, f"write `{name}`")
             return None
-        known = [*f.tracks, *f.points, *f.crossings, *f.boundaries, *f.buffers]
+        known = [*f.tracks, *f.points, *f.crossings, *f.slips, *f.derailers, *f.boundaries, *f.buffers, *f.traps]
         self.ctx.add("IL2001", f"there is no track, point, boundary or buffer {name}", span, did_you_mean(name, known))
         return None
 
     def _join(self, a: Port, b: Port, span: Span) -> None:
-        if a == b or (a.kind == b.kind in ("point", "crossing") and a.name == b.name):
+        if a == b or (a.kind == b.kind in ("point", "crossing", "slip", "derailer") and a.name == b.name):
             self.ctx.add(
                 "IL3001",
                 f"{a} is wired to {b}, the same element",
@@ -316,6 +352,9 @@ class Wirer:
         for name in f.points:
             for end in ("toe", "normal", "reverse"):
                 wanted.append((Port("point", name, end), self.ctx.at_key("points", name), f"add `{end}: ...`"))
+        for name in f.derailers:
+            for end in ("outer", "inner"):
+                wanted.append((Port("derailer", name, end), self.ctx.at_key("derailers", name), f"add `{end}: ...`"))
         for name in f.boundaries:
             wanted.append(
                 (
@@ -328,6 +367,8 @@ class Wirer:
             wanted.append(
                 (Port("buffer", name), self.ctx.at("buffers", i), "name it at the start or the end of a track")
             )
+        for i, name in enumerate(f.traps):
+            wanted.append((Port("buffer", name), self.ctx.at("traps", i), "name it at the end of a track"))
         if any(
             d.code.startswith(("IL2001", "IL2003", "IL2005", "IL3001", "IL3002", "IL3004", "IL3017", "IL1"))
             for d in self.ctx.sink.diagnostics
@@ -362,6 +403,10 @@ class Wirer:
             return self.tracks[port.name][0 if port.end == "start" else -1].section
         if port.kind == "point":
             return f.points[port.name].section
+        if port.kind == "slip":
+            return f.slips[port.name].section
+        if port.kind == "derailer":
+            return f.derailers[port.name].section
         return f.crossings[port.name].arms[int(port.end[0]) - 1].section
 
     def _edge(self, name: str, a: NodeId, b: NodeId, length: float, section: str) -> EdgeId:
@@ -404,6 +449,7 @@ class Wirer:
                     legs["normal"],
                     legs["reverse"],
                     fouling,
+                    Work(p.work),
                 )
             )
         for name, c in f.crossings.items():
@@ -435,3 +481,56 @@ class Wirer:
                 )
             )
         self.out.buffers.extend(Buffer(NodeId(name)) for name in f.buffers)
+        self.out.buffers.extend(Buffer(NodeId(name), BufferKind.TRAP) for name in f.traps)
+        for name, slip in f.slips.items():
+            self._build_slip(name, slip)
+        for name, d in f.derailers.items():
+            self._build_derailer(name, d)
+
+    def _build_derailer(self, name: str, d: DerailerSpec) -> None:
+        """A point whose normal leg leads off the rails."""
+        length = d.legs if d.legs is not None else self.principles.leg_m
+        node, off = NodeId(name), NodeId(f"{name}.off")
+        outer = self._edge(f"{name}.outer", node, self._node(Port("derailer", name, "outer")), length, d.section)
+        inner = self._edge(f"{name}.inner", node, self._node(Port("derailer", name, "inner")), length, d.section)
+        rails = self._edge(f"{name}.off", node, off, 1.0, d.section)
+        self.out.buffers.append(Buffer(off, BufferKind.DERAIL))
+        self.out.points.append(
+            Point(PointId(name), MachineId(name), node, outer, rails, inner, 1.0, Work.MOTOR, derailer=True)
+        )
+
+    def _build_slip(self, name: str, slip: SlipSpec) -> None:
+        """A double slip: two points toe to toe.  A single slip: a diamond, and a point on each arm that is joined."""
+        length = slip.legs if slip.legs is not None else self.principles.leg_m
+        fouling = slip.fouling if slip.fouling is not None else self.principles.fouling_m
+        machines = [MachineId(m) for m in slip.machines] or [MachineId(f"{name}a"), MachineId(f"{name}b")]
+        sides = [PointId(f"{name}a"), PointId(f"{name}b")]
+
+        def outward(node: NodeId, end: str) -> EdgeId:
+            return self._edge(f"{name}.{end}", node, self._node(Port("slip", name, end)), length, slip.section)
+
+        def point(side: int, toe: EdgeId, normal: EdgeId, reverse: EdgeId) -> None:
+            node = NodeId(sides[side])
+            self.out.points.append(
+                Point(sides[side], machines[side % len(machines)], node, toe, normal, reverse, fouling)
+            )
+
+        a, b = (NodeId(s) for s in sides)
+        if slip.single is None:
+            middle = self._edge(f"{name}.m", a, b, 1.0, slip.section)
+            for side, node in enumerate((a, b)):
+                point(side, middle, outward(node, f"1{'ab'[side]}"), outward(node, f"2{'ab'[side]}"))
+            return
+        first, second = slip.single.split("-")  # the slip joins these two ends
+        x = NodeId(name)
+        curve = self._edge(f"{name}.s", a, b, length, slip.section)
+        arms: dict[str, tuple[EdgeId, EdgeId]] = {}
+        for side, (node, end) in enumerate(((a, first), (b, second))):
+            straight = self._edge(f"{name}.{end}x", node, x, length / 2, slip.section)
+            point(side, outward(node, end), straight, curve)
+            other = f"{end[0]}{'b' if end[1] == 'a' else 'a'}"
+            arms[end[0]] = (
+                straight,
+                self._edge(f"{name}.{other}", x, self._node(Port("slip", name, other)), length, slip.section),
+            )
+        self.out.crossings.append(Crossing(CrossingId(name), x, (arms["1"], arms["2"])))

@@ -78,11 +78,19 @@ class Edge:
     one_way: bool = False
 
 
+class Work(StrEnum):
+    """How a point is worked: by a motor, or by hand once a key is released (normal is the locked position)."""
+
+    MOTOR = "motor"
+    HAND = "hand"
+
+
 @dataclass(frozen=True)
 class Point:
     """One end of a set of points: three edges at one node, worked by a machine.
 
     `fouling` is the distance from the node to the fouling point (警冲标 / Grenzzeichen) on either leg.
+    A derailer is a point whose normal leg leads off the rails: normal is on, reverse is off.
     """
 
     id: PointId
@@ -92,6 +100,8 @@ class Point:
     normal: EdgeId
     reverse: EdgeId
     fouling: float
+    work: Work = Work.MOTOR
+    derailer: bool = False
 
     def leg(self, position: Position) -> EdgeId:
         """The edge to which the point leads in that position."""
@@ -129,11 +139,40 @@ class Boundary:
     indicator: bool = False
 
 
+class BufferKind(StrEnum):
+    """What the end of a track is: a buffer stop, a trap (sand drag, 安全线) that no route enters, or off the rails."""
+
+    STOP = "stop"
+    TRAP = "trap"
+    DERAIL = "derail"
+
+
 @dataclass(frozen=True)
 class Buffer:
     """End of track."""
 
     node: NodeId
+    kind: BufferKind = BufferKind.STOP
+
+
+class DeviceKind(StrEnum):
+    """What a device is, other than a point, that routes lock."""
+
+    LEVEL_CROSSING = "level crossing"
+    INTERLOCK = "interlock"
+
+
+@dataclass(frozen=True)
+class Device:
+    """A level crossing, bridge, door or hoist: normal is open (released), reverse is closed (secured for trains).
+
+    It is worked like a machine, and closed for every movement over one of `over`.
+    """
+
+    id: MachineId
+    kind: DeviceKind
+    text: str
+    over: tuple[SectionId, ...]
 
 
 class SignalKind(StrEnum):

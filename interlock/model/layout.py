@@ -17,6 +17,7 @@ from interlock.model.elements import (
     Condition,
     Crossing,
     CrossingId,
+    Device,
     Edge,
     EdgeId,
     Exclude,
@@ -25,11 +26,13 @@ from interlock.model.elements import (
     NodeId,
     Point,
     PointId,
+    Position,
     Section,
     SectionId,
     Signal,
     SignalId,
     Waiver,
+    Work,
 )
 from interlock.model.principles import Principles
 
@@ -50,6 +53,7 @@ class Layout:
     buffers: tuple[Buffer, ...]
     signals: tuple[Signal, ...]
     conditions: tuple[Condition, ...]
+    devices: tuple[Device, ...]
     waivers: tuple[Waiver, ...]
     named_routes: tuple[NamedRoute, ...]
     excluded: tuple[Exclude, ...] = ()
@@ -116,6 +120,38 @@ class Layout:
         for p in self.points:
             found.setdefault(p.machine, []).append(p)
         return {m: tuple(ps) for m, ps in found.items()}
+
+    @cached_property
+    def device(self) -> dict[MachineId, Device]:
+        """Devices by id."""
+        return {d.id: d for d in self.devices}
+
+    @cached_property
+    def machines(self) -> tuple[MachineId, ...]:
+        """Everything that is moved and locked: machines of points, and devices, in order."""
+        return tuple(sorted({*self.ends_of_machine, *self.device}))
+
+    @cached_property
+    def by_hand(self) -> frozenset[MachineId]:
+        """Machines that are keys of hand-worked points."""
+        return frozenset(p.machine for p in self.points if p.work is Work.HAND)
+
+    @cached_property
+    def sections_of_machine(self) -> dict[MachineId, tuple[SectionId, ...]]:
+        """The sections in which a machine's ends lie, or over which a device stands."""
+        found = {m: {self.section_of(p.toe) for p in ps} for m, ps in self.ends_of_machine.items()}
+        return {m: tuple(sorted(s)) for m, s in (found | {d.id: set(d.over) for d in self.devices}).items()}
+
+    def word(self, machine: MachineId, position: Position) -> str:
+        """The position in the engineer's words."""
+        normal = position is Position.NORMAL
+        if machine in self.device:
+            return "open" if normal else "closed"
+        if machine in self.by_hand:
+            return "locked by its key" if normal else "released by its key"
+        if any(p.derailer for p in self.ends_of_machine[machine]):
+            return "on" if normal else "off"
+        return "normal" if normal else "reverse"
 
     def far(self, edge: EdgeId, node: NodeId) -> NodeId:
         """The other end of an edge."""

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from interlock.model.elements import (
+    BufferKind,
     CrossingId,
     EdgeId,
     NodeId,
@@ -91,6 +92,8 @@ class Topology:
         """
         if any(t.points or t.crossings for t in self.traversals[section]):
             return False
+        if any(section in d.over for d in self.layout.devices):
+            return False
         joints = [n for n in self.ends[section] if self.beyond(section, n) is not None]
         out = self.signals_out(section)
         return len(out) == len(joints) and any(self.layout.signal[g].shunt for g in out)
@@ -128,6 +131,8 @@ class Topology:
             if e.one_way and e.a != node:
                 return
             nxt = layout.far(edge, node)
+            if nxt in layout.buffer_at and layout.buffer_at[nxt].kind is BufferKind.DERAIL:
+                return  # off the rails: no way at all
             if self.is_end(nxt):
                 found.append((start, nxt, tuple(path)))
                 return

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from interlock.logic.expr import evaluate
+from interlock.model.elements import Position
 from interlock.proof.invariants import CLAIMS
 from interlock.proof.search import Run
 from interlock.proof.system import System
@@ -72,9 +73,9 @@ def _capital(text: str) -> str:
 
 def _points(system: System, state: dict[str, int]) -> str:
     out = []
-    for m in sorted(system.layout.ends_of_machine):
-        word = "normal" if state[f"at.{m}.N"] else "reverse" if state[f"at.{m}.R"] else "between its positions"
-        out.append(f"{m} lies {word}")
+    for m in system.layout.machines:
+        lying = [system.layout.word(m, x) for x in Position if state[f"at.{m}.{x}"]]
+        out.append(f"{m} lies {lying[0] if lying else 'between its positions'}")
     return ", ".join(out)
 
 
@@ -101,7 +102,7 @@ def _changes(system: System, old: dict[str, int], new: dict[str, int]) -> list[s
             out.append(f"signal {r.entry} returns to stop")
     for (m, x), name in system.symbols.command.items():
         if new[name] and not old[name]:
-            out.append(f"machine {m} is commanded {'normal' if x == 'N' else 'reverse'}")
+            out.append(f"machine {m} is commanded {system.layout.word(m, x)}")
     for s, name in system.symbols.clear.items():
         del name
         if f"o.{s}" in new and new[f"img.{s}"] and not new[f"o.{s}"] and not old[f"img.{s}"]:

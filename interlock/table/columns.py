@@ -72,6 +72,7 @@ COLUMNS: tuple[Column, ...] = (
     Column("length", "Length (m)", "长度 (m)", "Länge (m)", lambda r: [(f"{r.length:g}", r.because)]),
     Column("points", "Points", "道岔", "Weichen", _points(Role.PATH)),
     Column("flank_points", "Flank points", "防护道岔", "Flankenschutzweichen", _points(Role.FLANK)),
+    Column("devices", "Level crossings, interlocks", "道口及外部联锁", "Bahnübergänge", _points(Role.DEVICE)),
     Column(
         "driven_points",
         "Driven points",

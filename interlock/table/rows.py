@@ -40,6 +40,7 @@ class Role(StrEnum):
     PATH = "path"
     FLANK = "flank"
     DRIVEN = "driven"
+    DEVICE = "device"
 
 
 @dataclass(frozen=True)

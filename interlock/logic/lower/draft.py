@@ -40,7 +40,7 @@ class Draft:
     @cached_property
     def machines(self) -> tuple[MachineId, ...]:
         """Machines in order."""
-        return tuple(sorted(self.layout.ends_of_machine))
+        return self.layout.machines
 
     @cached_property
     def locks_of(self) -> Mapping[SectionId, tuple[TraversalRow, ...]]:
@@ -106,8 +106,7 @@ class Draft:
 
     def sections_of(self, machine: MachineId) -> tuple[SectionId, ...]:
         """The sections in which a machine's ends lie."""
-        ends = self.layout.ends_of_machine[machine]
-        return tuple(sorted({self.layout.section_of(p.toe) for p in ends}))
+        return self.layout.sections_of_machine[machine]
 
     # --- adding --------------------------------------------------------------------------------
 

@@ -18,10 +18,10 @@ def inputs(d: Draft) -> None:
     """Detection contacts and manual commands."""
     for m in d.machines:
         n = portable(m)
-        for x, word in ((Position.NORMAL, "normal"), (Position.REVERSE, "reverse")):
-            d.inputs.append(Input(f"D{x}_{n}", f"machine {m} detected {word}"))
-        for x, word in ((Position.NORMAL, "normal"), (Position.REVERSE, "reverse")):
-            d.inputs.append(Input(f"M{x}_{n}", f"operator: move machine {m} {word}"))
+        for x in Position:
+            d.inputs.append(Input(f"D{x}_{n}", f"machine {m} detected {d.layout.word(m, x)}"))
+        for x in Position:
+            d.inputs.append(Input(f"M{x}_{n}", f"operator: move machine {m} {d.layout.word(m, x)}"))
 
 
 def detection(d: Draft) -> None:
@@ -98,6 +98,9 @@ def commands(d: Draft) -> None:
             terms = [Term(granted, "granted")]
             if driven is not FALSE:
                 terms.append(Term(conj((driven, var(f"MOV_{n}"))), "driven along", "beside the path, if free to move"))
+            if m in d.layout.device and x is Position.NORMAL:
+                back = conj((var(f"MOV_{n}"), neg(touched), neg(var(f"M{x.other}_{n}"))))
+                terms.append(Term(back, "returns", "opens by itself when nothing is locked over it (R13)"))
             d.wire(f"GP{x}_{n}", Join.ANY, terms, f"point {m}", f"a grant needs {m} {x}")
             d.wire(
                 f"MA{x}_{n}",
@@ -135,7 +138,7 @@ def commands(d: Draft) -> None:
                 ),
                 f"point {m}",
             )
-            d.outputs.append(Output(f"Y{x}_{n}", d.command(m, x), False, f"drive machine {m} to {x}"))
+            d.outputs.append(Output(f"Y{x}_{n}", d.command(m, x), False, f"machine {m}: {d.layout.word(m, x)}"))
 
 
 def supervision(d: Draft) -> None:

@@ -22,8 +22,6 @@ from interlock.model.elements import BoundaryKind, NodeId, Position, SectionId, 
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
 
-WORD = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
-
 
 class PlantBuilder:
     """Builds the plant of a layout."""
@@ -93,24 +91,30 @@ class PlantBuilder:
     # --- points --------------------------------------------------------------------------------
 
     def _points(self) -> None:
-        for m in sorted(self.layout.ends_of_machine):
+        for m in self.layout.machines:
             starts = {}
             for x in Position:
-                self.p.state[f"at.{m}.{x}"] = f"machine {m} lies {x}"
-                self.p.state[f"cmd.{m}.{x}"] = f"machine {m} was commanded {x}"
+                self.p.state[f"at.{m}.{x}"] = f"machine {m} lies {self.layout.word(m, x)}"
+                self.p.state[f"cmd.{m}.{x}"] = f"machine {m} was commanded {self.layout.word(m, x)}"
                 self.p.next[f"cmd.{m}.{x}"] = self.w.command[m, x]
                 self.p.initial.append(neg(old_command(m, x)))
                 away = disj((self.w.command[m, x.other], old_command(m, x.other)))
                 if "A-POINT" in self.dropped:
                     away = TRUE
                 starts[x] = conj(
-                    (lies(m, x), away, self.choice(f"?start.{m}.{x}", f"machine {m} starts to leave {WORD[x]}"))
+                    (
+                        lies(m, x),
+                        away,
+                        self.choice(f"?start.{m}.{x}", f"{m} starts to leave its position: {self.layout.word(m, x)}"),
+                    )
                 )
                 self.p.events[f"start.{m}.{x}"] = starts[x]
             moving = conj(neg(lies(m, x)) for x in Position)
             for x in Position:
                 may = disj((self.w.command[m, x], old_command(m, x)))
-                arrives = conj((moving, may, self.choice(f"?arrive.{m}.{x}", f"machine {m} arrives {WORD[x]}")))
+                if m in self.layout.by_hand:
+                    may = TRUE  # whoever has the key turns it as he likes, once it is released
+                arrives = conj((moving, may, self.choice(f"?arrive.{m}.{x}", f"{m} arrives: {self.layout.word(m, x)}")))
                 # both commands may be pending in one step: normal wins, so that it never lies both ways
                 if x is Position.REVERSE:
                     arrives = conj((arrives, neg(self.p.events[f"arrive.{m}.N"])))

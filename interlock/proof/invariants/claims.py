@@ -21,11 +21,12 @@ CLAIMS: dict[str, str] = {
     "T-FOUL": "No train passes a point while another stands foul of it.",
     "T-DERAIL": "No train meets a point that is moving or set against it.",
     "T-POINT-MOVES": "No point moves under a train, and no train comes to a point that moves.",
+    "T-ROAD": "No train is on a level crossing, bridge or other interlock that is not closed for it.",
     "T-FLANK": "While a train uses a point or diamond, no vehicle can roll into it from the flank.",
     "S-OPPOSING": "No two signals that lead towards each other over the same track show proceed.",
     "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
     "S-CLEAR": "Proceed is shown only when every section of the path, as the points lie, is reported clear.",
-    "S-DETECTED": "Proceed is shown only when every point of the path is detected in position in that very scan.",
+    "S-DETECTED": "Proceed is shown only when every point and device of the path is detected in that very scan.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
@@ -244,6 +245,13 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                     ),
                 ),
             )
+            secured = [
+                conj((var(f.sym.detected[d.id, Position.REVERSE]), neg(var(f.sym.detected[d.id, Position.NORMAL]))))
+                for d in f.layout.devices
+                if any(t.section in d.over for t in path.ways)
+            ]
+            if secured:
+                yield "S-DETECTED", f"{place} devices", implies(here, conj(secured))
             yield "S-BLOCKED", place, implies(here, conj(neg(var(f.sym.blocked[t.section])) for t in path.ways))
             own = path.kept_clear
             locked = [f.lock(t.section, t.number) for t in own if (t.section, t.number) in f.sym.lock]
@@ -313,8 +321,8 @@ def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         never = conj(neg(var(f.sym.command[m, y])) for y in Position)
         return conj((var(f.sym.detected[m, x]), after(lies(m, x)), never))
 
-    for m, ends in sorted(f.layout.ends_of_machine.items()):
-        secs = sorted({f.layout.section_of(p.toe) for p in ends})
+    for m in f.layout.machines:
+        secs = f.layout.sections_of_machine[m]
         changes = disj(
             conj((neg(var(f.sym.command[m, x])), after(var(f.sym.command[m, x])), neg(stays(m, x)))) for x in Position
         )

@@ -31,7 +31,7 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
             out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id, k)]
     for r in f.sym.routes:
         out += [Invariant(i, r.id, x) for i, x in _route(f, r)]
-    for m in sorted(f.layout.ends_of_machine):
+    for m in f.layout.machines:
         out.append(
             Invariant(
                 "P-ONE",
@@ -103,8 +103,8 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
             yield f"S-EXCLUDES:{n}:{other}", implies(x, neg(against))
         train = f.train(s) if f.berth(s) else TRUE
         yield f"S-PASSED-BEEN:{n}", implies(conj((x, train, f.passed(s))), f.been(s))
-    for m, ends in sorted(f.layout.ends_of_machine.items()):
-        if any(f.layout.section_of(p.toe) == s for p in ends):
+    for m in f.layout.machines:
+        if s in f.layout.sections_of_machine[m]:
             quiet = [implies(x, lies(m, p)) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))]
             yield f"S-QUIET:{m}", implies(f.restart(s), conj(quiet))
 

@@ -1,0 +1,145 @@
+"""The bad events of one step: collision, derailment, points that move, diamonds, foul joints."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from interlock.logic.expr import FALSE, Expr, at_most_one, conj, disj, neg
+from interlock.logic.plant.kinds import Hazard, Plant
+from interlock.logic.plant.words import came, lies, o, rests
+from interlock.model.elements import NodeId, Position, SectionId
+from interlock.model.foul import foul_joints
+from interlock.model.layout import Layout
+from interlock.model.traversal import Topology, Traversal
+
+
+class Railway(Protocol):
+    """What the hazards see of the plant in the making: its events and who stands where."""
+
+    layout: Layout
+    topo: Topology
+    p: Plant
+
+    def lie(self, t: Traversal) -> Expr:
+        """Every point on the way really lies for it."""
+        ...
+
+    def ways(self, s: SectionId, a: NodeId, b: NodeId | None = None) -> list[Traversal]:
+        """Traversals from an end."""
+        ...
+
+    def comes_in(self, s: SectionId, j: NodeId) -> Expr:
+        """A head comes into s at j in this step."""
+        ...
+
+    def shunts_in(self, s: SectionId, j: NodeId) -> Expr:
+        """A shunting movement comes into s at j in this step."""
+        ...
+
+    def coming(self, s: SectionId, j: NodeId) -> Expr:
+        """A train stands across j on its way into s."""
+        ...
+
+    def berth(self, s: str) -> bool:
+        """Vehicles may stand there in any number."""
+        ...
+
+
+def hazards(b: Railway) -> list[Hazard]:
+    """All hazards, by kind and place."""
+    out: list[Hazard] = []
+    p, topo, layout = b.p, b.topo, b.layout
+    for s in topo.sections:
+        enter = [b.comes_in(s, j) for j in topo.ends[s]]
+        enter = [e for e in enter if e is not FALSE]
+        out.append(Hazard("COLLISION", s, _collision(b, s, enter)))
+        wrong: list[Expr] = []
+        for j in topo.ends[s]:
+            good = disj(b.lie(t) for t in b.ways(s, j))
+            wrong.append(conj((o(s), neg(rests(s)), came(s, j), neg(good))))
+            if b.ways(s, j):
+                wrong.append(conj((b.comes_in(s, j), neg(good))))
+        out.append(Hazard("DERAIL", s, disj(wrong)))
+    for m, ends in sorted(layout.ends_of_machine.items()):
+        starts = disj(p.events[f"start.{m}.{x}"] for x in Position)
+        bad = []
+        for s_ in sorted({layout.section_of(e.toe) for e in ends}):
+            mine = {e.id for e in ends}
+            over = [t for t in topo.traversals[s_] if mine & {q for q, _ in t.points}]
+            # under a train, as the points lie; anywhere under one that has stood there since the restart
+            under = disj((rests(s_), *(conj((came(s_, t.entry), b.lie(t))) for t in over)))
+            coming = disj(conj((b.comes_in(s_, t.entry), b.lie(t))) for t in over)
+            bad.append(conj((starts, disj((conj((o(s_), under)), coming)))))
+        out.append(Hazard("POINT-MOVES", m, disj(bad)))
+    for d in layout.devices:
+        closed = lies(d.id, Position.REVERSE)
+        for s_ in d.over:
+            entering = disj(b.comes_in(s_, j) for j in topo.ends[s_])
+            there = disj((conj((o(s_), neg(rests(s_)))), entering))
+            out.append(Hazard("ROAD", f"{d.id}/{s_}", conj((there, neg(closed)))))
+    for c in layout.crossings:
+        sides = []
+        for arm in (0, 1):
+            sec = layout.section_of(c.arms[arm][0])
+            sides.append(
+                (
+                    sec,
+                    disj(
+                        conj((o(sec), came(sec, t.entry), b.lie(t)))
+                        for t in topo.traversals[sec]
+                        if (c.id, arm) in t.crossings
+                    ),
+                )
+            )
+        if sides[0][0] != sides[1][0]:
+            out.append(
+                Hazard(
+                    "DIAMOND",
+                    c.id,
+                    conj((sides[0][1], sides[1][1], neg(conj((rests(sides[0][0]), rests(sides[1][0])))))),
+                )
+            )
+    for f in foul_joints(layout):
+        crossing = disj(
+            conj((came(f.section, t.entry), b.lie(t)))
+            for t in topo.traversals[f.section]
+            if any(q == f.point and x is not f.leg for q, x in t.points)
+        )
+        near = disj(
+            (
+                rests(f.neighbour),
+                *(
+                    conj((came(f.neighbour, t.entry), b.lie(t)))
+                    for t in topo.traversals[f.neighbour]
+                    if f.node in (t.entry, t.exit)
+                ),
+            )
+        )
+        out.append(
+            Hazard(
+                "FOUL",
+                f"{f.section}/{f.neighbour}",
+                conj((o(f.section), crossing, o(f.neighbour), near, neg(conj((rests(f.section), rests(f.neighbour)))))),
+            )
+        )
+    return out
+
+
+def _collision(b: Railway, s: SectionId, enter: list[Expr]) -> Expr:
+    """Entry into an occupied section, or two entries at once; in a berth shunting movements run on sight."""
+    if not b.berth(s):
+        return disj((conj((o(s), disj(enter))), neg(at_most_one(enter))))
+    ends = b.topo.ends[s]
+    shunts = [b.shunts_in(s, j) for j in ends]
+    trains = [conj((b.comes_in(s, j), neg(b.shunts_in(s, j)))) for j in ends]
+    train = disj(trains)
+    coming = disj(b.coming(s, j) for j in ends if j not in b.layout.buffer_at)
+    running_in = conj((o(s), neg(rests(s)), coming))
+    return disj(
+        (
+            conj((train, o(s))),
+            conj((train, disj(shunts))),
+            neg(at_most_one(trains)),
+            conj((disj(shunts), running_in)),
+        )
+    )
