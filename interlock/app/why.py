@@ -63,10 +63,9 @@ def why(path: str, route: str, column: str | None) -> tuple[Checked, tuple[Reaso
 
 
 def explain(code: str) -> str | None:
-    """The page of a diagnostic code, or the section of a rule (R5, R6.2); None when there is neither."""
+    """The page of a diagnostic code, or of a rule (R5, R6.2); None when there is neither."""
     if re.fullmatch(r"[Rr]\d+(\.\d+)?", code):
-        rules = resources.files("interlock").joinpath("docs/rules.md").read_text("utf-8").split("\n## ")[1:]
-        wanted = code.upper().split(".")[0] + " "
-        return next((f"# {r.rstrip()}\n" for r in rules if r.startswith(wanted)), None)
+        rule = resources.files("interlock").joinpath(f"docs/rules/{code.upper().split('.')[0]}.md")
+        return rule.read_text("utf-8") if rule.is_file() else None
     page = resources.files("interlock").joinpath(f"docs/codes/{code.upper()}.md")
     return page.read_text("utf-8") if code.upper()[2:].isdigit() and page.is_file() else None

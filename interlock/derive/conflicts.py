@@ -49,11 +49,15 @@ def _candidates(
     """Pairs that meet in some resource: without a common one there is no conflict, and most pairs have none."""
     users: dict[tuple[str, str], list[int]] = {}
     for i, p in enumerate(paths):
-        uses = {("section", t.section) for t in p.ways} | {("machine", d.machine) for d in demands[p.id]}
-        uses |= {("section", e.section) for t in p.ways for e in locks[t.key].exclusions}
+        over = (*p.ways, *p.overlap)
+        uses = {("section", t.section) for t in over} | {("machine", d.machine) for d in demands[p.id]}
+        uses |= {("section", e.section) for t in over for e in locks[t.key].exclusions}
         for resource in uses:
             users.setdefault(resource, []).append(i)
     return {(i, j) for those in users.values() for k, i in enumerate(those) for j in those[k + 1 :]}
+
+
+_HELD = (Role.FLANK, Role.PATH, Role.OVERLAP)
 
 
 def _positions(demands: Sequence[PointDemand], roles: tuple[Role, ...]) -> dict[MachineId, Position]:
@@ -80,11 +84,30 @@ def classify(
                     kind = HostileClass.CROSSING if ex.because.rule == "R6" else HostileClass.FOUL
                     rule = "R6.4" if kind is HostileClass.CROSSING else "R6.10"
                     return kind, f"{t.section} and {o.section}: {ex.because.text}", rule
-    all_a = _positions(demands[a.id], (Role.FLANK, Role.PATH))
-    all_b = _positions(demands[b.id], (Role.FLANK, Role.PATH))
+    overlap = _overlap(a, b, locks) or _overlap(b, a, locks)
+    if overlap is not None:
+        return overlap
+    all_a = _positions(demands[a.id], _HELD)
+    all_b = _positions(demands[b.id], _HELD)
     for m, x in all_a.items():
         if all_b.get(m, x) is not x:
             return HostileClass.FLANK, f"machine {m} must lie {x} for {a.id} and {all_b[m]} for {b.id}", "R6.9"
+    return None
+
+
+def _overlap(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tuple[HostileClass, str, str] | None:
+    """The overlap of a against the path and overlap of b; a route onward from a's exit may lie over the same ways."""
+    for t in a.overlap:
+        for o in b.overlap:
+            if o.section == t.section:
+                return HostileClass.OVERLAP, f"both need {t.section} as overlap", "R6.8"
+        for o in b.ways:
+            if o.section == t.section and not (b.entry == a.exit and o.key == t.key):
+                return HostileClass.OVERLAP, f"{t.section} is the overlap of {a.id}", "R6.7"
+        for ex in locks[t.key].exclusions:
+            for o in (*b.ways, *b.overlap):
+                if o.section == ex.section and (ex.whole or o.number in ex.numbers):
+                    return HostileClass.OVERLAP, f"overlap {t.section} and {o.section}: {ex.because.text}", "R6.7"
     return None
 
 

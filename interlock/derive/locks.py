@@ -30,7 +30,7 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
     used: dict[tuple[SectionId, int], Traversal] = {}
     over: dict[tuple[SectionId, int], list[Path]] = {}
     for path in paths:
-        for t in path.ways:
+        for t in (*path.ways, *path.overlap):
             used[t.key] = t
             over.setdefault(t.key, []).append(path)
     fouls = foul_joints(layout)
@@ -38,7 +38,7 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
     rows = []
     for key, t in sorted(used.items()):
         own = machine_positions(layout, (t,)) or {}
-        routes = [machine_positions(layout, p.ways) or {} for p in over[key]]
+        routes = [machine_positions(layout, (*p.ways, *p.overlap)) or {} for p in over[key]]
         cells, unprotected = protect(layout, t, own, routes)
         for r in unprotected:
             missing.setdefault(r.name, []).extend(p.id for p in over[key])

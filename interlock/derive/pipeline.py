@@ -6,6 +6,7 @@ Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics IL4001-IL4005, I
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from interlock.derive.conflicts import derive_hostile
 from interlock.derive.locking import derive_approach, derive_block, derive_conditions, derive_release
@@ -13,13 +14,14 @@ from interlock.derive.locks import derive_locks
 from interlock.derive.routes import Path, find_routes
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
-from interlock.model.elements import MachineId, Position, RouteId
+from interlock.model.elements import MachineId, Position, RouteId, SignalId
 from interlock.model.layout import Layout
 from interlock.table.rows import (
     Because,
     ClearCell,
     FoulCell,
     InterlockingTable,
+    OverlapCell,
     PointDemand,
     Role,
     RouteRow,
@@ -61,8 +63,9 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
                 if t.section != p.berth
             ),
             foul=_foul(p, by_key, sink),
-            flank=tuple(dict.fromkeys(c for t in p.ways for c in by_key[t.key].flank)),
+            flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
             hostile=hostile[p.id],
+            overlap=_overlap(p),
             conditions=derive_conditions(layout, p),
             block=derive_block(layout, p),
             approach=derive_approach(layout, p),
@@ -76,20 +79,31 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
 
 def _demands(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) -> tuple[PointDemand, ...]:
     found: dict[MachineId, PointDemand] = {}
-    for t in path.ways:
-        for d in locks[t.key].points:
-            first = found.setdefault(d.machine, d)
-            if first.position is not d.position:
-                sink.add(
-                    "IL4002",
-                    f"route {path.id} demands machine {d.machine} in both positions: "
-                    f"{first.because.text}; {d.because.text}",
-                    None,
-                    "give one of the two places another protection (a signal), or waive it with a reason",
-                )
-            elif first.role != d.role and d.role == "path":
-                found[d.machine] = d
+    demands = [d for t in path.ways for d in locks[t.key].points]
+    for t in path.overlap:
+        demands += [replace(d, role=Role.OVERLAP) if d.role is Role.PATH else d for d in locks[t.key].points]
+    for d in demands:
+        first = found.setdefault(d.machine, d)
+        if first.position is not d.position:
+            sink.add(
+                "IL4002",
+                f"route {path.id} demands machine {d.machine} in both positions: "
+                f"{first.because.text}; {d.because.text}",
+                None,
+                "give one of the two places another protection (a signal), or waive it with a reason",
+            )
+        elif first.role != d.role and d.role == "path":
+            found[d.machine] = d
     return tuple(found.values())
+
+
+def _overlap(path: Path) -> OverlapCell | None:
+    if not path.overlap:
+        return None
+    metres = sum(t.length for t in path.overlap)
+    over = ", ".join(t.section for t in path.overlap)
+    why = Because("R4", f"a train may overrun {path.exit} over {over}: {metres:g} m to the next joint")
+    return OverlapCell(SignalId(path.exit), path.option, tuple(t.key for t in path.overlap), metres, why)
 
 
 def _driven(layout: Layout, path: Path, demands: tuple[PointDemand, ...]) -> tuple[PointDemand, ...]:
@@ -107,7 +121,7 @@ def _driven(layout: Layout, path: Path, demands: tuple[PointDemand, ...]) -> tup
 
 
 def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) -> tuple[FoulCell, ...]:
-    cells = tuple(dict.fromkeys(c for t in path.ways for c in locks[t.key].foul))
+    cells = tuple(dict.fromkeys(c for t in (*path.ways, *path.overlap) for c in locks[t.key].foul))
     own = {t.section for t in path.ways}
     for c in cells:
         if c.section in own:

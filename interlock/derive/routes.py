@@ -26,6 +26,7 @@ from interlock.model.elements import (
     SignalKind,
 )
 from interlock.model.layout import Layout
+from interlock.model.overlap import overlap_paths
 from interlock.model.traversal import Topology, Traversal, topology
 from interlock.table.rows import ExitKind, RouteKind
 
@@ -46,6 +47,8 @@ class Path:
     variant: int
     ways: Ways
     berth: SectionId | None
+    overlap: Ways = ()
+    option: int = 0
 
     @property
     def length(self) -> float:
@@ -125,7 +128,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
     for x, n in zip(layout.excluded, fits, strict=True):
         if not n:
             sink.add("IL2012", f"the exclusion ({x.reason}) fits no route", None, "remove it, or correct its ends")
-    return _numbered(layout, found)
+    return _numbered(layout, found, sink)
 
 
 def _excludes(x: Exclude, path: _Found) -> bool:
@@ -138,7 +141,7 @@ def _excludes(x: Exclude, path: _Found) -> bool:
     )
 
 
-def _numbered(layout: Layout, found: Sequence[_Found]) -> tuple[Path, ...]:
+def _numbered(layout: Layout, found: Sequence[_Found], sink: Sink) -> tuple[Path, ...]:
     effect = _Effect(layout, found)
     groups: dict[tuple[SignalId, RouteKind, str], list[_Found]] = {}
     for f in found:
@@ -151,21 +154,48 @@ def _numbered(layout: Layout, found: Sequence[_Found]) -> tuple[Path, ...]:
         for variant, f in enumerate(ranked, start=1):
             suffix = f"{mark}.{variant}" if variant > 1 else mark
             berth = f.ways[-1].section if _ends_in_berth(layout, f) else None
-            paths.append(
-                Path(
-                    RouteId(f"{g}-{exit_}{suffix}"),
-                    len(paths) + 1,
-                    kind,
-                    g,
-                    f.signal.node,
-                    exit_,
-                    f.exit_kind,
-                    variant,
-                    f.ways,
-                    berth,
+            for option, overlap in _overlaps(layout, f, f"{g}-{exit_}{suffix}", sink):
+                over = f".o{option}" if option > 1 else ""
+                paths.append(
+                    Path(
+                        RouteId(f"{g}-{exit_}{suffix}{over}"),
+                        len(paths) + 1,
+                        kind,
+                        g,
+                        f.signal.node,
+                        exit_,
+                        f.exit_kind,
+                        variant,
+                        f.ways,
+                        berth,
+                        overlap,
+                        option,
+                    )
                 )
-            )
     return tuple(paths)
+
+
+def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[int, Ways]]:
+    """The alternatives of a train route's overlap that its own path permits; (0, ()) where it needs none (R4)."""
+    if f.kind is not RouteKind.MAIN or f.exit_kind is not ExitKind.SIGNAL:
+        return [(0, ())]
+    options = overlap_paths(layout, SignalId(f.exit))
+    if not options:
+        return [(0, ())]
+    mine = {t.section for t in f.ways}
+    fits = [
+        (k, ways)
+        for k, ways in enumerate(options, start=1)
+        if all(t.section not in mine for t in ways) and _runnable(layout, (*f.ways, *ways))
+    ]
+    if not fits:
+        sink.add(
+            "IL4008",
+            f"route {name} finds no overlap of {layout.overlap_of[SignalId(f.exit)]:g} m beyond {f.exit}",
+            None,
+            f"shorten it: `overlaps: {{{f.exit}: {{length: ...}}}}`; 0 for none",
+        )
+    return list(fits)
 
 
 def _ends_in_berth(layout: Layout, f: _Found) -> bool:

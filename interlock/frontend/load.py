@@ -19,6 +19,7 @@ from interlock.frontend.resolve import (
     resolve_conditions,
     resolve_devices,
     resolve_excludes,
+    resolve_overlaps,
     resolve_routes,
     resolve_signals,
     resolve_waivers,
@@ -115,6 +116,9 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         Section(SectionId(s), False, Lane(data.sections[s].lane) if s in data.sections else Lane.LEVEL)
         for s in wiring.sections
     ] + [Section(SectionId(s), True) for s in wiring.approaches]
+    overlaps = resolve_overlaps(ctx, principles, signals, wiring)
+    if sink.has_errors:
+        return None, source
     layout = Layout(
         name=data.name,
         title=data.title,
@@ -132,6 +136,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         waivers=waivers,
         named_routes=routes,
         excluded=excluded,
+        overlaps=overlaps,
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )
     for check in CHECKS:

@@ -5,6 +5,8 @@ Output: diagnostics IL2004, IL2006, IL3005-IL3007, IL2008 (malformed), and the e
 
 from __future__ import annotations
 
+from pydantic_core import PydanticCustomError
+
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.wiring import Wiring
@@ -18,6 +20,7 @@ from interlock.model.elements import (
     MachineId,
     NamedRoute,
     NodeId,
+    Overlap,
     PointId,
     Position,
     SectionId,
@@ -26,6 +29,7 @@ from interlock.model.elements import (
     SignalKind,
     Waiver,
 )
+from interlock.model.principles import Principles
 
 
 def _edges_at(wiring: Wiring) -> dict[NodeId, list[Edge]]:
@@ -234,6 +238,40 @@ def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:
             )
         )
     return tuple(out)
+
+
+def resolve_overlaps(
+    ctx: Context, principles: Principles, signals: tuple[Signal, ...], wiring: Wiring
+) -> tuple[Overlap, ...]:
+    """The overlap of each main signal inside the layout: stated, or as the principle says."""
+    inside = {g.id for g in signals if g.main and g.node not in {b.node for b in wiring.boundaries}}
+    stated: dict[str, float] = {}
+    for name, spec in ctx.file.overlaps.items():
+        if name not in inside:
+            what = "stands at a boundary, or is no main signal" if name in ctx.file.signals else "does not exist"
+            ctx.add(
+                "IL2006",
+                f"an overlap lies beyond a main signal inside the layout: {name} {what}",
+                ctx.at_key("overlaps", name),
+                did_you_mean(name, inside),
+            )
+            continue
+        try:
+            metres = spec.metres()
+        except PydanticCustomError as error:
+            ctx.add("IL1013", f"overlaps.{name}: {error.message()}", ctx.at_key("overlaps", name), "write metres")
+            continue
+        if not 0 <= metres <= 2000 or (spec.length is None and spec.speed is None):
+            ctx.add(
+                "IL1014",
+                f"overlaps.{name}: give a length of 0 to 2000 m, or a speed",
+                ctx.at_key("overlaps", name),
+                "for instance `{length: 180}` or `{speed: 60, falling: 5}`",
+            )
+            continue
+        stated[name] = metres
+    lengths = {g: stated.get(g, principles.overlap_m) for g in sorted(inside)}
+    return tuple(Overlap(SignalId(g), x) for g, x in lengths.items() if x > 0)
 
 
 def resolve_waivers(ctx: Context) -> tuple[Waiver, ...]:

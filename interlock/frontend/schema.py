@@ -25,6 +25,7 @@ from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
 from interlock.model.elements import BlockKind, SignalKind, Work
+from interlock.model.overlap import overlap_length
 from interlock.model.principles import KNOBS, PROFILES, FlankChoice, Principles
 
 NAME = re.compile(r"[A-Za-z0-9]+([_/-][A-Za-z0-9]+)*")
@@ -234,6 +235,20 @@ class ConditionSpec(_Part):
     signals: list[Name] = []
 
 
+class OverlapSpec(_Part):
+    """The overlap beyond a main signal: its length, or the speed and gradient from which the length follows."""
+
+    length: Annotated[Text | None, Field(description="metres; 0 for no overlap")] = None
+    speed: Annotated[Length | None, Field(description="km/h towards the signal")] = None
+    falling: Annotated[Text, Field(description="permille falling towards the signal; negative when it rises")] = "0"
+
+    def metres(self) -> float:
+        """The length; raises PydanticCustomError when a number is malformed."""
+        if self.length is not None:
+            return number(self.length)
+        return overlap_length(self.speed or 0.0, number(self.falling))
+
+
 class ExcludeSpec(_Part):
     """Routes that shall not be: all that fit what is given; the reason says why."""
 
@@ -271,6 +286,8 @@ class PrinciplesSpec(_Part):
     leg_m: Seconds | None = None
     flank_by: Annotated[FlankChoice | None, _choice("protection", tuple(FlankChoice))] = None
     drive_points: YesNo | None = None
+    overlap_m: Seconds | None = None
+    overlap_release_s: Seconds | None = None
 
     def override(self, base: Principles) -> Principles:
         """The profile's principles with these knobs."""
@@ -300,6 +317,7 @@ class LayoutFile(_Part):
     conditions: dict[Name, ConditionSpec] = {}
     routes: dict[Name, RouteSpec] = {}
     exclude: list[ExcludeSpec] = []
+    overlaps: dict[Name, OverlapSpec] = {}
     waive: list[WaiverSpec] = []
 
 
@@ -360,6 +378,7 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "interlocks": tuple(DeviceSpec.model_fields),
     "signals": ("from", "into", "at", "kind"),
     "principles": KNOBS,
+    "overlaps": tuple(OverlapSpec.model_fields),
     "exclude": ("from", "to", "via", "kind", "reason"),
     "sections": tuple(SectionSpec.model_fields),
     "conditions": tuple(ConditionSpec.model_fields),

@@ -119,6 +119,7 @@ class RouteSymbols:
     shunt: bool
     ways: tuple[tuple[SectionId, int], ...]
     berth: tuple[SectionId, int] | None
+    overlap: tuple[SignalId, int] | None
     active: str
     locked: str
     want: str
@@ -148,6 +149,10 @@ class Symbols:
     cancelling: Mapping[SignalId, str]
     approach_timer: Mapping[SignalId, str]
     approach_of: Mapping[SignalId, SectionId | None]
+    overlap: Mapping[tuple[SignalId, int], str]
+    overlap_ways: Mapping[tuple[SignalId, int], tuple[tuple[SectionId, int], ...]]
+    overlap_firm: Mapping[SignalId, str]
+    overlap_timer: Mapping[SignalId, str]
     routes: tuple[RouteSymbols, ...]
     demands: Mapping[tuple[SectionId, int], tuple[tuple[MachineId, Position], ...]]
     excluded: Mapping[tuple[SectionId, int], tuple[tuple[SectionId, bool, tuple[int, ...]], ...]]

@@ -239,6 +239,14 @@ class NamedRoute:
 
 
 @dataclass(frozen=True)
+class Overlap:
+    """The track beyond a signal that a train may overrun: metres needed."""
+
+    signal: SignalId
+    length: float
+
+
+@dataclass(frozen=True)
 class Exclude:
     """Routes that the author does not want: all that begin, end and pass as given (None: anything)."""
 

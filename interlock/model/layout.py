@@ -24,6 +24,7 @@ from interlock.model.elements import (
     MachineId,
     NamedRoute,
     NodeId,
+    Overlap,
     Point,
     PointId,
     Position,
@@ -57,6 +58,7 @@ class Layout:
     waivers: tuple[Waiver, ...]
     named_routes: tuple[NamedRoute, ...]
     excluded: tuple[Exclude, ...] = ()
+    overlaps: tuple[Overlap, ...] = ()
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     @cached_property
@@ -130,6 +132,11 @@ class Layout:
     def machines(self) -> tuple[MachineId, ...]:
         """Everything that is moved and locked: machines of points, and devices, in order."""
         return tuple(sorted({*self.ends_of_machine, *self.device}))
+
+    @cached_property
+    def overlap_of(self) -> dict[SignalId, float]:
+        """Metres of overlap beyond each main signal that has one."""
+        return {o.signal: o.length for o in self.overlaps}
 
     @cached_property
     def by_hand(self) -> frozenset[MachineId]:

@@ -34,6 +34,10 @@ class Principles:
         either case a flank where nothing can come is asked for nothing.
     drive_points: whether a route drives the other points of its sections to normal, so that parallel routes stay
         possible (带动道岔).  A driven point is never a condition of proceed (R10).
+    overlap_m: metres of overlap beyond every main signal inside the layout where the layout states none (R4: UK
+        180 m; Chinese main lines and mines none).
+    overlap_release_s: time for which the section before the signal must have been occupied until the train counts as
+        standing and its overlap is released (R4: 30 to 80 s).
     """
 
     release_delay_s: float = 3.0
@@ -45,11 +49,14 @@ class Principles:
     leg_m: float = 20.0
     flank_by: FlankChoice = FlankChoice.POINT
     drive_points: bool = False
+    overlap_m: float = 0.0
+    overlap_release_s: float = 60.0
 
 
 PROFILES: dict[str, Principles] = {
     "generic": Principles(),
     "mine": Principles(approach_release_s=60.0, fouling_m=8.0),
+    "uk": Principles(overlap_m=180.0, approach_release_s=120.0),
     "cn": Principles(flank_by=FlankChoice.SIGNAL, drive_points=True),
 }
 

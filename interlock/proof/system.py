@@ -26,6 +26,7 @@ def wiring(controller: Controller, layout: Layout) -> Wiring:
         clear=s.clear,
         detected=s.detected,
         approach_timer=s.approach_timer,
+        overlap_timer=s.overlap_timer,
     )
 
 
@@ -82,15 +83,13 @@ class System:
         return self._step(x)
 
     def _ghosts(self) -> None:
-        """History variables of the proof: been.s, a train has come into s since it was locked.
+        """History variables of the proof: been.s, a train has come into s since it was locked firmly.
 
         They are computed from the run and influence nothing.
         """
         for s in self.topo.sections:
-            locks = [name for (sec, _), name in self.symbols.lock.items() if sec == s]
-            held = disj(self.next[name] for name in locks) if locks else FALSE
             came_in = disj(self.plant.events.get(f"head.{j}.{self._beyond(s, j)}", FALSE) for j in self.topo.ends[s])
-            self.next[f"been.{s}"] = conj((disj((var(f"been.{s}"), came_in)), held))
+            self.next[f"been.{s}"] = conj((disj((var(f"been.{s}"), came_in)), self.next[self.symbols.firm[s]]))
         self.state = tuple(self.next)
 
     def _beyond(self, s: str, j: str) -> str:

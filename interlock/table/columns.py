@@ -53,6 +53,10 @@ def _flank(r: RouteRow) -> Reasons:
     return out
 
 
+def _overlap(r: RouteRow) -> Reasons:
+    return [] if r.overlap is None else [(s, r.overlap.because) for s, _ in r.overlap.ways]
+
+
 COLUMNS: tuple[Column, ...] = (
     Column("number", "No.", "进路号码", "Nr.", lambda r: [(str(r.number), r.because)]),
     Column("route", "Route", "进路", "Fahrstraße", lambda r: [(r.id, r.because)]),
@@ -73,6 +77,8 @@ COLUMNS: tuple[Column, ...] = (
     Column("points", "Points", "道岔", "Weichen", _points(Role.PATH)),
     Column("flank_points", "Flank points", "防护道岔", "Flankenschutzweichen", _points(Role.FLANK)),
     Column("devices", "Level crossings, interlocks", "道口及外部联锁", "Bahnübergänge", _points(Role.DEVICE)),
+    Column("overlap", "Overlap", "保护区段", "Durchrutschweg", _overlap),
+    Column("overlap_points", "Overlap points", "保护区段道岔", "Weichen im D-Weg", _points(Role.OVERLAP)),
     Column(
         "driven_points",
         "Driven points",

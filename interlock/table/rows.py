@@ -41,6 +41,7 @@ class Role(StrEnum):
     FLANK = "flank"
     DRIVEN = "driven"
     DEVICE = "device"
+    OVERLAP = "overlap"
 
 
 @dataclass(frozen=True)
@@ -133,6 +134,7 @@ class HostileClass(StrEnum):
     SAME_ENTRY = "same entry"
     FLANK = "flank"
     FOUL = "foul"
+    OVERLAP = "overlap"
 
 
 @dataclass(frozen=True)
@@ -158,6 +160,17 @@ class BlockCell:
     """What must hold beyond a boundary: the approach section of the neighbour reported clear."""
 
     section: SectionId
+    because: Because
+
+
+@dataclass(frozen=True)
+class OverlapCell:
+    """The overlap that a route locks beyond its exit signal: one alternative, as ways through sections (R4)."""
+
+    signal: SignalId
+    option: int
+    ways: tuple[TraversalKey, ...]
+    metres: float
     because: Because
 
 
@@ -243,6 +256,7 @@ class RouteRow:
     foul: tuple[FoulCell, ...]
     flank: tuple[FlankCell, ...]
     hostile: tuple[Hostile, ...]
+    overlap: OverlapCell | None
     conditions: tuple[ConditionCell, ...]
     block: tuple[BlockCell, ...]
     approach: ApproachCell

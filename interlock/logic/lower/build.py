@@ -22,10 +22,12 @@ PASSES = (
     sections.three_point,
     routes.cancellation,
     sections.release,
+    routes.overlaps,
     points.commands,
     points.supervision,
     routes.keep,
     sections.keep,
+    routes.keep_overlaps,
 )
 
 
@@ -65,6 +67,10 @@ def _symbols(d: Draft) -> Symbols:
         cancelling={g: f"X_{portable(g)}" for g in signals},
         approach_timer={g: f"AT_{portable(g)}" for g in signals},
         approach_of={g: d.rear(d.first_section(g), d.layout.signal[g].node) for g in signals},
+        overlap={o: f"V_{portable(o[0])}_{o[1]}" for o in d.overlaps},
+        overlap_ways=dict(d.overlaps),
+        overlap_firm={g: f"VF_{portable(g)}" for g in sorted({g for g, _ in d.overlaps})},
+        overlap_timer={g: f"OT_{portable(g)}" for g in sorted({g for g, _ in d.overlaps})},
         routes=tuple(
             RouteSymbols(
                 r.id,
@@ -73,6 +79,7 @@ def _symbols(d: Draft) -> Symbols:
                 r.kind is RouteKind.SHUNT,
                 r.locked,
                 r.traversals[-1] if r.berth is not None else None,
+                (r.overlap.signal, r.overlap.option) if r.overlap is not None else None,
                 f"A_R{r.number}",
                 f"B_R{r.number}",
                 f"W_R{r.number}",

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from functools import cached_property
+from itertools import pairwise
 
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
 from interlock.logic.expr import FALSE, TRUE, Expr, disj, neg, var
@@ -14,7 +15,7 @@ from interlock.model.elements import MachineId, NodeId, Position, SectionId, Sig
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.model.traversal import Topology, topology
-from interlock.table.rows import InterlockingTable, RouteRow, TraversalRow
+from interlock.table.rows import InterlockingTable, RouteRow, TraversalKey, TraversalRow
 
 
 class Draft:
@@ -80,6 +81,40 @@ class Draft:
     def train(self, section: SectionId) -> Expr:
         """The lock of a section is for a train movement that has not come to its end."""
         return var(f"M_{portable(section)}") if self.shunting else TRUE
+
+    @cached_property
+    def overlaps(self) -> Mapping[tuple[SignalId, int], tuple[TraversalKey, ...]]:
+        """The overlap alternatives that some route uses: signal and number, ways."""
+        cells = {(r.overlap.signal, r.overlap.option): r.overlap.ways for r in self.table.routes if r.overlap}
+        return dict(sorted(cells.items()))
+
+    def overlap(self, option: tuple[SignalId, int]) -> Expr:
+        """An overlap alternative is held."""
+        return var(f"V_{portable(option[0])}_{option[1]}")
+
+    def overlaps_over(self, section: SectionId) -> list[tuple[SignalId, int]]:
+        """The overlap alternatives that lie over a section."""
+        return [o for o, ways in self.overlaps.items() if any(s == section for s, _ in ways)]
+
+    def overlaps_along(self, rear: SectionId, node: NodeId, section: SectionId) -> list[tuple[SignalId, int]]:
+        """The overlap alternatives that lie over a joint, from one section on into the next."""
+        found = []
+        for option, ways in self.overlaps.items():
+            for a, b in pairwise(ways):
+                if a[0] == rear and b[0] == section and self.table.lock[a].exit == node:
+                    found.append(option)
+        return found
+
+    def holding(self, way: TraversalKey) -> Expr:
+        """A way is held, by a route or as overlap."""
+        over = [self.overlap(o) for o, ways in self.overlaps.items() if way in ways]
+        return disj([self.lock(*way), *over])
+
+    def before(self, g: SignalId) -> SectionId:
+        """The section before a signal inside the layout."""
+        rear = self.topo.beyond(self.first_section(g), self.layout.signal[g].node)
+        assert rear is not None
+        return rear
 
     def first_section(self, g: SignalId) -> SectionId:
         """The section just beyond a signal."""

@@ -9,9 +9,9 @@ from __future__ import annotations
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
-from interlock.model.elements import MachineId, Position
+from interlock.model.elements import MachineId, Position, SectionId
 from interlock.model.portable import portable
-from interlock.table.rows import Role
+from interlock.table.rows import Role, RouteRow
 
 
 def inputs(d: Draft) -> None:
@@ -45,7 +45,7 @@ def detection(d: Draft) -> None:
 def flank_demand(d: Draft, m: MachineId, x: Position) -> Expr:
     """Some lock needs the machine as flank protection in that position."""
     return disj(
-        d.lock(*t.key)
+        d.holding(t.key)
         for t in d.table.locks
         for p in t.points
         if p.machine == m and p.position is x and p.role is Role.FLANK
@@ -81,12 +81,17 @@ def movable(d: Draft) -> None:
             )
 
 
+def _taken(r: RouteRow) -> set[SectionId]:
+    """The sections of a route's path and overlap."""
+    return {*r.section_ids, *(s for s, _ in (r.overlap.ways if r.overlap else ()))}
+
+
 def commands(d: Draft) -> None:
     """Commands follow grants; by hand only when free and not touched by a grant in this scan."""
     for m in d.machines:
         n = portable(m)
         secs = set(d.sections_of(m))
-        touching = [r for r in d.table.routes if secs & set(r.section_ids) or any(p.machine == m for p in r.points)]
+        touching = [r for r in d.table.routes if secs & _taken(r) or any(p.machine == m for p in r.points)]
         touched = disj(var(f"G_R{r.number}") for r in touching)
         for x in Position:
             granted = disj(

@@ -8,8 +8,10 @@ One request is taken in a scan: REQ carries the number of the route, 0 for none.
 from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Output, Term
-from interlock.logic.expr import FALSE, conj, disj, eq, neg, var
+from interlock.logic.expr import FALSE, Expr, conj, disj, eq, neg, var
+from interlock.logic.lower import sections
 from interlock.logic.lower.draft import Draft
+from interlock.model.elements import SectionId
 from interlock.model.portable import portable
 from interlock.table.rows import RouteKind, RouteRow
 
@@ -26,6 +28,8 @@ def inputs(d: Draft) -> None:
 
 def _clear_terms(d: Draft, r: RouteRow) -> list[Term]:
     out = [Term(neg(d.occupied(c.section)), "section clear", f"{c.section} clear") for c in r.sections]
+    for s, _ in r.overlap.ways if r.overlap else ():
+        out.append(Term(neg(d.occupied(s)), "overlap clear", f"{s} clear: overlap"))
     for c in r.foul:
         clear = neg(d.occupied(c.section))
         if c.when is not None:
@@ -42,6 +46,7 @@ def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
     into = r.traversals[-1]
     entry = d.table.lock[into].entry
     out = [Term(neg(d.train(s)), "no train into the berth", f"{s} is not locked for a train")]
+    out += [Term(neg(d.overlap(o)), "no overlap in the berth", f"no overlap of {o[0]}") for o in d.overlaps_over(s)]
     for node in d.topo.ends[s]:
         rear = d.topo.beyond(s, node)
         if node == entry:
@@ -69,23 +74,105 @@ def _detection_terms(d: Draft, r: RouteRow) -> list[Term]:
     ]
 
 
+def _free(d: Draft, r: RouteRow, s: SectionId, n: int) -> Expr:
+    """A section is free for a route; the overlap of its own entry signal over the same way is no hindrance (R4)."""
+    own = [o for o in d.overlaps_over(s) if o[0] == r.entry and (s, n) in d.overlaps[o]]
+    if not own:
+        return var(f"FREE_{portable(s)}")
+    others = [neg(d.overlap(o)) for o in d.overlaps_over(s) if o not in own]
+    return conj([neg(var(f"K_{portable(s)}")), *(neg(d.lock(*t.key)) for t in d.locks_of[s]), *others])
+
+
+def _overlap_terms(d: Draft, r: RouteRow) -> list[Term]:
+    """The overlap is free, or lies over the route that is already set onward from the exit signal (R4)."""
+    out = []
+    for s, n in r.overlap.ways if r.overlap else ():
+        onward = disj(
+            var(f"A_R{t.number}") for t in d.routes_over.get((s, n), ()) if r.overlap and t.entry == r.overlap.signal
+        )
+        terms = [neg(var(f"K_{portable(s)}")), *(neg(d.overlap(o)) for o in d.overlaps_over(s))]
+        for t in d.locks_of[s]:
+            lock = neg(d.lock(*t.key))
+            terms.append(disj((lock, onward)) if t.key == (s, n) else lock)
+        out.append(Term(conj(terms), "overlap free", f"{s} free as overlap of {r.exit}"))
+    return out
+
+
+def overlaps(d: Draft) -> None:
+    """Overlaps are held until no route leads to their signal, or the train before it stands (R4)."""
+    signals = sorted({g for g, _ in d.overlaps})
+    for g in signals:
+        n, b = portable(g), d.before(g)
+        node = d.layout.signal[g].node
+        to = d.locked_out(b, node)
+        terms = [
+            *sections.arrived(d, b),
+            Term(to, "locked towards it", f"{b} is locked towards {g}"),
+            Term(d.occupied(b), "occupied", f"{b} occupied"),
+        ]
+        d.wire(f"OTI_{n}", Join.ALL, terms, f"overlap {g}", f"the train before {g} is wholly in {b} (R4)")
+    for g in signals:
+        seconds = d.layout.principles.overlap_release_s
+        d.timer(f"OT_{portable(g)}", f"OTI_{portable(g)}", seconds, f"{g}: the train before it stands (R4)")
+    for g in signals:
+        n, b = portable(g), d.before(g)
+        to = d.locked_out(b, d.layout.signal[g].node)
+        terms = [Term(neg(to), "no route to it", f"{b} not locked towards {g}"), Term(var(f"OT_{n}"), "train stands")]
+        d.wire(f"OR_{n}", Join.ANY, terms, f"overlap {g}", f"the overlap of {g} is not needed any more (R4)")
+
+
+def keep_overlaps(d: Draft) -> None:
+    """Next values of the overlaps."""
+    for o, ways in d.overlaps.items():
+        g, k = o
+        n = portable(g)
+        users = [r for r in d.table.routes if r.overlap is not None and (r.overlap.signal, r.overlap.option) == o]
+        clear = conj(neg(d.occupied(s)) for s, _ in ways)
+        stays = neg(conj((var(f"OR_{n}"), clear)))
+        d.kept(
+            f"V_{n}_{k}",
+            False,
+            f"overlap {k} of {g} held",
+            Join.ANY,
+            (
+                Term(disj(var(f"G_R{r.number}") for r in users), "granted"),
+                Term(conj((d.overlap(o), stays)), "held", "until it is not needed and clear"),
+            ),
+            f"overlap {g}",
+        )
+    for g in sorted({g for g, _ in d.overlaps}):
+        n = portable(g)
+        users = [r for r in d.table.routes if r.overlap is not None and r.overlap.signal == g]
+        any_ = disj(d.overlap(o) for o in d.overlaps if o[0] == g)
+        firm = disj((var(f"VF_{n}"), *(var(f"LK_R{r.number}") for r in users)))
+        d.kept(
+            f"VF_{n}",
+            False,
+            f"overlap of {g} firmly held",
+            Join.ALL,
+            (Term(firm, "held or locked"), Term(any_, "some overlap held")),
+            f"overlap {g}",
+        )
+
+
 def grants(d: Draft) -> None:
     """A route is granted when everything it needs is free (R6, R3)."""
     for r in d.table.routes:
         terms = [Term(eq("REQ", r.number), "requested"), Term(var("VALID"), "inputs valid")]
-        for s, _ in r.locked:
-            terms.append(Term(var(f"FREE_{portable(s)}"), "section free", f"{s} not locked"))
+        for s, n in r.locked:
+            terms.append(Term(_free(d, r, s, n), "section free", f"{s} not locked"))
+        terms += _overlap_terms(d, r)
         terms += _berth_terms(d, r)
         terms += _clear_terms(d, r)
         terms += _block_terms(d, r)
-        for key in r.traversals:
+        for key in (*r.traversals, *(r.overlap.ways if r.overlap else ())):
             for ex in d.table.lock[key].exclusions:
                 if ex.section not in d.sections:
                     continue
                 if ex.whole:
                     held = neg(var(f"FREE_{portable(ex.section)}"))
                 else:
-                    held = disj([*(d.lock(ex.section, n) for n in ex.numbers), var(f"K_{portable(ex.section)}")])
+                    held = disj([*(d.holding((ex.section, n)) for n in ex.numbers), var(f"K_{portable(ex.section)}")])
                 terms.append(Term(neg(held), "exclusion", f"{ex.section}: {ex.because.text}"))
         for p in r.points:
             terms.append(
@@ -130,6 +217,11 @@ def locking(d: Draft) -> None:
                 *(Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions),
                 *(Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block),
                 Term(neg(var(f"D_{first}")), "inputs never lost"),
+                *(
+                    [Term(d.overlap((r.overlap.signal, r.overlap.option)), "overlap held", r.overlap.because.text)]
+                    if r.overlap
+                    else []
+                ),
             ),
             group,
             f"conditions of proceed for route {r.id} (R3)",

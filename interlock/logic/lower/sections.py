@@ -49,6 +49,7 @@ def image(d: Draft) -> None:
             (
                 Term(neg(var(f"K_{n}")), "no restart lock"),
                 *(Term(neg(d.lock(*t.key)), "not locked") for t in d.locks_of[s_]),
+                *(Term(neg(d.overlap(o)), "no overlap", f"no overlap of {o[0]}") for o in d.overlaps_over(s_)),
             ),
             f"section {s_}",
             f"{s_} is not locked by anybody",
@@ -81,6 +82,8 @@ def three_point(d: Draft) -> None:
             ]
             if d.main_at(s, node) is None and rear is not None:
                 own = neg(d.train(s)) if d.signal_at(s, node) is not None else FALSE
+                # a train that has overrun a signal runs on within the overlap
+                own = disj([own, *(d.overlap(x) for x in d.overlaps_along(rear, node, s))])
                 used, leads = var(f"U_{portable(rear)}"), d.locked_out(rear, node)
                 terms.append(Term(disj((own, used)), "rear used", f"{rear} itself was used"))
                 terms.append(Term(disj((own, leads)), "rear leads here", f"{rear} is locked towards {s}"))
@@ -206,14 +209,26 @@ def release(d: Draft) -> None:
         )
 
 
-def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
-    """A train stands in its last section: from now on vehicles may be shunted to it."""
+def arrived(d: Draft, s: SectionId) -> list[Term]:
+    """A train has come into a section, wholly."""
+    return wholly_in(d, s, rear_free(d, s))
+
+
+def wholly_in(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
+    """The section was used, and nothing stands in rear of it that may still come in."""
     terms = [Term(var("VALID"), "inputs valid"), Term(var(f"U_{portable(s)}"), "was used"), *rear]
     for node in d.topo.ends[s]:
         g = d.main_at(s, node)
         if g is not None:
             behind = d.occupied(d.rear(s, node))
             terms.append(Term(neg(conj((d.locked_in(s, node), behind))), "wholly in", f"nothing stands before {g}"))
+    return terms
+
+
+def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
+    """A train stands in its last section: from now on vehicles may be shunted to it."""
+    terms = wholly_in(d, s, rear)
+    for node in d.topo.ends[s]:
         ahead = d.topo.beyond(s, node)
         if ahead is None or d.main_at(ahead, node) is not None:
             continue
@@ -337,4 +352,5 @@ def keep(d: Draft) -> None:
             ),
             group,
         )
-        d.outputs.append(Output(f"YL_{n}", disj((var(f"K_{n}"), locks)), True, f"indication: {s} is locked"))
+        held = disj((var(f"K_{n}"), locks, *(d.overlap(o) for o in d.overlaps_over(s))))
+        d.outputs.append(Output(f"YL_{n}", held, True, f"indication: {s} is locked"))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
 from interlock.logic.plant.hazards import hazards
 from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Plant, Wiring
@@ -15,11 +17,14 @@ from interlock.logic.plant.words import (
     lies,
     o,
     old_command,
+    overran,
     rests,
+    running,
     shunting,
 )
 from interlock.model.elements import BoundaryKind, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
+from interlock.model.overlap import overlap_paths
 from interlock.model.traversal import Traversal, topology
 
 
@@ -32,7 +37,14 @@ class PlantBuilder:
         self.w = wiring
         self.dropped = dropped
         self.shunts = any(g.shunt for g in layout.signals)
+        self.overlaps = {g.id: overlap_paths(layout, g.id) for g in layout.signals if overlap_paths(layout, g.id)}
+        self.overlapped = {t.section for paths in self.overlaps.values() for path in paths for t in path}
+        self.before = {b: gs for b in self.topo.sections if (gs := self._overlapped_ahead(b))}
         self.p = Plant()
+
+    def _overlapped_ahead(self, s: SectionId) -> list[SignalId]:
+        """The signals with an overlap before which a train in s may come to a stand."""
+        return [g for g in self.topo.signals_out(s) if g in self.overlaps]
 
     def build(self) -> Plant:
         """All parts in order."""
@@ -207,20 +219,45 @@ class PlantBuilder:
             passes = conj((free, as_train, heading))
         if g is not None and "A-OBEY" in self.dropped:
             called = called_heading
+        overruns = self._overruns(s, j, g, heading)
         head = conj(
             (
                 o(s),
                 neg(across(j, s)),
-                disj((called, passes)),
+                disj((called, passes, overruns)),
                 scanned,
                 self.choice(f"?head.{j}.{s}", f"the head of the train in {s} goes {self._to(s, j)}"),
             )
         )
         self.p.events[f"head.{j}.{s}"] = head
+        if overruns is not FALSE:
+            self.p.events[f"overruns.{j}.{s}"] = conj((head, neg(disj((called, passes)))))
         if self.shunts:
             by_call = FALSE if g is None or not self.layout.signal[g].shunt else accepted(g, True)
             goes_on = conj((passes, shunting(s))) if g is None else FALSE
             self.p.events[f"shunts.{j}.{s}"] = conj((head, disj((by_call, goes_on))))
+
+    def _overruns(self, s: SectionId, j: NodeId, g: SignalId | None, heading: Expr) -> Expr:
+        """A train fails to stop before a signal with an overlap, or runs on within the overlap (A-OVERRUN)."""
+        ahead = self.topo.beyond(s, j)
+        on = any(
+            a.section == s and a.exit == j and b.section == ahead
+            for paths in self.overlaps.values()
+            for path in paths
+            for a, b in pairwise(path)
+        )
+        slides = conj((overran(s), rests(s), heading)) if on else FALSE
+        if g is None or g not in self.overlaps:
+            return slides
+        timer = self.w.overlap_timer.get(g)
+        stands = FALSE if timer is None or "A-STAND" in self.dropped else var(timer)
+        as_train = neg(shunting(s)) if self.shunts else TRUE
+        return disj((slides, conj((running(s), neg(rests(s)), as_train, heading, neg(stands)))))
+
+    def overruns_in(self, s: SectionId) -> Expr:
+        """A train that has overrun a signal comes into s in this step."""
+        ends = [j for j in self.topo.ends[s] if j not in self.layout.buffer_at]
+        return disj(self.p.events.get(f"overruns.{j}.{self._other_side(s, j)}", FALSE) for j in ends)
 
     def _tail(self, s: SectionId, j: NodeId, ahead: SectionId | None) -> None:
         others = [k for k in self.topo.ends[s] if k != j]
@@ -349,6 +386,13 @@ class PlantBuilder:
                 p.next[f"rest.{s}"] = conj((rests(s), neg(out)))
             p.next[f"o.{s}"] = disj((conj((o(s), neg(out))), *enter.values()))
             p.initial.append(iff(rests(s), o(s)))
+            if s in self.overlapped:
+                p.state[f"over.{s}"] = f"what stands in {s} has overrun a signal"
+                p.next[f"over.{s}"] = disj((conj((overran(s), neg(out))), self.overruns_in(s)))
+                p.next[f"rest.{s}"] = disj((p.next[f"rest.{s}"], self.overruns_in(s)))
+                p.initial.append(neg(overran(s)))
+            if s in self.before:
+                self._running(s, out, disj(enter.values()))
             if self.shunts:
                 turned = disj(
                     p.events[f"turn.{s}.{a}.{b}"]
@@ -421,6 +465,18 @@ class PlantBuilder:
                     stuck = self.choice(f"?stuck{'s' if k else ''}.{g.id}", f"{g.id} goes on showing {what}")
                     p.next[shows] = disj((p.next[shows], conj((lamp(g.id, k), stuck))))
                 p.initial.append(neg(lamp(g.id, k)))
+
+    def _running(self, s: SectionId, out: Expr, enters: Expr) -> None:
+        """A train that came in runs until it stands, turns, or is gone."""
+        topo, p = self.topo, self.p
+        shunts = disj(self.shunts_in(s, j) for j in topo.ends[s]) if self.shunts else FALSE
+        turns = disj(x for e, x in p.events.items() if e.startswith(f"turn.{s}."))
+        timers = [self.w.overlap_timer[g] for g in self.before[s] if g in self.w.overlap_timer]
+        stands = FALSE if "A-STAND" in self.dropped else disj(map(var, timers))
+        p.state[f"run.{s}"] = f"the train in {s} has not come to a stand"
+        still = conj((running(s), neg(out), neg(turns), neg(stands)))
+        p.next[f"run.{s}"] = conj((disj((still, enters)), neg(shunts)))
+        p.initial.append(neg(running(s)))
 
     # --- what the inputs show ------------------------------------------------------------------
 

@@ -33,6 +33,16 @@ def shunting(s: str) -> Expr:
     return var(f"sh.{s}")
 
 
+def running(s: str) -> Expr:
+    """The train in s has not yet come to a stand since it came in."""
+    return var(f"run.{s}")
+
+
+def overran(s: str) -> Expr:
+    """What stands in s has overrun a signal."""
+    return var(f"over.{s}")
+
+
 def accepted(g: str, shunt: bool = False) -> Expr:
     """A train has accepted the proceed of g, or a shunting movement its shunt aspect."""
     return var(f"{'gos' if shunt else 'go'}.{g}")

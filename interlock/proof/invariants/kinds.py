@@ -125,9 +125,21 @@ class Facts:
         """Locked for some way."""
         return disj(x for _, x in self.locks(s))
 
-    def held(self, s: str) -> Expr:
-        """Locked in any manner."""
+    def locked(self, s: str) -> Expr:
+        """Locked by the restart or for a route."""
         return disj((self.restart(s), self.any_lock(s)))
+
+    def held(self, s: str) -> Expr:
+        """Locked in any manner, as overlap too."""
+        return disj((self.locked(s), *self.overlaps(s)))
+
+    def overlaps(self, s: str, numbers: tuple[int, ...] | None = None) -> list[Expr]:
+        """Held as overlap (for one of the ways)."""
+        return [
+            var(name)
+            for o, name in self.sym.overlap.items()
+            if any(sec == s and (numbers is None or n in numbers) for sec, n in self.sym.overlap_ways[o])
+        ]
 
     def signal_out(self, s: str, j: str) -> str | None:
         """The signal that governs leaving s at j."""

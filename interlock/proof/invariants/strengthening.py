@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.controller import RouteSymbols
-from interlock.logic.expr import TRUE, Expr, at_most_one, conj, disj, implies, neg, var
-from interlock.logic.plant import accepted, across, came, image, lamp, lies, o, old_command, rests, shunting
+from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
+from interlock.logic.plant import accepted, across, came, image, lamp, lies, o, old_command, overran, rests, shunting
 from interlock.model.elements import Position, SectionId, SignalId
 from interlock.proof.invariants.kinds import Facts, Invariant
+from interlock.proof.invariants.overlaps import against_of, overlap_invariants
 
 
 def strengthening(f: Facts) -> tuple[Invariant, ...]:
@@ -29,6 +30,7 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
     for g in f.layout.signals:
         for k in f.functions(g.id):
             out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id, k)]
+    out += overlap_invariants(f)
     for r in f.sym.routes:
         out += [Invariant(i, r.id, x) for i, x in _route(f, r)]
     for m in f.layout.machines:
@@ -84,7 +86,7 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
             )
         ),
     )
-    unmoved = o(s) if f.berth(s) else conj((o(s), f.restart(s)))
+    unmoved = o(s) if f.berth(s) else conj((o(s), disj((f.restart(s), overrun(f, s)))))
     yield "S-REST", conj((implies(rests(s), unmoved), implies(conj((f.restart(s), o(s))), rests(s))))
     trains = []
     for n, x in locks:
@@ -92,14 +94,16 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         turned = came(s, b) if f.signal_out(s, a) is not None and not f.berth(s) else conj((came(s, b), rests(s)))
         trains.append(conj((x, disj((came(s, a), turned)))))
     yield "S-TRAIN", implies(conj((o(s), neg(rests(s)))), conj((f.firm(s), f.been(s), disj(trains))))
-    moved = f.any_lock(s) if f.berth(s) else neg(rests(s))
+    moved = f.any_lock(s) if f.berth(s) else disj((neg(rests(s)), conj((overrun(f, s), f.firm(s)))))
+    if f.berth(s):
+        moved = conj((moved, disj((f.firm(s), neg(overrun(f, s))))))
     yield "S-SEEN", implies(conj((o(s), image(s), moved)), disj((f.used(s), f.stale(s))))
     for n, x in locks:
         for m, p in f.sym.demands[s, n]:
             yield f"S-COMMAND:{n}:{m}", implies(x, var(f.sym.command[m, p]))
             yield f"S-LIES:{n}:{m}", implies(conj((x, f.firm(s))), conj((lies(m, p), old_command(m, p))))
         for other, whole, numbers in f.sym.excluded[s, n]:
-            against = f.held(other) if whole else disj([f.restart(other), *(f.lock(other, k) for k in numbers)])
+            against = against_of(f, other, whole, numbers)
             yield f"S-EXCLUDES:{n}:{other}", implies(x, neg(against))
         train = f.train(s) if f.berth(s) else TRUE
         yield f"S-PASSED-BEEN:{n}", implies(conj((x, train, f.passed(s))), f.been(s))
@@ -109,6 +113,11 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
             yield f"S-QUIET:{m}", implies(f.restart(s), conj(quiet))
 
 
+def overrun(f: Facts, s: str) -> Expr:
+    """What stands in s has overrun a signal; FALSE where no overlap lies."""
+    return overran(s) if f"over.{s}" in f.system.plant.state else FALSE
+
+
 def _movement(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     """Train and shunting movements apart."""
     moving = conj((o(s), neg(rests(s))))
@@ -116,7 +125,7 @@ def _movement(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     if f.berth(s):
         yield "M-BERTH-HELD", implies(o(s), f.held(s))
         yield "M-BERTH-MODE", implies(moving, neg(shunting(s)))
-        yield "M-BERTH-EMPTY", implies(conj((o(s), f.any_lock(s))), f.been(s))
+        yield "M-BERTH-EMPTY", implies(conj((o(s), f.any_lock(s))), disj((f.been(s), overrun(f, s))))
         leads = [f.locked_out(a, j) for j, a, b, past in f.passed_joints() if b == s and not past]
         yield "M-BERTH-ONE", at_most_one(leads)
         fresh = conj((f.any_lock(s), f.been(s), neg(f.used(s)), neg(f.stale(s))))
@@ -152,7 +161,7 @@ def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, 
         yield "J-FROM", implies(into, neg(f.restart(s)))
     elif f.berth(t):
         shunt = conj((out, neg(f.train(s))))
-        yield "J-SHUNT", implies(shunt, conj((f.held(t), neg(f.train(t)))))
+        yield "J-SHUNT", implies(shunt, conj((f.locked(t), neg(f.train(t)))))
         yield "J-SHUNT-FIRM", implies(conj((shunt, f.firm(s))), disj((f.restart(t), f.firm(t))))
         for k in f.topo.ends[SectionId(t)]:
             g = f.topo.signal_into.get((k, SectionId(t)))
@@ -209,7 +218,7 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
         if f.shunts and t and (j, t) not in f.topo.main_into:
             as_train = conj((across(j, s), neg(rests(t)), neg(shunting(t))))
             yield "X-PASSING", implies(as_train, conj((f.train(s), disj(leads))))
-        yield "X-REAR", implies(across(j, s), disj((f.used(s), f.stale(s))))
+        yield "X-REAR", implies(conj((across(j, s), neg(conj((overrun(f, s), neg(f.firm(s))))))), disj((f.used(s), f.stale(s))))
         if not f.berth(s):
             yield "X-HEADING", implies(conj((across(j, s), rests(s))), heading)
             yield "X-FROM", implies(moves, disj([*leads, *turned]))
@@ -274,5 +283,7 @@ def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
     if f.shunts:
         kind = [neg(f.train(s)) if r.shunt else f.train(s) for s, _ in r.ways]
         yield "R-KIND", implies(active, conj(kind))
+    if r.overlap is not None:
+        yield "R-OVERLAP", implies(active, var(f.sym.overlap[r.overlap]))
     if r.berth is not None:
-        yield "R-BERTH", implies(active, conj((f.held(r.berth[0]), neg(f.train(r.berth[0])))))
+        yield "R-BERTH", implies(active, conj((f.locked(r.berth[0]), neg(f.train(r.berth[0])))))

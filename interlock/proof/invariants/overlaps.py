@@ -1,0 +1,103 @@
+"""Invariants about overlaps (R4): while a train may still overrun a signal, an overlap is held, lies, and is empty."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from interlock.logic.expr import Expr, at_most_one, conj, disj, implies, neg, var
+from interlock.logic.plant import accepted, across, came, lamp, lies, o, old_command, overran, rests, running, shunting
+from interlock.model.elements import SectionId, SignalId
+from interlock.proof.invariants.kinds import Facts, Invariant
+
+
+def against_of(f: Facts, other: SectionId, whole: bool, numbers: tuple[int, ...]) -> Expr:
+    """What an exclusion forbids."""
+    if whole:
+        return f.held(other)
+    return disj([f.restart(other), *(f.lock(other, k) for k in numbers), *f.overlaps(other, numbers)])
+
+
+def overlap_invariants(f: Facts) -> list[Invariant]:
+    """All of them, ordered by signal and section."""
+    out: list[Invariant] = []
+    for option, name in f.sym.overlap.items():
+        out += _option(f, option, var(name))
+    for s in f.topo.sections:
+        if len(f.overlaps(s)) > 1:
+            out.append(Invariant("O-ONE", s, at_most_one(f.overlaps(s))))
+        if f"over.{s}" in f.system.plant.state:
+            out.append(Invariant("O-BEEN", s, implies(conj((overran(s), f.firm(s))), f.been(s))))
+            firmly = [
+                conj((var(name), var(f.sym.overlap_firm[opt[0]])))
+                for opt, name in f.sym.overlap.items()
+                if any(sec == s for sec, _ in f.sym.overlap_ways[opt])
+            ]
+            out.append(Invariant("O-OVER", s, implies(overran(s), conj((o(s), rests(s), disj(firmly))))))
+    for g in f.sym.overlap_firm:
+        out += _signal(f, g)
+    return out
+
+
+def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invariant]:
+    g, k = option
+    place = f"{g}:{k}"
+    out = []
+    firm = var(f.sym.overlap_firm[g])
+    ways = f.sym.overlap_ways[option]
+    for s, n in ways:
+        others = [x for m, x in f.locks(s) if m != n]
+        out.append(Invariant("O-FREE", f"{place}:{s}", implies(held, neg(disj((f.restart(s), *others))))))
+        for m, p in f.sym.demands[s, n]:
+            out.append(Invariant(f"O-COMMAND:{m}", f"{place}:{s}", implies(held, var(f.sym.command[m, p]))))
+            sure = implies(conj((held, firm)), conj((lies(m, p), old_command(m, p))))
+            out.append(Invariant(f"O-LIES:{m}", f"{place}:{s}", sure))
+        for other, whole, numbers in f.sym.excluded[s, n]:
+            bad = against_of(f, other, whole, numbers)
+            out.append(Invariant(f"O-EXCLUDES:{other}", f"{place}:{s}", implies(held, neg(bad))))
+    for (s, n), (t, _) in pairwise(ways):
+        j = f.way(s, n)[1]
+        slides = conj((held, overran(s), neg(across(j, s))))
+        out.append(Invariant("O-SLIDE", f"{place}:{s}", implies(slides, conj((firm, neg(o(t)))))))
+    return out
+
+
+def _signal(f: Facts, g: SignalId) -> list[Invariant]:
+    """A train that runs towards the signal, or may still come, finds an overlap."""
+    node = f.layout.signal[g].node
+    t = f.layout.section_of(f.layout.signal[g].into)
+    b = f.topo.beyond(t, node)
+    assert b is not None
+    firm = var(f.sym.overlap_firm[g])
+    options = [
+        (var(name), conj(neg(o(s)) for s, _ in f.sym.overlap_ways[opt]))
+        for opt, name in f.sym.overlap.items()
+        if opt[0] == g
+    ]
+    ready = disj(conj((held, empty)) for held, empty in options)
+    along = disj(conj((x, came(b, f.way(b, n)[0]))) for n, x in f.locks(b))
+    out = [Invariant("O-ALONG", g, implies(conj((o(b), running(b), neg(rests(b)))), along))]
+    for n, x in f.locks(b):
+        entry, exit_ = f.way(b, n)
+        if exit_ != node:
+            continue
+        as_train = neg(shunting(b)) if f.shunts else neg(disj(()))
+        runs = conj((x, o(b), running(b), came(b, entry), neg(rests(b)), neg(across(node, b)), as_train))
+        out.append(Invariant(f"O-RUNS:{n}", g, implies(runs, conj((firm, ready)))))
+        coming = conj((x, f.train(b), neg(f.been(b)), _coming(f, b, entry)))
+        kept = disj(conj((held, implies(f.firm(b), conj((firm, empty))))) for held, empty in options)
+        out.append(Invariant(f"O-COMES:{n}", g, implies(coming, kept)))
+    return out
+
+
+def _coming(f: Facts, b: SectionId, entry: str) -> Expr:
+    """A train may still come into b at an end: a lock leads there, or its signal is or may be passed."""
+    rear = f.topo.beyond(b, entry)  # type: ignore[arg-type]
+    g = f.topo.main_into.get((entry, b))  # type: ignore[arg-type]
+    if g is not None:
+        active = [var(r.active) for r in f.sym.routes if r.entry == g and not r.shunt]
+        went = [accepted(g)] if f"go.{g}" in f.system.plant.state else []
+        return disj([*active, f.sym.signal(g), lamp(g), *went])
+    if rear is None:
+        return disj(())
+    on = [f.train(rear)] if (entry, b) in f.topo.signal_into else []
+    return conj([f.locked_out(rear, entry), *on])
