@@ -25,13 +25,18 @@ class Grown:
     """A layout in the making."""
 
     rng: random.Random
+    shunting: bool = False
     tracks: dict[str, list[str]] = field(default_factory=dict)
     points: dict[str, dict[str, str]] = field(default_factory=dict)
     crossings: list[str] = field(default_factory=list)
     boundaries: dict[str, str] = field(default_factory=dict)
     buffers: list[str] = field(default_factory=list)
     joints: list[tuple[str, str, str]] = field(default_factory=list)
+    slips: list[str] = field(default_factory=list)
+    derailers: dict[str, dict[str, str]] = field(default_factory=dict)
+    traps: list[str] = field(default_factory=list)
     signals: list[str] = field(default_factory=list)
+    main: list[str] = field(default_factory=list)
     count: int = 0
 
     def name(self, prefix: str) -> str:
@@ -62,9 +67,9 @@ class Grown:
         return End(f"{name}.end", section)
 
     def join(self, at: End, ref: str) -> None:
-        """A point's open end gets its partner."""
-        point, end = at.ref.split(".")
-        self.points[point][end] = ref
+        """The open end of a point or derailer gets its partner."""
+        name, end = at.ref.split(".")
+        (self.derailers if name in self.derailers else self.points)[name][end] = ref
 
     def point(self, at: End, as_end: str) -> dict[str, End]:
         """A new point joined to an open end with one of its own ends."""
@@ -80,7 +85,7 @@ class Grown:
         """A boundary or a buffer."""
         if self.rng.random() < 0.35:
             name = self.name("B")
-            self.buffers.append(name)
+            (self.traps if self.rng.random() < 0.2 else self.buffers).append(name)
         else:
             name = self.name("W")
             kind = self.rng.choice(["both"] * 6 + ["out"] * 3 + ["in"])
@@ -95,7 +100,7 @@ class Grown:
             else:
                 self.tracks[track].insert(0, name)
         else:
-            self.points[track][end] = name
+            self.join(at, name)
 
     def is_track(self, at: End) -> bool:
         return at.ref.split(".")[0] in self.tracks
@@ -116,6 +121,29 @@ class Grown:
         self.crossings.append(f"  {name}: {{arms: [{arms[0]}, {arms[1]}]}}")
         return out
 
+    def slip(self, a: End, b: End) -> list[End]:
+        """A single or double slip across two open ends."""
+        name, section = self.name("Z"), self.name("s")
+        out, arms = [], []
+        for at in (a, b):
+            self.joint(at, section)
+            far, beyond = self.name("t"), self.name("s")
+            self.tracks[far] = [f"{beyond} {self.length()}"]
+            self.joints.append((section, beyond, ""))
+            arms.append(f"[{at.ref}, {far}.start]")
+            out.append(End(f"{far}.end", beyond))
+        single = self.rng.choice(["", "", ", single: 1a-2b", ", single: 2a-1b"])
+        self.slips.append(f"  {name}: {{section: {section}, arms: [{', '.join(arms)}]{single}}}")
+        return out
+
+    def derailer(self, at: End) -> End:
+        """A derailer that protects what has been grown from what will be."""
+        name = self.name("R")
+        section = at.section if self.rng.random() < 0.6 else self.name("s")
+        self.joint(at, section)
+        self.derailers[name] = {"section": section, "inner": at.ref}
+        return End(f"{name}.outer", section)
+
     def grow(self, steps: int) -> None:
         first = self.name("t")
         section = self.name("s")
@@ -134,13 +162,19 @@ class Grown:
                 open_.extend(self.point(at, "toe").values())
             elif choice < 0.75:
                 open_.extend(self.point(at, self.rng.choice(["normal", "reverse"])).values())
-            elif choice < 0.9 and open_:
+            elif choice < 0.86 and open_:
                 other = open_.pop()
                 ends = self.point(at, "normal")
                 point = ends["reverse"].ref.split(".")[0]
                 self.points[point]["reverse"] = other.ref
                 self.joint(End(other.ref, other.section, point), self.points[point]["section"])
                 open_.append(ends["toe"])
+            elif choice < 0.9 and self.is_track(at) and any(self.is_track(x) for x in open_):
+                other = next(x for x in open_ if self.is_track(x))
+                open_.remove(other)
+                open_.extend(self.slip(at, other))
+            elif choice < 0.94:
+                open_.append(self.derailer(at))
             elif open_:
                 open_.extend(self.cross(at, open_.pop()))
             else:
@@ -156,18 +190,48 @@ class Grown:
             for p in self.rng.sample(names, 2):
                 self.points[p]["machine"] = machine
 
+    def furnish(self) -> list[str]:
+        """Level crossings, interlocks, hand-worked points and overlaps here and there."""
+        out: list[str] = []
+        sections = sorted({s for a, b, _ in self.joints for s in (a, b)})
+        for room in ("level_crossings", "interlocks"):
+            if sections and self.rng.random() < 0.2:
+                over = self.rng.sample(sections, self.rng.choice([1, 1, min(2, len(sections))]))
+                out += [f"{room}:", f"  {self.name('L')}: {{over: [{', '.join(over)}]}}"]
+        for p in self.points:
+            if "machine" not in self.points[p] and self.rng.random() < 0.06:
+                self.points[p]["work"] = "hand"
+        if self.main and self.rng.random() < 0.5:
+            out.append("overlaps:")
+            for g in self.rng.sample(self.main, max(1, len(self.main) // 2)):
+                out.append(f"  {g}: {{length: {self.rng.choice([5, 30, 60, 150])}}}")
+        return out
+
+    @property
+    def kinds(self) -> list[str]:
+        """The kinds of signals to choose from: half of the layouts have main signals alone."""
+        return ["", "", "shunt", "combined"] if self.shunting else [""]
+
     def place_signals(self) -> None:
         for a, b, point in self.joints:
             for x, y in ((a, b), (b, a)):
                 if self.rng.random() < 0.45:
                     at = f", at: {point}" if point and self.rng.random() < 0.5 else ""
-                    self.signals.append(f"  {self.name('G')}: {{from: {x}, into: {y}{at}}}")
+                    kind = self.rng.choice(self.kinds)
+                    name = self.name("G")
+                    if kind != "shunt":
+                        self.main.append(name)
+                    self.signals.append(f"  {name}: {{from: {x}, into: {y}{at}{f', kind: {kind}' if kind else ''}}}")
 
     def text(self) -> str:
-        out = ["interlock: 1", "name: grown", f"profile: {self.rng.choice(['mine', 'generic'])}", "boundaries:"]
+        more = self.furnish()
+        profile = self.rng.choice(["mine", "generic", "cn"])
+        out = ["interlock: 1", "name: grown", f"profile: {profile}", "boundaries:"]
         out += [f"  {n}: {b}" for n, b in self.boundaries.items()]
         if self.buffers:
             out.append(f"buffers: [{', '.join(self.buffers)}]")
+        if self.traps:
+            out.append(f"traps: [{', '.join(self.traps)}]")
         out.append("tracks:")
         out += [f"  {n}: [{', '.join(items)}]" for n, items in self.tracks.items()]
         if self.points:
@@ -176,14 +240,20 @@ class Grown:
                 out.append(f"  {n}: {{{', '.join(f'{k}: {v}' for k, v in spec.items())}}}")
         if self.crossings:
             out += ["crossings:", *self.crossings]
-        out += ["signals:", *self.signals]
+        if self.slips:
+            out += ["slips:", *self.slips]
+        if self.derailers:
+            out.append("derailers:")
+            for n, spec in self.derailers.items():
+                out.append(f"  {n}: {{{', '.join(f'{k}: {v}' for k, v in spec.items())}}}")
+        out += [*more, "signals:", *self.signals]
         return "\n".join(out) + "\n"
 
 
 def grow(seed: int, steps: int | None = None) -> str:
     """The text of a layout; most, not all, are valid."""
     rng = random.Random(seed)
-    g = Grown(rng)
+    g = Grown(rng, rng.random() < 0.5)
     g.grow(steps if steps is not None else rng.randint(1, 9))
     g.pair_machines()
     g.place_signals()

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
-from interlock.audit.walk import Frozen, Move, Trip, distances, signal_distance, signal_facing, steps, trips
+from interlock.audit.walk import Frozen, Move, Trip, distances, overruns, signal_distance, signal_facing, steps, trips
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal
 from interlock.model.layout import Layout
 from interlock.table.rows import InterlockingTable, RouteRow
@@ -29,7 +30,14 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     """Every disagreement, in the order of the table."""
     found: list[Finding] = []
     matched: dict[str, Trip] = {}
-    mine = [t for g in layout.signals for k in _functions(g) for t in trips(layout, g, k) if not _unwanted(layout, t)]
+    mine = [
+        over
+        for g in layout.signals
+        for k in _functions(g)
+        for t in trips(layout, g, k)
+        if not _unwanted(layout, t)
+        for over in overruns(layout, t)
+    ]
     for r in table.routes:
         same = [
             t
@@ -40,6 +48,8 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
             and t.berth == r.berth
             and t.sections == r.section_ids
             and _path_positions(r) == dict(t.positions)
+            and tuple(s for s, _ in (r.overlap.ways if r.overlap else ())) == _sections(layout, t.over)
+            and _overlap_positions(r, t) == dict(t.over_positions)
         ]
         if len(same) != 1:
             found.append(Finding(r.id, "route", f"the audit finds {len(same)} such paths"))
@@ -69,6 +79,16 @@ def _unwanted(layout: Layout, t: Trip) -> bool:
     )
 
 
+def _sections(layout: Layout, moves: tuple[Move, ...]) -> tuple[SectionId, ...]:
+    return tuple(dict.fromkeys(layout.section_of(m.edge) for m in moves))
+
+
+def _overlap_positions(r: RouteRow, t: Trip) -> dict[MachineId, Position]:
+    """The table's positions of the machines that lie under the audit's overlap."""
+    under = {m for m, _ in t.over_positions}
+    return {p.machine: p.position for p in r.points if p.machine in under or p.role == "overlap"}
+
+
 def _path_positions(r: RouteRow) -> dict[MachineId, Position]:
     return {p.machine: p.position for p in r.points if p.role == "path"}
 
@@ -87,7 +107,8 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     if {(c.section, c.when) for c in r.foul} != foul:
         told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w in foul)
         yield Finding(r.id, "foul", f"foul sections are {', '.join(told) or 'none'}")
-    secured = {d.id for d in layout.devices if set(d.over) & set(trip.sections)}
+    taken = {*trip.sections, *_sections(layout, trip.over)}
+    secured = {d.id for d in layout.devices if set(d.over) & taken}
     if {p.machine for p in r.points if p.role == "device"} != secured:
         yield Finding(r.id, "devices", f"to be closed are {', '.join(sorted(secured)) or 'none'}")
     beside = {
@@ -124,11 +145,17 @@ class Place:
     leg: Position | None
 
 
+def _pairs(trip: Trip) -> Iterator[tuple[Move, Move]]:
+    """Each move with the one after it, on the path and on the overlap."""
+    yield from pairwise(trip.moves)
+    yield from pairwise(trip.over)
+
+
 def unused_places(layout: Layout, trip: Trip) -> list[Place]:
     """Every place beside the path at which a vehicle could come in."""
     out: list[Place] = []
     margin = layout.principles.clearance_m
-    for a, b in zip(trip.moves, trip.moves[1:], strict=False):
+    for a, b in _pairs(trip):
         point = layout.point_at.get(a.node)
         if point is not None:
             unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
@@ -188,7 +215,7 @@ Foul = tuple[SectionId, tuple[MachineId, Position] | None]
 def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
     """Sections that begin too near to a point of the path, on its unused leg, and the point that leads there."""
     out: set[Foul] = set()
-    for a, b in zip(trip.moves, trip.moves[1:], strict=False):
+    for a, b in _pairs(trip):
         point = layout.point_at.get(a.node)
         if point is None:
             continue
@@ -231,6 +258,11 @@ class _Ground:
     foul: frozenset[Foul]
     positions_on_path: dict[MachineId, Position]
     positions: dict[MachineId, Position]
+    exit: str
+    moves: frozenset[Move]
+    over: frozenset[SectionId]
+    over_moves: frozenset[Move]
+    over_nodes: frozenset[NodeId]
 
 
 def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
@@ -241,8 +273,13 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
         frozenset(trip.sections),
         frozenset(special),
         frozenset(foul_neighbours(layout, trip)),
-        dict(trip.positions),
+        dict(trip.positions) | dict(trip.over_positions),
         {p.machine: p.position for p in row.points},
+        trip.exit,
+        frozenset(trip.moves),
+        frozenset(_sections(layout, trip.over)),
+        frozenset(trip.over),
+        frozenset(m.node for m in trip.over[:-1] if m.node in layout.crossing_at),
     )
 
 
@@ -251,7 +288,7 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
     listed = {(r.id, h.route) for r in table.routes for h in r.hostile}
     for i, a in enumerate(grounds):
         for b in grounds[i + 1 :]:
-            why = _cannot_both(a, b)
+            why = _cannot_both(layout, a, b)
             for x, y in ((a.row.id, b.row.id), (b.row.id, a.row.id)):
                 if why and (x, y) not in listed:
                     yield Finding(x, "hostile", f"{y} is hostile: {why}")
@@ -259,19 +296,41 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
                     yield Finding(x, "hostile", f"{y} is not hostile")
 
 
-def _cannot_both(a: _Ground, b: _Ground) -> str:
+def _same_way(layout: Layout, a: frozenset[Move], b: frozenset[Move], section: SectionId) -> bool:
+    """Both pass a section over the same edges in the same direction."""
+    return {m for m in a if layout.section_of(m.edge) == section} == {
+        m for m in b if layout.section_of(m.edge) == section
+    }
+
+
+def _own(x: _Ground, y: _Ground) -> frozenset[NodeId]:
+    """Diamonds that y passes on the very overlap of x, going on from its exit."""
+    if y.entry != x.exit:
+        return frozenset()
+    return frozenset(m.node for m in x.over_moves & y.moves)
+
+
+def _cannot_both(layout: Layout, a: _Ground, b: _Ground) -> str:
     if a.entry == b.entry:
         return "the same signal"
     if not a.sections.isdisjoint(b.sections):
         return f"both pass {', '.join(sorted(a.sections & b.sections))}"
     if not a.nodes.isdisjoint(b.nodes):
         return f"both pass {', '.join(sorted(a.nodes & b.nodes))}"
+    for x, y in ((a, b), (b, a)):
+        if not x.over.isdisjoint(y.over):
+            return f"the overlaps share {', '.join(sorted(x.over & y.over))}"
+        for section in sorted(x.over & y.sections):
+            if y.entry != x.exit or not _same_way(layout, x.over_moves, y.moves, section):
+                return f"{section} is an overlap"
+        if not x.over_nodes.isdisjoint(y.over_nodes) or not x.over_nodes.isdisjoint(y.nodes - (y.nodes & _own(x, y))):
+            return "an overlap crosses"
     if not a.positions.keys().isdisjoint(b.positions):
         for m in sorted(a.positions.keys() & b.positions.keys()):
             if a.positions[m] is not b.positions[m]:
                 return f"machine {m} in two positions"
     for x, y in ((a, b), (b, a)):
         for section, when in x.foul:
-            if section in y.sections and (when is None or y.positions_on_path.get(when[0]) is when[1]):
+            if section in y.sections | y.over and (when is None or y.positions_on_path.get(when[0]) is when[1]):
                 return f"{section} is foul"
     return ""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal
 from interlock.model.layout import Layout
@@ -35,6 +35,8 @@ class Trip:
     moves: tuple[Move, ...]
     sections: tuple[SectionId, ...]
     positions: tuple[tuple[MachineId, Position], ...]
+    over: tuple[Move, ...] = ()
+    over_positions: tuple[tuple[MachineId, Position], ...] = ()
 
 
 def steps(
@@ -139,6 +141,44 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
             if any(m.edge == x.edge for x in moves):
                 continue
             todo.append(((*moves, m), (*positions, needs) if needs else positions))
+    return found
+
+
+def overruns(layout: Layout, trip: Trip) -> list[Trip]:
+    """A train's trip with each overlap beyond its exit signal, as far as the trip itself permits."""
+    g = layout.signal.get(trip.exit)  # type: ignore[call-overload]
+    length = layout.overlap_of.get(g.id, 0.0) if g is not None else 0.0
+    if g is None or trip.shunt or length <= 0:
+        return [trip]
+    e = layout.edge[g.into]
+    found: list[Trip] = []
+    start = Move(g.into, e.b if e.a == g.node else e.a)
+    todo: list[tuple[tuple[Move, ...], tuple[tuple[MachineId, Position], ...], float]] = [((start,), (), e.length)]
+    while todo:
+        moves, positions, gone = todo.pop()
+        here = moves[-1]
+        section = layout.section_of(here.edge)
+        if here.node in layout.buffer_at and layout.buffer_at[here.node].kind == "derail":
+            continue
+        ends = here.node in layout.boundary_at or here.node in layout.buffer_at
+        at_joint = ends or any(layout.section_of(m.edge) != section for m, _ in steps(layout, here))
+        if ends or (at_joint and gone >= length):
+            wanted = dict(trip.positions)
+            clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
+            clash = clash or any(p.work == "hand" and wanted.get(p.machine) == "R" for p in layout.points)
+            over = {layout.section_of(m.edge) for m in moves}
+            diamonds = [m.node for m in (*trip.moves, *moves) if m.node in layout.crossing_at]
+            if not clash and not over & set(trip.sections) and len(diamonds) == len(set(diamonds)):
+                mine = tuple(sorted(dict(positions).items()))
+                found.append(replace(trip, over=moves, over_positions=mine))
+            continue
+        for m, needs in steps(layout, here):
+            beyond = layout.section_of(m.edge)
+            if any(m.edge == x.edge for x in moves):
+                continue
+            if beyond != section and any(layout.section_of(x.edge) == beyond for x in moves):
+                continue
+            todo.append(((*moves, m), (*positions, needs) if needs else positions, gone + layout.edge[m.edge].length))
     return found
 
 

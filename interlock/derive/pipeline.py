@@ -14,8 +14,9 @@ from interlock.derive.locks import derive_locks
 from interlock.derive.routes import Path, find_routes
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
-from interlock.model.elements import MachineId, Position, RouteId, SignalId
+from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
 from interlock.model.layout import Layout
+from interlock.model.traversal import topology
 from interlock.table.rows import (
     Because,
     ClearCell,
@@ -154,7 +155,13 @@ def _names(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[RouteId,
 
 
 def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
-    used = {t.section for p in paths for t in p.ways}
+    topo = topology(layout)
+    used = {t.section for p in paths for t in (*p.ways, *p.overlap)}
+    used |= {b for p in paths if (b := topo.beyond(p.ways[0].section, p.entry_node)) is not None}
+    traps = [b.node for b in layout.buffers if b.kind is BufferKind.TRAP]
+    used |= {layout.section_of(e.id) for n in traps for e in layout.edges_at[n]}
+    by_hand = [layout.far(p.reverse, p.node) for p in layout.points if p.machine in layout.by_hand]
+    used |= {layout.section_of(e.id) for n in by_hand for e in layout.edges_at[n]}
     for s in layout.sections:
         if not s.approach and s.id not in used:
             sink.add("IL3012", f"no route uses section {s.id}", None, "add a signal, or check the directions")

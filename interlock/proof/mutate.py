@@ -107,10 +107,11 @@ def _relower(layout: Layout, table: InterlockingTable, key: tuple[str, int], row
     routes = []
     for r in table.routes:
         points: dict[str, PointDemand] = {}
-        for k in r.traversals:
+        over = r.overlap.ways if r.overlap else ()
+        for k in (*r.traversals, *over):
             for p in by_key[k].points:
                 points.setdefault(p.machine, p)
-        routes.append(replace(r, points=tuple(points.values())) if key in r.traversals else r)
+        routes.append(replace(r, points=tuple(points.values())) if key in (*r.traversals, *over) else r)
     return lower(layout, replace(table, locks=locks, routes=tuple(routes)))
 
 

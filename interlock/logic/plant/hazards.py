@@ -6,7 +6,7 @@ from typing import Protocol
 
 from interlock.logic.expr import FALSE, Expr, at_most_one, conj, disj, neg
 from interlock.logic.plant.kinds import Hazard, Plant
-from interlock.logic.plant.words import came, lies, o, rests
+from interlock.logic.plant.words import came, lies, o, overran, rests
 from interlock.model.elements import NodeId, Position, SectionId
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
@@ -19,6 +19,7 @@ class Railway(Protocol):
     layout: Layout
     topo: Topology
     p: Plant
+    overlapped: set[SectionId]
 
     def lie(self, t: Traversal) -> Expr:
         """Every point on the way really lies for it."""
@@ -107,7 +108,7 @@ def hazards(b: Railway) -> list[Hazard]:
         )
         near = disj(
             (
-                rests(f.neighbour),
+                standing(b, f.neighbour),
                 *(
                     conj((came(f.neighbour, t.entry), b.lie(t)))
                     for t in topo.traversals[f.neighbour]
@@ -123,6 +124,11 @@ def hazards(b: Railway) -> list[Hazard]:
             )
         )
     return out
+
+
+def standing(b: Railway, s: SectionId) -> Expr:
+    """What is in s has stood there, somewhere, since the restart; what has overrun a signal is where its points lie."""
+    return conj((rests(s), neg(overran(s)))) if s in b.overlapped else rests(s)
 
 
 def _collision(b: Railway, s: SectionId, enter: list[Expr]) -> Expr:

@@ -12,6 +12,7 @@ from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, va
 from interlock.logic.plant import accepted, came, lamp, lies, o, rests, shunting
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint, foul_joints
+from interlock.model.overlap import overlap_paths
 from interlock.model.traversal import Traversal
 from interlock.proof.invariants.kinds import Claim, Facts
 
@@ -29,6 +30,7 @@ CLAIMS: dict[str, str] = {
     "S-DETECTED": "Proceed is shown only when every point and device of the path is detected in that very scan.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
+    "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is clear, lies and is detected.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
@@ -245,6 +247,11 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                     ),
                 ),
             )
+            ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
+            exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
+            over = () if exit_ is None or shunt else overlap_paths(f.layout, exit_)
+            if over:
+                yield "S-OVERLAP", place, implies(here, disj(_overlap(f, ways) for ways in over))
             secured = [
                 conj((var(f.sym.detected[d.id, Position.REVERSE]), neg(var(f.sym.detected[d.id, Position.NORMAL]))))
                 for d in f.layout.devices
@@ -273,6 +280,19 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                     needed.append(_not_foul(f, fj))
             if needed:
                 yield "S-CONDITION", place, implies(here, conj(needed))
+
+
+def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
+    """An overlap is clear, its points lie and are detected."""
+    points = [(f.layout.point[p].machine, x) for t in ways for p, x in t.points]
+    return conj(
+        [
+            *(var(f.sym.clear[t.section]) for t in ways),
+            f.system.after(conj(lies(m, x) for m, x in points)),
+            *(var(f.sym.detected[m, x]) for m, x in points),
+            *(neg(var(f.sym.detected[m, x.other])) for m, x in points),
+        ]
+    )
 
 
 def _not_foul(f: Facts, fj: FoulJoint) -> Expr:

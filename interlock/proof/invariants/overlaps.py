@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 from interlock.logic.expr import Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, across, came, lamp, lies, o, old_command, overran, rests, running, shunting
 from interlock.model.elements import SectionId, SignalId
@@ -23,14 +21,18 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
     for option, name in f.sym.overlap.items():
         out += _option(f, option, var(name))
     for s in f.topo.sections:
+        if f"run.{s}" in f.system.plant.state:
+            along = disj(conj((x, came(s, f.way(s, n)[0]))) for n, x in f.locks(s))
+            out.append(Invariant("O-ALONG", s, implies(conj((o(s), running(s), neg(rests(s)))), along)))
         if len(f.overlaps(s)) > 1:
             out.append(Invariant("O-ONE", s, at_most_one(f.overlaps(s))))
         if f"over.{s}" in f.system.plant.state:
             out.append(Invariant("O-BEEN", s, implies(conj((overran(s), f.firm(s))), f.been(s))))
             firmly = [
-                conj((var(name), var(f.sym.overlap_firm[opt[0]])))
+                conj((var(name), var(f.sym.overlap_firm[opt[0]]), came(s, f.way(s, n)[0])))
                 for opt, name in f.sym.overlap.items()
-                if any(sec == s for sec, _ in f.sym.overlap_ways[opt])
+                for sec, n in f.sym.overlap_ways[opt]
+                if sec == s
             ]
             out.append(Invariant("O-OVER", s, implies(overran(s), conj((o(s), rests(s), disj(firmly))))))
     for g in f.sym.overlap_firm:
@@ -54,10 +56,11 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
         for other, whole, numbers in f.sym.excluded[s, n]:
             bad = against_of(f, other, whole, numbers)
             out.append(Invariant(f"O-EXCLUDES:{other}", f"{place}:{s}", implies(held, neg(bad))))
-    for (s, n), (t, _) in pairwise(ways):
+    for i, (s, n) in enumerate(ways[:-1]):
         j = f.way(s, n)[1]
         slides = conj((held, overran(s), neg(across(j, s))))
-        out.append(Invariant("O-SLIDE", f"{place}:{s}", implies(slides, conj((firm, neg(o(t)))))))
+        empty = conj(neg(o(t)) for t, _ in ways[i + 1 :])
+        out.append(Invariant("O-SLIDE", f"{place}:{s}", implies(slides, conj((firm, empty)))))
     return out
 
 
@@ -74,8 +77,7 @@ def _signal(f: Facts, g: SignalId) -> list[Invariant]:
         if opt[0] == g
     ]
     ready = disj(conj((held, empty)) for held, empty in options)
-    along = disj(conj((x, came(b, f.way(b, n)[0]))) for n, x in f.locks(b))
-    out = [Invariant("O-ALONG", g, implies(conj((o(b), running(b), neg(rests(b)))), along))]
+    out = []
     for n, x in f.locks(b):
         entry, exit_ = f.way(b, n)
         if exit_ != node:

@@ -122,15 +122,23 @@ def _movement(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     """Train and shunting movements apart."""
     moving = conj((o(s), neg(rests(s))))
     yield "M-LOCK", implies(f.train(s), f.any_lock(s))
+    if not any(r.berth is not None and r.berth[0] == s for r in f.sym.routes):
+        for n, x in f.locks(s):
+            kinds = {r.shunt for r in f.sym.routes if (s, n) in r.ways}
+            if kinds == {False}:
+                yield f"M-TRAIN:{n}", implies(x, f.train(s))
     if f.berth(s):
-        yield "M-BERTH-HELD", implies(o(s), f.held(s))
+        yield "M-BERTH-HELD", implies(o(s), disj((f.locked(s), overrun(f, s))))
         yield "M-BERTH-MODE", implies(moving, neg(shunting(s)))
         yield "M-BERTH-EMPTY", implies(conj((o(s), f.any_lock(s))), disj((f.been(s), overrun(f, s))))
         leads = [f.locked_out(a, j) for j, a, b, past in f.passed_joints() if b == s and not past]
         yield "M-BERTH-ONE", at_most_one(leads)
         fresh = conj((f.any_lock(s), f.been(s), neg(f.used(s)), neg(f.stale(s))))
         yield "M-BERTH-UNUSED", implies(fresh, conj((o(s), disj(_coming(f, s)))))
-        yield "M-BERTH-FRESH", implies(conj((f.train(s), neg(f.used(s)), neg(f.stale(s)))), neg(rests(s)))
+        yield (
+            "M-BERTH-FRESH",
+            implies(conj((f.train(s), neg(f.used(s)), neg(f.stale(s)))), disj((neg(rests(s)), overrun(f, s)))),
+        )
         yield "M-BERTH-ARRIVED", implies(conj((moving, neg(f.train(s)))), f.used(s))
         for n, x in f.locks(s):
             a, b = f.way(s, n)
@@ -218,7 +226,10 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
         if f.shunts and t and (j, t) not in f.topo.main_into:
             as_train = conj((across(j, s), neg(rests(t)), neg(shunting(t))))
             yield "X-PASSING", implies(as_train, conj((f.train(s), disj(leads))))
-        yield "X-REAR", implies(conj((across(j, s), neg(conj((overrun(f, s), neg(f.firm(s))))))), disj((f.used(s), f.stale(s))))
+        yield (
+            "X-REAR",
+            implies(conj((across(j, s), neg(conj((overrun(f, s), neg(f.firm(s))))))), disj((f.used(s), f.stale(s)))),
+        )
         if not f.berth(s):
             yield "X-HEADING", implies(conj((across(j, s), rests(s))), heading)
             yield "X-FROM", implies(moves, disj([*leads, *turned]))
