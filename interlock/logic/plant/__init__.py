@@ -22,7 +22,7 @@ No train has an identity, a length or a speed: heads and tails move separately.
 
 Layouts with overlaps:
     run.s     the train in s, before a signal with an overlap, has not yet come to a stand there
-    over.s    what stands in s has overrun a signal; it may run on within the overlap, and moves then only when called
+    over.g.s  what stands in s has overrun g; it may run on within the overlap, and moves then only when called
 
 In a *berth* (a plain section that is left over its joints only on a signal) vehicles may stand in any number: a
 shunting movement may come to them, each signal may call some of them, and some may stay behind.

@@ -38,7 +38,10 @@ class PlantBuilder:
         self.dropped = dropped
         self.shunts = any(g.shunt for g in layout.signals)
         self.overlaps = {g.id: overlap_paths(layout, g.id) for g in layout.signals if overlap_paths(layout, g.id)}
-        self.overlapped = {t.section for paths in self.overlaps.values() for path in paths for t in path}
+        self.overlapped: dict[SectionId, list[SignalId]] = {}
+        for g_, paths in self.overlaps.items():
+            for s in dict.fromkeys(t.section for path in paths for t in path):
+                self.overlapped.setdefault(s, []).append(g_)
         self.before = {b: gs for b in self.topo.sections if (gs := self._overlapped_ahead(b))}
         self.p = Plant()
 
@@ -219,7 +222,8 @@ class PlantBuilder:
             passes = conj((free, as_train, heading))
         if g is not None and "A-OBEY" in self.dropped:
             called = called_heading
-        overruns = self._overruns(s, j, g, heading)
+        running_over = self._overruns(s, j, g, heading)
+        overruns = disj(running_over.values())
         head = conj(
             (
                 o(s),
@@ -230,34 +234,37 @@ class PlantBuilder:
             )
         )
         self.p.events[f"head.{j}.{s}"] = head
-        if overruns is not FALSE:
-            self.p.events[f"overruns.{j}.{s}"] = conj((head, neg(disj((called, passes)))))
+        for h, x in running_over.items():
+            self.p.events[f"overruns.{h}.{j}.{s}"] = conj((head, x, neg(disj((called, passes)))))
         if self.shunts:
             by_call = FALSE if g is None or not self.layout.signal[g].shunt else accepted(g, True)
             goes_on = conj((passes, shunting(s))) if g is None else FALSE
             self.p.events[f"shunts.{j}.{s}"] = conj((head, disj((by_call, goes_on))))
 
-    def _overruns(self, s: SectionId, j: NodeId, g: SignalId | None, heading: Expr) -> Expr:
-        """A train fails to stop before a signal with an overlap, or runs on within the overlap (A-OVERRUN)."""
+    def _overruns(self, s: SectionId, j: NodeId, g: SignalId | None, heading: Expr) -> dict[SignalId, Expr]:
+        """For each signal: a train fails to stop before it, or runs on within its overlap (A-OVERRUN)."""
         ahead = self.topo.beyond(s, j)
-        on = any(
-            a.section == s and a.exit == j and b.section == ahead
-            for paths in self.overlaps.values()
-            for path in paths
-            for a, b in pairwise(path)
-        )
-        slides = conj((overran(s), rests(s), heading)) if on else FALSE
-        if g is None or g not in self.overlaps:
-            return slides
-        timer = self.w.overlap_timer.get(g)
-        stands = FALSE if timer is None or "A-STAND" in self.dropped else var(timer)
-        as_train = neg(shunting(s)) if self.shunts else TRUE
-        return disj((slides, conj((running(s), neg(rests(s)), as_train, heading, neg(stands)))))
+        out: dict[SignalId, Expr] = {}
+        for h in self.overlapped.get(s, ()):
+            steps = (x for path in self.overlaps[h] for x in pairwise(path))
+            if any(a.section == s and a.exit == j and b.section == ahead for a, b in steps):
+                out[h] = conj((overran(h, s), rests(s), heading))
+        if g is not None and g in self.overlaps:
+            timer = self.w.overlap_timer.get(g)
+            stands = FALSE if timer is None or "A-STAND" in self.dropped else var(timer)
+            as_train = neg(shunting(s)) if self.shunts else TRUE
+            fails = conj((running(s), neg(rests(s)), as_train, heading, neg(stands)))
+            out[g] = disj((out.get(g, FALSE), fails))
+        return out
 
-    def overruns_in(self, s: SectionId) -> Expr:
-        """A train that has overrun a signal comes into s in this step."""
+    def overruns_in(self, g: SignalId, s: SectionId) -> Expr:
+        """A train that has overrun g comes into s in this step."""
         ends = [j for j in self.topo.ends[s] if j not in self.layout.buffer_at]
-        return disj(self.p.events.get(f"overruns.{j}.{self._other_side(s, j)}", FALSE) for j in ends)
+        return disj(self.p.events.get(f"overruns.{g}.{j}.{self._other_side(s, j)}", FALSE) for j in ends)
+
+    def astray(self, s: SectionId) -> Expr:
+        """What stands in s has overrun some signal."""
+        return disj(overran(g, s) for g in self.overlapped.get(s, ()))
 
     def _tail(self, s: SectionId, j: NodeId, ahead: SectionId | None) -> None:
         others = [k for k in self.topo.ends[s] if k != j]
@@ -387,10 +394,12 @@ class PlantBuilder:
             p.next[f"o.{s}"] = disj((conj((o(s), neg(out))), *enter.values()))
             p.initial.append(iff(rests(s), o(s)))
             if s in self.overlapped:
-                p.state[f"over.{s}"] = f"what stands in {s} has overrun a signal"
-                p.next[f"over.{s}"] = disj((conj((overran(s), neg(out))), self.overruns_in(s)))
-                p.next[f"rest.{s}"] = disj((p.next[f"rest.{s}"], self.overruns_in(s)))
-                p.initial.append(neg(overran(s)))
+                for h in self.overlapped[s]:
+                    came_over = self.overruns_in(h, s)
+                    p.state[f"over.{h}.{s}"] = f"what stands in {s} has overrun {h}"
+                    p.next[f"over.{h}.{s}"] = disj((conj((overran(h, s), neg(out))), came_over))
+                    p.next[f"rest.{s}"] = disj((p.next[f"rest.{s}"], came_over))
+                    p.initial.append(neg(overran(h, s)))
             if s in self.before:
                 self._running(s, out, disj(enter.values()))
             if self.shunts:

@@ -6,7 +6,7 @@ from typing import Protocol
 
 from interlock.logic.expr import FALSE, Expr, at_most_one, conj, disj, neg
 from interlock.logic.plant.kinds import Hazard, Plant
-from interlock.logic.plant.words import came, lies, o, overran, rests
+from interlock.logic.plant.words import came, lies, o, rests
 from interlock.model.elements import NodeId, Position, SectionId
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
@@ -19,7 +19,6 @@ class Railway(Protocol):
     layout: Layout
     topo: Topology
     p: Plant
-    overlapped: set[SectionId]
 
     def lie(self, t: Traversal) -> Expr:
         """Every point on the way really lies for it."""
@@ -39,6 +38,10 @@ class Railway(Protocol):
 
     def coming(self, s: SectionId, j: NodeId) -> Expr:
         """A train stands across j on its way into s."""
+        ...
+
+    def astray(self, s: SectionId) -> Expr:
+        """What stands in s has overrun some signal."""
         ...
 
     def berth(self, s: str) -> bool:
@@ -68,7 +71,7 @@ def hazards(b: Railway) -> list[Hazard]:
             mine = {e.id for e in ends}
             over = [t for t in topo.traversals[s_] if mine & {q for q, _ in t.points}]
             # under a train, as the points lie; anywhere under one that has stood there since the restart
-            under = disj((rests(s_), *(conj((came(s_, t.entry), b.lie(t))) for t in over)))
+            under = disj((standing(b, s_), *(conj((came(s_, t.entry), b.lie(t))) for t in over)))
             coming = disj(conj((b.comes_in(s_, t.entry), b.lie(t))) for t in over)
             bad.append(conj((starts, disj((conj((o(s_), under)), coming)))))
         out.append(Hazard("POINT-MOVES", m, disj(bad)))
@@ -128,7 +131,7 @@ def hazards(b: Railway) -> list[Hazard]:
 
 def standing(b: Railway, s: SectionId) -> Expr:
     """What is in s has stood there, somewhere, since the restart; what has overrun a signal is where its points lie."""
-    return conj((rests(s), neg(overran(s)))) if s in b.overlapped else rests(s)
+    return conj((rests(s), neg(b.astray(s))))
 
 
 def _collision(b: Railway, s: SectionId, enter: list[Expr]) -> Expr:

@@ -38,9 +38,9 @@ def running(s: str) -> Expr:
     return var(f"run.{s}")
 
 
-def overran(s: str) -> Expr:
-    """What stands in s has overrun a signal."""
-    return var(f"over.{s}")
+def overran(g: str, s: str) -> Expr:
+    """What stands in s has overrun signal g."""
+    return var(f"over.{g}.{s}")
 
 
 def accepted(g: str, shunt: bool = False) -> Expr:

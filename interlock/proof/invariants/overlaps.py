@@ -26,15 +26,18 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
             out.append(Invariant("O-ALONG", s, implies(conj((o(s), running(s), neg(rests(s)))), along)))
         if len(f.overlaps(s)) > 1:
             out.append(Invariant("O-ONE", s, at_most_one(f.overlaps(s))))
-        if f"over.{s}" in f.system.plant.state:
-            out.append(Invariant("O-BEEN", s, implies(conj((overran(s), f.firm(s))), f.been(s))))
+        for g in f.layout.overlap_of:
+            if f"over.{g}.{s}" not in f.system.plant.state:
+                continue
+            out.append(Invariant(f"O-BEEN:{g}", s, implies(conj((overran(g, s), f.firm(s))), f.been(s))))
             firmly = [
-                conj((var(name), var(f.sym.overlap_firm[opt[0]]), came(s, f.way(s, n)[0])))
+                conj((var(name), var(f.sym.overlap_firm[g]), came(s, f.way(s, n)[0])))
                 for opt, name in f.sym.overlap.items()
                 for sec, n in f.sym.overlap_ways[opt]
-                if sec == s
+                if sec == s and opt[0] == g
             ]
-            out.append(Invariant("O-OVER", s, implies(overran(s), conj((o(s), rests(s), disj(firmly))))))
+            there = conj((o(s), rests(s), disj(firmly)))
+            out.append(Invariant(f"O-OVER:{g}", s, implies(overran(g, s), there)))
     for g in f.sym.overlap_firm:
         out += _signal(f, g)
     return out
@@ -58,7 +61,7 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
             out.append(Invariant(f"O-EXCLUDES:{other}", f"{place}:{s}", implies(held, neg(bad))))
     for i, (s, n) in enumerate(ways[:-1]):
         j = f.way(s, n)[1]
-        slides = conj((held, overran(s), neg(across(j, s))))
+        slides = conj((held, overran(g, s), neg(across(j, s))))
         empty = conj(neg(o(t)) for t, _ in ways[i + 1 :])
         out.append(Invariant("O-SLIDE", f"{place}:{s}", implies(slides, conj((firm, empty)))))
     return out

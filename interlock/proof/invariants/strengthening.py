@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.controller import RouteSymbols
-from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
+from interlock.logic.expr import TRUE, Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, across, came, image, lamp, lies, o, old_command, overran, rests, shunting
 from interlock.model.elements import Position, SectionId, SignalId
 from interlock.proof.invariants.kinds import Facts, Invariant
@@ -99,6 +99,8 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         moved = conj((moved, disj((f.firm(s), neg(overrun(f, s))))))
     yield "S-SEEN", implies(conj((o(s), image(s), moved)), disj((f.used(s), f.stale(s))))
     for n, x in locks:
+        if all((s, n) not in r.ways and (s, n) != r.berth for r in f.sym.routes):
+            yield f"S-UNUSED:{n}", neg(x)  # the way serves overlaps only
         for m, p in f.sym.demands[s, n]:
             yield f"S-COMMAND:{n}:{m}", implies(x, var(f.sym.command[m, p]))
             yield f"S-LIES:{n}:{m}", implies(conj((x, f.firm(s))), conj((lies(m, p), old_command(m, p))))
@@ -115,18 +117,20 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
 
 def overrun(f: Facts, s: str) -> Expr:
     """What stands in s has overrun a signal; FALSE where no overlap lies."""
-    return overran(s) if f"over.{s}" in f.system.plant.state else FALSE
+    return disj(overran(g, s) for g in f.layout.overlap_of if f"over.{g}.{s}" in f.system.plant.state)
 
 
 def _movement(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     """Train and shunting movements apart."""
     moving = conj((o(s), neg(rests(s))))
     yield "M-LOCK", implies(f.train(s), f.any_lock(s))
-    if not any(r.berth is not None and r.berth[0] == s for r in f.sym.routes):
-        for n, x in f.locks(s):
-            kinds = {r.shunt for r in f.sym.routes if (s, n) in r.ways}
-            if kinds == {False}:
-                yield f"M-TRAIN:{n}", implies(x, f.train(s))
+    ends_here = any(r.berth is not None and r.berth[0] == s for r in f.sym.routes)
+    for n, x in f.locks(s):
+        kinds = {r.shunt for r in f.sym.routes if (s, n) in r.ways or (s, n) == r.berth}
+        if kinds == {False} and not ends_here:
+            yield f"M-TRAIN:{n}", implies(x, f.train(s))
+        if kinds == {True}:
+            yield f"M-SHUNT:{n}", implies(x, neg(f.train(s)))
     if f.berth(s):
         yield "M-BERTH-HELD", implies(o(s), disj((f.locked(s), overrun(f, s))))
         yield "M-BERTH-MODE", implies(moving, neg(shunting(s)))
