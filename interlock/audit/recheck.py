@@ -259,6 +259,7 @@ class _Ground:
     positions_on_path: dict[MachineId, Position]
     positions: dict[MachineId, Position]
     exit: str
+    shunt: bool
     moves: frozenset[Move]
     over: frozenset[SectionId]
     over_moves: frozenset[Move]
@@ -276,6 +277,7 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
         dict(trip.positions) | dict(trip.over_positions),
         {p.machine: p.position for p in row.points},
         trip.exit,
+        trip.shunt,
         frozenset(trip.moves),
         frozenset(_sections(layout, trip.over)),
         frozenset(trip.over),
@@ -305,7 +307,7 @@ def _same_way(layout: Layout, a: frozenset[Move], b: frozenset[Move], section: S
 
 def _own(x: _Ground, y: _Ground) -> frozenset[NodeId]:
     """Diamonds that y passes on the very overlap of x, going on from its exit."""
-    if y.entry != x.exit:
+    if y.shunt or y.entry != x.exit:
         return frozenset()
     return frozenset(m.node for m in x.over_moves & y.moves)
 
@@ -321,7 +323,7 @@ def _cannot_both(layout: Layout, a: _Ground, b: _Ground) -> str:
         if not x.over.isdisjoint(y.over):
             return f"the overlaps share {', '.join(sorted(x.over & y.over))}"
         for section in sorted(x.over & y.sections):
-            if y.entry != x.exit or not _same_way(layout, x.over_moves, y.moves, section):
+            if y.shunt or y.entry != x.exit or not _same_way(layout, x.over_moves, y.moves, section):
                 return f"{section} is an overlap"
         if not x.over_nodes.isdisjoint(y.over_nodes) or not x.over_nodes.isdisjoint(y.nodes - (y.nodes & _own(x, y))):
             return "an overlap crosses"

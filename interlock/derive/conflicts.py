@@ -17,6 +17,7 @@ from interlock.table.rows import (
     HostileClass,
     PointDemand,
     Role,
+    RouteKind,
     TraversalKey,
     TraversalRow,
 )
@@ -102,7 +103,7 @@ def _overlap(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tu
             if o.section == t.section:
                 return HostileClass.OVERLAP, f"both need {t.section} as overlap", "R6.8"
         for o in b.ways:
-            if o.section == t.section and not (b.entry == a.exit and o.key == t.key):
+            if o.section == t.section and not (b.kind is RouteKind.MAIN and b.entry == a.exit and o.key == t.key):
                 return HostileClass.OVERLAP, f"{t.section} is the overlap of {a.id}", "R6.7"
         for ex in locks[t.key].exclusions:
             for o in (*b.ways, *b.overlap):

@@ -165,6 +165,35 @@ def _shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
             )
 
 
+def _unguarded(kind: str) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
+    """A machine follows a driven demand, or opens by itself, whether it may move or not."""
+
+    def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+        c = lower(layout, table)
+        for e in c.equations:
+            for i, t in enumerate(e.terms):
+                if t.kind == kind and e.name.startswith("GP"):
+                    free = Substitution({f"MOV_{e.name.split('_', 1)[1]}": TRUE})
+                    more = replace(e, terms=(*e.terms[:i], replace(t, expr=free(t.expr)), *e.terms[i + 1 :]))
+                    yield f"{e.name} although {t.note or t.kind}", _with(c, e, more)
+
+    return make
+
+
+def _overlap_shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """The last section of an overlap is left out."""
+    for r in table.routes:
+        if r.overlap is None:
+            continue
+        cell = replace(r.overlap, ways=r.overlap.ways[:-1])
+        kept = {s for s, _ in (*r.traversals, *cell.ways)}
+        points = tuple(p for p in r.points if p.section in kept)
+        less = replace(r, overlap=cell if cell.ways else None, points=points)
+        same = [x for x in table.routes if x.overlap is not None and x.overlap.ways == r.overlap.ways and x is not r]
+        if not same:
+            yield r.id, lower(layout, replace(table, routes=tuple(less if x is r else x for x in table.routes)))
+
+
 KINDS: tuple[Kind, ...] = (
     Kind("hostile-not-excluded", "a route is granted over a section that another holds", without("G", "section free")),
     Kind("diamond-not-excluded", "the exclusion over a diamond or foul joint is missing", _exclusions),
@@ -224,6 +253,41 @@ KINDS: tuple[Kind, ...] = (
     Kind("wrong-direction", "a lock stands for the wrong direction of travel", _direction),
     Kind("lost-input-ignored", "lost inputs do not read as occupied", without("OCC", "inputs lost")),
     Kind("validity-not-wired", "the health of the inputs is not looked at", _validity_not_wired),
+    Kind(
+        "berth-under-train",
+        "a shunting movement is set into a berth to which a train runs",
+        without("G", "no train into the berth"),
+    ),
+    Kind(
+        "berth-from-both-ends",
+        "two shunting movements are set into one berth",
+        without("G", "no other movement into the berth"),
+    ),
+    Kind(
+        "arrived-early", "a train counts as arrived before it is wholly in", without("AR", "wholly in", "rear released")
+    ),
+    Kind(
+        "berth-released-early",
+        "a berth is released in the scan in which a movement is set into it",
+        without("CA", "nothing granted into it"),
+    ),
+    Kind("device-missing", "a level crossing or interlock is not demanded", _points("device", False)),
+    Kind("device-wrong", "a level crossing or interlock is demanded open", _points("device", True)),
+    Kind("opens-under-train", "a level crossing opens by itself while locked or occupied", _unguarded("returns")),
+    Kind("driven-while-locked", "a driven point moves while it is locked", _unguarded("driven along")),
+    Kind("foul-not-checked", "proceed although a foul section is occupied", without("CO", "foul section clear")),
+    Kind("overlap-not-free", "a route is granted although its overlap is held", without("G", "overlap free")),
+    Kind("overlap-not-clear", "locked although the overlap is occupied", without("LK", "overlap clear")),
+    Kind("overlap-not-checked", "proceed although the overlap is occupied", without("CO", "overlap clear")),
+    Kind("overlap-not-detected", "an overlap point is not detected", without("CO", "overlap point detected")),
+    Kind("overlap-not-held", "the overlap is given up at once", without("V", "held")),
+    Kind("overlap-shorter", "an overlap without its last section", _overlap_shorter),
+    Kind(
+        "overlap-timed-early",
+        "the overlap's time runs before the train is wholly in",
+        without("OTI", "wholly in", "rear released", "was used"),
+    ),
+    Kind("overlap-taken", "a route is set over a section that is held as overlap", without("FREE", "no overlap")),
     Kind("proceed-on-lost-input", "proceed stays when inputs are lost", without("CO", "inputs valid")),
 )
 

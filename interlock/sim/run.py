@@ -70,6 +70,7 @@ class Simulator:
             values[name] = 1
         values |= inputs or {}
         self._run_timers(values)
+        moved = self._move(values)  # again: what depends on timers that have run out
         new = self._next(values)
         rules = self._rules(values)
         self.broken += [self.plant.assumptions[int(i)].id for i, ok in rules.items() if not ok]
@@ -90,6 +91,7 @@ class Simulator:
     def possible(self) -> list[str]:
         """Events that could happen now."""
         values = dict(self.state) | dict.fromkeys(self.plant.choices, 1)
+        values |= {t.name: self.last.get(t.name, 0) for t in self.controller.timers}
         return [e for e, ok in self._events(values).items() if ok]
 
     def _run_timers(self, values: dict[str, int]) -> None:

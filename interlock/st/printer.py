@@ -81,7 +81,7 @@ def _statement(s: Statement, indent: str) -> list[str]:
 def _assign(s: Assign, indent: str) -> list[str]:
     if not isinstance(s.value, Nary) or not any(s.value.notes):
         text = f"{indent}{s.target} := {_expression(s.value, 0)};"
-        return [_noted(text, s.note)] if len(text) <= MAX_COLUMNS else _wrapped(text, s.note, indent)
+        return [_noted(text, s.note)] if len(text) <= MAX_COLUMNS - 10 else _wrapped(text, s.note, indent)
     out = [indent + comment(s.note[: MAX_COLUMNS - 12])] if s.note else []
     last = len(s.value.args) - 1
     for i, (x, note) in enumerate(zip(s.value.args, s.value.notes, strict=True)):
@@ -93,8 +93,8 @@ def _assign(s: Assign, indent: str) -> list[str]:
 def _wrapped(text: str, note: str, indent: str) -> list[str]:
     """A long line cut at spaces, its note before it."""
     out = [indent + comment(note[: MAX_COLUMNS - 12])] if note else []
-    while len(text) > MAX_COLUMNS:
-        cut = text.rindex(" ", 0, MAX_COLUMNS)
+    while len(text) > MAX_COLUMNS - 10:
+        cut = text.rindex(" ", 0, MAX_COLUMNS - 10)
         out.append(text[:cut])
         text = f"{indent}  {text[cut + 1 :]}"
     return [*out, text]

@@ -77,7 +77,7 @@ def _detection_terms(d: Draft, r: RouteRow) -> list[Term]:
 def _free(d: Draft, r: RouteRow, s: SectionId, n: int) -> Expr:
     """A section is free for a route; the overlap of its own entry signal over the same way is no hindrance (R4)."""
     own = [o for o in d.overlaps_over(s) if o[0] == r.entry and (s, n) in d.overlaps[o]]
-    if not own:
+    if not own or r.kind is RouteKind.SHUNT:
         return var(f"FREE_{portable(s)}")
     others = [neg(d.overlap(o)) for o in d.overlaps_over(s) if o not in own]
     return conj([neg(var(f"K_{portable(s)}")), *(neg(d.lock(*t.key)) for t in d.locks_of[s]), *others])
@@ -88,7 +88,9 @@ def _overlap_terms(d: Draft, r: RouteRow) -> list[Term]:
     out = []
     for s, n in r.overlap.ways if r.overlap else ():
         onward = disj(
-            var(f"A_R{t.number}") for t in d.routes_over.get((s, n), ()) if r.overlap and t.entry == r.overlap.signal
+            var(f"A_R{t.number}")
+            for t in d.routes_over.get((s, n), ())
+            if r.overlap and t.entry == r.overlap.signal and t.kind is RouteKind.MAIN
         )
         terms = [neg(var(f"K_{portable(s)}")), *(neg(d.overlap(o)) for o in d.overlaps_over(s))]
         for t in d.locks_of[s]:

@@ -52,6 +52,9 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
     for s, n in ways:
         others = [x for m, x in f.locks(s) if m != n]
         out.append(Invariant("O-FREE", f"{place}:{s}", implies(held, neg(disj((f.restart(s), *others))))))
+        if f.berth(s):
+            shunt = conj((f.any_lock(s), neg(f.train(s)), neg(f.used(s))))
+            out.append(Invariant("O-TRAIN", f"{place}:{s}", implies(held, neg(shunt))))
         for m, p in f.sym.demands[s, n]:
             out.append(Invariant(f"O-COMMAND:{m}", f"{place}:{s}", implies(held, var(f.sym.command[m, p]))))
             sure = implies(conj((held, firm)), conj((lies(m, p), old_command(m, p))))
