@@ -43,7 +43,7 @@ def test_the_junctions_diamond_conflict_is_missed_by_the_matrix_and_found_by_the
         ("fig2_3_split", 5, 5, 1, 4),
         ("passing_loop", 8, 8, 2, 6),
         ("heishan", 17, 12, 5, 12),
-        ("junction", 10, 14, 2, 9),
+        ("junction", 11, 14, 2, 9),
         ("terminus", 12, 10, 6, 5),
     ],
 )

@@ -21,12 +21,25 @@ REDUNDANT = {
     "flank-not-held": "the flank points lie in the locked section itself, or a signal protects too",
 }
 FLANK = "../tests/layouts_for_tests/flank_point"
+SHUNT = "../tests/layouts_for_tests/shunt_yard"
+DEVICES = "../tests/layouts_for_tests/devices"
+OVERLAPS = "../tests/layouts_for_tests/overlaps"
 # the layout on which a kind has mutants
 ON = {
     "diamond-not-excluded": "junction",
     "flank-missing": FLANK,
     "flank-wrong": FLANK,
     "withdraw-occupied": FLANK,
+    "berth-under-train": SHUNT,
+    "berth-from-both-ends": SHUNT,
+    "arrived-early": SHUNT,
+    "berth-released-early": SHUNT,
+    "driven-while-locked": "../tests/layouts_for_tests/driven",
+    "foul-not-checked": "../tests/layouts_for_tests/foul_joint",
+    "device-missing": DEVICES,
+    "device-wrong": DEVICES,
+    "opens-under-train": DEVICES,
+    **dict.fromkeys((k.name for k in KINDS if k.name.startswith("overlap-")), OVERLAPS),
 }
 
 

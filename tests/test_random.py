@@ -72,7 +72,7 @@ def test_what_the_derivation_calls_unprotected_the_audit_reaches_however_points_
     assert seen >= 10
 
 
-@pytest.mark.parametrize("seed", [0, 1, 3, 5, 7, 23, 37, 51, 59, 75, 99, 107])
+@pytest.mark.parametrize("seed", [1, 5, 7, 20, 35, 39, 61, 83, 87, 100, 101, 128])
 def test_random_layouts_are_proved_and_their_text_equals_the_controller(seed: int) -> None:
     made = grown(grow(seed))
     if made is None or made[2].has_errors:

@@ -57,6 +57,7 @@ PROFILES: dict[str, Principles] = {
     "generic": Principles(),
     "mine": Principles(approach_release_s=60.0, fouling_m=8.0),
     "uk": Principles(overlap_m=180.0, approach_release_s=120.0),
+    "de": Principles(overlap_m=200.0, overlap_release_s=45.0),
     "cn": Principles(flank_by=FlankChoice.SIGNAL, drive_points=True),
 }
 

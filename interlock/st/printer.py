@@ -86,7 +86,11 @@ def _assign(s: Assign, indent: str) -> list[str]:
     last = len(s.value.args) - 1
     for i, (x, note) in enumerate(zip(s.value.args, s.value.notes, strict=True)):
         lead = f"{indent}{s.target} := " if i == 0 else f"{indent}  {s.value.op} "
-        out.append(_noted(f"{lead}{_expression(x, 2)}{';' if i == last else ''}", note))
+        text = f"{lead}{_expression(x, 2)}{';' if i == last else ''}"
+        if len(text) <= MAX_COLUMNS:
+            out.append(_noted(text, note))
+        else:
+            out.extend(_wrapped(text, note, f"{indent}  "))
     return out
 
 

@@ -76,7 +76,13 @@ COLUMNS: tuple[Column, ...] = (
     Column("length", "Length (m)", "长度 (m)", "Länge (m)", lambda r: [(f"{r.length:g}", r.because)]),
     Column("points", "Points", "道岔", "Weichen", _points(Role.PATH)),
     Column("flank_points", "Flank points", "防护道岔", "Flankenschutzweichen", _points(Role.FLANK)),
-    Column("devices", "Level crossings, interlocks", "道口及外部联锁", "Bahnübergänge", _points(Role.DEVICE)),
+    Column(
+        "devices",
+        "Closed for trains",
+        "道口及外部联锁",
+        "Bahnübergänge und Riegel",
+        lambda r: [(p.machine, p.because) for p in r.points if p.role is Role.DEVICE],
+    ),
     Column("overlap", "Overlap", "保护区段", "Durchrutschweg", _overlap),
     Column("overlap_points", "Overlap points", "保护区段道岔", "Weichen im D-Weg", _points(Role.OVERLAP)),
     Column(

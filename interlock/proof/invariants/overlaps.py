@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from interlock.logic.expr import Expr, at_most_one, conj, disj, implies, neg, var
+from interlock.logic.expr import TRUE, Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, across, came, lamp, lies, o, old_command, overran, rests, running, shunting
 from interlock.model.elements import SectionId, SignalId
 from interlock.proof.invariants.kinds import Facts, Invariant
@@ -40,6 +40,11 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
             out.append(Invariant(f"O-OVER:{g}", s, implies(overran(g, s), there)))
     for g in f.sym.overlap_firm:
         out += _signal(f, g)
+    for j, s, t, past in f.passed_joints():
+        for g in f.layout.overlap_of:
+            if not past and f"over.{g}.{s}" in f.system.plant.state:
+                on = overran(g, t) if f"over.{g}.{t}" in f.system.plant.state else neg(TRUE)
+                out.append(Invariant(f"O-ON:{g}", f"{j}:{s}>{t}", implies(conj((across(j, s), overran(g, s))), on)))
     return out
 
 

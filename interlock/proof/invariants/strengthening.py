@@ -242,8 +242,11 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
     elif t and f.berth(t):
         yield "X-INTO", implies(conj((across(j, s), neg(rests(t)))), f.train(t))
     if t and f.berth(t):
-        lock = f.locked_in(t, j) if (j, t) in f.topo.signal_into else f.locked_out(s, j)
-        yield "X-LOCKED", implies(conj((across(j, s), f.any_lock(t), neg(overrun(f, t)), neg(overrun(f, s)))), lock)
+        stands = conj((across(j, s), f.any_lock(t)))
+        if (j, t) in f.topo.signal_into:
+            yield "X-LOCKED", implies(stands, f.locked_in(t, j))
+        else:
+            yield "X-LOCKED", implies(conj((stands, neg(overrun(f, t)), neg(overrun(f, s)))), f.locked_out(s, j))
     if t and not (f.berth(t) and (j, t) not in f.topo.signal_into):
         fresh = conj((f.locked_in(t, j), f.been(t), neg(f.used(t)), neg(f.stale(t))))
         yield "X-UNUSED", implies(fresh, conj((o(t), across(j, s))))

@@ -9,12 +9,20 @@ from collections.abc import Callable, Mapping
 
 from interlock.model.layout import Layout
 from interlock.table.national.cn import chinese_table
+from interlock.table.national.de import flank, overlaps, shunt_routes, train_routes, two_way
 from interlock.table.national.sheet import Heading, Sheet
+from interlock.table.national.uk import points_table, route_table
+from interlock.table.national.us import locking_sheet
 from interlock.table.rows import InterlockingTable
 
 Form = Callable[[Layout, InterlockingTable], Sheet]
 
-SHEETS: Mapping[str, tuple[Form, ...]] = {"cn": (chinese_table,)}
+SHEETS: Mapping[str, tuple[Form, ...]] = {
+    "generic": (locking_sheet,),
+    "cn": (chinese_table,),
+    "uk": (route_table, points_table),
+    "de": (train_routes, shunt_routes, overlaps, flank, two_way),
+}
 
 
 def national_sheets(layout: Layout, table: InterlockingTable) -> tuple[Sheet, ...]:

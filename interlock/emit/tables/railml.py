@@ -1,0 +1,101 @@
+"""The table as JSON with the element names of railML 3.2 interlocking: a reading aid, not a railML file.
+
+Names used: route, routeEntry, routeExit, hasOverlap, facingSwitchInPosition, trailingSwitchInPosition, hasTvdSection,
+routeRelation (requiredSwitchPosition, requiredDerailerPosition, requiredSectionState, requiredSignalAspect,
+requiredLevelCrossingState), conflictingRoute (refersToRoute, conflictsWithRoute, reasonForConflict).
+"""
+
+from __future__ import annotations
+
+import json
+
+from interlock.model.elements import DeviceKind, Position
+from interlock.model.layout import Layout
+from interlock.table.national.reading import Reading
+from interlock.table.rows import InterlockingTable, ProviderKind, Role, RouteRow
+
+IN = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
+
+
+def railml_json(layout: Layout, table: InterlockingTable) -> str:
+    """Routes, their relations and conflicts."""
+    x = Reading(layout, table)
+    body = {
+        "note": "element names of railML 3.2 interlocking; not a railML document",
+        "layout": table.layout,
+        "routes": [_route(x, r) for r in table.routes],
+        "routeRelations": [_relation(x, r) for r in table.routes],
+        "conflictingRoutes": [
+            {
+                "refersToRoute": r.id,
+                "conflictsWithRoute": [h.route for h in r.hostile],
+                "reasonForConflict": [h.kind for h in r.hostile],
+            }
+            for r in table.routes
+        ],
+    }
+    return json.dumps(body, indent=1, ensure_ascii=False) + "\n"
+
+
+def _route(x: Reading, r: RouteRow) -> dict[str, object]:
+    facing = {m for m, _ in x.facing(r)}
+    path = [p for p in r.points if p.role is Role.PATH]
+    exit_: dict[str, object] = {"refersTo": r.exit}
+    if r.overlap is not None:
+        exit_["hasOverlap"] = {
+            "designator": f"{r.overlap.signal}:{r.overlap.option}",
+            "length": r.overlap.metres,
+            "hasTvdSection": [s for s, _ in r.overlap.ways],
+            "releaseDelay": x.layout.principles.overlap_release_s,
+        }
+    return {
+        "id": r.id,
+        "elementNumber": r.number,
+        "handlesRouteType": r.kind,
+        "priorityRank": r.variant - 1,
+        "approachReleaseDelay": r.approach.delay_s,
+        "routeEntry": {"refersTo": r.entry},
+        "routeExit": exit_,
+        "facingSwitchInPosition": [
+            {"refersTo": p.machine, "inPosition": IN[p.position]} for p in path if p.machine in facing
+        ],
+        "trailingSwitchInPosition": [
+            {"refersTo": p.machine, "inPosition": IN[p.position]} for p in path if p.machine not in facing
+        ],
+        "hasTvdSection": [s.section for s in r.sections],
+    }
+
+
+def _relation(x: Reading, r: RouteRow) -> dict[str, object]:
+    stops = {p.name for c in r.flank for p in c.providers if p.kind is ProviderKind.SIGNAL}
+    crossings = [p for p in r.points if p.machine in x.layout.device]
+    kinds = {p.machine: x.layout.device[p.machine].kind for p in crossings}
+    flank = [p for p in r.points if p.role is Role.FLANK]
+    return {
+        "refersToRoute": r.id,
+        "requiredSwitchPosition": [
+            {"refersTo": p.machine, "inPosition": IN[p.position]} for p in flank if x.is_machine(p)
+        ],
+        "requiredDerailerPosition": [
+            {"refersTo": p.machine, "inPosition": x.layout.word(p.machine, p.position)}
+            for p in r.points
+            if x.is_derailer(p.machine)
+        ],
+        "requiredSectionState": [
+            {
+                "refersTo": c.section,
+                "inState": "vacant",
+                **({"while": f"{c.when[0]} {IN[c.when[1]]}"} if c.when else {}),
+            }
+            for c in r.foul
+        ],
+        "requiredSignalAspect": [{"refersTo": g, "showsAspect": "closed"} for g in sorted(stops)],
+        "requiredLevelCrossingState": [
+            {"refersTo": p.machine, "inState": "closed"}
+            for p in crossings
+            if kinds[p.machine] is DeviceKind.LEVEL_CROSSING
+        ],
+        "additionalRelation": [
+            {"refersTo": p.machine, "inState": "secured"} for p in crossings if kinds[p.machine] is DeviceKind.INTERLOCK
+        ],
+    }

@@ -1,0 +1,116 @@
+"""British control tables in the columns of examination papers: routes, and points in two halves."""
+
+from __future__ import annotations
+
+from interlock.model.elements import MachineId, Position, RouteId
+from interlock.model.layout import Layout
+from interlock.table.national.reading import ON_PATH, Reading
+from interlock.table.national.sheet import Heading, Sheet
+from interlock.table.rows import InterlockingTable, Role, RouteKind, RouteRow
+
+
+def _same(en: str, zh: str, de: str) -> Heading:
+    return Heading(en, zh, de)
+
+
+ROUTES = (
+    _same("Route", "进路", "Fahrstraße"),
+    _same("Exit", "终端", "Ziel"),
+    _same("Class", "类别", "Art"),
+    _same("Points N", "道岔定位", "Weichen +"),
+    _same("Points R", "道岔反位", "Weichen −"),
+    _same("Flank N", "防护道岔定位", "Flankenschutz +"),
+    _same("Flank R", "防护道岔反位", "Flankenschutz −"),
+    _same("Conflicting routes", "敌对进路", "Feindliche Fahrstraßen"),
+    _same("Tracks clear (route, foul, overlap)", "轨道区段", "Freimeldung"),
+    _same("Overlap", "保护区段", "Durchrutschweg"),
+    _same("Overlap released after", "保护区段解锁", "Auflösung D-Weg"),
+    _same("Approach locked", "接近锁闭", "Annäherungsverschluss"),
+    _same("Approach release", "接近解锁", "Auflösung"),
+    _same("Remarks", "备注", "Bemerkung"),
+)
+POINTS = (
+    _same("Points", "道岔", "Weiche"),
+    _same("N to R: called by routes", "定位到反位：进路", "+ nach −: durch Fahrstraßen"),
+    _same("N to R: locked by routes", "定位到反位：锁闭", "+ nach −: verschlossen durch"),
+    _same("R to N: called by routes", "反位到定位：进路", "− nach +: durch Fahrstraßen"),
+    _same("R to N: locked by routes", "反位到定位：锁闭", "− nach +: verschlossen durch"),
+    _same("Tracks that lock both ways", "锁闭区段", "verschließende Abschnitte"),
+)
+
+
+def uk_names(table: InterlockingTable) -> dict[RouteId, str]:
+    """Route names: signal, letter from the left, class: 1A(M)."""
+    letters: dict[str, int] = {}
+    out = {}
+    for r in table.routes:
+        k = letters.get(r.entry, 0)
+        letters[r.entry] = k + 1
+        out[r.id] = f"{r.entry}{_letter(k)}({_class(r)})"
+    return out
+
+
+def _letter(k: int) -> str:
+    return (_letter(k // 26 - 1) if k >= 26 else "") + chr(ord("A") + k % 26)
+
+
+def _class(r: RouteRow) -> str:
+    return "M" if r.kind is RouteKind.MAIN else "S"
+
+
+def route_table(layout: Layout, table: InterlockingTable) -> Sheet:
+    """One line per route; a route with several overlaps has one for each."""
+    reading, names = Reading(layout, table), uk_names(table)
+    return Sheet(
+        "uk_routes",
+        "en",
+        Heading("Control table: routes", "控制表：进路", "Kontrolltabelle: Fahrstraßen"),
+        ROUTES,
+        tuple(_route(reading, names, r) for r in table.routes),
+    )
+
+
+def _route(x: Reading, names: dict[RouteId, str], r: RouteRow) -> tuple[str, ...]:
+    seconds = x.layout.principles.overlap_release_s
+    rear = r.approach.section
+    remarks = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
+    remarks += [f"{p.machine} {x.layout.word(p.machine, p.position)}" for p in r.points if x.is_derailer(p.machine)]
+    remarks += [c.condition for c in r.conditions] + [f"{b.section} clear (line)" for b in r.block]
+    if r.berth is not None:
+        remarks.append(f"{r.berth} may be occupied")
+    flank = [c for c in r.flank if any(p.kind.value == "signal" for p in c.providers)]
+    stops = sorted({p.name for c in flank for p in c.providers if p.kind.value == "signal"})
+    if stops:
+        remarks.append(f"{', '.join(stops)} at stop")
+    return (
+        names[r.id],
+        r.exit,
+        _class(r),
+        x.points(r, Position.NORMAL, *ON_PATH),
+        x.points(r, Position.REVERSE, *ON_PATH),
+        x.points(r, Position.NORMAL, Role.FLANK),
+        x.points(r, Position.REVERSE, Role.FLANK),
+        ", ".join(names[h.route] for h in r.hostile),
+        ", ".join(x.sections(r)),
+        ", ".join(s for s, _ in r.overlap.ways) if r.overlap else "",
+        f"{r.traversals[-1][0]} occupied {seconds:g} s" if r.overlap else "",
+        f"when cleared, {rear} occupied" if rear is not None else "when cleared",
+        f"{rear} clear, or {r.approach.delay_s:g} s" if rear is not None else f"{r.approach.delay_s:g} s",
+        "; ".join(remarks),
+    )
+
+
+def points_table(layout: Layout, table: InterlockingTable) -> Sheet:
+    """One line per set of points: a route that needs a position locks against leaving it."""
+    names = uk_names(table)
+    rows = []
+    for m in sorted(layout.ends_of_machine):
+        by = {x: ", ".join(names[r.id] for r in table.routes if _needs(r, m, x)) for x in Position}
+        tracks = ", ".join(layout.sections_of_machine[m])
+        rows.append((m, by[Position.REVERSE], by[Position.NORMAL], by[Position.NORMAL], by[Position.REVERSE], tracks))
+    title = Heading("Control table: points", "控制表：道岔", "Kontrolltabelle: Weichen")
+    return Sheet("uk_points", "en", title, POINTS, tuple(rows))
+
+
+def _needs(r: RouteRow, m: MachineId, x: Position) -> bool:
+    return any(p.machine == m and p.position is x for p in r.points)

@@ -1,0 +1,40 @@
+"""The pages of the rules: each shows its rule on a small layout, and the table must have the cells that it shows."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from interlock.derive import derive
+from interlock.diag import Severity, Sink
+from interlock.frontend import load_text
+from interlock.table.columns import COLUMNS
+
+FOLDER = Path("interlock/docs/rules")
+PAGES = sorted(p.stem for p in FOLDER.glob("R*.md") if p.stem != "README")
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_the_page_shows_what_the_derivation_gives(name: str) -> None:
+    page = (FOLDER / f"{name}.md").read_text("utf-8")
+    assert page.startswith(f"# {name} ") and "\nSource: " in page
+    layouts = re.findall(r"```yaml\n(.*?)```", page, flags=re.S)
+    cells = re.findall(r"```cells\n(.*?)```", page, flags=re.S)
+    assert layouts and len(layouts) == len(cells)
+    columns = {c.key: c for c in COLUMNS}
+    for text, shown in zip(layouts, cells, strict=True):
+        sink = Sink()
+        layout, _ = load_text(f"{name}.md", text, sink)
+        assert layout is not None, sink.diagnostics
+        table = derive(layout, sink)
+        assert [d for d in sink.diagnostics if d.severity is not Severity.INFO] == []
+        assert shown.strip()
+        for line in shown.strip().splitlines():
+            route, column, cell = (x.strip() for x in line.split("|"))
+            assert columns[column].text(table.route[route]) == cell, line  # type: ignore[index]
+
+
+def test_every_rule_has_a_page() -> None:
+    assert {f"R{n}" for n in (*range(1, 15), 16, 17)} <= set(PAGES)
