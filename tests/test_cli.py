@@ -53,7 +53,7 @@ def test_usage_errors_end_with_2_and_say_what_to_do() -> None:
 
 def test_check() -> None:
     done = run("check", "layouts/mine11.yaml", "layouts/junction.yaml")
-    assert done.exit_code == 0 and "layouts/junction.yaml: no problems, 10 routes" in done.output
+    assert done.exit_code == 0 and "layouts/junction.yaml: no problems, 11 routes" in done.output
     done = run("check", "tests/diagnostics/IL2004.yaml", "--format", "json")
     body = json.loads(done.output)
     assert (
@@ -99,6 +99,7 @@ def test_compile_writes_everything_and_check_tells_whether_it_is_current(tmp_pat
         "table.csv",
         "table.html",
         "table.json",
+        "table_railml.json",
         "table.xlsx",
     }
     assert run(*args, "--check").exit_code == 0

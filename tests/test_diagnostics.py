@@ -8,7 +8,7 @@ import pytest
 
 from interlock.app.check import check_file
 from interlock.app.why import explain
-from interlock.diag import Sink
+from interlock.diag import Severity, Sink
 from interlock.diag.codes import CODES
 from interlock.frontend import load, load_text
 from tests.screens import FOLDER, screen
@@ -142,3 +142,10 @@ def test_the_digest_ignores_the_order_of_the_source() -> None:
     a, _ = load_text("a", lines, Sink())
     b, _ = load_text("b", swapped, Sink())
     assert a is not None and b is not None and a.digest == b.digest
+
+
+@pytest.mark.parametrize("path", sorted(Path("layouts/rejected").glob("*.yaml")), ids=lambda p: p.stem)
+def test_rejected_layouts_are_rejected_for_the_reason_that_they_state(path: Path) -> None:
+    wanted = path.read_text("utf-8").splitlines()[0].split("[")[1].rstrip("]")
+    done = check_file(str(path))
+    assert {d.code for d in done.diagnostics if d.severity is Severity.ERROR} == {wanted}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from interlock.proof.invariants import CLAIMS
 from interlock.proof.mutate import KINDS, Fate, judge, run_mutants
 from interlock.proof.runner import Limits
 from tests.layouts import built
@@ -31,6 +32,7 @@ ON = {
     "flank-wrong": FLANK,
     "withdraw-occupied": FLANK,
     "berth-under-train": SHUNT,
+    "lamp-not-proved": SHUNT,
     "berth-from-both-ends": SHUNT,
     "arrived-early": SHUNT,
     "berth-released-early": SHUNT,
@@ -66,3 +68,45 @@ def test_a_killed_mutant_has_a_train_movement() -> None:
 
 def test_at_least_twelve_kinds() -> None:
     assert len({k.name for k in KINDS}) == len(KINDS) >= 30
+
+
+def _killers() -> dict[str, tuple[str, str]]:
+    """For each claim a kind of mutant that fails it, and the layout on which it does."""
+    split, two, foul = "fig2_3_split", "fig2_2", "../tests/layouts_for_tests/foul_joint"
+    return {
+        "T-COLLISION": (two, "hostile-not-excluded"),
+        "T-DIAMOND": ("junction", "diamond-not-excluded"),
+        "T-FOUL": (foul, "diamond-not-excluded"),
+        "T-DERAIL": (two, "point-wrong"),
+        "T-POINT-MOVES": (two, "point-missing"),
+        "T-ROAD": (DEVICES, "device-missing"),
+        "T-FLANK": (FLANK, "flank-missing"),
+        "S-OPPOSING": (two, "hostile-not-excluded"),
+        "S-HOSTILE": (SHUNT, "berth-under-train"),
+        "S-CLEAR": (split, "section-not-checked"),
+        "S-DETECTED": (two, "detection-not-required"),
+        "S-OVERLAP": (OVERLAPS, "overlap-not-checked"),
+        "S-LOCKED": (two, "point-wrong"),
+        "S-FLANK": (FLANK, "flank-missing"),
+        "S-CONDITION": (foul, "foul-not-checked"),
+        "S-BLOCKED": (two, "blocked-not-checked"),
+        "S-LOST-INPUT": (two, "validity-not-wired"),
+        "S-LAMP": (SHUNT, "lamp-not-proved"),
+        "S-CANCELLED": (two, "cancel-not-obeyed"),
+        "L-RELEASE": (two, "release-occupied"),
+        "L-HELD": (two, "restart-release-occupied"),
+        "P-LOCKED": (two, "point-free-while-locked"),
+        "P-START": (two, "restart-unlocked"),
+    }
+
+
+def test_a_killer_is_named_for_every_claim() -> None:
+    assert set(_killers()) == set(CLAIMS)
+
+
+@pytest.mark.parametrize("claim", sorted(_killers()))
+def test_each_claim_is_failed_by_some_mutant(claim: str) -> None:
+    name, kind = _killers()[claim]
+    layout, table, _ = built(name)
+    outcomes = run_mutants(layout, table, 8, NO_SEARCH, only=(kind,))
+    assert any(claim in o.claims for o in outcomes), [(o.place, o.claims) for o in outcomes]

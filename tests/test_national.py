@@ -1,4 +1,3 @@
-# ruff: noqa: E501
 """National forms: the printed notation, row by row."""
 
 from __future__ import annotations

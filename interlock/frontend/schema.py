@@ -286,6 +286,7 @@ class PrinciplesSpec(_Part):
     leg_m: Seconds | None = None
     flank_by: Annotated[FlankChoice | None, _choice("protection", tuple(FlankChoice))] = None
     drive_points: YesNo | None = None
+    lamp_proof: YesNo | None = None
     overlap_m: Seconds | None = None
     overlap_release_s: Seconds | None = None
 

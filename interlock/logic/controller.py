@@ -138,6 +138,7 @@ class Symbols:
     detected: Mapping[tuple[MachineId, Position], str]
     command: Mapping[tuple[MachineId, Position], str]
     condition: Mapping[ConditionId, str]
+    stop_lamp: Mapping[SignalId, str]
     restart: Mapping[SectionId, str]
     train: Mapping[SectionId, str]
     lock: Mapping[tuple[SectionId, int], str]

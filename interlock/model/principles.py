@@ -38,6 +38,7 @@ class Principles:
         180 m; Chinese main lines and mines none).
     overlap_release_s: time for which the section before the signal must have been occupied until the train counts as
         standing and its overlap is released (R4: 30 to 80 s).
+    lamp_proof: whether a signal opens only while its stop lamp is reported intact (R11, Chinese practice).
     """
 
     release_delay_s: float = 3.0
@@ -51,6 +52,7 @@ class Principles:
     drive_points: bool = False
     overlap_m: float = 0.0
     overlap_release_s: float = 60.0
+    lamp_proof: bool = False
 
 
 PROFILES: dict[str, Principles] = {
@@ -58,7 +60,7 @@ PROFILES: dict[str, Principles] = {
     "mine": Principles(approach_release_s=60.0, fouling_m=8.0),
     "uk": Principles(overlap_m=180.0, approach_release_s=120.0),
     "de": Principles(overlap_m=200.0, overlap_release_s=45.0),
-    "cn": Principles(flank_by=FlankChoice.SIGNAL, drive_points=True),
+    "cn": Principles(flank_by=FlankChoice.SIGNAL, drive_points=True, lamp_proof=True),
 }
 
 KNOBS: tuple[str, ...] = tuple(f.name for f in fields(Principles))

@@ -276,6 +276,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("opens-under-train", "a level crossing opens by itself while locked or occupied", _unguarded("returns")),
     Kind("driven-while-locked", "a driven point moves while it is locked", _unguarded("driven along")),
     Kind("foul-not-checked", "proceed although a foul section is occupied", without("CO", "foul section clear")),
+    Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("overlap-not-free", "a route is granted although its overlap is held", without("G", "overlap free")),
     Kind("overlap-not-clear", "locked although the overlap is occupied", without("LK", "overlap clear")),
     Kind("overlap-not-checked", "proceed although the overlap is occupied", without("CO", "overlap clear")),

@@ -66,7 +66,7 @@ class Simulator:
         values[self.controller.symbols.valid] = 1
         for name in self.controller.symbols.blocked.values():
             values[name] = 0
-        for name in self.controller.symbols.condition.values():
+        for name in (*self.controller.symbols.condition.values(), *self.controller.symbols.stop_lamp.values()):
             values[name] = 1
         values |= inputs or {}
         self._run_timers(values)

@@ -56,6 +56,7 @@ def _symbols(d: Draft) -> Symbols:
         detected={(m, x): f"D{x}_{portable(m)}" for m in d.machines for x in Position},
         command={(m, x): f"C{x}_{portable(m)}" for m in d.machines for x in Position},
         condition={c.id: f"E_{portable(c.id)}" for c in d.layout.conditions},
+        stop_lamp={g: f"RL_{portable(g)}" for g in signals} if d.layout.principles.lamp_proof else {},
         restart=each("K"),
         train=each("M") if d.shunting else {},
         lock={t.key: f"L_{portable(t.section)}_{t.number}" for t in d.table.locks},

@@ -22,6 +22,9 @@ def inputs(d: Draft) -> None:
     d.inputs.append(Input("REQ", "operator: set route number, 0 = none", size=len(d.table.routes) + 1))
     for g in d.layout.signals:
         d.inputs.append(Input(f"CAN_{portable(g.id)}", f"operator: cancel the route from {g.id}"))
+    if d.layout.principles.lamp_proof:
+        for g in d.layout.signals:
+            d.inputs.append(Input(f"RL_{portable(g.id)}", f"stop lamp of {g.id} intact"))
     for c in d.layout.conditions:
         d.inputs.append(Input(f"E_{portable(c.id)}", f"external condition {c.id}: {c.text or 'holds'}"))
 
@@ -284,6 +287,14 @@ def cancellation(d: Draft) -> None:
         )
 
 
+def _lamp_terms(d: Draft, r: RouteRow) -> list[Term]:
+    """A signal opens only while its stop lamp is intact; an open one stays open (R11)."""
+    if not d.layout.principles.lamp_proof:
+        return []
+    proved = disj((var(f"S_R{r.number}"), var(f"RL_{portable(r.entry)}")))
+    return [Term(proved, "stop lamp proved", f"stop lamp of {r.entry} intact before it opens")]
+
+
 def keep(d: Draft) -> None:
     """Next values of routes and signals."""
     for r in d.table.routes:
@@ -314,6 +325,7 @@ def keep(d: Draft) -> None:
                 Term(var(f"CO_R{k}"), "conditions"),
                 stays,
                 *stop,
+                *_lamp_terms(d, r),
             ),
             group,
             f"proceed for route {r.id} (R3, R11)",

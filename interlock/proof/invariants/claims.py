@@ -34,6 +34,7 @@ CLAIMS: dict[str, str] = {
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
+    "S-LAMP": "A signal opens only in a scan in which its stop lamp is reported intact, where that is asked for.",
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
@@ -222,6 +223,9 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         paths = signal_paths(f, signal, shunt)
         yield "S-LOST-INPUT", who, implies(neg(valid), neg(shows))
         yield "S-LOCKED", who, implies(shows, after(disj(lie(f, p.ways) for p in paths)))
+        if signal in f.sym.stop_lamp:
+            opens = conj((shows, neg(f.sym.signal(signal, shunt))))
+            yield "S-LAMP", who, implies(opens, var(f.sym.stop_lamp[signal]))
         if signal in f.sym.cancelling:
             yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
         for k, path in enumerate(paths, 1):
