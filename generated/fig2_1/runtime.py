@@ -1,7 +1,7 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 6338276e58ccd917a48db3fbb27b92512b5a4c8b2f008e5f6997a0adf0ea274a
-# claims 1f2f95771be6ffd217eb17fcbface114bbf22980045df22d69bdaea9aca720f8
+# layout 75ad80603ad37f95ed3b3147da79a8902ef8f4f8a3166316de7eeccd622d9d76
+# claims bbd76f9bea60f06f9bb600d9b4d38d16fa1de21e0422e36991fccc488ecdc769
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -221,28 +221,28 @@ TIMERS = {
 }
 # name: restrictive value, meaning
 OUTPUTS = {
-    'YN_PB': False,  # drive machine PB to N
-    'YR_PB': False,  # drive machine PB to R
-    'YN_PE': False,  # drive machine PE to N
-    'YR_PE': False,  # drive machine PE to R
+    'YN_PB': False,  # machine PB: normal
+    'YR_PB': False,  # machine PB: reverse
+    'YN_PE': False,  # machine PE: normal
+    'YR_PE': False,  # machine PE: reverse
     'YA_PB': False,  # alarm: machine PB not detected in time
     'YA_PE': False,  # alarm: machine PE not detected in time
     'YP_SC': False,  # signal SC: proceed (green)
-    'YS_SC': True,  # signal SC: stop (red)
+    'YS_SC': True,  # signal SC: stop
     'YP_SD': False,  # signal SD: proceed (green)
-    'YS_SD': True,  # signal SD: stop (red)
+    'YS_SD': True,  # signal SD: stop
     'YP_SE': False,  # signal SE: proceed (green)
-    'YS_SE': True,  # signal SE: stop (red)
+    'YS_SE': True,  # signal SE: stop
     'YP_SF': False,  # signal SF: proceed (green)
-    'YS_SF': True,  # signal SF: stop (red)
+    'YS_SF': True,  # signal SF: stop
     'YP_SG': False,  # signal SG: proceed (green)
-    'YS_SG': True,  # signal SG: stop (red)
+    'YS_SG': True,  # signal SG: stop
     'YP_SI': False,  # signal SI: proceed (green)
-    'YS_SI': True,  # signal SI: stop (red)
+    'YS_SI': True,  # signal SI: stop
     'YP_SIII': False,  # signal SIII: proceed (green)
-    'YS_SIII': True,  # signal SIII: stop (red)
+    'YS_SIII': True,  # signal SIII: stop
     'YP_SV': False,  # signal SV: proceed (green)
-    'YS_SV': True,  # signal SV: stop (red)
+    'YS_SV': True,  # signal SV: stop
     'YL_A': True,  # indication: A is locked
     'YL_B': True,  # indication: B is locked
     'YL_C': True,  # indication: C is locked
@@ -484,10 +484,8 @@ class Controller:
         FREE_ap_IV = (not K_ap_IV) and (not L_ap_IV_1)  # ap_IV is not locked by anybody
         QN_PB = VALID and DN_PB and (not DR_PB)  # machine PB lies N (R10)
         QR_PB = VALID and DR_PB and (not DN_PB)  # machine PB lies R (R10)
-        QA_PB = (QN_PB and (not CR_PB)) or (QR_PB and (not CN_PB))  # machine PB is at rest, not commanded away
         QN_PE = VALID and DN_PE and (not DR_PE)  # machine PE lies N (R10)
         QR_PE = VALID and DR_PE and (not DN_PE)  # machine PE lies R (R10)
-        QA_PE = (QN_PE and (not CR_PE)) or (QR_PE and (not CN_PE))  # machine PE is at rest, not commanded away
         MOV_PB = VALID and FREE_B and (not OCC_B) and True and True  # machine PB is free to move (R10)
         AVN_PB = CN_PB or MOV_PB or (QN_PB and (not CN_PB) and (not CR_PB))  # machine PB can be demanded N
         AVR_PB = CR_PB or MOV_PB or (QR_PB and (not CN_PB) and (not CR_PB))  # machine PB can be demanded R

@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 5d314238180a2b7c01997ed58340fccd126c934d232090d6893dee545dbd65f0
-# claims 67424691c62ccc3746ea07d149b8895ccecc1a2b5519014c7b82256abe1c79fc
+# layout 1a0dd43682730f806270b46773ce62cfc801da085154407b20a4203a2c720018
+# claims a90356fdd58454118653840ce22c32eb9c53391094a7bf7e27bf617d8f412408
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -74,15 +74,15 @@ TIMERS = {
 }
 # name: restrictive value, meaning
 OUTPUTS = {
-    'YN_P1': False,  # drive machine P1 to N
-    'YR_P1': False,  # drive machine P1 to R
+    'YN_P1': False,  # machine P1: normal
+    'YR_P1': False,  # machine P1: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
     'YP_X1': False,  # signal X1: proceed (green)
-    'YS_X1': True,  # signal X1: stop (red)
+    'YS_X1': True,  # signal X1: stop
     'YP_X2': False,  # signal X2: proceed (green)
-    'YS_X2': True,  # signal X2: stop (red)
+    'YS_X2': True,  # signal X2: stop
     'YP_X3': False,  # signal X3: proceed (green)
-    'YS_X3': True,  # signal X3: stop (red)
+    'YS_X3': True,  # signal X3: stop
     'YL_DP': True,  # indication: DP is locked
 }
 
@@ -166,7 +166,6 @@ class Controller:
         FREE_DP = (not K_DP) and (not L_DP_1) and (not L_DP_2) and (not L_DP_3) and (not L_DP_4)  # DP is not locked by anybody
         QN_P1 = VALID and DN_P1 and (not DR_P1)  # machine P1 lies N (R10)
         QR_P1 = VALID and DR_P1 and (not DN_P1)  # machine P1 lies R (R10)
-        QA_P1 = (QN_P1 and (not CR_P1)) or (QR_P1 and (not CN_P1))  # machine P1 is at rest, not commanded away
         MOV_P1 = VALID and FREE_DP and (not OCC_DP) and True and True  # machine P1 is free to move (R10)
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R

@@ -1,7 +1,7 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout e5a1dae67419b31ea8b1b687b9005341c51874b0f5ccc455282c99b5f06dfa5d
-# claims 7bad1dfee9d63536cb73cf490a219e1f0bd3948c68e626d3af69699f0abdc1be
+# layout d647ecbc1abcfd9a747c0db513c6c72fecd0989bbc189dd49096fd35fa75e0e0
+# claims 9d74ac5480b57fe710da2343db275f84992569fa778d258e90d1b4cbcca97bd7
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -101,17 +101,17 @@ TIMERS = {
 }
 # name: restrictive value, meaning
 OUTPUTS = {
-    'YN_P1': False,  # drive machine P1 to N
-    'YR_P1': False,  # drive machine P1 to R
+    'YN_P1': False,  # machine P1: normal
+    'YR_P1': False,  # machine P1: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
     'YP_X3': False,  # signal X3: proceed (green)
-    'YS_X3': True,  # signal X3: stop (red)
+    'YS_X3': True,  # signal X3: stop
     'YP_X4': False,  # signal X4: proceed (green)
-    'YS_X4': True,  # signal X4: stop (red)
+    'YS_X4': True,  # signal X4: stop
     'YP_X5': False,  # signal X5: proceed (green)
-    'YS_X5': True,  # signal X5: stop (red)
+    'YS_X5': True,  # signal X5: stop
     'YP_X6': False,  # signal X6: proceed (green)
-    'YS_X6': True,  # signal X6: stop (red)
+    'YS_X6': True,  # signal X6: stop
     'YL_III': True,  # indication: III is locked
     'YL_IV': True,  # indication: IV is locked
     'YL_SC': True,  # indication: SC is locked
@@ -224,7 +224,6 @@ class Controller:
         FREE_SC = (not K_SC) and (not L_SC_2)  # SC is not locked by anybody
         QN_P1 = VALID and DN_P1 and (not DR_P1)  # machine P1 lies N (R10)
         QR_P1 = VALID and DR_P1 and (not DN_P1)  # machine P1 lies R (R10)
-        QA_P1 = (QN_P1 and (not CR_P1)) or (QR_P1 and (not CN_P1))  # machine P1 is at rest, not commanded away
         MOV_P1 = VALID and FREE_III and (not OCC_III) and True and True  # machine P1 is free to move (R10)
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R

@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 1c1a9ebfb04ef1b1f9d1aec7c455c6d0c179160880964150a4c65734a856c894
-# claims a05e9e5a7d025401c3fbe6a8a2cf59b156dcf21934af86a8147f00a739b73c57
+# layout 6411facb5f2b2717fcfd25b64fcaf3c0c6aa777a2f96fb334cfb74a513b13723
+# claims 8dea7da5a2c553ce20f079aeffee2f8c545ab7e40b2bef2df4d6211b2f0b84e1
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -82,15 +82,15 @@ TIMERS = {
 }
 # name: restrictive value, meaning
 OUTPUTS = {
-    'YN_P1': False,  # drive machine P1 to N
-    'YR_P1': False,  # drive machine P1 to R
+    'YN_P1': False,  # machine P1: normal
+    'YR_P1': False,  # machine P1: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
     'YP_X3': False,  # signal X3: proceed (green)
-    'YS_X3': True,  # signal X3: stop (red)
+    'YS_X3': True,  # signal X3: stop
     'YP_X4': False,  # signal X4: proceed (green)
-    'YS_X4': True,  # signal X4: stop (red)
+    'YS_X4': True,  # signal X4: stop
     'YP_X5': False,  # signal X5: proceed (green)
-    'YS_X5': True,  # signal X5: stop (red)
+    'YS_X5': True,  # signal X5: stop
     'YL_III': True,  # indication: III is locked
     'YL_SC': True,  # indication: SC is locked
 }
@@ -183,7 +183,6 @@ class Controller:
         FREE_SC = (not K_SC) and (not L_SC_2)  # SC is not locked by anybody
         QN_P1 = VALID and DN_P1 and (not DR_P1)  # machine P1 lies N (R10)
         QR_P1 = VALID and DR_P1 and (not DN_P1)  # machine P1 lies R (R10)
-        QA_P1 = (QN_P1 and (not CR_P1)) or (QR_P1 and (not CN_P1))  # machine P1 is at rest, not commanded away
         MOV_P1 = VALID and FREE_III and (not OCC_III) and True and True  # machine P1 is free to move (R10)
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R

@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 6a255df874ebaa202054bb2d40c915e2262f94ce847b74064cb4eeb0399a9d5e
-# claims a5e81a4d254c4900f914730496aeb98dc9fd6c4da932e826e3d627c75e4c4a26
+# layout 12eb7abae8b83f754b2e5a744cd61d44541757ce69670bcf5c7c1b5cd9e7af70
+# claims f9508260ffa5f2b125ab62ffd183a9a6d92d292139189dd1a7184cd2637b860f
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -308,45 +308,45 @@ TIMERS = {
 }
 # name: restrictive value, meaning
 OUTPUTS = {
-    'YN_P1': False,  # drive machine P1 to N
-    'YR_P1': False,  # drive machine P1 to R
-    'YN_P2': False,  # drive machine P2 to N
-    'YR_P2': False,  # drive machine P2 to R
-    'YN_P3': False,  # drive machine P3 to N
-    'YR_P3': False,  # drive machine P3 to R
-    'YN_P4': False,  # drive machine P4 to N
-    'YR_P4': False,  # drive machine P4 to R
-    'YN_PS': False,  # drive machine PS to N
-    'YR_PS': False,  # drive machine PS to R
+    'YN_P1': False,  # machine P1: normal
+    'YR_P1': False,  # machine P1: reverse
+    'YN_P2': False,  # machine P2: normal
+    'YR_P2': False,  # machine P2: reverse
+    'YN_P3': False,  # machine P3: normal
+    'YR_P3': False,  # machine P3: reverse
+    'YN_P4': False,  # machine P4: normal
+    'YR_P4': False,  # machine P4: reverse
+    'YN_PS': False,  # machine PS: normal
+    'YR_PS': False,  # machine PS: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
     'YA_P2': False,  # alarm: machine P2 not detected in time
     'YA_P3': False,  # alarm: machine P3 not detected in time
     'YA_P4': False,  # alarm: machine P4 not detected in time
     'YA_PS': False,  # alarm: machine PS not detected in time
     'YP_XB': False,  # signal XB: proceed (green)
-    'YS_XB': True,  # signal XB: stop (red)
+    'YS_XB': True,  # signal XB: stop
     'YP_XI7': False,  # signal XI7: proceed (green)
-    'YS_XI7': True,  # signal XI7: stop (red)
+    'YS_XI7': True,  # signal XI7: stop
     'YP_XI9': False,  # signal XI9: proceed (green)
-    'YS_XI9': True,  # signal XI9: stop (red)
+    'YS_XI9': True,  # signal XI9: stop
     'YP_XL1': False,  # signal XL1: proceed (green)
-    'YS_XL1': True,  # signal XL1: stop (red)
+    'YS_XL1': True,  # signal XL1: stop
     'YP_XL2': False,  # signal XL2: proceed (green)
-    'YS_XL2': True,  # signal XL2: stop (red)
+    'YS_XL2': True,  # signal XL2: stop
     'YP_XL3': False,  # signal XL3: proceed (green)
-    'YS_XL3': True,  # signal XL3: stop (red)
+    'YS_XL3': True,  # signal XL3: stop
     'YP_XL4': False,  # signal XL4: proceed (green)
-    'YS_XL4': True,  # signal XL4: stop (red)
+    'YS_XL4': True,  # signal XL4: stop
     'YP_XL5': False,  # signal XL5: proceed (green)
-    'YS_XL5': True,  # signal XL5: stop (red)
+    'YS_XL5': True,  # signal XL5: stop
     'YP_XO': False,  # signal XO: proceed (green)
-    'YS_XO': True,  # signal XO: stop (red)
+    'YS_XO': True,  # signal XO: stop
     'YP_XT3': False,  # signal XT3: proceed (green)
-    'YS_XT3': True,  # signal XT3: stop (red)
+    'YS_XT3': True,  # signal XT3: stop
     'YP_XT7': False,  # signal XT7: proceed (green)
-    'YS_XT7': True,  # signal XT7: stop (red)
+    'YS_XT7': True,  # signal XT7: stop
     'YP_XT9': False,  # signal XT9: proceed (green)
-    'YS_XT9': True,  # signal XT9: stop (red)
+    'YS_XT9': True,  # signal XT9: stop
     'YL_s10_xc4': True,  # indication: s10_xc4 is locked
     'YL_s11_xc5': True,  # indication: s11_xc5 is locked
     'YL_s2': True,  # indication: s2 is locked
@@ -669,19 +669,14 @@ class Controller:
         FREE_s9 = (not K_s9) and (not L_s9_1) and (not L_s9_2) and (not L_s9_3) and (not L_s9_4)  # s9 is not locked by anybody
         QN_P1 = VALID and DN_P1 and (not DR_P1)  # machine P1 lies N (R10)
         QR_P1 = VALID and DR_P1 and (not DN_P1)  # machine P1 lies R (R10)
-        QA_P1 = (QN_P1 and (not CR_P1)) or (QR_P1 and (not CN_P1))  # machine P1 is at rest, not commanded away
         QN_P2 = VALID and DN_P2 and (not DR_P2)  # machine P2 lies N (R10)
         QR_P2 = VALID and DR_P2 and (not DN_P2)  # machine P2 lies R (R10)
-        QA_P2 = (QN_P2 and (not CR_P2)) or (QR_P2 and (not CN_P2))  # machine P2 is at rest, not commanded away
         QN_P3 = VALID and DN_P3 and (not DR_P3)  # machine P3 lies N (R10)
         QR_P3 = VALID and DR_P3 and (not DN_P3)  # machine P3 lies R (R10)
-        QA_P3 = (QN_P3 and (not CR_P3)) or (QR_P3 and (not CN_P3))  # machine P3 is at rest, not commanded away
         QN_P4 = VALID and DN_P4 and (not DR_P4)  # machine P4 lies N (R10)
         QR_P4 = VALID and DR_P4 and (not DN_P4)  # machine P4 lies R (R10)
-        QA_P4 = (QN_P4 and (not CR_P4)) or (QR_P4 and (not CN_P4))  # machine P4 is at rest, not commanded away
         QN_PS = VALID and DN_PS and (not DR_PS)  # machine PS lies N (R10)
         QR_PS = VALID and DR_PS and (not DN_PS)  # machine PS lies R (R10)
-        QA_PS = (QN_PS and (not CR_PS)) or (QR_PS and (not CN_PS))  # machine PS is at rest, not commanded away
         MOV_P1 = VALID and FREE_s3 and (not OCC_s3) and True and True  # machine P1 is free to move (R10)
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R

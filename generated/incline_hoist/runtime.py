@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 9470c4e9df26f2b59c1dc4edb858db4cc7445b540cc3c6c179feee89e523772a
-# claims ae82952f07d333fa05c6f6b9ab337f3f262a562c7837a74f2619f703f8271a15
+# layout a03c8ea23bb30f54834ce515f024836b91a07c3a186f63785fc8a42732d0afbf
+# claims f8084e4dcec5a159098759f9f618b01aef6a0db81a141b3463cb24ed8dd528a5
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -189,26 +189,26 @@ TIMERS = {
 }
 # name: restrictive value, meaning
 OUTPUTS = {
-    'YN_PD': False,  # drive machine PD to N
-    'YR_PD': False,  # drive machine PD to R
-    'YN_PU': False,  # drive machine PU to N
-    'YR_PU': False,  # drive machine PU to R
+    'YN_PD': False,  # machine PD: normal
+    'YR_PD': False,  # machine PD: reverse
+    'YN_PU': False,  # machine PU: normal
+    'YR_PU': False,  # machine PU: reverse
     'YA_PD': False,  # alarm: machine PD not detected in time
     'YA_PU': False,  # alarm: machine PU not detected in time
     'YP_XD2': False,  # signal XD2: proceed (green)
-    'YS_XD2': True,  # signal XD2: stop (red)
+    'YS_XD2': True,  # signal XD2: stop
     'YP_XD3': False,  # signal XD3: proceed (green)
-    'YS_XD3': True,  # signal XD3: stop (red)
+    'YS_XD3': True,  # signal XD3: stop
     'YP_XL': False,  # signal XL: proceed (green)
-    'YS_XL': True,  # signal XL: stop (red)
+    'YS_XL': True,  # signal XL: stop
     'YP_XM': False,  # signal XM: proceed (green)
-    'YS_XM': True,  # signal XM: stop (red)
+    'YS_XM': True,  # signal XM: stop
     'YP_XN1': False,  # signal XN1: proceed (green)
-    'YS_XN1': True,  # signal XN1: stop (red)
+    'YS_XN1': True,  # signal XN1: stop
     'YP_XU': False,  # signal XU: proceed (green)
-    'YS_XU': True,  # signal XU: stop (red)
+    'YS_XU': True,  # signal XU: stop
     'YP_XU3': False,  # signal XU3: proceed (green)
-    'YS_XU3': True,  # signal XU3: stop (red)
+    'YS_XU3': True,  # signal XU3: stop
     'YL_d1': True,  # indication: d1 is locked
     'YL_d2': True,  # indication: d2 is locked
     'YL_d3': True,  # indication: d3 is locked
@@ -413,10 +413,8 @@ class Controller:
         FREE_u3_stub = (not K_u3_stub) and (not L_u3_stub_2)  # u3_stub is not locked by anybody
         QN_PD = VALID and DN_PD and (not DR_PD)  # machine PD lies N (R10)
         QR_PD = VALID and DR_PD and (not DN_PD)  # machine PD lies R (R10)
-        QA_PD = (QN_PD and (not CR_PD)) or (QR_PD and (not CN_PD))  # machine PD is at rest, not commanded away
         QN_PU = VALID and DN_PU and (not DR_PU)  # machine PU lies N (R10)
         QR_PU = VALID and DR_PU and (not DN_PU)  # machine PU lies R (R10)
-        QA_PU = (QN_PU and (not CR_PU)) or (QR_PU and (not CN_PU))  # machine PU is at rest, not commanded away
         MOV_PD = VALID and FREE_d1 and (not OCC_d1) and True and True  # machine PD is free to move (R10)
         AVN_PD = CN_PD or MOV_PD or (QN_PD and (not CN_PD) and (not CR_PD))  # machine PD can be demanded N
         AVR_PD = CR_PD or MOV_PD or (QR_PD and (not CN_PD) and (not CR_PD))  # machine PD can be demanded R

@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout ffaf03c1750a8fb080247619f8dfb7bb783a75737e2321fa6f782dffe83bcdd5
-# claims 9a7bf00a8419429d13d145043a93b57810d0292e47b52d3103659924762f48a7
+# layout f277b1cda9b26fef8322d99a7af016758e853f5055f926c956e55fa65275da5f
+# claims d3adbfffe39139c738ff8aa5a989b69b8c2d0833271fcf91a510432e8db52033
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,7 +10,7 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 11),  # operator: set route number, 0 = none
+    'REQ': (0, 12),  # operator: set route number, 0 = none
     'CAN_S1': (0, 2),  # operator: cancel the route from S1
     'CAN_S1J': (0, 2),  # operator: cancel the route from S1J
     'CAN_S2': (0, 2),  # operator: cancel the route from S2
@@ -79,51 +79,56 @@ STATE = {
     'W_R1': False,  # route S1-S1J: proceed wanted
     'S_R1': False,  # route S1-S1J: proceed
     'H_R1': False,  # route S1-S1J: signal has been open
-    'A_R2': False,  # route S1J-S3 active
-    'B_R2': False,  # route S1J-S3 locked
-    'W_R2': False,  # route S1J-S3: proceed wanted
-    'S_R2': False,  # route S1J-S3: proceed
-    'H_R2': False,  # route S1J-S3: signal has been open
-    'A_R3': False,  # route S1J-S5 active
-    'B_R3': False,  # route S1J-S5 locked
-    'W_R3': False,  # route S1J-S5: proceed wanted
-    'S_R3': False,  # route S1J-S5: proceed
-    'H_R3': False,  # route S1J-S5: signal has been open
-    'A_R4': False,  # route S2-S2J active
-    'B_R4': False,  # route S2-S2J locked
-    'W_R4': False,  # route S2-S2J: proceed wanted
-    'S_R4': False,  # route S2-S2J: proceed
-    'H_R4': False,  # route S2-S2J: signal has been open
-    'A_R5': False,  # route S2J-S6 active
-    'B_R5': False,  # route S2J-S6 locked
-    'W_R5': False,  # route S2J-S6: proceed wanted
-    'S_R5': False,  # route S2J-S6: proceed
-    'H_R5': False,  # route S2J-S6: signal has been open
-    'A_R6': False,  # route S3-DM2 active
-    'B_R6': False,  # route S3-DM2 locked
-    'W_R6': False,  # route S3-DM2: proceed wanted
-    'S_R6': False,  # route S3-DM2: proceed
-    'H_R6': False,  # route S3-DM2: signal has been open
-    'A_R7': False,  # route S4-S4J active
-    'B_R7': False,  # route S4-S4J locked
-    'W_R7': False,  # route S4-S4J: proceed wanted
-    'S_R7': False,  # route S4-S4J: proceed
-    'H_R7': False,  # route S4-S4J: signal has been open
-    'A_R8': False,  # route S4J-S6 active
-    'B_R8': False,  # route S4J-S6 locked
-    'W_R8': False,  # route S4J-S6: proceed wanted
-    'S_R8': False,  # route S4J-S6: proceed
-    'H_R8': False,  # route S4J-S6: signal has been open
-    'A_R9': False,  # route S5-DBO active
-    'B_R9': False,  # route S5-DBO locked
-    'W_R9': False,  # route S5-DBO: proceed wanted
-    'S_R9': False,  # route S5-DBO: proceed
-    'H_R9': False,  # route S5-DBO: signal has been open
-    'A_R10': False,  # route S6-UM active
-    'B_R10': False,  # route S6-UM locked
-    'W_R10': False,  # route S6-UM: proceed wanted
-    'S_R10': False,  # route S6-UM: proceed
-    'H_R10': False,  # route S6-UM: signal has been open
+    'A_R2': False,  # route S1-S1J.o2 active
+    'B_R2': False,  # route S1-S1J.o2 locked
+    'W_R2': False,  # route S1-S1J.o2: proceed wanted
+    'S_R2': False,  # route S1-S1J.o2: proceed
+    'H_R2': False,  # route S1-S1J.o2: signal has been open
+    'A_R3': False,  # route S1J-S3 active
+    'B_R3': False,  # route S1J-S3 locked
+    'W_R3': False,  # route S1J-S3: proceed wanted
+    'S_R3': False,  # route S1J-S3: proceed
+    'H_R3': False,  # route S1J-S3: signal has been open
+    'A_R4': False,  # route S1J-S5 active
+    'B_R4': False,  # route S1J-S5 locked
+    'W_R4': False,  # route S1J-S5: proceed wanted
+    'S_R4': False,  # route S1J-S5: proceed
+    'H_R4': False,  # route S1J-S5: signal has been open
+    'A_R5': False,  # route S2-S2J active
+    'B_R5': False,  # route S2-S2J locked
+    'W_R5': False,  # route S2-S2J: proceed wanted
+    'S_R5': False,  # route S2-S2J: proceed
+    'H_R5': False,  # route S2-S2J: signal has been open
+    'A_R6': False,  # route S2J-S6 active
+    'B_R6': False,  # route S2J-S6 locked
+    'W_R6': False,  # route S2J-S6: proceed wanted
+    'S_R6': False,  # route S2J-S6: proceed
+    'H_R6': False,  # route S2J-S6: signal has been open
+    'A_R7': False,  # route S3-DM2 active
+    'B_R7': False,  # route S3-DM2 locked
+    'W_R7': False,  # route S3-DM2: proceed wanted
+    'S_R7': False,  # route S3-DM2: proceed
+    'H_R7': False,  # route S3-DM2: signal has been open
+    'A_R8': False,  # route S4-S4J active
+    'B_R8': False,  # route S4-S4J locked
+    'W_R8': False,  # route S4-S4J: proceed wanted
+    'S_R8': False,  # route S4-S4J: proceed
+    'H_R8': False,  # route S4-S4J: signal has been open
+    'A_R9': False,  # route S4J-S6 active
+    'B_R9': False,  # route S4J-S6 locked
+    'W_R9': False,  # route S4J-S6: proceed wanted
+    'S_R9': False,  # route S4J-S6: proceed
+    'H_R9': False,  # route S4J-S6: signal has been open
+    'A_R10': False,  # route S5-DBO active
+    'B_R10': False,  # route S5-DBO locked
+    'W_R10': False,  # route S5-DBO: proceed wanted
+    'S_R10': False,  # route S5-DBO: proceed
+    'H_R10': False,  # route S5-DBO: signal has been open
+    'A_R11': False,  # route S6-UM active
+    'B_R11': False,  # route S6-UM locked
+    'W_R11': False,  # route S6-UM: proceed wanted
+    'S_R11': False,  # route S6-UM: proceed
+    'H_R11': False,  # route S6-UM: signal has been open
     'X_S1': False,  # S1: cancelling
     'X_S1J': False,  # S1J: cancelling
     'X_S2': False,  # S2: cancelling
@@ -201,18 +206,31 @@ STATE = {
     'U_DB': True,  # DB used by a train (R9)
     'P_DB': False,  # DB: the train went on (R9)
     'D_DB': False,  # DB: inputs were lost while locked
+    'V_S1J_1': False,  # overlap 1 of S1J held
+    'V_S1J_2': False,  # overlap 2 of S1J held
+    'V_S2J_1': False,  # overlap 1 of S2J held
+    'V_S3_1': False,  # overlap 1 of S3 held
+    'V_S4J_1': False,  # overlap 1 of S4J held
+    'V_S5_1': False,  # overlap 1 of S5 held
+    'V_S6_1': False,  # overlap 1 of S6 held
+    'VF_S1J': False,  # overlap of S1J firmly held
+    'VF_S2J': False,  # overlap of S2J firmly held
+    'VF_S3': False,  # overlap of S3 firmly held
+    'VF_S4J': False,  # overlap of S4J firmly held
+    'VF_S5': False,  # overlap of S5 firmly held
+    'VF_S6': False,  # overlap of S6 firmly held
 }
 # name: time in milliseconds, meaning
 TIMERS = {
-    'AT_S1': 180000,  # S1: approach locking delay (R8)
-    'AT_S1J': 180000,  # S1J: approach locking delay (R8)
-    'AT_S2': 180000,  # S2: approach locking delay (R8)
-    'AT_S2J': 180000,  # S2J: approach locking delay (R8)
-    'AT_S3': 180000,  # S3: approach locking delay (R8)
-    'AT_S4': 180000,  # S4: approach locking delay (R8)
-    'AT_S4J': 180000,  # S4J: approach locking delay (R8)
-    'AT_S5': 180000,  # S5: approach locking delay (R8)
-    'AT_S6': 180000,  # S6: approach locking delay (R8)
+    'AT_S1': 120000,  # S1: approach locking delay (R8)
+    'AT_S1J': 120000,  # S1J: approach locking delay (R8)
+    'AT_S2': 120000,  # S2: approach locking delay (R8)
+    'AT_S2J': 120000,  # S2J: approach locking delay (R8)
+    'AT_S3': 120000,  # S3: approach locking delay (R8)
+    'AT_S4': 120000,  # S4: approach locking delay (R8)
+    'AT_S4J': 120000,  # S4J: approach locking delay (R8)
+    'AT_S5': 120000,  # S5: approach locking delay (R8)
+    'AT_S6': 120000,  # S6: approach locking delay (R8)
     'RT_AB': 3000,  # AB: release delay (R9)
     'RT_AC': 3000,  # AC: release delay (R9)
     'RT_AD': 3000,  # AD: release delay (R9)
@@ -224,35 +242,41 @@ TIMERS = {
     'RT_CD': 3000,  # CD: release delay (R9)
     'RT_CE': 3000,  # CE: release delay (R9)
     'RT_DB': 3000,  # DB: release delay (R9)
+    'OT_S1J': 60000,  # S1J: the train before it stands (R4)
+    'OT_S2J': 60000,  # S2J: the train before it stands (R4)
+    'OT_S3': 60000,  # S3: the train before it stands (R4)
+    'OT_S4J': 60000,  # S4J: the train before it stands (R4)
+    'OT_S5': 60000,  # S5: the train before it stands (R4)
+    'OT_S6': 60000,  # S6: the train before it stands (R4)
     'ST_101': 13000,  # machine 101: time-out
     'ST_102': 13000,  # machine 102: time-out
 }
 # name: restrictive value, meaning
 OUTPUTS = {
-    'YN_101': False,  # drive machine 101 to N
-    'YR_101': False,  # drive machine 101 to R
-    'YN_102': False,  # drive machine 102 to N
-    'YR_102': False,  # drive machine 102 to R
+    'YN_101': False,  # machine 101: normal
+    'YR_101': False,  # machine 101: reverse
+    'YN_102': False,  # machine 102: normal
+    'YR_102': False,  # machine 102: reverse
     'YA_101': False,  # alarm: machine 101 not detected in time
     'YA_102': False,  # alarm: machine 102 not detected in time
     'YP_S1': False,  # signal S1: proceed (green)
-    'YS_S1': True,  # signal S1: stop (red)
+    'YS_S1': True,  # signal S1: stop
     'YP_S1J': False,  # signal S1J: proceed (green)
-    'YS_S1J': True,  # signal S1J: stop (red)
+    'YS_S1J': True,  # signal S1J: stop
     'YP_S2': False,  # signal S2: proceed (green)
-    'YS_S2': True,  # signal S2: stop (red)
+    'YS_S2': True,  # signal S2: stop
     'YP_S2J': False,  # signal S2J: proceed (green)
-    'YS_S2J': True,  # signal S2J: stop (red)
+    'YS_S2J': True,  # signal S2J: stop
     'YP_S3': False,  # signal S3: proceed (green)
-    'YS_S3': True,  # signal S3: stop (red)
+    'YS_S3': True,  # signal S3: stop
     'YP_S4': False,  # signal S4: proceed (green)
-    'YS_S4': True,  # signal S4: stop (red)
+    'YS_S4': True,  # signal S4: stop
     'YP_S4J': False,  # signal S4J: proceed (green)
-    'YS_S4J': True,  # signal S4J: stop (red)
+    'YS_S4J': True,  # signal S4J: stop
     'YP_S5': False,  # signal S5: proceed (green)
-    'YS_S5': True,  # signal S5: stop (red)
+    'YS_S5': True,  # signal S5: stop
     'YP_S6': False,  # signal S6: proceed (green)
-    'YS_S6': True,  # signal S6: stop (red)
+    'YS_S6': True,  # signal S6: stop
     'YL_AB': True,  # indication: AB is locked
     'YL_AC': True,  # indication: AC is locked
     'YL_AD': True,  # indication: AD is locked
@@ -400,6 +424,11 @@ class Controller:
         W_R10 = old['W_R10']
         S_R10 = old['S_R10']
         H_R10 = old['H_R10']
+        A_R11 = old['A_R11']
+        B_R11 = old['B_R11']
+        W_R11 = old['W_R11']
+        S_R11 = old['S_R11']
+        H_R11 = old['H_R11']
         X_S1 = old['X_S1']
         X_S1J = old['X_S1J']
         X_S2 = old['X_S2']
@@ -477,6 +506,19 @@ class Controller:
         U_DB = old['U_DB']
         P_DB = old['P_DB']
         D_DB = old['D_DB']
+        V_S1J_1 = old['V_S1J_1']
+        V_S1J_2 = old['V_S1J_2']
+        V_S2J_1 = old['V_S2J_1']
+        V_S3_1 = old['V_S3_1']
+        V_S4J_1 = old['V_S4J_1']
+        V_S5_1 = old['V_S5_1']
+        V_S6_1 = old['V_S6_1']
+        VF_S1J = old['VF_S1J']
+        VF_S2J = old['VF_S2J']
+        VF_S3 = old['VF_S3']
+        VF_S4J = old['VF_S4J']
+        VF_S5 = old['VF_S5']
+        VF_S6 = old['VF_S6']
         OCC_AA = (not CLR_AA) or (not VALID)  # AA counts as occupied
         OCC_AB = (not CLR_AB) or (not VALID)  # AB counts as occupied
         OCC_AC = (not CLR_AC) or (not VALID)  # AC counts as occupied
@@ -492,79 +534,80 @@ class Controller:
         OCC_DA = (not CLR_DA) or (not VALID)  # DA counts as occupied
         OCC_DB = (not CLR_DB) or (not VALID)  # DB counts as occupied
         FREE_AB = (not K_AB) and (not L_AB_2)  # AB is not locked by anybody
-        FREE_AC = (not K_AC) and (not L_AC_1) and (not L_AC_2)  # AC is not locked by anybody
-        FREE_AD = (not K_AD) and (not L_AD_1)  # AD is not locked by anybody
-        FREE_AE = (not K_AE) and (not L_AE_1)  # AE is not locked by anybody
+        FREE_AC = (not K_AC) and (not L_AC_1) and (not L_AC_2) and (not V_S1J_1) and (not V_S1J_2)  # AC is not locked by anybody
+        FREE_AD = (not K_AD) and (not L_AD_1) and (not V_S1J_1)  # AD is not locked by anybody
+        FREE_AE = (not K_AE) and (not L_AE_1) and (not V_S3_1)  # AE is not locked by anybody
         FREE_BB = (not K_BB) and (not L_BB_2)  # BB is not locked by anybody
-        FREE_BC = (not K_BC) and (not L_BC_1) and (not L_BC_4)  # BC is not locked by anybody
-        FREE_BD = (not K_BD) and (not L_BD_1)  # BD is not locked by anybody
-        FREE_BE = (not K_BE) and (not L_BE_1)  # BE is not locked by anybody
-        FREE_CD = (not K_CD) and (not L_CD_1)  # CD is not locked by anybody
-        FREE_CE = (not K_CE) and (not L_CE_1)  # CE is not locked by anybody
+        FREE_BC = (not K_BC) and (not L_BC_1) and (not L_BC_4) and (not V_S2J_1) and (not V_S4J_1)  # BC is not locked by anybody
+        FREE_BD = (not K_BD) and (not L_BD_1) and (not V_S2J_1) and (not V_S4J_1)  # BD is not locked by anybody
+        FREE_BE = (not K_BE) and (not L_BE_1) and (not V_S6_1)  # BE is not locked by anybody
+        FREE_CD = (not K_CD) and (not L_CD_1) and (not V_S1J_2)  # CD is not locked by anybody
+        FREE_CE = (not K_CE) and (not L_CE_1) and (not V_S5_1)  # CE is not locked by anybody
         FREE_DB = (not K_DB) and (not L_DB_2)  # DB is not locked by anybody
         QN_101 = VALID and DN_101 and (not DR_101)  # machine 101 lies N (R10)
         QR_101 = VALID and DR_101 and (not DN_101)  # machine 101 lies R (R10)
-        QA_101 = (QN_101 and (not CR_101)) or (QR_101 and (not CN_101))  # machine 101 is at rest, not commanded away
         QN_102 = VALID and DN_102 and (not DR_102)  # machine 102 lies N (R10)
         QR_102 = VALID and DR_102 and (not DN_102)  # machine 102 lies R (R10)
-        QA_102 = (QN_102 and (not CR_102)) or (QR_102 and (not CN_102))  # machine 102 is at rest, not commanded away
-        MOV_101 = VALID and FREE_AC and (not OCC_AC) and (not L_BC_1) and True  # machine 101 is free to move (R10)
+        MOV_101 = VALID and FREE_AC and (not OCC_AC) and (not (L_BC_1 or V_S2J_1)) and True  # machine 101 is free to move (R10)
         AVN_101 = CN_101 or MOV_101 or (QN_101 and (not CN_101) and (not CR_101))  # machine 101 can be demanded N
         AVR_101 = CR_101 or MOV_101 or (QR_101 and (not CN_101) and (not CR_101))  # machine 101 can be demanded R
         MOV_102 = VALID and FREE_BC and (not OCC_BC) and True and True  # machine 102 is free to move (R10)
         AVN_102 = CN_102 or MOV_102 or (QN_102 and (not CN_102) and (not CR_102))  # machine 102 can be demanded N
         AVR_102 = CR_102 or MOV_102 or (QR_102 and (not CN_102) and (not CR_102))  # machine 102 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_AB and (not OCC_AB) and (not BLK_AB)  # grant of route S1-S1J (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_AC and FREE_AD and (not OCC_AC) and (not OCC_AD) and (not BLK_AC) and (not BLK_AD) and AVN_101  # grant of route S1J-S3 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_AC and FREE_CD and (not OCC_AC) and (not OCC_CD) and (not BLK_AC) and (not BLK_CD) and (not (L_BC_1 or K_BC)) and AVR_101  # grant of route S1J-S5 (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_BB and (not OCC_BB) and (not BLK_BB)  # grant of route S2-S2J (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_BC and FREE_BD and (not OCC_BC) and (not OCC_BD) and (not BLK_BC) and (not BLK_BD) and (not (L_AC_2 or K_AC)) and AVN_102 and AVN_101  # grant of route S2J-S6 (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_AE and (not OCC_AE) and (not BLK_AE)  # grant of route S3-DM2 (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_DB and (not OCC_DB) and (not BLK_DB)  # grant of route S4-S4J (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_BC and FREE_BD and (not OCC_BC) and (not OCC_BD) and (not BLK_BC) and (not BLK_BD) and AVR_102  # grant of route S4J-S6 (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_CE and (not OCC_CE) and (not BLK_CE)  # grant of route S5-DBO (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_BE and (not OCC_BE) and (not BLK_BE)  # grant of route S6-UM (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_AB)  # route S1-S1J becomes locked (R3)
-        CO_R1 = VALID and (not OCC_AB) and (not BLK_AB) and (not D_AB)  # conditions of proceed for route S1-S1J (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_AC) and (not OCC_AD) and QN_101  # route S1J-S3 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_AC) and (not OCC_AD) and (not BLK_AC) and (not BLK_AD) and QN_101 and (not D_AC)  # conditions of proceed for route S1J-S3 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_AC) and (not OCC_CD) and QR_101  # route S1J-S5 becomes locked (R3)
-        CO_R3 = VALID and (not OCC_AC) and (not OCC_CD) and (not BLK_AC) and (not BLK_CD) and QR_101 and (not D_AC)  # conditions of proceed for route S1J-S5 (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_BB)  # route S2-S2J becomes locked (R3)
-        CO_R4 = VALID and (not OCC_BB) and (not BLK_BB) and (not D_BB)  # conditions of proceed for route S2-S2J (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S2J) and (not CAN_S2J) and (not OCC_BC) and (not OCC_BD) and QN_102 and QN_101  # route S2J-S6 becomes locked (R3)
-        CO_R5 = VALID and (not OCC_BC) and (not OCC_BD) and (not BLK_BC) and (not BLK_BD) and QN_102 and QN_101 and (not D_BC)  # conditions of proceed for route S2J-S6 (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S3) and (not CAN_S3) and (not OCC_AE)  # route S3-DM2 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_AE) and (not BLK_AE) and (not D_AE)  # conditions of proceed for route S3-DM2 (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_DB)  # route S4-S4J becomes locked (R3)
-        CO_R7 = VALID and (not OCC_DB) and (not BLK_DB) and (not D_DB)  # conditions of proceed for route S4-S4J (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S4J) and (not CAN_S4J) and (not OCC_BC) and (not OCC_BD) and QR_102  # route S4J-S6 becomes locked (R3)
-        CO_R8 = VALID and (not OCC_BC) and (not OCC_BD) and (not BLK_BC) and (not BLK_BD) and QR_102 and (not D_BC)  # conditions of proceed for route S4J-S6 (R3)
-        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_CE)  # route S5-DBO becomes locked (R3)
-        CO_R9 = VALID and (not OCC_CE) and (not BLK_CE) and (not D_CE)  # conditions of proceed for route S5-DBO (R3)
-        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S6) and (not CAN_S6) and (not OCC_BE)  # route S6-UM becomes locked (R3)
-        CO_R10 = VALID and (not OCC_BE) and (not BLK_BE) and (not D_BE)  # conditions of proceed for route S6-UM (R3)
+        G_R1 = (REQ == 1) and VALID and FREE_AB and ((not K_AC) and (not V_S1J_1) and (not V_S1J_2) and ((not L_AC_1) or A_R3) and (not L_AC_2)) and ((not K_AD) and (not V_S1J_1) and ((not L_AD_1) or A_R3)) and (not OCC_AB) and (not OCC_AC) and (not OCC_AD) and (not BLK_AB) and AVN_101  # grant of route S1-S1J (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_AB and ((not K_AC) and (not V_S1J_1) and (not V_S1J_2) and (not L_AC_1) and ((not L_AC_2) or A_R4)) and ((not K_CD) and (not V_S1J_2) and ((not L_CD_1) or A_R4)) and (not OCC_AB) and (not OCC_AC) and (not OCC_CD) and (not BLK_AB) and (not (L_BC_1 or V_S2J_1 or K_BC)) and AVR_101  # grant of route S1-S1J.o2 (R6)
+        G_R3 = (REQ == 3) and VALID and ((not K_AC) and (not L_AC_1) and (not L_AC_2) and (not V_S1J_2)) and ((not K_AD) and (not L_AD_1)) and ((not K_AE) and (not V_S3_1) and ((not L_AE_1) or A_R7)) and (not OCC_AC) and (not OCC_AD) and (not OCC_AE) and (not BLK_AC) and (not BLK_AD) and AVN_101  # grant of route S1J-S3 (R6)
+        G_R4 = (REQ == 4) and VALID and ((not K_AC) and (not L_AC_1) and (not L_AC_2) and (not V_S1J_1)) and ((not K_CD) and (not L_CD_1)) and ((not K_CE) and (not V_S5_1) and ((not L_CE_1) or A_R10)) and (not OCC_AC) and (not OCC_CD) and (not OCC_CE) and (not BLK_AC) and (not BLK_CD) and (not (L_BC_1 or V_S2J_1 or K_BC)) and AVR_101  # grant of route S1J-S5 (R6)
+        G_R5 = (REQ == 5) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BC_1) or A_R6) and (not L_BC_4)) and ((not K_BD) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BD_1) or A_R6)) and (not OCC_BB) and (not OCC_BC) and (not OCC_BD) and (not BLK_BB) and (not (L_AC_2 or V_S1J_2 or K_AC)) and AVN_102 and AVN_101  # grant of route S2-S2J (R6)
+        G_R6 = (REQ == 6) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_4) and (not V_S4J_1)) and ((not K_BD) and (not L_BD_1) and (not V_S4J_1)) and ((not K_BE) and (not V_S6_1) and ((not L_BE_1) or A_R11)) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and (not (L_AC_2 or V_S1J_2 or K_AC)) and AVN_102 and AVN_101  # grant of route S2J-S6 (R6)
+        G_R7 = (REQ == 7) and VALID and ((not K_AE) and (not L_AE_1)) and (not OCC_AE) and (not BLK_AE)  # grant of route S3-DM2 (R6)
+        G_R8 = (REQ == 8) and VALID and FREE_DB and ((not K_BC) and (not V_S2J_1) and (not V_S4J_1) and (not L_BC_1) and ((not L_BC_4) or A_R9)) and ((not K_BD) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BD_1) or A_R9)) and (not OCC_DB) and (not OCC_BC) and (not OCC_BD) and (not BLK_DB) and AVR_102  # grant of route S4-S4J (R6)
+        G_R9 = (REQ == 9) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_4) and (not V_S2J_1)) and ((not K_BD) and (not L_BD_1) and (not V_S2J_1)) and ((not K_BE) and (not V_S6_1) and ((not L_BE_1) or A_R11)) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and AVR_102  # grant of route S4J-S6 (R6)
+        G_R10 = (REQ == 10) and VALID and ((not K_CE) and (not L_CE_1)) and (not OCC_CE) and (not BLK_CE)  # grant of route S5-DBO (R6)
+        G_R11 = (REQ == 11) and VALID and ((not K_BE) and (not L_BE_1)) and (not OCC_BE) and (not BLK_BE)  # grant of route S6-UM (R6)
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_AB) and (not OCC_AC) and (not OCC_AD) and QN_101  # route S1-S1J becomes locked (R3)
+        CO_R1 = VALID and (not OCC_AB) and (not OCC_AC) and (not OCC_AD) and (not BLK_AB) and QN_101 and (not D_AB) and V_S1J_1  # conditions of proceed for route S1-S1J (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_AB) and (not OCC_AC) and (not OCC_CD) and QR_101  # route S1-S1J.o2 becomes locked (R3)
+        CO_R2 = VALID and (not OCC_AB) and (not OCC_AC) and (not OCC_CD) and (not BLK_AB) and QR_101 and (not D_AB) and V_S1J_2  # conditions of proceed for route S1-S1J.o2 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_AC) and (not OCC_AD) and (not OCC_AE) and QN_101  # route S1J-S3 becomes locked (R3)
+        CO_R3 = VALID and (not OCC_AC) and (not OCC_AD) and (not OCC_AE) and (not BLK_AC) and (not BLK_AD) and QN_101 and (not D_AC) and V_S3_1  # conditions of proceed for route S1J-S3 (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_AC) and (not OCC_CD) and (not OCC_CE) and QR_101  # route S1J-S5 becomes locked (R3)
+        CO_R4 = VALID and (not OCC_AC) and (not OCC_CD) and (not OCC_CE) and (not BLK_AC) and (not BLK_CD) and QR_101 and (not D_AC) and V_S5_1  # conditions of proceed for route S1J-S5 (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_BB) and (not OCC_BC) and (not OCC_BD) and QN_102 and QN_101  # route S2-S2J becomes locked (R3)
+        CO_R5 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_BD) and (not BLK_BB) and QN_102 and QN_101 and (not D_BB) and V_S2J_1  # conditions of proceed for route S2-S2J (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S2J) and (not CAN_S2J) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and QN_102 and QN_101  # route S2J-S6 becomes locked (R3)
+        CO_R6 = VALID and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and QN_102 and QN_101 and (not D_BC) and V_S6_1  # conditions of proceed for route S2J-S6 (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S3) and (not CAN_S3) and (not OCC_AE)  # route S3-DM2 becomes locked (R3)
+        CO_R7 = VALID and (not OCC_AE) and (not BLK_AE) and (not D_AE)  # conditions of proceed for route S3-DM2 (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_DB) and (not OCC_BC) and (not OCC_BD) and QR_102  # route S4-S4J becomes locked (R3)
+        CO_R8 = VALID and (not OCC_DB) and (not OCC_BC) and (not OCC_BD) and (not BLK_DB) and QR_102 and (not D_DB) and V_S4J_1  # conditions of proceed for route S4-S4J (R3)
+        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S4J) and (not CAN_S4J) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and QR_102  # route S4J-S6 becomes locked (R3)
+        CO_R9 = VALID and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and QR_102 and (not D_BC) and V_S6_1  # conditions of proceed for route S4J-S6 (R3)
+        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_CE)  # route S5-DBO becomes locked (R3)
+        CO_R10 = VALID and (not OCC_CE) and (not BLK_CE) and (not D_CE)  # conditions of proceed for route S5-DBO (R3)
+        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S6) and (not CAN_S6) and (not OCC_BE)  # route S6-UM becomes locked (R3)
+        CO_R11 = VALID and (not OCC_BE) and (not BLK_BE) and (not D_BE)  # conditions of proceed for route S6-UM (R3)
         NU_AB_2 = VALID and F_AB and (not D_AB) and (not U_AB) and L_AB_2 and OCC_AB and OCC_AA  # a train comes into AB at DM (R9)
         NU_AC_1 = VALID and F_AC and (not D_AC) and (not U_AC) and (L_AC_1 or L_AC_2) and OCC_AC and OCC_AB  # a train comes into AC at AB|AC@101.toe (R9)
-        NU_AD_1 = VALID and F_AD and (not D_AD) and (not U_AD) and L_AD_1 and OCC_AD and OCC_AC and U_AC and L_AC_1  # a train comes into AD at AC|AD@101.normal (R9)
+        NU_AD_1 = VALID and F_AD and (not D_AD) and (not U_AD) and L_AD_1 and OCC_AD and OCC_AC and (V_S1J_1 or U_AC) and (V_S1J_1 or L_AC_1)  # a train comes into AD at AC|AD@101.normal (R9)
         NU_AE_1 = VALID and F_AE and (not D_AE) and (not U_AE) and L_AE_1 and OCC_AE and OCC_AD  # a train comes into AE at AD|AE@down2.0 (R9)
         NU_BB_2 = VALID and F_BB and (not D_BB) and (not U_BB) and L_BB_2 and OCC_BB and OCC_BA  # a train comes into BB at UM2 (R9)
         NU_BC_1 = VALID and F_BC and (not D_BC) and (not U_BC) and L_BC_1 and OCC_BC and OCC_BB  # a train comes into BC at BB|BC@X1.2a (R9)
         NU_BC_3 = VALID and F_BC and (not D_BC) and (not U_BC) and L_BC_4 and OCC_BC and OCC_DB  # a train comes into BC at BC|DB@102.reverse (R9)
-        NU_BD_1 = VALID and F_BD and (not D_BD) and (not U_BD) and L_BD_1 and OCC_BD and OCC_BC and U_BC and (L_BC_1 or L_BC_4)  # a train comes into BD at BC|BD@102.toe (R9)
+        NU_BD_1 = VALID and F_BD and (not D_BD) and (not U_BD) and L_BD_1 and OCC_BD and OCC_BC and (V_S2J_1 or V_S4J_1 or U_BC) and (V_S2J_1 or V_S4J_1 or L_BC_1 or L_BC_4)  # a train comes into BD at BC|BD@102.toe (R9)
         NU_BE_1 = VALID and F_BE and (not D_BE) and (not U_BE) and L_BE_1 and OCC_BE and OCC_BD  # a train comes into BE at BD|BE@up2.0 (R9)
-        NU_CD_1 = VALID and F_CD and (not D_CD) and (not U_CD) and L_CD_1 and OCC_CD and OCC_AC and U_AC and L_AC_2  # a train comes into CD at AC|CD@X1.1b (R9)
+        NU_CD_1 = VALID and F_CD and (not D_CD) and (not U_CD) and L_CD_1 and OCC_CD and OCC_AC and (V_S1J_2 or U_AC) and (V_S1J_2 or L_AC_2)  # a train comes into CD at AC|CD@X1.1b (R9)
         NU_CE_1 = VALID and F_CE and (not D_CE) and (not U_CE) and L_CE_1 and OCC_CE and OCC_CD  # a train comes into CE at CD|CE@branch.0 (R9)
         NU_DB_2 = VALID and F_DB and (not D_DB) and (not U_DB) and L_DB_2 and OCC_DB and OCC_DA  # a train comes into DB at UB (R9)
-        ATI_S1 = X_S1 or ((not A_R1) and L_AB_2 and REL_AB)  # S1 at stop, waiting for a train that may still come (R8)
-        ATI_S1J = X_S1J or ((not (A_R2 or A_R3)) and (L_AC_1 or L_AC_2) and REL_AC)  # S1J at stop, waiting for a train that may still come (R8)
-        ATI_S2 = X_S2 or ((not A_R4) and L_BB_2 and REL_BB)  # S2 at stop, waiting for a train that may still come (R8)
-        ATI_S2J = X_S2J or ((not A_R5) and L_BC_1 and REL_BC)  # S2J at stop, waiting for a train that may still come (R8)
-        ATI_S3 = X_S3 or ((not A_R6) and L_AE_1 and (REL_AE or (L_AE_1 and U_AE and (not OCC_AE))))  # S3 at stop, waiting for a train that may still come (R8)
-        ATI_S4 = X_S4 or ((not A_R7) and L_DB_2 and REL_DB)  # S4 at stop, waiting for a train that may still come (R8)
-        ATI_S4J = X_S4J or ((not A_R8) and L_BC_4 and REL_BC)  # S4J at stop, waiting for a train that may still come (R8)
-        ATI_S5 = X_S5 or ((not A_R9) and L_CE_1 and (REL_CE or (L_CE_1 and U_CE and (not OCC_CE))))  # S5 at stop, waiting for a train that may still come (R8)
-        ATI_S6 = X_S6 or ((not A_R10) and L_BE_1 and (REL_BE or (L_BE_1 and U_BE and (not OCC_BE))))  # S6 at stop, waiting for a train that may still come (R8)
+        ATI_S1 = X_S1 or ((not (A_R1 or A_R2)) and L_AB_2 and REL_AB)  # S1 at stop, waiting for a train that may still come (R8)
+        ATI_S1J = X_S1J or ((not (A_R3 or A_R4)) and (L_AC_1 or L_AC_2) and REL_AC)  # S1J at stop, waiting for a train that may still come (R8)
+        ATI_S2 = X_S2 or ((not A_R5) and L_BB_2 and REL_BB)  # S2 at stop, waiting for a train that may still come (R8)
+        ATI_S2J = X_S2J or ((not A_R6) and L_BC_1 and REL_BC)  # S2J at stop, waiting for a train that may still come (R8)
+        ATI_S3 = X_S3 or ((not A_R7) and L_AE_1 and (REL_AE or (L_AE_1 and U_AE and (not OCC_AE))))  # S3 at stop, waiting for a train that may still come (R8)
+        ATI_S4 = X_S4 or ((not A_R8) and L_DB_2 and REL_DB)  # S4 at stop, waiting for a train that may still come (R8)
+        ATI_S4J = X_S4J or ((not A_R9) and L_BC_4 and REL_BC)  # S4J at stop, waiting for a train that may still come (R8)
+        ATI_S5 = X_S5 or ((not A_R10) and L_CE_1 and (REL_CE or (L_CE_1 and U_CE and (not OCC_CE))))  # S5 at stop, waiting for a train that may still come (R8)
+        ATI_S6 = X_S6 or ((not A_R11) and L_BE_1 and (REL_BE or (L_BE_1 and U_BE and (not OCC_BE))))  # S6 at stop, waiting for a train that may still come (R8)
         AT_S1 = self._timer('AT_S1', ATI_S1, dt_ms)  # S1: approach locking delay (R8)
         AT_S1J = self._timer('AT_S1J', ATI_S1J, dt_ms)  # S1J: approach locking delay (R8)
         AT_S2 = self._timer('AT_S2', ATI_S2, dt_ms)  # S2: approach locking delay (R8)
@@ -574,15 +617,15 @@ class Controller:
         AT_S4J = self._timer('AT_S4J', ATI_S4J, dt_ms)  # S4J: approach locking delay (R8)
         AT_S5 = self._timer('AT_S5', ATI_S5, dt_ms)  # S5: approach locking delay (R8)
         AT_S6 = self._timer('AT_S6', ATI_S6, dt_ms)  # S6: approach locking delay (R8)
-        CD_S1 = X_S1 and A_R1 and VALID and (not OCC_AB) and ((not OCC_AA) or AT_S1 or (not H_R1))  # the route from S1 is cancelled (R8)
-        CD_S1J = X_S1J and (A_R2 or A_R3) and VALID and (not OCC_AC) and ((not OCC_AB) or AT_S1J or (not (H_R2 or H_R3)))  # the route from S1J is cancelled (R8)
-        CD_S2 = X_S2 and A_R4 and VALID and (not OCC_BB) and ((not OCC_BA) or AT_S2 or (not H_R4))  # the route from S2 is cancelled (R8)
-        CD_S2J = X_S2J and A_R5 and VALID and (not OCC_BC) and ((not OCC_BB) or AT_S2J or (not H_R5))  # the route from S2J is cancelled (R8)
-        CD_S3 = X_S3 and A_R6 and VALID and (not OCC_AE) and ((not OCC_AD) or AT_S3 or (not H_R6))  # the route from S3 is cancelled (R8)
-        CD_S4 = X_S4 and A_R7 and VALID and (not OCC_DB) and ((not OCC_DA) or AT_S4 or (not H_R7))  # the route from S4 is cancelled (R8)
-        CD_S4J = X_S4J and A_R8 and VALID and (not OCC_BC) and ((not OCC_DB) or AT_S4J or (not H_R8))  # the route from S4J is cancelled (R8)
-        CD_S5 = X_S5 and A_R9 and VALID and (not OCC_CE) and ((not OCC_CD) or AT_S5 or (not H_R9))  # the route from S5 is cancelled (R8)
-        CD_S6 = X_S6 and A_R10 and VALID and (not OCC_BE) and ((not OCC_BD) or AT_S6 or (not H_R10))  # the route from S6 is cancelled (R8)
+        CD_S1 = X_S1 and (A_R1 or A_R2) and VALID and (not OCC_AB) and ((not OCC_AA) or AT_S1 or (not (H_R1 or H_R2)))  # the route from S1 is cancelled (R8)
+        CD_S1J = X_S1J and (A_R3 or A_R4) and VALID and (not OCC_AC) and ((not OCC_AB) or AT_S1J or (not (H_R3 or H_R4)))  # the route from S1J is cancelled (R8)
+        CD_S2 = X_S2 and A_R5 and VALID and (not OCC_BB) and ((not OCC_BA) or AT_S2 or (not H_R5))  # the route from S2 is cancelled (R8)
+        CD_S2J = X_S2J and A_R6 and VALID and (not OCC_BC) and ((not OCC_BB) or AT_S2J or (not H_R6))  # the route from S2J is cancelled (R8)
+        CD_S3 = X_S3 and A_R7 and VALID and (not OCC_AE) and ((not OCC_AD) or AT_S3 or (not H_R7))  # the route from S3 is cancelled (R8)
+        CD_S4 = X_S4 and A_R8 and VALID and (not OCC_DB) and ((not OCC_DA) or AT_S4 or (not H_R8))  # the route from S4 is cancelled (R8)
+        CD_S4J = X_S4J and A_R9 and VALID and (not OCC_BC) and ((not OCC_DB) or AT_S4J or (not H_R9))  # the route from S4J is cancelled (R8)
+        CD_S5 = X_S5 and A_R10 and VALID and (not OCC_CE) and ((not OCC_CD) or AT_S5 or (not H_R10))  # the route from S5 is cancelled (R8)
+        CD_S6 = X_S6 and A_R11 and VALID and (not OCC_BE) and ((not OCC_BD) or AT_S6 or (not H_R11))  # the route from S6 is cancelled (R8)
         EX_AB = P_AB  # a train in AB leaves over a boundary, or has passed on
         RTI_AB = VALID and U_AB and (not OCC_AB) and EX_AB  # AB may be released behind the train (R9)
         EX_AC = P_AC  # a train in AC leaves over a boundary, or has passed on
@@ -617,11 +660,11 @@ class Controller:
         RT_CE = self._timer('RT_CE', RTI_CE, dt_ms)  # CE: release delay (R9)
         RT_DB = self._timer('RT_DB', RTI_DB, dt_ms)  # DB: release delay (R9)
         CA_AB = VALID and (not OCC_AB) and (not U_AB) and False  # the lock before AB was withdrawn (R8)
-        HR_AB = VALID and (not OCC_AB) and REL_AB and L_AB_2 and ((not L_AB_2) or ((not A_R1) and ((not OCC_AA) or AT_S1)))  # AB released by hand (R8, section fault release)
+        HR_AB = VALID and (not OCC_AB) and REL_AB and L_AB_2 and ((not L_AB_2) or ((not (A_R1 or A_R2)) and ((not OCC_AA) or AT_S1)))  # AB released by hand (R8, section fault release)
         SR_AB = VALID and (not OCC_AB) and K_AB and (REL_AB or RELALL)  # AB released after a restart (R16)
         RLS_AB = RT_AB or CA_AB or CD_S1 or HR_AB or SR_AB  # AB is released
         CA_AC = VALID and (not OCC_AC) and (not U_AC) and False  # the lock before AC was withdrawn (R8)
-        HR_AC = VALID and (not OCC_AC) and REL_AC and (L_AC_1 or L_AC_2) and ((not (L_AC_1 or L_AC_2)) or ((not (A_R2 or A_R3)) and ((not OCC_AB) or AT_S1J)))  # AC released by hand (R8, section fault release)
+        HR_AC = VALID and (not OCC_AC) and REL_AC and (L_AC_1 or L_AC_2) and ((not (L_AC_1 or L_AC_2)) or ((not (A_R3 or A_R4)) and ((not OCC_AB) or AT_S1J)))  # AC released by hand (R8, section fault release)
         SR_AC = VALID and (not OCC_AC) and K_AC and (REL_AC or RELALL)  # AC released after a restart (R16)
         RLS_AC = RT_AC or CA_AC or CD_S1J or HR_AC or SR_AC  # AC is released
         CA_AD = VALID and (not OCC_AD) and (not U_AD) and L_AD_1 and (not (L_AD_1 and L_AC_1))  # the lock before AD was withdrawn (R8)
@@ -629,15 +672,15 @@ class Controller:
         SR_AD = VALID and (not OCC_AD) and K_AD and (REL_AD or RELALL)  # AD released after a restart (R16)
         RLS_AD = RT_AD or CA_AD or HR_AD or SR_AD  # AD is released
         CA_AE = VALID and (not OCC_AE) and (not U_AE) and False  # the lock before AE was withdrawn (R8)
-        HR_AE = VALID and (not OCC_AE) and REL_AE and L_AE_1 and ((not L_AE_1) or ((not A_R6) and ((not OCC_AD) or AT_S3)))  # AE released by hand (R8, section fault release)
+        HR_AE = VALID and (not OCC_AE) and REL_AE and L_AE_1 and ((not L_AE_1) or ((not A_R7) and ((not OCC_AD) or AT_S3)))  # AE released by hand (R8, section fault release)
         SR_AE = VALID and (not OCC_AE) and K_AE and (REL_AE or RELALL)  # AE released after a restart (R16)
         RLS_AE = RT_AE or CA_AE or CD_S3 or HR_AE or SR_AE  # AE is released
         CA_BB = VALID and (not OCC_BB) and (not U_BB) and False  # the lock before BB was withdrawn (R8)
-        HR_BB = VALID and (not OCC_BB) and REL_BB and L_BB_2 and ((not L_BB_2) or ((not A_R4) and ((not OCC_BA) or AT_S2)))  # BB released by hand (R8, section fault release)
+        HR_BB = VALID and (not OCC_BB) and REL_BB and L_BB_2 and ((not L_BB_2) or ((not A_R5) and ((not OCC_BA) or AT_S2)))  # BB released by hand (R8, section fault release)
         SR_BB = VALID and (not OCC_BB) and K_BB and (REL_BB or RELALL)  # BB released after a restart (R16)
         RLS_BB = RT_BB or CA_BB or CD_S2 or HR_BB or SR_BB  # BB is released
         CA_BC = VALID and (not OCC_BC) and (not U_BC) and False  # the lock before BC was withdrawn (R8)
-        HR_BC = VALID and (not OCC_BC) and REL_BC and (L_BC_1 or L_BC_4) and ((not L_BC_1) or ((not A_R5) and ((not OCC_BB) or AT_S2J))) and ((not L_BC_4) or ((not A_R8) and ((not OCC_DB) or AT_S4J)))  # BC released by hand (R8, section fault release)
+        HR_BC = VALID and (not OCC_BC) and REL_BC and (L_BC_1 or L_BC_4) and ((not L_BC_1) or ((not A_R6) and ((not OCC_BB) or AT_S2J))) and ((not L_BC_4) or ((not A_R9) and ((not OCC_DB) or AT_S4J)))  # BC released by hand (R8, section fault release)
         SR_BC = VALID and (not OCC_BC) and K_BC and (REL_BC or RELALL)  # BC released after a restart (R16)
         RLS_BC = RT_BC or CA_BC or CD_S2J or CD_S4J or HR_BC or SR_BC  # BC is released
         CA_BD = VALID and (not OCC_BD) and (not U_BD) and L_BD_1 and (not (L_BD_1 and (L_BC_1 or L_BC_4)))  # the lock before BD was withdrawn (R8)
@@ -645,7 +688,7 @@ class Controller:
         SR_BD = VALID and (not OCC_BD) and K_BD and (REL_BD or RELALL)  # BD released after a restart (R16)
         RLS_BD = RT_BD or CA_BD or HR_BD or SR_BD  # BD is released
         CA_BE = VALID and (not OCC_BE) and (not U_BE) and False  # the lock before BE was withdrawn (R8)
-        HR_BE = VALID and (not OCC_BE) and REL_BE and L_BE_1 and ((not L_BE_1) or ((not A_R10) and ((not OCC_BD) or AT_S6)))  # BE released by hand (R8, section fault release)
+        HR_BE = VALID and (not OCC_BE) and REL_BE and L_BE_1 and ((not L_BE_1) or ((not A_R11) and ((not OCC_BD) or AT_S6)))  # BE released by hand (R8, section fault release)
         SR_BE = VALID and (not OCC_BE) and K_BE and (REL_BE or RELALL)  # BE released after a restart (R16)
         RLS_BE = RT_BE or CA_BE or CD_S6 or HR_BE or SR_BE  # BE is released
         CA_CD = VALID and (not OCC_CD) and (not U_CD) and L_CD_1 and (not (L_CD_1 and L_AC_2))  # the lock before CD was withdrawn (R8)
@@ -653,23 +696,41 @@ class Controller:
         SR_CD = VALID and (not OCC_CD) and K_CD and (REL_CD or RELALL)  # CD released after a restart (R16)
         RLS_CD = RT_CD or CA_CD or HR_CD or SR_CD  # CD is released
         CA_CE = VALID and (not OCC_CE) and (not U_CE) and False  # the lock before CE was withdrawn (R8)
-        HR_CE = VALID and (not OCC_CE) and REL_CE and L_CE_1 and ((not L_CE_1) or ((not A_R9) and ((not OCC_CD) or AT_S5)))  # CE released by hand (R8, section fault release)
+        HR_CE = VALID and (not OCC_CE) and REL_CE and L_CE_1 and ((not L_CE_1) or ((not A_R10) and ((not OCC_CD) or AT_S5)))  # CE released by hand (R8, section fault release)
         SR_CE = VALID and (not OCC_CE) and K_CE and (REL_CE or RELALL)  # CE released after a restart (R16)
         RLS_CE = RT_CE or CA_CE or CD_S5 or HR_CE or SR_CE  # CE is released
         CA_DB = VALID and (not OCC_DB) and (not U_DB) and False  # the lock before DB was withdrawn (R8)
-        HR_DB = VALID and (not OCC_DB) and REL_DB and L_DB_2 and ((not L_DB_2) or ((not A_R7) and ((not OCC_DA) or AT_S4)))  # DB released by hand (R8, section fault release)
+        HR_DB = VALID and (not OCC_DB) and REL_DB and L_DB_2 and ((not L_DB_2) or ((not A_R8) and ((not OCC_DA) or AT_S4)))  # DB released by hand (R8, section fault release)
         SR_DB = VALID and (not OCC_DB) and K_DB and (REL_DB or RELALL)  # DB released after a restart (R16)
         RLS_DB = RT_DB or CA_DB or CD_S4 or HR_DB or SR_DB  # DB is released
-        GPN_101 = (G_R2 or G_R5)  # a grant needs 101 N
-        MAN_101 = MN_101 and (not MR_101) and MOV_101 and (not (G_R2 or G_R3 or G_R5))  # machine 101 moved N by hand
-        GPR_101 = G_R3  # a grant needs 101 R
-        MAR_101 = MR_101 and (not MN_101) and MOV_101 and (not (G_R2 or G_R3 or G_R5))  # machine 101 moved R by hand
+        OTI_S1J = VALID and U_AB and (not (L_AB_2 and OCC_AA)) and L_AB_2 and OCC_AB  # the train before S1J is wholly in AB (R4)
+        OTI_S2J = VALID and U_BB and (not (L_BB_2 and OCC_BA)) and L_BB_2 and OCC_BB  # the train before S2J is wholly in BB (R4)
+        OTI_S3 = VALID and U_AD and (not (L_AD_1 and L_AC_1)) and L_AD_1 and OCC_AD  # the train before S3 is wholly in AD (R4)
+        OTI_S4J = VALID and U_DB and (not (L_DB_2 and OCC_DA)) and L_DB_2 and OCC_DB  # the train before S4J is wholly in DB (R4)
+        OTI_S5 = VALID and U_CD and (not (L_CD_1 and L_AC_2)) and L_CD_1 and OCC_CD  # the train before S5 is wholly in CD (R4)
+        OTI_S6 = VALID and U_BD and (not (L_BD_1 and (L_BC_1 or L_BC_4))) and L_BD_1 and OCC_BD  # the train before S6 is wholly in BD (R4)
+        OT_S1J = self._timer('OT_S1J', OTI_S1J, dt_ms)  # S1J: the train before it stands (R4)
+        OT_S2J = self._timer('OT_S2J', OTI_S2J, dt_ms)  # S2J: the train before it stands (R4)
+        OT_S3 = self._timer('OT_S3', OTI_S3, dt_ms)  # S3: the train before it stands (R4)
+        OT_S4J = self._timer('OT_S4J', OTI_S4J, dt_ms)  # S4J: the train before it stands (R4)
+        OT_S5 = self._timer('OT_S5', OTI_S5, dt_ms)  # S5: the train before it stands (R4)
+        OT_S6 = self._timer('OT_S6', OTI_S6, dt_ms)  # S6: the train before it stands (R4)
+        OR_S1J = (not L_AB_2) or OT_S1J  # the overlap of S1J is not needed any more (R4)
+        OR_S2J = (not L_BB_2) or OT_S2J  # the overlap of S2J is not needed any more (R4)
+        OR_S3 = (not L_AD_1) or OT_S3  # the overlap of S3 is not needed any more (R4)
+        OR_S4J = (not L_DB_2) or OT_S4J  # the overlap of S4J is not needed any more (R4)
+        OR_S5 = (not L_CD_1) or OT_S5  # the overlap of S5 is not needed any more (R4)
+        OR_S6 = (not L_BD_1) or OT_S6  # the overlap of S6 is not needed any more (R4)
+        GPN_101 = (G_R1 or G_R3 or G_R5 or G_R6)  # a grant needs 101 N
+        MAN_101 = MN_101 and (not MR_101) and MOV_101 and (not (G_R1 or G_R2 or G_R3 or G_R4 or G_R5 or G_R6))  # machine 101 moved N by hand
+        GPR_101 = (G_R2 or G_R4)  # a grant needs 101 R
+        MAR_101 = MR_101 and (not MN_101) and MOV_101 and (not (G_R1 or G_R2 or G_R3 or G_R4 or G_R5 or G_R6))  # machine 101 moved R by hand
         HDN_101 = CN_101 and (not GPR_101) and (not MAR_101)  # the command N stays
         HDR_101 = CR_101 and (not GPN_101) and (not MAN_101)  # the command R stays
-        GPN_102 = G_R5  # a grant needs 102 N
-        MAN_102 = MN_102 and (not MR_102) and MOV_102 and (not (G_R5 or G_R8))  # machine 102 moved N by hand
-        GPR_102 = G_R8  # a grant needs 102 R
-        MAR_102 = MR_102 and (not MN_102) and MOV_102 and (not (G_R5 or G_R8))  # machine 102 moved R by hand
+        GPN_102 = (G_R5 or G_R6)  # a grant needs 102 N
+        MAN_102 = MN_102 and (not MR_102) and MOV_102 and (not (G_R5 or G_R6 or G_R8 or G_R9))  # machine 102 moved N by hand
+        GPR_102 = (G_R8 or G_R9)  # a grant needs 102 R
+        MAR_102 = MR_102 and (not MN_102) and MOV_102 and (not (G_R5 or G_R6 or G_R8 or G_R9))  # machine 102 moved R by hand
         HDN_102 = CN_102 and (not GPR_102) and (not MAR_102)  # the command N stays
         HDR_102 = CR_102 and (not GPN_102) and (not MAN_102)  # the command R stays
         STI_101 = (CN_101 and (not QN_101)) or (CR_101 and (not QR_101))  # machine 101 is not where it was commanded
@@ -679,33 +740,36 @@ class Controller:
         KP_R1 = (not NU_AB_2) and (not CD_S1)  # route S1-S1J stays set
         PR_R1 = A_R1 and B_R1 and W_R1 and CO_R1 and KP_R1 and (not X_S1) and (not CAN_S1)  # proceed for route S1-S1J (R3, R11)
         LS_R1 = S_R1 and (not CO_R1)  # route S1-S1J: a condition was lost; no reopening by itself (R14)
-        KP_R2 = (not NU_AC_1) and (not CD_S1J)  # route S1J-S3 stays set
-        PR_R2 = A_R2 and B_R2 and W_R2 and CO_R2 and KP_R2 and (not X_S1J) and (not CAN_S1J)  # proceed for route S1J-S3 (R3, R11)
-        LS_R2 = S_R2 and (not CO_R2)  # route S1J-S3: a condition was lost; no reopening by itself (R14)
-        KP_R3 = (not NU_AC_1) and (not CD_S1J)  # route S1J-S5 stays set
-        PR_R3 = A_R3 and B_R3 and W_R3 and CO_R3 and KP_R3 and (not X_S1J) and (not CAN_S1J)  # proceed for route S1J-S5 (R3, R11)
-        LS_R3 = S_R3 and (not CO_R3)  # route S1J-S5: a condition was lost; no reopening by itself (R14)
-        KP_R4 = (not NU_BB_2) and (not CD_S2)  # route S2-S2J stays set
-        PR_R4 = A_R4 and B_R4 and W_R4 and CO_R4 and KP_R4 and (not X_S2) and (not CAN_S2)  # proceed for route S2-S2J (R3, R11)
-        LS_R4 = S_R4 and (not CO_R4)  # route S2-S2J: a condition was lost; no reopening by itself (R14)
-        KP_R5 = (not NU_BC_1) and (not CD_S2J)  # route S2J-S6 stays set
-        PR_R5 = A_R5 and B_R5 and W_R5 and CO_R5 and KP_R5 and (not X_S2J) and (not CAN_S2J)  # proceed for route S2J-S6 (R3, R11)
-        LS_R5 = S_R5 and (not CO_R5)  # route S2J-S6: a condition was lost; no reopening by itself (R14)
-        KP_R6 = (not NU_AE_1) and (not CD_S3)  # route S3-DM2 stays set
-        PR_R6 = A_R6 and B_R6 and W_R6 and CO_R6 and KP_R6 and (not X_S3) and (not CAN_S3)  # proceed for route S3-DM2 (R3, R11)
-        LS_R6 = S_R6 and (not CO_R6)  # route S3-DM2: a condition was lost; no reopening by itself (R14)
-        KP_R7 = (not NU_DB_2) and (not CD_S4)  # route S4-S4J stays set
-        PR_R7 = A_R7 and B_R7 and W_R7 and CO_R7 and KP_R7 and (not X_S4) and (not CAN_S4)  # proceed for route S4-S4J (R3, R11)
-        LS_R7 = S_R7 and (not CO_R7)  # route S4-S4J: a condition was lost; no reopening by itself (R14)
-        KP_R8 = (not NU_BC_3) and (not CD_S4J)  # route S4J-S6 stays set
-        PR_R8 = A_R8 and B_R8 and W_R8 and CO_R8 and KP_R8 and (not X_S4J) and (not CAN_S4J)  # proceed for route S4J-S6 (R3, R11)
-        LS_R8 = S_R8 and (not CO_R8)  # route S4J-S6: a condition was lost; no reopening by itself (R14)
-        KP_R9 = (not NU_CE_1) and (not CD_S5)  # route S5-DBO stays set
-        PR_R9 = A_R9 and B_R9 and W_R9 and CO_R9 and KP_R9 and (not X_S5) and (not CAN_S5)  # proceed for route S5-DBO (R3, R11)
-        LS_R9 = S_R9 and (not CO_R9)  # route S5-DBO: a condition was lost; no reopening by itself (R14)
-        KP_R10 = (not NU_BE_1) and (not CD_S6)  # route S6-UM stays set
-        PR_R10 = A_R10 and B_R10 and W_R10 and CO_R10 and KP_R10 and (not X_S6) and (not CAN_S6)  # proceed for route S6-UM (R3, R11)
-        LS_R10 = S_R10 and (not CO_R10)  # route S6-UM: a condition was lost; no reopening by itself (R14)
+        KP_R2 = (not NU_AB_2) and (not CD_S1)  # route S1-S1J.o2 stays set
+        PR_R2 = A_R2 and B_R2 and W_R2 and CO_R2 and KP_R2 and (not X_S1) and (not CAN_S1)  # proceed for route S1-S1J.o2 (R3, R11)
+        LS_R2 = S_R2 and (not CO_R2)  # route S1-S1J.o2: a condition was lost; no reopening by itself (R14)
+        KP_R3 = (not NU_AC_1) and (not CD_S1J)  # route S1J-S3 stays set
+        PR_R3 = A_R3 and B_R3 and W_R3 and CO_R3 and KP_R3 and (not X_S1J) and (not CAN_S1J)  # proceed for route S1J-S3 (R3, R11)
+        LS_R3 = S_R3 and (not CO_R3)  # route S1J-S3: a condition was lost; no reopening by itself (R14)
+        KP_R4 = (not NU_AC_1) and (not CD_S1J)  # route S1J-S5 stays set
+        PR_R4 = A_R4 and B_R4 and W_R4 and CO_R4 and KP_R4 and (not X_S1J) and (not CAN_S1J)  # proceed for route S1J-S5 (R3, R11)
+        LS_R4 = S_R4 and (not CO_R4)  # route S1J-S5: a condition was lost; no reopening by itself (R14)
+        KP_R5 = (not NU_BB_2) and (not CD_S2)  # route S2-S2J stays set
+        PR_R5 = A_R5 and B_R5 and W_R5 and CO_R5 and KP_R5 and (not X_S2) and (not CAN_S2)  # proceed for route S2-S2J (R3, R11)
+        LS_R5 = S_R5 and (not CO_R5)  # route S2-S2J: a condition was lost; no reopening by itself (R14)
+        KP_R6 = (not NU_BC_1) and (not CD_S2J)  # route S2J-S6 stays set
+        PR_R6 = A_R6 and B_R6 and W_R6 and CO_R6 and KP_R6 and (not X_S2J) and (not CAN_S2J)  # proceed for route S2J-S6 (R3, R11)
+        LS_R6 = S_R6 and (not CO_R6)  # route S2J-S6: a condition was lost; no reopening by itself (R14)
+        KP_R7 = (not NU_AE_1) and (not CD_S3)  # route S3-DM2 stays set
+        PR_R7 = A_R7 and B_R7 and W_R7 and CO_R7 and KP_R7 and (not X_S3) and (not CAN_S3)  # proceed for route S3-DM2 (R3, R11)
+        LS_R7 = S_R7 and (not CO_R7)  # route S3-DM2: a condition was lost; no reopening by itself (R14)
+        KP_R8 = (not NU_DB_2) and (not CD_S4)  # route S4-S4J stays set
+        PR_R8 = A_R8 and B_R8 and W_R8 and CO_R8 and KP_R8 and (not X_S4) and (not CAN_S4)  # proceed for route S4-S4J (R3, R11)
+        LS_R8 = S_R8 and (not CO_R8)  # route S4-S4J: a condition was lost; no reopening by itself (R14)
+        KP_R9 = (not NU_BC_3) and (not CD_S4J)  # route S4J-S6 stays set
+        PR_R9 = A_R9 and B_R9 and W_R9 and CO_R9 and KP_R9 and (not X_S4J) and (not CAN_S4J)  # proceed for route S4J-S6 (R3, R11)
+        LS_R9 = S_R9 and (not CO_R9)  # route S4J-S6: a condition was lost; no reopening by itself (R14)
+        KP_R10 = (not NU_CE_1) and (not CD_S5)  # route S5-DBO stays set
+        PR_R10 = A_R10 and B_R10 and W_R10 and CO_R10 and KP_R10 and (not X_S5) and (not CAN_S5)  # proceed for route S5-DBO (R3, R11)
+        LS_R10 = S_R10 and (not CO_R10)  # route S5-DBO: a condition was lost; no reopening by itself (R14)
+        KP_R11 = (not NU_BE_1) and (not CD_S6)  # route S6-UM stays set
+        PR_R11 = A_R11 and B_R11 and W_R11 and CO_R11 and KP_R11 and (not X_S6) and (not CAN_S6)  # proceed for route S6-UM (R3, R11)
+        LS_R11 = S_R11 and (not CO_R11)  # route S6-UM: a condition was lost; no reopening by itself (R14)
         N_CN_101 = GPN_101 or MAN_101 or HDN_101  # machine 101 commanded N
         N_CR_101 = GPR_101 or MAR_101 or HDR_101  # machine 101 commanded R
         N_CN_102 = GPN_102 or MAN_102 or HDN_102  # machine 102 commanded N
@@ -717,128 +781,146 @@ class Controller:
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_S1) and (not CAN_S1)  # route S1-S1J: proceed wanted
         N_S_R1 = PR_R1  # route S1-S1J: proceed
         N_H_R1 = (H_R1 or PR_R1) and KP_R1  # route S1-S1J: signal has been open
-        N_A_R2 = (A_R2 or G_R2) and KP_R2  # route S1J-S3 active
-        N_B_R2 = (B_R2 or LK_R2) and KP_R2  # route S1J-S3 locked
-        N_W_R2 = (W_R2 or LK_R2 or ((REQ == 2) and B_R2)) and (not LS_R2) and KP_R2 and (not X_S1J) and (not CAN_S1J)  # route S1J-S3: proceed wanted
-        N_S_R2 = PR_R2  # route S1J-S3: proceed
-        N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route S1J-S3: signal has been open
-        N_A_R3 = (A_R3 or G_R3) and KP_R3  # route S1J-S5 active
-        N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route S1J-S5 locked
-        N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_S1J) and (not CAN_S1J)  # route S1J-S5: proceed wanted
-        N_S_R3 = PR_R3  # route S1J-S5: proceed
-        N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route S1J-S5: signal has been open
-        N_A_R4 = (A_R4 or G_R4) and KP_R4  # route S2-S2J active
-        N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route S2-S2J locked
-        N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_S2) and (not CAN_S2)  # route S2-S2J: proceed wanted
-        N_S_R4 = PR_R4  # route S2-S2J: proceed
-        N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route S2-S2J: signal has been open
-        N_A_R5 = (A_R5 or G_R5) and KP_R5  # route S2J-S6 active
-        N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route S2J-S6 locked
-        N_W_R5 = (W_R5 or LK_R5 or ((REQ == 5) and B_R5)) and (not LS_R5) and KP_R5 and (not X_S2J) and (not CAN_S2J)  # route S2J-S6: proceed wanted
-        N_S_R5 = PR_R5  # route S2J-S6: proceed
-        N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route S2J-S6: signal has been open
-        N_A_R6 = (A_R6 or G_R6) and KP_R6  # route S3-DM2 active
-        N_B_R6 = (B_R6 or LK_R6) and KP_R6  # route S3-DM2 locked
-        N_W_R6 = (W_R6 or LK_R6 or ((REQ == 6) and B_R6)) and (not LS_R6) and KP_R6 and (not X_S3) and (not CAN_S3)  # route S3-DM2: proceed wanted
-        N_S_R6 = PR_R6  # route S3-DM2: proceed
-        N_H_R6 = (H_R6 or PR_R6) and KP_R6  # route S3-DM2: signal has been open
-        N_A_R7 = (A_R7 or G_R7) and KP_R7  # route S4-S4J active
-        N_B_R7 = (B_R7 or LK_R7) and KP_R7  # route S4-S4J locked
-        N_W_R7 = (W_R7 or LK_R7 or ((REQ == 7) and B_R7)) and (not LS_R7) and KP_R7 and (not X_S4) and (not CAN_S4)  # route S4-S4J: proceed wanted
-        N_S_R7 = PR_R7  # route S4-S4J: proceed
-        N_H_R7 = (H_R7 or PR_R7) and KP_R7  # route S4-S4J: signal has been open
-        N_A_R8 = (A_R8 or G_R8) and KP_R8  # route S4J-S6 active
-        N_B_R8 = (B_R8 or LK_R8) and KP_R8  # route S4J-S6 locked
-        N_W_R8 = (W_R8 or LK_R8 or ((REQ == 8) and B_R8)) and (not LS_R8) and KP_R8 and (not X_S4J) and (not CAN_S4J)  # route S4J-S6: proceed wanted
-        N_S_R8 = PR_R8  # route S4J-S6: proceed
-        N_H_R8 = (H_R8 or PR_R8) and KP_R8  # route S4J-S6: signal has been open
-        N_A_R9 = (A_R9 or G_R9) and KP_R9  # route S5-DBO active
-        N_B_R9 = (B_R9 or LK_R9) and KP_R9  # route S5-DBO locked
-        N_W_R9 = (W_R9 or LK_R9 or ((REQ == 9) and B_R9)) and (not LS_R9) and KP_R9 and (not X_S5) and (not CAN_S5)  # route S5-DBO: proceed wanted
-        N_S_R9 = PR_R9  # route S5-DBO: proceed
-        N_H_R9 = (H_R9 or PR_R9) and KP_R9  # route S5-DBO: signal has been open
-        N_A_R10 = (A_R10 or G_R10) and KP_R10  # route S6-UM active
-        N_B_R10 = (B_R10 or LK_R10) and KP_R10  # route S6-UM locked
-        N_W_R10 = (W_R10 or LK_R10 or ((REQ == 10) and B_R10)) and (not LS_R10) and KP_R10 and (not X_S6) and (not CAN_S6)  # route S6-UM: proceed wanted
-        N_S_R10 = PR_R10  # route S6-UM: proceed
-        N_H_R10 = (H_R10 or PR_R10) and KP_R10  # route S6-UM: signal has been open
-        N_X_S1 = (X_S1 or CAN_S1) and A_R1 and (not CD_S1)  # S1: cancelling
-        N_X_S1J = (X_S1J or CAN_S1J) and (A_R2 or A_R3) and (not CD_S1J)  # S1J: cancelling
-        N_X_S2 = (X_S2 or CAN_S2) and A_R4 and (not CD_S2)  # S2: cancelling
-        N_X_S2J = (X_S2J or CAN_S2J) and A_R5 and (not CD_S2J)  # S2J: cancelling
-        N_X_S3 = (X_S3 or CAN_S3) and A_R6 and (not CD_S3)  # S3: cancelling
-        N_X_S4 = (X_S4 or CAN_S4) and A_R7 and (not CD_S4)  # S4: cancelling
-        N_X_S4J = (X_S4J or CAN_S4J) and A_R8 and (not CD_S4J)  # S4J: cancelling
-        N_X_S5 = (X_S5 or CAN_S5) and A_R9 and (not CD_S5)  # S5: cancelling
-        N_X_S6 = (X_S6 or CAN_S6) and A_R10 and (not CD_S6)  # S6: cancelling
+        N_A_R2 = (A_R2 or G_R2) and KP_R2  # route S1-S1J.o2 active
+        N_B_R2 = (B_R2 or LK_R2) and KP_R2  # route S1-S1J.o2 locked
+        N_W_R2 = (W_R2 or LK_R2 or ((REQ == 2) and B_R2)) and (not LS_R2) and KP_R2 and (not X_S1) and (not CAN_S1)  # route S1-S1J.o2: proceed wanted
+        N_S_R2 = PR_R2  # route S1-S1J.o2: proceed
+        N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route S1-S1J.o2: signal has been open
+        N_A_R3 = (A_R3 or G_R3) and KP_R3  # route S1J-S3 active
+        N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route S1J-S3 locked
+        N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_S1J) and (not CAN_S1J)  # route S1J-S3: proceed wanted
+        N_S_R3 = PR_R3  # route S1J-S3: proceed
+        N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route S1J-S3: signal has been open
+        N_A_R4 = (A_R4 or G_R4) and KP_R4  # route S1J-S5 active
+        N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route S1J-S5 locked
+        N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_S1J) and (not CAN_S1J)  # route S1J-S5: proceed wanted
+        N_S_R4 = PR_R4  # route S1J-S5: proceed
+        N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route S1J-S5: signal has been open
+        N_A_R5 = (A_R5 or G_R5) and KP_R5  # route S2-S2J active
+        N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route S2-S2J locked
+        N_W_R5 = (W_R5 or LK_R5 or ((REQ == 5) and B_R5)) and (not LS_R5) and KP_R5 and (not X_S2) and (not CAN_S2)  # route S2-S2J: proceed wanted
+        N_S_R5 = PR_R5  # route S2-S2J: proceed
+        N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route S2-S2J: signal has been open
+        N_A_R6 = (A_R6 or G_R6) and KP_R6  # route S2J-S6 active
+        N_B_R6 = (B_R6 or LK_R6) and KP_R6  # route S2J-S6 locked
+        N_W_R6 = (W_R6 or LK_R6 or ((REQ == 6) and B_R6)) and (not LS_R6) and KP_R6 and (not X_S2J) and (not CAN_S2J)  # route S2J-S6: proceed wanted
+        N_S_R6 = PR_R6  # route S2J-S6: proceed
+        N_H_R6 = (H_R6 or PR_R6) and KP_R6  # route S2J-S6: signal has been open
+        N_A_R7 = (A_R7 or G_R7) and KP_R7  # route S3-DM2 active
+        N_B_R7 = (B_R7 or LK_R7) and KP_R7  # route S3-DM2 locked
+        N_W_R7 = (W_R7 or LK_R7 or ((REQ == 7) and B_R7)) and (not LS_R7) and KP_R7 and (not X_S3) and (not CAN_S3)  # route S3-DM2: proceed wanted
+        N_S_R7 = PR_R7  # route S3-DM2: proceed
+        N_H_R7 = (H_R7 or PR_R7) and KP_R7  # route S3-DM2: signal has been open
+        N_A_R8 = (A_R8 or G_R8) and KP_R8  # route S4-S4J active
+        N_B_R8 = (B_R8 or LK_R8) and KP_R8  # route S4-S4J locked
+        N_W_R8 = (W_R8 or LK_R8 or ((REQ == 8) and B_R8)) and (not LS_R8) and KP_R8 and (not X_S4) and (not CAN_S4)  # route S4-S4J: proceed wanted
+        N_S_R8 = PR_R8  # route S4-S4J: proceed
+        N_H_R8 = (H_R8 or PR_R8) and KP_R8  # route S4-S4J: signal has been open
+        N_A_R9 = (A_R9 or G_R9) and KP_R9  # route S4J-S6 active
+        N_B_R9 = (B_R9 or LK_R9) and KP_R9  # route S4J-S6 locked
+        N_W_R9 = (W_R9 or LK_R9 or ((REQ == 9) and B_R9)) and (not LS_R9) and KP_R9 and (not X_S4J) and (not CAN_S4J)  # route S4J-S6: proceed wanted
+        N_S_R9 = PR_R9  # route S4J-S6: proceed
+        N_H_R9 = (H_R9 or PR_R9) and KP_R9  # route S4J-S6: signal has been open
+        N_A_R10 = (A_R10 or G_R10) and KP_R10  # route S5-DBO active
+        N_B_R10 = (B_R10 or LK_R10) and KP_R10  # route S5-DBO locked
+        N_W_R10 = (W_R10 or LK_R10 or ((REQ == 10) and B_R10)) and (not LS_R10) and KP_R10 and (not X_S5) and (not CAN_S5)  # route S5-DBO: proceed wanted
+        N_S_R10 = PR_R10  # route S5-DBO: proceed
+        N_H_R10 = (H_R10 or PR_R10) and KP_R10  # route S5-DBO: signal has been open
+        N_A_R11 = (A_R11 or G_R11) and KP_R11  # route S6-UM active
+        N_B_R11 = (B_R11 or LK_R11) and KP_R11  # route S6-UM locked
+        N_W_R11 = (W_R11 or LK_R11 or ((REQ == 11) and B_R11)) and (not LS_R11) and KP_R11 and (not X_S6) and (not CAN_S6)  # route S6-UM: proceed wanted
+        N_S_R11 = PR_R11  # route S6-UM: proceed
+        N_H_R11 = (H_R11 or PR_R11) and KP_R11  # route S6-UM: signal has been open
+        N_X_S1 = (X_S1 or CAN_S1) and (A_R1 or A_R2) and (not CD_S1)  # S1: cancelling
+        N_X_S1J = (X_S1J or CAN_S1J) and (A_R3 or A_R4) and (not CD_S1J)  # S1J: cancelling
+        N_X_S2 = (X_S2 or CAN_S2) and A_R5 and (not CD_S2)  # S2: cancelling
+        N_X_S2J = (X_S2J or CAN_S2J) and A_R6 and (not CD_S2J)  # S2J: cancelling
+        N_X_S3 = (X_S3 or CAN_S3) and A_R7 and (not CD_S3)  # S3: cancelling
+        N_X_S4 = (X_S4 or CAN_S4) and A_R8 and (not CD_S4)  # S4: cancelling
+        N_X_S4J = (X_S4J or CAN_S4J) and A_R9 and (not CD_S4J)  # S4J: cancelling
+        N_X_S5 = (X_S5 or CAN_S5) and A_R10 and (not CD_S5)  # S5: cancelling
+        N_X_S6 = (X_S6 or CAN_S6) and A_R11 and (not CD_S6)  # S6: cancelling
         N_K_AB = K_AB and (not RLS_AB)  # AB: restart lock (R16)
-        N_L_AB_2 = (L_AB_2 or G_R1) and (not RLS_AB)  # AB locked from DM to AB|AC@101.toe
-        N_F_AB = (F_AB or LK_R1) and (not RLS_AB)  # AB firmly locked
+        N_L_AB_2 = (L_AB_2 or G_R1 or G_R2) and (not RLS_AB)  # AB locked from DM to AB|AC@101.toe
+        N_F_AB = (F_AB or LK_R1 or LK_R2) and (not RLS_AB)  # AB firmly locked
         N_U_AB = (U_AB or NU_AB_2) and (not RLS_AB)  # AB used by a train (R9)
         N_P_AB = (P_AB or (U_AB and OCC_AB and NU_AC_1)) and (not RLS_AB)  # AB: the train went on (R9)
         N_D_AB = (D_AB or ((not VALID) and L_AB_2)) and (not RLS_AB)  # AB: inputs were lost while locked
         N_K_AC = K_AC and (not RLS_AC)  # AC: restart lock (R16)
-        N_L_AC_1 = (L_AC_1 or G_R2) and (not RLS_AC)  # AC locked from AB|AC@101.toe to AC|AD@101.normal
-        N_L_AC_2 = (L_AC_2 or G_R3) and (not RLS_AC)  # AC locked from AB|AC@101.toe to AC|CD@X1.1b
-        N_F_AC = (F_AC or LK_R2 or LK_R3) and (not RLS_AC)  # AC firmly locked
+        N_L_AC_1 = (L_AC_1 or G_R3) and (not RLS_AC)  # AC locked from AB|AC@101.toe to AC|AD@101.normal
+        N_L_AC_2 = (L_AC_2 or G_R4) and (not RLS_AC)  # AC locked from AB|AC@101.toe to AC|CD@X1.1b
+        N_F_AC = (F_AC or LK_R3 or LK_R4) and (not RLS_AC)  # AC firmly locked
         N_U_AC = (U_AC or NU_AC_1) and (not RLS_AC)  # AC used by a train (R9)
         N_P_AC = (P_AC or (U_AC and OCC_AC and (NU_AD_1 or NU_CD_1))) and (not RLS_AC)  # AC: the train went on (R9)
         N_D_AC = (D_AC or ((not VALID) and (L_AC_1 or L_AC_2))) and (not RLS_AC)  # AC: inputs were lost while locked
         N_K_AD = K_AD and (not RLS_AD)  # AD: restart lock (R16)
-        N_L_AD_1 = (L_AD_1 or G_R2) and (not RLS_AD)  # AD locked from AC|AD@101.normal to AD|AE@down2.0
-        N_F_AD = (F_AD or LK_R2) and (not RLS_AD)  # AD firmly locked
+        N_L_AD_1 = (L_AD_1 or G_R3) and (not RLS_AD)  # AD locked from AC|AD@101.normal to AD|AE@down2.0
+        N_F_AD = (F_AD or LK_R3) and (not RLS_AD)  # AD firmly locked
         N_U_AD = (U_AD or NU_AD_1) and (not RLS_AD)  # AD used by a train (R9)
         N_P_AD = (P_AD or (U_AD and OCC_AD and NU_AE_1)) and (not RLS_AD)  # AD: the train went on (R9)
         N_D_AD = (D_AD or ((not VALID) and L_AD_1)) and (not RLS_AD)  # AD: inputs were lost while locked
         N_K_AE = K_AE and (not RLS_AE)  # AE: restart lock (R16)
-        N_L_AE_1 = (L_AE_1 or G_R6) and (not RLS_AE)  # AE locked from AD|AE@down2.0 to DM2
-        N_F_AE = (F_AE or LK_R6) and (not RLS_AE)  # AE firmly locked
+        N_L_AE_1 = (L_AE_1 or G_R7) and (not RLS_AE)  # AE locked from AD|AE@down2.0 to DM2
+        N_F_AE = (F_AE or LK_R7) and (not RLS_AE)  # AE firmly locked
         N_U_AE = (U_AE or NU_AE_1) and (not RLS_AE)  # AE used by a train (R9)
         N_P_AE = P_AE and (not RLS_AE)  # AE: the train went on (R9)
         N_D_AE = (D_AE or ((not VALID) and L_AE_1)) and (not RLS_AE)  # AE: inputs were lost while locked
         N_K_BB = K_BB and (not RLS_BB)  # BB: restart lock (R16)
-        N_L_BB_2 = (L_BB_2 or G_R4) and (not RLS_BB)  # BB locked from UM2 to BB|BC@X1.2a
-        N_F_BB = (F_BB or LK_R4) and (not RLS_BB)  # BB firmly locked
+        N_L_BB_2 = (L_BB_2 or G_R5) and (not RLS_BB)  # BB locked from UM2 to BB|BC@X1.2a
+        N_F_BB = (F_BB or LK_R5) and (not RLS_BB)  # BB firmly locked
         N_U_BB = (U_BB or NU_BB_2) and (not RLS_BB)  # BB used by a train (R9)
         N_P_BB = (P_BB or (U_BB and OCC_BB and NU_BC_1)) and (not RLS_BB)  # BB: the train went on (R9)
         N_D_BB = (D_BB or ((not VALID) and L_BB_2)) and (not RLS_BB)  # BB: inputs were lost while locked
         N_K_BC = K_BC and (not RLS_BC)  # BC: restart lock (R16)
-        N_L_BC_1 = (L_BC_1 or G_R5) and (not RLS_BC)  # BC locked from BB|BC@X1.2a to BC|BD@102.toe
-        N_L_BC_4 = (L_BC_4 or G_R8) and (not RLS_BC)  # BC locked from BC|DB@102.reverse to BC|BD@102.toe
-        N_F_BC = (F_BC or LK_R5 or LK_R8) and (not RLS_BC)  # BC firmly locked
+        N_L_BC_1 = (L_BC_1 or G_R6) and (not RLS_BC)  # BC locked from BB|BC@X1.2a to BC|BD@102.toe
+        N_L_BC_4 = (L_BC_4 or G_R9) and (not RLS_BC)  # BC locked from BC|DB@102.reverse to BC|BD@102.toe
+        N_F_BC = (F_BC or LK_R6 or LK_R9) and (not RLS_BC)  # BC firmly locked
         N_U_BC = (U_BC or NU_BC_1 or NU_BC_3) and (not RLS_BC)  # BC used by a train (R9)
         N_P_BC = (P_BC or (U_BC and OCC_BC and NU_BD_1)) and (not RLS_BC)  # BC: the train went on (R9)
         N_D_BC = (D_BC or ((not VALID) and (L_BC_1 or L_BC_4))) and (not RLS_BC)  # BC: inputs were lost while locked
         N_K_BD = K_BD and (not RLS_BD)  # BD: restart lock (R16)
-        N_L_BD_1 = (L_BD_1 or G_R5 or G_R8) and (not RLS_BD)  # BD locked from BC|BD@102.toe to BD|BE@up2.0
-        N_F_BD = (F_BD or LK_R5 or LK_R8) and (not RLS_BD)  # BD firmly locked
+        N_L_BD_1 = (L_BD_1 or G_R6 or G_R9) and (not RLS_BD)  # BD locked from BC|BD@102.toe to BD|BE@up2.0
+        N_F_BD = (F_BD or LK_R6 or LK_R9) and (not RLS_BD)  # BD firmly locked
         N_U_BD = (U_BD or NU_BD_1) and (not RLS_BD)  # BD used by a train (R9)
         N_P_BD = (P_BD or (U_BD and OCC_BD and NU_BE_1)) and (not RLS_BD)  # BD: the train went on (R9)
         N_D_BD = (D_BD or ((not VALID) and L_BD_1)) and (not RLS_BD)  # BD: inputs were lost while locked
         N_K_BE = K_BE and (not RLS_BE)  # BE: restart lock (R16)
-        N_L_BE_1 = (L_BE_1 or G_R10) and (not RLS_BE)  # BE locked from BD|BE@up2.0 to UM
-        N_F_BE = (F_BE or LK_R10) and (not RLS_BE)  # BE firmly locked
+        N_L_BE_1 = (L_BE_1 or G_R11) and (not RLS_BE)  # BE locked from BD|BE@up2.0 to UM
+        N_F_BE = (F_BE or LK_R11) and (not RLS_BE)  # BE firmly locked
         N_U_BE = (U_BE or NU_BE_1) and (not RLS_BE)  # BE used by a train (R9)
         N_P_BE = P_BE and (not RLS_BE)  # BE: the train went on (R9)
         N_D_BE = (D_BE or ((not VALID) and L_BE_1)) and (not RLS_BE)  # BE: inputs were lost while locked
         N_K_CD = K_CD and (not RLS_CD)  # CD: restart lock (R16)
-        N_L_CD_1 = (L_CD_1 or G_R3) and (not RLS_CD)  # CD locked from AC|CD@X1.1b to CD|CE@branch.0
-        N_F_CD = (F_CD or LK_R3) and (not RLS_CD)  # CD firmly locked
+        N_L_CD_1 = (L_CD_1 or G_R4) and (not RLS_CD)  # CD locked from AC|CD@X1.1b to CD|CE@branch.0
+        N_F_CD = (F_CD or LK_R4) and (not RLS_CD)  # CD firmly locked
         N_U_CD = (U_CD or NU_CD_1) and (not RLS_CD)  # CD used by a train (R9)
         N_P_CD = (P_CD or (U_CD and OCC_CD and NU_CE_1)) and (not RLS_CD)  # CD: the train went on (R9)
         N_D_CD = (D_CD or ((not VALID) and L_CD_1)) and (not RLS_CD)  # CD: inputs were lost while locked
         N_K_CE = K_CE and (not RLS_CE)  # CE: restart lock (R16)
-        N_L_CE_1 = (L_CE_1 or G_R9) and (not RLS_CE)  # CE locked from CD|CE@branch.0 to DBO
-        N_F_CE = (F_CE or LK_R9) and (not RLS_CE)  # CE firmly locked
+        N_L_CE_1 = (L_CE_1 or G_R10) and (not RLS_CE)  # CE locked from CD|CE@branch.0 to DBO
+        N_F_CE = (F_CE or LK_R10) and (not RLS_CE)  # CE firmly locked
         N_U_CE = (U_CE or NU_CE_1) and (not RLS_CE)  # CE used by a train (R9)
         N_P_CE = P_CE and (not RLS_CE)  # CE: the train went on (R9)
         N_D_CE = (D_CE or ((not VALID) and L_CE_1)) and (not RLS_CE)  # CE: inputs were lost while locked
         N_K_DB = K_DB and (not RLS_DB)  # DB: restart lock (R16)
-        N_L_DB_2 = (L_DB_2 or G_R7) and (not RLS_DB)  # DB locked from UB to BC|DB@102.reverse
-        N_F_DB = (F_DB or LK_R7) and (not RLS_DB)  # DB firmly locked
+        N_L_DB_2 = (L_DB_2 or G_R8) and (not RLS_DB)  # DB locked from UB to BC|DB@102.reverse
+        N_F_DB = (F_DB or LK_R8) and (not RLS_DB)  # DB firmly locked
         N_U_DB = (U_DB or NU_DB_2) and (not RLS_DB)  # DB used by a train (R9)
         N_P_DB = (P_DB or (U_DB and OCC_DB and NU_BC_3)) and (not RLS_DB)  # DB: the train went on (R9)
         N_D_DB = (D_DB or ((not VALID) and L_DB_2)) and (not RLS_DB)  # DB: inputs were lost while locked
+        N_V_S1J_1 = G_R1 or (V_S1J_1 and (not (OR_S1J and (not OCC_AC) and (not OCC_AD))))  # overlap 1 of S1J held
+        N_V_S1J_2 = G_R2 or (V_S1J_2 and (not (OR_S1J and (not OCC_AC) and (not OCC_CD))))  # overlap 2 of S1J held
+        N_V_S2J_1 = G_R5 or (V_S2J_1 and (not (OR_S2J and (not OCC_BC) and (not OCC_BD))))  # overlap 1 of S2J held
+        N_V_S3_1 = G_R3 or (V_S3_1 and (not (OR_S3 and (not OCC_AE))))  # overlap 1 of S3 held
+        N_V_S4J_1 = G_R8 or (V_S4J_1 and (not (OR_S4J and (not OCC_BC) and (not OCC_BD))))  # overlap 1 of S4J held
+        N_V_S5_1 = G_R4 or (V_S5_1 and (not (OR_S5 and (not OCC_CE))))  # overlap 1 of S5 held
+        N_V_S6_1 = (G_R6 or G_R9) or (V_S6_1 and (not (OR_S6 and (not OCC_BE))))  # overlap 1 of S6 held
+        N_VF_S1J = (VF_S1J or LK_R1 or LK_R2) and (V_S1J_1 or V_S1J_2)  # overlap of S1J firmly held
+        N_VF_S2J = (VF_S2J or LK_R5) and V_S2J_1  # overlap of S2J firmly held
+        N_VF_S3 = (VF_S3 or LK_R3) and V_S3_1  # overlap of S3 firmly held
+        N_VF_S4J = (VF_S4J or LK_R8) and V_S4J_1  # overlap of S4J firmly held
+        N_VF_S5 = (VF_S5 or LK_R4) and V_S5_1  # overlap of S5 firmly held
+        N_VF_S6 = (VF_S6 or LK_R6 or LK_R9) and V_S6_1  # overlap of S6 firmly held
         self.state = {
             'CN_101': bool(N_CN_101),
             'CR_101': bool(N_CR_101),
@@ -896,6 +978,11 @@ class Controller:
             'W_R10': bool(N_W_R10),
             'S_R10': bool(N_S_R10),
             'H_R10': bool(N_H_R10),
+            'A_R11': bool(N_A_R11),
+            'B_R11': bool(N_B_R11),
+            'W_R11': bool(N_W_R11),
+            'S_R11': bool(N_S_R11),
+            'H_R11': bool(N_H_R11),
             'X_S1': bool(N_X_S1),
             'X_S1J': bool(N_X_S1J),
             'X_S2': bool(N_X_S2),
@@ -973,6 +1060,19 @@ class Controller:
             'U_DB': bool(N_U_DB),
             'P_DB': bool(N_P_DB),
             'D_DB': bool(N_D_DB),
+            'V_S1J_1': bool(N_V_S1J_1),
+            'V_S1J_2': bool(N_V_S1J_2),
+            'V_S2J_1': bool(N_V_S2J_1),
+            'V_S3_1': bool(N_V_S3_1),
+            'V_S4J_1': bool(N_V_S4J_1),
+            'V_S5_1': bool(N_V_S5_1),
+            'V_S6_1': bool(N_V_S6_1),
+            'VF_S1J': bool(N_VF_S1J),
+            'VF_S2J': bool(N_VF_S2J),
+            'VF_S3': bool(N_VF_S3),
+            'VF_S4J': bool(N_VF_S4J),
+            'VF_S5': bool(N_VF_S5),
+            'VF_S6': bool(N_VF_S6),
         }
         CN_101 = self.state['CN_101']
         CR_101 = self.state['CR_101']
@@ -1030,6 +1130,11 @@ class Controller:
         W_R10 = self.state['W_R10']
         S_R10 = self.state['S_R10']
         H_R10 = self.state['H_R10']
+        A_R11 = self.state['A_R11']
+        B_R11 = self.state['B_R11']
+        W_R11 = self.state['W_R11']
+        S_R11 = self.state['S_R11']
+        H_R11 = self.state['H_R11']
         X_S1 = self.state['X_S1']
         X_S1J = self.state['X_S1J']
         X_S2 = self.state['X_S2']
@@ -1107,6 +1212,19 @@ class Controller:
         U_DB = self.state['U_DB']
         P_DB = self.state['P_DB']
         D_DB = self.state['D_DB']
+        V_S1J_1 = self.state['V_S1J_1']
+        V_S1J_2 = self.state['V_S1J_2']
+        V_S2J_1 = self.state['V_S2J_1']
+        V_S3_1 = self.state['V_S3_1']
+        V_S4J_1 = self.state['V_S4J_1']
+        V_S5_1 = self.state['V_S5_1']
+        V_S6_1 = self.state['V_S6_1']
+        VF_S1J = self.state['VF_S1J']
+        VF_S2J = self.state['VF_S2J']
+        VF_S3 = self.state['VF_S3']
+        VF_S4J = self.state['VF_S4J']
+        VF_S5 = self.state['VF_S5']
+        VF_S6 = self.state['VF_S6']
         return {
             'YN_101': bool(CN_101),
             'YR_101': bool(CR_101),
@@ -1114,33 +1232,33 @@ class Controller:
             'YR_102': bool(CR_102),
             'YA_101': bool(AL_101),
             'YA_102': bool(AL_102),
-            'YP_S1': bool(S_R1),
-            'YS_S1': bool((not S_R1)),
-            'YP_S1J': bool(S_R2 or S_R3),
-            'YS_S1J': bool((not (S_R2 or S_R3))),
-            'YP_S2': bool(S_R4),
-            'YS_S2': bool((not S_R4)),
-            'YP_S2J': bool(S_R5),
-            'YS_S2J': bool((not S_R5)),
-            'YP_S3': bool(S_R6),
-            'YS_S3': bool((not S_R6)),
-            'YP_S4': bool(S_R7),
-            'YS_S4': bool((not S_R7)),
-            'YP_S4J': bool(S_R8),
-            'YS_S4J': bool((not S_R8)),
-            'YP_S5': bool(S_R9),
-            'YS_S5': bool((not S_R9)),
-            'YP_S6': bool(S_R10),
-            'YS_S6': bool((not S_R10)),
+            'YP_S1': bool(S_R1 or S_R2),
+            'YS_S1': bool((not (S_R1 or S_R2))),
+            'YP_S1J': bool(S_R3 or S_R4),
+            'YS_S1J': bool((not (S_R3 or S_R4))),
+            'YP_S2': bool(S_R5),
+            'YS_S2': bool((not S_R5)),
+            'YP_S2J': bool(S_R6),
+            'YS_S2J': bool((not S_R6)),
+            'YP_S3': bool(S_R7),
+            'YS_S3': bool((not S_R7)),
+            'YP_S4': bool(S_R8),
+            'YS_S4': bool((not S_R8)),
+            'YP_S4J': bool(S_R9),
+            'YS_S4J': bool((not S_R9)),
+            'YP_S5': bool(S_R10),
+            'YS_S5': bool((not S_R10)),
+            'YP_S6': bool(S_R11),
+            'YS_S6': bool((not S_R11)),
             'YL_AB': bool(K_AB or L_AB_2),
-            'YL_AC': bool(K_AC or L_AC_1 or L_AC_2),
-            'YL_AD': bool(K_AD or L_AD_1),
-            'YL_AE': bool(K_AE or L_AE_1),
+            'YL_AC': bool(K_AC or L_AC_1 or L_AC_2 or V_S1J_1 or V_S1J_2),
+            'YL_AD': bool(K_AD or L_AD_1 or V_S1J_1),
+            'YL_AE': bool(K_AE or L_AE_1 or V_S3_1),
             'YL_BB': bool(K_BB or L_BB_2),
-            'YL_BC': bool(K_BC or L_BC_1 or L_BC_4),
-            'YL_BD': bool(K_BD or L_BD_1),
-            'YL_BE': bool(K_BE or L_BE_1),
-            'YL_CD': bool(K_CD or L_CD_1),
-            'YL_CE': bool(K_CE or L_CE_1),
+            'YL_BC': bool(K_BC or L_BC_1 or L_BC_4 or V_S2J_1 or V_S4J_1),
+            'YL_BD': bool(K_BD or L_BD_1 or V_S2J_1 or V_S4J_1),
+            'YL_BE': bool(K_BE or L_BE_1 or V_S6_1),
+            'YL_CD': bool(K_CD or L_CD_1 or V_S1J_2),
+            'YL_CE': bool(K_CE or L_CE_1 or V_S5_1),
             'YL_DB': bool(K_DB or L_DB_2),
         }

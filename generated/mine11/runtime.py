@@ -1,7 +1,7 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout e5d5cdeb243bba4880f579deac4e99b6c798e11728e8f0e56565759bcdf55a91
-# claims 40270f68e2a0781275f40a356e83fa5962bb745a5cadf100cf32ca6641650280
+# layout ca177beefa996335e4478e59243f58874f26a5352a67799fb4a96189e23a3a1d
+# claims 5e6f97e4e433542f9763ceffa9ca2b0a0b0b931c76fba046930f78e7a05a0599
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -230,26 +230,26 @@ TIMERS = {
 }
 # name: restrictive value, meaning
 OUTPUTS = {
-    'YN_P1': False,  # drive machine P1 to N
-    'YR_P1': False,  # drive machine P1 to R
-    'YN_P2': False,  # drive machine P2 to N
-    'YR_P2': False,  # drive machine P2 to R
+    'YN_P1': False,  # machine P1: normal
+    'YR_P1': False,  # machine P1: reverse
+    'YN_P2': False,  # machine P2: normal
+    'YR_P2': False,  # machine P2: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
     'YA_P2': False,  # alarm: machine P2 not detected in time
     'YP_X1': False,  # signal X1: proceed (green)
-    'YS_X1': True,  # signal X1: stop (red)
+    'YS_X1': True,  # signal X1: stop
     'YP_X2': False,  # signal X2: proceed (green)
-    'YS_X2': True,  # signal X2: stop (red)
+    'YS_X2': True,  # signal X2: stop
     'YP_X3': False,  # signal X3: proceed (green)
-    'YS_X3': True,  # signal X3: stop (red)
+    'YS_X3': True,  # signal X3: stop
     'YP_X4': False,  # signal X4: proceed (green)
-    'YS_X4': True,  # signal X4: stop (red)
+    'YS_X4': True,  # signal X4: stop
     'YP_X5': False,  # signal X5: proceed (green)
-    'YS_X5': True,  # signal X5: stop (red)
+    'YS_X5': True,  # signal X5: stop
     'YP_X6': False,  # signal X6: proceed (green)
-    'YS_X6': True,  # signal X6: stop (red)
+    'YS_X6': True,  # signal X6: stop
     'YP_X7': False,  # signal X7: proceed (green)
-    'YS_X7': True,  # signal X7: stop (red)
+    'YS_X7': True,  # signal X7: stop
     'YL_q1': True,  # indication: q1 is locked
     'YL_q10': True,  # indication: q10 is locked
     'YL_q11': True,  # indication: q11 is locked
@@ -503,10 +503,8 @@ class Controller:
         FREE_q9 = (not K_q9) and (not L_q9_1) and (not L_q9_2)  # q9 is not locked by anybody
         QN_P1 = VALID and DN_P1 and (not DR_P1)  # machine P1 lies N (R10)
         QR_P1 = VALID and DR_P1 and (not DN_P1)  # machine P1 lies R (R10)
-        QA_P1 = (QN_P1 and (not CR_P1)) or (QR_P1 and (not CN_P1))  # machine P1 is at rest, not commanded away
         QN_P2 = VALID and DN_P2 and (not DR_P2)  # machine P2 lies N (R10)
         QR_P2 = VALID and DR_P2 and (not DN_P2)  # machine P2 lies R (R10)
-        QA_P2 = (QN_P2 and (not CR_P2)) or (QR_P2 and (not CN_P2))  # machine P2 is at rest, not commanded away
         MOV_P1 = VALID and FREE_q2 and (not OCC_q2) and True and True  # machine P1 is free to move (R10)
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R

@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 5d41b1809b20a70beab6b31c0b22f941cf50ae49b5407612768eb50a567cfd61
-# claims b2e6eb62fd5c184cbe4a3638730f32063e9908f221de580699b8a4cf508d408b
+# layout f8670d527a2e1866dba1436fe4a684a0a8471d680a6b9db37ecd94489c34a229
+# claims 0822a46b9ebc1174dec34fa9bcd0386e8f7c62ebc1df2354b992d0abfe5a43e0
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -167,24 +167,24 @@ TIMERS = {
 }
 # name: restrictive value, meaning
 OUTPUTS = {
-    'YN_1': False,  # drive machine 1 to N
-    'YR_1': False,  # drive machine 1 to R
-    'YN_2': False,  # drive machine 2 to N
-    'YR_2': False,  # drive machine 2 to R
+    'YN_1': False,  # machine 1: normal
+    'YR_1': False,  # machine 1: reverse
+    'YN_2': False,  # machine 2: normal
+    'YR_2': False,  # machine 2: reverse
     'YA_1': False,  # alarm: machine 1 not detected in time
     'YA_2': False,  # alarm: machine 2 not detected in time
     'YP_S': False,  # signal S: proceed (green)
-    'YS_S': True,  # signal S: stop (red)
+    'YS_S': True,  # signal S: stop
     'YP_S1': False,  # signal S1: proceed (green)
-    'YS_S1': True,  # signal S1: stop (red)
+    'YS_S1': True,  # signal S1: stop
     'YP_S3': False,  # signal S3: proceed (green)
-    'YS_S3': True,  # signal S3: stop (red)
+    'YS_S3': True,  # signal S3: stop
     'YP_X': False,  # signal X: proceed (green)
-    'YS_X': True,  # signal X: stop (red)
+    'YS_X': True,  # signal X: stop
     'YP_X1': False,  # signal X1: proceed (green)
-    'YS_X1': True,  # signal X1: stop (red)
+    'YS_X1': True,  # signal X1: stop
     'YP_X3': False,  # signal X3: proceed (green)
-    'YS_X3': True,  # signal X3: stop (red)
+    'YS_X3': True,  # signal X3: stop
     'YL_1DG': True,  # indication: 1DG is locked
     'YL_2DG': True,  # indication: 2DG is locked
     'YL_3G': True,  # indication: 3G is locked
@@ -366,10 +366,8 @@ class Controller:
         FREE_IIAG = (not K_IIAG) and (not L_IIAG_1) and (not L_IIAG_2)  # IIAG is not locked by anybody
         QN_1 = VALID and DN_1 and (not DR_1)  # machine 1 lies N (R10)
         QR_1 = VALID and DR_1 and (not DN_1)  # machine 1 lies R (R10)
-        QA_1 = (QN_1 and (not CR_1)) or (QR_1 and (not CN_1))  # machine 1 is at rest, not commanded away
         QN_2 = VALID and DN_2 and (not DR_2)  # machine 2 lies N (R10)
         QR_2 = VALID and DR_2 and (not DN_2)  # machine 2 lies R (R10)
-        QA_2 = (QN_2 and (not CR_2)) or (QR_2 and (not CN_2))  # machine 2 is at rest, not commanded away
         MOV_1 = VALID and FREE_1DG and (not OCC_1DG) and True and True  # machine 1 is free to move (R10)
         AVN_1 = CN_1 or MOV_1 or (QN_1 and (not CN_1) and (not CR_1))  # machine 1 can be demanded N
         AVR_1 = CR_1 or MOV_1 or (QR_1 and (not CN_1) and (not CR_1))  # machine 1 can be demanded R

@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout b4179c716cccc23e368be61c9230973bc785d9d5cb8531635fe7f3eaa5a3043f
-# claims 13319a09575fc9ec095c830ff65ffb555547162459c04242f27a1f8c903e773a
+# layout e61e5ae745200577c2ba0ed372ff79a4fa55d405a06b562b87200cfabe7bf245
+# claims 331805bef644616f4a0e6f4194ccfc39d67a1ad1fc85cad387cf0a2307962150
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -317,42 +317,42 @@ TIMERS = {
 }
 # name: restrictive value, meaning
 OUTPUTS = {
-    'YN_P1': False,  # drive machine P1 to N
-    'YR_P1': False,  # drive machine P1 to R
-    'YN_P2': False,  # drive machine P2 to N
-    'YR_P2': False,  # drive machine P2 to R
-    'YN_P3': False,  # drive machine P3 to N
-    'YR_P3': False,  # drive machine P3 to R
-    'YN_P4': False,  # drive machine P4 to N
-    'YR_P4': False,  # drive machine P4 to R
+    'YN_P1': False,  # machine P1: normal
+    'YR_P1': False,  # machine P1: reverse
+    'YN_P2': False,  # machine P2: normal
+    'YR_P2': False,  # machine P2: reverse
+    'YN_P3': False,  # machine P3: normal
+    'YR_P3': False,  # machine P3: reverse
+    'YN_P4': False,  # machine P4: normal
+    'YR_P4': False,  # machine P4: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
     'YA_P2': False,  # alarm: machine P2 not detected in time
     'YA_P3': False,  # alarm: machine P3 not detected in time
     'YA_P4': False,  # alarm: machine P4 not detected in time
     'YP_S0': False,  # signal S0: proceed (green)
-    'YS_S0': True,  # signal S0: stop (red)
+    'YS_S0': True,  # signal S0: stop
     'YP_S1': False,  # signal S1: proceed (green)
-    'YS_S1': True,  # signal S1: stop (red)
+    'YS_S1': True,  # signal S1: stop
     'YP_S10': False,  # signal S10: proceed (green)
-    'YS_S10': True,  # signal S10: stop (red)
+    'YS_S10': True,  # signal S10: stop
     'YP_S11': False,  # signal S11: proceed (green)
-    'YS_S11': True,  # signal S11: stop (red)
+    'YS_S11': True,  # signal S11: stop
     'YP_S2': False,  # signal S2: proceed (green)
-    'YS_S2': True,  # signal S2: stop (red)
+    'YS_S2': True,  # signal S2: stop
     'YP_S3': False,  # signal S3: proceed (green)
-    'YS_S3': True,  # signal S3: stop (red)
+    'YS_S3': True,  # signal S3: stop
     'YP_S4': False,  # signal S4: proceed (green)
-    'YS_S4': True,  # signal S4: stop (red)
+    'YS_S4': True,  # signal S4: stop
     'YP_S5': False,  # signal S5: proceed (green)
-    'YS_S5': True,  # signal S5: stop (red)
+    'YS_S5': True,  # signal S5: stop
     'YP_S6': False,  # signal S6: proceed (green)
-    'YS_S6': True,  # signal S6: stop (red)
+    'YS_S6': True,  # signal S6: stop
     'YP_S7': False,  # signal S7: proceed (green)
-    'YS_S7': True,  # signal S7: stop (red)
+    'YS_S7': True,  # signal S7: stop
     'YP_S8': False,  # signal S8: proceed (green)
-    'YS_S8': True,  # signal S8: stop (red)
+    'YS_S8': True,  # signal S8: stop
     'YP_S9': False,  # signal S9: proceed (green)
-    'YS_S9': True,  # signal S9: stop (red)
+    'YS_S9': True,  # signal S9: stop
     'YL_q1': True,  # indication: q1 is locked
     'YL_q10_bypass2': True,  # indication: q10_bypass2 is locked
     'YL_q11_material': True,  # indication: q11_material is locked
@@ -690,16 +690,12 @@ class Controller:
         FREE_q9 = (not K_q9) and (not L_q9_1) and (not L_q9_2) and (not L_q9_3) and (not L_q9_4)  # q9 is not locked by anybody
         QN_P1 = VALID and DN_P1 and (not DR_P1)  # machine P1 lies N (R10)
         QR_P1 = VALID and DR_P1 and (not DN_P1)  # machine P1 lies R (R10)
-        QA_P1 = (QN_P1 and (not CR_P1)) or (QR_P1 and (not CN_P1))  # machine P1 is at rest, not commanded away
         QN_P2 = VALID and DN_P2 and (not DR_P2)  # machine P2 lies N (R10)
         QR_P2 = VALID and DR_P2 and (not DN_P2)  # machine P2 lies R (R10)
-        QA_P2 = (QN_P2 and (not CR_P2)) or (QR_P2 and (not CN_P2))  # machine P2 is at rest, not commanded away
         QN_P3 = VALID and DN_P3 and (not DR_P3)  # machine P3 lies N (R10)
         QR_P3 = VALID and DR_P3 and (not DN_P3)  # machine P3 lies R (R10)
-        QA_P3 = (QN_P3 and (not CR_P3)) or (QR_P3 and (not CN_P3))  # machine P3 is at rest, not commanded away
         QN_P4 = VALID and DN_P4 and (not DR_P4)  # machine P4 lies N (R10)
         QR_P4 = VALID and DR_P4 and (not DN_P4)  # machine P4 lies R (R10)
-        QA_P4 = (QN_P4 and (not CR_P4)) or (QR_P4 and (not CN_P4))  # machine P4 is at rest, not commanded away
         MOV_P1 = VALID and FREE_q2 and (not OCC_q2) and True and True  # machine P1 is free to move (R10)
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R

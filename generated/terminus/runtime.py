@@ -1,7 +1,7 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout ee3688f0befcbc9fceb461f4e6b62c621cd1320d6e23d4a97655098c374804a5
-# claims 471deeabb730b692354b8fc331a6899c30776403e248f785e2f0bf531fc0bd81
+# layout ac158173b6e57bf467f5b63308a9df1cd0af50acb676650667e2a1eeefdc4591
+# claims b7895e5522349280904e5aae61c3410265cbd4766c2fb72722d0f96e19778dcf
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -232,28 +232,28 @@ TIMERS = {
 }
 # name: restrictive value, meaning
 OUTPUTS = {
-    'YN_201': False,  # drive machine 201 to N
-    'YR_201': False,  # drive machine 201 to R
-    'YN_202': False,  # drive machine 202 to N
-    'YR_202': False,  # drive machine 202 to R
-    'YN_203': False,  # drive machine 203 to N
-    'YR_203': False,  # drive machine 203 to R
-    'YN_204': False,  # drive machine 204 to N
-    'YR_204': False,  # drive machine 204 to R
+    'YN_201': False,  # machine 201: normal
+    'YR_201': False,  # machine 201: reverse
+    'YN_202': False,  # machine 202: normal
+    'YR_202': False,  # machine 202: reverse
+    'YN_203': False,  # machine 203: normal
+    'YR_203': False,  # machine 203: reverse
+    'YN_204': False,  # machine 204: normal
+    'YR_204': False,  # machine 204: reverse
     'YA_201': False,  # alarm: machine 201 not detected in time
     'YA_202': False,  # alarm: machine 202 not detected in time
     'YA_203': False,  # alarm: machine 203 not detected in time
     'YA_204': False,  # alarm: machine 204 not detected in time
     'YP_S1': False,  # signal S1: proceed (green)
-    'YS_S1': True,  # signal S1: stop (red)
+    'YS_S1': True,  # signal S1: stop
     'YP_S11': False,  # signal S11: proceed (green)
-    'YS_S11': True,  # signal S11: stop (red)
+    'YS_S11': True,  # signal S11: stop
     'YP_S12': False,  # signal S12: proceed (green)
-    'YS_S12': True,  # signal S12: stop (red)
+    'YS_S12': True,  # signal S12: stop
     'YP_S13': False,  # signal S13: proceed (green)
-    'YS_S13': True,  # signal S13: stop (red)
+    'YS_S13': True,  # signal S13: stop
     'YP_S14': False,  # signal S14: proceed (green)
-    'YS_S14': True,  # signal S14: stop (red)
+    'YS_S14': True,  # signal S14: stop
     'YL_P1': True,  # indication: P1 is locked
     'YL_P2': True,  # indication: P2 is locked
     'YL_P3': True,  # indication: P3 is locked
@@ -504,16 +504,12 @@ class Controller:
         FREE_UA = (not K_UA) and (not L_UA_1)  # UA is not locked by anybody
         QN_201 = VALID and DN_201 and (not DR_201)  # machine 201 lies N (R10)
         QR_201 = VALID and DR_201 and (not DN_201)  # machine 201 lies R (R10)
-        QA_201 = (QN_201 and (not CR_201)) or (QR_201 and (not CN_201))  # machine 201 is at rest, not commanded away
         QN_202 = VALID and DN_202 and (not DR_202)  # machine 202 lies N (R10)
         QR_202 = VALID and DR_202 and (not DN_202)  # machine 202 lies R (R10)
-        QA_202 = (QN_202 and (not CR_202)) or (QR_202 and (not CN_202))  # machine 202 is at rest, not commanded away
         QN_203 = VALID and DN_203 and (not DR_203)  # machine 203 lies N (R10)
         QR_203 = VALID and DR_203 and (not DN_203)  # machine 203 lies R (R10)
-        QA_203 = (QN_203 and (not CR_203)) or (QR_203 and (not CN_203))  # machine 203 is at rest, not commanded away
         QN_204 = VALID and DN_204 and (not DR_204)  # machine 204 lies N (R10)
         QR_204 = VALID and DR_204 and (not DN_204)  # machine 204 lies R (R10)
-        QA_204 = (QN_204 and (not CR_204)) or (QR_204 and (not CN_204))  # machine 204 is at rest, not commanded away
         MOV_201 = VALID and FREE_T1 and (not OCC_T1) and FREE_T2 and (not OCC_T2) and True and (not (L_T1_6 or L_T2_2))  # machine 201 is free to move (R10)
         AVN_201 = CN_201 or MOV_201 or (QN_201 and (not CN_201) and (not CR_201))  # machine 201 can be demanded N
         AVR_201 = CR_201 or MOV_201 or (QR_201 and (not CN_201) and (not CR_201))  # machine 201 can be demanded R
