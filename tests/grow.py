@@ -90,6 +90,8 @@ class Grown:
             name = self.name("W")
             kind = self.rng.choice(["both"] * 6 + ["out"] * 3 + ["in"])
             approach = f"approach: {self.name('ap')} 100, " if self.rng.random() < 0.8 else ""
+            if self.rng.random() < 0.1:
+                approach += "block: automatic, "
             self.boundaries[name] = f"{{{approach}trains: {kind}}}"
             if kind != "out":
                 self.signals.append(f"  {self.name('X')}: {{from: {name}, into: {at.section}}}")
@@ -190,6 +192,18 @@ class Grown:
             for p in self.rng.sample(names, 2):
                 self.points[p]["machine"] = machine
 
+    def blind(self) -> list[str]:
+        """Now and then a siding without detection, with the shunt signal that it needs."""
+        for name, items in self.tracks.items():
+            if self.shunting and len(items) > 2 and items[-1] in self.buffers and self.rng.random() < 0.3:
+                last, before = items[-2].split()[0], items[-3].split()[0]
+                others = [n for n, rest in self.tracks.items() if n != name and any(last in x.split() for x in rest)]
+                if last == before or others or any(last in s for s in self.signals):
+                    continue
+                self.signals.append(f"  {self.name('G')}: {{from: {last}, into: {before}, kind: shunt}}")
+                return ["sections:", f"  {last}: {{detected: no}}"]
+        return []
+
     def furnish(self) -> list[str]:
         """Level crossings, interlocks, hand-worked points and overlaps here and there."""
         out: list[str] = []
@@ -224,7 +238,7 @@ class Grown:
                     self.signals.append(f"  {name}: {{from: {x}, into: {y}{at}{f', kind: {kind}' if kind else ''}}}")
 
     def text(self) -> str:
-        more = self.furnish()
+        more = [*self.furnish(), *self.blind()]
         profile = self.rng.choice(["mine", "generic", "cn"])
         out = ["interlock: 1", "name: grown", f"profile: {profile}", "boundaries:"]
         out += [f"  {n}: {b}" for n, b in self.boundaries.items()]

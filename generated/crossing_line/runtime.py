@@ -1,6 +1,6 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout d440beddf9a4c5978f3c6ad9c0c846258f0bcbc10bd4c6d2b02dcfc8d9d25945
+# layout ae010be3ab2cc6f57a866511d349af878bcf14be3d0a8dae1ad397d1c95f51a4
 # claims 2b79bf0d860ec200ccf2b1e4fb65dd5861d1074f3293583c13d9ad7e6717a140
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

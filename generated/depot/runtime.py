@@ -1,6 +1,6 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout ed4a5004f59a3324703a747be476b38f3186af10af6bd13189c967ef1f70f2a7
+# layout 0aafed760510dbfc76e3d360a328e8f800b587a26576641820dac0b63e6c44e2
 # claims 7d32db1d71623ed887f4df3af266199621bfe7b054a573a48880371ba1ab0c8f
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -30,7 +30,6 @@ INPUTS = {
     'CLR_sh2': (0, 2),  # section sh2 reported clear
     'CLR_sh3': (0, 2),  # section sh3 reported clear
     'CLR_sto': (0, 2),  # section sto reported clear
-    'CLR_wsh': (0, 2),  # section wsh reported clear
     'REL_arr': (0, 2),  # operator: release section arr (hold until released)
     'REL_brg': (0, 2),  # operator: release section brg (hold until released)
     'REL_p1': (0, 2),  # operator: release section p1 (hold until released)
@@ -395,7 +394,6 @@ class Controller:
         CLR_sh2 = read['CLR_sh2']
         CLR_sh3 = read['CLR_sh3']
         CLR_sto = read['CLR_sto']
-        CLR_wsh = read['CLR_wsh']
         REL_arr = read['REL_arr']
         REL_brg = read['REL_brg']
         REL_p1 = read['REL_p1']
@@ -637,7 +635,6 @@ class Controller:
         OCC_sh2 = (not CLR_sh2) or (not VALID)  # sh2 counts as occupied
         OCC_sh3 = (not CLR_sh3) or (not VALID)  # sh3 counts as occupied
         OCC_sto = (not CLR_sto) or (not VALID)  # sto counts as occupied
-        OCC_wsh = (not CLR_wsh) or (not VALID)  # wsh counts as occupied
         FREE_arr = (not K_arr) and (not L_arr_1) and (not L_arr_2)  # arr is not locked by anybody
         FREE_brg = (not K_brg) and (not L_brg_1) and (not L_brg_2)  # brg is not locked by anybody
         FREE_p1 = (not K_p1) and (not L_p1_1) and (not L_p1_2) and (not L_p1_3) and (not L_p1_4)  # p1 is not locked by anybody
@@ -728,7 +725,7 @@ class Controller:
         NU_brg_2 = VALID and F_brg and (not D_brg) and (not U_brg) and L_brg_2 and OCC_brg and OCC_ph and U_ph and L_ph_1  # a train comes into brg at brg|ph@PH.normal (R9)
         NU_p1_1 = VALID and F_p1 and (not D_p1) and (not U_p1) and (L_p1_1 or L_p1_2) and OCC_p1 and OCC_brg and ((not M_p1) or U_brg) and ((not M_p1) or L_brg_2)  # a train comes into p1 at brg|p1@P1.toe (R9)
         NU_p1_2 = VALID and F_p1 and (not D_p1) and (not U_p1) and L_p1_3 and OCC_p1 and OCC_p2 and U_p2 and (L_p2_4 or L_p2_5)  # a train comes into p1 at p1|p2@P1.normal (R9)
-        NU_p1_3 = VALID and F_p1 and (not D_p1) and (not U_p1) and L_p1_4 and OCC_p1 and OCC_wsh and ((not M_p1) or U_wsh) and (not M_p1)  # a train comes into p1 at p1|wsh@P1.reverse (R9)
+        NU_p1_3 = VALID and F_p1 and (not D_p1) and (not U_p1) and L_p1_4 and OCC_p1 and True and ((not M_p1) or U_wsh) and (not M_p1)  # a train comes into p1 at p1|wsh@P1.reverse (R9)
         NU_p2_2 = VALID and F_p2 and (not D_p2) and (not U_p2) and (L_p2_2 or L_p2_3) and OCC_p2 and OCC_p1 and U_p1 and L_p1_1  # a train comes into p2 at p1|p2@P1.normal (R9)
         NU_p2_3 = VALID and F_p2 and (not D_p2) and (not U_p2) and L_p2_4 and OCC_p2 and OCC_p3 and U_p3 and (L_p3_5 or L_p3_6)  # a train comes into p2 at p2|p3@P2.normal (R9)
         NU_p2_4 = VALID and F_p2 and (not D_p2) and (not U_p2) and L_p2_5 and OCC_p2 and OCC_sh1 and ((not M_p2) or U_sh1) and (not M_p2)  # a train comes into p2 at p2|sh1@D1.outer (R9)
@@ -740,10 +737,10 @@ class Controller:
         NU_sh1_2 = VALID and F_sh1 and (not D_sh1) and (not U_sh1) and L_sh1_2 and OCC_sh1 and OCC_p2 and U_p2 and L_p2_3  # a train comes into sh1 at p2|sh1@D1.outer (R9)
         NU_sh2_2 = VALID and F_sh2 and (not D_sh2) and (not U_sh2) and L_sh2_2 and OCC_sh2 and OCC_p3 and U_p3 and L_p3_3  # a train comes into sh2 at p3|sh2@D2.outer (R9)
         NU_sh3_2 = VALID and F_sh3 and (not D_sh3) and (not U_sh3) and L_sh3_2 and OCC_sh3 and OCC_p3 and U_p3 and L_p3_4  # a train comes into sh3 at p3|sh3@D3.outer (R9)
-        NU_wsh_2 = VALID and F_wsh and (not D_wsh) and (not U_wsh) and L_wsh_2 and OCC_wsh and OCC_p1 and U_p1 and L_p1_2  # a train comes into wsh at p1|wsh@P1.reverse (R9)
+        NU_wsh_2 = VALID and F_wsh and (not D_wsh) and (not U_wsh) and L_wsh_2 and True and OCC_p1 and U_p1 and L_p1_2  # a train comes into wsh at p1|wsh@P1.reverse (R9)
         ATI_A1 = X_A1 or ((not A_R1) and L_ph_1 and REL_ph)  # A1 at stop, waiting for a train that may still come (R8)
         ATI_A2 = X_A2 or ((not A_R2) and L_arr_2 and (REL_arr or (L_arr_2 and U_arr and (not OCC_arr))))  # A2 at stop, waiting for a train that may still come (R8)
-        ATI_B1 = X_B1 or ((not (A_R3 or A_R4 or A_R5 or A_R6)) and (L_p1_1 or L_p1_2) and REL_p1)  # B1 at stop, waiting for a train that may still come (R8)
+        ATI_B1 = X_B1 or ((not (A_R3 or A_R4 or A_R5 or A_R6)) and (L_p1_1 or L_p1_2) and (REL_p1 or (L_p1_2 and (not M_p1) and U_p1 and (not OCC_p1))))  # B1 at stop, waiting for a train that may still come (R8)
         ATI_E = X_E or ((not A_R7) and L_arr_1 and REL_arr)  # E at stop, waiting for a train that may still come (R8)
         ATI_K1 = X_K1 or ((not A_R8) and L_p2_5 and REL_p2)  # K1 at stop, waiting for a train that may still come (R8)
         ATI_K2 = X_K2 or ((not A_R9) and L_p3_5 and REL_p3)  # K2 at stop, waiting for a train that may still come (R8)
@@ -764,16 +761,16 @@ class Controller:
         CD_K1 = X_K1 and A_R8 and VALID and (not OCC_p2) and ((not OCC_sh1) or AT_K1 or (not H_R8))  # the route from K1 is cancelled (R8)
         CD_K2 = X_K2 and A_R9 and VALID and (not OCC_p3) and ((not OCC_sh2) or AT_K2 or (not H_R9))  # the route from K2 is cancelled (R8)
         CD_K3 = X_K3 and A_R10 and VALID and (not OCC_p3) and ((not OCC_sh3) or AT_K3 or (not H_R10))  # the route from K3 is cancelled (R8)
-        CD_W = X_W and A_R11 and VALID and (not OCC_p1) and ((not OCC_wsh) or AT_W or (not H_R11))  # the route from W is cancelled (R8)
+        CD_W = X_W and A_R11 and VALID and (not OCC_p1) and (AT_W or (not H_R11))  # the route from W is cancelled (R8)
         EX_arr = P_arr or (L_arr_2 and ((not OCC_ph) or AT_A2))  # a train in arr leaves over a boundary, or has passed on
         RTI_arr = VALID and U_arr and (not OCC_arr) and EX_arr  # arr may be released behind the train (R9)
         EX_brg = P_brg  # a train in brg leaves over a boundary, or has passed on
         RTI_brg = VALID and U_brg and (not OCC_brg) and (not (L_brg_1 and (L_p1_3 or L_p1_4))) and (not (L_brg_2 and L_ph_1)) and EX_brg  # brg may be released behind the train (R9)
-        EX_p1 = P_p1  # a train in p1 leaves over a boundary, or has passed on
+        EX_p1 = P_p1 or (L_p1_2 and (not M_p1) and ((not OCC_brg) or AT_B1))  # a train in p1 leaves over a boundary, or has passed on
         RTI_p1 = VALID and U_p1 and (not OCC_p1) and (not ((L_p1_1 or L_p1_2) and L_brg_2 and M_p1 and M_brg)) and (not (L_p1_3 and (L_p2_4 or L_p2_5))) and EX_p1  # p1 may be released behind the train (R9)
-        EX_p2 = P_p2  # a train in p2 leaves over a boundary, or has passed on
+        EX_p2 = P_p2 or (L_p2_3 and (not M_p2) and OCC_sh1)  # a train in p2 leaves over a boundary, or has passed on
         RTI_p2 = VALID and U_p2 and (not OCC_p2) and (not ((L_p2_2 or L_p2_3) and L_p1_1)) and (not (L_p2_4 and (L_p3_5 or L_p3_6))) and EX_p2  # p2 may be released behind the train (R9)
-        EX_p3 = P_p3  # a train in p3 leaves over a boundary, or has passed on
+        EX_p3 = P_p3 or (L_p3_3 and (not M_p3) and OCC_sh2) or (L_p3_4 and (not M_p3) and OCC_sh3)  # a train in p3 leaves over a boundary, or has passed on
         RTI_p3 = VALID and U_p3 and (not OCC_p3) and (not ((L_p3_3 or L_p3_4) and L_p2_2)) and EX_p3  # p3 may be released behind the train (R9)
         EX_ph = P_ph  # a train in ph leaves over a boundary, or has passed on
         RTI_ph = VALID and U_ph and (not OCC_ph) and (not (L_ph_3 and L_brg_1)) and EX_ph  # ph may be released behind the train (R9)
@@ -786,7 +783,7 @@ class Controller:
         EX_sto = P_sto  # a train in sto leaves over a boundary, or has passed on
         RTI_sto = VALID and U_sto and (not OCC_sto) and EX_sto  # sto may be released behind the train (R9)
         EX_wsh = P_wsh  # a train in wsh leaves over a boundary, or has passed on
-        RTI_wsh = VALID and U_wsh and (not OCC_wsh) and (not G_R6) and (not L_p1_2) and EX_wsh  # wsh may be released behind the train (R9)
+        RTI_wsh = VALID and U_wsh and False and (not G_R6) and (not L_p1_2) and EX_wsh  # wsh may be released behind the train (R9)
         RT_arr = self._timer('RT_arr', RTI_arr, dt_ms)  # arr: release delay (R9)
         RT_brg = self._timer('RT_brg', RTI_brg, dt_ms)  # brg: release delay (R9)
         RT_p1 = self._timer('RT_p1', RTI_p1, dt_ms)  # p1: release delay (R9)
@@ -807,7 +804,7 @@ class Controller:
         SR_brg = VALID and (not OCC_brg) and K_brg and (REL_brg or RELALL)  # brg released after a restart (R16)
         RLS_brg = RT_brg or CA_brg or HR_brg or SR_brg  # brg is released
         CA_p1 = VALID and (not OCC_p1) and (not U_p1) and (((L_p1_1 or L_p1_2) and M_p1) or L_p1_3 or (L_p1_4 and M_p1)) and (not ((L_p1_1 or L_p1_2) and L_brg_2 and M_p1 and M_brg)) and (not (L_p1_3 and (L_p2_4 or L_p2_5)))  # the lock before p1 was withdrawn (R8)
-        HR_p1 = VALID and (not OCC_p1) and (not ((L_p1_1 or L_p1_2) and L_brg_2 and M_p1 and M_brg)) and (not (L_p1_3 and (L_p2_4 or L_p2_5))) and REL_p1 and (L_p1_1 or L_p1_2 or L_p1_3 or L_p1_4) and ((not (L_p1_1 or L_p1_2)) or ((not (A_R3 or A_R4 or A_R5 or A_R6)) and ((not OCC_brg) or AT_B1))) and ((not L_p1_4) or ((not A_R11) and ((not OCC_wsh) or AT_W)))  # p1 released by hand (R8, section fault release)
+        HR_p1 = VALID and (not OCC_p1) and (not ((L_p1_1 or L_p1_2) and L_brg_2 and M_p1 and M_brg)) and (not (L_p1_3 and (L_p2_4 or L_p2_5))) and REL_p1 and (L_p1_1 or L_p1_2 or L_p1_3 or L_p1_4) and ((not (L_p1_1 or L_p1_2)) or ((not (A_R3 or A_R4 or A_R5 or A_R6)) and ((not OCC_brg) or AT_B1))) and ((not L_p1_4) or ((not A_R11) and AT_W))  # p1 released by hand (R8, section fault release)
         SR_p1 = VALID and (not OCC_p1) and K_p1 and (REL_p1 or RELALL)  # p1 released after a restart (R16)
         RLS_p1 = RT_p1 or CA_p1 or CD_B1 or CD_W or HR_p1 or SR_p1  # p1 is released
         CA_p2 = VALID and (not OCC_p2) and (not U_p2) and (L_p2_2 or L_p2_3 or L_p2_4 or (L_p2_5 and M_p2)) and (not ((L_p2_2 or L_p2_3) and L_p1_1)) and (not (L_p2_4 and (L_p3_5 or L_p3_6)))  # the lock before p2 was withdrawn (R8)
@@ -842,9 +839,9 @@ class Controller:
         SR_sto = VALID and (not OCC_sto) and K_sto and (REL_sto or RELALL)  # sto released after a restart (R16)
         RLS_sto = RT_sto or CA_sto or HR_sto or SR_sto  # sto is released
         AR_wsh = VALID and U_wsh and (not G_R6) and (not L_p1_2)  # a train has arrived in wsh, wholly (R2)
-        CA_wsh = VALID and (not OCC_wsh) and (not U_wsh) and L_wsh_2 and (not G_R6) and (not L_p1_2)  # the lock before wsh was withdrawn (R8)
-        HR_wsh = VALID and (not OCC_wsh) and (not G_R6) and (not L_p1_2) and REL_wsh and L_wsh_2  # wsh released by hand (R8, section fault release)
-        SR_wsh = VALID and (not OCC_wsh) and K_wsh and (REL_wsh or RELALL) and (not G_R6) and (not L_p1_2)  # wsh released after a restart (R16)
+        CA_wsh = VALID and False and (not U_wsh) and L_wsh_2 and (not G_R6) and (not L_p1_2)  # the lock before wsh was withdrawn (R8)
+        HR_wsh = VALID and False and (not G_R6) and (not L_p1_2) and REL_wsh and L_wsh_2  # wsh released by hand (R8, section fault release)
+        SR_wsh = VALID and False and K_wsh and (REL_wsh or RELALL) and (not G_R6) and (not L_p1_2)  # wsh released after a restart (R16)
         RLS_wsh = RT_wsh or CA_wsh or HR_wsh or SR_wsh  # wsh is released
         GPN_BRIDGE = False or (MOV_BRIDGE and (not (G_R1 or G_R8 or G_R9 or G_R10 or G_R11)) and (not MR_BRIDGE))  # a grant needs BRIDGE N
         MAN_BRIDGE = MN_BRIDGE and (not MR_BRIDGE) and MOV_BRIDGE and (not (G_R1 or G_R8 or G_R9 or G_R10 or G_R11))  # machine BRIDGE moved N by hand
@@ -1116,7 +1113,7 @@ class Controller:
         N_M_wsh = M_wsh and (not RLS_wsh) and (not AR_wsh)  # wsh locked for a train movement
         N_F_wsh = (F_wsh or (LK_R6 and L_wsh_2)) and (not RLS_wsh)  # wsh firmly locked
         N_U_wsh = (U_wsh or NU_wsh_2) and (not RLS_wsh)  # wsh used by a train (R9)
-        N_P_wsh = (P_wsh or (U_wsh and OCC_wsh and NU_p1_3)) and (not RLS_wsh)  # wsh: the train went on (R9)
+        N_P_wsh = (P_wsh or (U_wsh and NU_p1_3)) and (not RLS_wsh)  # wsh: the train went on (R9)
         N_D_wsh = (D_wsh or ((not VALID) and L_wsh_2)) and (not RLS_wsh)  # wsh: inputs were lost while locked
         self.state = {
             'CN_BRIDGE': bool(N_CN_BRIDGE),

@@ -1,6 +1,6 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 75ad80603ad37f95ed3b3147da79a8902ef8f4f8a3166316de7eeccd622d9d76
+# layout b004c08b9b8e196bd537bc0eaf62d1b7a13b2d6a893ed95e5902fec77f4e9656
 # claims bbd76f9bea60f06f9bb600d9b4d38d16fa1de21e0422e36991fccc488ecdc769
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

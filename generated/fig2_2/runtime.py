@@ -1,6 +1,6 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 1a0dd43682730f806270b46773ce62cfc801da085154407b20a4203a2c720018
+# layout 1197f87b3459498122968868231ef07c402fa86929b359e4025c7e86357df4e3
 # claims a90356fdd58454118653840ce22c32eb9c53391094a7bf7e27bf617d8f412408
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout d647ecbc1abcfd9a747c0db513c6c72fecd0989bbc189dd49096fd35fa75e0e0
+# layout 5bde44681dcc47a2ea4ee83c3dd2b9aa12ce5d147f0f8a0d9d06e89f551e343b
 # claims 9d74ac5480b57fe710da2343db275f84992569fa778d258e90d1b4cbcca97bd7
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 6411facb5f2b2717fcfd25b64fcaf3c0c6aa777a2f96fb334cfb74a513b13723
+# layout 39b963738693ab3fd2252c4267cd67ee455d7dda9b629a0c840a85cc5ec87ac6
 # claims 8dea7da5a2c553ce20f079aeffee2f8c545ab7e40b2bef2df4d6211b2f0b84e1
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

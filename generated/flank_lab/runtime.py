@@ -1,6 +1,6 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout d1189af32a36a8c1e1713926323938a978aa03040520436130e3b1a33c0daafb
+# layout 1bdd54cdc5b8657b726cc347d8e62ee0c885bc4ccff37cb7fab91de3defd0678
 # claims 848c1547199a54991820577167465ca1baff96b91b52e7f35b156188759316cb
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 12eb7abae8b83f754b2e5a744cd61d44541757ce69670bcf5c7c1b5cd9e7af70
+# layout 316a197194a907bb9962186e23fd2aab8c9a26e0b278ff10a2932fb72691e7a4
 # claims f9508260ffa5f2b125ab62ffd183a9a6d92d292139189dd1a7184cd2637b860f
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

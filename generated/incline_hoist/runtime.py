@@ -1,6 +1,6 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout a03c8ea23bb30f54834ce515f024836b91a07c3a186f63785fc8a42732d0afbf
+# layout 17c6d0a36c0ac8043b52fc7b1e5ad39d7dce4886cdb0c918d988697b2cf36b22
 # claims f8084e4dcec5a159098759f9f618b01aef6a0db81a141b3463cb24ed8dd528a5
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout f277b1cda9b26fef8322d99a7af016758e853f5055f926c956e55fa65275da5f
+# layout dd41ca33cdff34c243b83c292d95acd5bcfffc492b450be8d383bf14a4c43e4f
 # claims d3adbfffe39139c738ff8aa5a989b69b8c2d0833271fcf91a510432e8db52033
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout ca177beefa996335e4478e59243f58874f26a5352a67799fb4a96189e23a3a1d
+# layout 731d9424092b41df31901ad898cb8962b9fc74dc57c3a49cec20d9d9ae354426
 # claims 5e6f97e4e433542f9763ceffa9ca2b0a0b0b931c76fba046930f78e7a05a0599
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

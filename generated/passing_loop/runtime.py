@@ -1,6 +1,6 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout f8670d527a2e1866dba1436fe4a684a0a8471d680a6b9db37ecd94489c34a229
+# layout bd9875998500de88f76ae33a6ec59bffc8f0ea236143331e52c7e51a22fa64a1
 # claims 0822a46b9ebc1174dec34fa9bcd0386e8f7c62ebc1df2354b992d0abfe5a43e0
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -17,6 +17,8 @@ INPUTS = {
     'CAN_X': (0, 2),  # operator: cancel the route from X
     'CAN_X1': (0, 2),  # operator: cancel the route from X1
     'CAN_X3': (0, 2),  # operator: cancel the route from X3
+    'E_BF_E': (0, 2),  # external condition BF/E: block towards E free, direction ours
+    'E_BF_W': (0, 2),  # external condition BF/W: block towards W free, direction ours
     'CLR_1DG': (0, 2),  # section 1DG reported clear
     'CLR_2DG': (0, 2),  # section 2DG reported clear
     'CLR_3G': (0, 2),  # section 3G reported clear
@@ -223,6 +225,8 @@ class Controller:
         CAN_X = read['CAN_X']
         CAN_X1 = read['CAN_X1']
         CAN_X3 = read['CAN_X3']
+        E_BF_E = read['E_BF_E']
+        E_BF_W = read['E_BF_W']
         CLR_1DG = read['CLR_1DG']
         CLR_2DG = read['CLR_2DG']
         CLR_3G = read['CLR_3G']
@@ -387,17 +391,17 @@ class Controller:
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S) and (not CAN_S) and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_3G) and QR_2  # route S-S3 becomes locked (R3)
         CO_R2 = VALID and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_3G) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_3G) and QR_2 and (not D_IIAG)  # conditions of proceed for route S-S3 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_1DG) and (not OCC_IAG) and QN_1  # route S1-W becomes locked (R3)
-        CO_R3 = VALID and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and QN_1 and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S1-W (R3)
+        CO_R3 = VALID and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and QN_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S1-W (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S3) and (not CAN_S3) and (not OCC_1DG) and (not OCC_IAG) and QR_1  # route S3-W becomes locked (R3)
-        CO_R4 = VALID and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and QR_1 and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S3-W (R3)
+        CO_R4 = VALID and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and QR_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S3-W (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_1DG) and (not OCC_IG) and QN_1  # route X-X1 becomes locked (R3)
         CO_R5 = VALID and (not OCC_IAG) and (not OCC_1DG) and (not OCC_IG) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_IG) and QN_1 and (not D_IAG)  # conditions of proceed for route X-X1 (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_1DG) and (not OCC_3G) and QR_1  # route X-X3 becomes locked (R3)
         CO_R6 = VALID and (not OCC_IAG) and (not OCC_1DG) and (not OCC_3G) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_3G) and QR_1 and (not D_IAG)  # conditions of proceed for route X-X3 (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_X1) and (not CAN_X1) and (not OCC_2DG) and (not OCC_IIAG) and QN_2  # route X1-E becomes locked (R3)
-        CO_R7 = VALID and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and QN_2 and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X1-E (R3)
+        CO_R7 = VALID and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and QN_2 and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X1-E (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_X3) and (not CAN_X3) and (not OCC_2DG) and (not OCC_IIAG) and QR_2  # route X3-E becomes locked (R3)
-        CO_R8 = VALID and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and QR_2 and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X3-E (R3)
+        CO_R8 = VALID and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and QR_2 and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X3-E (R3)
         NU_1DG_1 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and L_1DG_1 and OCC_1DG and OCC_3G  # a train comes into 1DG at 1DG|3G@1.reverse (R9)
         NU_1DG_2 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and (L_1DG_2 or L_1DG_3) and OCC_1DG and OCC_IAG and U_IAG and L_IAG_2  # a train comes into 1DG at 1DG|IAG@1.toe (R9)
         NU_1DG_3 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and L_1DG_4 and OCC_1DG and OCC_IG  # a train comes into 1DG at 1DG|IG@1.normal (R9)

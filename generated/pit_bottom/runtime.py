@@ -1,6 +1,6 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout e61e5ae745200577c2ba0ed372ff79a4fa55d405a06b562b87200cfabe7bf245
+# layout 0a821229e7800be2f29b03b447c07171008b05a3ec699120d7b4f30163be2ff6
 # claims 331805bef644616f4a0e6f4194ccfc39d67a1ad1fc85cad387cf0a2307962150
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

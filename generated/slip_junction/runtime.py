@@ -1,6 +1,6 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 102da97b240901f40e3790e6a3098a2dff3fb3adef9145504284b9e302c4137e
+# layout cecffc0db455278ced0db055d00313ebefb97eb73b07a22e89cb05af217819fe
 # claims 1622b6d94660942886bb1750d3dd2443839a6ac223c81a6cf63b6da5341fb140
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -885,13 +885,13 @@ class Controller:
         ATI_G2 = X_G2 or ((not A_R1) and L_SC_8 and REL_SC)  # G2 at stop, waiting for a train that may still come (R8)
         ATI_G3 = X_G3 or ((not A_R2) and L_GA_2 and (REL_GA or (L_GA_2 and U_GA and (not OCC_GA))))  # G3 at stop, waiting for a train that may still come (R8)
         ATI_S1 = X_S1 or ((not A_R3) and L_AB_2 and REL_AB)  # S1 at stop, waiting for a train that may still come (R8)
-        ATI_S1J = X_S1J or ((not (A_R4 or A_R5 or A_R6 or A_R7)) and (L_SC_1 or L_SC_2) and REL_SC)  # S1J at stop, waiting for a train that may still come (R8)
+        ATI_S1J = X_S1J or ((not (A_R4 or A_R5 or A_R6 or A_R7)) and (L_SC_1 or L_SC_2) and (REL_SC or (L_SC_2 and (not M_SC) and U_SC and (not OCC_SC))))  # S1J at stop, waiting for a train that may still come (R8)
         ATI_S2 = X_S2 or ((not (A_R8 or A_R9 or A_R10)) and L_BB_2 and REL_BB)  # S2 at stop, waiting for a train that may still come (R8)
         ATI_S2J = X_S2J or ((not (A_R11 or A_R12)) and (L_BC_3 or L_BC_4) and REL_BC)  # S2J at stop, waiting for a train that may still come (R8)
         ATI_S4 = X_S4 or ((not A_R13) and L_CB_2 and REL_CB)  # S4 at stop, waiting for a train that may still come (R8)
         ATI_S4J = X_S4J or ((not A_R14) and L_BE_4 and REL_BE)  # S4J at stop, waiting for a train that may still come (R8)
         ATI_SG = X_SG or ((not A_R15) and L_GA_1 and REL_GA)  # SG at stop, waiting for a train that may still come (R8)
-        ATI_SGJ = X_SGJ or ((not (A_R16 or A_R17 or A_R18 or A_R19 or A_R20)) and (L_SC_5 or L_SC_6) and REL_SC)  # SGJ at stop, waiting for a train that may still come (R8)
+        ATI_SGJ = X_SGJ or ((not (A_R16 or A_R17 or A_R18 or A_R19 or A_R20)) and (L_SC_5 or L_SC_6) and (REL_SC or (L_SC_6 and (not M_SC) and U_SC and (not OCC_SC))))  # SGJ at stop, waiting for a train that may still come (R8)
         AT_G2 = self._timer('AT_G2', ATI_G2, dt_ms)  # G2: approach locking delay (R8)
         AT_G3 = self._timer('AT_G3', ATI_G3, dt_ms)  # G3: approach locking delay (R8)
         AT_S1 = self._timer('AT_S1', ATI_S1, dt_ms)  # S1: approach locking delay (R8)
@@ -934,7 +934,7 @@ class Controller:
         RTI_GA = VALID and U_GA and (not OCC_GA) and EX_GA  # GA may be released behind the train (R9)
         EX_GB = P_GB  # a train in GB leaves over a boundary, or has passed on
         RTI_GB = VALID and U_GB and (not OCC_GB) and (not G_R20) and (not (L_SC_2 or L_SC_6)) and EX_GB  # GB may be released behind the train (R9)
-        EX_SC = P_SC  # a train in SC leaves over a boundary, or has passed on
+        EX_SC = P_SC or (L_SC_2 and (not M_SC) and OCC_GB and ((not OCC_AB) or AT_S1J)) or (L_SC_6 and (not M_SC) and OCC_GB and ((not OCC_GA) or AT_SGJ))  # a train in SC leaves over a boundary, or has passed on
         RTI_SC = VALID and U_SC and (not OCC_SC) and (not ((L_SC_3 or L_SC_4) and L_AC_2)) and EX_SC  # SC may be released behind the train (R9)
         RT_AB = self._timer('RT_AB', RTI_AB, dt_ms)  # AB: release delay (R9)
         RT_AC = self._timer('RT_AC', RTI_AC, dt_ms)  # AC: release delay (R9)

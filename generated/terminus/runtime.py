@@ -1,6 +1,6 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout ac158173b6e57bf467f5b63308a9df1cd0af50acb676650667e2a1eeefdc4591
+# layout e6be15736524d49bc0a837251a1a0988d4da7205f8af20a1e0037d34e77301e6
 # claims b7895e5522349280904e5aae61c3410265cbd4766c2fb72722d0f96e19778dcf
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -123,7 +123,10 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     for place in open_flanks(layout, trip, frozen):
         if (place.point, place.leg) not in waived:
             yield Finding(r.id, "flank", f"a vehicle can reach {place.name}")
-    needed = {c.id for c in layout.conditions if r.entry in c.signals or set(c.over) & set(trip.sections)}
+    leaves = None if trip.shunt else trip.moves[-1].node
+    needed = {
+        c.id for c in layout.conditions if r.entry in c.signals or set(c.over) & set(trip.sections) or leaves in c.exits
+    }
     if {c.condition for c in r.conditions} != needed:
         yield Finding(r.id, "conditions", f"required are {', '.join(sorted(needed)) or 'none'}")
 

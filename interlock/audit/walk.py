@@ -133,7 +133,10 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
             clash = clash or any(p.work == "hand" and wanted.get(p.machine) == "R" for p in layout.points)
             diamonds = [m.node for m in moves[:-1] if m.node in layout.crossing_at]
             if not split and not clash and len(diamonds) == len(set(diamonds)):
+                blind = [s for s in sections if s in layout.undetected]
                 stands = shunt and len(sections) > 1 and standing_place(layout, section)
+                if blind and not (stands and blind == [section]):
+                    continue
                 positions_ = tuple(sorted(wanted.items()))
                 found.append(Trip(g.id, exit_, shunt, section if stands else None, moves, sections, positions_))
             continue
@@ -167,6 +170,7 @@ def overruns(layout: Layout, trip: Trip) -> list[Trip]:
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
             clash = clash or any(p.work == "hand" and wanted.get(p.machine) == "R" for p in layout.points)
             over = {layout.section_of(m.edge) for m in moves}
+            clash = clash or bool(over & layout.undetected)
             diamonds = [m.node for m in (*trip.moves, *moves) if m.node in layout.crossing_at]
             if not clash and not over & set(trip.sections) and len(diamonds) == len(set(diamonds)):
                 mine = tuple(sorted(dict(positions).items()))

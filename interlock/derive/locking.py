@@ -6,7 +6,7 @@ from interlock.derive.routes import Path
 from interlock.model.elements import SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
-from interlock.table.rows import ApproachCell, Because, BlockCell, ConditionCell, ExitKind, ReleaseStep
+from interlock.table.rows import ApproachCell, Because, BlockCell, ConditionCell, ExitKind, ReleaseStep, RouteKind
 
 
 def approach_delay(layout: Layout, signal: SignalId) -> float:
@@ -67,6 +67,8 @@ def derive_conditions(layout: Layout, path: Path) -> tuple[ConditionCell, ...]:
         hit = sorted(sections & set(c.over))
         if hit:
             out.append(ConditionCell(c.id, Because("R17", f"required by every route over {', '.join(hit)}")))
+        elif path.kind is RouteKind.MAIN and path.ways[-1].exit in c.exits:
+            out.append(ConditionCell(c.id, Because("R12", f"a train leaves at {path.exit}: {c.text}")))
         elif path.entry in c.signals:
             out.append(ConditionCell(c.id, Because("R17", f"required by every route from {path.entry}")))
     return tuple(out)

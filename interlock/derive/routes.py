@@ -77,10 +77,13 @@ def machine_positions(layout: Layout, ways: Ways) -> dict[MachineId, Position] |
     return found
 
 
-def _runnable(layout: Layout, ways: Ways) -> bool:
-    """Whether a movement can run the path: no contradiction of points, no hand-worked point against its key."""
+def _runnable(layout: Layout, ways: Ways, clear: Ways) -> bool:
+    """Whether a movement can run the path: no contradiction of points, no hand-worked point against its key, and
+    detection wherever it must be clear."""
     positions = machine_positions(layout, ways)
     if positions is None or _crosses_itself(ways):
+        return False
+    if any(t.section in layout.undetected for t in clear):
         return False
     return not any(positions.get(m) is Position.REVERSE for m in layout.by_hand)
 
@@ -102,7 +105,8 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
             if not (g.main if kind is RouteKind.MAIN else g.shunt):
                 continue
             for exit_kind, name, ways in _search(layout, topo, g, kind):
-                if exit_kind is None or not _runnable(layout, ways):
+                berth = kind is RouteKind.SHUNT and len(ways) > 1 and ways[-1].section in topo.berths
+                if exit_kind is None or not _runnable(layout, ways, ways[:-1] if berth else ways):
                     dropped += 1
                     continue
                 path = _Found(g, kind, name, exit_kind, ways)
@@ -186,7 +190,7 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
     fits = [
         (k, ways)
         for k, ways in enumerate(options, start=1)
-        if all(t.section not in mine for t in ways) and _runnable(layout, (*f.ways, *ways))
+        if all(t.section not in mine for t in ways) and _runnable(layout, (*f.ways, *ways), ways)
     ]
     if not fits:
         sink.add(

@@ -63,6 +63,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3016": (_E, "the layout has no signal"),
     "IL3017": (_E, "a track without a section"),
     "IL3018": (_I, "a foul joint"),
+    "IL3020": (_E, "a section without detection that is no siding"),
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation
     "IL4001": (_E, "flank protection is missing"),

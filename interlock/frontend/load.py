@@ -113,7 +113,9 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     if sink.has_errors:
         return None, source
     sections = [
-        Section(SectionId(s), False, Lane(data.sections[s].lane) if s in data.sections else Lane.LEVEL)
+        Section(SectionId(s), False, Lane(data.sections[s].lane), data.sections[s].detected)
+        if s in data.sections
+        else Section(SectionId(s))
         for s in wiring.sections
     ] + [Section(SectionId(s), True) for s in wiring.approaches]
     overlaps = resolve_overlaps(ctx, principles, signals, wiring)

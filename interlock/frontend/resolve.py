@@ -138,22 +138,48 @@ def resolve_conditions(ctx: Context, wiring: Wiring) -> tuple[Condition, ...]:
                     ctx.at("conditions", name, "signals", i),
                     did_you_mean(g, ctx.file.signals),
                 )
+        for i, b in enumerate(spec.exits):
+            if b not in ctx.file.boundaries:
+                ctx.add(
+                    "IL2006",
+                    f"condition {name}: there is no boundary {b}",
+                    ctx.at("conditions", name, "exits", i),
+                    did_you_mean(b, ctx.file.boundaries),
+                )
         out.append(
             Condition(
                 ConditionId(name),
                 spec.text,
                 tuple(sorted(map(SectionId, spec.over))),
                 tuple(sorted(map(SignalId, spec.signals))),
+                tuple(sorted(map(NodeId, spec.exits))),
             )
         )
-        if not spec.over and not spec.signals:
+        if not spec.over and not spec.signals and not spec.exits:
             ctx.add(
                 "IL2011",
                 f"no route requires {name}",
                 ctx.at_key("conditions", name),
-                "say what requires it: `over: [sections]` or `signals: [signals]`",
+                "say what requires it: `over: [sections]`, `signals: [signals]` or `exits: [boundaries]`",
             )
+    for name, boundary in ctx.file.boundaries.items():
+        if boundary.block != "none" and boundary.trains != "in":
+            if block_condition(name) in ctx.file.conditions:
+                ctx.add(
+                    "IL2002",
+                    f"{block_condition(name)} is the input of the block at {name}",
+                    ctx.at_key("conditions", block_condition(name)),
+                    "give the condition another name, or remove it",
+                )
+                continue
+            text = f"block towards {name} free, direction ours"
+            out.append(Condition(block_condition(name), text, (), (), (NodeId(name),)))
     return tuple(sorted(out, key=lambda c: c.id))
+
+
+def block_condition(boundary: str) -> ConditionId:
+    """The input that the block beyond a boundary gives: free, and the direction ours (R12)."""
+    return ConditionId(f"BF/{boundary}")
 
 
 def resolve_devices(ctx: Context, wiring: Wiring) -> tuple[Device, ...]:

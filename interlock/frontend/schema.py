@@ -220,6 +220,7 @@ class SectionSpec(_Part):
     """More about a section."""
 
     lane: Annotated[Literal["level", "inclined"], _choice("lane", ("level", "inclined"))] = "level"
+    detected: Annotated[YesNo, Field(description="no: a siding without detection, always taken as occupied")] = True
     one_way: Annotated[
         Literal["forward", "backward"] | None,
         _choice("direction", ("forward", "backward")),
@@ -233,6 +234,7 @@ class ConditionSpec(_Part):
     text: Text = ""
     over: list[Name] = []
     signals: list[Name] = []
+    exits: list[Name] = []
 
 
 class OverlapSpec(_Part):

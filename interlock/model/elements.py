@@ -59,11 +59,15 @@ class Lane(StrEnum):
 
 @dataclass(frozen=True)
 class Section:
-    """A detection section.  An approach section lies outside, in rear of an entry signal."""
+    """A section.  An approach section lies outside, in rear of an entry signal.
+
+    A siding without detection is a section all the same: it always counts as occupied.
+    """
 
     id: SectionId
     approach: bool = False
     lane: Lane = Lane.LEVEL
+    detected: bool = True
 
 
 @dataclass(frozen=True)
@@ -210,13 +214,15 @@ class Signal:
 class Condition:
     """A named input from outside (hoist stopped, barrier closed) that routes require.
 
-    It is required by every route over one of `over` and by every route from one of `signals`.
+    It is required by every route over one of `over`, by every route from one of `signals`, and by every train route
+    that leaves at one of `exits`.
     """
 
     id: ConditionId
     text: str
     over: tuple[SectionId, ...]
     signals: tuple[SignalId, ...]
+    exits: tuple[NodeId, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -149,6 +149,11 @@ class Layout:
         found = {m: {self.section_of(p.toe) for p in ps} for m, ps in self.ends_of_machine.items()}
         return {m: tuple(sorted(s)) for m, s in (found | {d.id: set(d.over) for d in self.devices}).items()}
 
+    @cached_property
+    def undetected(self) -> frozenset[SectionId]:
+        """Sections without detection."""
+        return frozenset(s.id for s in self.sections if not s.detected)
+
     def word(self, machine: MachineId, position: Position) -> str:
         """The position in the engineer's words."""
         normal = position is Position.NORMAL

@@ -39,6 +39,12 @@ def _drive(system: System, sim: Simulator, r: RouteSymbols) -> Witness:
     """First with a train that has stood before the signal since the restart; if that is refused, with a train that
     came there under another route."""
     failure = _start(system, sim, r) or _run(system, sim, r)
+    if failure is None and r.berth is not None:
+        steps = sim.count
+        failure = _start(system, sim, r, berth=r.berth[0]) or _run(system, sim, r)
+        if failure is not None:
+            return Witness(r.id, False, sim.count, f"with vehicles standing in {r.berth[0]}: {failure}")
+        sim.count += steps
     if failure is None:
         return Witness(r.id, True, sim.count, "set, driven and released")
     rear = _rear(system.layout, system.topo, system.layout.signal[r.entry].node, r.ways[0][0])
@@ -54,8 +60,9 @@ def _drive(system: System, sim: Simulator, r: RouteSymbols) -> Witness:
     return Witness(r.id, False, sim.count, failure)
 
 
-def _start(system: System, sim: Simulator, r: RouteSymbols) -> str | None:
-    """A restart with one train before the signal and every clear section released; says what is impossible."""
+def _start(system: System, sim: Simulator, r: RouteSymbols, berth: str = "") -> str | None:
+    """A restart with one train before the signal (and vehicles standing in a berth), every clear section released;
+    says what is impossible."""
     node = system.layout.signal[r.entry].node
     state = _lying(system, r)
     standing = _stand(system, _rear(system.layout, system.topo, node, r.ways[0][0]), node)
@@ -63,7 +70,9 @@ def _start(system: System, sim: Simulator, r: RouteSymbols) -> str | None:
         return f"no train can stand before {r.entry}"
     if any(state.get(name, value) != value for name, value in standing.items()):
         return f"a train before {r.entry} stands on points that the route needs otherwise"
-    sim.reset(state | standing)
+    there = f"in.{berth}.{system.topo.ends[SectionId(berth)][0]}" if berth else ""
+    parked = {f"o.{berth}": 1, f"rest.{berth}": 1, there: 1} if berth else {}
+    sim.reset(state | standing | parked)
     sim.step((), {"RELALL": 1})
     sim.step((), {"RELALL": 1})
     return None
@@ -106,7 +115,7 @@ def _run(system: System, sim: Simulator, r: RouteSymbols, turning: str = "") -> 
             return f"the train cannot leave at {joint}"
         if not _until_off(sim, f"o.{place}", f"tail.{joint}.{place}"):
             return f"the train's tail does not leave {place}"
-    keep = set() if leaves else {place}
+    keep = set(layout.undetected) if leaves else {place, *layout.undetected}
     for _ in range(MAX_STEPS):
         left = [s for s in topo.sections if s not in keep and _held(system, sim, s)]
         if not left:

@@ -51,7 +51,7 @@ def _symbols(d: Draft) -> Symbols:
     return Symbols(
         valid="VALID",
         request="REQ",
-        clear={s.id: f"CLR_{portable(s.id)}" for s in d.layout.sections},
+        clear={s.id: f"CLR_{portable(s.id)}" for s in d.layout.sections if s.detected},
         blocked=each("BLK"),
         detected={(m, x): f"D{x}_{portable(m)}" for m in d.machines for x in Position},
         command={(m, x): f"C{x}_{portable(m)}" for m in d.machines for x in Position},

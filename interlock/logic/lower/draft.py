@@ -10,7 +10,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
-from interlock.logic.expr import FALSE, TRUE, Expr, disj, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
@@ -174,10 +174,11 @@ class Draft:
         """Locked for a way that goes out at an end."""
         return disj(self.lock(*t.key) for t in self.locks_of[section] if t.exit == node)
 
-    @staticmethod
-    def occupied(section: SectionId | None) -> Expr:
-        """Reported occupied (or not reported at all); an end without detection counts as occupied."""
-        return neg(FALSE) if section is None else var(f"OCC_{portable(section)}")
+    def occupied(self, section: SectionId | None) -> Expr:
+        """Reported occupied (or not reported at all); what has no detection counts as occupied."""
+        if section is None or section in self.layout.undetected:
+            return TRUE
+        return var(f"OCC_{portable(section)}")
 
     @staticmethod
     def detected(machine: MachineId, position: Position) -> Expr:
@@ -188,6 +189,13 @@ class Draft:
     def command(machine: MachineId, position: Position) -> Expr:
         """Commanded to a position."""
         return var(f"C{position}_{portable(machine)}")
+
+    def into_berth(self, t: TraversalRow) -> Expr:
+        """A way is locked for a shunting movement that ends in the berth ahead."""
+        ahead = self.topo.beyond(t.section, t.exit)
+        if ahead is None or ahead not in self.berths or self.signal_at(ahead, t.exit) is not None:
+            return FALSE
+        return conj((self.lock(*t.key), neg(self.train(t.section))))
 
     def any_active(self, g: SignalId) -> Expr:
         """A route from the signal is set and not yet used."""

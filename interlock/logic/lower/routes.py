@@ -242,7 +242,9 @@ def cancellation(d: Draft) -> None:
         first = d.first_section(g.id)
         f = portable(first)
         leaving = disj(
-            d.lock(*t.key) for t in d.locks_of[first] if t.entry == g.node and t.exit in d.layout.boundary_at
+            d.lock(*t.key) if t.exit in d.layout.boundary_at else d.into_berth(t)
+            for t in d.locks_of[first]
+            if t.entry == g.node
         )
         waiting = conj(
             (

@@ -19,6 +19,8 @@ from interlock.table.rows import RouteKind
 def inputs(d: Draft) -> None:
     """Detection (1 = clear, so that a broken wire reads occupied), manual release and blocking."""
     for s in d.layout.sections:
+        if s.id in d.layout.undetected:
+            continue
         d.inputs.append(Input(f"CLR_{portable(s.id)}", f"section {s.id} reported clear"))
     for s_ in d.sections:
         d.inputs.append(Input(f"REL_{portable(s_)}", f"operator: release section {s_} (hold until released)"))
@@ -30,6 +32,8 @@ def inputs(d: Draft) -> None:
 def image(d: Draft) -> None:
     """A section counts as occupied unless it is validly reported clear (R3, R16)."""
     for s in d.layout.sections:
+        if s.id in d.layout.undetected:
+            continue
         n = portable(s.id)
         d.wire(
             f"OCC_{n}",
@@ -254,6 +258,14 @@ def _exits(d: Draft, s: SectionId) -> list[Term]:
             out.append(
                 Term(conj((leaves, d.approach_safe(g))), "leaves at a boundary", f"and no train is about to pass {g}")
             )
+    for t in d.locks_of[s]:
+        into = d.into_berth(t)
+        if into is not FALSE:
+            g = d.signal_at(s, t.entry)
+            safe = d.approach_safe(g) if g is not None else TRUE
+            ahead = d.topo.beyond(s, t.exit)
+            gone = conj((into, d.occupied(ahead), safe))
+            out.append(Term(gone, "gone into a berth", f"a shunting movement has gone into {ahead}"))
     return out
 
 

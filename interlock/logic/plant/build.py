@@ -493,6 +493,10 @@ class PlantBuilder:
         p, topo = self.p, self.topo
         valid = var(self.w.valid)
         false_: dict[str, Expr] = {}
+        for blind in sorted(self.layout.undetected):  # always taken as occupied
+            p.state[f"img.{blind}"] = f"{blind} has no detection"
+            p.next[f"img.{blind}"] = TRUE
+            p.initial.append(image(blind))
         for s, name in self.w.clear.items():
             if f"o.{s}" not in p.state:
                 # an approach section beyond an outgoing boundary holds no train of this model

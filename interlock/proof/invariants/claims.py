@@ -233,7 +233,7 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             here = conj((shows, after(lie(f, path.ways))))
             if here is FALSE:
                 continue
-            yield "S-CLEAR", place, implies(here, conj(var(f.sym.clear[t.section]) for t in path.kept_clear))
+            yield "S-CLEAR", place, implies(here, conj(f.clear(t.section) for t in path.kept_clear))
             yield (
                 "S-DETECTED",
                 place,
@@ -274,11 +274,13 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             needed = [
                 var(f.sym.condition[c.id])
                 for c in f.layout.conditions
-                if signal in c.signals or any(t.section in c.over for t in path.ways)
+                if signal in c.signals
+                or any(t.section in c.over for t in path.ways)
+                or (not shunt and path.ways[-1].exit in c.exits)
             ]
             boundary = f.layout.boundary_at.get(path.ways[-1].exit)
             if boundary is not None and boundary.approach is not None and not shunt:
-                needed.append(var(f.sym.clear[boundary.approach]))
+                needed.append(f.clear(boundary.approach))
             for fj in foul_joints(f.layout):
                 if any(p == fj.point and x is not fj.leg for t in path.ways for p, x in t.points):
                     needed.append(_not_foul(f, fj))
@@ -291,7 +293,7 @@ def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
     points = [(f.layout.point[p].machine, x) for t in ways for p, x in t.points]
     return conj(
         [
-            *(var(f.sym.clear[t.section]) for t in ways),
+            *(f.clear(t.section) for t in ways),
             f.system.after(conj(lies(m, x) for m, x in points)),
             *(var(f.sym.detected[m, x]) for m, x in points),
             *(neg(var(f.sym.detected[m, x.other])) for m, x in points),
@@ -301,7 +303,7 @@ def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
 
 def _not_foul(f: Facts, fj: FoulJoint) -> Expr:
     """The neighbour is clear, or its point is detected so that nothing in it stands at the joint."""
-    clear = var(f.sym.clear[fj.neighbour])
+    clear = f.clear(fj.neighbour)
     if fj.when is None:
         return clear
     m, x = fj.when
@@ -353,7 +355,7 @@ def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         free = conj(
             [
                 *(neg(f.held(s)) for s in secs),
-                *(var(f.sym.clear[s]) for s in secs),
+                *(f.clear(s) for s in secs),
                 var(f.sym.valid),
             ]
         )

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from interlock.logic.controller import Symbols
-from interlock.logic.expr import TRUE, Expr, conj, disj, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.plant import Plant
 from interlock.model.elements import NodeId, SectionId, SignalId
 from interlock.model.layout import Layout
@@ -65,6 +65,10 @@ class Facts:
     def locks(self, s: str) -> list[tuple[int, Expr]]:
         """All locks of a section."""
         return [(n, var(name)) for (sec, n), name in sorted(self.sym.lock.items()) if sec == s]
+
+    def clear(self, s: str) -> Expr:
+        """Reported clear; never, without detection."""
+        return var(self.sym.clear[SectionId(s)]) if SectionId(s) in self.sym.clear else FALSE
 
     def restart(self, s: str) -> Expr:
         """Restart lock."""

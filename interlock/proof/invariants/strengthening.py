@@ -68,6 +68,8 @@ def _all_joints(f: Facts) -> list[tuple[str, str, str]]:
 
 def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     locks = f.locks(s)
+    if s in f.layout.undetected:
+        yield "S-BLIND", f.restart(s)  # never reported clear, so never released after the restart
     yield "S-ONE", at_most_one([f.restart(s), *(x for _, x in locks)])
     yield "S-FIRM", implies(f.firm(s), f.any_lock(s))
     yield "S-USED", implies(f.used(s), disj((f.restart(s), f.firm(s))))

@@ -16,7 +16,16 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from interlock.model.elements import BlockKind, MachineId, NodeId, Position, SectionId, SignalId, SignalKind
+from interlock.model.elements import (
+    BlockKind,
+    ConditionId,
+    MachineId,
+    NodeId,
+    Position,
+    SectionId,
+    SignalId,
+    SignalKind,
+)
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
 from interlock.table.national.sheet import Heading, Sheet
@@ -305,7 +314,11 @@ class _Form:
         """The block of the line on which a train departs (BS: 闭塞)."""
         block = self.layout.boundary_at[self.way(r.traversals[-1]).exit].block if self.departing(r) else BlockKind.NONE
         parts = ["BS"] if block is BlockKind.SEMI_AUTOMATIC else []
-        return "、".join([*parts, *(c.condition for c in r.conditions)])
+        return "、".join([*parts, *(c.condition for c in r.conditions if not self.is_block(c.condition))])
+
+    def is_block(self, condition: ConditionId) -> bool:
+        """Whether a condition is the block beyond a boundary, which is printed as BS or not at all."""
+        return any(c.id == condition and c.exits for c in self.layout.conditions)
 
     # --- hostile signals -----------------------------------------------------------------------
 
