@@ -164,17 +164,17 @@ class Grown:
                 open_.extend(self.point(at, "toe").values())
             elif choice < 0.75:
                 open_.extend(self.point(at, self.rng.choice(["normal", "reverse"])).values())
-            elif choice < 0.86 and open_:
+            elif choice < 0.84 and open_:
                 other = open_.pop()
                 ends = self.point(at, "normal")
                 point = ends["reverse"].ref.split(".")[0]
                 self.points[point]["reverse"] = other.ref
                 self.joint(End(other.ref, other.section, point), self.points[point]["section"])
                 open_.append(ends["toe"])
-            elif choice < 0.9 and self.is_track(at) and any(self.is_track(x) for x in open_):
-                other = next(x for x in open_ if self.is_track(x))
-                open_.remove(other)
-                open_.extend(self.slip(at, other))
+            elif choice < 0.91 and open_:
+                other = open_.pop()
+                a, b = (x if self.is_track(x) else self.track(x) for x in (at, other))
+                open_.extend(self.slip(a, b))
             elif choice < 0.94:
                 open_.append(self.derailer(at))
             elif open_:
@@ -195,7 +195,7 @@ class Grown:
     def blind(self) -> list[str]:
         """Now and then a siding without detection, with the shunt signal that it needs."""
         for name, items in self.tracks.items():
-            if self.shunting and len(items) > 2 and items[-1] in self.buffers and self.rng.random() < 0.3:
+            if self.shunting and len(items) > 2 and items[-1] in self.buffers and self.rng.random() < 0.6:
                 last, before = items[-2].split()[0], items[-3].split()[0]
                 others = [n for n, rest in self.tracks.items() if n != name and any(last in x.split() for x in rest)]
                 if last == before or others or any(last in s for s in self.signals):

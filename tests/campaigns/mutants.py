@@ -17,6 +17,11 @@ LAYOUTS = (
     "tests/layouts_for_tests/flank_point.yaml",
     "layouts/junction.yaml",
     "layouts/passing_loop.yaml",
+    "tests/layouts_for_tests/shunt_yard.yaml",
+    "tests/layouts_for_tests/devices.yaml",
+    "tests/layouts_for_tests/overlaps.yaml",
+    "tests/layouts_for_tests/foul_joint.yaml",
+    "tests/layouts_for_tests/driven.yaml",
 )
 
 
