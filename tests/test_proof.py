@@ -50,13 +50,14 @@ def test_a_wrong_waiver_is_refuted_with_a_story() -> None:
         ("A-RESTART", "fig2_3_split", "T-COLLISION"),
         ("A-REVERSE", "fig2_3_split", "T-COLLISION"),
         ("A-LATE-OUTPUT", "fig2_2", "T-POINT-MOVES"),
+        ("A-STAND", "../tests/layouts_for_tests/overrun", "T-COLLISION"),
     ],
 )
 def test_dropping_an_assumption_gives_a_train_movement_to_harm(assumption: str, name: str, claim: str) -> None:
     layout, _, controller = built(name)
     system = System(layout, controller, frozenset({assumption}))
     wanted = [c for c in claims(Facts(system)) if c.id == claim]
-    run = search(system, wanted, 14, 120)
+    run = search(system, wanted, 16, 120)
     assert run is not None, f"{assumption} could be dropped"
     assert tell(system, run).claim == claim
     assert assumption in ASSUMPTIONS

@@ -58,7 +58,8 @@ def tell(system: System, run: Run) -> Story:
             steps.append("; ".join(_capital(s) if k == 0 else s for k, s in enumerate(sentences)) + ".")
     last = run.frames[-1].state
     where = ", ".join(s for s in trains if last[f"o.{s}"]) or "nowhere"
-    steps.append(f"Now trains stand in {where}; {_points(system, last)}.")
+    lying = _points(system, last)
+    steps.append(f"Now trains stand in {where}{f'; {lying}' if lying else ''}.")
     if run.claim.id.endswith("-FLANK"):
         leg = run.claim.place.split(":", 2)[2]
         steps.append(f"Nothing keeps a vehicle away that rolls in over {leg}: no signal at stop, no point turned away.")
