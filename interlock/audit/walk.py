@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal
 from interlock.model.layout import Layout
@@ -76,6 +77,7 @@ def signal_facing(layout: Layout, node: NodeId, onto: EdgeId) -> Signal | None:
     return None
 
 
+@lru_cache(maxsize=4096)
 def standing_place(layout: Layout, section: SectionId) -> bool:
     """Whether vehicles may stand in a section: plain track, and every way out over a joint has a signal, one of them
     for shunting."""

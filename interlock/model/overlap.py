@@ -6,6 +6,8 @@ track.
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from interlock.model.elements import PointId, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
@@ -19,6 +21,7 @@ def overlap_length(speed_kmh: float, falling_permille: float) -> float:
     return base * max(0.0, 1.0 + share)
 
 
+@lru_cache(maxsize=8192)
 def overlap_paths(layout: Layout, signal: SignalId) -> tuple[tuple[Traversal, ...], ...]:
     """Every alternative of a signal's overlap, as ways through sections in order; empty without overlap."""
     length = layout.overlap_of.get(signal, 0.0)

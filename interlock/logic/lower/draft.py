@@ -88,13 +88,21 @@ class Draft:
         cells = {(r.overlap.signal, r.overlap.option): r.overlap.ways for r in self.table.routes if r.overlap}
         return dict(sorted(cells.items()))
 
+    @cached_property
+    def _over_section(self) -> Mapping[SectionId, list[tuple[SignalId, int]]]:
+        found: dict[SectionId, list[tuple[SignalId, int]]] = {}
+        for o, ways in self.overlaps.items():
+            for s in dict.fromkeys(s for s, _ in ways):
+                found.setdefault(s, []).append(o)
+        return found
+
     def overlap(self, option: tuple[SignalId, int]) -> Expr:
         """An overlap alternative is held."""
         return var(f"V_{portable(option[0])}_{option[1]}")
 
     def overlaps_over(self, section: SectionId) -> list[tuple[SignalId, int]]:
         """The overlap alternatives that lie over a section."""
-        return [o for o, ways in self.overlaps.items() if any(s == section for s, _ in ways)]
+        return self._over_section.get(section, [])
 
     def overlaps_along(self, rear: SectionId, node: NodeId, section: SectionId) -> list[tuple[SignalId, int]]:
         """The overlap alternatives that lie over a joint, from one section on into the next."""
@@ -107,8 +115,8 @@ class Draft:
 
     def holding(self, way: TraversalKey) -> Expr:
         """A way is held, by a route or as overlap."""
-        over = [self.overlap(o) for o, ways in self.overlaps.items() if way in ways]
-        return disj([self.lock(*way), *over])
+        over = [o for o in self._over_section.get(way[0], ()) if way in self.overlaps[o]]
+        return disj([self.lock(*way), *map(self.overlap, over)])
 
     def before(self, g: SignalId) -> SectionId:
         """The section before a signal inside the layout."""

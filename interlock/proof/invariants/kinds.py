@@ -57,6 +57,10 @@ class Facts:
         self.layout = system.layout
         self.topo = system.topo
         self.sym = system.symbols
+        self._overlaps: dict[str, list[tuple[int, Expr]]] = {}
+        for option, name in self.sym.overlap.items():
+            for s, n in self.sym.overlap_ways[option]:
+                self._overlaps.setdefault(s, []).append((n, var(name)))
 
     def lock(self, s: str, n: int) -> Expr:
         """Locked for one way."""
@@ -139,11 +143,7 @@ class Facts:
 
     def overlaps(self, s: str, numbers: tuple[int, ...] | None = None) -> list[Expr]:
         """Held as overlap (for one of the ways)."""
-        return [
-            var(name)
-            for o, name in self.sym.overlap.items()
-            if any(sec == s and (numbers is None or n in numbers) for sec, n in self.sym.overlap_ways[o])
-        ]
+        return [x for n, x in self._overlaps.get(s, ()) if numbers is None or n in numbers]
 
     def signal_out(self, s: str, j: str) -> str | None:
         """The signal that governs leaving s at j."""
