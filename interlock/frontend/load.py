@@ -14,6 +14,7 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.names import check_names
+from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import (
     check_signal_names,
     resolve_conditions,
@@ -25,7 +26,7 @@ from interlock.frontend.resolve import (
     resolve_waivers,
 )
 from interlock.frontend.schema import validate
-from interlock.frontend.wiring import Wirer, Wiring
+from interlock.frontend.wiring import Wirer
 from interlock.frontend.yaml_tree import parse
 from interlock.model.elements import Lane, Section, SectionId
 from interlock.model.layout import Layout

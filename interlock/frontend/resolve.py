@@ -9,7 +9,7 @@ from pydantic_core import PydanticCustomError
 
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
-from interlock.frontend.wiring import Wiring
+from interlock.frontend.ports import Wiring
 from interlock.model.elements import (
     Condition,
     ConditionId,

@@ -8,14 +8,16 @@ IL3015, IL3017.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from pydantic_core import PydanticCustomError
 
 from interlock.diag import Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
-from interlock.frontend.schema import MAX_LENGTH_M, MAX_NAME, NAME, DerailerSpec, SlipSpec, number
+from interlock.frontend.parts import build_derailer, build_slip
+from interlock.frontend.ports import Port, Wiring
+from interlock.frontend.schema import MAX_LENGTH_M, MAX_NAME, NAME, number
 from interlock.model.elements import (
     BlockKind,
     Boundary,
@@ -36,31 +38,6 @@ from interlock.model.elements import (
 from interlock.model.principles import Principles
 
 _ITEM = re.compile(r"(\S+)\s+(\S+)")
-
-
-@dataclass(frozen=True, order=True)
-class Port:
-    """One end of something: `kind` is track, point, crossing, boundary or buffer."""
-
-    kind: str
-    name: str
-    end: str = ""
-
-    def __str__(self) -> str:
-        return f"{self.name}.{self.end}" if self.end else self.name
-
-
-@dataclass
-class Wiring:
-    """The outcome: graph parts, the place where each section was first named, and foreseen names."""
-
-    edges: list[Edge] = field(default_factory=list)
-    points: list[Point] = field(default_factory=list)
-    crossings: list[Crossing] = field(default_factory=list)
-    boundaries: list[Boundary] = field(default_factory=list)
-    buffers: list[Buffer] = field(default_factory=list)
-    sections: dict[str, Span] = field(default_factory=dict)
-    approaches: dict[str, Span] = field(default_factory=dict)
 
 
 @dataclass
@@ -388,7 +365,7 @@ class Wirer:
 
     # --- building ------------------------------------------------------------------------------
 
-    def _node(self, port: Port) -> NodeId:
+    def node(self, port: Port) -> NodeId:
         other = self.mate[port][0]
         for p in (port, other):
             if p.kind in ("boundary", "buffer"):
@@ -409,7 +386,7 @@ class Wirer:
             return f.derailers[port.name].section
         return f.crossings[port.name].arms[int(port.end[0]) - 1].section
 
-    def _edge(self, name: str, a: NodeId, b: NodeId, length: float, section: str) -> EdgeId:
+    def edge(self, name: str, a: NodeId, b: NodeId, length: float, section: str) -> EdgeId:
         one_way = None
         spec = self.ctx.file.sections.get(section)
         if spec is not None:
@@ -422,21 +399,21 @@ class Wirer:
     def _build(self) -> None:
         f = self.ctx.file
         for name, stretches in self.tracks.items():
-            here = self._node(Port("track", name, "start"))
+            here = self.node(Port("track", name, "start"))
             for i, s in enumerate(stretches):
                 if i == len(stretches) - 1:
-                    there = self._node(Port("track", name, "end"))
+                    there = self.node(Port("track", name, "end"))
                 elif stretches[i + 1].section == s.section:
                     there = NodeId(f"{s.section}+{name}.{i}")
                 else:
                     a, b = sorted((s.section, stretches[i + 1].section))
                     there = NodeId(f"{a}|{b}@{name}.{i}")
-                self._edge(f"{name}.{i}", here, there, s.length, s.section)
+                self.edge(f"{name}.{i}", here, there, s.length, s.section)
                 here = there
         for name, p in f.points.items():
             length = p.legs if p.legs is not None else self.principles.leg_m
             legs = {
-                end: self._edge(f"{name}.{end}", NodeId(name), self._node(Port("point", name, end)), length, p.section)
+                end: self.edge(f"{name}.{end}", NodeId(name), self.node(Port("point", name, end)), length, p.section)
                 for end in ("toe", "normal", "reverse")
             }
             fouling = p.fouling if p.fouling is not None else self.principles.fouling_m
@@ -457,10 +434,10 @@ class Wirer:
             arms = []
             for i, arm in enumerate(c.arms):
                 pair = [
-                    self._edge(
+                    self.edge(
                         f"{name}.{i + 1}{side}",
                         NodeId(name),
-                        self._node(Port("crossing", name, f"{i + 1}{side}")),
+                        self.node(Port("crossing", name, f"{i + 1}{side}")),
                         length,
                         arm.section,
                     )
@@ -483,54 +460,6 @@ class Wirer:
         self.out.buffers.extend(Buffer(NodeId(name)) for name in f.buffers)
         self.out.buffers.extend(Buffer(NodeId(name), BufferKind.TRAP) for name in f.traps)
         for name, slip in f.slips.items():
-            self._build_slip(name, slip)
+            build_slip(self, name, slip)
         for name, d in f.derailers.items():
-            self._build_derailer(name, d)
-
-    def _build_derailer(self, name: str, d: DerailerSpec) -> None:
-        """A point whose normal leg leads off the rails."""
-        length = d.legs if d.legs is not None else self.principles.leg_m
-        node, off = NodeId(name), NodeId(f"{name}.off")
-        outer = self._edge(f"{name}.outer", node, self._node(Port("derailer", name, "outer")), length, d.section)
-        inner = self._edge(f"{name}.inner", node, self._node(Port("derailer", name, "inner")), length, d.section)
-        rails = self._edge(f"{name}.off", node, off, 1.0, d.section)
-        self.out.buffers.append(Buffer(off, BufferKind.DERAIL))
-        self.out.points.append(
-            Point(PointId(name), MachineId(name), node, outer, rails, inner, 1.0, Work.MOTOR, derailer=True)
-        )
-
-    def _build_slip(self, name: str, slip: SlipSpec) -> None:
-        """A double slip: two points toe to toe.  A single slip: a diamond, and a point on each arm that is joined."""
-        length = slip.legs if slip.legs is not None else self.principles.leg_m
-        fouling = slip.fouling if slip.fouling is not None else self.principles.fouling_m
-        machines = [MachineId(m) for m in slip.machines] or [MachineId(f"{name}a"), MachineId(f"{name}b")]
-        sides = [PointId(f"{name}a"), PointId(f"{name}b")]
-
-        def outward(node: NodeId, end: str) -> EdgeId:
-            return self._edge(f"{name}.{end}", node, self._node(Port("slip", name, end)), length, slip.section)
-
-        def point(side: int, toe: EdgeId, normal: EdgeId, reverse: EdgeId) -> None:
-            node = NodeId(sides[side])
-            self.out.points.append(
-                Point(sides[side], machines[side % len(machines)], node, toe, normal, reverse, fouling)
-            )
-
-        a, b = (NodeId(s) for s in sides)
-        if slip.single is None:
-            middle = self._edge(f"{name}.m", a, b, 1.0, slip.section)
-            for side, node in enumerate((a, b)):
-                point(side, middle, outward(node, f"1{'ab'[side]}"), outward(node, f"2{'ab'[side]}"))
-            return
-        first, second = slip.single.split("-")  # the slip joins these two ends
-        x = NodeId(name)
-        curve = self._edge(f"{name}.s", a, b, length, slip.section)
-        arms: dict[str, tuple[EdgeId, EdgeId]] = {}
-        for side, (node, end) in enumerate(((a, first), (b, second))):
-            straight = self._edge(f"{name}.{end}x", node, x, length / 2, slip.section)
-            point(side, outward(node, end), straight, curve)
-            other = f"{end[0]}{'b' if end[1] == 'a' else 'a'}"
-            arms[end[0]] = (
-                straight,
-                self._edge(f"{name}.{other}", x, self._node(Port("slip", name, other)), length, slip.section),
-            )
-        self.out.crossings.append(Crossing(CrossingId(name), x, (arms["1"], arms["2"])))
+            build_derailer(self, name, d)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from interlock.logic.controller import Controller, RouteSymbols, Symbols
-from interlock.logic.lower import points, routes, sections
+from interlock.logic.lower import overlaps, points, routes, sections
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, SectionId
 from interlock.model.layout import Layout
@@ -22,12 +22,12 @@ PASSES = (
     sections.three_point,
     routes.cancellation,
     sections.release,
-    routes.overlaps,
+    overlaps.standing,
     points.commands,
     points.supervision,
     routes.keep,
     sections.keep,
-    routes.keep_overlaps,
+    overlaps.keep,
 )
 
 
