@@ -1,6 +1,6 @@
 """From the table to the controller: the only place where control logic is invented.
 
-`routes` (request, locking, signal, cancellation), `sections` (locks, three-point check, release) and `points`
+`routes` (request, locking, signal, cancellation), `sections` (locks, three-point check, release), `overlaps` and `points`
 (commands, detection) each add their equations to a `Draft`; `build` fixes the order.
 """
 
