@@ -323,6 +323,8 @@ def _cannot_both(layout: Layout, a: _Ground, b: _Ground) -> str:
     if not a.nodes.isdisjoint(b.nodes):
         return f"both pass {', '.join(sorted(a.nodes & b.nodes))}"
     for x, y in ((a, b), (b, a)):
+        if not x.over:
+            continue
         if not x.over.isdisjoint(y.over):
             return f"the overlaps share {', '.join(sorted(x.over & y.over))}"
         for section in sorted(x.over & y.sections):
