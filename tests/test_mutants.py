@@ -110,3 +110,10 @@ def test_each_claim_is_failed_by_some_mutant(claim: str) -> None:
     layout, table, _ = built(name)
     outcomes = run_mutants(layout, table, 8, NO_SEARCH, only=(kind,))
     assert any(claim in o.claims for o in outcomes), [(o.place, o.claims) for o in outcomes]
+
+
+@pytest.mark.parametrize("name", [SHUNT, DEVICES, OVERLAPS])
+def test_every_kind_makes_controllers_on_the_layouts_of_every_rule(name: str) -> None:
+    layout, table, _ = built(name)
+    made = {k.name: sum(1 for _ in k.make(layout, table)) for k in KINDS}
+    assert sum(made.values()) > 100

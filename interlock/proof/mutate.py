@@ -151,7 +151,7 @@ def _direction(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
 
 def _shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     for r in table.routes:
-        if len(r.traversals) > 1:
+        if len(r.traversals) > 1 and r.berth is None:
             less: RouteRow = replace(
                 r,
                 traversals=r.traversals[:-1],
