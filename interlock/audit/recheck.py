@@ -104,8 +104,8 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     if r.approach.section != want:
         yield Finding(r.id, "approach", f"{want} lies in rear of {r.entry}")
     foul = foul_neighbours(layout, trip)
-    if {(c.section, c.when) for c in r.foul} != foul:
-        told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w in foul)
+    if {(c.section, c.when) for c in r.foul} != {(s, w) for s, w, _ in foul}:
+        told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w, _ in foul)
         yield Finding(r.id, "foul", f"foul sections are {', '.join(told) or 'none'}")
     taken = {*trip.sections, *_sections(layout, trip.over)}
     secured = {d.id for d in layout.devices if set(d.over) & taken}
@@ -212,11 +212,11 @@ def _stops(layout: Layout, node: NodeId, onto: EdgeId, place: Place) -> bool:
     return signal_distance(layout, place.node, place.edge, g, place.clear_of) is None
 
 
-Foul = tuple[SectionId, tuple[MachineId, Position] | None]
+Foul = tuple[SectionId, tuple[MachineId, Position] | None, NodeId]
 
 
 def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
-    """Sections that begin too near to a point of the path, on its unused leg, and the point that leads there."""
+    """Sections that begin too near to a point of the path, on its unused leg, the point that leads there, and where."""
     out: set[Foul] = set()
     for a, b in _pairs(trip):
         point = layout.point_at.get(a.node)
@@ -229,7 +229,7 @@ def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
             section = layout.section_of(edge)
             if section in (home, *behind) or gone >= point.fouling + layout.principles.clearance_m:
                 continue
-            out.add((section, _way_out(layout, edge, near)))
+            out.add((section, _way_out(layout, edge, near), near))
     return out
 
 
@@ -259,7 +259,7 @@ class _Ground:
     sections: frozenset[SectionId]
     nodes: frozenset[NodeId]
     foul: frozenset[Foul]
-    positions_on_path: dict[MachineId, Position]
+    touched: frozenset[NodeId]
     positions: dict[MachineId, Position]
     exit: str
     shunt: bool
@@ -277,7 +277,7 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
         frozenset(trip.sections),
         frozenset(special),
         frozenset(foul_neighbours(layout, trip)),
-        dict(trip.positions) | dict(trip.over_positions),
+        frozenset(n for m in (*trip.moves, *trip.over) for n in (m.node, layout.far(m.edge, m.node))),
         {p.machine: p.position for p in row.points},
         trip.exit,
         trip.shunt,
@@ -337,7 +337,7 @@ def _cannot_both(layout: Layout, a: _Ground, b: _Ground) -> str:
             if a.positions[m] is not b.positions[m]:
                 return f"machine {m} in two positions"
     for x, y in ((a, b), (b, a)):
-        for section, when in x.foul:
-            if section in y.sections | y.over and (when is None or y.positions_on_path.get(when[0]) is when[1]):
+        for section, when, near in x.foul:
+            if section in y.sections | y.over and (when is None or near in y.touched):
                 return f"{section} is foul"
     return ""
