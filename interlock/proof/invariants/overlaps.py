@@ -41,6 +41,9 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
     for g in f.sym.overlap_firm:
         out += _signal(f, g)
     for j, s, t, past in f.passed_joints():
+        if f.berth(t) and not past and f.overlaps(t):
+            leads = conj((f.locked_out(s, j), neg(f.train(s))))
+            out.append(Invariant("O-LEAD", f"{j}:{s}>{t}", implies(leads, neg(disj(f.overlaps(t))))))
         for g in f.layout.overlap_of:
             if not past and f"over.{g}.{s}" in f.system.plant.state:
                 on = overran(g, t) if f"over.{g}.{t}" in f.system.plant.state else neg(TRUE)
