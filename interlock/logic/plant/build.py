@@ -194,6 +194,7 @@ class PlantBuilder:
                     TRUE if self.berth(rear) else self.heading(rear, node),
                     neg(across(node, rear)) if "A-HEADWAY" not in self.dropped else TRUE,
                     neg(across(node, first)),
+                    neg(self.astray(rear)),  # what has overrun a signal is moved under local rules
                     image(rear) if "A-SCAN" not in self.dropped else TRUE,
                 )
             )
@@ -268,7 +269,9 @@ class PlantBuilder:
 
     def _tail(self, s: SectionId, j: NodeId, ahead: SectionId | None) -> None:
         others = [k for k in self.topo.ends[s] if k != j]
-        inside = TRUE if self.berth(s) else conj(neg(self.coming(s, k)) for k in others)
+        inside = conj(neg(self.coming(s, k)) for k in others)
+        if self.berth(s):  # others may be coming in there, unless one train lies across
+            inside = disj((inside, neg(self.astray(s))))
         scanned = image(ahead) if ahead is not None and "A-SCAN" not in self.dropped else TRUE
         self.p.events[f"tail.{j}.{s}"] = conj(
             (
@@ -323,7 +326,8 @@ class PlantBuilder:
             for k in self.functions(g)
             for x in (accepted(g, k), self.p.events.get(f"{'accepts' if k else 'accept'}.{g}", FALSE))
         ]
-        return disj((self.choice(f"?stay.{s}", f"vehicles stay behind in {s}"), *out, *into, *called))
+        left = conj((self.choice(f"?stay.{s}", f"vehicles stay behind in {s}"), neg(self.astray(s))))
+        return disj((left, *out, *into, *called))
 
     def _reversal(self, s: SectionId) -> None:
         """A train reverses at a standstill where a signal governs its new direction; in a berth any signal calls."""
