@@ -59,9 +59,9 @@ ASSUMPTIONS: dict[str, str] = {
     "proceed that was shown to it.",
     "A-SIGHT": "A shunting movement runs on sight: it stops short of standing vehicles in the plain section where its "
     "route ends, and moves on from there only on a signal.",
-    "A-OVERRUN": "A train that fails to stop at a main signal with an overlap stops within the overlap, undivided, and "
-    "is moved from there under local rules; it fails only while it is coming to a stand before that signal, and elsewhere "
-    "no train passes a signal at stop.",
+    "A-OVERRUN": "A train that fails to stop at a main signal with an overlap stops within the overlap, undivided, "
+    "and is moved from there under local rules; it fails only while it is coming to a stand before that signal, and "
+    "elsewhere no train passes a signal at stop.",
     "A-STAND": "When the overlap release time has run out, the train before the signal stands.",
     "A-SCAN": "A head leaves a section, and a tail leaves it, only after the occupation that it causes has been "
     "scanned (or while inputs are lost); a driver accepts a signal only from a scanned section in rear of it.",
