@@ -9,33 +9,29 @@ from interlock.table.national.sheet import Heading, Sheet
 from interlock.table.rows import InterlockingTable, Role, RouteKind, RouteRow
 
 
-def _same(en: str, zh: str, de: str) -> Heading:
-    return Heading(en, zh, de)
-
-
 ROUTES = (
-    _same("Route", "进路", "Fahrstraße"),
-    _same("Exit", "终端", "Ziel"),
-    _same("Class", "类别", "Art"),
-    _same("Points N", "道岔定位", "Weichen +"),
-    _same("Points R", "道岔反位", "Weichen −"),
-    _same("Flank N", "防护道岔定位", "Flankenschutz +"),
-    _same("Flank R", "防护道岔反位", "Flankenschutz −"),
-    _same("Conflicting routes", "敌对进路", "Feindliche Fahrstraßen"),
-    _same("Tracks clear (route, foul, overlap)", "轨道区段", "Freimeldung"),
-    _same("Overlap", "保护区段", "Durchrutschweg"),
-    _same("Overlap released after", "保护区段解锁", "Auflösung D-Weg"),
-    _same("Approach locked", "接近锁闭", "Annäherungsverschluss"),
-    _same("Approach release", "接近解锁", "Auflösung"),
-    _same("Remarks", "备注", "Bemerkung"),
+    Heading("Route", "进路", "Fahrstraße"),
+    Heading("Exit", "终端", "Ziel"),
+    Heading("Class", "类别", "Art"),
+    Heading("Points N", "道岔定位", "Weichen +"),
+    Heading("Points R", "道岔反位", "Weichen −"),
+    Heading("Flank N", "防护道岔定位", "Flankenschutz +"),
+    Heading("Flank R", "防护道岔反位", "Flankenschutz −"),
+    Heading("Conflicting routes", "敌对进路", "Feindliche Fahrstraßen"),
+    Heading("Tracks clear (route, foul, overlap)", "轨道区段", "Freimeldung"),
+    Heading("Overlap", "保护区段", "Durchrutschweg"),
+    Heading("Overlap released after", "保护区段解锁", "Auflösung D-Weg"),
+    Heading("Approach locked", "接近锁闭", "Annäherungsverschluss"),
+    Heading("Approach release", "接近解锁", "Auflösung"),
+    Heading("Remarks", "备注", "Bemerkung"),
 )
 POINTS = (
-    _same("Points", "道岔", "Weiche"),
-    _same("N to R: called by routes", "定位到反位：进路", "+ nach −: durch Fahrstraßen"),
-    _same("N to R: locked by routes", "定位到反位：锁闭", "+ nach −: verschlossen durch"),
-    _same("R to N: called by routes", "反位到定位：进路", "− nach +: durch Fahrstraßen"),
-    _same("R to N: locked by routes", "反位到定位：锁闭", "− nach +: verschlossen durch"),
-    _same("Tracks that lock both ways", "锁闭区段", "verschließende Abschnitte"),
+    Heading("Points", "道岔", "Weiche"),
+    Heading("N to R: called by routes", "定位到反位：进路", "+ nach −: durch Fahrstraßen"),
+    Heading("N to R: locked by routes", "定位到反位：锁闭", "+ nach −: verschlossen durch"),
+    Heading("R to N: called by routes", "反位到定位：进路", "− nach +: durch Fahrstraßen"),
+    Heading("R to N: locked by routes", "反位到定位：锁闭", "− nach +: verschlossen durch"),
+    Heading("Tracks that lock both ways", "锁闭区段", "verschließende Abschnitte"),
 )
 
 
