@@ -30,8 +30,15 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
             if f"over.{g}.{s}" not in f.system.plant.state:
                 continue
             out.append(Invariant(f"O-BEEN:{g}", s, implies(conj((overran(g, s), f.firm(s))), f.been(s))))
+            calls = [
+                accepted(h, k)
+                for h in f.topo.signals_out(s)
+                for k in f.functions(h)
+                if f"{'gos' if k else 'go'}.{h}" in f.system.plant.state
+            ]
+            out.append(Invariant(f"O-STAYS:{g}", s, implies(overran(g, s), neg(disj(calls)))))
             firmly = [
-                conj((var(name), var(f.sym.overlap_firm[g]), came(s, f.way(s, n)[0])))
+                conj((var(name), var(f.sym.overlap_firm[g]), *_only_in(f, s, n)))
                 for opt, name in f.sym.overlap.items()
                 for sec, n in f.sym.overlap_ways[opt]
                 if sec == s and opt[0] == g
@@ -49,6 +56,13 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
                 on = overran(g, t) if f"over.{g}.{t}" in f.system.plant.state else neg(TRUE)
                 out.append(Invariant(f"O-ON:{g}", f"{j}:{s}>{t}", implies(conj((across(j, s), overran(g, s))), on)))
     return out
+
+
+def _only_in(f: Facts, s: SectionId, n: int) -> list[Expr]:
+    """What is in s came in at the entry of the way, and does not stand across it outward."""
+    entry = f.way(s, n)[0]
+    out = f"x.{entry}.{s}" in f.system.plant.state
+    return [came(s, entry), *([neg(across(entry, s))] if out else [])]
 
 
 def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invariant]:
