@@ -1,7 +1,7 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 683ccc2839a57589b6d5c2290a62a8bc799c402afb8a0f846ecc349f1c70fc46
-# claims 3636803fe1800a5149d3afa6014bd868fd07992619dd8a2b17bdbdbd68477a0b
+# layout c560a53b53484c8b9a398e51dbdcef0e6d3986df9cad815621d6b2c08601417e
+# claims 1bc9175d363c069b98cb1c2dbab06a8f7a01587d058364046e4efe6bdab72133
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -41,6 +41,18 @@ INPUTS = {
     'RL_SIII': (0, 2),  # stop lamp of SIII intact
     'RL_X': (0, 2),  # stop lamp of X intact
     'RL_XD': (0, 2),  # stop lamp of XD intact
+    'GL_S4': (0, 2),  # clear lamp of S4 intact, or not lit
+    'CL_S4': (0, 2),  # caution lamp of S4 intact, or not lit
+    'GL_S5': (0, 2),  # clear lamp of S5 intact, or not lit
+    'CL_S5': (0, 2),  # caution lamp of S5 intact, or not lit
+    'GL_SII': (0, 2),  # clear lamp of SII intact, or not lit
+    'CL_SII': (0, 2),  # caution lamp of SII intact, or not lit
+    'GL_SIII': (0, 2),  # clear lamp of SIII intact, or not lit
+    'CL_SIII': (0, 2),  # caution lamp of SIII intact, or not lit
+    'GL_X': (0, 2),  # clear lamp of X intact, or not lit
+    'CL_X': (0, 2),  # caution lamp of X intact, or not lit
+    'GL_XD': (0, 2),  # clear lamp of XD intact, or not lit
+    'CL_XD': (0, 2),  # caution lamp of XD intact, or not lit
     'E_BF_BS': (0, 2),  # external condition BF/BS: block towards BS free, direction ours
     'E_BF_DJ': (0, 2),  # external condition BF/DJ: block towards DJ free, direction ours
     'CLR_1_19WG': (0, 2),  # section 1/19WG reported clear
@@ -642,6 +654,12 @@ STATE = {
     'U_IIIG': True,  # IIIG used by a train (R9)
     'P_IIIG': False,  # IIIG: the train went on (R9)
     'D_IIIG': False,  # IIIG: inputs were lost while locked
+    'C_S4': False,  # S4 shows clear
+    'C_S5': False,  # S5 shows clear
+    'C_SII': False,  # SII shows clear
+    'C_SIII': False,  # SIII shows clear
+    'C_X': False,  # X shows clear
+    'C_XD': False,  # XD shows clear
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -713,40 +731,6 @@ OUTPUTS = {
     'YA_27': False,  # alarm: machine 27 not detected in time
     'YA_5_7': False,  # alarm: machine 5/7 not detected in time
     'YA_9_11': False,  # alarm: machine 9/11 not detected in time
-    'YW_D1': False,  # signal D1: shunt (white)
-    'YS_D1': True,  # signal D1: stop
-    'YW_D11': False,  # signal D11: shunt (white)
-    'YS_D11': True,  # signal D11: stop
-    'YW_D13': False,  # signal D13: shunt (white)
-    'YS_D13': True,  # signal D13: stop
-    'YW_D15': False,  # signal D15: shunt (white)
-    'YS_D15': True,  # signal D15: stop
-    'YW_D17': False,  # signal D17: shunt (white)
-    'YS_D17': True,  # signal D17: stop
-    'YW_D3': False,  # signal D3: shunt (white)
-    'YS_D3': True,  # signal D3: stop
-    'YW_D5': False,  # signal D5: shunt (white)
-    'YS_D5': True,  # signal D5: stop
-    'YW_D7': False,  # signal D7: shunt (white)
-    'YS_D7': True,  # signal D7: stop
-    'YW_D9': False,  # signal D9: shunt (white)
-    'YS_D9': True,  # signal D9: stop
-    'YP_S4': False,  # signal S4: proceed (green)
-    'YW_S4': False,  # signal S4: shunt (white)
-    'YS_S4': True,  # signal S4: stop
-    'YP_S5': False,  # signal S5: proceed (green)
-    'YW_S5': False,  # signal S5: shunt (white)
-    'YS_S5': True,  # signal S5: stop
-    'YP_SII': False,  # signal SII: proceed (green)
-    'YW_SII': False,  # signal SII: shunt (white)
-    'YS_SII': True,  # signal SII: stop
-    'YP_SIII': False,  # signal SIII: proceed (green)
-    'YW_SIII': False,  # signal SIII: shunt (white)
-    'YS_SIII': True,  # signal SIII: stop
-    'YP_X': False,  # signal X: proceed (green)
-    'YS_X': True,  # signal X: stop
-    'YP_XD': False,  # signal XD: proceed (green)
-    'YS_XD': True,  # signal XD: stop
     'YL_1_19WG': True,  # indication: 1/19WG is locked
     'YL_11_13DG': True,  # indication: 11-13DG is locked
     'YL_17_23DG': True,  # indication: 17-23DG is locked
@@ -765,6 +749,46 @@ OUTPUTS = {
     'YL_IIAG': True,  # indication: IIAG is locked
     'YL_IIG': True,  # indication: IIG is locked
     'YL_IIIG': True,  # indication: IIIG is locked
+    'YW_D1': False,  # signal D1: shunt (white)
+    'YS_D1': True,  # signal D1: stop
+    'YW_D11': False,  # signal D11: shunt (white)
+    'YS_D11': True,  # signal D11: stop
+    'YW_D13': False,  # signal D13: shunt (white)
+    'YS_D13': True,  # signal D13: stop
+    'YW_D15': False,  # signal D15: shunt (white)
+    'YS_D15': True,  # signal D15: stop
+    'YW_D17': False,  # signal D17: shunt (white)
+    'YS_D17': True,  # signal D17: stop
+    'YW_D3': False,  # signal D3: shunt (white)
+    'YS_D3': True,  # signal D3: stop
+    'YW_D5': False,  # signal D5: shunt (white)
+    'YS_D5': True,  # signal D5: stop
+    'YW_D7': False,  # signal D7: shunt (white)
+    'YS_D7': True,  # signal D7: stop
+    'YW_D9': False,  # signal D9: shunt (white)
+    'YS_D9': True,  # signal D9: stop
+    'YP_S4': False,  # signal S4: clear (green)
+    'YY_S4': False,  # signal S4: caution (yellow)
+    'YW_S4': False,  # signal S4: shunt (white)
+    'YS_S4': True,  # signal S4: stop
+    'YP_S5': False,  # signal S5: clear (green)
+    'YY_S5': False,  # signal S5: caution (yellow)
+    'YW_S5': False,  # signal S5: shunt (white)
+    'YS_S5': True,  # signal S5: stop
+    'YP_SII': False,  # signal SII: clear (green)
+    'YY_SII': False,  # signal SII: caution (yellow)
+    'YW_SII': False,  # signal SII: shunt (white)
+    'YS_SII': True,  # signal SII: stop
+    'YP_SIII': False,  # signal SIII: clear (green)
+    'YY_SIII': False,  # signal SIII: caution (yellow)
+    'YW_SIII': False,  # signal SIII: shunt (white)
+    'YS_SIII': True,  # signal SIII: stop
+    'YP_X': False,  # signal X: clear (green)
+    'YY_X': False,  # signal X: caution (yellow)
+    'YS_X': True,  # signal X: stop
+    'YP_XD': False,  # signal XD: clear (green)
+    'YY_XD': False,  # signal XD: caution (yellow)
+    'YS_XD': True,  # signal XD: stop
 }
 
 
@@ -821,6 +845,18 @@ class Controller:
         RL_SIII = read['RL_SIII']
         RL_X = read['RL_X']
         RL_XD = read['RL_XD']
+        GL_S4 = read['GL_S4']
+        CL_S4 = read['CL_S4']
+        GL_S5 = read['GL_S5']
+        CL_S5 = read['CL_S5']
+        GL_SII = read['GL_SII']
+        CL_SII = read['CL_SII']
+        GL_SIII = read['GL_SIII']
+        CL_SIII = read['CL_SIII']
+        GL_X = read['GL_X']
+        CL_X = read['CL_X']
+        GL_XD = read['GL_XD']
+        CL_XD = read['CL_XD']
         E_BF_BS = read['E_BF_BS']
         E_BF_DJ = read['E_BF_DJ']
         CLR_1_19WG = read['CLR_1_19WG']
@@ -1419,6 +1455,12 @@ class Controller:
         U_IIIG = old['U_IIIG']
         P_IIIG = old['P_IIIG']
         D_IIIG = old['D_IIIG']
+        C_S4 = old['C_S4']
+        C_S5 = old['C_S5']
+        C_SII = old['C_SII']
+        C_SIII = old['C_SIII']
+        C_X = old['C_X']
+        C_XD = old['C_XD']
         OCC_1_19WG = (not CLR_1_19WG) or (not VALID)  # 1/19WG counts as occupied
         OCC_11_13DG = (not CLR_11_13DG) or (not VALID)  # 11-13DG counts as occupied
         OCC_17_23DG = (not CLR_17_23DG) or (not VALID)  # 17-23DG counts as occupied
@@ -1600,11 +1642,11 @@ class Controller:
         LK_R21 = A_R21 and (not B_R21) and VALID and (not X_D9) and (not CAN_D9) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and QR_9_11 and QN_13_15 and QN_21 and QN_23_25  # route D9-IIIG becomes locked (R3)
         CO_R21 = VALID and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QR_9_11 and QN_13_15 and QN_21 and QN_23_25 and (not D_9_15DG)  # conditions of proceed for route D9-IIIG (R3)
         LK_R22 = A_R22 and (not B_R22) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and QR_27 and QN_17_19 and QN_1_3  # route S4-BS becomes locked (R3)
-        CO_R22 = VALID and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and (not BLK_19_27DG) and (not BLK_1_19WG) and (not BLK_1DG) and (not BLK_IIAG) and QR_27 and QN_17_19 and QN_1_3 and E_BF_BS and (not D_19_27DG)  # conditions of proceed for route S4-BS (R3)
+        CO_R22 = VALID and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and (not BLK_19_27DG) and (not BLK_1_19WG) and (not BLK_1DG) and (not BLK_IIAG) and QR_27 and QN_17_19 and QN_1_3 and E_BF_BS and (not D_19_27DG) and CL_S4  # conditions of proceed for route S4-BS (R3)
         LK_R23 = A_R23 and (not B_R23) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and QR_27 and QR_17_19 and QN_13_15 and QN_9_11 and QR_1_3  # route S4-BS.2 becomes locked (R3)
-        CO_R23 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QR_27 and QR_17_19 and QN_13_15 and QN_9_11 and QR_1_3 and E_BF_BS and (not D_19_27DG)  # conditions of proceed for route S4-BS.2 (R3)
+        CO_R23 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QR_27 and QR_17_19 and QN_13_15 and QN_9_11 and QR_1_3 and E_BF_BS and (not D_19_27DG) and CL_S4  # conditions of proceed for route S4-BS.2 (R3)
         LK_R24 = A_R24 and (not B_R24) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and QR_27 and QR_17_19 and QR_13_15 and QN_9_11 and QN_5_7  # route S4-DJ becomes locked (R3)
-        CO_R24 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and QR_27 and QR_17_19 and QR_13_15 and QN_9_11 and QN_5_7 and E_BF_DJ and (not OCC_XDJG) and (not D_19_27DG)  # conditions of proceed for route S4-DJ (R3)
+        CO_R24 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and QR_27 and QR_17_19 and QR_13_15 and QN_9_11 and QN_5_7 and E_BF_DJ and (not OCC_XDJG) and (not D_19_27DG) and CL_S4  # conditions of proceed for route S4-DJ (R3)
         LK_R25 = A_R25 and (not B_R25) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and QR_27 and QN_17_19  # route S4-D5.s becomes locked (R3)
         CO_R25 = VALID and (not OCC_19_27DG) and (not BLK_19_27DG) and (not BLK_1_19WG) and QR_27 and QN_17_19 and (not D_19_27DG)  # conditions of proceed for route S4-D5.s (R3)
         LK_R26 = A_R26 and (not B_R26) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and QR_27 and QR_17_19 and QN_13_15 and QN_9_11  # route S4-D7.s becomes locked (R3)
@@ -1612,19 +1654,19 @@ class Controller:
         LK_R27 = A_R27 and (not B_R27) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and QR_27 and QR_17_19 and QR_13_15 and QN_9_11 and QR_5_7  # route S4-IAG.s becomes locked (R3)
         CO_R27 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and QR_27 and QR_17_19 and QR_13_15 and QN_9_11 and QR_5_7 and (not D_19_27DG)  # conditions of proceed for route S4-IAG.s (R3)
         LK_R28 = A_R28 and (not B_R28) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_25DG) or QR_23_25) and ((not OCC_5DG) or QR_5_7) and QR_21 and QR_9_11 and QN_13_15 and QR_1_3  # route S5-BS becomes locked (R3)
-        CO_R28 = VALID and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_25DG) or QR_23_25) and ((not OCC_5DG) or QR_5_7) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QR_21 and QR_9_11 and QN_13_15 and QR_1_3 and E_BF_BS and (not D_21DG)  # conditions of proceed for route S5-BS (R3)
+        CO_R28 = VALID and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_25DG) or QR_23_25) and ((not OCC_5DG) or QR_5_7) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QR_21 and QR_9_11 and QN_13_15 and QR_1_3 and E_BF_BS and (not D_21DG) and CL_S5  # conditions of proceed for route S5-BS (R3)
         LK_R29 = A_R29 and (not B_R29) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_25DG) or QR_23_25) and QR_21 and QN_9_11 and QN_13_15 and QN_5_7  # route S5-DJ becomes locked (R3)
-        CO_R29 = VALID and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and QR_21 and QN_9_11 and QN_13_15 and QN_5_7 and E_BF_DJ and (not OCC_XDJG) and (not D_21DG)  # conditions of proceed for route S5-DJ (R3)
+        CO_R29 = VALID and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and QR_21 and QN_9_11 and QN_13_15 and QN_5_7 and E_BF_DJ and (not OCC_XDJG) and (not D_21DG) and CL_S5  # conditions of proceed for route S5-DJ (R3)
         LK_R30 = A_R30 and (not B_R30) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and ((not OCC_25DG) or QR_23_25) and QR_21 and QR_9_11 and QN_13_15  # route S5-D7.s becomes locked (R3)
         CO_R30 = VALID and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and QR_21 and QR_9_11 and QN_13_15 and (not D_21DG)  # conditions of proceed for route S5-D7.s (R3)
         LK_R31 = A_R31 and (not B_R31) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_25DG) or QR_23_25) and ((not OCC_3DG) or QR_1_3) and QR_21 and QN_9_11 and QN_13_15 and QR_5_7  # route S5-IAG.s becomes locked (R3)
         CO_R31 = VALID and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_25DG) or QR_23_25) and ((not OCC_3DG) or QR_1_3) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and QR_21 and QN_9_11 and QN_13_15 and QR_5_7 and (not D_21DG)  # conditions of proceed for route S5-IAG.s (R3)
         LK_R32 = A_R32 and (not B_R32) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and QN_27 and QN_17_19 and QN_1_3  # route SII-BS becomes locked (R3)
-        CO_R32 = VALID and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and (not BLK_19_27DG) and (not BLK_1_19WG) and (not BLK_1DG) and (not BLK_IIAG) and QN_27 and QN_17_19 and QN_1_3 and E_BF_BS and (not D_19_27DG)  # conditions of proceed for route SII-BS (R3)
+        CO_R32 = VALID and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and (not BLK_19_27DG) and (not BLK_1_19WG) and (not BLK_1DG) and (not BLK_IIAG) and QN_27 and QN_17_19 and QN_1_3 and E_BF_BS and (not D_19_27DG) and CL_SII  # conditions of proceed for route SII-BS (R3)
         LK_R33 = A_R33 and (not B_R33) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and QN_27 and QR_17_19 and QN_13_15 and QN_9_11 and QR_1_3  # route SII-BS.2 becomes locked (R3)
-        CO_R33 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QN_27 and QR_17_19 and QN_13_15 and QN_9_11 and QR_1_3 and E_BF_BS and (not D_19_27DG)  # conditions of proceed for route SII-BS.2 (R3)
+        CO_R33 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QN_27 and QR_17_19 and QN_13_15 and QN_9_11 and QR_1_3 and E_BF_BS and (not D_19_27DG) and CL_SII  # conditions of proceed for route SII-BS.2 (R3)
         LK_R34 = A_R34 and (not B_R34) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and QN_27 and QR_17_19 and QR_13_15 and QN_9_11 and QN_5_7  # route SII-DJ becomes locked (R3)
-        CO_R34 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and QN_27 and QR_17_19 and QR_13_15 and QN_9_11 and QN_5_7 and E_BF_DJ and (not OCC_XDJG) and (not D_19_27DG)  # conditions of proceed for route SII-DJ (R3)
+        CO_R34 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and QN_27 and QR_17_19 and QR_13_15 and QN_9_11 and QN_5_7 and E_BF_DJ and (not OCC_XDJG) and (not D_19_27DG) and CL_SII  # conditions of proceed for route SII-DJ (R3)
         LK_R35 = A_R35 and (not B_R35) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and QN_27 and QN_17_19  # route SII-D5.s becomes locked (R3)
         CO_R35 = VALID and (not OCC_19_27DG) and (not BLK_19_27DG) and (not BLK_1_19WG) and QN_27 and QN_17_19 and (not D_19_27DG)  # conditions of proceed for route SII-D5.s (R3)
         LK_R36 = A_R36 and (not B_R36) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and QN_27 and QR_17_19 and QN_13_15 and QN_9_11  # route SII-D7.s becomes locked (R3)
@@ -1632,13 +1674,13 @@ class Controller:
         LK_R37 = A_R37 and (not B_R37) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and QN_27 and QR_17_19 and QR_13_15 and QN_9_11 and QR_5_7  # route SII-IAG.s becomes locked (R3)
         CO_R37 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and QN_27 and QR_17_19 and QR_13_15 and QN_9_11 and QR_5_7 and (not D_19_27DG)  # conditions of proceed for route SII-IAG.s (R3)
         LK_R38 = A_R38 and (not B_R38) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_21DG) or QR_21) and ((not OCC_5DG) or QR_5_7) and QR_23_25 and QN_17_19 and QN_13_15 and QN_9_11 and QR_1_3  # route SIII-BS becomes locked (R3)
-        CO_R38 = VALID and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_21DG) or QR_21) and ((not OCC_5DG) or QR_5_7) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QR_23_25 and QN_17_19 and QN_13_15 and QN_9_11 and QR_1_3 and E_BF_BS and (not D_25DG)  # conditions of proceed for route SIII-BS (R3)
+        CO_R38 = VALID and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_21DG) or QR_21) and ((not OCC_5DG) or QR_5_7) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QR_23_25 and QN_17_19 and QN_13_15 and QN_9_11 and QR_1_3 and E_BF_BS and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-BS (R3)
         LK_R39 = A_R39 and (not B_R39) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and QN_23_25 and QN_21 and QR_9_11 and QN_13_15 and QR_1_3  # route SIII-BS.2 becomes locked (R3)
-        CO_R39 = VALID and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QN_23_25 and QN_21 and QR_9_11 and QN_13_15 and QR_1_3 and E_BF_BS and (not D_25DG)  # conditions of proceed for route SIII-BS.2 (R3)
+        CO_R39 = VALID and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QN_23_25 and QN_21 and QR_9_11 and QN_13_15 and QR_1_3 and E_BF_BS and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-BS.2 (R3)
         LK_R40 = A_R40 and (not B_R40) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and QN_23_25 and QN_21 and QN_9_11 and QN_13_15 and QN_5_7  # route SIII-DJ becomes locked (R3)
-        CO_R40 = VALID and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and QN_23_25 and QN_21 and QN_9_11 and QN_13_15 and QN_5_7 and E_BF_DJ and (not OCC_XDJG) and (not D_25DG)  # conditions of proceed for route SIII-DJ (R3)
+        CO_R40 = VALID and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and QN_23_25 and QN_21 and QN_9_11 and QN_13_15 and QN_5_7 and E_BF_DJ and (not OCC_XDJG) and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-DJ (R3)
         LK_R41 = A_R41 and (not B_R41) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_21DG) or QR_21) and QR_23_25 and QN_17_19 and QR_13_15 and QN_9_11 and QN_5_7  # route SIII-DJ.2 becomes locked (R3)
-        CO_R41 = VALID and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_21DG) or QR_21) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and QR_23_25 and QN_17_19 and QR_13_15 and QN_9_11 and QN_5_7 and E_BF_DJ and (not OCC_XDJG) and (not D_25DG)  # conditions of proceed for route SIII-DJ.2 (R3)
+        CO_R41 = VALID and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_21DG) or QR_21) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and QR_23_25 and QN_17_19 and QR_13_15 and QN_9_11 and QN_5_7 and E_BF_DJ and (not OCC_XDJG) and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-DJ.2 (R3)
         LK_R42 = A_R42 and (not B_R42) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and ((not OCC_21DG) or QR_21) and QR_23_25 and QN_17_19 and QN_13_15 and QN_9_11  # route SIII-D7.s becomes locked (R3)
         CO_R42 = VALID and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and ((not OCC_21DG) or QR_21) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and QR_23_25 and QN_17_19 and QN_13_15 and QN_9_11 and (not D_25DG)  # conditions of proceed for route SIII-D7.s (R3)
         LK_R43 = A_R43 and (not B_R43) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and QN_23_25 and QN_21 and QR_9_11 and QN_13_15  # route SIII-D7.s.2 becomes locked (R3)
@@ -1648,35 +1690,35 @@ class Controller:
         LK_R45 = A_R45 and (not B_R45) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_21DG) or QR_21) and ((not OCC_3DG) or QR_1_3) and QR_23_25 and QN_17_19 and QR_13_15 and QN_9_11 and QR_5_7  # route SIII-IAG.s.2 becomes locked (R3)
         CO_R45 = VALID and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_21DG) or QR_21) and ((not OCC_3DG) or QR_1_3) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and QR_23_25 and QN_17_19 and QR_13_15 and QN_9_11 and QR_5_7 and (not D_25DG)  # conditions of proceed for route SIII-IAG.s.2 (R3)
         LK_R46 = A_R46 and (not B_R46) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QN_17_19 and QN_23_25  # route X-E1 becomes locked (R3)
-        CO_R46 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QN_17_19 and QN_23_25 and (not D_IAG)  # conditions of proceed for route X-E1 (R3)
+        CO_R46 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QN_17_19 and QN_23_25 and (not D_IAG) and CL_X  # conditions of proceed for route X-E1 (R3)
         LK_R47 = A_R47 and (not B_R47) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and ((not OCC_3DG) or QR_1_3) and QR_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QN_23_25  # route X-E1.2 becomes locked (R3)
-        CO_R47 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and QR_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QN_23_25 and (not D_IAG)  # conditions of proceed for route X-E1.2 (R3)
+        CO_R47 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and QR_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QN_23_25 and (not D_IAG) and CL_X  # conditions of proceed for route X-E1.2 (R3)
         LK_R48 = A_R48 and (not B_R48) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QN_17_19 and QR_23_25  # route X-E3 becomes locked (R3)
-        CO_R48 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QN_17_19 and QR_23_25 and (not D_IAG)  # conditions of proceed for route X-E3 (R3)
+        CO_R48 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QN_17_19 and QR_23_25 and (not D_IAG) and CL_X  # conditions of proceed for route X-E3 (R3)
         LK_R49 = A_R49 and (not B_R49) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and QR_5_7 and QN_13_15 and QN_9_11 and QN_21 and QN_23_25  # route X-E3.2 becomes locked (R3)
-        CO_R49 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QR_5_7 and QN_13_15 and QN_9_11 and QN_21 and QN_23_25 and (not D_IAG)  # conditions of proceed for route X-E3.2 (R3)
+        CO_R49 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QR_5_7 and QN_13_15 and QN_9_11 and QN_21 and QN_23_25 and (not D_IAG) and CL_X  # conditions of proceed for route X-E3.2 (R3)
         LK_R50 = A_R50 and (not B_R50) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and QN_5_7 and QN_1_3 and QR_9_11 and QN_13_15 and QN_21 and QN_23_25  # route X-E3.3 becomes locked (R3)
-        CO_R50 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QN_1_3 and QR_9_11 and QN_13_15 and QN_21 and QN_23_25 and (not D_IAG)  # conditions of proceed for route X-E3.3 (R3)
+        CO_R50 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QN_1_3 and QR_9_11 and QN_13_15 and QN_21 and QN_23_25 and (not D_IAG) and CL_X  # conditions of proceed for route X-E3.3 (R3)
         LK_R51 = A_R51 and (not B_R51) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and ((not OCC_21DG) or QR_21) and QR_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QR_23_25  # route X-E3.4 becomes locked (R3)
-        CO_R51 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and ((not OCC_21DG) or QR_21) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and QR_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QR_23_25 and (not D_IAG)  # conditions of proceed for route X-E3.4 (R3)
+        CO_R51 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and ((not OCC_21DG) or QR_21) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and QR_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QR_23_25 and (not D_IAG) and CL_X  # conditions of proceed for route X-E3.4 (R3)
         LK_R52 = A_R52 and (not B_R52) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QR_17_19 and QR_27  # route X-E4 becomes locked (R3)
-        CO_R52 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QR_17_19 and QR_27 and (not D_IAG)  # conditions of proceed for route X-E4 (R3)
+        CO_R52 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QR_17_19 and QR_27 and (not D_IAG) and CL_X  # conditions of proceed for route X-E4 (R3)
         LK_R53 = A_R53 and (not B_R53) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and ((not OCC_3DG) or QR_1_3) and QR_5_7 and QR_13_15 and QN_9_11 and QR_17_19 and QR_27  # route X-E4.2 becomes locked (R3)
-        CO_R53 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and QR_5_7 and QR_13_15 and QN_9_11 and QR_17_19 and QR_27 and (not D_IAG)  # conditions of proceed for route X-E4.2 (R3)
+        CO_R53 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and QR_5_7 and QR_13_15 and QN_9_11 and QR_17_19 and QR_27 and (not D_IAG) and CL_X  # conditions of proceed for route X-E4.2 (R3)
         LK_R54 = A_R54 and (not B_R54) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_3DG) or QR_1_3) and ((not OCC_25DG) or QR_23_25) and QR_5_7 and QN_13_15 and QN_9_11 and QR_21  # route X-E5 becomes locked (R3)
-        CO_R54 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_3DG) or QR_1_3) and ((not OCC_25DG) or QR_23_25) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and QR_5_7 and QN_13_15 and QN_9_11 and QR_21 and (not D_IAG)  # conditions of proceed for route X-E5 (R3)
+        CO_R54 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_3DG) or QR_1_3) and ((not OCC_25DG) or QR_23_25) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and QR_5_7 and QN_13_15 and QN_9_11 and QR_21 and (not D_IAG) and CL_X  # conditions of proceed for route X-E5 (R3)
         LK_R55 = A_R55 and (not B_R55) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and QN_5_7 and QN_1_3 and QR_9_11 and QN_13_15 and QR_21  # route X-E5.2 becomes locked (R3)
-        CO_R55 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and QN_5_7 and QN_1_3 and QR_9_11 and QN_13_15 and QR_21 and (not D_IAG)  # conditions of proceed for route X-E5.2 (R3)
+        CO_R55 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and QN_5_7 and QN_1_3 and QR_9_11 and QN_13_15 and QR_21 and (not D_IAG) and CL_X  # conditions of proceed for route X-E5.2 (R3)
         LK_R56 = A_R56 and (not B_R56) and VALID and (not X_XD) and (not CAN_XD) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and QN_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QN_23_25  # route XD-E1 becomes locked (R3)
-        CO_R56 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and QN_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QN_23_25 and (not D_7DG)  # conditions of proceed for route XD-E1 (R3)
+        CO_R56 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and QN_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QN_23_25 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E1 (R3)
         LK_R57 = A_R57 and (not B_R57) and VALID and (not X_XD) and (not CAN_XD) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and QN_5_7 and QN_13_15 and QN_9_11 and QN_21 and QN_23_25  # route XD-E3 becomes locked (R3)
-        CO_R57 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QN_13_15 and QN_9_11 and QN_21 and QN_23_25 and (not D_7DG)  # conditions of proceed for route XD-E3 (R3)
+        CO_R57 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QN_13_15 and QN_9_11 and QN_21 and QN_23_25 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E3 (R3)
         LK_R58 = A_R58 and (not B_R58) and VALID and (not X_XD) and (not CAN_XD) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and QN_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QR_23_25  # route XD-E3.2 becomes locked (R3)
-        CO_R58 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QR_23_25 and (not D_7DG)  # conditions of proceed for route XD-E3.2 (R3)
+        CO_R58 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QR_23_25 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E3.2 (R3)
         LK_R59 = A_R59 and (not B_R59) and VALID and (not X_XD) and (not CAN_XD) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and QN_5_7 and QR_13_15 and QN_9_11 and QR_17_19 and QR_27  # route XD-E4 becomes locked (R3)
-        CO_R59 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and QN_5_7 and QR_13_15 and QN_9_11 and QR_17_19 and QR_27 and (not D_7DG)  # conditions of proceed for route XD-E4 (R3)
+        CO_R59 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and QN_5_7 and QR_13_15 and QN_9_11 and QR_17_19 and QR_27 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E4 (R3)
         LK_R60 = A_R60 and (not B_R60) and VALID and (not X_XD) and (not CAN_XD) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and QN_5_7 and QN_13_15 and QN_9_11 and QR_21  # route XD-E5 becomes locked (R3)
-        CO_R60 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and QN_5_7 and QN_13_15 and QN_9_11 and QR_21 and (not D_7DG)  # conditions of proceed for route XD-E5 (R3)
+        CO_R60 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and QN_5_7 and QN_13_15 and QN_9_11 and QR_21 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E5 (R3)
         NU_1_19WG_1 = VALID and F_1_19WG and (not D_1_19WG) and (not U_1_19WG) and (L_1_19WG_1 or L_1_19WG_2) and OCC_1_19WG and OCC_19_27DG and U_19_27DG and (L_19_27DG_5 or L_19_27DG_7)  # a train comes into 1/19WG at 1/19WG|19-27DG@19.normal (R9)
         NU_1_19WG_2 = VALID and F_1_19WG and (not D_1_19WG) and (not U_1_19WG) and (L_1_19WG_1 or L_1_19WG_2) and OCC_1_19WG and OCC_1DG and U_1DG and L_1DG_3  # a train comes into 1/19WG at 1/19WG|1DG@WG.0 (R9)
         NU_11_13DG_1 = VALID and F_11_13DG and (not D_11_13DG) and (not U_11_13DG) and (L_11_13DG_1 or L_11_13DG_2) and OCC_11_13DG and OCC_21DG and U_21DG and (L_21DG_3 or L_21DG_4)  # a train comes into 11-13DG at 11-13DG|21DG@11.toe (R9)
@@ -2651,6 +2693,12 @@ class Controller:
         N_U_IIIG = (U_IIIG or NU_IIIG_1) and (not RLS_IIIG)  # IIIG used by a train (R9)
         N_P_IIIG = (P_IIIG or (U_IIIG and OCC_IIIG and NU_25DG_3)) and (not RLS_IIIG)  # IIIG: the train went on (R9)
         N_D_IIIG = (D_IIIG or ((not VALID) and L_IIIG_1)) and (not RLS_IIIG)  # IIIG: inputs were lost while locked
+        N_C_S4 = (PR_R22 or PR_R23 or PR_R24) and (PR_R22 or PR_R23 or PR_R24) and GL_S4  # S4 shows clear
+        N_C_S5 = (PR_R28 or PR_R29) and (PR_R28 or PR_R29) and GL_S5  # S5 shows clear
+        N_C_SII = (PR_R32 or PR_R33 or PR_R34) and (PR_R32 or PR_R33 or PR_R34) and GL_SII  # SII shows clear
+        N_C_SIII = (PR_R38 or PR_R39 or PR_R40 or PR_R41) and (PR_R38 or PR_R39 or PR_R40 or PR_R41) and GL_SIII  # SIII shows clear
+        N_C_X = (PR_R46 or PR_R47 or PR_R48 or PR_R49 or PR_R50 or PR_R51 or PR_R52 or PR_R53 or PR_R54 or PR_R55) and (PR_R46 or PR_R47 or PR_R48 or PR_R49 or PR_R50 or PR_R51 or PR_R52 or PR_R53 or PR_R54 or PR_R55) and GL_X  # X shows clear
+        N_C_XD = (PR_R56 or PR_R57 or PR_R58 or PR_R59 or PR_R60) and (PR_R56 or PR_R57 or PR_R58 or PR_R59 or PR_R60) and GL_XD  # XD shows clear
         self.state = {
             'CN_1_3': bool(N_CN_1_3),
             'CR_1_3': bool(N_CR_1_3),
@@ -3159,6 +3207,12 @@ class Controller:
             'U_IIIG': bool(N_U_IIIG),
             'P_IIIG': bool(N_P_IIIG),
             'D_IIIG': bool(N_D_IIIG),
+            'C_S4': bool(N_C_S4),
+            'C_S5': bool(N_C_S5),
+            'C_SII': bool(N_C_SII),
+            'C_SIII': bool(N_C_SIII),
+            'C_X': bool(N_C_X),
+            'C_XD': bool(N_C_XD),
         }
         CN_1_3 = self.state['CN_1_3']
         CR_1_3 = self.state['CR_1_3']
@@ -3667,6 +3721,12 @@ class Controller:
         U_IIIG = self.state['U_IIIG']
         P_IIIG = self.state['P_IIIG']
         D_IIIG = self.state['D_IIIG']
+        C_S4 = self.state['C_S4']
+        C_S5 = self.state['C_S5']
+        C_SII = self.state['C_SII']
+        C_SIII = self.state['C_SIII']
+        C_X = self.state['C_X']
+        C_XD = self.state['C_XD']
         return {
             'YN_1_3': bool(CN_1_3),
             'YR_1_3': bool(CR_1_3),
@@ -3692,40 +3752,6 @@ class Controller:
             'YA_27': bool(AL_27),
             'YA_5_7': bool(AL_5_7),
             'YA_9_11': bool(AL_9_11),
-            'YW_D1': bool(S_R1 or S_R2),
-            'YS_D1': bool((not (S_R1 or S_R2))),
-            'YW_D11': bool(S_R3 or S_R4 or S_R5),
-            'YS_D11': bool((not (S_R3 or S_R4 or S_R5))),
-            'YW_D13': bool(S_R6 or S_R7 or S_R8 or S_R9),
-            'YS_D13': bool((not (S_R6 or S_R7 or S_R8 or S_R9))),
-            'YW_D15': bool(S_R10 or S_R11),
-            'YS_D15': bool((not (S_R10 or S_R11))),
-            'YW_D17': bool(S_R12 or S_R13),
-            'YS_D17': bool((not (S_R12 or S_R13))),
-            'YW_D3': bool(S_R14 or S_R15),
-            'YS_D3': bool((not (S_R14 or S_R15))),
-            'YW_D5': bool(S_R16),
-            'YS_D5': bool((not S_R16)),
-            'YW_D7': bool(S_R17 or S_R18),
-            'YS_D7': bool((not (S_R17 or S_R18))),
-            'YW_D9': bool(S_R19 or S_R20 or S_R21),
-            'YS_D9': bool((not (S_R19 or S_R20 or S_R21))),
-            'YP_S4': bool(S_R22 or S_R23 or S_R24),
-            'YW_S4': bool(S_R25 or S_R26 or S_R27),
-            'YS_S4': bool((not (S_R22 or S_R23 or S_R24 or S_R25 or S_R26 or S_R27))),
-            'YP_S5': bool(S_R28 or S_R29),
-            'YW_S5': bool(S_R30 or S_R31),
-            'YS_S5': bool((not (S_R28 or S_R29 or S_R30 or S_R31))),
-            'YP_SII': bool(S_R32 or S_R33 or S_R34),
-            'YW_SII': bool(S_R35 or S_R36 or S_R37),
-            'YS_SII': bool((not (S_R32 or S_R33 or S_R34 or S_R35 or S_R36 or S_R37))),
-            'YP_SIII': bool(S_R38 or S_R39 or S_R40 or S_R41),
-            'YW_SIII': bool(S_R42 or S_R43 or S_R44 or S_R45),
-            'YS_SIII': bool((not (S_R38 or S_R39 or S_R40 or S_R41 or S_R42 or S_R43 or S_R44 or S_R45))),
-            'YP_X': bool(S_R46 or S_R47 or S_R48 or S_R49 or S_R50 or S_R51 or S_R52 or S_R53 or S_R54 or S_R55),
-            'YS_X': bool((not (S_R46 or S_R47 or S_R48 or S_R49 or S_R50 or S_R51 or S_R52 or S_R53 or S_R54 or S_R55))),
-            'YP_XD': bool(S_R56 or S_R57 or S_R58 or S_R59 or S_R60),
-            'YS_XD': bool((not (S_R56 or S_R57 or S_R58 or S_R59 or S_R60))),
             'YL_1_19WG': bool(K_1_19WG or L_1_19WG_1 or L_1_19WG_2),
             'YL_11_13DG': bool(K_11_13DG or L_11_13DG_1 or L_11_13DG_2 or L_11_13DG_3 or L_11_13DG_4 or L_11_13DG_5 or L_11_13DG_6),
             'YL_17_23DG': bool(K_17_23DG or L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5 or L_17_23DG_6),
@@ -3744,4 +3770,44 @@ class Controller:
             'YL_IIAG': bool(K_IIAG or L_IIAG_1),
             'YL_IIG': bool(K_IIG or L_IIG_1),
             'YL_IIIG': bool(K_IIIG or L_IIIG_1),
+            'YW_D1': bool(S_R1 or S_R2),
+            'YS_D1': bool((not (S_R1 or S_R2))),
+            'YW_D11': bool(S_R3 or S_R4 or S_R5),
+            'YS_D11': bool((not (S_R3 or S_R4 or S_R5))),
+            'YW_D13': bool(S_R6 or S_R7 or S_R8 or S_R9),
+            'YS_D13': bool((not (S_R6 or S_R7 or S_R8 or S_R9))),
+            'YW_D15': bool(S_R10 or S_R11),
+            'YS_D15': bool((not (S_R10 or S_R11))),
+            'YW_D17': bool(S_R12 or S_R13),
+            'YS_D17': bool((not (S_R12 or S_R13))),
+            'YW_D3': bool(S_R14 or S_R15),
+            'YS_D3': bool((not (S_R14 or S_R15))),
+            'YW_D5': bool(S_R16),
+            'YS_D5': bool((not S_R16)),
+            'YW_D7': bool(S_R17 or S_R18),
+            'YS_D7': bool((not (S_R17 or S_R18))),
+            'YW_D9': bool(S_R19 or S_R20 or S_R21),
+            'YS_D9': bool((not (S_R19 or S_R20 or S_R21))),
+            'YP_S4': bool(C_S4),
+            'YY_S4': bool((S_R22 or S_R23 or S_R24) and (not C_S4)),
+            'YW_S4': bool(S_R25 or S_R26 or S_R27),
+            'YS_S4': bool((not (S_R22 or S_R23 or S_R24 or S_R25 or S_R26 or S_R27))),
+            'YP_S5': bool(C_S5),
+            'YY_S5': bool((S_R28 or S_R29) and (not C_S5)),
+            'YW_S5': bool(S_R30 or S_R31),
+            'YS_S5': bool((not (S_R28 or S_R29 or S_R30 or S_R31))),
+            'YP_SII': bool(C_SII),
+            'YY_SII': bool((S_R32 or S_R33 or S_R34) and (not C_SII)),
+            'YW_SII': bool(S_R35 or S_R36 or S_R37),
+            'YS_SII': bool((not (S_R32 or S_R33 or S_R34 or S_R35 or S_R36 or S_R37))),
+            'YP_SIII': bool(C_SIII),
+            'YY_SIII': bool((S_R38 or S_R39 or S_R40 or S_R41) and (not C_SIII)),
+            'YW_SIII': bool(S_R42 or S_R43 or S_R44 or S_R45),
+            'YS_SIII': bool((not (S_R38 or S_R39 or S_R40 or S_R41 or S_R42 or S_R43 or S_R44 or S_R45))),
+            'YP_X': bool(C_X),
+            'YY_X': bool((S_R46 or S_R47 or S_R48 or S_R49 or S_R50 or S_R51 or S_R52 or S_R53 or S_R54 or S_R55) and (not C_X)),
+            'YS_X': bool((not (S_R46 or S_R47 or S_R48 or S_R49 or S_R50 or S_R51 or S_R52 or S_R53 or S_R54 or S_R55))),
+            'YP_XD': bool(C_XD),
+            'YY_XD': bool((S_R56 or S_R57 or S_R58 or S_R59 or S_R60) and (not C_XD)),
+            'YS_XD': bool((not (S_R56 or S_R57 or S_R58 or S_R59 or S_R60))),
         }

@@ -1,7 +1,7 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout ae010be3ab2cc6f57a866511d349af878bcf14be3d0a8dae1ad397d1c95f51a4
-# claims 2b79bf0d860ec200ccf2b1e4fb65dd5861d1074f3293583c13d9ad7e6717a140
+# layout d83b49c3e3581cd7b2e995364e932c05bb4bd71747b1fbb65c466aa50dc9b7ae
+# claims 9554bcb50e99e8a2a924457861b8989a7a6becc8984ec77aea9ff57e1d54927b
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -164,6 +164,14 @@ STATE = {
     'V_W2_1': False,  # overlap 1 of W2 held
     'VF_M': False,  # overlap of M firmly held
     'VF_W2': False,  # overlap of W2 firmly held
+    'C_E1': False,  # E1 shows clear
+    'C_E2': False,  # E2 shows clear
+    'C_E3': False,  # E3 shows clear
+    'C_L1': False,  # L1 shows clear
+    'C_M': False,  # M shows clear
+    'C_W1': False,  # W1 shows clear
+    'C_W2': False,  # W2 shows clear
+    'C_W3': False,  # W3 shows clear
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -198,28 +206,36 @@ OUTPUTS = {
     'YA_LC1': False,  # alarm: machine LC1 not detected in time
     'YA_LC2': False,  # alarm: machine LC2 not detected in time
     'YA_P1': False,  # alarm: machine P1 not detected in time
-    'YP_E1': False,  # signal E1: proceed (green)
-    'YS_E1': True,  # signal E1: stop
-    'YP_E2': False,  # signal E2: proceed (green)
-    'YS_E2': True,  # signal E2: stop
-    'YP_E3': False,  # signal E3: proceed (green)
-    'YS_E3': True,  # signal E3: stop
-    'YP_L1': False,  # signal L1: proceed (green)
-    'YS_L1': True,  # signal L1: stop
-    'YP_M': False,  # signal M: proceed (green)
-    'YS_M': True,  # signal M: stop
-    'YP_W1': False,  # signal W1: proceed (green)
-    'YS_W1': True,  # signal W1: stop
-    'YP_W2': False,  # signal W2: proceed (green)
-    'YS_W2': True,  # signal W2: stop
-    'YP_W3': False,  # signal W3: proceed (green)
-    'YS_W3': True,  # signal W3: stop
     'YL_ld': True,  # indication: ld is locked
     'YL_s1': True,  # indication: s1 is locked
     'YL_s2': True,  # indication: s2 is locked
     'YL_s3': True,  # indication: s3 is locked
     'YL_s4': True,  # indication: s4 is locked
     'YL_s5': True,  # indication: s5 is locked
+    'YP_E1': False,  # signal E1: clear (green)
+    'YY_E1': False,  # signal E1: caution (yellow)
+    'YS_E1': True,  # signal E1: stop
+    'YP_E2': False,  # signal E2: clear (green)
+    'YY_E2': False,  # signal E2: caution (yellow)
+    'YS_E2': True,  # signal E2: stop
+    'YP_E3': False,  # signal E3: clear (green)
+    'YY_E3': False,  # signal E3: caution (yellow)
+    'YS_E3': True,  # signal E3: stop
+    'YP_L1': False,  # signal L1: clear (green)
+    'YY_L1': False,  # signal L1: caution (yellow)
+    'YS_L1': True,  # signal L1: stop
+    'YP_M': False,  # signal M: clear (green)
+    'YY_M': False,  # signal M: caution (yellow)
+    'YS_M': True,  # signal M: stop
+    'YP_W1': False,  # signal W1: clear (green)
+    'YY_W1': False,  # signal W1: caution (yellow)
+    'YS_W1': True,  # signal W1: stop
+    'YP_W2': False,  # signal W2: clear (green)
+    'YY_W2': False,  # signal W2: caution (yellow)
+    'YS_W2': True,  # signal W2: stop
+    'YP_W3': False,  # signal W3: clear (green)
+    'YY_W3': False,  # signal W3: caution (yellow)
+    'YS_W3': True,  # signal W3: stop
 }
 
 
@@ -396,6 +412,14 @@ class Controller:
         V_W2_1 = old['V_W2_1']
         VF_M = old['VF_M']
         VF_W2 = old['VF_W2']
+        C_E1 = old['C_E1']
+        C_E2 = old['C_E2']
+        C_E3 = old['C_E3']
+        C_L1 = old['C_L1']
+        C_M = old['C_M']
+        C_W1 = old['C_W1']
+        C_W2 = old['C_W2']
+        C_W3 = old['C_W3']
         OCC_ea = (not CLR_ea) or (not VALID)  # ea counts as occupied
         OCC_ld = (not CLR_ld) or (not VALID)  # ld counts as occupied
         OCC_s1 = (not CLR_s1) or (not VALID)  # s1 counts as occupied
@@ -696,6 +720,14 @@ class Controller:
         N_V_W2_1 = G_R6 or (V_W2_1 and (not (OR_W2 and (not OCC_s2))))  # overlap 1 of W2 held
         N_VF_M = (VF_M or LK_R9) and V_M_1  # overlap of M firmly held
         N_VF_W2 = (VF_W2 or LK_R6) and V_W2_1  # overlap of W2 firmly held
+        N_C_E1 = PR_R1 and (PR_R1 and PR_R2)  # E1 shows clear
+        N_C_E2 = PR_R2 and (PR_R2 and PR_R3)  # E2 shows clear
+        N_C_E3 = PR_R3 and PR_R3  # E3 shows clear
+        N_C_L1 = PR_R4 and (PR_R4 and PR_R3)  # L1 shows clear
+        N_C_M = PR_R5 and PR_R5  # M shows clear
+        N_C_W1 = PR_R6 and (PR_R6 and PR_R7)  # W1 shows clear
+        N_C_W2 = PR_R7 and (PR_R7 and (PR_R8 or PR_R9))  # W2 shows clear
+        N_C_W3 = (PR_R8 or PR_R9) and (PR_R9 and PR_R5)  # W3 shows clear
         self.state = {
             'CN_LC1': bool(N_CN_LC1),
             'CR_LC1': bool(N_CR_LC1),
@@ -806,6 +838,14 @@ class Controller:
             'V_W2_1': bool(N_V_W2_1),
             'VF_M': bool(N_VF_M),
             'VF_W2': bool(N_VF_W2),
+            'C_E1': bool(N_C_E1),
+            'C_E2': bool(N_C_E2),
+            'C_E3': bool(N_C_E3),
+            'C_L1': bool(N_C_L1),
+            'C_M': bool(N_C_M),
+            'C_W1': bool(N_C_W1),
+            'C_W2': bool(N_C_W2),
+            'C_W3': bool(N_C_W3),
         }
         CN_LC1 = self.state['CN_LC1']
         CR_LC1 = self.state['CR_LC1']
@@ -916,6 +956,14 @@ class Controller:
         V_W2_1 = self.state['V_W2_1']
         VF_M = self.state['VF_M']
         VF_W2 = self.state['VF_W2']
+        C_E1 = self.state['C_E1']
+        C_E2 = self.state['C_E2']
+        C_E3 = self.state['C_E3']
+        C_L1 = self.state['C_L1']
+        C_M = self.state['C_M']
+        C_W1 = self.state['C_W1']
+        C_W2 = self.state['C_W2']
+        C_W3 = self.state['C_W3']
         return {
             'YN_LC1': bool(CN_LC1),
             'YR_LC1': bool(CR_LC1),
@@ -926,26 +974,34 @@ class Controller:
             'YA_LC1': bool(AL_LC1),
             'YA_LC2': bool(AL_LC2),
             'YA_P1': bool(AL_P1),
-            'YP_E1': bool(S_R1),
-            'YS_E1': bool((not S_R1)),
-            'YP_E2': bool(S_R2),
-            'YS_E2': bool((not S_R2)),
-            'YP_E3': bool(S_R3),
-            'YS_E3': bool((not S_R3)),
-            'YP_L1': bool(S_R4),
-            'YS_L1': bool((not S_R4)),
-            'YP_M': bool(S_R5),
-            'YS_M': bool((not S_R5)),
-            'YP_W1': bool(S_R6),
-            'YS_W1': bool((not S_R6)),
-            'YP_W2': bool(S_R7),
-            'YS_W2': bool((not S_R7)),
-            'YP_W3': bool(S_R8 or S_R9),
-            'YS_W3': bool((not (S_R8 or S_R9))),
             'YL_ld': bool(K_ld or L_ld_2),
             'YL_s1': bool(K_s1 or L_s1_1 or L_s1_2),
             'YL_s2': bool(K_s2 or L_s2_1 or L_s2_2 or V_W2_1),
             'YL_s3': bool(K_s3 or L_s3_1 or L_s3_2 or L_s3_3 or L_s3_4),
             'YL_s4': bool(K_s4 or L_s4_1 or L_s4_2),
             'YL_s5': bool(K_s5 or L_s5_1 or L_s5_2 or V_M_1),
+            'YP_E1': bool(C_E1),
+            'YY_E1': bool(S_R1 and (not C_E1)),
+            'YS_E1': bool((not S_R1)),
+            'YP_E2': bool(C_E2),
+            'YY_E2': bool(S_R2 and (not C_E2)),
+            'YS_E2': bool((not S_R2)),
+            'YP_E3': bool(C_E3),
+            'YY_E3': bool(S_R3 and (not C_E3)),
+            'YS_E3': bool((not S_R3)),
+            'YP_L1': bool(C_L1),
+            'YY_L1': bool(S_R4 and (not C_L1)),
+            'YS_L1': bool((not S_R4)),
+            'YP_M': bool(C_M),
+            'YY_M': bool(S_R5 and (not C_M)),
+            'YS_M': bool((not S_R5)),
+            'YP_W1': bool(C_W1),
+            'YY_W1': bool(S_R6 and (not C_W1)),
+            'YS_W1': bool((not S_R6)),
+            'YP_W2': bool(C_W2),
+            'YY_W2': bool(S_R7 and (not C_W2)),
+            'YS_W2': bool((not S_R7)),
+            'YP_W3': bool(C_W3),
+            'YY_W3': bool((S_R8 or S_R9) and (not C_W3)),
+            'YS_W3': bool((not (S_R8 or S_R9))),
         }

@@ -1,7 +1,7 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 0aafed760510dbfc76e3d360a328e8f800b587a26576641820dac0b63e6c44e2
-# claims 7d32db1d71623ed887f4df3af266199621bfe7b054a573a48880371ba1ab0c8f
+# layout 557c0c371bd4a386b32827a90d7e430e1444ebc835ac154a4b0e073f0277caa9
+# claims 55cf2f8d4aab8b92c28760dc103b5548e303f98f4945873e6248f963732b6eaa
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -263,6 +263,8 @@ STATE = {
     'U_wsh': True,  # wsh used by a train (R9)
     'P_wsh': False,  # wsh: the train went on (R9)
     'D_wsh': False,  # wsh: inputs were lost while locked
+    'C_A2': False,  # A2 shows clear
+    'C_E': False,  # E shows clear
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -320,24 +322,6 @@ OUTPUTS = {
     'YA_P2': False,  # alarm: machine P2 not detected in time
     'YA_P3': False,  # alarm: machine P3 not detected in time
     'YA_PH': False,  # alarm: machine PH not detected in time
-    'YP_A1': False,  # signal A1: proceed (green)
-    'YW_A1': False,  # signal A1: shunt (white)
-    'YS_A1': True,  # signal A1: stop
-    'YP_A2': False,  # signal A2: proceed (green)
-    'YW_A2': False,  # signal A2: shunt (white)
-    'YS_A2': True,  # signal A2: stop
-    'YW_B1': False,  # signal B1: shunt (white)
-    'YS_B1': True,  # signal B1: stop
-    'YP_E': False,  # signal E: proceed (green)
-    'YS_E': True,  # signal E: stop
-    'YW_K1': False,  # signal K1: shunt (white)
-    'YS_K1': True,  # signal K1: stop
-    'YW_K2': False,  # signal K2: shunt (white)
-    'YS_K2': True,  # signal K2: stop
-    'YW_K3': False,  # signal K3: shunt (white)
-    'YS_K3': True,  # signal K3: stop
-    'YW_W': False,  # signal W: shunt (white)
-    'YS_W': True,  # signal W: stop
     'YL_arr': True,  # indication: arr is locked
     'YL_brg': True,  # indication: brg is locked
     'YL_p1': True,  # indication: p1 is locked
@@ -349,6 +333,27 @@ OUTPUTS = {
     'YL_sh3': True,  # indication: sh3 is locked
     'YL_sto': True,  # indication: sto is locked
     'YL_wsh': True,  # indication: wsh is locked
+    'YP_A1': False,  # signal A1: clear (green)
+    'YY_A1': False,  # signal A1: caution (yellow)
+    'YW_A1': False,  # signal A1: shunt (white)
+    'YS_A1': True,  # signal A1: stop
+    'YP_A2': False,  # signal A2: clear (green)
+    'YY_A2': False,  # signal A2: caution (yellow)
+    'YW_A2': False,  # signal A2: shunt (white)
+    'YS_A2': True,  # signal A2: stop
+    'YW_B1': False,  # signal B1: shunt (white)
+    'YS_B1': True,  # signal B1: stop
+    'YP_E': False,  # signal E: clear (green)
+    'YY_E': False,  # signal E: caution (yellow)
+    'YS_E': True,  # signal E: stop
+    'YW_K1': False,  # signal K1: shunt (white)
+    'YS_K1': True,  # signal K1: stop
+    'YW_K2': False,  # signal K2: shunt (white)
+    'YS_K2': True,  # signal K2: stop
+    'YW_K3': False,  # signal K3: shunt (white)
+    'YS_K3': True,  # signal K3: stop
+    'YW_W': False,  # signal W: shunt (white)
+    'YS_W': True,  # signal W: stop
 }
 
 
@@ -624,6 +629,8 @@ class Controller:
         U_wsh = old['U_wsh']
         P_wsh = old['P_wsh']
         D_wsh = old['D_wsh']
+        C_A2 = old['C_A2']
+        C_E = old['C_E']
         OCC_ap = (not CLR_ap) or (not VALID)  # ap counts as occupied
         OCC_arr = (not CLR_arr) or (not VALID)  # arr counts as occupied
         OCC_brg = (not CLR_brg) or (not VALID)  # brg counts as occupied
@@ -1115,6 +1122,8 @@ class Controller:
         N_U_wsh = (U_wsh or NU_wsh_2) and (not RLS_wsh)  # wsh used by a train (R9)
         N_P_wsh = (P_wsh or (U_wsh and NU_p1_3)) and (not RLS_wsh)  # wsh: the train went on (R9)
         N_D_wsh = (D_wsh or ((not VALID) and L_wsh_2)) and (not RLS_wsh)  # wsh: inputs were lost while locked
+        N_C_A2 = PR_R2 and PR_R2  # A2 shows clear
+        N_C_E = PR_R7 and False  # E shows clear
         self.state = {
             'CN_BRIDGE': bool(N_CN_BRIDGE),
             'CR_BRIDGE': bool(N_CR_BRIDGE),
@@ -1291,6 +1300,8 @@ class Controller:
             'U_wsh': bool(N_U_wsh),
             'P_wsh': bool(N_P_wsh),
             'D_wsh': bool(N_D_wsh),
+            'C_A2': bool(N_C_A2),
+            'C_E': bool(N_C_E),
         }
         CN_BRIDGE = self.state['CN_BRIDGE']
         CR_BRIDGE = self.state['CR_BRIDGE']
@@ -1467,6 +1478,8 @@ class Controller:
         U_wsh = self.state['U_wsh']
         P_wsh = self.state['P_wsh']
         D_wsh = self.state['D_wsh']
+        C_A2 = self.state['C_A2']
+        C_E = self.state['C_E']
         return {
             'YN_BRIDGE': bool(CN_BRIDGE),
             'YR_BRIDGE': bool(CR_BRIDGE),
@@ -1492,24 +1505,6 @@ class Controller:
             'YA_P2': bool(AL_P2),
             'YA_P3': bool(AL_P3),
             'YA_PH': bool(AL_PH),
-            'YP_A1': bool(False),
-            'YW_A1': bool(S_R1),
-            'YS_A1': bool((not S_R1)),
-            'YP_A2': bool(S_R2),
-            'YW_A2': bool(False),
-            'YS_A2': bool((not S_R2)),
-            'YW_B1': bool(S_R3 or S_R4 or S_R5 or S_R6),
-            'YS_B1': bool((not (S_R3 or S_R4 or S_R5 or S_R6))),
-            'YP_E': bool(S_R7),
-            'YS_E': bool((not S_R7)),
-            'YW_K1': bool(S_R8),
-            'YS_K1': bool((not S_R8)),
-            'YW_K2': bool(S_R9),
-            'YS_K2': bool((not S_R9)),
-            'YW_K3': bool(S_R10),
-            'YS_K3': bool((not S_R10)),
-            'YW_W': bool(S_R11),
-            'YS_W': bool((not S_R11)),
             'YL_arr': bool(K_arr or L_arr_1 or L_arr_2),
             'YL_brg': bool(K_brg or L_brg_1 or L_brg_2),
             'YL_p1': bool(K_p1 or L_p1_1 or L_p1_2 or L_p1_3 or L_p1_4),
@@ -1521,4 +1516,25 @@ class Controller:
             'YL_sh3': bool(K_sh3 or L_sh3_2),
             'YL_sto': bool(K_sto),
             'YL_wsh': bool(K_wsh or L_wsh_2),
+            'YP_A1': bool(False),
+            'YY_A1': bool(False),
+            'YW_A1': bool(S_R1),
+            'YS_A1': bool((not S_R1)),
+            'YP_A2': bool(C_A2),
+            'YY_A2': bool(S_R2 and (not C_A2)),
+            'YW_A2': bool(False),
+            'YS_A2': bool((not S_R2)),
+            'YW_B1': bool(S_R3 or S_R4 or S_R5 or S_R6),
+            'YS_B1': bool((not (S_R3 or S_R4 or S_R5 or S_R6))),
+            'YP_E': bool(C_E),
+            'YY_E': bool(S_R7 and (not C_E)),
+            'YS_E': bool((not S_R7)),
+            'YW_K1': bool(S_R8),
+            'YS_K1': bool((not S_R8)),
+            'YW_K2': bool(S_R9),
+            'YS_K2': bool((not S_R9)),
+            'YW_K3': bool(S_R10),
+            'YS_K3': bool((not S_R10)),
+            'YW_W': bool(S_R11),
+            'YS_W': bool((not S_R11)),
         }

@@ -1,7 +1,7 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout b004c08b9b8e196bd537bc0eaf62d1b7a13b2d6a893ed95e5902fec77f4e9656
-# claims bbd76f9bea60f06f9bb600d9b4d38d16fa1de21e0422e36991fccc488ecdc769
+# layout 68e63e4c03136e945618b6bcf8031dfcaf3e2b25ede1b53ed01192ce8fc204b2
+# claims ef0ca0d3b1ab282068643fab53f54d51281f8064f18e4c5c943a5393efe50b0e
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -227,22 +227,6 @@ OUTPUTS = {
     'YR_PE': False,  # machine PE: reverse
     'YA_PB': False,  # alarm: machine PB not detected in time
     'YA_PE': False,  # alarm: machine PE not detected in time
-    'YP_SC': False,  # signal SC: proceed (green)
-    'YS_SC': True,  # signal SC: stop
-    'YP_SD': False,  # signal SD: proceed (green)
-    'YS_SD': True,  # signal SD: stop
-    'YP_SE': False,  # signal SE: proceed (green)
-    'YS_SE': True,  # signal SE: stop
-    'YP_SF': False,  # signal SF: proceed (green)
-    'YS_SF': True,  # signal SF: stop
-    'YP_SG': False,  # signal SG: proceed (green)
-    'YS_SG': True,  # signal SG: stop
-    'YP_SI': False,  # signal SI: proceed (green)
-    'YS_SI': True,  # signal SI: stop
-    'YP_SIII': False,  # signal SIII: proceed (green)
-    'YS_SIII': True,  # signal SIII: stop
-    'YP_SV': False,  # signal SV: proceed (green)
-    'YS_SV': True,  # signal SV: stop
     'YL_A': True,  # indication: A is locked
     'YL_B': True,  # indication: B is locked
     'YL_C': True,  # indication: C is locked
@@ -253,6 +237,22 @@ OUTPUTS = {
     'YL_H': True,  # indication: H is locked
     'YL_ap_II': True,  # indication: ap_II is locked
     'YL_ap_IV': True,  # indication: ap_IV is locked
+    'YP_SC': False,  # signal SC: clear (green)
+    'YS_SC': True,  # signal SC: stop
+    'YP_SD': False,  # signal SD: clear (green)
+    'YS_SD': True,  # signal SD: stop
+    'YP_SE': False,  # signal SE: clear (green)
+    'YS_SE': True,  # signal SE: stop
+    'YP_SF': False,  # signal SF: clear (green)
+    'YS_SF': True,  # signal SF: stop
+    'YP_SG': False,  # signal SG: clear (green)
+    'YS_SG': True,  # signal SG: stop
+    'YP_SI': False,  # signal SI: clear (green)
+    'YS_SI': True,  # signal SI: stop
+    'YP_SIII': False,  # signal SIII: clear (green)
+    'YS_SIII': True,  # signal SIII: stop
+    'YP_SV': False,  # signal SV: clear (green)
+    'YS_SV': True,  # signal SV: stop
 }
 
 
@@ -1083,6 +1083,16 @@ class Controller:
             'YR_PE': bool(CR_PE),
             'YA_PB': bool(AL_PB),
             'YA_PE': bool(AL_PE),
+            'YL_A': bool(K_A or L_A_1 or L_A_2),
+            'YL_B': bool(K_B or L_B_1 or L_B_2 or L_B_3),
+            'YL_C': bool(K_C or L_C_1 or L_C_2),
+            'YL_D': bool(K_D or L_D_1 or L_D_2),
+            'YL_E': bool(K_E or L_E_1 or L_E_2 or L_E_4),
+            'YL_F': bool(K_F or L_F_1),
+            'YL_G': bool(K_G or L_G_1),
+            'YL_H': bool(K_H or L_H_1 or L_H_2),
+            'YL_ap_II': bool(K_ap_II or L_ap_II_1),
+            'YL_ap_IV': bool(K_ap_IV or L_ap_IV_1),
             'YP_SC': bool(S_R1 or S_R2),
             'YS_SC': bool((not (S_R1 or S_R2))),
             'YP_SD': bool(S_R3 or S_R4),
@@ -1099,14 +1109,4 @@ class Controller:
             'YS_SIII': bool((not S_R9)),
             'YP_SV': bool(S_R10),
             'YS_SV': bool((not S_R10)),
-            'YL_A': bool(K_A or L_A_1 or L_A_2),
-            'YL_B': bool(K_B or L_B_1 or L_B_2 or L_B_3),
-            'YL_C': bool(K_C or L_C_1 or L_C_2),
-            'YL_D': bool(K_D or L_D_1 or L_D_2),
-            'YL_E': bool(K_E or L_E_1 or L_E_2 or L_E_4),
-            'YL_F': bool(K_F or L_F_1),
-            'YL_G': bool(K_G or L_G_1),
-            'YL_H': bool(K_H or L_H_1 or L_H_2),
-            'YL_ap_II': bool(K_ap_II or L_ap_II_1),
-            'YL_ap_IV': bool(K_ap_IV or L_ap_IV_1),
         }

@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 1197f87b3459498122968868231ef07c402fa86929b359e4025c7e86357df4e3
-# claims a90356fdd58454118653840ce22c32eb9c53391094a7bf7e27bf617d8f412408
+# layout a38a7307fd239492b05b4562d91244dc99d4d78418d06afd865eecb7ea5fa340
+# claims f474f96c2e49400f220e7e711560cbb047e342b47ebf53fe8cbb09ffb692a85e
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -77,13 +77,13 @@ OUTPUTS = {
     'YN_P1': False,  # machine P1: normal
     'YR_P1': False,  # machine P1: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
-    'YP_X1': False,  # signal X1: proceed (green)
-    'YS_X1': True,  # signal X1: stop
-    'YP_X2': False,  # signal X2: proceed (green)
-    'YS_X2': True,  # signal X2: stop
-    'YP_X3': False,  # signal X3: proceed (green)
-    'YS_X3': True,  # signal X3: stop
     'YL_DP': True,  # indication: DP is locked
+    'YP_X1': False,  # signal X1: clear (green)
+    'YS_X1': True,  # signal X1: stop
+    'YP_X2': False,  # signal X2: clear (green)
+    'YS_X2': True,  # signal X2: stop
+    'YP_X3': False,  # signal X3: clear (green)
+    'YS_X3': True,  # signal X3: stop
 }
 
 
@@ -331,11 +331,11 @@ class Controller:
             'YN_P1': bool(CN_P1),
             'YR_P1': bool(CR_P1),
             'YA_P1': bool(AL_P1),
+            'YL_DP': bool(K_DP or L_DP_1 or L_DP_2 or L_DP_3 or L_DP_4),
             'YP_X1': bool(S_R1 or S_R2),
             'YS_X1': bool((not (S_R1 or S_R2))),
             'YP_X2': bool(S_R3),
             'YS_X2': bool((not S_R3)),
             'YP_X3': bool(S_R4),
             'YS_X3': bool((not S_R4)),
-            'YL_DP': bool(K_DP or L_DP_1 or L_DP_2 or L_DP_3 or L_DP_4),
         }

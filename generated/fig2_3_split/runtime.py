@@ -1,7 +1,7 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 5bde44681dcc47a2ea4ee83c3dd2b9aa12ce5d147f0f8a0d9d06e89f551e343b
-# claims 9d74ac5480b57fe710da2343db275f84992569fa778d258e90d1b4cbcca97bd7
+# layout b93d6f7219ee8972ebfd595e0f3f768545d5ff0362fc8475c5c666eebe584fa2
+# claims 88201bbee5a8d642b005e1b0248e7f106777521de47c78be0c0618f64913b04d
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -104,17 +104,17 @@ OUTPUTS = {
     'YN_P1': False,  # machine P1: normal
     'YR_P1': False,  # machine P1: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
-    'YP_X3': False,  # signal X3: proceed (green)
-    'YS_X3': True,  # signal X3: stop
-    'YP_X4': False,  # signal X4: proceed (green)
-    'YS_X4': True,  # signal X4: stop
-    'YP_X5': False,  # signal X5: proceed (green)
-    'YS_X5': True,  # signal X5: stop
-    'YP_X6': False,  # signal X6: proceed (green)
-    'YS_X6': True,  # signal X6: stop
     'YL_III': True,  # indication: III is locked
     'YL_IV': True,  # indication: IV is locked
     'YL_SC': True,  # indication: SC is locked
+    'YP_X3': False,  # signal X3: clear (green)
+    'YS_X3': True,  # signal X3: stop
+    'YP_X4': False,  # signal X4: clear (green)
+    'YS_X4': True,  # signal X4: stop
+    'YP_X5': False,  # signal X5: clear (green)
+    'YS_X5': True,  # signal X5: stop
+    'YP_X6': False,  # signal X6: clear (green)
+    'YS_X6': True,  # signal X6: stop
 }
 
 
@@ -468,6 +468,9 @@ class Controller:
             'YN_P1': bool(CN_P1),
             'YR_P1': bool(CR_P1),
             'YA_P1': bool(AL_P1),
+            'YL_III': bool(K_III or L_III_1 or L_III_2 or L_III_3 or L_III_4),
+            'YL_IV': bool(K_IV or L_IV_1),
+            'YL_SC': bool(K_SC or L_SC_2),
             'YP_X3': bool(S_R1 or S_R2),
             'YS_X3': bool((not (S_R1 or S_R2))),
             'YP_X4': bool(S_R3),
@@ -476,7 +479,4 @@ class Controller:
             'YS_X5': bool((not S_R4)),
             'YP_X6': bool(S_R5),
             'YS_X6': bool((not S_R5)),
-            'YL_III': bool(K_III or L_III_1 or L_III_2 or L_III_3 or L_III_4),
-            'YL_IV': bool(K_IV or L_IV_1),
-            'YL_SC': bool(K_SC or L_SC_2),
         }

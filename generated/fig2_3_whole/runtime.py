@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 39b963738693ab3fd2252c4267cd67ee455d7dda9b629a0c840a85cc5ec87ac6
-# claims 8dea7da5a2c553ce20f079aeffee2f8c545ab7e40b2bef2df4d6211b2f0b84e1
+# layout d10a3ba28136bd40f38f12f5480e59ccc05960e117eac4cdc08ccea4dff6d25c
+# claims dbf67165b7a7ba1bbd4b2ae69c207da274a16000b88a4b527b2710cdb6434c57
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -85,14 +85,14 @@ OUTPUTS = {
     'YN_P1': False,  # machine P1: normal
     'YR_P1': False,  # machine P1: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
-    'YP_X3': False,  # signal X3: proceed (green)
-    'YS_X3': True,  # signal X3: stop
-    'YP_X4': False,  # signal X4: proceed (green)
-    'YS_X4': True,  # signal X4: stop
-    'YP_X5': False,  # signal X5: proceed (green)
-    'YS_X5': True,  # signal X5: stop
     'YL_III': True,  # indication: III is locked
     'YL_SC': True,  # indication: SC is locked
+    'YP_X3': False,  # signal X3: clear (green)
+    'YS_X3': True,  # signal X3: stop
+    'YP_X4': False,  # signal X4: clear (green)
+    'YS_X4': True,  # signal X4: stop
+    'YP_X5': False,  # signal X5: clear (green)
+    'YS_X5': True,  # signal X5: stop
 }
 
 
@@ -370,12 +370,12 @@ class Controller:
             'YN_P1': bool(CN_P1),
             'YR_P1': bool(CR_P1),
             'YA_P1': bool(AL_P1),
+            'YL_III': bool(K_III or L_III_1 or L_III_2 or L_III_3),
+            'YL_SC': bool(K_SC or L_SC_2),
             'YP_X3': bool(S_R1 or S_R2),
             'YS_X3': bool((not (S_R1 or S_R2))),
             'YP_X4': bool(S_R3),
             'YS_X4': bool((not S_R3)),
             'YP_X5': bool(S_R4),
             'YS_X5': bool((not S_R4)),
-            'YL_III': bool(K_III or L_III_1 or L_III_2 or L_III_3),
-            'YL_SC': bool(K_SC or L_SC_2),
         }

@@ -1,7 +1,7 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 1bdd54cdc5b8657b726cc347d8e62ee0c885bc4ccff37cb7fab91de3defd0678
-# claims 848c1547199a54991820577167465ca1baff96b91b52e7f35b156188759316cb
+# layout b5b2b3ca7f92fa7fa41a4cdf4db8165d5119ec4df40f23218aff8d5d6f1028e6
+# claims 723304c071ee43b82d6227197125500615db28735b3bbfc3ab0235cfc66046da
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -242,6 +242,11 @@ STATE = {
     'VF_F': False,  # overlap of F firmly held
     'VF_N2': False,  # overlap of N2 firmly held
     'VF_S1': False,  # overlap of S1 firmly held
+    'C_F': False,  # F shows clear
+    'C_N2': False,  # N2 shows clear
+    'C_N8': False,  # N8 shows clear
+    'C_S1': False,  # S1 shows clear
+    'C_SA': False,  # SA shows clear
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -292,18 +297,6 @@ OUTPUTS = {
     'YA_6': False,  # alarm: machine 6 not detected in time
     'YA_Gs1': False,  # alarm: machine Gs1 not detected in time
     'YA_LC1': False,  # alarm: machine LC1 not detected in time
-    'YP_F': False,  # signal F: proceed (green)
-    'YS_F': True,  # signal F: stop
-    'YW_L5': False,  # signal L5: shunt (white)
-    'YS_L5': True,  # signal L5: stop
-    'YP_N2': False,  # signal N2: proceed (green)
-    'YS_N2': True,  # signal N2: stop
-    'YP_N8': False,  # signal N8: proceed (green)
-    'YS_N8': True,  # signal N8: stop
-    'YP_S1': False,  # signal S1: proceed (green)
-    'YS_S1': True,  # signal S1: stop
-    'YP_SA': False,  # signal SA: proceed (green)
-    'YS_SA': True,  # signal SA: stop
     'YL_g2': True,  # indication: g2 is locked
     'YL_g4': True,  # indication: g4 is locked
     'YL_g5': True,  # indication: g5 is locked
@@ -315,6 +308,23 @@ OUTPUTS = {
     'YL_w2': True,  # indication: w2 is locked
     'YL_w5': True,  # indication: w5 is locked
     'YL_w6': True,  # indication: w6 is locked
+    'YP_F': False,  # signal F: clear (green)
+    'YY_F': False,  # signal F: caution (yellow)
+    'YS_F': True,  # signal F: stop
+    'YW_L5': False,  # signal L5: shunt (white)
+    'YS_L5': True,  # signal L5: stop
+    'YP_N2': False,  # signal N2: clear (green)
+    'YY_N2': False,  # signal N2: caution (yellow)
+    'YS_N2': True,  # signal N2: stop
+    'YP_N8': False,  # signal N8: clear (green)
+    'YY_N8': False,  # signal N8: caution (yellow)
+    'YS_N8': True,  # signal N8: stop
+    'YP_S1': False,  # signal S1: clear (green)
+    'YY_S1': False,  # signal S1: caution (yellow)
+    'YS_S1': True,  # signal S1: stop
+    'YP_SA': False,  # signal SA: clear (green)
+    'YY_SA': False,  # signal SA: caution (yellow)
+    'YS_SA': True,  # signal SA: stop
 }
 
 
@@ -569,6 +579,11 @@ class Controller:
         VF_F = old['VF_F']
         VF_N2 = old['VF_N2']
         VF_S1 = old['VF_S1']
+        C_F = old['C_F']
+        C_N2 = old['C_N2']
+        C_N8 = old['C_N8']
+        C_S1 = old['C_S1']
+        C_SA = old['C_SA']
         OCC_g2 = (not CLR_g2) or (not VALID)  # g2 counts as occupied
         OCC_g4 = (not CLR_g4) or (not VALID)  # g4 counts as occupied
         OCC_g5 = (not CLR_g5) or (not VALID)  # g5 counts as occupied
@@ -1009,6 +1024,11 @@ class Controller:
         N_VF_F = (VF_F or LK_R3 or LK_R4 or LK_R5 or LK_R6) and (V_F_1 or V_F_2)  # overlap of F firmly held
         N_VF_N2 = (VF_N2 or LK_R7) and V_N2_1  # overlap of N2 firmly held
         N_VF_S1 = (VF_S1 or LK_R9 or LK_R10) and (V_S1_1 or V_S1_2)  # overlap of S1 firmly held
+        N_C_F = PR_R1 and PR_R1  # F shows clear
+        N_C_N2 = (PR_R3 or PR_R4) and ((PR_R3 and PR_R1) or (PR_R4 and PR_R1))  # N2 shows clear
+        N_C_N8 = (PR_R5 or PR_R6) and ((PR_R5 and PR_R1) or (PR_R6 and PR_R1))  # N8 shows clear
+        N_C_S1 = (PR_R7 or PR_R8) and ((PR_R7 and (PR_R3 or PR_R4)) or (PR_R8 and (PR_R5 or PR_R6)))  # S1 shows clear
+        N_C_SA = (PR_R9 or PR_R10) and ((PR_R9 and (PR_R7 or PR_R8)) or (PR_R10 and (PR_R7 or PR_R8)))  # SA shows clear
         self.state = {
             'CN_1': bool(N_CN_1),
             'CR_1': bool(N_CR_1),
@@ -1172,6 +1192,11 @@ class Controller:
             'VF_F': bool(N_VF_F),
             'VF_N2': bool(N_VF_N2),
             'VF_S1': bool(N_VF_S1),
+            'C_F': bool(N_C_F),
+            'C_N2': bool(N_C_N2),
+            'C_N8': bool(N_C_N8),
+            'C_S1': bool(N_C_S1),
+            'C_SA': bool(N_C_SA),
         }
         CN_1 = self.state['CN_1']
         CR_1 = self.state['CR_1']
@@ -1335,6 +1360,11 @@ class Controller:
         VF_F = self.state['VF_F']
         VF_N2 = self.state['VF_N2']
         VF_S1 = self.state['VF_S1']
+        C_F = self.state['C_F']
+        C_N2 = self.state['C_N2']
+        C_N8 = self.state['C_N8']
+        C_S1 = self.state['C_S1']
+        C_SA = self.state['C_SA']
         return {
             'YN_1': bool(CN_1),
             'YR_1': bool(CR_1),
@@ -1354,18 +1384,6 @@ class Controller:
             'YA_6': bool(AL_6),
             'YA_Gs1': bool(AL_Gs1),
             'YA_LC1': bool(AL_LC1),
-            'YP_F': bool(S_R1),
-            'YS_F': bool((not S_R1)),
-            'YW_L5': bool(S_R2),
-            'YS_L5': bool((not S_R2)),
-            'YP_N2': bool(S_R3 or S_R4),
-            'YS_N2': bool((not (S_R3 or S_R4))),
-            'YP_N8': bool(S_R5 or S_R6),
-            'YS_N8': bool((not (S_R5 or S_R6))),
-            'YP_S1': bool(S_R7 or S_R8),
-            'YS_S1': bool((not (S_R7 or S_R8))),
-            'YP_SA': bool(S_R9 or S_R10),
-            'YS_SA': bool((not (S_R9 or S_R10))),
             'YL_g2': bool(K_g2 or L_g2_1 or V_S1_1),
             'YL_g4': bool(K_g4 or L_g4_1 or V_N2_1),
             'YL_g5': bool(K_g5 or L_g5_2 or V_F_1),
@@ -1377,4 +1395,21 @@ class Controller:
             'YL_w2': bool(K_w2 or L_w2_1 or L_w2_4 or V_N2_1),
             'YL_w5': bool(K_w5 or L_w5_4 or L_w5_5 or V_S1_2),
             'YL_w6': bool(K_w6 or L_w6_1 or L_w6_2 or V_F_1 or V_F_2),
+            'YP_F': bool(C_F),
+            'YY_F': bool(S_R1 and (not C_F)),
+            'YS_F': bool((not S_R1)),
+            'YW_L5': bool(S_R2),
+            'YS_L5': bool((not S_R2)),
+            'YP_N2': bool(C_N2),
+            'YY_N2': bool((S_R3 or S_R4) and (not C_N2)),
+            'YS_N2': bool((not (S_R3 or S_R4))),
+            'YP_N8': bool(C_N8),
+            'YY_N8': bool((S_R5 or S_R6) and (not C_N8)),
+            'YS_N8': bool((not (S_R5 or S_R6))),
+            'YP_S1': bool(C_S1),
+            'YY_S1': bool((S_R7 or S_R8) and (not C_S1)),
+            'YS_S1': bool((not (S_R7 or S_R8))),
+            'YP_SA': bool(C_SA),
+            'YY_SA': bool((S_R9 or S_R10) and (not C_SA)),
+            'YS_SA': bool((not (S_R9 or S_R10))),
         }

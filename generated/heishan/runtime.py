@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 316a197194a907bb9962186e23fd2aab8c9a26e0b278ff10a2932fb72691e7a4
-# claims f9508260ffa5f2b125ab62ffd183a9a6d92d292139189dd1a7184cd2637b860f
+# layout d568310b7c53e4b7d8cb32093a50ef89e738c54f3cf6287817473b953bbf3bf3
+# claims f0c055ac7224548475b16202e5adeece76cbee2a91690c6d444761bb28454590
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -323,30 +323,6 @@ OUTPUTS = {
     'YA_P3': False,  # alarm: machine P3 not detected in time
     'YA_P4': False,  # alarm: machine P4 not detected in time
     'YA_PS': False,  # alarm: machine PS not detected in time
-    'YP_XB': False,  # signal XB: proceed (green)
-    'YS_XB': True,  # signal XB: stop
-    'YP_XI7': False,  # signal XI7: proceed (green)
-    'YS_XI7': True,  # signal XI7: stop
-    'YP_XI9': False,  # signal XI9: proceed (green)
-    'YS_XI9': True,  # signal XI9: stop
-    'YP_XL1': False,  # signal XL1: proceed (green)
-    'YS_XL1': True,  # signal XL1: stop
-    'YP_XL2': False,  # signal XL2: proceed (green)
-    'YS_XL2': True,  # signal XL2: stop
-    'YP_XL3': False,  # signal XL3: proceed (green)
-    'YS_XL3': True,  # signal XL3: stop
-    'YP_XL4': False,  # signal XL4: proceed (green)
-    'YS_XL4': True,  # signal XL4: stop
-    'YP_XL5': False,  # signal XL5: proceed (green)
-    'YS_XL5': True,  # signal XL5: stop
-    'YP_XO': False,  # signal XO: proceed (green)
-    'YS_XO': True,  # signal XO: stop
-    'YP_XT3': False,  # signal XT3: proceed (green)
-    'YS_XT3': True,  # signal XT3: stop
-    'YP_XT7': False,  # signal XT7: proceed (green)
-    'YS_XT7': True,  # signal XT7: stop
-    'YP_XT9': False,  # signal XT9: proceed (green)
-    'YS_XT9': True,  # signal XT9: stop
     'YL_s10_xc4': True,  # indication: s10_xc4 is locked
     'YL_s11_xc5': True,  # indication: s11_xc5 is locked
     'YL_s2': True,  # indication: s2 is locked
@@ -358,6 +334,30 @@ OUTPUTS = {
     'YL_s7': True,  # indication: s7 is locked
     'YL_s8_xc3': True,  # indication: s8_xc3 is locked
     'YL_s9': True,  # indication: s9 is locked
+    'YP_XB': False,  # signal XB: clear (green)
+    'YS_XB': True,  # signal XB: stop
+    'YP_XI7': False,  # signal XI7: clear (green)
+    'YS_XI7': True,  # signal XI7: stop
+    'YP_XI9': False,  # signal XI9: clear (green)
+    'YS_XI9': True,  # signal XI9: stop
+    'YP_XL1': False,  # signal XL1: clear (green)
+    'YS_XL1': True,  # signal XL1: stop
+    'YP_XL2': False,  # signal XL2: clear (green)
+    'YS_XL2': True,  # signal XL2: stop
+    'YP_XL3': False,  # signal XL3: clear (green)
+    'YS_XL3': True,  # signal XL3: stop
+    'YP_XL4': False,  # signal XL4: clear (green)
+    'YS_XL4': True,  # signal XL4: stop
+    'YP_XL5': False,  # signal XL5: clear (green)
+    'YS_XL5': True,  # signal XL5: stop
+    'YP_XO': False,  # signal XO: clear (green)
+    'YS_XO': True,  # signal XO: stop
+    'YP_XT3': False,  # signal XT3: clear (green)
+    'YS_XT3': True,  # signal XT3: stop
+    'YP_XT7': False,  # signal XT7: clear (green)
+    'YS_XT7': True,  # signal XT7: stop
+    'YP_XT9': False,  # signal XT9: clear (green)
+    'YS_XT9': True,  # signal XT9: stop
 }
 
 
@@ -1565,6 +1565,17 @@ class Controller:
             'YA_P3': bool(AL_P3),
             'YA_P4': bool(AL_P4),
             'YA_PS': bool(AL_PS),
+            'YL_s10_xc4': bool(K_s10_xc4 or L_s10_xc4_2),
+            'YL_s11_xc5': bool(K_s11_xc5 or L_s11_xc5_2),
+            'YL_s2': bool(K_s2 or L_s2_1 or L_s2_2 or L_s2_3 or L_s2_4),
+            'YL_s2_out': bool(K_s2_out or L_s2_out_2),
+            'YL_s3': bool(K_s3 or L_s3_1 or L_s3_2 or L_s3_3 or L_s3_4),
+            'YL_s4_xc1': bool(K_s4_xc1 or L_s4_xc1_2),
+            'YL_s5_xc2': bool(K_s5_xc2 or L_s5_xc2_2),
+            'YL_s6': bool(K_s6 or L_s6_1 or L_s6_2 or L_s6_3 or L_s6_4),
+            'YL_s7': bool(K_s7 or L_s7_1 or L_s7_2 or L_s7_3 or L_s7_4),
+            'YL_s8_xc3': bool(K_s8_xc3 or L_s8_xc3_2),
+            'YL_s9': bool(K_s9 or L_s9_1 or L_s9_2 or L_s9_3 or L_s9_4),
             'YP_XB': bool(S_R1 or S_R2 or S_R3 or S_R4),
             'YS_XB': bool((not (S_R1 or S_R2 or S_R3 or S_R4))),
             'YP_XI7': bool(S_R5 or S_R6),
@@ -1589,15 +1600,4 @@ class Controller:
             'YS_XT7': bool((not S_R16)),
             'YP_XT9': bool(S_R17),
             'YS_XT9': bool((not S_R17)),
-            'YL_s10_xc4': bool(K_s10_xc4 or L_s10_xc4_2),
-            'YL_s11_xc5': bool(K_s11_xc5 or L_s11_xc5_2),
-            'YL_s2': bool(K_s2 or L_s2_1 or L_s2_2 or L_s2_3 or L_s2_4),
-            'YL_s2_out': bool(K_s2_out or L_s2_out_2),
-            'YL_s3': bool(K_s3 or L_s3_1 or L_s3_2 or L_s3_3 or L_s3_4),
-            'YL_s4_xc1': bool(K_s4_xc1 or L_s4_xc1_2),
-            'YL_s5_xc2': bool(K_s5_xc2 or L_s5_xc2_2),
-            'YL_s6': bool(K_s6 or L_s6_1 or L_s6_2 or L_s6_3 or L_s6_4),
-            'YL_s7': bool(K_s7 or L_s7_1 or L_s7_2 or L_s7_3 or L_s7_4),
-            'YL_s8_xc3': bool(K_s8_xc3 or L_s8_xc3_2),
-            'YL_s9': bool(K_s9 or L_s9_1 or L_s9_2 or L_s9_3 or L_s9_4),
         }

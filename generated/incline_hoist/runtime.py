@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 17c6d0a36c0ac8043b52fc7b1e5ad39d7dce4886cdb0c918d988697b2cf36b22
-# claims f8084e4dcec5a159098759f9f618b01aef6a0db81a141b3463cb24ed8dd528a5
+# layout f94a17e23f9ae04e555d5f22ae63ce3b5e5e292fc33de07e66ccfcc76df927dd
+# claims 70071d2f729d717ad4452c75554fd1a79d528db2f7ba3ae5facf0b9a4b3cbb66
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -195,20 +195,6 @@ OUTPUTS = {
     'YR_PU': False,  # machine PU: reverse
     'YA_PD': False,  # alarm: machine PD not detected in time
     'YA_PU': False,  # alarm: machine PU not detected in time
-    'YP_XD2': False,  # signal XD2: proceed (green)
-    'YS_XD2': True,  # signal XD2: stop
-    'YP_XD3': False,  # signal XD3: proceed (green)
-    'YS_XD3': True,  # signal XD3: stop
-    'YP_XL': False,  # signal XL: proceed (green)
-    'YS_XL': True,  # signal XL: stop
-    'YP_XM': False,  # signal XM: proceed (green)
-    'YS_XM': True,  # signal XM: stop
-    'YP_XN1': False,  # signal XN1: proceed (green)
-    'YS_XN1': True,  # signal XN1: stop
-    'YP_XU': False,  # signal XU: proceed (green)
-    'YS_XU': True,  # signal XU: stop
-    'YP_XU3': False,  # signal XU3: proceed (green)
-    'YS_XU3': True,  # signal XU3: stop
     'YL_d1': True,  # indication: d1 is locked
     'YL_d2': True,  # indication: d2 is locked
     'YL_d3': True,  # indication: d3 is locked
@@ -216,6 +202,20 @@ OUTPUTS = {
     'YL_i2': True,  # indication: i2 is locked
     'YL_u2': True,  # indication: u2 is locked
     'YL_u3_stub': True,  # indication: u3_stub is locked
+    'YP_XD2': False,  # signal XD2: clear (green)
+    'YS_XD2': True,  # signal XD2: stop
+    'YP_XD3': False,  # signal XD3: clear (green)
+    'YS_XD3': True,  # signal XD3: stop
+    'YP_XL': False,  # signal XL: clear (green)
+    'YS_XL': True,  # signal XL: stop
+    'YP_XM': False,  # signal XM: clear (green)
+    'YS_XM': True,  # signal XM: stop
+    'YP_XN1': False,  # signal XN1: clear (green)
+    'YS_XN1': True,  # signal XN1: stop
+    'YP_XU': False,  # signal XU: clear (green)
+    'YS_XU': True,  # signal XU: stop
+    'YP_XU3': False,  # signal XU3: clear (green)
+    'YS_XU3': True,  # signal XU3: stop
 }
 
 
@@ -911,6 +911,13 @@ class Controller:
             'YR_PU': bool(CR_PU),
             'YA_PD': bool(AL_PD),
             'YA_PU': bool(AL_PU),
+            'YL_d1': bool(K_d1 or L_d1_1 or L_d1_2 or L_d1_3 or L_d1_4),
+            'YL_d2': bool(K_d2 or L_d2_2),
+            'YL_d3': bool(K_d3 or L_d3_1 or L_d3_2),
+            'YL_i1': bool(K_i1 or L_i1_1 or L_i1_2),
+            'YL_i2': bool(K_i2 or L_i2_1 or L_i2_2),
+            'YL_u2': bool(K_u2 or L_u2_1 or L_u2_2 or L_u2_3 or L_u2_4),
+            'YL_u3_stub': bool(K_u3_stub or L_u3_stub_2),
             'YP_XD2': bool(S_R1),
             'YS_XD2': bool((not S_R1)),
             'YP_XD3': bool(S_R2),
@@ -925,11 +932,4 @@ class Controller:
             'YS_XU': bool((not (S_R7 or S_R8))),
             'YP_XU3': bool(S_R9),
             'YS_XU3': bool((not S_R9)),
-            'YL_d1': bool(K_d1 or L_d1_1 or L_d1_2 or L_d1_3 or L_d1_4),
-            'YL_d2': bool(K_d2 or L_d2_2),
-            'YL_d3': bool(K_d3 or L_d3_1 or L_d3_2),
-            'YL_i1': bool(K_i1 or L_i1_1 or L_i1_2),
-            'YL_i2': bool(K_i2 or L_i2_1 or L_i2_2),
-            'YL_u2': bool(K_u2 or L_u2_1 or L_u2_2 or L_u2_3 or L_u2_4),
-            'YL_u3_stub': bool(K_u3_stub or L_u3_stub_2),
         }

@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout dd41ca33cdff34c243b83c292d95acd5bcfffc492b450be8d383bf14a4c43e4f
-# claims d3adbfffe39139c738ff8aa5a989b69b8c2d0833271fcf91a510432e8db52033
+# layout fe7b775a8c72ed0c036ead46243747a37dfedb876451d059e698b0f91f778fd4
+# claims 629dae0ae1ad69bbb497e4d97a384080a0f5df6f32f0e99245ce34a22fc2aea5
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -219,6 +219,15 @@ STATE = {
     'VF_S4J': False,  # overlap of S4J firmly held
     'VF_S5': False,  # overlap of S5 firmly held
     'VF_S6': False,  # overlap of S6 firmly held
+    'C_S1': False,  # S1 shows clear
+    'C_S1J': False,  # S1J shows clear
+    'C_S2': False,  # S2 shows clear
+    'C_S2J': False,  # S2J shows clear
+    'C_S3': False,  # S3 shows clear
+    'C_S4': False,  # S4 shows clear
+    'C_S4J': False,  # S4J shows clear
+    'C_S5': False,  # S5 shows clear
+    'C_S6': False,  # S6 shows clear
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -259,24 +268,6 @@ OUTPUTS = {
     'YR_102': False,  # machine 102: reverse
     'YA_101': False,  # alarm: machine 101 not detected in time
     'YA_102': False,  # alarm: machine 102 not detected in time
-    'YP_S1': False,  # signal S1: proceed (green)
-    'YS_S1': True,  # signal S1: stop
-    'YP_S1J': False,  # signal S1J: proceed (green)
-    'YS_S1J': True,  # signal S1J: stop
-    'YP_S2': False,  # signal S2: proceed (green)
-    'YS_S2': True,  # signal S2: stop
-    'YP_S2J': False,  # signal S2J: proceed (green)
-    'YS_S2J': True,  # signal S2J: stop
-    'YP_S3': False,  # signal S3: proceed (green)
-    'YS_S3': True,  # signal S3: stop
-    'YP_S4': False,  # signal S4: proceed (green)
-    'YS_S4': True,  # signal S4: stop
-    'YP_S4J': False,  # signal S4J: proceed (green)
-    'YS_S4J': True,  # signal S4J: stop
-    'YP_S5': False,  # signal S5: proceed (green)
-    'YS_S5': True,  # signal S5: stop
-    'YP_S6': False,  # signal S6: proceed (green)
-    'YS_S6': True,  # signal S6: stop
     'YL_AB': True,  # indication: AB is locked
     'YL_AC': True,  # indication: AC is locked
     'YL_AD': True,  # indication: AD is locked
@@ -288,6 +279,33 @@ OUTPUTS = {
     'YL_CD': True,  # indication: CD is locked
     'YL_CE': True,  # indication: CE is locked
     'YL_DB': True,  # indication: DB is locked
+    'YP_S1': False,  # signal S1: clear (green)
+    'YY_S1': False,  # signal S1: caution (yellow)
+    'YS_S1': True,  # signal S1: stop
+    'YP_S1J': False,  # signal S1J: clear (green)
+    'YY_S1J': False,  # signal S1J: caution (yellow)
+    'YS_S1J': True,  # signal S1J: stop
+    'YP_S2': False,  # signal S2: clear (green)
+    'YY_S2': False,  # signal S2: caution (yellow)
+    'YS_S2': True,  # signal S2: stop
+    'YP_S2J': False,  # signal S2J: clear (green)
+    'YY_S2J': False,  # signal S2J: caution (yellow)
+    'YS_S2J': True,  # signal S2J: stop
+    'YP_S3': False,  # signal S3: clear (green)
+    'YY_S3': False,  # signal S3: caution (yellow)
+    'YS_S3': True,  # signal S3: stop
+    'YP_S4': False,  # signal S4: clear (green)
+    'YY_S4': False,  # signal S4: caution (yellow)
+    'YS_S4': True,  # signal S4: stop
+    'YP_S4J': False,  # signal S4J: clear (green)
+    'YY_S4J': False,  # signal S4J: caution (yellow)
+    'YS_S4J': True,  # signal S4J: stop
+    'YP_S5': False,  # signal S5: clear (green)
+    'YY_S5': False,  # signal S5: caution (yellow)
+    'YS_S5': True,  # signal S5: stop
+    'YP_S6': False,  # signal S6: clear (green)
+    'YY_S6': False,  # signal S6: caution (yellow)
+    'YS_S6': True,  # signal S6: stop
 }
 
 
@@ -519,6 +537,15 @@ class Controller:
         VF_S4J = old['VF_S4J']
         VF_S5 = old['VF_S5']
         VF_S6 = old['VF_S6']
+        C_S1 = old['C_S1']
+        C_S1J = old['C_S1J']
+        C_S2 = old['C_S2']
+        C_S2J = old['C_S2J']
+        C_S3 = old['C_S3']
+        C_S4 = old['C_S4']
+        C_S4J = old['C_S4J']
+        C_S5 = old['C_S5']
+        C_S6 = old['C_S6']
         OCC_AA = (not CLR_AA) or (not VALID)  # AA counts as occupied
         OCC_AB = (not CLR_AB) or (not VALID)  # AB counts as occupied
         OCC_AC = (not CLR_AC) or (not VALID)  # AC counts as occupied
@@ -921,6 +948,15 @@ class Controller:
         N_VF_S4J = (VF_S4J or LK_R8) and V_S4J_1  # overlap of S4J firmly held
         N_VF_S5 = (VF_S5 or LK_R4) and V_S5_1  # overlap of S5 firmly held
         N_VF_S6 = (VF_S6 or LK_R6 or LK_R9) and V_S6_1  # overlap of S6 firmly held
+        N_C_S1 = (PR_R1 or PR_R2) and ((PR_R1 and (PR_R3 or PR_R4)) or (PR_R2 and (PR_R3 or PR_R4)))  # S1 shows clear
+        N_C_S1J = (PR_R3 or PR_R4) and ((PR_R3 and PR_R7) or (PR_R4 and PR_R10))  # S1J shows clear
+        N_C_S2 = PR_R5 and (PR_R5 and PR_R6)  # S2 shows clear
+        N_C_S2J = PR_R6 and (PR_R6 and PR_R11)  # S2J shows clear
+        N_C_S3 = PR_R7 and PR_R7  # S3 shows clear
+        N_C_S4 = PR_R8 and (PR_R8 and PR_R9)  # S4 shows clear
+        N_C_S4J = PR_R9 and (PR_R9 and PR_R11)  # S4J shows clear
+        N_C_S5 = PR_R10 and PR_R10  # S5 shows clear
+        N_C_S6 = PR_R11 and PR_R11  # S6 shows clear
         self.state = {
             'CN_101': bool(N_CN_101),
             'CR_101': bool(N_CR_101),
@@ -1073,6 +1109,15 @@ class Controller:
             'VF_S4J': bool(N_VF_S4J),
             'VF_S5': bool(N_VF_S5),
             'VF_S6': bool(N_VF_S6),
+            'C_S1': bool(N_C_S1),
+            'C_S1J': bool(N_C_S1J),
+            'C_S2': bool(N_C_S2),
+            'C_S2J': bool(N_C_S2J),
+            'C_S3': bool(N_C_S3),
+            'C_S4': bool(N_C_S4),
+            'C_S4J': bool(N_C_S4J),
+            'C_S5': bool(N_C_S5),
+            'C_S6': bool(N_C_S6),
         }
         CN_101 = self.state['CN_101']
         CR_101 = self.state['CR_101']
@@ -1225,6 +1270,15 @@ class Controller:
         VF_S4J = self.state['VF_S4J']
         VF_S5 = self.state['VF_S5']
         VF_S6 = self.state['VF_S6']
+        C_S1 = self.state['C_S1']
+        C_S1J = self.state['C_S1J']
+        C_S2 = self.state['C_S2']
+        C_S2J = self.state['C_S2J']
+        C_S3 = self.state['C_S3']
+        C_S4 = self.state['C_S4']
+        C_S4J = self.state['C_S4J']
+        C_S5 = self.state['C_S5']
+        C_S6 = self.state['C_S6']
         return {
             'YN_101': bool(CN_101),
             'YR_101': bool(CR_101),
@@ -1232,24 +1286,6 @@ class Controller:
             'YR_102': bool(CR_102),
             'YA_101': bool(AL_101),
             'YA_102': bool(AL_102),
-            'YP_S1': bool(S_R1 or S_R2),
-            'YS_S1': bool((not (S_R1 or S_R2))),
-            'YP_S1J': bool(S_R3 or S_R4),
-            'YS_S1J': bool((not (S_R3 or S_R4))),
-            'YP_S2': bool(S_R5),
-            'YS_S2': bool((not S_R5)),
-            'YP_S2J': bool(S_R6),
-            'YS_S2J': bool((not S_R6)),
-            'YP_S3': bool(S_R7),
-            'YS_S3': bool((not S_R7)),
-            'YP_S4': bool(S_R8),
-            'YS_S4': bool((not S_R8)),
-            'YP_S4J': bool(S_R9),
-            'YS_S4J': bool((not S_R9)),
-            'YP_S5': bool(S_R10),
-            'YS_S5': bool((not S_R10)),
-            'YP_S6': bool(S_R11),
-            'YS_S6': bool((not S_R11)),
             'YL_AB': bool(K_AB or L_AB_2),
             'YL_AC': bool(K_AC or L_AC_1 or L_AC_2 or V_S1J_1 or V_S1J_2),
             'YL_AD': bool(K_AD or L_AD_1 or V_S1J_1),
@@ -1261,4 +1297,31 @@ class Controller:
             'YL_CD': bool(K_CD or L_CD_1 or V_S1J_2),
             'YL_CE': bool(K_CE or L_CE_1 or V_S5_1),
             'YL_DB': bool(K_DB or L_DB_2),
+            'YP_S1': bool(C_S1),
+            'YY_S1': bool((S_R1 or S_R2) and (not C_S1)),
+            'YS_S1': bool((not (S_R1 or S_R2))),
+            'YP_S1J': bool(C_S1J),
+            'YY_S1J': bool((S_R3 or S_R4) and (not C_S1J)),
+            'YS_S1J': bool((not (S_R3 or S_R4))),
+            'YP_S2': bool(C_S2),
+            'YY_S2': bool(S_R5 and (not C_S2)),
+            'YS_S2': bool((not S_R5)),
+            'YP_S2J': bool(C_S2J),
+            'YY_S2J': bool(S_R6 and (not C_S2J)),
+            'YS_S2J': bool((not S_R6)),
+            'YP_S3': bool(C_S3),
+            'YY_S3': bool(S_R7 and (not C_S3)),
+            'YS_S3': bool((not S_R7)),
+            'YP_S4': bool(C_S4),
+            'YY_S4': bool(S_R8 and (not C_S4)),
+            'YS_S4': bool((not S_R8)),
+            'YP_S4J': bool(C_S4J),
+            'YY_S4J': bool(S_R9 and (not C_S4J)),
+            'YS_S4J': bool((not S_R9)),
+            'YP_S5': bool(C_S5),
+            'YY_S5': bool(S_R10 and (not C_S5)),
+            'YS_S5': bool((not S_R10)),
+            'YP_S6': bool(C_S6),
+            'YY_S6': bool(S_R11 and (not C_S6)),
+            'YS_S6': bool((not S_R11)),
         }

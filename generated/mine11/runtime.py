@@ -1,7 +1,7 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 731d9424092b41df31901ad898cb8962b9fc74dc57c3a49cec20d9d9ae354426
-# claims 5e6f97e4e433542f9763ceffa9ca2b0a0b0b931c76fba046930f78e7a05a0599
+# layout 4a1e427f4299c722e92b70f4ff49ddaf8f9d5e09e2db09c6f8f7e665b9dde28a
+# claims 07dc59acf14a473754cbedc5d39c50b81340090b60074a490ee6bd73fd0f08aa
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -236,20 +236,6 @@ OUTPUTS = {
     'YR_P2': False,  # machine P2: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
     'YA_P2': False,  # alarm: machine P2 not detected in time
-    'YP_X1': False,  # signal X1: proceed (green)
-    'YS_X1': True,  # signal X1: stop
-    'YP_X2': False,  # signal X2: proceed (green)
-    'YS_X2': True,  # signal X2: stop
-    'YP_X3': False,  # signal X3: proceed (green)
-    'YS_X3': True,  # signal X3: stop
-    'YP_X4': False,  # signal X4: proceed (green)
-    'YS_X4': True,  # signal X4: stop
-    'YP_X5': False,  # signal X5: proceed (green)
-    'YS_X5': True,  # signal X5: stop
-    'YP_X6': False,  # signal X6: proceed (green)
-    'YS_X6': True,  # signal X6: stop
-    'YP_X7': False,  # signal X7: proceed (green)
-    'YS_X7': True,  # signal X7: stop
     'YL_q1': True,  # indication: q1 is locked
     'YL_q10': True,  # indication: q10 is locked
     'YL_q11': True,  # indication: q11 is locked
@@ -261,6 +247,20 @@ OUTPUTS = {
     'YL_q7': True,  # indication: q7 is locked
     'YL_q8': True,  # indication: q8 is locked
     'YL_q9': True,  # indication: q9 is locked
+    'YP_X1': False,  # signal X1: clear (green)
+    'YS_X1': True,  # signal X1: stop
+    'YP_X2': False,  # signal X2: clear (green)
+    'YS_X2': True,  # signal X2: stop
+    'YP_X3': False,  # signal X3: clear (green)
+    'YS_X3': True,  # signal X3: stop
+    'YP_X4': False,  # signal X4: clear (green)
+    'YS_X4': True,  # signal X4: stop
+    'YP_X5': False,  # signal X5: clear (green)
+    'YS_X5': True,  # signal X5: stop
+    'YP_X6': False,  # signal X6: clear (green)
+    'YS_X6': True,  # signal X6: stop
+    'YP_X7': False,  # signal X7: clear (green)
+    'YS_X7': True,  # signal X7: stop
 }
 
 
@@ -1129,6 +1129,17 @@ class Controller:
             'YR_P2': bool(CR_P2),
             'YA_P1': bool(AL_P1),
             'YA_P2': bool(AL_P2),
+            'YL_q1': bool(K_q1 or L_q1_1 or L_q1_2),
+            'YL_q10': bool(K_q10 or L_q10_1 or L_q10_2),
+            'YL_q11': bool(K_q11 or L_q11_1 or L_q11_2 or L_q11_3 or L_q11_4),
+            'YL_q2': bool(K_q2 or L_q2_1 or L_q2_2 or L_q2_3 or L_q2_4),
+            'YL_q3': bool(K_q3 or L_q3_1 or L_q3_2),
+            'YL_q4': bool(K_q4 or L_q4_1 or L_q4_2),
+            'YL_q5': bool(K_q5 or L_q5_1 or L_q5_2),
+            'YL_q6': bool(K_q6 or L_q6_1 or L_q6_2),
+            'YL_q7': bool(K_q7 or L_q7_1 or L_q7_2),
+            'YL_q8': bool(K_q8 or L_q8_1 or L_q8_2),
+            'YL_q9': bool(K_q9 or L_q9_1 or L_q9_2),
             'YP_X1': bool(S_R1 or S_R2),
             'YS_X1': bool((not (S_R1 or S_R2))),
             'YP_X2': bool(S_R3),
@@ -1143,15 +1154,4 @@ class Controller:
             'YS_X6': bool((not S_R8)),
             'YP_X7': bool(S_R9),
             'YS_X7': bool((not S_R9)),
-            'YL_q1': bool(K_q1 or L_q1_1 or L_q1_2),
-            'YL_q10': bool(K_q10 or L_q10_1 or L_q10_2),
-            'YL_q11': bool(K_q11 or L_q11_1 or L_q11_2 or L_q11_3 or L_q11_4),
-            'YL_q2': bool(K_q2 or L_q2_1 or L_q2_2 or L_q2_3 or L_q2_4),
-            'YL_q3': bool(K_q3 or L_q3_1 or L_q3_2),
-            'YL_q4': bool(K_q4 or L_q4_1 or L_q4_2),
-            'YL_q5': bool(K_q5 or L_q5_1 or L_q5_2),
-            'YL_q6': bool(K_q6 or L_q6_1 or L_q6_2),
-            'YL_q7': bool(K_q7 or L_q7_1 or L_q7_2),
-            'YL_q8': bool(K_q8 or L_q8_1 or L_q8_2),
-            'YL_q9': bool(K_q9 or L_q9_1 or L_q9_2),
         }

@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout bd9875998500de88f76ae33a6ec59bffc8f0ea236143331e52c7e51a22fa64a1
-# claims 0822a46b9ebc1174dec34fa9bcd0386e8f7c62ebc1df2354b992d0abfe5a43e0
+# layout b768c697f99017ea55f8c0780df8bab8b667ae266c49fecd04263783ce4f91bb
+# claims 91fee30785459fec065fc1b581735d24d643480135674d2b1f6fe347fbefa8ee
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -149,6 +149,12 @@ STATE = {
     'U_IIAG': True,  # IIAG used by a train (R9)
     'P_IIAG': False,  # IIAG: the train went on (R9)
     'D_IIAG': False,  # IIAG: inputs were lost while locked
+    'C_S': False,  # S shows clear
+    'C_S1': False,  # S1 shows clear
+    'C_S3': False,  # S3 shows clear
+    'C_X': False,  # X shows clear
+    'C_X1': False,  # X1 shows clear
+    'C_X3': False,  # X3 shows clear
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -175,24 +181,30 @@ OUTPUTS = {
     'YR_2': False,  # machine 2: reverse
     'YA_1': False,  # alarm: machine 1 not detected in time
     'YA_2': False,  # alarm: machine 2 not detected in time
-    'YP_S': False,  # signal S: proceed (green)
-    'YS_S': True,  # signal S: stop
-    'YP_S1': False,  # signal S1: proceed (green)
-    'YS_S1': True,  # signal S1: stop
-    'YP_S3': False,  # signal S3: proceed (green)
-    'YS_S3': True,  # signal S3: stop
-    'YP_X': False,  # signal X: proceed (green)
-    'YS_X': True,  # signal X: stop
-    'YP_X1': False,  # signal X1: proceed (green)
-    'YS_X1': True,  # signal X1: stop
-    'YP_X3': False,  # signal X3: proceed (green)
-    'YS_X3': True,  # signal X3: stop
     'YL_1DG': True,  # indication: 1DG is locked
     'YL_2DG': True,  # indication: 2DG is locked
     'YL_3G': True,  # indication: 3G is locked
     'YL_IAG': True,  # indication: IAG is locked
     'YL_IG': True,  # indication: IG is locked
     'YL_IIAG': True,  # indication: IIAG is locked
+    'YP_S': False,  # signal S: clear (green)
+    'YY_S': False,  # signal S: caution (yellow)
+    'YS_S': True,  # signal S: stop
+    'YP_S1': False,  # signal S1: clear (green)
+    'YY_S1': False,  # signal S1: caution (yellow)
+    'YS_S1': True,  # signal S1: stop
+    'YP_S3': False,  # signal S3: clear (green)
+    'YY_S3': False,  # signal S3: caution (yellow)
+    'YS_S3': True,  # signal S3: stop
+    'YP_X': False,  # signal X: clear (green)
+    'YY_X': False,  # signal X: caution (yellow)
+    'YS_X': True,  # signal X: stop
+    'YP_X1': False,  # signal X1: clear (green)
+    'YY_X1': False,  # signal X1: caution (yellow)
+    'YS_X1': True,  # signal X1: stop
+    'YP_X3': False,  # signal X3: clear (green)
+    'YY_X3': False,  # signal X3: caution (yellow)
+    'YS_X3': True,  # signal X3: stop
 }
 
 
@@ -354,6 +366,12 @@ class Controller:
         U_IIAG = old['U_IIAG']
         P_IIAG = old['P_IIAG']
         D_IIAG = old['D_IIAG']
+        C_S = old['C_S']
+        C_S1 = old['C_S1']
+        C_S3 = old['C_S3']
+        C_X = old['C_X']
+        C_X1 = old['C_X1']
+        C_X3 = old['C_X3']
         OCC_1DG = (not CLR_1DG) or (not VALID)  # 1DG counts as occupied
         OCC_2DG = (not CLR_2DG) or (not VALID)  # 2DG counts as occupied
         OCC_3G = (not CLR_3G) or (not VALID)  # 3G counts as occupied
@@ -614,6 +632,12 @@ class Controller:
         N_U_IIAG = (U_IIAG or NU_IIAG_1 or NU_IIAG_2) and (not RLS_IIAG)  # IIAG used by a train (R9)
         N_P_IIAG = (P_IIAG or (U_IIAG and OCC_IIAG and NU_2DG_3)) and (not RLS_IIAG)  # IIAG: the train went on (R9)
         N_D_IIAG = (D_IIAG or ((not VALID) and (L_IIAG_1 or L_IIAG_2))) and (not RLS_IIAG)  # IIAG: inputs were lost while locked
+        N_C_S = (PR_R1 or PR_R2) and ((PR_R1 and PR_R3) or (PR_R2 and PR_R4))  # S shows clear
+        N_C_S1 = PR_R3 and PR_R3  # S1 shows clear
+        N_C_S3 = PR_R4 and PR_R4  # S3 shows clear
+        N_C_X = (PR_R5 or PR_R6) and ((PR_R5 and PR_R7) or (PR_R6 and PR_R8))  # X shows clear
+        N_C_X1 = PR_R7 and PR_R7  # X1 shows clear
+        N_C_X3 = PR_R8 and PR_R8  # X3 shows clear
         self.state = {
             'CN_1': bool(N_CN_1),
             'CR_1': bool(N_CR_1),
@@ -713,6 +737,12 @@ class Controller:
             'U_IIAG': bool(N_U_IIAG),
             'P_IIAG': bool(N_P_IIAG),
             'D_IIAG': bool(N_D_IIAG),
+            'C_S': bool(N_C_S),
+            'C_S1': bool(N_C_S1),
+            'C_S3': bool(N_C_S3),
+            'C_X': bool(N_C_X),
+            'C_X1': bool(N_C_X1),
+            'C_X3': bool(N_C_X3),
         }
         CN_1 = self.state['CN_1']
         CR_1 = self.state['CR_1']
@@ -812,6 +842,12 @@ class Controller:
         U_IIAG = self.state['U_IIAG']
         P_IIAG = self.state['P_IIAG']
         D_IIAG = self.state['D_IIAG']
+        C_S = self.state['C_S']
+        C_S1 = self.state['C_S1']
+        C_S3 = self.state['C_S3']
+        C_X = self.state['C_X']
+        C_X1 = self.state['C_X1']
+        C_X3 = self.state['C_X3']
         return {
             'YN_1': bool(CN_1),
             'YR_1': bool(CR_1),
@@ -819,22 +855,28 @@ class Controller:
             'YR_2': bool(CR_2),
             'YA_1': bool(AL_1),
             'YA_2': bool(AL_2),
-            'YP_S': bool(S_R1 or S_R2),
-            'YS_S': bool((not (S_R1 or S_R2))),
-            'YP_S1': bool(S_R3),
-            'YS_S1': bool((not S_R3)),
-            'YP_S3': bool(S_R4),
-            'YS_S3': bool((not S_R4)),
-            'YP_X': bool(S_R5 or S_R6),
-            'YS_X': bool((not (S_R5 or S_R6))),
-            'YP_X1': bool(S_R7),
-            'YS_X1': bool((not S_R7)),
-            'YP_X3': bool(S_R8),
-            'YS_X3': bool((not S_R8)),
             'YL_1DG': bool(K_1DG or L_1DG_1 or L_1DG_2 or L_1DG_3 or L_1DG_4),
             'YL_2DG': bool(K_2DG or L_2DG_1 or L_2DG_2 or L_2DG_3 or L_2DG_4),
             'YL_3G': bool(K_3G or L_3G_1 or L_3G_2),
             'YL_IAG': bool(K_IAG or L_IAG_1 or L_IAG_2),
             'YL_IG': bool(K_IG or L_IG_1 or L_IG_2),
             'YL_IIAG': bool(K_IIAG or L_IIAG_1 or L_IIAG_2),
+            'YP_S': bool(C_S),
+            'YY_S': bool((S_R1 or S_R2) and (not C_S)),
+            'YS_S': bool((not (S_R1 or S_R2))),
+            'YP_S1': bool(C_S1),
+            'YY_S1': bool(S_R3 and (not C_S1)),
+            'YS_S1': bool((not S_R3)),
+            'YP_S3': bool(C_S3),
+            'YY_S3': bool(S_R4 and (not C_S3)),
+            'YS_S3': bool((not S_R4)),
+            'YP_X': bool(C_X),
+            'YY_X': bool((S_R5 or S_R6) and (not C_X)),
+            'YS_X': bool((not (S_R5 or S_R6))),
+            'YP_X1': bool(C_X1),
+            'YY_X1': bool(S_R7 and (not C_X1)),
+            'YS_X1': bool((not S_R7)),
+            'YP_X3': bool(C_X3),
+            'YY_X3': bool(S_R8 and (not C_X3)),
+            'YS_X3': bool((not S_R8)),
         }

@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 0a821229e7800be2f29b03b447c07171008b05a3ec699120d7b4f30163be2ff6
-# claims 331805bef644616f4a0e6f4194ccfc39d67a1ad1fc85cad387cf0a2307962150
+# layout 1b9ed7d765795bb78518ea2d17568e10b0837fd85b2b37f1bb08716f85f84463
+# claims 91eeba1cde6cd3b768d5c6eb49819c74b2043ec9775bb56e7b9538e4b66c3348
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -329,30 +329,6 @@ OUTPUTS = {
     'YA_P2': False,  # alarm: machine P2 not detected in time
     'YA_P3': False,  # alarm: machine P3 not detected in time
     'YA_P4': False,  # alarm: machine P4 not detected in time
-    'YP_S0': False,  # signal S0: proceed (green)
-    'YS_S0': True,  # signal S0: stop
-    'YP_S1': False,  # signal S1: proceed (green)
-    'YS_S1': True,  # signal S1: stop
-    'YP_S10': False,  # signal S10: proceed (green)
-    'YS_S10': True,  # signal S10: stop
-    'YP_S11': False,  # signal S11: proceed (green)
-    'YS_S11': True,  # signal S11: stop
-    'YP_S2': False,  # signal S2: proceed (green)
-    'YS_S2': True,  # signal S2: stop
-    'YP_S3': False,  # signal S3: proceed (green)
-    'YS_S3': True,  # signal S3: stop
-    'YP_S4': False,  # signal S4: proceed (green)
-    'YS_S4': True,  # signal S4: stop
-    'YP_S5': False,  # signal S5: proceed (green)
-    'YS_S5': True,  # signal S5: stop
-    'YP_S6': False,  # signal S6: proceed (green)
-    'YS_S6': True,  # signal S6: stop
-    'YP_S7': False,  # signal S7: proceed (green)
-    'YS_S7': True,  # signal S7: stop
-    'YP_S8': False,  # signal S8: proceed (green)
-    'YS_S8': True,  # signal S8: stop
-    'YP_S9': False,  # signal S9: proceed (green)
-    'YS_S9': True,  # signal S9: stop
     'YL_q1': True,  # indication: q1 is locked
     'YL_q10_bypass2': True,  # indication: q10_bypass2 is locked
     'YL_q11_material': True,  # indication: q11_material is locked
@@ -366,6 +342,30 @@ OUTPUTS = {
     'YL_q7': True,  # indication: q7 is locked
     'YL_q8_dep': True,  # indication: q8_dep is locked
     'YL_q9': True,  # indication: q9 is locked
+    'YP_S0': False,  # signal S0: clear (green)
+    'YS_S0': True,  # signal S0: stop
+    'YP_S1': False,  # signal S1: clear (green)
+    'YS_S1': True,  # signal S1: stop
+    'YP_S10': False,  # signal S10: clear (green)
+    'YS_S10': True,  # signal S10: stop
+    'YP_S11': False,  # signal S11: clear (green)
+    'YS_S11': True,  # signal S11: stop
+    'YP_S2': False,  # signal S2: clear (green)
+    'YS_S2': True,  # signal S2: stop
+    'YP_S3': False,  # signal S3: clear (green)
+    'YS_S3': True,  # signal S3: stop
+    'YP_S4': False,  # signal S4: clear (green)
+    'YS_S4': True,  # signal S4: stop
+    'YP_S5': False,  # signal S5: clear (green)
+    'YS_S5': True,  # signal S5: stop
+    'YP_S6': False,  # signal S6: clear (green)
+    'YS_S6': True,  # signal S6: stop
+    'YP_S7': False,  # signal S7: clear (green)
+    'YS_S7': True,  # signal S7: stop
+    'YP_S8': False,  # signal S8: clear (green)
+    'YS_S8': True,  # signal S8: stop
+    'YP_S9': False,  # signal S9: clear (green)
+    'YS_S9': True,  # signal S9: stop
 }
 
 
@@ -1590,6 +1590,19 @@ class Controller:
             'YA_P2': bool(AL_P2),
             'YA_P3': bool(AL_P3),
             'YA_P4': bool(AL_P4),
+            'YL_q1': bool(K_q1 or L_q1_1 or L_q1_2),
+            'YL_q10_bypass2': bool(K_q10_bypass2 or L_q10_bypass2_1 or L_q10_bypass2_2),
+            'YL_q11_material': bool(K_q11_material or L_q11_material_2),
+            'YL_q12': bool(K_q12 or L_q12_1 or L_q12_2 or L_q12_3 or L_q12_4),
+            'YL_q13_man': bool(K_q13_man or L_q13_man_2),
+            'YL_q2': bool(K_q2 or L_q2_1 or L_q2_2 or L_q2_4),
+            'YL_q3_heavy': bool(K_q3_heavy or L_q3_heavy_1),
+            'YL_q4_tippler': bool(K_q4_tippler or L_q4_tippler_1),
+            'YL_q5_bypass1': bool(K_q5_bypass1 or L_q5_bypass1_1 or L_q5_bypass1_2),
+            'YL_q6_empty': bool(K_q6_empty or L_q6_empty_1),
+            'YL_q7': bool(K_q7 or L_q7_1 or L_q7_2 or L_q7_4),
+            'YL_q8_dep': bool(K_q8_dep or L_q8_dep_1 or L_q8_dep_2),
+            'YL_q9': bool(K_q9 or L_q9_1 or L_q9_2 or L_q9_3 or L_q9_4),
             'YP_S0': bool(S_R1),
             'YS_S0': bool((not S_R1)),
             'YP_S1': bool(S_R2 or S_R3),
@@ -1614,17 +1627,4 @@ class Controller:
             'YS_S8': bool((not S_R15)),
             'YP_S9': bool(S_R16),
             'YS_S9': bool((not S_R16)),
-            'YL_q1': bool(K_q1 or L_q1_1 or L_q1_2),
-            'YL_q10_bypass2': bool(K_q10_bypass2 or L_q10_bypass2_1 or L_q10_bypass2_2),
-            'YL_q11_material': bool(K_q11_material or L_q11_material_2),
-            'YL_q12': bool(K_q12 or L_q12_1 or L_q12_2 or L_q12_3 or L_q12_4),
-            'YL_q13_man': bool(K_q13_man or L_q13_man_2),
-            'YL_q2': bool(K_q2 or L_q2_1 or L_q2_2 or L_q2_4),
-            'YL_q3_heavy': bool(K_q3_heavy or L_q3_heavy_1),
-            'YL_q4_tippler': bool(K_q4_tippler or L_q4_tippler_1),
-            'YL_q5_bypass1': bool(K_q5_bypass1 or L_q5_bypass1_1 or L_q5_bypass1_2),
-            'YL_q6_empty': bool(K_q6_empty or L_q6_empty_1),
-            'YL_q7': bool(K_q7 or L_q7_1 or L_q7_2 or L_q7_4),
-            'YL_q8_dep': bool(K_q8_dep or L_q8_dep_1 or L_q8_dep_2),
-            'YL_q9': bool(K_q9 or L_q9_1 or L_q9_2 or L_q9_3 or L_q9_4),
         }

@@ -1,7 +1,7 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout cecffc0db455278ced0db055d00313ebefb97eb73b07a22e89cb05af217819fe
-# claims 1622b6d94660942886bb1750d3dd2443839a6ac223c81a6cf63b6da5341fb140
+# layout 2ad397bb23ff8195e0b6ccf9b8329292087e4da8ea0d124352e6ac22e46a9125
+# claims 6c8135bd376e5ddc5749b495335df021cb54de5c27cd3927fccb0e09c994eb3f
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -322,6 +322,15 @@ STATE = {
     'V_S2J_3': False,  # overlap 3 of S2J held
     'VF_G3': False,  # overlap of G3 firmly held
     'VF_S2J': False,  # overlap of S2J firmly held
+    'C_G3': False,  # G3 shows clear
+    'C_S1': False,  # S1 shows clear
+    'C_S1J': False,  # S1J shows clear
+    'C_S2': False,  # S2 shows clear
+    'C_S2J': False,  # S2J shows clear
+    'C_S4': False,  # S4 shows clear
+    'C_S4J': False,  # S4J shows clear
+    'C_SG': False,  # SG shows clear
+    'C_SGJ': False,  # SGJ shows clear
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -376,27 +385,6 @@ OUTPUTS = {
     'YA_201b': False,  # alarm: machine 201b not detected in time
     'YA_210a': False,  # alarm: machine 210a not detected in time
     'YA_210b': False,  # alarm: machine 210b not detected in time
-    'YW_G2': False,  # signal G2: shunt (white)
-    'YS_G2': True,  # signal G2: stop
-    'YP_G3': False,  # signal G3: proceed (green)
-    'YS_G3': True,  # signal G3: stop
-    'YP_S1': False,  # signal S1: proceed (green)
-    'YS_S1': True,  # signal S1: stop
-    'YP_S1J': False,  # signal S1J: proceed (green)
-    'YS_S1J': True,  # signal S1J: stop
-    'YP_S2': False,  # signal S2: proceed (green)
-    'YS_S2': True,  # signal S2: stop
-    'YP_S2J': False,  # signal S2J: proceed (green)
-    'YS_S2J': True,  # signal S2J: stop
-    'YP_S4': False,  # signal S4: proceed (green)
-    'YS_S4': True,  # signal S4: stop
-    'YP_S4J': False,  # signal S4J: proceed (green)
-    'YS_S4J': True,  # signal S4J: stop
-    'YP_SG': False,  # signal SG: proceed (green)
-    'YS_SG': True,  # signal SG: stop
-    'YP_SGJ': False,  # signal SGJ: proceed (green)
-    'YW_SGJ': False,  # signal SGJ: shunt (white)
-    'YS_SGJ': True,  # signal SGJ: stop
     'YL_AB': True,  # indication: AB is locked
     'YL_AC': True,  # indication: AC is locked
     'YL_AD': True,  # indication: AD is locked
@@ -409,6 +397,36 @@ OUTPUTS = {
     'YL_GA': True,  # indication: GA is locked
     'YL_GB': True,  # indication: GB is locked
     'YL_SC': True,  # indication: SC is locked
+    'YW_G2': False,  # signal G2: shunt (white)
+    'YS_G2': True,  # signal G2: stop
+    'YP_G3': False,  # signal G3: clear (green)
+    'YY_G3': False,  # signal G3: caution (yellow)
+    'YS_G3': True,  # signal G3: stop
+    'YP_S1': False,  # signal S1: clear (green)
+    'YY_S1': False,  # signal S1: caution (yellow)
+    'YS_S1': True,  # signal S1: stop
+    'YP_S1J': False,  # signal S1J: clear (green)
+    'YY_S1J': False,  # signal S1J: caution (yellow)
+    'YS_S1J': True,  # signal S1J: stop
+    'YP_S2': False,  # signal S2: clear (green)
+    'YY_S2': False,  # signal S2: caution (yellow)
+    'YS_S2': True,  # signal S2: stop
+    'YP_S2J': False,  # signal S2J: clear (green)
+    'YY_S2J': False,  # signal S2J: caution (yellow)
+    'YS_S2J': True,  # signal S2J: stop
+    'YP_S4': False,  # signal S4: clear (green)
+    'YY_S4': False,  # signal S4: caution (yellow)
+    'YS_S4': True,  # signal S4: stop
+    'YP_S4J': False,  # signal S4J: clear (green)
+    'YY_S4J': False,  # signal S4J: caution (yellow)
+    'YS_S4J': True,  # signal S4J: stop
+    'YP_SG': False,  # signal SG: clear (green)
+    'YY_SG': False,  # signal SG: caution (yellow)
+    'YS_SG': True,  # signal SG: stop
+    'YP_SGJ': False,  # signal SGJ: clear (green)
+    'YY_SGJ': False,  # signal SGJ: caution (yellow)
+    'YW_SGJ': False,  # signal SGJ: shunt (white)
+    'YS_SGJ': True,  # signal SGJ: stop
 }
 
 
@@ -743,6 +761,15 @@ class Controller:
         V_S2J_3 = old['V_S2J_3']
         VF_G3 = old['VF_G3']
         VF_S2J = old['VF_S2J']
+        C_G3 = old['C_G3']
+        C_S1 = old['C_S1']
+        C_S1J = old['C_S1J']
+        C_S2 = old['C_S2']
+        C_S2J = old['C_S2J']
+        C_S4 = old['C_S4']
+        C_S4J = old['C_S4J']
+        C_SG = old['C_SG']
+        C_SGJ = old['C_SGJ']
         OCC_AA = (not CLR_AA) or (not VALID)  # AA counts as occupied
         OCC_AB = (not CLR_AB) or (not VALID)  # AB counts as occupied
         OCC_AC = (not CLR_AC) or (not VALID)  # AC counts as occupied
@@ -1344,6 +1371,15 @@ class Controller:
         N_V_S2J_3 = G_R10 or (V_S2J_3 and (not (OR_S2J and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA))))  # overlap 3 of S2J held
         N_VF_G3 = (VF_G3 or LK_R11) and V_G3_1  # overlap of G3 firmly held
         N_VF_S2J = (VF_S2J or LK_R8 or LK_R9 or LK_R10) and (V_S2J_1 or V_S2J_2 or V_S2J_3)  # overlap of S2J firmly held
+        N_C_G3 = PR_R2 and PR_R2  # G3 shows clear
+        N_C_S1 = PR_R3 and (PR_R3 and (PR_R4 or PR_R5 or PR_R6 or PR_R7))  # S1 shows clear
+        N_C_S1J = (PR_R4 or PR_R5 or PR_R6 or PR_R7) and (PR_R4 or PR_R5 or PR_R7)  # S1J shows clear
+        N_C_S2 = (PR_R8 or PR_R9 or PR_R10) and ((PR_R8 and (PR_R11 or PR_R12)) or (PR_R9 and (PR_R11 or PR_R12)) or (PR_R10 and (PR_R11 or PR_R12)))  # S2 shows clear
+        N_C_S2J = (PR_R11 or PR_R12) and ((PR_R11 and PR_R2) or PR_R12)  # S2J shows clear
+        N_C_S4 = PR_R13 and (PR_R13 and PR_R14)  # S4 shows clear
+        N_C_S4J = PR_R14 and PR_R14  # S4J shows clear
+        N_C_SG = PR_R15 and (PR_R15 and (PR_R16 or PR_R17 or PR_R18 or PR_R19))  # SG shows clear
+        N_C_SGJ = (PR_R16 or PR_R17 or PR_R18 or PR_R19) and (PR_R16 or PR_R17 or PR_R19)  # SGJ shows clear
         self.state = {
             'CN_101': bool(N_CN_101),
             'CR_101': bool(N_CR_101),
@@ -1578,6 +1614,15 @@ class Controller:
             'V_S2J_3': bool(N_V_S2J_3),
             'VF_G3': bool(N_VF_G3),
             'VF_S2J': bool(N_VF_S2J),
+            'C_G3': bool(N_C_G3),
+            'C_S1': bool(N_C_S1),
+            'C_S1J': bool(N_C_S1J),
+            'C_S2': bool(N_C_S2),
+            'C_S2J': bool(N_C_S2J),
+            'C_S4': bool(N_C_S4),
+            'C_S4J': bool(N_C_S4J),
+            'C_SG': bool(N_C_SG),
+            'C_SGJ': bool(N_C_SGJ),
         }
         CN_101 = self.state['CN_101']
         CR_101 = self.state['CR_101']
@@ -1812,6 +1857,15 @@ class Controller:
         V_S2J_3 = self.state['V_S2J_3']
         VF_G3 = self.state['VF_G3']
         VF_S2J = self.state['VF_S2J']
+        C_G3 = self.state['C_G3']
+        C_S1 = self.state['C_S1']
+        C_S1J = self.state['C_S1J']
+        C_S2 = self.state['C_S2']
+        C_S2J = self.state['C_S2J']
+        C_S4 = self.state['C_S4']
+        C_S4J = self.state['C_S4J']
+        C_SG = self.state['C_SG']
+        C_SGJ = self.state['C_SGJ']
         return {
             'YN_101': bool(CN_101),
             'YR_101': bool(CR_101),
@@ -1831,27 +1885,6 @@ class Controller:
             'YA_201b': bool(AL_201b),
             'YA_210a': bool(AL_210a),
             'YA_210b': bool(AL_210b),
-            'YW_G2': bool(S_R1),
-            'YS_G2': bool((not S_R1)),
-            'YP_G3': bool(S_R2),
-            'YS_G3': bool((not S_R2)),
-            'YP_S1': bool(S_R3),
-            'YS_S1': bool((not S_R3)),
-            'YP_S1J': bool(S_R4 or S_R5 or S_R6 or S_R7),
-            'YS_S1J': bool((not (S_R4 or S_R5 or S_R6 or S_R7))),
-            'YP_S2': bool(S_R8 or S_R9 or S_R10),
-            'YS_S2': bool((not (S_R8 or S_R9 or S_R10))),
-            'YP_S2J': bool(S_R11 or S_R12),
-            'YS_S2J': bool((not (S_R11 or S_R12))),
-            'YP_S4': bool(S_R13),
-            'YS_S4': bool((not S_R13)),
-            'YP_S4J': bool(S_R14),
-            'YS_S4J': bool((not S_R14)),
-            'YP_SG': bool(S_R15),
-            'YS_SG': bool((not S_R15)),
-            'YP_SGJ': bool(S_R16 or S_R17 or S_R18 or S_R19),
-            'YW_SGJ': bool(S_R20),
-            'YS_SGJ': bool((not (S_R16 or S_R17 or S_R18 or S_R19 or S_R20))),
             'YL_AB': bool(K_AB or L_AB_1 or L_AB_2 or V_S2J_2),
             'YL_AC': bool(K_AC or L_AC_2 or L_AC_3 or L_AC_4 or V_S2J_2 or V_S2J_3),
             'YL_AD': bool(K_AD or L_AD_1),
@@ -1864,4 +1897,34 @@ class Controller:
             'YL_GA': bool(K_GA or L_GA_1 or L_GA_2 or V_G3_1 or V_S2J_3),
             'YL_GB': bool(K_GB or L_GB_1),
             'YL_SC': bool(K_SC or L_SC_1 or L_SC_2 or L_SC_3 or L_SC_4 or L_SC_5 or L_SC_6 or L_SC_8 or V_S2J_2 or V_S2J_3),
+            'YW_G2': bool(S_R1),
+            'YS_G2': bool((not S_R1)),
+            'YP_G3': bool(C_G3),
+            'YY_G3': bool(S_R2 and (not C_G3)),
+            'YS_G3': bool((not S_R2)),
+            'YP_S1': bool(C_S1),
+            'YY_S1': bool(S_R3 and (not C_S1)),
+            'YS_S1': bool((not S_R3)),
+            'YP_S1J': bool(C_S1J),
+            'YY_S1J': bool((S_R4 or S_R5 or S_R6 or S_R7) and (not C_S1J)),
+            'YS_S1J': bool((not (S_R4 or S_R5 or S_R6 or S_R7))),
+            'YP_S2': bool(C_S2),
+            'YY_S2': bool((S_R8 or S_R9 or S_R10) and (not C_S2)),
+            'YS_S2': bool((not (S_R8 or S_R9 or S_R10))),
+            'YP_S2J': bool(C_S2J),
+            'YY_S2J': bool((S_R11 or S_R12) and (not C_S2J)),
+            'YS_S2J': bool((not (S_R11 or S_R12))),
+            'YP_S4': bool(C_S4),
+            'YY_S4': bool(S_R13 and (not C_S4)),
+            'YS_S4': bool((not S_R13)),
+            'YP_S4J': bool(C_S4J),
+            'YY_S4J': bool(S_R14 and (not C_S4J)),
+            'YS_S4J': bool((not S_R14)),
+            'YP_SG': bool(C_SG),
+            'YY_SG': bool(S_R15 and (not C_SG)),
+            'YS_SG': bool((not S_R15)),
+            'YP_SGJ': bool(C_SGJ),
+            'YY_SGJ': bool((S_R16 or S_R17 or S_R18 or S_R19) and (not C_SGJ)),
+            'YW_SGJ': bool(S_R20),
+            'YS_SGJ': bool((not (S_R16 or S_R17 or S_R18 or S_R19 or S_R20))),
         }

@@ -1,7 +1,7 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout e6be15736524d49bc0a837251a1a0988d4da7205f8af20a1e0037d34e77301e6
-# claims b7895e5522349280904e5aae61c3410265cbd4766c2fb72722d0f96e19778dcf
+# layout db07d5790c768be3ab4b0407b95d09797e37b53de9682a8b17840f407eba0936
+# claims 75e8cead121b8836ea1b9c4cbcc828b16f7fb4436c68f4b2fdcd566a228a03fb
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -208,6 +208,11 @@ STATE = {
     'U_UA': True,  # UA used by a train (R9)
     'P_UA': False,  # UA: the train went on (R9)
     'D_UA': False,  # UA: inputs were lost while locked
+    'C_S1': False,  # S1 shows clear
+    'C_S11': False,  # S11 shows clear
+    'C_S12': False,  # S12 shows clear
+    'C_S13': False,  # S13 shows clear
+    'C_S14': False,  # S14 shows clear
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -244,16 +249,6 @@ OUTPUTS = {
     'YA_202': False,  # alarm: machine 202 not detected in time
     'YA_203': False,  # alarm: machine 203 not detected in time
     'YA_204': False,  # alarm: machine 204 not detected in time
-    'YP_S1': False,  # signal S1: proceed (green)
-    'YS_S1': True,  # signal S1: stop
-    'YP_S11': False,  # signal S11: proceed (green)
-    'YS_S11': True,  # signal S11: stop
-    'YP_S12': False,  # signal S12: proceed (green)
-    'YS_S12': True,  # signal S12: stop
-    'YP_S13': False,  # signal S13: proceed (green)
-    'YS_S13': True,  # signal S13: stop
-    'YP_S14': False,  # signal S14: proceed (green)
-    'YS_S14': True,  # signal S14: stop
     'YL_P1': True,  # indication: P1 is locked
     'YL_P2': True,  # indication: P2 is locked
     'YL_P3': True,  # indication: P3 is locked
@@ -263,6 +258,21 @@ OUTPUTS = {
     'YL_T3': True,  # indication: T3 is locked
     'YL_T4': True,  # indication: T4 is locked
     'YL_UA': True,  # indication: UA is locked
+    'YP_S1': False,  # signal S1: clear (green)
+    'YY_S1': False,  # signal S1: caution (yellow)
+    'YS_S1': True,  # signal S1: stop
+    'YP_S11': False,  # signal S11: clear (green)
+    'YY_S11': False,  # signal S11: caution (yellow)
+    'YS_S11': True,  # signal S11: stop
+    'YP_S12': False,  # signal S12: clear (green)
+    'YY_S12': False,  # signal S12: caution (yellow)
+    'YS_S12': True,  # signal S12: stop
+    'YP_S13': False,  # signal S13: clear (green)
+    'YY_S13': False,  # signal S13: caution (yellow)
+    'YS_S13': True,  # signal S13: stop
+    'YP_S14': False,  # signal S14: clear (green)
+    'YY_S14': False,  # signal S14: caution (yellow)
+    'YS_S14': True,  # signal S14: stop
 }
 
 
@@ -483,6 +493,11 @@ class Controller:
         U_UA = old['U_UA']
         P_UA = old['P_UA']
         D_UA = old['D_UA']
+        C_S1 = old['C_S1']
+        C_S11 = old['C_S11']
+        C_S12 = old['C_S12']
+        C_S13 = old['C_S13']
+        C_S14 = old['C_S14']
         OCC_DA = (not CLR_DA) or (not VALID)  # DA counts as occupied
         OCC_P1 = (not CLR_P1) or (not VALID)  # P1 counts as occupied
         OCC_P2 = (not CLR_P2) or (not VALID)  # P2 counts as occupied
@@ -865,6 +880,11 @@ class Controller:
         N_U_UA = (U_UA or NU_UA_1) and (not RLS_UA)  # UA used by a train (R9)
         N_P_UA = P_UA and (not RLS_UA)  # UA: the train went on (R9)
         N_D_UA = (D_UA or ((not VALID) and L_UA_1)) and (not RLS_UA)  # UA: inputs were lost while locked
+        N_C_S1 = (PR_R1 or PR_R2 or PR_R3 or PR_R4) and False  # S1 shows clear
+        N_C_S11 = (PR_R5 or PR_R6) and (PR_R5 or PR_R6)  # S11 shows clear
+        N_C_S12 = (PR_R7 or PR_R8) and (PR_R7 or PR_R8)  # S12 shows clear
+        N_C_S13 = (PR_R9 or PR_R10) and (PR_R9 or PR_R10)  # S13 shows clear
+        N_C_S14 = (PR_R11 or PR_R12) and (PR_R11 or PR_R12)  # S14 shows clear
         self.state = {
             'CN_201': bool(N_CN_201),
             'CR_201': bool(N_CR_201),
@@ -1010,6 +1030,11 @@ class Controller:
             'U_UA': bool(N_U_UA),
             'P_UA': bool(N_P_UA),
             'D_UA': bool(N_D_UA),
+            'C_S1': bool(N_C_S1),
+            'C_S11': bool(N_C_S11),
+            'C_S12': bool(N_C_S12),
+            'C_S13': bool(N_C_S13),
+            'C_S14': bool(N_C_S14),
         }
         CN_201 = self.state['CN_201']
         CR_201 = self.state['CR_201']
@@ -1155,6 +1180,11 @@ class Controller:
         U_UA = self.state['U_UA']
         P_UA = self.state['P_UA']
         D_UA = self.state['D_UA']
+        C_S1 = self.state['C_S1']
+        C_S11 = self.state['C_S11']
+        C_S12 = self.state['C_S12']
+        C_S13 = self.state['C_S13']
+        C_S14 = self.state['C_S14']
         return {
             'YN_201': bool(CN_201),
             'YR_201': bool(CR_201),
@@ -1168,16 +1198,6 @@ class Controller:
             'YA_202': bool(AL_202),
             'YA_203': bool(AL_203),
             'YA_204': bool(AL_204),
-            'YP_S1': bool(S_R1 or S_R2 or S_R3 or S_R4),
-            'YS_S1': bool((not (S_R1 or S_R2 or S_R3 or S_R4))),
-            'YP_S11': bool(S_R5 or S_R6),
-            'YS_S11': bool((not (S_R5 or S_R6))),
-            'YP_S12': bool(S_R7 or S_R8),
-            'YS_S12': bool((not (S_R7 or S_R8))),
-            'YP_S13': bool(S_R9 or S_R10),
-            'YS_S13': bool((not (S_R9 or S_R10))),
-            'YP_S14': bool(S_R11 or S_R12),
-            'YS_S14': bool((not (S_R11 or S_R12))),
             'YL_P1': bool(K_P1 or L_P1_2),
             'YL_P2': bool(K_P2 or L_P2_2),
             'YL_P3': bool(K_P3 or L_P3_2),
@@ -1187,4 +1207,19 @@ class Controller:
             'YL_T3': bool(K_T3 or L_T3_1 or L_T3_2 or L_T3_3 or L_T3_4),
             'YL_T4': bool(K_T4 or L_T4_1 or L_T4_2 or L_T4_3 or L_T4_4),
             'YL_UA': bool(K_UA or L_UA_1),
+            'YP_S1': bool(C_S1),
+            'YY_S1': bool((S_R1 or S_R2 or S_R3 or S_R4) and (not C_S1)),
+            'YS_S1': bool((not (S_R1 or S_R2 or S_R3 or S_R4))),
+            'YP_S11': bool(C_S11),
+            'YY_S11': bool((S_R5 or S_R6) and (not C_S11)),
+            'YS_S11': bool((not (S_R5 or S_R6))),
+            'YP_S12': bool(C_S12),
+            'YY_S12': bool((S_R7 or S_R8) and (not C_S12)),
+            'YS_S12': bool((not (S_R7 or S_R8))),
+            'YP_S13': bool(C_S13),
+            'YY_S13': bool((S_R9 or S_R10) and (not C_S13)),
+            'YS_S13': bool((not (S_R9 or S_R10))),
+            'YP_S14': bool(C_S14),
+            'YY_S14': bool((S_R11 or S_R12) and (not C_S14)),
+            'YS_S14': bool((not (S_R11 or S_R12))),
         }

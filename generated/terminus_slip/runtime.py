@@ -1,7 +1,7 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 3364d816704baae7836b969f33ba642e721b0439fd243557282617bb53ca302e
-# claims 569687e8e5907d195c879d8b5d71694722fdd8637f0994321a879a9f008592e4
+# layout fb6ef5e9c28d60c78aef50e78c25bd9299c17282db8304efc7d9aab3b082db46
+# claims eae7e4e2cfdb975d1db11b7b81198d9a9f26d75d9114053c7befdaf5b68a22aa
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -332,6 +332,12 @@ STATE = {
     'U_UA': True,  # UA used by a train (R9)
     'P_UA': False,  # UA: the train went on (R9)
     'D_UA': False,  # UA: inputs were lost while locked
+    'C_S1': False,  # S1 shows clear
+    'C_S11': False,  # S11 shows clear
+    'C_S12': False,  # S12 shows clear
+    'C_S13': False,  # S13 shows clear
+    'C_S14': False,  # S14 shows clear
+    'C_S15': False,  # S15 shows clear
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -381,23 +387,6 @@ OUTPUTS = {
     'YA_204': False,  # alarm: machine 204 not detected in time
     'YA_205a': False,  # alarm: machine 205a not detected in time
     'YA_205b': False,  # alarm: machine 205b not detected in time
-    'YW_D1': False,  # signal D1: shunt (white)
-    'YS_D1': True,  # signal D1: stop
-    'YP_S1': False,  # signal S1: proceed (green)
-    'YS_S1': True,  # signal S1: stop
-    'YP_S11': False,  # signal S11: proceed (green)
-    'YS_S11': True,  # signal S11: stop
-    'YP_S12': False,  # signal S12: proceed (green)
-    'YS_S12': True,  # signal S12: stop
-    'YP_S13': False,  # signal S13: proceed (green)
-    'YW_S13': False,  # signal S13: shunt (white)
-    'YS_S13': True,  # signal S13: stop
-    'YP_S14': False,  # signal S14: proceed (green)
-    'YW_S14': False,  # signal S14: shunt (white)
-    'YS_S14': True,  # signal S14: stop
-    'YP_S15': False,  # signal S15: proceed (green)
-    'YW_S15': False,  # signal S15: shunt (white)
-    'YS_S15': True,  # signal S15: stop
     'YL_P1': True,  # indication: P1 is locked
     'YL_P2': True,  # indication: P2 is locked
     'YL_P3': True,  # indication: P3 is locked
@@ -410,6 +399,29 @@ OUTPUTS = {
     'YL_T4': True,  # indication: T4 is locked
     'YL_T5': True,  # indication: T5 is locked
     'YL_UA': True,  # indication: UA is locked
+    'YW_D1': False,  # signal D1: shunt (white)
+    'YS_D1': True,  # signal D1: stop
+    'YP_S1': False,  # signal S1: clear (green)
+    'YY_S1': False,  # signal S1: caution (yellow)
+    'YS_S1': True,  # signal S1: stop
+    'YP_S11': False,  # signal S11: clear (green)
+    'YY_S11': False,  # signal S11: caution (yellow)
+    'YS_S11': True,  # signal S11: stop
+    'YP_S12': False,  # signal S12: clear (green)
+    'YY_S12': False,  # signal S12: caution (yellow)
+    'YS_S12': True,  # signal S12: stop
+    'YP_S13': False,  # signal S13: clear (green)
+    'YY_S13': False,  # signal S13: caution (yellow)
+    'YW_S13': False,  # signal S13: shunt (white)
+    'YS_S13': True,  # signal S13: stop
+    'YP_S14': False,  # signal S14: clear (green)
+    'YY_S14': False,  # signal S14: caution (yellow)
+    'YW_S14': False,  # signal S14: shunt (white)
+    'YS_S14': True,  # signal S14: stop
+    'YP_S15': False,  # signal S15: clear (green)
+    'YY_S15': False,  # signal S15: caution (yellow)
+    'YW_S15': False,  # signal S15: shunt (white)
+    'YS_S15': True,  # signal S15: stop
 }
 
 
@@ -754,6 +766,12 @@ class Controller:
         U_UA = old['U_UA']
         P_UA = old['P_UA']
         D_UA = old['D_UA']
+        C_S1 = old['C_S1']
+        C_S11 = old['C_S11']
+        C_S12 = old['C_S12']
+        C_S13 = old['C_S13']
+        C_S14 = old['C_S14']
+        C_S15 = old['C_S15']
         OCC_DA = (not CLR_DA) or (not VALID)  # DA counts as occupied
         OCC_P1 = (not CLR_P1) or (not VALID)  # P1 counts as occupied
         OCC_P2 = (not CLR_P2) or (not VALID)  # P2 counts as occupied
@@ -1382,6 +1400,12 @@ class Controller:
         N_U_UA = (U_UA or NU_UA_1) and (not RLS_UA)  # UA used by a train (R9)
         N_P_UA = P_UA and (not RLS_UA)  # UA: the train went on (R9)
         N_D_UA = (D_UA or ((not VALID) and L_UA_1)) and (not RLS_UA)  # UA: inputs were lost while locked
+        N_C_S1 = (PR_R4 or PR_R5 or PR_R6 or PR_R7 or PR_R8) and False  # S1 shows clear
+        N_C_S11 = (PR_R9 or PR_R10) and (PR_R9 or PR_R10)  # S11 shows clear
+        N_C_S12 = (PR_R11 or PR_R12) and (PR_R11 or PR_R12)  # S12 shows clear
+        N_C_S13 = (PR_R13 or PR_R14 or PR_R15) and (PR_R13 or PR_R15)  # S13 shows clear
+        N_C_S14 = (PR_R17 or PR_R18 or PR_R19) and (PR_R17 or PR_R19)  # S14 shows clear
+        N_C_S15 = (PR_R21 or PR_R22 or PR_R23) and (PR_R21 or PR_R23)  # S15 shows clear
         self.state = {
             'CN_201': bool(N_CN_201),
             'CR_201': bool(N_CR_201),
@@ -1632,6 +1656,12 @@ class Controller:
             'U_UA': bool(N_U_UA),
             'P_UA': bool(N_P_UA),
             'D_UA': bool(N_D_UA),
+            'C_S1': bool(N_C_S1),
+            'C_S11': bool(N_C_S11),
+            'C_S12': bool(N_C_S12),
+            'C_S13': bool(N_C_S13),
+            'C_S14': bool(N_C_S14),
+            'C_S15': bool(N_C_S15),
         }
         CN_201 = self.state['CN_201']
         CR_201 = self.state['CR_201']
@@ -1882,6 +1912,12 @@ class Controller:
         U_UA = self.state['U_UA']
         P_UA = self.state['P_UA']
         D_UA = self.state['D_UA']
+        C_S1 = self.state['C_S1']
+        C_S11 = self.state['C_S11']
+        C_S12 = self.state['C_S12']
+        C_S13 = self.state['C_S13']
+        C_S14 = self.state['C_S14']
+        C_S15 = self.state['C_S15']
         return {
             'YN_201': bool(CN_201),
             'YR_201': bool(CR_201),
@@ -1901,23 +1937,6 @@ class Controller:
             'YA_204': bool(AL_204),
             'YA_205a': bool(AL_205a),
             'YA_205b': bool(AL_205b),
-            'YW_D1': bool(S_R1 or S_R2 or S_R3),
-            'YS_D1': bool((not (S_R1 or S_R2 or S_R3))),
-            'YP_S1': bool(S_R4 or S_R5 or S_R6 or S_R7 or S_R8),
-            'YS_S1': bool((not (S_R4 or S_R5 or S_R6 or S_R7 or S_R8))),
-            'YP_S11': bool(S_R9 or S_R10),
-            'YS_S11': bool((not (S_R9 or S_R10))),
-            'YP_S12': bool(S_R11 or S_R12),
-            'YS_S12': bool((not (S_R11 or S_R12))),
-            'YP_S13': bool(S_R13 or S_R14 or S_R15),
-            'YW_S13': bool(S_R16),
-            'YS_S13': bool((not (S_R13 or S_R14 or S_R15 or S_R16))),
-            'YP_S14': bool(S_R17 or S_R18 or S_R19),
-            'YW_S14': bool(S_R20),
-            'YS_S14': bool((not (S_R17 or S_R18 or S_R19 or S_R20))),
-            'YP_S15': bool(S_R21 or S_R22 or S_R23),
-            'YW_S15': bool(S_R24),
-            'YS_S15': bool((not (S_R21 or S_R22 or S_R23 or S_R24))),
             'YL_P1': bool(K_P1 or L_P1_2),
             'YL_P2': bool(K_P2 or L_P2_2),
             'YL_P3': bool(K_P3 or L_P3_2),
@@ -1930,4 +1949,27 @@ class Controller:
             'YL_T4': bool(K_T4 or L_T4_1 or L_T4_2 or L_T4_3 or L_T4_4),
             'YL_T5': bool(K_T5 or L_T5_1 or L_T5_2 or L_T5_3 or L_T5_4 or L_T5_5 or L_T5_6 or L_T5_7 or L_T5_8),
             'YL_UA': bool(K_UA or L_UA_1),
+            'YW_D1': bool(S_R1 or S_R2 or S_R3),
+            'YS_D1': bool((not (S_R1 or S_R2 or S_R3))),
+            'YP_S1': bool(C_S1),
+            'YY_S1': bool((S_R4 or S_R5 or S_R6 or S_R7 or S_R8) and (not C_S1)),
+            'YS_S1': bool((not (S_R4 or S_R5 or S_R6 or S_R7 or S_R8))),
+            'YP_S11': bool(C_S11),
+            'YY_S11': bool((S_R9 or S_R10) and (not C_S11)),
+            'YS_S11': bool((not (S_R9 or S_R10))),
+            'YP_S12': bool(C_S12),
+            'YY_S12': bool((S_R11 or S_R12) and (not C_S12)),
+            'YS_S12': bool((not (S_R11 or S_R12))),
+            'YP_S13': bool(C_S13),
+            'YY_S13': bool((S_R13 or S_R14 or S_R15) and (not C_S13)),
+            'YW_S13': bool(S_R16),
+            'YS_S13': bool((not (S_R13 or S_R14 or S_R15 or S_R16))),
+            'YP_S14': bool(C_S14),
+            'YY_S14': bool((S_R17 or S_R18 or S_R19) and (not C_S14)),
+            'YW_S14': bool(S_R20),
+            'YS_S14': bool((not (S_R17 or S_R18 or S_R19 or S_R20))),
+            'YP_S15': bool(C_S15),
+            'YY_S15': bool((S_R21 or S_R22 or S_R23) and (not C_S15)),
+            'YW_S15': bool(S_R24),
+            'YS_S15': bool((not (S_R21 or S_R22 or S_R23 or S_R24))),
         }

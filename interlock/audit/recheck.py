@@ -12,9 +12,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from interlock.audit.walk import Frozen, Move, Trip, distances, overruns, signal_distance, signal_facing, steps, trips
-from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal
+from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
-from interlock.table.rows import InterlockingTable, RouteRow
+from interlock.model.principles import Caution
+from interlock.table.rows import InterlockingTable, RouteRow, Shows
 
 
 @dataclass(frozen=True)
@@ -123,12 +124,34 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     for place in open_flanks(layout, trip, frozen):
         if (place.point, place.leg) not in waived:
             yield Finding(r.id, "flank", f"a vehicle can reach {place.name}")
+    if (r.aspect.shows, r.aspect.next) != (shown := _aspect(layout, trip)):
+        yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
     leaves = None if trip.shunt else trip.moves[-1].node
     needed = {
         c.id for c in layout.conditions if r.entry in c.signals or set(c.over) & set(trip.sections) or leaves in c.exits
     }
     if {c.condition for c in r.conditions} != needed:
         yield Finding(r.id, "conditions", f"required are {', '.join(sorted(needed)) or 'none'}")
+
+
+def _aspect(layout: Layout, trip: Trip) -> tuple[Shows, SignalId | None]:
+    """What the open signal shows: the last track of the trip and the signal at its end decide."""
+    rule = layout.principles.caution
+    if trip.shunt:
+        return Shows.SHUNT, None
+    last = trip.moves[-1]
+    if rule is Caution.NEVER or last.node in layout.boundary_at:
+        return Shows.CLEAR, None
+    if rule is Caution.TURNOUT and _reversed(layout, trip):
+        return Shows.CAUTION, None
+    ahead = [g for g in layout.signals if g.node == last.node and g.into != last.edge and g.kind != "shunt"]
+    return (Shows.NEXT, ahead[0].id) if ahead else (Shows.CAUTION, None)
+
+
+def _reversed(layout: Layout, trip: Trip) -> bool:
+    """Whether the trip passes some point over its reverse leg."""
+    legs = {p.reverse: p.node for p in layout.points}
+    return any(legs.get(e) == a.node for a, b in pairwise(trip.moves) for e in (a.edge, b.edge))
 
 
 def frozen_machines(r: RouteRow) -> set[MachineId]:

@@ -3,10 +3,21 @@
 from __future__ import annotations
 
 from interlock.derive.routes import Path
-from interlock.model.elements import SignalId
+from interlock.model.elements import Position, SignalId
 from interlock.model.layout import Layout
+from interlock.model.principles import Caution
 from interlock.model.traversal import topology
-from interlock.table.rows import ApproachCell, Because, BlockCell, ConditionCell, ExitKind, ReleaseStep, RouteKind
+from interlock.table.rows import (
+    ApproachCell,
+    AspectCell,
+    Because,
+    BlockCell,
+    ConditionCell,
+    ExitKind,
+    ReleaseStep,
+    RouteKind,
+    Shows,
+)
 
 
 def approach_delay(layout: Layout, signal: SignalId) -> float:
@@ -57,6 +68,24 @@ def derive_block(layout: Layout, path: Path) -> tuple[BlockCell, ...]:
     if boundary.approach is None:
         return ()
     return (BlockCell(boundary.approach, Because("R12", f"{boundary.approach} beyond {path.exit} must be clear")),)
+
+
+def derive_aspect(layout: Layout, path: Path) -> AspectCell:
+    """What the open signal shows: shunt, clear, or caution (R11)."""
+    rule = layout.principles.caution
+    if path.kind is RouteKind.SHUNT:
+        return AspectCell(Shows.SHUNT, None, Because("R11", f"{path.entry} calls a shunting movement"))
+    if rule is Caution.NEVER:
+        return AspectCell(Shows.CLEAR, None, Because("R11", "signals have two aspects"))
+    if path.exit_kind is ExitKind.BOUNDARY:
+        return AspectCell(Shows.CLEAR, None, Because("R11", f"the train leaves at {path.exit}"))
+    turned = [p for t in path.ways for p, x in t.points if x is Position.REVERSE]
+    if rule is Caution.TURNOUT and turned:
+        return AspectCell(Shows.CAUTION, None, Because("R11", f"into a track over {', '.join(turned)} reversed"))
+    if path.exit_kind is not ExitKind.SIGNAL:
+        return AspectCell(Shows.CAUTION, None, Because("R11", f"the track ends at {path.exit}"))
+    next_ = SignalId(path.exit)
+    return AspectCell(Shows.NEXT, next_, Because("R11", f"{next_} is the next main signal"))
 
 
 def derive_conditions(layout: Layout, path: Path) -> tuple[ConditionCell, ...]:

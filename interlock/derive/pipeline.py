@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from interlock.derive.conflicts import derive_hostile
-from interlock.derive.locking import derive_approach, derive_block, derive_conditions, derive_release
+from interlock.derive.locking import derive_approach, derive_aspect, derive_block, derive_conditions, derive_release
 from interlock.derive.locks import derive_locks
 from interlock.derive.routes import Path, find_routes
 from interlock.diag import Sink
@@ -67,6 +67,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
             hostile=hostile[p.id],
             overlap=_overlap(p),
+            aspect=derive_aspect(layout, p),
             conditions=derive_conditions(layout, p),
             block=derive_block(layout, p),
             approach=derive_approach(layout, p),

@@ -19,6 +19,7 @@ from interlock.frontend.resolve import (
     check_signal_names,
     resolve_conditions,
     resolve_devices,
+    resolve_distants,
     resolve_excludes,
     resolve_overlaps,
     resolve_routes,
@@ -120,6 +121,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         for s in wiring.sections
     ] + [Section(SectionId(s), True) for s in wiring.approaches]
     overlaps = resolve_overlaps(ctx, principles, signals, wiring)
+    distants = resolve_distants(ctx, signals)
     if sink.has_errors:
         return None, source
     layout = Layout(
@@ -140,6 +142,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         named_routes=routes,
         excluded=excluded,
         overlaps=overlaps,
+        distants=distants,
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )
     for check in CHECKS:

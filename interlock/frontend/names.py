@@ -23,6 +23,7 @@ def _declared(ctx: Context) -> list[tuple[str, str, Span]]:
         ("level crossing", f.level_crossings),
         ("interlock", f.interlocks),
         ("signal", f.signals),
+        ("distant", f.distants),
         ("condition", f.conditions),
     ):
         room = {"boundary": "boundaries"}.get(kind, kind.replace(" ", "_") + "s")
@@ -36,7 +37,7 @@ def _declared(ctx: Context) -> list[tuple[str, str, Span]]:
 ROOMS: tuple[tuple[str, ...], ...] = (
     ("section", "boundary"),
     ("point", "crossing", "slip", "derailer", "boundary", "buffer"),
-    ("signal", "boundary", "buffer"),
+    ("signal", "distant", "boundary", "buffer"),
     ("condition",),
     ("machine", "derailer", "level crossing", "interlock"),
 )

@@ -15,6 +15,7 @@ from interlock.model.elements import (
     ConditionId,
     Device,
     DeviceKind,
+    Distant,
     Edge,
     Exclude,
     MachineId,
@@ -263,6 +264,23 @@ def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:
                 spec.reason,
             )
         )
+    return tuple(out)
+
+
+def resolve_distants(ctx: Context, signals: tuple[Signal, ...]) -> tuple[Distant, ...]:
+    """Distant and repeating signals, each with the main signal that it announces."""
+    mains = {g.id for g in signals if g.main}
+    out = []
+    for name, spec in sorted(ctx.file.distants.items()):
+        if spec.of not in mains:
+            ctx.add(
+                "IL2006",
+                f"distant {name} announces a main signal: {spec.of} is none",
+                ctx.at("distants", name, "of"),
+                did_you_mean(spec.of, mains),
+            )
+        else:
+            out.append(Distant(SignalId(name), SignalId(spec.of)))
     return tuple(out)
 
 

@@ -26,7 +26,7 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
 from interlock.model.elements import BlockKind, SignalKind, Work
 from interlock.model.overlap import overlap_length
-from interlock.model.principles import KNOBS, PROFILES, FlankChoice, Principles
+from interlock.model.principles import KNOBS, PROFILES, Caution, FlankChoice, Principles
 
 NAME = re.compile(r"[A-Za-z0-9]+([_/-][A-Za-z0-9]+)*")
 MAX_NAME = 14
@@ -216,6 +216,12 @@ class SignalSpec(_Part):
     kind: Annotated[Literal["main", "shunt", "combined"], _choice("kind of signal", _KINDS)] = "main"
 
 
+class DistantSpec(_Part):
+    """A distant or repeating signal: what it announces."""
+
+    of: Name
+
+
 class SectionSpec(_Part):
     """More about a section."""
 
@@ -289,6 +295,7 @@ class PrinciplesSpec(_Part):
     flank_by: Annotated[FlankChoice | None, _choice("protection", tuple(FlankChoice))] = None
     drive_points: YesNo | None = None
     lamp_proof: YesNo | None = None
+    caution: Annotated[Caution | None, _choice("use of caution", tuple(Caution))] = None
     overlap_m: Seconds | None = None
     overlap_release_s: Seconds | None = None
 
@@ -316,6 +323,7 @@ class LayoutFile(_Part):
     level_crossings: dict[Name, DeviceSpec] = {}
     interlocks: dict[Name, DeviceSpec] = {}
     signals: dict[Name, SignalSpec] = {}
+    distants: dict[Name, DistantSpec] = {}
     sections: dict[Name, SectionSpec] = {}
     conditions: dict[Name, ConditionSpec] = {}
     routes: dict[Name, RouteSpec] = {}
@@ -380,6 +388,7 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "level_crossings": tuple(DeviceSpec.model_fields),
     "interlocks": tuple(DeviceSpec.model_fields),
     "signals": ("from", "into", "at", "kind"),
+    "distants": tuple(DistantSpec.model_fields),
     "principles": KNOBS,
     "overlaps": tuple(OverlapSpec.model_fields),
     "exclude": ("from", "to", "via", "kind", "reason"),

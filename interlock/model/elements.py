@@ -211,6 +211,14 @@ class Signal:
 
 
 @dataclass(frozen=True)
+class Distant:
+    """A distant or repeating signal: it announces a main signal, and is never at stop itself."""
+
+    id: SignalId
+    of: SignalId
+
+
+@dataclass(frozen=True)
 class Condition:
     """A named input from outside (hoist stopped, barrier closed) that routes require.
 

@@ -18,6 +18,7 @@ from interlock.model.elements import (
     Crossing,
     CrossingId,
     Device,
+    Distant,
     Edge,
     EdgeId,
     Exclude,
@@ -59,6 +60,7 @@ class Layout:
     named_routes: tuple[NamedRoute, ...]
     excluded: tuple[Exclude, ...] = ()
     overlaps: tuple[Overlap, ...] = ()
+    distants: tuple[Distant, ...] = ()
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     @cached_property

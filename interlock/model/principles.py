@@ -16,6 +16,14 @@ class FlankChoice(StrEnum):
     SIGNAL = "signal"
 
 
+class Caution(StrEnum):
+    """When an open main signal shows caution instead of clear (R11)."""
+
+    NEVER = "never"
+    NEXT = "next"
+    TURNOUT = "turnout"
+
+
 @dataclass(frozen=True)
 class Principles:
     """Knobs of derivation and control.
@@ -38,7 +46,11 @@ class Principles:
         180 m; Chinese main lines and mines none).
     overlap_release_s: time for which the section before the signal must have been occupied until the train counts as
         standing and its overlap is released (R4: 30 to 80 s).
-    lamp_proof: whether a signal opens only while its stop lamp is reported intact (R11, Chinese practice).
+    lamp_proof: whether the lamps of signals are reported (R11, Chinese practice): a signal opens only while its stop
+        lamp is intact, shows caution while its clear lamp is not, and stop while no other lamp is left.
+    caution: when an open main signal shows caution instead of clear (R11): `never` (two aspects), `next` while the
+        next main signal does not show proceed, or `turnout`, also into a track inside the layout over a reversed
+        point (Chinese practice: one yellow, two yellows).
     """
 
     release_delay_s: float = 3.0
@@ -53,14 +65,15 @@ class Principles:
     overlap_m: float = 0.0
     overlap_release_s: float = 60.0
     lamp_proof: bool = False
+    caution: Caution = Caution.NEXT
 
 
 PROFILES: dict[str, Principles] = {
     "generic": Principles(),
-    "mine": Principles(approach_release_s=60.0, fouling_m=8.0),
+    "mine": Principles(approach_release_s=60.0, fouling_m=8.0, caution=Caution.NEVER),
     "uk": Principles(overlap_m=180.0, approach_release_s=120.0),
     "de": Principles(overlap_m=200.0, overlap_release_s=45.0),
-    "cn": Principles(flank_by=FlankChoice.SIGNAL, drive_points=True, lamp_proof=True),
+    "cn": Principles(flank_by=FlankChoice.SIGNAL, drive_points=True, lamp_proof=True, caution=Caution.TURNOUT),
 }
 
 KNOBS: tuple[str, ...] = tuple(f.name for f in fields(Principles))

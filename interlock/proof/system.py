@@ -101,6 +101,10 @@ class System:
         b = self.layout.boundary_at.get(NodeId(j))
         return (b.approach if b and b.approach else None) or f"outside.{j}"
 
+    def output(self, name: str) -> Expr:
+        """An output of the controller, by name."""
+        return next(o.expr for o in self.controller.outputs if o.name == name)
+
     @cached_property
     def inputs(self) -> tuple[str, ...]:
         """Free variables of a step."""

@@ -66,7 +66,9 @@ class Simulator:
         values[self.controller.symbols.valid] = 1
         for name in self.controller.symbols.blocked.values():
             values[name] = 0
-        for name in (*self.controller.symbols.condition.values(), *self.controller.symbols.stop_lamp.values()):
+        sym = self.controller.symbols
+        lamps = (*sym.stop_lamp.values(), *sym.clear_lamp.values(), *sym.caution_lamp.values())
+        for name in (*sym.condition.values(), *lamps):
             values[name] = 1
         values |= inputs or {}
         self._run_timers(values)

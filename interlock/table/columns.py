@@ -57,6 +57,12 @@ def _overlap(r: RouteRow) -> Reasons:
     return [] if r.overlap is None else [(s, r.overlap.because) for s, _ in r.overlap.ways]
 
 
+def _aspect(r: RouteRow) -> Reasons:
+    cell = r.aspect
+    text = f"clear if {cell.next} is open, else caution" if cell.next is not None else str(cell.shows)
+    return [(text, cell.because)]
+
+
 COLUMNS: tuple[Column, ...] = (
     Column("number", "No.", "进路号码", "Nr.", lambda r: [(str(r.number), r.because)]),
     Column("route", "Route", "进路", "Fahrstraße", lambda r: [(r.id, r.because)]),
@@ -123,6 +129,7 @@ COLUMNS: tuple[Column, ...] = (
         "Bedingungen",
         lambda r: [(c.condition, c.because) for c in r.conditions],
     ),
+    Column("aspect", "Aspect", "信号机显示", "Signalbegriff", _aspect),
     Column(
         "block", "Line beyond clear", "闭塞条件", "Streckenblock", lambda r: [(c.section, c.because) for c in r.block]
     ),

@@ -174,6 +174,24 @@ class OverlapCell:
     because: Because
 
 
+class Shows(StrEnum):
+    """What an open signal shows for a route (R11)."""
+
+    CLEAR = "clear"
+    CAUTION = "caution"
+    NEXT = "clear if the next signal is open"
+    SHUNT = "shunt"
+
+
+@dataclass(frozen=True)
+class AspectCell:
+    """What an open signal shows; `next` is the signal that decides between clear and caution."""
+
+    shows: Shows
+    next: SignalId | None
+    because: Because
+
+
 @dataclass(frozen=True)
 class ApproachCell:
     """Approach locking: the section in rear of the signal (None: always approach locked) and the delay."""
@@ -257,6 +275,7 @@ class RouteRow:
     flank: tuple[FlankCell, ...]
     hostile: tuple[Hostile, ...]
     overlap: OverlapCell | None
+    aspect: AspectCell
     conditions: tuple[ConditionCell, ...]
     block: tuple[BlockCell, ...]
     approach: ApproachCell

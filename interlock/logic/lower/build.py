@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from interlock.logic.controller import Controller, RouteSymbols, Symbols
-from interlock.logic.lower import overlaps, points, routes, sections
+from interlock.logic.lower import aspects, overlaps, points, routes, sections
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, SectionId
 from interlock.model.layout import Layout
@@ -28,6 +28,8 @@ PASSES = (
     routes.keep,
     sections.keep,
     overlaps.keep,
+    aspects.keep,
+    aspects.outputs,
 )
 
 
@@ -44,6 +46,7 @@ def lower(layout: Layout, table: InterlockingTable) -> Controller:
 def _symbols(d: Draft) -> Symbols:
     sections = d.sections
     signals = [g.id for g in d.layout.signals if d.routes_from[g.id]]
+    lit = aspects.trains(d) if d.layout.principles.lamp_proof else []
 
     def each(prefix: str) -> dict[SectionId, str]:
         return {s: f"{prefix}_{portable(s)}" for s in sections}
@@ -57,6 +60,10 @@ def _symbols(d: Draft) -> Symbols:
         command={(m, x): f"C{x}_{portable(m)}" for m in d.machines for x in Position},
         condition={c.id: f"E_{portable(c.id)}" for c in d.layout.conditions},
         stop_lamp={g: f"RL_{portable(g)}" for g in signals} if d.layout.principles.lamp_proof else {},
+        clear_lamp={g: f"GL_{portable(g)}" for g in lit},
+        caution_lamp={g: f"CL_{portable(g)}" for g in lit if aspects.cautions(d)},
+        clear_aspect={g: f"YP_{portable(g)}" for g in aspects.trains(d)},
+        distant_clear={x.id: f"YD_{portable(x.id)}" for x in d.layout.distants},
         restart=each("K"),
         train=each("M") if d.shunting else {},
         lock={t.key: f"L_{portable(t.section)}_{t.number}" for t in d.table.locks},

@@ -7,8 +7,9 @@ One request is taken in a scan: REQ carries the number of the route, 0 for none.
 
 from __future__ import annotations
 
-from interlock.logic.controller import Input, Join, Output, Term
+from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, eq, neg, var
+from interlock.logic.lower import aspects
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import SectionId
 from interlock.model.portable import portable
@@ -24,6 +25,10 @@ def inputs(d: Draft) -> None:
     if d.layout.principles.lamp_proof:
         for g in d.layout.signals:
             d.inputs.append(Input(f"RL_{portable(g.id)}", f"stop lamp of {g.id} intact"))
+        for lit in aspects.trains(d):
+            d.inputs.append(Input(f"GL_{portable(lit)}", f"clear lamp of {lit} intact, or not lit"))
+            if aspects.cautions(d):
+                d.inputs.append(Input(f"CL_{portable(lit)}", f"caution lamp of {lit} intact, or not lit"))
     for c in d.layout.conditions:
         d.inputs.append(Input(f"E_{portable(c.id)}", f"external condition {c.id}: {c.text or 'holds'}"))
 
@@ -164,6 +169,7 @@ def locking(d: Draft) -> None:
                 *(Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions),
                 *(Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block),
                 Term(neg(var(f"D_{first}")), "inputs never lost"),
+                *aspects.lamp_terms(d, r),
                 *(
                     [Term(d.overlap((r.overlap.signal, r.overlap.option)), "overlap held", r.overlap.because.text)]
                     if r.overlap
@@ -325,8 +331,7 @@ def keep(d: Draft) -> None:
         )
     for signal in d.layout.signals:
         n = portable(signal.id)
-        routes = d.routes_from[signal.id]
-        if not routes:
+        if not d.routes_from[signal.id]:
             continue
         d.kept(
             f"X_{n}",
@@ -340,11 +345,3 @@ def keep(d: Draft) -> None:
             ),
             f"signal {signal.id}",
         )
-        trains = [var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.MAIN]
-        shunts = [var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.SHUNT]
-        if signal.main:
-            d.outputs.append(Output(f"YP_{n}", disj(trains), False, f"signal {signal.id}: proceed (green)"))
-        if signal.shunt:
-            d.outputs.append(Output(f"YW_{n}", disj(shunts), False, f"signal {signal.id}: shunt (white)"))
-        stop_ = neg(disj((*trains, *shunts)))
-        d.outputs.append(Output(f"YS_{n}", stop_, True, f"signal {signal.id}: stop"))

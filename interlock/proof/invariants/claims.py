@@ -13,6 +13,7 @@ from interlock.logic.plant import accepted, came, lamp, lies, o, rests, shunting
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.overlap import overlap_paths
+from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal
 from interlock.proof.invariants.kinds import Claim, Facts
 
@@ -34,7 +35,9 @@ CLAIMS: dict[str, str] = {
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
-    "S-LAMP": "A signal opens only in a scan in which its stop lamp is reported intact, where that is asked for.",
+    "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear.",
+    "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, and shows nothing else "
+    "than stop while no lamp for it is.",
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
@@ -92,6 +95,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         *((*x, x[0] == "T-FLANK") for x in _flank(f)),
         *((*x, False) for x in _pairs(f)),
         *((*x, False) for x in _signals(f)),
+        *((*x, False) for x in _distants(f)),
         *((*x, False) for x in _locks(f)),
         *((*x, False) for x in _points(f)),
     ):
@@ -226,6 +230,10 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         if signal in f.sym.stop_lamp:
             opens = conj((shows, neg(f.sym.signal(signal, shunt))))
             yield "S-LAMP", who, implies(opens, var(f.sym.stop_lamp[signal]))
+        if signal in f.sym.clear_lamp and not shunt:
+            last = f.sym.caution_lamp.get(signal, f.sym.clear_lamp[signal])
+            lit = implies(_clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
+            yield "S-LAMP", f"{who} proceed", conj((implies(shows, var(last)), lit))
         if signal in f.sym.cancelling:
             yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
         for k, path in enumerate(paths, 1):
@@ -256,6 +264,9 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             over = () if exit_ is None or shunt else overlap_paths(f.layout, exit_)
             if over:
                 yield "S-OVERLAP", place, implies(here, disj(_overlap(f, ways) for ways in over))
+            if not shunt and f.layout.principles.caution is not Caution.NEVER:
+                clear = conj((_clear_aspect(f, signal), after(lie(f, path.ways))))
+                yield "S-ASPECT", place, implies(clear, _allows_clear(f, path, exit_))
             secured = [
                 conj((var(f.sym.detected[d.id, Position.REVERSE]), neg(var(f.sym.detected[d.id, Position.NORMAL]))))
                 for d in f.layout.devices
@@ -286,6 +297,27 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                     needed.append(_not_foul(f, fj))
             if needed:
                 yield "S-CONDITION", place, implies(here, conj(needed))
+
+
+def _clear_aspect(f: Facts, g: SignalId) -> Expr:
+    """The signal will show clear, not caution."""
+    return f.system.after(f.system.output(f.sym.clear_aspect[g])) if g in f.sym.clear_aspect else FALSE
+
+
+def _allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
+    """Whether a path may be shown as clear: it leaves the layout, or the next main signal will be open (R11)."""
+    if path.ways[-1].exit in f.layout.boundary_at:
+        return TRUE
+    turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
+    if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
+        return FALSE
+    return f.system.after(f.sym.signal(exit_))
+
+
+def _distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    for d in f.layout.distants:
+        shown = f.system.after(f.system.output(f.sym.distant_clear[d.id]))
+        yield "S-ASPECT", d.id, implies(shown, _clear_aspect(f, d.of))
 
 
 def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:

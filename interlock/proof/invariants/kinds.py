@@ -48,6 +48,10 @@ class SystemView(Protocol):
         """The expression one step later."""
         ...
 
+    def output(self, name: str) -> Expr:
+        """An output of the controller, by name."""
+        ...
+
 
 class Facts:
     """Short names for what invariants speak of."""

@@ -8,7 +8,6 @@ from interlock.table.national.reading import ON_PATH, Reading
 from interlock.table.national.sheet import Heading, Sheet
 from interlock.table.rows import InterlockingTable, Role, RouteKind, RouteRow
 
-
 ROUTES = (
     Heading("Route", "进路", "Fahrstraße"),
     Heading("Exit", "终端", "Ziel"),

@@ -1,0 +1,83 @@
+"""Aspects of main, shunt and distant signals (R11).
+
+C: the main signal shows clear, not caution.  It is kept as a bit of its own, computed in the scan in which the signal
+opens: clear only while the next main signal shows proceed, where the principle asks for that, and its lamp is intact.
+"""
+
+from __future__ import annotations
+
+from interlock.logic.controller import Join, Output, Term
+from interlock.logic.expr import Expr, conj, disj, neg, var
+from interlock.logic.lower.draft import Draft
+from interlock.model.elements import SignalId
+from interlock.model.portable import portable
+from interlock.model.principles import Caution
+from interlock.table.rows import RouteKind, RouteRow, Shows
+
+
+def trains(d: Draft) -> list[SignalId]:
+    """The signals that open for trains."""
+    return [g.id for g in d.layout.signals if any(r.kind is RouteKind.MAIN for r in d.routes_from[g.id])]
+
+
+def cautions(d: Draft) -> bool:
+    """Whether main signals have a caution aspect."""
+    return d.layout.principles.caution is not Caution.NEVER
+
+
+def lamp_terms(d: Draft, r: RouteRow) -> list[Term]:
+    """Proceed needs a lamp to show it; the most restrictive proceed lamp is the last (R11)."""
+    if not d.layout.principles.lamp_proof or r.kind is RouteKind.SHUNT:
+        return []
+    lamp, word = ("CL", "caution") if cautions(d) else ("GL", "clear")
+    return [Term(var(f"{lamp}_{portable(r.entry)}"), "proceed lamp intact", f"{word} lamp of {r.entry} intact")]
+
+
+def _opens(d: Draft, g: SignalId, prefix: str) -> Expr:
+    return disj(var(f"{prefix}_R{r.number}") for r in d.routes_from[g] if r.kind is RouteKind.MAIN)
+
+
+def keep(d: Draft) -> None:
+    """Next values of the clear aspects."""
+    for g in trains(d) if cautions(d) else ():
+        n = portable(g)
+        ways = []
+        for r in d.routes_from[g]:
+            if r.kind is RouteKind.MAIN and r.aspect.shows in (Shows.CLEAR, Shows.NEXT):
+                onward = [_opens(d, r.aspect.next, "PR")] if r.aspect.next is not None else []
+                ways.append(conj((var(f"PR_R{r.number}"), *onward)))
+        terms = [Term(_opens(d, g, "PR"), "open"), Term(disj(ways), "next signal open", "the way beyond is open")]
+        if d.layout.principles.lamp_proof:
+            terms.append(Term(var(f"GL_{n}"), "clear lamp intact", f"clear lamp of {g} intact"))
+        d.kept(f"C_{n}", False, f"{g} shows clear", Join.ALL, terms, f"signal {g}")
+
+
+def outputs(d: Draft) -> None:
+    """The lamps of every signal: stop, caution, clear, shunt; what a distant signal shows."""
+    for signal in d.layout.signals:
+        n, routes = portable(signal.id), d.routes_from[signal.id]
+        if not routes:
+            continue
+        mains = _opens(d, signal.id, "S")
+        shunts = disj(var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.SHUNT)
+        if signal.main:
+            clear = _clear(d, signal.id)
+            d.outputs.append(Output(f"YP_{n}", clear, False, f"signal {signal.id}: clear (green)"))
+            if cautions(d):
+                caution = conj((mains, neg(clear)))
+                d.outputs.append(Output(f"YY_{n}", caution, False, f"signal {signal.id}: caution (yellow)"))
+        if signal.shunt:
+            d.outputs.append(Output(f"YW_{n}", shunts, False, f"signal {signal.id}: shunt (white)"))
+        stop = neg(disj((mains, shunts)))
+        d.outputs.append(Output(f"YS_{n}", stop, True, f"signal {signal.id}: stop"))
+    for distant in d.layout.distants:
+        n = portable(distant.id)
+        clear = _clear(d, distant.of)
+        d.outputs.append(Output(f"YD_{n}", clear, False, f"distant {distant.id}: {distant.of} shows clear"))
+        d.outputs.append(Output(f"YC_{n}", neg(clear), True, f"distant {distant.id}: caution"))
+
+
+def _clear(d: Draft, g: SignalId) -> Expr:
+    if g not in trains(d):
+        return disj(())
+    return var(f"C_{portable(g)}") if cautions(d) else _opens(d, g, "S")
