@@ -1,7 +1,7 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout d83b49c3e3581cd7b2e995364e932c05bb4bd71747b1fbb65c466aa50dc9b7ae
-# claims 9554bcb50e99e8a2a924457861b8989a7a6becc8984ec77aea9ff57e1d54927b
+# layout e225ab5a206ac124a9f24deafd623a207ee96fbdeac8219c22c51b4216cea61c
+# claims 3c20d85afd1bfea32ed277d5621b371b5d0023a0700391594b9cfd42827759d6
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,7 +10,6 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 10),  # operator: set route number, 0 = none
     'CAN_E1': (0, 2),  # operator: cancel the route from E1
     'CAN_E2': (0, 2),  # operator: cancel the route from E2
     'CAN_E3': (0, 2),  # operator: cancel the route from E3
@@ -19,6 +18,7 @@ INPUTS = {
     'CAN_W1': (0, 2),  # operator: cancel the route from W1
     'CAN_W2': (0, 2),  # operator: cancel the route from W2
     'CAN_W3': (0, 2),  # operator: cancel the route from W3
+    'REQ': (0, 10),  # operator: set route number, 0 = none
     'CLR_ea': (0, 2),  # section ea reported clear
     'CLR_ld': (0, 2),  # section ld reported clear
     'CLR_s1': (0, 2),  # section s1 reported clear
@@ -52,6 +52,7 @@ INPUTS = {
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
     'MR_P1': (0, 2),  # operator: move machine P1 reverse
+    'TC_P1': (0, 2),  # operator: machine P1 has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
@@ -64,6 +65,8 @@ STATE = {
     'AL_LC1': False,  # alarm: machine LC1 not detected
     'AL_LC2': False,  # alarm: machine LC2 not detected
     'AL_P1': False,  # alarm: machine P1 not detected
+    'TH_P1': False,  # machine P1 was detected where it is commanded
+    'TR_P1': False,  # machine P1 was trailed
     'A_R1': False,  # route E1-E2 active
     'B_R1': False,  # route E1-E2 locked
     'W_R1': False,  # route E1-E2: proceed wanted
@@ -206,6 +209,7 @@ OUTPUTS = {
     'YA_LC1': False,  # alarm: machine LC1 not detected in time
     'YA_LC2': False,  # alarm: machine LC2 not detected in time
     'YA_P1': False,  # alarm: machine P1 not detected in time
+    'YT_P1': False,  # alarm: machine P1 was trailed
     'YL_ld': True,  # indication: ld is locked
     'YL_s1': True,  # indication: s1 is locked
     'YL_s2': True,  # indication: s2 is locked
@@ -261,7 +265,6 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_E1 = read['CAN_E1']
         CAN_E2 = read['CAN_E2']
         CAN_E3 = read['CAN_E3']
@@ -270,6 +273,7 @@ class Controller:
         CAN_W1 = read['CAN_W1']
         CAN_W2 = read['CAN_W2']
         CAN_W3 = read['CAN_W3']
+        REQ = read['REQ']
         CLR_ea = read['CLR_ea']
         CLR_ld = read['CLR_ld']
         CLR_s1 = read['CLR_s1']
@@ -303,6 +307,7 @@ class Controller:
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
         MR_P1 = read['MR_P1']
+        TC_P1 = read['TC_P1']
         CN_LC1 = old['CN_LC1']
         CR_LC1 = old['CR_LC1']
         CN_LC2 = old['CN_LC2']
@@ -312,6 +317,8 @@ class Controller:
         AL_LC1 = old['AL_LC1']
         AL_LC2 = old['AL_LC2']
         AL_P1 = old['AL_P1']
+        TH_P1 = old['TH_P1']
+        TR_P1 = old['TR_P1']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -450,22 +457,22 @@ class Controller:
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R
         G_R1 = (REQ == 1) and VALID and FREE_s5 and (not OCC_s5) and (not BLK_s5)  # grant of route E1-E2 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_s4 and FREE_s3 and FREE_s2 and (not OCC_s4) and (not OCC_s3) and (not OCC_s2) and (not BLK_s4) and (not BLK_s3) and (not BLK_s2) and AVR_LC2 and AVN_P1 and AVR_LC1  # grant of route E2-E3 (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_s4 and FREE_s3 and FREE_s2 and (not OCC_s4) and (not OCC_s3) and (not OCC_s2) and (not BLK_s4) and (not BLK_s3) and (not BLK_s2) and AVR_LC2 and AVN_P1 and AVR_LC1 and (not TR_P1)  # grant of route E2-E3 (R6)
         G_R3 = (REQ == 3) and VALID and FREE_s1 and (not OCC_s1) and (not BLK_s1)  # grant of route E3-W (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_s3 and FREE_s2 and (not OCC_s3) and (not OCC_s2) and (not BLK_s3) and (not BLK_s2) and AVR_P1 and AVR_LC2 and AVR_LC1  # grant of route L1-E3 (R6)
+        G_R4 = (REQ == 4) and VALID and FREE_s3 and FREE_s2 and (not OCC_s3) and (not OCC_s2) and (not BLK_s3) and (not BLK_s2) and AVR_P1 and AVR_LC2 and AVR_LC1 and (not TR_P1)  # grant of route L1-E3 (R6)
         G_R5 = (REQ == 5) and VALID and ((not K_s5) and (not L_s5_1) and (not L_s5_2)) and (not OCC_s5) and (not BLK_s5)  # grant of route M-E (R6)
         G_R6 = (REQ == 6) and VALID and FREE_s1 and ((not K_s2) and (not V_W2_1) and ((not L_s2_1) or A_R7) and (not L_s2_2)) and (not OCC_s1) and (not OCC_s2) and (not BLK_s1) and AVR_LC1  # grant of route W1-W2 (R6)
         G_R7 = (REQ == 7) and VALID and ((not K_s2) and (not L_s2_1) and (not L_s2_2)) and (not OCC_s2) and (not BLK_s2) and AVR_LC1  # grant of route W2-W3 (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_s3 and FREE_ld and (not OCC_s3) and (not OCC_ld) and (not BLK_s3) and (not BLK_ld) and AVR_P1 and AVR_LC2  # grant of route W3-LOAD (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_s3 and FREE_s4 and ((not K_s5) and (not V_M_1) and (not L_s5_1) and ((not L_s5_2) or A_R5)) and (not OCC_s3) and (not OCC_s4) and (not OCC_s5) and (not BLK_s3) and (not BLK_s4) and AVN_P1 and AVR_LC2  # grant of route W3-M (R6)
+        G_R8 = (REQ == 8) and VALID and FREE_s3 and FREE_ld and (not OCC_s3) and (not OCC_ld) and (not BLK_s3) and (not BLK_ld) and AVR_P1 and AVR_LC2 and (not TR_P1)  # grant of route W3-LOAD (R6)
+        G_R9 = (REQ == 9) and VALID and FREE_s3 and FREE_s4 and ((not K_s5) and (not V_M_1) and (not L_s5_1) and ((not L_s5_2) or A_R5)) and (not OCC_s3) and (not OCC_s4) and (not OCC_s5) and (not BLK_s3) and (not BLK_s4) and AVN_P1 and AVR_LC2 and (not TR_P1)  # grant of route W3-M (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_E1) and (not CAN_E1) and (not OCC_s5)  # route E1-E2 becomes locked (R3)
         CO_R1 = VALID and (not OCC_s5) and (not BLK_s5) and (not D_s5)  # conditions of proceed for route E1-E2 (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_E2) and (not CAN_E2) and (not OCC_s4) and (not OCC_s3) and (not OCC_s2) and QR_LC2 and QN_P1 and QR_LC1  # route E2-E3 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_s4) and (not OCC_s3) and (not OCC_s2) and (not BLK_s4) and (not BLK_s3) and (not BLK_s2) and QR_LC2 and QN_P1 and QR_LC1 and (not D_s4)  # conditions of proceed for route E2-E3 (R3)
+        CO_R2 = VALID and (not OCC_s4) and (not OCC_s3) and (not OCC_s2) and (not BLK_s4) and (not BLK_s3) and (not BLK_s2) and QR_LC2 and QN_P1 and QR_LC1 and (not TR_P1) and (not D_s4)  # conditions of proceed for route E2-E3 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_E3) and (not CAN_E3) and (not OCC_s1)  # route E3-W becomes locked (R3)
         CO_R3 = VALID and (not OCC_s1) and (not BLK_s1) and (not OCC_wa) and (not D_s1)  # conditions of proceed for route E3-W (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_L1) and (not CAN_L1) and (not OCC_s3) and (not OCC_s2) and QR_P1 and QR_LC2 and QR_LC1  # route L1-E3 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_s3) and (not OCC_s2) and (not BLK_s3) and (not BLK_s2) and QR_P1 and QR_LC2 and QR_LC1 and (not D_s3)  # conditions of proceed for route L1-E3 (R3)
+        CO_R4 = VALID and (not OCC_s3) and (not OCC_s2) and (not BLK_s3) and (not BLK_s2) and QR_P1 and QR_LC2 and QR_LC1 and (not TR_P1) and (not D_s3)  # conditions of proceed for route L1-E3 (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_M) and (not CAN_M) and (not OCC_s5)  # route M-E becomes locked (R3)
         CO_R5 = VALID and (not OCC_s5) and (not BLK_s5) and (not OCC_ea) and (not D_s5)  # conditions of proceed for route M-E (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_W1) and (not CAN_W1) and (not OCC_s1) and (not OCC_s2) and QR_LC1  # route W1-W2 becomes locked (R3)
@@ -473,9 +480,9 @@ class Controller:
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_W2) and (not CAN_W2) and (not OCC_s2) and QR_LC1  # route W2-W3 becomes locked (R3)
         CO_R7 = VALID and (not OCC_s2) and (not BLK_s2) and QR_LC1 and (not D_s2)  # conditions of proceed for route W2-W3 (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_W3) and (not CAN_W3) and (not OCC_s3) and (not OCC_ld) and QR_P1 and QR_LC2  # route W3-LOAD becomes locked (R3)
-        CO_R8 = VALID and (not OCC_s3) and (not OCC_ld) and (not BLK_s3) and (not BLK_ld) and QR_P1 and QR_LC2 and (not D_s3)  # conditions of proceed for route W3-LOAD (R3)
+        CO_R8 = VALID and (not OCC_s3) and (not OCC_ld) and (not BLK_s3) and (not BLK_ld) and QR_P1 and QR_LC2 and (not TR_P1) and (not D_s3)  # conditions of proceed for route W3-LOAD (R3)
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_W3) and (not CAN_W3) and (not OCC_s3) and (not OCC_s4) and (not OCC_s5) and QN_P1 and QR_LC2  # route W3-M becomes locked (R3)
-        CO_R9 = VALID and (not OCC_s3) and (not OCC_s4) and (not OCC_s5) and (not BLK_s3) and (not BLK_s4) and QN_P1 and QR_LC2 and (not D_s3) and V_M_1  # conditions of proceed for route W3-M (R3)
+        CO_R9 = VALID and (not OCC_s3) and (not OCC_s4) and (not OCC_s5) and (not BLK_s3) and (not BLK_s4) and QN_P1 and QR_LC2 and (not TR_P1) and (not D_s3) and V_M_1  # conditions of proceed for route W3-M (R3)
         NU_ld_2 = VALID and F_ld and (not D_ld) and (not U_ld) and L_ld_2 and OCC_ld and OCC_s3 and U_s3 and L_s3_2  # a train comes into ld at ld|s3@P1.reverse (R9)
         NU_s1_1 = VALID and F_s1 and (not D_s1) and (not U_s1) and L_s1_1 and OCC_s1 and OCC_wa  # a train comes into s1 at W (R9)
         NU_s1_2 = VALID and F_s1 and (not D_s1) and (not U_s1) and L_s1_2 and OCC_s1 and OCC_s2  # a train comes into s1 at s1|s2@west.0 (R9)
@@ -620,6 +627,8 @@ class Controller:
         N_AL_LC1 = ST_LC1  # alarm: machine LC1 not detected
         N_AL_LC2 = ST_LC2  # alarm: machine LC2 not detected
         N_AL_P1 = ST_P1  # alarm: machine P1 not detected
+        N_TH_P1 = ((CN_P1 and QN_P1) or (CR_P1 and QR_P1)) and (not (GPN_P1 or GPR_P1 or MAN_P1 or MAR_P1))  # machine P1 was detected where it is commanded
+        N_TR_P1 = (TH_P1 and VALID and ((CN_P1 and (not QN_P1) and (not GPR_P1) and (not MAR_P1)) or (CR_P1 and (not QR_P1) and (not GPN_P1) and (not MAN_P1)))) or (TR_P1 and (not (TC_P1 and VALID and (not OCC_s3))))  # machine P1 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route E1-E2 active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route E1-E2 locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_E1) and (not CAN_E1)  # route E1-E2: proceed wanted
@@ -738,6 +747,8 @@ class Controller:
             'AL_LC1': bool(N_AL_LC1),
             'AL_LC2': bool(N_AL_LC2),
             'AL_P1': bool(N_AL_P1),
+            'TH_P1': bool(N_TH_P1),
+            'TR_P1': bool(N_TR_P1),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -856,6 +867,8 @@ class Controller:
         AL_LC1 = self.state['AL_LC1']
         AL_LC2 = self.state['AL_LC2']
         AL_P1 = self.state['AL_P1']
+        TH_P1 = self.state['TH_P1']
+        TR_P1 = self.state['TR_P1']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -974,6 +987,7 @@ class Controller:
             'YA_LC1': bool(AL_LC1),
             'YA_LC2': bool(AL_LC2),
             'YA_P1': bool(AL_P1),
+            'YT_P1': bool(TR_P1),
             'YL_ld': bool(K_ld or L_ld_2),
             'YL_s1': bool(K_s1 or L_s1_1 or L_s1_2),
             'YL_s2': bool(K_s2 or L_s2_1 or L_s2_2 or V_W2_1),

@@ -1,7 +1,7 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 557c0c371bd4a386b32827a90d7e430e1444ebc835ac154a4b0e073f0277caa9
-# claims 55cf2f8d4aab8b92c28760dc103b5548e303f98f4945873e6248f963732b6eaa
+# layout 485717bc6463c5fa6ff3e5b4df0276c92360da53a8699b33c7ced1a8918b67d8
+# claims e076056660cb421d93dbf1378759c194da3ebeed4a1151b5421136211fc5c5ba
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,7 +10,6 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 12),  # operator: set route number, 0 = none
     'CAN_A1': (0, 2),  # operator: cancel the route from A1
     'CAN_A2': (0, 2),  # operator: cancel the route from A2
     'CAN_B1': (0, 2),  # operator: cancel the route from B1
@@ -19,6 +18,7 @@ INPUTS = {
     'CAN_K2': (0, 2),  # operator: cancel the route from K2
     'CAN_K3': (0, 2),  # operator: cancel the route from K3
     'CAN_W': (0, 2),  # operator: cancel the route from W
+    'REQ': (0, 12),  # operator: set route number, 0 = none
     'CLR_ap': (0, 2),  # section ap reported clear
     'CLR_arr': (0, 2),  # section arr reported clear
     'CLR_brg': (0, 2),  # section brg reported clear
@@ -61,26 +61,32 @@ INPUTS = {
     'DR_D1': (0, 2),  # machine D1 detected off
     'MN_D1': (0, 2),  # operator: move machine D1 on
     'MR_D1': (0, 2),  # operator: move machine D1 off
+    'TC_D1': (0, 2),  # operator: machine D1 has been looked at after it was trailed
     'DN_D2': (0, 2),  # machine D2 detected on
     'DR_D2': (0, 2),  # machine D2 detected off
     'MN_D2': (0, 2),  # operator: move machine D2 on
     'MR_D2': (0, 2),  # operator: move machine D2 off
+    'TC_D2': (0, 2),  # operator: machine D2 has been looked at after it was trailed
     'DN_D3': (0, 2),  # machine D3 detected on
     'DR_D3': (0, 2),  # machine D3 detected off
     'MN_D3': (0, 2),  # operator: move machine D3 on
     'MR_D3': (0, 2),  # operator: move machine D3 off
+    'TC_D3': (0, 2),  # operator: machine D3 has been looked at after it was trailed
     'DN_P1': (0, 2),  # machine P1 detected normal
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
     'MR_P1': (0, 2),  # operator: move machine P1 reverse
+    'TC_P1': (0, 2),  # operator: machine P1 has been looked at after it was trailed
     'DN_P2': (0, 2),  # machine P2 detected normal
     'DR_P2': (0, 2),  # machine P2 detected reverse
     'MN_P2': (0, 2),  # operator: move machine P2 normal
     'MR_P2': (0, 2),  # operator: move machine P2 reverse
+    'TC_P2': (0, 2),  # operator: machine P2 has been looked at after it was trailed
     'DN_P3': (0, 2),  # machine P3 detected normal
     'DR_P3': (0, 2),  # machine P3 detected reverse
     'MN_P3': (0, 2),  # operator: move machine P3 normal
     'MR_P3': (0, 2),  # operator: move machine P3 reverse
+    'TC_P3': (0, 2),  # operator: machine P3 has been looked at after it was trailed
     'DN_PH': (0, 2),  # machine PH detected locked by its key
     'DR_PH': (0, 2),  # machine PH detected released by its key
     'MN_PH': (0, 2),  # operator: move machine PH locked by its key
@@ -112,6 +118,18 @@ STATE = {
     'AL_P2': False,  # alarm: machine P2 not detected
     'AL_P3': False,  # alarm: machine P3 not detected
     'AL_PH': False,  # alarm: machine PH not detected
+    'TH_D1': False,  # machine D1 was detected where it is commanded
+    'TR_D1': False,  # machine D1 was trailed
+    'TH_D2': False,  # machine D2 was detected where it is commanded
+    'TR_D2': False,  # machine D2 was trailed
+    'TH_D3': False,  # machine D3 was detected where it is commanded
+    'TR_D3': False,  # machine D3 was trailed
+    'TH_P1': False,  # machine P1 was detected where it is commanded
+    'TR_P1': False,  # machine P1 was trailed
+    'TH_P2': False,  # machine P2 was detected where it is commanded
+    'TR_P2': False,  # machine P2 was trailed
+    'TH_P3': False,  # machine P3 was detected where it is commanded
+    'TR_P3': False,  # machine P3 was trailed
     'A_R1': False,  # route A1-B1.s active
     'B_R1': False,  # route A1-B1.s locked
     'W_R1': False,  # route A1-B1.s: proceed wanted
@@ -322,6 +340,12 @@ OUTPUTS = {
     'YA_P2': False,  # alarm: machine P2 not detected in time
     'YA_P3': False,  # alarm: machine P3 not detected in time
     'YA_PH': False,  # alarm: machine PH not detected in time
+    'YT_D1': False,  # alarm: machine D1 was trailed
+    'YT_D2': False,  # alarm: machine D2 was trailed
+    'YT_D3': False,  # alarm: machine D3 was trailed
+    'YT_P1': False,  # alarm: machine P1 was trailed
+    'YT_P2': False,  # alarm: machine P2 was trailed
+    'YT_P3': False,  # alarm: machine P3 was trailed
     'YL_arr': True,  # indication: arr is locked
     'YL_brg': True,  # indication: brg is locked
     'YL_p1': True,  # indication: p1 is locked
@@ -379,7 +403,6 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_A1 = read['CAN_A1']
         CAN_A2 = read['CAN_A2']
         CAN_B1 = read['CAN_B1']
@@ -388,6 +411,7 @@ class Controller:
         CAN_K2 = read['CAN_K2']
         CAN_K3 = read['CAN_K3']
         CAN_W = read['CAN_W']
+        REQ = read['REQ']
         CLR_ap = read['CLR_ap']
         CLR_arr = read['CLR_arr']
         CLR_brg = read['CLR_brg']
@@ -430,26 +454,32 @@ class Controller:
         DR_D1 = read['DR_D1']
         MN_D1 = read['MN_D1']
         MR_D1 = read['MR_D1']
+        TC_D1 = read['TC_D1']
         DN_D2 = read['DN_D2']
         DR_D2 = read['DR_D2']
         MN_D2 = read['MN_D2']
         MR_D2 = read['MR_D2']
+        TC_D2 = read['TC_D2']
         DN_D3 = read['DN_D3']
         DR_D3 = read['DR_D3']
         MN_D3 = read['MN_D3']
         MR_D3 = read['MR_D3']
+        TC_D3 = read['TC_D3']
         DN_P1 = read['DN_P1']
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
         MR_P1 = read['MR_P1']
+        TC_P1 = read['TC_P1']
         DN_P2 = read['DN_P2']
         DR_P2 = read['DR_P2']
         MN_P2 = read['MN_P2']
         MR_P2 = read['MR_P2']
+        TC_P2 = read['TC_P2']
         DN_P3 = read['DN_P3']
         DR_P3 = read['DR_P3']
         MN_P3 = read['MN_P3']
         MR_P3 = read['MR_P3']
+        TC_P3 = read['TC_P3']
         DN_PH = read['DN_PH']
         DR_PH = read['DR_PH']
         MN_PH = read['MN_PH']
@@ -478,6 +508,18 @@ class Controller:
         AL_P2 = old['AL_P2']
         AL_P3 = old['AL_P3']
         AL_PH = old['AL_PH']
+        TH_D1 = old['TH_D1']
+        TR_D1 = old['TR_D1']
+        TH_D2 = old['TH_D2']
+        TR_D2 = old['TR_D2']
+        TH_D3 = old['TH_D3']
+        TR_D3 = old['TR_D3']
+        TH_P1 = old['TH_P1']
+        TR_P1 = old['TR_P1']
+        TH_P2 = old['TH_P2']
+        TR_P2 = old['TR_P2']
+        TH_P3 = old['TH_P3']
+        TR_P3 = old['TR_P3']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -695,37 +737,37 @@ class Controller:
         AVR_PH = CR_PH or MOV_PH or (QR_PH and (not CN_PH) and (not CR_PH))  # machine PH can be demanded R
         G_R1 = (REQ == 1) and VALID and FREE_ph and FREE_brg and (not OCC_ph) and (not OCC_brg) and (not BLK_ph) and (not BLK_brg) and AVN_PH and AVR_BRIDGE  # grant of route A1-B1.s (R6)
         G_R2 = (REQ == 2) and VALID and FREE_arr and (not OCC_arr) and (not BLK_arr)  # grant of route A2-LINE (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_p1 and FREE_p2 and (not M_sh1) and (not OCC_p1) and (not OCC_p2) and (not BLK_p1) and (not BLK_p2) and (not BLK_sh1) and AVN_P1 and AVR_P2 and AVR_D1 and AVN_D2 and AVN_D3  # grant of route B1-H1 (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_p1 and FREE_p2 and FREE_p3 and (not M_sh2) and (not OCC_p1) and (not OCC_p2) and (not OCC_p3) and (not BLK_p1) and (not BLK_p2) and (not BLK_p3) and (not BLK_sh2) and AVN_P1 and AVN_P2 and AVN_D1 and AVN_P3 and AVR_D2 and AVN_D3  # grant of route B1-H2 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_p1 and FREE_p2 and FREE_p3 and (not M_sh3) and (not OCC_p1) and (not OCC_p2) and (not OCC_p3) and (not BLK_p1) and (not BLK_p2) and (not BLK_p3) and (not BLK_sh3) and AVN_P1 and AVN_P2 and AVN_D1 and AVR_P3 and AVR_D3 and AVN_D2  # grant of route B1-H3 (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_p1 and (not M_wsh) and (not OCC_p1) and (not BLK_p1) and (not BLK_wsh) and AVR_P1 and AVN_D2 and AVN_D3 and AVN_D1  # grant of route B1-WASH (R6)
+        G_R3 = (REQ == 3) and VALID and FREE_p1 and FREE_p2 and (not M_sh1) and (not OCC_p1) and (not OCC_p2) and (not BLK_p1) and (not BLK_p2) and (not BLK_sh1) and AVN_P1 and AVR_P2 and AVR_D1 and AVN_D2 and AVN_D3 and (not TR_P1) and (not TR_P2) and (not TR_D1) and (not TR_D2) and (not TR_D3)  # grant of route B1-H1 (R6)
+        G_R4 = (REQ == 4) and VALID and FREE_p1 and FREE_p2 and FREE_p3 and (not M_sh2) and (not OCC_p1) and (not OCC_p2) and (not OCC_p3) and (not BLK_p1) and (not BLK_p2) and (not BLK_p3) and (not BLK_sh2) and AVN_P1 and AVN_P2 and AVN_D1 and AVN_P3 and AVR_D2 and AVN_D3 and (not TR_P1) and (not TR_P2) and (not TR_D1) and (not TR_P3) and (not TR_D2) and (not TR_D3)  # grant of route B1-H2 (R6)
+        G_R5 = (REQ == 5) and VALID and FREE_p1 and FREE_p2 and FREE_p3 and (not M_sh3) and (not OCC_p1) and (not OCC_p2) and (not OCC_p3) and (not BLK_p1) and (not BLK_p2) and (not BLK_p3) and (not BLK_sh3) and AVN_P1 and AVN_P2 and AVN_D1 and AVR_P3 and AVR_D3 and AVN_D2 and (not TR_P1) and (not TR_P2) and (not TR_D1) and (not TR_P3) and (not TR_D3) and (not TR_D2)  # grant of route B1-H3 (R6)
+        G_R6 = (REQ == 6) and VALID and FREE_p1 and (not M_wsh) and (not OCC_p1) and (not BLK_p1) and (not BLK_wsh) and AVR_P1 and AVN_D2 and AVN_D3 and AVN_D1 and (not TR_P1) and (not TR_D2) and (not TR_D3) and (not TR_D1)  # grant of route B1-WASH (R6)
         G_R7 = (REQ == 7) and VALID and FREE_arr and (not OCC_arr) and (not BLK_arr)  # grant of route E-A1 (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_p2 and FREE_p1 and FREE_brg and FREE_ph and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and AVR_D1 and AVR_P2 and AVN_D2 and AVN_D3 and AVN_P1 and AVR_BRIDGE and AVN_PH  # grant of route K1-A2 (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_p3 and FREE_p2 and FREE_p1 and FREE_brg and FREE_ph and (not OCC_p3) and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p3) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and AVR_D2 and AVN_P3 and AVN_D3 and AVN_P2 and AVN_D1 and AVN_P1 and AVR_BRIDGE and AVN_PH  # grant of route K2-A2 (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_p3 and FREE_p2 and FREE_p1 and FREE_brg and FREE_ph and (not OCC_p3) and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p3) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and AVR_D3 and AVR_P3 and AVN_D2 and AVN_P2 and AVN_D1 and AVN_P1 and AVR_BRIDGE and AVN_PH  # grant of route K3-A2 (R6)
-        G_R11 = (REQ == 11) and VALID and FREE_p1 and FREE_brg and FREE_ph and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and AVR_P1 and AVN_D2 and AVN_D3 and AVN_D1 and AVR_BRIDGE and AVN_PH  # grant of route W-A2 (R6)
+        G_R8 = (REQ == 8) and VALID and FREE_p2 and FREE_p1 and FREE_brg and FREE_ph and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and AVR_D1 and AVR_P2 and AVN_D2 and AVN_D3 and AVN_P1 and AVR_BRIDGE and AVN_PH and (not TR_D1) and (not TR_P2) and (not TR_D2) and (not TR_D3) and (not TR_P1)  # grant of route K1-A2 (R6)
+        G_R9 = (REQ == 9) and VALID and FREE_p3 and FREE_p2 and FREE_p1 and FREE_brg and FREE_ph and (not OCC_p3) and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p3) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and AVR_D2 and AVN_P3 and AVN_D3 and AVN_P2 and AVN_D1 and AVN_P1 and AVR_BRIDGE and AVN_PH and (not TR_D2) and (not TR_P3) and (not TR_D3) and (not TR_P2) and (not TR_D1) and (not TR_P1)  # grant of route K2-A2 (R6)
+        G_R10 = (REQ == 10) and VALID and FREE_p3 and FREE_p2 and FREE_p1 and FREE_brg and FREE_ph and (not OCC_p3) and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p3) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and AVR_D3 and AVR_P3 and AVN_D2 and AVN_P2 and AVN_D1 and AVN_P1 and AVR_BRIDGE and AVN_PH and (not TR_D3) and (not TR_P3) and (not TR_D2) and (not TR_P2) and (not TR_D1) and (not TR_P1)  # grant of route K3-A2 (R6)
+        G_R11 = (REQ == 11) and VALID and FREE_p1 and FREE_brg and FREE_ph and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and AVR_P1 and AVN_D2 and AVN_D3 and AVN_D1 and AVR_BRIDGE and AVN_PH and (not TR_P1) and (not TR_D2) and (not TR_D3) and (not TR_D1)  # grant of route W-A2 (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_A1) and (not CAN_A1) and (not OCC_ph) and (not OCC_brg) and QN_PH and QR_BRIDGE  # route A1-B1.s becomes locked (R3)
         CO_R1 = VALID and (not OCC_ph) and (not OCC_brg) and (not BLK_ph) and (not BLK_brg) and QN_PH and QR_BRIDGE and (not D_ph)  # conditions of proceed for route A1-B1.s (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_A2) and (not CAN_A2) and (not OCC_arr)  # route A2-LINE becomes locked (R3)
         CO_R2 = VALID and (not OCC_arr) and (not BLK_arr) and (not OCC_ap) and (not D_arr)  # conditions of proceed for route A2-LINE (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_B1) and (not CAN_B1) and (not OCC_p1) and (not OCC_p2) and QN_P1 and QR_P2 and QR_D1 and QN_D2 and QN_D3  # route B1-H1 becomes locked (R3)
-        CO_R3 = VALID and (not OCC_p1) and (not OCC_p2) and (not BLK_p1) and (not BLK_p2) and (not BLK_sh1) and QN_P1 and QR_P2 and QR_D1 and QN_D2 and QN_D3 and (not D_p1)  # conditions of proceed for route B1-H1 (R3)
+        CO_R3 = VALID and (not OCC_p1) and (not OCC_p2) and (not BLK_p1) and (not BLK_p2) and (not BLK_sh1) and QN_P1 and QR_P2 and QR_D1 and QN_D2 and QN_D3 and (not TR_P1) and (not TR_P2) and (not TR_D1) and (not TR_D2) and (not TR_D3) and (not D_p1)  # conditions of proceed for route B1-H1 (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_B1) and (not CAN_B1) and (not OCC_p1) and (not OCC_p2) and (not OCC_p3) and QN_P1 and QN_P2 and QN_D1 and QN_P3 and QR_D2 and QN_D3  # route B1-H2 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_p1) and (not OCC_p2) and (not OCC_p3) and (not BLK_p1) and (not BLK_p2) and (not BLK_p3) and (not BLK_sh2) and QN_P1 and QN_P2 and QN_D1 and QN_P3 and QR_D2 and QN_D3 and (not D_p1)  # conditions of proceed for route B1-H2 (R3)
+        CO_R4 = VALID and (not OCC_p1) and (not OCC_p2) and (not OCC_p3) and (not BLK_p1) and (not BLK_p2) and (not BLK_p3) and (not BLK_sh2) and QN_P1 and QN_P2 and QN_D1 and QN_P3 and QR_D2 and QN_D3 and (not TR_P1) and (not TR_P2) and (not TR_D1) and (not TR_P3) and (not TR_D2) and (not TR_D3) and (not D_p1)  # conditions of proceed for route B1-H2 (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_B1) and (not CAN_B1) and (not OCC_p1) and (not OCC_p2) and (not OCC_p3) and QN_P1 and QN_P2 and QN_D1 and QR_P3 and QR_D3 and QN_D2  # route B1-H3 becomes locked (R3)
-        CO_R5 = VALID and (not OCC_p1) and (not OCC_p2) and (not OCC_p3) and (not BLK_p1) and (not BLK_p2) and (not BLK_p3) and (not BLK_sh3) and QN_P1 and QN_P2 and QN_D1 and QR_P3 and QR_D3 and QN_D2 and (not D_p1)  # conditions of proceed for route B1-H3 (R3)
+        CO_R5 = VALID and (not OCC_p1) and (not OCC_p2) and (not OCC_p3) and (not BLK_p1) and (not BLK_p2) and (not BLK_p3) and (not BLK_sh3) and QN_P1 and QN_P2 and QN_D1 and QR_P3 and QR_D3 and QN_D2 and (not TR_P1) and (not TR_P2) and (not TR_D1) and (not TR_P3) and (not TR_D3) and (not TR_D2) and (not D_p1)  # conditions of proceed for route B1-H3 (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_B1) and (not CAN_B1) and (not OCC_p1) and QR_P1 and QN_D2 and QN_D3 and QN_D1  # route B1-WASH becomes locked (R3)
-        CO_R6 = VALID and (not OCC_p1) and (not BLK_p1) and (not BLK_wsh) and QR_P1 and QN_D2 and QN_D3 and QN_D1 and (not D_p1)  # conditions of proceed for route B1-WASH (R3)
+        CO_R6 = VALID and (not OCC_p1) and (not BLK_p1) and (not BLK_wsh) and QR_P1 and QN_D2 and QN_D3 and QN_D1 and (not TR_P1) and (not TR_D2) and (not TR_D3) and (not TR_D1) and (not D_p1)  # conditions of proceed for route B1-WASH (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_E) and (not CAN_E) and (not OCC_arr)  # route E-A1 becomes locked (R3)
         CO_R7 = VALID and (not OCC_arr) and (not BLK_arr) and (not D_arr)  # conditions of proceed for route E-A1 (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_K1) and (not CAN_K1) and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and QR_D1 and QR_P2 and QN_D2 and QN_D3 and QN_P1 and QR_BRIDGE and QN_PH  # route K1-A2 becomes locked (R3)
-        CO_R8 = VALID and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and QR_D1 and QR_P2 and QN_D2 and QN_D3 and QN_P1 and QR_BRIDGE and QN_PH and (not D_p2)  # conditions of proceed for route K1-A2 (R3)
+        CO_R8 = VALID and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and QR_D1 and QR_P2 and QN_D2 and QN_D3 and QN_P1 and QR_BRIDGE and QN_PH and (not TR_D1) and (not TR_P2) and (not TR_D2) and (not TR_D3) and (not TR_P1) and (not D_p2)  # conditions of proceed for route K1-A2 (R3)
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_K2) and (not CAN_K2) and (not OCC_p3) and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and QR_D2 and QN_P3 and QN_D3 and QN_P2 and QN_D1 and QN_P1 and QR_BRIDGE and QN_PH  # route K2-A2 becomes locked (R3)
-        CO_R9 = VALID and (not OCC_p3) and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p3) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and QR_D2 and QN_P3 and QN_D3 and QN_P2 and QN_D1 and QN_P1 and QR_BRIDGE and QN_PH and (not D_p3)  # conditions of proceed for route K2-A2 (R3)
+        CO_R9 = VALID and (not OCC_p3) and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p3) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and QR_D2 and QN_P3 and QN_D3 and QN_P2 and QN_D1 and QN_P1 and QR_BRIDGE and QN_PH and (not TR_D2) and (not TR_P3) and (not TR_D3) and (not TR_P2) and (not TR_D1) and (not TR_P1) and (not D_p3)  # conditions of proceed for route K2-A2 (R3)
         LK_R10 = A_R10 and (not B_R10) and VALID and (not X_K3) and (not CAN_K3) and (not OCC_p3) and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and QR_D3 and QR_P3 and QN_D2 and QN_P2 and QN_D1 and QN_P1 and QR_BRIDGE and QN_PH  # route K3-A2 becomes locked (R3)
-        CO_R10 = VALID and (not OCC_p3) and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p3) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and QR_D3 and QR_P3 and QN_D2 and QN_P2 and QN_D1 and QN_P1 and QR_BRIDGE and QN_PH and (not D_p3)  # conditions of proceed for route K3-A2 (R3)
+        CO_R10 = VALID and (not OCC_p3) and (not OCC_p2) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p3) and (not BLK_p2) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and QR_D3 and QR_P3 and QN_D2 and QN_P2 and QN_D1 and QN_P1 and QR_BRIDGE and QN_PH and (not TR_D3) and (not TR_P3) and (not TR_D2) and (not TR_P2) and (not TR_D1) and (not TR_P1) and (not D_p3)  # conditions of proceed for route K3-A2 (R3)
         LK_R11 = A_R11 and (not B_R11) and VALID and (not X_W) and (not CAN_W) and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and QR_P1 and QN_D2 and QN_D3 and QN_D1 and QR_BRIDGE and QN_PH  # route W-A2 becomes locked (R3)
-        CO_R11 = VALID and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and QR_P1 and QN_D2 and QN_D3 and QN_D1 and QR_BRIDGE and QN_PH and (not D_p1)  # conditions of proceed for route W-A2 (R3)
+        CO_R11 = VALID and (not OCC_p1) and (not OCC_brg) and (not OCC_ph) and (not BLK_p1) and (not BLK_brg) and (not BLK_ph) and QR_P1 and QN_D2 and QN_D3 and QN_D1 and QR_BRIDGE and QN_PH and (not TR_P1) and (not TR_D2) and (not TR_D3) and (not TR_D1) and (not D_p1)  # conditions of proceed for route W-A2 (R3)
         NU_arr_1 = VALID and F_arr and (not D_arr) and (not U_arr) and L_arr_1 and OCC_arr and OCC_ap  # a train comes into arr at LINE (R9)
         NU_arr_2 = VALID and F_arr and (not D_arr) and (not U_arr) and L_arr_2 and OCC_arr and OCC_ph  # a train comes into arr at arr|ph@PH.toe (R9)
         NU_brg_1 = VALID and F_brg and (not D_brg) and (not U_brg) and L_brg_1 and OCC_brg and OCC_p1 and U_p1 and (L_p1_3 or L_p1_4)  # a train comes into brg at brg|p1@P1.toe (R9)
@@ -971,6 +1013,18 @@ class Controller:
         N_AL_P2 = ST_P2  # alarm: machine P2 not detected
         N_AL_P3 = ST_P3  # alarm: machine P3 not detected
         N_AL_PH = ST_PH  # alarm: machine PH not detected
+        N_TH_D1 = ((CN_D1 and QN_D1) or (CR_D1 and QR_D1)) and (not (GPN_D1 or GPR_D1 or MAN_D1 or MAR_D1))  # machine D1 was detected where it is commanded
+        N_TR_D1 = (TH_D1 and VALID and ((CN_D1 and (not QN_D1) and (not GPR_D1) and (not MAR_D1)) or (CR_D1 and (not QR_D1) and (not GPN_D1) and (not MAN_D1)))) or (TR_D1 and (not (TC_D1 and VALID and (not OCC_p2))))  # machine D1 was trailed
+        N_TH_D2 = ((CN_D2 and QN_D2) or (CR_D2 and QR_D2)) and (not (GPN_D2 or GPR_D2 or MAN_D2 or MAR_D2))  # machine D2 was detected where it is commanded
+        N_TR_D2 = (TH_D2 and VALID and ((CN_D2 and (not QN_D2) and (not GPR_D2) and (not MAR_D2)) or (CR_D2 and (not QR_D2) and (not GPN_D2) and (not MAN_D2)))) or (TR_D2 and (not (TC_D2 and VALID and (not OCC_p3))))  # machine D2 was trailed
+        N_TH_D3 = ((CN_D3 and QN_D3) or (CR_D3 and QR_D3)) and (not (GPN_D3 or GPR_D3 or MAN_D3 or MAR_D3))  # machine D3 was detected where it is commanded
+        N_TR_D3 = (TH_D3 and VALID and ((CN_D3 and (not QN_D3) and (not GPR_D3) and (not MAR_D3)) or (CR_D3 and (not QR_D3) and (not GPN_D3) and (not MAN_D3)))) or (TR_D3 and (not (TC_D3 and VALID and (not OCC_p3))))  # machine D3 was trailed
+        N_TH_P1 = ((CN_P1 and QN_P1) or (CR_P1 and QR_P1)) and (not (GPN_P1 or GPR_P1 or MAN_P1 or MAR_P1))  # machine P1 was detected where it is commanded
+        N_TR_P1 = (TH_P1 and VALID and ((CN_P1 and (not QN_P1) and (not GPR_P1) and (not MAR_P1)) or (CR_P1 and (not QR_P1) and (not GPN_P1) and (not MAN_P1)))) or (TR_P1 and (not (TC_P1 and VALID and (not OCC_p1))))  # machine P1 was trailed
+        N_TH_P2 = ((CN_P2 and QN_P2) or (CR_P2 and QR_P2)) and (not (GPN_P2 or GPR_P2 or MAN_P2 or MAR_P2))  # machine P2 was detected where it is commanded
+        N_TR_P2 = (TH_P2 and VALID and ((CN_P2 and (not QN_P2) and (not GPR_P2) and (not MAR_P2)) or (CR_P2 and (not QR_P2) and (not GPN_P2) and (not MAN_P2)))) or (TR_P2 and (not (TC_P2 and VALID and (not OCC_p2))))  # machine P2 was trailed
+        N_TH_P3 = ((CN_P3 and QN_P3) or (CR_P3 and QR_P3)) and (not (GPN_P3 or GPR_P3 or MAN_P3 or MAR_P3))  # machine P3 was detected where it is commanded
+        N_TR_P3 = (TH_P3 and VALID and ((CN_P3 and (not QN_P3) and (not GPR_P3) and (not MAR_P3)) or (CR_P3 and (not QR_P3) and (not GPN_P3) and (not MAN_P3)))) or (TR_P3 and (not (TC_P3 and VALID and (not OCC_p3))))  # machine P3 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route A1-B1.s active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route A1-B1.s locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_A1) and (not CAN_A1)  # route A1-B1.s: proceed wanted
@@ -1149,6 +1203,18 @@ class Controller:
             'AL_P2': bool(N_AL_P2),
             'AL_P3': bool(N_AL_P3),
             'AL_PH': bool(N_AL_PH),
+            'TH_D1': bool(N_TH_D1),
+            'TR_D1': bool(N_TR_D1),
+            'TH_D2': bool(N_TH_D2),
+            'TR_D2': bool(N_TR_D2),
+            'TH_D3': bool(N_TH_D3),
+            'TR_D3': bool(N_TR_D3),
+            'TH_P1': bool(N_TH_P1),
+            'TR_P1': bool(N_TR_P1),
+            'TH_P2': bool(N_TH_P2),
+            'TR_P2': bool(N_TR_P2),
+            'TH_P3': bool(N_TH_P3),
+            'TR_P3': bool(N_TR_P3),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -1327,6 +1393,18 @@ class Controller:
         AL_P2 = self.state['AL_P2']
         AL_P3 = self.state['AL_P3']
         AL_PH = self.state['AL_PH']
+        TH_D1 = self.state['TH_D1']
+        TR_D1 = self.state['TR_D1']
+        TH_D2 = self.state['TH_D2']
+        TR_D2 = self.state['TR_D2']
+        TH_D3 = self.state['TH_D3']
+        TR_D3 = self.state['TR_D3']
+        TH_P1 = self.state['TH_P1']
+        TR_P1 = self.state['TR_P1']
+        TH_P2 = self.state['TH_P2']
+        TR_P2 = self.state['TR_P2']
+        TH_P3 = self.state['TH_P3']
+        TR_P3 = self.state['TR_P3']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -1505,6 +1583,12 @@ class Controller:
             'YA_P2': bool(AL_P2),
             'YA_P3': bool(AL_P3),
             'YA_PH': bool(AL_PH),
+            'YT_D1': bool(TR_D1),
+            'YT_D2': bool(TR_D2),
+            'YT_D3': bool(TR_D3),
+            'YT_P1': bool(TR_P1),
+            'YT_P2': bool(TR_P2),
+            'YT_P3': bool(TR_P3),
             'YL_arr': bool(K_arr or L_arr_1 or L_arr_2),
             'YL_brg': bool(K_brg or L_brg_1 or L_brg_2),
             'YL_p1': bool(K_p1 or L_p1_1 or L_p1_2 or L_p1_3 or L_p1_4),

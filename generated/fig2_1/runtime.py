@@ -1,7 +1,7 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 68e63e4c03136e945618b6bcf8031dfcaf3e2b25ede1b53ed01192ce8fc204b2
-# claims ef0ca0d3b1ab282068643fab53f54d51281f8064f18e4c5c943a5393efe50b0e
+# layout c17137e41a233a1bc614bad2a27da135b926e02962cb10cd556e9e30baa5d8d1
+# claims c06873187aae9c68a920cc80a6858cfd0d947c94d7e2fc1a137c60d538974ede
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,7 +10,6 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 11),  # operator: set route number, 0 = none
     'CAN_SC': (0, 2),  # operator: cancel the route from SC
     'CAN_SD': (0, 2),  # operator: cancel the route from SD
     'CAN_SE': (0, 2),  # operator: cancel the route from SE
@@ -19,6 +18,8 @@ INPUTS = {
     'CAN_SI': (0, 2),  # operator: cancel the route from SI
     'CAN_SIII': (0, 2),  # operator: cancel the route from SIII
     'CAN_SV': (0, 2),  # operator: cancel the route from SV
+    'REQ': (0, 11),  # operator: set route number, 0 = none
+    'VOY': (0, 3),  # operator: voyage number, 0 = none
     'CLR_A': (0, 2),  # section A reported clear
     'CLR_B': (0, 2),  # section B reported clear
     'CLR_C': (0, 2),  # section C reported clear
@@ -56,10 +57,12 @@ INPUTS = {
     'DR_PB': (0, 2),  # machine PB detected reverse
     'MN_PB': (0, 2),  # operator: move machine PB normal
     'MR_PB': (0, 2),  # operator: move machine PB reverse
+    'TC_PB': (0, 2),  # operator: machine PB has been looked at after it was trailed
     'DN_PE': (0, 2),  # machine PE detected normal
     'DR_PE': (0, 2),  # machine PE detected reverse
     'MN_PE': (0, 2),  # operator: move machine PE normal
     'MR_PE': (0, 2),  # operator: move machine PE reverse
+    'TC_PE': (0, 2),  # operator: machine PE has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
@@ -69,6 +72,10 @@ STATE = {
     'CR_PE': False,  # machine PE commanded R
     'AL_PB': False,  # alarm: machine PB not detected
     'AL_PE': False,  # alarm: machine PE not detected
+    'TH_PB': False,  # machine PB was detected where it is commanded
+    'TR_PB': False,  # machine PB was trailed
+    'TH_PE': False,  # machine PE was detected where it is commanded
+    'TR_PE': False,  # machine PE was trailed
     'A_R1': False,  # route SC-III active
     'B_R1': False,  # route SC-III locked
     'W_R1': False,  # route SC-III: proceed wanted
@@ -127,6 +134,22 @@ STATE = {
     'X_SI': False,  # SI: cancelling
     'X_SIII': False,  # SIII: cancelling
     'X_SV': False,  # SV: cancelling
+    'N_R2': False,  # route SC-SF is noted
+    'T_R2': True,  # it is the turn of route SC-SF
+    'N_R4': False,  # route SD-SG is noted
+    'T_R4': False,  # it is the turn of route SD-SG
+    'N_R5': False,  # route SE-SD is noted
+    'T_R5': False,  # it is the turn of route SE-SD
+    'N_R6': False,  # route SF-II is noted
+    'T_R6': False,  # it is the turn of route SF-II
+    'N_R7': False,  # route SG-IV is noted
+    'T_R7': False,  # it is the turn of route SG-IV
+    'N_R8': False,  # route SI-SV is noted
+    'T_R8': False,  # it is the turn of route SI-SV
+    'N_R9': False,  # route SIII-SE is noted
+    'T_R9': False,  # it is the turn of route SIII-SE
+    'N_R10': False,  # route SV-SC is noted
+    'T_R10': False,  # it is the turn of route SV-SC
     'K_A': True,  # A: restart lock (R16)
     'L_A_1': False,  # A locked from A|B@PB.normal to I
     'L_A_2': False,  # A locked from I to A|B@PB.normal
@@ -227,6 +250,8 @@ OUTPUTS = {
     'YR_PE': False,  # machine PE: reverse
     'YA_PB': False,  # alarm: machine PB not detected in time
     'YA_PE': False,  # alarm: machine PE not detected in time
+    'YT_PB': False,  # alarm: machine PB was trailed
+    'YT_PE': False,  # alarm: machine PE was trailed
     'YL_A': True,  # indication: A is locked
     'YL_B': True,  # indication: B is locked
     'YL_C': True,  # indication: C is locked
@@ -278,7 +303,6 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_SC = read['CAN_SC']
         CAN_SD = read['CAN_SD']
         CAN_SE = read['CAN_SE']
@@ -287,6 +311,8 @@ class Controller:
         CAN_SI = read['CAN_SI']
         CAN_SIII = read['CAN_SIII']
         CAN_SV = read['CAN_SV']
+        REQ = read['REQ']
+        VOY = read['VOY']
         CLR_A = read['CLR_A']
         CLR_B = read['CLR_B']
         CLR_C = read['CLR_C']
@@ -324,16 +350,22 @@ class Controller:
         DR_PB = read['DR_PB']
         MN_PB = read['MN_PB']
         MR_PB = read['MR_PB']
+        TC_PB = read['TC_PB']
         DN_PE = read['DN_PE']
         DR_PE = read['DR_PE']
         MN_PE = read['MN_PE']
         MR_PE = read['MR_PE']
+        TC_PE = read['TC_PE']
         CN_PB = old['CN_PB']
         CR_PB = old['CR_PB']
         CN_PE = old['CN_PE']
         CR_PE = old['CR_PE']
         AL_PB = old['AL_PB']
         AL_PE = old['AL_PE']
+        TH_PB = old['TH_PB']
+        TR_PB = old['TR_PB']
+        TH_PE = old['TH_PE']
+        TR_PE = old['TR_PE']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -392,6 +424,22 @@ class Controller:
         X_SI = old['X_SI']
         X_SIII = old['X_SIII']
         X_SV = old['X_SV']
+        N_R2 = old['N_R2']
+        T_R2 = old['T_R2']
+        N_R4 = old['N_R4']
+        T_R4 = old['T_R4']
+        N_R5 = old['N_R5']
+        T_R5 = old['T_R5']
+        N_R6 = old['N_R6']
+        T_R6 = old['T_R6']
+        N_R7 = old['N_R7']
+        T_R7 = old['T_R7']
+        N_R8 = old['N_R8']
+        T_R8 = old['T_R8']
+        N_R9 = old['N_R9']
+        T_R9 = old['T_R9']
+        N_R10 = old['N_R10']
+        T_R10 = old['T_R10']
         K_A = old['K_A']
         L_A_1 = old['L_A_1']
         L_A_2 = old['L_A_2']
@@ -492,26 +540,34 @@ class Controller:
         MOV_PE = VALID and FREE_E and (not OCC_E) and True and True  # machine PE is free to move (R10)
         AVN_PE = CN_PE or MOV_PE or (QN_PE and (not CN_PE) and (not CR_PE))  # machine PE can be demanded N
         AVR_PE = CR_PE or MOV_PE or (QR_PE and (not CN_PE) and (not CR_PE))  # machine PE can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_D and FREE_E and FREE_H and (not OCC_D) and (not OCC_E) and (not OCC_H) and (not BLK_D) and (not BLK_E) and (not BLK_H) and AVR_PE  # grant of route SC-III (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_D and FREE_E and FREE_F and (not OCC_D) and (not OCC_E) and (not OCC_F) and (not BLK_D) and (not BLK_E) and (not BLK_F) and AVN_PE  # grant of route SC-SF (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_C and FREE_B and FREE_A and (not OCC_C) and (not OCC_B) and (not OCC_A) and (not BLK_C) and (not BLK_B) and (not BLK_A) and AVN_PB  # grant of route SD-I (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_C and FREE_B and FREE_G and (not OCC_C) and (not OCC_B) and (not OCC_G) and (not BLK_C) and (not BLK_B) and (not BLK_G) and AVR_PB  # grant of route SD-SG (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_E and FREE_D and (not OCC_E) and (not OCC_D) and (not BLK_E) and (not BLK_D) and AVR_PE  # grant of route SE-SD (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_ap_II and (not OCC_ap_II) and (not BLK_ap_II)  # grant of route SF-II (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_ap_IV and (not OCC_ap_IV) and (not BLK_ap_IV)  # grant of route SG-IV (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_A and (not OCC_A) and (not BLK_A)  # grant of route SI-SV (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_H and (not OCC_H) and (not BLK_H)  # grant of route SIII-SE (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_B and FREE_C and (not OCC_B) and (not OCC_C) and (not BLK_B) and (not BLK_C) and AVN_PB  # grant of route SV-SC (R6)
+        RQ_R2 = (REQ == 2) or ((REQ == 0) and T_R2 and N_R2)  # route SC-SF is asked for (R14, R18)
+        RQ_R4 = (REQ == 4) or ((REQ == 0) and T_R4 and N_R4)  # route SD-SG is asked for (R14, R18)
+        RQ_R5 = (REQ == 5) or ((REQ == 0) and T_R5 and N_R5 and (not L_B_1) and (not L_C_1) and (not L_D_1) and (not L_E_1))  # route SE-SD is asked for (R14, R18)
+        RQ_R6 = (REQ == 6) or ((REQ == 0) and T_R6 and N_R6)  # route SF-II is asked for (R14, R18)
+        RQ_R7 = (REQ == 7) or ((REQ == 0) and T_R7 and N_R7)  # route SG-IV is asked for (R14, R18)
+        RQ_R8 = (REQ == 8) or ((REQ == 0) and T_R8 and N_R8)  # route SI-SV is asked for (R14, R18)
+        RQ_R9 = (REQ == 9) or ((REQ == 0) and T_R9 and N_R9)  # route SIII-SE is asked for (R14, R18)
+        RQ_R10 = (REQ == 10) or ((REQ == 0) and T_R10 and N_R10 and (not L_B_3) and (not L_C_2) and (not L_D_2) and (not L_E_4))  # route SV-SC is asked for (R14, R18)
+        G_R1 = (REQ == 1) and VALID and FREE_D and FREE_E and FREE_H and (not OCC_D) and (not OCC_E) and (not OCC_H) and (not BLK_D) and (not BLK_E) and (not BLK_H) and AVR_PE and (not TR_PE)  # grant of route SC-III (R6)
+        G_R2 = RQ_R2 and VALID and FREE_D and FREE_E and FREE_F and (not OCC_D) and (not OCC_E) and (not OCC_F) and (not BLK_D) and (not BLK_E) and (not BLK_F) and AVN_PE and (not TR_PE)  # grant of route SC-SF (R6)
+        G_R3 = (REQ == 3) and VALID and FREE_C and FREE_B and FREE_A and (not OCC_C) and (not OCC_B) and (not OCC_A) and (not BLK_C) and (not BLK_B) and (not BLK_A) and AVN_PB and (not TR_PB)  # grant of route SD-I (R6)
+        G_R4 = RQ_R4 and VALID and FREE_C and FREE_B and FREE_G and (not OCC_C) and (not OCC_B) and (not OCC_G) and (not BLK_C) and (not BLK_B) and (not BLK_G) and AVR_PB and (not TR_PB)  # grant of route SD-SG (R6)
+        G_R5 = RQ_R5 and VALID and FREE_E and FREE_D and (not OCC_E) and (not OCC_D) and (not BLK_E) and (not BLK_D) and AVR_PE and (not TR_PE)  # grant of route SE-SD (R6)
+        G_R6 = RQ_R6 and VALID and FREE_ap_II and (not OCC_ap_II) and (not BLK_ap_II)  # grant of route SF-II (R6)
+        G_R7 = RQ_R7 and VALID and FREE_ap_IV and (not OCC_ap_IV) and (not BLK_ap_IV)  # grant of route SG-IV (R6)
+        G_R8 = RQ_R8 and VALID and FREE_A and (not OCC_A) and (not BLK_A)  # grant of route SI-SV (R6)
+        G_R9 = RQ_R9 and VALID and FREE_H and (not OCC_H) and (not BLK_H)  # grant of route SIII-SE (R6)
+        G_R10 = RQ_R10 and VALID and FREE_B and FREE_C and (not OCC_B) and (not OCC_C) and (not BLK_B) and (not BLK_C) and AVN_PB and (not TR_PB)  # grant of route SV-SC (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_SC) and (not CAN_SC) and (not OCC_D) and (not OCC_E) and (not OCC_H) and QR_PE  # route SC-III becomes locked (R3)
-        CO_R1 = VALID and (not OCC_D) and (not OCC_E) and (not OCC_H) and (not BLK_D) and (not BLK_E) and (not BLK_H) and QR_PE and (not OCC_ap_III) and (not D_D)  # conditions of proceed for route SC-III (R3)
+        CO_R1 = VALID and (not OCC_D) and (not OCC_E) and (not OCC_H) and (not BLK_D) and (not BLK_E) and (not BLK_H) and QR_PE and (not TR_PE) and (not OCC_ap_III) and (not D_D)  # conditions of proceed for route SC-III (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_SC) and (not CAN_SC) and (not OCC_D) and (not OCC_E) and (not OCC_F) and QN_PE  # route SC-SF becomes locked (R3)
-        CO_R2 = VALID and (not OCC_D) and (not OCC_E) and (not OCC_F) and (not BLK_D) and (not BLK_E) and (not BLK_F) and QN_PE and (not D_D)  # conditions of proceed for route SC-SF (R3)
+        CO_R2 = VALID and (not OCC_D) and (not OCC_E) and (not OCC_F) and (not BLK_D) and (not BLK_E) and (not BLK_F) and QN_PE and (not TR_PE) and (not D_D)  # conditions of proceed for route SC-SF (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_SD) and (not CAN_SD) and (not OCC_C) and (not OCC_B) and (not OCC_A) and QN_PB  # route SD-I becomes locked (R3)
-        CO_R3 = VALID and (not OCC_C) and (not OCC_B) and (not OCC_A) and (not BLK_C) and (not BLK_B) and (not BLK_A) and QN_PB and (not OCC_ap_I) and (not D_C)  # conditions of proceed for route SD-I (R3)
+        CO_R3 = VALID and (not OCC_C) and (not OCC_B) and (not OCC_A) and (not BLK_C) and (not BLK_B) and (not BLK_A) and QN_PB and (not TR_PB) and (not OCC_ap_I) and (not D_C)  # conditions of proceed for route SD-I (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_SD) and (not CAN_SD) and (not OCC_C) and (not OCC_B) and (not OCC_G) and QR_PB  # route SD-SG becomes locked (R3)
-        CO_R4 = VALID and (not OCC_C) and (not OCC_B) and (not OCC_G) and (not BLK_C) and (not BLK_B) and (not BLK_G) and QR_PB and (not D_C)  # conditions of proceed for route SD-SG (R3)
+        CO_R4 = VALID and (not OCC_C) and (not OCC_B) and (not OCC_G) and (not BLK_C) and (not BLK_B) and (not BLK_G) and QR_PB and (not TR_PB) and (not D_C)  # conditions of proceed for route SD-SG (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_SE) and (not CAN_SE) and (not OCC_E) and (not OCC_D) and QR_PE  # route SE-SD becomes locked (R3)
-        CO_R5 = VALID and (not OCC_E) and (not OCC_D) and (not BLK_E) and (not BLK_D) and QR_PE and (not D_E)  # conditions of proceed for route SE-SD (R3)
+        CO_R5 = VALID and (not OCC_E) and (not OCC_D) and (not BLK_E) and (not BLK_D) and QR_PE and (not TR_PE) and (not D_E)  # conditions of proceed for route SE-SD (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_SF) and (not CAN_SF) and (not OCC_ap_II)  # route SF-II becomes locked (R3)
         CO_R6 = VALID and (not OCC_ap_II) and (not BLK_ap_II) and (not D_ap_II)  # conditions of proceed for route SF-II (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_SG) and (not CAN_SG) and (not OCC_ap_IV)  # route SG-IV becomes locked (R3)
@@ -521,7 +577,7 @@ class Controller:
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_H)  # route SIII-SE becomes locked (R3)
         CO_R9 = VALID and (not OCC_H) and (not BLK_H) and (not D_H)  # conditions of proceed for route SIII-SE (R3)
         LK_R10 = A_R10 and (not B_R10) and VALID and (not X_SV) and (not CAN_SV) and (not OCC_B) and (not OCC_C) and QN_PB  # route SV-SC becomes locked (R3)
-        CO_R10 = VALID and (not OCC_B) and (not OCC_C) and (not BLK_B) and (not BLK_C) and QN_PB and (not D_B)  # conditions of proceed for route SV-SC (R3)
+        CO_R10 = VALID and (not OCC_B) and (not OCC_C) and (not BLK_B) and (not BLK_C) and QN_PB and (not TR_PB) and (not D_B)  # conditions of proceed for route SV-SC (R3)
         NU_A_1 = VALID and F_A and (not D_A) and (not U_A) and L_A_1 and OCC_A and OCC_B and U_B and L_B_2  # a train comes into A at A|B@PB.normal (R9)
         NU_A_2 = VALID and F_A and (not D_A) and (not U_A) and L_A_2 and OCC_A and OCC_ap_I  # a train comes into A at I (R9)
         NU_B_1 = VALID and F_B and (not D_B) and (not U_B) and L_B_1 and OCC_B and OCC_A  # a train comes into B at A|B@PB.normal (R9)
@@ -684,6 +740,10 @@ class Controller:
         N_CR_PE = GPR_PE or MAR_PE or HDR_PE  # machine PE commanded R
         N_AL_PB = ST_PB  # alarm: machine PB not detected
         N_AL_PE = ST_PE  # alarm: machine PE not detected
+        N_TH_PB = ((CN_PB and QN_PB) or (CR_PB and QR_PB)) and (not (GPN_PB or GPR_PB or MAN_PB or MAR_PB))  # machine PB was detected where it is commanded
+        N_TR_PB = (TH_PB and VALID and ((CN_PB and (not QN_PB) and (not GPR_PB) and (not MAR_PB)) or (CR_PB and (not QR_PB) and (not GPN_PB) and (not MAN_PB)))) or (TR_PB and (not (TC_PB and VALID and (not OCC_B))))  # machine PB was trailed
+        N_TH_PE = ((CN_PE and QN_PE) or (CR_PE and QR_PE)) and (not (GPN_PE or GPR_PE or MAN_PE or MAR_PE))  # machine PE was detected where it is commanded
+        N_TR_PE = (TH_PE and VALID and ((CN_PE and (not QN_PE) and (not GPR_PE) and (not MAR_PE)) or (CR_PE and (not QR_PE) and (not GPN_PE) and (not MAN_PE)))) or (TR_PE and (not (TC_PE and VALID and (not OCC_E))))  # machine PE was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route SC-III active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route SC-III locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_SC) and (not CAN_SC)  # route SC-III: proceed wanted
@@ -742,6 +802,22 @@ class Controller:
         N_X_SI = (X_SI or CAN_SI) and A_R8 and (not CD_SI)  # SI: cancelling
         N_X_SIII = (X_SIII or CAN_SIII) and A_R9 and (not CD_SIII)  # SIII: cancelling
         N_X_SV = (X_SV or CAN_SV) and A_R10 and (not CD_SV)  # SV: cancelling
+        N_N_R2 = (N_R2 or (VOY == 1)) and (not G_R2) and (not CAN_SC)  # route SC-SF is noted
+        N_T_R2 = T_R10  # it is the turn of route SC-SF
+        N_N_R4 = (N_R4 or (VOY == 2)) and (not G_R4) and (not CAN_SD)  # route SD-SG is noted
+        N_T_R4 = T_R2  # it is the turn of route SD-SG
+        N_N_R5 = (N_R5 or (VOY == 2)) and (not G_R5) and (not CAN_SE)  # route SE-SD is noted
+        N_T_R5 = T_R4  # it is the turn of route SE-SD
+        N_N_R6 = (N_R6 or (VOY == 1)) and (not G_R6) and (not CAN_SF)  # route SF-II is noted
+        N_T_R6 = T_R5  # it is the turn of route SF-II
+        N_N_R7 = (N_R7 or (VOY == 2)) and (not G_R7) and (not CAN_SG)  # route SG-IV is noted
+        N_T_R7 = T_R6  # it is the turn of route SG-IV
+        N_N_R8 = (N_R8 or (VOY == 1)) and (not G_R8) and (not CAN_SI)  # route SI-SV is noted
+        N_T_R8 = T_R7  # it is the turn of route SI-SV
+        N_N_R9 = (N_R9 or (VOY == 2)) and (not G_R9) and (not CAN_SIII)  # route SIII-SE is noted
+        N_T_R9 = T_R8  # it is the turn of route SIII-SE
+        N_N_R10 = (N_R10 or (VOY == 1)) and (not G_R10) and (not CAN_SV)  # route SV-SC is noted
+        N_T_R10 = T_R9  # it is the turn of route SV-SC
         N_K_A = K_A and (not RLS_A)  # A: restart lock (R16)
         N_L_A_1 = (L_A_1 or G_R3) and (not RLS_A)  # A locked from A|B@PB.normal to I
         N_L_A_2 = (L_A_2 or G_R8) and (not RLS_A)  # A locked from I to A|B@PB.normal
@@ -817,6 +893,10 @@ class Controller:
             'CR_PE': bool(N_CR_PE),
             'AL_PB': bool(N_AL_PB),
             'AL_PE': bool(N_AL_PE),
+            'TH_PB': bool(N_TH_PB),
+            'TR_PB': bool(N_TR_PB),
+            'TH_PE': bool(N_TH_PE),
+            'TR_PE': bool(N_TR_PE),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -875,6 +955,22 @@ class Controller:
             'X_SI': bool(N_X_SI),
             'X_SIII': bool(N_X_SIII),
             'X_SV': bool(N_X_SV),
+            'N_R2': bool(N_N_R2),
+            'T_R2': bool(N_T_R2),
+            'N_R4': bool(N_N_R4),
+            'T_R4': bool(N_T_R4),
+            'N_R5': bool(N_N_R5),
+            'T_R5': bool(N_T_R5),
+            'N_R6': bool(N_N_R6),
+            'T_R6': bool(N_T_R6),
+            'N_R7': bool(N_N_R7),
+            'T_R7': bool(N_T_R7),
+            'N_R8': bool(N_N_R8),
+            'T_R8': bool(N_T_R8),
+            'N_R9': bool(N_N_R9),
+            'T_R9': bool(N_T_R9),
+            'N_R10': bool(N_N_R10),
+            'T_R10': bool(N_T_R10),
             'K_A': bool(N_K_A),
             'L_A_1': bool(N_L_A_1),
             'L_A_2': bool(N_L_A_2),
@@ -950,6 +1046,10 @@ class Controller:
         CR_PE = self.state['CR_PE']
         AL_PB = self.state['AL_PB']
         AL_PE = self.state['AL_PE']
+        TH_PB = self.state['TH_PB']
+        TR_PB = self.state['TR_PB']
+        TH_PE = self.state['TH_PE']
+        TR_PE = self.state['TR_PE']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -1008,6 +1108,22 @@ class Controller:
         X_SI = self.state['X_SI']
         X_SIII = self.state['X_SIII']
         X_SV = self.state['X_SV']
+        N_R2 = self.state['N_R2']
+        T_R2 = self.state['T_R2']
+        N_R4 = self.state['N_R4']
+        T_R4 = self.state['T_R4']
+        N_R5 = self.state['N_R5']
+        T_R5 = self.state['T_R5']
+        N_R6 = self.state['N_R6']
+        T_R6 = self.state['T_R6']
+        N_R7 = self.state['N_R7']
+        T_R7 = self.state['T_R7']
+        N_R8 = self.state['N_R8']
+        T_R8 = self.state['T_R8']
+        N_R9 = self.state['N_R9']
+        T_R9 = self.state['T_R9']
+        N_R10 = self.state['N_R10']
+        T_R10 = self.state['T_R10']
         K_A = self.state['K_A']
         L_A_1 = self.state['L_A_1']
         L_A_2 = self.state['L_A_2']
@@ -1083,6 +1199,8 @@ class Controller:
             'YR_PE': bool(CR_PE),
             'YA_PB': bool(AL_PB),
             'YA_PE': bool(AL_PE),
+            'YT_PB': bool(TR_PB),
+            'YT_PE': bool(TR_PE),
             'YL_A': bool(K_A or L_A_1 or L_A_2),
             'YL_B': bool(K_B or L_B_1 or L_B_2 or L_B_3),
             'YL_C': bool(K_C or L_C_1 or L_C_2),

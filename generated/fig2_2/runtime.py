@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout a38a7307fd239492b05b4562d91244dc99d4d78418d06afd865eecb7ea5fa340
-# claims f474f96c2e49400f220e7e711560cbb047e342b47ebf53fe8cbb09ffb692a85e
+# layout 4a231d72e97580dfcab105b4fa018323148855860536d707949b1e2b280034c5
+# claims bd78bcb399e98b4cfa4b51ce3ec5b391b9bade1da86f8a8b107bc7fa4bd52635
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,10 +10,10 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 5),  # operator: set route number, 0 = none
     'CAN_X1': (0, 2),  # operator: cancel the route from X1
     'CAN_X2': (0, 2),  # operator: cancel the route from X2
     'CAN_X3': (0, 2),  # operator: cancel the route from X3
+    'REQ': (0, 5),  # operator: set route number, 0 = none
     'CLR_DP': (0, 2),  # section DP reported clear
     'CLR_SA': (0, 2),  # section SA reported clear
     'CLR_SB': (0, 2),  # section SB reported clear
@@ -25,12 +25,15 @@ INPUTS = {
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
     'MR_P1': (0, 2),  # operator: move machine P1 reverse
+    'TC_P1': (0, 2),  # operator: machine P1 has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
     'CN_P1': False,  # machine P1 commanded N
     'CR_P1': False,  # machine P1 commanded R
     'AL_P1': False,  # alarm: machine P1 not detected
+    'TH_P1': False,  # machine P1 was detected where it is commanded
+    'TR_P1': False,  # machine P1 was trailed
     'A_R1': False,  # route X1-A active
     'B_R1': False,  # route X1-A locked
     'W_R1': False,  # route X1-A: proceed wanted
@@ -77,6 +80,7 @@ OUTPUTS = {
     'YN_P1': False,  # machine P1: normal
     'YR_P1': False,  # machine P1: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
+    'YT_P1': False,  # alarm: machine P1 was trailed
     'YL_DP': True,  # indication: DP is locked
     'YP_X1': False,  # signal X1: clear (green)
     'YS_X1': True,  # signal X1: stop
@@ -109,10 +113,10 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_X1 = read['CAN_X1']
         CAN_X2 = read['CAN_X2']
         CAN_X3 = read['CAN_X3']
+        REQ = read['REQ']
         CLR_DP = read['CLR_DP']
         CLR_SA = read['CLR_SA']
         CLR_SB = read['CLR_SB']
@@ -124,9 +128,12 @@ class Controller:
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
         MR_P1 = read['MR_P1']
+        TC_P1 = read['TC_P1']
         CN_P1 = old['CN_P1']
         CR_P1 = old['CR_P1']
         AL_P1 = old['AL_P1']
+        TH_P1 = old['TH_P1']
+        TR_P1 = old['TR_P1']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -169,18 +176,18 @@ class Controller:
         MOV_P1 = VALID and FREE_DP and (not OCC_DP) and True and True  # machine P1 is free to move (R10)
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVN_P1  # grant of route X1-A (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVR_P1  # grant of route X1-B (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVN_P1  # grant of route X2-C (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVR_P1  # grant of route X3-C (R6)
+        G_R1 = (REQ == 1) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVN_P1 and (not TR_P1)  # grant of route X1-A (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVR_P1 and (not TR_P1)  # grant of route X1-B (R6)
+        G_R3 = (REQ == 3) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVN_P1 and (not TR_P1)  # grant of route X2-C (R6)
+        G_R4 = (REQ == 4) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVR_P1 and (not TR_P1)  # grant of route X3-C (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_X1) and (not CAN_X1) and (not OCC_DP) and QN_P1  # route X1-A becomes locked (R3)
-        CO_R1 = VALID and (not OCC_DP) and (not BLK_DP) and QN_P1 and (not OCC_SA) and (not D_DP)  # conditions of proceed for route X1-A (R3)
+        CO_R1 = VALID and (not OCC_DP) and (not BLK_DP) and QN_P1 and (not TR_P1) and (not OCC_SA) and (not D_DP)  # conditions of proceed for route X1-A (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_X1) and (not CAN_X1) and (not OCC_DP) and QR_P1  # route X1-B becomes locked (R3)
-        CO_R2 = VALID and (not OCC_DP) and (not BLK_DP) and QR_P1 and (not OCC_SB) and (not D_DP)  # conditions of proceed for route X1-B (R3)
+        CO_R2 = VALID and (not OCC_DP) and (not BLK_DP) and QR_P1 and (not TR_P1) and (not OCC_SB) and (not D_DP)  # conditions of proceed for route X1-B (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_X2) and (not CAN_X2) and (not OCC_DP) and QN_P1  # route X2-C becomes locked (R3)
-        CO_R3 = VALID and (not OCC_DP) and (not BLK_DP) and QN_P1 and (not OCC_SC) and (not D_DP)  # conditions of proceed for route X2-C (R3)
+        CO_R3 = VALID and (not OCC_DP) and (not BLK_DP) and QN_P1 and (not TR_P1) and (not OCC_SC) and (not D_DP)  # conditions of proceed for route X2-C (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_X3) and (not CAN_X3) and (not OCC_DP) and QR_P1  # route X3-C becomes locked (R3)
-        CO_R4 = VALID and (not OCC_DP) and (not BLK_DP) and QR_P1 and (not OCC_SC) and (not D_DP)  # conditions of proceed for route X3-C (R3)
+        CO_R4 = VALID and (not OCC_DP) and (not BLK_DP) and QR_P1 and (not TR_P1) and (not OCC_SC) and (not D_DP)  # conditions of proceed for route X3-C (R3)
         NU_DP_1 = VALID and F_DP and (not D_DP) and (not U_DP) and L_DP_1 and OCC_DP and OCC_SA  # a train comes into DP at A (R9)
         NU_DP_2 = VALID and F_DP and (not D_DP) and (not U_DP) and L_DP_2 and OCC_DP and OCC_SB  # a train comes into DP at B (R9)
         NU_DP_3 = VALID and F_DP and (not D_DP) and (not U_DP) and (L_DP_3 or L_DP_4) and OCC_DP and OCC_SC  # a train comes into DP at C (R9)
@@ -223,6 +230,8 @@ class Controller:
         N_CN_P1 = GPN_P1 or MAN_P1 or HDN_P1  # machine P1 commanded N
         N_CR_P1 = GPR_P1 or MAR_P1 or HDR_P1  # machine P1 commanded R
         N_AL_P1 = ST_P1  # alarm: machine P1 not detected
+        N_TH_P1 = ((CN_P1 and QN_P1) or (CR_P1 and QR_P1)) and (not (GPN_P1 or GPR_P1 or MAN_P1 or MAR_P1))  # machine P1 was detected where it is commanded
+        N_TR_P1 = (TH_P1 and VALID and ((CN_P1 and (not QN_P1) and (not GPR_P1) and (not MAR_P1)) or (CR_P1 and (not QR_P1) and (not GPN_P1) and (not MAN_P1)))) or (TR_P1 and (not (TC_P1 and VALID and (not OCC_DP))))  # machine P1 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route X1-A active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route X1-A locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_X1) and (not CAN_X1)  # route X1-A: proceed wanted
@@ -259,6 +268,8 @@ class Controller:
             'CN_P1': bool(N_CN_P1),
             'CR_P1': bool(N_CR_P1),
             'AL_P1': bool(N_AL_P1),
+            'TH_P1': bool(N_TH_P1),
+            'TR_P1': bool(N_TR_P1),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -295,6 +306,8 @@ class Controller:
         CN_P1 = self.state['CN_P1']
         CR_P1 = self.state['CR_P1']
         AL_P1 = self.state['AL_P1']
+        TH_P1 = self.state['TH_P1']
+        TR_P1 = self.state['TR_P1']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -331,6 +344,7 @@ class Controller:
             'YN_P1': bool(CN_P1),
             'YR_P1': bool(CR_P1),
             'YA_P1': bool(AL_P1),
+            'YT_P1': bool(TR_P1),
             'YL_DP': bool(K_DP or L_DP_1 or L_DP_2 or L_DP_3 or L_DP_4),
             'YP_X1': bool(S_R1 or S_R2),
             'YS_X1': bool((not (S_R1 or S_R2))),

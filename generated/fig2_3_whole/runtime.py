@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout d10a3ba28136bd40f38f12f5480e59ccc05960e117eac4cdc08ccea4dff6d25c
-# claims dbf67165b7a7ba1bbd4b2ae69c207da274a16000b88a4b527b2710cdb6434c57
+# layout 3a729290743130755294d1711dd24e19b0452e4454e1c338e4ff73321f0ef431
+# claims 42da1dfbd065d9ad7d60cf8db6aa162991d2aef8329f8a4f209f056372301993
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,10 +10,10 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 5),  # operator: set route number, 0 = none
     'CAN_X3': (0, 2),  # operator: cancel the route from X3
     'CAN_X4': (0, 2),  # operator: cancel the route from X4
     'CAN_X5': (0, 2),  # operator: cancel the route from X5
+    'REQ': (0, 5),  # operator: set route number, 0 = none
     'CLR_III': (0, 2),  # section III reported clear
     'CLR_SB': (0, 2),  # section SB reported clear
     'CLR_SC': (0, 2),  # section SC reported clear
@@ -27,12 +27,15 @@ INPUTS = {
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
     'MR_P1': (0, 2),  # operator: move machine P1 reverse
+    'TC_P1': (0, 2),  # operator: machine P1 has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
     'CN_P1': False,  # machine P1 commanded N
     'CR_P1': False,  # machine P1 commanded R
     'AL_P1': False,  # alarm: machine P1 not detected
+    'TH_P1': False,  # machine P1 was detected where it is commanded
+    'TR_P1': False,  # machine P1 was trailed
     'A_R1': False,  # route X3-D active
     'B_R1': False,  # route X3-D locked
     'W_R1': False,  # route X3-D: proceed wanted
@@ -85,6 +88,7 @@ OUTPUTS = {
     'YN_P1': False,  # machine P1: normal
     'YR_P1': False,  # machine P1: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
+    'YT_P1': False,  # alarm: machine P1 was trailed
     'YL_III': True,  # indication: III is locked
     'YL_SC': True,  # indication: SC is locked
     'YP_X3': False,  # signal X3: clear (green)
@@ -118,10 +122,10 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_X3 = read['CAN_X3']
         CAN_X4 = read['CAN_X4']
         CAN_X5 = read['CAN_X5']
+        REQ = read['REQ']
         CLR_III = read['CLR_III']
         CLR_SB = read['CLR_SB']
         CLR_SC = read['CLR_SC']
@@ -135,9 +139,12 @@ class Controller:
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
         MR_P1 = read['MR_P1']
+        TC_P1 = read['TC_P1']
         CN_P1 = old['CN_P1']
         CR_P1 = old['CR_P1']
         AL_P1 = old['AL_P1']
+        TH_P1 = old['TH_P1']
+        TR_P1 = old['TR_P1']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -186,16 +193,16 @@ class Controller:
         MOV_P1 = VALID and FREE_III and (not OCC_III) and True and True  # machine P1 is free to move (R10)
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_III and (not OCC_III) and (not BLK_III) and AVR_P1  # grant of route X3-D (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_III and (not OCC_III) and (not BLK_III) and AVN_P1  # grant of route X3-X5 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_III and (not OCC_III) and (not BLK_III) and AVR_P1  # grant of route X4-B (R6)
+        G_R1 = (REQ == 1) and VALID and FREE_III and (not OCC_III) and (not BLK_III) and AVR_P1 and (not TR_P1)  # grant of route X3-D (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_III and (not OCC_III) and (not BLK_III) and AVN_P1 and (not TR_P1)  # grant of route X3-X5 (R6)
+        G_R3 = (REQ == 3) and VALID and FREE_III and (not OCC_III) and (not BLK_III) and AVR_P1 and (not TR_P1)  # grant of route X4-B (R6)
         G_R4 = (REQ == 4) and VALID and FREE_SC and (not OCC_SC) and (not BLK_SC)  # grant of route X5-C (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_X3) and (not CAN_X3) and (not OCC_III) and QR_P1  # route X3-D becomes locked (R3)
-        CO_R1 = VALID and (not OCC_III) and (not BLK_III) and QR_P1 and (not OCC_SD) and (not D_III)  # conditions of proceed for route X3-D (R3)
+        CO_R1 = VALID and (not OCC_III) and (not BLK_III) and QR_P1 and (not TR_P1) and (not OCC_SD) and (not D_III)  # conditions of proceed for route X3-D (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_X3) and (not CAN_X3) and (not OCC_III) and QN_P1  # route X3-X5 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_III) and (not BLK_III) and QN_P1 and (not D_III)  # conditions of proceed for route X3-X5 (R3)
+        CO_R2 = VALID and (not OCC_III) and (not BLK_III) and QN_P1 and (not TR_P1) and (not D_III)  # conditions of proceed for route X3-X5 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_X4) and (not CAN_X4) and (not OCC_III) and QR_P1  # route X4-B becomes locked (R3)
-        CO_R3 = VALID and (not OCC_III) and (not BLK_III) and QR_P1 and (not OCC_SB) and (not D_III)  # conditions of proceed for route X4-B (R3)
+        CO_R3 = VALID and (not OCC_III) and (not BLK_III) and QR_P1 and (not TR_P1) and (not OCC_SB) and (not D_III)  # conditions of proceed for route X4-B (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_X5) and (not CAN_X5) and (not OCC_SC)  # route X5-C becomes locked (R3)
         CO_R4 = VALID and (not OCC_SC) and (not BLK_SC) and (not D_SC)  # conditions of proceed for route X5-C (R3)
         NU_III_1 = VALID and F_III and (not D_III) and (not U_III) and (L_III_1 or L_III_2) and OCC_III and OCC_SB  # a train comes into III at B (R9)
@@ -247,6 +254,8 @@ class Controller:
         N_CN_P1 = GPN_P1 or MAN_P1 or HDN_P1  # machine P1 commanded N
         N_CR_P1 = GPR_P1 or MAR_P1 or HDR_P1  # machine P1 commanded R
         N_AL_P1 = ST_P1  # alarm: machine P1 not detected
+        N_TH_P1 = ((CN_P1 and QN_P1) or (CR_P1 and QR_P1)) and (not (GPN_P1 or GPR_P1 or MAN_P1 or MAR_P1))  # machine P1 was detected where it is commanded
+        N_TR_P1 = (TH_P1 and VALID and ((CN_P1 and (not QN_P1) and (not GPR_P1) and (not MAR_P1)) or (CR_P1 and (not QR_P1) and (not GPN_P1) and (not MAN_P1)))) or (TR_P1 and (not (TC_P1 and VALID and (not OCC_III))))  # machine P1 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route X3-D active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route X3-D locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_X3) and (not CAN_X3)  # route X3-D: proceed wanted
@@ -288,6 +297,8 @@ class Controller:
             'CN_P1': bool(N_CN_P1),
             'CR_P1': bool(N_CR_P1),
             'AL_P1': bool(N_AL_P1),
+            'TH_P1': bool(N_TH_P1),
+            'TR_P1': bool(N_TR_P1),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -329,6 +340,8 @@ class Controller:
         CN_P1 = self.state['CN_P1']
         CR_P1 = self.state['CR_P1']
         AL_P1 = self.state['AL_P1']
+        TH_P1 = self.state['TH_P1']
+        TR_P1 = self.state['TR_P1']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -370,6 +383,7 @@ class Controller:
             'YN_P1': bool(CN_P1),
             'YR_P1': bool(CR_P1),
             'YA_P1': bool(AL_P1),
+            'YT_P1': bool(TR_P1),
             'YL_III': bool(K_III or L_III_1 or L_III_2 or L_III_3),
             'YL_SC': bool(K_SC or L_SC_2),
             'YP_X3': bool(S_R1 or S_R2),

@@ -1,7 +1,7 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout b5b2b3ca7f92fa7fa41a4cdf4db8165d5119ec4df40f23218aff8d5d6f1028e6
-# claims 723304c071ee43b82d6227197125500615db28735b3bbfc3ab0235cfc66046da
+# layout 87f5c9d37b11ae5c30ce92877c5440b048d35058a2b0efbafd51045e4529e759
+# claims 1cc64ad48d652c610593f5526e4a03725783bbf7387bc4c50683e8bddb40ee7c
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,13 +10,13 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 11),  # operator: set route number, 0 = none
     'CAN_F': (0, 2),  # operator: cancel the route from F
     'CAN_L5': (0, 2),  # operator: cancel the route from L5
     'CAN_N2': (0, 2),  # operator: cancel the route from N2
     'CAN_N8': (0, 2),  # operator: cancel the route from N8
     'CAN_S1': (0, 2),  # operator: cancel the route from S1
     'CAN_SA': (0, 2),  # operator: cancel the route from SA
+    'REQ': (0, 11),  # operator: set route number, 0 = none
     'CLR_g2': (0, 2),  # section g2 reported clear
     'CLR_g4': (0, 2),  # section g4 reported clear
     'CLR_g5': (0, 2),  # section g5 reported clear
@@ -57,22 +57,27 @@ INPUTS = {
     'DR_1': (0, 2),  # machine 1 detected reverse
     'MN_1': (0, 2),  # operator: move machine 1 normal
     'MR_1': (0, 2),  # operator: move machine 1 reverse
+    'TC_1': (0, 2),  # operator: machine 1 has been looked at after it was trailed
     'DN_2': (0, 2),  # machine 2 detected normal
     'DR_2': (0, 2),  # machine 2 detected reverse
     'MN_2': (0, 2),  # operator: move machine 2 normal
     'MR_2': (0, 2),  # operator: move machine 2 reverse
+    'TC_2': (0, 2),  # operator: machine 2 has been looked at after it was trailed
     'DN_5': (0, 2),  # machine 5 detected normal
     'DR_5': (0, 2),  # machine 5 detected reverse
     'MN_5': (0, 2),  # operator: move machine 5 normal
     'MR_5': (0, 2),  # operator: move machine 5 reverse
+    'TC_5': (0, 2),  # operator: machine 5 has been looked at after it was trailed
     'DN_6': (0, 2),  # machine 6 detected normal
     'DR_6': (0, 2),  # machine 6 detected reverse
     'MN_6': (0, 2),  # operator: move machine 6 normal
     'MR_6': (0, 2),  # operator: move machine 6 reverse
+    'TC_6': (0, 2),  # operator: machine 6 has been looked at after it was trailed
     'DN_Gs1': (0, 2),  # machine Gs1 detected on
     'DR_Gs1': (0, 2),  # machine Gs1 detected off
     'MN_Gs1': (0, 2),  # operator: move machine Gs1 on
     'MR_Gs1': (0, 2),  # operator: move machine Gs1 off
+    'TC_Gs1': (0, 2),  # operator: machine Gs1 has been looked at after it was trailed
     'DN_LC1': (0, 2),  # machine LC1 detected open
     'DR_LC1': (0, 2),  # machine LC1 detected closed
     'MN_LC1': (0, 2),  # operator: move machine LC1 open
@@ -98,6 +103,16 @@ STATE = {
     'AL_6': False,  # alarm: machine 6 not detected
     'AL_Gs1': False,  # alarm: machine Gs1 not detected
     'AL_LC1': False,  # alarm: machine LC1 not detected
+    'TH_1': False,  # machine 1 was detected where it is commanded
+    'TR_1': False,  # machine 1 was trailed
+    'TH_2': False,  # machine 2 was detected where it is commanded
+    'TR_2': False,  # machine 2 was trailed
+    'TH_5': False,  # machine 5 was detected where it is commanded
+    'TR_5': False,  # machine 5 was trailed
+    'TH_6': False,  # machine 6 was detected where it is commanded
+    'TR_6': False,  # machine 6 was trailed
+    'TH_Gs1': False,  # machine Gs1 was detected where it is commanded
+    'TR_Gs1': False,  # machine Gs1 was trailed
     'A_R1': False,  # route F-B active
     'B_R1': False,  # route F-B locked
     'W_R1': False,  # route F-B: proceed wanted
@@ -297,6 +312,11 @@ OUTPUTS = {
     'YA_6': False,  # alarm: machine 6 not detected in time
     'YA_Gs1': False,  # alarm: machine Gs1 not detected in time
     'YA_LC1': False,  # alarm: machine LC1 not detected in time
+    'YT_1': False,  # alarm: machine 1 was trailed
+    'YT_2': False,  # alarm: machine 2 was trailed
+    'YT_5': False,  # alarm: machine 5 was trailed
+    'YT_6': False,  # alarm: machine 6 was trailed
+    'YT_Gs1': False,  # alarm: machine Gs1 was trailed
     'YL_g2': True,  # indication: g2 is locked
     'YL_g4': True,  # indication: g4 is locked
     'YL_g5': True,  # indication: g5 is locked
@@ -350,13 +370,13 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_F = read['CAN_F']
         CAN_L5 = read['CAN_L5']
         CAN_N2 = read['CAN_N2']
         CAN_N8 = read['CAN_N8']
         CAN_S1 = read['CAN_S1']
         CAN_SA = read['CAN_SA']
+        REQ = read['REQ']
         CLR_g2 = read['CLR_g2']
         CLR_g4 = read['CLR_g4']
         CLR_g5 = read['CLR_g5']
@@ -397,22 +417,27 @@ class Controller:
         DR_1 = read['DR_1']
         MN_1 = read['MN_1']
         MR_1 = read['MR_1']
+        TC_1 = read['TC_1']
         DN_2 = read['DN_2']
         DR_2 = read['DR_2']
         MN_2 = read['MN_2']
         MR_2 = read['MR_2']
+        TC_2 = read['TC_2']
         DN_5 = read['DN_5']
         DR_5 = read['DR_5']
         MN_5 = read['MN_5']
         MR_5 = read['MR_5']
+        TC_5 = read['TC_5']
         DN_6 = read['DN_6']
         DR_6 = read['DR_6']
         MN_6 = read['MN_6']
         MR_6 = read['MR_6']
+        TC_6 = read['TC_6']
         DN_Gs1 = read['DN_Gs1']
         DR_Gs1 = read['DR_Gs1']
         MN_Gs1 = read['MN_Gs1']
         MR_Gs1 = read['MR_Gs1']
+        TC_Gs1 = read['TC_Gs1']
         DN_LC1 = read['DN_LC1']
         DR_LC1 = read['DR_LC1']
         MN_LC1 = read['MN_LC1']
@@ -435,6 +460,16 @@ class Controller:
         AL_6 = old['AL_6']
         AL_Gs1 = old['AL_Gs1']
         AL_LC1 = old['AL_LC1']
+        TH_1 = old['TH_1']
+        TR_1 = old['TR_1']
+        TH_2 = old['TH_2']
+        TR_2 = old['TR_2']
+        TH_5 = old['TH_5']
+        TR_5 = old['TR_5']
+        TH_6 = old['TH_6']
+        TR_6 = old['TR_6']
+        TH_Gs1 = old['TH_Gs1']
+        TR_Gs1 = old['TR_Gs1']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -638,36 +673,36 @@ class Controller:
         MOV_LC1 = VALID and FREE_g4 and (not OCC_g4) and True and True  # machine LC1 is free to move (R10)
         AVN_LC1 = CN_LC1 or MOV_LC1 or (QN_LC1 and (not CN_LC1) and (not CR_LC1))  # machine LC1 can be demanded N
         AVR_LC1 = CR_LC1 or MOV_LC1 or (QR_LC1 and (not CN_LC1) and (not CR_LC1))  # machine LC1 can be demanded R
-        G_R1 = (REQ == 1) and VALID and ((not K_w6) and (not L_w6_1) and (not L_w6_2) and (not V_F_2)) and ((not K_g5) and (not L_g5_2)) and (not OCC_w6) and (not OCC_g5) and (not BLK_w6) and (not BLK_g5) and AVN_6  # grant of route F-B (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_w5 and FREE_g8 and (not OCC_w5) and (not OCC_g8) and (not BLK_w5) and (not BLK_g8) and AVR_Gs1 and AVR_5 and AVN_1  # grant of route L5-N8 (R6)
-        G_R3 = (REQ == 3) and VALID and ((not K_w2) and (not L_w2_1) and (not L_w2_4)) and ((not K_g4) and (not L_g4_1)) and ((not K_w6) and (not V_F_1) and (not V_F_2) and ((not L_w6_1) or A_R1) and (not L_w6_2)) and ((not K_g5) and (not V_F_1) and ((not L_g5_2) or A_R1)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and AVN_2 and AVR_LC1 and AVN_6  # grant of route N2-F (R6)
-        G_R4 = (REQ == 4) and VALID and ((not K_w2) and (not L_w2_1) and (not L_w2_4)) and ((not K_g4) and (not L_g4_1)) and ((not K_w6) and (not V_F_1) and (not V_F_2) and (not L_w6_1) and (not L_w6_2)) and ((not K_g6) and (not V_F_2) and (not L_g6_2)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and AVN_2 and AVR_LC1 and AVR_6  # grant of route N2-F.o2 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_w2 and FREE_g4 and ((not K_w6) and (not V_F_1) and (not V_F_2) and ((not L_w6_1) or A_R1) and (not L_w6_2)) and ((not K_g5) and (not V_F_1) and ((not L_g5_2) or A_R1)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and AVR_2 and AVR_LC1 and AVN_6  # grant of route N8-F (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_w2 and FREE_g4 and ((not K_w6) and (not V_F_1) and (not V_F_2) and (not L_w6_1) and (not L_w6_2)) and ((not K_g6) and (not V_F_2) and (not L_g6_2)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and AVR_2 and AVR_LC1 and AVR_6  # grant of route N8-F.o2 (R6)
-        G_R7 = (REQ == 7) and VALID and ((not K_w1) and (not L_w1_2) and (not L_w1_3) and (not V_S1_2)) and ((not K_g2) and (not L_g2_1)) and ((not K_w2) and (not V_N2_1) and ((not L_w2_1) or A_R3 or A_R4) and (not L_w2_4)) and ((not K_g4) and (not V_N2_1) and ((not L_g4_1) or A_R3 or A_R4)) and (not OCC_w1) and (not OCC_g2) and (not OCC_w2) and (not OCC_g4) and (not BLK_w1) and (not BLK_g2) and AVN_1 and AVN_2 and AVR_LC1  # grant of route S1-N2 (R6)
-        G_R8 = (REQ == 8) and VALID and ((not K_w1) and (not L_w1_2) and (not L_w1_3) and (not V_S1_1)) and ((not K_w5) and (not L_w5_4) and (not L_w5_5)) and ((not K_g8) and (not L_g8_2)) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w1) and (not BLK_w5) and (not BLK_g8) and AVR_1 and AVN_5 and AVN_Gs1  # grant of route S1-N8 (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_w0 and ((not K_w1) and (not V_S1_1) and (not V_S1_2) and ((not L_w1_2) or A_R7) and (not L_w1_3)) and ((not K_g2) and (not V_S1_1) and ((not L_g2_1) or A_R7)) and (not OCC_w0) and (not OCC_w1) and (not OCC_g2) and (not BLK_w0) and AVN_1  # grant of route SA-S1 (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_w0 and ((not K_w1) and (not V_S1_1) and (not V_S1_2) and (not L_w1_2) and ((not L_w1_3) or A_R8)) and ((not K_w5) and (not V_S1_2) and (not L_w5_4) and ((not L_w5_5) or A_R8)) and ((not K_g8) and (not V_S1_2) and ((not L_g8_2) or A_R8)) and (not OCC_w0) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w0) and AVR_1 and AVN_5 and AVN_Gs1  # grant of route SA-S1.o2 (R6)
+        G_R1 = (REQ == 1) and VALID and ((not K_w6) and (not L_w6_1) and (not L_w6_2) and (not V_F_2)) and ((not K_g5) and (not L_g5_2)) and (not OCC_w6) and (not OCC_g5) and (not BLK_w6) and (not BLK_g5) and AVN_6 and (not TR_6)  # grant of route F-B (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_w5 and FREE_g8 and (not OCC_w5) and (not OCC_g8) and (not BLK_w5) and (not BLK_g8) and AVR_Gs1 and AVR_5 and AVN_1 and (not TR_Gs1) and (not TR_5) and (not TR_1)  # grant of route L5-N8 (R6)
+        G_R3 = (REQ == 3) and VALID and ((not K_w2) and (not L_w2_1) and (not L_w2_4)) and ((not K_g4) and (not L_g4_1)) and ((not K_w6) and (not V_F_1) and (not V_F_2) and ((not L_w6_1) or A_R1) and (not L_w6_2)) and ((not K_g5) and (not V_F_1) and ((not L_g5_2) or A_R1)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and AVN_2 and AVR_LC1 and AVN_6 and (not TR_2) and (not TR_6)  # grant of route N2-F (R6)
+        G_R4 = (REQ == 4) and VALID and ((not K_w2) and (not L_w2_1) and (not L_w2_4)) and ((not K_g4) and (not L_g4_1)) and ((not K_w6) and (not V_F_1) and (not V_F_2) and (not L_w6_1) and (not L_w6_2)) and ((not K_g6) and (not V_F_2) and (not L_g6_2)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and AVN_2 and AVR_LC1 and AVR_6 and (not TR_2) and (not TR_6)  # grant of route N2-F.o2 (R6)
+        G_R5 = (REQ == 5) and VALID and FREE_w2 and FREE_g4 and ((not K_w6) and (not V_F_1) and (not V_F_2) and ((not L_w6_1) or A_R1) and (not L_w6_2)) and ((not K_g5) and (not V_F_1) and ((not L_g5_2) or A_R1)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and AVR_2 and AVR_LC1 and AVN_6 and (not TR_2) and (not TR_6)  # grant of route N8-F (R6)
+        G_R6 = (REQ == 6) and VALID and FREE_w2 and FREE_g4 and ((not K_w6) and (not V_F_1) and (not V_F_2) and (not L_w6_1) and (not L_w6_2)) and ((not K_g6) and (not V_F_2) and (not L_g6_2)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and AVR_2 and AVR_LC1 and AVR_6 and (not TR_2) and (not TR_6)  # grant of route N8-F.o2 (R6)
+        G_R7 = (REQ == 7) and VALID and ((not K_w1) and (not L_w1_2) and (not L_w1_3) and (not V_S1_2)) and ((not K_g2) and (not L_g2_1)) and ((not K_w2) and (not V_N2_1) and ((not L_w2_1) or A_R3 or A_R4) and (not L_w2_4)) and ((not K_g4) and (not V_N2_1) and ((not L_g4_1) or A_R3 or A_R4)) and (not OCC_w1) and (not OCC_g2) and (not OCC_w2) and (not OCC_g4) and (not BLK_w1) and (not BLK_g2) and AVN_1 and AVN_2 and AVR_LC1 and (not TR_1) and (not TR_2)  # grant of route S1-N2 (R6)
+        G_R8 = (REQ == 8) and VALID and ((not K_w1) and (not L_w1_2) and (not L_w1_3) and (not V_S1_1)) and ((not K_w5) and (not L_w5_4) and (not L_w5_5)) and ((not K_g8) and (not L_g8_2)) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w1) and (not BLK_w5) and (not BLK_g8) and AVR_1 and AVN_5 and AVN_Gs1 and (not TR_1) and (not TR_5) and (not TR_Gs1)  # grant of route S1-N8 (R6)
+        G_R9 = (REQ == 9) and VALID and FREE_w0 and ((not K_w1) and (not V_S1_1) and (not V_S1_2) and ((not L_w1_2) or A_R7) and (not L_w1_3)) and ((not K_g2) and (not V_S1_1) and ((not L_g2_1) or A_R7)) and (not OCC_w0) and (not OCC_w1) and (not OCC_g2) and (not BLK_w0) and AVN_1 and (not TR_1)  # grant of route SA-S1 (R6)
+        G_R10 = (REQ == 10) and VALID and FREE_w0 and ((not K_w1) and (not V_S1_1) and (not V_S1_2) and (not L_w1_2) and ((not L_w1_3) or A_R8)) and ((not K_w5) and (not V_S1_2) and (not L_w5_4) and ((not L_w5_5) or A_R8)) and ((not K_g8) and (not V_S1_2) and ((not L_g8_2) or A_R8)) and (not OCC_w0) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w0) and AVR_1 and AVN_5 and AVN_Gs1 and (not TR_1) and (not TR_5) and (not TR_Gs1)  # grant of route SA-S1.o2 (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_F) and (not CAN_F) and (not OCC_w6) and (not OCC_g5) and QN_6  # route F-B becomes locked (R3)
-        CO_R1 = VALID and (not OCC_w6) and (not OCC_g5) and (not BLK_w6) and (not BLK_g5) and QN_6 and (not OCC_gb) and (not D_w6)  # conditions of proceed for route F-B (R3)
+        CO_R1 = VALID and (not OCC_w6) and (not OCC_g5) and (not BLK_w6) and (not BLK_g5) and QN_6 and (not TR_6) and (not OCC_gb) and (not D_w6)  # conditions of proceed for route F-B (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_L5) and (not CAN_L5) and (not OCC_w5) and (not OCC_g8) and QR_Gs1 and QR_5 and QN_1  # route L5-N8 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_w5) and (not OCC_g8) and (not BLK_w5) and (not BLK_g8) and QR_Gs1 and QR_5 and QN_1 and (not D_w5)  # conditions of proceed for route L5-N8 (R3)
+        CO_R2 = VALID and (not OCC_w5) and (not OCC_g8) and (not BLK_w5) and (not BLK_g8) and QR_Gs1 and QR_5 and QN_1 and (not TR_Gs1) and (not TR_5) and (not TR_1) and (not D_w5)  # conditions of proceed for route L5-N8 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_N2) and (not CAN_N2) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and QN_2 and QR_LC1 and QN_6  # route N2-F becomes locked (R3)
-        CO_R3 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and QN_2 and QR_LC1 and QN_6 and (not D_w2) and V_F_1  # conditions of proceed for route N2-F (R3)
+        CO_R3 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and QN_2 and QR_LC1 and QN_6 and (not TR_2) and (not TR_6) and (not D_w2) and V_F_1  # conditions of proceed for route N2-F (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_N2) and (not CAN_N2) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and QN_2 and QR_LC1 and QR_6  # route N2-F.o2 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and QN_2 and QR_LC1 and QR_6 and (not D_w2) and V_F_2  # conditions of proceed for route N2-F.o2 (R3)
+        CO_R4 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and QN_2 and QR_LC1 and QR_6 and (not TR_2) and (not TR_6) and (not D_w2) and V_F_2  # conditions of proceed for route N2-F.o2 (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_N8) and (not CAN_N8) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and QR_2 and QR_LC1 and QN_6  # route N8-F becomes locked (R3)
-        CO_R5 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and QR_2 and QR_LC1 and QN_6 and (not D_w2) and V_F_1  # conditions of proceed for route N8-F (R3)
+        CO_R5 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and QR_2 and QR_LC1 and QN_6 and (not TR_2) and (not TR_6) and (not D_w2) and V_F_1  # conditions of proceed for route N8-F (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_N8) and (not CAN_N8) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and QR_2 and QR_LC1 and QR_6  # route N8-F.o2 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and QR_2 and QR_LC1 and QR_6 and (not D_w2) and V_F_2  # conditions of proceed for route N8-F.o2 (R3)
+        CO_R6 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and QR_2 and QR_LC1 and QR_6 and (not TR_2) and (not TR_6) and (not D_w2) and V_F_2  # conditions of proceed for route N8-F.o2 (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_w1) and (not OCC_g2) and (not OCC_w2) and (not OCC_g4) and QN_1 and QN_2 and QR_LC1  # route S1-N2 becomes locked (R3)
-        CO_R7 = VALID and (not OCC_w1) and (not OCC_g2) and (not OCC_w2) and (not OCC_g4) and (not BLK_w1) and (not BLK_g2) and QN_1 and QN_2 and QR_LC1 and (not D_w1) and V_N2_1  # conditions of proceed for route S1-N2 (R3)
+        CO_R7 = VALID and (not OCC_w1) and (not OCC_g2) and (not OCC_w2) and (not OCC_g4) and (not BLK_w1) and (not BLK_g2) and QN_1 and QN_2 and QR_LC1 and (not TR_1) and (not TR_2) and (not D_w1) and V_N2_1  # conditions of proceed for route S1-N2 (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and QR_1 and QN_5 and QN_Gs1  # route S1-N8 becomes locked (R3)
-        CO_R8 = VALID and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w1) and (not BLK_w5) and (not BLK_g8) and QR_1 and QN_5 and QN_Gs1 and (not D_w1)  # conditions of proceed for route S1-N8 (R3)
+        CO_R8 = VALID and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w1) and (not BLK_w5) and (not BLK_g8) and QR_1 and QN_5 and QN_Gs1 and (not TR_1) and (not TR_5) and (not TR_Gs1) and (not D_w1)  # conditions of proceed for route S1-N8 (R3)
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_SA) and (not CAN_SA) and (not OCC_w0) and (not OCC_w1) and (not OCC_g2) and QN_1  # route SA-S1 becomes locked (R3)
-        CO_R9 = VALID and (not OCC_w0) and (not OCC_w1) and (not OCC_g2) and (not BLK_w0) and QN_1 and (not D_w0) and V_S1_1  # conditions of proceed for route SA-S1 (R3)
+        CO_R9 = VALID and (not OCC_w0) and (not OCC_w1) and (not OCC_g2) and (not BLK_w0) and QN_1 and (not TR_1) and (not D_w0) and V_S1_1  # conditions of proceed for route SA-S1 (R3)
         LK_R10 = A_R10 and (not B_R10) and VALID and (not X_SA) and (not CAN_SA) and (not OCC_w0) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and QR_1 and QN_5 and QN_Gs1  # route SA-S1.o2 becomes locked (R3)
-        CO_R10 = VALID and (not OCC_w0) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w0) and QR_1 and QN_5 and QN_Gs1 and (not D_w0) and V_S1_2  # conditions of proceed for route SA-S1.o2 (R3)
+        CO_R10 = VALID and (not OCC_w0) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w0) and QR_1 and QN_5 and QN_Gs1 and (not TR_1) and (not TR_5) and (not TR_Gs1) and (not D_w0) and V_S1_2  # conditions of proceed for route SA-S1.o2 (R3)
         NU_g2_1 = VALID and F_g2 and (not D_g2) and (not U_g2) and L_g2_1 and OCC_g2 and OCC_w1 and (V_S1_1 or U_w1) and (V_S1_1 or L_w1_2)  # a train comes into g2 at g2|w1@1.normal (R9)
         NU_g4_1 = VALID and F_g4 and (not D_g4) and (not U_g4) and L_g4_1 and OCC_g4 and OCC_w2 and (V_N2_1 or U_w2) and (V_N2_1 or L_w2_1 or L_w2_4)  # a train comes into g4 at g4|w2@2.toe (R9)
         NU_g5_2 = VALID and F_g5 and (not D_g5) and (not U_g5) and L_g5_2 and OCC_g5 and OCC_w6 and (V_F_1 or U_w6) and (V_F_1 or L_w6_1)  # a train comes into g5 at g5|w6@6.normal (R9)
@@ -880,6 +915,16 @@ class Controller:
         N_AL_6 = ST_6  # alarm: machine 6 not detected
         N_AL_Gs1 = ST_Gs1  # alarm: machine Gs1 not detected
         N_AL_LC1 = ST_LC1  # alarm: machine LC1 not detected
+        N_TH_1 = ((CN_1 and QN_1) or (CR_1 and QR_1)) and (not (GPN_1 or GPR_1 or MAN_1 or MAR_1))  # machine 1 was detected where it is commanded
+        N_TR_1 = (TH_1 and VALID and ((CN_1 and (not QN_1) and (not GPR_1) and (not MAR_1)) or (CR_1 and (not QR_1) and (not GPN_1) and (not MAN_1)))) or (TR_1 and (not (TC_1 and VALID and (not OCC_w1))))  # machine 1 was trailed
+        N_TH_2 = ((CN_2 and QN_2) or (CR_2 and QR_2)) and (not (GPN_2 or GPR_2 or MAN_2 or MAR_2))  # machine 2 was detected where it is commanded
+        N_TR_2 = (TH_2 and VALID and ((CN_2 and (not QN_2) and (not GPR_2) and (not MAR_2)) or (CR_2 and (not QR_2) and (not GPN_2) and (not MAN_2)))) or (TR_2 and (not (TC_2 and VALID and (not OCC_w2))))  # machine 2 was trailed
+        N_TH_5 = ((CN_5 and QN_5) or (CR_5 and QR_5)) and (not (GPN_5 or GPR_5 or MAN_5 or MAR_5))  # machine 5 was detected where it is commanded
+        N_TR_5 = (TH_5 and VALID and ((CN_5 and (not QN_5) and (not GPR_5) and (not MAR_5)) or (CR_5 and (not QR_5) and (not GPN_5) and (not MAN_5)))) or (TR_5 and (not (TC_5 and VALID and (not OCC_w5))))  # machine 5 was trailed
+        N_TH_6 = ((CN_6 and QN_6) or (CR_6 and QR_6)) and (not (GPN_6 or GPR_6 or MAN_6 or MAR_6))  # machine 6 was detected where it is commanded
+        N_TR_6 = (TH_6 and VALID and ((CN_6 and (not QN_6) and (not GPR_6) and (not MAR_6)) or (CR_6 and (not QR_6) and (not GPN_6) and (not MAN_6)))) or (TR_6 and (not (TC_6 and VALID and (not OCC_w6))))  # machine 6 was trailed
+        N_TH_Gs1 = ((CN_Gs1 and QN_Gs1) or (CR_Gs1 and QR_Gs1)) and (not (GPN_Gs1 or GPR_Gs1 or MAN_Gs1 or MAR_Gs1))  # machine Gs1 was detected where it is commanded
+        N_TR_Gs1 = (TH_Gs1 and VALID and ((CN_Gs1 and (not QN_Gs1) and (not GPR_Gs1) and (not MAR_Gs1)) or (CR_Gs1 and (not QR_Gs1) and (not GPN_Gs1) and (not MAN_Gs1)))) or (TR_Gs1 and (not (TC_Gs1 and VALID and (not OCC_w5))))  # machine Gs1 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route F-B active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route F-B locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_F) and (not CAN_F)  # route F-B: proceed wanted
@@ -1048,6 +1093,16 @@ class Controller:
             'AL_6': bool(N_AL_6),
             'AL_Gs1': bool(N_AL_Gs1),
             'AL_LC1': bool(N_AL_LC1),
+            'TH_1': bool(N_TH_1),
+            'TR_1': bool(N_TR_1),
+            'TH_2': bool(N_TH_2),
+            'TR_2': bool(N_TR_2),
+            'TH_5': bool(N_TH_5),
+            'TR_5': bool(N_TR_5),
+            'TH_6': bool(N_TH_6),
+            'TR_6': bool(N_TR_6),
+            'TH_Gs1': bool(N_TH_Gs1),
+            'TR_Gs1': bool(N_TR_Gs1),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -1216,6 +1271,16 @@ class Controller:
         AL_6 = self.state['AL_6']
         AL_Gs1 = self.state['AL_Gs1']
         AL_LC1 = self.state['AL_LC1']
+        TH_1 = self.state['TH_1']
+        TR_1 = self.state['TR_1']
+        TH_2 = self.state['TH_2']
+        TR_2 = self.state['TR_2']
+        TH_5 = self.state['TH_5']
+        TR_5 = self.state['TR_5']
+        TH_6 = self.state['TH_6']
+        TR_6 = self.state['TR_6']
+        TH_Gs1 = self.state['TH_Gs1']
+        TR_Gs1 = self.state['TR_Gs1']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -1384,6 +1449,11 @@ class Controller:
             'YA_6': bool(AL_6),
             'YA_Gs1': bool(AL_Gs1),
             'YA_LC1': bool(AL_LC1),
+            'YT_1': bool(TR_1),
+            'YT_2': bool(TR_2),
+            'YT_5': bool(TR_5),
+            'YT_6': bool(TR_6),
+            'YT_Gs1': bool(TR_Gs1),
             'YL_g2': bool(K_g2 or L_g2_1 or V_S1_1),
             'YL_g4': bool(K_g4 or L_g4_1 or V_N2_1),
             'YL_g5': bool(K_g5 or L_g5_2 or V_F_1),

@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout d568310b7c53e4b7d8cb32093a50ef89e738c54f3cf6287817473b953bbf3bf3
-# claims f0c055ac7224548475b16202e5adeece76cbee2a91690c6d444761bb28454590
+# layout 85a4fad1b8d2275061be911b240f9d605d0e5ead107c0507ad14c15da5f88491
+# claims 2f2213263303fbc58418770abbc674ad0e565cfe19d86c84c999907406677e65
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,7 +10,6 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 18),  # operator: set route number, 0 = none
     'CAN_XB': (0, 2),  # operator: cancel the route from XB
     'CAN_XI7': (0, 2),  # operator: cancel the route from XI7
     'CAN_XI9': (0, 2),  # operator: cancel the route from XI9
@@ -23,6 +22,7 @@ INPUTS = {
     'CAN_XT3': (0, 2),  # operator: cancel the route from XT3
     'CAN_XT7': (0, 2),  # operator: cancel the route from XT7
     'CAN_XT9': (0, 2),  # operator: cancel the route from XT9
+    'REQ': (0, 18),  # operator: set route number, 0 = none
     'CLR_s10_xc4': (0, 2),  # section s10_xc4 reported clear
     'CLR_s11_xc5': (0, 2),  # section s11_xc5 reported clear
     'CLR_s1_wait': (0, 2),  # section s1_wait reported clear
@@ -62,22 +62,27 @@ INPUTS = {
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
     'MR_P1': (0, 2),  # operator: move machine P1 reverse
+    'TC_P1': (0, 2),  # operator: machine P1 has been looked at after it was trailed
     'DN_P2': (0, 2),  # machine P2 detected normal
     'DR_P2': (0, 2),  # machine P2 detected reverse
     'MN_P2': (0, 2),  # operator: move machine P2 normal
     'MR_P2': (0, 2),  # operator: move machine P2 reverse
+    'TC_P2': (0, 2),  # operator: machine P2 has been looked at after it was trailed
     'DN_P3': (0, 2),  # machine P3 detected normal
     'DR_P3': (0, 2),  # machine P3 detected reverse
     'MN_P3': (0, 2),  # operator: move machine P3 normal
     'MR_P3': (0, 2),  # operator: move machine P3 reverse
+    'TC_P3': (0, 2),  # operator: machine P3 has been looked at after it was trailed
     'DN_P4': (0, 2),  # machine P4 detected normal
     'DR_P4': (0, 2),  # machine P4 detected reverse
     'MN_P4': (0, 2),  # operator: move machine P4 normal
     'MR_P4': (0, 2),  # operator: move machine P4 reverse
+    'TC_P4': (0, 2),  # operator: machine P4 has been looked at after it was trailed
     'DN_PS': (0, 2),  # machine PS detected normal
     'DR_PS': (0, 2),  # machine PS detected reverse
     'MN_PS': (0, 2),  # operator: move machine PS normal
     'MR_PS': (0, 2),  # operator: move machine PS reverse
+    'TC_PS': (0, 2),  # operator: machine PS has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
@@ -96,6 +101,16 @@ STATE = {
     'AL_P3': False,  # alarm: machine P3 not detected
     'AL_P4': False,  # alarm: machine P4 not detected
     'AL_PS': False,  # alarm: machine PS not detected
+    'TH_P1': False,  # machine P1 was detected where it is commanded
+    'TR_P1': False,  # machine P1 was trailed
+    'TH_P2': False,  # machine P2 was detected where it is commanded
+    'TR_P2': False,  # machine P2 was trailed
+    'TH_P3': False,  # machine P3 was detected where it is commanded
+    'TR_P3': False,  # machine P3 was trailed
+    'TH_P4': False,  # machine P4 was detected where it is commanded
+    'TR_P4': False,  # machine P4 was trailed
+    'TH_PS': False,  # machine PS was detected where it is commanded
+    'TR_PS': False,  # machine PS was trailed
     'A_R1': False,  # route XB-OUT active
     'B_R1': False,  # route XB-OUT locked
     'W_R1': False,  # route XB-OUT: proceed wanted
@@ -323,6 +338,11 @@ OUTPUTS = {
     'YA_P3': False,  # alarm: machine P3 not detected in time
     'YA_P4': False,  # alarm: machine P4 not detected in time
     'YA_PS': False,  # alarm: machine PS not detected in time
+    'YT_P1': False,  # alarm: machine P1 was trailed
+    'YT_P2': False,  # alarm: machine P2 was trailed
+    'YT_P3': False,  # alarm: machine P3 was trailed
+    'YT_P4': False,  # alarm: machine P4 was trailed
+    'YT_PS': False,  # alarm: machine PS was trailed
     'YL_s10_xc4': True,  # indication: s10_xc4 is locked
     'YL_s11_xc5': True,  # indication: s11_xc5 is locked
     'YL_s2': True,  # indication: s2 is locked
@@ -383,7 +403,6 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_XB = read['CAN_XB']
         CAN_XI7 = read['CAN_XI7']
         CAN_XI9 = read['CAN_XI9']
@@ -396,6 +415,7 @@ class Controller:
         CAN_XT3 = read['CAN_XT3']
         CAN_XT7 = read['CAN_XT7']
         CAN_XT9 = read['CAN_XT9']
+        REQ = read['REQ']
         CLR_s10_xc4 = read['CLR_s10_xc4']
         CLR_s11_xc5 = read['CLR_s11_xc5']
         CLR_s1_wait = read['CLR_s1_wait']
@@ -435,22 +455,27 @@ class Controller:
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
         MR_P1 = read['MR_P1']
+        TC_P1 = read['TC_P1']
         DN_P2 = read['DN_P2']
         DR_P2 = read['DR_P2']
         MN_P2 = read['MN_P2']
         MR_P2 = read['MR_P2']
+        TC_P2 = read['TC_P2']
         DN_P3 = read['DN_P3']
         DR_P3 = read['DR_P3']
         MN_P3 = read['MN_P3']
         MR_P3 = read['MR_P3']
+        TC_P3 = read['TC_P3']
         DN_P4 = read['DN_P4']
         DR_P4 = read['DR_P4']
         MN_P4 = read['MN_P4']
         MR_P4 = read['MR_P4']
+        TC_P4 = read['TC_P4']
         DN_PS = read['DN_PS']
         DR_PS = read['DR_PS']
         MN_PS = read['MN_PS']
         MR_PS = read['MR_PS']
+        TC_PS = read['TC_PS']
         CN_P1 = old['CN_P1']
         CR_P1 = old['CR_P1']
         CN_P2 = old['CN_P2']
@@ -466,6 +491,16 @@ class Controller:
         AL_P3 = old['AL_P3']
         AL_P4 = old['AL_P4']
         AL_PS = old['AL_PS']
+        TH_P1 = old['TH_P1']
+        TR_P1 = old['TR_P1']
+        TH_P2 = old['TH_P2']
+        TR_P2 = old['TR_P2']
+        TH_P3 = old['TH_P3']
+        TR_P3 = old['TR_P3']
+        TH_P4 = old['TH_P4']
+        TR_P4 = old['TR_P4']
+        TH_PS = old['TH_PS']
+        TR_PS = old['TR_PS']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -692,57 +727,57 @@ class Controller:
         MOV_PS = VALID and FREE_s2 and (not OCC_s2) and True and True  # machine PS is free to move (R10)
         AVN_PS = CN_PS or MOV_PS or (QN_PS and (not CN_PS) and (not CR_PS))  # machine PS can be demanded N
         AVR_PS = CR_PS or MOV_PS or (QR_PS and (not CN_PS) and (not CR_PS))  # machine PS can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_s2 and FREE_s2_out and (not OCC_s2) and (not OCC_s2_out) and (not BLK_s2) and (not BLK_s2_out) and AVR_PS  # grant of route XB-OUT (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_s2 and FREE_s3 and FREE_s4_xc1 and (not OCC_s2) and (not OCC_s3) and (not OCC_s4_xc1) and (not BLK_s2) and (not BLK_s3) and (not BLK_s4_xc1) and AVN_PS and AVR_P1  # grant of route XB-XC1 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_s2 and FREE_s3 and FREE_s6 and FREE_s5_xc2 and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not OCC_s5_xc2) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and (not BLK_s5_xc2) and AVN_PS and AVN_P1 and AVR_P2  # grant of route XB-XC2 (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_s2 and FREE_s3 and FREE_s6 and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and AVN_PS and AVN_P1 and AVN_P2  # grant of route XB-XI7 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_s7 and FREE_s8_xc3 and (not OCC_s7) and (not OCC_s8_xc3) and (not BLK_s7) and (not BLK_s8_xc3) and AVR_P3  # grant of route XI7-XC3 (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_s7 and (not OCC_s7) and (not BLK_s7) and AVN_P3  # grant of route XI7-XI9 (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_s9 and FREE_s10_xc4 and (not OCC_s9) and (not OCC_s10_xc4) and (not BLK_s9) and (not BLK_s10_xc4) and AVN_P4  # grant of route XI9-XC4 (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_s9 and FREE_s11_xc5 and (not OCC_s9) and (not OCC_s11_xc5) and (not BLK_s9) and (not BLK_s11_xc5) and AVR_P4  # grant of route XI9-XC5 (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_s3 and (not OCC_s3) and (not BLK_s3) and AVR_P1  # grant of route XL1-XT3 (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_s6 and FREE_s3 and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and AVR_P2 and AVN_P1  # grant of route XL2-XT3 (R6)
-        G_R11 = (REQ == 11) and VALID and FREE_s7 and (not OCC_s7) and (not BLK_s7) and AVR_P3  # grant of route XL3-XT7 (R6)
-        G_R12 = (REQ == 12) and VALID and FREE_s9 and (not OCC_s9) and (not BLK_s9) and AVN_P4  # grant of route XL4-XT9 (R6)
-        G_R13 = (REQ == 13) and VALID and FREE_s9 and (not OCC_s9) and (not BLK_s9) and AVR_P4  # grant of route XL5-XT9 (R6)
-        G_R14 = (REQ == 14) and VALID and FREE_s2 and (not OCC_s2) and (not BLK_s2) and AVR_PS  # grant of route XO-W (R6)
-        G_R15 = (REQ == 15) and VALID and FREE_s2 and (not OCC_s2) and (not BLK_s2) and AVN_PS  # grant of route XT3-W (R6)
-        G_R16 = (REQ == 16) and VALID and FREE_s6 and FREE_s3 and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and AVN_P2 and AVN_P1  # grant of route XT7-XT3 (R6)
-        G_R17 = (REQ == 17) and VALID and FREE_s7 and (not OCC_s7) and (not BLK_s7) and AVN_P3  # grant of route XT9-XT7 (R6)
+        G_R1 = (REQ == 1) and VALID and FREE_s2 and FREE_s2_out and (not OCC_s2) and (not OCC_s2_out) and (not BLK_s2) and (not BLK_s2_out) and AVR_PS and (not TR_PS)  # grant of route XB-OUT (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_s2 and FREE_s3 and FREE_s4_xc1 and (not OCC_s2) and (not OCC_s3) and (not OCC_s4_xc1) and (not BLK_s2) and (not BLK_s3) and (not BLK_s4_xc1) and AVN_PS and AVR_P1 and (not TR_PS) and (not TR_P1)  # grant of route XB-XC1 (R6)
+        G_R3 = (REQ == 3) and VALID and FREE_s2 and FREE_s3 and FREE_s6 and FREE_s5_xc2 and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not OCC_s5_xc2) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and (not BLK_s5_xc2) and AVN_PS and AVN_P1 and AVR_P2 and (not TR_PS) and (not TR_P1) and (not TR_P2)  # grant of route XB-XC2 (R6)
+        G_R4 = (REQ == 4) and VALID and FREE_s2 and FREE_s3 and FREE_s6 and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and AVN_PS and AVN_P1 and AVN_P2 and (not TR_PS) and (not TR_P1) and (not TR_P2)  # grant of route XB-XI7 (R6)
+        G_R5 = (REQ == 5) and VALID and FREE_s7 and FREE_s8_xc3 and (not OCC_s7) and (not OCC_s8_xc3) and (not BLK_s7) and (not BLK_s8_xc3) and AVR_P3 and (not TR_P3)  # grant of route XI7-XC3 (R6)
+        G_R6 = (REQ == 6) and VALID and FREE_s7 and (not OCC_s7) and (not BLK_s7) and AVN_P3 and (not TR_P3)  # grant of route XI7-XI9 (R6)
+        G_R7 = (REQ == 7) and VALID and FREE_s9 and FREE_s10_xc4 and (not OCC_s9) and (not OCC_s10_xc4) and (not BLK_s9) and (not BLK_s10_xc4) and AVN_P4 and (not TR_P4)  # grant of route XI9-XC4 (R6)
+        G_R8 = (REQ == 8) and VALID and FREE_s9 and FREE_s11_xc5 and (not OCC_s9) and (not OCC_s11_xc5) and (not BLK_s9) and (not BLK_s11_xc5) and AVR_P4 and (not TR_P4)  # grant of route XI9-XC5 (R6)
+        G_R9 = (REQ == 9) and VALID and FREE_s3 and (not OCC_s3) and (not BLK_s3) and AVR_P1 and (not TR_P1)  # grant of route XL1-XT3 (R6)
+        G_R10 = (REQ == 10) and VALID and FREE_s6 and FREE_s3 and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and AVR_P2 and AVN_P1 and (not TR_P2) and (not TR_P1)  # grant of route XL2-XT3 (R6)
+        G_R11 = (REQ == 11) and VALID and FREE_s7 and (not OCC_s7) and (not BLK_s7) and AVR_P3 and (not TR_P3)  # grant of route XL3-XT7 (R6)
+        G_R12 = (REQ == 12) and VALID and FREE_s9 and (not OCC_s9) and (not BLK_s9) and AVN_P4 and (not TR_P4)  # grant of route XL4-XT9 (R6)
+        G_R13 = (REQ == 13) and VALID and FREE_s9 and (not OCC_s9) and (not BLK_s9) and AVR_P4 and (not TR_P4)  # grant of route XL5-XT9 (R6)
+        G_R14 = (REQ == 14) and VALID and FREE_s2 and (not OCC_s2) and (not BLK_s2) and AVR_PS and (not TR_PS)  # grant of route XO-W (R6)
+        G_R15 = (REQ == 15) and VALID and FREE_s2 and (not OCC_s2) and (not BLK_s2) and AVN_PS and (not TR_PS)  # grant of route XT3-W (R6)
+        G_R16 = (REQ == 16) and VALID and FREE_s6 and FREE_s3 and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and AVN_P2 and AVN_P1 and (not TR_P2) and (not TR_P1)  # grant of route XT7-XT3 (R6)
+        G_R17 = (REQ == 17) and VALID and FREE_s7 and (not OCC_s7) and (not BLK_s7) and AVN_P3 and (not TR_P3)  # grant of route XT9-XT7 (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_XB) and (not CAN_XB) and (not OCC_s2) and (not OCC_s2_out) and QR_PS  # route XB-OUT becomes locked (R3)
-        CO_R1 = VALID and (not OCC_s2) and (not OCC_s2_out) and (not BLK_s2) and (not BLK_s2_out) and QR_PS and (not D_s2)  # conditions of proceed for route XB-OUT (R3)
+        CO_R1 = VALID and (not OCC_s2) and (not OCC_s2_out) and (not BLK_s2) and (not BLK_s2_out) and QR_PS and (not TR_PS) and (not D_s2)  # conditions of proceed for route XB-OUT (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_XB) and (not CAN_XB) and (not OCC_s2) and (not OCC_s3) and (not OCC_s4_xc1) and QN_PS and QR_P1  # route XB-XC1 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_s2) and (not OCC_s3) and (not OCC_s4_xc1) and (not BLK_s2) and (not BLK_s3) and (not BLK_s4_xc1) and QN_PS and QR_P1 and (not D_s2)  # conditions of proceed for route XB-XC1 (R3)
+        CO_R2 = VALID and (not OCC_s2) and (not OCC_s3) and (not OCC_s4_xc1) and (not BLK_s2) and (not BLK_s3) and (not BLK_s4_xc1) and QN_PS and QR_P1 and (not TR_PS) and (not TR_P1) and (not D_s2)  # conditions of proceed for route XB-XC1 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_XB) and (not CAN_XB) and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not OCC_s5_xc2) and QN_PS and QN_P1 and QR_P2  # route XB-XC2 becomes locked (R3)
-        CO_R3 = VALID and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not OCC_s5_xc2) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and (not BLK_s5_xc2) and QN_PS and QN_P1 and QR_P2 and (not D_s2)  # conditions of proceed for route XB-XC2 (R3)
+        CO_R3 = VALID and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not OCC_s5_xc2) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and (not BLK_s5_xc2) and QN_PS and QN_P1 and QR_P2 and (not TR_PS) and (not TR_P1) and (not TR_P2) and (not D_s2)  # conditions of proceed for route XB-XC2 (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_XB) and (not CAN_XB) and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and QN_PS and QN_P1 and QN_P2  # route XB-XI7 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and QN_PS and QN_P1 and QN_P2 and (not D_s2)  # conditions of proceed for route XB-XI7 (R3)
+        CO_R4 = VALID and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and QN_PS and QN_P1 and QN_P2 and (not TR_PS) and (not TR_P1) and (not TR_P2) and (not D_s2)  # conditions of proceed for route XB-XI7 (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_XI7) and (not CAN_XI7) and (not OCC_s7) and (not OCC_s8_xc3) and QR_P3  # route XI7-XC3 becomes locked (R3)
-        CO_R5 = VALID and (not OCC_s7) and (not OCC_s8_xc3) and (not BLK_s7) and (not BLK_s8_xc3) and QR_P3 and (not D_s7)  # conditions of proceed for route XI7-XC3 (R3)
+        CO_R5 = VALID and (not OCC_s7) and (not OCC_s8_xc3) and (not BLK_s7) and (not BLK_s8_xc3) and QR_P3 and (not TR_P3) and (not D_s7)  # conditions of proceed for route XI7-XC3 (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_XI7) and (not CAN_XI7) and (not OCC_s7) and QN_P3  # route XI7-XI9 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_s7) and (not BLK_s7) and QN_P3 and (not D_s7)  # conditions of proceed for route XI7-XI9 (R3)
+        CO_R6 = VALID and (not OCC_s7) and (not BLK_s7) and QN_P3 and (not TR_P3) and (not D_s7)  # conditions of proceed for route XI7-XI9 (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_XI9) and (not CAN_XI9) and (not OCC_s9) and (not OCC_s10_xc4) and QN_P4  # route XI9-XC4 becomes locked (R3)
-        CO_R7 = VALID and (not OCC_s9) and (not OCC_s10_xc4) and (not BLK_s9) and (not BLK_s10_xc4) and QN_P4 and (not D_s9)  # conditions of proceed for route XI9-XC4 (R3)
+        CO_R7 = VALID and (not OCC_s9) and (not OCC_s10_xc4) and (not BLK_s9) and (not BLK_s10_xc4) and QN_P4 and (not TR_P4) and (not D_s9)  # conditions of proceed for route XI9-XC4 (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_XI9) and (not CAN_XI9) and (not OCC_s9) and (not OCC_s11_xc5) and QR_P4  # route XI9-XC5 becomes locked (R3)
-        CO_R8 = VALID and (not OCC_s9) and (not OCC_s11_xc5) and (not BLK_s9) and (not BLK_s11_xc5) and QR_P4 and (not D_s9)  # conditions of proceed for route XI9-XC5 (R3)
+        CO_R8 = VALID and (not OCC_s9) and (not OCC_s11_xc5) and (not BLK_s9) and (not BLK_s11_xc5) and QR_P4 and (not TR_P4) and (not D_s9)  # conditions of proceed for route XI9-XC5 (R3)
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_XL1) and (not CAN_XL1) and (not OCC_s3) and QR_P1  # route XL1-XT3 becomes locked (R3)
-        CO_R9 = VALID and (not OCC_s3) and (not BLK_s3) and QR_P1 and (not D_s3)  # conditions of proceed for route XL1-XT3 (R3)
+        CO_R9 = VALID and (not OCC_s3) and (not BLK_s3) and QR_P1 and (not TR_P1) and (not D_s3)  # conditions of proceed for route XL1-XT3 (R3)
         LK_R10 = A_R10 and (not B_R10) and VALID and (not X_XL2) and (not CAN_XL2) and (not OCC_s6) and (not OCC_s3) and QR_P2 and QN_P1  # route XL2-XT3 becomes locked (R3)
-        CO_R10 = VALID and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and QR_P2 and QN_P1 and (not D_s6)  # conditions of proceed for route XL2-XT3 (R3)
+        CO_R10 = VALID and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and QR_P2 and QN_P1 and (not TR_P2) and (not TR_P1) and (not D_s6)  # conditions of proceed for route XL2-XT3 (R3)
         LK_R11 = A_R11 and (not B_R11) and VALID and (not X_XL3) and (not CAN_XL3) and (not OCC_s7) and QR_P3  # route XL3-XT7 becomes locked (R3)
-        CO_R11 = VALID and (not OCC_s7) and (not BLK_s7) and QR_P3 and (not D_s7)  # conditions of proceed for route XL3-XT7 (R3)
+        CO_R11 = VALID and (not OCC_s7) and (not BLK_s7) and QR_P3 and (not TR_P3) and (not D_s7)  # conditions of proceed for route XL3-XT7 (R3)
         LK_R12 = A_R12 and (not B_R12) and VALID and (not X_XL4) and (not CAN_XL4) and (not OCC_s9) and QN_P4  # route XL4-XT9 becomes locked (R3)
-        CO_R12 = VALID and (not OCC_s9) and (not BLK_s9) and QN_P4 and (not D_s9)  # conditions of proceed for route XL4-XT9 (R3)
+        CO_R12 = VALID and (not OCC_s9) and (not BLK_s9) and QN_P4 and (not TR_P4) and (not D_s9)  # conditions of proceed for route XL4-XT9 (R3)
         LK_R13 = A_R13 and (not B_R13) and VALID and (not X_XL5) and (not CAN_XL5) and (not OCC_s9) and QR_P4  # route XL5-XT9 becomes locked (R3)
-        CO_R13 = VALID and (not OCC_s9) and (not BLK_s9) and QR_P4 and (not D_s9)  # conditions of proceed for route XL5-XT9 (R3)
+        CO_R13 = VALID and (not OCC_s9) and (not BLK_s9) and QR_P4 and (not TR_P4) and (not D_s9)  # conditions of proceed for route XL5-XT9 (R3)
         LK_R14 = A_R14 and (not B_R14) and VALID and (not X_XO) and (not CAN_XO) and (not OCC_s2) and QR_PS  # route XO-W becomes locked (R3)
-        CO_R14 = VALID and (not OCC_s2) and (not BLK_s2) and QR_PS and (not OCC_s1_wait) and (not D_s2)  # conditions of proceed for route XO-W (R3)
+        CO_R14 = VALID and (not OCC_s2) and (not BLK_s2) and QR_PS and (not TR_PS) and (not OCC_s1_wait) and (not D_s2)  # conditions of proceed for route XO-W (R3)
         LK_R15 = A_R15 and (not B_R15) and VALID and (not X_XT3) and (not CAN_XT3) and (not OCC_s2) and QN_PS  # route XT3-W becomes locked (R3)
-        CO_R15 = VALID and (not OCC_s2) and (not BLK_s2) and QN_PS and (not OCC_s1_wait) and (not D_s2)  # conditions of proceed for route XT3-W (R3)
+        CO_R15 = VALID and (not OCC_s2) and (not BLK_s2) and QN_PS and (not TR_PS) and (not OCC_s1_wait) and (not D_s2)  # conditions of proceed for route XT3-W (R3)
         LK_R16 = A_R16 and (not B_R16) and VALID and (not X_XT7) and (not CAN_XT7) and (not OCC_s6) and (not OCC_s3) and QN_P2 and QN_P1  # route XT7-XT3 becomes locked (R3)
-        CO_R16 = VALID and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and QN_P2 and QN_P1 and (not D_s6)  # conditions of proceed for route XT7-XT3 (R3)
+        CO_R16 = VALID and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and QN_P2 and QN_P1 and (not TR_P2) and (not TR_P1) and (not D_s6)  # conditions of proceed for route XT7-XT3 (R3)
         LK_R17 = A_R17 and (not B_R17) and VALID and (not X_XT9) and (not CAN_XT9) and (not OCC_s7) and QN_P3  # route XT9-XT7 becomes locked (R3)
-        CO_R17 = VALID and (not OCC_s7) and (not BLK_s7) and QN_P3 and (not D_s7)  # conditions of proceed for route XT9-XT7 (R3)
+        CO_R17 = VALID and (not OCC_s7) and (not BLK_s7) and QN_P3 and (not TR_P3) and (not D_s7)  # conditions of proceed for route XT9-XT7 (R3)
         NU_s10_xc4_2 = VALID and F_s10_xc4 and (not D_s10_xc4) and (not U_s10_xc4) and L_s10_xc4_2 and OCC_s10_xc4 and OCC_s9 and U_s9 and L_s9_3  # a train comes into s10_xc4 at s10_xc4|s9@P4.normal (R9)
         NU_s11_xc5_2 = VALID and F_s11_xc5 and (not D_s11_xc5) and (not U_s11_xc5) and L_s11_xc5_2 and OCC_s11_xc5 and OCC_s9 and U_s9 and L_s9_4  # a train comes into s11_xc5 at s11_xc5|s9@P4.reverse (R9)
         NU_s2_1 = VALID and F_s2 and (not D_s2) and (not U_s2) and (L_s2_1 or L_s2_2) and OCC_s2 and OCC_s1_wait  # a train comes into s2 at W (R9)
@@ -983,6 +1018,16 @@ class Controller:
         N_AL_P3 = ST_P3  # alarm: machine P3 not detected
         N_AL_P4 = ST_P4  # alarm: machine P4 not detected
         N_AL_PS = ST_PS  # alarm: machine PS not detected
+        N_TH_P1 = ((CN_P1 and QN_P1) or (CR_P1 and QR_P1)) and (not (GPN_P1 or GPR_P1 or MAN_P1 or MAR_P1))  # machine P1 was detected where it is commanded
+        N_TR_P1 = (TH_P1 and VALID and ((CN_P1 and (not QN_P1) and (not GPR_P1) and (not MAR_P1)) or (CR_P1 and (not QR_P1) and (not GPN_P1) and (not MAN_P1)))) or (TR_P1 and (not (TC_P1 and VALID and (not OCC_s3))))  # machine P1 was trailed
+        N_TH_P2 = ((CN_P2 and QN_P2) or (CR_P2 and QR_P2)) and (not (GPN_P2 or GPR_P2 or MAN_P2 or MAR_P2))  # machine P2 was detected where it is commanded
+        N_TR_P2 = (TH_P2 and VALID and ((CN_P2 and (not QN_P2) and (not GPR_P2) and (not MAR_P2)) or (CR_P2 and (not QR_P2) and (not GPN_P2) and (not MAN_P2)))) or (TR_P2 and (not (TC_P2 and VALID and (not OCC_s6))))  # machine P2 was trailed
+        N_TH_P3 = ((CN_P3 and QN_P3) or (CR_P3 and QR_P3)) and (not (GPN_P3 or GPR_P3 or MAN_P3 or MAR_P3))  # machine P3 was detected where it is commanded
+        N_TR_P3 = (TH_P3 and VALID and ((CN_P3 and (not QN_P3) and (not GPR_P3) and (not MAR_P3)) or (CR_P3 and (not QR_P3) and (not GPN_P3) and (not MAN_P3)))) or (TR_P3 and (not (TC_P3 and VALID and (not OCC_s7))))  # machine P3 was trailed
+        N_TH_P4 = ((CN_P4 and QN_P4) or (CR_P4 and QR_P4)) and (not (GPN_P4 or GPR_P4 or MAN_P4 or MAR_P4))  # machine P4 was detected where it is commanded
+        N_TR_P4 = (TH_P4 and VALID and ((CN_P4 and (not QN_P4) and (not GPR_P4) and (not MAR_P4)) or (CR_P4 and (not QR_P4) and (not GPN_P4) and (not MAN_P4)))) or (TR_P4 and (not (TC_P4 and VALID and (not OCC_s9))))  # machine P4 was trailed
+        N_TH_PS = ((CN_PS and QN_PS) or (CR_PS and QR_PS)) and (not (GPN_PS or GPR_PS or MAN_PS or MAR_PS))  # machine PS was detected where it is commanded
+        N_TR_PS = (TH_PS and VALID and ((CN_PS and (not QN_PS) and (not GPR_PS) and (not MAR_PS)) or (CR_PS and (not QR_PS) and (not GPN_PS) and (not MAN_PS)))) or (TR_PS and (not (TC_PS and VALID and (not OCC_s2))))  # machine PS was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route XB-OUT active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route XB-OUT locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_XB) and (not CAN_XB)  # route XB-OUT: proceed wanted
@@ -1177,6 +1222,16 @@ class Controller:
             'AL_P3': bool(N_AL_P3),
             'AL_P4': bool(N_AL_P4),
             'AL_PS': bool(N_AL_PS),
+            'TH_P1': bool(N_TH_P1),
+            'TR_P1': bool(N_TR_P1),
+            'TH_P2': bool(N_TH_P2),
+            'TR_P2': bool(N_TR_P2),
+            'TH_P3': bool(N_TH_P3),
+            'TR_P3': bool(N_TR_P3),
+            'TH_P4': bool(N_TH_P4),
+            'TR_P4': bool(N_TR_P4),
+            'TH_PS': bool(N_TH_PS),
+            'TR_PS': bool(N_TR_PS),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -1371,6 +1426,16 @@ class Controller:
         AL_P3 = self.state['AL_P3']
         AL_P4 = self.state['AL_P4']
         AL_PS = self.state['AL_PS']
+        TH_P1 = self.state['TH_P1']
+        TR_P1 = self.state['TR_P1']
+        TH_P2 = self.state['TH_P2']
+        TR_P2 = self.state['TR_P2']
+        TH_P3 = self.state['TH_P3']
+        TR_P3 = self.state['TR_P3']
+        TH_P4 = self.state['TH_P4']
+        TR_P4 = self.state['TR_P4']
+        TH_PS = self.state['TH_PS']
+        TR_PS = self.state['TR_PS']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -1565,6 +1630,11 @@ class Controller:
             'YA_P3': bool(AL_P3),
             'YA_P4': bool(AL_P4),
             'YA_PS': bool(AL_PS),
+            'YT_P1': bool(TR_P1),
+            'YT_P2': bool(TR_P2),
+            'YT_P3': bool(TR_P3),
+            'YT_P4': bool(TR_P4),
+            'YT_PS': bool(TR_PS),
             'YL_s10_xc4': bool(K_s10_xc4 or L_s10_xc4_2),
             'YL_s11_xc5': bool(K_s11_xc5 or L_s11_xc5_2),
             'YL_s2': bool(K_s2 or L_s2_1 or L_s2_2 or L_s2_3 or L_s2_4),

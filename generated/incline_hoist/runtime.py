@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout f94a17e23f9ae04e555d5f22ae63ce3b5e5e292fc33de07e66ccfcc76df927dd
-# claims 70071d2f729d717ad4452c75554fd1a79d528db2f7ba3ae5facf0b9a4b3cbb66
+# layout 86f8cd7e9cc974f00c3d02026c17530a7ca9eb12f77235b0f99717fc5e65f01f
+# claims 032802e00e9f887e849ec7cf3e15c9d7a6ab3284a4b6fdaa8174d9d9aac99e30
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,7 +10,6 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 10),  # operator: set route number, 0 = none
     'CAN_XD2': (0, 2),  # operator: cancel the route from XD2
     'CAN_XD3': (0, 2),  # operator: cancel the route from XD3
     'CAN_XL': (0, 2),  # operator: cancel the route from XL
@@ -23,6 +22,7 @@ INPUTS = {
     'E_HOIST_STOPPED': (0, 2),  # external condition HOIST_STOPPED: hoist stopped
     'E_NO_PERSON': (0, 2),  # external condition NO_PERSON: nobody on the incline
     'E_ROPE_ATTACHED': (0, 2),  # external condition ROPE_ATTACHED: rope attached
+    'REQ': (0, 10),  # operator: set route number, 0 = none
     'CLR_d1': (0, 2),  # section d1 reported clear
     'CLR_d2': (0, 2),  # section d2 reported clear
     'CLR_d3': (0, 2),  # section d3 reported clear
@@ -51,10 +51,12 @@ INPUTS = {
     'DR_PD': (0, 2),  # machine PD detected reverse
     'MN_PD': (0, 2),  # operator: move machine PD normal
     'MR_PD': (0, 2),  # operator: move machine PD reverse
+    'TC_PD': (0, 2),  # operator: machine PD has been looked at after it was trailed
     'DN_PU': (0, 2),  # machine PU detected normal
     'DR_PU': (0, 2),  # machine PU detected reverse
     'MN_PU': (0, 2),  # operator: move machine PU normal
     'MR_PU': (0, 2),  # operator: move machine PU reverse
+    'TC_PU': (0, 2),  # operator: machine PU has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
@@ -64,6 +66,10 @@ STATE = {
     'CR_PU': False,  # machine PU commanded R
     'AL_PD': False,  # alarm: machine PD not detected
     'AL_PU': False,  # alarm: machine PU not detected
+    'TH_PD': False,  # machine PD was detected where it is commanded
+    'TR_PD': False,  # machine PD was trailed
+    'TH_PU': False,  # machine PU was detected where it is commanded
+    'TR_PU': False,  # machine PU was trailed
     'A_R1': False,  # route XD2-XN1 active
     'B_R1': False,  # route XD2-XN1 locked
     'W_R1': False,  # route XD2-XN1: proceed wanted
@@ -195,6 +201,8 @@ OUTPUTS = {
     'YR_PU': False,  # machine PU: reverse
     'YA_PD': False,  # alarm: machine PD not detected in time
     'YA_PU': False,  # alarm: machine PU not detected in time
+    'YT_PD': False,  # alarm: machine PD was trailed
+    'YT_PU': False,  # alarm: machine PU was trailed
     'YL_d1': True,  # indication: d1 is locked
     'YL_d2': True,  # indication: d2 is locked
     'YL_d3': True,  # indication: d3 is locked
@@ -241,7 +249,6 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_XD2 = read['CAN_XD2']
         CAN_XD3 = read['CAN_XD3']
         CAN_XL = read['CAN_XL']
@@ -254,6 +261,7 @@ class Controller:
         E_HOIST_STOPPED = read['E_HOIST_STOPPED']
         E_NO_PERSON = read['E_NO_PERSON']
         E_ROPE_ATTACHED = read['E_ROPE_ATTACHED']
+        REQ = read['REQ']
         CLR_d1 = read['CLR_d1']
         CLR_d2 = read['CLR_d2']
         CLR_d3 = read['CLR_d3']
@@ -282,16 +290,22 @@ class Controller:
         DR_PD = read['DR_PD']
         MN_PD = read['MN_PD']
         MR_PD = read['MR_PD']
+        TC_PD = read['TC_PD']
         DN_PU = read['DN_PU']
         DR_PU = read['DR_PU']
         MN_PU = read['MN_PU']
         MR_PU = read['MR_PU']
+        TC_PU = read['TC_PU']
         CN_PD = old['CN_PD']
         CR_PD = old['CR_PD']
         CN_PU = old['CN_PU']
         CR_PU = old['CR_PU']
         AL_PD = old['AL_PD']
         AL_PU = old['AL_PU']
+        TH_PD = old['TH_PD']
+        TR_PD = old['TR_PD']
+        TH_PU = old['TH_PU']
+        TR_PU = old['TR_PU']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -421,33 +435,33 @@ class Controller:
         MOV_PU = VALID and FREE_u2 and (not OCC_u2) and True and True  # machine PU is free to move (R10)
         AVN_PU = CN_PU or MOV_PU or (QN_PU and (not CN_PU) and (not CR_PU))  # machine PU can be demanded N
         AVR_PU = CR_PU or MOV_PU or (QR_PU and (not CN_PU) and (not CR_PU))  # machine PU can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_d1 and FREE_i2 and FREE_i1 and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and AVN_PD  # grant of route XD2-XN1 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_d1 and FREE_i2 and FREE_i1 and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and AVR_PD  # grant of route XD3-XN1 (R6)
+        G_R1 = (REQ == 1) and VALID and FREE_d1 and FREE_i2 and FREE_i1 and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and AVN_PD and (not TR_PD)  # grant of route XD2-XN1 (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_d1 and FREE_i2 and FREE_i1 and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and AVR_PD and (not TR_PD)  # grant of route XD3-XN1 (R6)
         G_R3 = (REQ == 3) and VALID and FREE_d3 and (not OCC_d3) and (not BLK_d3)  # grant of route XL-XD3 (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_d1 and FREE_d3 and (not OCC_d1) and (not OCC_d3) and (not BLK_d1) and (not BLK_d3) and AVR_PD  # grant of route XM-L (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_d1 and FREE_d2 and (not OCC_d1) and (not OCC_d2) and (not BLK_d1) and (not BLK_d2) and AVN_PD  # grant of route XM-LB (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_u2 and (not OCC_u2) and (not BLK_u2) and AVN_PU  # grant of route XN1-U (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_u2 and FREE_u3_stub and (not OCC_u2) and (not OCC_u3_stub) and (not BLK_u2) and (not BLK_u3_stub) and AVR_PU  # grant of route XU-UB (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_u2 and FREE_i1 and FREE_i2 and (not OCC_u2) and (not OCC_i1) and (not OCC_i2) and (not BLK_u2) and (not BLK_i1) and (not BLK_i2) and AVN_PU  # grant of route XU-XM (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_u2 and (not OCC_u2) and (not BLK_u2) and AVR_PU  # grant of route XU3-U (R6)
+        G_R4 = (REQ == 4) and VALID and FREE_d1 and FREE_d3 and (not OCC_d1) and (not OCC_d3) and (not BLK_d1) and (not BLK_d3) and AVR_PD and (not TR_PD)  # grant of route XM-L (R6)
+        G_R5 = (REQ == 5) and VALID and FREE_d1 and FREE_d2 and (not OCC_d1) and (not OCC_d2) and (not BLK_d1) and (not BLK_d2) and AVN_PD and (not TR_PD)  # grant of route XM-LB (R6)
+        G_R6 = (REQ == 6) and VALID and FREE_u2 and (not OCC_u2) and (not BLK_u2) and AVN_PU and (not TR_PU)  # grant of route XN1-U (R6)
+        G_R7 = (REQ == 7) and VALID and FREE_u2 and FREE_u3_stub and (not OCC_u2) and (not OCC_u3_stub) and (not BLK_u2) and (not BLK_u3_stub) and AVR_PU and (not TR_PU)  # grant of route XU-UB (R6)
+        G_R8 = (REQ == 8) and VALID and FREE_u2 and FREE_i1 and FREE_i2 and (not OCC_u2) and (not OCC_i1) and (not OCC_i2) and (not BLK_u2) and (not BLK_i1) and (not BLK_i2) and AVN_PU and (not TR_PU)  # grant of route XU-XM (R6)
+        G_R9 = (REQ == 9) and VALID and FREE_u2 and (not OCC_u2) and (not BLK_u2) and AVR_PU and (not TR_PU)  # grant of route XU3-U (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_XD2) and (not CAN_XD2) and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and QN_PD  # route XD2-XN1 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and QN_PD and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_d1)  # conditions of proceed for route XD2-XN1 (R3)
+        CO_R1 = VALID and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and QN_PD and (not TR_PD) and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_d1)  # conditions of proceed for route XD2-XN1 (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_XD3) and (not CAN_XD3) and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and QR_PD  # route XD3-XN1 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and QR_PD and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_d1)  # conditions of proceed for route XD3-XN1 (R3)
+        CO_R2 = VALID and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and QR_PD and (not TR_PD) and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_d1)  # conditions of proceed for route XD3-XN1 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_XL) and (not CAN_XL) and (not OCC_d3)  # route XL-XD3 becomes locked (R3)
         CO_R3 = VALID and (not OCC_d3) and (not BLK_d3) and (not D_d3)  # conditions of proceed for route XL-XD3 (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_XM) and (not CAN_XM) and (not OCC_d1) and (not OCC_d3) and QR_PD  # route XM-L becomes locked (R3)
-        CO_R4 = VALID and (not OCC_d1) and (not OCC_d3) and (not BLK_d1) and (not BLK_d3) and QR_PD and E_HOIST_STOPPED and (not OCC_lane) and (not D_d1)  # conditions of proceed for route XM-L (R3)
+        CO_R4 = VALID and (not OCC_d1) and (not OCC_d3) and (not BLK_d1) and (not BLK_d3) and QR_PD and (not TR_PD) and E_HOIST_STOPPED and (not OCC_lane) and (not D_d1)  # conditions of proceed for route XM-L (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_XM) and (not CAN_XM) and (not OCC_d1) and (not OCC_d2) and QN_PD  # route XM-LB becomes locked (R3)
-        CO_R5 = VALID and (not OCC_d1) and (not OCC_d2) and (not BLK_d1) and (not BLK_d2) and QN_PD and E_HOIST_STOPPED and (not D_d1)  # conditions of proceed for route XM-LB (R3)
+        CO_R5 = VALID and (not OCC_d1) and (not OCC_d2) and (not BLK_d1) and (not BLK_d2) and QN_PD and (not TR_PD) and E_HOIST_STOPPED and (not D_d1)  # conditions of proceed for route XM-LB (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_XN1) and (not CAN_XN1) and (not OCC_u2) and QN_PU  # route XN1-U becomes locked (R3)
-        CO_R6 = VALID and (not OCC_u2) and (not BLK_u2) and QN_PU and E_HOIST_STOPPED and (not OCC_u1) and (not D_u2)  # conditions of proceed for route XN1-U (R3)
+        CO_R6 = VALID and (not OCC_u2) and (not BLK_u2) and QN_PU and (not TR_PU) and E_HOIST_STOPPED and (not OCC_u1) and (not D_u2)  # conditions of proceed for route XN1-U (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_XU) and (not CAN_XU) and (not OCC_u2) and (not OCC_u3_stub) and QR_PU  # route XU-UB becomes locked (R3)
-        CO_R7 = VALID and (not OCC_u2) and (not OCC_u3_stub) and (not BLK_u2) and (not BLK_u3_stub) and QR_PU and E_HOIST_STOPPED and (not D_u2)  # conditions of proceed for route XU-UB (R3)
+        CO_R7 = VALID and (not OCC_u2) and (not OCC_u3_stub) and (not BLK_u2) and (not BLK_u3_stub) and QR_PU and (not TR_PU) and E_HOIST_STOPPED and (not D_u2)  # conditions of proceed for route XU-UB (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_XU) and (not CAN_XU) and (not OCC_u2) and (not OCC_i1) and (not OCC_i2) and QN_PU  # route XU-XM becomes locked (R3)
-        CO_R8 = VALID and (not OCC_u2) and (not OCC_i1) and (not OCC_i2) and (not BLK_u2) and (not BLK_i1) and (not BLK_i2) and QN_PU and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_u2)  # conditions of proceed for route XU-XM (R3)
+        CO_R8 = VALID and (not OCC_u2) and (not OCC_i1) and (not OCC_i2) and (not BLK_u2) and (not BLK_i1) and (not BLK_i2) and QN_PU and (not TR_PU) and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_u2)  # conditions of proceed for route XU-XM (R3)
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_XU3) and (not CAN_XU3) and (not OCC_u2) and QR_PU  # route XU3-U becomes locked (R3)
-        CO_R9 = VALID and (not OCC_u2) and (not BLK_u2) and QR_PU and E_HOIST_STOPPED and (not OCC_u1) and (not D_u2)  # conditions of proceed for route XU3-U (R3)
+        CO_R9 = VALID and (not OCC_u2) and (not BLK_u2) and QR_PU and (not TR_PU) and E_HOIST_STOPPED and (not OCC_u1) and (not D_u2)  # conditions of proceed for route XU3-U (R3)
         NU_d1_1 = VALID and F_d1 and (not D_d1) and (not U_d1) and L_d1_1 and OCC_d1 and OCC_d2  # a train comes into d1 at d1|d2@PD.normal (R9)
         NU_d1_2 = VALID and F_d1 and (not D_d1) and (not U_d1) and L_d1_2 and OCC_d1 and OCC_d3  # a train comes into d1 at d1|d3@PD.reverse (R9)
         NU_d1_3 = VALID and F_d1 and (not D_d1) and (not U_d1) and (L_d1_3 or L_d1_4) and OCC_d1 and OCC_i2  # a train comes into d1 at d1|i2@PD.toe (R9)
@@ -581,6 +595,10 @@ class Controller:
         N_CR_PU = GPR_PU or MAR_PU or HDR_PU  # machine PU commanded R
         N_AL_PD = ST_PD  # alarm: machine PD not detected
         N_AL_PU = ST_PU  # alarm: machine PU not detected
+        N_TH_PD = ((CN_PD and QN_PD) or (CR_PD and QR_PD)) and (not (GPN_PD or GPR_PD or MAN_PD or MAR_PD))  # machine PD was detected where it is commanded
+        N_TR_PD = (TH_PD and VALID and ((CN_PD and (not QN_PD) and (not GPR_PD) and (not MAR_PD)) or (CR_PD and (not QR_PD) and (not GPN_PD) and (not MAN_PD)))) or (TR_PD and (not (TC_PD and VALID and (not OCC_d1))))  # machine PD was trailed
+        N_TH_PU = ((CN_PU and QN_PU) or (CR_PU and QR_PU)) and (not (GPN_PU or GPR_PU or MAN_PU or MAR_PU))  # machine PU was detected where it is commanded
+        N_TR_PU = (TH_PU and VALID and ((CN_PU and (not QN_PU) and (not GPR_PU) and (not MAR_PU)) or (CR_PU and (not QR_PU) and (not GPN_PU) and (not MAN_PU)))) or (TR_PU and (not (TC_PU and VALID and (not OCC_u2))))  # machine PU was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route XD2-XN1 active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route XD2-XN1 locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_XD2) and (not CAN_XD2)  # route XD2-XN1: proceed wanted
@@ -691,6 +709,10 @@ class Controller:
             'CR_PU': bool(N_CR_PU),
             'AL_PD': bool(N_AL_PD),
             'AL_PU': bool(N_AL_PU),
+            'TH_PD': bool(N_TH_PD),
+            'TR_PD': bool(N_TR_PD),
+            'TH_PU': bool(N_TH_PU),
+            'TR_PU': bool(N_TR_PU),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -801,6 +823,10 @@ class Controller:
         CR_PU = self.state['CR_PU']
         AL_PD = self.state['AL_PD']
         AL_PU = self.state['AL_PU']
+        TH_PD = self.state['TH_PD']
+        TR_PD = self.state['TR_PD']
+        TH_PU = self.state['TH_PU']
+        TR_PU = self.state['TR_PU']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -911,6 +937,8 @@ class Controller:
             'YR_PU': bool(CR_PU),
             'YA_PD': bool(AL_PD),
             'YA_PU': bool(AL_PU),
+            'YT_PD': bool(TR_PD),
+            'YT_PU': bool(TR_PU),
             'YL_d1': bool(K_d1 or L_d1_1 or L_d1_2 or L_d1_3 or L_d1_4),
             'YL_d2': bool(K_d2 or L_d2_2),
             'YL_d3': bool(K_d3 or L_d3_1 or L_d3_2),

@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout fe7b775a8c72ed0c036ead46243747a37dfedb876451d059e698b0f91f778fd4
-# claims 629dae0ae1ad69bbb497e4d97a384080a0f5df6f32f0e99245ce34a22fc2aea5
+# layout 9ae72323112259c64f529e2ba1a4f61ca1df232fba0c644c260470a565a7a7ff
+# claims a486b2232c28873f0280e712c508089596546311ea13debebbb1a2f2641d567e
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,7 +10,6 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 12),  # operator: set route number, 0 = none
     'CAN_S1': (0, 2),  # operator: cancel the route from S1
     'CAN_S1J': (0, 2),  # operator: cancel the route from S1J
     'CAN_S2': (0, 2),  # operator: cancel the route from S2
@@ -20,6 +19,7 @@ INPUTS = {
     'CAN_S4J': (0, 2),  # operator: cancel the route from S4J
     'CAN_S5': (0, 2),  # operator: cancel the route from S5
     'CAN_S6': (0, 2),  # operator: cancel the route from S6
+    'REQ': (0, 12),  # operator: set route number, 0 = none
     'CLR_AA': (0, 2),  # section AA reported clear
     'CLR_AB': (0, 2),  # section AB reported clear
     'CLR_AC': (0, 2),  # section AC reported clear
@@ -61,10 +61,12 @@ INPUTS = {
     'DR_101': (0, 2),  # machine 101 detected reverse
     'MN_101': (0, 2),  # operator: move machine 101 normal
     'MR_101': (0, 2),  # operator: move machine 101 reverse
+    'TC_101': (0, 2),  # operator: machine 101 has been looked at after it was trailed
     'DN_102': (0, 2),  # machine 102 detected normal
     'DR_102': (0, 2),  # machine 102 detected reverse
     'MN_102': (0, 2),  # operator: move machine 102 normal
     'MR_102': (0, 2),  # operator: move machine 102 reverse
+    'TC_102': (0, 2),  # operator: machine 102 has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
@@ -74,6 +76,10 @@ STATE = {
     'CR_102': False,  # machine 102 commanded R
     'AL_101': False,  # alarm: machine 101 not detected
     'AL_102': False,  # alarm: machine 102 not detected
+    'TH_101': False,  # machine 101 was detected where it is commanded
+    'TR_101': False,  # machine 101 was trailed
+    'TH_102': False,  # machine 102 was detected where it is commanded
+    'TR_102': False,  # machine 102 was trailed
     'A_R1': False,  # route S1-S1J active
     'B_R1': False,  # route S1-S1J locked
     'W_R1': False,  # route S1-S1J: proceed wanted
@@ -268,6 +274,8 @@ OUTPUTS = {
     'YR_102': False,  # machine 102: reverse
     'YA_101': False,  # alarm: machine 101 not detected in time
     'YA_102': False,  # alarm: machine 102 not detected in time
+    'YT_101': False,  # alarm: machine 101 was trailed
+    'YT_102': False,  # alarm: machine 102 was trailed
     'YL_AB': True,  # indication: AB is locked
     'YL_AC': True,  # indication: AC is locked
     'YL_AD': True,  # indication: AD is locked
@@ -331,7 +339,6 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_S1 = read['CAN_S1']
         CAN_S1J = read['CAN_S1J']
         CAN_S2 = read['CAN_S2']
@@ -341,6 +348,7 @@ class Controller:
         CAN_S4J = read['CAN_S4J']
         CAN_S5 = read['CAN_S5']
         CAN_S6 = read['CAN_S6']
+        REQ = read['REQ']
         CLR_AA = read['CLR_AA']
         CLR_AB = read['CLR_AB']
         CLR_AC = read['CLR_AC']
@@ -382,16 +390,22 @@ class Controller:
         DR_101 = read['DR_101']
         MN_101 = read['MN_101']
         MR_101 = read['MR_101']
+        TC_101 = read['TC_101']
         DN_102 = read['DN_102']
         DR_102 = read['DR_102']
         MN_102 = read['MN_102']
         MR_102 = read['MR_102']
+        TC_102 = read['TC_102']
         CN_101 = old['CN_101']
         CR_101 = old['CR_101']
         CN_102 = old['CN_102']
         CR_102 = old['CR_102']
         AL_101 = old['AL_101']
         AL_102 = old['AL_102']
+        TH_101 = old['TH_101']
+        TR_101 = old['TR_101']
+        TH_102 = old['TH_102']
+        TR_102 = old['TR_102']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -581,35 +595,35 @@ class Controller:
         MOV_102 = VALID and FREE_BC and (not OCC_BC) and True and True  # machine 102 is free to move (R10)
         AVN_102 = CN_102 or MOV_102 or (QN_102 and (not CN_102) and (not CR_102))  # machine 102 can be demanded N
         AVR_102 = CR_102 or MOV_102 or (QR_102 and (not CN_102) and (not CR_102))  # machine 102 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_AB and ((not K_AC) and (not V_S1J_1) and (not V_S1J_2) and ((not L_AC_1) or A_R3) and (not L_AC_2)) and ((not K_AD) and (not V_S1J_1) and ((not L_AD_1) or A_R3)) and (not OCC_AB) and (not OCC_AC) and (not OCC_AD) and (not BLK_AB) and AVN_101  # grant of route S1-S1J (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_AB and ((not K_AC) and (not V_S1J_1) and (not V_S1J_2) and (not L_AC_1) and ((not L_AC_2) or A_R4)) and ((not K_CD) and (not V_S1J_2) and ((not L_CD_1) or A_R4)) and (not OCC_AB) and (not OCC_AC) and (not OCC_CD) and (not BLK_AB) and (not (L_BC_1 or V_S2J_1 or K_BC)) and AVR_101  # grant of route S1-S1J.o2 (R6)
-        G_R3 = (REQ == 3) and VALID and ((not K_AC) and (not L_AC_1) and (not L_AC_2) and (not V_S1J_2)) and ((not K_AD) and (not L_AD_1)) and ((not K_AE) and (not V_S3_1) and ((not L_AE_1) or A_R7)) and (not OCC_AC) and (not OCC_AD) and (not OCC_AE) and (not BLK_AC) and (not BLK_AD) and AVN_101  # grant of route S1J-S3 (R6)
-        G_R4 = (REQ == 4) and VALID and ((not K_AC) and (not L_AC_1) and (not L_AC_2) and (not V_S1J_1)) and ((not K_CD) and (not L_CD_1)) and ((not K_CE) and (not V_S5_1) and ((not L_CE_1) or A_R10)) and (not OCC_AC) and (not OCC_CD) and (not OCC_CE) and (not BLK_AC) and (not BLK_CD) and (not (L_BC_1 or V_S2J_1 or K_BC)) and AVR_101  # grant of route S1J-S5 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BC_1) or A_R6) and (not L_BC_4)) and ((not K_BD) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BD_1) or A_R6)) and (not OCC_BB) and (not OCC_BC) and (not OCC_BD) and (not BLK_BB) and (not (L_AC_2 or V_S1J_2 or K_AC)) and AVN_102 and AVN_101  # grant of route S2-S2J (R6)
-        G_R6 = (REQ == 6) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_4) and (not V_S4J_1)) and ((not K_BD) and (not L_BD_1) and (not V_S4J_1)) and ((not K_BE) and (not V_S6_1) and ((not L_BE_1) or A_R11)) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and (not (L_AC_2 or V_S1J_2 or K_AC)) and AVN_102 and AVN_101  # grant of route S2J-S6 (R6)
+        G_R1 = (REQ == 1) and VALID and FREE_AB and ((not K_AC) and (not V_S1J_1) and (not V_S1J_2) and ((not L_AC_1) or A_R3) and (not L_AC_2)) and ((not K_AD) and (not V_S1J_1) and ((not L_AD_1) or A_R3)) and (not OCC_AB) and (not OCC_AC) and (not OCC_AD) and (not BLK_AB) and AVN_101 and (not TR_101)  # grant of route S1-S1J (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_AB and ((not K_AC) and (not V_S1J_1) and (not V_S1J_2) and (not L_AC_1) and ((not L_AC_2) or A_R4)) and ((not K_CD) and (not V_S1J_2) and ((not L_CD_1) or A_R4)) and (not OCC_AB) and (not OCC_AC) and (not OCC_CD) and (not BLK_AB) and (not (L_BC_1 or V_S2J_1 or K_BC)) and AVR_101 and (not TR_101)  # grant of route S1-S1J.o2 (R6)
+        G_R3 = (REQ == 3) and VALID and ((not K_AC) and (not L_AC_1) and (not L_AC_2) and (not V_S1J_2)) and ((not K_AD) and (not L_AD_1)) and ((not K_AE) and (not V_S3_1) and ((not L_AE_1) or A_R7)) and (not OCC_AC) and (not OCC_AD) and (not OCC_AE) and (not BLK_AC) and (not BLK_AD) and AVN_101 and (not TR_101)  # grant of route S1J-S3 (R6)
+        G_R4 = (REQ == 4) and VALID and ((not K_AC) and (not L_AC_1) and (not L_AC_2) and (not V_S1J_1)) and ((not K_CD) and (not L_CD_1)) and ((not K_CE) and (not V_S5_1) and ((not L_CE_1) or A_R10)) and (not OCC_AC) and (not OCC_CD) and (not OCC_CE) and (not BLK_AC) and (not BLK_CD) and (not (L_BC_1 or V_S2J_1 or K_BC)) and AVR_101 and (not TR_101)  # grant of route S1J-S5 (R6)
+        G_R5 = (REQ == 5) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BC_1) or A_R6) and (not L_BC_4)) and ((not K_BD) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BD_1) or A_R6)) and (not OCC_BB) and (not OCC_BC) and (not OCC_BD) and (not BLK_BB) and (not (L_AC_2 or V_S1J_2 or K_AC)) and AVN_102 and AVN_101 and (not TR_102) and (not TR_101)  # grant of route S2-S2J (R6)
+        G_R6 = (REQ == 6) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_4) and (not V_S4J_1)) and ((not K_BD) and (not L_BD_1) and (not V_S4J_1)) and ((not K_BE) and (not V_S6_1) and ((not L_BE_1) or A_R11)) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and (not (L_AC_2 or V_S1J_2 or K_AC)) and AVN_102 and AVN_101 and (not TR_102) and (not TR_101)  # grant of route S2J-S6 (R6)
         G_R7 = (REQ == 7) and VALID and ((not K_AE) and (not L_AE_1)) and (not OCC_AE) and (not BLK_AE)  # grant of route S3-DM2 (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_DB and ((not K_BC) and (not V_S2J_1) and (not V_S4J_1) and (not L_BC_1) and ((not L_BC_4) or A_R9)) and ((not K_BD) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BD_1) or A_R9)) and (not OCC_DB) and (not OCC_BC) and (not OCC_BD) and (not BLK_DB) and AVR_102  # grant of route S4-S4J (R6)
-        G_R9 = (REQ == 9) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_4) and (not V_S2J_1)) and ((not K_BD) and (not L_BD_1) and (not V_S2J_1)) and ((not K_BE) and (not V_S6_1) and ((not L_BE_1) or A_R11)) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and AVR_102  # grant of route S4J-S6 (R6)
+        G_R8 = (REQ == 8) and VALID and FREE_DB and ((not K_BC) and (not V_S2J_1) and (not V_S4J_1) and (not L_BC_1) and ((not L_BC_4) or A_R9)) and ((not K_BD) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BD_1) or A_R9)) and (not OCC_DB) and (not OCC_BC) and (not OCC_BD) and (not BLK_DB) and AVR_102 and (not TR_102)  # grant of route S4-S4J (R6)
+        G_R9 = (REQ == 9) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_4) and (not V_S2J_1)) and ((not K_BD) and (not L_BD_1) and (not V_S2J_1)) and ((not K_BE) and (not V_S6_1) and ((not L_BE_1) or A_R11)) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and AVR_102 and (not TR_102)  # grant of route S4J-S6 (R6)
         G_R10 = (REQ == 10) and VALID and ((not K_CE) and (not L_CE_1)) and (not OCC_CE) and (not BLK_CE)  # grant of route S5-DBO (R6)
         G_R11 = (REQ == 11) and VALID and ((not K_BE) and (not L_BE_1)) and (not OCC_BE) and (not BLK_BE)  # grant of route S6-UM (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_AB) and (not OCC_AC) and (not OCC_AD) and QN_101  # route S1-S1J becomes locked (R3)
-        CO_R1 = VALID and (not OCC_AB) and (not OCC_AC) and (not OCC_AD) and (not BLK_AB) and QN_101 and (not D_AB) and V_S1J_1  # conditions of proceed for route S1-S1J (R3)
+        CO_R1 = VALID and (not OCC_AB) and (not OCC_AC) and (not OCC_AD) and (not BLK_AB) and QN_101 and (not TR_101) and (not D_AB) and V_S1J_1  # conditions of proceed for route S1-S1J (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_AB) and (not OCC_AC) and (not OCC_CD) and QR_101  # route S1-S1J.o2 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_AB) and (not OCC_AC) and (not OCC_CD) and (not BLK_AB) and QR_101 and (not D_AB) and V_S1J_2  # conditions of proceed for route S1-S1J.o2 (R3)
+        CO_R2 = VALID and (not OCC_AB) and (not OCC_AC) and (not OCC_CD) and (not BLK_AB) and QR_101 and (not TR_101) and (not D_AB) and V_S1J_2  # conditions of proceed for route S1-S1J.o2 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_AC) and (not OCC_AD) and (not OCC_AE) and QN_101  # route S1J-S3 becomes locked (R3)
-        CO_R3 = VALID and (not OCC_AC) and (not OCC_AD) and (not OCC_AE) and (not BLK_AC) and (not BLK_AD) and QN_101 and (not D_AC) and V_S3_1  # conditions of proceed for route S1J-S3 (R3)
+        CO_R3 = VALID and (not OCC_AC) and (not OCC_AD) and (not OCC_AE) and (not BLK_AC) and (not BLK_AD) and QN_101 and (not TR_101) and (not D_AC) and V_S3_1  # conditions of proceed for route S1J-S3 (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_AC) and (not OCC_CD) and (not OCC_CE) and QR_101  # route S1J-S5 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_AC) and (not OCC_CD) and (not OCC_CE) and (not BLK_AC) and (not BLK_CD) and QR_101 and (not D_AC) and V_S5_1  # conditions of proceed for route S1J-S5 (R3)
+        CO_R4 = VALID and (not OCC_AC) and (not OCC_CD) and (not OCC_CE) and (not BLK_AC) and (not BLK_CD) and QR_101 and (not TR_101) and (not D_AC) and V_S5_1  # conditions of proceed for route S1J-S5 (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_BB) and (not OCC_BC) and (not OCC_BD) and QN_102 and QN_101  # route S2-S2J becomes locked (R3)
-        CO_R5 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_BD) and (not BLK_BB) and QN_102 and QN_101 and (not D_BB) and V_S2J_1  # conditions of proceed for route S2-S2J (R3)
+        CO_R5 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_BD) and (not BLK_BB) and QN_102 and QN_101 and (not TR_102) and (not TR_101) and (not D_BB) and V_S2J_1  # conditions of proceed for route S2-S2J (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S2J) and (not CAN_S2J) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and QN_102 and QN_101  # route S2J-S6 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and QN_102 and QN_101 and (not D_BC) and V_S6_1  # conditions of proceed for route S2J-S6 (R3)
+        CO_R6 = VALID and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and QN_102 and QN_101 and (not TR_102) and (not TR_101) and (not D_BC) and V_S6_1  # conditions of proceed for route S2J-S6 (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S3) and (not CAN_S3) and (not OCC_AE)  # route S3-DM2 becomes locked (R3)
         CO_R7 = VALID and (not OCC_AE) and (not BLK_AE) and (not D_AE)  # conditions of proceed for route S3-DM2 (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_DB) and (not OCC_BC) and (not OCC_BD) and QR_102  # route S4-S4J becomes locked (R3)
-        CO_R8 = VALID and (not OCC_DB) and (not OCC_BC) and (not OCC_BD) and (not BLK_DB) and QR_102 and (not D_DB) and V_S4J_1  # conditions of proceed for route S4-S4J (R3)
+        CO_R8 = VALID and (not OCC_DB) and (not OCC_BC) and (not OCC_BD) and (not BLK_DB) and QR_102 and (not TR_102) and (not D_DB) and V_S4J_1  # conditions of proceed for route S4-S4J (R3)
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S4J) and (not CAN_S4J) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and QR_102  # route S4J-S6 becomes locked (R3)
-        CO_R9 = VALID and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and QR_102 and (not D_BC) and V_S6_1  # conditions of proceed for route S4J-S6 (R3)
+        CO_R9 = VALID and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and QR_102 and (not TR_102) and (not D_BC) and V_S6_1  # conditions of proceed for route S4J-S6 (R3)
         LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_CE)  # route S5-DBO becomes locked (R3)
         CO_R10 = VALID and (not OCC_CE) and (not BLK_CE) and (not D_CE)  # conditions of proceed for route S5-DBO (R3)
         LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S6) and (not CAN_S6) and (not OCC_BE)  # route S6-UM becomes locked (R3)
@@ -803,6 +817,10 @@ class Controller:
         N_CR_102 = GPR_102 or MAR_102 or HDR_102  # machine 102 commanded R
         N_AL_101 = ST_101  # alarm: machine 101 not detected
         N_AL_102 = ST_102  # alarm: machine 102 not detected
+        N_TH_101 = ((CN_101 and QN_101) or (CR_101 and QR_101)) and (not (GPN_101 or GPR_101 or MAN_101 or MAR_101))  # machine 101 was detected where it is commanded
+        N_TR_101 = (TH_101 and VALID and ((CN_101 and (not QN_101) and (not GPR_101) and (not MAR_101)) or (CR_101 and (not QR_101) and (not GPN_101) and (not MAN_101)))) or (TR_101 and (not (TC_101 and VALID and (not OCC_AC))))  # machine 101 was trailed
+        N_TH_102 = ((CN_102 and QN_102) or (CR_102 and QR_102)) and (not (GPN_102 or GPR_102 or MAN_102 or MAR_102))  # machine 102 was detected where it is commanded
+        N_TR_102 = (TH_102 and VALID and ((CN_102 and (not QN_102) and (not GPR_102) and (not MAR_102)) or (CR_102 and (not QR_102) and (not GPN_102) and (not MAN_102)))) or (TR_102 and (not (TC_102 and VALID and (not OCC_BC))))  # machine 102 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route S1-S1J active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route S1-S1J locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_S1) and (not CAN_S1)  # route S1-S1J: proceed wanted
@@ -964,6 +982,10 @@ class Controller:
             'CR_102': bool(N_CR_102),
             'AL_101': bool(N_AL_101),
             'AL_102': bool(N_AL_102),
+            'TH_101': bool(N_TH_101),
+            'TR_101': bool(N_TR_101),
+            'TH_102': bool(N_TH_102),
+            'TR_102': bool(N_TR_102),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -1125,6 +1147,10 @@ class Controller:
         CR_102 = self.state['CR_102']
         AL_101 = self.state['AL_101']
         AL_102 = self.state['AL_102']
+        TH_101 = self.state['TH_101']
+        TR_101 = self.state['TR_101']
+        TH_102 = self.state['TH_102']
+        TR_102 = self.state['TR_102']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -1286,6 +1312,8 @@ class Controller:
             'YR_102': bool(CR_102),
             'YA_101': bool(AL_101),
             'YA_102': bool(AL_102),
+            'YT_101': bool(TR_101),
+            'YT_102': bool(TR_102),
             'YL_AB': bool(K_AB or L_AB_2),
             'YL_AC': bool(K_AC or L_AC_1 or L_AC_2 or V_S1J_1 or V_S1J_2),
             'YL_AD': bool(K_AD or L_AD_1 or V_S1J_1),

@@ -1,7 +1,7 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 4a1e427f4299c722e92b70f4ff49ddaf8f9d5e09e2db09c6f8f7e665b9dde28a
-# claims 07dc59acf14a473754cbedc5d39c50b81340090b60074a490ee6bd73fd0f08aa
+# layout a30a2da6c8a167055da3c4576d72b93a97636669563a490fa4bbe3b8fb6de40f
+# claims 82b64ad67bb0173a89ded572f2dfa10b36bf608c48d0f896ac2e2d32df6dad4d
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,7 +10,6 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 10),  # operator: set route number, 0 = none
     'CAN_X1': (0, 2),  # operator: cancel the route from X1
     'CAN_X2': (0, 2),  # operator: cancel the route from X2
     'CAN_X3': (0, 2),  # operator: cancel the route from X3
@@ -18,6 +17,7 @@ INPUTS = {
     'CAN_X5': (0, 2),  # operator: cancel the route from X5
     'CAN_X6': (0, 2),  # operator: cancel the route from X6
     'CAN_X7': (0, 2),  # operator: cancel the route from X7
+    'REQ': (0, 10),  # operator: set route number, 0 = none
     'CLR_ap_E': (0, 2),  # section ap_E reported clear
     'CLR_ap_W': (0, 2),  # section ap_W reported clear
     'CLR_q1': (0, 2),  # section q1 reported clear
@@ -58,10 +58,12 @@ INPUTS = {
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
     'MR_P1': (0, 2),  # operator: move machine P1 reverse
+    'TC_P1': (0, 2),  # operator: machine P1 has been looked at after it was trailed
     'DN_P2': (0, 2),  # machine P2 detected normal
     'DR_P2': (0, 2),  # machine P2 detected reverse
     'MN_P2': (0, 2),  # operator: move machine P2 normal
     'MR_P2': (0, 2),  # operator: move machine P2 reverse
+    'TC_P2': (0, 2),  # operator: machine P2 has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
@@ -71,6 +73,10 @@ STATE = {
     'CR_P2': False,  # machine P2 commanded R
     'AL_P1': False,  # alarm: machine P1 not detected
     'AL_P2': False,  # alarm: machine P2 not detected
+    'TH_P1': False,  # machine P1 was detected where it is commanded
+    'TR_P1': False,  # machine P1 was trailed
+    'TH_P2': False,  # machine P2 was detected where it is commanded
+    'TR_P2': False,  # machine P2 was trailed
     'A_R1': False,  # route X1-X3 active
     'B_R1': False,  # route X1-X3 locked
     'W_R1': False,  # route X1-X3: proceed wanted
@@ -236,6 +242,8 @@ OUTPUTS = {
     'YR_P2': False,  # machine P2: reverse
     'YA_P1': False,  # alarm: machine P1 not detected in time
     'YA_P2': False,  # alarm: machine P2 not detected in time
+    'YT_P1': False,  # alarm: machine P1 was trailed
+    'YT_P2': False,  # alarm: machine P2 was trailed
     'YL_q1': True,  # indication: q1 is locked
     'YL_q10': True,  # indication: q10 is locked
     'YL_q11': True,  # indication: q11 is locked
@@ -286,7 +294,6 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_X1 = read['CAN_X1']
         CAN_X2 = read['CAN_X2']
         CAN_X3 = read['CAN_X3']
@@ -294,6 +301,7 @@ class Controller:
         CAN_X5 = read['CAN_X5']
         CAN_X6 = read['CAN_X6']
         CAN_X7 = read['CAN_X7']
+        REQ = read['REQ']
         CLR_ap_E = read['CLR_ap_E']
         CLR_ap_W = read['CLR_ap_W']
         CLR_q1 = read['CLR_q1']
@@ -334,16 +342,22 @@ class Controller:
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
         MR_P1 = read['MR_P1']
+        TC_P1 = read['TC_P1']
         DN_P2 = read['DN_P2']
         DR_P2 = read['DR_P2']
         MN_P2 = read['MN_P2']
         MR_P2 = read['MR_P2']
+        TC_P2 = read['TC_P2']
         CN_P1 = old['CN_P1']
         CR_P1 = old['CR_P1']
         CN_P2 = old['CN_P2']
         CR_P2 = old['CR_P2']
         AL_P1 = old['AL_P1']
         AL_P2 = old['AL_P2']
+        TH_P1 = old['TH_P1']
+        TR_P1 = old['TR_P1']
+        TH_P2 = old['TH_P2']
+        TR_P2 = old['TR_P2']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -511,31 +525,31 @@ class Controller:
         MOV_P2 = VALID and FREE_q11 and (not OCC_q11) and True and True  # machine P2 is free to move (R10)
         AVN_P2 = CN_P2 or MOV_P2 or (QN_P2 and (not CN_P2) and (not CR_P2))  # machine P2 can be demanded N
         AVR_P2 = CR_P2 or MOV_P2 or (QR_P2 and (not CN_P2) and (not CR_P2))  # machine P2 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_q2 and FREE_q3 and (not OCC_q2) and (not OCC_q3) and (not BLK_q2) and (not BLK_q3) and AVN_P1  # grant of route X1-X3 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_q2 and FREE_q4 and (not OCC_q2) and (not OCC_q4) and (not BLK_q2) and (not BLK_q4) and AVR_P1  # grant of route X1-X5 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_q3 and FREE_q2 and FREE_q1 and (not OCC_q3) and (not OCC_q2) and (not OCC_q1) and (not BLK_q3) and (not BLK_q2) and (not BLK_q1) and AVN_P1  # grant of route X2-W (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_q5 and FREE_q7 and FREE_q9 and FREE_q11 and (not OCC_q5) and (not OCC_q7) and (not OCC_q9) and (not OCC_q11) and (not BLK_q5) and (not BLK_q7) and (not BLK_q9) and (not BLK_q11) and AVN_P2  # grant of route X3-E (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_q11 and FREE_q9 and FREE_q7 and FREE_q5 and (not OCC_q11) and (not OCC_q9) and (not OCC_q7) and (not OCC_q5) and (not BLK_q11) and (not BLK_q9) and (not BLK_q7) and (not BLK_q5) and AVN_P2  # grant of route X4-X2 (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_q11 and FREE_q10 and (not OCC_q11) and (not OCC_q10) and (not BLK_q11) and (not BLK_q10) and AVR_P2  # grant of route X4-X6 (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_q6 and FREE_q8 and FREE_q10 and FREE_q11 and (not OCC_q6) and (not OCC_q8) and (not OCC_q10) and (not OCC_q11) and (not BLK_q6) and (not BLK_q8) and (not BLK_q10) and (not BLK_q11) and AVR_P2  # grant of route X5-E (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_q8 and FREE_q6 and FREE_q4 and FREE_q2 and FREE_q1 and (not OCC_q8) and (not OCC_q6) and (not OCC_q4) and (not OCC_q2) and (not OCC_q1) and (not BLK_q8) and (not BLK_q6) and (not BLK_q4) and (not BLK_q2) and (not BLK_q1) and AVR_P1  # grant of route X6-W (R6)
+        G_R1 = (REQ == 1) and VALID and FREE_q2 and FREE_q3 and (not OCC_q2) and (not OCC_q3) and (not BLK_q2) and (not BLK_q3) and AVN_P1 and (not TR_P1)  # grant of route X1-X3 (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_q2 and FREE_q4 and (not OCC_q2) and (not OCC_q4) and (not BLK_q2) and (not BLK_q4) and AVR_P1 and (not TR_P1)  # grant of route X1-X5 (R6)
+        G_R3 = (REQ == 3) and VALID and FREE_q3 and FREE_q2 and FREE_q1 and (not OCC_q3) and (not OCC_q2) and (not OCC_q1) and (not BLK_q3) and (not BLK_q2) and (not BLK_q1) and AVN_P1 and (not TR_P1)  # grant of route X2-W (R6)
+        G_R4 = (REQ == 4) and VALID and FREE_q5 and FREE_q7 and FREE_q9 and FREE_q11 and (not OCC_q5) and (not OCC_q7) and (not OCC_q9) and (not OCC_q11) and (not BLK_q5) and (not BLK_q7) and (not BLK_q9) and (not BLK_q11) and AVN_P2 and (not TR_P2)  # grant of route X3-E (R6)
+        G_R5 = (REQ == 5) and VALID and FREE_q11 and FREE_q9 and FREE_q7 and FREE_q5 and (not OCC_q11) and (not OCC_q9) and (not OCC_q7) and (not OCC_q5) and (not BLK_q11) and (not BLK_q9) and (not BLK_q7) and (not BLK_q5) and AVN_P2 and (not TR_P2)  # grant of route X4-X2 (R6)
+        G_R6 = (REQ == 6) and VALID and FREE_q11 and FREE_q10 and (not OCC_q11) and (not OCC_q10) and (not BLK_q11) and (not BLK_q10) and AVR_P2 and (not TR_P2)  # grant of route X4-X6 (R6)
+        G_R7 = (REQ == 7) and VALID and FREE_q6 and FREE_q8 and FREE_q10 and FREE_q11 and (not OCC_q6) and (not OCC_q8) and (not OCC_q10) and (not OCC_q11) and (not BLK_q6) and (not BLK_q8) and (not BLK_q10) and (not BLK_q11) and AVR_P2 and (not TR_P2)  # grant of route X5-E (R6)
+        G_R8 = (REQ == 8) and VALID and FREE_q8 and FREE_q6 and FREE_q4 and FREE_q2 and FREE_q1 and (not OCC_q8) and (not OCC_q6) and (not OCC_q4) and (not OCC_q2) and (not OCC_q1) and (not BLK_q8) and (not BLK_q6) and (not BLK_q4) and (not BLK_q2) and (not BLK_q1) and AVR_P1 and (not TR_P1)  # grant of route X6-W (R6)
         G_R9 = (REQ == 9) and VALID and FREE_q1 and (not OCC_q1) and (not BLK_q1)  # grant of route X7-X1 (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_X1) and (not CAN_X1) and (not OCC_q2) and (not OCC_q3) and QN_P1  # route X1-X3 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_q2) and (not OCC_q3) and (not BLK_q2) and (not BLK_q3) and QN_P1 and (not D_q2)  # conditions of proceed for route X1-X3 (R3)
+        CO_R1 = VALID and (not OCC_q2) and (not OCC_q3) and (not BLK_q2) and (not BLK_q3) and QN_P1 and (not TR_P1) and (not D_q2)  # conditions of proceed for route X1-X3 (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_X1) and (not CAN_X1) and (not OCC_q2) and (not OCC_q4) and QR_P1  # route X1-X5 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_q2) and (not OCC_q4) and (not BLK_q2) and (not BLK_q4) and QR_P1 and (not D_q2)  # conditions of proceed for route X1-X5 (R3)
+        CO_R2 = VALID and (not OCC_q2) and (not OCC_q4) and (not BLK_q2) and (not BLK_q4) and QR_P1 and (not TR_P1) and (not D_q2)  # conditions of proceed for route X1-X5 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_X2) and (not CAN_X2) and (not OCC_q3) and (not OCC_q2) and (not OCC_q1) and QN_P1  # route X2-W becomes locked (R3)
-        CO_R3 = VALID and (not OCC_q3) and (not OCC_q2) and (not OCC_q1) and (not BLK_q3) and (not BLK_q2) and (not BLK_q1) and QN_P1 and (not OCC_ap_W) and (not D_q3)  # conditions of proceed for route X2-W (R3)
+        CO_R3 = VALID and (not OCC_q3) and (not OCC_q2) and (not OCC_q1) and (not BLK_q3) and (not BLK_q2) and (not BLK_q1) and QN_P1 and (not TR_P1) and (not OCC_ap_W) and (not D_q3)  # conditions of proceed for route X2-W (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_X3) and (not CAN_X3) and (not OCC_q5) and (not OCC_q7) and (not OCC_q9) and (not OCC_q11) and QN_P2  # route X3-E becomes locked (R3)
-        CO_R4 = VALID and (not OCC_q5) and (not OCC_q7) and (not OCC_q9) and (not OCC_q11) and (not BLK_q5) and (not BLK_q7) and (not BLK_q9) and (not BLK_q11) and QN_P2 and (not OCC_ap_E) and (not D_q5)  # conditions of proceed for route X3-E (R3)
+        CO_R4 = VALID and (not OCC_q5) and (not OCC_q7) and (not OCC_q9) and (not OCC_q11) and (not BLK_q5) and (not BLK_q7) and (not BLK_q9) and (not BLK_q11) and QN_P2 and (not TR_P2) and (not OCC_ap_E) and (not D_q5)  # conditions of proceed for route X3-E (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_X4) and (not CAN_X4) and (not OCC_q11) and (not OCC_q9) and (not OCC_q7) and (not OCC_q5) and QN_P2  # route X4-X2 becomes locked (R3)
-        CO_R5 = VALID and (not OCC_q11) and (not OCC_q9) and (not OCC_q7) and (not OCC_q5) and (not BLK_q11) and (not BLK_q9) and (not BLK_q7) and (not BLK_q5) and QN_P2 and (not D_q11)  # conditions of proceed for route X4-X2 (R3)
+        CO_R5 = VALID and (not OCC_q11) and (not OCC_q9) and (not OCC_q7) and (not OCC_q5) and (not BLK_q11) and (not BLK_q9) and (not BLK_q7) and (not BLK_q5) and QN_P2 and (not TR_P2) and (not D_q11)  # conditions of proceed for route X4-X2 (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_X4) and (not CAN_X4) and (not OCC_q11) and (not OCC_q10) and QR_P2  # route X4-X6 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_q11) and (not OCC_q10) and (not BLK_q11) and (not BLK_q10) and QR_P2 and (not D_q11)  # conditions of proceed for route X4-X6 (R3)
+        CO_R6 = VALID and (not OCC_q11) and (not OCC_q10) and (not BLK_q11) and (not BLK_q10) and QR_P2 and (not TR_P2) and (not D_q11)  # conditions of proceed for route X4-X6 (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_X5) and (not CAN_X5) and (not OCC_q6) and (not OCC_q8) and (not OCC_q10) and (not OCC_q11) and QR_P2  # route X5-E becomes locked (R3)
-        CO_R7 = VALID and (not OCC_q6) and (not OCC_q8) and (not OCC_q10) and (not OCC_q11) and (not BLK_q6) and (not BLK_q8) and (not BLK_q10) and (not BLK_q11) and QR_P2 and (not OCC_ap_E) and (not D_q6)  # conditions of proceed for route X5-E (R3)
+        CO_R7 = VALID and (not OCC_q6) and (not OCC_q8) and (not OCC_q10) and (not OCC_q11) and (not BLK_q6) and (not BLK_q8) and (not BLK_q10) and (not BLK_q11) and QR_P2 and (not TR_P2) and (not OCC_ap_E) and (not D_q6)  # conditions of proceed for route X5-E (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_X6) and (not CAN_X6) and (not OCC_q8) and (not OCC_q6) and (not OCC_q4) and (not OCC_q2) and (not OCC_q1) and QR_P1  # route X6-W becomes locked (R3)
-        CO_R8 = VALID and (not OCC_q8) and (not OCC_q6) and (not OCC_q4) and (not OCC_q2) and (not OCC_q1) and (not BLK_q8) and (not BLK_q6) and (not BLK_q4) and (not BLK_q2) and (not BLK_q1) and QR_P1 and (not OCC_ap_W) and (not D_q8)  # conditions of proceed for route X6-W (R3)
+        CO_R8 = VALID and (not OCC_q8) and (not OCC_q6) and (not OCC_q4) and (not OCC_q2) and (not OCC_q1) and (not BLK_q8) and (not BLK_q6) and (not BLK_q4) and (not BLK_q2) and (not BLK_q1) and QR_P1 and (not TR_P1) and (not OCC_ap_W) and (not D_q8)  # conditions of proceed for route X6-W (R3)
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_X7) and (not CAN_X7) and (not OCC_q1)  # route X7-X1 becomes locked (R3)
         CO_R9 = VALID and (not OCC_q1) and (not BLK_q1) and (not D_q1)  # conditions of proceed for route X7-X1 (R3)
         NU_q1_1 = VALID and F_q1 and (not D_q1) and (not U_q1) and L_q1_1 and OCC_q1 and OCC_ap_W  # a train comes into q1 at W (R9)
@@ -709,6 +723,10 @@ class Controller:
         N_CR_P2 = GPR_P2 or MAR_P2 or HDR_P2  # machine P2 commanded R
         N_AL_P1 = ST_P1  # alarm: machine P1 not detected
         N_AL_P2 = ST_P2  # alarm: machine P2 not detected
+        N_TH_P1 = ((CN_P1 and QN_P1) or (CR_P1 and QR_P1)) and (not (GPN_P1 or GPR_P1 or MAN_P1 or MAR_P1))  # machine P1 was detected where it is commanded
+        N_TR_P1 = (TH_P1 and VALID and ((CN_P1 and (not QN_P1) and (not GPR_P1) and (not MAR_P1)) or (CR_P1 and (not QR_P1) and (not GPN_P1) and (not MAN_P1)))) or (TR_P1 and (not (TC_P1 and VALID and (not OCC_q2))))  # machine P1 was trailed
+        N_TH_P2 = ((CN_P2 and QN_P2) or (CR_P2 and QR_P2)) and (not (GPN_P2 or GPR_P2 or MAN_P2 or MAR_P2))  # machine P2 was detected where it is commanded
+        N_TR_P2 = (TH_P2 and VALID and ((CN_P2 and (not QN_P2) and (not GPR_P2) and (not MAR_P2)) or (CR_P2 and (not QR_P2) and (not GPN_P2) and (not MAN_P2)))) or (TR_P2 and (not (TC_P2 and VALID and (not OCC_q11))))  # machine P2 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route X1-X3 active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route X1-X3 locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_X1) and (not CAN_X1)  # route X1-X3: proceed wanted
@@ -849,6 +867,10 @@ class Controller:
             'CR_P2': bool(N_CR_P2),
             'AL_P1': bool(N_AL_P1),
             'AL_P2': bool(N_AL_P2),
+            'TH_P1': bool(N_TH_P1),
+            'TR_P1': bool(N_TR_P1),
+            'TH_P2': bool(N_TH_P2),
+            'TR_P2': bool(N_TR_P2),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -989,6 +1011,10 @@ class Controller:
         CR_P2 = self.state['CR_P2']
         AL_P1 = self.state['AL_P1']
         AL_P2 = self.state['AL_P2']
+        TH_P1 = self.state['TH_P1']
+        TR_P1 = self.state['TR_P1']
+        TH_P2 = self.state['TH_P2']
+        TR_P2 = self.state['TR_P2']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -1129,6 +1155,8 @@ class Controller:
             'YR_P2': bool(CR_P2),
             'YA_P1': bool(AL_P1),
             'YA_P2': bool(AL_P2),
+            'YT_P1': bool(TR_P1),
+            'YT_P2': bool(TR_P2),
             'YL_q1': bool(K_q1 or L_q1_1 or L_q1_2),
             'YL_q10': bool(K_q10 or L_q10_1 or L_q10_2),
             'YL_q11': bool(K_q11 or L_q11_1 or L_q11_2 or L_q11_3 or L_q11_4),

@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout b768c697f99017ea55f8c0780df8bab8b667ae266c49fecd04263783ce4f91bb
-# claims 91fee30785459fec065fc1b581735d24d643480135674d2b1f6fe347fbefa8ee
+# layout 0c07de1db56f8f65d897faeb4d8ff48813368c3ea9921dc289951ed7247f6482
+# claims 089f4b2b52f9fab4a4e0a2571b3b0665fda11ba33e0076ad0caa2e3d64bef689
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,7 +10,6 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 9),  # operator: set route number, 0 = none
     'CAN_S': (0, 2),  # operator: cancel the route from S
     'CAN_S1': (0, 2),  # operator: cancel the route from S1
     'CAN_S3': (0, 2),  # operator: cancel the route from S3
@@ -19,6 +18,7 @@ INPUTS = {
     'CAN_X3': (0, 2),  # operator: cancel the route from X3
     'E_BF_E': (0, 2),  # external condition BF/E: block towards E free, direction ours
     'E_BF_W': (0, 2),  # external condition BF/W: block towards W free, direction ours
+    'REQ': (0, 9),  # operator: set route number, 0 = none
     'CLR_1DG': (0, 2),  # section 1DG reported clear
     'CLR_2DG': (0, 2),  # section 2DG reported clear
     'CLR_3G': (0, 2),  # section 3G reported clear
@@ -44,10 +44,12 @@ INPUTS = {
     'DR_1': (0, 2),  # machine 1 detected reverse
     'MN_1': (0, 2),  # operator: move machine 1 normal
     'MR_1': (0, 2),  # operator: move machine 1 reverse
+    'TC_1': (0, 2),  # operator: machine 1 has been looked at after it was trailed
     'DN_2': (0, 2),  # machine 2 detected normal
     'DR_2': (0, 2),  # machine 2 detected reverse
     'MN_2': (0, 2),  # operator: move machine 2 normal
     'MR_2': (0, 2),  # operator: move machine 2 reverse
+    'TC_2': (0, 2),  # operator: machine 2 has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
@@ -57,6 +59,10 @@ STATE = {
     'CR_2': False,  # machine 2 commanded R
     'AL_1': False,  # alarm: machine 1 not detected
     'AL_2': False,  # alarm: machine 2 not detected
+    'TH_1': False,  # machine 1 was detected where it is commanded
+    'TR_1': False,  # machine 1 was trailed
+    'TH_2': False,  # machine 2 was detected where it is commanded
+    'TR_2': False,  # machine 2 was trailed
     'A_R1': False,  # route S-S1 active
     'B_R1': False,  # route S-S1 locked
     'W_R1': False,  # route S-S1: proceed wanted
@@ -181,6 +187,8 @@ OUTPUTS = {
     'YR_2': False,  # machine 2: reverse
     'YA_1': False,  # alarm: machine 1 not detected in time
     'YA_2': False,  # alarm: machine 2 not detected in time
+    'YT_1': False,  # alarm: machine 1 was trailed
+    'YT_2': False,  # alarm: machine 2 was trailed
     'YL_1DG': True,  # indication: 1DG is locked
     'YL_2DG': True,  # indication: 2DG is locked
     'YL_3G': True,  # indication: 3G is locked
@@ -230,7 +238,6 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_S = read['CAN_S']
         CAN_S1 = read['CAN_S1']
         CAN_S3 = read['CAN_S3']
@@ -239,6 +246,7 @@ class Controller:
         CAN_X3 = read['CAN_X3']
         E_BF_E = read['E_BF_E']
         E_BF_W = read['E_BF_W']
+        REQ = read['REQ']
         CLR_1DG = read['CLR_1DG']
         CLR_2DG = read['CLR_2DG']
         CLR_3G = read['CLR_3G']
@@ -264,16 +272,22 @@ class Controller:
         DR_1 = read['DR_1']
         MN_1 = read['MN_1']
         MR_1 = read['MR_1']
+        TC_1 = read['TC_1']
         DN_2 = read['DN_2']
         DR_2 = read['DR_2']
         MN_2 = read['MN_2']
         MR_2 = read['MR_2']
+        TC_2 = read['TC_2']
         CN_1 = old['CN_1']
         CR_1 = old['CR_1']
         CN_2 = old['CN_2']
         CR_2 = old['CR_2']
         AL_1 = old['AL_1']
         AL_2 = old['AL_2']
+        TH_1 = old['TH_1']
+        TR_1 = old['TR_1']
+        TH_2 = old['TH_2']
+        TR_2 = old['TR_2']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -396,30 +410,30 @@ class Controller:
         MOV_2 = VALID and FREE_2DG and (not OCC_2DG) and True and True  # machine 2 is free to move (R10)
         AVN_2 = CN_2 or MOV_2 or (QN_2 and (not CN_2) and (not CR_2))  # machine 2 can be demanded N
         AVR_2 = CR_2 or MOV_2 or (QR_2 and (not CN_2) and (not CR_2))  # machine 2 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_IIAG and FREE_2DG and FREE_IG and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_IG) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_IG) and AVN_2  # grant of route S-S1 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_IIAG and FREE_2DG and FREE_3G and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_3G) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_3G) and AVR_2  # grant of route S-S3 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_1DG and FREE_IAG and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and AVN_1  # grant of route S1-W (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_1DG and FREE_IAG and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and AVR_1  # grant of route S3-W (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_IAG and FREE_1DG and FREE_IG and (not OCC_IAG) and (not OCC_1DG) and (not OCC_IG) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_IG) and AVN_1  # grant of route X-X1 (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_IAG and FREE_1DG and FREE_3G and (not OCC_IAG) and (not OCC_1DG) and (not OCC_3G) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_3G) and AVR_1  # grant of route X-X3 (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_2DG and FREE_IIAG and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and AVN_2  # grant of route X1-E (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_2DG and FREE_IIAG and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and AVR_2  # grant of route X3-E (R6)
+        G_R1 = (REQ == 1) and VALID and FREE_IIAG and FREE_2DG and FREE_IG and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_IG) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_IG) and AVN_2 and (not TR_2)  # grant of route S-S1 (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_IIAG and FREE_2DG and FREE_3G and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_3G) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_3G) and AVR_2 and (not TR_2)  # grant of route S-S3 (R6)
+        G_R3 = (REQ == 3) and VALID and FREE_1DG and FREE_IAG and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and AVN_1 and (not TR_1)  # grant of route S1-W (R6)
+        G_R4 = (REQ == 4) and VALID and FREE_1DG and FREE_IAG and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and AVR_1 and (not TR_1)  # grant of route S3-W (R6)
+        G_R5 = (REQ == 5) and VALID and FREE_IAG and FREE_1DG and FREE_IG and (not OCC_IAG) and (not OCC_1DG) and (not OCC_IG) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_IG) and AVN_1 and (not TR_1)  # grant of route X-X1 (R6)
+        G_R6 = (REQ == 6) and VALID and FREE_IAG and FREE_1DG and FREE_3G and (not OCC_IAG) and (not OCC_1DG) and (not OCC_3G) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_3G) and AVR_1 and (not TR_1)  # grant of route X-X3 (R6)
+        G_R7 = (REQ == 7) and VALID and FREE_2DG and FREE_IIAG and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and AVN_2 and (not TR_2)  # grant of route X1-E (R6)
+        G_R8 = (REQ == 8) and VALID and FREE_2DG and FREE_IIAG and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and AVR_2 and (not TR_2)  # grant of route X3-E (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S) and (not CAN_S) and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_IG) and QN_2  # route S-S1 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_IG) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_IG) and QN_2 and (not D_IIAG)  # conditions of proceed for route S-S1 (R3)
+        CO_R1 = VALID and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_IG) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_IG) and QN_2 and (not TR_2) and (not D_IIAG)  # conditions of proceed for route S-S1 (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S) and (not CAN_S) and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_3G) and QR_2  # route S-S3 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_3G) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_3G) and QR_2 and (not D_IIAG)  # conditions of proceed for route S-S3 (R3)
+        CO_R2 = VALID and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_3G) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_3G) and QR_2 and (not TR_2) and (not D_IIAG)  # conditions of proceed for route S-S3 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_1DG) and (not OCC_IAG) and QN_1  # route S1-W becomes locked (R3)
-        CO_R3 = VALID and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and QN_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S1-W (R3)
+        CO_R3 = VALID and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and QN_1 and (not TR_1) and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S1-W (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S3) and (not CAN_S3) and (not OCC_1DG) and (not OCC_IAG) and QR_1  # route S3-W becomes locked (R3)
-        CO_R4 = VALID and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and QR_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S3-W (R3)
+        CO_R4 = VALID and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and QR_1 and (not TR_1) and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S3-W (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_1DG) and (not OCC_IG) and QN_1  # route X-X1 becomes locked (R3)
-        CO_R5 = VALID and (not OCC_IAG) and (not OCC_1DG) and (not OCC_IG) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_IG) and QN_1 and (not D_IAG)  # conditions of proceed for route X-X1 (R3)
+        CO_R5 = VALID and (not OCC_IAG) and (not OCC_1DG) and (not OCC_IG) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_IG) and QN_1 and (not TR_1) and (not D_IAG)  # conditions of proceed for route X-X1 (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_1DG) and (not OCC_3G) and QR_1  # route X-X3 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_IAG) and (not OCC_1DG) and (not OCC_3G) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_3G) and QR_1 and (not D_IAG)  # conditions of proceed for route X-X3 (R3)
+        CO_R6 = VALID and (not OCC_IAG) and (not OCC_1DG) and (not OCC_3G) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_3G) and QR_1 and (not TR_1) and (not D_IAG)  # conditions of proceed for route X-X3 (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_X1) and (not CAN_X1) and (not OCC_2DG) and (not OCC_IIAG) and QN_2  # route X1-E becomes locked (R3)
-        CO_R7 = VALID and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and QN_2 and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X1-E (R3)
+        CO_R7 = VALID and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and QN_2 and (not TR_2) and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X1-E (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_X3) and (not CAN_X3) and (not OCC_2DG) and (not OCC_IIAG) and QR_2  # route X3-E becomes locked (R3)
-        CO_R8 = VALID and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and QR_2 and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X3-E (R3)
+        CO_R8 = VALID and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and QR_2 and (not TR_2) and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X3-E (R3)
         NU_1DG_1 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and L_1DG_1 and OCC_1DG and OCC_3G  # a train comes into 1DG at 1DG|3G@1.reverse (R9)
         NU_1DG_2 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and (L_1DG_2 or L_1DG_3) and OCC_1DG and OCC_IAG and U_IAG and L_IAG_2  # a train comes into 1DG at 1DG|IAG@1.toe (R9)
         NU_1DG_3 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and L_1DG_4 and OCC_1DG and OCC_IG  # a train comes into 1DG at 1DG|IG@1.normal (R9)
@@ -540,6 +554,10 @@ class Controller:
         N_CR_2 = GPR_2 or MAR_2 or HDR_2  # machine 2 commanded R
         N_AL_1 = ST_1  # alarm: machine 1 not detected
         N_AL_2 = ST_2  # alarm: machine 2 not detected
+        N_TH_1 = ((CN_1 and QN_1) or (CR_1 and QR_1)) and (not (GPN_1 or GPR_1 or MAN_1 or MAR_1))  # machine 1 was detected where it is commanded
+        N_TR_1 = (TH_1 and VALID and ((CN_1 and (not QN_1) and (not GPR_1) and (not MAR_1)) or (CR_1 and (not QR_1) and (not GPN_1) and (not MAN_1)))) or (TR_1 and (not (TC_1 and VALID and (not OCC_1DG))))  # machine 1 was trailed
+        N_TH_2 = ((CN_2 and QN_2) or (CR_2 and QR_2)) and (not (GPN_2 or GPR_2 or MAN_2 or MAR_2))  # machine 2 was detected where it is commanded
+        N_TR_2 = (TH_2 and VALID and ((CN_2 and (not QN_2) and (not GPR_2) and (not MAR_2)) or (CR_2 and (not QR_2) and (not GPN_2) and (not MAN_2)))) or (TR_2 and (not (TC_2 and VALID and (not OCC_2DG))))  # machine 2 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route S-S1 active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route S-S1 locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_S) and (not CAN_S)  # route S-S1: proceed wanted
@@ -645,6 +663,10 @@ class Controller:
             'CR_2': bool(N_CR_2),
             'AL_1': bool(N_AL_1),
             'AL_2': bool(N_AL_2),
+            'TH_1': bool(N_TH_1),
+            'TR_1': bool(N_TR_1),
+            'TH_2': bool(N_TH_2),
+            'TR_2': bool(N_TR_2),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -750,6 +772,10 @@ class Controller:
         CR_2 = self.state['CR_2']
         AL_1 = self.state['AL_1']
         AL_2 = self.state['AL_2']
+        TH_1 = self.state['TH_1']
+        TR_1 = self.state['TR_1']
+        TH_2 = self.state['TH_2']
+        TR_2 = self.state['TR_2']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -855,6 +881,8 @@ class Controller:
             'YR_2': bool(CR_2),
             'YA_1': bool(AL_1),
             'YA_2': bool(AL_2),
+            'YT_1': bool(TR_1),
+            'YT_2': bool(TR_2),
             'YL_1DG': bool(K_1DG or L_1DG_1 or L_1DG_2 or L_1DG_3 or L_1DG_4),
             'YL_2DG': bool(K_2DG or L_2DG_1 or L_2DG_2 or L_2DG_3 or L_2DG_4),
             'YL_3G': bool(K_3G or L_3G_1 or L_3G_2),

@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 1b9ed7d765795bb78518ea2d17568e10b0837fd85b2b37f1bb08716f85f84463
-# claims 91eeba1cde6cd3b768d5c6eb49819c74b2043ec9775bb56e7b9538e4b66c3348
+# layout 3b47a93f6ad39c7b3492e9fab4ffe1d5233b25f8462bb0151a868a9404d28624
+# claims ad02404013b428b76c0688da4ea973240753f355907ca2fb3718a34dbd620421
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,7 +10,6 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 17),  # operator: set route number, 0 = none
     'CAN_S0': (0, 2),  # operator: cancel the route from S0
     'CAN_S1': (0, 2),  # operator: cancel the route from S1
     'CAN_S10': (0, 2),  # operator: cancel the route from S10
@@ -25,6 +24,7 @@ INPUTS = {
     'CAN_S9': (0, 2),  # operator: cancel the route from S9
     'E_PUSHER_HOME': (0, 2),  # external condition PUSHER_HOME: pusher home
     'E_TIP_HOME': (0, 2),  # external condition TIP_HOME: tippler home and clamp released
+    'REQ': (0, 17),  # operator: set route number, 0 = none
     'CLR_ap_E': (0, 2),  # section ap_E reported clear
     'CLR_ap_W': (0, 2),  # section ap_W reported clear
     'CLR_q1': (0, 2),  # section q1 reported clear
@@ -71,18 +71,22 @@ INPUTS = {
     'DR_P1': (0, 2),  # machine P1 detected reverse
     'MN_P1': (0, 2),  # operator: move machine P1 normal
     'MR_P1': (0, 2),  # operator: move machine P1 reverse
+    'TC_P1': (0, 2),  # operator: machine P1 has been looked at after it was trailed
     'DN_P2': (0, 2),  # machine P2 detected normal
     'DR_P2': (0, 2),  # machine P2 detected reverse
     'MN_P2': (0, 2),  # operator: move machine P2 normal
     'MR_P2': (0, 2),  # operator: move machine P2 reverse
+    'TC_P2': (0, 2),  # operator: machine P2 has been looked at after it was trailed
     'DN_P3': (0, 2),  # machine P3 detected normal
     'DR_P3': (0, 2),  # machine P3 detected reverse
     'MN_P3': (0, 2),  # operator: move machine P3 normal
     'MR_P3': (0, 2),  # operator: move machine P3 reverse
+    'TC_P3': (0, 2),  # operator: machine P3 has been looked at after it was trailed
     'DN_P4': (0, 2),  # machine P4 detected normal
     'DR_P4': (0, 2),  # machine P4 detected reverse
     'MN_P4': (0, 2),  # operator: move machine P4 normal
     'MR_P4': (0, 2),  # operator: move machine P4 reverse
+    'TC_P4': (0, 2),  # operator: machine P4 has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
@@ -98,6 +102,14 @@ STATE = {
     'AL_P2': False,  # alarm: machine P2 not detected
     'AL_P3': False,  # alarm: machine P3 not detected
     'AL_P4': False,  # alarm: machine P4 not detected
+    'TH_P1': False,  # machine P1 was detected where it is commanded
+    'TR_P1': False,  # machine P1 was trailed
+    'TH_P2': False,  # machine P2 was detected where it is commanded
+    'TR_P2': False,  # machine P2 was trailed
+    'TH_P3': False,  # machine P3 was detected where it is commanded
+    'TR_P3': False,  # machine P3 was trailed
+    'TH_P4': False,  # machine P4 was detected where it is commanded
+    'TR_P4': False,  # machine P4 was trailed
     'A_R1': False,  # route S0-S1 active
     'B_R1': False,  # route S0-S1 locked
     'W_R1': False,  # route S0-S1: proceed wanted
@@ -329,6 +341,10 @@ OUTPUTS = {
     'YA_P2': False,  # alarm: machine P2 not detected in time
     'YA_P3': False,  # alarm: machine P3 not detected in time
     'YA_P4': False,  # alarm: machine P4 not detected in time
+    'YT_P1': False,  # alarm: machine P1 was trailed
+    'YT_P2': False,  # alarm: machine P2 was trailed
+    'YT_P3': False,  # alarm: machine P3 was trailed
+    'YT_P4': False,  # alarm: machine P4 was trailed
     'YL_q1': True,  # indication: q1 is locked
     'YL_q10_bypass2': True,  # indication: q10_bypass2 is locked
     'YL_q11_material': True,  # indication: q11_material is locked
@@ -391,7 +407,6 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_S0 = read['CAN_S0']
         CAN_S1 = read['CAN_S1']
         CAN_S10 = read['CAN_S10']
@@ -406,6 +421,7 @@ class Controller:
         CAN_S9 = read['CAN_S9']
         E_PUSHER_HOME = read['E_PUSHER_HOME']
         E_TIP_HOME = read['E_TIP_HOME']
+        REQ = read['REQ']
         CLR_ap_E = read['CLR_ap_E']
         CLR_ap_W = read['CLR_ap_W']
         CLR_q1 = read['CLR_q1']
@@ -452,18 +468,22 @@ class Controller:
         DR_P1 = read['DR_P1']
         MN_P1 = read['MN_P1']
         MR_P1 = read['MR_P1']
+        TC_P1 = read['TC_P1']
         DN_P2 = read['DN_P2']
         DR_P2 = read['DR_P2']
         MN_P2 = read['MN_P2']
         MR_P2 = read['MR_P2']
+        TC_P2 = read['TC_P2']
         DN_P3 = read['DN_P3']
         DR_P3 = read['DR_P3']
         MN_P3 = read['MN_P3']
         MR_P3 = read['MR_P3']
+        TC_P3 = read['TC_P3']
         DN_P4 = read['DN_P4']
         DR_P4 = read['DR_P4']
         MN_P4 = read['MN_P4']
         MR_P4 = read['MR_P4']
+        TC_P4 = read['TC_P4']
         CN_P1 = old['CN_P1']
         CR_P1 = old['CR_P1']
         CN_P2 = old['CN_P2']
@@ -476,6 +496,14 @@ class Controller:
         AL_P2 = old['AL_P2']
         AL_P3 = old['AL_P3']
         AL_P4 = old['AL_P4']
+        TH_P1 = old['TH_P1']
+        TR_P1 = old['TR_P1']
+        TH_P2 = old['TH_P2']
+        TR_P2 = old['TR_P2']
+        TH_P3 = old['TH_P3']
+        TR_P3 = old['TR_P3']
+        TH_P4 = old['TH_P4']
+        TR_P4 = old['TR_P4']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -709,53 +737,53 @@ class Controller:
         AVN_P4 = CN_P4 or MOV_P4 or (QN_P4 and (not CN_P4) and (not CR_P4))  # machine P4 can be demanded N
         AVR_P4 = CR_P4 or MOV_P4 or (QR_P4 and (not CN_P4) and (not CR_P4))  # machine P4 can be demanded R
         G_R1 = (REQ == 1) and VALID and FREE_q1 and (not OCC_q1) and (not BLK_q1)  # grant of route S0-S1 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_q2 and FREE_q3_heavy and (not OCC_q2) and (not OCC_q3_heavy) and (not BLK_q2) and (not BLK_q3_heavy) and AVN_P1  # grant of route S1-S2 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_q2 and FREE_q5_bypass1 and (not OCC_q2) and (not OCC_q5_bypass1) and (not BLK_q2) and (not BLK_q5_bypass1) and AVR_P1  # grant of route S1-S4 (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_q9 and FREE_q5_bypass1 and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and AVN_P3  # grant of route S10-S11 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_q2 and FREE_q1 and (not OCC_q2) and (not OCC_q1) and (not BLK_q2) and (not BLK_q1) and AVR_P1  # grant of route S11-W (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_q2 and FREE_q3_heavy and (not OCC_q2) and (not OCC_q3_heavy) and (not BLK_q2) and (not BLK_q3_heavy) and AVN_P1 and (not TR_P1)  # grant of route S1-S2 (R6)
+        G_R3 = (REQ == 3) and VALID and FREE_q2 and FREE_q5_bypass1 and (not OCC_q2) and (not OCC_q5_bypass1) and (not BLK_q2) and (not BLK_q5_bypass1) and AVR_P1 and (not TR_P1)  # grant of route S1-S4 (R6)
+        G_R4 = (REQ == 4) and VALID and FREE_q9 and FREE_q5_bypass1 and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and AVN_P3 and (not TR_P3)  # grant of route S10-S11 (R6)
+        G_R5 = (REQ == 5) and VALID and FREE_q2 and FREE_q1 and (not OCC_q2) and (not OCC_q1) and (not BLK_q2) and (not BLK_q1) and AVR_P1 and (not TR_P1)  # grant of route S11-W (R6)
         G_R6 = (REQ == 6) and VALID and FREE_q4_tippler and FREE_q6_empty and (not OCC_q4_tippler) and (not OCC_q6_empty) and (not BLK_q4_tippler) and (not BLK_q6_empty)  # grant of route S2-S3 (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_q7 and FREE_q12 and FREE_q8_dep and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and AVN_P2 and AVN_P4  # grant of route S3-E (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_q7 and FREE_q12 and FREE_q13_man and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and AVN_P2 and AVR_P4  # grant of route S3-MAN (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_q9 and FREE_q11_material and (not OCC_q9) and (not OCC_q11_material) and (not BLK_q9) and (not BLK_q11_material) and AVR_P3  # grant of route S4-MAT (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_q9 and FREE_q10_bypass2 and (not OCC_q9) and (not OCC_q10_bypass2) and (not BLK_q9) and (not BLK_q10_bypass2) and AVN_P3  # grant of route S4-S5 (R6)
-        G_R11 = (REQ == 11) and VALID and FREE_q7 and FREE_q12 and FREE_q8_dep and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and AVR_P2 and AVN_P4  # grant of route S5-E (R6)
-        G_R12 = (REQ == 12) and VALID and FREE_q7 and FREE_q12 and FREE_q13_man and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and AVR_P2 and AVR_P4  # grant of route S5-MAN (R6)
-        G_R13 = (REQ == 13) and VALID and FREE_q9 and FREE_q5_bypass1 and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and AVR_P3  # grant of route S6-S11 (R6)
-        G_R14 = (REQ == 14) and VALID and FREE_q12 and FREE_q7 and FREE_q10_bypass2 and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and AVR_P4 and AVR_P2  # grant of route S7-S10 (R6)
+        G_R7 = (REQ == 7) and VALID and FREE_q7 and FREE_q12 and FREE_q8_dep and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and AVN_P2 and AVN_P4 and (not TR_P2) and (not TR_P4)  # grant of route S3-E (R6)
+        G_R8 = (REQ == 8) and VALID and FREE_q7 and FREE_q12 and FREE_q13_man and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and AVN_P2 and AVR_P4 and (not TR_P2) and (not TR_P4)  # grant of route S3-MAN (R6)
+        G_R9 = (REQ == 9) and VALID and FREE_q9 and FREE_q11_material and (not OCC_q9) and (not OCC_q11_material) and (not BLK_q9) and (not BLK_q11_material) and AVR_P3 and (not TR_P3)  # grant of route S4-MAT (R6)
+        G_R10 = (REQ == 10) and VALID and FREE_q9 and FREE_q10_bypass2 and (not OCC_q9) and (not OCC_q10_bypass2) and (not BLK_q9) and (not BLK_q10_bypass2) and AVN_P3 and (not TR_P3)  # grant of route S4-S5 (R6)
+        G_R11 = (REQ == 11) and VALID and FREE_q7 and FREE_q12 and FREE_q8_dep and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and AVR_P2 and AVN_P4 and (not TR_P2) and (not TR_P4)  # grant of route S5-E (R6)
+        G_R12 = (REQ == 12) and VALID and FREE_q7 and FREE_q12 and FREE_q13_man and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and AVR_P2 and AVR_P4 and (not TR_P2) and (not TR_P4)  # grant of route S5-MAN (R6)
+        G_R13 = (REQ == 13) and VALID and FREE_q9 and FREE_q5_bypass1 and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and AVR_P3 and (not TR_P3)  # grant of route S6-S11 (R6)
+        G_R14 = (REQ == 14) and VALID and FREE_q12 and FREE_q7 and FREE_q10_bypass2 and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and AVR_P4 and AVR_P2 and (not TR_P4) and (not TR_P2)  # grant of route S7-S10 (R6)
         G_R15 = (REQ == 15) and VALID and FREE_q8_dep and (not OCC_q8_dep) and (not BLK_q8_dep)  # grant of route S8-S9 (R6)
-        G_R16 = (REQ == 16) and VALID and FREE_q12 and FREE_q7 and FREE_q10_bypass2 and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and AVN_P4 and AVR_P2  # grant of route S9-S10 (R6)
+        G_R16 = (REQ == 16) and VALID and FREE_q12 and FREE_q7 and FREE_q10_bypass2 and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and AVN_P4 and AVR_P2 and (not TR_P4) and (not TR_P2)  # grant of route S9-S10 (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S0) and (not CAN_S0) and (not OCC_q1)  # route S0-S1 becomes locked (R3)
         CO_R1 = VALID and (not OCC_q1) and (not BLK_q1) and (not D_q1)  # conditions of proceed for route S0-S1 (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_q2) and (not OCC_q3_heavy) and QN_P1  # route S1-S2 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_q2) and (not OCC_q3_heavy) and (not BLK_q2) and (not BLK_q3_heavy) and QN_P1 and (not D_q2)  # conditions of proceed for route S1-S2 (R3)
+        CO_R2 = VALID and (not OCC_q2) and (not OCC_q3_heavy) and (not BLK_q2) and (not BLK_q3_heavy) and QN_P1 and (not TR_P1) and (not D_q2)  # conditions of proceed for route S1-S2 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_q2) and (not OCC_q5_bypass1) and QR_P1  # route S1-S4 becomes locked (R3)
-        CO_R3 = VALID and (not OCC_q2) and (not OCC_q5_bypass1) and (not BLK_q2) and (not BLK_q5_bypass1) and QR_P1 and (not D_q2)  # conditions of proceed for route S1-S4 (R3)
+        CO_R3 = VALID and (not OCC_q2) and (not OCC_q5_bypass1) and (not BLK_q2) and (not BLK_q5_bypass1) and QR_P1 and (not TR_P1) and (not D_q2)  # conditions of proceed for route S1-S4 (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S10) and (not CAN_S10) and (not OCC_q9) and (not OCC_q5_bypass1) and QN_P3  # route S10-S11 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and QN_P3 and (not D_q9)  # conditions of proceed for route S10-S11 (R3)
+        CO_R4 = VALID and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and QN_P3 and (not TR_P3) and (not D_q9)  # conditions of proceed for route S10-S11 (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S11) and (not CAN_S11) and (not OCC_q2) and (not OCC_q1) and QR_P1  # route S11-W becomes locked (R3)
-        CO_R5 = VALID and (not OCC_q2) and (not OCC_q1) and (not BLK_q2) and (not BLK_q1) and QR_P1 and (not OCC_ap_W) and (not D_q2)  # conditions of proceed for route S11-W (R3)
+        CO_R5 = VALID and (not OCC_q2) and (not OCC_q1) and (not BLK_q2) and (not BLK_q1) and QR_P1 and (not TR_P1) and (not OCC_ap_W) and (not D_q2)  # conditions of proceed for route S11-W (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_q4_tippler) and (not OCC_q6_empty)  # route S2-S3 becomes locked (R3)
         CO_R6 = VALID and (not OCC_q4_tippler) and (not OCC_q6_empty) and (not BLK_q4_tippler) and (not BLK_q6_empty) and E_PUSHER_HOME and E_TIP_HOME and (not D_q4_tippler)  # conditions of proceed for route S2-S3 (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S3) and (not CAN_S3) and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and QN_P2 and QN_P4  # route S3-E becomes locked (R3)
-        CO_R7 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and QN_P2 and QN_P4 and (not OCC_ap_E) and (not D_q7)  # conditions of proceed for route S3-E (R3)
+        CO_R7 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and QN_P2 and QN_P4 and (not TR_P2) and (not TR_P4) and (not OCC_ap_E) and (not D_q7)  # conditions of proceed for route S3-E (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S3) and (not CAN_S3) and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and QN_P2 and QR_P4  # route S3-MAN becomes locked (R3)
-        CO_R8 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and QN_P2 and QR_P4 and (not D_q7)  # conditions of proceed for route S3-MAN (R3)
+        CO_R8 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and QN_P2 and QR_P4 and (not TR_P2) and (not TR_P4) and (not D_q7)  # conditions of proceed for route S3-MAN (R3)
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_q9) and (not OCC_q11_material) and QR_P3  # route S4-MAT becomes locked (R3)
-        CO_R9 = VALID and (not OCC_q9) and (not OCC_q11_material) and (not BLK_q9) and (not BLK_q11_material) and QR_P3 and (not D_q9)  # conditions of proceed for route S4-MAT (R3)
+        CO_R9 = VALID and (not OCC_q9) and (not OCC_q11_material) and (not BLK_q9) and (not BLK_q11_material) and QR_P3 and (not TR_P3) and (not D_q9)  # conditions of proceed for route S4-MAT (R3)
         LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_q9) and (not OCC_q10_bypass2) and QN_P3  # route S4-S5 becomes locked (R3)
-        CO_R10 = VALID and (not OCC_q9) and (not OCC_q10_bypass2) and (not BLK_q9) and (not BLK_q10_bypass2) and QN_P3 and (not D_q9)  # conditions of proceed for route S4-S5 (R3)
+        CO_R10 = VALID and (not OCC_q9) and (not OCC_q10_bypass2) and (not BLK_q9) and (not BLK_q10_bypass2) and QN_P3 and (not TR_P3) and (not D_q9)  # conditions of proceed for route S4-S5 (R3)
         LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and QR_P2 and QN_P4  # route S5-E becomes locked (R3)
-        CO_R11 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and QR_P2 and QN_P4 and (not OCC_ap_E) and (not D_q7)  # conditions of proceed for route S5-E (R3)
+        CO_R11 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and QR_P2 and QN_P4 and (not TR_P2) and (not TR_P4) and (not OCC_ap_E) and (not D_q7)  # conditions of proceed for route S5-E (R3)
         LK_R12 = A_R12 and (not B_R12) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and QR_P2 and QR_P4  # route S5-MAN becomes locked (R3)
-        CO_R12 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and QR_P2 and QR_P4 and (not D_q7)  # conditions of proceed for route S5-MAN (R3)
+        CO_R12 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and QR_P2 and QR_P4 and (not TR_P2) and (not TR_P4) and (not D_q7)  # conditions of proceed for route S5-MAN (R3)
         LK_R13 = A_R13 and (not B_R13) and VALID and (not X_S6) and (not CAN_S6) and (not OCC_q9) and (not OCC_q5_bypass1) and QR_P3  # route S6-S11 becomes locked (R3)
-        CO_R13 = VALID and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and QR_P3 and (not D_q9)  # conditions of proceed for route S6-S11 (R3)
+        CO_R13 = VALID and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and QR_P3 and (not TR_P3) and (not D_q9)  # conditions of proceed for route S6-S11 (R3)
         LK_R14 = A_R14 and (not B_R14) and VALID and (not X_S7) and (not CAN_S7) and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and QR_P4 and QR_P2  # route S7-S10 becomes locked (R3)
-        CO_R14 = VALID and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and QR_P4 and QR_P2 and (not D_q12)  # conditions of proceed for route S7-S10 (R3)
+        CO_R14 = VALID and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and QR_P4 and QR_P2 and (not TR_P4) and (not TR_P2) and (not D_q12)  # conditions of proceed for route S7-S10 (R3)
         LK_R15 = A_R15 and (not B_R15) and VALID and (not X_S8) and (not CAN_S8) and (not OCC_q8_dep)  # route S8-S9 becomes locked (R3)
         CO_R15 = VALID and (not OCC_q8_dep) and (not BLK_q8_dep) and (not D_q8_dep)  # conditions of proceed for route S8-S9 (R3)
         LK_R16 = A_R16 and (not B_R16) and VALID and (not X_S9) and (not CAN_S9) and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and QN_P4 and QR_P2  # route S9-S10 becomes locked (R3)
-        CO_R16 = VALID and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and QN_P4 and QR_P2 and (not D_q12)  # conditions of proceed for route S9-S10 (R3)
+        CO_R16 = VALID and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and QN_P4 and QR_P2 and (not TR_P4) and (not TR_P2) and (not D_q12)  # conditions of proceed for route S9-S10 (R3)
         NU_q1_1 = VALID and F_q1 and (not D_q1) and (not U_q1) and L_q1_1 and OCC_q1 and OCC_ap_W  # a train comes into q1 at W (R9)
         NU_q1_2 = VALID and F_q1 and (not D_q1) and (not U_q1) and L_q1_2 and OCC_q1 and OCC_q2 and U_q2 and L_q2_4  # a train comes into q1 at q1|q2@P1.toe (R9)
         NU_q10_bypass2_1 = VALID and F_q10_bypass2 and (not D_q10_bypass2) and (not U_q10_bypass2) and L_q10_bypass2_1 and OCC_q10_bypass2 and OCC_q7 and U_q7 and L_q7_2  # a train comes into q10_bypass2 at q10_bypass2|q7@P2.reverse (R9)
@@ -999,6 +1027,14 @@ class Controller:
         N_AL_P2 = ST_P2  # alarm: machine P2 not detected
         N_AL_P3 = ST_P3  # alarm: machine P3 not detected
         N_AL_P4 = ST_P4  # alarm: machine P4 not detected
+        N_TH_P1 = ((CN_P1 and QN_P1) or (CR_P1 and QR_P1)) and (not (GPN_P1 or GPR_P1 or MAN_P1 or MAR_P1))  # machine P1 was detected where it is commanded
+        N_TR_P1 = (TH_P1 and VALID and ((CN_P1 and (not QN_P1) and (not GPR_P1) and (not MAR_P1)) or (CR_P1 and (not QR_P1) and (not GPN_P1) and (not MAN_P1)))) or (TR_P1 and (not (TC_P1 and VALID and (not OCC_q2))))  # machine P1 was trailed
+        N_TH_P2 = ((CN_P2 and QN_P2) or (CR_P2 and QR_P2)) and (not (GPN_P2 or GPR_P2 or MAN_P2 or MAR_P2))  # machine P2 was detected where it is commanded
+        N_TR_P2 = (TH_P2 and VALID and ((CN_P2 and (not QN_P2) and (not GPR_P2) and (not MAR_P2)) or (CR_P2 and (not QR_P2) and (not GPN_P2) and (not MAN_P2)))) or (TR_P2 and (not (TC_P2 and VALID and (not OCC_q7))))  # machine P2 was trailed
+        N_TH_P3 = ((CN_P3 and QN_P3) or (CR_P3 and QR_P3)) and (not (GPN_P3 or GPR_P3 or MAN_P3 or MAR_P3))  # machine P3 was detected where it is commanded
+        N_TR_P3 = (TH_P3 and VALID and ((CN_P3 and (not QN_P3) and (not GPR_P3) and (not MAR_P3)) or (CR_P3 and (not QR_P3) and (not GPN_P3) and (not MAN_P3)))) or (TR_P3 and (not (TC_P3 and VALID and (not OCC_q9))))  # machine P3 was trailed
+        N_TH_P4 = ((CN_P4 and QN_P4) or (CR_P4 and QR_P4)) and (not (GPN_P4 or GPR_P4 or MAN_P4 or MAR_P4))  # machine P4 was detected where it is commanded
+        N_TR_P4 = (TH_P4 and VALID and ((CN_P4 and (not QN_P4) and (not GPR_P4) and (not MAR_P4)) or (CR_P4 and (not QR_P4) and (not GPN_P4) and (not MAN_P4)))) or (TR_P4 and (not (TC_P4 and VALID and (not OCC_q12))))  # machine P4 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route S0-S1 active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route S0-S1 locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_S0) and (not CAN_S0)  # route S0-S1: proceed wanted
@@ -1196,6 +1232,14 @@ class Controller:
             'AL_P2': bool(N_AL_P2),
             'AL_P3': bool(N_AL_P3),
             'AL_P4': bool(N_AL_P4),
+            'TH_P1': bool(N_TH_P1),
+            'TR_P1': bool(N_TR_P1),
+            'TH_P2': bool(N_TH_P2),
+            'TR_P2': bool(N_TR_P2),
+            'TH_P3': bool(N_TH_P3),
+            'TR_P3': bool(N_TR_P3),
+            'TH_P4': bool(N_TH_P4),
+            'TR_P4': bool(N_TR_P4),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -1393,6 +1437,14 @@ class Controller:
         AL_P2 = self.state['AL_P2']
         AL_P3 = self.state['AL_P3']
         AL_P4 = self.state['AL_P4']
+        TH_P1 = self.state['TH_P1']
+        TR_P1 = self.state['TR_P1']
+        TH_P2 = self.state['TH_P2']
+        TR_P2 = self.state['TR_P2']
+        TH_P3 = self.state['TH_P3']
+        TR_P3 = self.state['TR_P3']
+        TH_P4 = self.state['TH_P4']
+        TR_P4 = self.state['TR_P4']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -1590,6 +1642,10 @@ class Controller:
             'YA_P2': bool(AL_P2),
             'YA_P3': bool(AL_P3),
             'YA_P4': bool(AL_P4),
+            'YT_P1': bool(TR_P1),
+            'YT_P2': bool(TR_P2),
+            'YT_P3': bool(TR_P3),
+            'YT_P4': bool(TR_P4),
             'YL_q1': bool(K_q1 or L_q1_1 or L_q1_2),
             'YL_q10_bypass2': bool(K_q10_bypass2 or L_q10_bypass2_1 or L_q10_bypass2_2),
             'YL_q11_material': bool(K_q11_material or L_q11_material_2),

@@ -1,7 +1,7 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 2ad397bb23ff8195e0b6ccf9b8329292087e4da8ea0d124352e6ac22e46a9125
-# claims 6c8135bd376e5ddc5749b495335df021cb54de5c27cd3927fccb0e09c994eb3f
+# layout fb16f62efc9e1ca570bf3f0216f7f0ddd032a663478098812001aabbdcd846d5
+# claims 8bcb37ccc2d16ef19dafb80d4abecb7f3beaab23db3bafb107770ed04c64461b
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,7 +10,6 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 21),  # operator: set route number, 0 = none
     'CAN_G2': (0, 2),  # operator: cancel the route from G2
     'CAN_G3': (0, 2),  # operator: cancel the route from G3
     'CAN_S1': (0, 2),  # operator: cancel the route from S1
@@ -21,6 +20,7 @@ INPUTS = {
     'CAN_S4J': (0, 2),  # operator: cancel the route from S4J
     'CAN_SG': (0, 2),  # operator: cancel the route from SG
     'CAN_SGJ': (0, 2),  # operator: cancel the route from SGJ
+    'REQ': (0, 21),  # operator: set route number, 0 = none
     'CLR_AA': (0, 2),  # section AA reported clear
     'CLR_AB': (0, 2),  # section AB reported clear
     'CLR_AC': (0, 2),  # section AC reported clear
@@ -66,26 +66,32 @@ INPUTS = {
     'DR_101': (0, 2),  # machine 101 detected reverse
     'MN_101': (0, 2),  # operator: move machine 101 normal
     'MR_101': (0, 2),  # operator: move machine 101 reverse
+    'TC_101': (0, 2),  # operator: machine 101 has been looked at after it was trailed
     'DN_102': (0, 2),  # machine 102 detected normal
     'DR_102': (0, 2),  # machine 102 detected reverse
     'MN_102': (0, 2),  # operator: move machine 102 normal
     'MR_102': (0, 2),  # operator: move machine 102 reverse
+    'TC_102': (0, 2),  # operator: machine 102 has been looked at after it was trailed
     'DN_201a': (0, 2),  # machine 201a detected normal
     'DR_201a': (0, 2),  # machine 201a detected reverse
     'MN_201a': (0, 2),  # operator: move machine 201a normal
     'MR_201a': (0, 2),  # operator: move machine 201a reverse
+    'TC_201a': (0, 2),  # operator: machine 201a has been looked at after it was trailed
     'DN_201b': (0, 2),  # machine 201b detected normal
     'DR_201b': (0, 2),  # machine 201b detected reverse
     'MN_201b': (0, 2),  # operator: move machine 201b normal
     'MR_201b': (0, 2),  # operator: move machine 201b reverse
+    'TC_201b': (0, 2),  # operator: machine 201b has been looked at after it was trailed
     'DN_210a': (0, 2),  # machine 210a detected normal
     'DR_210a': (0, 2),  # machine 210a detected reverse
     'MN_210a': (0, 2),  # operator: move machine 210a normal
     'MR_210a': (0, 2),  # operator: move machine 210a reverse
+    'TC_210a': (0, 2),  # operator: machine 210a has been looked at after it was trailed
     'DN_210b': (0, 2),  # machine 210b detected normal
     'DR_210b': (0, 2),  # machine 210b detected reverse
     'MN_210b': (0, 2),  # operator: move machine 210b normal
     'MR_210b': (0, 2),  # operator: move machine 210b reverse
+    'TC_210b': (0, 2),  # operator: machine 210b has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
@@ -107,6 +113,18 @@ STATE = {
     'AL_201b': False,  # alarm: machine 201b not detected
     'AL_210a': False,  # alarm: machine 210a not detected
     'AL_210b': False,  # alarm: machine 210b not detected
+    'TH_101': False,  # machine 101 was detected where it is commanded
+    'TR_101': False,  # machine 101 was trailed
+    'TH_102': False,  # machine 102 was detected where it is commanded
+    'TR_102': False,  # machine 102 was trailed
+    'TH_201a': False,  # machine 201a was detected where it is commanded
+    'TR_201a': False,  # machine 201a was trailed
+    'TH_201b': False,  # machine 201b was detected where it is commanded
+    'TR_201b': False,  # machine 201b was trailed
+    'TH_210a': False,  # machine 210a was detected where it is commanded
+    'TR_210a': False,  # machine 210a was trailed
+    'TH_210b': False,  # machine 210b was detected where it is commanded
+    'TR_210b': False,  # machine 210b was trailed
     'A_R1': False,  # route G2-G3 active
     'B_R1': False,  # route G2-G3 locked
     'W_R1': False,  # route G2-G3: proceed wanted
@@ -385,6 +403,12 @@ OUTPUTS = {
     'YA_201b': False,  # alarm: machine 201b not detected in time
     'YA_210a': False,  # alarm: machine 210a not detected in time
     'YA_210b': False,  # alarm: machine 210b not detected in time
+    'YT_101': False,  # alarm: machine 101 was trailed
+    'YT_102': False,  # alarm: machine 102 was trailed
+    'YT_201a': False,  # alarm: machine 201a was trailed
+    'YT_201b': False,  # alarm: machine 201b was trailed
+    'YT_210a': False,  # alarm: machine 210a was trailed
+    'YT_210b': False,  # alarm: machine 210b was trailed
     'YL_AB': True,  # indication: AB is locked
     'YL_AC': True,  # indication: AC is locked
     'YL_AD': True,  # indication: AD is locked
@@ -452,7 +476,6 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_G2 = read['CAN_G2']
         CAN_G3 = read['CAN_G3']
         CAN_S1 = read['CAN_S1']
@@ -463,6 +486,7 @@ class Controller:
         CAN_S4J = read['CAN_S4J']
         CAN_SG = read['CAN_SG']
         CAN_SGJ = read['CAN_SGJ']
+        REQ = read['REQ']
         CLR_AA = read['CLR_AA']
         CLR_AB = read['CLR_AB']
         CLR_AC = read['CLR_AC']
@@ -508,26 +532,32 @@ class Controller:
         DR_101 = read['DR_101']
         MN_101 = read['MN_101']
         MR_101 = read['MR_101']
+        TC_101 = read['TC_101']
         DN_102 = read['DN_102']
         DR_102 = read['DR_102']
         MN_102 = read['MN_102']
         MR_102 = read['MR_102']
+        TC_102 = read['TC_102']
         DN_201a = read['DN_201a']
         DR_201a = read['DR_201a']
         MN_201a = read['MN_201a']
         MR_201a = read['MR_201a']
+        TC_201a = read['TC_201a']
         DN_201b = read['DN_201b']
         DR_201b = read['DR_201b']
         MN_201b = read['MN_201b']
         MR_201b = read['MR_201b']
+        TC_201b = read['TC_201b']
         DN_210a = read['DN_210a']
         DR_210a = read['DR_210a']
         MN_210a = read['MN_210a']
         MR_210a = read['MR_210a']
+        TC_210a = read['TC_210a']
         DN_210b = read['DN_210b']
         DR_210b = read['DR_210b']
         MN_210b = read['MN_210b']
         MR_210b = read['MR_210b']
+        TC_210b = read['TC_210b']
         CN_101 = old['CN_101']
         CR_101 = old['CR_101']
         CN_102 = old['CN_102']
@@ -546,6 +576,18 @@ class Controller:
         AL_201b = old['AL_201b']
         AL_210a = old['AL_210a']
         AL_210b = old['AL_210b']
+        TH_101 = old['TH_101']
+        TR_101 = old['TR_101']
+        TH_102 = old['TH_102']
+        TR_102 = old['TR_102']
+        TH_201a = old['TH_201a']
+        TR_201a = old['TR_201a']
+        TH_201b = old['TH_201b']
+        TR_201b = old['TR_201b']
+        TH_210a = old['TH_210a']
+        TR_210a = old['TR_210a']
+        TH_210b = old['TH_210b']
+        TR_210b = old['TR_210b']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -828,66 +870,66 @@ class Controller:
         MOV_210b = VALID and FREE_SC and (not OCC_SC) and True and True  # machine 210b is free to move (R10)
         AVN_210b = CN_210b or MOV_210b or (QN_210b and (not CN_210b) and (not CR_210b))  # machine 210b can be demanded N
         AVR_210b = CR_210b or MOV_210b or (QR_210b and (not CN_210b) and (not CR_210b))  # machine 210b can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_SC and (not OCC_SC) and (not BLK_SC) and AVR_210b and AVR_210a and AVN_201b  # grant of route G2-G3 (R6)
+        G_R1 = (REQ == 1) and VALID and FREE_SC and (not OCC_SC) and (not BLK_SC) and AVR_210b and AVR_210a and AVN_201b and (not TR_210b) and (not TR_210a) and (not TR_201b)  # grant of route G2-G3 (R6)
         G_R2 = (REQ == 2) and VALID and ((not K_GA) and (not L_GA_1) and (not L_GA_2) and (not V_S2J_3)) and (not OCC_GA) and (not BLK_GA)  # grant of route G3-G (R6)
         G_R3 = (REQ == 3) and VALID and FREE_AB and (not OCC_AB) and (not BLK_AB)  # grant of route S1-S1J (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_CD and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and AVN_210a and AVN_210b and AVR_101 and AVN_201a and AVN_201b  # grant of route S1J-DB (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_SC and FREE_AC and FREE_AD and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and AVN_210a and AVN_210b and AVN_101 and AVN_201b  # grant of route S1J-DM2 (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_SC and FREE_GB and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and AVN_210a and AVR_210b and AVN_201b  # grant of route S1J-GN (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_BB and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and AVN_210a and AVN_210b and AVR_101 and AVR_201a and AVR_201b  # grant of route S1J-UM2 (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and ((not L_BC_4) or A_R12)) and ((not K_BE) and (not V_S2J_1) and ((not L_BE_1) or A_R12) and (not L_BE_4)) and ((not K_BD) and (not V_S2J_1) and ((not L_BD_1) or A_R12)) and (not OCC_BB) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BB) and AVN_201b and AVN_201a and AVN_101 and AVN_102  # grant of route S2-S2J (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and ((not L_BC_3) or A_R11) and (not L_BC_4)) and ((not K_AC) and (not V_S2J_2) and (not V_S2J_3) and ((not L_AC_2) or A_R11) and (not L_AC_3) and (not L_AC_4)) and ((not K_SC) and (not V_S2J_2) and (not V_S2J_3) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and (not L_SC_4) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8)) and ((not K_AB) and (not V_S2J_2) and (not L_AB_1) and (not L_AB_2)) and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_AB) and (not BLK_BB) and AVR_201b and AVR_201a and AVR_101 and AVN_210b and AVN_210a  # grant of route S2-S2J.o2 (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and ((not L_BC_3) or A_R11) and (not L_BC_4)) and ((not K_AC) and (not V_S2J_2) and (not V_S2J_3) and ((not L_AC_2) or A_R11) and (not L_AC_3) and (not L_AC_4)) and ((not K_SC) and (not V_S2J_2) and (not V_S2J_3) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and ((not L_SC_4) or A_R11) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8)) and ((not K_GA) and (not V_G3_1) and (not V_S2J_3) and (not L_GA_1) and (not L_GA_2)) and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BB) and AVR_201b and AVR_201a and AVR_101 and AVN_210b and AVR_210a  # grant of route S2-S2J.o3 (R6)
-        G_R11 = (REQ == 11) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and (not L_BC_4) and (not V_S2J_1)) and ((not K_AC) and (not L_AC_2) and (not L_AC_3) and (not L_AC_4)) and ((not K_SC) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and (not L_SC_4) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8) and (not V_S2J_2)) and ((not K_GA) and (not V_G3_1) and (not V_S2J_3) and (not L_GA_1) and ((not L_GA_2) or A_R2)) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BC) and (not BLK_AC) and (not BLK_SC) and AVR_201b and AVR_201a and AVR_101 and AVN_210b and AVR_210a  # grant of route S2J-G3 (R6)
-        G_R12 = (REQ == 12) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and (not L_BC_4) and (not V_S2J_2) and (not V_S2J_3)) and ((not K_BE) and (not L_BE_1) and (not L_BE_4)) and ((not K_BD) and (not L_BD_1)) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BC) and (not BLK_BE) and (not BLK_BD) and AVN_201b and AVN_201a and AVN_101 and AVN_102  # grant of route S2J-UM (R6)
+        G_R4 = (REQ == 4) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_CD and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and AVN_210a and AVN_210b and AVR_101 and AVN_201a and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b)  # grant of route S1J-DB (R6)
+        G_R5 = (REQ == 5) and VALID and FREE_SC and FREE_AC and FREE_AD and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and AVN_210a and AVN_210b and AVN_101 and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201b)  # grant of route S1J-DM2 (R6)
+        G_R6 = (REQ == 6) and VALID and FREE_SC and FREE_GB and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and AVN_210a and AVR_210b and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b)  # grant of route S1J-GN (R6)
+        G_R7 = (REQ == 7) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_BB and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and AVN_210a and AVN_210b and AVR_101 and AVR_201a and AVR_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b)  # grant of route S1J-UM2 (R6)
+        G_R8 = (REQ == 8) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and ((not L_BC_4) or A_R12)) and ((not K_BE) and (not V_S2J_1) and ((not L_BE_1) or A_R12) and (not L_BE_4)) and ((not K_BD) and (not V_S2J_1) and ((not L_BD_1) or A_R12)) and (not OCC_BB) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BB) and AVN_201b and AVN_201a and AVN_101 and AVN_102 and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_102)  # grant of route S2-S2J (R6)
+        G_R9 = (REQ == 9) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and ((not L_BC_3) or A_R11) and (not L_BC_4)) and ((not K_AC) and (not V_S2J_2) and (not V_S2J_3) and ((not L_AC_2) or A_R11) and (not L_AC_3) and (not L_AC_4)) and ((not K_SC) and (not V_S2J_2) and (not V_S2J_3) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and (not L_SC_4) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8)) and ((not K_AB) and (not V_S2J_2) and (not L_AB_1) and (not L_AB_2)) and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_AB) and (not BLK_BB) and AVR_201b and AVR_201a and AVR_101 and AVN_210b and AVN_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a)  # grant of route S2-S2J.o2 (R6)
+        G_R10 = (REQ == 10) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and ((not L_BC_3) or A_R11) and (not L_BC_4)) and ((not K_AC) and (not V_S2J_2) and (not V_S2J_3) and ((not L_AC_2) or A_R11) and (not L_AC_3) and (not L_AC_4)) and ((not K_SC) and (not V_S2J_2) and (not V_S2J_3) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and ((not L_SC_4) or A_R11) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8)) and ((not K_GA) and (not V_G3_1) and (not V_S2J_3) and (not L_GA_1) and (not L_GA_2)) and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BB) and AVR_201b and AVR_201a and AVR_101 and AVN_210b and AVR_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a)  # grant of route S2-S2J.o3 (R6)
+        G_R11 = (REQ == 11) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and (not L_BC_4) and (not V_S2J_1)) and ((not K_AC) and (not L_AC_2) and (not L_AC_3) and (not L_AC_4)) and ((not K_SC) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and (not L_SC_4) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8) and (not V_S2J_2)) and ((not K_GA) and (not V_G3_1) and (not V_S2J_3) and (not L_GA_1) and ((not L_GA_2) or A_R2)) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BC) and (not BLK_AC) and (not BLK_SC) and AVR_201b and AVR_201a and AVR_101 and AVN_210b and AVR_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a)  # grant of route S2J-G3 (R6)
+        G_R12 = (REQ == 12) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and (not L_BC_4) and (not V_S2J_2) and (not V_S2J_3)) and ((not K_BE) and (not L_BE_1) and (not L_BE_4)) and ((not K_BD) and (not L_BD_1)) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BC) and (not BLK_BE) and (not BLK_BD) and AVN_201b and AVN_201a and AVN_101 and AVN_102 and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_102)  # grant of route S2J-UM (R6)
         G_R13 = (REQ == 13) and VALID and FREE_CB and (not OCC_CB) and (not BLK_CB)  # grant of route S4-S4J (R6)
-        G_R14 = (REQ == 14) and VALID and FREE_BE and FREE_BD and (not OCC_BE) and (not OCC_BD) and (not BLK_BE) and (not BLK_BD) and AVR_102 and AVR_201b  # grant of route S4J-UM (R6)
+        G_R14 = (REQ == 14) and VALID and FREE_BE and FREE_BD and (not OCC_BE) and (not OCC_BD) and (not BLK_BE) and (not BLK_BD) and AVR_102 and AVR_201b and (not TR_102) and (not TR_201b)  # grant of route S4J-UM (R6)
         G_R15 = (REQ == 15) and VALID and FREE_GA and (not OCC_GA) and (not BLK_GA)  # grant of route SG-SGJ (R6)
-        G_R16 = (REQ == 16) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_CD and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and AVR_210a and AVN_210b and AVR_101 and AVN_201a and AVN_201b  # grant of route SGJ-DB (R6)
-        G_R17 = (REQ == 17) and VALID and FREE_SC and FREE_AC and FREE_AD and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and AVR_210a and AVN_210b and AVN_101 and AVN_201b  # grant of route SGJ-DM2 (R6)
-        G_R18 = (REQ == 18) and VALID and FREE_SC and FREE_GB and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and AVR_210a and AVR_210b and AVN_201b  # grant of route SGJ-GN (R6)
-        G_R19 = (REQ == 19) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_BB and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and AVR_210a and AVN_210b and AVR_101 and AVR_201a and AVR_201b  # grant of route SGJ-UM2 (R6)
-        G_R20 = (REQ == 20) and VALID and FREE_SC and (not M_GB) and (not OCC_SC) and (not BLK_SC) and (not BLK_GB) and AVR_210a and AVR_210b and AVN_201b  # grant of route SGJ-GN.s (R6)
+        G_R16 = (REQ == 16) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_CD and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and AVR_210a and AVN_210b and AVR_101 and AVN_201a and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b)  # grant of route SGJ-DB (R6)
+        G_R17 = (REQ == 17) and VALID and FREE_SC and FREE_AC and FREE_AD and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and AVR_210a and AVN_210b and AVN_101 and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201b)  # grant of route SGJ-DM2 (R6)
+        G_R18 = (REQ == 18) and VALID and FREE_SC and FREE_GB and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and AVR_210a and AVR_210b and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b)  # grant of route SGJ-GN (R6)
+        G_R19 = (REQ == 19) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_BB and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and AVR_210a and AVN_210b and AVR_101 and AVR_201a and AVR_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b)  # grant of route SGJ-UM2 (R6)
+        G_R20 = (REQ == 20) and VALID and FREE_SC and (not M_GB) and (not OCC_SC) and (not BLK_SC) and (not BLK_GB) and AVR_210a and AVR_210b and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b)  # grant of route SGJ-GN.s (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_G2) and (not CAN_G2) and (not OCC_SC) and QR_210b and QR_210a and QN_201b  # route G2-G3 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_SC) and (not BLK_SC) and QR_210b and QR_210a and QN_201b and (not D_SC)  # conditions of proceed for route G2-G3 (R3)
+        CO_R1 = VALID and (not OCC_SC) and (not BLK_SC) and QR_210b and QR_210a and QN_201b and (not TR_210b) and (not TR_210a) and (not TR_201b) and (not D_SC)  # conditions of proceed for route G2-G3 (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_G3) and (not CAN_G3) and (not OCC_GA)  # route G3-G becomes locked (R3)
         CO_R2 = VALID and (not OCC_GA) and (not BLK_GA) and (not OCC_GX) and (not D_GA)  # conditions of proceed for route G3-G (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_AB)  # route S1-S1J becomes locked (R3)
         CO_R3 = VALID and (not OCC_AB) and (not BLK_AB) and (not D_AB)  # conditions of proceed for route S1-S1J (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and QN_210a and QN_210b and QR_101 and QN_201a and QN_201b  # route S1J-DB becomes locked (R3)
-        CO_R4 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and QN_210a and QN_210b and QR_101 and QN_201a and QN_201b and (not D_SC)  # conditions of proceed for route S1J-DB (R3)
+        CO_R4 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and QN_210a and QN_210b and QR_101 and QN_201a and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b) and (not D_SC)  # conditions of proceed for route S1J-DB (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and QN_210a and QN_210b and QN_101 and QN_201b  # route S1J-DM2 becomes locked (R3)
-        CO_R5 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and QN_210a and QN_210b and QN_101 and QN_201b and (not D_SC)  # conditions of proceed for route S1J-DM2 (R3)
+        CO_R5 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and QN_210a and QN_210b and QN_101 and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201b) and (not D_SC)  # conditions of proceed for route S1J-DM2 (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_SC) and (not OCC_GB) and QN_210a and QR_210b and QN_201b  # route S1J-GN becomes locked (R3)
-        CO_R6 = VALID and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and QN_210a and QR_210b and QN_201b and (not D_SC)  # conditions of proceed for route S1J-GN (R3)
+        CO_R6 = VALID and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and QN_210a and QR_210b and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b) and (not D_SC)  # conditions of proceed for route S1J-GN (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and QN_210a and QN_210b and QR_101 and QR_201a and QR_201b  # route S1J-UM2 becomes locked (R3)
-        CO_R7 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and QN_210a and QN_210b and QR_101 and QR_201a and QR_201b and (not OCC_BA) and (not D_SC)  # conditions of proceed for route S1J-UM2 (R3)
+        CO_R7 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and QN_210a and QN_210b and QR_101 and QR_201a and QR_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b) and (not OCC_BA) and (not D_SC)  # conditions of proceed for route S1J-UM2 (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_BB) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and QN_201b and QN_201a and QN_101 and QN_102  # route S2-S2J becomes locked (R3)
-        CO_R8 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BB) and QN_201b and QN_201a and QN_101 and QN_102 and (not D_BB) and V_S2J_1  # conditions of proceed for route S2-S2J (R3)
+        CO_R8 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BB) and QN_201b and QN_201a and QN_101 and QN_102 and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_102) and (not D_BB) and V_S2J_1  # conditions of proceed for route S2-S2J (R3)
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_AB) and QR_201b and QR_201a and QR_101 and QN_210b and QN_210a  # route S2-S2J.o2 becomes locked (R3)
-        CO_R9 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_AB) and (not BLK_BB) and QR_201b and QR_201a and QR_101 and QN_210b and QN_210a and (not D_BB) and V_S2J_2  # conditions of proceed for route S2-S2J.o2 (R3)
+        CO_R9 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_AB) and (not BLK_BB) and QR_201b and QR_201a and QR_101 and QN_210b and QN_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a) and (not D_BB) and V_S2J_2  # conditions of proceed for route S2-S2J.o2 (R3)
         LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and QR_201b and QR_201a and QR_101 and QN_210b and QR_210a  # route S2-S2J.o3 becomes locked (R3)
-        CO_R10 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BB) and QR_201b and QR_201a and QR_101 and QN_210b and QR_210a and (not D_BB) and V_S2J_3  # conditions of proceed for route S2-S2J.o3 (R3)
+        CO_R10 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BB) and QR_201b and QR_201a and QR_101 and QN_210b and QR_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a) and (not D_BB) and V_S2J_3  # conditions of proceed for route S2-S2J.o3 (R3)
         LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S2J) and (not CAN_S2J) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and QR_201b and QR_201a and QR_101 and QN_210b and QR_210a  # route S2J-G3 becomes locked (R3)
-        CO_R11 = VALID and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BC) and (not BLK_AC) and (not BLK_SC) and QR_201b and QR_201a and QR_101 and QN_210b and QR_210a and (not D_BC) and V_G3_1  # conditions of proceed for route S2J-G3 (R3)
+        CO_R11 = VALID and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BC) and (not BLK_AC) and (not BLK_SC) and QR_201b and QR_201a and QR_101 and QN_210b and QR_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a) and (not D_BC) and V_G3_1  # conditions of proceed for route S2J-G3 (R3)
         LK_R12 = A_R12 and (not B_R12) and VALID and (not X_S2J) and (not CAN_S2J) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and QN_201b and QN_201a and QN_101 and QN_102  # route S2J-UM becomes locked (R3)
-        CO_R12 = VALID and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BC) and (not BLK_BE) and (not BLK_BD) and QN_201b and QN_201a and QN_101 and QN_102 and (not D_BC)  # conditions of proceed for route S2J-UM (R3)
+        CO_R12 = VALID and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BC) and (not BLK_BE) and (not BLK_BD) and QN_201b and QN_201a and QN_101 and QN_102 and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_102) and (not D_BC)  # conditions of proceed for route S2J-UM (R3)
         LK_R13 = A_R13 and (not B_R13) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_CB)  # route S4-S4J becomes locked (R3)
         CO_R13 = VALID and (not OCC_CB) and (not BLK_CB) and (not D_CB)  # conditions of proceed for route S4-S4J (R3)
         LK_R14 = A_R14 and (not B_R14) and VALID and (not X_S4J) and (not CAN_S4J) and (not OCC_BE) and (not OCC_BD) and QR_102 and QR_201b  # route S4J-UM becomes locked (R3)
-        CO_R14 = VALID and (not OCC_BE) and (not OCC_BD) and (not BLK_BE) and (not BLK_BD) and QR_102 and QR_201b and (not D_BE)  # conditions of proceed for route S4J-UM (R3)
+        CO_R14 = VALID and (not OCC_BE) and (not OCC_BD) and (not BLK_BE) and (not BLK_BD) and QR_102 and QR_201b and (not TR_102) and (not TR_201b) and (not D_BE)  # conditions of proceed for route S4J-UM (R3)
         LK_R15 = A_R15 and (not B_R15) and VALID and (not X_SG) and (not CAN_SG) and (not OCC_GA)  # route SG-SGJ becomes locked (R3)
         CO_R15 = VALID and (not OCC_GA) and (not BLK_GA) and (not D_GA)  # conditions of proceed for route SG-SGJ (R3)
         LK_R16 = A_R16 and (not B_R16) and VALID and (not X_SGJ) and (not CAN_SGJ) and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and QR_210a and QN_210b and QR_101 and QN_201a and QN_201b  # route SGJ-DB becomes locked (R3)
-        CO_R16 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and QR_210a and QN_210b and QR_101 and QN_201a and QN_201b and (not D_SC)  # conditions of proceed for route SGJ-DB (R3)
+        CO_R16 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and QR_210a and QN_210b and QR_101 and QN_201a and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b) and (not D_SC)  # conditions of proceed for route SGJ-DB (R3)
         LK_R17 = A_R17 and (not B_R17) and VALID and (not X_SGJ) and (not CAN_SGJ) and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and QR_210a and QN_210b and QN_101 and QN_201b  # route SGJ-DM2 becomes locked (R3)
-        CO_R17 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and QR_210a and QN_210b and QN_101 and QN_201b and (not D_SC)  # conditions of proceed for route SGJ-DM2 (R3)
+        CO_R17 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and QR_210a and QN_210b and QN_101 and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201b) and (not D_SC)  # conditions of proceed for route SGJ-DM2 (R3)
         LK_R18 = A_R18 and (not B_R18) and VALID and (not X_SGJ) and (not CAN_SGJ) and (not OCC_SC) and (not OCC_GB) and QR_210a and QR_210b and QN_201b  # route SGJ-GN becomes locked (R3)
-        CO_R18 = VALID and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and QR_210a and QR_210b and QN_201b and (not D_SC)  # conditions of proceed for route SGJ-GN (R3)
+        CO_R18 = VALID and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and QR_210a and QR_210b and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b) and (not D_SC)  # conditions of proceed for route SGJ-GN (R3)
         LK_R19 = A_R19 and (not B_R19) and VALID and (not X_SGJ) and (not CAN_SGJ) and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and QR_210a and QN_210b and QR_101 and QR_201a and QR_201b  # route SGJ-UM2 becomes locked (R3)
-        CO_R19 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and QR_210a and QN_210b and QR_101 and QR_201a and QR_201b and (not OCC_BA) and (not D_SC)  # conditions of proceed for route SGJ-UM2 (R3)
+        CO_R19 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and QR_210a and QN_210b and QR_101 and QR_201a and QR_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b) and (not OCC_BA) and (not D_SC)  # conditions of proceed for route SGJ-UM2 (R3)
         LK_R20 = A_R20 and (not B_R20) and VALID and (not X_SGJ) and (not CAN_SGJ) and (not OCC_SC) and QR_210a and QR_210b and QN_201b  # route SGJ-GN.s becomes locked (R3)
-        CO_R20 = VALID and (not OCC_SC) and (not BLK_SC) and (not BLK_GB) and QR_210a and QR_210b and QN_201b and (not D_SC)  # conditions of proceed for route SGJ-GN.s (R3)
+        CO_R20 = VALID and (not OCC_SC) and (not BLK_SC) and (not BLK_GB) and QR_210a and QR_210b and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b) and (not D_SC)  # conditions of proceed for route SGJ-GN.s (R3)
         NU_AB_1 = VALID and F_AB and (not D_AB) and (not U_AB) and L_AB_1 and OCC_AB and OCC_SC and (V_S2J_2 or U_SC) and (V_S2J_2 or L_SC_3)  # a train comes into AB at AB|SC@210.1a (R9)
         NU_AB_2 = VALID and F_AB and (not D_AB) and (not U_AB) and L_AB_2 and OCC_AB and OCC_AA  # a train comes into AB at DM (R9)
         NU_AC_2 = VALID and F_AC and (not D_AC) and (not U_AC) and L_AC_2 and OCC_AC and OCC_BC and (V_S2J_2 or V_S2J_3 or U_BC) and (V_S2J_2 or V_S2J_3 or L_BC_3)  # a train comes into AC at AC|BC@101.reverse (R9)
@@ -1156,6 +1198,18 @@ class Controller:
         N_AL_201b = ST_201b  # alarm: machine 201b not detected
         N_AL_210a = ST_210a  # alarm: machine 210a not detected
         N_AL_210b = ST_210b  # alarm: machine 210b not detected
+        N_TH_101 = ((CN_101 and QN_101) or (CR_101 and QR_101)) and (not (GPN_101 or GPR_101 or MAN_101 or MAR_101))  # machine 101 was detected where it is commanded
+        N_TR_101 = (TH_101 and VALID and ((CN_101 and (not QN_101) and (not GPR_101) and (not MAR_101)) or (CR_101 and (not QR_101) and (not GPN_101) and (not MAN_101)))) or (TR_101 and (not (TC_101 and VALID and (not OCC_AC))))  # machine 101 was trailed
+        N_TH_102 = ((CN_102 and QN_102) or (CR_102 and QR_102)) and (not (GPN_102 or GPR_102 or MAN_102 or MAR_102))  # machine 102 was detected where it is commanded
+        N_TR_102 = (TH_102 and VALID and ((CN_102 and (not QN_102) and (not GPR_102) and (not MAR_102)) or (CR_102 and (not QR_102) and (not GPN_102) and (not MAN_102)))) or (TR_102 and (not (TC_102 and VALID and (not OCC_BE))))  # machine 102 was trailed
+        N_TH_201a = ((CN_201a and QN_201a) or (CR_201a and QR_201a)) and (not (GPN_201a or GPR_201a or MAN_201a or MAR_201a))  # machine 201a was detected where it is commanded
+        N_TR_201a = (TH_201a and VALID and ((CN_201a and (not QN_201a) and (not GPR_201a) and (not MAR_201a)) or (CR_201a and (not QR_201a) and (not GPN_201a) and (not MAN_201a)))) or (TR_201a and (not (TC_201a and VALID and (not OCC_BC))))  # machine 201a was trailed
+        N_TH_201b = ((CN_201b and QN_201b) or (CR_201b and QR_201b)) and (not (GPN_201b or GPR_201b or MAN_201b or MAR_201b))  # machine 201b was detected where it is commanded
+        N_TR_201b = (TH_201b and VALID and ((CN_201b and (not QN_201b) and (not GPR_201b) and (not MAR_201b)) or (CR_201b and (not QR_201b) and (not GPN_201b) and (not MAN_201b)))) or (TR_201b and (not (TC_201b and VALID and (not OCC_BC))))  # machine 201b was trailed
+        N_TH_210a = ((CN_210a and QN_210a) or (CR_210a and QR_210a)) and (not (GPN_210a or GPR_210a or MAN_210a or MAR_210a))  # machine 210a was detected where it is commanded
+        N_TR_210a = (TH_210a and VALID and ((CN_210a and (not QN_210a) and (not GPR_210a) and (not MAR_210a)) or (CR_210a and (not QR_210a) and (not GPN_210a) and (not MAN_210a)))) or (TR_210a and (not (TC_210a and VALID and (not OCC_SC))))  # machine 210a was trailed
+        N_TH_210b = ((CN_210b and QN_210b) or (CR_210b and QR_210b)) and (not (GPN_210b or GPR_210b or MAN_210b or MAR_210b))  # machine 210b was detected where it is commanded
+        N_TR_210b = (TH_210b and VALID and ((CN_210b and (not QN_210b) and (not GPR_210b) and (not MAR_210b)) or (CR_210b and (not QR_210b) and (not GPN_210b) and (not MAN_210b)))) or (TR_210b and (not (TC_210b and VALID and (not OCC_SC))))  # machine 210b was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route G2-G3 active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route G2-G3 locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_G2) and (not CAN_G2)  # route G2-G3: proceed wanted
@@ -1399,6 +1453,18 @@ class Controller:
             'AL_201b': bool(N_AL_201b),
             'AL_210a': bool(N_AL_210a),
             'AL_210b': bool(N_AL_210b),
+            'TH_101': bool(N_TH_101),
+            'TR_101': bool(N_TR_101),
+            'TH_102': bool(N_TH_102),
+            'TR_102': bool(N_TR_102),
+            'TH_201a': bool(N_TH_201a),
+            'TR_201a': bool(N_TR_201a),
+            'TH_201b': bool(N_TH_201b),
+            'TR_201b': bool(N_TR_201b),
+            'TH_210a': bool(N_TH_210a),
+            'TR_210a': bool(N_TR_210a),
+            'TH_210b': bool(N_TH_210b),
+            'TR_210b': bool(N_TR_210b),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -1642,6 +1708,18 @@ class Controller:
         AL_201b = self.state['AL_201b']
         AL_210a = self.state['AL_210a']
         AL_210b = self.state['AL_210b']
+        TH_101 = self.state['TH_101']
+        TR_101 = self.state['TR_101']
+        TH_102 = self.state['TH_102']
+        TR_102 = self.state['TR_102']
+        TH_201a = self.state['TH_201a']
+        TR_201a = self.state['TR_201a']
+        TH_201b = self.state['TH_201b']
+        TR_201b = self.state['TR_201b']
+        TH_210a = self.state['TH_210a']
+        TR_210a = self.state['TR_210a']
+        TH_210b = self.state['TH_210b']
+        TR_210b = self.state['TR_210b']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -1885,6 +1963,12 @@ class Controller:
             'YA_201b': bool(AL_201b),
             'YA_210a': bool(AL_210a),
             'YA_210b': bool(AL_210b),
+            'YT_101': bool(TR_101),
+            'YT_102': bool(TR_102),
+            'YT_201a': bool(TR_201a),
+            'YT_201b': bool(TR_201b),
+            'YT_210a': bool(TR_210a),
+            'YT_210b': bool(TR_210b),
             'YL_AB': bool(K_AB or L_AB_1 or L_AB_2 or V_S2J_2),
             'YL_AC': bool(K_AC or L_AC_2 or L_AC_3 or L_AC_4 or V_S2J_2 or V_S2J_3),
             'YL_AD': bool(K_AD or L_AD_1),

@@ -1,7 +1,7 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout db07d5790c768be3ab4b0407b95d09797e37b53de9682a8b17840f407eba0936
-# claims 75e8cead121b8836ea1b9c4cbcc828b16f7fb4436c68f4b2fdcd566a228a03fb
+# layout cdb40b3ee8f9aa7b7077c649788f6fee2fa642e9c2957b85ef8a4e47e7472c28
+# claims a076cdb47f2f5653558bd191a5769dab3d7f08da226f327d1b332597b80b8e95
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -10,12 +10,12 @@ Inputs and outputs are dictionaries of names; a missing input takes its restrict
 # name: (restrictive value, number of values), meaning
 INPUTS = {
     'VALID': (0, 2),  # all input devices healthy
-    'REQ': (0, 13),  # operator: set route number, 0 = none
     'CAN_S1': (0, 2),  # operator: cancel the route from S1
     'CAN_S11': (0, 2),  # operator: cancel the route from S11
     'CAN_S12': (0, 2),  # operator: cancel the route from S12
     'CAN_S13': (0, 2),  # operator: cancel the route from S13
     'CAN_S14': (0, 2),  # operator: cancel the route from S14
+    'REQ': (0, 13),  # operator: set route number, 0 = none
     'CLR_DA': (0, 2),  # section DA reported clear
     'CLR_P1': (0, 2),  # section P1 reported clear
     'CLR_P2': (0, 2),  # section P2 reported clear
@@ -49,18 +49,22 @@ INPUTS = {
     'DR_201': (0, 2),  # machine 201 detected reverse
     'MN_201': (0, 2),  # operator: move machine 201 normal
     'MR_201': (0, 2),  # operator: move machine 201 reverse
+    'TC_201': (0, 2),  # operator: machine 201 has been looked at after it was trailed
     'DN_202': (0, 2),  # machine 202 detected normal
     'DR_202': (0, 2),  # machine 202 detected reverse
     'MN_202': (0, 2),  # operator: move machine 202 normal
     'MR_202': (0, 2),  # operator: move machine 202 reverse
+    'TC_202': (0, 2),  # operator: machine 202 has been looked at after it was trailed
     'DN_203': (0, 2),  # machine 203 detected normal
     'DR_203': (0, 2),  # machine 203 detected reverse
     'MN_203': (0, 2),  # operator: move machine 203 normal
     'MR_203': (0, 2),  # operator: move machine 203 reverse
+    'TC_203': (0, 2),  # operator: machine 203 has been looked at after it was trailed
     'DN_204': (0, 2),  # machine 204 detected normal
     'DR_204': (0, 2),  # machine 204 detected reverse
     'MN_204': (0, 2),  # operator: move machine 204 normal
     'MR_204': (0, 2),  # operator: move machine 204 reverse
+    'TC_204': (0, 2),  # operator: machine 204 has been looked at after it was trailed
 }
 # name: value at a restart, meaning
 STATE = {
@@ -76,6 +80,14 @@ STATE = {
     'AL_202': False,  # alarm: machine 202 not detected
     'AL_203': False,  # alarm: machine 203 not detected
     'AL_204': False,  # alarm: machine 204 not detected
+    'TH_201': False,  # machine 201 was detected where it is commanded
+    'TR_201': False,  # machine 201 was trailed
+    'TH_202': False,  # machine 202 was detected where it is commanded
+    'TR_202': False,  # machine 202 was trailed
+    'TH_203': False,  # machine 203 was detected where it is commanded
+    'TR_203': False,  # machine 203 was trailed
+    'TH_204': False,  # machine 204 was detected where it is commanded
+    'TR_204': False,  # machine 204 was trailed
     'A_R1': False,  # route S1-B1 active
     'B_R1': False,  # route S1-B1 locked
     'W_R1': False,  # route S1-B1: proceed wanted
@@ -249,6 +261,10 @@ OUTPUTS = {
     'YA_202': False,  # alarm: machine 202 not detected in time
     'YA_203': False,  # alarm: machine 203 not detected in time
     'YA_204': False,  # alarm: machine 204 not detected in time
+    'YT_201': False,  # alarm: machine 201 was trailed
+    'YT_202': False,  # alarm: machine 202 was trailed
+    'YT_203': False,  # alarm: machine 203 was trailed
+    'YT_204': False,  # alarm: machine 204 was trailed
     'YL_P1': True,  # indication: P1 is locked
     'YL_P2': True,  # indication: P2 is locked
     'YL_P3': True,  # indication: P3 is locked
@@ -298,12 +314,12 @@ class Controller:
             read[name] = value if 0 <= value < size else restrictive
         old = self.state
         VALID = read['VALID']
-        REQ = read['REQ']
         CAN_S1 = read['CAN_S1']
         CAN_S11 = read['CAN_S11']
         CAN_S12 = read['CAN_S12']
         CAN_S13 = read['CAN_S13']
         CAN_S14 = read['CAN_S14']
+        REQ = read['REQ']
         CLR_DA = read['CLR_DA']
         CLR_P1 = read['CLR_P1']
         CLR_P2 = read['CLR_P2']
@@ -337,18 +353,22 @@ class Controller:
         DR_201 = read['DR_201']
         MN_201 = read['MN_201']
         MR_201 = read['MR_201']
+        TC_201 = read['TC_201']
         DN_202 = read['DN_202']
         DR_202 = read['DR_202']
         MN_202 = read['MN_202']
         MR_202 = read['MR_202']
+        TC_202 = read['TC_202']
         DN_203 = read['DN_203']
         DR_203 = read['DR_203']
         MN_203 = read['MN_203']
         MR_203 = read['MR_203']
+        TC_203 = read['TC_203']
         DN_204 = read['DN_204']
         DR_204 = read['DR_204']
         MN_204 = read['MN_204']
         MR_204 = read['MR_204']
+        TC_204 = read['TC_204']
         CN_201 = old['CN_201']
         CR_201 = old['CR_201']
         CN_202 = old['CN_202']
@@ -361,6 +381,14 @@ class Controller:
         AL_202 = old['AL_202']
         AL_203 = old['AL_203']
         AL_204 = old['AL_204']
+        TH_201 = old['TH_201']
+        TR_201 = old['TR_201']
+        TH_202 = old['TH_202']
+        TR_202 = old['TR_202']
+        TH_203 = old['TH_203']
+        TR_203 = old['TR_203']
+        TH_204 = old['TH_204']
+        TR_204 = old['TR_204']
         A_R1 = old['A_R1']
         B_R1 = old['B_R1']
         W_R1 = old['W_R1']
@@ -537,42 +565,42 @@ class Controller:
         MOV_204 = VALID and FREE_T4 and (not OCC_T4) and True and True  # machine 204 is free to move (R10)
         AVN_204 = CN_204 or MOV_204 or (QN_204 and (not CN_204) and (not CR_204))  # machine 204 can be demanded N
         AVR_204 = CR_204 or MOV_204 or (QR_204 and (not CN_204) and (not CR_204))  # machine 204 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_T1 and FREE_T3 and FREE_P1 and (not OCC_T1) and (not OCC_T3) and (not OCC_P1) and (not BLK_T1) and (not BLK_T3) and (not BLK_P1) and AVN_201 and AVN_202 and AVN_203  # grant of route S1-B1 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_T1 and FREE_T3 and FREE_P2 and (not OCC_T1) and (not OCC_T3) and (not OCC_P2) and (not BLK_T1) and (not BLK_T3) and (not BLK_P2) and AVN_201 and AVN_202 and AVR_203  # grant of route S1-B2 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_T1 and FREE_T2 and FREE_T4 and FREE_P3 and (not OCC_T1) and (not OCC_T2) and (not OCC_T4) and (not OCC_P3) and (not BLK_T1) and (not BLK_T2) and (not BLK_T4) and (not BLK_P3) and (not (L_T2_2 or K_T2)) and AVR_201 and AVR_202 and AVN_204  # grant of route S1-B3 (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_T1 and FREE_T2 and FREE_T4 and FREE_P4 and (not OCC_T1) and (not OCC_T2) and (not OCC_T4) and (not OCC_P4) and (not BLK_T1) and (not BLK_T2) and (not BLK_T4) and (not BLK_P4) and (not (L_T2_2 or K_T2)) and AVR_201 and AVR_202 and AVR_204  # grant of route S1-B4 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_T3 and FREE_T1 and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and AVN_203 and AVN_202 and AVN_201  # grant of route S11-D (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_T3 and FREE_T1 and FREE_T2 and FREE_UA and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and (not (L_T1_1 or L_T1_3 or K_T1)) and AVN_203 and AVR_202 and AVR_201  # grant of route S11-U (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_T3 and FREE_T1 and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and AVR_203 and AVN_202 and AVN_201  # grant of route S12-D (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_T3 and FREE_T1 and FREE_T2 and FREE_UA and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and (not (L_T1_1 or L_T1_3 or K_T1)) and AVR_203 and AVR_202 and AVR_201  # grant of route S12-U (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_T4 and FREE_T2 and FREE_T1 and (not OCC_T4) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T2) and (not BLK_T1) and (not (L_T2_2 or K_T2)) and AVN_204 and AVR_201 and AVR_202  # grant of route S13-D (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_T4 and FREE_T2 and FREE_UA and (not OCC_T4) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T2) and (not BLK_UA) and AVN_204 and AVN_201 and AVN_202  # grant of route S13-U (R6)
-        G_R11 = (REQ == 11) and VALID and FREE_T4 and FREE_T2 and FREE_T1 and (not OCC_T4) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T2) and (not BLK_T1) and (not (L_T2_2 or K_T2)) and AVR_204 and AVR_201 and AVR_202  # grant of route S14-D (R6)
-        G_R12 = (REQ == 12) and VALID and FREE_T4 and FREE_T2 and FREE_UA and (not OCC_T4) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T2) and (not BLK_UA) and AVR_204 and AVN_201 and AVN_202  # grant of route S14-U (R6)
+        G_R1 = (REQ == 1) and VALID and FREE_T1 and FREE_T3 and FREE_P1 and (not OCC_T1) and (not OCC_T3) and (not OCC_P1) and (not BLK_T1) and (not BLK_T3) and (not BLK_P1) and AVN_201 and AVN_202 and AVN_203 and (not TR_201) and (not TR_202) and (not TR_203)  # grant of route S1-B1 (R6)
+        G_R2 = (REQ == 2) and VALID and FREE_T1 and FREE_T3 and FREE_P2 and (not OCC_T1) and (not OCC_T3) and (not OCC_P2) and (not BLK_T1) and (not BLK_T3) and (not BLK_P2) and AVN_201 and AVN_202 and AVR_203 and (not TR_201) and (not TR_202) and (not TR_203)  # grant of route S1-B2 (R6)
+        G_R3 = (REQ == 3) and VALID and FREE_T1 and FREE_T2 and FREE_T4 and FREE_P3 and (not OCC_T1) and (not OCC_T2) and (not OCC_T4) and (not OCC_P3) and (not BLK_T1) and (not BLK_T2) and (not BLK_T4) and (not BLK_P3) and (not (L_T2_2 or K_T2)) and AVR_201 and AVR_202 and AVN_204 and (not TR_201) and (not TR_202) and (not TR_204)  # grant of route S1-B3 (R6)
+        G_R4 = (REQ == 4) and VALID and FREE_T1 and FREE_T2 and FREE_T4 and FREE_P4 and (not OCC_T1) and (not OCC_T2) and (not OCC_T4) and (not OCC_P4) and (not BLK_T1) and (not BLK_T2) and (not BLK_T4) and (not BLK_P4) and (not (L_T2_2 or K_T2)) and AVR_201 and AVR_202 and AVR_204 and (not TR_201) and (not TR_202) and (not TR_204)  # grant of route S1-B4 (R6)
+        G_R5 = (REQ == 5) and VALID and FREE_T3 and FREE_T1 and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and AVN_203 and AVN_202 and AVN_201 and (not TR_203) and (not TR_202) and (not TR_201)  # grant of route S11-D (R6)
+        G_R6 = (REQ == 6) and VALID and FREE_T3 and FREE_T1 and FREE_T2 and FREE_UA and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and (not (L_T1_1 or L_T1_3 or K_T1)) and AVN_203 and AVR_202 and AVR_201 and (not TR_203) and (not TR_202) and (not TR_201)  # grant of route S11-U (R6)
+        G_R7 = (REQ == 7) and VALID and FREE_T3 and FREE_T1 and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and AVR_203 and AVN_202 and AVN_201 and (not TR_203) and (not TR_202) and (not TR_201)  # grant of route S12-D (R6)
+        G_R8 = (REQ == 8) and VALID and FREE_T3 and FREE_T1 and FREE_T2 and FREE_UA and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and (not (L_T1_1 or L_T1_3 or K_T1)) and AVR_203 and AVR_202 and AVR_201 and (not TR_203) and (not TR_202) and (not TR_201)  # grant of route S12-U (R6)
+        G_R9 = (REQ == 9) and VALID and FREE_T4 and FREE_T2 and FREE_T1 and (not OCC_T4) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T2) and (not BLK_T1) and (not (L_T2_2 or K_T2)) and AVN_204 and AVR_201 and AVR_202 and (not TR_204) and (not TR_201) and (not TR_202)  # grant of route S13-D (R6)
+        G_R10 = (REQ == 10) and VALID and FREE_T4 and FREE_T2 and FREE_UA and (not OCC_T4) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T2) and (not BLK_UA) and AVN_204 and AVN_201 and AVN_202 and (not TR_204) and (not TR_201) and (not TR_202)  # grant of route S13-U (R6)
+        G_R11 = (REQ == 11) and VALID and FREE_T4 and FREE_T2 and FREE_T1 and (not OCC_T4) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T2) and (not BLK_T1) and (not (L_T2_2 or K_T2)) and AVR_204 and AVR_201 and AVR_202 and (not TR_204) and (not TR_201) and (not TR_202)  # grant of route S14-D (R6)
+        G_R12 = (REQ == 12) and VALID and FREE_T4 and FREE_T2 and FREE_UA and (not OCC_T4) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T2) and (not BLK_UA) and AVR_204 and AVN_201 and AVN_202 and (not TR_204) and (not TR_201) and (not TR_202)  # grant of route S14-U (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_T1) and (not OCC_T3) and (not OCC_P1) and QN_201 and QN_202 and QN_203  # route S1-B1 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_T1) and (not OCC_T3) and (not OCC_P1) and (not BLK_T1) and (not BLK_T3) and (not BLK_P1) and QN_201 and QN_202 and QN_203 and (not D_T1)  # conditions of proceed for route S1-B1 (R3)
+        CO_R1 = VALID and (not OCC_T1) and (not OCC_T3) and (not OCC_P1) and (not BLK_T1) and (not BLK_T3) and (not BLK_P1) and QN_201 and QN_202 and QN_203 and (not TR_201) and (not TR_202) and (not TR_203) and (not D_T1)  # conditions of proceed for route S1-B1 (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_T1) and (not OCC_T3) and (not OCC_P2) and QN_201 and QN_202 and QR_203  # route S1-B2 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_T1) and (not OCC_T3) and (not OCC_P2) and (not BLK_T1) and (not BLK_T3) and (not BLK_P2) and QN_201 and QN_202 and QR_203 and (not D_T1)  # conditions of proceed for route S1-B2 (R3)
+        CO_R2 = VALID and (not OCC_T1) and (not OCC_T3) and (not OCC_P2) and (not BLK_T1) and (not BLK_T3) and (not BLK_P2) and QN_201 and QN_202 and QR_203 and (not TR_201) and (not TR_202) and (not TR_203) and (not D_T1)  # conditions of proceed for route S1-B2 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_T1) and (not OCC_T2) and (not OCC_T4) and (not OCC_P3) and QR_201 and QR_202 and QN_204  # route S1-B3 becomes locked (R3)
-        CO_R3 = VALID and (not OCC_T1) and (not OCC_T2) and (not OCC_T4) and (not OCC_P3) and (not BLK_T1) and (not BLK_T2) and (not BLK_T4) and (not BLK_P3) and QR_201 and QR_202 and QN_204 and (not D_T1)  # conditions of proceed for route S1-B3 (R3)
+        CO_R3 = VALID and (not OCC_T1) and (not OCC_T2) and (not OCC_T4) and (not OCC_P3) and (not BLK_T1) and (not BLK_T2) and (not BLK_T4) and (not BLK_P3) and QR_201 and QR_202 and QN_204 and (not TR_201) and (not TR_202) and (not TR_204) and (not D_T1)  # conditions of proceed for route S1-B3 (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_T1) and (not OCC_T2) and (not OCC_T4) and (not OCC_P4) and QR_201 and QR_202 and QR_204  # route S1-B4 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_T1) and (not OCC_T2) and (not OCC_T4) and (not OCC_P4) and (not BLK_T1) and (not BLK_T2) and (not BLK_T4) and (not BLK_P4) and QR_201 and QR_202 and QR_204 and (not D_T1)  # conditions of proceed for route S1-B4 (R3)
+        CO_R4 = VALID and (not OCC_T1) and (not OCC_T2) and (not OCC_T4) and (not OCC_P4) and (not BLK_T1) and (not BLK_T2) and (not BLK_T4) and (not BLK_P4) and QR_201 and QR_202 and QR_204 and (not TR_201) and (not TR_202) and (not TR_204) and (not D_T1)  # conditions of proceed for route S1-B4 (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S11) and (not CAN_S11) and (not OCC_T3) and (not OCC_T1) and QN_203 and QN_202 and QN_201  # route S11-D becomes locked (R3)
-        CO_R5 = VALID and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and QN_203 and QN_202 and QN_201 and (not OCC_DA) and (not D_T3)  # conditions of proceed for route S11-D (R3)
+        CO_R5 = VALID and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and QN_203 and QN_202 and QN_201 and (not TR_203) and (not TR_202) and (not TR_201) and (not OCC_DA) and (not D_T3)  # conditions of proceed for route S11-D (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S11) and (not CAN_S11) and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and QN_203 and QR_202 and QR_201  # route S11-U becomes locked (R3)
-        CO_R6 = VALID and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and QN_203 and QR_202 and QR_201 and (not D_T3)  # conditions of proceed for route S11-U (R3)
+        CO_R6 = VALID and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and QN_203 and QR_202 and QR_201 and (not TR_203) and (not TR_202) and (not TR_201) and (not D_T3)  # conditions of proceed for route S11-U (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S12) and (not CAN_S12) and (not OCC_T3) and (not OCC_T1) and QR_203 and QN_202 and QN_201  # route S12-D becomes locked (R3)
-        CO_R7 = VALID and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and QR_203 and QN_202 and QN_201 and (not OCC_DA) and (not D_T3)  # conditions of proceed for route S12-D (R3)
+        CO_R7 = VALID and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and QR_203 and QN_202 and QN_201 and (not TR_203) and (not TR_202) and (not TR_201) and (not OCC_DA) and (not D_T3)  # conditions of proceed for route S12-D (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S12) and (not CAN_S12) and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and QR_203 and QR_202 and QR_201  # route S12-U becomes locked (R3)
-        CO_R8 = VALID and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and QR_203 and QR_202 and QR_201 and (not D_T3)  # conditions of proceed for route S12-U (R3)
+        CO_R8 = VALID and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and QR_203 and QR_202 and QR_201 and (not TR_203) and (not TR_202) and (not TR_201) and (not D_T3)  # conditions of proceed for route S12-U (R3)
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S13) and (not CAN_S13) and (not OCC_T4) and (not OCC_T2) and (not OCC_T1) and QN_204 and QR_201 and QR_202  # route S13-D becomes locked (R3)
-        CO_R9 = VALID and (not OCC_T4) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T2) and (not BLK_T1) and QN_204 and QR_201 and QR_202 and (not OCC_DA) and (not D_T4)  # conditions of proceed for route S13-D (R3)
+        CO_R9 = VALID and (not OCC_T4) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T2) and (not BLK_T1) and QN_204 and QR_201 and QR_202 and (not TR_204) and (not TR_201) and (not TR_202) and (not OCC_DA) and (not D_T4)  # conditions of proceed for route S13-D (R3)
         LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S13) and (not CAN_S13) and (not OCC_T4) and (not OCC_T2) and (not OCC_UA) and QN_204 and QN_201 and QN_202  # route S13-U becomes locked (R3)
-        CO_R10 = VALID and (not OCC_T4) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T2) and (not BLK_UA) and QN_204 and QN_201 and QN_202 and (not D_T4)  # conditions of proceed for route S13-U (R3)
+        CO_R10 = VALID and (not OCC_T4) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T2) and (not BLK_UA) and QN_204 and QN_201 and QN_202 and (not TR_204) and (not TR_201) and (not TR_202) and (not D_T4)  # conditions of proceed for route S13-U (R3)
         LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S14) and (not CAN_S14) and (not OCC_T4) and (not OCC_T2) and (not OCC_T1) and QR_204 and QR_201 and QR_202  # route S14-D becomes locked (R3)
-        CO_R11 = VALID and (not OCC_T4) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T2) and (not BLK_T1) and QR_204 and QR_201 and QR_202 and (not OCC_DA) and (not D_T4)  # conditions of proceed for route S14-D (R3)
+        CO_R11 = VALID and (not OCC_T4) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T2) and (not BLK_T1) and QR_204 and QR_201 and QR_202 and (not TR_204) and (not TR_201) and (not TR_202) and (not OCC_DA) and (not D_T4)  # conditions of proceed for route S14-D (R3)
         LK_R12 = A_R12 and (not B_R12) and VALID and (not X_S14) and (not CAN_S14) and (not OCC_T4) and (not OCC_T2) and (not OCC_UA) and QR_204 and QN_201 and QN_202  # route S14-U becomes locked (R3)
-        CO_R12 = VALID and (not OCC_T4) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T2) and (not BLK_UA) and QR_204 and QN_201 and QN_202 and (not D_T4)  # conditions of proceed for route S14-U (R3)
+        CO_R12 = VALID and (not OCC_T4) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T2) and (not BLK_UA) and QR_204 and QN_201 and QN_202 and (not TR_204) and (not TR_201) and (not TR_202) and (not D_T4)  # conditions of proceed for route S14-U (R3)
         NU_P1_2 = VALID and F_P1 and (not D_P1) and (not U_P1) and L_P1_2 and OCC_P1 and OCC_T3 and U_T3 and L_T3_3  # a train comes into P1 at P1|T3@203.normal (R9)
         NU_P2_2 = VALID and F_P2 and (not D_P2) and (not U_P2) and L_P2_2 and OCC_P2 and OCC_T3 and U_T3 and L_T3_4  # a train comes into P2 at P2|T3@203.reverse (R9)
         NU_P3_2 = VALID and F_P3 and (not D_P3) and (not U_P3) and L_P3_2 and OCC_P3 and OCC_T4 and U_T4 and L_T4_3  # a train comes into P3 at P3|T4@204.normal (R9)
@@ -748,6 +776,14 @@ class Controller:
         N_AL_202 = ST_202  # alarm: machine 202 not detected
         N_AL_203 = ST_203  # alarm: machine 203 not detected
         N_AL_204 = ST_204  # alarm: machine 204 not detected
+        N_TH_201 = ((CN_201 and QN_201) or (CR_201 and QR_201)) and (not (GPN_201 or GPR_201 or MAN_201 or MAR_201))  # machine 201 was detected where it is commanded
+        N_TR_201 = (TH_201 and VALID and ((CN_201 and (not QN_201) and (not GPR_201) and (not MAR_201)) or (CR_201 and (not QR_201) and (not GPN_201) and (not MAN_201)))) or (TR_201 and (not (TC_201 and VALID and (not OCC_T1) and (not OCC_T2))))  # machine 201 was trailed
+        N_TH_202 = ((CN_202 and QN_202) or (CR_202 and QR_202)) and (not (GPN_202 or GPR_202 or MAN_202 or MAR_202))  # machine 202 was detected where it is commanded
+        N_TR_202 = (TH_202 and VALID and ((CN_202 and (not QN_202) and (not GPR_202) and (not MAR_202)) or (CR_202 and (not QR_202) and (not GPN_202) and (not MAN_202)))) or (TR_202 and (not (TC_202 and VALID and (not OCC_T1) and (not OCC_T2))))  # machine 202 was trailed
+        N_TH_203 = ((CN_203 and QN_203) or (CR_203 and QR_203)) and (not (GPN_203 or GPR_203 or MAN_203 or MAR_203))  # machine 203 was detected where it is commanded
+        N_TR_203 = (TH_203 and VALID and ((CN_203 and (not QN_203) and (not GPR_203) and (not MAR_203)) or (CR_203 and (not QR_203) and (not GPN_203) and (not MAN_203)))) or (TR_203 and (not (TC_203 and VALID and (not OCC_T3))))  # machine 203 was trailed
+        N_TH_204 = ((CN_204 and QN_204) or (CR_204 and QR_204)) and (not (GPN_204 or GPR_204 or MAN_204 or MAR_204))  # machine 204 was detected where it is commanded
+        N_TR_204 = (TH_204 and VALID and ((CN_204 and (not QN_204) and (not GPR_204) and (not MAR_204)) or (CR_204 and (not QR_204) and (not GPN_204) and (not MAN_204)))) or (TR_204 and (not (TC_204 and VALID and (not OCC_T4))))  # machine 204 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route S1-B1 active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route S1-B1 locked
         N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_S1) and (not CAN_S1)  # route S1-B1: proceed wanted
@@ -898,6 +934,14 @@ class Controller:
             'AL_202': bool(N_AL_202),
             'AL_203': bool(N_AL_203),
             'AL_204': bool(N_AL_204),
+            'TH_201': bool(N_TH_201),
+            'TR_201': bool(N_TR_201),
+            'TH_202': bool(N_TH_202),
+            'TR_202': bool(N_TR_202),
+            'TH_203': bool(N_TH_203),
+            'TR_203': bool(N_TR_203),
+            'TH_204': bool(N_TH_204),
+            'TR_204': bool(N_TR_204),
             'A_R1': bool(N_A_R1),
             'B_R1': bool(N_B_R1),
             'W_R1': bool(N_W_R1),
@@ -1048,6 +1092,14 @@ class Controller:
         AL_202 = self.state['AL_202']
         AL_203 = self.state['AL_203']
         AL_204 = self.state['AL_204']
+        TH_201 = self.state['TH_201']
+        TR_201 = self.state['TR_201']
+        TH_202 = self.state['TH_202']
+        TR_202 = self.state['TR_202']
+        TH_203 = self.state['TH_203']
+        TR_203 = self.state['TR_203']
+        TH_204 = self.state['TH_204']
+        TR_204 = self.state['TR_204']
         A_R1 = self.state['A_R1']
         B_R1 = self.state['B_R1']
         W_R1 = self.state['W_R1']
@@ -1198,6 +1250,10 @@ class Controller:
             'YA_202': bool(AL_202),
             'YA_203': bool(AL_203),
             'YA_204': bool(AL_204),
+            'YT_201': bool(TR_201),
+            'YT_202': bool(TR_202),
+            'YT_203': bool(TR_203),
+            'YT_204': bool(TR_204),
             'YL_P1': bool(K_P1 or L_P1_2),
             'YL_P2': bool(K_P2 or L_P2_2),
             'YL_P3': bool(K_P3 or L_P3_2),

@@ -44,6 +44,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2010": (_E, "two names become the same PLC name"),
     "IL2011": (_W, "a condition that no route requires"),
     "IL2012": (_W, "an exclusion that fits no route"),
+    "IL2013": (_E, "a voyage that no chain of routes makes"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),
     "IL3002": (_E, "one end is joined twice"),
@@ -71,6 +72,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4003": (_E, "a signal from which no route leads"),
     "IL4004": (_I, "a route of more than three sections"),
     "IL4008": (_E, "a route without room for its overlap"),
+    "IL4009": (_W, "two voyages that can block one another"),
     "IL4005": (_I, "a path that meets itself was left out"),
     "IL4006": (_E, "a route that no train can drive"),
     "IL4007": (_E, "the audit disagrees with the derived table"),

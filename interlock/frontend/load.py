@@ -17,6 +17,7 @@ from interlock.frontend.names import check_names
 from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import (
     check_signal_names,
+    resolve_automatic,
     resolve_conditions,
     resolve_devices,
     resolve_distants,
@@ -24,6 +25,7 @@ from interlock.frontend.resolve import (
     resolve_overlaps,
     resolve_routes,
     resolve_signals,
+    resolve_voyages,
     resolve_waivers,
 )
 from interlock.frontend.schema import validate
@@ -107,6 +109,8 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     conditions = resolve_conditions(ctx, wiring)
     devices = resolve_devices(ctx, wiring)
     routes = resolve_routes(ctx, wiring)
+    voyages = resolve_voyages(ctx, wiring)
+    automatic = resolve_automatic(ctx, wiring)
     waivers = resolve_waivers(ctx)
     excluded = resolve_excludes(ctx, wiring)
     if sink.has_errors:
@@ -143,6 +147,8 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         excluded=excluded,
         overlaps=overlaps,
         distants=distants,
+        voyages=voyages,
+        automatic=automatic,
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )
     for check in CHECKS:

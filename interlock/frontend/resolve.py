@@ -10,6 +10,7 @@ from pydantic_core import PydanticCustomError
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
+from interlock.frontend.schema import RouteSpec
 from interlock.model.elements import (
     Condition,
     ConditionId,
@@ -28,6 +29,7 @@ from interlock.model.elements import (
     Signal,
     SignalId,
     SignalKind,
+    Voyage,
     Waiver,
 )
 from interlock.model.principles import Principles
@@ -206,32 +208,54 @@ def resolve_devices(ctx: Context, wiring: Wiring) -> tuple[Device, ...]:
 def resolve_routes(ctx: Context, wiring: Wiring) -> tuple[NamedRoute, ...]:
     """Names that the author gives to routes; whether the routes exist is known after derivation."""
     out = []
-    ends = [*ctx.file.signals, *ctx.file.boundaries, *ctx.file.buffers, *wiring.sections]
     for name, spec in ctx.file.routes.items():
-        if spec.from_ not in ctx.file.signals:
-            ctx.add(
-                "IL2006",
-                f"route {name}: there is no signal {spec.from_}",
-                ctx.at("routes", name, "from"),
-                did_you_mean(spec.from_, ctx.file.signals),
-            )
-        if spec.to not in ends:
-            ctx.add(
-                "IL2006",
-                f"route {name}: there is no signal, boundary or buffer {spec.to}",
-                ctx.at("routes", name, "to"),
-                did_you_mean(spec.to, ends),
-            )
-        for i, s in enumerate(spec.via):
-            if s not in wiring.sections:
-                ctx.add(
-                    "IL2004",
-                    f"route {name}: there is no section {s}",
-                    ctx.at("routes", name, "via", i),
-                    did_you_mean(s, wiring.sections),
-                )
+        _check_ends(ctx, wiring, spec, f"route {name}", ("routes", name))
         out.append(NamedRoute(name, SignalId(spec.from_), spec.to, tuple(map(SectionId, spec.via))))
     return tuple(sorted(out, key=lambda r: r.name))
+
+
+def resolve_voyages(ctx: Context, wiring: Wiring) -> tuple[Voyage, ...]:
+    """Voyages; of which routes they consist is known after derivation."""
+    out = []
+    for name, spec in ctx.file.voyages.items():
+        _check_ends(ctx, wiring, spec, f"voyage {name}", ("voyages", name))
+        shunt = spec.kind == "shunt"
+        far = shunt if spec.order is None else spec.order == "far"
+        out.append(Voyage(name, SignalId(spec.from_), spec.to, tuple(map(SectionId, spec.via)), shunt, far))
+    return tuple(sorted(out, key=lambda v: v.name))
+
+
+def resolve_automatic(ctx: Context, wiring: Wiring) -> tuple[NamedRoute, ...]:
+    """Routes that may work automatically."""
+    out = []
+    for i, spec in enumerate(ctx.file.automatic):
+        what = f"automatic route {spec.from_}-{spec.to}"
+        _check_ends(ctx, wiring, spec, what, ("automatic", i))
+        out.append(NamedRoute(str(i), SignalId(spec.from_), spec.to, tuple(map(SectionId, spec.via))))
+    return tuple(out)
+
+
+def _check_ends(ctx: Context, wiring: Wiring, spec: RouteSpec, what: str, at: tuple[str | int, ...]) -> None:
+    ends = [*ctx.file.signals, *ctx.file.boundaries, *ctx.file.buffers, *wiring.sections]
+    if spec.from_ not in ctx.file.signals:
+        ctx.add(
+            "IL2006",
+            f"{what}: there is no signal {spec.from_}",
+            ctx.at(*at, "from"),
+            did_you_mean(spec.from_, ctx.file.signals),
+        )
+    if spec.to not in ends:
+        ctx.add(
+            "IL2006",
+            f"{what}: there is no signal, boundary or buffer {spec.to}",
+            ctx.at(*at, "to"),
+            did_you_mean(spec.to, ends),
+        )
+    for i, s in enumerate(spec.via):
+        if s not in wiring.sections:
+            ctx.add(
+                "IL2004", f"{what}: there is no section {s}", ctx.at(*at, "via", i), did_you_mean(s, wiring.sections)
+            )
 
 
 def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:

@@ -275,6 +275,13 @@ class RouteSpec(_Part):
     via: list[Name] = []
 
 
+class VoyageSpec(RouteSpec):
+    """A chain of routes that one command sets."""
+
+    kind: Annotated[Literal["main", "shunt"], _choice("kind of route", ("main", "shunt"))] = "main"
+    order: Annotated[Literal["near", "far"] | None, _choice("order", ("near", "far"))] = None
+
+
 class WaiverSpec(_Part):
     """Flank protection given up on purpose."""
 
@@ -289,6 +296,7 @@ class PrinciplesSpec(_Part):
     approach_release_s: Seconds | None = None
     shunt_release_s: Seconds | None = None
     point_supervision_s: Seconds | None = None
+    point_start_gap_s: Seconds | None = None
     fouling_m: Seconds | None = None
     clearance_m: Seconds | None = None
     leg_m: Seconds | None = None
@@ -327,6 +335,8 @@ class LayoutFile(_Part):
     sections: dict[Name, SectionSpec] = {}
     conditions: dict[Name, ConditionSpec] = {}
     routes: dict[Name, RouteSpec] = {}
+    voyages: dict[Name, VoyageSpec] = {}
+    automatic: list[RouteSpec] = []
     exclude: list[ExcludeSpec] = []
     overlaps: dict[Name, OverlapSpec] = {}
     waive: list[WaiverSpec] = []
@@ -395,6 +405,8 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "sections": tuple(SectionSpec.model_fields),
     "conditions": tuple(ConditionSpec.model_fields),
     "routes": ("from", "to", "via"),
+    "voyages": ("from", "to", "via", "kind", "order"),
+    "automatic": ("from", "to", "via"),
     "waive": tuple(WaiverSpec.model_fields),
 }
 _CODES = {

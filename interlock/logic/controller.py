@@ -133,10 +133,13 @@ class Symbols:
 
     valid: str
     request: str
+    voyage: str | None
+    ring: tuple[str, ...]
     clear: Mapping[SectionId, str]
     blocked: Mapping[SectionId, str]
     detected: Mapping[tuple[MachineId, Position], str]
     command: Mapping[tuple[MachineId, Position], str]
+    trailed: Mapping[MachineId, str]
     condition: Mapping[ConditionId, str]
     stop_lamp: Mapping[SignalId, str]
     clear_lamp: Mapping[SignalId, str]

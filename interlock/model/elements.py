@@ -253,6 +253,18 @@ class NamedRoute:
 
 
 @dataclass(frozen=True)
+class Voyage:
+    """A chain of routes that one command sets (航程), asked for from the near end or, combined routes, from the far."""
+
+    name: str
+    entry: SignalId
+    exit: str
+    via: tuple[SectionId, ...]
+    shunt: bool
+    far_first: bool
+
+
+@dataclass(frozen=True)
 class Overlap:
     """The track beyond a signal that a train may overrun: metres needed."""
 

@@ -33,6 +33,7 @@ from interlock.model.elements import (
     SectionId,
     Signal,
     SignalId,
+    Voyage,
     Waiver,
     Work,
 )
@@ -61,6 +62,8 @@ class Layout:
     excluded: tuple[Exclude, ...] = ()
     overlaps: tuple[Overlap, ...] = ()
     distants: tuple[Distant, ...] = ()
+    voyages: tuple[Voyage, ...] = ()
+    automatic: tuple[NamedRoute, ...] = ()
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     @cached_property

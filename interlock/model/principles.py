@@ -34,6 +34,8 @@ class Principles:
         our choice for 8 km/h.
     shunt_release_s: the same for shunt routes (R8: 30 s).
     point_supervision_s: time after which a commanded point without detection raises an alarm (R10: 13 s).
+    point_start_gap_s: least time between the starts of two point machines, so that their currents do not add up (R10,
+        sequence start); 0 starts all at once.
     fouling_m: distance from a point to its fouling point where the layout states none (our choice).
     clearance_m: least distance from the fouling point to a joint that is not foul (R7: 3.5 m; 5 m on lines for
         multiple units).
@@ -57,6 +59,7 @@ class Principles:
     approach_release_s: float = 180.0
     shunt_release_s: float = 30.0
     point_supervision_s: float = 13.0
+    point_start_gap_s: float = 0.0
     fouling_m: float = 12.0
     clearance_m: float = 3.5
     leg_m: float = 20.0
@@ -73,7 +76,9 @@ PROFILES: dict[str, Principles] = {
     "mine": Principles(approach_release_s=60.0, fouling_m=8.0, caution=Caution.NEVER),
     "uk": Principles(overlap_m=180.0, approach_release_s=120.0),
     "de": Principles(overlap_m=200.0, overlap_release_s=45.0),
-    "cn": Principles(flank_by=FlankChoice.SIGNAL, drive_points=True, lamp_proof=True, caution=Caution.TURNOUT),
+    "cn": Principles(
+        point_start_gap_s=0.5, flank_by=FlankChoice.SIGNAL, drive_points=True, lamp_proof=True, caution=Caution.TURNOUT
+    ),
 }
 
 KNOBS: tuple[str, ...] = tuple(f.name for f in fields(Principles))

@@ -86,6 +86,9 @@ def _requests(system: System, inputs: dict[str, int]) -> list[str]:
     for r in system.symbols.routes:
         if r.number == request:
             out.append(f"the operator asks for route {r.id}")
+    voyage = inputs.get(system.symbols.voyage, 0) if system.symbols.voyage else 0
+    if voyage:
+        out.append(f"the operator asks for voyage {voyage}")
     for i in system.controller.inputs:
         if i.note.startswith("operator:") and not i.size and inputs.get(i.name):
             out.append(i.note.replace("operator: ", "the operator: ").split(" (")[0])

@@ -22,7 +22,7 @@ from interlock.model.elements import (
     SignalId,
 )
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 TraversalKey = tuple[SectionId, int]
 
 
@@ -294,6 +294,35 @@ class RouteRow:
 
 
 @dataclass(frozen=True)
+class Meeting:
+    """Two voyages over one single line in opposite directions (敌对航程).
+
+    `sections` in the order of the first voyage.  Counted over one train on each, section by section: the states that
+    can be reached, those in which both wait for ever, and how many of these are left under the voyage rule: into the
+    single line only while nothing is locked in it for the other voyage.
+    """
+
+    voyage: str
+    sections: tuple[SectionId, ...]
+    states: int
+    deadlocks: tuple[tuple[SectionId, SectionId], ...]
+    left: int
+    because: Because
+
+
+@dataclass(frozen=True)
+class VoyageRow:
+    """A voyage: its routes in the order of travel, which of them are asked for first, and whom it meets."""
+
+    name: str
+    number: int
+    routes: tuple[RouteId, ...]
+    far_first: bool
+    meetings: tuple[Meeting, ...]
+    because: Because
+
+
+@dataclass(frozen=True)
 class InterlockingTable:
     """All routes of a layout and the locks that they are made of."""
 
@@ -301,6 +330,8 @@ class InterlockingTable:
     layout_digest: str
     routes: tuple[RouteRow, ...]
     locks: tuple[TraversalRow, ...]
+    voyages: tuple[VoyageRow, ...] = ()
+    automatic: tuple[RouteId, ...] = ()
 
     @cached_property
     def route(self) -> dict[RouteId, RouteRow]:

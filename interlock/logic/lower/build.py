@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from interlock.logic.controller import Controller, RouteSymbols, Symbols
-from interlock.logic.lower import aspects, overlaps, points, routes, sections
+from interlock.logic.lower import aspects, overlaps, points, requests, routes, sections
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, SectionId
 from interlock.model.layout import Layout
@@ -12,11 +12,13 @@ from interlock.table.rows import InterlockingTable, RouteKind
 
 PASSES = (
     routes.inputs,
+    requests.inputs,
     sections.inputs,
     points.inputs,
     sections.image,
     points.detection,
     points.movable,
+    requests.offers,
     routes.grants,
     routes.locking,
     sections.three_point,
@@ -25,7 +27,10 @@ PASSES = (
     overlaps.standing,
     points.commands,
     points.supervision,
+    points.trailing,
+    points.starting,
     routes.keep,
+    requests.keep,
     sections.keep,
     overlaps.keep,
     aspects.keep,
@@ -54,10 +59,13 @@ def _symbols(d: Draft) -> Symbols:
     return Symbols(
         valid="VALID",
         request="REQ",
+        voyage="VOY" if d.table.voyages else None,
+        ring=tuple(f"T_R{r.number}" for r in d.noted),
         clear={s.id: f"CLR_{portable(s.id)}" for s in d.layout.sections if s.detected},
         blocked=each("BLK"),
         detected={(m, x): f"D{x}_{portable(m)}" for m in d.machines for x in Position},
         command={(m, x): f"C{x}_{portable(m)}" for m in d.machines for x in Position},
+        trailed={m: f"TR_{portable(m)}" for m in d.powered},
         condition={c.id: f"E_{portable(c.id)}" for c in d.layout.conditions},
         stop_lamp={g: f"RL_{portable(g)}" for g in signals} if d.layout.principles.lamp_proof else {},
         clear_lamp={g: f"GL_{portable(g)}" for g in lit},

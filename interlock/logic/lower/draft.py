@@ -11,7 +11,7 @@ from itertools import pairwise
 
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
-from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
+from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.model.traversal import Topology, topology
@@ -67,6 +67,16 @@ class Draft:
         for r in self.table.routes:
             out[r.entry].append(r)
         return {g: tuple(v) for g, v in out.items()}
+
+    @cached_property
+    def noted_ids(self) -> frozenset[RouteId]:
+        """The routes that can be asked for otherwise than by hand: by a voyage, or automatically."""
+        return frozenset({*self.table.automatic, *(r for v in self.table.voyages for r in v.routes)})
+
+    @cached_property
+    def noted(self) -> tuple[RouteRow, ...]:
+        """The same as rows, in order."""
+        return tuple(r for r in self.table.routes if r.id in self.noted_ids)
 
     @cached_property
     def shunting(self) -> bool:
@@ -187,6 +197,17 @@ class Draft:
         if section is None or section in self.layout.undetected:
             return TRUE
         return var(f"OCC_{portable(section)}")
+
+    @cached_property
+    def powered(self) -> tuple[MachineId, ...]:
+        """Point machines that the controller drives: no devices, no points worked by hand."""
+        by_hand = self.layout.by_hand
+        return tuple(m for m in self.machines if m not in self.layout.device and m not in by_hand)
+
+    def started(self, machine: MachineId) -> Expr:
+        """The machine may run: its turn has come, where machines start one after the other."""
+        sequence = self.layout.principles.point_start_gap_s and machine in self.powered
+        return var(f"Z_{portable(machine)}") if sequence else TRUE
 
     @staticmethod
     def detected(machine: MachineId, position: Position) -> Expr:

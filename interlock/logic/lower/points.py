@@ -7,7 +7,7 @@ flank protection.  The command is held; in the initial state there is none, so t
 from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Output, Term
-from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position, SectionId
 from interlock.model.portable import portable
@@ -22,6 +22,8 @@ def inputs(d: Draft) -> None:
             d.inputs.append(Input(f"D{x}_{n}", f"machine {m} detected {d.layout.word(m, x)}"))
         for x in Position:
             d.inputs.append(Input(f"M{x}_{n}", f"operator: move machine {m} {d.layout.word(m, x)}"))
+        if m in d.powered:
+            d.inputs.append(Input(f"TC_{n}", f"operator: machine {m} has been looked at after it was trailed"))
 
 
 def detection(d: Draft) -> None:
@@ -143,7 +145,8 @@ def commands(d: Draft) -> None:
                 ),
                 f"point {m}",
             )
-            d.outputs.append(Output(f"Y{x}_{n}", d.command(m, x), False, f"machine {m}: {d.layout.word(m, x)}"))
+            started = conj((d.command(m, x), d.started(m)))
+            d.outputs.append(Output(f"Y{x}_{n}", started, False, f"machine {m}: {d.layout.word(m, x)}"))
 
 
 def supervision(d: Draft) -> None:
@@ -162,3 +165,81 @@ def supervision(d: Draft) -> None:
         late = d.timer(f"ST_{n}", f"STI_{n}", d.layout.principles.point_supervision_s, f"machine {m}: time-out")
         d.kept(f"AL_{n}", False, f"alarm: machine {m} not detected", Join.ANY, (Term(late, "late"),), f"point {m}")
         d.outputs.append(Output(f"YA_{n}", var(f"AL_{n}"), False, f"alarm: machine {m} not detected in time"))
+
+
+def trailing(d: Draft) -> None:
+    """Detection lost without a command: run through from the wrong side; locked until looked at (R10).
+
+    TH: detected where it is commanded.  TR: trailed.
+    """
+    for m in d.powered:
+        n, group = portable(m), f"point {m}"
+        right = disj(conj((d.command(m, x), d.detected(m, x))) for x in Position)
+        lost = disj(
+            conj((d.command(m, x), neg(d.detected(m, x)), neg(var(f"GP{x.other}_{n}")), neg(var(f"MA{x.other}_{n}"))))
+            for x in Position
+        )
+        trailed = conj((var(f"TH_{n}"), var("VALID"), lost))
+        seen = conj([var(f"TC_{n}"), var("VALID"), *(neg(d.occupied(s)) for s in d.sections_of(m))])
+        turned = neg(disj(var(f"{w}{x}_{n}") for w in ("GP", "MA") for x in Position))
+        d.kept(
+            f"TH_{n}",
+            False,
+            f"machine {m} was detected where it is commanded",
+            Join.ALL,
+            (Term(right, "detected"), Term(turned, "no new command")),
+            group,
+        )
+        d.kept(
+            f"TR_{n}",
+            False,
+            f"machine {m} was trailed",
+            Join.ANY,
+            (Term(trailed, "trailed"), Term(conj((var(f"TR_{n}"), neg(seen))), "until looked at")),
+            group,
+        )
+        d.outputs.append(Output(f"YT_{n}", var(f"TR_{n}"), False, f"alarm: machine {m} was trailed"))
+
+
+def starting(d: Draft) -> None:
+    """Machines start one after the other, so that their currents do not add up (R10).
+
+    Z: the machine may run.  The first that waits starts when the gap since the last start is over.
+    """
+    gap = d.layout.principles.point_start_gap_s
+    if not gap:
+        return
+    machines = d.powered
+    waits = {m: conj((var(f"STI_{portable(m)}"), neg(var(f"Z_{portable(m)}")))) for m in machines}
+    d.wire("SGI", Join.ALL, (Term(neg(var("SG")), "none started", "no machine started in the last scan"),), "starts")
+    d.timer("SGT", "SGI", gap, "the gap since the last start is over (R10)")
+    before: list[Expr] = []
+    for m in machines:
+        n = portable(m)
+        first = neg(before[-1]) if before else TRUE
+        turn = d.wire(
+            f"ZT_{n}",
+            Join.ALL,
+            (Term(waits[m], "waits"), Term(var("SGT"), "gap over"), Term(first, "none before it waits")),
+            "starts",
+            f"machine {m} starts (R10)",
+        )
+        before.append(d.wire(f"ZW_{n}", Join.ANY, (Term(waits[m], "waits"), *_terms(before)), "starts"))
+        d.kept(
+            f"Z_{n}",
+            False,
+            f"machine {m} may run",
+            Join.ALL,
+            (
+                Term(disj((var(f"Z_{n}"), turn)), "started"),
+                Term(var(f"STI_{n}"), "not there yet"),
+                Term(neg(disj(var(f"{w}{x}_{n}") for w in ("GP", "MA") for x in Position)), "no new command"),
+            ),
+            "starts",
+        )
+    starts = disj(var(f"ZT_{portable(m)}") for m in machines)
+    d.kept("SG", False, "a machine started in the last scan", Join.ANY, (Term(starts, "started"),), "starts")
+
+
+def _terms(before: list[Expr]) -> list[Term]:
+    return [Term(before[-1], "one before it waits")] if before else []

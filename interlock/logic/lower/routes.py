@@ -2,14 +2,14 @@
 
 Per route: A active, set and not yet entered; B locked, points detected; W wanted, the signal shall open; S proceed;
 H shown, the signal has been open.  Per signal: X cancelling.
-One request is taken in a scan: REQ carries the number of the route, 0 for none.
+Who asks for a route is in `requests`.
 """
 
 from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, eq, neg, var
-from interlock.logic.lower import aspects
+from interlock.logic.lower import aspects, requests
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import SectionId
 from interlock.model.portable import portable
@@ -19,7 +19,6 @@ from interlock.table.rows import RouteKind, RouteRow
 def inputs(d: Draft) -> None:
     """Route request, cancellations and external conditions."""
     d.inputs.append(Input("VALID", "all input devices healthy"))
-    d.inputs.append(Input("REQ", "operator: set route number, 0 = none", size=len(d.table.routes) + 1))
     for g in d.layout.signals:
         d.inputs.append(Input(f"CAN_{portable(g.id)}", f"operator: cancel the route from {g.id}"))
     if d.layout.principles.lamp_proof:
@@ -107,10 +106,16 @@ def _overlap_terms(d: Draft, r: RouteRow) -> list[Term]:
     return out
 
 
+def _trailed_terms(d: Draft, r: RouteRow) -> list[Term]:
+    """A trailed point is not used before somebody has looked at it (R10)."""
+    machines = dict.fromkeys(p.machine for p in r.points if p.machine in d.powered)
+    return [Term(neg(var(f"TR_{portable(m)}")), "not trailed", f"{m} was not trailed") for m in machines]
+
+
 def grants(d: Draft) -> None:
     """A route is granted when everything it needs is free (R6, R3)."""
     for r in d.table.routes:
-        terms = [Term(eq("REQ", r.number), "requested"), Term(var("VALID"), "inputs valid")]
+        terms = [Term(requests.requested(d, r), "requested"), Term(var("VALID"), "inputs valid")]
         for s, n in r.locked:
             terms.append(Term(_free(d, r, s, n), "section free", f"{s} not locked"))
         terms += _overlap_terms(d, r)
@@ -134,6 +139,7 @@ def grants(d: Draft) -> None:
                     f"{p.machine} {p.position}: {p.because.text}",
                 )
             )
+        terms += _trailed_terms(d, r)
         d.wire(f"G_R{r.number}", Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} (R6)")
 
 
@@ -166,6 +172,7 @@ def locking(d: Draft) -> None:
                 *_clear_terms(d, r),
                 *_block_terms(d, r),
                 *_detection_terms(d, r),
+                *_trailed_terms(d, r),
                 *(Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions),
                 *(Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block),
                 Term(neg(var(f"D_{first}")), "inputs never lost"),

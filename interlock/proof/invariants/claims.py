@@ -29,6 +29,7 @@ CLAIMS: dict[str, str] = {
     "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
     "S-CLEAR": "Proceed is shown only when every section of the path, as the points lie, is reported clear.",
     "S-DETECTED": "Proceed is shown only when every point and device of the path is detected in that very scan.",
+    "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is clear, lies and is detected.",
@@ -259,6 +260,10 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                     ),
                 ),
             )
+            machines = (f.layout.point[p].machine for t in path.ways for p, _ in t.points)
+            trailed = [neg(var(f.sym.trailed[m])) for m in dict.fromkeys(machines) if m in f.sym.trailed]
+            if trailed:
+                yield "S-TRAILED", place, implies(here, conj(trailed))
             ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
             exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
             over = () if exit_ is None or shunt else overlap_paths(f.layout, exit_)

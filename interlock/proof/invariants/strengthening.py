@@ -31,6 +31,8 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
         for k in f.functions(g.id):
             out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id, k)]
     out += overlap_invariants(f)
+    if f.sym.ring:
+        out.append(Invariant("Q-RING", "requests", at_most_one(var(n) for n in f.sym.ring)))
     for r in f.sym.routes:
         out += [Invariant(i, r.id, x) for i, x in _route(f, r)]
     for m in f.layout.machines:

@@ -1,0 +1,158 @@
+"""Voyages (航程): chains of routes that one command sets, and where two of them meet head-on (R18, document B 2.1).
+
+A voyage is given once and opened route by route.  Two voyages that run over the same sections in opposite directions
+could block one another for ever; the rule that forbids it and the search that shows it stand here.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
+
+from interlock.diag import Sink
+from interlock.diag.suggest import did_you_mean
+from interlock.model.elements import NamedRoute, RouteId, SectionId, SignalId, Voyage
+from interlock.model.layout import Layout
+from interlock.table.rows import (
+    Because,
+    ExitKind,
+    Meeting,
+    RouteKind,
+    RouteRow,
+    TraversalKey,
+    TraversalRow,
+    VoyageRow,
+)
+
+Locks = Mapping[TraversalKey, TraversalRow]
+
+
+def derive_automatic(layout: Layout, routes: tuple[RouteRow, ...], sink: Sink) -> tuple[RouteId, ...]:
+    """The routes that may work automatically (R14: an explicit mode)."""
+    out = []
+    for n in layout.automatic:
+        fits = [r for r in routes if r.kind is RouteKind.MAIN and _fits(n, r)]
+        if fits:
+            out.append(fits[0].id)
+            continue
+        ends = sorted({r.exit for r in routes if r.entry == n.entry})
+        sink.add("IL2007", f"there is no train route from {n.entry} to {n.exit}", None, did_you_mean(n.exit, ends))
+    return tuple(dict.fromkeys(out))
+
+
+def _fits(n: NamedRoute, r: RouteRow) -> bool:
+    return r.entry == n.entry and r.exit == n.exit and set(n.via) <= set(r.section_ids)
+
+
+def derive_voyages(layout: Layout, routes: tuple[RouteRow, ...], locks: Locks, sink: Sink) -> tuple[VoyageRow, ...]:
+    """Every voyage as the chain of basic routes that makes it, and its meetings with the others."""
+    chains: dict[str, tuple[RouteRow, ...]] = {}
+    for v in layout.voyages:
+        chain = _chain(v, routes)
+        if chain is None:
+            kind = "shunt" if v.shunt else "train"
+            reached = sorted({r.exit for c in _chains(v, routes) for r in c})
+            hint = f"from {v.entry} the {kind} routes lead to {', '.join(reached) or 'nowhere'}"
+            sink.add("IL2013", f"no chain of {kind} routes makes voyage {v.name} to {v.exit}", None, hint)
+            continue
+        chains[v.name] = chain
+    ways = {n: [locks[k] for r in chain for k in r.traversals] for n, chain in chains.items()}
+    rows: list[VoyageRow] = []
+    for v in layout.voyages:
+        if v.name not in chains:
+            continue
+        meetings = [m for w in chains if w != v.name for m in _meetings(ways[v.name], w, ways[w])]
+        order = "from the far end" if v.far_first else "section by section"
+        why = Because("R18", f"{len(chains[v.name])} routes from {v.entry} to {v.exit}, opened {order}")
+        ids = tuple(r.id for r in chains[v.name])
+        rows.append(VoyageRow(v.name, len(rows) + 1, ids, v.far_first, tuple(meetings), why))
+        for m in meetings:
+            if m.left:
+                told = f"voyages {v.name} and {m.voyage} can block one another in {', '.join(m.sections)}"
+                sink.add("IL4009", told, None, "a signal at each end of the single line lets one of them wait outside")
+    return tuple(rows)
+
+
+def _chains(v: Voyage, routes: Sequence[RouteRow]) -> Iterator[tuple[RouteRow, ...]]:
+    """Every chain of routes from the voyage's entry without a section twice, short ones first."""
+    kind = RouteKind.SHUNT if v.shunt else RouteKind.MAIN
+    from_: dict[SignalId, list[RouteRow]] = {}
+    for r in routes:
+        if r.kind is kind:
+            from_.setdefault(r.entry, []).append(r)
+    todo: deque[tuple[RouteRow, ...]] = deque((r,) for r in from_.get(v.entry, ()))
+    budget = 20_000
+    while todo and budget:
+        budget -= 1
+        chain = todo.popleft()
+        yield chain
+        if chain[-1].exit_kind is ExitKind.SIGNAL:
+            been = {s for r in chain for s in r.section_ids}
+            onward = from_.get(SignalId(chain[-1].exit), ())
+            todo.extend((*chain, r) for r in onward if been.isdisjoint(r.section_ids))
+
+
+def _chain(v: Voyage, routes: Sequence[RouteRow]) -> tuple[RouteRow, ...] | None:
+    """The chain with the fewest alternatives, then the shortest, then the first by number."""
+    fits = [
+        c
+        for c in _chains(v, routes)
+        if v.exit in (c[-1].exit, c[-1].section_ids[-1]) and set(v.via) <= {s for r in c for s in r.section_ids}
+    ]
+
+    def rank(c: tuple[RouteRow, ...]) -> tuple[int, float, tuple[int, ...]]:
+        return sum(r.variant > 1 for r in c), sum(r.length for r in c), tuple(r.number for r in c)
+
+    return min(fits, key=rank, default=None)
+
+
+def _meetings(mine: Sequence[TraversalRow], other: str, theirs: Sequence[TraversalRow]) -> Iterator[Meeting]:
+    """The single lines that another voyage uses the other way round."""
+    their = {t.section: t for t in theirs}
+
+    def opposed(t: TraversalRow) -> bool:
+        u = their.get(t.section)
+        return u is not None and (t.entry == u.exit or t.exit == u.entry)
+
+    for meets, run in groupby(mine, opposed):
+        if not meets:
+            continue
+        sections = tuple(dict.fromkeys(t.section for t in run))
+        path, back = [t.section for t in mine], [t.section for t in theirs]
+        states, stuck = deadlocks(path, back, frozenset())
+        left = deadlocks(path, back, frozenset(sections))[1]
+        why = Because("R18", f"{other} runs over {', '.join(sections)} the other way")
+        yield Meeting(other, sections, states, stuck, len(left), why)
+
+
+def deadlocks(
+    a: Sequence[SectionId], b: Sequence[SectionId], single: frozenset[SectionId]
+) -> tuple[int, tuple[tuple[SectionId, SectionId], ...]]:
+    """The states that one train on each voyage can reach, and those in which neither can ever go on.
+
+    A train occupies one section after the other and is gone at the end; `single` may be entered only while the other
+    train is not in it.
+    """
+    ways = ([None, *a, None], [None, *b, None])
+    seen = {(0, 0)}
+    todo = deque(seen)
+    stuck = []
+    while todo:
+        at = todo.popleft()
+        here = (ways[0][at[0]], ways[1][at[1]])
+        going = []
+        for me in (0, 1):
+            if at[me] + 1 == len(ways[me]):
+                continue
+            ahead, there = ways[me][at[me] + 1], here[1 - me]
+            enters = ahead in single and here[me] not in single
+            if ahead is None or (ahead != there and not (enters and there in single)):
+                going.append((at[0] + (me == 0), at[1] + (me == 1)))
+        if not going and here[0] is not None and here[1] is not None:
+            stuck.append((here[0], here[1]))
+        for state in going:
+            if state not in seen:
+                seen.add(state)
+                todo.append(state)
+    return len(seen), tuple(sorted(stuck))

@@ -1,0 +1,90 @@
+"""Requests (R14, R18): by hand, noted for a voyage, or automatic; one is taken in a scan.
+
+REQ carries the number of a route, 0 for none.  VOY notes the routes of a voyage; N stays until its route is granted
+or cancelled.  A ring of bits T, one of them set, offers the noted routes one after the other: no more than one request
+in a scan, and none waits for ever behind another.
+"""
+
+from __future__ import annotations
+
+from interlock.logic.controller import Input, Join, Term
+from interlock.logic.expr import Expr, conj, disj, eq, neg, var
+from interlock.logic.lower.draft import Draft
+from interlock.model.elements import SectionId
+from interlock.model.portable import portable
+from interlock.table.rows import RouteRow, VoyageRow
+
+
+def inputs(d: Draft) -> None:
+    """Route request, voyage, automatic working."""
+    d.inputs.append(Input("REQ", "operator: set route number, 0 = none", size=len(d.table.routes) + 1))
+    if d.table.voyages:
+        d.inputs.append(Input("VOY", "operator: voyage number, 0 = none", size=len(d.table.voyages) + 1))
+    for r in d.table.routes:
+        if r.id in d.table.automatic:
+            d.inputs.append(Input(f"AUTO_R{r.number}", f"operator: route {r.id} is set again after every train"))
+
+
+def requested(d: Draft, r: RouteRow) -> Expr:
+    """The route is asked for in this scan."""
+    return var(f"RQ_R{r.number}") if r.id in d.noted_ids else eq("REQ", r.number)
+
+
+def offers(d: Draft) -> None:
+    """The request that is taken: by hand, or the noted one whose turn it is."""
+    for r in d.noted:
+        k = r.number
+        mine = [v for v in d.table.voyages if r.id in v.routes]
+        wanted = []
+        if mine:
+            waits = [x for v in mine for x in (*_nearer(d, v, r), *_against(d, v, r))]
+            wanted.append(conj((var(f"N_R{k}"), *waits)))
+        if r.id in d.table.automatic:
+            wanted.append(var(f"AUTO_R{k}"))
+        turn = conj((eq("REQ", 0), var(f"T_R{k}"), disj(wanted)))
+        terms = (Term(eq("REQ", k), "by hand"), Term(turn, "noted", "its turn, while nothing is asked for by hand"))
+        d.wire(f"RQ_R{k}", Join.ANY, terms, f"route {r.id}", f"route {r.id} is asked for (R14, R18)")
+
+
+def _nearer(d: Draft, v: VoyageRow, r: RouteRow) -> list[Expr]:
+    """A combined route is set from its far end: the next one is no longer noted."""
+    i = v.routes.index(r.id)
+    if not v.far_first or i + 1 == len(v.routes):
+        return []
+    return [neg(var(f"N_R{d.table.route[v.routes[i + 1]].number}"))]
+
+
+def _against(d: Draft, v: VoyageRow, r: RouteRow) -> list[Expr]:
+    """Into a single line only while nothing in it is locked for an opposing voyage."""
+    by_name = {w.name: w for w in d.table.voyages}
+    out: list[Expr] = []
+    for m in v.meetings:
+        if m.sections[0] not in r.section_ids:
+            continue
+        single: set[SectionId] = set(m.sections)
+        keys = {k for i in by_name[m.voyage].routes for k in d.table.route[i].traversals if k[0] in single}
+        out += [neg(d.lock(*k)) for k in sorted(keys)]
+    return out
+
+
+def keep(d: Draft) -> None:
+    """Next values of the notes and of the ring."""
+    for i, r in enumerate(d.noted):
+        k = r.number
+        asked = [eq("VOY", v.number) for v in d.table.voyages if r.id in v.routes]
+        if asked:
+            d.kept(
+                f"N_R{k}",
+                False,
+                f"route {r.id} is noted",
+                Join.ALL,
+                (
+                    Term(disj((var(f"N_R{k}"), *asked)), "noted"),
+                    Term(neg(var(f"G_R{k}")), "not granted"),
+                    Term(neg(var(f"CAN_{portable(r.entry)}")), "not cancelled"),
+                ),
+                f"route {r.id}",
+            )
+        before = d.noted[i - 1].number
+        turn = Term(var(f"T_R{before}"), "turn", "after the one before")
+        d.kept(f"T_R{k}", i == 0, f"it is the turn of route {r.id}", Join.ALL, (turn,), f"route {r.id}")
