@@ -261,6 +261,9 @@ class Grown:
             for n, spec in self.derailers.items():
                 out.append(f"  {n}: {{{', '.join(f'{k}: {v}' for k, v in spec.items())}}}")
         out += [*more, "signals:", *self.signals]
+        announced = [g for g in self.main if self.rng.random() < 0.2]
+        if announced:
+            out += ["distants:", *(f"  V{g}: {{of: {g}}}" for g in announced)]
         return "\n".join(out) + "\n"
 
 

@@ -82,7 +82,7 @@ def test_traces_with_trains(name: str) -> None:
             sim.step(events, inputs)
             seen = {i.name: sim.last[i.name] for i in controller.inputs}
             outputs = three.scan(seen, sim.dt_ms)
-            shown += sum(v for k, v in outputs.items() if k.startswith("YP_"))
+            shown += sum(v for k, v in outputs.items() if k.startswith(("YP_", "YY_")))
             assert all(three.reference.state[s.name] == sim.state[s.name] for s in controller.state)
         assert not sim.hazards
     assert shown > 20

@@ -83,3 +83,26 @@ def test_random_layouts_are_proved_and_their_text_equals_the_controller(seed: in
     assert {c.verdict for c in result.claims} == {Verdict.PROVED}
     assert result.dropped == ()
     assert compare_st(controller, print_unit(lower_st(controller, []))).proved
+
+
+@pytest.mark.parametrize("seed", [8, 27, 43, 95, 128])
+def test_voyages_and_automatic_working_on_random_layouts_are_proved(seed: int) -> None:
+    made = grown(grow(seed))
+    assert made is not None and not made[2].has_errors
+    table = made[1]
+    by_entry = {r.entry: r for r in reversed(table.routes) if r.kind == "main"}
+    pairs = [(a, by_entry[a.exit]) for a in table.routes if a.kind == "main" and a.exit in by_entry]  # type: ignore[index]
+    apart = [(a, b) for a, b in pairs if set(a.section_ids).isdisjoint(b.section_ids)]
+    chains = [f"  V{i}: {{from: {a.entry}, to: {b.exit}}}" for i, (a, b) in enumerate(apart[:4])]
+    assert chains, "choose another seed: no two routes follow each other"
+    first = apart[0][0]
+    again = grown(
+        grow(seed) + "\n".join(["voyages:", *chains, "automatic:", f"  - {{from: {first.entry}, to: {first.exit}}}"])
+    )
+    assert again is not None and not again[2].has_errors
+    layout, table, _ = again
+    assert len(table.voyages) == len(chains) and audit(layout, table) == ()
+    controller = lower(layout, table)
+    result = prove(System(layout, controller), Limits(search_s=10))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+    assert compare_st(controller, print_unit(lower_st(controller, []))).proved

@@ -1,6 +1,6 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 68882d06df63451df096eab4785dffe89f41a4153917730ade893d03c61ee695
+# layout 63be046c605d7f00831f1d89721e6b993bf103c169948b187f768a3b9d24f39c
 # claims d63166c2866f6d5d870c70a53b2efdc24777347a956c713f61a9e1b69a0dd85d
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -55,6 +55,7 @@ INPUTS = {
     'E_BF_BS': (0, 2),  # external condition BF/BS: block towards BS free, direction ours
     'E_BF_DJ': (0, 2),  # external condition BF/DJ: block towards DJ free, direction ours
     'REQ': (0, 61),  # operator: set route number, 0 = none
+    'VOY': (0, 2),  # operator: voyage number, 0 = none
     'CLR_1_19WG': (0, 2),  # section 1/19WG reported clear
     'CLR_11_13DG': (0, 2),  # section 11-13DG reported clear
     'CLR_17_23DG': (0, 2),  # section 17-23DG reported clear
@@ -519,6 +520,12 @@ STATE = {
     'X_SIII': False,  # SIII: cancelling
     'X_X': False,  # X: cancelling
     'X_XD': False,  # XD: cancelling
+    'N_R2': False,  # route D1-D9 is noted
+    'T_R2': True,  # it is the turn of route D1-D9
+    'N_R7': False,  # route D13-IG is noted
+    'T_R7': False,  # it is the turn of route D13-IG
+    'N_R20': False,  # route D9-D13 is noted
+    'T_R20': False,  # it is the turn of route D9-D13
     'K_1_19WG': True,  # 1/19WG: restart lock (R16)
     'L_1_19WG_1': False,  # 1/19WG locked from 1/19WG|19-27DG@19.normal to 1/19WG|1DG@WG.0
     'L_1_19WG_2': False,  # 1/19WG locked from 1/19WG|1DG@WG.0 to 1/19WG|19-27DG@19.normal
@@ -901,6 +908,7 @@ class Controller:
         E_BF_BS = read['E_BF_BS']
         E_BF_DJ = read['E_BF_DJ']
         REQ = read['REQ']
+        VOY = read['VOY']
         CLR_1_19WG = read['CLR_1_19WG']
         CLR_11_13DG = read['CLR_11_13DG']
         CLR_17_23DG = read['CLR_17_23DG']
@@ -1362,6 +1370,12 @@ class Controller:
         X_SIII = old['X_SIII']
         X_X = old['X_X']
         X_XD = old['X_XD']
+        N_R2 = old['N_R2']
+        T_R2 = old['T_R2']
+        N_R7 = old['N_R7']
+        T_R7 = old['T_R7']
+        N_R20 = old['N_R20']
+        T_R20 = old['T_R20']
         K_1_19WG = old['K_1_19WG']
         L_1_19WG_1 = old['L_1_19WG_1']
         L_1_19WG_2 = old['L_1_19WG_2']
@@ -1614,13 +1628,16 @@ class Controller:
         MOV_9_11 = VALID and FREE_11_13DG and (not OCC_11_13DG) and FREE_9_15DG and (not OCC_9_15DG) and (not (L_11_13DG_4 or L_11_13DG_6)) and True  # machine 9/11 is free to move (R10)
         AVN_9_11 = CN_9_11 or MOV_9_11 or (QN_9_11 and (not CN_9_11) and (not CR_9_11))  # machine 9/11 can be demanded N
         AVR_9_11 = CR_9_11 or MOV_9_11 or (QR_9_11 and (not CN_9_11) and (not CR_9_11))  # machine 9/11 can be demanded R
+        RQ_R2 = (REQ == 2) or ((REQ == 0) and T_R2 and N_R2 and (not N_R20))  # route D1-D9 is asked for (R14, R18)
+        RQ_R7 = (REQ == 7) or ((REQ == 0) and T_R7 and N_R7)  # route D13-IG is asked for (R14, R18)
+        RQ_R20 = (REQ == 20) or ((REQ == 0) and T_R20 and N_R20 and (not N_R7))  # route D9-D13 is asked for (R14, R18)
         G_R1 = (REQ == 1) and VALID and FREE_1DG and (not M_1_19WG) and (not (L_19_27DG_5 or L_19_27DG_7)) and (not OCC_1DG) and (not BLK_1DG) and (not BLK_1_19WG) and AVN_1_3 and (not TR_1_3)  # grant of route D1-D15 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_1DG and FREE_3DG and (not OCC_1DG) and (not OCC_3DG) and ((not OCC_5DG) or QR_5_7) and (not BLK_1DG) and (not BLK_3DG) and (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVR_1_3 and (not TR_1_3)  # grant of route D1-D9 (R6)
+        G_R2 = RQ_R2 and VALID and FREE_1DG and FREE_3DG and (not OCC_1DG) and (not OCC_3DG) and ((not OCC_5DG) or QR_5_7) and (not BLK_1DG) and (not BLK_3DG) and (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVR_1_3 and (not TR_1_3)  # grant of route D1-D9 (R6)
         G_R3 = (REQ == 3) and VALID and FREE_11_13DG and FREE_21DG and (not M_5G) and (not OCC_11_13DG) and (not OCC_21DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and (not (L_25DG_2 or L_25DG_4 or K_25DG)) and AVN_13_15 and AVN_9_11 and AVR_21 and (not TR_13_15) and (not TR_9_11) and (not TR_21)  # grant of route D11-5G (R6)
         G_R4 = (REQ == 4) and VALID and FREE_11_13DG and FREE_9_15DG and (not OCC_11_13DG) and (not OCC_9_15DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and AVR_13_15 and AVN_9_11 and (not TR_13_15) and (not TR_9_11)  # grant of route D11-D13 (R6)
         G_R5 = (REQ == 5) and VALID and FREE_11_13DG and FREE_21DG and FREE_25DG and (not M_IIIG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_25DG_1 or L_25DG_3 or K_25DG)) and (not (L_21DG_2 or L_21DG_4 or K_21DG)) and AVN_13_15 and AVN_9_11 and AVN_21 and AVN_23_25 and (not TR_13_15) and (not TR_9_11) and (not TR_21) and (not TR_23_25)  # grant of route D11-IIIG (R6)
         G_R6 = (REQ == 6) and VALID and FREE_17_23DG and FREE_19_27DG and (not M_4G) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and AVR_17_19 and AVR_27 and (not TR_17_19) and (not TR_27)  # grant of route D13-4G (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_17_23DG and (not M_IG) and (not OCC_17_23DG) and (not BLK_17_23DG) and (not BLK_IG) and AVN_17_19 and AVN_23_25 and (not TR_17_19) and (not TR_23_25)  # grant of route D13-IG (R6)
+        G_R7 = RQ_R7 and VALID and FREE_17_23DG and (not M_IG) and (not OCC_17_23DG) and (not BLK_17_23DG) and (not BLK_IG) and AVN_17_19 and AVN_23_25 and (not TR_17_19) and (not TR_23_25)  # grant of route D13-IG (R6)
         G_R8 = (REQ == 8) and VALID and FREE_17_23DG and FREE_19_27DG and (not M_IIG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_IIG) and AVR_17_19 and AVN_27 and (not TR_17_19) and (not TR_27)  # grant of route D13-IIG (R6)
         G_R9 = (REQ == 9) and VALID and FREE_17_23DG and FREE_25DG and (not M_IIIG) and (not OCC_17_23DG) and (not OCC_25DG) and ((not OCC_21DG) or QR_21) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_21DG_1 or L_21DG_3 or K_21DG)) and AVN_17_19 and AVR_23_25 and (not TR_17_19) and (not TR_23_25)  # grant of route D13-IIIG (R6)
         G_R10 = (REQ == 10) and VALID and FREE_19_27DG and (not M_4G) and (not OCC_19_27DG) and (not BLK_19_27DG) and (not BLK_4G) and AVN_17_19 and AVR_27 and (not TR_17_19) and (not TR_27)  # grant of route D15-4G (R6)
@@ -1633,7 +1650,7 @@ class Controller:
         G_R17 = (REQ == 17) and VALID and FREE_3DG and FREE_5DG and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG))) and (not OCC_3DG) and (not OCC_5DG) and (not BLK_3DG) and (not BLK_5DG) and (not BLK_IAG) and (not (L_5DG_2 or L_5DG_4 or K_5DG)) and (not (L_3DG_1 or L_3DG_3 or K_3DG)) and AVN_1_3 and AVN_5_7 and (not TR_1_3) and (not TR_5_7)  # grant of route D7-IAG (R6)
         G_R18 = (REQ == 18) and VALID and FREE_3DG and FREE_1DG and (not M_IIAG) and (not OCC_3DG) and (not OCC_1DG) and ((not OCC_5DG) or QR_5_7) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVR_1_3 and (not TR_1_3)  # grant of route D7-IIAG (R6)
         G_R19 = (REQ == 19) and VALID and FREE_9_15DG and FREE_11_13DG and FREE_21DG and (not M_5G) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and (not (L_25DG_2 or L_25DG_4 or K_25DG)) and AVR_9_11 and AVN_13_15 and AVR_21 and (not TR_9_11) and (not TR_13_15) and (not TR_21)  # grant of route D9-5G (R6)
-        G_R20 = (REQ == 20) and VALID and FREE_9_15DG and (not OCC_9_15DG) and (not BLK_9_15DG) and AVN_9_11 and AVN_13_15 and (not TR_9_11) and (not TR_13_15)  # grant of route D9-D13 (R6)
+        G_R20 = RQ_R20 and VALID and FREE_9_15DG and (not OCC_9_15DG) and (not BLK_9_15DG) and AVN_9_11 and AVN_13_15 and (not TR_9_11) and (not TR_13_15)  # grant of route D9-D13 (R6)
         G_R21 = (REQ == 21) and VALID and FREE_9_15DG and FREE_11_13DG and FREE_21DG and FREE_25DG and (not M_IIIG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and (not (L_25DG_1 or L_25DG_3 or K_25DG)) and (not (L_21DG_2 or L_21DG_4 or K_21DG)) and AVR_9_11 and AVN_13_15 and AVN_21 and AVN_23_25 and (not TR_9_11) and (not TR_13_15) and (not TR_21) and (not TR_23_25)  # grant of route D9-IIIG (R6)
         G_R22 = (REQ == 22) and VALID and FREE_19_27DG and FREE_1_19WG and FREE_1DG and FREE_IIAG and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and (not BLK_19_27DG) and (not BLK_1_19WG) and (not BLK_1DG) and (not BLK_IIAG) and AVR_27 and AVN_17_19 and AVN_1_3 and (not TR_27) and (not TR_17_19) and (not TR_1_3)  # grant of route S4-BS (R6)
         G_R23 = (REQ == 23) and VALID and FREE_19_27DG and FREE_17_23DG and FREE_9_15DG and FREE_3DG and FREE_1DG and FREE_IIAG and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVR_27 and AVR_17_19 and AVN_13_15 and AVN_9_11 and AVR_1_3 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_1_3)  # grant of route S4-BS.2 (R6)
@@ -2643,6 +2660,12 @@ class Controller:
         N_X_SIII = (X_SIII or CAN_SIII) and (A_R38 or A_R39 or A_R40 or A_R41 or A_R42 or A_R43 or A_R44 or A_R45) and (not CD_SIII)  # SIII: cancelling
         N_X_X = (X_X or CAN_X) and (A_R46 or A_R47 or A_R48 or A_R49 or A_R50 or A_R51 or A_R52 or A_R53 or A_R54 or A_R55) and (not CD_X)  # X: cancelling
         N_X_XD = (X_XD or CAN_XD) and (A_R56 or A_R57 or A_R58 or A_R59 or A_R60) and (not CD_XD)  # XD: cancelling
+        N_N_R2 = (N_R2 or (VOY == 1)) and (not G_R2) and (not CAN_D1)  # route D1-D9 is noted
+        N_T_R2 = T_R20  # it is the turn of route D1-D9
+        N_N_R7 = (N_R7 or (VOY == 1)) and (not G_R7) and (not CAN_D13)  # route D13-IG is noted
+        N_T_R7 = T_R2  # it is the turn of route D13-IG
+        N_N_R20 = (N_R20 or (VOY == 1)) and (not G_R20) and (not CAN_D9)  # route D9-D13 is noted
+        N_T_R20 = T_R7  # it is the turn of route D9-D13
         N_K_1_19WG = K_1_19WG and (not RLS_1_19WG)  # 1/19WG: restart lock (R16)
         N_L_1_19WG_1 = (L_1_19WG_1 or G_R22 or (G_R25 and FREE_1_19WG) or G_R32 or (G_R35 and FREE_1_19WG)) and (not RLS_1_19WG)  # 1/19WG locked from 1/19WG|19-27DG@19.normal to 1/19WG|1DG@WG.0
         N_L_1_19WG_2 = (L_1_19WG_2 or (G_R1 and FREE_1_19WG)) and (not RLS_1_19WG)  # 1/19WG locked from 1/19WG|1DG@WG.0 to 1/19WG|19-27DG@19.normal
@@ -2815,8 +2838,8 @@ class Controller:
         N_C_S5 = (PR_R28 or PR_R29) and (PR_R28 or PR_R29) and GL_S5  # S5 shows clear
         N_C_SII = (PR_R32 or PR_R33 or PR_R34) and (PR_R32 or PR_R33 or PR_R34) and GL_SII  # SII shows clear
         N_C_SIII = (PR_R38 or PR_R39 or PR_R40 or PR_R41) and (PR_R38 or PR_R39 or PR_R40 or PR_R41) and GL_SIII  # SIII shows clear
-        N_C_X = (PR_R46 or PR_R47 or PR_R48 or PR_R49 or PR_R50 or PR_R51 or PR_R52 or PR_R53 or PR_R54 or PR_R55) and (PR_R46 or PR_R47 or PR_R48 or PR_R49 or PR_R50 or PR_R51 or PR_R52 or PR_R53 or PR_R54 or PR_R55) and GL_X  # X shows clear
-        N_C_XD = (PR_R56 or PR_R57 or PR_R58 or PR_R59 or PR_R60) and (PR_R56 or PR_R57 or PR_R58 or PR_R59 or PR_R60) and GL_XD  # XD shows clear
+        N_C_X = (PR_R46 or PR_R47 or PR_R48 or PR_R49 or PR_R50 or PR_R51 or PR_R52 or PR_R53 or PR_R54 or PR_R55) and False and GL_X  # X shows clear
+        N_C_XD = (PR_R56 or PR_R57 or PR_R58 or PR_R59 or PR_R60) and False and GL_XD  # XD shows clear
         self.state = {
             'CN_1_3': bool(N_CN_1_3),
             'CR_1_3': bool(N_CR_1_3),
@@ -3182,6 +3205,12 @@ class Controller:
             'X_SIII': bool(N_X_SIII),
             'X_X': bool(N_X_X),
             'X_XD': bool(N_X_XD),
+            'N_R2': bool(N_N_R2),
+            'T_R2': bool(N_T_R2),
+            'N_R7': bool(N_N_R7),
+            'T_R7': bool(N_T_R7),
+            'N_R20': bool(N_N_R20),
+            'T_R20': bool(N_T_R20),
             'K_1_19WG': bool(N_K_1_19WG),
             'L_1_19WG_1': bool(N_L_1_19WG_1),
             'L_1_19WG_2': bool(N_L_1_19WG_2),
@@ -3721,6 +3750,12 @@ class Controller:
         X_SIII = self.state['X_SIII']
         X_X = self.state['X_X']
         X_XD = self.state['X_XD']
+        N_R2 = self.state['N_R2']
+        T_R2 = self.state['T_R2']
+        N_R7 = self.state['N_R7']
+        T_R7 = self.state['T_R7']
+        N_R20 = self.state['N_R20']
+        T_R20 = self.state['T_R20']
         K_1_19WG = self.state['K_1_19WG']
         L_1_19WG_1 = self.state['L_1_19WG_1']
         L_1_19WG_2 = self.state['L_1_19WG_2']

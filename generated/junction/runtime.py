@@ -970,11 +970,11 @@ class Controller:
         N_C_S1J = (PR_R3 or PR_R4) and ((PR_R3 and PR_R7) or (PR_R4 and PR_R10))  # S1J shows clear
         N_C_S2 = PR_R5 and (PR_R5 and PR_R6)  # S2 shows clear
         N_C_S2J = PR_R6 and (PR_R6 and PR_R11)  # S2J shows clear
-        N_C_S3 = PR_R7 and PR_R7  # S3 shows clear
+        N_C_S3 = PR_R7 and False  # S3 shows clear
         N_C_S4 = PR_R8 and (PR_R8 and PR_R9)  # S4 shows clear
         N_C_S4J = PR_R9 and (PR_R9 and PR_R11)  # S4J shows clear
-        N_C_S5 = PR_R10 and PR_R10  # S5 shows clear
-        N_C_S6 = PR_R11 and PR_R11  # S6 shows clear
+        N_C_S5 = PR_R10 and False  # S5 shows clear
+        N_C_S6 = PR_R11 and False  # S6 shows clear
         self.state = {
             'CN_101': bool(N_CN_101),
             'CR_101': bool(N_CR_101),

@@ -1,6 +1,6 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout a30a2da6c8a167055da3c4576d72b93a97636669563a490fa4bbe3b8fb6de40f
+# layout 5b6c15b3119f23665fa45d168c9e8f7d0bb59119a6b428b0224c8d646516aa90
 # claims 82b64ad67bb0173a89ded572f2dfa10b36bf608c48d0f896ac2e2d32df6dad4d
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -18,6 +18,7 @@ INPUTS = {
     'CAN_X6': (0, 2),  # operator: cancel the route from X6
     'CAN_X7': (0, 2),  # operator: cancel the route from X7
     'REQ': (0, 10),  # operator: set route number, 0 = none
+    'VOY': (0, 3),  # operator: voyage number, 0 = none
     'CLR_ap_E': (0, 2),  # section ap_E reported clear
     'CLR_ap_W': (0, 2),  # section ap_W reported clear
     'CLR_q1': (0, 2),  # section q1 reported clear
@@ -129,6 +130,16 @@ STATE = {
     'X_X5': False,  # X5: cancelling
     'X_X6': False,  # X6: cancelling
     'X_X7': False,  # X7: cancelling
+    'N_R2': False,  # route X1-X5 is noted
+    'T_R2': True,  # it is the turn of route X1-X5
+    'N_R3': False,  # route X2-W is noted
+    'T_R3': False,  # it is the turn of route X2-W
+    'N_R5': False,  # route X4-X2 is noted
+    'T_R5': False,  # it is the turn of route X4-X2
+    'N_R7': False,  # route X5-E is noted
+    'T_R7': False,  # it is the turn of route X5-E
+    'N_R9': False,  # route X7-X1 is noted
+    'T_R9': False,  # it is the turn of route X7-X1
     'K_q1': True,  # q1: restart lock (R16)
     'L_q1_1': False,  # q1 locked from W to q1|q2@P1.toe
     'L_q1_2': False,  # q1 locked from q1|q2@P1.toe to W
@@ -302,6 +313,7 @@ class Controller:
         CAN_X6 = read['CAN_X6']
         CAN_X7 = read['CAN_X7']
         REQ = read['REQ']
+        VOY = read['VOY']
         CLR_ap_E = read['CLR_ap_E']
         CLR_ap_W = read['CLR_ap_W']
         CLR_q1 = read['CLR_q1']
@@ -410,6 +422,16 @@ class Controller:
         X_X5 = old['X_X5']
         X_X6 = old['X_X6']
         X_X7 = old['X_X7']
+        N_R2 = old['N_R2']
+        T_R2 = old['T_R2']
+        N_R3 = old['N_R3']
+        T_R3 = old['T_R3']
+        N_R5 = old['N_R5']
+        T_R5 = old['T_R5']
+        N_R7 = old['N_R7']
+        T_R7 = old['T_R7']
+        N_R9 = old['N_R9']
+        T_R9 = old['T_R9']
         K_q1 = old['K_q1']
         L_q1_1 = old['L_q1_1']
         L_q1_2 = old['L_q1_2']
@@ -525,15 +547,20 @@ class Controller:
         MOV_P2 = VALID and FREE_q11 and (not OCC_q11) and True and True  # machine P2 is free to move (R10)
         AVN_P2 = CN_P2 or MOV_P2 or (QN_P2 and (not CN_P2) and (not CR_P2))  # machine P2 can be demanded N
         AVR_P2 = CR_P2 or MOV_P2 or (QR_P2 and (not CN_P2) and (not CR_P2))  # machine P2 can be demanded R
+        RQ_R2 = (REQ == 2) or ((REQ == 0) and T_R2 and N_R2)  # route X1-X5 is asked for (R14, R18)
+        RQ_R3 = (REQ == 3) or ((REQ == 0) and T_R3 and N_R3 and (not L_q1_1) and (not L_q2_2))  # route X2-W is asked for (R14, R18)
+        RQ_R5 = (REQ == 5) or ((REQ == 0) and T_R5 and N_R5 and (not L_q11_3))  # route X4-X2 is asked for (R14, R18)
+        RQ_R7 = (REQ == 7) or ((REQ == 0) and T_R7 and N_R7 and (not L_q11_2))  # route X5-E is asked for (R14, R18)
+        RQ_R9 = (REQ == 9) or ((REQ == 0) and T_R9 and N_R9 and (not L_q1_2) and (not L_q2_3))  # route X7-X1 is asked for (R14, R18)
         G_R1 = (REQ == 1) and VALID and FREE_q2 and FREE_q3 and (not OCC_q2) and (not OCC_q3) and (not BLK_q2) and (not BLK_q3) and AVN_P1 and (not TR_P1)  # grant of route X1-X3 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_q2 and FREE_q4 and (not OCC_q2) and (not OCC_q4) and (not BLK_q2) and (not BLK_q4) and AVR_P1 and (not TR_P1)  # grant of route X1-X5 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_q3 and FREE_q2 and FREE_q1 and (not OCC_q3) and (not OCC_q2) and (not OCC_q1) and (not BLK_q3) and (not BLK_q2) and (not BLK_q1) and AVN_P1 and (not TR_P1)  # grant of route X2-W (R6)
+        G_R2 = RQ_R2 and VALID and FREE_q2 and FREE_q4 and (not OCC_q2) and (not OCC_q4) and (not BLK_q2) and (not BLK_q4) and AVR_P1 and (not TR_P1)  # grant of route X1-X5 (R6)
+        G_R3 = RQ_R3 and VALID and FREE_q3 and FREE_q2 and FREE_q1 and (not OCC_q3) and (not OCC_q2) and (not OCC_q1) and (not BLK_q3) and (not BLK_q2) and (not BLK_q1) and AVN_P1 and (not TR_P1)  # grant of route X2-W (R6)
         G_R4 = (REQ == 4) and VALID and FREE_q5 and FREE_q7 and FREE_q9 and FREE_q11 and (not OCC_q5) and (not OCC_q7) and (not OCC_q9) and (not OCC_q11) and (not BLK_q5) and (not BLK_q7) and (not BLK_q9) and (not BLK_q11) and AVN_P2 and (not TR_P2)  # grant of route X3-E (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_q11 and FREE_q9 and FREE_q7 and FREE_q5 and (not OCC_q11) and (not OCC_q9) and (not OCC_q7) and (not OCC_q5) and (not BLK_q11) and (not BLK_q9) and (not BLK_q7) and (not BLK_q5) and AVN_P2 and (not TR_P2)  # grant of route X4-X2 (R6)
+        G_R5 = RQ_R5 and VALID and FREE_q11 and FREE_q9 and FREE_q7 and FREE_q5 and (not OCC_q11) and (not OCC_q9) and (not OCC_q7) and (not OCC_q5) and (not BLK_q11) and (not BLK_q9) and (not BLK_q7) and (not BLK_q5) and AVN_P2 and (not TR_P2)  # grant of route X4-X2 (R6)
         G_R6 = (REQ == 6) and VALID and FREE_q11 and FREE_q10 and (not OCC_q11) and (not OCC_q10) and (not BLK_q11) and (not BLK_q10) and AVR_P2 and (not TR_P2)  # grant of route X4-X6 (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_q6 and FREE_q8 and FREE_q10 and FREE_q11 and (not OCC_q6) and (not OCC_q8) and (not OCC_q10) and (not OCC_q11) and (not BLK_q6) and (not BLK_q8) and (not BLK_q10) and (not BLK_q11) and AVR_P2 and (not TR_P2)  # grant of route X5-E (R6)
+        G_R7 = RQ_R7 and VALID and FREE_q6 and FREE_q8 and FREE_q10 and FREE_q11 and (not OCC_q6) and (not OCC_q8) and (not OCC_q10) and (not OCC_q11) and (not BLK_q6) and (not BLK_q8) and (not BLK_q10) and (not BLK_q11) and AVR_P2 and (not TR_P2)  # grant of route X5-E (R6)
         G_R8 = (REQ == 8) and VALID and FREE_q8 and FREE_q6 and FREE_q4 and FREE_q2 and FREE_q1 and (not OCC_q8) and (not OCC_q6) and (not OCC_q4) and (not OCC_q2) and (not OCC_q1) and (not BLK_q8) and (not BLK_q6) and (not BLK_q4) and (not BLK_q2) and (not BLK_q1) and AVR_P1 and (not TR_P1)  # grant of route X6-W (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_q1 and (not OCC_q1) and (not BLK_q1)  # grant of route X7-X1 (R6)
+        G_R9 = RQ_R9 and VALID and FREE_q1 and (not OCC_q1) and (not BLK_q1)  # grant of route X7-X1 (R6)
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_X1) and (not CAN_X1) and (not OCC_q2) and (not OCC_q3) and QN_P1  # route X1-X3 becomes locked (R3)
         CO_R1 = VALID and (not OCC_q2) and (not OCC_q3) and (not BLK_q2) and (not BLK_q3) and QN_P1 and (not TR_P1) and (not D_q2)  # conditions of proceed for route X1-X3 (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_X1) and (not CAN_X1) and (not OCC_q2) and (not OCC_q4) and QR_P1  # route X1-X5 becomes locked (R3)
@@ -779,6 +806,16 @@ class Controller:
         N_X_X5 = (X_X5 or CAN_X5) and A_R7 and (not CD_X5)  # X5: cancelling
         N_X_X6 = (X_X6 or CAN_X6) and A_R8 and (not CD_X6)  # X6: cancelling
         N_X_X7 = (X_X7 or CAN_X7) and A_R9 and (not CD_X7)  # X7: cancelling
+        N_N_R2 = (N_R2 or (VOY == 1)) and (not G_R2) and (not CAN_X1)  # route X1-X5 is noted
+        N_T_R2 = T_R9  # it is the turn of route X1-X5
+        N_N_R3 = (N_R3 or (VOY == 2)) and (not G_R3) and (not CAN_X2)  # route X2-W is noted
+        N_T_R3 = T_R2  # it is the turn of route X2-W
+        N_N_R5 = (N_R5 or (VOY == 2)) and (not G_R5) and (not CAN_X4)  # route X4-X2 is noted
+        N_T_R5 = T_R3  # it is the turn of route X4-X2
+        N_N_R7 = (N_R7 or (VOY == 1)) and (not G_R7) and (not CAN_X5)  # route X5-E is noted
+        N_T_R7 = T_R5  # it is the turn of route X5-E
+        N_N_R9 = (N_R9 or (VOY == 1)) and (not G_R9) and (not CAN_X7)  # route X7-X1 is noted
+        N_T_R9 = T_R7  # it is the turn of route X7-X1
         N_K_q1 = K_q1 and (not RLS_q1)  # q1: restart lock (R16)
         N_L_q1_1 = (L_q1_1 or G_R9) and (not RLS_q1)  # q1 locked from W to q1|q2@P1.toe
         N_L_q1_2 = (L_q1_2 or G_R3 or G_R8) and (not RLS_q1)  # q1 locked from q1|q2@P1.toe to W
@@ -923,6 +960,16 @@ class Controller:
             'X_X5': bool(N_X_X5),
             'X_X6': bool(N_X_X6),
             'X_X7': bool(N_X_X7),
+            'N_R2': bool(N_N_R2),
+            'T_R2': bool(N_T_R2),
+            'N_R3': bool(N_N_R3),
+            'T_R3': bool(N_T_R3),
+            'N_R5': bool(N_N_R5),
+            'T_R5': bool(N_T_R5),
+            'N_R7': bool(N_N_R7),
+            'T_R7': bool(N_T_R7),
+            'N_R9': bool(N_N_R9),
+            'T_R9': bool(N_T_R9),
             'K_q1': bool(N_K_q1),
             'L_q1_1': bool(N_L_q1_1),
             'L_q1_2': bool(N_L_q1_2),
@@ -1067,6 +1114,16 @@ class Controller:
         X_X5 = self.state['X_X5']
         X_X6 = self.state['X_X6']
         X_X7 = self.state['X_X7']
+        N_R2 = self.state['N_R2']
+        T_R2 = self.state['T_R2']
+        N_R3 = self.state['N_R3']
+        T_R3 = self.state['T_R3']
+        N_R5 = self.state['N_R5']
+        T_R5 = self.state['T_R5']
+        N_R7 = self.state['N_R7']
+        T_R7 = self.state['T_R7']
+        N_R9 = self.state['N_R9']
+        T_R9 = self.state['T_R9']
         K_q1 = self.state['K_q1']
         L_q1_1 = self.state['L_q1_1']
         L_q1_2 = self.state['L_q1_2']

@@ -1427,13 +1427,13 @@ class Controller:
         N_VF_S2J = (VF_S2J or LK_R8 or LK_R9 or LK_R10) and (V_S2J_1 or V_S2J_2 or V_S2J_3)  # overlap of S2J firmly held
         N_C_G3 = PR_R2 and PR_R2  # G3 shows clear
         N_C_S1 = PR_R3 and (PR_R3 and (PR_R4 or PR_R5 or PR_R6 or PR_R7))  # S1 shows clear
-        N_C_S1J = (PR_R4 or PR_R5 or PR_R6 or PR_R7) and (PR_R4 or PR_R5 or PR_R7)  # S1J shows clear
+        N_C_S1J = (PR_R4 or PR_R5 or PR_R6 or PR_R7) and PR_R7  # S1J shows clear
         N_C_S2 = (PR_R8 or PR_R9 or PR_R10) and ((PR_R8 and (PR_R11 or PR_R12)) or (PR_R9 and (PR_R11 or PR_R12)) or (PR_R10 and (PR_R11 or PR_R12)))  # S2 shows clear
-        N_C_S2J = (PR_R11 or PR_R12) and ((PR_R11 and PR_R2) or PR_R12)  # S2J shows clear
+        N_C_S2J = (PR_R11 or PR_R12) and (PR_R11 and PR_R2)  # S2J shows clear
         N_C_S4 = PR_R13 and (PR_R13 and PR_R14)  # S4 shows clear
-        N_C_S4J = PR_R14 and PR_R14  # S4J shows clear
+        N_C_S4J = PR_R14 and False  # S4J shows clear
         N_C_SG = PR_R15 and (PR_R15 and (PR_R16 or PR_R17 or PR_R18 or PR_R19))  # SG shows clear
-        N_C_SGJ = (PR_R16 or PR_R17 or PR_R18 or PR_R19) and (PR_R16 or PR_R17 or PR_R19)  # SGJ shows clear
+        N_C_SGJ = (PR_R16 or PR_R17 or PR_R18 or PR_R19) and PR_R19  # SGJ shows clear
         self.state = {
             'CN_101': bool(N_CN_101),
             'CR_101': bool(N_CR_101),

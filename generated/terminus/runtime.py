@@ -917,10 +917,10 @@ class Controller:
         N_P_UA = P_UA and (not RLS_UA)  # UA: the train went on (R9)
         N_D_UA = (D_UA or ((not VALID) and L_UA_1)) and (not RLS_UA)  # UA: inputs were lost while locked
         N_C_S1 = (PR_R1 or PR_R2 or PR_R3 or PR_R4) and False  # S1 shows clear
-        N_C_S11 = (PR_R5 or PR_R6) and (PR_R5 or PR_R6)  # S11 shows clear
-        N_C_S12 = (PR_R7 or PR_R8) and (PR_R7 or PR_R8)  # S12 shows clear
-        N_C_S13 = (PR_R9 or PR_R10) and (PR_R9 or PR_R10)  # S13 shows clear
-        N_C_S14 = (PR_R11 or PR_R12) and (PR_R11 or PR_R12)  # S14 shows clear
+        N_C_S11 = (PR_R5 or PR_R6) and PR_R5  # S11 shows clear
+        N_C_S12 = (PR_R7 or PR_R8) and PR_R7  # S12 shows clear
+        N_C_S13 = (PR_R9 or PR_R10) and PR_R9  # S13 shows clear
+        N_C_S14 = (PR_R11 or PR_R12) and PR_R11  # S14 shows clear
         self.state = {
             'CN_201': bool(N_CN_201),
             'CR_201': bool(N_CR_201),

@@ -1455,11 +1455,11 @@ class Controller:
         N_P_UA = P_UA and (not RLS_UA)  # UA: the train went on (R9)
         N_D_UA = (D_UA or ((not VALID) and L_UA_1)) and (not RLS_UA)  # UA: inputs were lost while locked
         N_C_S1 = (PR_R4 or PR_R5 or PR_R6 or PR_R7 or PR_R8) and False  # S1 shows clear
-        N_C_S11 = (PR_R9 or PR_R10) and (PR_R9 or PR_R10)  # S11 shows clear
-        N_C_S12 = (PR_R11 or PR_R12) and (PR_R11 or PR_R12)  # S12 shows clear
-        N_C_S13 = (PR_R13 or PR_R14 or PR_R15) and (PR_R13 or PR_R15)  # S13 shows clear
-        N_C_S14 = (PR_R17 or PR_R18 or PR_R19) and (PR_R17 or PR_R19)  # S14 shows clear
-        N_C_S15 = (PR_R21 or PR_R22 or PR_R23) and (PR_R21 or PR_R23)  # S15 shows clear
+        N_C_S11 = (PR_R9 or PR_R10) and PR_R9  # S11 shows clear
+        N_C_S12 = (PR_R11 or PR_R12) and PR_R11  # S12 shows clear
+        N_C_S13 = (PR_R13 or PR_R14 or PR_R15) and PR_R13  # S13 shows clear
+        N_C_S14 = (PR_R17 or PR_R18 or PR_R19) and PR_R17  # S14 shows clear
+        N_C_S15 = (PR_R21 or PR_R22 or PR_R23) and PR_R21  # S15 shows clear
         self.state = {
             'CN_201': bool(N_CN_201),
             'CR_201': bool(N_CR_201),

@@ -15,7 +15,15 @@ from interlock.app.check import Checked, check_file
 from interlock.app.prove import Proved, claims_json, prove_checked
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
-from interlock.emit.tables.export import matrix_csv, sheet_csv, table_csv, table_html, table_json, table_xlsx
+from interlock.emit.tables.export import (
+    matrix_csv,
+    sheet_csv,
+    table_csv,
+    table_html,
+    table_json,
+    table_xlsx,
+    voyages_csv,
+)
 from interlock.emit.tables.railml import railml_json
 from interlock.frontend import load
 from interlock.logic.plant import ASSUMPTIONS
@@ -64,6 +72,7 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
         "table.html": table_html(layout, table, claims_json(proof), watermark).encode(),
         "matrix.csv": matrix_csv(table).encode(),
         "table_railml.json": railml_json(layout, table).encode(),
+        **({"voyages.csv": voyages_csv(table).encode()} if table.voyages else {}),
         **{f"table_{form.key}.csv": sheet_csv(form).encode() for form in national_sheets(layout, table)},
         "proof.json": (json.dumps(body, indent=1, ensure_ascii=False) + "\n").encode(),
     }

@@ -62,6 +62,7 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
         if r.id in matched:
             found += _row(layout, r, matched[r.id])
     found += _hostile(layout, table, matched)
+    found += _voyages(layout, table, matched)
     return tuple(found)
 
 
@@ -140,7 +141,8 @@ def _aspect(layout: Layout, trip: Trip) -> tuple[Shows, SignalId | None]:
     if trip.shunt:
         return Shows.SHUNT, None
     last = trip.moves[-1]
-    if rule is Caution.NEVER or last.node in layout.boundary_at:
+    leaves = [b for b in layout.boundaries if b.node == last.node and (b.approach is not None or b.block != "none")]
+    if rule is Caution.NEVER or leaves:
         return Shows.CLEAR, None
     if rule is Caution.TURNOUT and _reversed(layout, trip):
         return Shows.CAUTION, None
@@ -364,3 +366,36 @@ def _cannot_both(layout: Layout, a: _Ground, b: _Ground) -> str:
             if section in y.sections | y.over and (when is None or near in y.touched):
                 return f"{section} is foul"
     return ""
+
+
+def _voyages(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
+    """Each voyage is a chain from its entry to its exit; whom it meets head-on is seen from the moves of both."""
+    moves: dict[str, list[Move]] = {}
+    for v in layout.voyages:
+        row = next((x for x in table.voyages if x.name == v.name), None)
+        chain = [matched[r] for r in row.routes if r in matched] if row is not None else []
+        if row is None or len(chain) != len(row.routes):
+            yield Finding(v.name, "voyage", "its routes are not those of the layout")
+            continue
+        joined = all(a.exit == b.entry for a, b in pairwise(chain))
+        ends = chain[0].entry == v.entry and v.exit in (chain[-1].exit, chain[-1].sections[-1])
+        over = [s for t in chain for s in t.sections]
+        if not (joined and ends and set(v.via) <= set(over) and len(set(over)) == len(over)):
+            yield Finding(v.name, "voyage", f"the routes do not lead from {v.entry} to {v.exit}")
+        if any(t.shunt != v.shunt for t in chain):
+            yield Finding(v.name, "voyage", "a route is of another kind")
+        moves[v.name] = [m for t in chain for m in t.moves]
+    for row in table.voyages:
+        back = {(m.edge, layout.far(m.edge, m.node)): m.edge for m in moves.get(row.name, ())}
+        met = {
+            name: {layout.section_of(back[m.edge, m.node]) for m in theirs if (m.edge, m.node) in back}
+            for name, theirs in moves.items()
+            if name != row.name
+        }
+        listed = {m.voyage: set(m.sections) for m in row.meetings}
+        for name, sections in met.items():
+            if not sections <= {s for m in row.meetings if m.voyage == name for s in m.sections}:
+                yield Finding(row.name, "voyage", f"meets {name} in {', '.join(sorted(sections))}")
+        for name in listed:
+            if not met.get(name):
+                yield Finding(row.name, "voyage", f"does not meet {name}")

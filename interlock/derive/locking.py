@@ -77,13 +77,14 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
         return AspectCell(Shows.SHUNT, None, Because("R11", f"{path.entry} calls a shunting movement"))
     if rule is Caution.NEVER:
         return AspectCell(Shows.CLEAR, None, Because("R11", "signals have two aspects"))
-    if path.exit_kind is ExitKind.BOUNDARY:
-        return AspectCell(Shows.CLEAR, None, Because("R11", f"the train leaves at {path.exit}"))
+    boundary = layout.boundary_at.get(path.ways[-1].exit)
+    if boundary is not None and boundary.checked:
+        return AspectCell(Shows.CLEAR, None, Because("R11", f"the line beyond {path.exit} is checked"))
     turned = [p for t in path.ways for p, x in t.points if x is Position.REVERSE]
     if rule is Caution.TURNOUT and turned:
         return AspectCell(Shows.CAUTION, None, Because("R11", f"into a track over {', '.join(turned)} reversed"))
     if path.exit_kind is not ExitKind.SIGNAL:
-        return AspectCell(Shows.CAUTION, None, Because("R11", f"the track ends at {path.exit}"))
+        return AspectCell(Shows.CAUTION, None, Because("R11", f"nothing is known beyond {path.exit}"))
     next_ = SignalId(path.exit)
     return AspectCell(Shows.NEXT, next_, Because("R11", f"{next_} is the next main signal"))
 

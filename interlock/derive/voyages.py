@@ -67,10 +67,6 @@ def derive_voyages(layout: Layout, routes: tuple[RouteRow, ...], locks: Locks, s
         why = Because("R18", f"{len(chains[v.name])} routes from {v.entry} to {v.exit}, opened {order}")
         ids = tuple(r.id for r in chains[v.name])
         rows.append(VoyageRow(v.name, len(rows) + 1, ids, v.far_first, tuple(meetings), why))
-        for m in meetings:
-            if m.left:
-                told = f"voyages {v.name} and {m.voyage} can block one another in {', '.join(m.sections)}"
-                sink.add("IL4009", told, None, "a signal at each end of the single line lets one of them wait outside")
     return tuple(rows)
 
 
@@ -108,31 +104,32 @@ def _chain(v: Voyage, routes: Sequence[RouteRow]) -> tuple[RouteRow, ...] | None
 
 
 def _meetings(mine: Sequence[TraversalRow], other: str, theirs: Sequence[TraversalRow]) -> Iterator[Meeting]:
-    """The single lines that another voyage uses the other way round."""
+    """The single lines that another voyage uses the other way round: common sections in a row, one of them opposed."""
     their = {t.section: t for t in theirs}
-
-    def opposed(t: TraversalRow) -> bool:
-        u = their.get(t.section)
-        return u is not None and (t.entry == u.exit or t.exit == u.entry)
-
-    for meets, run in groupby(mine, opposed):
-        if not meets:
-            continue
-        sections = tuple(dict.fromkeys(t.section for t in run))
-        path, back = [t.section for t in mine], [t.section for t in theirs]
-        states, stuck = deadlocks(path, back, frozenset())
-        left = deadlocks(path, back, frozenset(sections))[1]
+    runs = [tuple(run) for common, run in groupby(mine, lambda t: t.section in their) if common]
+    singles = [run for run in runs if any(_opposed(t, their[t.section]) for t in run)]
+    path, back = [t.section for t in mine], [t.section for t in theirs]
+    lines = tuple(frozenset(t.section for t in run) for run in singles)
+    for run in singles:
+        sections = tuple(t.section for t in run)
+        states, stuck = deadlocks(path, back, ())
+        here = tuple(x for x in stuck if x[0] in sections or x[1] in sections)
+        left = [x for x in deadlocks(path, back, lines)[1] if x[0] in sections or x[1] in sections]
         why = Because("R18", f"{other} runs over {', '.join(sections)} the other way")
-        yield Meeting(other, sections, states, stuck, len(left), why)
+        yield Meeting(other, sections, states, here, len(left), why)
+
+
+def _opposed(t: TraversalRow, u: TraversalRow) -> bool:
+    return t.entry == u.exit or t.exit == u.entry
 
 
 def deadlocks(
-    a: Sequence[SectionId], b: Sequence[SectionId], single: frozenset[SectionId]
+    a: Sequence[SectionId], b: Sequence[SectionId], singles: Sequence[frozenset[SectionId]]
 ) -> tuple[int, tuple[tuple[SectionId, SectionId], ...]]:
     """The states that one train on each voyage can reach, and those in which neither can ever go on.
 
-    A train occupies one section after the other and is gone at the end; `single` may be entered only while the other
-    train is not in it.
+    A train occupies one section after the other and is gone at the end; each of `singles` may be entered only while
+    the other train is not in it.
     """
     ways = ([None, *a, None], [None, *b, None])
     seen = {(0, 0)}
@@ -146,8 +143,8 @@ def deadlocks(
             if at[me] + 1 == len(ways[me]):
                 continue
             ahead, there = ways[me][at[me] + 1], here[1 - me]
-            enters = ahead in single and here[me] not in single
-            if ahead is None or (ahead != there and not (enters and there in single)):
+            against = any(ahead in x and here[me] not in x and there in x for x in singles)
+            if ahead is None or (ahead != there and not against):
                 going.append((at[0] + (me == 0), at[1] + (me == 1)))
         if not going and here[0] is not None and here[1] is not None:
             stuck.append((here[0], here[1]))

@@ -65,6 +65,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3017": (_E, "a track without a section"),
     "IL3018": (_I, "a foul joint"),
     "IL3020": (_E, "a section without detection that is no siding"),
+    "IL3021": (_I, "an inclined lane without a condition"),
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation
     "IL4001": (_E, "flank protection is missing"),
@@ -72,7 +73,6 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4003": (_E, "a signal from which no route leads"),
     "IL4004": (_I, "a route of more than three sections"),
     "IL4008": (_E, "a route without room for its overlap"),
-    "IL4009": (_W, "two voyages that can block one another"),
     "IL4005": (_I, "a path that meets itself was left out"),
     "IL4006": (_E, "a route that no train can drive"),
     "IL4007": (_E, "the audit disagrees with the derived table"),

@@ -142,6 +142,11 @@ class Boundary:
     button: str = ""
     indicator: bool = False
 
+    @property
+    def checked(self) -> bool:
+        """Whether a departure is tied to the line beyond: by its block, or by a section reported clear."""
+        return self.block is not BlockKind.NONE or self.approach is not None
+
 
 class BufferKind(StrEnum):
     """What the end of a track is: a buffer stop, a trap (sand drag, 安全线) that no route enters, or off the rails."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from interlock.table.rows import Because, FoulCell, PointDemand, Role, RouteRow
+from interlock.table.rows import Because, FoulCell, PointDemand, Role, RouteRow, VoyageRow
 
 Reasons = list[tuple[str, Because]]
 
@@ -141,4 +141,35 @@ COLUMNS: tuple[Column, ...] = (
         "Teilauflösung",
         lambda r: [(f"{s.section} by {s.proved_by}", s.because) for s in r.release],
     ),
+)
+
+
+@dataclass(frozen=True)
+class VoyageColumn:
+    """A column of the list of voyages."""
+
+    key: str
+    en: str
+    zh: str
+    de: str
+    text: Callable[[VoyageRow], str]
+
+
+def _meets(v: VoyageRow) -> str:
+    return "; ".join(f"{m.voyage} in {', '.join(m.sections)}" for m in v.meetings)
+
+
+def _stuck(v: VoyageRow) -> str:
+    return "; ".join(
+        f"{m.voyage}: {len(m.deadlocks)} of {m.states} states without the rule, {m.left} with it" for m in v.meetings
+    )
+
+
+VOYAGE_COLUMNS: tuple[VoyageColumn, ...] = (
+    VoyageColumn("number", "No.", "航程号", "Nr.", lambda v: str(v.number)),
+    VoyageColumn("voyage", "Voyage", "航程", "Fahrt", lambda v: v.name),
+    VoyageColumn("routes", "Routes", "进路", "Fahrstraßen", lambda v: ", ".join(v.routes)),
+    VoyageColumn("order", "Set from", "办理顺序", "Einstellung", lambda v: "far end" if v.far_first else "near end"),
+    VoyageColumn("meets", "Meets head-on", "敌对航程", "Gegenfahrten", _meets),
+    VoyageColumn("deadlocks", "Deadlocks", "死锁", "Verklemmungen", _stuck),
 )

@@ -14,7 +14,7 @@ import xlsxwriter
 from jinja2 import Environment, PackageLoader, select_autoescape
 
 from interlock.model.layout import Layout
-from interlock.table.columns import COLUMNS
+from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 from interlock.table.matrix import Matrix, beyond_matrix, matrix
 from interlock.table.national import Sheet, national_sheets
 from interlock.table.rows import SCHEMA_VERSION, InterlockingTable
@@ -32,6 +32,17 @@ def table_csv(table: InterlockingTable) -> str:
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow([c.en for c in COLUMNS])
     writer.writerows([c.text(r) for c in COLUMNS] for r in table.routes)
+    return out.getvalue()
+
+
+def voyages_csv(table: InterlockingTable) -> str:
+    """One line per voyage; empty without voyages."""
+    if not table.voyages:
+        return ""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow([c.en for c in VOYAGE_COLUMNS])
+    writer.writerows([c.text(v) for c in VOYAGE_COLUMNS] for v in table.voyages)
     return out.getvalue()
 
 
@@ -93,6 +104,13 @@ def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
             sheet.write_string(0, x, f"{c.en}\n{c.zh}", head)
             for y, r in enumerate(table.routes, 1):
                 sheet.write_string(y, x, c.text(r), cell)
+        if table.voyages:
+            page = book.add_worksheet("Voyages")
+            for x, v in enumerate(VOYAGE_COLUMNS):
+                page.set_column(x, x, min(60, max([len(v.en), *(len(v.text(row)) for row in table.voyages)]) + 1))
+                page.write_string(0, x, f"{v.en}\n{v.zh}", head)
+                for y, voyage in enumerate(table.voyages, 1):
+                    page.write_string(y, x, v.text(voyage), cell)
         for form in national_sheets(layout, table):
             page = book.add_worksheet(form.key)
             page.set_landscape()
@@ -158,6 +176,7 @@ def table_html(layout: Layout, table: InterlockingTable, claims: list[dict[str, 
             layout=layout,
             table=table,
             columns=COLUMNS,
+            voyage_columns=VOYAGE_COLUMNS,
             claims=claims,
             watermark=watermark,
             m=named if named.routes else matrix(table),

@@ -4,7 +4,8 @@ from interlock.frontend.checks.boundaries import check_boundaries
 from interlock.frontend.checks.connected import check_connected
 from interlock.frontend.checks.detection import check_detection
 from interlock.frontend.checks.foul import check_foul
+from interlock.frontend.checks.lanes import check_lanes
 from interlock.frontend.checks.machines import check_machines
 from interlock.frontend.checks.signals import check_signals
 
-CHECKS = (check_connected, check_machines, check_boundaries, check_signals, check_detection, check_foul)
+CHECKS = (check_connected, check_machines, check_boundaries, check_signals, check_detection, check_lanes, check_foul)

@@ -310,8 +310,9 @@ def _clear_aspect(f: Facts, g: SignalId) -> Expr:
 
 
 def _allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
-    """Whether a path may be shown as clear: it leaves the layout, or the next main signal will be open (R11)."""
-    if path.ways[-1].exit in f.layout.boundary_at:
+    """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11)."""
+    boundary = f.layout.boundary_at.get(path.ways[-1].exit)
+    if boundary is not None and boundary.checked:
         return TRUE
     turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
     if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):

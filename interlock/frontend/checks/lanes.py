@@ -1,0 +1,21 @@
+"""Inclined lanes ask for the hoist.  IL3021."""
+
+from __future__ import annotations
+
+from interlock.frontend.context import Context
+from interlock.model.elements import Lane
+from interlock.model.layout import Layout
+
+
+def check_lanes(ctx: Context, layout: Layout) -> None:
+    """Report inclined sections over which no condition is required (R17)."""
+    guarded = {s for c in layout.conditions for s in c.over}
+    guarded |= {s for d in layout.devices for s in d.over}
+    for s in layout.sections:
+        if s.lane is Lane.INCLINED and s.id not in guarded:
+            ctx.add(
+                "IL3021",
+                f"section {s.id} is inclined, and no route over it asks for hoist, rope or barrier",
+                ctx.at("sections", s.id, "lane"),
+                f"say what must hold: `conditions: {{HOIST: {{text: hoist stopped, over: [{s.id}]}}}}`",
+            )

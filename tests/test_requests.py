@@ -1,0 +1,243 @@
+"""Voyages, automatic working, aspects, trailed points, machines started in turn: what an operator sees of them."""
+
+from __future__ import annotations
+
+import pytest
+
+from interlock.derive.voyages import deadlocks
+from interlock.model.elements import SectionId
+from interlock.proof.system import System
+from interlock.proof.witness import _leaves
+from interlock.sim.run import Simulator
+from tests.layouts import built, grown
+
+TWO = """
+interlock: 1
+name: two
+boundaries:
+  W: {approach: wa 300}
+  E: {approach: ea 300}
+tracks:
+  west: [W, q1 200]
+  odd:  [q3 300]
+  even: [q4 300]
+  east: [q6 200, E]
+points:
+  P1: {section: q2, toe: west.end,   normal: odd.start, reverse: even.start}
+  P2: {section: q5, toe: east.start, normal: odd.end,   reverse: even.end}
+signals:
+  X1: {from: W,  into: q1}
+  X2: {from: q1, into: q2}
+  X3: {from: q3, into: q5}
+  X4: {from: q4, into: q5}
+  Y1: {from: E,  into: q6}
+  Y2: {from: q6, into: q5}
+  Y3: {from: q3, into: q2}
+  Y4: {from: q4, into: q2}
+"""
+
+
+def simulator(text: str) -> Simulator:
+    """A grown layout, every section clear and released after the restart, points lying normal."""
+    from interlock.logic.lower import lower
+
+    made = grown(text)
+    assert made is not None
+    layout, table, _ = made
+    controller = lower(layout, table)
+    sim = Simulator(controller, System(layout, controller).plant)
+    sim.reset({f"at.{m}.N": 1 for m in layout.machines})
+    for _ in range(2):
+        sim.step((), {"RELALL": 1})
+    return sim
+
+
+def steps(sim: Simulator, count: int, events: tuple[str, ...] = (), **inputs: int) -> list[set[str]]:
+    """The signals and states that are on after each step; machines run as they are commanded."""
+    seen = []
+    for _ in range(count):
+        moves = [e for e in sim.possible() if e.startswith("arrive.") or _leaves(sim, e)]
+        sim.step((*events, *moves), inputs)
+        seen.append(
+            {n for n, v in sim.state.items() if v} | {o.name for o in sim.controller.outputs if on(sim, o.name)}
+        )
+    return seen
+
+
+def on(sim: Simulator, output: str) -> bool:
+    """An output after the last step."""
+    from interlock.logic.expr import evaluate
+
+    expr = next(o.expr for o in sim.controller.outputs if o.name == output)
+    return bool(evaluate(expr, sim.state.__getitem__, {}))
+
+
+def number(sim: Simulator, route: str) -> int:
+    """The number of a route."""
+    return next(r.number for r in sim.controller.symbols.routes if r.id == route)
+
+
+def test_figure_2_1_has_54_states_and_three_deadlocks_and_the_rule_leaves_none() -> None:
+    one, two = [tuple(map(SectionId, w)) for w in ("ABCDEF", "HEDCBG")]
+    states, stuck = deadlocks(one, two, ())
+    assert states == 54 and stuck == (("B", "C"), ("C", "D"), ("D", "E"))
+    single = frozenset(map(SectionId, "BCDE"))
+    assert deadlocks(one, two, (single,))[1] == ()
+
+
+def test_a_voyage_is_given_once_and_its_routes_open_one_after_the_other() -> None:
+    sim = simulator(TWO + "voyages:\n  V: {from: X1, to: E, via: [q4]}\n")
+    ids = [f"A_R{number(sim, r)}" for r in ("X1-X2", "X2-X4", "X4-E")]
+    steps(sim, 1, VOY=1)
+    assert steps(sim, 10)[-1] >= {*ids, "YP_X1", "YP_X2", "YP_X4"}
+    assert not any(sim.is_on(f"N_{i[2:]}") for i in ids), "what was granted is no longer noted"
+
+
+def test_a_combined_route_is_set_from_its_far_end() -> None:
+    sim = simulator(TWO + "voyages:\n  V: {from: X1, to: E, order: far}\n")
+    ids = [f"A_R{number(sim, r)}" for r in ("X3-E", "X2-X3", "X1-X2")]
+    first = {}
+    steps(sim, 1, VOY=1)
+    for i, seen in enumerate(steps(sim, 12)):
+        for name in ids:
+            if name in seen:
+                first.setdefault(name, i)
+    assert list(first) == ids and len(set(first.values())) == 3
+
+
+def test_a_cancelled_signal_forgets_what_was_noted() -> None:
+    sim = simulator(TWO + "voyages:\n  V: {from: X1, to: E}\n")
+    steps(sim, 1, VOY=1, CAN_X3=1)
+    assert not sim.is_on(f"N_R{number(sim, 'X3-E')}") and "YP_X3" not in steps(sim, 10)[-1]
+
+
+def test_an_opposing_voyage_waits_outside_the_single_line() -> None:
+    layout, _, controller = built("fig2_1")
+    sim = Simulator(controller, System(layout, controller).plant)
+    sim.reset({f"at.{m}.N": 1 for m in layout.machines})
+    for _ in range(2):
+        sim.step((), {"RELALL": 1})
+    steps(sim, 1, VOY=1)
+    steps(sim, 8)
+    steps(sim, 1, VOY=2)
+    waits = f"R{number(sim, 'SE-SD')}"
+    assert all(f"N_{waits}" in seen and f"A_{waits}" not in seen for seen in steps(sim, 30)[5:])
+    steps(sim, 1, REQ=number(sim, "SE-SD"))
+    assert not sim.is_on(f"A_{waits}"), "here the locks themselves refuse it too"
+
+
+def test_an_automatic_route_is_set_again_after_every_train() -> None:
+    sim = simulator(TWO + "automatic:\n  - {from: X1, to: X2}\n")
+    name = f"A_R{number(sim, 'X1-X2')}"
+    assert not any(name in seen for seen in steps(sim, 6))
+    assert name in steps(sim, 6, AUTO_R1=1)[-1]
+    for _ in range(2):
+        drive(sim, "wa", "q1", "W")
+        assert name not in steps(sim, 1)[-1]
+        drive(sim, "q1", "q2", sim_joint(sim, "X2"), route="X2-X3")
+        drive(sim, "q2", "q3", joint_between(sim, "q2", "q3"))
+        assert any(name in seen for seen in steps(sim, 80, AUTO_R1=1))
+        drive(sim, "q3", "q5", sim_joint(sim, "X3"), route="X3-E")
+        drive(sim, "q5", "q6", joint_between(sim, "q5", "q6"))
+        steps(sim, 3, ("head.E.q6",))
+        steps(sim, 80, ("tail.E.q6",))
+        assert not sim.hazards
+
+
+def sim_joint(sim: Simulator, signal: str) -> str:
+    """The joint at which a signal stands, read from its events."""
+    first = next(r.ways[0][0] for r in sim.controller.symbols.routes if r.entry == signal)
+    rear = sim.controller.symbols.approach_of[signal]  # type: ignore[index]
+    return joint_between(sim, str(rear), first)
+
+
+def joint_between(sim: Simulator, a: str, b: str) -> str:
+    """The joint between two sections."""
+    ends = sim.controller.symbols.ends
+    return next(j for j in ends[SectionId(a)] if j in ends[SectionId(b)])
+
+
+def drive(sim: Simulator, a: str, b: str, joint: str, route: str = "") -> None:
+    """A train goes from one section into the next, wholly; a route is asked for first if it needs one."""
+    if not sim.state.get(f"o.{a}"):
+        steps(sim, 2, (f"appear.{a}",))
+    if route:
+        steps(sim, 1, REQ=number(sim, route))
+        steps(sim, 6)
+    accepts = tuple(e for e in sim.plant.events if e.startswith("accept."))
+    steps(sim, 4, (f"head.{joint}.{a}", *accepts))
+    assert sim.is_on(f"o.{b}"), f"no train came into {b}"
+    steps(sim, 4, (f"tail.{joint}.{a}",))
+    assert not sim.is_on(f"x.{joint}.{a}")
+
+
+def test_clear_is_shown_only_while_the_next_signal_is_open() -> None:
+    sim = simulator(TWO + "distants:\n  V2: {of: X2}\n")
+    steps(sim, 1, REQ=number(sim, "X2-X3"))
+    assert steps(sim, 6)[-1] >= {"YY_X2", "YC_V2"} and not on(sim, "YP_X2")
+    steps(sim, 1, REQ=number(sim, "X3-E"))
+    assert steps(sim, 6)[-1] >= {"YP_X2", "YP_X3", "YD_V2"} and not on(sim, "YY_X2")
+    seen = steps(sim, 1, CAN_X3=1)[-1]
+    assert "YS_X3" in seen and "YY_X2" in seen and "YP_X2" not in seen, "in the same scan"
+
+
+def test_a_lamp_that_fails_gives_a_more_restrictive_aspect() -> None:
+    sim = simulator(TWO.replace("name: two", "name: two\nprofile: cn"))
+    lit = {"CLR_wa": 1}
+    steps(sim, 1, REQ=number(sim, "X2-X3"))
+    steps(sim, 1, REQ=number(sim, "X3-E"))
+    assert "YP_X2" in steps(sim, 8, **lit)[-1]
+    assert "YY_X2" in steps(sim, 1, GL_X2=0)[-1]
+    assert "YS_X2" in steps(sim, 1, GL_X2=0, CL_X2=0)[-1]
+    assert "YS_X2" in steps(sim, 3)[-1], "it does not open again by itself"
+
+
+def test_a_trailed_point_is_kept_back_until_somebody_has_looked_at_it() -> None:
+    sim = simulator(TWO)
+    route = number(sim, "X2-X3")
+    steps(sim, 1, REQ=route)
+    assert "YY_X2" in steps(sim, 6)[-1]
+    seen = steps(sim, 2, DN_P1=0)[-1]
+    assert "YS_X2" in seen and "YT_P1" in seen
+    steps(sim, 1, REQ=route)
+    assert "YS_X2" in steps(sim, 6)[-1], "detection is back, but nobody has looked"
+    steps(sim, 1, TC_P1=1)
+    steps(sim, 1, REQ=route)
+    assert "YY_X2" in steps(sim, 3)[-1] and not on(sim, "YT_P1")
+
+
+def test_machines_start_one_after_the_other() -> None:
+    text = TWO.replace("name: two", "name: two\nprinciples: {point_start_gap_s: 2}")
+    sim = simulator(text)
+    steps(sim, 1, REQ=number(sim, "X2-X4"))
+    steps(sim, 1, REQ=number(sim, "X4-E"))
+    started = {}
+    for i in range(60):
+        sim.step((), {})
+        for name in ("YR_P1", "YR_P2"):
+            if on(sim, name):
+                started.setdefault(name, i)
+    assert set(started) == {"YR_P1", "YR_P2"}
+    assert abs(started["YR_P1"] - started["YR_P2"]) * sim.dt_ms >= 2000
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("voyages:\n  V: {from: X1, to: W}\n", "IL2013"),
+        ("voyages:\n  V: {from: X9, to: E}\n", "IL2006"),
+        ("automatic:\n  - {from: X1, to: E}\n", "IL2007"),
+        ("distants:\n  D1: {of: X9}\n", "IL2006"),
+        ("distants:\n  X1: {of: X2}\n", "IL2002"),
+    ],
+)
+def test_what_does_not_exist_is_named(text: str, code: str) -> None:
+    from interlock.derive import derive
+    from interlock.diag import Sink
+    from interlock.frontend import load_text
+
+    sink = Sink()
+    layout, _ = load_text("two.yaml", TWO + text, sink)
+    if layout is not None:
+        derive(layout, sink)
+    assert code in {d.code for d in sink.diagnostics}
