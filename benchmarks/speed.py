@@ -13,40 +13,9 @@ import tempfile
 import time
 from pathlib import Path
 
+from interlock.app.init import line
+
 TOP = Path(__file__).resolve().parent.parent
-
-
-def line_of_stations(stations: int) -> str:
-    """A single line with crossing loops: 13 elements a station (6 sections, 2 points, 5 or 6 signals)."""
-    out = [
-        "interlock: 1",
-        "name: line",
-        "boundaries:",
-        "  W: {approach: ap_W 500}",
-        "  E: {approach: ap_E 500}",
-        "tracks:",
-    ]
-    points = ["points:"]
-    signals = ["signals:", "  X: {from: W, into: a0}"]
-    out.append("  line0: [W, a0 800]")
-    for k in range(1, stations + 1):
-        last = k == stations
-        out += [f"  main{k}: [m{k} 600]", f"  loop{k}: [l{k} 600]"]
-        out.append(f"  line{k}: [a{k} 800{', E' if last else ''}]")
-        points += [
-            f"  P{k}: {{section: p{k}, toe: line{k - 1}.end, normal: main{k}.start, reverse: loop{k}.start}}",
-            f"  Q{k}: {{section: q{k}, toe: line{k}.start, normal: main{k}.end, reverse: loop{k}.end}}",
-        ]
-        signals += [
-            f"  A{k}: {{from: a{k - 1}, into: p{k}}}",
-            f"  B{k}: {{from: a{k}, into: q{k}}}",
-            f"  C{k}: {{from: m{k}, into: q{k}}}",
-            f"  D{k}: {{from: l{k}, into: q{k}}}",
-            f"  F{k}: {{from: m{k}, into: p{k}}}",
-            f"  G{k}: {{from: l{k}, into: p{k}}}",
-        ]
-    signals.append(f"  S: {{from: E, into: a{stations}}}")
-    return "\n".join([*out, *points, *signals]) + "\n"
 
 
 def best(args: list[str], times: int = 3) -> tuple[float, str]:
@@ -67,7 +36,7 @@ def main() -> None:
     print(f"| `interlock --help` | {best(['--help'])[0]:.2f} |")
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "line.yaml"
-        path.write_text(line_of_stations(42))
+        path.write_text(line(42))
         seconds, text = best(["check", str(path), "--format", "json"])
         body = json.loads(text)[0]
         count = 42 * 13 + 5

@@ -14,6 +14,7 @@ import click
 from interlock import __version__
 
 VERBS = {
+    "init": "Write a layout to begin with, or a large one for trials.",
     "check": "Report every problem of the layouts (fast, no proof).",
     "compile": "Derive the table, prove the controller, write all outputs.",
     "prove": "Prove every safety claim for every possible train movement.",
