@@ -2,7 +2,7 @@
 
 A *yard*: two lines at each end, joined by a scissors crossover, fan out over a tree of points into parallel tracks;
 every track has a signal at both ends with an overlap.  8 routes a track and 8 more.
-A *line*: a single line with crossing loops, a signal at every joint that trains wait at.  8 routes a station and 2 more.
+A *line*: a single line with crossing loops, signals wherever trains wait.  8 routes a station and 2 more.
 """
 
 from __future__ import annotations

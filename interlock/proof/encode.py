@@ -57,6 +57,10 @@ class Cnf:
             of[id(node)] = (node, lit)
         return of[id(root)][1]
 
+    def define(self, name: str, x: Expr) -> None:
+        """From now on the name stands for the expression; before it is used anywhere."""
+        self.names[name] = self.literal(x)
+
     def _named(self, name: str) -> int:
         n = self.names[name] = self.fresh()
         return n
@@ -90,7 +94,7 @@ class Cnf:
 
     def read(self, model: Mapping[int, bool]) -> dict[str, int]:
         """Values of the named variables under a model of variable numbers."""
-        out = {name: int(model.get(n, False)) for name, n in self.names.items()}
+        out = {name: int(model.get(abs(n), False) == (n > 0)) for name, n in self.names.items()}
         for name, values in self._values.items():
             out[name] = next((v for v, n in values.items() if model.get(n, False)), 0)
         return out

@@ -133,8 +133,16 @@ def _base(system: System, invariants: list[Invariant], limits: Limits) -> tuple[
     return kept, dropped
 
 
-def _hypotheses(system: System, invariants: list[Invariant]) -> Cnf:
+def step_cnf(system: System) -> Cnf:
+    """Clauses in which every name of a step has its meaning."""
     cnf = Cnf()
+    for name, x in system.definitions.items():
+        cnf.define(name, x)
+    return cnf
+
+
+def _hypotheses(system: System, invariants: list[Invariant]) -> Cnf:
+    cnf = step_cnf(system)
     for i in invariants:
         cnf.require(i.expr)
     for a in system.assumptions:

@@ -13,7 +13,7 @@ from interlock.logic.expr import Expr, evaluate, neg, var, variables
 from interlock.proof.encode import Cnf
 from interlock.proof.engines.z3_sat import Answer, Z3Sat
 from interlock.proof.invariants import Claim
-from interlock.proof.system import System
+from interlock.proof.system import PRIME, System
 
 
 @dataclass(frozen=True)
@@ -38,12 +38,14 @@ class _Unrolled:
     def __init__(self, system: System, goals: list[Expr]) -> None:
         self.system = system
         self.template = Cnf()
+        for name, x in system.definitions.items():
+            self.template.define(name, x)
         for a in system.assumptions:
             self.template.require(a.expr)
         for name in variables(goals):
             self.template.literal(var(name))
         self.now = {n: self.template.literal(var(n)) for n in system.state}
-        self.then = {n: self.template.literal(e) for n, e in system.next.items()}
+        self.then = {n: self.template.literal(var(n + PRIME)) for n in system.state}
         self.inputs = {n: self.template.literal(var(n)) for n in system.inputs if n not in system.sizes}
         self.goals = [self.template.literal(neg(g)) for g in goals]
         self.initial = self.template.literal(system.initial)
@@ -122,7 +124,7 @@ def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: Z3Sat, 
         shifted = {n: values.get(n + k * steps.size, False) for n in range(1, steps.size + 1)}
         named = steps.template.read(shifted)
         frames.append(Frame({n: named.get(n, 0) for n in system.state}, {n: named.get(n, 0) for n in system.inputs}))
-    last = {**frames[-1].state, **frames[-1].inputs}
+    last = named
     memo: dict[int, bool] = {}
     violated = next(c for c in claims if not evaluate(c.expr, lambda n: last.get(n, 0), memo))
     return Run(violated, tuple(frames))

@@ -41,7 +41,7 @@ def tell(system: System, run: Run) -> Story:
         memo: dict[int, bool] = {}
         events = [
             system.plant.choices["?" + e]
-            for e, x in system.plant.events.items()
+            for e, x in system.plant.flat.events.items()
             if "?" + e in system.plant.choices and evaluate(x, lambda n, v=values: v.get(n, 0), memo)  # type: ignore[misc]
         ]
         asked = _requests(system, frame.inputs)

@@ -11,6 +11,7 @@ from functools import cached_property
 from interlock.logic.controller import Controller, MalformedController
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, implies, neg, var, variables
 from interlock.logic.plant import Assumption, Plant, Wiring, build_plant
+from interlock.model.elements import NodeId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 
@@ -30,8 +31,15 @@ def wiring(controller: Controller, layout: Layout) -> Wiring:
     )
 
 
+PRIME = "'"
+
+
 class System:
-    """State, inputs, initial condition, next states and assumptions of controller and plant together."""
+    """State, inputs, initial condition, definitions and assumptions of controller and plant together.
+
+    A step is told by definitions: the controller's wires, the plant's events, and for each state variable `v` its
+    next value `v'`.  An expression about a step speaks of all of these names.
+    """
 
     def __init__(self, layout: Layout, controller: Controller, dropped: frozenset[str] = frozenset()) -> None:
         self.layout = layout
@@ -39,8 +47,11 @@ class System:
         self.topo = topology(layout)
         self.symbols = controller.symbols
         self.plant: Plant = build_plant(layout, wiring(controller, layout), dropped)
-        self.next: dict[str, Expr] = {**controller.next_state, **self.plant.next}
-        self.state: tuple[str, ...] = tuple(self.next)
+        following = {e.name: e.expr for e in controller.next} | self.plant.next | self._ghosts()
+        self.state: tuple[str, ...] = tuple(following)
+        self.definitions: dict[str, Expr] = {e.name: e.expr for e in controller.equations}
+        self.definitions |= self.plant.events.definitions
+        self.definitions |= {n + PRIME: x for n, x in following.items()}
         self.assumptions: list[Assumption] = list(self.plant.assumptions)
         for t in controller.timers:
             # an on-delay with a positive preset is true only while its input is true
@@ -48,17 +59,17 @@ class System:
                 Assumption(
                     "A-TON",
                     "An on-delay timer is true only while its input is true.",
-                    implies(var(t.name), controller.expanded[t.input]),
+                    implies(var(t.name), var(t.input)),
                 )
             )
-        self._ghosts()
+        self._after = Substitution({n: var(n + PRIME) for n in self.state})
         self._check_closed()
 
     def _check_closed(self) -> None:
         """Nothing may read a variable that nobody defines: it would be a free choice by accident."""
-        known = {*self.next, *self.inputs}
+        known = {*self.state, *self.inputs, *self.definitions}
         parts = [
-            *self.next.values(),
+            *self.definitions.values(),
             *(h.expr for h in self.plant.hazards),
             *self.plant.initial,
             *(a.expr for a in self.assumptions),
@@ -70,35 +81,35 @@ class System:
     @cached_property
     def initial(self) -> Expr:
         """The initial states: the controller's start-up, trains and points anyhow."""
-        start = [var(s.name) if s.initial else neg(var(s.name)) for s in self.controller.state]
-        ghosts = [neg(var(f"been.{s}")) for s in self.topo.sections]
-        return conj([*start, *ghosts, *self.plant.initial])
+        return conj(self.initial_parts)
 
     @cached_property
-    def _step(self) -> Substitution:
-        return Substitution(self.next)
+    def initial_parts(self) -> list[Expr]:
+        """The same, one condition after the other."""
+        start = [var(s.name) if s.initial else neg(var(s.name)) for s in self.controller.state]
+        ghosts = [neg(var(f"been.{s}")) for s in self.topo.sections]
+        return [*start, *ghosts, *self.plant.initial]
 
     def after(self, x: Expr) -> Expr:
         """The expression one step later."""
-        return self._step(x)
+        return self._after(x)
 
-    def _ghosts(self) -> None:
+    def _ghosts(self) -> dict[str, Expr]:
         """History variables of the proof: been.s, a train has come into s since it was locked firmly.
 
         They are computed from the run and influence nothing.
         """
+        out = {}
         for s in self.topo.sections:
             came_in = disj(self.plant.events.get(f"head.{j}.{self._beyond(s, j)}", FALSE) for j in self.topo.ends[s])
-            self.next[f"been.{s}"] = conj((disj((var(f"been.{s}"), came_in)), self.next[self.symbols.firm[s]]))
-        self.state = tuple(self.next)
+            out[f"been.{s}"] = conj((disj((var(f"been.{s}"), came_in)), var(self.symbols.firm[s] + PRIME)))
+        return out
 
-    def _beyond(self, s: str, j: str) -> str:
-        from interlock.model.elements import NodeId, SectionId
-
-        ahead = self.topo.beyond(SectionId(s), NodeId(j))
+    def _beyond(self, s: SectionId, j: NodeId) -> str:
+        ahead = self.topo.beyond(s, j)
         if ahead is not None:
             return ahead
-        b = self.layout.boundary_at.get(NodeId(j))
+        b = self.layout.boundary_at.get(j)
         return (b.approach if b and b.approach else None) or f"outside.{j}"
 
     def output(self, name: str) -> Expr:

@@ -17,16 +17,17 @@ class Simulator:
         self.controller = controller
         self.plant = plant
         self.dt_ms = dt_ms
-        self._events = compile_exprs(plant.events)
+        flat = plant.flat
+        self._events = compile_exprs(flat.events)
         # the plant's next state, except the parts that depend on this scan's inputs (img.*)
-        self._move = compile_exprs({n: e for n, e in plant.next.items() if not n.startswith("img.")})
+        self._move = compile_exprs({n: e for n, e in flat.next.items() if not n.startswith("img.")})
         self._timers = [
             (group, compile_exprs({t.name: controller.expanded[t.input] for t in group}))
             for group in _independent(controller)
         ]
         self._next = compile_exprs(controller.next_state)
-        self._rules = compile_exprs({f"{i}": a.expr for i, a in enumerate(plant.assumptions)})
-        self._hazards = compile_exprs({f"{h.id} {h.place}": h.expr for h in plant.hazards})
+        self._rules = compile_exprs({f"{i}": x for i, (_, x) in enumerate(flat.assumptions)})
+        self._hazards = compile_exprs(dict(flat.hazards))
         self._choices = dict.fromkeys(plant.choices, 0)
         self.reset({})
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
-from interlock.logic.expr import Expr
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, var, variables
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 
 
@@ -41,9 +42,24 @@ class Hazard:
     expr: Expr
 
 
+class Events(dict[str, Expr]):
+    """Events by name.  What is stored is the definition; what is read is the event's variable (or a constant)."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.definitions: dict[str, Expr] = {}
+
+    def __setitem__(self, name: str, definition: Expr) -> None:
+        if definition is TRUE or definition is FALSE:
+            super().__setitem__(name, definition)
+            return
+        self.definitions[name] = definition
+        super().__setitem__(name, var(name))
+
+
 @dataclass
 class Plant:
-    """State, choices, next-state functions, assumptions and hazards."""
+    """State, choices, next-state functions, assumptions and hazards; expressions may name events."""
 
     state: dict[str, str] = field(default_factory=dict)
     choices: dict[str, str] = field(default_factory=dict)
@@ -51,7 +67,31 @@ class Plant:
     initial: list[Expr] = field(default_factory=list)
     assumptions: list[Assumption] = field(default_factory=list)
     hazards: list[Hazard] = field(default_factory=list)
-    events: dict[str, Expr] = field(default_factory=dict)
+    events: Events = field(default_factory=Events)
+
+    @cached_property
+    def flat(self) -> FlatPlant:
+        """Everything over state, choices and inputs alone, for a finished plant."""
+        known: dict[str, Expr] = {}
+        for name, x in self.events.definitions.items():
+            known[name] = Substitution({n: known[n] for n in variables((x,)) if n in known})(x)
+        flat = Substitution(known)
+        return FlatPlant(
+            {n: flat(x) for n, x in self.events.items()},
+            {n: flat(x) for n, x in self.next.items()},
+            [(a.id, flat(a.expr)) for a in self.assumptions],
+            [(f"{h.id} {h.place}", flat(h.expr)) for h in self.hazards],
+        )
+
+
+@dataclass(frozen=True)
+class FlatPlant:
+    """Events, next states, assumptions and hazards without names of events."""
+
+    events: dict[str, Expr]
+    next: dict[str, Expr]
+    assumptions: list[tuple[str, Expr]]
+    hazards: list[tuple[str, Expr]]
 
 
 ASSUMPTIONS: dict[str, str] = {
