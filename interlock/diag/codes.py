@@ -83,6 +83,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL5004": (_E, "an output cannot be written"),
     "IL5005": (_E, "an unknown route, column or code"),
     "IL5006": (_E, "nothing is written without a proof"),
+    "IL5007": (_E, "a certificate that is not current"),
 }
 
 

@@ -14,7 +14,9 @@ from interlock.logic.expr import Expr, Op, walk
 class Cnf:
     """Clauses over positive variable numbers; `literal` adds an expression and returns its literal."""
 
-    def __init__(self) -> None:
+    def __init__(self, values: bool = True) -> None:
+        """`values`: say that a small-range variable has no two values at once."""
+        self._exclusive = values
         self.clauses: list[tuple[int, ...]] = []
         self.count = 0
         self.names: dict[str, int] = {}
@@ -69,7 +71,8 @@ class Cnf:
         values = self._values.setdefault(name, {})
         if value not in values:
             new = self.fresh()
-            self.clauses.extend((-new, -old) for old in values.values())
+            if self._exclusive:
+                self.clauses.extend((-new, -old) for old in values.values())
             values[value] = new
         return values[value]
 

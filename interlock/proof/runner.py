@@ -200,16 +200,21 @@ def _claims(
     return out
 
 
+def start_claim(system: System) -> Expr:
+    """P-START: at the restart nothing is commanded, all signals show stop, every section is locked."""
+    sym = system.symbols
+    out: list[Expr] = [neg(var(n)) for n in sym.command.values()]
+    out += [neg(sym.shows(g.id)) for g in system.layout.signals]
+    out += [var(n) for n in sym.restart.values()]
+    return conj(out)
+
+
 def _start(system: System, limits: Limits) -> ClaimResult:
     """The restart: nothing commanded, all signals at stop, every section locked."""
     began = time.monotonic()
-    sym = system.symbols
-    quiet_: list[Expr] = [neg(var(n)) for n in sym.command.values()]
-    quiet_ += [neg(sym.shows(g.id)) for g in system.layout.signals]
-    quiet_ += [var(n) for n in sym.restart.values()]
     cnf = Cnf()
     cnf.require(system.initial)
-    lit = cnf.literal(conj(quiet_))
+    lit = cnf.literal(start_claim(system))
     ok = Z3Sat(cnf, limits.query_ms).ask(-lit) is Answer.UNSAT
     return ClaimResult(
         "P-START",

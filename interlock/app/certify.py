@@ -1,0 +1,88 @@
+"""Certificates: the proof of a layout as files that `interlock verify` checks again."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from interlock.app.compile import build, finish
+from interlock.app.prove import Proved
+from interlock.diag import Diagnostic, Severity
+from interlock.emit.bundle import differences, is_bundle, write_folder
+from interlock.logic.lower import lower
+from interlock.proof.invariants import Facts, claims, strengthening
+from interlock.proof.local.bundle import MANIFEST, PROOF, SYSTEM, manifest_text, proof_bytes, system_text
+from interlock.proof.local.engine import prove_locally
+from interlock.proof.local.facts import FactBase
+from interlock.proof.runner import Limits, Progress, quiet, start_claim
+from interlock.proof.system import System
+from interlock.verify import Rejected, verify
+
+
+@dataclass(frozen=True)
+class Certified:
+    """What became of a layout's certificate; `summary` is empty when there is none."""
+
+    proved: Proved
+    summary: str = ""
+    notes: tuple[Diagnostic, ...] = ()
+
+    @property
+    def ok(self) -> bool:
+        """A certificate that was accepted."""
+        return bool(self.summary) and not self.notes
+
+
+def certify_file(
+    path: str,
+    outputs: Path,
+    proofs: Path,
+    check: bool = False,
+    limits: Limits | None = None,
+    progress: Progress = quiet,
+) -> Certified:
+    """Write (or check) the certificate of a layout whose outputs are current."""
+    proved, files = build(path, limits=limits, progress=progress)
+    layout, table = proved.checked.layout, proved.checked.table
+    if not proved.green or layout is None or table is None:
+        return Certified(proved)
+    span = proved.checked.source.at("name")
+    emitted = finish(proved.checked, files)
+    stale = differences(outputs / layout.name, emitted)
+    if stale:
+        note = Diagnostic(
+            "IL5003", Severity.ERROR, f"{outputs / layout.name}: {stale[0]}", span, f"compile {path} first"
+        )
+        return Certified(proved, notes=(note,))
+    system = System(layout, lower(layout, table))
+    facts = Facts(system)
+    base = FactBase(system, strengthening(facts), claims(facts), start_claim(system))
+    target = proofs / layout.name
+    texts = {SYSTEM: system_text(base).encode()}
+    if not check:
+        local = prove_locally(base, progress=lambda done, total: progress("obligations", done, total))
+        if local.open:
+            g = local.open[0]
+            note = Diagnostic("IL5002", Severity.ERROR, f"no certificate: {g.kind} of {g.source} is open", span)
+            return Certified(proved, notes=(note,))
+        texts[PROOF] = proof_bytes(local)
+        tied = {os.path.relpath(path, target): Path(path).read_bytes()}
+        tied |= {os.path.relpath(outputs / layout.name / n, target): data for n, data in emitted.items()}
+        manifest = manifest_text(layout.name, {**texts, **tied})
+        if not is_bundle(target):
+            note = Diagnostic("IL5004", Severity.ERROR, f"{target} exists and was not made by interlock", span)
+            return Certified(proved, notes=(note,))
+        write_folder(target, {**texts, MANIFEST: manifest.encode()})
+    try:
+        summary = verify(target)
+        current = (target / SYSTEM).read_bytes() == texts[SYSTEM]
+    except (Rejected, OSError, ValueError, KeyError) as error:
+        note = Diagnostic("IL5007", Severity.ERROR, f"{target}: {error}", span, f"run `interlock certify {path}`")
+        return Certified(proved, notes=(note,))
+    if not current:
+        note = Diagnostic(
+            "IL5007", Severity.ERROR, f"{target}: another system", span, f"run `interlock certify {path}`"
+        )
+        return Certified(proved, notes=(note,))
+    return Certified(replace(proved), summary)

@@ -1,0 +1,18 @@
+"""The system of a layout in the formats of other engines."""
+
+from __future__ import annotations
+
+from interlock.app.check import Checked, check_file
+from interlock.logic.lower import lower
+from interlock.proof.aiger import aiger
+from interlock.proof.invariants import Facts, claims
+from interlock.proof.system import System
+
+
+def aiger_file(path: str) -> tuple[Checked, bytes | None]:
+    """The layout's system with all claims as one bad output; None when the layout has errors."""
+    checked = check_file(path)
+    if not checked.ok or checked.layout is None or checked.table is None:
+        return checked, None
+    system = System(checked.layout, lower(checked.layout, checked.table))
+    return checked, aiger(system, claims(Facts(system)))

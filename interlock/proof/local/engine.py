@@ -1,0 +1,142 @@
+"""Decide every goal: as an instance of a known shape, or by a SAT solver that names the facts it needed.
+
+The facts stand in one solver, each behind a switch; a goal is asked with all switches on, and the switches in the
+core name the facts.  Facts that are not needed are taken out one by one; Z3 then decides the remaining clauses a second
+time, and the shape gets its refutation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from pysat.solvers import Minisat22
+
+from interlock.logic.expr import Expr, Op
+from interlock.proof.encode import Cnf
+from interlock.proof.local.facts import Fact, FactBase, Goal, GoalKind
+from interlock.proof.local.refute import refutation
+from interlock.proof.local.shapes import Index, Library, Matcher, Pattern, Patterns, Shape, shape_of
+
+
+@dataclass(frozen=True)
+class Obligation:
+    """A goal that is proved: the shape and the numbers of the facts in the shape's order."""
+
+    goal: Goal
+    shape: Shape
+    facts: tuple[int, ...]
+
+
+@dataclass
+class LocalProof:
+    """All obligations in order, and the goals for which none was found."""
+
+    base: FactBase
+    obligations: list[Obligation] = field(default_factory=list)
+    open: list[Goal] = field(default_factory=list)
+    solved: int = 0
+
+    @property
+    def shapes(self) -> list[Shape]:
+        """The shapes used, by number."""
+        return sorted({o.shape.number: o.shape for o in self.obligations}.values(), key=lambda s: s.number)
+
+
+class Room:
+    """Facts of one kind in a solver, each behind a switch."""
+
+    def __init__(self, facts: Sequence[Fact], patterns: Patterns) -> None:
+        self.facts = facts
+        self.index = Index(facts, patterns)
+        self.matcher = Matcher(self.index)
+        self.cnf = Cnf(values=False)
+        self.solver = Minisat22()
+        self.switches: list[int] = []
+        self.fed = 0
+        for f in facts:
+            switch = self.cnf.fresh()
+            self.switches.append(switch)
+            lits = [self.cnf.literal(p) for p in _parts(f.clause)]
+            self.cnf.clauses.append((-switch, *lits))
+        self.number = {switch: n for n, switch in enumerate(self.switches)}
+
+    def core(self, goal: Expr) -> list[int] | None:
+        """Facts that together refute the negated goal, or None when all facts do not."""
+        assumed = [-self.cnf.literal(p) for p in _parts(goal)]
+        for c in self.cnf.clauses[self.fed :]:
+            self.solver.add_clause(list(c))
+        self.fed = len(self.cnf.clauses)
+        if self.solver.solve(assumptions=[*assumed, *self.switches]) is not False:
+            return None
+        found = [self.number[x] for x in self.solver.get_core() or () if x in self.number]
+        return self._smaller(goal, found)
+
+    def _smaller(self, goal: Expr, core: list[int]) -> list[int]:
+        """Leave out fact after fact while the rest still refutes, in a small solver of their own."""
+        cnf = Cnf(values=False)
+        switch = {n: cnf.fresh() for n in core}
+        for n in core:
+            lits = [cnf.literal(p) for p in _parts(self.facts[n].clause)]
+            cnf.clauses.append((-switch[n], *lits))
+        cnf.clauses.extend((-cnf.literal(p),) for p in _parts(goal))
+        back = {x: n for n, x in switch.items()}
+        kept = core
+        tried: set[int] = set()
+        with Minisat22(bootstrap_with=[list(c) for c in cnf.clauses]) as solver:
+            if solver.solve(assumptions=[switch[n] for n in kept]) is False:
+                kept = [back[x] for x in solver.get_core() or ()]
+            while True:
+                following = next((n for n in kept if n not in tried), None)
+                if following is None:
+                    return sorted(kept)
+                tried.add(following)
+                if solver.solve(assumptions=[switch[n] for n in kept if n != following]) is False:
+                    kept = [back[x] for x in solver.get_core() or ()]
+
+
+def _parts(clause: Expr) -> tuple[Expr, ...]:
+    return clause.args if clause.op is Op.OR else (clause,)
+
+
+def prove_locally(
+    base: FactBase, library: Library | None = None, progress: Callable[[int, int], None] = lambda done, total: None
+) -> LocalProof:
+    """Every goal of the base, in order."""
+    library = library if library is not None else Library()
+    out = LocalProof(base)
+    patterns = Patterns()
+    rooms: dict[int, Room] = {}
+    goals = list(base.goals())
+    for n, goal in enumerate(goals):
+        if n % 256 == 0:
+            progress(n, len(goals))
+        facts = base.facts(goal.kind)
+        room = rooms.get(id(facts))
+        if room is None:
+            room = rooms[id(facts)] = Room(facts, patterns)
+        pattern = patterns(goal.clause, goal.tag)
+        found = library.find(pattern, room.matcher)
+        if found is None:
+            core = room.core(goal.clause)
+            made = None if core is None else _new(pattern, core, room.index)
+            if made is None:
+                out.open.append(goal)
+                continue
+            out.solved += 1
+            found = library.add(made[0]), made[1]
+        out.obligations.append(Obligation(goal, *found))
+    return out
+
+
+def _new(goal: Pattern, core: Sequence[int], index: Index) -> tuple[Shape, tuple[int, ...]] | None:
+    """A new shape with its refutation; None when a second engine or the refutation fails."""
+    shape, order = shape_of(goal, core, index)
+    steps = refutation(shape)
+    if steps is None:
+        return None
+    shape.steps = steps
+    return shape, order
+
+
+__all__ = ["Goal", "GoalKind", "LocalProof", "Obligation", "prove_locally"]

@@ -1,0 +1,224 @@
+"""Shapes: what is left of an obligation when its variables lose their names.
+
+A shape is a goal and the facts that refute its negation, with numbers for variables.  An obligation is an instance
+when its goal and facts are the shape's clauses under one renaming of the numbers; the refutation of the shape then
+refutes it too, whether or not the renaming keeps different numbers apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from interlock.logic.expr import Expr, Op
+from interlock.proof.local.facts import Fact
+
+Leaf = str
+"""A variable's name, or `name=value` for a comparison."""
+
+Tree = int | list["Tree | str"]
+"""A leaf's number (negative when negated), or `[op, part, ...]` with op one of `&`, `|`, `!&`, `!|`."""
+
+Step = tuple[tuple[int, ...], tuple[int, ...]]
+"""A clause that follows, and the numbers of the earlier clauses that show it."""
+
+
+@dataclass(frozen=True)
+class Pattern:
+    """A clause without names: its text with leaves numbered from 1 in order of appearance, and the leaves."""
+
+    text: str
+    leaves: tuple[Leaf, ...]
+
+
+class Patterns:
+    """Patterns of expressions, each computed once."""
+
+    def __init__(self) -> None:
+        self._of: dict[tuple[int, str], tuple[Expr, Pattern]] = {}
+
+    def __call__(self, x: Expr, tag: str) -> Pattern:
+        """The pattern of an expression; `tag` says where it comes from, so that only like is compared with like."""
+        found = self._of.get((id(x), tag))
+        if found is None:
+            numbers: dict[Leaf, int] = {}
+            text = f"{tag}:{_text(x, numbers)}"
+            found = self._of[id(x), tag] = (x, Pattern(text, tuple(numbers)))
+        return found[1]
+
+
+def _text(x: Expr, numbers: dict[Leaf, int], sign: str = "") -> str:
+    while x.op is Op.NOT:
+        x, sign = x.args[0], "" if sign else "!"
+    if x.op is Op.VAR:
+        return f"{sign}{numbers.setdefault(x.name, len(numbers) + 1)}"
+    if x.op is Op.EQ:
+        return f"{sign}{numbers.setdefault(f'{x.name}={x.value}', len(numbers) + 1)}"
+    if x.op in (Op.TRUE, Op.FALSE):
+        return f"{sign}{'T' if x.op is Op.TRUE else 'F'}"
+    op = "&" if x.op is Op.AND else "|"
+    return f"{sign}({op} {' '.join(_text(a, numbers) for a in x.args)})"
+
+
+@dataclass(frozen=True)
+class Part:
+    """A fact of a shape: the pattern's text, and the shape's number for each leaf of the pattern."""
+
+    text: str
+    leaves: tuple[int, ...]
+
+
+@dataclass
+class Shape:
+    """A goal's pattern, facts and refutation; `number` tells it from the others of its library."""
+
+    goal: str
+    arity: int
+    parts: tuple[Part, ...]
+    steps: tuple[Step, ...] = ()
+    number: int = field(default=-1, compare=False)
+
+    @property
+    def key(self) -> tuple[str, tuple[Part, ...]]:
+        """What makes two shapes the same."""
+        return self.goal, self.parts
+
+
+class Index:
+    """The facts of a system, found by pattern, place in it and leaf."""
+
+    def __init__(self, facts: Sequence[Fact], patterns: Patterns) -> None:
+        self.patterns = [patterns(f.clause, f.tag) for f in facts]
+        self._by_text: dict[str, list[int]] = {}
+        for n, p in enumerate(self.patterns):
+            self._by_text.setdefault(p.text, []).append(n)
+        self._at: dict[tuple[str, int], dict[Leaf, list[int]]] = {}
+
+    def find(self, text: str, place: int, name: Leaf) -> Sequence[int]:
+        """Facts of a pattern that have the leaf at a place."""
+        table = self._at.get((text, place))
+        if table is None:
+            table = self._at[text, place] = {}
+            for n in self._by_text.get(text, ()):
+                table.setdefault(self.patterns[n].leaves[place], []).append(n)
+        return table.get(name, ())
+
+    def all(self, text: str) -> Sequence[int]:
+        """All facts of a pattern."""
+        return self._by_text.get(text, ())
+
+
+def shape_of(goal: Pattern, core: Sequence[int], index: Index) -> tuple[Shape, tuple[int, ...]]:
+    """The shape of an obligation and its facts in the shape's order: each shares a leaf with those before it, where
+    one does."""
+    numbers = {name: n for n, name in enumerate(goal.leaves)}
+    having: dict[Leaf, list[int]] = {}
+    unknown = {n: len(index.patterns[n].leaves) for n in core}
+    for n in core:
+        for name in index.patterns[n].leaves:
+            having.setdefault(name, []).append(n)
+    bound: dict[int, int] = {}
+    for name in goal.leaves:
+        for n in having.get(name, ()):
+            bound[n] = bound.get(n, 0) + 1
+    parts: list[Part] = []
+    order: list[int] = []
+    while unknown:
+        ready = [n for n in bound if n in unknown] or list(unknown)
+        best = min(ready, key=lambda n: (unknown[n] - bound.get(n, 0), -unknown[n], n))
+        del unknown[best]
+        order.append(best)
+        pattern = index.patterns[best]
+        for name in pattern.leaves:
+            if name not in numbers:
+                numbers[name] = len(numbers)
+                for n in having[name]:
+                    bound[n] = bound.get(n, 0) + 1
+        parts.append(Part(pattern.text, tuple(numbers[x] for x in pattern.leaves)))
+    return Shape(goal.text, len(goal.leaves), tuple(parts)), tuple(order)
+
+
+class Matcher:
+    """Finds the facts that make a goal an instance of a shape."""
+
+    def __init__(self, index: Index) -> None:
+        self.index = index
+
+    def match(self, goal: Pattern, shape: Shape) -> tuple[int, ...] | None:
+        """The facts in the shape's order, or None."""
+        if goal.text != shape.goal:
+            return None
+        names: list[Leaf | None] = [*goal.leaves]
+        found: list[int] = []
+        self._left = 2 * len(shape.parts) + 8
+        return tuple(found) if self._extend(shape, 0, names, found) else None
+
+    def _extend(self, shape: Shape, i: int, names: list[Leaf | None], found: list[int]) -> bool:
+        if i == len(shape.parts):
+            return True
+        part = shape.parts[i]
+        best: Sequence[int] | None = None
+        for place, number in enumerate(part.leaves):
+            name = names[number] if number < len(names) else None
+            if name is not None:
+                some = self.index.find(part.text, place, name)
+                if not some:
+                    return False
+                if best is None or len(some) < len(best):
+                    best = some
+                    if len(best) == 1:
+                        break
+        if best is None:
+            best = self.index.all(part.text)
+        for n in best:
+            self._left -= 1
+            if self._left < 0:
+                return False
+            before = len(names)
+            if self._bind(part, self.index.patterns[n].leaves, names):
+                found.append(n)
+                if self._extend(shape, i + 1, names, found):
+                    return True
+                found.pop()
+            del names[before:]
+        return False
+
+    @staticmethod
+    def _bind(part: Part, leaves: tuple[Leaf, ...], names: list[Leaf | None]) -> bool:
+        """New numbers of a part come in order, so that they extend the list."""
+        for number, name in zip(part.leaves, leaves, strict=True):
+            if number < len(names):
+                if names[number] != name:
+                    return False
+            else:
+                names.append(name)
+        return True
+
+
+class Library:
+    """Shapes by the pattern of their goal; the one that matched last is tried first."""
+
+    def __init__(self) -> None:
+        self.by_goal: dict[str, list[Shape]] = {}
+        self.known: dict[tuple[str, tuple[Part, ...]], Shape] = {}
+
+    def add(self, shape: Shape) -> Shape:
+        """The library's own copy of a shape."""
+        known = self.known.get(shape.key)
+        if known is None:
+            known = self.known[shape.key] = shape
+            known.number = len(self.known) - 1
+            self.by_goal.setdefault(shape.goal, []).insert(0, shape)
+        return known
+
+    def find(self, goal: Pattern, matcher: Matcher) -> tuple[Shape, tuple[int, ...]] | None:
+        """A shape of which the goal is an instance, and the facts."""
+        shapes = self.by_goal.get(goal.text, [])
+        for i, shape in enumerate(shapes):
+            facts = matcher.match(goal, shape)
+            if facts is not None:
+                if i:
+                    del shapes[i]
+                    shapes.insert(0, shape)
+                return shape, facts
+        return None

@@ -1,0 +1,370 @@
+"""Check a proof again without trusting what made it: `python -m interlock.verify proofs/NAME`.
+
+This file needs Python's standard library alone and no other file of the package.  It reads the written system and
+
+1. compares the SHA-256 of every file that the manifest names, and of the manifest itself;
+2. builds the facts and the goals again from the system: a definition gives its halves, an invariant is a fact of the
+   old state and two goals (it holds at the restart; it holds after a step), a claim is a goal of every step;
+3. checks the refutation of every shape, clause by clause, by unit propagation along the given hints;
+4. checks that every goal, in order, is an instance of its shape, with facts of the right sort.
+
+Then, by induction over the steps, every claim holds in every step of every run of the written system.
+That the system is the railway and its controller is not checked here: read it, or derive it again.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import lzma
+import sys
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+Node = tuple[Any, ...]
+"""`("v", name)`, `("!", node)`, `("&", nodes)`, `("|", nodes)`, `("T",)` or `("F",)`."""
+TRUE: Node = ("T",)
+FALSE: Node = ("F",)
+
+
+class Rejected(Exception):
+    """The bundle does not prove what it says."""
+
+
+def need(ok: bool, why: str) -> None:
+    """Reject unless."""
+    if not ok:
+        raise Rejected(why)
+
+
+# --- expressions -----------------------------------------------------------------------------------
+
+
+def read(text: str) -> Node:
+    """An expression from its text."""
+    stack: list[tuple[str, bool, list[Node]]] = [("", False, [])]
+    for word in text.replace("(", " ( ").replace(")", " ) ").replace("! ", "!").split():
+        if word in ("(", "!("):
+            stack.append(("", word == "!(", []))
+        elif word in ("&", "|") and not stack[-1][0] and not stack[-1][2] and len(stack) > 1:
+            stack[-1] = (word, *stack[-1][1:])
+        elif word == ")":
+            need(len(stack) > 1 and stack[-1][0] != "", f"malformed expression {text[:60]}")
+            op, sign, args = stack.pop()
+            node: Node = (op, tuple(args))
+            stack[-1][2].append(negate(node) if sign else node)
+        else:
+            sign, name = word.startswith("!"), word.lstrip("!")
+            need(name != "" and len(word) - len(name) <= 1, f"malformed expression {text[:60]}")
+            leaf: Node = TRUE if name == "T" else FALSE if name == "F" else ("v", name)
+            stack[-1][2].append(negate(leaf) if sign else leaf)
+    need(len(stack) == 1 and len(stack[0][2]) == 1, f"malformed expression {text[:60]}")
+    return stack[0][2][0]
+
+
+def negate(x: Node) -> Node:
+    """NOT."""
+    return FALSE if x == TRUE else TRUE if x == FALSE else x[1] if x[0] == "!" else ("!", x)
+
+
+def either(xs: Iterable[Node]) -> Node:
+    """OR, flat, without repetition, TRUE when two operands contradict each other."""
+    flat: dict[Node, None] = {}
+    for x in xs:
+        for y in x[1] if x[0] == "|" else (x,):
+            if y == TRUE:
+                return TRUE
+            if y != FALSE:
+                flat.setdefault(y)
+    if any(negate(y) in flat for y in flat):
+        return TRUE
+    return FALSE if not flat else next(iter(flat)) if len(flat) == 1 else ("|", tuple(flat))
+
+
+def conjuncts(x: Node) -> tuple[Node, ...] | None:
+    """The parts of a conjunction, or None."""
+    if x[0] == "&":
+        return tuple(x[1])
+    if x[0] == "!" and x[1][0] == "|":
+        return tuple(negate(a) for a in x[1][1])
+    return None
+
+
+def split(x: Node) -> list[Node]:
+    """Clauses that together say the same."""
+    together = conjuncts(x)
+    if together is not None:
+        return [y for a in together for y in split(a)]
+    if x[0] == "|":
+        inner = [(i, c) for i, a in enumerate(x[1]) if (c := conjuncts(a)) is not None]
+        if len(inner) == 1:
+            i, those = inner[0]
+            return [y for b in those for y in split(either((*x[1][:i], *x[1][i + 1 :], b)))]
+    return [] if x == TRUE else [x]
+
+
+def primed(x: Node, state: set[str]) -> Node:
+    """The expression one step later."""
+    if x[0] == "v":
+        return ("v", x[1] + "'") if x[1] in state else x
+    if x[0] == "!":
+        return ("!", primed(x[1], state))
+    return (x[0], tuple(primed(a, state) for a in x[1])) if x[0] in "&|" else x
+
+
+def pattern(x: Node, numbers: dict[str, int]) -> str:
+    """The text of an expression with leaves numbered in order of appearance."""
+    if x[0] == "v":
+        return str(numbers.setdefault(x[1], len(numbers) + 1))
+    if x[0] == "!":
+        return "!" + pattern(x[1], numbers)
+    if x[0] in "&|":
+        return f"({x[0]} {' '.join(pattern(a, numbers) for a in x[1])})"
+    return str(x[0])
+
+
+# --- the system ------------------------------------------------------------------------------------
+
+
+class System:
+    """Facts and goals of a written system.  A fact or goal is its pattern and the leaves in order."""
+
+    def __init__(self, text: str) -> None:
+        lines = text.splitlines()
+        need(lines[:1] == ["interlock-system 1"], "system.txt is of another kind")
+        self.claims: dict[str, int] = {}
+        state: set[str] = set()
+        parts: dict[str, list[list[str]]] = {k: [] for k in ("ini", "def", "asm", "inv", "val", "claim", "start")}
+        words = {"ini": 1, "def": 2, "asm": 2, "inv": 3, "val": 2, "claim": 3, "start": 1}
+        for line in lines[1:]:
+            kind, _, rest = line.partition(" ")
+            if kind in ("sentence", "assumed"):
+                continue
+            if kind == "state":
+                need(rest not in state, f"{rest} is twice a state variable")
+                state.add(rest)
+                continue
+            need(kind in parts, f"unknown line {line[:60]}")
+            parts[kind].append(rest.split(" ", words[kind] - 1))
+        names = [name for name, _ in parts["def"]]
+        need(len(set(names)) == len(names), "a name is defined twice")
+        need({v + "'" for v in state} <= set(names), "a state variable has no next value")
+        need(not set(names) & state, "a state variable is defined within the step")
+        self._no_cycles(parts["def"])
+        invariants = [split(read(x)) for _, _, x in parts["inv"]]
+        facts: list[Node] = []
+        for name, x in parts["def"]:
+            meaning = read(x)
+            facts += split(either((negate(("v", name)), meaning))) + split(either((negate(meaning), ("v", name))))
+        facts += [c for _, x in parts["asm"] for c in split(read(x))]
+        facts += [c for cs in invariants for c in cs]
+        for name, size in parts["val"]:
+            values: list[Node] = [("!", ("v", f"{name}={k}")) for k in range(int(size))]
+            facts += [("|", (a, b)) for i, a in enumerate(values) for b in values[i + 1 :]]
+        self.steps = [self._of(f) for f in facts]
+        self.initial = [self._of(c) for (x,) in parts["ini"] for c in split(read(x))]
+        for text_, leaves in self.initial:
+            need(set(leaves) <= state, f"the initial condition {text_[:40]} speaks of more than the state")
+        base = [c for cs in invariants for c in cs]
+        goals = [(c, False) for c in base] + [(primed(c, state), True) for c in base]
+        for id_, _, x in parts["claim"]:
+            self.claims[id_] = self.claims.get(id_, 0) + 1
+            goals += [(c, True) for c in split(read(x))]
+        goals += [(c, False) for (x,) in parts["start"] for c in split(read(x))]
+        self.goals = [(self._of(c), step) for c, step in goals]
+        self.invariants = len(invariants)
+
+    @staticmethod
+    def _of(x: Node) -> tuple[str, tuple[str, ...]]:
+        numbers: dict[str, int] = {}
+        return pattern(x, numbers), tuple(numbers)
+
+    @staticmethod
+    def _no_cycles(definitions: list[list[str]]) -> None:
+        """A definition reads only what was defined before it: so every step has values for all names."""
+        later = {name for name, _ in definitions}
+        for name, x in definitions:
+            numbers: dict[str, int] = {}
+            pattern(read(x), numbers)
+            need(not later & set(numbers), f"{name} is defined by what comes after it")
+            later.discard(name)
+
+
+# --- shapes ----------------------------------------------------------------------------------------
+
+
+class Shape:
+    """A shape as read: the goal's pattern, facts with the numbers of their leaves, and the steps."""
+
+    def __init__(self, goal: str) -> None:
+        self.goal = goal
+        self.facts: list[tuple[str, tuple[int, ...]]] = []
+        self.steps: list[tuple[tuple[int, ...], tuple[int, ...]]] = []
+
+    def check(self) -> None:
+        """The negated goal and the facts are contradictory."""
+        arity = len(leaves_of(read(self.goal)))
+        numbers = [n for _, leaves in self.facts for n in leaves]
+        need(all(n > 0 for n in numbers), "a shape's leaf has no number")
+        clauses: list[tuple[int, ...]] = []
+        self._top = max([arity, *numbers])
+        clauses_of_goal = self._disjuncts(read(self.goal), tuple(range(1, arity + 1)), clauses)
+        for c in clauses_of_goal:
+            clauses.append((-c,))
+        for text, leaves in self.facts:
+            need(len(leaves_of(read(text))) == len(leaves), "a shape's fact has a wrong number of leaves")
+            clauses.append(tuple(self._disjuncts(read(text), leaves, clauses)))
+        for lits, hints in self.steps:
+            self._follows(lits, hints, clauses)
+            clauses.append(lits)
+        need(bool(self.steps) and self.steps[-1][0] == (), "a shape's refutation does not end")
+
+    @staticmethod
+    def _follows(lits: tuple[int, ...], hints: tuple[int, ...], clauses: list[tuple[int, ...]]) -> None:
+        false = set(lits)
+        for h in hints:
+            need(0 <= h < len(clauses), "a hint names no clause")
+            left = [x for x in dict.fromkeys(clauses[h]) if x not in false]
+            if not left:
+                return
+            need(len(left) == 1, "a hint is not unit")
+            false.add(-left[0])
+        raise Rejected("the hints do not lead to a contradiction")
+
+    def _disjuncts(self, x: Node, leaves: tuple[int, ...], clauses: list[tuple[int, ...]]) -> list[int]:
+        if x == FALSE:
+            return []
+        return [self._literal(a, leaves, clauses) for a in (x[1] if x[0] == "|" else (x,))]
+
+    def _literal(self, x: Node, leaves: tuple[int, ...], clauses: list[tuple[int, ...]]) -> int:
+        if x[0] == "v":
+            return leaves[int(x[1]) - 1]
+        if x[0] == "!":
+            return -self._literal(x[1], leaves, clauses)
+        need(x[0] in "&|", "a constant in a shape")
+        args = [self._literal(a, leaves, clauses) for a in x[1]]
+        self._top += 1
+        sign = 1 if x[0] == "|" else -1
+        clauses.append((-sign * self._top, *(sign * a for a in args)))
+        clauses.extend((sign * self._top, -sign * a) for a in args)
+        return self._top
+
+
+def leaves_of(x: Node) -> set[str]:
+    """The leaves of a pattern, which must be the numbers from 1."""
+    found: set[str] = set()
+    todo = [x]
+    while todo:
+        y = todo.pop()
+        if y[0] == "v":
+            found.add(y[1])
+        elif y[0] == "!":
+            todo.append(y[1])
+        elif y[0] in "&|":
+            todo.extend(y[1])
+    need(found == {str(n) for n in range(1, len(found) + 1)}, "a pattern's leaves are not numbered")
+    return found
+
+
+def shapes_and_goals(text: str) -> tuple[list[Shape], Iterator[list[int]], int]:
+    """Shapes, and for each goal the number of its shape and those of the facts."""
+    lines = text.split("\n")
+    need(lines[0] == "interlock-proof 1" and lines[-1] == "", "proof.txt is of another kind")
+    shapes: list[Shape] = []
+    patterns: list[str] = []
+    for n, line in enumerate(lines[1:], 1):
+        kind, _, rest = line.partition(" ")
+        if kind == "pattern":
+            patterns.append(rest)
+        elif kind == "shape":
+            shapes.append(Shape(patterns[int(rest)]))
+        elif kind == "fact":
+            which, *leaves = map(int, rest.split())
+            shapes[-1].facts.append((patterns[which], tuple(leaves)))
+        elif kind == "step":
+            numbers_ = list(map(int, rest.split()))
+            end = numbers_.index(0)
+            shapes[-1].steps.append((tuple(numbers_[:end]), tuple(numbers_[end + 1 :])))
+        elif kind == "goals":
+            need(int(rest) == len(lines) - n - 2, "proof.txt has a wrong number of goals")
+            return shapes, (list(map(int, x.split())) for x in lines[n + 1 : -1]), int(rest)
+        else:
+            raise Rejected(f"unknown line {line[:60]}")
+    raise Rejected("proof.txt has no goals")
+
+
+def instance(
+    shape: Shape,
+    goal: tuple[str, tuple[str, ...]],
+    facts: list[tuple[str, tuple[str, ...]]],
+) -> None:
+    """The goal and the facts are the shape's clauses under one renaming of its numbers."""
+    need(goal[0] == shape.goal and len(facts) == len(shape.facts), "a goal is no instance of its shape")
+    names = dict(enumerate(goal[1], 1))
+    for (text, leaves), (wanted, numbers) in zip(facts, shape.facts, strict=True):
+        need(text == wanted and len(leaves) == len(numbers), "a fact is no instance of its shape's")
+        for n, name in zip(numbers, leaves, strict=True):
+            need(names.setdefault(n, name) == name, "a renaming contradicts itself")
+
+
+# --- the whole -------------------------------------------------------------------------------------
+
+
+def check_files(folder: Path) -> dict[str, str]:
+    """The manifest's digests agree with the files; returns the manifest's files."""
+    raw = (folder / "manifest.json").read_bytes()
+    manifest = json.loads(raw)
+    own = manifest.pop("own", None)
+    need(own == hashlib.sha256(json.dumps(manifest, sort_keys=True).encode()).hexdigest(), "the manifest was changed")
+    again = json.dumps({**manifest, "own": own}, indent=1, ensure_ascii=False) + "\n"
+    need(again.encode() == raw, "the manifest was changed")
+    files: dict[str, str] = manifest["files"]
+    need({"system.txt", "proof.txt.xz"} <= set(files), "the manifest names no proof")
+    for path, digest in files.items():
+        need(hashlib.sha256((folder / path).read_bytes()).hexdigest() == digest, f"{path} is not the file proved")
+    return files
+
+
+def verify(folder: Path) -> str:
+    """A summary in one line; raises Rejected, OSError or ValueError."""
+    files = check_files(folder)
+    system = System((folder / "system.txt").read_text("utf-8"))
+    shapes, chosen, count = shapes_and_goals(lzma.decompress((folder / "proof.txt.xz").read_bytes()).decode())
+    for shape in shapes:
+        shape.check()
+    need(count == len(system.goals), "not every goal has its proof")
+    for (goal, step), numbers in zip(system.goals, chosen, strict=True):
+        facts = system.steps if step else system.initial
+        need(all(0 <= n < len(facts) for n in numbers[1:]) and 0 <= numbers[0] < len(shapes), "a number is too large")
+        instance(shapes[numbers[0]], goal, [facts[n] for n in numbers[1:]])
+    return (
+        f"{sum(system.claims.values())} places of {len(system.claims)} claims, {system.invariants} invariants, "
+        f"{count} obligations in {len(shapes)} shapes, {len(files)} files"
+    )
+
+
+def main(folders: list[str]) -> int:
+    """Verify bundles; 0 when all are accepted."""
+    bad = 0
+    for name in folders:
+        try:
+            print(f"{name}: VERIFIED  {verify(Path(name))}")
+        except (
+            Rejected,
+            OSError,
+            ValueError,
+            KeyError,
+            IndexError,
+            TypeError,
+            AttributeError,
+            RecursionError,
+            lzma.LZMAError,
+        ) as e:
+            bad += 1
+            print(f"{name}: REJECTED  {type(e).__name__}: {e}")
+    return 1 if bad or not folders else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,177 @@
+"""Certificates: accepted as shipped, rejected after any change, and sound in themselves."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import lzma
+import random
+import shutil
+from pathlib import Path
+
+import pytest
+
+from interlock.logic.expr import conj, disj, implies, neg, var
+from interlock.logic.lower import lower
+from interlock.proof.invariants import Facts, claims, strengthening
+from interlock.proof.local.bundle import proof_text, system_text
+from interlock.proof.local.engine import prove_locally
+from interlock.proof.local.facts import FactBase, split
+from interlock.proof.mutate import KINDS
+from interlock.proof.runner import start_claim
+from interlock.proof.system import System
+from interlock.verify import Rejected, Shape, main, verify
+from interlock.verify import System as Written
+from tests.layouts import SHIPPED, built
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_shipped_proof_is_accepted(name: str) -> None:
+    assert "claims" in verify(ROOT / "proofs" / name)
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_shipped_proof_is_about_the_system_that_the_layout_gives(name: str) -> None:
+    layout, _, controller = built(name)
+    system = System(layout, controller)
+    facts = Facts(system)
+    base = FactBase(system, strengthening(facts), claims(facts), start_claim(system))
+    assert (ROOT / "proofs" / name / "system.txt").read_text("utf-8") == system_text(base)
+
+
+def test_the_checker_is_short_and_stands_alone() -> None:
+    text = (ROOT / "interlock" / "verify.py").read_text("utf-8")
+    assert len(text.splitlines()) < 450
+    modules = {line.split()[1] for line in text.splitlines() if line.startswith(("import ", "from "))}
+    assert modules <= {"__future__", "hashlib", "json", "lzma", "sys", "collections.abc", "pathlib", "typing"}
+
+
+@pytest.fixture
+def copy(tmp_path: Path) -> Path:
+    """A shipped bundle with everything that it names, to be spoiled."""
+    for part in ("proofs/fig2_2", "generated/fig2_2"):
+        shutil.copytree(ROOT / part, tmp_path / part)
+    (tmp_path / "layouts").mkdir()
+    shutil.copy(ROOT / "layouts/fig2_2.yaml", tmp_path / "layouts")
+    assert verify(tmp_path / "proofs/fig2_2")
+    return tmp_path / "proofs/fig2_2"
+
+
+def files_of(folder: Path) -> list[Path]:
+    """Every file of a bundle: those that the manifest names, and the manifest."""
+    named = json.loads((folder / "manifest.json").read_text("utf-8"))["files"]
+    return [folder / "manifest.json", *((folder / n).resolve() for n in named)]
+
+
+def test_any_change_of_one_byte_is_rejected(copy: Path) -> None:
+    rng = random.Random(5)
+    for path in files_of(copy):
+        data = path.read_bytes()
+        for _ in range(6):
+            spoiled = bytearray(data)
+            spoiled[rng.randrange(len(data))] ^= rng.randrange(1, 256)
+            path.write_bytes(spoiled)
+            assert main([str(copy)]) == 1, path
+        path.write_bytes(data)
+    assert main([str(copy)]) == 0
+
+
+def signed(folder: Path) -> None:
+    """Make the digests of a bundle agree again: what is left must be found by reasoning."""
+    manifest = json.loads((folder / "manifest.json").read_text("utf-8"))
+    manifest.pop("own")
+    for name in manifest["files"]:
+        manifest["files"][name] = hashlib.sha256((folder / name).read_bytes()).hexdigest()
+    own = hashlib.sha256(json.dumps(manifest, sort_keys=True).encode()).hexdigest()
+    text = json.dumps({**manifest, "own": own}, indent=1, ensure_ascii=False) + "\n"
+    (folder / "manifest.json").write_text(text, encoding="utf-8")
+
+
+@pytest.mark.parametrize(("lines", "share"), [(("claim", "inv", "start"), 1.0), (("def", "asm", "ini"), 0.6)])
+def test_a_system_that_was_changed_and_signed_again_is_rejected(
+    copy: Path, lines: tuple[str, ...], share: float
+) -> None:
+    """What is claimed cannot be changed; of the rest, only what no goal needs (an alarm, say) may differ."""
+    text = (copy / "system.txt").read_text("utf-8").splitlines()
+    rng = random.Random(7)
+    places = [n for n, line in enumerate(text) if line.split()[0] in lines and "(" in line]
+    tried = rejected = 0
+    for n in rng.sample(places, min(50, len(places))):
+        head, _, x = text[n].partition("(")
+        x = x.replace("&", "|", 1) if "&" in x else x.replace("!", "", 1) if "!" in x else "& T " + x.split(" ", 1)[1]
+        (copy / "system.txt").write_text("\n".join([*text[:n], f"{head}({x}", *text[n + 1 :]]) + "\n", encoding="utf-8")
+        signed(copy)
+        tried += 1
+        rejected += main([str(copy)]) == 1
+    assert tried >= 15 and rejected >= share * tried
+
+
+@pytest.mark.parametrize("kind", ["pattern", "shape", "fact", "step", "goals", ""])
+def test_a_proof_without_one_of_its_lines_is_rejected(copy: Path, kind: str) -> None:
+    lines = lzma.decompress((copy / "proof.txt.xz").read_bytes()).decode().splitlines()
+    rng = random.Random(9)
+    places = [n for n, line in enumerate(lines) if (line.split()[0] == kind if kind else line[0].isdigit())]
+    for n in rng.sample(places, min(8, len(places))):
+        less = "\n".join([*lines[:n], *lines[n + 1 :]]) + "\n"
+        (copy / "proof.txt.xz").write_bytes(lzma.compress(less.encode()))
+        signed(copy)
+        assert main([str(copy)]) == 1, lines[n]
+
+
+def test_a_satisfiable_shape_has_no_refutation() -> None:
+    shape = Shape("(| 1 2)")
+    shape.facts = [("(| 1 2)", (1, 3))]
+    shape.steps = [((), (0, 2))]
+    with pytest.raises(Rejected):
+        shape.check()
+    shape.facts = [("(| 1 2)", (1, 2))]
+    shape.steps = [((), (0, 1, 2))]
+    shape.check()
+
+
+def test_definitions_in_a_circle_are_rejected() -> None:
+    text = "interlock-system 1\nstate a\ndef w (| a v)\ndef v (& w a)\ndef a' w\n"
+    with pytest.raises(Rejected, match="comes after"):
+        Written(text)
+
+
+def test_splitting_says_the_same() -> None:
+    a, b, c, d = map(var, "abcd")
+    x = implies(a, conj((b, disj((c, d)), neg(disj((c, conj((a, d))))))))
+    from itertools import product
+
+    from interlock.logic.expr import evaluate
+
+    for values in product((0, 1), repeat=4):
+        env = dict(zip("abcd", values, strict=True))
+        parts = [evaluate(y, env.__getitem__, {}) for y in split(x)]
+        assert all(parts) == evaluate(x, env.__getitem__, {})
+
+
+def local(name: str, controller=None):  # type: ignore[no-untyped-def]
+    layout, _, own = built(name)
+    system = System(layout, controller or own)
+    facts = Facts(system)
+    return prove_locally(FactBase(system, strengthening(facts), claims(facts), start_claim(system)))
+
+
+def test_the_same_proof_gives_the_same_bytes() -> None:
+    assert proof_text(local("fig2_2")) == proof_text(local("fig2_2"))
+
+
+@pytest.mark.parametrize("kind", ["point-missing", "release-occupied", "cancel-with-train", "restart-unlocked"])
+def test_no_certificate_for_a_mutant(kind: str) -> None:
+    layout, table, _ = built("fig2_2")
+    made = next(k for k in KINDS if k.name == kind)
+    _, controller = next(made.make(layout, table))
+    proof = local("fig2_2", controller)
+    assert proof.open
+    with pytest.raises(ValueError, match="not proved"):
+        proof_text(proof)
+
+
+def test_lower_is_what_is_certified() -> None:
+    layout, table, controller = built("fig2_2")
+    assert lower(layout, table) == controller
