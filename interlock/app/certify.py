@@ -12,9 +12,10 @@ from interlock.diag import Diagnostic, Severity
 from interlock.emit.bundle import differences, is_bundle, write_folder
 from interlock.logic.lower import lower
 from interlock.proof.invariants import Facts, claims, strengthening
-from interlock.proof.local.bundle import MANIFEST, PROOF, SYSTEM, manifest_text, proof_bytes, system_text
+from interlock.proof.local.bundle import MANIFEST, NEEDED, PROOF, SYSTEM, manifest_text, proof_bytes, system_text
 from interlock.proof.local.engine import prove_locally
 from interlock.proof.local.facts import FactBase
+from interlock.proof.local.needed import needs, needs_text
 from interlock.proof.runner import Limits, Progress, quiet, start_claim
 from interlock.proof.system import System
 from interlock.verify import Rejected, verify
@@ -67,6 +68,7 @@ def certify_file(
             note = Diagnostic("IL5002", Severity.ERROR, f"no certificate: {g.kind} of {g.source} is open", span)
             return Certified(proved, notes=(note,))
         texts[PROOF] = proof_bytes(local)
+        texts[NEEDED] = needs_text(needs(local, system.controller)).encode()
         tied = {os.path.relpath(path, target): Path(path).read_bytes()}
         tied |= {os.path.relpath(outputs / layout.name / n, target): data for n, data in emitted.items()}
         manifest = manifest_text(layout.name, {**texts, **tied})

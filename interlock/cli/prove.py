@@ -18,6 +18,7 @@ from interlock.cli.common import (
     put_json,
     show_proof,
 )
+from interlock.proof.engines import ENGINES
 from interlock.proof.runner import Limits
 
 
@@ -38,10 +39,19 @@ from interlock.proof.runner import Limits
     show_default=True,
     help="Time to search for a counterexample to one claim.",
 )
+@click.option(
+    "--engine",
+    type=click.Choice(ENGINES),
+    default=ENGINES[0],
+    show_default=True,
+    help="What decides the obligations; Z3 is slower, and a second opinion.",
+)
 @format_option
-def command(layouts: tuple[str, ...], jobs: int, search_depth: int, search_seconds: float, form: str) -> None:
+def command(
+    layouts: tuple[str, ...], jobs: int, search_depth: int, search_seconds: float, engine: str, form: str
+) -> None:
     """Prove every safety claim for every possible train movement."""
-    limits = Limits(search_depth=search_depth, search_s=search_seconds)
+    limits = Limits(search_depth=search_depth, search_s=search_seconds, engine=engine)
     if jobs > 1 and len(layouts) > 1:
         results = run_many(prove_file, [(p, limits) for p in layouts], jobs)
     else:

@@ -16,7 +16,7 @@ from enum import StrEnum
 
 from interlock.logic.expr import Expr, conj, neg, var
 from interlock.proof.encode import Cnf
-from interlock.proof.engines.z3_sat import Answer, Z3Sat
+from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import CLAIMS, Claim, Facts, Invariant, claims, strengthening
 from interlock.proof.search import search
 from interlock.proof.story import Story, tell
@@ -69,6 +69,7 @@ class Limits:
     """How long to try."""
 
     query_ms: int = 20_000
+    engine: str = "minisat"
     search_depth: int = 16
     search_s: float = 60.0
 
@@ -87,13 +88,13 @@ def inductive(system: System, limits: Limits, progress: Progress = quiet) -> tup
     while True:
         cnf = _hypotheses(system, kept)
         goals = [cnf.literal(system.after(i.expr)) for i in kept]
-        solver = Z3Sat(cnf, limits.query_ms)
+        sat = solver(limits.engine, cnf, limits.query_ms)
         failed: list[Invariant] = []
         for n, (inv, lit) in enumerate(zip(kept, goals, strict=True)):
             if n % 64 == 0:
                 progress("invariants", n, len(kept))
             obligations += 1
-            if solver.ask(-lit) is not Answer.UNSAT:
+            if sat.ask(-lit) is not Answer.UNSAT:
                 failed.append(inv)
         if not failed:
             return kept, dropped, obligations
@@ -121,12 +122,12 @@ def _base(system: System, invariants: list[Invariant], limits: Limits) -> tuple[
     cnf = Cnf()
     cnf.require(system.initial)
     goals = [cnf.literal(i.expr) for i in invariants]
-    solver = Z3Sat(cnf, limits.query_ms)
-    if solver.ask() is not Answer.SAT:
+    sat = solver(limits.engine, cnf, limits.query_ms)
+    if sat.ask() is not Answer.SAT:
         raise RuntimeError("the restart states contradict each other")
     kept, dropped = [], []
     for inv, lit in zip(invariants, goals, strict=True):
-        if solver.ask(-lit) is Answer.UNSAT:
+        if sat.ask(-lit) is Answer.UNSAT:
             kept.append(inv)
         else:
             dropped.append(f"{inv.id} at {inv.place} (at the restart)")
@@ -156,14 +157,14 @@ def open_claims(
     """The claims that do not follow from the invariants, and the seconds spent on each id."""
     cnf = _hypotheses(system, kept)
     literals = [cnf.literal(c.expr) for c in wanted]
-    solver = Z3Sat(cnf, limits.query_ms)
+    sat = solver(limits.engine, cnf, limits.query_ms)
     open_: dict[str, list[Claim]] = {}
     seconds: dict[str, float] = {}
     for n, (c, lit) in enumerate(zip(wanted, literals, strict=True)):
         if n % 32 == 0:
             progress("claims", n, len(wanted))
         began = time.monotonic()
-        if solver.ask(-lit) is not Answer.UNSAT:
+        if sat.ask(-lit) is not Answer.UNSAT:
             open_.setdefault(c.id, []).append(c)
         seconds[c.id] = seconds.get(c.id, 0.0) + time.monotonic() - began
     return open_, seconds
@@ -215,7 +216,7 @@ def _start(system: System, limits: Limits) -> ClaimResult:
     cnf = Cnf()
     cnf.require(system.initial)
     lit = cnf.literal(start_claim(system))
-    ok = Z3Sat(cnf, limits.query_ms).ask(-lit) is Answer.UNSAT
+    ok = solver(limits.engine, cnf, limits.query_ms).ask(-lit) is Answer.UNSAT
     return ClaimResult(
         "P-START",
         CLAIMS["P-START"],

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 from interlock.logic.expr import Expr, evaluate, neg, var, variables
 from interlock.proof.encode import Cnf
-from interlock.proof.engines.z3_sat import Answer, Z3Sat
+from interlock.proof.engines import Answer
+from interlock.proof.engines.z3_sat import Z3Sat
 from interlock.proof.invariants import Claim
 from interlock.proof.system import PRIME, System
 

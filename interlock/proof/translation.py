@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, iff, neg, var
 from interlock.proof.encode import Cnf
-from interlock.proof.engines.z3_sat import Answer, Z3Sat
+from interlock.proof.engines import Answer
+from interlock.proof.engines.z3_sat import Z3Sat
 from interlock.st.meaning import BadText, Execution, Symbol, Symbols, Term
 from interlock.st.parser import NotInSubset, parse_unit
 

@@ -1,1 +1,35 @@
-"""Solvers behind one small interface."""
+"""SAT engines behind one question: can the clauses hold together with some literals?
+
+MiniSat answers the many small questions of the induction; Z3 the searches, and on request (`--engine z3`) everything.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from interlock.proof.encode import Cnf
+from interlock.proof.engines.answer import Answer
+
+ENGINES = ("minisat", "z3")
+
+
+class Sat(Protocol):
+    """One solver over the clauses of a `Cnf`; queries are assumed literals."""
+
+    def ask(self, *literals: int) -> Answer:
+        """Whether the clauses can hold together with the literals."""
+        ...
+
+
+def solver(engine: str, cnf: Cnf, timeout_ms: int) -> Sat:
+    """A solver of the named engine; each is loaded only when it is used."""
+    if engine == "z3":
+        from interlock.proof.engines.z3_sat import Z3Sat
+
+        return Z3Sat(cnf, timeout_ms)
+    from interlock.proof.engines.minisat import MiniSat
+
+    return MiniSat(cnf)
+
+
+__all__ = ["ENGINES", "Answer", "Sat", "solver"]

@@ -2,19 +2,10 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
-
 import z3
 
 from interlock.proof.encode import Cnf
-
-
-class Answer(StrEnum):
-    """What a solver says about a query."""
-
-    UNSAT = "unsat"
-    SAT = "sat"
-    UNKNOWN = "unknown"
+from interlock.proof.engines.answer import Answer
 
 
 class Z3Sat:

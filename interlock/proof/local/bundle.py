@@ -2,6 +2,7 @@
 
 system.txt   definitions, assumptions, initial condition, invariants, claims with their sentences, one a line
 proof.txt    the shapes with their refutations, then for every goal its shape and facts; compressed (.xz)
+needed.txt   which term of the controller each claim rests on
 manifest.json   SHA-256 of both, of the layout file and of every emitted file, and of the manifest itself
 
 Expressions are written as `a`, `!a`, `(& a b)`, `(| a b)`; `T` and `F` are the constants.
@@ -21,7 +22,7 @@ from interlock.proof.invariants import CLAIMS
 from interlock.proof.local.engine import LocalProof
 from interlock.proof.local.facts import FactBase
 
-SYSTEM, PROOF, MANIFEST = "system.txt", "proof.txt.xz", "manifest.json"
+SYSTEM, PROOF, NEEDED, MANIFEST = "system.txt", "proof.txt.xz", "needed.txt", "manifest.json"
 
 
 def text(x: Expr) -> str:
