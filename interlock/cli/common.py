@@ -107,7 +107,6 @@ def proof_body(p: Proved) -> dict[str, Any]:
                     "id": c.id,
                     "verdict": str(c.verdict),
                     "sentence": c.sentence,
-                    "seconds": round(c.seconds, 4),
                     "places": c.places,
                     "open": list(c.open),
                     "story": list(c.story.steps) if c.story else None,

@@ -51,7 +51,9 @@ def command(
     layouts: tuple[str, ...], jobs: int, search_depth: int, search_seconds: float, engine: str, form: str
 ) -> None:
     """Prove every safety claim for every possible train movement."""
-    limits = Limits(search_depth=search_depth, search_s=search_seconds, engine=engine)
+    limits = Limits(
+        search_depth=search_depth, search_s=search_seconds, engine=engine, jobs=jobs if len(layouts) == 1 else 1
+    )
     if jobs > 1 and len(layouts) > 1:
         results = run_many(prove_file, [(p, limits) for p in layouts], jobs)
     else:

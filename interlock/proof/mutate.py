@@ -324,7 +324,7 @@ def judge(layout: Layout, kind: str, place: str, controller: Controller, limits:
     system = System(layout, controller)
     kept, _, _ = inductive(system, limits)
     wanted = claims(Facts(system))
-    open_, _ = open_claims(system, kept, wanted, limits)
+    open_ = open_claims(system, kept, wanted, limits)
     at_restart = [n for n in system.symbols.restart.values() if not _initial(controller, n)]
     failing = [*open_, *(["P-START"] if at_restart else [])]
     if not failing:

@@ -10,7 +10,7 @@ Every solver answer other than UNSAT counts against the claim.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -18,6 +18,7 @@ from interlock.logic.expr import Expr, conj, neg, var
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import CLAIMS, Claim, Facts, Invariant, claims, strengthening
+from interlock.proof.parts import decide
 from interlock.proof.search import search
 from interlock.proof.story import Story, tell
 from interlock.proof.system import System
@@ -43,7 +44,6 @@ class ClaimResult:
     verdict: Verdict
     places: int
     open: tuple[str, ...]
-    seconds: float
     story: Story | None = None
 
 
@@ -70,6 +70,7 @@ class Limits:
 
     query_ms: int = 20_000
     engine: str = "minisat"
+    jobs: int = 1
     search_depth: int = 16
     search_s: float = 60.0
 
@@ -86,21 +87,27 @@ def inductive(system: System, limits: Limits, progress: Progress = quiet) -> tup
     obligations = len(kept)
     kept, dropped = _base(system, kept, limits)
     while True:
-        cnf = _hypotheses(system, kept)
-        goals = [cnf.literal(system.after(i.expr)) for i in kept]
-        sat = solver(limits.engine, cnf, limits.query_ms)
-        failed: list[Invariant] = []
-        for n, (inv, lit) in enumerate(zip(kept, goals, strict=True)):
-            if n % 64 == 0:
-                progress("invariants", n, len(kept))
-            obligations += 1
-            if sat.ask(-lit) is not Answer.UNSAT:
-                failed.append(inv)
+        goals = [system.after(i.expr) for i in kept]
+        proved = _decide(system, kept, goals, limits, "invariants", progress)
+        obligations += len(kept)
+        failed = [i for i, ok in zip(kept, proved, strict=True) if not ok]
         if not failed:
             return kept, dropped, obligations
         dropped += [f"{i.id} at {i.place}" for i in failed]
         gone = set(map(id, failed))
         kept = [i for i in kept if id(i) not in gone]
+
+
+def _decide(
+    system: System, kept: Sequence[Invariant], goals: Sequence[Expr], limits: Limits, stage: str, progress: Progress
+) -> list[bool]:
+    """Which goals follow, in one step, from the invariants."""
+    hypotheses = [i.expr for i in kept]
+
+    def report(done: int, total: int) -> None:
+        progress(stage, done, total)
+
+    return decide(system, hypotheses, goals, limits.engine, limits.query_ms, limits.jobs, report)
 
 
 def prove(system: System, limits: Limits | None = None, progress: Progress = quiet) -> ProofResult:
@@ -134,46 +141,21 @@ def _base(system: System, invariants: list[Invariant], limits: Limits) -> tuple[
     return kept, dropped
 
 
-def step_cnf(system: System) -> Cnf:
-    """Clauses in which every name of a step has its meaning."""
-    cnf = Cnf()
-    for name, x in system.definitions.items():
-        cnf.define(name, x)
-    return cnf
-
-
-def _hypotheses(system: System, invariants: list[Invariant]) -> Cnf:
-    cnf = step_cnf(system)
-    for i in invariants:
-        cnf.require(i.expr)
-    for a in system.assumptions:
-        cnf.require(a.expr)
-    return cnf
-
-
 def open_claims(
     system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress = quiet
-) -> tuple[dict[str, list[Claim]], dict[str, float]]:
-    """The claims that do not follow from the invariants, and the seconds spent on each id."""
-    cnf = _hypotheses(system, kept)
-    literals = [cnf.literal(c.expr) for c in wanted]
-    sat = solver(limits.engine, cnf, limits.query_ms)
+) -> dict[str, list[Claim]]:
+    """The claims that do not follow from the invariants."""
     open_: dict[str, list[Claim]] = {}
-    seconds: dict[str, float] = {}
-    for n, (c, lit) in enumerate(zip(wanted, literals, strict=True)):
-        if n % 32 == 0:
-            progress("claims", n, len(wanted))
-        began = time.monotonic()
-        if sat.ask(-lit) is not Answer.UNSAT:
+    for c, ok in zip(wanted, _decide(system, kept, [c.expr for c in wanted], limits, "claims", progress), strict=True):
+        if not ok:
             open_.setdefault(c.id, []).append(c)
-        seconds[c.id] = seconds.get(c.id, 0.0) + time.monotonic() - began
-    return open_, seconds
+    return open_
 
 
 def _claims(
     system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress
 ) -> list[ClaimResult]:
-    open_, seconds = open_claims(system, kept, wanted, limits, progress)
+    open_ = open_claims(system, kept, wanted, limits, progress)
     places: dict[str, int] = {}
     for c in wanted:
         places[c.id] = places.get(c.id, 0) + 1
@@ -194,7 +176,6 @@ def _claims(
                 verdict,
                 places.get(id_, 0),
                 tuple(c.place for c in open_.get(id_, ())),
-                seconds.get(id_, 0.0),
                 story,
             )
         )
@@ -212,7 +193,6 @@ def start_claim(system: System) -> Expr:
 
 def _start(system: System, limits: Limits) -> ClaimResult:
     """The restart: nothing commanded, all signals at stop, every section locked."""
-    began = time.monotonic()
     cnf = Cnf()
     cnf.require(system.initial)
     lit = cnf.literal(start_claim(system))
@@ -223,5 +203,4 @@ def _start(system: System, limits: Limits) -> ClaimResult:
         Verdict.PROVED if ok else Verdict.UNKNOWN,
         1,
         () if ok else ("restart",),
-        time.monotonic() - began,
     )

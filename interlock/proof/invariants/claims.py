@@ -67,6 +67,13 @@ def signal_paths(f: Facts, g: SignalId, shunt: bool = False) -> list[SignalPath]
 
     A shunting movement obeys every signal, stops in the first berth, and does not leave over a boundary.
     """
+    known = f.paths.get((g, shunt))
+    if known is None:
+        known = f.paths[g, shunt] = _search_paths(f, g, shunt)
+    return known
+
+
+def _search_paths(f: Facts, g: SignalId, shunt: bool) -> list[SignalPath]:
     signal = f.layout.signal[g]
     stops = f.topo.signal_into if shunt else f.topo.main_into
     found: list[SignalPath] = []
@@ -179,39 +186,63 @@ def _flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 # --- signals -------------------------------------------------------------------------------------
 
 
-def _conflict(f: Facts, a: SignalPath, b: SignalPath) -> str | None:
-    of_b = {t.section: t for t in b.ways}
+@dataclass(frozen=True)
+class Ground:
+    """What a path takes: sections, arms of diamonds, points passed beside a foul joint, foul joints touched."""
+
+    ways: dict[SectionId, Traversal]
+    arms: frozenset[tuple[str, int]]
+    over: frozenset[FoulJoint]
+    near: frozenset[FoulJoint]
+    lies: Expr
+
+
+def _ground(f: Facts, path: SignalPath, fouls: dict[str, list[FoulJoint]], near: dict[str, list[FoulJoint]]) -> Ground:
+    ways = {t.section: t for t in path.ways}
+    over = {fj for t in path.ways for p, x in t.points for fj in fouls.get(p, ()) if x is not fj.leg}
+    close = {fj for t in path.ways for fj in near.get(t.section, ()) if fj.when is None or fj.node in (t.entry, t.exit)}
+    arms = frozenset(a for t in path.ways for a in t.crossings)
+    return Ground(ways, arms, frozenset(over), frozenset(close), lie(f, path.ways))
+
+
+def _conflict(a: Ground, b: Ground) -> str | None:
     hostile = False
-    for t in a.ways:
-        if t.section in of_b:
-            x = of_b[t.section]
+    small, large = (a.ways, b.ways) if len(a.ways) <= len(b.ways) else (b.ways, a.ways)
+    for s, t in small.items():
+        x = large.get(s)
+        if x is not None:
             if t.entry == x.exit or t.exit == x.entry:
                 return "S-OPPOSING"
             hostile = True
-        for c, arm in t.crossings:
-            hostile = hostile or any((c, 1 - arm) in x.crossings for x in b.ways)
-    for fj in foul_joints(f.layout):
-        for one, other in ((a, b), (b, a)):
-            over = any(p == fj.point and q is not fj.leg for t in one.ways for p, q in t.points)
-            near = (t.section == fj.neighbour and (fj.when is None or fj.node in (t.entry, t.exit)) for t in other.ways)
-            hostile = hostile or (over and any(near))
+    hostile = hostile or any((c, 1 - arm) in b.arms for c, arm in a.arms)
+    hostile = hostile or not a.over.isdisjoint(b.near) or not b.over.isdisjoint(a.near)
     return "S-HOSTILE" if hostile else None
 
 
 def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     shown = [(g.id, k) for g in f.layout.signals for k in f.functions(g.id)]
-    paths = {x: signal_paths(f, *x) for x in shown}
-    for i, x in enumerate(shown):
-        for y in shown[i + 1 :]:
-            bad: dict[str, list[Expr]] = {}
-            for a in paths[x]:
-                for b in paths[y]:
-                    kind = _conflict(f, a, b)
-                    if kind is not None:
-                        bad.setdefault(kind, []).append(conj((lie(f, a.ways), lie(f, b.ways))))
-            for kind, ways in sorted(bad.items()):
-                both = conj((f.sym.signal(*x), f.sym.signal(*y), disj(ways)))
-                yield kind, f"{_who(*x)}/{_who(*y)}", neg(both)
+    fouls: dict[str, list[FoulJoint]] = {}
+    near: dict[str, list[FoulJoint]] = {}
+    for fj in foul_joints(f.layout):
+        fouls.setdefault(fj.point, []).append(fj)
+        near.setdefault(fj.neighbour, []).append(fj)
+    grounds = [[_ground(f, p, fouls, near) for p in signal_paths(f, *x)] for x in shown]
+    users: dict[object, set[int]] = {}
+    for i, gs in enumerate(grounds):
+        for g in gs:
+            for thing in (*g.ways, *(c for c, _ in g.arms), *g.over, *g.near):
+                users.setdefault(thing, set()).add(i)
+    candidates = {(i, j) for those in users.values() for i in those for j in those if i < j}
+    for i, j in sorted(candidates):
+        bad: dict[str, list[Expr]] = {}
+        for a in grounds[i]:
+            for b in grounds[j]:
+                kind = _conflict(a, b)
+                if kind is not None:
+                    bad.setdefault(kind, []).append(conj((a.lies, b.lies)))
+        for kind, ways in sorted(bad.items()):
+            both = conj((f.sym.signal(*shown[i]), f.sym.signal(*shown[j]), disj(ways)))
+            yield kind, f"{_who(*shown[i])}/{_who(*shown[j])}", neg(both)
 
 
 def _who(g: SignalId, shunt: bool) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 from interlock.logic.controller import Symbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
@@ -61,6 +61,10 @@ class Facts:
         self.layout = system.layout
         self.topo = system.topo
         self.sym = system.symbols
+        self.paths: dict[tuple[SignalId, bool], list[Any]] = {}
+        self._locks: dict[str, list[tuple[int, Expr]]] = {}
+        for (sec, n), name in sorted(self.sym.lock.items()):
+            self._locks.setdefault(sec, []).append((n, var(name)))
         self._overlaps: dict[str, list[tuple[int, Expr]]] = {}
         for option, name in self.sym.overlap.items():
             for s, n in self.sym.overlap_ways[option]:
@@ -72,7 +76,7 @@ class Facts:
 
     def locks(self, s: str) -> list[tuple[int, Expr]]:
         """All locks of a section."""
-        return [(n, var(name)) for (sec, n), name in sorted(self.sym.lock.items()) if sec == s]
+        return self._locks.get(s, [])
 
     def clear(self, s: str) -> Expr:
         """Reported clear; never, without detection."""
