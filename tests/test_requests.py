@@ -5,9 +5,8 @@ from __future__ import annotations
 import pytest
 
 from interlock.derive.voyages import deadlocks
-from interlock.model.elements import SectionId
+from interlock.model.elements import MachineId, Position, SectionId
 from interlock.proof.system import System
-from interlock.proof.witness import _leaves
 from interlock.sim.run import Simulator
 from tests.layouts import built, grown
 
@@ -62,6 +61,14 @@ def steps(sim: Simulator, count: int, events: tuple[str, ...] = (), **inputs: in
             {n for n, v in sim.state.items() if v} | {o.name for o in sim.controller.outputs if on(sim, o.name)}
         )
     return seen
+
+
+def _leaves(sim: Simulator, event: str) -> bool:
+    """A machine leaves a position because it is commanded away."""
+    if not event.startswith("start."):
+        return False
+    _, m, x = event.split(".")
+    return sim.is_on(sim.controller.symbols.command[MachineId(m), Position(x).other])
 
 
 def on(sim: Simulator, output: str) -> bool:

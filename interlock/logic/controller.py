@@ -166,6 +166,14 @@ class Symbols:
     excluded: Mapping[tuple[SectionId, int], tuple[tuple[SectionId, bool, tuple[int, ...]], ...]]
     ends: Mapping[SectionId, tuple[NodeId, ...]]
 
+    @cached_property
+    def locks_of(self) -> dict[SectionId, list[tuple[int, str]]]:
+        """The locks of each section: number and name."""
+        out: dict[SectionId, list[tuple[int, str]]] = {}
+        for (s, n), name in self.lock.items():
+            out.setdefault(s, []).append((n, name))
+        return out
+
     def signal(self, g: SignalId, shunt: bool = False) -> Expr:
         """Whether the controller shows proceed at a signal: to trains, or to shunting movements."""
         return disj(var(r.proceed) for r in self.routes if r.entry == g and r.shunt is shunt)

@@ -7,14 +7,16 @@ to safety proofs).
 
 from __future__ import annotations
 
+from collections.abc import Generator
 from dataclasses import dataclass
+from functools import partial
 
 from interlock.logic.controller import RouteSymbols
-from interlock.model.elements import MachineId, NodeId, Position, SectionId
+from interlock.model.elements import NodeId, Position, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology
 from interlock.proof.system import System
-from interlock.sim.run import Simulator
+from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Wish
 
 MAX_STEPS = 400
 
@@ -30,106 +32,143 @@ class Witness:
 
 
 def witnesses(system: System) -> tuple[Witness, ...]:
-    """A run for each route."""
-    sim = Simulator(system.controller, system.plant)
-    return tuple(_drive(system, sim, r) for r in system.symbols.routes)
+    """A run for each route, all of them side by side.
+
+    First with a train that has stood before the signal since the restart (into a berth a second time, with vehicles
+    standing there); where that fails, with a train that came there under another route.
+    """
+    routes = system.symbols.routes
+    lanes = Lanes(system.controller, system.plant)
+    first = _attempt(system, lanes, [(r, "", ()) for r in routes])
+    again = [r for r, (failure, _) in zip(routes, first, strict=True) if failure is None and r.berth is not None]
+    second = dict(zip((r.id for r in again), _attempt(system, lanes, [(r, _berth(r), ()) for r in again]), strict=True))
+    failed = [r for r, (failure, _) in zip(routes, first, strict=True) if failure is not None]
+    tries = [
+        (r, before) for r in failed for before in routes if (before.berth or before.ways[-1])[0] == _before(system, r)
+    ]
+    third = _attempt(system, lanes, [(before, "", (r,)) for r, before in tries])
+    out = []
+    for r, (failure, steps) in zip(routes, first, strict=True):
+        came = [(b, n) for (x, b), (why, n) in zip(tries, third, strict=True) if x is r and why is None]
+        if failure is not None and came:
+            out.append(Witness(r.id, True, came[0][1], f"set, driven and released, coming over {came[0][0].id}"))
+        elif failure is not None:
+            out.append(Witness(r.id, False, steps, failure))
+        elif r.id in second and second[r.id][0] is not None:
+            out.append(Witness(r.id, False, steps, f"with vehicles standing in {_berth(r)}: {second[r.id][0]}"))
+        else:
+            out.append(Witness(r.id, True, steps + second.get(r.id, (None, 0))[1], "set, driven and released"))
+    return tuple(out)
 
 
-def _drive(system: System, sim: Simulator, r: RouteSymbols) -> Witness:
-    """First with a train that has stood before the signal since the restart; if that is refused, with a train that
-    came there under another route."""
-    failure = _start(system, sim, r) or _run(system, sim, r)
-    if failure is None and r.berth is not None:
-        steps = sim.count
-        failure = _start(system, sim, r, berth=r.berth[0]) or _run(system, sim, r)
-        if failure is not None:
-            return Witness(r.id, False, sim.count, f"with vehicles standing in {r.berth[0]}: {failure}")
-        sim.count += steps
-    if failure is None:
-        return Witness(r.id, True, sim.count, "set, driven and released")
-    rear = _rear(system.layout, system.topo, system.layout.signal[r.entry].node, r.ways[0][0])
-    for before in system.symbols.routes:
-        if (before.berth or before.ways[-1])[0] != rear:
-            continue
-        if (
-            _start(system, sim, before) is None
-            and _run(system, sim, before) is None
-            and _run(system, sim, r, turning=rear) is None
-        ):
-            return Witness(r.id, True, sim.count, f"set, driven and released, coming over {before.id}")
-    return Witness(r.id, False, sim.count, failure)
+def _berth(r: RouteSymbols) -> str:
+    return r.berth[0] if r.berth is not None else ""
 
 
-def _start(system: System, sim: Simulator, r: RouteSymbols, berth: str = "") -> str | None:
-    """A restart with one train before the signal (and vehicles standing in a berth), every clear section released;
-    says what is impossible."""
+def _before(system: System, r: RouteSymbols) -> str:
+    return _rear(system.layout, system.topo, system.layout.signal[r.entry].node, r.ways[0][0])
+
+
+Run = tuple[RouteSymbols, str, tuple[RouteSymbols, ...]]
+"""A route, a berth in which vehicles stand, and routes that the same train takes afterwards."""
+
+
+def _attempt(system: System, lanes: Lanes, runs: list[Run]) -> list[tuple[str | None, int]]:
+    """What went wrong in each run, or None, and the number of scans."""
+    starts = [_start(system, r, berth) for r, berth, _ in runs]
+    drivable = [n for n, s in enumerate(starts) if not isinstance(s, str)]
+    found = lanes.run(
+        [s for s in starts if not isinstance(s, str)], [partial(_journey, system, *runs[n]) for n in drivable]
+    )
+    done = dict(zip(drivable, found, strict=True))
+    return [done.get(n, (s if isinstance(s, str) else None, 0)) for n, s in enumerate(starts)]
+
+
+def _journey(system: System, r: RouteSymbols, berth: str, onward: tuple[RouteSymbols, ...], lane: Lane) -> Driver:
+    """Release every clear section after the restart, then drive."""
+    del berth
+    for _ in range(2):
+        yield Wish((), {"RELALL": 1})
+    failure = yield from _run(system, lane, r)
+    for after in onward:
+        if failure is None:
+            failure = yield from _run(system, lane, after, turning=_before(system, after))
+    return failure
+
+
+def _start(system: System, r: RouteSymbols, berth: str) -> dict[str, int] | str:
+    """A restart with one train before the signal (and vehicles standing in a berth), or what is impossible."""
     node = system.layout.signal[r.entry].node
     state = _lying(system, r)
-    standing = _stand(system, _rear(system.layout, system.topo, node, r.ways[0][0]), node)
+    standing = _stand(system, _before(system, r), node)
     if standing is None:
         return f"no train can stand before {r.entry}"
     if any(state.get(name, value) != value for name, value in standing.items()):
         return f"a train before {r.entry} stands on points that the route needs otherwise"
     there = f"in.{berth}.{system.topo.ends[SectionId(berth)][0]}" if berth else ""
     parked = {f"o.{berth}": 1, f"rest.{berth}": 1, there: 1} if berth else {}
-    sim.reset(state | standing | parked)
-    sim.step((), {"RELALL": 1})
-    sim.step((), {"RELALL": 1})
-    return None
+    return state | standing | parked
 
 
-def _run(system: System, sim: Simulator, r: RouteSymbols, turning: str = "") -> str | None:
+def _run(system: System, lane: Lane, r: RouteSymbols, turning: str = "") -> Driver:
     """Set the route, drive it with the train before its signal, and wait for the release behind it."""
     layout, topo = system.layout, system.topo
     signal = layout.signal[r.entry]
-
-    def until(wanted: str, events: tuple[str, ...] = (), request: int = 0, limit: int = 12) -> bool:
-        for _ in range(limit):
-            moves = [e for e in sim.possible() if e.startswith("arrive.") or _leaves(sim, e)]
-            sim.step((*events, *moves), {system.symbols.request: request})
-            if sim.is_on(wanted):
-                return True
-        return False
-
     if turning:
-        turns = [e for e in sim.possible() if e.startswith(f"turn.{turning}.{signal.node}.")]
-        sim.step(turns)
-    if not until(r.active, request=r.number, limit=2):
-        return "the request is refused: " + _not(sim, f"G_R{r.number}")
-    if not until(r.proceed):
-        return "the signal does not open: " + _not(sim, f"LK_R{r.number}")
+        turns = tuple(e for e in system.plant.events if e.startswith(f"turn.{turning}.{signal.node}."))
+        yield Wish(turns)
+    if not (yield from _until(lane, r.active, Wish((), {system.symbols.request: r.number}), 2)):
+        return "the request is refused: " + _not(lane, f"G_R{r.number}")
+    if not (yield from _until(lane, r.proceed)):
+        return "the signal does not open: " + _not(lane, f"LK_R{r.number}")
     go, accept = ("gos", "accepts") if r.shunt else ("go", "accept")
-    if not until(f"{go}.{r.entry}", (f"{accept}.{r.entry}",)):
+    if not (yield from _until(lane, f"{go}.{r.entry}", Wish((f"{accept}.{r.entry}",)))):
         return "no train can accept the signal"
     place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
     ways = r.ways if r.berth is None else (*r.ways, r.berth)
     for section, number in ways:
-        if not until(f"o.{section}", (f"head.{joint}.{place}",)):
+        if not (yield from _until(lane, f"o.{section}", Wish((f"head.{joint}.{place}",)))):
             return f"the train cannot enter {section}"
-        if not _until_off(sim, f"x.{joint}.{place}", f"tail.{joint}.{place}"):
+        if not (yield from _until_off(lane, f"x.{joint}.{place}", f"tail.{joint}.{place}")):
             return f"the train's tail does not leave {place}"
         place, joint = section, topo.traversals[section][number - 1].exit
     leaves = joint in layout.boundary_at and not r.shunt
     if leaves:
-        if not until(f"x.{joint}.{place}", (f"head.{joint}.{place}",)):
+        if not (yield from _until(lane, f"x.{joint}.{place}", Wish((f"head.{joint}.{place}",)))):
             return f"the train cannot leave at {joint}"
-        if not _until_off(sim, f"o.{place}", f"tail.{joint}.{place}"):
+        if not (yield from _until_off(lane, f"o.{place}", f"tail.{joint}.{place}")):
             return f"the train's tail does not leave {place}"
     keep = set(layout.undetected) if leaves else {place, *layout.undetected}
+    near = [s for s in topo.sections if s not in keep]
     for _ in range(MAX_STEPS):
-        left = [s for s in topo.sections if s not in keep and _held(system, sim, s)]
-        if not left:
+        near = [s for s in near if _held(system, lane, s)]
+        if not near:
             break
-        sim.step(())
+        yield NOTHING
     else:
-        return f"{', '.join(left)} stay locked behind the train"
-    if sim.hazards or sim.broken:
-        return f"the run meets {', '.join(sim.hazards + sim.broken)}"
-    return None
+        return f"{', '.join(near)} stay locked behind the train"
+    troubles = lane.troubles()
+    return f"the run meets {', '.join(troubles)}" if troubles else None
 
 
-def _not(sim: Simulator, equation: str) -> str:
-    return "; ".join("not " + t for t in sim.missing(equation)) or "a condition came and went"
+def _until(lane: Lane, wanted: str, wish: Wish = NOTHING, limit: int = 12) -> Generator[Wish, None, bool]:
+    for _ in range(limit):
+        yield wish
+        if lane.is_on(wanted):
+            return True
+    return False
+
+
+def _until_off(lane: Lane, name: str, event: str) -> Generator[Wish, None, bool]:
+    for _ in range(12):
+        if not lane.is_on(name):
+            return True
+        yield Wish((event,))
+    return not lane.is_on(name)
+
+
+def _not(lane: Lane, equation: str) -> str:
+    return "; ".join("not " + t for t in lane.missing(equation)) or "a condition came and went"
 
 
 def _lying(system: System, r: RouteSymbols) -> dict[str, int]:
@@ -141,25 +180,9 @@ def _lying(system: System, r: RouteSymbols) -> dict[str, int]:
     return state
 
 
-def _held(system: System, sim: Simulator, s: SectionId) -> bool:
-    names = [name for (sec, _), name in system.symbols.lock.items() if sec == s]
-    return any(sim.is_on(n) for n in [system.symbols.restart[s], *names])
-
-
-def _leaves(sim: Simulator, event: str) -> bool:
-    """A machine leaves a position because it is commanded away."""
-    if not event.startswith("start."):
-        return False
-    _, m, x = event.split(".")
-    return sim.is_on(sim.controller.symbols.command[MachineId(m), Position(x).other])
-
-
-def _until_off(sim: Simulator, name: str, event: str) -> bool:
-    for _ in range(12):
-        if not sim.is_on(name):
-            return True
-        sim.step((event,))
-    return not sim.is_on(name)
+def _held(system: System, lane: Lane, s: SectionId) -> bool:
+    names = [t[1] for t in system.symbols.locks_of.get(s, ())]
+    return any(lane.is_on(n) for n in [system.symbols.restart[s], *names])
 
 
 def _rear(layout: Layout, topo: Topology, node: NodeId, first: SectionId) -> str:

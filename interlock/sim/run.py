@@ -23,7 +23,7 @@ class Simulator:
         self._move = compile_exprs({n: e for n, e in flat.next.items() if not n.startswith("img.")})
         self._timers = [
             (group, compile_exprs({t.name: controller.expanded[t.input] for t in group}))
-            for group in _independent(controller)
+            for group in independent(controller)
         ]
         self._next = compile_exprs(controller.next_state)
         self._rules = compile_exprs({f"{i}": x for i, (_, x) in enumerate(flat.assumptions)})
@@ -109,7 +109,7 @@ class Simulator:
                     values[t.name] = 0
 
 
-def _independent(controller: Controller) -> list[list[Timer]]:
+def independent(controller: Controller) -> list[list[Timer]]:
     """The timers in order, in groups of which no input reads a timer of the same group."""
     groups: list[list[Timer]] = []
     names: set[str] = set()

@@ -1,0 +1,188 @@
+"""Many runs of one controller and plant side by side: every variable is a vector with a bit for each run.
+
+A run is a generator: it yields what it wants of the next step and looks at its own bit in between.  Machines that are
+commanded away move by themselves.  All runs begin at the restart and take their steps together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from interlock.logic.bits import compile_bits
+from interlock.logic.controller import Controller
+from interlock.logic.expr import Substitution, evaluate
+from interlock.logic.plant import Plant
+from interlock.sim.run import independent
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What a run wants of a step: events, and inputs that differ from an undisturbed railway; numbers for ranges."""
+
+    events: tuple[str, ...] = ()
+    inputs: Mapping[str, int] = field(default_factory=dict)
+
+
+NOTHING = Wish()
+Driver = Generator[Wish, None, str | None]
+"""A run: yields wishes; returns None when it went well, or what went wrong."""
+
+
+class Lane:
+    """One run's view of the railway."""
+
+    def __init__(self, lanes: Lanes, number: int) -> None:
+        self.lanes = lanes
+        self.bit = 1 << number
+        self.count = 0
+
+    def is_on(self, name: str) -> bool:
+        """A state variable."""
+        return bool(self.lanes.state[name] & self.bit)
+
+    def troubles(self) -> list[str]:
+        """Hazards and broken assumptions so far."""
+        return [n for n, v in self.lanes.troubles.items() if v & self.bit]
+
+    def missing(self, equation: str) -> list[str]:
+        """The terms of an equation that were false in the last step, in words."""
+        controller = self.lanes.controller
+        found = next(e for e in controller.equations if e.name == equation)
+        sub = Substitution(controller.expanded)
+        memo: dict[int, bool] = {}
+
+        def value(name: str) -> int:
+            size = self.lanes.sizes.get(name)
+            if size is None:
+                return int(bool(self.lanes.last.get(name, 0) & self.bit))
+            return next((k for k in range(1, size) if self.lanes.last[f"{name}={k}"] & self.bit), 0)
+
+        return [t.note or t.kind for t in found.terms if not evaluate(sub(t.expr), value, memo)]
+
+
+class Lanes:
+    """The runs.  Compile once, then `run` batch after batch."""
+
+    def __init__(self, controller: Controller, plant: Plant, dt_ms: int = 1000) -> None:
+        self.controller, self.plant, self.dt_ms = controller, plant, dt_ms
+        flat = plant.flat
+        sym = controller.symbols
+        self.sizes = {i.name: i.size for i in controller.inputs if i.size}
+        self._rest = {i.name: i.restrictive for i in controller.inputs}
+        self._moves = {f"?start.{m}.{x}": sym.command[m, x.other] for m, x in sym.command}
+        self._arrivals = [c for c in plant.choices if c.startswith("?arrive.")]
+        self._move = compile_bits({n: e for n, e in flat.next.items() if n.startswith(("o.", "at."))})
+        self._timers = [
+            (group, compile_bits({t.name: controller.expanded[t.input] for t in group}))
+            for group in independent(controller)
+        ]
+        roots = flat.next | controller.next_state
+        self._next = compile_bits(roots)
+        self._rules = compile_bits({f"{i} {x[0]}": x[1] for i, x in enumerate(flat.assumptions)})
+        self._hazards = compile_bits(dict(flat.hazards))
+        self.state: dict[str, int] = {}
+        self.last: dict[str, int] = {}
+        self.troubles: dict[str, int] = {}
+
+    def run(
+        self, starts: Sequence[Mapping[str, int]], drivers: Sequence[Callable[[Lane], Driver]]
+    ) -> list[tuple[str | None, int]]:
+        """Each driver's outcome and number of steps; what a start does not name is an empty railway, points normal."""
+        self.mask = (1 << len(starts)) - 1
+        self.state = {s.name: self.mask * int(s.initial) for s in self.controller.state}
+        self.state |= dict.fromkeys(self.plant.next, 0)
+        for name in self.plant.state:
+            if name.startswith("img.") or (name.startswith("at.") and name.endswith(".N")):
+                self.state[name] = self.mask
+        for number, start in enumerate(starts):
+            for name, value in start.items():
+                bit = 1 << number
+                self.state[name] = self.state[name] | bit if value else self.state[name] & ~bit
+        self.troubles = {}
+        self._running: dict[str, list[tuple[int, int]]] = {t.name: [] for t in self.controller.timers}
+        self._clock = 0
+        lanes = [Lane(self, n) for n in range(len(starts))]
+        runs: list[Driver] = [d(lane) for d, lane in zip(drivers, lanes, strict=True)]
+        outcomes: list[tuple[str | None, int]] = [(None, 0)] * len(starts)
+        wishes: dict[int, Wish] = {}
+        active = dict.fromkeys(range(len(starts)))
+        while active:
+            for n in list(active):
+                try:
+                    wishes[n] = next(runs[n])
+                except StopIteration as end:
+                    outcomes[n] = (end.value, lanes[n].count)
+                    wishes.pop(n, None)
+                    del active[n]
+            if active:
+                self._step([(lanes[n], wishes[n]) for n in active])
+        return outcomes
+
+    def _step(self, wanted: list[tuple[Lane, Wish]]) -> None:
+        sym = self.controller.symbols
+        m = self.mask
+        values = dict(self.state)
+        values |= dict.fromkeys(self.plant.choices, 0)
+        for i in self.controller.inputs:
+            if i.size:
+                values |= {f"{i.name}={k}": 0 for k in range(i.size)}
+                values[f"{i.name}={i.restrictive}"] = m
+            else:
+                values[i.name] = m * i.restrictive
+        values |= dict.fromkeys((t.name for t in self.controller.timers), 0)
+        for choice, command in self._moves.items():
+            values[choice] = self.state[command]
+        values |= dict.fromkeys(self._arrivals, m)
+        for lane, wish in wanted:
+            lane.count += 1
+            for e in wish.events:
+                if "?" + e in values:
+                    values["?" + e] |= lane.bit
+        moved = self._move(values, m)
+        for s, name in sym.clear.items():
+            values[name] = m ^ moved.get(f"o.{s}", 0)
+        for (machine, x), name in sym.detected.items():
+            values[name] = moved[f"at.{machine}.{x}"]
+        values[sym.valid] = m
+        values |= dict.fromkeys(sym.blocked.values(), 0)
+        lamps = (*sym.stop_lamp.values(), *sym.clear_lamp.values(), *sym.caution_lamp.values())
+        values |= dict.fromkeys((*sym.condition.values(), *lamps), m)
+        for lane, wish in wanted:
+            for name, value in wish.inputs.items():
+                if name in self.sizes:
+                    values[f"{name}={self._rest[name]}"] &= ~lane.bit
+                    values[f"{name}={value}"] |= lane.bit
+                else:
+                    values[name] = values[name] | lane.bit if value else values[name] & ~lane.bit
+        self._run_timers(values)
+        after = self._next(values, m)
+        for name, ok in self._rules(values, m).items():
+            if ok != m:
+                self.troubles[name.split(" ", 1)[1]] = self.troubles.get(name.split(" ", 1)[1], 0) | (m ^ ok)
+        for name, bad in self._hazards(values, m).items():
+            if bad:
+                self.troubles[name] = self.troubles.get(name, 0) | bad
+        self.last = values
+        self.state = {**self.state, **after}
+        self._clock += 1
+
+    def _run_timers(self, values: dict[str, int]) -> None:
+        for group, inputs in self._timers:
+            running = inputs(values, self.mask)
+            for t in group:
+                on = running[t.name]
+                need = -(-t.preset_ms // self.dt_ms)
+                going = [(began, both) for began, lanes in self._running[t.name] if (both := lanes & on)]
+                fresh = on
+                over = 0
+                for began, lanes in going:
+                    fresh &= ~lanes
+                    if self._clock - began + 1 >= need:
+                        over |= lanes
+                if fresh:
+                    going.append((self._clock, fresh))
+                    if need <= 1:
+                        over |= fresh
+                self._running[t.name] = going
+                values[t.name] = over
