@@ -108,13 +108,14 @@ class _Build(Transformer[Token, Unit]):
 @lru_cache(maxsize=1)
 def _parser() -> Lark:
     grammar = resources.files("interlock.st").joinpath("st.lark").read_text("utf-8")
-    return Lark(grammar, parser="lalr", maybe_placeholders=True)
+    return Lark(grammar, parser="lalr", maybe_placeholders=True, transformer=_Build())
 
 
 def parse_unit(text: str) -> Unit:
     """The tree of a text; raises `NotInSubset`."""
     try:
-        tree = _parser().parse(text)
+        unit = _parser().parse(text)
     except UnexpectedInput as error:
         raise NotInSubset(f"line {error.line}, column {error.column}: {str(error).splitlines()[0]}") from None
-    return _Build().transform(tree)
+    assert isinstance(unit, Unit)
+    return unit
