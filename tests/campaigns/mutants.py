@@ -40,6 +40,7 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=40.0)
     parser.add_argument("-j", "--jobs", type=int, default=2)
     args = parser.parse_args()
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
     jobs = [(path, kind.name, args.sample, args.seconds) for kind in KINDS for path in LAYOUTS]
     found: dict[str, list[tuple[str, Outcome]]] = {k.name: [] for k in KINDS}
     with ProcessPoolExecutor(args.jobs) as pool:
@@ -47,7 +48,6 @@ def main() -> int:
             name = path.split("/")[-1].removesuffix(".yaml")
             found[kind] += [(name, o) for o in outcomes]
             print(".", end="", file=sys.stderr, flush=True)
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
     print("# Mutants\n")
     print(
         f"`python -m tests.campaigns.mutants --sample {args.sample}` at commit {commit.stdout.strip()}, "
