@@ -12,6 +12,9 @@ from hypothesis import strategies as st
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Controller
 from interlock.logic.eval import Machine
+from interlock.proof.invariants import Facts, claims
+from interlock.proof.mutate import KINDS
+from interlock.proof.search import search
 from interlock.proof.system import System
 from interlock.sim.run import Simulator
 from interlock.st.lower import lower_st
@@ -102,3 +105,27 @@ def test_a_missing_or_impossible_input_takes_its_restrictive_value() -> None:
     assert not out["YP_X1"] and out["YS_X1"]
     three.scan({**clear, "REQ": 99}, 100)  # no such route: nothing is granted
     assert not any(three.reference.state[r.active] for r in controller.symbols.routes if r.number != 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [
+        ("refuted/wrong_waiver", ""),
+        ("fig2_2", "point-missing"),
+        ("fig2_2", "release-occupied"),
+        ("fig2_2", "two-grants"),
+    ],
+)
+def test_counterexamples_replay_on_interpreter_runtime_and_text(name: str, kind: str) -> None:
+    """What the search found is what all three forms of that controller do, scan by scan."""
+    layout, table, controller = built(name)
+    if kind:
+        _, controller = next(next(k for k in KINDS if k.name == kind).make(layout, table))
+    system = System(layout, controller)
+    run = search(system, [c for c in claims(Facts(system)) if c.id.startswith("T-")], 14, 60)
+    assert run is not None and len(run.frames) > 3
+    three = Three(controller)
+    for frame, following in zip(run.frames, run.frames[1:], strict=False):
+        over = any(frame.inputs[t.name] for t in controller.timers)
+        three.scan({i.name: frame.inputs[i.name] for i in controller.inputs}, 200_000 if over else 0)
+        assert all(three.reference.state[s.name] == following.state[s.name] for s in controller.state)

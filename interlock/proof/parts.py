@@ -17,7 +17,7 @@ from interlock.proof.engines import Answer, solver
 from interlock.proof.system import System
 
 SMALL = 1500  # so many goals are asked of one solver
-GOALS = 800  # in a part
+GOALS = 4000  # in a part: fewer would encode the same definitions more often
 HUB = 60  # a variable in more facts than this says nothing about what lies together
 
 
@@ -114,7 +114,8 @@ def decide(
     for rings in (1, 2) if parts is not None else ():
         left = [n for n, ok in enumerate(proved) if not ok]
         order = [left[k] for k in parts.order([goals[n] for n in left])]  # type: ignore[union-attr]
-        chunks = [order[at : at + GOALS] for at in range(0, len(order), GOALS)]
+        size = max(1, min(GOALS, -(-len(order) // jobs)))
+        chunks = [order[at : at + size] for at in range(0, len(order), size)]
         calls = [(parts, [goals[n] for n in chunk], engine, query_ms, rings) for chunk in chunks]
         done = len(goals) - len(left)
         for chunk, found in zip(chunks, _run(calls, jobs), strict=True):
