@@ -112,7 +112,7 @@ def test_a_missing_or_impossible_input_takes_its_restrictive_value() -> None:
     [
         ("refuted/wrong_waiver", ""),
         ("fig2_2", "point-missing"),
-        ("fig2_2", "release-occupied"),
+        ("fig2_2", "point-wrong"),
         ("fig2_2", "two-grants"),
     ],
 )
