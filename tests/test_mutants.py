@@ -95,6 +95,7 @@ def _killers() -> dict[str, tuple[str, str]]:
         "S-BLOCKED": (two, "blocked-not-checked"),
         "S-LOST-INPUT": (two, "validity-not-wired"),
         "S-ASPECT": (OVERLAPS, "clear-before-stop"),
+        "S-AGAIN": (two, "opens-by-itself"),
         "S-TRAILED": (two, "trailed-not-kept-back"),
         "S-LAMP": (SHUNT, "lamp-not-proved"),
         "S-CANCELLED": (two, "cancel-not-obeyed"),

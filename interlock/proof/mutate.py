@@ -277,6 +277,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("driven-while-locked", "a driven point moves while it is locked", _unguarded("driven along")),
     Kind("foul-not-checked", "proceed although a foul section is occupied", without("CO", "foul section clear")),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
+    Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("CO", "not trailed")),
     Kind("lamp-not-lit", "proceed with its lamp out", without("CO", "proceed lamp intact")),
     Kind("clear-lamp-not-lit", "clear with its lamp out", without("C", "clear lamp intact")),

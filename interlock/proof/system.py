@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from interlock.logic.controller import Controller, MalformedController
-from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, implies, neg, var, variables
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, eq, implies, neg, var, variables
 from interlock.logic.plant import Assumption, Plant, Wiring, build_plant
 from interlock.model.elements import NodeId, SectionId
 from interlock.model.layout import Layout
@@ -88,6 +88,7 @@ class System:
         """The same, one condition after the other."""
         start = [var(s.name) if s.initial else neg(var(s.name)) for s in self.controller.state]
         ghosts = [neg(var(f"been.{s}")) for s in self.topo.sections]
+        ghosts += [neg(var(f"shut.R{r.number}")) for r in self.symbols.routes]
         return [*start, *ghosts, *self.plant.initial]
 
     def after(self, x: Expr) -> Expr:
@@ -95,11 +96,18 @@ class System:
         return self._after(x)
 
     def _ghosts(self) -> dict[str, Expr]:
-        """History variables of the proof: been.s, a train has come into s since it was locked firmly.
+        """History variables of the proof.  They are computed from the run and influence nothing.
 
-        They are computed from the run and influence nothing.
+        been.s: a train has come into s since it was locked firmly.  shut.Rn: the signal has closed while route n stayed
+        set, and nobody has asked for it again.
         """
         out = {}
+        for r in self.symbols.routes:
+            closes = conj((var(r.proceed), neg(var(r.proceed + PRIME))))
+            asked = eq(self.symbols.request, r.number)
+            out[f"shut.R{r.number}"] = conj(
+                (disj((var(f"shut.R{r.number}"), closes)), var(r.active + PRIME), neg(asked))
+            )
         for s in self.topo.sections:
             came_in = disj(self.plant.events.get(f"head.{j}.{self._beyond(s, j)}", FALSE) for j in self.topo.ends[s])
             out[f"been.{s}"] = conj((disj((var(f"been.{s}"), came_in)), var(self.symbols.firm[s] + PRIME)))

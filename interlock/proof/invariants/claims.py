@@ -39,6 +39,7 @@ CLAIMS: dict[str, str] = {
     "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear.",
     "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, and shows nothing else "
     "than stop while no lamp for it is.",
+    "S-AGAIN": "A signal that closed while its route stayed set opens again only after it was asked for again.",
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
@@ -104,6 +105,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         *((*x, False) for x in _pairs(f)),
         *((*x, False) for x in _signals(f)),
         *((*x, False) for x in _distants(f)),
+        *((*x, False) for x in _again(f)),
         *((*x, False) for x in _locks(f)),
         *((*x, False) for x in _points(f)),
     ):
@@ -349,6 +351,11 @@ def _allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
     if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
         return FALSE
     return f.system.after(f.sym.signal(exit_))
+
+
+def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    for r in f.sym.routes:
+        yield "S-AGAIN", r.id, implies(f.shut(r.number), neg(f.system.after(var(r.proceed))))
 
 
 def _distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:

@@ -106,6 +106,10 @@ class Facts:
         """History: a train has come in since it was locked."""
         return var(f"been.{s}")
 
+    def shut(self, route: int) -> Expr:
+        """History: the signal has closed while the route stayed set, and nobody has asked for it again."""
+        return var(f"shut.R{route}")
+
     @property
     def shunts(self) -> bool:
         """Whether the layout has shunt signals, so that locks are of two kinds."""

@@ -302,6 +302,7 @@ def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
     yield "R-PROCEED", implies(shows, conj((locked, var(r.shown), neg(f.stale(first)))))
     yield "R-WANTED", implies(var(r.want), locked)
     yield "R-SHOWN", implies(var(r.shown), locked)
+    yield "R-SHUT", implies(f.shut(r.number), conj((locked, neg(var(r.want)), neg(shows))))
     if f.shunts:
         kind = [neg(f.train(s)) if r.shunt else f.train(s) for s, _ in r.ways]
         yield "R-KIND", implies(active, conj(kind))
