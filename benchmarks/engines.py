@@ -46,7 +46,7 @@ from interlock.proof.runner import Limits, inductive, open_claims, start_claim
 from interlock.proof.system import PRIME, System
 from interlock.verify import verify
 
-SIZES = (("line", 1), ("line", 2), ("line", 4), ("line", 8), ("yard", 2), ("yard", 4), ("yard", 8))
+SIZES = (("line", 1), ("line", 2), ("line", 4), ("line", 8), ("yard", 4), ("yard", 6), ("yard", 8))
 
 
 def system_of(kind: str, size: int) -> tuple[System, int]:

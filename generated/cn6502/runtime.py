@@ -1,7 +1,7 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 63be046c605d7f00831f1d89721e6b993bf103c169948b187f768a3b9d24f39c
-# claims d63166c2866f6d5d870c70a53b2efdc24777347a956c713f61a9e1b69a0dd85d
+# claims eb9bd0e1b1e5102a289a0cffc60683cfc4ef811d520a949894f6dc5fe6f52f28
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout e225ab5a206ac124a9f24deafd623a207ee96fbdeac8219c22c51b4216cea61c
-# claims 3c20d85afd1bfea32ed277d5621b371b5d0023a0700391594b9cfd42827759d6
+# claims fd74b823bfdd5c4c974c8a26ef0ef66504e3f7a50790268b93bcbf342254ca1a
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

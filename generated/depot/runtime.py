@@ -1,7 +1,7 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 485717bc6463c5fa6ff3e5b4df0276c92360da53a8699b33c7ced1a8918b67d8
-# claims e076056660cb421d93dbf1378759c194da3ebeed4a1151b5421136211fc5c5ba
+# claims dfa4e69c8ae562ae0d45bfbfb155453ac613591364f989935732a0c38fa58e70
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout c17137e41a233a1bc614bad2a27da135b926e02962cb10cd556e9e30baa5d8d1
-# claims c06873187aae9c68a920cc80a6858cfd0d947c94d7e2fc1a137c60d538974ede
+# claims d80c4dc336a89fda542e7b625c84a0c36ee5f006c5222c020de94cdd09fb6b5c
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

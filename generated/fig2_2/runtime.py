@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 4a231d72e97580dfcab105b4fa018323148855860536d707949b1e2b280034c5
-# claims bd78bcb399e98b4cfa4b51ce3ec5b391b9bade1da86f8a8b107bc7fa4bd52635
+# claims 58dbbe452c1e98a08d02a2a834145aab01f2371d7bdc1c9decc4bdb27383a90d
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 0ac5b0ebf04eaafd25466fafb47d9b29fe94f448560da85c258dbcbf07eab626
-# claims 158667be5d9c4321ea71eba3cb092a59bdc7cbd0f0a710ba99241741aa7709bb
+# claims de76e2867318f7a1e6c96ddf2109b549ce9a37444455c8aef524d112ab0dd4b9
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

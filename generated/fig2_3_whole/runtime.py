@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 3a729290743130755294d1711dd24e19b0452e4454e1c338e4ff73321f0ef431
-# claims 42da1dfbd065d9ad7d60cf8db6aa162991d2aef8329f8a4f209f056372301993
+# claims 822902dd8c2e56d5b6be3bb4f0e44eae0039a1ded86d9abc0ec04e2efddd5ec5
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 87f5c9d37b11ae5c30ce92877c5440b048d35058a2b0efbafd51045e4529e759
-# claims 1cc64ad48d652c610593f5526e4a03725783bbf7387bc4c50683e8bddb40ee7c
+# claims 613fae88a33c77dfe71c499390b9aa9a2059e69dbdabd3bf71229b9c9cca2d88
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

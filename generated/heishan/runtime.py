@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 85a4fad1b8d2275061be911b240f9d605d0e5ead107c0507ad14c15da5f88491
-# claims 2f2213263303fbc58418770abbc674ad0e565cfe19d86c84c999907406677e65
+# claims 6fc0944a72cb689732fa446f0f0c4b10519909c5dbd6af6b61dad2ddfd5ea2c1
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 86f8cd7e9cc974f00c3d02026c17530a7ca9eb12f77235b0f99717fc5e65f01f
-# claims 032802e00e9f887e849ec7cf3e15c9d7a6ab3284a4b6fdaa8174d9d9aac99e30
+# claims 33b247559ef6afa87ebf055fd47618b68b4f0d981415a585fa6e3982878839fc
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

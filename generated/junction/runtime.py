@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 9ae72323112259c64f529e2ba1a4f61ca1df232fba0c644c260470a565a7a7ff
-# claims a486b2232c28873f0280e712c508089596546311ea13debebbb1a2f2641d567e
+# claims 2b1e39ef0c598a883339ea0f543116d615619fb6035b8797113aec24ee2f4540
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

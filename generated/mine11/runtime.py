@@ -1,7 +1,7 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 5b6c15b3119f23665fa45d168c9e8f7d0bb59119a6b428b0224c8d646516aa90
-# claims 82b64ad67bb0173a89ded572f2dfa10b36bf608c48d0f896ac2e2d32df6dad4d
+# claims 7395a64ac821b44ea3650874c7bcb26c20ed9c176cd6ae26e67ca852bd991b31
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

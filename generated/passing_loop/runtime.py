@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 0c07de1db56f8f65d897faeb4d8ff48813368c3ea9921dc289951ed7247f6482
-# claims 089f4b2b52f9fab4a4e0a2571b3b0665fda11ba33e0076ad0caa2e3d64bef689
+# claims b26f2403bb14b9516358208fba5249947034835967e4d563bf1c6896112f1297
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

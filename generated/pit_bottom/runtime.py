@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 3b47a93f6ad39c7b3492e9fab4ffe1d5233b25f8462bb0151a868a9404d28624
-# claims ad02404013b428b76c0688da4ea973240753f355907ca2fb3718a34dbd620421
+# claims 194faeec5976fb5efa9606e6fcf23fbdeaf136355a72df05c5df184864b946c9
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout fb16f62efc9e1ca570bf3f0216f7f0ddd032a663478098812001aabbdcd846d5
-# claims 8bcb37ccc2d16ef19dafb80d4abecb7f3beaab23db3bafb107770ed04c64461b
+# claims 933145525c32358204fa8868fec7c5d22486972dd75345a8e23276aab33f428b
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

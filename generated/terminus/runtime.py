@@ -1,7 +1,7 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout cdb40b3ee8f9aa7b7077c649788f6fee2fa642e9c2957b85ef8a4e47e7472c28
-# claims a076cdb47f2f5653558bd191a5769dab3d7f08da226f327d1b332597b80b8e95
+# claims 8cd031dc59afeb41b40297a52bdc074b5894fcdf8606261f27aca7d51e6d0cab
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 858c4af6fbb6c3eaf48bb5e39c82cf809f9b9ccdc020211545e26582b79b6006
-# claims 2fa65b727a8dcbdd41d99f4c5604479a6a51f40b146089e8015e006bd949000f
+# claims bd8d518eefe1b013f60d94be6f5b6b73f43ebf86596770d53f30179fff13bfa2
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -39,9 +39,9 @@ signals:                        # at the joint of two sections, read by trains t
 
 
 def yard(tracks: int) -> str:
-    """A yard with two lines at each end and a number of parallel tracks (at least 2)."""
-    if tracks < 2:
-        raise ValueError("a yard has at least 2 tracks")
+    """A yard with two lines at each end and a number of parallel tracks (at least 4)."""
+    if tracks < 4:
+        raise ValueError("a yard has at least 4 tracks")
     half = tracks // 2
     boundaries, lines, points, crossings, signals = [], [], [], [], []
     for k in range(1, tracks + 1):

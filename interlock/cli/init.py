@@ -12,7 +12,7 @@ from interlock.cli.common import FINDINGS, OK
 
 
 @click.command("init")
-@click.option("--yard", "tracks", type=click.IntRange(2, 2000), help="A yard with that many parallel tracks.")
+@click.option("--yard", "tracks", type=click.IntRange(4, 2000), help="A yard with that many parallel tracks.")
 @click.option("--line", "stations", type=click.IntRange(1, 5000), help="A single line with that many stations.")
 @click.option("-o", "--output", type=click.Path(dir_okay=False), default="-", help="The file; - for the screen.")
 @click.option("--force", is_flag=True, help="Overwrite the file.")

@@ -87,7 +87,11 @@ def _part(name: str, e: Equation, term: Expr) -> list[Expr]:
 
 
 def needs_text(found: tuple[Need, ...]) -> str:
-    """One line for each term: equation, term, claims; at the top how many no claim needed."""
+    """The sets of claims that occur, numbered; then one line for each term: equation, term, number of its set."""
+    sets = sorted({n.claims for n in found}, key=lambda c: (len(c), c))
+    number = {c: k for k, c in enumerate(sets)}
     none = sum(not n.claims for n in found)
-    head = [f"# {len(found)} terms; {none} that no claim rests on", "# equation | term | claims"]
-    return "\n".join([*head, *(f"{n.equation} | {n.term} | {', '.join(n.claims) or '-'}" for n in found)]) + "\n"
+    out = [f"# {len(found)} terms of the controller; {none} that no claim rests on (set 0)", "# sets of claims"]
+    out += [f"{k}: {', '.join(c) or 'none'}" for c, k in number.items()]
+    out.append("# equation | term | set")
+    return "\n".join([*out, *(f"{n.equation} | {n.term} | {number[n.claims]}" for n in found)]) + "\n"

@@ -109,31 +109,36 @@ class Index:
 
 
 def shape_of(goal: Pattern, core: Sequence[int], index: Index) -> tuple[Shape, tuple[int, ...]]:
-    """The shape of an obligation and its facts in the shape's order: each shares a leaf with those before it, where
-    one does."""
+    """The shape of an obligation and its facts in the shape's order: next comes the fact that is easiest to find, of
+    which the fewest others have the same pattern and a leaf that is known already."""
     numbers = {name: n for n, name in enumerate(goal.leaves)}
-    having: dict[Leaf, list[int]] = {}
-    unknown = {n: len(index.patterns[n].leaves) for n in core}
+    having: dict[Leaf, list[tuple[int, int]]] = {}
     for n in core:
-        for name in index.patterns[n].leaves:
-            having.setdefault(name, []).append(n)
-    bound: dict[int, int] = {}
+        for place, name in enumerate(index.patterns[n].leaves):
+            having.setdefault(name, []).append((n, place))
+    left = dict.fromkeys(core)
+    alike: dict[int, int] = {}
+
+    def know(name: Leaf) -> None:
+        for n, place in having.get(name, ()):
+            if n in left:
+                count = len(index.find(index.patterns[n].text, place, name))
+                alike[n] = min(count, alike.get(n, count))
+
     for name in goal.leaves:
-        for n in having.get(name, ()):
-            bound[n] = bound.get(n, 0) + 1
+        know(name)
     parts: list[Part] = []
     order: list[int] = []
-    while unknown:
-        ready = [n for n in bound if n in unknown] or list(unknown)
-        best = min(ready, key=lambda n: (unknown[n] - bound.get(n, 0), -unknown[n], n))
-        del unknown[best]
+    while left:
+        best = min(alike or left, key=lambda n: (alike.get(n, 0), len(index.patterns[n].leaves), n))
+        del left[best]
+        alike.pop(best, None)
         order.append(best)
         pattern = index.patterns[best]
         for name in pattern.leaves:
             if name not in numbers:
                 numbers[name] = len(numbers)
-                for n in having[name]:
-                    bound[n] = bound.get(n, 0) + 1
+                know(name)
         parts.append(Part(pattern.text, tuple(numbers[x] for x in pattern.leaves)))
     return Shape(goal.text, len(goal.leaves), tuple(parts)), tuple(order)
 
