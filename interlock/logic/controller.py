@@ -167,6 +167,15 @@ class Symbols:
     ends: Mapping[SectionId, tuple[NodeId, ...]]
 
     @cached_property
+    def routes_over(self) -> dict[tuple[SectionId, int], list[RouteSymbols]]:
+        """The routes that lock each way, or end in it as a berth."""
+        out: dict[tuple[SectionId, int], list[RouteSymbols]] = {}
+        for r in self.routes:
+            for way in dict.fromkeys((*r.ways, *([r.berth] if r.berth is not None else []))):
+                out.setdefault(way, []).append(r)
+        return out
+
+    @cached_property
     def locks_of(self) -> dict[SectionId, list[tuple[int, str]]]:
         """The locks of each section: number and name."""
         out: dict[SectionId, list[tuple[int, str]]] = {}
@@ -176,7 +185,15 @@ class Symbols:
 
     def signal(self, g: SignalId, shunt: bool = False) -> Expr:
         """Whether the controller shows proceed at a signal: to trains, or to shunting movements."""
-        return disj(var(r.proceed) for r in self.routes if r.entry == g and r.shunt is shunt)
+        return disj(var(r.proceed) for r in self.routes_from.get(g, ()) if r.shunt is shunt)
+
+    @cached_property
+    def routes_from(self) -> dict[SignalId, list[RouteSymbols]]:
+        """The routes of each signal."""
+        out: dict[SignalId, list[RouteSymbols]] = {}
+        for r in self.routes:
+            out.setdefault(r.entry, []).append(r)
+        return out
 
     def shows(self, g: SignalId) -> Expr:
         """Whether the controller shows anything but stop at a signal."""

@@ -90,7 +90,7 @@ def _nary(op: Op, unit: Expr, zero: Expr, xs: Iterable[Expr]) -> Expr:
         for y in x.args if x.op is op else (x,):
             flat.setdefault(id(y), y)
     for y in flat.values():
-        if id(neg(y)) in flat:
+        if y.op is Op.NOT and id(y.args[0]) in flat:
             return zero
     if not flat:
         return unit

@@ -122,7 +122,11 @@ class System:
 
     def output(self, name: str) -> Expr:
         """An output of the controller, by name."""
-        return next(o.expr for o in self.controller.outputs if o.name == name)
+        return self._outputs[name]
+
+    @cached_property
+    def _outputs(self) -> dict[str, Expr]:
+        return {o.name: o.expr for o in self.controller.outputs}
 
     @cached_property
     def inputs(self) -> tuple[str, ...]:

@@ -15,11 +15,6 @@ from interlock.model.principles import Caution
 from interlock.table.rows import RouteKind, RouteRow, Shows
 
 
-def trains(d: Draft) -> list[SignalId]:
-    """The signals that open for trains."""
-    return [g.id for g in d.layout.signals if any(r.kind is RouteKind.MAIN for r in d.routes_from[g.id])]
-
-
 def cautions(d: Draft) -> bool:
     """Whether main signals have a caution aspect."""
     return d.layout.principles.caution is not Caution.NEVER
@@ -39,7 +34,7 @@ def _opens(d: Draft, g: SignalId, prefix: str) -> Expr:
 
 def keep(d: Draft) -> None:
     """Next values of the clear aspects."""
-    for g in trains(d) if cautions(d) else ():
+    for g in d.open_for_trains if cautions(d) else ():
         n = portable(g)
         ways = []
         for r in d.routes_from[g]:
@@ -78,6 +73,6 @@ def outputs(d: Draft) -> None:
 
 
 def _clear(d: Draft, g: SignalId) -> Expr:
-    if g not in trains(d):
+    if g not in d.open_for_trains:
         return disj(())
     return var(f"C_{portable(g)}") if cautions(d) else _opens(d, g, "S")

@@ -51,7 +51,7 @@ def lower(layout: Layout, table: InterlockingTable) -> Controller:
 def _symbols(d: Draft) -> Symbols:
     sections = d.sections
     signals = [g.id for g in d.layout.signals if d.routes_from[g.id]]
-    lit = aspects.trains(d) if d.layout.principles.lamp_proof else []
+    lit = d.open_for_trains if d.layout.principles.lamp_proof else []
 
     def each(prefix: str) -> dict[SectionId, str]:
         return {s: f"{prefix}_{portable(s)}" for s in sections}
@@ -70,7 +70,7 @@ def _symbols(d: Draft) -> Symbols:
         stop_lamp={g: f"RL_{portable(g)}" for g in signals} if d.layout.principles.lamp_proof else {},
         clear_lamp={g: f"GL_{portable(g)}" for g in lit},
         caution_lamp={g: f"CL_{portable(g)}" for g in lit if aspects.cautions(d)},
-        clear_aspect={g: f"YP_{portable(g)}" for g in aspects.trains(d)},
+        clear_aspect={g: f"YP_{portable(g)}" for g in d.open_for_trains},
         distant_clear={x.id: f"YD_{portable(x.id)}" for x in d.layout.distants},
         restart=each("K"),
         train=each("M") if d.shunting else {},

@@ -15,7 +15,7 @@ from interlock.model.elements import MachineId, NodeId, Position, RouteId, Secti
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.model.traversal import Topology, topology
-from interlock.table.rows import InterlockingTable, RouteRow, TraversalKey, TraversalRow
+from interlock.table.rows import InterlockingTable, RouteKind, RouteRow, TraversalKey, TraversalRow
 
 
 class Draft:
@@ -77,6 +77,12 @@ class Draft:
     def noted(self) -> tuple[RouteRow, ...]:
         """The same as rows, in order."""
         return tuple(r for r in self.table.routes if r.id in self.noted_ids)
+
+    @cached_property
+    def open_for_trains(self) -> dict[SignalId, None]:
+        """The signals that open for trains, in order."""
+        trains = {r.entry for r in self.table.routes if r.kind is RouteKind.MAIN}
+        return {g.id: None for g in self.layout.signals if g.id in trains}
 
     @cached_property
     def shunting(self) -> bool:

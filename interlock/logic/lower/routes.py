@@ -24,7 +24,7 @@ def inputs(d: Draft) -> None:
     if d.layout.principles.lamp_proof:
         for g in d.layout.signals:
             d.inputs.append(Input(f"RL_{portable(g.id)}", f"stop lamp of {g.id} intact"))
-        for lit in aspects.trains(d):
+        for lit in d.open_for_trains:
             d.inputs.append(Input(f"GL_{portable(lit)}", f"clear lamp of {lit} intact, or not lit"))
             if aspects.cautions(d):
                 d.inputs.append(Input(f"CL_{portable(lit)}", f"caution lamp of {lit} intact, or not lit"))

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, came, lamp, lies, o, rests, shunting
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
-from interlock.model.foul import FoulJoint, foul_joints
+from interlock.model.foul import FoulJoint
 from interlock.model.overlap import overlap_paths
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal
@@ -225,7 +225,7 @@ def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     shown = [(g.id, k) for g in f.layout.signals for k in f.functions(g.id)]
     fouls: dict[str, list[FoulJoint]] = {}
     near: dict[str, list[FoulJoint]] = {}
-    for fj in foul_joints(f.layout):
+    for fj in f.fouls:
         fouls.setdefault(fj.point, []).append(fj)
         near.setdefault(fj.neighbour, []).append(fj)
     grounds = [[_ground(f, p, fouls, near) for p in signal_paths(f, *x)] for x in shown]
@@ -330,7 +330,7 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             boundary = f.layout.boundary_at.get(path.ways[-1].exit)
             if boundary is not None and boundary.approach is not None and not shunt:
                 needed.append(f.clear(boundary.approach))
-            for fj in foul_joints(f.layout):
+            for fj in f.fouls:
                 if any(p == fj.point and x is not fj.leg for t in path.ways for p, x in t.points):
                     needed.append(_not_foul(f, fj))
             if needed:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Protocol
 
 from interlock.logic.controller import Symbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.plant import Plant
 from interlock.model.elements import NodeId, SectionId, SignalId
+from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology
 
@@ -162,14 +164,29 @@ class Facts:
         ahead = self.topo.beyond(SectionId(s), NodeId(j))
         return None if ahead is None else self.topo.signal_into.get((NodeId(j), ahead))
 
-    def passed_joints(self) -> list[tuple[NodeId, SectionId, SectionId, bool]]:
-        """Every (joint, from, to) over which locks go on: no signal governs the passage, or (True) only a shunt one."""
+    @cached_property
+    def ends_of_shunts(self) -> frozenset[SectionId]:
+        """The berths in which shunt routes end."""
+        return frozenset(r.berth[0] for r in self.sym.routes if r.berth is not None)
+
+    @cached_property
+    def fouls(self) -> tuple[FoulJoint, ...]:
+        """The foul joints of the layout."""
+        return tuple(foul_joints(self.layout))
+
+    @cached_property
+    def _passed(self) -> list[tuple[NodeId, SectionId, SectionId, bool]]:
+        """See `passed_joints`."""
         out = []
         for j, a, b in self.topo.joints():
             for s, t in ((a, b), (b, a)):
                 if (j, t) not in self.topo.main_into:
                     out.append((j, s, t, (j, t) in self.topo.signal_into))
         return out
+
+    def passed_joints(self) -> list[tuple[NodeId, SectionId, SectionId, bool]]:
+        """Every (joint, from, to) over which locks go on: no signal governs the passage, or (True) only a shunt one."""
+        return self._passed
 
 
 __all__ = ["Claim", "Facts", "Invariant", "SystemView", "conj", "neg"]

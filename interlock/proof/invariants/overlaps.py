@@ -124,7 +124,7 @@ def _coming(f: Facts, b: SectionId, entry: str) -> Expr:
     rear = f.topo.beyond(b, entry)  # type: ignore[arg-type]
     g = f.topo.main_into.get((entry, b))  # type: ignore[arg-type]
     if g is not None:
-        active = [var(r.active) for r in f.sym.routes if r.entry == g and not r.shunt]
+        active = [var(r.active) for r in f.sym.routes_from.get(g, ()) if not r.shunt]
         went = [accepted(g)] if f"go.{g}" in f.system.plant.state else []
         return disj([*active, f.sym.signal(g), lamp(g), *went])
     if rear is None:

@@ -103,7 +103,7 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         moved = conj((moved, disj((f.firm(s), neg(overrun(f, s))))))
     yield "S-SEEN", implies(conj((o(s), image(s), moved)), disj((f.used(s), f.stale(s))))
     for n, x in locks:
-        if all((s, n) not in r.ways and (s, n) != r.berth for r in f.sym.routes):
+        if (s, n) not in f.sym.routes_over:
             yield f"S-UNUSED:{n}", neg(x)  # the way serves overlaps only
         for m, p in f.sym.demands[s, n]:
             yield f"S-COMMAND:{n}:{m}", implies(x, var(f.sym.command[m, p]))
@@ -128,9 +128,9 @@ def _movement(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
     """Train and shunting movements apart."""
     moving = conj((o(s), neg(rests(s))))
     yield "M-LOCK", implies(f.train(s), f.any_lock(s))
-    ends_here = any(r.berth is not None and r.berth[0] == s for r in f.sym.routes)
+    ends_here = s in f.ends_of_shunts
     for n, x in f.locks(s):
-        kinds = {r.shunt for r in f.sym.routes if (s, n) in r.ways or (s, n) == r.berth}
+        kinds = {r.shunt for r in f.sym.routes_over.get((s, n), ())}
         if kinds == {False} and not ends_here:
             yield f"M-TRAIN:{n}", implies(x, f.train(s))
         if kinds == {True}:
@@ -284,7 +284,7 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     yield f"{mark}-TRAIN", implies(went, conj(standing))
     if f"img.{rear}" in f.system.plant.state:
         yield f"{mark}-REPORTED", implies(went, image(rear))
-    routes = [r for r in f.sym.routes if r.entry == g]
+    routes = f.sym.routes_from.get(SignalId(g), [])
     active = disj(var(r.active) for r in routes)
     seen = disj(var(r.shown) for r in routes)
     yield f"{mark}-MEMORY", implies(conj((active, disj((went, lamp(g, shunt))))), seen)
