@@ -182,7 +182,20 @@ class Substitution:
 
 def variables(roots: Iterable[Expr]) -> dict[str, None]:
     """Names of all variables below the roots, in order of appearance."""
-    return {n.name: None for n in walk(roots) if n.op in (Op.VAR, Op.EQ)}
+    found: dict[str, None] = {}
+    done: set[int] = set()
+    for root in roots:
+        stack = [root]
+        while stack:
+            node = stack.pop()
+            if id(node) in done:
+                continue
+            done.add(id(node))
+            if node.op in (Op.VAR, Op.EQ):
+                found.setdefault(node.name)
+            else:
+                stack.extend(node.args)
+    return found
 
 
 def evaluate(root: Expr, value: Callable[[str], int], memo: dict[int, bool]) -> bool:

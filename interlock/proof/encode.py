@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from interlock.logic.expr import Expr, Op, walk
+from interlock.logic.expr import Expr, Op
 
 
 class Cnf:
@@ -33,30 +33,42 @@ class Cnf:
     def literal(self, root: Expr) -> int:
         """The literal that is equivalent to the expression."""
         of = self._of
-        if id(root) in of:
-            return of[id(root)][1]
+        known = of.get(id(root))
+        if known is not None:
+            return known[1]
         clauses = self.clauses
-        for node in walk((root,)):
+        stack = [root]
+        while stack:
+            node = stack[-1]
             if id(node) in of:
+                stack.pop()
                 continue
-            if node.op is Op.VAR:
+            op = node.op
+            if op is Op.VAR:
                 lit = self.names.get(node.name, 0) or self._named(node.name)
-            elif node.op is Op.EQ:
+            elif op is Op.EQ:
                 lit = self._value(node.name, node.value)
-            elif node.op is Op.NOT:
-                lit = -of[id(node.args[0])][1]
-            elif node.op is Op.TRUE:
+            elif op is Op.TRUE:
                 lit = self._true
-            elif node.op is Op.FALSE:
+            elif op is Op.FALSE:
                 lit = -self._true
             else:
-                sign = 1 if node.op is Op.AND else -1
-                lit = self.fresh()
-                args = [sign * of[id(a)][1] for a in node.args]
-                clauses.extend((-lit, a) for a in args)
-                clauses.append((lit, *(-a for a in args)))
-                lit *= sign
+                waiting = [a for a in node.args if id(a) not in of]
+                if waiting:
+                    stack.extend(reversed(waiting))
+                    continue
+                if op is Op.NOT:
+                    lit = -of[id(node.args[0])][1]
+                else:
+                    sign = 1 if op is Op.AND else -1
+                    self.count += 1
+                    lit = self.count
+                    args = [sign * of[id(a)][1] for a in node.args]
+                    clauses.extend([(-lit, a) for a in args])
+                    clauses.append((lit, *[-a for a in args]))
+                    lit *= sign
             of[id(node)] = (node, lit)
+            stack.pop()
         return of[id(root)][1]
 
     def define(self, name: str, x: Expr) -> None:
