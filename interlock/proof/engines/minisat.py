@@ -14,7 +14,7 @@ class MiniSat:
     """One solver over the clauses of a `Cnf`; queries are assumed literals."""
 
     def __init__(self, cnf: Cnf) -> None:
-        self._solver = Minisat22(bootstrap_with=[list(c) for c in cnf.clauses])
+        self._solver = Minisat22(bootstrap_with=cnf.clauses)
 
     def ask(self, *literals: int) -> Answer:
         """Whether the clauses can hold together with the literals; UNKNOWN after too many conflicts."""
