@@ -28,7 +28,14 @@ format_option = click.option(
     show_default=True,
     help="How results are shown.",
 )
-jobs_option = click.option("-j", "--jobs", type=click.IntRange(1, 64), default=1, show_default=True, help="Processes.")
+jobs_option = click.option(
+    "-j",
+    "--jobs",
+    type=click.IntRange(1, 64),
+    default=1,
+    show_default=True,
+    help="Processes: layouts side by side, or the parts of one.",
+)
 
 
 def show(diagnostics: Iterable[Diagnostic], sources: dict[str, str], form: str) -> None:
