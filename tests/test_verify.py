@@ -175,3 +175,16 @@ def test_no_certificate_for_a_mutant(kind: str) -> None:
 def test_lower_is_what_is_certified() -> None:
     layout, table, controller = built("fig2_2")
     assert lower(layout, table) == controller
+
+
+def test_a_certificate_that_is_not_current_is_named(tmp_path: Path) -> None:
+    from click.testing import CliRunner
+
+    from interlock.cli.certify import command
+
+    run = CliRunner().invoke(command, ["layouts/fig2_2.yaml", "--check", "-o", str(tmp_path)])
+    assert run.exit_code == 1 and "IL5007" in run.output
+    run = CliRunner().invoke(command, ["layouts/fig2_2.yaml", "--check"])
+    assert run.exit_code == 0 and "CURRENT" in run.output
+    run = CliRunner().invoke(command, ["layouts/fig2_2.yaml", "--outputs", str(tmp_path)])
+    assert run.exit_code == 1 and "IL5003" in run.output

@@ -115,6 +115,7 @@ def proof_body(p: Proved) -> dict[str, Any]:
                     "verdict": str(c.verdict),
                     "sentence": c.sentence,
                     "places": c.places,
+                    "seconds": round(c.seconds, 4),
                     "open": list(c.open),
                     "story": list(c.story.steps) if c.story else None,
                 }

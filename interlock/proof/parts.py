@@ -7,18 +7,28 @@ variable with them.  Leaving facts out is sound: what follows from fewer facts f
 from __future__ import annotations
 
 import multiprocessing
+import time
 from collections import deque
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from interlock.logic.expr import Expr, variables
 from interlock.proof.encode import Cnf
-from interlock.proof.engines import Answer, solver
+from interlock.proof.engines import Answer, Sat, solver
 from interlock.proof.system import System
 
 SMALL = 1500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
 HUB = 60  # a variable in more facts than this says nothing about what lies together
+
+
+@dataclass(frozen=True)
+class Decision:
+    """Whether a goal follows, and the seconds that the question took."""
+
+    follows: bool
+    seconds: float
 
 
 class Parts:
@@ -89,11 +99,16 @@ class Parts:
             cnf.require(self.facts[n])
         return cnf, [cnf.literal(g) for g in goals]
 
-    def decide(self, goals: Sequence[Expr], engine: str, query_ms: int, rings: int) -> list[bool]:
+    def decide(self, goals: Sequence[Expr], engine: str, query_ms: int, rings: int) -> list[Decision]:
         """Which of the goals follow from the facts so many steps around."""
         cnf, literals = self.cnf(goals, rings)
         sat = solver(engine, cnf, query_ms)
-        return [sat.ask(-x) is Answer.UNSAT for x in literals]
+        return [_asked(sat, x) for x in literals]
+
+
+def _asked(sat: Sat, literal: int) -> Decision:
+    began = time.perf_counter()
+    return Decision(sat.ask(-literal) is Answer.UNSAT, time.perf_counter() - began)
 
 
 def decide(
@@ -104,15 +119,15 @@ def decide(
     query_ms: int,
     jobs: int,
     progress: Callable[[int, int], None],
-) -> list[bool]:
+) -> list[Decision]:
     """Which goals follow from the hypotheses, the assumptions and the definitions of the step.
 
     Part by part; what a part leaves open is asked again with more facts around it, and at last with all of them.
     """
-    proved = [False] * len(goals)
+    proved = [Decision(False, 0.0)] * len(goals)
     parts = Parts(system, hypotheses) if len(goals) > SMALL else None
     for rings in (1, 2) if parts is not None else ():
-        left = [n for n, ok in enumerate(proved) if not ok]
+        left = [n for n, ok in enumerate(proved) if not ok.follows]
         order = [left[k] for k in parts.order([goals[n] for n in left])]  # type: ignore[union-attr]
         size = max(1, min(GOALS, -(-len(order) // jobs)))
         chunks = [order[at : at + size] for at in range(0, len(order), size)]
@@ -123,7 +138,7 @@ def decide(
                 proved[n] = ok
             done += len(chunk)
             progress(done, len(goals))
-    left = [n for n, ok in enumerate(proved) if not ok]
+    left = [n for n, ok in enumerate(proved) if not ok.follows]
     if left:
         cnf = step_cnf(system)
         for x in hypotheses:
@@ -135,7 +150,7 @@ def decide(
         for k, (n, lit) in enumerate(zip(left, literals, strict=True)):
             if k % 64 == 0:
                 progress(len(goals) - len(left) + k, len(goals))
-            proved[n] = sat.ask(-lit) is Answer.UNSAT
+            proved[n] = _asked(sat, lit)
     return proved
 
 
@@ -151,13 +166,13 @@ Call = tuple[Any, ...]
 _calls: list[Call] = []
 
 
-def _work(k: int) -> list[bool]:
+def _work(k: int) -> list[Decision]:
     parts, goals, engine, query_ms, rings = _calls[k]
-    found: list[bool] = parts.decide(goals, engine, query_ms, rings)
+    found: list[Decision] = parts.decide(goals, engine, query_ms, rings)
     return found
 
 
-def _run(calls: list[Call], jobs: int) -> Iterator[list[bool]]:
+def _run(calls: list[Call], jobs: int) -> Iterator[list[Decision]]:
     """The calls in order, on several processes where that is asked for; the children inherit them."""
     global _calls
     _calls = calls

@@ -18,7 +18,7 @@ from interlock.logic.expr import Expr, conj, neg, var
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import CLAIMS, Claim, Facts, Invariant, claims, strengthening
-from interlock.proof.parts import decide
+from interlock.proof.parts import Decision, decide
 from interlock.proof.search import search
 from interlock.proof.story import Story, tell
 from interlock.proof.system import System
@@ -44,6 +44,7 @@ class ClaimResult:
     verdict: Verdict
     places: int
     open: tuple[str, ...]
+    seconds: float
     story: Story | None = None
 
 
@@ -90,7 +91,7 @@ def inductive(system: System, limits: Limits, progress: Progress = quiet) -> tup
         goals = [system.after(i.expr) for i in kept]
         proved = _decide(system, kept, goals, limits, "invariants", progress)
         obligations += len(kept)
-        failed = [i for i, ok in zip(kept, proved, strict=True) if not ok]
+        failed = [i for i, d in zip(kept, proved, strict=True) if not d.follows]
         if not failed:
             return kept, dropped, obligations
         dropped += [f"{i.id} at {i.place}" for i in failed]
@@ -100,7 +101,7 @@ def inductive(system: System, limits: Limits, progress: Progress = quiet) -> tup
 
 def _decide(
     system: System, kept: Sequence[Invariant], goals: Sequence[Expr], limits: Limits, stage: str, progress: Progress
-) -> list[bool]:
+) -> list[Decision]:
     """Which goals follow, in one step, from the invariants."""
     hypotheses = [i.expr for i in kept]
 
@@ -145,17 +146,27 @@ def open_claims(
     system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress = quiet
 ) -> dict[str, list[Claim]]:
     """The claims that do not follow from the invariants."""
+    return decided(system, kept, wanted, limits, progress)[0]
+
+
+def decided(
+    system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress
+) -> tuple[dict[str, list[Claim]], dict[str, float]]:
+    """The open claims by id, and the seconds spent on each id."""
     open_: dict[str, list[Claim]] = {}
-    for c, ok in zip(wanted, _decide(system, kept, [c.expr for c in wanted], limits, "claims", progress), strict=True):
-        if not ok:
+    seconds: dict[str, float] = {}
+    found = _decide(system, kept, [c.expr for c in wanted], limits, "claims", progress)
+    for c, d in zip(wanted, found, strict=True):
+        seconds[c.id] = seconds.get(c.id, 0.0) + d.seconds
+        if not d.follows:
             open_.setdefault(c.id, []).append(c)
-    return open_
+    return open_, seconds
 
 
 def _claims(
     system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress
 ) -> list[ClaimResult]:
-    open_ = open_claims(system, kept, wanted, limits, progress)
+    open_, seconds = decided(system, kept, wanted, limits, progress)
     places: dict[str, int] = {}
     for c in wanted:
         places[c.id] = places.get(c.id, 0) + 1
@@ -176,6 +187,7 @@ def _claims(
                 verdict,
                 places.get(id_, 0),
                 tuple(c.place for c in open_.get(id_, ())),
+                seconds.get(id_, 0.0),
                 story,
             )
         )
@@ -193,6 +205,7 @@ def start_claim(system: System) -> Expr:
 
 def _start(system: System, limits: Limits) -> ClaimResult:
     """The restart: nothing commanded, all signals at stop, every section locked."""
+    began = time.monotonic()
     cnf = Cnf()
     cnf.require(system.initial)
     lit = cnf.literal(start_claim(system))
@@ -203,4 +216,5 @@ def _start(system: System, limits: Limits) -> ClaimResult:
         Verdict.PROVED if ok else Verdict.UNKNOWN,
         1,
         () if ok else ("restart",),
+        time.monotonic() - began,
     )
