@@ -313,6 +313,7 @@ def instance(
 
 def check_files(folder: Path) -> dict[str, str]:
     """The manifest's digests agree with the files; returns the manifest's files."""
+    need((folder / "manifest.json").is_file(), "no certificate: there is no manifest.json in this folder")
     raw = (folder / "manifest.json").read_bytes()
     manifest = json.loads(raw)
     own = manifest.pop("own", None)
@@ -362,7 +363,7 @@ def main(folders: list[str]) -> int:
             lzma.LZMAError,
         ) as e:
             bad += 1
-            print(f"{name}: REJECTED  {type(e).__name__}: {e}")
+            print(f"{name}: REJECTED  {e if isinstance(e, Rejected) else f'{type(e).__name__}: {e}'}")
     return 1 if bad or not folders else 0
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import pytest
 
 from interlock.derive.voyages import deadlocks
@@ -248,3 +250,24 @@ def test_what_does_not_exist_is_named(text: str, code: str) -> None:
     if layout is not None:
         derive(layout, sink)
     assert code in {d.code for d in sink.diagnostics}
+
+
+def test_two_opposing_voyages_asked_for_together_do_not_lock_each_other_out() -> None:
+    layout, table, controller = built("fig2_1")
+    for phase, (first, second) in itertools.product(range(8), ((1, 2), (2, 1))):
+        sim = Simulator(controller, System(layout, controller).plant)
+        sim.reset({f"at.{m}.N": 1 for m in layout.machines})
+        for _ in range(2):
+            sim.step((), {"RELALL": 1})
+        for _ in range(phase):  # whose turn it is when they are asked for
+            sim.step((), {})
+        sim.step((), {"VOY": first})
+        sim.step((), {"VOY": second})
+        over = [
+            {f"L_{s}_{n}" for r in v.routes for s, n in table.route[r].traversals if s in v.meetings[0].sections}
+            for v in table.voyages
+        ]
+        for seen in steps(sim, 40):
+            assert not (seen & over[0] and seen & over[1]), "both hold a part of the single line"
+        got = [all(sim.is_on(f"A_R{number(sim, r)}") for r in v.routes) for v in table.voyages]
+        assert sum(got) == 1, "the other waits outside"

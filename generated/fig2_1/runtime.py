@@ -540,8 +540,8 @@ class Controller:
         MOV_PE = VALID and FREE_E and (not OCC_E) and True and True  # machine PE is free to move (R10)
         AVN_PE = CN_PE or MOV_PE or (QN_PE and (not CN_PE) and (not CR_PE))  # machine PE can be demanded N
         AVR_PE = CR_PE or MOV_PE or (QR_PE and (not CN_PE) and (not CR_PE))  # machine PE can be demanded R
-        RQ_R2 = (REQ == 2) or ((REQ == 0) and T_R2 and N_R2)  # route SC-SF is asked for (R14, R18)
-        RQ_R4 = (REQ == 4) or ((REQ == 0) and T_R4 and N_R4)  # route SD-SG is asked for (R14, R18)
+        RQ_R2 = (REQ == 2) or ((REQ == 0) and T_R2 and N_R2 and (not L_B_3) and (not L_C_2) and (not L_D_2) and (not L_E_4))  # route SC-SF is asked for (R14, R18)
+        RQ_R4 = (REQ == 4) or ((REQ == 0) and T_R4 and N_R4 and (not L_B_1) and (not L_C_1) and (not L_D_1) and (not L_E_1))  # route SD-SG is asked for (R14, R18)
         RQ_R5 = (REQ == 5) or ((REQ == 0) and T_R5 and N_R5 and (not L_B_1) and (not L_C_1) and (not L_D_1) and (not L_E_1))  # route SE-SD is asked for (R14, R18)
         RQ_R6 = (REQ == 6) or ((REQ == 0) and T_R6 and N_R6)  # route SF-II is asked for (R14, R18)
         RQ_R7 = (REQ == 7) or ((REQ == 0) and T_R7 and N_R7)  # route SG-IV is asked for (R14, R18)

@@ -547,7 +547,7 @@ class Controller:
         MOV_P2 = VALID and FREE_q11 and (not OCC_q11) and True and True  # machine P2 is free to move (R10)
         AVN_P2 = CN_P2 or MOV_P2 or (QN_P2 and (not CN_P2) and (not CR_P2))  # machine P2 can be demanded N
         AVR_P2 = CR_P2 or MOV_P2 or (QR_P2 and (not CN_P2) and (not CR_P2))  # machine P2 can be demanded R
-        RQ_R2 = (REQ == 2) or ((REQ == 0) and T_R2 and N_R2)  # route X1-X5 is asked for (R14, R18)
+        RQ_R2 = (REQ == 2) or ((REQ == 0) and T_R2 and N_R2 and (not L_q1_2) and (not L_q2_3))  # route X1-X5 is asked for (R14, R18)
         RQ_R3 = (REQ == 3) or ((REQ == 0) and T_R3 and N_R3 and (not L_q1_1) and (not L_q2_2))  # route X2-W is asked for (R14, R18)
         RQ_R5 = (REQ == 5) or ((REQ == 0) and T_R5 and N_R5 and (not L_q11_3))  # route X4-X2 is asked for (R14, R18)
         RQ_R7 = (REQ == 7) or ((REQ == 0) and T_R7 and N_R7 and (not L_q11_2))  # route X5-E is asked for (R14, R18)

@@ -169,7 +169,9 @@ VOYAGE_COLUMNS: tuple[VoyageColumn, ...] = (
     VoyageColumn("number", "No.", "航程号", "Nr.", lambda v: str(v.number)),
     VoyageColumn("voyage", "Voyage", "航程", "Fahrt", lambda v: v.name),
     VoyageColumn("routes", "Routes", "进路", "Fahrstraßen", lambda v: ", ".join(v.routes)),
-    VoyageColumn("order", "Set from", "办理顺序", "Einstellung", lambda v: "far end" if v.far_first else "near end"),
+    VoyageColumn(
+        "order", "Set from", "办理顺序", "Einstellung", lambda v: "far end" if v.far_first else "whichever can be"
+    ),
     VoyageColumn("meets", "Meets head-on", "敌对航程", "Gegenfahrten", _meets),
     VoyageColumn("deadlocks", "Deadlocks", "死锁", "Verklemmungen", _stuck),
 )

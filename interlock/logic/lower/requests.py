@@ -55,15 +55,16 @@ def _nearer(d: Draft, v: VoyageRow, r: RouteRow) -> list[Expr]:
 
 
 def _against(d: Draft, v: VoyageRow, r: RouteRow) -> list[Expr]:
-    """Into a single line only while nothing in it is locked for an opposing voyage."""
+    """Any part of a single line only while nothing in it is locked for an opposing voyage: the first one has it all."""
     by_name = {w.name: w for w in d.table.voyages}
+    own = {k for i in v.routes for k in d.table.route[i].traversals}
     out: list[Expr] = []
     for m in v.meetings:
-        if m.sections[0] not in r.section_ids:
-            continue
         single: set[SectionId] = set(m.sections)
+        if single.isdisjoint(r.section_ids):
+            continue
         keys = {k for i in by_name[m.voyage].routes for k in d.table.route[i].traversals if k[0] in single}
-        out += [neg(d.lock(*k)) for k in sorted(keys)]
+        out += [neg(d.lock(*k)) for k in sorted(keys - own)]
     return out
 
 
