@@ -27,6 +27,7 @@ DEVICES = "../tests/layouts_for_tests/devices"
 OVERLAPS = "../tests/layouts_for_tests/overlaps"
 # the layout on which a kind has mutants
 ON = {
+    "way-not-available": "../tests/layouts_for_tests/foul_joint",
     "diamond-not-excluded": "junction",
     "flank-missing": FLANK,
     "flank-wrong": FLANK,

@@ -1,7 +1,7 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 63be046c605d7f00831f1d89721e6b993bf103c169948b187f768a3b9d24f39c
-# claims eb9bd0e1b1e5102a289a0cffc60683cfc4ef811d520a949894f6dc5fe6f52f28
+# claims c71ee449ff4ebd89876408c5acda7659d94e13ca2aed85d7a01dd9c5e3cd9a55
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -1628,189 +1628,529 @@ class Controller:
         MOV_9_11 = VALID and FREE_11_13DG and (not OCC_11_13DG) and FREE_9_15DG and (not OCC_9_15DG) and (not (L_11_13DG_4 or L_11_13DG_6)) and True  # machine 9/11 is free to move (R10)
         AVN_9_11 = CN_9_11 or MOV_9_11 or (QN_9_11 and (not CN_9_11) and (not CR_9_11))  # machine 9/11 can be demanded N
         AVR_9_11 = CR_9_11 or MOV_9_11 or (QR_9_11 and (not CN_9_11) and (not CR_9_11))  # machine 9/11 can be demanded R
+        WF_1_19WG_1 = FREE_1_19WG and (not OCC_1_19WG) and (not BLK_1_19WG)  # 1/19WG from 1/19WG|19-27DG@19.normal to 1/19WG|1DG@WG.0: free for a route (R6)
+        WA_11_13DG_1 = AVN_9_11 and AVN_13_15 and (not TR_9_11) and (not TR_13_15)  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|7DG@13.toe: could be locked
+        WF_11_13DG_1 = FREE_11_13DG and (not OCC_11_13DG) and (not BLK_11_13DG) and WA_11_13DG_1  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|7DG@13.toe: free for a route (R6)
+        WA_11_13DG_2 = AVR_9_11 and (not TR_9_11)  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|9-15DG@11.reverse: could be locked
+        WF_11_13DG_2 = FREE_11_13DG and (not OCC_11_13DG) and (not BLK_11_13DG) and WA_11_13DG_2  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|9-15DG@11.reverse: free for a route (R6)
+        WA_11_13DG_3 = AVN_13_15 and AVN_9_11 and (not TR_13_15) and (not TR_9_11)  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|21DG@11.toe: could be locked
+        WF_11_13DG_3 = FREE_11_13DG and (not OCC_11_13DG) and (not BLK_11_13DG) and WA_11_13DG_3  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|21DG@11.toe: free for a route (R6)
+        WA_11_13DG_4 = (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and AVR_13_15 and AVN_9_11 and (not TR_13_15) and (not TR_9_11)  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|9-15DG@15.reverse: could be locked
+        WF_11_13DG_4 = FREE_11_13DG and (not OCC_11_13DG) and (not BLK_11_13DG) and WA_11_13DG_4  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|9-15DG@15.reverse: free for a route (R6)
+        WA_11_13DG_5 = AVR_9_11 and (not TR_9_11)  # 11-13DG from 11-13DG|9-15DG@11.reverse to 11-13DG|21DG@11.toe: could be locked
+        WF_11_13DG_5 = FREE_11_13DG and (not OCC_11_13DG) and (not BLK_11_13DG) and WA_11_13DG_5  # 11-13DG from 11-13DG|9-15DG@11.reverse to 11-13DG|21DG@11.toe: free for a route (R6)
+        WA_11_13DG_6 = (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and AVR_13_15 and AVN_9_11 and (not TR_13_15) and (not TR_9_11)  # 11-13DG from 11-13DG|9-15DG@15.reverse to 11-13DG|7DG@13.toe: could be locked
+        WF_11_13DG_6 = FREE_11_13DG and (not OCC_11_13DG) and (not BLK_11_13DG) and WA_11_13DG_6  # 11-13DG from 11-13DG|9-15DG@15.reverse to 11-13DG|7DG@13.toe: free for a route (R6)
+        WA_17_23DG_1 = AVR_17_19 and (not TR_17_19)  # 17-23DG from 17-23DG|19-27DG@x17.0 to 17-23DG|9-15DG@15.toe: could be locked
+        WF_17_23DG_1 = FREE_17_23DG and (not OCC_17_23DG) and (not BLK_17_23DG) and WA_17_23DG_1  # 17-23DG from 17-23DG|19-27DG@x17.0 to 17-23DG|9-15DG@15.toe: free for a route (R6)
+        WA_17_23DG_2 = AVR_23_25 and AVN_17_19 and (not TR_23_25) and (not TR_17_19)  # 17-23DG from 17-23DG|25DG@x23.0 to 17-23DG|9-15DG@15.toe: could be locked
+        WF_17_23DG_2 = FREE_17_23DG and (not OCC_17_23DG) and (not BLK_17_23DG) and WA_17_23DG_2  # 17-23DG from 17-23DG|25DG@x23.0 to 17-23DG|9-15DG@15.toe: free for a route (R6)
+        WA_17_23DG_3 = AVR_17_19 and (not TR_17_19)  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|19-27DG@x17.0: could be locked
+        WF_17_23DG_3 = FREE_17_23DG and (not OCC_17_23DG) and (not BLK_17_23DG) and WA_17_23DG_3  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|19-27DG@x17.0: free for a route (R6)
+        WA_17_23DG_4 = AVN_17_19 and AVR_23_25 and (not TR_17_19) and (not TR_23_25)  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|25DG@x23.0: could be locked
+        WF_17_23DG_4 = FREE_17_23DG and (not OCC_17_23DG) and (not BLK_17_23DG) and WA_17_23DG_4  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|25DG@x23.0: free for a route (R6)
+        WA_17_23DG_5 = AVN_17_19 and AVN_23_25 and (not TR_17_19) and (not TR_23_25)  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|IG@tI.0: could be locked
+        WF_17_23DG_5 = FREE_17_23DG and (not OCC_17_23DG) and (not BLK_17_23DG) and WA_17_23DG_5  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|IG@tI.0: free for a route (R6)
+        WA_17_23DG_6 = AVN_23_25 and AVN_17_19 and (not TR_23_25) and (not TR_17_19)  # 17-23DG from 17-23DG|IG@tI.0 to 17-23DG|9-15DG@15.toe: could be locked
+        WF_17_23DG_6 = FREE_17_23DG and (not OCC_17_23DG) and (not BLK_17_23DG) and WA_17_23DG_6  # 17-23DG from 17-23DG|IG@tI.0 to 17-23DG|9-15DG@15.toe: free for a route (R6)
+        WA_19_27DG_1 = AVN_17_19 and AVR_27 and (not TR_17_19) and (not TR_27)  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|4G@t4.0: could be locked
+        WF_19_27DG_1 = FREE_19_27DG and (not OCC_19_27DG) and (not BLK_19_27DG) and WA_19_27DG_1  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|4G@t4.0: free for a route (R6)
+        WA_19_27DG_2 = AVN_17_19 and AVN_27 and (not TR_17_19) and (not TR_27)  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|IIG@tII.0: could be locked
+        WF_19_27DG_2 = FREE_19_27DG and (not OCC_19_27DG) and (not BLK_19_27DG) and WA_19_27DG_2  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|IIG@tII.0: free for a route (R6)
+        WA_19_27DG_3 = AVR_17_19 and AVR_27 and (not TR_17_19) and (not TR_27)  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|4G@t4.0: could be locked
+        WF_19_27DG_3 = FREE_19_27DG and (not OCC_19_27DG) and (not BLK_19_27DG) and WA_19_27DG_3  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|4G@t4.0: free for a route (R6)
+        WA_19_27DG_4 = AVR_17_19 and AVN_27 and (not TR_17_19) and (not TR_27)  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|IIG@tII.0: could be locked
+        WF_19_27DG_4 = FREE_19_27DG and (not OCC_19_27DG) and (not BLK_19_27DG) and WA_19_27DG_4  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|IIG@tII.0: free for a route (R6)
+        WA_19_27DG_5 = AVR_27 and AVN_17_19 and (not TR_27) and (not TR_17_19)  # 19-27DG from 19-27DG|4G@t4.0 to 1/19WG|19-27DG@19.normal: could be locked
+        WF_19_27DG_5 = FREE_19_27DG and (not OCC_19_27DG) and (not BLK_19_27DG) and WA_19_27DG_5  # 19-27DG from 19-27DG|4G@t4.0 to 1/19WG|19-27DG@19.normal: free for a route (R6)
+        WA_19_27DG_6 = AVR_27 and AVR_17_19 and (not TR_27) and (not TR_17_19)  # 19-27DG from 19-27DG|4G@t4.0 to 17-23DG|19-27DG@x17.0: could be locked
+        WF_19_27DG_6 = FREE_19_27DG and (not OCC_19_27DG) and (not BLK_19_27DG) and WA_19_27DG_6  # 19-27DG from 19-27DG|4G@t4.0 to 17-23DG|19-27DG@x17.0: free for a route (R6)
+        WA_19_27DG_7 = AVN_27 and AVN_17_19 and (not TR_27) and (not TR_17_19)  # 19-27DG from 19-27DG|IIG@tII.0 to 1/19WG|19-27DG@19.normal: could be locked
+        WF_19_27DG_7 = FREE_19_27DG and (not OCC_19_27DG) and (not BLK_19_27DG) and WA_19_27DG_7  # 19-27DG from 19-27DG|IIG@tII.0 to 1/19WG|19-27DG@19.normal: free for a route (R6)
+        WA_19_27DG_8 = AVN_27 and AVR_17_19 and (not TR_27) and (not TR_17_19)  # 19-27DG from 19-27DG|IIG@tII.0 to 17-23DG|19-27DG@x17.0: could be locked
+        WF_19_27DG_8 = FREE_19_27DG and (not OCC_19_27DG) and (not BLK_19_27DG) and WA_19_27DG_8  # 19-27DG from 19-27DG|IIG@tII.0 to 17-23DG|19-27DG@x17.0: free for a route (R6)
+        WA_1DG_1 = AVN_1_3 and (not TR_1_3)  # 1DG from 1/19WG|1DG@WG.0 to 1DG|IIAG@1.toe: could be locked
+        WF_1DG_1 = FREE_1DG and (not OCC_1DG) and (not BLK_1DG) and WA_1DG_1  # 1DG from 1/19WG|1DG@WG.0 to 1DG|IIAG@1.toe: free for a route (R6)
+        WA_1DG_2 = AVR_1_3 and (not TR_1_3)  # 1DG from 1DG|3DG@x1.0 to 1DG|IIAG@1.toe: could be locked
+        WF_1DG_2 = FREE_1DG and (not OCC_1DG) and (not BLK_1DG) and WA_1DG_2  # 1DG from 1DG|3DG@x1.0 to 1DG|IIAG@1.toe: free for a route (R6)
+        WA_1DG_3 = AVN_1_3 and (not TR_1_3)  # 1DG from 1DG|IIAG@1.toe to 1/19WG|1DG@WG.0: could be locked
+        WF_1DG_3 = FREE_1DG and (not OCC_1DG) and (not BLK_1DG) and WA_1DG_3  # 1DG from 1DG|IIAG@1.toe to 1/19WG|1DG@WG.0: free for a route (R6)
+        WA_1DG_4 = AVR_1_3 and (not TR_1_3)  # 1DG from 1DG|IIAG@1.toe to 1DG|3DG@x1.0: could be locked
+        WF_1DG_4 = FREE_1DG and (not OCC_1DG) and (not BLK_1DG) and WA_1DG_4  # 1DG from 1DG|IIAG@1.toe to 1DG|3DG@x1.0: free for a route (R6)
+        WA_21DG_1 = (not (L_25DG_1 or L_25DG_3 or K_25DG)) and AVN_21 and (not TR_21)  # 21DG from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal: could be locked
+        WF_21DG_1 = FREE_21DG and (not OCC_21DG) and (not BLK_21DG) and WA_21DG_1  # 21DG from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal: free for a route (R6)
+        WA_21DG_2 = (not (L_25DG_2 or L_25DG_4 or K_25DG)) and AVR_21 and (not TR_21) and ((not OCC_25DG) or QR_23_25)  # 21DG from 11-13DG|21DG@11.toe to 21DG|5G@t5.0: could be locked
+        WF_21DG_2 = FREE_21DG and (not OCC_21DG) and (not BLK_21DG) and WA_21DG_2  # 21DG from 11-13DG|21DG@11.toe to 21DG|5G@t5.0: free for a route (R6)
+        WA_21DG_3 = (not (L_25DG_1 or L_25DG_3 or K_25DG)) and AVN_21 and (not TR_21)  # 21DG from 21DG|25DG@21.normal to 11-13DG|21DG@11.toe: could be locked
+        WF_21DG_3 = FREE_21DG and (not OCC_21DG) and (not BLK_21DG) and WA_21DG_3  # 21DG from 21DG|25DG@21.normal to 11-13DG|21DG@11.toe: free for a route (R6)
+        WA_21DG_4 = (not (L_25DG_2 or L_25DG_4 or K_25DG)) and AVR_21 and (not TR_21) and ((not OCC_25DG) or QR_23_25)  # 21DG from 21DG|5G@t5.0 to 11-13DG|21DG@11.toe: could be locked
+        WF_21DG_4 = FREE_21DG and (not OCC_21DG) and (not BLK_21DG) and WA_21DG_4  # 21DG from 21DG|5G@t5.0 to 11-13DG|21DG@11.toe: free for a route (R6)
+        WA_25DG_1 = (not (L_21DG_1 or L_21DG_3 or K_21DG)) and AVR_23_25 and (not TR_23_25) and ((not OCC_21DG) or QR_21)  # 25DG from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0: could be locked
+        WF_25DG_1 = FREE_25DG and (not OCC_25DG) and (not BLK_25DG) and WA_25DG_1  # 25DG from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0: free for a route (R6)
+        WA_25DG_2 = (not (L_21DG_2 or L_21DG_4 or K_21DG)) and AVN_23_25 and (not TR_23_25)  # 25DG from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0: could be locked
+        WF_25DG_2 = FREE_25DG and (not OCC_25DG) and (not BLK_25DG) and WA_25DG_2  # 25DG from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0: free for a route (R6)
+        WA_25DG_3 = (not (L_21DG_1 or L_21DG_3 or K_21DG)) and AVR_23_25 and (not TR_23_25) and ((not OCC_21DG) or QR_21)  # 25DG from 25DG|IIIG@tIII.0 to 17-23DG|25DG@x23.0: could be locked
+        WF_25DG_3 = FREE_25DG and (not OCC_25DG) and (not BLK_25DG) and WA_25DG_3  # 25DG from 25DG|IIIG@tIII.0 to 17-23DG|25DG@x23.0: free for a route (R6)
+        WA_25DG_4 = (not (L_21DG_2 or L_21DG_4 or K_21DG)) and AVN_23_25 and (not TR_23_25)  # 25DG from 25DG|IIIG@tIII.0 to 21DG|25DG@21.normal: could be locked
+        WF_25DG_4 = FREE_25DG and (not OCC_25DG) and (not BLK_25DG) and WA_25DG_4  # 25DG from 25DG|IIIG@tIII.0 to 21DG|25DG@21.normal: free for a route (R6)
+        WA_3DG_1 = (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVR_1_3 and (not TR_1_3) and ((not OCC_5DG) or QR_5_7)  # 3DG from 1DG|3DG@x1.0 to 3DG|9-15DG@3-9.end: could be locked
+        WF_3DG_1 = FREE_3DG and (not OCC_3DG) and (not BLK_3DG) and WA_3DG_1  # 3DG from 1DG|3DG@x1.0 to 3DG|9-15DG@3-9.end: free for a route (R6)
+        WA_3DG_2 = (not (L_5DG_2 or L_5DG_4 or K_5DG)) and AVN_1_3 and (not TR_1_3)  # 3DG from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end: could be locked
+        WF_3DG_2 = FREE_3DG and (not OCC_3DG) and (not BLK_3DG) and WA_3DG_2  # 3DG from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end: free for a route (R6)
+        WA_3DG_3 = (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVR_1_3 and (not TR_1_3) and ((not OCC_5DG) or QR_5_7)  # 3DG from 3DG|9-15DG@3-9.end to 1DG|3DG@x1.0: could be locked
+        WF_3DG_3 = FREE_3DG and (not OCC_3DG) and (not BLK_3DG) and WA_3DG_3  # 3DG from 3DG|9-15DG@3-9.end to 1DG|3DG@x1.0: free for a route (R6)
+        WA_3DG_4 = (not (L_5DG_2 or L_5DG_4 or K_5DG)) and AVN_1_3 and (not TR_1_3)  # 3DG from 3DG|9-15DG@3-9.end to 3DG|5DG@3.normal: could be locked
+        WF_3DG_4 = FREE_3DG and (not OCC_3DG) and (not BLK_3DG) and WA_3DG_4  # 3DG from 3DG|9-15DG@3-9.end to 3DG|5DG@3.normal: free for a route (R6)
+        WF_4G_1 = FREE_4G and (not OCC_4G) and (not BLK_4G)  # 4G from 19-27DG|4G@t4.0 to E4: free for a route (R6)
+        WA_5DG_1 = (not (L_3DG_1 or L_3DG_3 or K_3DG)) and AVN_5_7 and (not TR_5_7)  # 5DG from 3DG|5DG@3.normal to 5DG|IAG@5.toe: could be locked
+        WF_5DG_1 = FREE_5DG and (not OCC_5DG) and (not BLK_5DG) and WA_5DG_1  # 5DG from 3DG|5DG@3.normal to 5DG|IAG@5.toe: free for a route (R6)
+        WA_5DG_2 = (not (L_3DG_2 or L_3DG_4 or K_3DG)) and AVR_5_7 and (not TR_5_7) and ((not OCC_3DG) or QR_1_3)  # 5DG from 5DG|7DG@x5.0 to 5DG|IAG@5.toe: could be locked
+        WF_5DG_2 = FREE_5DG and (not OCC_5DG) and (not BLK_5DG) and WA_5DG_2  # 5DG from 5DG|7DG@x5.0 to 5DG|IAG@5.toe: free for a route (R6)
+        WA_5DG_3 = (not (L_3DG_1 or L_3DG_3 or K_3DG)) and AVN_5_7 and (not TR_5_7)  # 5DG from 5DG|IAG@5.toe to 3DG|5DG@3.normal: could be locked
+        WF_5DG_3 = FREE_5DG and (not OCC_5DG) and (not BLK_5DG) and WA_5DG_3  # 5DG from 5DG|IAG@5.toe to 3DG|5DG@3.normal: free for a route (R6)
+        WA_5DG_4 = (not (L_3DG_2 or L_3DG_4 or K_3DG)) and AVR_5_7 and (not TR_5_7) and ((not OCC_3DG) or QR_1_3)  # 5DG from 5DG|IAG@5.toe to 5DG|7DG@x5.0: could be locked
+        WF_5DG_4 = FREE_5DG and (not OCC_5DG) and (not BLK_5DG) and WA_5DG_4  # 5DG from 5DG|IAG@5.toe to 5DG|7DG@x5.0: free for a route (R6)
+        WF_5G_1 = FREE_5G and (not OCC_5G) and (not BLK_5G)  # 5G from 21DG|5G@t5.0 to E5: free for a route (R6)
+        WA_7DG_1 = AVR_5_7 and (not TR_5_7)  # 7DG from 11-13DG|7DG@13.toe to 5DG|7DG@x5.0: could be locked
+        WF_7DG_1 = FREE_7DG and (not OCC_7DG) and (not BLK_7DG) and WA_7DG_1  # 7DG from 11-13DG|7DG@13.toe to 5DG|7DG@x5.0: free for a route (R6)
+        WA_7DG_2 = AVN_5_7 and (not TR_5_7)  # 7DG from 11-13DG|7DG@13.toe to DJ: could be locked
+        WF_7DG_2 = FREE_7DG and (not OCC_7DG) and (not BLK_7DG) and WA_7DG_2  # 7DG from 11-13DG|7DG@13.toe to DJ: free for a route (R6)
+        WA_7DG_3 = AVR_5_7 and (not TR_5_7)  # 7DG from 5DG|7DG@x5.0 to 11-13DG|7DG@13.toe: could be locked
+        WF_7DG_3 = FREE_7DG and (not OCC_7DG) and (not BLK_7DG) and WA_7DG_3  # 7DG from 5DG|7DG@x5.0 to 11-13DG|7DG@13.toe: free for a route (R6)
+        WA_7DG_4 = AVN_5_7 and (not TR_5_7)  # 7DG from DJ to 11-13DG|7DG@13.toe: could be locked
+        WF_7DG_4 = FREE_7DG and (not OCC_7DG) and (not BLK_7DG) and WA_7DG_4  # 7DG from DJ to 11-13DG|7DG@13.toe: free for a route (R6)
+        WA_9_15DG_1 = (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and AVR_9_11 and AVN_13_15 and (not TR_9_11) and (not TR_13_15)  # 9-15DG from 11-13DG|9-15DG@11.reverse to 3DG|9-15DG@3-9.end: could be locked
+        WF_9_15DG_1 = FREE_9_15DG and (not OCC_9_15DG) and (not BLK_9_15DG) and WA_9_15DG_1  # 9-15DG from 11-13DG|9-15DG@11.reverse to 3DG|9-15DG@3-9.end: free for a route (R6)
+        WA_9_15DG_2 = AVR_13_15 and (not TR_13_15)  # 9-15DG from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe: could be locked
+        WF_9_15DG_2 = FREE_9_15DG and (not OCC_9_15DG) and (not BLK_9_15DG) and WA_9_15DG_2  # 9-15DG from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe: free for a route (R6)
+        WA_9_15DG_3 = AVR_13_15 and (not TR_13_15)  # 9-15DG from 17-23DG|9-15DG@15.toe to 11-13DG|9-15DG@15.reverse: could be locked
+        WF_9_15DG_3 = FREE_9_15DG and (not OCC_9_15DG) and (not BLK_9_15DG) and WA_9_15DG_3  # 9-15DG from 17-23DG|9-15DG@15.toe to 11-13DG|9-15DG@15.reverse: free for a route (R6)
+        WA_9_15DG_4 = AVN_13_15 and AVN_9_11 and (not TR_13_15) and (not TR_9_11)  # 9-15DG from 17-23DG|9-15DG@15.toe to 3DG|9-15DG@3-9.end: could be locked
+        WF_9_15DG_4 = FREE_9_15DG and (not OCC_9_15DG) and (not BLK_9_15DG) and WA_9_15DG_4  # 9-15DG from 17-23DG|9-15DG@15.toe to 3DG|9-15DG@3-9.end: free for a route (R6)
+        WA_9_15DG_5 = (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and AVR_9_11 and AVN_13_15 and (not TR_9_11) and (not TR_13_15)  # 9-15DG from 3DG|9-15DG@3-9.end to 11-13DG|9-15DG@11.reverse: could be locked
+        WF_9_15DG_5 = FREE_9_15DG and (not OCC_9_15DG) and (not BLK_9_15DG) and WA_9_15DG_5  # 9-15DG from 3DG|9-15DG@3-9.end to 11-13DG|9-15DG@11.reverse: free for a route (R6)
+        WA_9_15DG_6 = AVN_9_11 and AVN_13_15 and (not TR_9_11) and (not TR_13_15)  # 9-15DG from 3DG|9-15DG@3-9.end to 17-23DG|9-15DG@15.toe: could be locked
+        WF_9_15DG_6 = FREE_9_15DG and (not OCC_9_15DG) and (not BLK_9_15DG) and WA_9_15DG_6  # 9-15DG from 3DG|9-15DG@3-9.end to 17-23DG|9-15DG@15.toe: free for a route (R6)
+        WF_IAG_2 = FREE_IAG and (not OCC_IAG) and (not BLK_IAG)  # IAG from BX to 5DG|IAG@5.toe: free for a route (R6)
+        WF_IG_1 = FREE_IG and (not OCC_IG) and (not BLK_IG)  # IG from 17-23DG|IG@tI.0 to E1: free for a route (R6)
+        WF_IIAG_1 = FREE_IIAG and (not OCC_IIAG) and (not BLK_IIAG)  # IIAG from 1DG|IIAG@1.toe to BS: free for a route (R6)
+        WF_IIIG_1 = FREE_IIIG and (not OCC_IIIG) and (not BLK_IIIG)  # IIIG from 25DG|IIIG@tIII.0 to E3: free for a route (R6)
+        WL_1_19WG_1 = (not OCC_1_19WG)  # 1/19WG from 1/19WG|19-27DG@19.normal to 1/19WG|1DG@WG.0: lies and is clear
+        WP_1_19WG_1 = WL_1_19WG_1 and (not BLK_1_19WG)  # 1/19WG from 1/19WG|19-27DG@19.normal to 1/19WG|1DG@WG.0: proceed may be shown over it (R3)
+        WL_1_19WG_2 = (not OCC_1_19WG)  # 1/19WG from 1/19WG|1DG@WG.0 to 1/19WG|19-27DG@19.normal: lies and is clear
+        WD_11_13DG_1 = QN_9_11 and QN_13_15 and (not TR_9_11) and (not TR_13_15)  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|7DG@13.toe: its points lie, nothing is foul of it
+        WL_11_13DG_1 = (not OCC_11_13DG) and WD_11_13DG_1  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|7DG@13.toe: lies and is clear
+        WP_11_13DG_1 = WL_11_13DG_1 and (not BLK_11_13DG)  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|7DG@13.toe: proceed may be shown over it (R3)
+        WD_11_13DG_2 = QR_9_11 and (not TR_9_11)  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|9-15DG@11.reverse: its points lie, nothing is foul of it
+        WL_11_13DG_2 = (not OCC_11_13DG) and WD_11_13DG_2  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|9-15DG@11.reverse: lies and is clear
+        WP_11_13DG_2 = WL_11_13DG_2 and (not BLK_11_13DG)  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|9-15DG@11.reverse: proceed may be shown over it (R3)
+        WD_11_13DG_3 = QN_13_15 and QN_9_11 and (not TR_13_15) and (not TR_9_11)  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|21DG@11.toe: its points lie, nothing is foul of it
+        WL_11_13DG_3 = (not OCC_11_13DG) and WD_11_13DG_3  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|21DG@11.toe: lies and is clear
+        WP_11_13DG_3 = WL_11_13DG_3 and (not BLK_11_13DG)  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|21DG@11.toe: proceed may be shown over it (R3)
+        WD_11_13DG_4 = QR_13_15 and QN_9_11 and (not TR_13_15) and (not TR_9_11)  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|9-15DG@15.reverse: its points lie, nothing is foul of it
+        WL_11_13DG_4 = (not OCC_11_13DG) and WD_11_13DG_4  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|9-15DG@15.reverse: lies and is clear
+        WP_11_13DG_4 = WL_11_13DG_4 and (not BLK_11_13DG)  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|9-15DG@15.reverse: proceed may be shown over it (R3)
+        WD_11_13DG_5 = QR_9_11 and (not TR_9_11)  # 11-13DG from 11-13DG|9-15DG@11.reverse to 11-13DG|21DG@11.toe: its points lie, nothing is foul of it
+        WL_11_13DG_5 = (not OCC_11_13DG) and WD_11_13DG_5  # 11-13DG from 11-13DG|9-15DG@11.reverse to 11-13DG|21DG@11.toe: lies and is clear
+        WP_11_13DG_5 = WL_11_13DG_5 and (not BLK_11_13DG)  # 11-13DG from 11-13DG|9-15DG@11.reverse to 11-13DG|21DG@11.toe: proceed may be shown over it (R3)
+        WD_11_13DG_6 = QR_13_15 and QN_9_11 and (not TR_13_15) and (not TR_9_11)  # 11-13DG from 11-13DG|9-15DG@15.reverse to 11-13DG|7DG@13.toe: its points lie, nothing is foul of it
+        WL_11_13DG_6 = (not OCC_11_13DG) and WD_11_13DG_6  # 11-13DG from 11-13DG|9-15DG@15.reverse to 11-13DG|7DG@13.toe: lies and is clear
+        WP_11_13DG_6 = WL_11_13DG_6 and (not BLK_11_13DG)  # 11-13DG from 11-13DG|9-15DG@15.reverse to 11-13DG|7DG@13.toe: proceed may be shown over it (R3)
+        WD_17_23DG_1 = QR_17_19 and (not TR_17_19)  # 17-23DG from 17-23DG|19-27DG@x17.0 to 17-23DG|9-15DG@15.toe: its points lie, nothing is foul of it
+        WL_17_23DG_1 = (not OCC_17_23DG) and WD_17_23DG_1  # 17-23DG from 17-23DG|19-27DG@x17.0 to 17-23DG|9-15DG@15.toe: lies and is clear
+        WP_17_23DG_1 = WL_17_23DG_1 and (not BLK_17_23DG)  # 17-23DG from 17-23DG|19-27DG@x17.0 to 17-23DG|9-15DG@15.toe: proceed may be shown over it (R3)
+        WD_17_23DG_2 = QR_23_25 and QN_17_19 and (not TR_23_25) and (not TR_17_19)  # 17-23DG from 17-23DG|25DG@x23.0 to 17-23DG|9-15DG@15.toe: its points lie, nothing is foul of it
+        WL_17_23DG_2 = (not OCC_17_23DG) and WD_17_23DG_2  # 17-23DG from 17-23DG|25DG@x23.0 to 17-23DG|9-15DG@15.toe: lies and is clear
+        WP_17_23DG_2 = WL_17_23DG_2 and (not BLK_17_23DG)  # 17-23DG from 17-23DG|25DG@x23.0 to 17-23DG|9-15DG@15.toe: proceed may be shown over it (R3)
+        WD_17_23DG_3 = QR_17_19 and (not TR_17_19)  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|19-27DG@x17.0: its points lie, nothing is foul of it
+        WL_17_23DG_3 = (not OCC_17_23DG) and WD_17_23DG_3  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|19-27DG@x17.0: lies and is clear
+        WP_17_23DG_3 = WL_17_23DG_3 and (not BLK_17_23DG)  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|19-27DG@x17.0: proceed may be shown over it (R3)
+        WD_17_23DG_4 = QN_17_19 and QR_23_25 and (not TR_17_19) and (not TR_23_25)  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|25DG@x23.0: its points lie, nothing is foul of it
+        WL_17_23DG_4 = (not OCC_17_23DG) and WD_17_23DG_4  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|25DG@x23.0: lies and is clear
+        WP_17_23DG_4 = WL_17_23DG_4 and (not BLK_17_23DG)  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|25DG@x23.0: proceed may be shown over it (R3)
+        WD_17_23DG_5 = QN_17_19 and QN_23_25 and (not TR_17_19) and (not TR_23_25)  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|IG@tI.0: its points lie, nothing is foul of it
+        WL_17_23DG_5 = (not OCC_17_23DG) and WD_17_23DG_5  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|IG@tI.0: lies and is clear
+        WP_17_23DG_5 = WL_17_23DG_5 and (not BLK_17_23DG)  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|IG@tI.0: proceed may be shown over it (R3)
+        WD_17_23DG_6 = QN_23_25 and QN_17_19 and (not TR_23_25) and (not TR_17_19)  # 17-23DG from 17-23DG|IG@tI.0 to 17-23DG|9-15DG@15.toe: its points lie, nothing is foul of it
+        WL_17_23DG_6 = (not OCC_17_23DG) and WD_17_23DG_6  # 17-23DG from 17-23DG|IG@tI.0 to 17-23DG|9-15DG@15.toe: lies and is clear
+        WP_17_23DG_6 = WL_17_23DG_6 and (not BLK_17_23DG)  # 17-23DG from 17-23DG|IG@tI.0 to 17-23DG|9-15DG@15.toe: proceed may be shown over it (R3)
+        WD_19_27DG_1 = QN_17_19 and QR_27 and (not TR_17_19) and (not TR_27)  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|4G@t4.0: its points lie, nothing is foul of it
+        WL_19_27DG_1 = (not OCC_19_27DG) and WD_19_27DG_1  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|4G@t4.0: lies and is clear
+        WP_19_27DG_1 = WL_19_27DG_1 and (not BLK_19_27DG)  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|4G@t4.0: proceed may be shown over it (R3)
+        WD_19_27DG_2 = QN_17_19 and QN_27 and (not TR_17_19) and (not TR_27)  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|IIG@tII.0: its points lie, nothing is foul of it
+        WL_19_27DG_2 = (not OCC_19_27DG) and WD_19_27DG_2  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|IIG@tII.0: lies and is clear
+        WP_19_27DG_2 = WL_19_27DG_2 and (not BLK_19_27DG)  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|IIG@tII.0: proceed may be shown over it (R3)
+        WD_19_27DG_3 = QR_17_19 and QR_27 and (not TR_17_19) and (not TR_27)  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|4G@t4.0: its points lie, nothing is foul of it
+        WL_19_27DG_3 = (not OCC_19_27DG) and WD_19_27DG_3  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|4G@t4.0: lies and is clear
+        WP_19_27DG_3 = WL_19_27DG_3 and (not BLK_19_27DG)  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|4G@t4.0: proceed may be shown over it (R3)
+        WD_19_27DG_4 = QR_17_19 and QN_27 and (not TR_17_19) and (not TR_27)  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|IIG@tII.0: its points lie, nothing is foul of it
+        WL_19_27DG_4 = (not OCC_19_27DG) and WD_19_27DG_4  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|IIG@tII.0: lies and is clear
+        WP_19_27DG_4 = WL_19_27DG_4 and (not BLK_19_27DG)  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|IIG@tII.0: proceed may be shown over it (R3)
+        WD_19_27DG_5 = QR_27 and QN_17_19 and (not TR_27) and (not TR_17_19)  # 19-27DG from 19-27DG|4G@t4.0 to 1/19WG|19-27DG@19.normal: its points lie, nothing is foul of it
+        WL_19_27DG_5 = (not OCC_19_27DG) and WD_19_27DG_5  # 19-27DG from 19-27DG|4G@t4.0 to 1/19WG|19-27DG@19.normal: lies and is clear
+        WP_19_27DG_5 = WL_19_27DG_5 and (not BLK_19_27DG)  # 19-27DG from 19-27DG|4G@t4.0 to 1/19WG|19-27DG@19.normal: proceed may be shown over it (R3)
+        WD_19_27DG_6 = QR_27 and QR_17_19 and (not TR_27) and (not TR_17_19)  # 19-27DG from 19-27DG|4G@t4.0 to 17-23DG|19-27DG@x17.0: its points lie, nothing is foul of it
+        WL_19_27DG_6 = (not OCC_19_27DG) and WD_19_27DG_6  # 19-27DG from 19-27DG|4G@t4.0 to 17-23DG|19-27DG@x17.0: lies and is clear
+        WP_19_27DG_6 = WL_19_27DG_6 and (not BLK_19_27DG)  # 19-27DG from 19-27DG|4G@t4.0 to 17-23DG|19-27DG@x17.0: proceed may be shown over it (R3)
+        WD_19_27DG_7 = QN_27 and QN_17_19 and (not TR_27) and (not TR_17_19)  # 19-27DG from 19-27DG|IIG@tII.0 to 1/19WG|19-27DG@19.normal: its points lie, nothing is foul of it
+        WL_19_27DG_7 = (not OCC_19_27DG) and WD_19_27DG_7  # 19-27DG from 19-27DG|IIG@tII.0 to 1/19WG|19-27DG@19.normal: lies and is clear
+        WP_19_27DG_7 = WL_19_27DG_7 and (not BLK_19_27DG)  # 19-27DG from 19-27DG|IIG@tII.0 to 1/19WG|19-27DG@19.normal: proceed may be shown over it (R3)
+        WD_19_27DG_8 = QN_27 and QR_17_19 and (not TR_27) and (not TR_17_19)  # 19-27DG from 19-27DG|IIG@tII.0 to 17-23DG|19-27DG@x17.0: its points lie, nothing is foul of it
+        WL_19_27DG_8 = (not OCC_19_27DG) and WD_19_27DG_8  # 19-27DG from 19-27DG|IIG@tII.0 to 17-23DG|19-27DG@x17.0: lies and is clear
+        WP_19_27DG_8 = WL_19_27DG_8 and (not BLK_19_27DG)  # 19-27DG from 19-27DG|IIG@tII.0 to 17-23DG|19-27DG@x17.0: proceed may be shown over it (R3)
+        WD_1DG_1 = QN_1_3 and (not TR_1_3)  # 1DG from 1/19WG|1DG@WG.0 to 1DG|IIAG@1.toe: its points lie, nothing is foul of it
+        WL_1DG_1 = (not OCC_1DG) and WD_1DG_1  # 1DG from 1/19WG|1DG@WG.0 to 1DG|IIAG@1.toe: lies and is clear
+        WP_1DG_1 = WL_1DG_1 and (not BLK_1DG)  # 1DG from 1/19WG|1DG@WG.0 to 1DG|IIAG@1.toe: proceed may be shown over it (R3)
+        WD_1DG_2 = QR_1_3 and (not TR_1_3)  # 1DG from 1DG|3DG@x1.0 to 1DG|IIAG@1.toe: its points lie, nothing is foul of it
+        WL_1DG_2 = (not OCC_1DG) and WD_1DG_2  # 1DG from 1DG|3DG@x1.0 to 1DG|IIAG@1.toe: lies and is clear
+        WP_1DG_2 = WL_1DG_2 and (not BLK_1DG)  # 1DG from 1DG|3DG@x1.0 to 1DG|IIAG@1.toe: proceed may be shown over it (R3)
+        WD_1DG_3 = QN_1_3 and (not TR_1_3)  # 1DG from 1DG|IIAG@1.toe to 1/19WG|1DG@WG.0: its points lie, nothing is foul of it
+        WL_1DG_3 = (not OCC_1DG) and WD_1DG_3  # 1DG from 1DG|IIAG@1.toe to 1/19WG|1DG@WG.0: lies and is clear
+        WP_1DG_3 = WL_1DG_3 and (not BLK_1DG)  # 1DG from 1DG|IIAG@1.toe to 1/19WG|1DG@WG.0: proceed may be shown over it (R3)
+        WD_1DG_4 = QR_1_3 and (not TR_1_3)  # 1DG from 1DG|IIAG@1.toe to 1DG|3DG@x1.0: its points lie, nothing is foul of it
+        WL_1DG_4 = (not OCC_1DG) and WD_1DG_4  # 1DG from 1DG|IIAG@1.toe to 1DG|3DG@x1.0: lies and is clear
+        WP_1DG_4 = WL_1DG_4 and (not BLK_1DG)  # 1DG from 1DG|IIAG@1.toe to 1DG|3DG@x1.0: proceed may be shown over it (R3)
+        WD_21DG_1 = QN_21 and (not TR_21)  # 21DG from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal: its points lie, nothing is foul of it
+        WL_21DG_1 = (not OCC_21DG) and WD_21DG_1  # 21DG from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal: lies and is clear
+        WP_21DG_1 = WL_21DG_1 and (not BLK_21DG)  # 21DG from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal: proceed may be shown over it (R3)
+        WD_21DG_2 = QR_21 and (not TR_21) and ((not OCC_25DG) or QR_23_25)  # 21DG from 11-13DG|21DG@11.toe to 21DG|5G@t5.0: its points lie, nothing is foul of it
+        WL_21DG_2 = (not OCC_21DG) and WD_21DG_2  # 21DG from 11-13DG|21DG@11.toe to 21DG|5G@t5.0: lies and is clear
+        WP_21DG_2 = WL_21DG_2 and (not BLK_21DG)  # 21DG from 11-13DG|21DG@11.toe to 21DG|5G@t5.0: proceed may be shown over it (R3)
+        WD_21DG_3 = QN_21 and (not TR_21)  # 21DG from 21DG|25DG@21.normal to 11-13DG|21DG@11.toe: its points lie, nothing is foul of it
+        WL_21DG_3 = (not OCC_21DG) and WD_21DG_3  # 21DG from 21DG|25DG@21.normal to 11-13DG|21DG@11.toe: lies and is clear
+        WP_21DG_3 = WL_21DG_3 and (not BLK_21DG)  # 21DG from 21DG|25DG@21.normal to 11-13DG|21DG@11.toe: proceed may be shown over it (R3)
+        WD_21DG_4 = QR_21 and (not TR_21) and ((not OCC_25DG) or QR_23_25)  # 21DG from 21DG|5G@t5.0 to 11-13DG|21DG@11.toe: its points lie, nothing is foul of it
+        WL_21DG_4 = (not OCC_21DG) and WD_21DG_4  # 21DG from 21DG|5G@t5.0 to 11-13DG|21DG@11.toe: lies and is clear
+        WP_21DG_4 = WL_21DG_4 and (not BLK_21DG)  # 21DG from 21DG|5G@t5.0 to 11-13DG|21DG@11.toe: proceed may be shown over it (R3)
+        WD_25DG_1 = QR_23_25 and (not TR_23_25) and ((not OCC_21DG) or QR_21)  # 25DG from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0: its points lie, nothing is foul of it
+        WL_25DG_1 = (not OCC_25DG) and WD_25DG_1  # 25DG from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0: lies and is clear
+        WP_25DG_1 = WL_25DG_1 and (not BLK_25DG)  # 25DG from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0: proceed may be shown over it (R3)
+        WD_25DG_2 = QN_23_25 and (not TR_23_25)  # 25DG from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0: its points lie, nothing is foul of it
+        WL_25DG_2 = (not OCC_25DG) and WD_25DG_2  # 25DG from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0: lies and is clear
+        WP_25DG_2 = WL_25DG_2 and (not BLK_25DG)  # 25DG from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0: proceed may be shown over it (R3)
+        WD_25DG_3 = QR_23_25 and (not TR_23_25) and ((not OCC_21DG) or QR_21)  # 25DG from 25DG|IIIG@tIII.0 to 17-23DG|25DG@x23.0: its points lie, nothing is foul of it
+        WL_25DG_3 = (not OCC_25DG) and WD_25DG_3  # 25DG from 25DG|IIIG@tIII.0 to 17-23DG|25DG@x23.0: lies and is clear
+        WP_25DG_3 = WL_25DG_3 and (not BLK_25DG)  # 25DG from 25DG|IIIG@tIII.0 to 17-23DG|25DG@x23.0: proceed may be shown over it (R3)
+        WD_25DG_4 = QN_23_25 and (not TR_23_25)  # 25DG from 25DG|IIIG@tIII.0 to 21DG|25DG@21.normal: its points lie, nothing is foul of it
+        WL_25DG_4 = (not OCC_25DG) and WD_25DG_4  # 25DG from 25DG|IIIG@tIII.0 to 21DG|25DG@21.normal: lies and is clear
+        WP_25DG_4 = WL_25DG_4 and (not BLK_25DG)  # 25DG from 25DG|IIIG@tIII.0 to 21DG|25DG@21.normal: proceed may be shown over it (R3)
+        WD_3DG_1 = QR_1_3 and (not TR_1_3) and ((not OCC_5DG) or QR_5_7)  # 3DG from 1DG|3DG@x1.0 to 3DG|9-15DG@3-9.end: its points lie, nothing is foul of it
+        WL_3DG_1 = (not OCC_3DG) and WD_3DG_1  # 3DG from 1DG|3DG@x1.0 to 3DG|9-15DG@3-9.end: lies and is clear
+        WP_3DG_1 = WL_3DG_1 and (not BLK_3DG)  # 3DG from 1DG|3DG@x1.0 to 3DG|9-15DG@3-9.end: proceed may be shown over it (R3)
+        WD_3DG_2 = QN_1_3 and (not TR_1_3)  # 3DG from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end: its points lie, nothing is foul of it
+        WL_3DG_2 = (not OCC_3DG) and WD_3DG_2  # 3DG from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end: lies and is clear
+        WP_3DG_2 = WL_3DG_2 and (not BLK_3DG)  # 3DG from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end: proceed may be shown over it (R3)
+        WD_3DG_3 = QR_1_3 and (not TR_1_3) and ((not OCC_5DG) or QR_5_7)  # 3DG from 3DG|9-15DG@3-9.end to 1DG|3DG@x1.0: its points lie, nothing is foul of it
+        WL_3DG_3 = (not OCC_3DG) and WD_3DG_3  # 3DG from 3DG|9-15DG@3-9.end to 1DG|3DG@x1.0: lies and is clear
+        WP_3DG_3 = WL_3DG_3 and (not BLK_3DG)  # 3DG from 3DG|9-15DG@3-9.end to 1DG|3DG@x1.0: proceed may be shown over it (R3)
+        WD_3DG_4 = QN_1_3 and (not TR_1_3)  # 3DG from 3DG|9-15DG@3-9.end to 3DG|5DG@3.normal: its points lie, nothing is foul of it
+        WL_3DG_4 = (not OCC_3DG) and WD_3DG_4  # 3DG from 3DG|9-15DG@3-9.end to 3DG|5DG@3.normal: lies and is clear
+        WP_3DG_4 = WL_3DG_4 and (not BLK_3DG)  # 3DG from 3DG|9-15DG@3-9.end to 3DG|5DG@3.normal: proceed may be shown over it (R3)
+        WL_4G_1 = (not OCC_4G)  # 4G from 19-27DG|4G@t4.0 to E4: lies and is clear
+        WP_4G_1 = WL_4G_1 and (not BLK_4G)  # 4G from 19-27DG|4G@t4.0 to E4: proceed may be shown over it (R3)
+        WD_5DG_1 = QN_5_7 and (not TR_5_7)  # 5DG from 3DG|5DG@3.normal to 5DG|IAG@5.toe: its points lie, nothing is foul of it
+        WL_5DG_1 = (not OCC_5DG) and WD_5DG_1  # 5DG from 3DG|5DG@3.normal to 5DG|IAG@5.toe: lies and is clear
+        WP_5DG_1 = WL_5DG_1 and (not BLK_5DG)  # 5DG from 3DG|5DG@3.normal to 5DG|IAG@5.toe: proceed may be shown over it (R3)
+        WD_5DG_2 = QR_5_7 and (not TR_5_7) and ((not OCC_3DG) or QR_1_3)  # 5DG from 5DG|7DG@x5.0 to 5DG|IAG@5.toe: its points lie, nothing is foul of it
+        WL_5DG_2 = (not OCC_5DG) and WD_5DG_2  # 5DG from 5DG|7DG@x5.0 to 5DG|IAG@5.toe: lies and is clear
+        WP_5DG_2 = WL_5DG_2 and (not BLK_5DG)  # 5DG from 5DG|7DG@x5.0 to 5DG|IAG@5.toe: proceed may be shown over it (R3)
+        WD_5DG_3 = QN_5_7 and (not TR_5_7)  # 5DG from 5DG|IAG@5.toe to 3DG|5DG@3.normal: its points lie, nothing is foul of it
+        WL_5DG_3 = (not OCC_5DG) and WD_5DG_3  # 5DG from 5DG|IAG@5.toe to 3DG|5DG@3.normal: lies and is clear
+        WP_5DG_3 = WL_5DG_3 and (not BLK_5DG)  # 5DG from 5DG|IAG@5.toe to 3DG|5DG@3.normal: proceed may be shown over it (R3)
+        WD_5DG_4 = QR_5_7 and (not TR_5_7) and ((not OCC_3DG) or QR_1_3)  # 5DG from 5DG|IAG@5.toe to 5DG|7DG@x5.0: its points lie, nothing is foul of it
+        WL_5DG_4 = (not OCC_5DG) and WD_5DG_4  # 5DG from 5DG|IAG@5.toe to 5DG|7DG@x5.0: lies and is clear
+        WP_5DG_4 = WL_5DG_4 and (not BLK_5DG)  # 5DG from 5DG|IAG@5.toe to 5DG|7DG@x5.0: proceed may be shown over it (R3)
+        WL_5G_1 = (not OCC_5G)  # 5G from 21DG|5G@t5.0 to E5: lies and is clear
+        WP_5G_1 = WL_5G_1 and (not BLK_5G)  # 5G from 21DG|5G@t5.0 to E5: proceed may be shown over it (R3)
+        WD_7DG_1 = QR_5_7 and (not TR_5_7)  # 7DG from 11-13DG|7DG@13.toe to 5DG|7DG@x5.0: its points lie, nothing is foul of it
+        WL_7DG_1 = (not OCC_7DG) and WD_7DG_1  # 7DG from 11-13DG|7DG@13.toe to 5DG|7DG@x5.0: lies and is clear
+        WP_7DG_1 = WL_7DG_1 and (not BLK_7DG)  # 7DG from 11-13DG|7DG@13.toe to 5DG|7DG@x5.0: proceed may be shown over it (R3)
+        WD_7DG_2 = QN_5_7 and (not TR_5_7)  # 7DG from 11-13DG|7DG@13.toe to DJ: its points lie, nothing is foul of it
+        WL_7DG_2 = (not OCC_7DG) and WD_7DG_2  # 7DG from 11-13DG|7DG@13.toe to DJ: lies and is clear
+        WP_7DG_2 = WL_7DG_2 and (not BLK_7DG)  # 7DG from 11-13DG|7DG@13.toe to DJ: proceed may be shown over it (R3)
+        WD_7DG_3 = QR_5_7 and (not TR_5_7)  # 7DG from 5DG|7DG@x5.0 to 11-13DG|7DG@13.toe: its points lie, nothing is foul of it
+        WL_7DG_3 = (not OCC_7DG) and WD_7DG_3  # 7DG from 5DG|7DG@x5.0 to 11-13DG|7DG@13.toe: lies and is clear
+        WP_7DG_3 = WL_7DG_3 and (not BLK_7DG)  # 7DG from 5DG|7DG@x5.0 to 11-13DG|7DG@13.toe: proceed may be shown over it (R3)
+        WD_7DG_4 = QN_5_7 and (not TR_5_7)  # 7DG from DJ to 11-13DG|7DG@13.toe: its points lie, nothing is foul of it
+        WL_7DG_4 = (not OCC_7DG) and WD_7DG_4  # 7DG from DJ to 11-13DG|7DG@13.toe: lies and is clear
+        WP_7DG_4 = WL_7DG_4 and (not BLK_7DG)  # 7DG from DJ to 11-13DG|7DG@13.toe: proceed may be shown over it (R3)
+        WD_9_15DG_1 = QR_9_11 and QN_13_15 and (not TR_9_11) and (not TR_13_15)  # 9-15DG from 11-13DG|9-15DG@11.reverse to 3DG|9-15DG@3-9.end: its points lie, nothing is foul of it
+        WL_9_15DG_1 = (not OCC_9_15DG) and WD_9_15DG_1  # 9-15DG from 11-13DG|9-15DG@11.reverse to 3DG|9-15DG@3-9.end: lies and is clear
+        WP_9_15DG_1 = WL_9_15DG_1 and (not BLK_9_15DG)  # 9-15DG from 11-13DG|9-15DG@11.reverse to 3DG|9-15DG@3-9.end: proceed may be shown over it (R3)
+        WD_9_15DG_2 = QR_13_15 and (not TR_13_15)  # 9-15DG from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe: its points lie, nothing is foul of it
+        WL_9_15DG_2 = (not OCC_9_15DG) and WD_9_15DG_2  # 9-15DG from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe: lies and is clear
+        WP_9_15DG_2 = WL_9_15DG_2 and (not BLK_9_15DG)  # 9-15DG from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe: proceed may be shown over it (R3)
+        WD_9_15DG_3 = QR_13_15 and (not TR_13_15)  # 9-15DG from 17-23DG|9-15DG@15.toe to 11-13DG|9-15DG@15.reverse: its points lie, nothing is foul of it
+        WL_9_15DG_3 = (not OCC_9_15DG) and WD_9_15DG_3  # 9-15DG from 17-23DG|9-15DG@15.toe to 11-13DG|9-15DG@15.reverse: lies and is clear
+        WP_9_15DG_3 = WL_9_15DG_3 and (not BLK_9_15DG)  # 9-15DG from 17-23DG|9-15DG@15.toe to 11-13DG|9-15DG@15.reverse: proceed may be shown over it (R3)
+        WD_9_15DG_4 = QN_13_15 and QN_9_11 and (not TR_13_15) and (not TR_9_11)  # 9-15DG from 17-23DG|9-15DG@15.toe to 3DG|9-15DG@3-9.end: its points lie, nothing is foul of it
+        WL_9_15DG_4 = (not OCC_9_15DG) and WD_9_15DG_4  # 9-15DG from 17-23DG|9-15DG@15.toe to 3DG|9-15DG@3-9.end: lies and is clear
+        WP_9_15DG_4 = WL_9_15DG_4 and (not BLK_9_15DG)  # 9-15DG from 17-23DG|9-15DG@15.toe to 3DG|9-15DG@3-9.end: proceed may be shown over it (R3)
+        WD_9_15DG_5 = QR_9_11 and QN_13_15 and (not TR_9_11) and (not TR_13_15)  # 9-15DG from 3DG|9-15DG@3-9.end to 11-13DG|9-15DG@11.reverse: its points lie, nothing is foul of it
+        WL_9_15DG_5 = (not OCC_9_15DG) and WD_9_15DG_5  # 9-15DG from 3DG|9-15DG@3-9.end to 11-13DG|9-15DG@11.reverse: lies and is clear
+        WP_9_15DG_5 = WL_9_15DG_5 and (not BLK_9_15DG)  # 9-15DG from 3DG|9-15DG@3-9.end to 11-13DG|9-15DG@11.reverse: proceed may be shown over it (R3)
+        WD_9_15DG_6 = QN_9_11 and QN_13_15 and (not TR_9_11) and (not TR_13_15)  # 9-15DG from 3DG|9-15DG@3-9.end to 17-23DG|9-15DG@15.toe: its points lie, nothing is foul of it
+        WL_9_15DG_6 = (not OCC_9_15DG) and WD_9_15DG_6  # 9-15DG from 3DG|9-15DG@3-9.end to 17-23DG|9-15DG@15.toe: lies and is clear
+        WP_9_15DG_6 = WL_9_15DG_6 and (not BLK_9_15DG)  # 9-15DG from 3DG|9-15DG@3-9.end to 17-23DG|9-15DG@15.toe: proceed may be shown over it (R3)
+        WL_IAG_1 = (not OCC_IAG)  # IAG from 5DG|IAG@5.toe to BX: lies and is clear
+        WL_IAG_2 = (not OCC_IAG)  # IAG from BX to 5DG|IAG@5.toe: lies and is clear
+        WP_IAG_2 = WL_IAG_2 and (not BLK_IAG)  # IAG from BX to 5DG|IAG@5.toe: proceed may be shown over it (R3)
+        WL_IG_1 = (not OCC_IG)  # IG from 17-23DG|IG@tI.0 to E1: lies and is clear
+        WP_IG_1 = WL_IG_1 and (not BLK_IG)  # IG from 17-23DG|IG@tI.0 to E1: proceed may be shown over it (R3)
+        WL_IIAG_1 = (not OCC_IIAG)  # IIAG from 1DG|IIAG@1.toe to BS: lies and is clear
+        WP_IIAG_1 = WL_IIAG_1 and (not BLK_IIAG)  # IIAG from 1DG|IIAG@1.toe to BS: proceed may be shown over it (R3)
+        WL_IIG_1 = (not OCC_IIG)  # IIG from 19-27DG|IIG@tII.0 to E2: lies and is clear
+        WL_IIIG_1 = (not OCC_IIIG)  # IIIG from 25DG|IIIG@tIII.0 to E3: lies and is clear
+        WP_IIIG_1 = WL_IIIG_1 and (not BLK_IIIG)  # IIIG from 25DG|IIIG@tIII.0 to E3: proceed may be shown over it (R3)
         RQ_R2 = (REQ == 2) or ((REQ == 0) and T_R2 and N_R2 and (not N_R20))  # route D1-D9 is asked for (R14, R18)
         RQ_R7 = (REQ == 7) or ((REQ == 0) and T_R7 and N_R7)  # route D13-IG is asked for (R14, R18)
         RQ_R20 = (REQ == 20) or ((REQ == 0) and T_R20 and N_R20 and (not N_R7))  # route D9-D13 is asked for (R14, R18)
-        G_R1 = (REQ == 1) and VALID and FREE_1DG and (not M_1_19WG) and (not (L_19_27DG_5 or L_19_27DG_7)) and (not OCC_1DG) and (not BLK_1DG) and (not BLK_1_19WG) and AVN_1_3 and (not TR_1_3)  # grant of route D1-D15 (R6)
-        G_R2 = RQ_R2 and VALID and FREE_1DG and FREE_3DG and (not OCC_1DG) and (not OCC_3DG) and ((not OCC_5DG) or QR_5_7) and (not BLK_1DG) and (not BLK_3DG) and (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVR_1_3 and (not TR_1_3)  # grant of route D1-D9 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_11_13DG and FREE_21DG and (not M_5G) and (not OCC_11_13DG) and (not OCC_21DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and (not (L_25DG_2 or L_25DG_4 or K_25DG)) and AVN_13_15 and AVN_9_11 and AVR_21 and (not TR_13_15) and (not TR_9_11) and (not TR_21)  # grant of route D11-5G (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_11_13DG and FREE_9_15DG and (not OCC_11_13DG) and (not OCC_9_15DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and AVR_13_15 and AVN_9_11 and (not TR_13_15) and (not TR_9_11)  # grant of route D11-D13 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_11_13DG and FREE_21DG and FREE_25DG and (not M_IIIG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_25DG_1 or L_25DG_3 or K_25DG)) and (not (L_21DG_2 or L_21DG_4 or K_21DG)) and AVN_13_15 and AVN_9_11 and AVN_21 and AVN_23_25 and (not TR_13_15) and (not TR_9_11) and (not TR_21) and (not TR_23_25)  # grant of route D11-IIIG (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_17_23DG and FREE_19_27DG and (not M_4G) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and AVR_17_19 and AVR_27 and (not TR_17_19) and (not TR_27)  # grant of route D13-4G (R6)
-        G_R7 = RQ_R7 and VALID and FREE_17_23DG and (not M_IG) and (not OCC_17_23DG) and (not BLK_17_23DG) and (not BLK_IG) and AVN_17_19 and AVN_23_25 and (not TR_17_19) and (not TR_23_25)  # grant of route D13-IG (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_17_23DG and FREE_19_27DG and (not M_IIG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_IIG) and AVR_17_19 and AVN_27 and (not TR_17_19) and (not TR_27)  # grant of route D13-IIG (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_17_23DG and FREE_25DG and (not M_IIIG) and (not OCC_17_23DG) and (not OCC_25DG) and ((not OCC_21DG) or QR_21) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_21DG_1 or L_21DG_3 or K_21DG)) and AVN_17_19 and AVR_23_25 and (not TR_17_19) and (not TR_23_25)  # grant of route D13-IIIG (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_19_27DG and (not M_4G) and (not OCC_19_27DG) and (not BLK_19_27DG) and (not BLK_4G) and AVN_17_19 and AVR_27 and (not TR_17_19) and (not TR_27)  # grant of route D15-4G (R6)
-        G_R11 = (REQ == 11) and VALID and FREE_19_27DG and (not M_IIG) and (not OCC_19_27DG) and (not BLK_19_27DG) and (not BLK_IIG) and AVN_17_19 and AVN_27 and (not TR_17_19) and (not TR_27)  # grant of route D15-IIG (R6)
-        G_R12 = (REQ == 12) and VALID and FREE_17_23DG and FREE_9_15DG and (not OCC_17_23DG) and (not OCC_9_15DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and AVN_23_25 and AVN_17_19 and AVN_13_15 and AVN_9_11 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11)  # grant of route D17-D7 (R6)
-        G_R13 = (REQ == 13) and VALID and FREE_17_23DG and FREE_9_15DG and FREE_11_13DG and FREE_7DG and FREE_5DG and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG))) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and AVN_23_25 and AVN_17_19 and AVR_13_15 and AVN_9_11 and AVR_5_7 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7)  # grant of route D17-IAG (R6)
-        G_R14 = (REQ == 14) and VALID and FREE_5DG and FREE_7DG and (not OCC_5DG) and (not OCC_7DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_5DG) and (not BLK_7DG) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and AVR_5_7 and (not TR_5_7)  # grant of route D3-D11 (R6)
-        G_R15 = (REQ == 15) and VALID and FREE_5DG and FREE_3DG and (not OCC_5DG) and (not OCC_3DG) and (not BLK_5DG) and (not BLK_3DG) and (not (L_3DG_1 or L_3DG_3 or K_3DG)) and (not (L_5DG_2 or L_5DG_4 or K_5DG)) and AVN_5_7 and AVN_1_3 and (not TR_5_7) and (not TR_1_3)  # grant of route D3-D9 (R6)
-        G_R16 = (REQ == 16) and VALID and FREE_1DG and (not M_IIAG) and (not OCC_1DG) and (not BLK_1DG) and (not BLK_IIAG) and AVN_1_3 and (not TR_1_3)  # grant of route D5-IIAG (R6)
-        G_R17 = (REQ == 17) and VALID and FREE_3DG and FREE_5DG and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG))) and (not OCC_3DG) and (not OCC_5DG) and (not BLK_3DG) and (not BLK_5DG) and (not BLK_IAG) and (not (L_5DG_2 or L_5DG_4 or K_5DG)) and (not (L_3DG_1 or L_3DG_3 or K_3DG)) and AVN_1_3 and AVN_5_7 and (not TR_1_3) and (not TR_5_7)  # grant of route D7-IAG (R6)
-        G_R18 = (REQ == 18) and VALID and FREE_3DG and FREE_1DG and (not M_IIAG) and (not OCC_3DG) and (not OCC_1DG) and ((not OCC_5DG) or QR_5_7) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVR_1_3 and (not TR_1_3)  # grant of route D7-IIAG (R6)
-        G_R19 = (REQ == 19) and VALID and FREE_9_15DG and FREE_11_13DG and FREE_21DG and (not M_5G) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and (not (L_25DG_2 or L_25DG_4 or K_25DG)) and AVR_9_11 and AVN_13_15 and AVR_21 and (not TR_9_11) and (not TR_13_15) and (not TR_21)  # grant of route D9-5G (R6)
-        G_R20 = RQ_R20 and VALID and FREE_9_15DG and (not OCC_9_15DG) and (not BLK_9_15DG) and AVN_9_11 and AVN_13_15 and (not TR_9_11) and (not TR_13_15)  # grant of route D9-D13 (R6)
-        G_R21 = (REQ == 21) and VALID and FREE_9_15DG and FREE_11_13DG and FREE_21DG and FREE_25DG and (not M_IIIG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and (not (L_25DG_1 or L_25DG_3 or K_25DG)) and (not (L_21DG_2 or L_21DG_4 or K_21DG)) and AVR_9_11 and AVN_13_15 and AVN_21 and AVN_23_25 and (not TR_9_11) and (not TR_13_15) and (not TR_21) and (not TR_23_25)  # grant of route D9-IIIG (R6)
-        G_R22 = (REQ == 22) and VALID and FREE_19_27DG and FREE_1_19WG and FREE_1DG and FREE_IIAG and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and (not BLK_19_27DG) and (not BLK_1_19WG) and (not BLK_1DG) and (not BLK_IIAG) and AVR_27 and AVN_17_19 and AVN_1_3 and (not TR_27) and (not TR_17_19) and (not TR_1_3)  # grant of route S4-BS (R6)
-        G_R23 = (REQ == 23) and VALID and FREE_19_27DG and FREE_17_23DG and FREE_9_15DG and FREE_3DG and FREE_1DG and FREE_IIAG and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVR_27 and AVR_17_19 and AVN_13_15 and AVN_9_11 and AVR_1_3 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_1_3)  # grant of route S4-BS.2 (R6)
-        G_R24 = (REQ == 24) and VALID and FREE_19_27DG and FREE_17_23DG and FREE_9_15DG and FREE_11_13DG and FREE_7DG and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and AVR_27 and AVR_17_19 and AVR_13_15 and AVN_9_11 and AVN_5_7 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7)  # grant of route S4-DJ (R6)
-        G_R25 = (REQ == 25) and VALID and FREE_19_27DG and (not M_1_19WG) and (not L_1DG_3) and (not OCC_19_27DG) and (not BLK_19_27DG) and (not BLK_1_19WG) and AVR_27 and AVN_17_19 and (not TR_27) and (not TR_17_19)  # grant of route S4-D5.s (R6)
-        G_R26 = (REQ == 26) and VALID and FREE_19_27DG and FREE_17_23DG and FREE_9_15DG and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and AVR_27 and AVR_17_19 and AVN_13_15 and AVN_9_11 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11)  # grant of route S4-D7.s (R6)
-        G_R27 = (REQ == 27) and VALID and FREE_19_27DG and FREE_17_23DG and FREE_9_15DG and FREE_11_13DG and FREE_7DG and FREE_5DG and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG))) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and AVR_27 and AVR_17_19 and AVR_13_15 and AVN_9_11 and AVR_5_7 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7)  # grant of route S4-IAG.s (R6)
-        G_R28 = (REQ == 28) and VALID and FREE_21DG and FREE_11_13DG and FREE_9_15DG and FREE_3DG and FREE_1DG and FREE_IIAG and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_25DG) or QR_23_25) and ((not OCC_5DG) or QR_5_7) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and (not (L_25DG_2 or L_25DG_4 or K_25DG)) and (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVR_21 and AVR_9_11 and AVN_13_15 and AVR_1_3 and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_1_3)  # grant of route S5-BS (R6)
-        G_R29 = (REQ == 29) and VALID and FREE_21DG and FREE_11_13DG and FREE_7DG and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not (L_25DG_2 or L_25DG_4 or K_25DG)) and AVR_21 and AVN_9_11 and AVN_13_15 and AVN_5_7 and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_5_7)  # grant of route S5-DJ (R6)
-        G_R30 = (REQ == 30) and VALID and FREE_21DG and FREE_11_13DG and FREE_9_15DG and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not (L_25DG_2 or L_25DG_4 or K_25DG)) and (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and AVR_21 and AVR_9_11 and AVN_13_15 and (not TR_21) and (not TR_9_11) and (not TR_13_15)  # grant of route S5-D7.s (R6)
-        G_R31 = (REQ == 31) and VALID and FREE_21DG and FREE_11_13DG and FREE_7DG and FREE_5DG and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG))) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_25DG) or QR_23_25) and ((not OCC_3DG) or QR_1_3) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and (not (L_25DG_2 or L_25DG_4 or K_25DG)) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and AVR_21 and AVN_9_11 and AVN_13_15 and AVR_5_7 and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_5_7)  # grant of route S5-IAG.s (R6)
-        G_R32 = (REQ == 32) and VALID and FREE_19_27DG and FREE_1_19WG and FREE_1DG and FREE_IIAG and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and (not BLK_19_27DG) and (not BLK_1_19WG) and (not BLK_1DG) and (not BLK_IIAG) and AVN_27 and AVN_17_19 and AVN_1_3 and (not TR_27) and (not TR_17_19) and (not TR_1_3)  # grant of route SII-BS (R6)
-        G_R33 = (REQ == 33) and VALID and FREE_19_27DG and FREE_17_23DG and FREE_9_15DG and FREE_3DG and FREE_1DG and FREE_IIAG and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVN_27 and AVR_17_19 and AVN_13_15 and AVN_9_11 and AVR_1_3 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_1_3)  # grant of route SII-BS.2 (R6)
-        G_R34 = (REQ == 34) and VALID and FREE_19_27DG and FREE_17_23DG and FREE_9_15DG and FREE_11_13DG and FREE_7DG and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and AVN_27 and AVR_17_19 and AVR_13_15 and AVN_9_11 and AVN_5_7 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7)  # grant of route SII-DJ (R6)
-        G_R35 = (REQ == 35) and VALID and FREE_19_27DG and (not M_1_19WG) and (not L_1DG_3) and (not OCC_19_27DG) and (not BLK_19_27DG) and (not BLK_1_19WG) and AVN_27 and AVN_17_19 and (not TR_27) and (not TR_17_19)  # grant of route SII-D5.s (R6)
-        G_R36 = (REQ == 36) and VALID and FREE_19_27DG and FREE_17_23DG and FREE_9_15DG and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and AVN_27 and AVR_17_19 and AVN_13_15 and AVN_9_11 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11)  # grant of route SII-D7.s (R6)
-        G_R37 = (REQ == 37) and VALID and FREE_19_27DG and FREE_17_23DG and FREE_9_15DG and FREE_11_13DG and FREE_7DG and FREE_5DG and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG))) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and AVN_27 and AVR_17_19 and AVR_13_15 and AVN_9_11 and AVR_5_7 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7)  # grant of route SII-IAG.s (R6)
-        G_R38 = (REQ == 38) and VALID and FREE_25DG and FREE_17_23DG and FREE_9_15DG and FREE_3DG and FREE_1DG and FREE_IIAG and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_21DG) or QR_21) and ((not OCC_5DG) or QR_5_7) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and (not (L_21DG_1 or L_21DG_3 or K_21DG)) and (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVR_23_25 and AVN_17_19 and AVN_13_15 and AVN_9_11 and AVR_1_3 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_1_3)  # grant of route SIII-BS (R6)
-        G_R39 = (REQ == 39) and VALID and FREE_25DG and FREE_21DG and FREE_11_13DG and FREE_9_15DG and FREE_3DG and FREE_1DG and FREE_IIAG and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and (not (L_21DG_2 or L_21DG_4 or K_21DG)) and (not (L_25DG_1 or L_25DG_3 or K_25DG)) and (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and (not (L_5DG_1 or L_5DG_3 or K_5DG)) and AVN_23_25 and AVN_21 and AVR_9_11 and AVN_13_15 and AVR_1_3 and (not TR_23_25) and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_1_3)  # grant of route SIII-BS.2 (R6)
-        G_R40 = (REQ == 40) and VALID and FREE_25DG and FREE_21DG and FREE_11_13DG and FREE_7DG and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not (L_21DG_2 or L_21DG_4 or K_21DG)) and (not (L_25DG_1 or L_25DG_3 or K_25DG)) and AVN_23_25 and AVN_21 and AVN_9_11 and AVN_13_15 and AVN_5_7 and (not TR_23_25) and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_5_7)  # grant of route SIII-DJ (R6)
-        G_R41 = (REQ == 41) and VALID and FREE_25DG and FREE_17_23DG and FREE_9_15DG and FREE_11_13DG and FREE_7DG and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_21DG) or QR_21) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not (L_21DG_1 or L_21DG_3 or K_21DG)) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and AVR_23_25 and AVN_17_19 and AVR_13_15 and AVN_9_11 and AVN_5_7 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7)  # grant of route SIII-DJ.2 (R6)
-        G_R42 = (REQ == 42) and VALID and FREE_25DG and FREE_17_23DG and FREE_9_15DG and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and ((not OCC_21DG) or QR_21) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not (L_21DG_1 or L_21DG_3 or K_21DG)) and AVR_23_25 and AVN_17_19 and AVN_13_15 and AVN_9_11 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11)  # grant of route SIII-D7.s (R6)
-        G_R43 = (REQ == 43) and VALID and FREE_25DG and FREE_21DG and FREE_11_13DG and FREE_9_15DG and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not (L_21DG_2 or L_21DG_4 or K_21DG)) and (not (L_25DG_1 or L_25DG_3 or K_25DG)) and (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and AVN_23_25 and AVN_21 and AVR_9_11 and AVN_13_15 and (not TR_23_25) and (not TR_21) and (not TR_9_11) and (not TR_13_15)  # grant of route SIII-D7.s.2 (R6)
-        G_R44 = (REQ == 44) and VALID and FREE_25DG and FREE_21DG and FREE_11_13DG and FREE_7DG and FREE_5DG and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG))) and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and (not (L_21DG_2 or L_21DG_4 or K_21DG)) and (not (L_25DG_1 or L_25DG_3 or K_25DG)) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and AVN_23_25 and AVN_21 and AVN_9_11 and AVN_13_15 and AVR_5_7 and (not TR_23_25) and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_5_7)  # grant of route SIII-IAG.s (R6)
-        G_R45 = (REQ == 45) and VALID and FREE_25DG and FREE_17_23DG and FREE_9_15DG and FREE_11_13DG and FREE_7DG and FREE_5DG and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG))) and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_21DG) or QR_21) and ((not OCC_3DG) or QR_1_3) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and (not (L_21DG_1 or L_21DG_3 or K_21DG)) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and AVR_23_25 and AVN_17_19 and AVR_13_15 and AVN_9_11 and AVR_5_7 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7)  # grant of route SIII-IAG.s.2 (R6)
-        G_R46 = (REQ == 46) and VALID and FREE_IAG and FREE_5DG and FREE_3DG and FREE_9_15DG and FREE_17_23DG and FREE_IG and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and (not (L_3DG_1 or L_3DG_3 or K_3DG)) and (not (L_5DG_2 or L_5DG_4 or K_5DG)) and AVN_5_7 and AVN_1_3 and AVN_9_11 and AVN_13_15 and AVN_17_19 and AVN_23_25 and (not TR_5_7) and (not TR_1_3) and (not TR_9_11) and (not TR_13_15) and (not TR_17_19) and (not TR_23_25)  # grant of route X-E1 (R6)
-        G_R47 = (REQ == 47) and VALID and FREE_IAG and FREE_5DG and FREE_7DG and FREE_11_13DG and FREE_9_15DG and FREE_17_23DG and FREE_IG and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and AVR_5_7 and AVR_13_15 and AVN_9_11 and AVN_17_19 and AVN_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_23_25)  # grant of route X-E1.2 (R6)
-        G_R48 = (REQ == 48) and VALID and FREE_IAG and FREE_5DG and FREE_3DG and FREE_9_15DG and FREE_17_23DG and FREE_25DG and FREE_IIIG and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_3DG_1 or L_3DG_3 or K_3DG)) and (not (L_5DG_2 or L_5DG_4 or K_5DG)) and (not (L_21DG_1 or L_21DG_3 or K_21DG)) and AVN_5_7 and AVN_1_3 and AVN_9_11 and AVN_13_15 and AVN_17_19 and AVR_23_25 and (not TR_5_7) and (not TR_1_3) and (not TR_9_11) and (not TR_13_15) and (not TR_17_19) and (not TR_23_25)  # grant of route X-E3 (R6)
-        G_R49 = (REQ == 49) and VALID and FREE_IAG and FREE_5DG and FREE_7DG and FREE_11_13DG and FREE_21DG and FREE_25DG and FREE_IIIG and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and (not (L_25DG_1 or L_25DG_3 or K_25DG)) and (not (L_21DG_2 or L_21DG_4 or K_21DG)) and AVR_5_7 and AVN_13_15 and AVN_9_11 and AVN_21 and AVN_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_21) and (not TR_23_25)  # grant of route X-E3.2 (R6)
-        G_R50 = (REQ == 50) and VALID and FREE_IAG and FREE_5DG and FREE_3DG and FREE_9_15DG and FREE_11_13DG and FREE_21DG and FREE_25DG and FREE_IIIG and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_3DG_1 or L_3DG_3 or K_3DG)) and (not (L_5DG_2 or L_5DG_4 or K_5DG)) and (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and (not (L_25DG_1 or L_25DG_3 or K_25DG)) and (not (L_21DG_2 or L_21DG_4 or K_21DG)) and AVN_5_7 and AVN_1_3 and AVR_9_11 and AVN_13_15 and AVN_21 and AVN_23_25 and (not TR_5_7) and (not TR_1_3) and (not TR_9_11) and (not TR_13_15) and (not TR_21) and (not TR_23_25)  # grant of route X-E3.3 (R6)
-        G_R51 = (REQ == 51) and VALID and FREE_IAG and FREE_5DG and FREE_7DG and FREE_11_13DG and FREE_9_15DG and FREE_17_23DG and FREE_25DG and FREE_IIIG and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and ((not OCC_21DG) or QR_21) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and (not (L_21DG_1 or L_21DG_3 or K_21DG)) and AVR_5_7 and AVR_13_15 and AVN_9_11 and AVN_17_19 and AVR_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_23_25)  # grant of route X-E3.4 (R6)
-        G_R52 = (REQ == 52) and VALID and FREE_IAG and FREE_5DG and FREE_3DG and FREE_9_15DG and FREE_17_23DG and FREE_19_27DG and FREE_4G and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and (not (L_3DG_1 or L_3DG_3 or K_3DG)) and (not (L_5DG_2 or L_5DG_4 or K_5DG)) and AVN_5_7 and AVN_1_3 and AVN_9_11 and AVN_13_15 and AVR_17_19 and AVR_27 and (not TR_5_7) and (not TR_1_3) and (not TR_9_11) and (not TR_13_15) and (not TR_17_19) and (not TR_27)  # grant of route X-E4 (R6)
-        G_R53 = (REQ == 53) and VALID and FREE_IAG and FREE_5DG and FREE_7DG and FREE_11_13DG and FREE_9_15DG and FREE_17_23DG and FREE_19_27DG and FREE_4G and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and AVR_5_7 and AVR_13_15 and AVN_9_11 and AVR_17_19 and AVR_27 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_27)  # grant of route X-E4.2 (R6)
-        G_R54 = (REQ == 54) and VALID and FREE_IAG and FREE_5DG and FREE_7DG and FREE_11_13DG and FREE_21DG and FREE_5G and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_3DG) or QR_1_3) and ((not OCC_25DG) or QR_23_25) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and (not (L_3DG_2 or L_3DG_4 or K_3DG)) and (not (L_25DG_2 or L_25DG_4 or K_25DG)) and AVR_5_7 and AVN_13_15 and AVN_9_11 and AVR_21 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_21)  # grant of route X-E5 (R6)
-        G_R55 = (REQ == 55) and VALID and FREE_IAG and FREE_5DG and FREE_3DG and FREE_9_15DG and FREE_11_13DG and FREE_21DG and FREE_5G and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and (not (L_3DG_1 or L_3DG_3 or K_3DG)) and (not (L_5DG_2 or L_5DG_4 or K_5DG)) and (not (L_11_13DG_4 or L_11_13DG_6 or K_11_13DG)) and (not (L_25DG_2 or L_25DG_4 or K_25DG)) and AVN_5_7 and AVN_1_3 and AVR_9_11 and AVN_13_15 and AVR_21 and (not TR_5_7) and (not TR_1_3) and (not TR_9_11) and (not TR_13_15) and (not TR_21)  # grant of route X-E5.2 (R6)
-        G_R56 = (REQ == 56) and VALID and FREE_7DG and FREE_11_13DG and FREE_9_15DG and FREE_17_23DG and FREE_IG and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and AVN_5_7 and AVR_13_15 and AVN_9_11 and AVN_17_19 and AVN_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_23_25)  # grant of route XD-E1 (R6)
-        G_R57 = (REQ == 57) and VALID and FREE_7DG and FREE_11_13DG and FREE_21DG and FREE_25DG and FREE_IIIG and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_25DG_1 or L_25DG_3 or K_25DG)) and (not (L_21DG_2 or L_21DG_4 or K_21DG)) and AVN_5_7 and AVN_13_15 and AVN_9_11 and AVN_21 and AVN_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_21) and (not TR_23_25)  # grant of route XD-E3 (R6)
-        G_R58 = (REQ == 58) and VALID and FREE_7DG and FREE_11_13DG and FREE_9_15DG and FREE_17_23DG and FREE_25DG and FREE_IIIG and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and (not (L_21DG_1 or L_21DG_3 or K_21DG)) and AVN_5_7 and AVR_13_15 and AVN_9_11 and AVN_17_19 and AVR_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_23_25)  # grant of route XD-E3.2 (R6)
-        G_R59 = (REQ == 59) and VALID and FREE_7DG and FREE_11_13DG and FREE_9_15DG and FREE_17_23DG and FREE_19_27DG and FREE_4G and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and (not (L_9_15DG_1 or L_9_15DG_5 or K_9_15DG)) and AVN_5_7 and AVR_13_15 and AVN_9_11 and AVR_17_19 and AVR_27 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_27)  # grant of route XD-E4 (R6)
-        G_R60 = (REQ == 60) and VALID and FREE_7DG and FREE_11_13DG and FREE_21DG and FREE_5G and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and (not (L_25DG_2 or L_25DG_4 or K_25DG)) and AVN_5_7 and AVN_13_15 and AVN_9_11 and AVR_21 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_21)  # grant of route XD-E5 (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_D1) and (not CAN_D1) and (not OCC_1DG) and QN_1_3  # route D1-D15 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_1DG) and (not BLK_1DG) and (not BLK_1_19WG) and QN_1_3 and (not TR_1_3) and (not D_1DG)  # conditions of proceed for route D1-D15 (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_D1) and (not CAN_D1) and (not OCC_1DG) and (not OCC_3DG) and ((not OCC_5DG) or QR_5_7) and QR_1_3  # route D1-D9 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_1DG) and (not OCC_3DG) and ((not OCC_5DG) or QR_5_7) and (not BLK_1DG) and (not BLK_3DG) and QR_1_3 and (not TR_1_3) and (not D_1DG)  # conditions of proceed for route D1-D9 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_D11) and (not CAN_D11) and (not OCC_11_13DG) and (not OCC_21DG) and ((not OCC_25DG) or QR_23_25) and QN_13_15 and QN_9_11 and QR_21  # route D11-5G becomes locked (R3)
-        CO_R3 = VALID and (not OCC_11_13DG) and (not OCC_21DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and QN_13_15 and QN_9_11 and QR_21 and (not TR_13_15) and (not TR_9_11) and (not TR_21) and (not D_11_13DG)  # conditions of proceed for route D11-5G (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_D11) and (not CAN_D11) and (not OCC_11_13DG) and (not OCC_9_15DG) and QR_13_15 and QN_9_11  # route D11-D13 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_11_13DG) and (not OCC_9_15DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and QR_13_15 and QN_9_11 and (not TR_13_15) and (not TR_9_11) and (not D_11_13DG)  # conditions of proceed for route D11-D13 (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_D11) and (not CAN_D11) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and QN_13_15 and QN_9_11 and QN_21 and QN_23_25  # route D11-IIIG becomes locked (R3)
-        CO_R5 = VALID and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_13_15 and QN_9_11 and QN_21 and QN_23_25 and (not TR_13_15) and (not TR_9_11) and (not TR_21) and (not TR_23_25) and (not D_11_13DG)  # conditions of proceed for route D11-IIIG (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_D13) and (not CAN_D13) and (not OCC_17_23DG) and (not OCC_19_27DG) and QR_17_19 and QR_27  # route D13-4G becomes locked (R3)
-        CO_R6 = VALID and (not OCC_17_23DG) and (not OCC_19_27DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and QR_17_19 and QR_27 and (not TR_17_19) and (not TR_27) and (not D_17_23DG)  # conditions of proceed for route D13-4G (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_D13) and (not CAN_D13) and (not OCC_17_23DG) and QN_17_19 and QN_23_25  # route D13-IG becomes locked (R3)
-        CO_R7 = VALID and (not OCC_17_23DG) and (not BLK_17_23DG) and (not BLK_IG) and QN_17_19 and QN_23_25 and (not TR_17_19) and (not TR_23_25) and (not D_17_23DG)  # conditions of proceed for route D13-IG (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_D13) and (not CAN_D13) and (not OCC_17_23DG) and (not OCC_19_27DG) and QR_17_19 and QN_27  # route D13-IIG becomes locked (R3)
-        CO_R8 = VALID and (not OCC_17_23DG) and (not OCC_19_27DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_IIG) and QR_17_19 and QN_27 and (not TR_17_19) and (not TR_27) and (not D_17_23DG)  # conditions of proceed for route D13-IIG (R3)
-        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_D13) and (not CAN_D13) and (not OCC_17_23DG) and (not OCC_25DG) and ((not OCC_21DG) or QR_21) and QN_17_19 and QR_23_25  # route D13-IIIG becomes locked (R3)
-        CO_R9 = VALID and (not OCC_17_23DG) and (not OCC_25DG) and ((not OCC_21DG) or QR_21) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_17_19 and QR_23_25 and (not TR_17_19) and (not TR_23_25) and (not D_17_23DG)  # conditions of proceed for route D13-IIIG (R3)
-        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_D15) and (not CAN_D15) and (not OCC_19_27DG) and QN_17_19 and QR_27  # route D15-4G becomes locked (R3)
-        CO_R10 = VALID and (not OCC_19_27DG) and (not BLK_19_27DG) and (not BLK_4G) and QN_17_19 and QR_27 and (not TR_17_19) and (not TR_27) and (not D_19_27DG)  # conditions of proceed for route D15-4G (R3)
-        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_D15) and (not CAN_D15) and (not OCC_19_27DG) and QN_17_19 and QN_27  # route D15-IIG becomes locked (R3)
-        CO_R11 = VALID and (not OCC_19_27DG) and (not BLK_19_27DG) and (not BLK_IIG) and QN_17_19 and QN_27 and (not TR_17_19) and (not TR_27) and (not D_19_27DG)  # conditions of proceed for route D15-IIG (R3)
-        LK_R12 = A_R12 and (not B_R12) and VALID and (not X_D17) and (not CAN_D17) and (not OCC_17_23DG) and (not OCC_9_15DG) and QN_23_25 and QN_17_19 and QN_13_15 and QN_9_11  # route D17-D7 becomes locked (R3)
-        CO_R12 = VALID and (not OCC_17_23DG) and (not OCC_9_15DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and QN_23_25 and QN_17_19 and QN_13_15 and QN_9_11 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not D_17_23DG)  # conditions of proceed for route D17-D7 (R3)
-        LK_R13 = A_R13 and (not B_R13) and VALID and (not X_D17) and (not CAN_D17) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and QN_23_25 and QN_17_19 and QR_13_15 and QN_9_11 and QR_5_7  # route D17-IAG becomes locked (R3)
-        CO_R13 = VALID and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and QN_23_25 and QN_17_19 and QR_13_15 and QN_9_11 and QR_5_7 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7) and (not D_17_23DG)  # conditions of proceed for route D17-IAG (R3)
-        LK_R14 = A_R14 and (not B_R14) and VALID and (not X_D3) and (not CAN_D3) and (not OCC_5DG) and (not OCC_7DG) and ((not OCC_3DG) or QR_1_3) and QR_5_7  # route D3-D11 becomes locked (R3)
-        CO_R14 = VALID and (not OCC_5DG) and (not OCC_7DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_5DG) and (not BLK_7DG) and QR_5_7 and (not TR_5_7) and (not D_5DG)  # conditions of proceed for route D3-D11 (R3)
-        LK_R15 = A_R15 and (not B_R15) and VALID and (not X_D3) and (not CAN_D3) and (not OCC_5DG) and (not OCC_3DG) and QN_5_7 and QN_1_3  # route D3-D9 becomes locked (R3)
-        CO_R15 = VALID and (not OCC_5DG) and (not OCC_3DG) and (not BLK_5DG) and (not BLK_3DG) and QN_5_7 and QN_1_3 and (not TR_5_7) and (not TR_1_3) and (not D_5DG)  # conditions of proceed for route D3-D9 (R3)
-        LK_R16 = A_R16 and (not B_R16) and VALID and (not X_D5) and (not CAN_D5) and (not OCC_1DG) and QN_1_3  # route D5-IIAG becomes locked (R3)
-        CO_R16 = VALID and (not OCC_1DG) and (not BLK_1DG) and (not BLK_IIAG) and QN_1_3 and (not TR_1_3) and (not D_1DG)  # conditions of proceed for route D5-IIAG (R3)
-        LK_R17 = A_R17 and (not B_R17) and VALID and (not X_D7) and (not CAN_D7) and (not OCC_3DG) and (not OCC_5DG) and QN_1_3 and QN_5_7  # route D7-IAG becomes locked (R3)
-        CO_R17 = VALID and (not OCC_3DG) and (not OCC_5DG) and (not BLK_3DG) and (not BLK_5DG) and (not BLK_IAG) and QN_1_3 and QN_5_7 and (not TR_1_3) and (not TR_5_7) and (not D_3DG)  # conditions of proceed for route D7-IAG (R3)
-        LK_R18 = A_R18 and (not B_R18) and VALID and (not X_D7) and (not CAN_D7) and (not OCC_3DG) and (not OCC_1DG) and ((not OCC_5DG) or QR_5_7) and QR_1_3  # route D7-IIAG becomes locked (R3)
-        CO_R18 = VALID and (not OCC_3DG) and (not OCC_1DG) and ((not OCC_5DG) or QR_5_7) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QR_1_3 and (not TR_1_3) and (not D_3DG)  # conditions of proceed for route D7-IIAG (R3)
-        LK_R19 = A_R19 and (not B_R19) and VALID and (not X_D9) and (not CAN_D9) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and ((not OCC_25DG) or QR_23_25) and QR_9_11 and QN_13_15 and QR_21  # route D9-5G becomes locked (R3)
-        CO_R19 = VALID and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and QR_9_11 and QN_13_15 and QR_21 and (not TR_9_11) and (not TR_13_15) and (not TR_21) and (not D_9_15DG)  # conditions of proceed for route D9-5G (R3)
-        LK_R20 = A_R20 and (not B_R20) and VALID and (not X_D9) and (not CAN_D9) and (not OCC_9_15DG) and QN_9_11 and QN_13_15  # route D9-D13 becomes locked (R3)
-        CO_R20 = VALID and (not OCC_9_15DG) and (not BLK_9_15DG) and QN_9_11 and QN_13_15 and (not TR_9_11) and (not TR_13_15) and (not D_9_15DG)  # conditions of proceed for route D9-D13 (R3)
-        LK_R21 = A_R21 and (not B_R21) and VALID and (not X_D9) and (not CAN_D9) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and QR_9_11 and QN_13_15 and QN_21 and QN_23_25  # route D9-IIIG becomes locked (R3)
-        CO_R21 = VALID and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QR_9_11 and QN_13_15 and QN_21 and QN_23_25 and (not TR_9_11) and (not TR_13_15) and (not TR_21) and (not TR_23_25) and (not D_9_15DG)  # conditions of proceed for route D9-IIIG (R3)
-        LK_R22 = A_R22 and (not B_R22) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and QR_27 and QN_17_19 and QN_1_3  # route S4-BS becomes locked (R3)
-        CO_R22 = VALID and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and (not BLK_19_27DG) and (not BLK_1_19WG) and (not BLK_1DG) and (not BLK_IIAG) and QR_27 and QN_17_19 and QN_1_3 and (not TR_27) and (not TR_17_19) and (not TR_1_3) and E_BF_BS and (not D_19_27DG) and CL_S4  # conditions of proceed for route S4-BS (R3)
-        LK_R23 = A_R23 and (not B_R23) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and QR_27 and QR_17_19 and QN_13_15 and QN_9_11 and QR_1_3  # route S4-BS.2 becomes locked (R3)
-        CO_R23 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QR_27 and QR_17_19 and QN_13_15 and QN_9_11 and QR_1_3 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_1_3) and E_BF_BS and (not D_19_27DG) and CL_S4  # conditions of proceed for route S4-BS.2 (R3)
-        LK_R24 = A_R24 and (not B_R24) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and QR_27 and QR_17_19 and QR_13_15 and QN_9_11 and QN_5_7  # route S4-DJ becomes locked (R3)
-        CO_R24 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and QR_27 and QR_17_19 and QR_13_15 and QN_9_11 and QN_5_7 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7) and E_BF_DJ and (not OCC_XDJG) and (not D_19_27DG) and CL_S4  # conditions of proceed for route S4-DJ (R3)
-        LK_R25 = A_R25 and (not B_R25) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and QR_27 and QN_17_19  # route S4-D5.s becomes locked (R3)
-        CO_R25 = VALID and (not OCC_19_27DG) and (not BLK_19_27DG) and (not BLK_1_19WG) and QR_27 and QN_17_19 and (not TR_27) and (not TR_17_19) and (not D_19_27DG)  # conditions of proceed for route S4-D5.s (R3)
-        LK_R26 = A_R26 and (not B_R26) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and QR_27 and QR_17_19 and QN_13_15 and QN_9_11  # route S4-D7.s becomes locked (R3)
-        CO_R26 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and QR_27 and QR_17_19 and QN_13_15 and QN_9_11 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not D_19_27DG)  # conditions of proceed for route S4-D7.s (R3)
-        LK_R27 = A_R27 and (not B_R27) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and QR_27 and QR_17_19 and QR_13_15 and QN_9_11 and QR_5_7  # route S4-IAG.s becomes locked (R3)
-        CO_R27 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and QR_27 and QR_17_19 and QR_13_15 and QN_9_11 and QR_5_7 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7) and (not D_19_27DG)  # conditions of proceed for route S4-IAG.s (R3)
-        LK_R28 = A_R28 and (not B_R28) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_25DG) or QR_23_25) and ((not OCC_5DG) or QR_5_7) and QR_21 and QR_9_11 and QN_13_15 and QR_1_3  # route S5-BS becomes locked (R3)
-        CO_R28 = VALID and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_25DG) or QR_23_25) and ((not OCC_5DG) or QR_5_7) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QR_21 and QR_9_11 and QN_13_15 and QR_1_3 and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_1_3) and E_BF_BS and (not D_21DG) and CL_S5  # conditions of proceed for route S5-BS (R3)
-        LK_R29 = A_R29 and (not B_R29) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_25DG) or QR_23_25) and QR_21 and QN_9_11 and QN_13_15 and QN_5_7  # route S5-DJ becomes locked (R3)
-        CO_R29 = VALID and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and QR_21 and QN_9_11 and QN_13_15 and QN_5_7 and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_5_7) and E_BF_DJ and (not OCC_XDJG) and (not D_21DG) and CL_S5  # conditions of proceed for route S5-DJ (R3)
-        LK_R30 = A_R30 and (not B_R30) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and ((not OCC_25DG) or QR_23_25) and QR_21 and QR_9_11 and QN_13_15  # route S5-D7.s becomes locked (R3)
-        CO_R30 = VALID and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and ((not OCC_25DG) or QR_23_25) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and QR_21 and QR_9_11 and QN_13_15 and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not D_21DG)  # conditions of proceed for route S5-D7.s (R3)
-        LK_R31 = A_R31 and (not B_R31) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_25DG) or QR_23_25) and ((not OCC_3DG) or QR_1_3) and QR_21 and QN_9_11 and QN_13_15 and QR_5_7  # route S5-IAG.s becomes locked (R3)
-        CO_R31 = VALID and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_25DG) or QR_23_25) and ((not OCC_3DG) or QR_1_3) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and QR_21 and QN_9_11 and QN_13_15 and QR_5_7 and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_5_7) and (not D_21DG)  # conditions of proceed for route S5-IAG.s (R3)
-        LK_R32 = A_R32 and (not B_R32) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and QN_27 and QN_17_19 and QN_1_3  # route SII-BS becomes locked (R3)
-        CO_R32 = VALID and (not OCC_19_27DG) and (not OCC_1_19WG) and (not OCC_1DG) and (not OCC_IIAG) and (not BLK_19_27DG) and (not BLK_1_19WG) and (not BLK_1DG) and (not BLK_IIAG) and QN_27 and QN_17_19 and QN_1_3 and (not TR_27) and (not TR_17_19) and (not TR_1_3) and E_BF_BS and (not D_19_27DG) and CL_SII  # conditions of proceed for route SII-BS (R3)
-        LK_R33 = A_R33 and (not B_R33) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and QN_27 and QR_17_19 and QN_13_15 and QN_9_11 and QR_1_3  # route SII-BS.2 becomes locked (R3)
-        CO_R33 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QN_27 and QR_17_19 and QN_13_15 and QN_9_11 and QR_1_3 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_1_3) and E_BF_BS and (not D_19_27DG) and CL_SII  # conditions of proceed for route SII-BS.2 (R3)
-        LK_R34 = A_R34 and (not B_R34) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and QN_27 and QR_17_19 and QR_13_15 and QN_9_11 and QN_5_7  # route SII-DJ becomes locked (R3)
-        CO_R34 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and QN_27 and QR_17_19 and QR_13_15 and QN_9_11 and QN_5_7 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7) and E_BF_DJ and (not OCC_XDJG) and (not D_19_27DG) and CL_SII  # conditions of proceed for route SII-DJ (R3)
-        LK_R35 = A_R35 and (not B_R35) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and QN_27 and QN_17_19  # route SII-D5.s becomes locked (R3)
-        CO_R35 = VALID and (not OCC_19_27DG) and (not BLK_19_27DG) and (not BLK_1_19WG) and QN_27 and QN_17_19 and (not TR_27) and (not TR_17_19) and (not D_19_27DG)  # conditions of proceed for route SII-D5.s (R3)
-        LK_R36 = A_R36 and (not B_R36) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and QN_27 and QR_17_19 and QN_13_15 and QN_9_11  # route SII-D7.s becomes locked (R3)
-        CO_R36 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and QN_27 and QR_17_19 and QN_13_15 and QN_9_11 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not D_19_27DG)  # conditions of proceed for route SII-D7.s (R3)
-        LK_R37 = A_R37 and (not B_R37) and VALID and (not X_SII) and (not CAN_SII) and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and QN_27 and QR_17_19 and QR_13_15 and QN_9_11 and QR_5_7  # route SII-IAG.s becomes locked (R3)
-        CO_R37 = VALID and (not OCC_19_27DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_19_27DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and QN_27 and QR_17_19 and QR_13_15 and QN_9_11 and QR_5_7 and (not TR_27) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7) and (not D_19_27DG)  # conditions of proceed for route SII-IAG.s (R3)
-        LK_R38 = A_R38 and (not B_R38) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_21DG) or QR_21) and ((not OCC_5DG) or QR_5_7) and QR_23_25 and QN_17_19 and QN_13_15 and QN_9_11 and QR_1_3  # route SIII-BS becomes locked (R3)
-        CO_R38 = VALID and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_21DG) or QR_21) and ((not OCC_5DG) or QR_5_7) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QR_23_25 and QN_17_19 and QN_13_15 and QN_9_11 and QR_1_3 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_1_3) and E_BF_BS and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-BS (R3)
-        LK_R39 = A_R39 and (not B_R39) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and QN_23_25 and QN_21 and QR_9_11 and QN_13_15 and QR_1_3  # route SIII-BS.2 becomes locked (R3)
-        CO_R39 = VALID and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_3DG) and (not OCC_1DG) and (not OCC_IIAG) and ((not OCC_5DG) or QR_5_7) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_3DG) and (not BLK_1DG) and (not BLK_IIAG) and QN_23_25 and QN_21 and QR_9_11 and QN_13_15 and QR_1_3 and (not TR_23_25) and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_1_3) and E_BF_BS and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-BS.2 (R3)
-        LK_R40 = A_R40 and (not B_R40) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and QN_23_25 and QN_21 and QN_9_11 and QN_13_15 and QN_5_7  # route SIII-DJ becomes locked (R3)
-        CO_R40 = VALID and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and QN_23_25 and QN_21 and QN_9_11 and QN_13_15 and QN_5_7 and (not TR_23_25) and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_5_7) and E_BF_DJ and (not OCC_XDJG) and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-DJ (R3)
-        LK_R41 = A_R41 and (not B_R41) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_21DG) or QR_21) and QR_23_25 and QN_17_19 and QR_13_15 and QN_9_11 and QN_5_7  # route SIII-DJ.2 becomes locked (R3)
-        CO_R41 = VALID and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and ((not OCC_21DG) or QR_21) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and QR_23_25 and QN_17_19 and QR_13_15 and QN_9_11 and QN_5_7 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7) and E_BF_DJ and (not OCC_XDJG) and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-DJ.2 (R3)
-        LK_R42 = A_R42 and (not B_R42) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and ((not OCC_21DG) or QR_21) and QR_23_25 and QN_17_19 and QN_13_15 and QN_9_11  # route SIII-D7.s becomes locked (R3)
-        CO_R42 = VALID and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and ((not OCC_21DG) or QR_21) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and QR_23_25 and QN_17_19 and QN_13_15 and QN_9_11 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not D_25DG)  # conditions of proceed for route SIII-D7.s (R3)
-        LK_R43 = A_R43 and (not B_R43) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and QN_23_25 and QN_21 and QR_9_11 and QN_13_15  # route SIII-D7.s.2 becomes locked (R3)
-        CO_R43 = VALID and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and QN_23_25 and QN_21 and QR_9_11 and QN_13_15 and (not TR_23_25) and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not D_25DG)  # conditions of proceed for route SIII-D7.s.2 (R3)
-        LK_R44 = A_R44 and (not B_R44) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and QN_23_25 and QN_21 and QN_9_11 and QN_13_15 and QR_5_7  # route SIII-IAG.s becomes locked (R3)
-        CO_R44 = VALID and (not OCC_25DG) and (not OCC_21DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_3DG) or QR_1_3) and (not BLK_25DG) and (not BLK_21DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and QN_23_25 and QN_21 and QN_9_11 and QN_13_15 and QR_5_7 and (not TR_23_25) and (not TR_21) and (not TR_9_11) and (not TR_13_15) and (not TR_5_7) and (not D_25DG)  # conditions of proceed for route SIII-IAG.s (R3)
-        LK_R45 = A_R45 and (not B_R45) and VALID and (not X_SIII) and (not CAN_SIII) and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_21DG) or QR_21) and ((not OCC_3DG) or QR_1_3) and QR_23_25 and QN_17_19 and QR_13_15 and QN_9_11 and QR_5_7  # route SIII-IAG.s.2 becomes locked (R3)
-        CO_R45 = VALID and (not OCC_25DG) and (not OCC_17_23DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_7DG) and (not OCC_5DG) and ((not OCC_21DG) or QR_21) and ((not OCC_3DG) or QR_1_3) and (not BLK_25DG) and (not BLK_17_23DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_7DG) and (not BLK_5DG) and (not BLK_IAG) and QR_23_25 and QN_17_19 and QR_13_15 and QN_9_11 and QR_5_7 and (not TR_23_25) and (not TR_17_19) and (not TR_13_15) and (not TR_9_11) and (not TR_5_7) and (not D_25DG)  # conditions of proceed for route SIII-IAG.s.2 (R3)
-        LK_R46 = A_R46 and (not B_R46) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QN_17_19 and QN_23_25  # route X-E1 becomes locked (R3)
-        CO_R46 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QN_17_19 and QN_23_25 and (not TR_5_7) and (not TR_1_3) and (not TR_9_11) and (not TR_13_15) and (not TR_17_19) and (not TR_23_25) and (not D_IAG) and CL_X  # conditions of proceed for route X-E1 (R3)
-        LK_R47 = A_R47 and (not B_R47) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and ((not OCC_3DG) or QR_1_3) and QR_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QN_23_25  # route X-E1.2 becomes locked (R3)
-        CO_R47 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and QR_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QN_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_23_25) and (not D_IAG) and CL_X  # conditions of proceed for route X-E1.2 (R3)
-        LK_R48 = A_R48 and (not B_R48) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QN_17_19 and QR_23_25  # route X-E3 becomes locked (R3)
-        CO_R48 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QN_17_19 and QR_23_25 and (not TR_5_7) and (not TR_1_3) and (not TR_9_11) and (not TR_13_15) and (not TR_17_19) and (not TR_23_25) and (not D_IAG) and CL_X  # conditions of proceed for route X-E3 (R3)
-        LK_R49 = A_R49 and (not B_R49) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and QR_5_7 and QN_13_15 and QN_9_11 and QN_21 and QN_23_25  # route X-E3.2 becomes locked (R3)
-        CO_R49 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QR_5_7 and QN_13_15 and QN_9_11 and QN_21 and QN_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_21) and (not TR_23_25) and (not D_IAG) and CL_X  # conditions of proceed for route X-E3.2 (R3)
-        LK_R50 = A_R50 and (not B_R50) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and QN_5_7 and QN_1_3 and QR_9_11 and QN_13_15 and QN_21 and QN_23_25  # route X-E3.3 becomes locked (R3)
-        CO_R50 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QN_1_3 and QR_9_11 and QN_13_15 and QN_21 and QN_23_25 and (not TR_5_7) and (not TR_1_3) and (not TR_9_11) and (not TR_13_15) and (not TR_21) and (not TR_23_25) and (not D_IAG) and CL_X  # conditions of proceed for route X-E3.3 (R3)
-        LK_R51 = A_R51 and (not B_R51) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and ((not OCC_21DG) or QR_21) and QR_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QR_23_25  # route X-E3.4 becomes locked (R3)
-        CO_R51 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_3DG) or QR_1_3) and ((not OCC_21DG) or QR_21) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and QR_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QR_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_23_25) and (not D_IAG) and CL_X  # conditions of proceed for route X-E3.4 (R3)
-        LK_R52 = A_R52 and (not B_R52) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QR_17_19 and QR_27  # route X-E4 becomes locked (R3)
-        CO_R52 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and QN_5_7 and QN_1_3 and QN_9_11 and QN_13_15 and QR_17_19 and QR_27 and (not TR_5_7) and (not TR_1_3) and (not TR_9_11) and (not TR_13_15) and (not TR_17_19) and (not TR_27) and (not D_IAG) and CL_X  # conditions of proceed for route X-E4 (R3)
-        LK_R53 = A_R53 and (not B_R53) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and ((not OCC_3DG) or QR_1_3) and QR_5_7 and QR_13_15 and QN_9_11 and QR_17_19 and QR_27  # route X-E4.2 becomes locked (R3)
-        CO_R53 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and ((not OCC_3DG) or QR_1_3) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and QR_5_7 and QR_13_15 and QN_9_11 and QR_17_19 and QR_27 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_27) and (not D_IAG) and CL_X  # conditions of proceed for route X-E4.2 (R3)
-        LK_R54 = A_R54 and (not B_R54) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_3DG) or QR_1_3) and ((not OCC_25DG) or QR_23_25) and QR_5_7 and QN_13_15 and QN_9_11 and QR_21  # route X-E5 becomes locked (R3)
-        CO_R54 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_3DG) or QR_1_3) and ((not OCC_25DG) or QR_23_25) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and QR_5_7 and QN_13_15 and QN_9_11 and QR_21 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_21) and (not D_IAG) and CL_X  # conditions of proceed for route X-E5 (R3)
-        LK_R55 = A_R55 and (not B_R55) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and QN_5_7 and QN_1_3 and QR_9_11 and QN_13_15 and QR_21  # route X-E5.2 becomes locked (R3)
-        CO_R55 = VALID and (not OCC_IAG) and (not OCC_5DG) and (not OCC_3DG) and (not OCC_9_15DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and (not BLK_IAG) and (not BLK_5DG) and (not BLK_3DG) and (not BLK_9_15DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and QN_5_7 and QN_1_3 and QR_9_11 and QN_13_15 and QR_21 and (not TR_5_7) and (not TR_1_3) and (not TR_9_11) and (not TR_13_15) and (not TR_21) and (not D_IAG) and CL_X  # conditions of proceed for route X-E5.2 (R3)
-        LK_R56 = A_R56 and (not B_R56) and VALID and (not X_XD) and (not CAN_XD) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and QN_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QN_23_25  # route XD-E1 becomes locked (R3)
-        CO_R56 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_IG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_IG) and QN_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QN_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_23_25) and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E1 (R3)
-        LK_R57 = A_R57 and (not B_R57) and VALID and (not X_XD) and (not CAN_XD) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and QN_5_7 and QN_13_15 and QN_9_11 and QN_21 and QN_23_25  # route XD-E3 becomes locked (R3)
-        CO_R57 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_25DG) and (not OCC_IIIG) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QN_13_15 and QN_9_11 and QN_21 and QN_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_21) and (not TR_23_25) and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E3 (R3)
-        LK_R58 = A_R58 and (not B_R58) and VALID and (not X_XD) and (not CAN_XD) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and QN_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QR_23_25  # route XD-E3.2 becomes locked (R3)
-        CO_R58 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_25DG) and (not OCC_IIIG) and ((not OCC_21DG) or QR_21) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_25DG) and (not BLK_IIIG) and QN_5_7 and QR_13_15 and QN_9_11 and QN_17_19 and QR_23_25 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_23_25) and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E3.2 (R3)
-        LK_R59 = A_R59 and (not B_R59) and VALID and (not X_XD) and (not CAN_XD) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and QN_5_7 and QR_13_15 and QN_9_11 and QR_17_19 and QR_27  # route XD-E4 becomes locked (R3)
-        CO_R59 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_9_15DG) and (not OCC_17_23DG) and (not OCC_19_27DG) and (not OCC_4G) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_9_15DG) and (not BLK_17_23DG) and (not BLK_19_27DG) and (not BLK_4G) and QN_5_7 and QR_13_15 and QN_9_11 and QR_17_19 and QR_27 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_17_19) and (not TR_27) and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E4 (R3)
-        LK_R60 = A_R60 and (not B_R60) and VALID and (not X_XD) and (not CAN_XD) and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and QN_5_7 and QN_13_15 and QN_9_11 and QR_21  # route XD-E5 becomes locked (R3)
-        CO_R60 = VALID and (not OCC_7DG) and (not OCC_11_13DG) and (not OCC_21DG) and (not OCC_5G) and ((not OCC_25DG) or QR_23_25) and (not BLK_7DG) and (not BLK_11_13DG) and (not BLK_21DG) and (not BLK_5G) and QN_5_7 and QN_13_15 and QN_9_11 and QR_21 and (not TR_5_7) and (not TR_13_15) and (not TR_9_11) and (not TR_21) and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E5 (R3)
+        G_R1 = (REQ == 1) and VALID and WF_1DG_3 and (not BLK_1_19WG) and (not M_1_19WG) and (not (L_19_27DG_5 or L_19_27DG_7))  # grant of route D1-D15 (R6)
+        G_R2 = RQ_R2 and VALID and WF_1DG_4 and WF_3DG_1  # grant of route D1-D9 (R6)
+        G_R3 = (REQ == 3) and VALID and WF_11_13DG_3 and WF_21DG_2 and (not BLK_5G) and (not M_5G)  # grant of route D11-5G (R6)
+        G_R4 = (REQ == 4) and VALID and WF_11_13DG_4 and WF_9_15DG_2  # grant of route D11-D13 (R6)
+        G_R5 = (REQ == 5) and VALID and WF_11_13DG_3 and WF_21DG_1 and WF_25DG_2 and (not BLK_IIIG) and (not M_IIIG)  # grant of route D11-IIIG (R6)
+        G_R6 = (REQ == 6) and VALID and WF_17_23DG_3 and WF_19_27DG_3 and (not BLK_4G) and (not M_4G)  # grant of route D13-4G (R6)
+        G_R7 = RQ_R7 and VALID and WF_17_23DG_5 and (not BLK_IG) and (not M_IG)  # grant of route D13-IG (R6)
+        G_R8 = (REQ == 8) and VALID and WF_17_23DG_3 and WF_19_27DG_4 and (not BLK_IIG) and (not M_IIG)  # grant of route D13-IIG (R6)
+        G_R9 = (REQ == 9) and VALID and WF_17_23DG_4 and WF_25DG_1 and (not BLK_IIIG) and (not M_IIIG)  # grant of route D13-IIIG (R6)
+        G_R10 = (REQ == 10) and VALID and WF_19_27DG_1 and (not BLK_4G) and (not M_4G)  # grant of route D15-4G (R6)
+        G_R11 = (REQ == 11) and VALID and WF_19_27DG_2 and (not BLK_IIG) and (not M_IIG)  # grant of route D15-IIG (R6)
+        G_R12 = (REQ == 12) and VALID and WF_17_23DG_6 and WF_9_15DG_4  # grant of route D17-D7 (R6)
+        G_R13 = (REQ == 13) and VALID and WF_17_23DG_6 and WF_9_15DG_3 and WF_11_13DG_6 and WF_7DG_1 and WF_5DG_2 and (not BLK_IAG) and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG)))  # grant of route D17-IAG (R6)
+        G_R14 = (REQ == 14) and VALID and WF_5DG_4 and WF_7DG_3  # grant of route D3-D11 (R6)
+        G_R15 = (REQ == 15) and VALID and WF_5DG_3 and WF_3DG_2  # grant of route D3-D9 (R6)
+        G_R16 = (REQ == 16) and VALID and WF_1DG_1 and (not BLK_IIAG) and (not M_IIAG)  # grant of route D5-IIAG (R6)
+        G_R17 = (REQ == 17) and VALID and WF_3DG_4 and WF_5DG_1 and (not BLK_IAG) and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG)))  # grant of route D7-IAG (R6)
+        G_R18 = (REQ == 18) and VALID and WF_3DG_3 and WF_1DG_2 and (not BLK_IIAG) and (not M_IIAG)  # grant of route D7-IIAG (R6)
+        G_R19 = (REQ == 19) and VALID and WF_9_15DG_5 and WF_11_13DG_5 and WF_21DG_2 and (not BLK_5G) and (not M_5G)  # grant of route D9-5G (R6)
+        G_R20 = RQ_R20 and VALID and WF_9_15DG_6  # grant of route D9-D13 (R6)
+        G_R21 = (REQ == 21) and VALID and WF_9_15DG_5 and WF_11_13DG_5 and WF_21DG_1 and WF_25DG_2 and (not BLK_IIIG) and (not M_IIIG)  # grant of route D9-IIIG (R6)
+        G_R22 = (REQ == 22) and VALID and WF_19_27DG_5 and WF_1_19WG_1 and WF_1DG_1 and WF_IIAG_1  # grant of route S4-BS (R6)
+        G_R23 = (REQ == 23) and VALID and WF_19_27DG_6 and WF_17_23DG_1 and WF_9_15DG_4 and WF_3DG_3 and WF_1DG_2 and WF_IIAG_1  # grant of route S4-BS.2 (R6)
+        G_R24 = (REQ == 24) and VALID and WF_19_27DG_6 and WF_17_23DG_1 and WF_9_15DG_3 and WF_11_13DG_6 and WF_7DG_2  # grant of route S4-DJ (R6)
+        G_R25 = (REQ == 25) and VALID and WF_19_27DG_5 and (not BLK_1_19WG) and (not M_1_19WG) and (not L_1DG_3)  # grant of route S4-D5.s (R6)
+        G_R26 = (REQ == 26) and VALID and WF_19_27DG_6 and WF_17_23DG_1 and WF_9_15DG_4  # grant of route S4-D7.s (R6)
+        G_R27 = (REQ == 27) and VALID and WF_19_27DG_6 and WF_17_23DG_1 and WF_9_15DG_3 and WF_11_13DG_6 and WF_7DG_1 and WF_5DG_2 and (not BLK_IAG) and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG)))  # grant of route S4-IAG.s (R6)
+        G_R28 = (REQ == 28) and VALID and WF_21DG_4 and WF_11_13DG_2 and WF_9_15DG_1 and WF_3DG_3 and WF_1DG_2 and WF_IIAG_1  # grant of route S5-BS (R6)
+        G_R29 = (REQ == 29) and VALID and WF_21DG_4 and WF_11_13DG_1 and WF_7DG_2  # grant of route S5-DJ (R6)
+        G_R30 = (REQ == 30) and VALID and WF_21DG_4 and WF_11_13DG_2 and WF_9_15DG_1  # grant of route S5-D7.s (R6)
+        G_R31 = (REQ == 31) and VALID and WF_21DG_4 and WF_11_13DG_1 and WF_7DG_1 and WF_5DG_2 and (not BLK_IAG) and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG)))  # grant of route S5-IAG.s (R6)
+        G_R32 = (REQ == 32) and VALID and WF_19_27DG_7 and WF_1_19WG_1 and WF_1DG_1 and WF_IIAG_1  # grant of route SII-BS (R6)
+        G_R33 = (REQ == 33) and VALID and WF_19_27DG_8 and WF_17_23DG_1 and WF_9_15DG_4 and WF_3DG_3 and WF_1DG_2 and WF_IIAG_1  # grant of route SII-BS.2 (R6)
+        G_R34 = (REQ == 34) and VALID and WF_19_27DG_8 and WF_17_23DG_1 and WF_9_15DG_3 and WF_11_13DG_6 and WF_7DG_2  # grant of route SII-DJ (R6)
+        G_R35 = (REQ == 35) and VALID and WF_19_27DG_7 and (not BLK_1_19WG) and (not M_1_19WG) and (not L_1DG_3)  # grant of route SII-D5.s (R6)
+        G_R36 = (REQ == 36) and VALID and WF_19_27DG_8 and WF_17_23DG_1 and WF_9_15DG_4  # grant of route SII-D7.s (R6)
+        G_R37 = (REQ == 37) and VALID and WF_19_27DG_8 and WF_17_23DG_1 and WF_9_15DG_3 and WF_11_13DG_6 and WF_7DG_1 and WF_5DG_2 and (not BLK_IAG) and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG)))  # grant of route SII-IAG.s (R6)
+        G_R38 = (REQ == 38) and VALID and WF_25DG_3 and WF_17_23DG_2 and WF_9_15DG_4 and WF_3DG_3 and WF_1DG_2 and WF_IIAG_1  # grant of route SIII-BS (R6)
+        G_R39 = (REQ == 39) and VALID and WF_25DG_4 and WF_21DG_3 and WF_11_13DG_2 and WF_9_15DG_1 and WF_3DG_3 and WF_1DG_2 and WF_IIAG_1  # grant of route SIII-BS.2 (R6)
+        G_R40 = (REQ == 40) and VALID and WF_25DG_4 and WF_21DG_3 and WF_11_13DG_1 and WF_7DG_2  # grant of route SIII-DJ (R6)
+        G_R41 = (REQ == 41) and VALID and WF_25DG_3 and WF_17_23DG_2 and WF_9_15DG_3 and WF_11_13DG_6 and WF_7DG_2  # grant of route SIII-DJ.2 (R6)
+        G_R42 = (REQ == 42) and VALID and WF_25DG_3 and WF_17_23DG_2 and WF_9_15DG_4  # grant of route SIII-D7.s (R6)
+        G_R43 = (REQ == 43) and VALID and WF_25DG_4 and WF_21DG_3 and WF_11_13DG_2 and WF_9_15DG_1  # grant of route SIII-D7.s.2 (R6)
+        G_R44 = (REQ == 44) and VALID and WF_25DG_4 and WF_21DG_3 and WF_11_13DG_1 and WF_7DG_1 and WF_5DG_2 and (not BLK_IAG) and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG)))  # grant of route SIII-IAG.s (R6)
+        G_R45 = (REQ == 45) and VALID and WF_25DG_3 and WF_17_23DG_2 and WF_9_15DG_3 and WF_11_13DG_6 and WF_7DG_1 and WF_5DG_2 and (not BLK_IAG) and (not M_IAG) and (not (L_IAG_2 and ((not U_IAG) or OCC_XJG)))  # grant of route SIII-IAG.s.2 (R6)
+        G_R46 = (REQ == 46) and VALID and WF_IAG_2 and WF_5DG_3 and WF_3DG_2 and WF_9_15DG_6 and WF_17_23DG_5 and WF_IG_1  # grant of route X-E1 (R6)
+        G_R47 = (REQ == 47) and VALID and WF_IAG_2 and WF_5DG_4 and WF_7DG_3 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_5 and WF_IG_1  # grant of route X-E1.2 (R6)
+        G_R48 = (REQ == 48) and VALID and WF_IAG_2 and WF_5DG_3 and WF_3DG_2 and WF_9_15DG_6 and WF_17_23DG_4 and WF_25DG_1 and WF_IIIG_1  # grant of route X-E3 (R6)
+        G_R49 = (REQ == 49) and VALID and WF_IAG_2 and WF_5DG_4 and WF_7DG_3 and WF_11_13DG_3 and WF_21DG_1 and WF_25DG_2 and WF_IIIG_1  # grant of route X-E3.2 (R6)
+        G_R50 = (REQ == 50) and VALID and WF_IAG_2 and WF_5DG_3 and WF_3DG_2 and WF_9_15DG_5 and WF_11_13DG_5 and WF_21DG_1 and WF_25DG_2 and WF_IIIG_1  # grant of route X-E3.3 (R6)
+        G_R51 = (REQ == 51) and VALID and WF_IAG_2 and WF_5DG_4 and WF_7DG_3 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_4 and WF_25DG_1 and WF_IIIG_1  # grant of route X-E3.4 (R6)
+        G_R52 = (REQ == 52) and VALID and WF_IAG_2 and WF_5DG_3 and WF_3DG_2 and WF_9_15DG_6 and WF_17_23DG_3 and WF_19_27DG_3 and WF_4G_1  # grant of route X-E4 (R6)
+        G_R53 = (REQ == 53) and VALID and WF_IAG_2 and WF_5DG_4 and WF_7DG_3 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_3 and WF_19_27DG_3 and WF_4G_1  # grant of route X-E4.2 (R6)
+        G_R54 = (REQ == 54) and VALID and WF_IAG_2 and WF_5DG_4 and WF_7DG_3 and WF_11_13DG_3 and WF_21DG_2 and WF_5G_1  # grant of route X-E5 (R6)
+        G_R55 = (REQ == 55) and VALID and WF_IAG_2 and WF_5DG_3 and WF_3DG_2 and WF_9_15DG_5 and WF_11_13DG_5 and WF_21DG_2 and WF_5G_1  # grant of route X-E5.2 (R6)
+        G_R56 = (REQ == 56) and VALID and WF_7DG_4 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_5 and WF_IG_1  # grant of route XD-E1 (R6)
+        G_R57 = (REQ == 57) and VALID and WF_7DG_4 and WF_11_13DG_3 and WF_21DG_1 and WF_25DG_2 and WF_IIIG_1  # grant of route XD-E3 (R6)
+        G_R58 = (REQ == 58) and VALID and WF_7DG_4 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_4 and WF_25DG_1 and WF_IIIG_1  # grant of route XD-E3.2 (R6)
+        G_R59 = (REQ == 59) and VALID and WF_7DG_4 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_3 and WF_19_27DG_3 and WF_4G_1  # grant of route XD-E4 (R6)
+        G_R60 = (REQ == 60) and VALID and WF_7DG_4 and WF_11_13DG_3 and WF_21DG_2 and WF_5G_1  # grant of route XD-E5 (R6)
+        GW_1_19WG_1 = G_R22 or G_R32  # 1/19WG from 1/19WG|19-27DG@19.normal to 1/19WG|1DG@WG.0: granted
+        GB_1_19WG_1 = G_R25 or G_R35  # 1/19WG from 1/19WG|19-27DG@19.normal to 1/19WG|1DG@WG.0: granted
+        GB_1_19WG_2 = G_R1  # 1/19WG from 1/19WG|1DG@WG.0 to 1/19WG|19-27DG@19.normal: granted
+        GW_11_13DG_1 = G_R29 or G_R31 or G_R40 or G_R44  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|7DG@13.toe: granted
+        GW_11_13DG_2 = G_R28 or G_R30 or G_R39 or G_R43  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|9-15DG@11.reverse: granted
+        GW_11_13DG_3 = G_R3 or G_R5 or G_R49 or G_R54 or G_R57 or G_R60  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|21DG@11.toe: granted
+        GW_11_13DG_4 = G_R4 or G_R47 or G_R51 or G_R53 or G_R56 or G_R58 or G_R59  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|9-15DG@15.reverse: granted
+        GW_11_13DG_5 = G_R19 or G_R21 or G_R50 or G_R55  # 11-13DG from 11-13DG|9-15DG@11.reverse to 11-13DG|21DG@11.toe: granted
+        GW_11_13DG_6 = G_R13 or G_R24 or G_R27 or G_R34 or G_R37 or G_R41 or G_R45  # 11-13DG from 11-13DG|9-15DG@15.reverse to 11-13DG|7DG@13.toe: granted
+        GW_17_23DG_1 = G_R23 or G_R24 or G_R26 or G_R27 or G_R33 or G_R34 or G_R36 or G_R37  # 17-23DG from 17-23DG|19-27DG@x17.0 to 17-23DG|9-15DG@15.toe: granted
+        GW_17_23DG_2 = G_R38 or G_R41 or G_R42 or G_R45  # 17-23DG from 17-23DG|25DG@x23.0 to 17-23DG|9-15DG@15.toe: granted
+        GW_17_23DG_3 = G_R6 or G_R8 or G_R52 or G_R53 or G_R59  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|19-27DG@x17.0: granted
+        GW_17_23DG_4 = G_R9 or G_R48 or G_R51 or G_R58  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|25DG@x23.0: granted
+        GW_17_23DG_5 = G_R7 or G_R46 or G_R47 or G_R56  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|IG@tI.0: granted
+        GW_17_23DG_6 = G_R12 or G_R13  # 17-23DG from 17-23DG|IG@tI.0 to 17-23DG|9-15DG@15.toe: granted
+        GW_19_27DG_1 = G_R10  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|4G@t4.0: granted
+        GW_19_27DG_2 = G_R11  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|IIG@tII.0: granted
+        GW_19_27DG_3 = G_R6 or G_R52 or G_R53 or G_R59  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|4G@t4.0: granted
+        GW_19_27DG_4 = G_R8  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|IIG@tII.0: granted
+        GW_19_27DG_5 = G_R22 or G_R25  # 19-27DG from 19-27DG|4G@t4.0 to 1/19WG|19-27DG@19.normal: granted
+        GW_19_27DG_6 = G_R23 or G_R24 or G_R26 or G_R27  # 19-27DG from 19-27DG|4G@t4.0 to 17-23DG|19-27DG@x17.0: granted
+        GW_19_27DG_7 = G_R32 or G_R35  # 19-27DG from 19-27DG|IIG@tII.0 to 1/19WG|19-27DG@19.normal: granted
+        GW_19_27DG_8 = G_R33 or G_R34 or G_R36 or G_R37  # 19-27DG from 19-27DG|IIG@tII.0 to 17-23DG|19-27DG@x17.0: granted
+        GW_1DG_1 = G_R16 or G_R22 or G_R32  # 1DG from 1/19WG|1DG@WG.0 to 1DG|IIAG@1.toe: granted
+        GW_1DG_2 = G_R18 or G_R23 or G_R28 or G_R33 or G_R38 or G_R39  # 1DG from 1DG|3DG@x1.0 to 1DG|IIAG@1.toe: granted
+        GW_1DG_3 = G_R1  # 1DG from 1DG|IIAG@1.toe to 1/19WG|1DG@WG.0: granted
+        GW_1DG_4 = G_R2  # 1DG from 1DG|IIAG@1.toe to 1DG|3DG@x1.0: granted
+        GW_21DG_1 = G_R5 or G_R21 or G_R49 or G_R50 or G_R57  # 21DG from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal: granted
+        GW_21DG_2 = G_R3 or G_R19 or G_R54 or G_R55 or G_R60  # 21DG from 11-13DG|21DG@11.toe to 21DG|5G@t5.0: granted
+        GW_21DG_3 = G_R39 or G_R40 or G_R43 or G_R44  # 21DG from 21DG|25DG@21.normal to 11-13DG|21DG@11.toe: granted
+        GW_21DG_4 = G_R28 or G_R29 or G_R30 or G_R31  # 21DG from 21DG|5G@t5.0 to 11-13DG|21DG@11.toe: granted
+        GW_25DG_1 = G_R9 or G_R48 or G_R51 or G_R58  # 25DG from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0: granted
+        GW_25DG_2 = G_R5 or G_R21 or G_R49 or G_R50 or G_R57  # 25DG from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0: granted
+        GW_25DG_3 = G_R38 or G_R41 or G_R42 or G_R45  # 25DG from 25DG|IIIG@tIII.0 to 17-23DG|25DG@x23.0: granted
+        GW_25DG_4 = G_R39 or G_R40 or G_R43 or G_R44  # 25DG from 25DG|IIIG@tIII.0 to 21DG|25DG@21.normal: granted
+        GW_3DG_1 = G_R2  # 3DG from 1DG|3DG@x1.0 to 3DG|9-15DG@3-9.end: granted
+        GW_3DG_2 = G_R15 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55  # 3DG from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end: granted
+        GW_3DG_3 = G_R18 or G_R23 or G_R28 or G_R33 or G_R38 or G_R39  # 3DG from 3DG|9-15DG@3-9.end to 1DG|3DG@x1.0: granted
+        GW_3DG_4 = G_R17  # 3DG from 3DG|9-15DG@3-9.end to 3DG|5DG@3.normal: granted
+        GW_4G_1 = G_R52 or G_R53 or G_R59  # 4G from 19-27DG|4G@t4.0 to E4: granted
+        GB_4G_1 = G_R6 or G_R10  # 4G from 19-27DG|4G@t4.0 to E4: granted
+        GW_5DG_1 = G_R17  # 5DG from 3DG|5DG@3.normal to 5DG|IAG@5.toe: granted
+        GW_5DG_2 = G_R13 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45  # 5DG from 5DG|7DG@x5.0 to 5DG|IAG@5.toe: granted
+        GW_5DG_3 = G_R15 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55  # 5DG from 5DG|IAG@5.toe to 3DG|5DG@3.normal: granted
+        GW_5DG_4 = G_R14 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54  # 5DG from 5DG|IAG@5.toe to 5DG|7DG@x5.0: granted
+        GW_5G_1 = G_R54 or G_R55 or G_R60  # 5G from 21DG|5G@t5.0 to E5: granted
+        GB_5G_1 = G_R3 or G_R19  # 5G from 21DG|5G@t5.0 to E5: granted
+        GW_7DG_1 = G_R13 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45  # 7DG from 11-13DG|7DG@13.toe to 5DG|7DG@x5.0: granted
+        GW_7DG_2 = G_R24 or G_R29 or G_R34 or G_R40 or G_R41  # 7DG from 11-13DG|7DG@13.toe to DJ: granted
+        GW_7DG_3 = G_R14 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54  # 7DG from 5DG|7DG@x5.0 to 11-13DG|7DG@13.toe: granted
+        GW_7DG_4 = G_R56 or G_R57 or G_R58 or G_R59 or G_R60  # 7DG from DJ to 11-13DG|7DG@13.toe: granted
+        GW_9_15DG_1 = G_R28 or G_R30 or G_R39 or G_R43  # 9-15DG from 11-13DG|9-15DG@11.reverse to 3DG|9-15DG@3-9.end: granted
+        GW_9_15DG_2 = G_R4 or G_R47 or G_R51 or G_R53 or G_R56 or G_R58 or G_R59  # 9-15DG from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe: granted
+        GW_9_15DG_3 = G_R13 or G_R24 or G_R27 or G_R34 or G_R37 or G_R41 or G_R45  # 9-15DG from 17-23DG|9-15DG@15.toe to 11-13DG|9-15DG@15.reverse: granted
+        GW_9_15DG_4 = G_R12 or G_R23 or G_R26 or G_R33 or G_R36 or G_R38 or G_R42  # 9-15DG from 17-23DG|9-15DG@15.toe to 3DG|9-15DG@3-9.end: granted
+        GW_9_15DG_5 = G_R19 or G_R21 or G_R50 or G_R55  # 9-15DG from 3DG|9-15DG@3-9.end to 11-13DG|9-15DG@11.reverse: granted
+        GW_9_15DG_6 = G_R20 or G_R46 or G_R48 or G_R52  # 9-15DG from 3DG|9-15DG@3-9.end to 17-23DG|9-15DG@15.toe: granted
+        GB_IAG_1 = G_R13 or G_R17 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45  # IAG from 5DG|IAG@5.toe to BX: granted
+        GW_IAG_2 = G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55  # IAG from BX to 5DG|IAG@5.toe: granted
+        GW_IG_1 = G_R46 or G_R47 or G_R56  # IG from 17-23DG|IG@tI.0 to E1: granted
+        GB_IG_1 = G_R7  # IG from 17-23DG|IG@tI.0 to E1: granted
+        GW_IIAG_1 = G_R22 or G_R23 or G_R28 or G_R32 or G_R33 or G_R38 or G_R39  # IIAG from 1DG|IIAG@1.toe to BS: granted
+        GB_IIAG_1 = G_R16 or G_R18  # IIAG from 1DG|IIAG@1.toe to BS: granted
+        GB_IIG_1 = G_R8 or G_R11  # IIG from 19-27DG|IIG@tII.0 to E2: granted
+        GW_IIIG_1 = G_R48 or G_R49 or G_R50 or G_R51 or G_R57 or G_R58  # IIIG from 25DG|IIIG@tIII.0 to E3: granted
+        GB_IIIG_1 = G_R5 or G_R9 or G_R21  # IIIG from 25DG|IIIG@tIII.0 to E3: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_D1) and (not CAN_D1) and WL_1DG_3  # route D1-D15 becomes locked (R3)
+        CO_R1 = VALID and WP_1DG_3 and (not BLK_1_19WG) and (not D_1DG)  # conditions of proceed for route D1-D15 (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_D1) and (not CAN_D1) and WL_1DG_4 and WL_3DG_1  # route D1-D9 becomes locked (R3)
+        CO_R2 = VALID and WP_1DG_4 and WP_3DG_1 and (not D_1DG)  # conditions of proceed for route D1-D9 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_D11) and (not CAN_D11) and WL_11_13DG_3 and WL_21DG_2  # route D11-5G becomes locked (R3)
+        CO_R3 = VALID and WP_11_13DG_3 and WP_21DG_2 and (not BLK_5G) and (not D_11_13DG)  # conditions of proceed for route D11-5G (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_D11) and (not CAN_D11) and WL_11_13DG_4 and WL_9_15DG_2  # route D11-D13 becomes locked (R3)
+        CO_R4 = VALID and WP_11_13DG_4 and WP_9_15DG_2 and (not D_11_13DG)  # conditions of proceed for route D11-D13 (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_D11) and (not CAN_D11) and WL_11_13DG_3 and WL_21DG_1 and WL_25DG_2  # route D11-IIIG becomes locked (R3)
+        CO_R5 = VALID and WP_11_13DG_3 and WP_21DG_1 and WP_25DG_2 and (not BLK_IIIG) and (not D_11_13DG)  # conditions of proceed for route D11-IIIG (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_D13) and (not CAN_D13) and WL_17_23DG_3 and WL_19_27DG_3  # route D13-4G becomes locked (R3)
+        CO_R6 = VALID and WP_17_23DG_3 and WP_19_27DG_3 and (not BLK_4G) and (not D_17_23DG)  # conditions of proceed for route D13-4G (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_D13) and (not CAN_D13) and WL_17_23DG_5  # route D13-IG becomes locked (R3)
+        CO_R7 = VALID and WP_17_23DG_5 and (not BLK_IG) and (not D_17_23DG)  # conditions of proceed for route D13-IG (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_D13) and (not CAN_D13) and WL_17_23DG_3 and WL_19_27DG_4  # route D13-IIG becomes locked (R3)
+        CO_R8 = VALID and WP_17_23DG_3 and WP_19_27DG_4 and (not BLK_IIG) and (not D_17_23DG)  # conditions of proceed for route D13-IIG (R3)
+        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_D13) and (not CAN_D13) and WL_17_23DG_4 and WL_25DG_1  # route D13-IIIG becomes locked (R3)
+        CO_R9 = VALID and WP_17_23DG_4 and WP_25DG_1 and (not BLK_IIIG) and (not D_17_23DG)  # conditions of proceed for route D13-IIIG (R3)
+        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_D15) and (not CAN_D15) and WL_19_27DG_1  # route D15-4G becomes locked (R3)
+        CO_R10 = VALID and WP_19_27DG_1 and (not BLK_4G) and (not D_19_27DG)  # conditions of proceed for route D15-4G (R3)
+        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_D15) and (not CAN_D15) and WL_19_27DG_2  # route D15-IIG becomes locked (R3)
+        CO_R11 = VALID and WP_19_27DG_2 and (not BLK_IIG) and (not D_19_27DG)  # conditions of proceed for route D15-IIG (R3)
+        LK_R12 = A_R12 and (not B_R12) and VALID and (not X_D17) and (not CAN_D17) and WL_17_23DG_6 and WL_9_15DG_4  # route D17-D7 becomes locked (R3)
+        CO_R12 = VALID and WP_17_23DG_6 and WP_9_15DG_4 and (not D_17_23DG)  # conditions of proceed for route D17-D7 (R3)
+        LK_R13 = A_R13 and (not B_R13) and VALID and (not X_D17) and (not CAN_D17) and WL_17_23DG_6 and WL_9_15DG_3 and WL_11_13DG_6 and WL_7DG_1 and WL_5DG_2  # route D17-IAG becomes locked (R3)
+        CO_R13 = VALID and WP_17_23DG_6 and WP_9_15DG_3 and WP_11_13DG_6 and WP_7DG_1 and WP_5DG_2 and (not BLK_IAG) and (not D_17_23DG)  # conditions of proceed for route D17-IAG (R3)
+        LK_R14 = A_R14 and (not B_R14) and VALID and (not X_D3) and (not CAN_D3) and WL_5DG_4 and WL_7DG_3  # route D3-D11 becomes locked (R3)
+        CO_R14 = VALID and WP_5DG_4 and WP_7DG_3 and (not D_5DG)  # conditions of proceed for route D3-D11 (R3)
+        LK_R15 = A_R15 and (not B_R15) and VALID and (not X_D3) and (not CAN_D3) and WL_5DG_3 and WL_3DG_2  # route D3-D9 becomes locked (R3)
+        CO_R15 = VALID and WP_5DG_3 and WP_3DG_2 and (not D_5DG)  # conditions of proceed for route D3-D9 (R3)
+        LK_R16 = A_R16 and (not B_R16) and VALID and (not X_D5) and (not CAN_D5) and WL_1DG_1  # route D5-IIAG becomes locked (R3)
+        CO_R16 = VALID and WP_1DG_1 and (not BLK_IIAG) and (not D_1DG)  # conditions of proceed for route D5-IIAG (R3)
+        LK_R17 = A_R17 and (not B_R17) and VALID and (not X_D7) and (not CAN_D7) and WL_3DG_4 and WL_5DG_1  # route D7-IAG becomes locked (R3)
+        CO_R17 = VALID and WP_3DG_4 and WP_5DG_1 and (not BLK_IAG) and (not D_3DG)  # conditions of proceed for route D7-IAG (R3)
+        LK_R18 = A_R18 and (not B_R18) and VALID and (not X_D7) and (not CAN_D7) and WL_3DG_3 and WL_1DG_2  # route D7-IIAG becomes locked (R3)
+        CO_R18 = VALID and WP_3DG_3 and WP_1DG_2 and (not BLK_IIAG) and (not D_3DG)  # conditions of proceed for route D7-IIAG (R3)
+        LK_R19 = A_R19 and (not B_R19) and VALID and (not X_D9) and (not CAN_D9) and WL_9_15DG_5 and WL_11_13DG_5 and WL_21DG_2  # route D9-5G becomes locked (R3)
+        CO_R19 = VALID and WP_9_15DG_5 and WP_11_13DG_5 and WP_21DG_2 and (not BLK_5G) and (not D_9_15DG)  # conditions of proceed for route D9-5G (R3)
+        LK_R20 = A_R20 and (not B_R20) and VALID and (not X_D9) and (not CAN_D9) and WL_9_15DG_6  # route D9-D13 becomes locked (R3)
+        CO_R20 = VALID and WP_9_15DG_6 and (not D_9_15DG)  # conditions of proceed for route D9-D13 (R3)
+        LK_R21 = A_R21 and (not B_R21) and VALID and (not X_D9) and (not CAN_D9) and WL_9_15DG_5 and WL_11_13DG_5 and WL_21DG_1 and WL_25DG_2  # route D9-IIIG becomes locked (R3)
+        CO_R21 = VALID and WP_9_15DG_5 and WP_11_13DG_5 and WP_21DG_1 and WP_25DG_2 and (not BLK_IIIG) and (not D_9_15DG)  # conditions of proceed for route D9-IIIG (R3)
+        LK_R22 = A_R22 and (not B_R22) and VALID and (not X_S4) and (not CAN_S4) and WL_19_27DG_5 and WL_1_19WG_1 and WL_1DG_1 and WL_IIAG_1  # route S4-BS becomes locked (R3)
+        CO_R22 = VALID and WP_19_27DG_5 and WP_1_19WG_1 and WP_1DG_1 and WP_IIAG_1 and E_BF_BS and (not D_19_27DG) and CL_S4  # conditions of proceed for route S4-BS (R3)
+        LK_R23 = A_R23 and (not B_R23) and VALID and (not X_S4) and (not CAN_S4) and WL_19_27DG_6 and WL_17_23DG_1 and WL_9_15DG_4 and WL_3DG_3 and WL_1DG_2 and WL_IIAG_1  # route S4-BS.2 becomes locked (R3)
+        CO_R23 = VALID and WP_19_27DG_6 and WP_17_23DG_1 and WP_9_15DG_4 and WP_3DG_3 and WP_1DG_2 and WP_IIAG_1 and E_BF_BS and (not D_19_27DG) and CL_S4  # conditions of proceed for route S4-BS.2 (R3)
+        LK_R24 = A_R24 and (not B_R24) and VALID and (not X_S4) and (not CAN_S4) and WL_19_27DG_6 and WL_17_23DG_1 and WL_9_15DG_3 and WL_11_13DG_6 and WL_7DG_2  # route S4-DJ becomes locked (R3)
+        CO_R24 = VALID and WP_19_27DG_6 and WP_17_23DG_1 and WP_9_15DG_3 and WP_11_13DG_6 and WP_7DG_2 and E_BF_DJ and (not OCC_XDJG) and (not D_19_27DG) and CL_S4  # conditions of proceed for route S4-DJ (R3)
+        LK_R25 = A_R25 and (not B_R25) and VALID and (not X_S4) and (not CAN_S4) and WL_19_27DG_5  # route S4-D5.s becomes locked (R3)
+        CO_R25 = VALID and WP_19_27DG_5 and (not BLK_1_19WG) and (not D_19_27DG)  # conditions of proceed for route S4-D5.s (R3)
+        LK_R26 = A_R26 and (not B_R26) and VALID and (not X_S4) and (not CAN_S4) and WL_19_27DG_6 and WL_17_23DG_1 and WL_9_15DG_4  # route S4-D7.s becomes locked (R3)
+        CO_R26 = VALID and WP_19_27DG_6 and WP_17_23DG_1 and WP_9_15DG_4 and (not D_19_27DG)  # conditions of proceed for route S4-D7.s (R3)
+        LK_R27 = A_R27 and (not B_R27) and VALID and (not X_S4) and (not CAN_S4) and WL_19_27DG_6 and WL_17_23DG_1 and WL_9_15DG_3 and WL_11_13DG_6 and WL_7DG_1 and WL_5DG_2  # route S4-IAG.s becomes locked (R3)
+        CO_R27 = VALID and WP_19_27DG_6 and WP_17_23DG_1 and WP_9_15DG_3 and WP_11_13DG_6 and WP_7DG_1 and WP_5DG_2 and (not BLK_IAG) and (not D_19_27DG)  # conditions of proceed for route S4-IAG.s (R3)
+        LK_R28 = A_R28 and (not B_R28) and VALID and (not X_S5) and (not CAN_S5) and WL_21DG_4 and WL_11_13DG_2 and WL_9_15DG_1 and WL_3DG_3 and WL_1DG_2 and WL_IIAG_1  # route S5-BS becomes locked (R3)
+        CO_R28 = VALID and WP_21DG_4 and WP_11_13DG_2 and WP_9_15DG_1 and WP_3DG_3 and WP_1DG_2 and WP_IIAG_1 and E_BF_BS and (not D_21DG) and CL_S5  # conditions of proceed for route S5-BS (R3)
+        LK_R29 = A_R29 and (not B_R29) and VALID and (not X_S5) and (not CAN_S5) and WL_21DG_4 and WL_11_13DG_1 and WL_7DG_2  # route S5-DJ becomes locked (R3)
+        CO_R29 = VALID and WP_21DG_4 and WP_11_13DG_1 and WP_7DG_2 and E_BF_DJ and (not OCC_XDJG) and (not D_21DG) and CL_S5  # conditions of proceed for route S5-DJ (R3)
+        LK_R30 = A_R30 and (not B_R30) and VALID and (not X_S5) and (not CAN_S5) and WL_21DG_4 and WL_11_13DG_2 and WL_9_15DG_1  # route S5-D7.s becomes locked (R3)
+        CO_R30 = VALID and WP_21DG_4 and WP_11_13DG_2 and WP_9_15DG_1 and (not D_21DG)  # conditions of proceed for route S5-D7.s (R3)
+        LK_R31 = A_R31 and (not B_R31) and VALID and (not X_S5) and (not CAN_S5) and WL_21DG_4 and WL_11_13DG_1 and WL_7DG_1 and WL_5DG_2  # route S5-IAG.s becomes locked (R3)
+        CO_R31 = VALID and WP_21DG_4 and WP_11_13DG_1 and WP_7DG_1 and WP_5DG_2 and (not BLK_IAG) and (not D_21DG)  # conditions of proceed for route S5-IAG.s (R3)
+        LK_R32 = A_R32 and (not B_R32) and VALID and (not X_SII) and (not CAN_SII) and WL_19_27DG_7 and WL_1_19WG_1 and WL_1DG_1 and WL_IIAG_1  # route SII-BS becomes locked (R3)
+        CO_R32 = VALID and WP_19_27DG_7 and WP_1_19WG_1 and WP_1DG_1 and WP_IIAG_1 and E_BF_BS and (not D_19_27DG) and CL_SII  # conditions of proceed for route SII-BS (R3)
+        LK_R33 = A_R33 and (not B_R33) and VALID and (not X_SII) and (not CAN_SII) and WL_19_27DG_8 and WL_17_23DG_1 and WL_9_15DG_4 and WL_3DG_3 and WL_1DG_2 and WL_IIAG_1  # route SII-BS.2 becomes locked (R3)
+        CO_R33 = VALID and WP_19_27DG_8 and WP_17_23DG_1 and WP_9_15DG_4 and WP_3DG_3 and WP_1DG_2 and WP_IIAG_1 and E_BF_BS and (not D_19_27DG) and CL_SII  # conditions of proceed for route SII-BS.2 (R3)
+        LK_R34 = A_R34 and (not B_R34) and VALID and (not X_SII) and (not CAN_SII) and WL_19_27DG_8 and WL_17_23DG_1 and WL_9_15DG_3 and WL_11_13DG_6 and WL_7DG_2  # route SII-DJ becomes locked (R3)
+        CO_R34 = VALID and WP_19_27DG_8 and WP_17_23DG_1 and WP_9_15DG_3 and WP_11_13DG_6 and WP_7DG_2 and E_BF_DJ and (not OCC_XDJG) and (not D_19_27DG) and CL_SII  # conditions of proceed for route SII-DJ (R3)
+        LK_R35 = A_R35 and (not B_R35) and VALID and (not X_SII) and (not CAN_SII) and WL_19_27DG_7  # route SII-D5.s becomes locked (R3)
+        CO_R35 = VALID and WP_19_27DG_7 and (not BLK_1_19WG) and (not D_19_27DG)  # conditions of proceed for route SII-D5.s (R3)
+        LK_R36 = A_R36 and (not B_R36) and VALID and (not X_SII) and (not CAN_SII) and WL_19_27DG_8 and WL_17_23DG_1 and WL_9_15DG_4  # route SII-D7.s becomes locked (R3)
+        CO_R36 = VALID and WP_19_27DG_8 and WP_17_23DG_1 and WP_9_15DG_4 and (not D_19_27DG)  # conditions of proceed for route SII-D7.s (R3)
+        LK_R37 = A_R37 and (not B_R37) and VALID and (not X_SII) and (not CAN_SII) and WL_19_27DG_8 and WL_17_23DG_1 and WL_9_15DG_3 and WL_11_13DG_6 and WL_7DG_1 and WL_5DG_2  # route SII-IAG.s becomes locked (R3)
+        CO_R37 = VALID and WP_19_27DG_8 and WP_17_23DG_1 and WP_9_15DG_3 and WP_11_13DG_6 and WP_7DG_1 and WP_5DG_2 and (not BLK_IAG) and (not D_19_27DG)  # conditions of proceed for route SII-IAG.s (R3)
+        LK_R38 = A_R38 and (not B_R38) and VALID and (not X_SIII) and (not CAN_SIII) and WL_25DG_3 and WL_17_23DG_2 and WL_9_15DG_4 and WL_3DG_3 and WL_1DG_2 and WL_IIAG_1  # route SIII-BS becomes locked (R3)
+        CO_R38 = VALID and WP_25DG_3 and WP_17_23DG_2 and WP_9_15DG_4 and WP_3DG_3 and WP_1DG_2 and WP_IIAG_1 and E_BF_BS and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-BS (R3)
+        LK_R39 = A_R39 and (not B_R39) and VALID and (not X_SIII) and (not CAN_SIII) and WL_25DG_4 and WL_21DG_3 and WL_11_13DG_2 and WL_9_15DG_1 and WL_3DG_3 and WL_1DG_2 and WL_IIAG_1  # route SIII-BS.2 becomes locked (R3)
+        CO_R39 = VALID and WP_25DG_4 and WP_21DG_3 and WP_11_13DG_2 and WP_9_15DG_1 and WP_3DG_3 and WP_1DG_2 and WP_IIAG_1 and E_BF_BS and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-BS.2 (R3)
+        LK_R40 = A_R40 and (not B_R40) and VALID and (not X_SIII) and (not CAN_SIII) and WL_25DG_4 and WL_21DG_3 and WL_11_13DG_1 and WL_7DG_2  # route SIII-DJ becomes locked (R3)
+        CO_R40 = VALID and WP_25DG_4 and WP_21DG_3 and WP_11_13DG_1 and WP_7DG_2 and E_BF_DJ and (not OCC_XDJG) and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-DJ (R3)
+        LK_R41 = A_R41 and (not B_R41) and VALID and (not X_SIII) and (not CAN_SIII) and WL_25DG_3 and WL_17_23DG_2 and WL_9_15DG_3 and WL_11_13DG_6 and WL_7DG_2  # route SIII-DJ.2 becomes locked (R3)
+        CO_R41 = VALID and WP_25DG_3 and WP_17_23DG_2 and WP_9_15DG_3 and WP_11_13DG_6 and WP_7DG_2 and E_BF_DJ and (not OCC_XDJG) and (not D_25DG) and CL_SIII  # conditions of proceed for route SIII-DJ.2 (R3)
+        LK_R42 = A_R42 and (not B_R42) and VALID and (not X_SIII) and (not CAN_SIII) and WL_25DG_3 and WL_17_23DG_2 and WL_9_15DG_4  # route SIII-D7.s becomes locked (R3)
+        CO_R42 = VALID and WP_25DG_3 and WP_17_23DG_2 and WP_9_15DG_4 and (not D_25DG)  # conditions of proceed for route SIII-D7.s (R3)
+        LK_R43 = A_R43 and (not B_R43) and VALID and (not X_SIII) and (not CAN_SIII) and WL_25DG_4 and WL_21DG_3 and WL_11_13DG_2 and WL_9_15DG_1  # route SIII-D7.s.2 becomes locked (R3)
+        CO_R43 = VALID and WP_25DG_4 and WP_21DG_3 and WP_11_13DG_2 and WP_9_15DG_1 and (not D_25DG)  # conditions of proceed for route SIII-D7.s.2 (R3)
+        LK_R44 = A_R44 and (not B_R44) and VALID and (not X_SIII) and (not CAN_SIII) and WL_25DG_4 and WL_21DG_3 and WL_11_13DG_1 and WL_7DG_1 and WL_5DG_2  # route SIII-IAG.s becomes locked (R3)
+        CO_R44 = VALID and WP_25DG_4 and WP_21DG_3 and WP_11_13DG_1 and WP_7DG_1 and WP_5DG_2 and (not BLK_IAG) and (not D_25DG)  # conditions of proceed for route SIII-IAG.s (R3)
+        LK_R45 = A_R45 and (not B_R45) and VALID and (not X_SIII) and (not CAN_SIII) and WL_25DG_3 and WL_17_23DG_2 and WL_9_15DG_3 and WL_11_13DG_6 and WL_7DG_1 and WL_5DG_2  # route SIII-IAG.s.2 becomes locked (R3)
+        CO_R45 = VALID and WP_25DG_3 and WP_17_23DG_2 and WP_9_15DG_3 and WP_11_13DG_6 and WP_7DG_1 and WP_5DG_2 and (not BLK_IAG) and (not D_25DG)  # conditions of proceed for route SIII-IAG.s.2 (R3)
+        LK_R46 = A_R46 and (not B_R46) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_5DG_3 and WL_3DG_2 and WL_9_15DG_6 and WL_17_23DG_5 and WL_IG_1  # route X-E1 becomes locked (R3)
+        CO_R46 = VALID and WP_IAG_2 and WP_5DG_3 and WP_3DG_2 and WP_9_15DG_6 and WP_17_23DG_5 and WP_IG_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E1 (R3)
+        LK_R47 = A_R47 and (not B_R47) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_5DG_4 and WL_7DG_3 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_5 and WL_IG_1  # route X-E1.2 becomes locked (R3)
+        CO_R47 = VALID and WP_IAG_2 and WP_5DG_4 and WP_7DG_3 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_5 and WP_IG_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E1.2 (R3)
+        LK_R48 = A_R48 and (not B_R48) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_5DG_3 and WL_3DG_2 and WL_9_15DG_6 and WL_17_23DG_4 and WL_25DG_1 and WL_IIIG_1  # route X-E3 becomes locked (R3)
+        CO_R48 = VALID and WP_IAG_2 and WP_5DG_3 and WP_3DG_2 and WP_9_15DG_6 and WP_17_23DG_4 and WP_25DG_1 and WP_IIIG_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E3 (R3)
+        LK_R49 = A_R49 and (not B_R49) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_5DG_4 and WL_7DG_3 and WL_11_13DG_3 and WL_21DG_1 and WL_25DG_2 and WL_IIIG_1  # route X-E3.2 becomes locked (R3)
+        CO_R49 = VALID and WP_IAG_2 and WP_5DG_4 and WP_7DG_3 and WP_11_13DG_3 and WP_21DG_1 and WP_25DG_2 and WP_IIIG_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E3.2 (R3)
+        LK_R50 = A_R50 and (not B_R50) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_5DG_3 and WL_3DG_2 and WL_9_15DG_5 and WL_11_13DG_5 and WL_21DG_1 and WL_25DG_2 and WL_IIIG_1  # route X-E3.3 becomes locked (R3)
+        CO_R50 = VALID and WP_IAG_2 and WP_5DG_3 and WP_3DG_2 and WP_9_15DG_5 and WP_11_13DG_5 and WP_21DG_1 and WP_25DG_2 and WP_IIIG_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E3.3 (R3)
+        LK_R51 = A_R51 and (not B_R51) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_5DG_4 and WL_7DG_3 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_4 and WL_25DG_1 and WL_IIIG_1  # route X-E3.4 becomes locked (R3)
+        CO_R51 = VALID and WP_IAG_2 and WP_5DG_4 and WP_7DG_3 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_4 and WP_25DG_1 and WP_IIIG_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E3.4 (R3)
+        LK_R52 = A_R52 and (not B_R52) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_5DG_3 and WL_3DG_2 and WL_9_15DG_6 and WL_17_23DG_3 and WL_19_27DG_3 and WL_4G_1  # route X-E4 becomes locked (R3)
+        CO_R52 = VALID and WP_IAG_2 and WP_5DG_3 and WP_3DG_2 and WP_9_15DG_6 and WP_17_23DG_3 and WP_19_27DG_3 and WP_4G_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E4 (R3)
+        LK_R53 = A_R53 and (not B_R53) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_5DG_4 and WL_7DG_3 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_3 and WL_19_27DG_3 and WL_4G_1  # route X-E4.2 becomes locked (R3)
+        CO_R53 = VALID and WP_IAG_2 and WP_5DG_4 and WP_7DG_3 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_3 and WP_19_27DG_3 and WP_4G_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E4.2 (R3)
+        LK_R54 = A_R54 and (not B_R54) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_5DG_4 and WL_7DG_3 and WL_11_13DG_3 and WL_21DG_2 and WL_5G_1  # route X-E5 becomes locked (R3)
+        CO_R54 = VALID and WP_IAG_2 and WP_5DG_4 and WP_7DG_3 and WP_11_13DG_3 and WP_21DG_2 and WP_5G_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E5 (R3)
+        LK_R55 = A_R55 and (not B_R55) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_5DG_3 and WL_3DG_2 and WL_9_15DG_5 and WL_11_13DG_5 and WL_21DG_2 and WL_5G_1  # route X-E5.2 becomes locked (R3)
+        CO_R55 = VALID and WP_IAG_2 and WP_5DG_3 and WP_3DG_2 and WP_9_15DG_5 and WP_11_13DG_5 and WP_21DG_2 and WP_5G_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E5.2 (R3)
+        LK_R56 = A_R56 and (not B_R56) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_5 and WL_IG_1  # route XD-E1 becomes locked (R3)
+        CO_R56 = VALID and WP_7DG_4 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_5 and WP_IG_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E1 (R3)
+        LK_R57 = A_R57 and (not B_R57) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_3 and WL_21DG_1 and WL_25DG_2 and WL_IIIG_1  # route XD-E3 becomes locked (R3)
+        CO_R57 = VALID and WP_7DG_4 and WP_11_13DG_3 and WP_21DG_1 and WP_25DG_2 and WP_IIIG_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E3 (R3)
+        LK_R58 = A_R58 and (not B_R58) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_4 and WL_25DG_1 and WL_IIIG_1  # route XD-E3.2 becomes locked (R3)
+        CO_R58 = VALID and WP_7DG_4 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_4 and WP_25DG_1 and WP_IIIG_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E3.2 (R3)
+        LK_R59 = A_R59 and (not B_R59) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_3 and WL_19_27DG_3 and WL_4G_1  # route XD-E4 becomes locked (R3)
+        CO_R59 = VALID and WP_7DG_4 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_3 and WP_19_27DG_3 and WP_4G_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E4 (R3)
+        LK_R60 = A_R60 and (not B_R60) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_3 and WL_21DG_2 and WL_5G_1  # route XD-E5 becomes locked (R3)
+        CO_R60 = VALID and WP_7DG_4 and WP_11_13DG_3 and WP_21DG_2 and WP_5G_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E5 (R3)
         NU_1_19WG_1 = VALID and F_1_19WG and (not D_1_19WG) and (not U_1_19WG) and (L_1_19WG_1 or L_1_19WG_2) and OCC_1_19WG and OCC_19_27DG and U_19_27DG and (L_19_27DG_5 or L_19_27DG_7)  # a train comes into 1/19WG at 1/19WG|19-27DG@19.normal (R9)
         NU_1_19WG_2 = VALID and F_1_19WG and (not D_1_19WG) and (not U_1_19WG) and (L_1_19WG_1 or L_1_19WG_2) and OCC_1_19WG and OCC_1DG and U_1DG and L_1DG_3  # a train comes into 1/19WG at 1/19WG|1DG@WG.0 (R9)
         NU_11_13DG_1 = VALID and F_11_13DG and (not D_11_13DG) and (not U_11_13DG) and (L_11_13DG_1 or L_11_13DG_2) and OCC_11_13DG and OCC_21DG and U_21DG and (L_21DG_3 or L_21DG_4)  # a train comes into 11-13DG at 11-13DG|21DG@11.toe (R9)
@@ -2034,52 +2374,60 @@ class Controller:
         HR_IIIG = VALID and (not OCC_IIIG) and (not (G_R5 or G_R9 or G_R21)) and (not (L_25DG_1 or L_25DG_2)) and REL_IIIG and L_IIIG_1  # IIIG released by hand (R8, section fault release)
         SR_IIIG = VALID and (not OCC_IIIG) and K_IIIG and (REL_IIIG or RELALL) and (not (G_R5 or G_R9 or G_R21)) and (not (L_25DG_1 or L_25DG_2))  # IIIG released after a restart (R16)
         RLS_IIIG = RT_IIIG or CA_IIIG or HR_IIIG or SR_IIIG  # IIIG is released
-        GPN_1_3 = (G_R1 or G_R15 or G_R16 or G_R17 or G_R22 or G_R32 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55)  # a grant needs 1/3 N
-        MAN_1_3 = MN_1_3 and (not MR_1_3) and MOV_1_3 and (not (G_R1 or G_R2 or G_R15 or G_R16 or G_R17 or G_R18 or G_R22 or G_R23 or G_R28 or G_R32 or G_R33 or G_R38 or G_R39 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55))  # machine 1/3 moved N by hand
-        GPR_1_3 = (G_R2 or G_R18 or G_R23 or G_R28 or G_R33 or G_R38 or G_R39)  # a grant needs 1/3 R
-        MAR_1_3 = MR_1_3 and (not MN_1_3) and MOV_1_3 and (not (G_R1 or G_R2 or G_R15 or G_R16 or G_R17 or G_R18 or G_R22 or G_R23 or G_R28 or G_R32 or G_R33 or G_R38 or G_R39 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55))  # machine 1/3 moved R by hand
+        TG_1_3 = (GW_1DG_1 or GW_1DG_2 or GW_1DG_3 or GW_1DG_4 or GW_3DG_1 or GW_3DG_2 or GW_3DG_3 or GW_3DG_4)  # a grant touches machine 1/3 in this scan
+        GPN_1_3 = (GW_1DG_1 or GW_1DG_3 or GW_3DG_2 or GW_3DG_4)  # a grant needs 1/3 N
+        MAN_1_3 = MN_1_3 and (not MR_1_3) and MOV_1_3 and (not TG_1_3)  # machine 1/3 moved N by hand
+        GPR_1_3 = (GW_1DG_2 or GW_1DG_4 or GW_3DG_1 or GW_3DG_3)  # a grant needs 1/3 R
+        MAR_1_3 = MR_1_3 and (not MN_1_3) and MOV_1_3 and (not TG_1_3)  # machine 1/3 moved R by hand
         HDN_1_3 = CN_1_3 and (not GPR_1_3) and (not MAR_1_3)  # the command N stays
         HDR_1_3 = CR_1_3 and (not GPN_1_3) and (not MAN_1_3)  # the command R stays
-        GPN_13_15 = (G_R3 or G_R5 or G_R12 or G_R19 or G_R20 or G_R21 or G_R23 or G_R26 or G_R28 or G_R29 or G_R30 or G_R31 or G_R33 or G_R36 or G_R38 or G_R39 or G_R40 or G_R42 or G_R43 or G_R44 or G_R46 or G_R48 or G_R49 or G_R50 or G_R52 or G_R54 or G_R55 or G_R57 or G_R60)  # a grant needs 13/15 N
-        MAN_13_15 = MN_13_15 and (not MR_13_15) and MOV_13_15 and (not (G_R3 or G_R4 or G_R5 or G_R12 or G_R13 or G_R19 or G_R20 or G_R21 or G_R23 or G_R24 or G_R26 or G_R27 or G_R28 or G_R29 or G_R30 or G_R31 or G_R33 or G_R34 or G_R36 or G_R37 or G_R38 or G_R39 or G_R40 or G_R41 or G_R42 or G_R43 or G_R44 or G_R45 or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60))  # machine 13/15 moved N by hand
-        GPR_13_15 = (G_R4 or G_R13 or G_R24 or G_R27 or G_R34 or G_R37 or G_R41 or G_R45 or G_R47 or G_R51 or G_R53 or G_R56 or G_R58 or G_R59)  # a grant needs 13/15 R
-        MAR_13_15 = MR_13_15 and (not MN_13_15) and MOV_13_15 and (not (G_R3 or G_R4 or G_R5 or G_R12 or G_R13 or G_R19 or G_R20 or G_R21 or G_R23 or G_R24 or G_R26 or G_R27 or G_R28 or G_R29 or G_R30 or G_R31 or G_R33 or G_R34 or G_R36 or G_R37 or G_R38 or G_R39 or G_R40 or G_R41 or G_R42 or G_R43 or G_R44 or G_R45 or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60))  # machine 13/15 moved R by hand
+        TG_13_15 = (GW_11_13DG_1 or GW_11_13DG_2 or GW_11_13DG_3 or GW_11_13DG_4 or GW_11_13DG_5 or GW_11_13DG_6 or GW_9_15DG_1 or GW_9_15DG_2 or GW_9_15DG_3 or GW_9_15DG_4 or GW_9_15DG_5 or GW_9_15DG_6)  # a grant touches machine 13/15 in this scan
+        GPN_13_15 = (GW_11_13DG_1 or GW_11_13DG_3 or GW_9_15DG_1 or GW_9_15DG_4 or GW_9_15DG_5 or GW_9_15DG_6)  # a grant needs 13/15 N
+        MAN_13_15 = MN_13_15 and (not MR_13_15) and MOV_13_15 and (not TG_13_15)  # machine 13/15 moved N by hand
+        GPR_13_15 = (GW_11_13DG_4 or GW_11_13DG_6 or GW_9_15DG_2 or GW_9_15DG_3)  # a grant needs 13/15 R
+        MAR_13_15 = MR_13_15 and (not MN_13_15) and MOV_13_15 and (not TG_13_15)  # machine 13/15 moved R by hand
         HDN_13_15 = CN_13_15 and (not GPR_13_15) and (not MAR_13_15)  # the command N stays
         HDR_13_15 = CR_13_15 and (not GPN_13_15) and (not MAN_13_15)  # the command R stays
-        GPN_17_19 = (G_R7 or G_R9 or G_R10 or G_R11 or G_R12 or G_R13 or G_R22 or G_R25 or G_R32 or G_R35 or G_R38 or G_R41 or G_R42 or G_R45 or G_R46 or G_R47 or G_R48 or G_R51 or G_R56 or G_R58)  # a grant needs 17/19 N
-        MAN_17_19 = MN_17_19 and (not MR_17_19) and MOV_17_19 and (not (G_R6 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R13 or G_R22 or G_R23 or G_R24 or G_R25 or G_R26 or G_R27 or G_R32 or G_R33 or G_R34 or G_R35 or G_R36 or G_R37 or G_R38 or G_R41 or G_R42 or G_R45 or G_R46 or G_R47 or G_R48 or G_R51 or G_R52 or G_R53 or G_R56 or G_R58 or G_R59))  # machine 17/19 moved N by hand
-        GPR_17_19 = (G_R6 or G_R8 or G_R23 or G_R24 or G_R26 or G_R27 or G_R33 or G_R34 or G_R36 or G_R37 or G_R52 or G_R53 or G_R59)  # a grant needs 17/19 R
-        MAR_17_19 = MR_17_19 and (not MN_17_19) and MOV_17_19 and (not (G_R6 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R13 or G_R22 or G_R23 or G_R24 or G_R25 or G_R26 or G_R27 or G_R32 or G_R33 or G_R34 or G_R35 or G_R36 or G_R37 or G_R38 or G_R41 or G_R42 or G_R45 or G_R46 or G_R47 or G_R48 or G_R51 or G_R52 or G_R53 or G_R56 or G_R58 or G_R59))  # machine 17/19 moved R by hand
+        TG_17_19 = (GW_17_23DG_1 or GW_17_23DG_2 or GW_17_23DG_3 or GW_17_23DG_4 or GW_17_23DG_5 or GW_17_23DG_6 or GW_19_27DG_1 or GW_19_27DG_2 or GW_19_27DG_3 or GW_19_27DG_4 or GW_19_27DG_5 or GW_19_27DG_6 or GW_19_27DG_7 or GW_19_27DG_8)  # a grant touches machine 17/19 in this scan
+        GPN_17_19 = (GW_17_23DG_2 or GW_17_23DG_4 or GW_17_23DG_5 or GW_17_23DG_6 or GW_19_27DG_1 or GW_19_27DG_2 or GW_19_27DG_5 or GW_19_27DG_7)  # a grant needs 17/19 N
+        MAN_17_19 = MN_17_19 and (not MR_17_19) and MOV_17_19 and (not TG_17_19)  # machine 17/19 moved N by hand
+        GPR_17_19 = (GW_17_23DG_1 or GW_17_23DG_3 or GW_19_27DG_3 or GW_19_27DG_4 or GW_19_27DG_6 or GW_19_27DG_8)  # a grant needs 17/19 R
+        MAR_17_19 = MR_17_19 and (not MN_17_19) and MOV_17_19 and (not TG_17_19)  # machine 17/19 moved R by hand
         HDN_17_19 = CN_17_19 and (not GPR_17_19) and (not MAR_17_19)  # the command N stays
         HDR_17_19 = CR_17_19 and (not GPN_17_19) and (not MAN_17_19)  # the command R stays
-        GPN_21 = (G_R5 or G_R21 or G_R39 or G_R40 or G_R43 or G_R44 or G_R49 or G_R50 or G_R57)  # a grant needs 21 N
-        MAN_21 = MN_21 and (not MR_21) and MOV_21 and (not (G_R3 or G_R5 or G_R19 or G_R21 or G_R28 or G_R29 or G_R30 or G_R31 or G_R39 or G_R40 or G_R43 or G_R44 or G_R49 or G_R50 or G_R54 or G_R55 or G_R57 or G_R60))  # machine 21 moved N by hand
-        GPR_21 = (G_R3 or G_R19 or G_R28 or G_R29 or G_R30 or G_R31 or G_R54 or G_R55 or G_R60)  # a grant needs 21 R
-        MAR_21 = MR_21 and (not MN_21) and MOV_21 and (not (G_R3 or G_R5 or G_R19 or G_R21 or G_R28 or G_R29 or G_R30 or G_R31 or G_R39 or G_R40 or G_R43 or G_R44 or G_R49 or G_R50 or G_R54 or G_R55 or G_R57 or G_R60))  # machine 21 moved R by hand
+        TG_21 = (GW_21DG_1 or GW_21DG_2 or GW_21DG_3 or GW_21DG_4)  # a grant touches machine 21 in this scan
+        GPN_21 = (GW_21DG_1 or GW_21DG_3)  # a grant needs 21 N
+        MAN_21 = MN_21 and (not MR_21) and MOV_21 and (not TG_21)  # machine 21 moved N by hand
+        GPR_21 = (GW_21DG_2 or GW_21DG_4)  # a grant needs 21 R
+        MAR_21 = MR_21 and (not MN_21) and MOV_21 and (not TG_21)  # machine 21 moved R by hand
         HDN_21 = CN_21 and (not GPR_21) and (not MAR_21)  # the command N stays
         HDR_21 = CR_21 and (not GPN_21) and (not MAN_21)  # the command R stays
-        GPN_23_25 = (G_R5 or G_R7 or G_R12 or G_R13 or G_R21 or G_R39 or G_R40 or G_R43 or G_R44 or G_R46 or G_R47 or G_R49 or G_R50 or G_R56 or G_R57) or ((G_R6 or G_R8 or G_R23 or G_R24 or G_R26 or G_R27 or G_R33 or G_R34 or G_R36 or G_R37 or G_R52 or G_R53 or G_R59) and MOV_23_25)  # a grant needs 23/25 N
-        MAN_23_25 = MN_23_25 and (not MR_23_25) and MOV_23_25 and (not (G_R5 or G_R6 or G_R7 or G_R8 or G_R9 or G_R12 or G_R13 or G_R21 or G_R23 or G_R24 or G_R26 or G_R27 or G_R33 or G_R34 or G_R36 or G_R37 or G_R38 or G_R39 or G_R40 or G_R41 or G_R42 or G_R43 or G_R44 or G_R45 or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R56 or G_R57 or G_R58 or G_R59))  # machine 23/25 moved N by hand
-        GPR_23_25 = (G_R9 or G_R38 or G_R41 or G_R42 or G_R45 or G_R48 or G_R51 or G_R58)  # a grant needs 23/25 R
-        MAR_23_25 = MR_23_25 and (not MN_23_25) and MOV_23_25 and (not (G_R5 or G_R6 or G_R7 or G_R8 or G_R9 or G_R12 or G_R13 or G_R21 or G_R23 or G_R24 or G_R26 or G_R27 or G_R33 or G_R34 or G_R36 or G_R37 or G_R38 or G_R39 or G_R40 or G_R41 or G_R42 or G_R43 or G_R44 or G_R45 or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R56 or G_R57 or G_R58 or G_R59))  # machine 23/25 moved R by hand
+        TG_23_25 = (GW_17_23DG_1 or GW_17_23DG_2 or GW_17_23DG_3 or GW_17_23DG_4 or GW_17_23DG_5 or GW_17_23DG_6 or GW_25DG_1 or GW_25DG_2 or GW_25DG_3 or GW_25DG_4)  # a grant touches machine 23/25 in this scan
+        GPN_23_25 = (GW_17_23DG_5 or GW_17_23DG_6 or GW_25DG_2 or GW_25DG_4) or ((G_R6 or G_R8 or G_R23 or G_R24 or G_R26 or G_R27 or G_R33 or G_R34 or G_R36 or G_R37 or G_R52 or G_R53 or G_R59) and MOV_23_25)  # a grant needs 23/25 N
+        MAN_23_25 = MN_23_25 and (not MR_23_25) and MOV_23_25 and (not TG_23_25)  # machine 23/25 moved N by hand
+        GPR_23_25 = (GW_17_23DG_2 or GW_17_23DG_4 or GW_25DG_1 or GW_25DG_3)  # a grant needs 23/25 R
+        MAR_23_25 = MR_23_25 and (not MN_23_25) and MOV_23_25 and (not TG_23_25)  # machine 23/25 moved R by hand
         HDN_23_25 = CN_23_25 and (not GPR_23_25) and (not MAR_23_25)  # the command N stays
         HDR_23_25 = CR_23_25 and (not GPN_23_25) and (not MAN_23_25)  # the command R stays
-        GPN_27 = (G_R8 or G_R11 or G_R32 or G_R33 or G_R34 or G_R35 or G_R36 or G_R37)  # a grant needs 27 N
-        MAN_27 = MN_27 and (not MR_27) and MOV_27 and (not (G_R6 or G_R8 or G_R10 or G_R11 or G_R22 or G_R23 or G_R24 or G_R25 or G_R26 or G_R27 or G_R32 or G_R33 or G_R34 or G_R35 or G_R36 or G_R37 or G_R52 or G_R53 or G_R59))  # machine 27 moved N by hand
-        GPR_27 = (G_R6 or G_R10 or G_R22 or G_R23 or G_R24 or G_R25 or G_R26 or G_R27 or G_R52 or G_R53 or G_R59)  # a grant needs 27 R
-        MAR_27 = MR_27 and (not MN_27) and MOV_27 and (not (G_R6 or G_R8 or G_R10 or G_R11 or G_R22 or G_R23 or G_R24 or G_R25 or G_R26 or G_R27 or G_R32 or G_R33 or G_R34 or G_R35 or G_R36 or G_R37 or G_R52 or G_R53 or G_R59))  # machine 27 moved R by hand
+        TG_27 = (GW_19_27DG_1 or GW_19_27DG_2 or GW_19_27DG_3 or GW_19_27DG_4 or GW_19_27DG_5 or GW_19_27DG_6 or GW_19_27DG_7 or GW_19_27DG_8)  # a grant touches machine 27 in this scan
+        GPN_27 = (GW_19_27DG_2 or GW_19_27DG_4 or GW_19_27DG_7 or GW_19_27DG_8)  # a grant needs 27 N
+        MAN_27 = MN_27 and (not MR_27) and MOV_27 and (not TG_27)  # machine 27 moved N by hand
+        GPR_27 = (GW_19_27DG_1 or GW_19_27DG_3 or GW_19_27DG_5 or GW_19_27DG_6)  # a grant needs 27 R
+        MAR_27 = MR_27 and (not MN_27) and MOV_27 and (not TG_27)  # machine 27 moved R by hand
         HDN_27 = CN_27 and (not GPR_27) and (not MAR_27)  # the command N stays
         HDR_27 = CR_27 and (not GPN_27) and (not MAN_27)  # the command R stays
-        GPN_5_7 = (G_R15 or G_R17 or G_R24 or G_R29 or G_R34 or G_R40 or G_R41 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60)  # a grant needs 5/7 N
-        MAN_5_7 = MN_5_7 and (not MR_5_7) and MOV_5_7 and (not (G_R13 or G_R14 or G_R15 or G_R17 or G_R24 or G_R27 or G_R29 or G_R31 or G_R34 or G_R37 or G_R40 or G_R41 or G_R44 or G_R45 or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60))  # machine 5/7 moved N by hand
-        GPR_5_7 = (G_R13 or G_R14 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54)  # a grant needs 5/7 R
-        MAR_5_7 = MR_5_7 and (not MN_5_7) and MOV_5_7 and (not (G_R13 or G_R14 or G_R15 or G_R17 or G_R24 or G_R27 or G_R29 or G_R31 or G_R34 or G_R37 or G_R40 or G_R41 or G_R44 or G_R45 or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60))  # machine 5/7 moved R by hand
+        TG_5_7 = (GW_5DG_1 or GW_5DG_2 or GW_5DG_3 or GW_5DG_4 or GW_7DG_1 or GW_7DG_2 or GW_7DG_3 or GW_7DG_4)  # a grant touches machine 5/7 in this scan
+        GPN_5_7 = (GW_5DG_1 or GW_5DG_3 or GW_7DG_2 or GW_7DG_4)  # a grant needs 5/7 N
+        MAN_5_7 = MN_5_7 and (not MR_5_7) and MOV_5_7 and (not TG_5_7)  # machine 5/7 moved N by hand
+        GPR_5_7 = (GW_5DG_2 or GW_5DG_4 or GW_7DG_1 or GW_7DG_3)  # a grant needs 5/7 R
+        MAR_5_7 = MR_5_7 and (not MN_5_7) and MOV_5_7 and (not TG_5_7)  # machine 5/7 moved R by hand
         HDN_5_7 = CN_5_7 and (not GPR_5_7) and (not MAR_5_7)  # the command N stays
         HDR_5_7 = CR_5_7 and (not GPN_5_7) and (not MAN_5_7)  # the command R stays
-        GPN_9_11 = (G_R3 or G_R4 or G_R5 or G_R12 or G_R13 or G_R20 or G_R23 or G_R24 or G_R26 or G_R27 or G_R29 or G_R31 or G_R33 or G_R34 or G_R36 or G_R37 or G_R38 or G_R40 or G_R41 or G_R42 or G_R44 or G_R45 or G_R46 or G_R47 or G_R48 or G_R49 or G_R51 or G_R52 or G_R53 or G_R54 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60)  # a grant needs 9/11 N
-        MAN_9_11 = MN_9_11 and (not MR_9_11) and MOV_9_11 and (not (G_R3 or G_R4 or G_R5 or G_R12 or G_R13 or G_R19 or G_R20 or G_R21 or G_R23 or G_R24 or G_R26 or G_R27 or G_R28 or G_R29 or G_R30 or G_R31 or G_R33 or G_R34 or G_R36 or G_R37 or G_R38 or G_R39 or G_R40 or G_R41 or G_R42 or G_R43 or G_R44 or G_R45 or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60))  # machine 9/11 moved N by hand
-        GPR_9_11 = (G_R19 or G_R21 or G_R28 or G_R30 or G_R39 or G_R43 or G_R50 or G_R55)  # a grant needs 9/11 R
-        MAR_9_11 = MR_9_11 and (not MN_9_11) and MOV_9_11 and (not (G_R3 or G_R4 or G_R5 or G_R12 or G_R13 or G_R19 or G_R20 or G_R21 or G_R23 or G_R24 or G_R26 or G_R27 or G_R28 or G_R29 or G_R30 or G_R31 or G_R33 or G_R34 or G_R36 or G_R37 or G_R38 or G_R39 or G_R40 or G_R41 or G_R42 or G_R43 or G_R44 or G_R45 or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60))  # machine 9/11 moved R by hand
+        TG_9_11 = (GW_11_13DG_1 or GW_11_13DG_2 or GW_11_13DG_3 or GW_11_13DG_4 or GW_11_13DG_5 or GW_11_13DG_6 or GW_9_15DG_1 or GW_9_15DG_2 or GW_9_15DG_3 or GW_9_15DG_4 or GW_9_15DG_5 or GW_9_15DG_6)  # a grant touches machine 9/11 in this scan
+        GPN_9_11 = (GW_11_13DG_1 or GW_11_13DG_3 or GW_11_13DG_4 or GW_11_13DG_6 or GW_9_15DG_4 or GW_9_15DG_6)  # a grant needs 9/11 N
+        MAN_9_11 = MN_9_11 and (not MR_9_11) and MOV_9_11 and (not TG_9_11)  # machine 9/11 moved N by hand
+        GPR_9_11 = (GW_11_13DG_2 or GW_11_13DG_5 or GW_9_15DG_1 or GW_9_15DG_5)  # a grant needs 9/11 R
+        MAR_9_11 = MR_9_11 and (not MN_9_11) and MOV_9_11 and (not TG_9_11)  # machine 9/11 moved R by hand
         HDN_9_11 = CN_9_11 and (not GPR_9_11) and (not MAR_9_11)  # the command N stays
         HDR_9_11 = CR_9_11 and (not GPN_9_11) and (not MAN_9_11)  # the command R stays
         STI_1_3 = (CN_1_3 and (not QN_1_3)) or (CR_1_3 and (not QR_1_3))  # machine 1/3 is not where it was commanded
@@ -2667,168 +3015,168 @@ class Controller:
         N_N_R20 = (N_R20 or (VOY == 1)) and (not G_R20) and (not CAN_D9)  # route D9-D13 is noted
         N_T_R20 = T_R7  # it is the turn of route D9-D13
         N_K_1_19WG = K_1_19WG and (not RLS_1_19WG)  # 1/19WG: restart lock (R16)
-        N_L_1_19WG_1 = (L_1_19WG_1 or G_R22 or (G_R25 and FREE_1_19WG) or G_R32 or (G_R35 and FREE_1_19WG)) and (not RLS_1_19WG)  # 1/19WG locked from 1/19WG|19-27DG@19.normal to 1/19WG|1DG@WG.0
-        N_L_1_19WG_2 = (L_1_19WG_2 or (G_R1 and FREE_1_19WG)) and (not RLS_1_19WG)  # 1/19WG locked from 1/19WG|1DG@WG.0 to 1/19WG|19-27DG@19.normal
+        N_L_1_19WG_1 = (L_1_19WG_1 or GW_1_19WG_1 or (GB_1_19WG_1 and FREE_1_19WG)) and (not RLS_1_19WG)  # 1/19WG locked from 1/19WG|19-27DG@19.normal to 1/19WG|1DG@WG.0
+        N_L_1_19WG_2 = (L_1_19WG_2 or (GB_1_19WG_2 and FREE_1_19WG)) and (not RLS_1_19WG)  # 1/19WG locked from 1/19WG|1DG@WG.0 to 1/19WG|19-27DG@19.normal
         N_M_1_19WG = (M_1_19WG or G_R22 or G_R32) and (not RLS_1_19WG) and (not AR_1_19WG)  # 1/19WG locked for a train movement
         N_F_1_19WG = (F_1_19WG or LK_R22 or (LK_R25 and (L_1_19WG_1 or L_1_19WG_2)) or LK_R32 or (LK_R35 and (L_1_19WG_1 or L_1_19WG_2)) or (LK_R1 and (L_1_19WG_1 or L_1_19WG_2))) and (not RLS_1_19WG)  # 1/19WG firmly locked
         N_U_1_19WG = (U_1_19WG or NU_1_19WG_1 or NU_1_19WG_2) and (not RLS_1_19WG)  # 1/19WG used by a train (R9)
         N_P_1_19WG = (P_1_19WG or (U_1_19WG and OCC_1_19WG and (NU_19_27DG_1 or NU_1DG_1))) and (not RLS_1_19WG)  # 1/19WG: the train went on (R9)
         N_D_1_19WG = (D_1_19WG or ((not VALID) and (L_1_19WG_1 or L_1_19WG_2))) and (not RLS_1_19WG)  # 1/19WG: inputs were lost while locked
         N_K_11_13DG = K_11_13DG and (not RLS_11_13DG)  # 11-13DG: restart lock (R16)
-        N_L_11_13DG_1 = (L_11_13DG_1 or G_R29 or G_R31 or G_R40 or G_R44) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|21DG@11.toe to 11-13DG|7DG@13.toe
-        N_L_11_13DG_2 = (L_11_13DG_2 or G_R28 or G_R30 or G_R39 or G_R43) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|21DG@11.toe to 11-13DG|9-15DG@11.reverse
-        N_L_11_13DG_3 = (L_11_13DG_3 or G_R3 or G_R5 or G_R49 or G_R54 or G_R57 or G_R60) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|7DG@13.toe to 11-13DG|21DG@11.toe
-        N_L_11_13DG_4 = (L_11_13DG_4 or G_R4 or G_R47 or G_R51 or G_R53 or G_R56 or G_R58 or G_R59) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|7DG@13.toe to 11-13DG|9-15DG@15.reverse
-        N_L_11_13DG_5 = (L_11_13DG_5 or G_R19 or G_R21 or G_R50 or G_R55) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|9-15DG@11.reverse to 11-13DG|21DG@11.toe
-        N_L_11_13DG_6 = (L_11_13DG_6 or G_R13 or G_R24 or G_R27 or G_R34 or G_R37 or G_R41 or G_R45) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|9-15DG@15.reverse to 11-13DG|7DG@13.toe
+        N_L_11_13DG_1 = (L_11_13DG_1 or GW_11_13DG_1) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|21DG@11.toe to 11-13DG|7DG@13.toe
+        N_L_11_13DG_2 = (L_11_13DG_2 or GW_11_13DG_2) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|21DG@11.toe to 11-13DG|9-15DG@11.reverse
+        N_L_11_13DG_3 = (L_11_13DG_3 or GW_11_13DG_3) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|7DG@13.toe to 11-13DG|21DG@11.toe
+        N_L_11_13DG_4 = (L_11_13DG_4 or GW_11_13DG_4) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|7DG@13.toe to 11-13DG|9-15DG@15.reverse
+        N_L_11_13DG_5 = (L_11_13DG_5 or GW_11_13DG_5) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|9-15DG@11.reverse to 11-13DG|21DG@11.toe
+        N_L_11_13DG_6 = (L_11_13DG_6 or GW_11_13DG_6) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|9-15DG@15.reverse to 11-13DG|7DG@13.toe
         N_M_11_13DG = (M_11_13DG or G_R29 or G_R40 or G_R28 or G_R39 or G_R49 or G_R54 or G_R57 or G_R60 or G_R47 or G_R51 or G_R53 or G_R56 or G_R58 or G_R59 or G_R50 or G_R55 or G_R24 or G_R34 or G_R41) and (not RLS_11_13DG)  # 11-13DG locked for a train movement
         N_F_11_13DG = (F_11_13DG or LK_R29 or LK_R31 or LK_R40 or LK_R44 or LK_R28 or LK_R30 or LK_R39 or LK_R43 or LK_R3 or LK_R5 or LK_R49 or LK_R54 or LK_R57 or LK_R60 or LK_R4 or LK_R47 or LK_R51 or LK_R53 or LK_R56 or LK_R58 or LK_R59 or LK_R19 or LK_R21 or LK_R50 or LK_R55 or LK_R13 or LK_R24 or LK_R27 or LK_R34 or LK_R37 or LK_R41 or LK_R45) and (not RLS_11_13DG)  # 11-13DG firmly locked
         N_U_11_13DG = (U_11_13DG or NU_11_13DG_1 or NU_11_13DG_2 or NU_11_13DG_3 or NU_11_13DG_4) and (not RLS_11_13DG)  # 11-13DG used by a train (R9)
         N_P_11_13DG = (P_11_13DG or (U_11_13DG and OCC_11_13DG and (NU_21DG_1 or NU_7DG_1 or NU_9_15DG_1 or NU_9_15DG_2))) and (not RLS_11_13DG)  # 11-13DG: the train went on (R9)
         N_D_11_13DG = (D_11_13DG or ((not VALID) and (L_11_13DG_1 or L_11_13DG_2 or L_11_13DG_3 or L_11_13DG_4 or L_11_13DG_5 or L_11_13DG_6))) and (not RLS_11_13DG)  # 11-13DG: inputs were lost while locked
         N_K_17_23DG = K_17_23DG and (not RLS_17_23DG)  # 17-23DG: restart lock (R16)
-        N_L_17_23DG_1 = (L_17_23DG_1 or G_R23 or G_R24 or G_R26 or G_R27 or G_R33 or G_R34 or G_R36 or G_R37) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|19-27DG@x17.0 to 17-23DG|9-15DG@15.toe
-        N_L_17_23DG_2 = (L_17_23DG_2 or G_R38 or G_R41 or G_R42 or G_R45) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|25DG@x23.0 to 17-23DG|9-15DG@15.toe
-        N_L_17_23DG_3 = (L_17_23DG_3 or G_R6 or G_R8 or G_R52 or G_R53 or G_R59) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|9-15DG@15.toe to 17-23DG|19-27DG@x17.0
-        N_L_17_23DG_4 = (L_17_23DG_4 or G_R9 or G_R48 or G_R51 or G_R58) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|9-15DG@15.toe to 17-23DG|25DG@x23.0
-        N_L_17_23DG_5 = (L_17_23DG_5 or G_R7 or G_R46 or G_R47 or G_R56) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|9-15DG@15.toe to 17-23DG|IG@tI.0
-        N_L_17_23DG_6 = (L_17_23DG_6 or G_R12 or G_R13) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|IG@tI.0 to 17-23DG|9-15DG@15.toe
+        N_L_17_23DG_1 = (L_17_23DG_1 or GW_17_23DG_1) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|19-27DG@x17.0 to 17-23DG|9-15DG@15.toe
+        N_L_17_23DG_2 = (L_17_23DG_2 or GW_17_23DG_2) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|25DG@x23.0 to 17-23DG|9-15DG@15.toe
+        N_L_17_23DG_3 = (L_17_23DG_3 or GW_17_23DG_3) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|9-15DG@15.toe to 17-23DG|19-27DG@x17.0
+        N_L_17_23DG_4 = (L_17_23DG_4 or GW_17_23DG_4) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|9-15DG@15.toe to 17-23DG|25DG@x23.0
+        N_L_17_23DG_5 = (L_17_23DG_5 or GW_17_23DG_5) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|9-15DG@15.toe to 17-23DG|IG@tI.0
+        N_L_17_23DG_6 = (L_17_23DG_6 or GW_17_23DG_6) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|IG@tI.0 to 17-23DG|9-15DG@15.toe
         N_M_17_23DG = (M_17_23DG or G_R23 or G_R24 or G_R33 or G_R34 or G_R38 or G_R41 or G_R52 or G_R53 or G_R59 or G_R48 or G_R51 or G_R58 or G_R46 or G_R47 or G_R56) and (not RLS_17_23DG)  # 17-23DG locked for a train movement
         N_F_17_23DG = (F_17_23DG or LK_R23 or LK_R24 or LK_R26 or LK_R27 or LK_R33 or LK_R34 or LK_R36 or LK_R37 or LK_R38 or LK_R41 or LK_R42 or LK_R45 or LK_R6 or LK_R8 or LK_R52 or LK_R53 or LK_R59 or LK_R9 or LK_R48 or LK_R51 or LK_R58 or LK_R7 or LK_R46 or LK_R47 or LK_R56 or LK_R12 or LK_R13) and (not RLS_17_23DG)  # 17-23DG firmly locked
         N_U_17_23DG = (U_17_23DG or NU_17_23DG_1 or NU_17_23DG_2 or NU_17_23DG_3 or NU_17_23DG_4) and (not RLS_17_23DG)  # 17-23DG used by a train (R9)
         N_P_17_23DG = (P_17_23DG or (U_17_23DG and OCC_17_23DG and (NU_19_27DG_2 or NU_25DG_1 or NU_9_15DG_3 or NU_IG_1))) and (not RLS_17_23DG)  # 17-23DG: the train went on (R9)
         N_D_17_23DG = (D_17_23DG or ((not VALID) and (L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5 or L_17_23DG_6))) and (not RLS_17_23DG)  # 17-23DG: inputs were lost while locked
         N_K_19_27DG = K_19_27DG and (not RLS_19_27DG)  # 19-27DG: restart lock (R16)
-        N_L_19_27DG_1 = (L_19_27DG_1 or G_R10) and (not RLS_19_27DG)  # 19-27DG locked from 1/19WG|19-27DG@19.normal to 19-27DG|4G@t4.0
-        N_L_19_27DG_2 = (L_19_27DG_2 or G_R11) and (not RLS_19_27DG)  # 19-27DG locked from 1/19WG|19-27DG@19.normal to 19-27DG|IIG@tII.0
-        N_L_19_27DG_3 = (L_19_27DG_3 or G_R6 or G_R52 or G_R53 or G_R59) and (not RLS_19_27DG)  # 19-27DG locked from 17-23DG|19-27DG@x17.0 to 19-27DG|4G@t4.0
-        N_L_19_27DG_4 = (L_19_27DG_4 or G_R8) and (not RLS_19_27DG)  # 19-27DG locked from 17-23DG|19-27DG@x17.0 to 19-27DG|IIG@tII.0
-        N_L_19_27DG_5 = (L_19_27DG_5 or G_R22 or G_R25) and (not RLS_19_27DG)  # 19-27DG locked from 19-27DG|4G@t4.0 to 1/19WG|19-27DG@19.normal
-        N_L_19_27DG_6 = (L_19_27DG_6 or G_R23 or G_R24 or G_R26 or G_R27) and (not RLS_19_27DG)  # 19-27DG locked from 19-27DG|4G@t4.0 to 17-23DG|19-27DG@x17.0
-        N_L_19_27DG_7 = (L_19_27DG_7 or G_R32 or G_R35) and (not RLS_19_27DG)  # 19-27DG locked from 19-27DG|IIG@tII.0 to 1/19WG|19-27DG@19.normal
-        N_L_19_27DG_8 = (L_19_27DG_8 or G_R33 or G_R34 or G_R36 or G_R37) and (not RLS_19_27DG)  # 19-27DG locked from 19-27DG|IIG@tII.0 to 17-23DG|19-27DG@x17.0
+        N_L_19_27DG_1 = (L_19_27DG_1 or GW_19_27DG_1) and (not RLS_19_27DG)  # 19-27DG locked from 1/19WG|19-27DG@19.normal to 19-27DG|4G@t4.0
+        N_L_19_27DG_2 = (L_19_27DG_2 or GW_19_27DG_2) and (not RLS_19_27DG)  # 19-27DG locked from 1/19WG|19-27DG@19.normal to 19-27DG|IIG@tII.0
+        N_L_19_27DG_3 = (L_19_27DG_3 or GW_19_27DG_3) and (not RLS_19_27DG)  # 19-27DG locked from 17-23DG|19-27DG@x17.0 to 19-27DG|4G@t4.0
+        N_L_19_27DG_4 = (L_19_27DG_4 or GW_19_27DG_4) and (not RLS_19_27DG)  # 19-27DG locked from 17-23DG|19-27DG@x17.0 to 19-27DG|IIG@tII.0
+        N_L_19_27DG_5 = (L_19_27DG_5 or GW_19_27DG_5) and (not RLS_19_27DG)  # 19-27DG locked from 19-27DG|4G@t4.0 to 1/19WG|19-27DG@19.normal
+        N_L_19_27DG_6 = (L_19_27DG_6 or GW_19_27DG_6) and (not RLS_19_27DG)  # 19-27DG locked from 19-27DG|4G@t4.0 to 17-23DG|19-27DG@x17.0
+        N_L_19_27DG_7 = (L_19_27DG_7 or GW_19_27DG_7) and (not RLS_19_27DG)  # 19-27DG locked from 19-27DG|IIG@tII.0 to 1/19WG|19-27DG@19.normal
+        N_L_19_27DG_8 = (L_19_27DG_8 or GW_19_27DG_8) and (not RLS_19_27DG)  # 19-27DG locked from 19-27DG|IIG@tII.0 to 17-23DG|19-27DG@x17.0
         N_M_19_27DG = (M_19_27DG or G_R52 or G_R53 or G_R59 or G_R22 or G_R23 or G_R24 or G_R32 or G_R33 or G_R34) and (not RLS_19_27DG)  # 19-27DG locked for a train movement
         N_F_19_27DG = (F_19_27DG or LK_R10 or LK_R11 or LK_R6 or LK_R52 or LK_R53 or LK_R59 or LK_R8 or LK_R22 or LK_R25 or LK_R23 or LK_R24 or LK_R26 or LK_R27 or LK_R32 or LK_R35 or LK_R33 or LK_R34 or LK_R36 or LK_R37) and (not RLS_19_27DG)  # 19-27DG firmly locked
         N_U_19_27DG = (U_19_27DG or NU_19_27DG_1 or NU_19_27DG_2 or NU_19_27DG_3 or NU_19_27DG_4) and (not RLS_19_27DG)  # 19-27DG used by a train (R9)
         N_P_19_27DG = (P_19_27DG or (U_19_27DG and OCC_19_27DG and (NU_1_19WG_1 or NU_17_23DG_1 or NU_4G_1 or NU_IIG_1))) and (not RLS_19_27DG)  # 19-27DG: the train went on (R9)
         N_D_19_27DG = (D_19_27DG or ((not VALID) and (L_19_27DG_1 or L_19_27DG_2 or L_19_27DG_3 or L_19_27DG_4 or L_19_27DG_5 or L_19_27DG_6 or L_19_27DG_7 or L_19_27DG_8))) and (not RLS_19_27DG)  # 19-27DG: inputs were lost while locked
         N_K_1DG = K_1DG and (not RLS_1DG)  # 1DG: restart lock (R16)
-        N_L_1DG_1 = (L_1DG_1 or G_R16 or G_R22 or G_R32) and (not RLS_1DG)  # 1DG locked from 1/19WG|1DG@WG.0 to 1DG|IIAG@1.toe
-        N_L_1DG_2 = (L_1DG_2 or G_R18 or G_R23 or G_R28 or G_R33 or G_R38 or G_R39) and (not RLS_1DG)  # 1DG locked from 1DG|3DG@x1.0 to 1DG|IIAG@1.toe
-        N_L_1DG_3 = (L_1DG_3 or G_R1) and (not RLS_1DG)  # 1DG locked from 1DG|IIAG@1.toe to 1/19WG|1DG@WG.0
-        N_L_1DG_4 = (L_1DG_4 or G_R2) and (not RLS_1DG)  # 1DG locked from 1DG|IIAG@1.toe to 1DG|3DG@x1.0
+        N_L_1DG_1 = (L_1DG_1 or GW_1DG_1) and (not RLS_1DG)  # 1DG locked from 1/19WG|1DG@WG.0 to 1DG|IIAG@1.toe
+        N_L_1DG_2 = (L_1DG_2 or GW_1DG_2) and (not RLS_1DG)  # 1DG locked from 1DG|3DG@x1.0 to 1DG|IIAG@1.toe
+        N_L_1DG_3 = (L_1DG_3 or GW_1DG_3) and (not RLS_1DG)  # 1DG locked from 1DG|IIAG@1.toe to 1/19WG|1DG@WG.0
+        N_L_1DG_4 = (L_1DG_4 or GW_1DG_4) and (not RLS_1DG)  # 1DG locked from 1DG|IIAG@1.toe to 1DG|3DG@x1.0
         N_M_1DG = (M_1DG or G_R22 or G_R32 or G_R23 or G_R28 or G_R33 or G_R38 or G_R39) and (not RLS_1DG)  # 1DG locked for a train movement
         N_F_1DG = (F_1DG or LK_R16 or LK_R22 or LK_R32 or LK_R18 or LK_R23 or LK_R28 or LK_R33 or LK_R38 or LK_R39 or LK_R1 or LK_R2) and (not RLS_1DG)  # 1DG firmly locked
         N_U_1DG = (U_1DG or NU_1DG_1 or NU_1DG_2 or NU_1DG_3) and (not RLS_1DG)  # 1DG used by a train (R9)
         N_P_1DG = (P_1DG or (U_1DG and OCC_1DG and (NU_1_19WG_2 or NU_3DG_1 or NU_IIAG_1))) and (not RLS_1DG)  # 1DG: the train went on (R9)
         N_D_1DG = (D_1DG or ((not VALID) and (L_1DG_1 or L_1DG_2 or L_1DG_3 or L_1DG_4))) and (not RLS_1DG)  # 1DG: inputs were lost while locked
         N_K_21DG = K_21DG and (not RLS_21DG)  # 21DG: restart lock (R16)
-        N_L_21DG_1 = (L_21DG_1 or G_R5 or G_R21 or G_R49 or G_R50 or G_R57) and (not RLS_21DG)  # 21DG locked from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal
-        N_L_21DG_2 = (L_21DG_2 or G_R3 or G_R19 or G_R54 or G_R55 or G_R60) and (not RLS_21DG)  # 21DG locked from 11-13DG|21DG@11.toe to 21DG|5G@t5.0
-        N_L_21DG_3 = (L_21DG_3 or G_R39 or G_R40 or G_R43 or G_R44) and (not RLS_21DG)  # 21DG locked from 21DG|25DG@21.normal to 11-13DG|21DG@11.toe
-        N_L_21DG_4 = (L_21DG_4 or G_R28 or G_R29 or G_R30 or G_R31) and (not RLS_21DG)  # 21DG locked from 21DG|5G@t5.0 to 11-13DG|21DG@11.toe
+        N_L_21DG_1 = (L_21DG_1 or GW_21DG_1) and (not RLS_21DG)  # 21DG locked from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal
+        N_L_21DG_2 = (L_21DG_2 or GW_21DG_2) and (not RLS_21DG)  # 21DG locked from 11-13DG|21DG@11.toe to 21DG|5G@t5.0
+        N_L_21DG_3 = (L_21DG_3 or GW_21DG_3) and (not RLS_21DG)  # 21DG locked from 21DG|25DG@21.normal to 11-13DG|21DG@11.toe
+        N_L_21DG_4 = (L_21DG_4 or GW_21DG_4) and (not RLS_21DG)  # 21DG locked from 21DG|5G@t5.0 to 11-13DG|21DG@11.toe
         N_M_21DG = (M_21DG or G_R49 or G_R50 or G_R57 or G_R54 or G_R55 or G_R60 or G_R39 or G_R40 or G_R28 or G_R29) and (not RLS_21DG)  # 21DG locked for a train movement
         N_F_21DG = (F_21DG or LK_R5 or LK_R21 or LK_R49 or LK_R50 or LK_R57 or LK_R3 or LK_R19 or LK_R54 or LK_R55 or LK_R60 or LK_R39 or LK_R40 or LK_R43 or LK_R44 or LK_R28 or LK_R29 or LK_R30 or LK_R31) and (not RLS_21DG)  # 21DG firmly locked
         N_U_21DG = (U_21DG or NU_21DG_1 or NU_21DG_2 or NU_21DG_3) and (not RLS_21DG)  # 21DG used by a train (R9)
         N_P_21DG = (P_21DG or (U_21DG and OCC_21DG and (NU_11_13DG_1 or NU_25DG_2 or NU_5G_1))) and (not RLS_21DG)  # 21DG: the train went on (R9)
         N_D_21DG = (D_21DG or ((not VALID) and (L_21DG_1 or L_21DG_2 or L_21DG_3 or L_21DG_4))) and (not RLS_21DG)  # 21DG: inputs were lost while locked
         N_K_25DG = K_25DG and (not RLS_25DG)  # 25DG: restart lock (R16)
-        N_L_25DG_1 = (L_25DG_1 or G_R9 or G_R48 or G_R51 or G_R58) and (not RLS_25DG)  # 25DG locked from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0
-        N_L_25DG_2 = (L_25DG_2 or G_R5 or G_R21 or G_R49 or G_R50 or G_R57) and (not RLS_25DG)  # 25DG locked from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0
-        N_L_25DG_3 = (L_25DG_3 or G_R38 or G_R41 or G_R42 or G_R45) and (not RLS_25DG)  # 25DG locked from 25DG|IIIG@tIII.0 to 17-23DG|25DG@x23.0
-        N_L_25DG_4 = (L_25DG_4 or G_R39 or G_R40 or G_R43 or G_R44) and (not RLS_25DG)  # 25DG locked from 25DG|IIIG@tIII.0 to 21DG|25DG@21.normal
+        N_L_25DG_1 = (L_25DG_1 or GW_25DG_1) and (not RLS_25DG)  # 25DG locked from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0
+        N_L_25DG_2 = (L_25DG_2 or GW_25DG_2) and (not RLS_25DG)  # 25DG locked from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0
+        N_L_25DG_3 = (L_25DG_3 or GW_25DG_3) and (not RLS_25DG)  # 25DG locked from 25DG|IIIG@tIII.0 to 17-23DG|25DG@x23.0
+        N_L_25DG_4 = (L_25DG_4 or GW_25DG_4) and (not RLS_25DG)  # 25DG locked from 25DG|IIIG@tIII.0 to 21DG|25DG@21.normal
         N_M_25DG = (M_25DG or G_R48 or G_R51 or G_R58 or G_R49 or G_R50 or G_R57 or G_R38 or G_R41 or G_R39 or G_R40) and (not RLS_25DG)  # 25DG locked for a train movement
         N_F_25DG = (F_25DG or LK_R9 or LK_R48 or LK_R51 or LK_R58 or LK_R5 or LK_R21 or LK_R49 or LK_R50 or LK_R57 or LK_R38 or LK_R41 or LK_R42 or LK_R45 or LK_R39 or LK_R40 or LK_R43 or LK_R44) and (not RLS_25DG)  # 25DG firmly locked
         N_U_25DG = (U_25DG or NU_25DG_1 or NU_25DG_2 or NU_25DG_3) and (not RLS_25DG)  # 25DG used by a train (R9)
         N_P_25DG = (P_25DG or (U_25DG and OCC_25DG and (NU_17_23DG_2 or NU_21DG_2 or NU_IIIG_1))) and (not RLS_25DG)  # 25DG: the train went on (R9)
         N_D_25DG = (D_25DG or ((not VALID) and (L_25DG_1 or L_25DG_2 or L_25DG_3 or L_25DG_4))) and (not RLS_25DG)  # 25DG: inputs were lost while locked
         N_K_3DG = K_3DG and (not RLS_3DG)  # 3DG: restart lock (R16)
-        N_L_3DG_1 = (L_3DG_1 or G_R2) and (not RLS_3DG)  # 3DG locked from 1DG|3DG@x1.0 to 3DG|9-15DG@3-9.end
-        N_L_3DG_2 = (L_3DG_2 or G_R15 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55) and (not RLS_3DG)  # 3DG locked from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end
-        N_L_3DG_3 = (L_3DG_3 or G_R18 or G_R23 or G_R28 or G_R33 or G_R38 or G_R39) and (not RLS_3DG)  # 3DG locked from 3DG|9-15DG@3-9.end to 1DG|3DG@x1.0
-        N_L_3DG_4 = (L_3DG_4 or G_R17) and (not RLS_3DG)  # 3DG locked from 3DG|9-15DG@3-9.end to 3DG|5DG@3.normal
+        N_L_3DG_1 = (L_3DG_1 or GW_3DG_1) and (not RLS_3DG)  # 3DG locked from 1DG|3DG@x1.0 to 3DG|9-15DG@3-9.end
+        N_L_3DG_2 = (L_3DG_2 or GW_3DG_2) and (not RLS_3DG)  # 3DG locked from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end
+        N_L_3DG_3 = (L_3DG_3 or GW_3DG_3) and (not RLS_3DG)  # 3DG locked from 3DG|9-15DG@3-9.end to 1DG|3DG@x1.0
+        N_L_3DG_4 = (L_3DG_4 or GW_3DG_4) and (not RLS_3DG)  # 3DG locked from 3DG|9-15DG@3-9.end to 3DG|5DG@3.normal
         N_M_3DG = (M_3DG or G_R46 or G_R48 or G_R50 or G_R52 or G_R55 or G_R23 or G_R28 or G_R33 or G_R38 or G_R39) and (not RLS_3DG)  # 3DG locked for a train movement
         N_F_3DG = (F_3DG or LK_R2 or LK_R15 or LK_R46 or LK_R48 or LK_R50 or LK_R52 or LK_R55 or LK_R18 or LK_R23 or LK_R28 or LK_R33 or LK_R38 or LK_R39 or LK_R17) and (not RLS_3DG)  # 3DG firmly locked
         N_U_3DG = (U_3DG or NU_3DG_1 or NU_3DG_2 or NU_3DG_3) and (not RLS_3DG)  # 3DG used by a train (R9)
         N_P_3DG = (P_3DG or (U_3DG and OCC_3DG and (NU_1DG_2 or NU_5DG_1 or NU_9_15DG_4))) and (not RLS_3DG)  # 3DG: the train went on (R9)
         N_D_3DG = (D_3DG or ((not VALID) and (L_3DG_1 or L_3DG_2 or L_3DG_3 or L_3DG_4))) and (not RLS_3DG)  # 3DG: inputs were lost while locked
         N_K_4G = K_4G and (not RLS_4G)  # 4G: restart lock (R16)
-        N_L_4G_1 = (L_4G_1 or (G_R6 and FREE_4G) or (G_R10 and FREE_4G) or G_R52 or G_R53 or G_R59) and (not RLS_4G)  # 4G locked from 19-27DG|4G@t4.0 to E4
+        N_L_4G_1 = (L_4G_1 or GW_4G_1 or (GB_4G_1 and FREE_4G)) and (not RLS_4G)  # 4G locked from 19-27DG|4G@t4.0 to E4
         N_M_4G = (M_4G or G_R52 or G_R53 or G_R59) and (not RLS_4G) and (not AR_4G)  # 4G locked for a train movement
         N_F_4G = (F_4G or (LK_R6 and L_4G_1) or (LK_R10 and L_4G_1) or LK_R52 or LK_R53 or LK_R59) and (not RLS_4G)  # 4G firmly locked
         N_U_4G = (U_4G or NU_4G_1) and (not RLS_4G)  # 4G used by a train (R9)
         N_P_4G = (P_4G or (U_4G and OCC_4G and NU_19_27DG_3)) and (not RLS_4G)  # 4G: the train went on (R9)
         N_D_4G = (D_4G or ((not VALID) and L_4G_1)) and (not RLS_4G)  # 4G: inputs were lost while locked
         N_K_5DG = K_5DG and (not RLS_5DG)  # 5DG: restart lock (R16)
-        N_L_5DG_1 = (L_5DG_1 or G_R17) and (not RLS_5DG)  # 5DG locked from 3DG|5DG@3.normal to 5DG|IAG@5.toe
-        N_L_5DG_2 = (L_5DG_2 or G_R13 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45) and (not RLS_5DG)  # 5DG locked from 5DG|7DG@x5.0 to 5DG|IAG@5.toe
-        N_L_5DG_3 = (L_5DG_3 or G_R15 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55) and (not RLS_5DG)  # 5DG locked from 5DG|IAG@5.toe to 3DG|5DG@3.normal
-        N_L_5DG_4 = (L_5DG_4 or G_R14 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54) and (not RLS_5DG)  # 5DG locked from 5DG|IAG@5.toe to 5DG|7DG@x5.0
+        N_L_5DG_1 = (L_5DG_1 or GW_5DG_1) and (not RLS_5DG)  # 5DG locked from 3DG|5DG@3.normal to 5DG|IAG@5.toe
+        N_L_5DG_2 = (L_5DG_2 or GW_5DG_2) and (not RLS_5DG)  # 5DG locked from 5DG|7DG@x5.0 to 5DG|IAG@5.toe
+        N_L_5DG_3 = (L_5DG_3 or GW_5DG_3) and (not RLS_5DG)  # 5DG locked from 5DG|IAG@5.toe to 3DG|5DG@3.normal
+        N_L_5DG_4 = (L_5DG_4 or GW_5DG_4) and (not RLS_5DG)  # 5DG locked from 5DG|IAG@5.toe to 5DG|7DG@x5.0
         N_M_5DG = (M_5DG or G_R46 or G_R48 or G_R50 or G_R52 or G_R55 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54) and (not RLS_5DG)  # 5DG locked for a train movement
         N_F_5DG = (F_5DG or LK_R17 or LK_R13 or LK_R27 or LK_R31 or LK_R37 or LK_R44 or LK_R45 or LK_R15 or LK_R46 or LK_R48 or LK_R50 or LK_R52 or LK_R55 or LK_R14 or LK_R47 or LK_R49 or LK_R51 or LK_R53 or LK_R54) and (not RLS_5DG)  # 5DG firmly locked
         N_U_5DG = (U_5DG or NU_5DG_1 or NU_5DG_2 or NU_5DG_3) and (not RLS_5DG)  # 5DG used by a train (R9)
         N_P_5DG = (P_5DG or (U_5DG and OCC_5DG and (NU_3DG_2 or NU_7DG_2 or NU_IAG_1))) and (not RLS_5DG)  # 5DG: the train went on (R9)
         N_D_5DG = (D_5DG or ((not VALID) and (L_5DG_1 or L_5DG_2 or L_5DG_3 or L_5DG_4))) and (not RLS_5DG)  # 5DG: inputs were lost while locked
         N_K_5G = K_5G and (not RLS_5G)  # 5G: restart lock (R16)
-        N_L_5G_1 = (L_5G_1 or (G_R3 and FREE_5G) or (G_R19 and FREE_5G) or G_R54 or G_R55 or G_R60) and (not RLS_5G)  # 5G locked from 21DG|5G@t5.0 to E5
+        N_L_5G_1 = (L_5G_1 or GW_5G_1 or (GB_5G_1 and FREE_5G)) and (not RLS_5G)  # 5G locked from 21DG|5G@t5.0 to E5
         N_M_5G = (M_5G or G_R54 or G_R55 or G_R60) and (not RLS_5G) and (not AR_5G)  # 5G locked for a train movement
         N_F_5G = (F_5G or (LK_R3 and L_5G_1) or (LK_R19 and L_5G_1) or LK_R54 or LK_R55 or LK_R60) and (not RLS_5G)  # 5G firmly locked
         N_U_5G = (U_5G or NU_5G_1) and (not RLS_5G)  # 5G used by a train (R9)
         N_P_5G = (P_5G or (U_5G and OCC_5G and NU_21DG_3)) and (not RLS_5G)  # 5G: the train went on (R9)
         N_D_5G = (D_5G or ((not VALID) and L_5G_1)) and (not RLS_5G)  # 5G: inputs were lost while locked
         N_K_7DG = K_7DG and (not RLS_7DG)  # 7DG: restart lock (R16)
-        N_L_7DG_1 = (L_7DG_1 or G_R13 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45) and (not RLS_7DG)  # 7DG locked from 11-13DG|7DG@13.toe to 5DG|7DG@x5.0
-        N_L_7DG_2 = (L_7DG_2 or G_R24 or G_R29 or G_R34 or G_R40 or G_R41) and (not RLS_7DG)  # 7DG locked from 11-13DG|7DG@13.toe to DJ
-        N_L_7DG_3 = (L_7DG_3 or G_R14 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54) and (not RLS_7DG)  # 7DG locked from 5DG|7DG@x5.0 to 11-13DG|7DG@13.toe
-        N_L_7DG_4 = (L_7DG_4 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60) and (not RLS_7DG)  # 7DG locked from DJ to 11-13DG|7DG@13.toe
+        N_L_7DG_1 = (L_7DG_1 or GW_7DG_1) and (not RLS_7DG)  # 7DG locked from 11-13DG|7DG@13.toe to 5DG|7DG@x5.0
+        N_L_7DG_2 = (L_7DG_2 or GW_7DG_2) and (not RLS_7DG)  # 7DG locked from 11-13DG|7DG@13.toe to DJ
+        N_L_7DG_3 = (L_7DG_3 or GW_7DG_3) and (not RLS_7DG)  # 7DG locked from 5DG|7DG@x5.0 to 11-13DG|7DG@13.toe
+        N_L_7DG_4 = (L_7DG_4 or GW_7DG_4) and (not RLS_7DG)  # 7DG locked from DJ to 11-13DG|7DG@13.toe
         N_M_7DG = (M_7DG or G_R24 or G_R29 or G_R34 or G_R40 or G_R41 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60) and (not RLS_7DG)  # 7DG locked for a train movement
         N_F_7DG = (F_7DG or LK_R13 or LK_R27 or LK_R31 or LK_R37 or LK_R44 or LK_R45 or LK_R24 or LK_R29 or LK_R34 or LK_R40 or LK_R41 or LK_R14 or LK_R47 or LK_R49 or LK_R51 or LK_R53 or LK_R54 or LK_R56 or LK_R57 or LK_R58 or LK_R59 or LK_R60) and (not RLS_7DG)  # 7DG firmly locked
         N_U_7DG = (U_7DG or NU_7DG_1 or NU_7DG_2 or NU_7DG_3) and (not RLS_7DG)  # 7DG used by a train (R9)
         N_P_7DG = (P_7DG or (U_7DG and OCC_7DG and (NU_11_13DG_2 or NU_5DG_2))) and (not RLS_7DG)  # 7DG: the train went on (R9)
         N_D_7DG = (D_7DG or ((not VALID) and (L_7DG_1 or L_7DG_2 or L_7DG_3 or L_7DG_4))) and (not RLS_7DG)  # 7DG: inputs were lost while locked
         N_K_9_15DG = K_9_15DG and (not RLS_9_15DG)  # 9-15DG: restart lock (R16)
-        N_L_9_15DG_1 = (L_9_15DG_1 or G_R28 or G_R30 or G_R39 or G_R43) and (not RLS_9_15DG)  # 9-15DG locked from 11-13DG|9-15DG@11.reverse to 3DG|9-15DG@3-9.end
-        N_L_9_15DG_2 = (L_9_15DG_2 or G_R4 or G_R47 or G_R51 or G_R53 or G_R56 or G_R58 or G_R59) and (not RLS_9_15DG)  # 9-15DG locked from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe
-        N_L_9_15DG_3 = (L_9_15DG_3 or G_R13 or G_R24 or G_R27 or G_R34 or G_R37 or G_R41 or G_R45) and (not RLS_9_15DG)  # 9-15DG locked from 17-23DG|9-15DG@15.toe to 11-13DG|9-15DG@15.reverse
-        N_L_9_15DG_4 = (L_9_15DG_4 or G_R12 or G_R23 or G_R26 or G_R33 or G_R36 or G_R38 or G_R42) and (not RLS_9_15DG)  # 9-15DG locked from 17-23DG|9-15DG@15.toe to 3DG|9-15DG@3-9.end
-        N_L_9_15DG_5 = (L_9_15DG_5 or G_R19 or G_R21 or G_R50 or G_R55) and (not RLS_9_15DG)  # 9-15DG locked from 3DG|9-15DG@3-9.end to 11-13DG|9-15DG@11.reverse
-        N_L_9_15DG_6 = (L_9_15DG_6 or G_R20 or G_R46 or G_R48 or G_R52) and (not RLS_9_15DG)  # 9-15DG locked from 3DG|9-15DG@3-9.end to 17-23DG|9-15DG@15.toe
+        N_L_9_15DG_1 = (L_9_15DG_1 or GW_9_15DG_1) and (not RLS_9_15DG)  # 9-15DG locked from 11-13DG|9-15DG@11.reverse to 3DG|9-15DG@3-9.end
+        N_L_9_15DG_2 = (L_9_15DG_2 or GW_9_15DG_2) and (not RLS_9_15DG)  # 9-15DG locked from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe
+        N_L_9_15DG_3 = (L_9_15DG_3 or GW_9_15DG_3) and (not RLS_9_15DG)  # 9-15DG locked from 17-23DG|9-15DG@15.toe to 11-13DG|9-15DG@15.reverse
+        N_L_9_15DG_4 = (L_9_15DG_4 or GW_9_15DG_4) and (not RLS_9_15DG)  # 9-15DG locked from 17-23DG|9-15DG@15.toe to 3DG|9-15DG@3-9.end
+        N_L_9_15DG_5 = (L_9_15DG_5 or GW_9_15DG_5) and (not RLS_9_15DG)  # 9-15DG locked from 3DG|9-15DG@3-9.end to 11-13DG|9-15DG@11.reverse
+        N_L_9_15DG_6 = (L_9_15DG_6 or GW_9_15DG_6) and (not RLS_9_15DG)  # 9-15DG locked from 3DG|9-15DG@3-9.end to 17-23DG|9-15DG@15.toe
         N_M_9_15DG = (M_9_15DG or G_R28 or G_R39 or G_R47 or G_R51 or G_R53 or G_R56 or G_R58 or G_R59 or G_R24 or G_R34 or G_R41 or G_R23 or G_R33 or G_R38 or G_R50 or G_R55 or G_R46 or G_R48 or G_R52) and (not RLS_9_15DG)  # 9-15DG locked for a train movement
         N_F_9_15DG = (F_9_15DG or LK_R28 or LK_R30 or LK_R39 or LK_R43 or LK_R4 or LK_R47 or LK_R51 or LK_R53 or LK_R56 or LK_R58 or LK_R59 or LK_R13 or LK_R24 or LK_R27 or LK_R34 or LK_R37 or LK_R41 or LK_R45 or LK_R12 or LK_R23 or LK_R26 or LK_R33 or LK_R36 or LK_R38 or LK_R42 or LK_R19 or LK_R21 or LK_R50 or LK_R55 or LK_R20 or LK_R46 or LK_R48 or LK_R52) and (not RLS_9_15DG)  # 9-15DG firmly locked
         N_U_9_15DG = (U_9_15DG or NU_9_15DG_1 or NU_9_15DG_2 or NU_9_15DG_3 or NU_9_15DG_4) and (not RLS_9_15DG)  # 9-15DG used by a train (R9)
         N_P_9_15DG = (P_9_15DG or (U_9_15DG and OCC_9_15DG and (NU_11_13DG_3 or NU_11_13DG_4 or NU_17_23DG_3 or NU_3DG_3))) and (not RLS_9_15DG)  # 9-15DG: the train went on (R9)
         N_D_9_15DG = (D_9_15DG or ((not VALID) and (L_9_15DG_1 or L_9_15DG_2 or L_9_15DG_3 or L_9_15DG_4 or L_9_15DG_5 or L_9_15DG_6))) and (not RLS_9_15DG)  # 9-15DG: inputs were lost while locked
         N_K_IAG = K_IAG and (not RLS_IAG)  # IAG: restart lock (R16)
-        N_L_IAG_1 = (L_IAG_1 or (G_R13 and FREE_IAG) or (G_R17 and FREE_IAG) or (G_R27 and FREE_IAG) or (G_R31 and FREE_IAG) or (G_R37 and FREE_IAG) or (G_R44 and FREE_IAG) or (G_R45 and FREE_IAG)) and (not RLS_IAG)  # IAG locked from 5DG|IAG@5.toe to BX
-        N_L_IAG_2 = (L_IAG_2 or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55) and (not RLS_IAG)  # IAG locked from BX to 5DG|IAG@5.toe
+        N_L_IAG_1 = (L_IAG_1 or (GB_IAG_1 and FREE_IAG)) and (not RLS_IAG)  # IAG locked from 5DG|IAG@5.toe to BX
+        N_L_IAG_2 = (L_IAG_2 or GW_IAG_2) and (not RLS_IAG)  # IAG locked from BX to 5DG|IAG@5.toe
         N_M_IAG = (M_IAG or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55) and (not RLS_IAG) and (not AR_IAG)  # IAG locked for a train movement
         N_F_IAG = (F_IAG or (LK_R13 and (L_IAG_1 or L_IAG_2)) or (LK_R17 and (L_IAG_1 or L_IAG_2)) or (LK_R27 and (L_IAG_1 or L_IAG_2)) or (LK_R31 and (L_IAG_1 or L_IAG_2)) or (LK_R37 and (L_IAG_1 or L_IAG_2)) or (LK_R44 and (L_IAG_1 or L_IAG_2)) or (LK_R45 and (L_IAG_1 or L_IAG_2)) or LK_R46 or LK_R47 or LK_R48 or LK_R49 or LK_R50 or LK_R51 or LK_R52 or LK_R53 or LK_R54 or LK_R55) and (not RLS_IAG)  # IAG firmly locked
         N_U_IAG = (U_IAG or NU_IAG_1 or NU_IAG_2) and (not RLS_IAG)  # IAG used by a train (R9)
         N_P_IAG = (P_IAG or (U_IAG and OCC_IAG and NU_5DG_3)) and (not RLS_IAG)  # IAG: the train went on (R9)
         N_D_IAG = (D_IAG or ((not VALID) and (L_IAG_1 or L_IAG_2))) and (not RLS_IAG)  # IAG: inputs were lost while locked
         N_K_IG = K_IG and (not RLS_IG)  # IG: restart lock (R16)
-        N_L_IG_1 = (L_IG_1 or (G_R7 and FREE_IG) or G_R46 or G_R47 or G_R56) and (not RLS_IG)  # IG locked from 17-23DG|IG@tI.0 to E1
+        N_L_IG_1 = (L_IG_1 or GW_IG_1 or (GB_IG_1 and FREE_IG)) and (not RLS_IG)  # IG locked from 17-23DG|IG@tI.0 to E1
         N_M_IG = (M_IG or G_R46 or G_R47 or G_R56) and (not RLS_IG) and (not AR_IG)  # IG locked for a train movement
         N_F_IG = (F_IG or (LK_R7 and L_IG_1) or LK_R46 or LK_R47 or LK_R56) and (not RLS_IG)  # IG firmly locked
         N_U_IG = (U_IG or NU_IG_1) and (not RLS_IG)  # IG used by a train (R9)
         N_P_IG = (P_IG or (U_IG and OCC_IG and NU_17_23DG_4)) and (not RLS_IG)  # IG: the train went on (R9)
         N_D_IG = (D_IG or ((not VALID) and L_IG_1)) and (not RLS_IG)  # IG: inputs were lost while locked
         N_K_IIAG = K_IIAG and (not RLS_IIAG)  # IIAG: restart lock (R16)
-        N_L_IIAG_1 = (L_IIAG_1 or (G_R16 and FREE_IIAG) or (G_R18 and FREE_IIAG) or G_R22 or G_R23 or G_R28 or G_R32 or G_R33 or G_R38 or G_R39) and (not RLS_IIAG)  # IIAG locked from 1DG|IIAG@1.toe to BS
+        N_L_IIAG_1 = (L_IIAG_1 or GW_IIAG_1 or (GB_IIAG_1 and FREE_IIAG)) and (not RLS_IIAG)  # IIAG locked from 1DG|IIAG@1.toe to BS
         N_M_IIAG = (M_IIAG or G_R22 or G_R23 or G_R28 or G_R32 or G_R33 or G_R38 or G_R39) and (not RLS_IIAG) and (not AR_IIAG)  # IIAG locked for a train movement
         N_F_IIAG = (F_IIAG or (LK_R16 and L_IIAG_1) or (LK_R18 and L_IIAG_1) or LK_R22 or LK_R23 or LK_R28 or LK_R32 or LK_R33 or LK_R38 or LK_R39) and (not RLS_IIAG)  # IIAG firmly locked
         N_U_IIAG = (U_IIAG or NU_IIAG_1) and (not RLS_IIAG)  # IIAG used by a train (R9)
         N_P_IIAG = (P_IIAG or (U_IIAG and OCC_IIAG and NU_1DG_3)) and (not RLS_IIAG)  # IIAG: the train went on (R9)
         N_D_IIAG = (D_IIAG or ((not VALID) and L_IIAG_1)) and (not RLS_IIAG)  # IIAG: inputs were lost while locked
         N_K_IIG = K_IIG and (not RLS_IIG)  # IIG: restart lock (R16)
-        N_L_IIG_1 = (L_IIG_1 or (G_R8 and FREE_IIG) or (G_R11 and FREE_IIG)) and (not RLS_IIG)  # IIG locked from 19-27DG|IIG@tII.0 to E2
+        N_L_IIG_1 = (L_IIG_1 or (GB_IIG_1 and FREE_IIG)) and (not RLS_IIG)  # IIG locked from 19-27DG|IIG@tII.0 to E2
         N_M_IIG = M_IIG and (not RLS_IIG) and (not AR_IIG)  # IIG locked for a train movement
         N_F_IIG = (F_IIG or (LK_R8 and L_IIG_1) or (LK_R11 and L_IIG_1)) and (not RLS_IIG)  # IIG firmly locked
         N_U_IIG = (U_IIG or NU_IIG_1) and (not RLS_IIG)  # IIG used by a train (R9)
         N_P_IIG = (P_IIG or (U_IIG and OCC_IIG and NU_19_27DG_4)) and (not RLS_IIG)  # IIG: the train went on (R9)
         N_D_IIG = (D_IIG or ((not VALID) and L_IIG_1)) and (not RLS_IIG)  # IIG: inputs were lost while locked
         N_K_IIIG = K_IIIG and (not RLS_IIIG)  # IIIG: restart lock (R16)
-        N_L_IIIG_1 = (L_IIIG_1 or (G_R5 and FREE_IIIG) or (G_R9 and FREE_IIIG) or (G_R21 and FREE_IIIG) or G_R48 or G_R49 or G_R50 or G_R51 or G_R57 or G_R58) and (not RLS_IIIG)  # IIIG locked from 25DG|IIIG@tIII.0 to E3
+        N_L_IIIG_1 = (L_IIIG_1 or GW_IIIG_1 or (GB_IIIG_1 and FREE_IIIG)) and (not RLS_IIIG)  # IIIG locked from 25DG|IIIG@tIII.0 to E3
         N_M_IIIG = (M_IIIG or G_R48 or G_R49 or G_R50 or G_R51 or G_R57 or G_R58) and (not RLS_IIIG) and (not AR_IIIG)  # IIIG locked for a train movement
         N_F_IIIG = (F_IIIG or (LK_R5 and L_IIIG_1) or (LK_R9 and L_IIIG_1) or (LK_R21 and L_IIIG_1) or LK_R48 or LK_R49 or LK_R50 or LK_R51 or LK_R57 or LK_R58) and (not RLS_IIIG)  # IIIG firmly locked
         N_U_IIIG = (U_IIIG or NU_IIIG_1) and (not RLS_IIIG)  # IIIG used by a train (R9)

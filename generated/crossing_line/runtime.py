@@ -1,7 +1,7 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout e225ab5a206ac124a9f24deafd623a207ee96fbdeac8219c22c51b4216cea61c
-# claims fd74b823bfdd5c4c974c8a26ef0ef66504e3f7a50790268b93bcbf342254ca1a
+# claims dcd1590c7782b2de9e096bf86379773b679319910cd930453577252fe3b2d977
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -456,33 +456,105 @@ class Controller:
         MOV_P1 = VALID and FREE_s3 and (not OCC_s3) and True and True  # machine P1 is free to move (R10)
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_s5 and (not OCC_s5) and (not BLK_s5)  # grant of route E1-E2 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_s4 and FREE_s3 and FREE_s2 and (not OCC_s4) and (not OCC_s3) and (not OCC_s2) and (not BLK_s4) and (not BLK_s3) and (not BLK_s2) and AVR_LC2 and AVN_P1 and AVR_LC1 and (not TR_P1)  # grant of route E2-E3 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_s1 and (not OCC_s1) and (not BLK_s1)  # grant of route E3-W (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_s3 and FREE_s2 and (not OCC_s3) and (not OCC_s2) and (not BLK_s3) and (not BLK_s2) and AVR_P1 and AVR_LC2 and AVR_LC1 and (not TR_P1)  # grant of route L1-E3 (R6)
+        WF_ld_2 = FREE_ld and (not OCC_ld) and (not BLK_ld)  # ld from ld|s3@P1.reverse to LOAD: free for a route (R6)
+        WF_s1_1 = FREE_s1 and (not OCC_s1) and (not BLK_s1)  # s1 from W to s1|s2@west.0: free for a route (R6)
+        WF_s1_2 = FREE_s1 and (not OCC_s1) and (not BLK_s1)  # s1 from s1|s2@west.0 to W: free for a route (R6)
+        WA_s2_1 = AVR_LC1  # s2 from s1|s2@west.0 to s2|s3@P1.toe: could be locked
+        WF_s2_1 = FREE_s2 and (not OCC_s2) and (not BLK_s2) and WA_s2_1  # s2 from s1|s2@west.0 to s2|s3@P1.toe: free for a route (R6)
+        WA_s2_2 = AVR_LC1  # s2 from s2|s3@P1.toe to s1|s2@west.0: could be locked
+        WF_s2_2 = FREE_s2 and (not OCC_s2) and (not BLK_s2) and WA_s2_2  # s2 from s2|s3@P1.toe to s1|s2@west.0: free for a route (R6)
+        WA_s3_1 = AVR_P1 and AVR_LC2 and (not TR_P1)  # s3 from ld|s3@P1.reverse to s2|s3@P1.toe: could be locked
+        WF_s3_1 = FREE_s3 and (not OCC_s3) and (not BLK_s3) and WA_s3_1  # s3 from ld|s3@P1.reverse to s2|s3@P1.toe: free for a route (R6)
+        WA_s3_2 = AVR_P1 and AVR_LC2 and (not TR_P1)  # s3 from s2|s3@P1.toe to ld|s3@P1.reverse: could be locked
+        WF_s3_2 = FREE_s3 and (not OCC_s3) and (not BLK_s3) and WA_s3_2  # s3 from s2|s3@P1.toe to ld|s3@P1.reverse: free for a route (R6)
+        WA_s3_3 = AVN_P1 and AVR_LC2 and (not TR_P1)  # s3 from s2|s3@P1.toe to s3|s4@P1.normal: could be locked
+        WF_s3_3 = FREE_s3 and (not OCC_s3) and (not BLK_s3) and WA_s3_3  # s3 from s2|s3@P1.toe to s3|s4@P1.normal: free for a route (R6)
+        WA_s3_4 = AVN_P1 and AVR_LC2 and (not TR_P1)  # s3 from s3|s4@P1.normal to s2|s3@P1.toe: could be locked
+        WF_s3_4 = FREE_s3 and (not OCC_s3) and (not BLK_s3) and WA_s3_4  # s3 from s3|s4@P1.normal to s2|s3@P1.toe: free for a route (R6)
+        WA_s4_1 = AVR_LC2  # s4 from s3|s4@P1.normal to s4|s5@mid.0: could be locked
+        WF_s4_1 = FREE_s4 and (not OCC_s4) and (not BLK_s4) and WA_s4_1  # s4 from s3|s4@P1.normal to s4|s5@mid.0: free for a route (R6)
+        WA_s4_2 = AVR_LC2  # s4 from s4|s5@mid.0 to s3|s4@P1.normal: could be locked
+        WF_s4_2 = FREE_s4 and (not OCC_s4) and (not BLK_s4) and WA_s4_2  # s4 from s4|s5@mid.0 to s3|s4@P1.normal: free for a route (R6)
+        WF_s5_1 = FREE_s5 and (not OCC_s5) and (not BLK_s5)  # s5 from E to s4|s5@mid.0: free for a route (R6)
+        WF_s5_2 = FREE_s5 and (not OCC_s5) and (not BLK_s5)  # s5 from s4|s5@mid.0 to E: free for a route (R6)
+        OF_M_1 = ((not K_s5) and (not V_M_1) and (not L_s5_1) and ((not L_s5_2) or A_R5)) and (not OCC_s5)  # overlap 1 of M may be held (R4)
+        OF_W2_1 = ((not K_s2) and (not V_W2_1) and ((not L_s2_1) or A_R7) and (not L_s2_2)) and (not OCC_s2) and WA_s2_1  # overlap 1 of W2 may be held (R4)
+        WL_ld_2 = (not OCC_ld)  # ld from ld|s3@P1.reverse to LOAD: lies and is clear
+        WP_ld_2 = WL_ld_2 and (not BLK_ld)  # ld from ld|s3@P1.reverse to LOAD: proceed may be shown over it (R3)
+        WL_s1_1 = (not OCC_s1)  # s1 from W to s1|s2@west.0: lies and is clear
+        WP_s1_1 = WL_s1_1 and (not BLK_s1)  # s1 from W to s1|s2@west.0: proceed may be shown over it (R3)
+        WL_s1_2 = (not OCC_s1)  # s1 from s1|s2@west.0 to W: lies and is clear
+        WP_s1_2 = WL_s1_2 and (not BLK_s1)  # s1 from s1|s2@west.0 to W: proceed may be shown over it (R3)
+        WD_s2_1 = QR_LC1  # s2 from s1|s2@west.0 to s2|s3@P1.toe: its points lie, nothing is foul of it
+        WL_s2_1 = (not OCC_s2) and WD_s2_1  # s2 from s1|s2@west.0 to s2|s3@P1.toe: lies and is clear
+        WP_s2_1 = WL_s2_1 and (not BLK_s2)  # s2 from s1|s2@west.0 to s2|s3@P1.toe: proceed may be shown over it (R3)
+        WD_s2_2 = QR_LC1  # s2 from s2|s3@P1.toe to s1|s2@west.0: its points lie, nothing is foul of it
+        WL_s2_2 = (not OCC_s2) and WD_s2_2  # s2 from s2|s3@P1.toe to s1|s2@west.0: lies and is clear
+        WP_s2_2 = WL_s2_2 and (not BLK_s2)  # s2 from s2|s3@P1.toe to s1|s2@west.0: proceed may be shown over it (R3)
+        WD_s3_1 = QR_P1 and QR_LC2 and (not TR_P1)  # s3 from ld|s3@P1.reverse to s2|s3@P1.toe: its points lie, nothing is foul of it
+        WL_s3_1 = (not OCC_s3) and WD_s3_1  # s3 from ld|s3@P1.reverse to s2|s3@P1.toe: lies and is clear
+        WP_s3_1 = WL_s3_1 and (not BLK_s3)  # s3 from ld|s3@P1.reverse to s2|s3@P1.toe: proceed may be shown over it (R3)
+        WD_s3_2 = QR_P1 and QR_LC2 and (not TR_P1)  # s3 from s2|s3@P1.toe to ld|s3@P1.reverse: its points lie, nothing is foul of it
+        WL_s3_2 = (not OCC_s3) and WD_s3_2  # s3 from s2|s3@P1.toe to ld|s3@P1.reverse: lies and is clear
+        WP_s3_2 = WL_s3_2 and (not BLK_s3)  # s3 from s2|s3@P1.toe to ld|s3@P1.reverse: proceed may be shown over it (R3)
+        WD_s3_3 = QN_P1 and QR_LC2 and (not TR_P1)  # s3 from s2|s3@P1.toe to s3|s4@P1.normal: its points lie, nothing is foul of it
+        WL_s3_3 = (not OCC_s3) and WD_s3_3  # s3 from s2|s3@P1.toe to s3|s4@P1.normal: lies and is clear
+        WP_s3_3 = WL_s3_3 and (not BLK_s3)  # s3 from s2|s3@P1.toe to s3|s4@P1.normal: proceed may be shown over it (R3)
+        WD_s3_4 = QN_P1 and QR_LC2 and (not TR_P1)  # s3 from s3|s4@P1.normal to s2|s3@P1.toe: its points lie, nothing is foul of it
+        WL_s3_4 = (not OCC_s3) and WD_s3_4  # s3 from s3|s4@P1.normal to s2|s3@P1.toe: lies and is clear
+        WP_s3_4 = WL_s3_4 and (not BLK_s3)  # s3 from s3|s4@P1.normal to s2|s3@P1.toe: proceed may be shown over it (R3)
+        WD_s4_1 = QR_LC2  # s4 from s3|s4@P1.normal to s4|s5@mid.0: its points lie, nothing is foul of it
+        WL_s4_1 = (not OCC_s4) and WD_s4_1  # s4 from s3|s4@P1.normal to s4|s5@mid.0: lies and is clear
+        WP_s4_1 = WL_s4_1 and (not BLK_s4)  # s4 from s3|s4@P1.normal to s4|s5@mid.0: proceed may be shown over it (R3)
+        WD_s4_2 = QR_LC2  # s4 from s4|s5@mid.0 to s3|s4@P1.normal: its points lie, nothing is foul of it
+        WL_s4_2 = (not OCC_s4) and WD_s4_2  # s4 from s4|s5@mid.0 to s3|s4@P1.normal: lies and is clear
+        WP_s4_2 = WL_s4_2 and (not BLK_s4)  # s4 from s4|s5@mid.0 to s3|s4@P1.normal: proceed may be shown over it (R3)
+        WL_s5_1 = (not OCC_s5)  # s5 from E to s4|s5@mid.0: lies and is clear
+        WP_s5_1 = WL_s5_1 and (not BLK_s5)  # s5 from E to s4|s5@mid.0: proceed may be shown over it (R3)
+        WL_s5_2 = (not OCC_s5)  # s5 from s4|s5@mid.0 to E: lies and is clear
+        WP_s5_2 = WL_s5_2 and (not BLK_s5)  # s5 from s4|s5@mid.0 to E: proceed may be shown over it (R3)
+        G_R1 = (REQ == 1) and VALID and WF_s5_1  # grant of route E1-E2 (R6)
+        G_R2 = (REQ == 2) and VALID and WF_s4_2 and WF_s3_4 and WF_s2_2  # grant of route E2-E3 (R6)
+        G_R3 = (REQ == 3) and VALID and WF_s1_2  # grant of route E3-W (R6)
+        G_R4 = (REQ == 4) and VALID and WF_s3_1 and WF_s2_2  # grant of route L1-E3 (R6)
         G_R5 = (REQ == 5) and VALID and ((not K_s5) and (not L_s5_1) and (not L_s5_2)) and (not OCC_s5) and (not BLK_s5)  # grant of route M-E (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_s1 and ((not K_s2) and (not V_W2_1) and ((not L_s2_1) or A_R7) and (not L_s2_2)) and (not OCC_s1) and (not OCC_s2) and (not BLK_s1) and AVR_LC1  # grant of route W1-W2 (R6)
-        G_R7 = (REQ == 7) and VALID and ((not K_s2) and (not L_s2_1) and (not L_s2_2)) and (not OCC_s2) and (not BLK_s2) and AVR_LC1  # grant of route W2-W3 (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_s3 and FREE_ld and (not OCC_s3) and (not OCC_ld) and (not BLK_s3) and (not BLK_ld) and AVR_P1 and AVR_LC2 and (not TR_P1)  # grant of route W3-LOAD (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_s3 and FREE_s4 and ((not K_s5) and (not V_M_1) and (not L_s5_1) and ((not L_s5_2) or A_R5)) and (not OCC_s3) and (not OCC_s4) and (not OCC_s5) and (not BLK_s3) and (not BLK_s4) and AVN_P1 and AVR_LC2 and (not TR_P1)  # grant of route W3-M (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_E1) and (not CAN_E1) and (not OCC_s5)  # route E1-E2 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_s5) and (not BLK_s5) and (not D_s5)  # conditions of proceed for route E1-E2 (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_E2) and (not CAN_E2) and (not OCC_s4) and (not OCC_s3) and (not OCC_s2) and QR_LC2 and QN_P1 and QR_LC1  # route E2-E3 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_s4) and (not OCC_s3) and (not OCC_s2) and (not BLK_s4) and (not BLK_s3) and (not BLK_s2) and QR_LC2 and QN_P1 and QR_LC1 and (not TR_P1) and (not D_s4)  # conditions of proceed for route E2-E3 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_E3) and (not CAN_E3) and (not OCC_s1)  # route E3-W becomes locked (R3)
-        CO_R3 = VALID and (not OCC_s1) and (not BLK_s1) and (not OCC_wa) and (not D_s1)  # conditions of proceed for route E3-W (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_L1) and (not CAN_L1) and (not OCC_s3) and (not OCC_s2) and QR_P1 and QR_LC2 and QR_LC1  # route L1-E3 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_s3) and (not OCC_s2) and (not BLK_s3) and (not BLK_s2) and QR_P1 and QR_LC2 and QR_LC1 and (not TR_P1) and (not D_s3)  # conditions of proceed for route L1-E3 (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_M) and (not CAN_M) and (not OCC_s5)  # route M-E becomes locked (R3)
-        CO_R5 = VALID and (not OCC_s5) and (not BLK_s5) and (not OCC_ea) and (not D_s5)  # conditions of proceed for route M-E (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_W1) and (not CAN_W1) and (not OCC_s1) and (not OCC_s2) and QR_LC1  # route W1-W2 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_s1) and (not OCC_s2) and (not BLK_s1) and QR_LC1 and (not D_s1) and V_W2_1  # conditions of proceed for route W1-W2 (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_W2) and (not CAN_W2) and (not OCC_s2) and QR_LC1  # route W2-W3 becomes locked (R3)
-        CO_R7 = VALID and (not OCC_s2) and (not BLK_s2) and QR_LC1 and (not D_s2)  # conditions of proceed for route W2-W3 (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_W3) and (not CAN_W3) and (not OCC_s3) and (not OCC_ld) and QR_P1 and QR_LC2  # route W3-LOAD becomes locked (R3)
-        CO_R8 = VALID and (not OCC_s3) and (not OCC_ld) and (not BLK_s3) and (not BLK_ld) and QR_P1 and QR_LC2 and (not TR_P1) and (not D_s3)  # conditions of proceed for route W3-LOAD (R3)
-        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_W3) and (not CAN_W3) and (not OCC_s3) and (not OCC_s4) and (not OCC_s5) and QN_P1 and QR_LC2  # route W3-M becomes locked (R3)
-        CO_R9 = VALID and (not OCC_s3) and (not OCC_s4) and (not OCC_s5) and (not BLK_s3) and (not BLK_s4) and QN_P1 and QR_LC2 and (not TR_P1) and (not D_s3) and V_M_1  # conditions of proceed for route W3-M (R3)
+        G_R6 = (REQ == 6) and VALID and WF_s1_1 and OF_W2_1  # grant of route W1-W2 (R6)
+        G_R7 = (REQ == 7) and VALID and ((not K_s2) and (not L_s2_1) and (not L_s2_2)) and (not OCC_s2) and (not BLK_s2) and WA_s2_1  # grant of route W2-W3 (R6)
+        G_R8 = (REQ == 8) and VALID and WF_s3_2 and WF_ld_2  # grant of route W3-LOAD (R6)
+        G_R9 = (REQ == 9) and VALID and WF_s3_3 and WF_s4_1 and OF_M_1  # grant of route W3-M (R6)
+        GW_ld_2 = G_R8  # ld from ld|s3@P1.reverse to LOAD: granted
+        GW_s1_1 = G_R6  # s1 from W to s1|s2@west.0: granted
+        GW_s1_2 = G_R3  # s1 from s1|s2@west.0 to W: granted
+        GW_s2_1 = G_R7  # s2 from s1|s2@west.0 to s2|s3@P1.toe: granted
+        GW_s2_2 = G_R2 or G_R4  # s2 from s2|s3@P1.toe to s1|s2@west.0: granted
+        GW_s3_1 = G_R4  # s3 from ld|s3@P1.reverse to s2|s3@P1.toe: granted
+        GW_s3_2 = G_R8  # s3 from s2|s3@P1.toe to ld|s3@P1.reverse: granted
+        GW_s3_3 = G_R9  # s3 from s2|s3@P1.toe to s3|s4@P1.normal: granted
+        GW_s3_4 = G_R2  # s3 from s3|s4@P1.normal to s2|s3@P1.toe: granted
+        GW_s4_1 = G_R9  # s4 from s3|s4@P1.normal to s4|s5@mid.0: granted
+        GW_s4_2 = G_R2  # s4 from s4|s5@mid.0 to s3|s4@P1.normal: granted
+        GW_s5_1 = G_R1  # s5 from E to s4|s5@mid.0: granted
+        GW_s5_2 = G_R5  # s5 from s4|s5@mid.0 to E: granted
+        GO_M_1 = G_R9  # overlap 1 of M: granted
+        GO_W2_1 = G_R6  # overlap 1 of W2: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_E1) and (not CAN_E1) and WL_s5_1  # route E1-E2 becomes locked (R3)
+        CO_R1 = VALID and WP_s5_1 and (not D_s5)  # conditions of proceed for route E1-E2 (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_E2) and (not CAN_E2) and WL_s4_2 and WL_s3_4 and WL_s2_2  # route E2-E3 becomes locked (R3)
+        CO_R2 = VALID and WP_s4_2 and WP_s3_4 and WP_s2_2 and (not D_s4)  # conditions of proceed for route E2-E3 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_E3) and (not CAN_E3) and WL_s1_2  # route E3-W becomes locked (R3)
+        CO_R3 = VALID and WP_s1_2 and (not OCC_wa) and (not D_s1)  # conditions of proceed for route E3-W (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_L1) and (not CAN_L1) and WL_s3_1 and WL_s2_2  # route L1-E3 becomes locked (R3)
+        CO_R4 = VALID and WP_s3_1 and WP_s2_2 and (not D_s3)  # conditions of proceed for route L1-E3 (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_M) and (not CAN_M) and WL_s5_2  # route M-E becomes locked (R3)
+        CO_R5 = VALID and WP_s5_2 and (not OCC_ea) and (not D_s5)  # conditions of proceed for route M-E (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_W1) and (not CAN_W1) and WL_s1_1 and WL_s2_1  # route W1-W2 becomes locked (R3)
+        CO_R6 = VALID and WP_s1_1 and WL_s2_1 and (not D_s1) and V_W2_1  # conditions of proceed for route W1-W2 (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_W2) and (not CAN_W2) and WL_s2_1  # route W2-W3 becomes locked (R3)
+        CO_R7 = VALID and WP_s2_1 and (not D_s2)  # conditions of proceed for route W2-W3 (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_W3) and (not CAN_W3) and WL_s3_2 and WL_ld_2  # route W3-LOAD becomes locked (R3)
+        CO_R8 = VALID and WP_s3_2 and WP_ld_2 and (not D_s3)  # conditions of proceed for route W3-LOAD (R3)
+        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_W3) and (not CAN_W3) and WL_s3_3 and WL_s4_1 and WL_s5_2  # route W3-M becomes locked (R3)
+        CO_R9 = VALID and WP_s3_3 and WP_s4_1 and WL_s5_2 and (not D_s3) and V_M_1  # conditions of proceed for route W3-M (R3)
         NU_ld_2 = VALID and F_ld and (not D_ld) and (not U_ld) and L_ld_2 and OCC_ld and OCC_s3 and U_s3 and L_s3_2  # a train comes into ld at ld|s3@P1.reverse (R9)
         NU_s1_1 = VALID and F_s1 and (not D_s1) and (not U_s1) and L_s1_1 and OCC_s1 and OCC_wa  # a train comes into s1 at W (R9)
         NU_s1_2 = VALID and F_s1 and (not D_s1) and (not U_s1) and L_s1_2 and OCC_s1 and OCC_s2  # a train comes into s1 at s1|s2@west.0 (R9)
@@ -567,22 +639,25 @@ class Controller:
         OT_W2 = self._timer('OT_W2', OTI_W2, dt_ms)  # W2: the train before it stands (R4)
         OR_M = (not L_s4_1) or OT_M  # the overlap of M is not needed any more (R4)
         OR_W2 = (not L_s1_1) or OT_W2  # the overlap of W2 is not needed any more (R4)
-        GPN_LC1 = False or (MOV_LC1 and (not (G_R2 or G_R4 or G_R6 or G_R7)) and (not MR_LC1))  # a grant needs LC1 N
-        MAN_LC1 = MN_LC1 and (not MR_LC1) and MOV_LC1 and (not (G_R2 or G_R4 or G_R6 or G_R7))  # machine LC1 moved N by hand
-        GPR_LC1 = (G_R2 or G_R4 or G_R6 or G_R7)  # a grant needs LC1 R
-        MAR_LC1 = MR_LC1 and (not MN_LC1) and MOV_LC1 and (not (G_R2 or G_R4 or G_R6 or G_R7))  # machine LC1 moved R by hand
+        TG_LC1 = (GW_s2_1 or GO_W2_1 or GW_s2_2)  # a grant touches machine LC1 in this scan
+        GPN_LC1 = False or (MOV_LC1 and (not TG_LC1) and (not MR_LC1))  # a grant needs LC1 N
+        MAN_LC1 = MN_LC1 and (not MR_LC1) and MOV_LC1 and (not TG_LC1)  # machine LC1 moved N by hand
+        GPR_LC1 = (GW_s2_1 or GO_W2_1 or GW_s2_2)  # a grant needs LC1 R
+        MAR_LC1 = MR_LC1 and (not MN_LC1) and MOV_LC1 and (not TG_LC1)  # machine LC1 moved R by hand
         HDN_LC1 = CN_LC1 and (not GPR_LC1) and (not MAR_LC1)  # the command N stays
         HDR_LC1 = CR_LC1 and (not GPN_LC1) and (not MAN_LC1)  # the command R stays
-        GPN_LC2 = False or (MOV_LC2 and (not (G_R2 or G_R4 or G_R8 or G_R9)) and (not MR_LC2))  # a grant needs LC2 N
-        MAN_LC2 = MN_LC2 and (not MR_LC2) and MOV_LC2 and (not (G_R2 or G_R4 or G_R8 or G_R9))  # machine LC2 moved N by hand
-        GPR_LC2 = (G_R2 or G_R4 or G_R8 or G_R9)  # a grant needs LC2 R
-        MAR_LC2 = MR_LC2 and (not MN_LC2) and MOV_LC2 and (not (G_R2 or G_R4 or G_R8 or G_R9))  # machine LC2 moved R by hand
+        TG_LC2 = (GW_s3_1 or GW_s3_2 or GW_s3_3 or GW_s3_4 or GW_s4_1 or GW_s4_2)  # a grant touches machine LC2 in this scan
+        GPN_LC2 = False or (MOV_LC2 and (not TG_LC2) and (not MR_LC2))  # a grant needs LC2 N
+        MAN_LC2 = MN_LC2 and (not MR_LC2) and MOV_LC2 and (not TG_LC2)  # machine LC2 moved N by hand
+        GPR_LC2 = (GW_s3_1 or GW_s3_2 or GW_s3_3 or GW_s3_4 or GW_s4_1 or GW_s4_2)  # a grant needs LC2 R
+        MAR_LC2 = MR_LC2 and (not MN_LC2) and MOV_LC2 and (not TG_LC2)  # machine LC2 moved R by hand
         HDN_LC2 = CN_LC2 and (not GPR_LC2) and (not MAR_LC2)  # the command N stays
         HDR_LC2 = CR_LC2 and (not GPN_LC2) and (not MAN_LC2)  # the command R stays
-        GPN_P1 = (G_R2 or G_R9)  # a grant needs P1 N
-        MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not (G_R2 or G_R4 or G_R8 or G_R9))  # machine P1 moved N by hand
-        GPR_P1 = (G_R4 or G_R8)  # a grant needs P1 R
-        MAR_P1 = MR_P1 and (not MN_P1) and MOV_P1 and (not (G_R2 or G_R4 or G_R8 or G_R9))  # machine P1 moved R by hand
+        TG_P1 = (GW_s3_1 or GW_s3_2 or GW_s3_3 or GW_s3_4)  # a grant touches machine P1 in this scan
+        GPN_P1 = (GW_s3_3 or GW_s3_4)  # a grant needs P1 N
+        MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not TG_P1)  # machine P1 moved N by hand
+        GPR_P1 = (GW_s3_1 or GW_s3_2)  # a grant needs P1 R
+        MAR_P1 = MR_P1 and (not MN_P1) and MOV_P1 and (not TG_P1)  # machine P1 moved R by hand
         HDN_P1 = CN_P1 and (not GPR_P1) and (not MAR_P1)  # the command N stays
         HDR_P1 = CR_P1 and (not GPN_P1) and (not MAN_P1)  # the command R stays
         STI_LC1 = (CN_LC1 and (not QN_LC1)) or (CR_LC1 and (not QR_LC1))  # machine LC1 is not where it was commanded
@@ -683,50 +758,50 @@ class Controller:
         N_X_W2 = (X_W2 or CAN_W2) and A_R7 and (not CD_W2)  # W2: cancelling
         N_X_W3 = (X_W3 or CAN_W3) and (A_R8 or A_R9) and (not CD_W3)  # W3: cancelling
         N_K_ld = K_ld and (not RLS_ld)  # ld: restart lock (R16)
-        N_L_ld_2 = (L_ld_2 or G_R8) and (not RLS_ld)  # ld locked from ld|s3@P1.reverse to LOAD
+        N_L_ld_2 = (L_ld_2 or GW_ld_2) and (not RLS_ld)  # ld locked from ld|s3@P1.reverse to LOAD
         N_F_ld = (F_ld or LK_R8) and (not RLS_ld)  # ld firmly locked
         N_U_ld = (U_ld or NU_ld_2) and (not RLS_ld)  # ld used by a train (R9)
         N_P_ld = (P_ld or (U_ld and OCC_ld and NU_s3_1)) and (not RLS_ld)  # ld: the train went on (R9)
         N_D_ld = (D_ld or ((not VALID) and L_ld_2)) and (not RLS_ld)  # ld: inputs were lost while locked
         N_K_s1 = K_s1 and (not RLS_s1)  # s1: restart lock (R16)
-        N_L_s1_1 = (L_s1_1 or G_R6) and (not RLS_s1)  # s1 locked from W to s1|s2@west.0
-        N_L_s1_2 = (L_s1_2 or G_R3) and (not RLS_s1)  # s1 locked from s1|s2@west.0 to W
+        N_L_s1_1 = (L_s1_1 or GW_s1_1) and (not RLS_s1)  # s1 locked from W to s1|s2@west.0
+        N_L_s1_2 = (L_s1_2 or GW_s1_2) and (not RLS_s1)  # s1 locked from s1|s2@west.0 to W
         N_F_s1 = (F_s1 or LK_R6 or LK_R3) and (not RLS_s1)  # s1 firmly locked
         N_U_s1 = (U_s1 or NU_s1_1 or NU_s1_2) and (not RLS_s1)  # s1 used by a train (R9)
         N_P_s1 = (P_s1 or (U_s1 and OCC_s1 and NU_s2_1)) and (not RLS_s1)  # s1: the train went on (R9)
         N_D_s1 = (D_s1 or ((not VALID) and (L_s1_1 or L_s1_2))) and (not RLS_s1)  # s1: inputs were lost while locked
         N_K_s2 = K_s2 and (not RLS_s2)  # s2: restart lock (R16)
-        N_L_s2_1 = (L_s2_1 or G_R7) and (not RLS_s2)  # s2 locked from s1|s2@west.0 to s2|s3@P1.toe
-        N_L_s2_2 = (L_s2_2 or G_R2 or G_R4) and (not RLS_s2)  # s2 locked from s2|s3@P1.toe to s1|s2@west.0
+        N_L_s2_1 = (L_s2_1 or GW_s2_1) and (not RLS_s2)  # s2 locked from s1|s2@west.0 to s2|s3@P1.toe
+        N_L_s2_2 = (L_s2_2 or GW_s2_2) and (not RLS_s2)  # s2 locked from s2|s3@P1.toe to s1|s2@west.0
         N_F_s2 = (F_s2 or LK_R7 or LK_R2 or LK_R4) and (not RLS_s2)  # s2 firmly locked
         N_U_s2 = (U_s2 or NU_s2_1 or NU_s2_2) and (not RLS_s2)  # s2 used by a train (R9)
         N_P_s2 = (P_s2 or (U_s2 and OCC_s2 and (NU_s1_2 or NU_s3_2))) and (not RLS_s2)  # s2: the train went on (R9)
         N_D_s2 = (D_s2 or ((not VALID) and (L_s2_1 or L_s2_2))) and (not RLS_s2)  # s2: inputs were lost while locked
         N_K_s3 = K_s3 and (not RLS_s3)  # s3: restart lock (R16)
-        N_L_s3_1 = (L_s3_1 or G_R4) and (not RLS_s3)  # s3 locked from ld|s3@P1.reverse to s2|s3@P1.toe
-        N_L_s3_2 = (L_s3_2 or G_R8) and (not RLS_s3)  # s3 locked from s2|s3@P1.toe to ld|s3@P1.reverse
-        N_L_s3_3 = (L_s3_3 or G_R9) and (not RLS_s3)  # s3 locked from s2|s3@P1.toe to s3|s4@P1.normal
-        N_L_s3_4 = (L_s3_4 or G_R2) and (not RLS_s3)  # s3 locked from s3|s4@P1.normal to s2|s3@P1.toe
+        N_L_s3_1 = (L_s3_1 or GW_s3_1) and (not RLS_s3)  # s3 locked from ld|s3@P1.reverse to s2|s3@P1.toe
+        N_L_s3_2 = (L_s3_2 or GW_s3_2) and (not RLS_s3)  # s3 locked from s2|s3@P1.toe to ld|s3@P1.reverse
+        N_L_s3_3 = (L_s3_3 or GW_s3_3) and (not RLS_s3)  # s3 locked from s2|s3@P1.toe to s3|s4@P1.normal
+        N_L_s3_4 = (L_s3_4 or GW_s3_4) and (not RLS_s3)  # s3 locked from s3|s4@P1.normal to s2|s3@P1.toe
         N_F_s3 = (F_s3 or LK_R4 or LK_R8 or LK_R9 or LK_R2) and (not RLS_s3)  # s3 firmly locked
         N_U_s3 = (U_s3 or NU_s3_1 or NU_s3_2 or NU_s3_3) and (not RLS_s3)  # s3 used by a train (R9)
         N_P_s3 = (P_s3 or (U_s3 and OCC_s3 and (NU_ld_2 or NU_s2_2 or NU_s4_1))) and (not RLS_s3)  # s3: the train went on (R9)
         N_D_s3 = (D_s3 or ((not VALID) and (L_s3_1 or L_s3_2 or L_s3_3 or L_s3_4))) and (not RLS_s3)  # s3: inputs were lost while locked
         N_K_s4 = K_s4 and (not RLS_s4)  # s4: restart lock (R16)
-        N_L_s4_1 = (L_s4_1 or G_R9) and (not RLS_s4)  # s4 locked from s3|s4@P1.normal to s4|s5@mid.0
-        N_L_s4_2 = (L_s4_2 or G_R2) and (not RLS_s4)  # s4 locked from s4|s5@mid.0 to s3|s4@P1.normal
+        N_L_s4_1 = (L_s4_1 or GW_s4_1) and (not RLS_s4)  # s4 locked from s3|s4@P1.normal to s4|s5@mid.0
+        N_L_s4_2 = (L_s4_2 or GW_s4_2) and (not RLS_s4)  # s4 locked from s4|s5@mid.0 to s3|s4@P1.normal
         N_F_s4 = (F_s4 or LK_R9 or LK_R2) and (not RLS_s4)  # s4 firmly locked
         N_U_s4 = (U_s4 or NU_s4_1 or NU_s4_2) and (not RLS_s4)  # s4 used by a train (R9)
         N_P_s4 = (P_s4 or (U_s4 and OCC_s4 and (NU_s3_3 or NU_s5_2))) and (not RLS_s4)  # s4: the train went on (R9)
         N_D_s4 = (D_s4 or ((not VALID) and (L_s4_1 or L_s4_2))) and (not RLS_s4)  # s4: inputs were lost while locked
         N_K_s5 = K_s5 and (not RLS_s5)  # s5: restart lock (R16)
-        N_L_s5_1 = (L_s5_1 or G_R1) and (not RLS_s5)  # s5 locked from E to s4|s5@mid.0
-        N_L_s5_2 = (L_s5_2 or G_R5) and (not RLS_s5)  # s5 locked from s4|s5@mid.0 to E
+        N_L_s5_1 = (L_s5_1 or GW_s5_1) and (not RLS_s5)  # s5 locked from E to s4|s5@mid.0
+        N_L_s5_2 = (L_s5_2 or GW_s5_2) and (not RLS_s5)  # s5 locked from s4|s5@mid.0 to E
         N_F_s5 = (F_s5 or LK_R1 or LK_R5) and (not RLS_s5)  # s5 firmly locked
         N_U_s5 = (U_s5 or NU_s5_1 or NU_s5_2) and (not RLS_s5)  # s5 used by a train (R9)
         N_P_s5 = (P_s5 or (U_s5 and OCC_s5 and NU_s4_2)) and (not RLS_s5)  # s5: the train went on (R9)
         N_D_s5 = (D_s5 or ((not VALID) and (L_s5_1 or L_s5_2))) and (not RLS_s5)  # s5: inputs were lost while locked
-        N_V_M_1 = G_R9 or (V_M_1 and (not (OR_M and (not OCC_s5))))  # overlap 1 of M held
-        N_V_W2_1 = G_R6 or (V_W2_1 and (not (OR_W2 and (not OCC_s2))))  # overlap 1 of W2 held
+        N_V_M_1 = GO_M_1 or (V_M_1 and (not (OR_M and (not OCC_s5))))  # overlap 1 of M held
+        N_V_W2_1 = GO_W2_1 or (V_W2_1 and (not (OR_W2 and (not OCC_s2))))  # overlap 1 of W2 held
         N_VF_M = (VF_M or LK_R9) and V_M_1  # overlap of M firmly held
         N_VF_W2 = (VF_W2 or LK_R6) and V_W2_1  # overlap of W2 firmly held
         N_C_E1 = PR_R1 and (PR_R1 and PR_R2)  # E1 shows clear

@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 4a231d72e97580dfcab105b4fa018323148855860536d707949b1e2b280034c5
-# claims 58dbbe452c1e98a08d02a2a834145aab01f2371d7bdc1c9decc4bdb27383a90d
+# claims 5c13cf05123ccaa60f48844dfa6e7e11a9382ece14a86f186f02dd8e2bdbb40c
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -176,18 +176,42 @@ class Controller:
         MOV_P1 = VALID and FREE_DP and (not OCC_DP) and True and True  # machine P1 is free to move (R10)
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVN_P1 and (not TR_P1)  # grant of route X1-A (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVR_P1 and (not TR_P1)  # grant of route X1-B (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVN_P1 and (not TR_P1)  # grant of route X2-C (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_DP and (not OCC_DP) and (not BLK_DP) and AVR_P1 and (not TR_P1)  # grant of route X3-C (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_X1) and (not CAN_X1) and (not OCC_DP) and QN_P1  # route X1-A becomes locked (R3)
-        CO_R1 = VALID and (not OCC_DP) and (not BLK_DP) and QN_P1 and (not TR_P1) and (not OCC_SA) and (not D_DP)  # conditions of proceed for route X1-A (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_X1) and (not CAN_X1) and (not OCC_DP) and QR_P1  # route X1-B becomes locked (R3)
-        CO_R2 = VALID and (not OCC_DP) and (not BLK_DP) and QR_P1 and (not TR_P1) and (not OCC_SB) and (not D_DP)  # conditions of proceed for route X1-B (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_X2) and (not CAN_X2) and (not OCC_DP) and QN_P1  # route X2-C becomes locked (R3)
-        CO_R3 = VALID and (not OCC_DP) and (not BLK_DP) and QN_P1 and (not TR_P1) and (not OCC_SC) and (not D_DP)  # conditions of proceed for route X2-C (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_X3) and (not CAN_X3) and (not OCC_DP) and QR_P1  # route X3-C becomes locked (R3)
-        CO_R4 = VALID and (not OCC_DP) and (not BLK_DP) and QR_P1 and (not TR_P1) and (not OCC_SC) and (not D_DP)  # conditions of proceed for route X3-C (R3)
+        WA_DP_1 = AVN_P1 and (not TR_P1)  # DP from A to C: could be locked
+        WF_DP_1 = FREE_DP and (not OCC_DP) and (not BLK_DP) and WA_DP_1  # DP from A to C: free for a route (R6)
+        WA_DP_2 = AVR_P1 and (not TR_P1)  # DP from B to C: could be locked
+        WF_DP_2 = FREE_DP and (not OCC_DP) and (not BLK_DP) and WA_DP_2  # DP from B to C: free for a route (R6)
+        WA_DP_3 = AVN_P1 and (not TR_P1)  # DP from C to A: could be locked
+        WF_DP_3 = FREE_DP and (not OCC_DP) and (not BLK_DP) and WA_DP_3  # DP from C to A: free for a route (R6)
+        WA_DP_4 = AVR_P1 and (not TR_P1)  # DP from C to B: could be locked
+        WF_DP_4 = FREE_DP and (not OCC_DP) and (not BLK_DP) and WA_DP_4  # DP from C to B: free for a route (R6)
+        WD_DP_1 = QN_P1 and (not TR_P1)  # DP from A to C: its points lie, nothing is foul of it
+        WL_DP_1 = (not OCC_DP) and WD_DP_1  # DP from A to C: lies and is clear
+        WP_DP_1 = WL_DP_1 and (not BLK_DP)  # DP from A to C: proceed may be shown over it (R3)
+        WD_DP_2 = QR_P1 and (not TR_P1)  # DP from B to C: its points lie, nothing is foul of it
+        WL_DP_2 = (not OCC_DP) and WD_DP_2  # DP from B to C: lies and is clear
+        WP_DP_2 = WL_DP_2 and (not BLK_DP)  # DP from B to C: proceed may be shown over it (R3)
+        WD_DP_3 = QN_P1 and (not TR_P1)  # DP from C to A: its points lie, nothing is foul of it
+        WL_DP_3 = (not OCC_DP) and WD_DP_3  # DP from C to A: lies and is clear
+        WP_DP_3 = WL_DP_3 and (not BLK_DP)  # DP from C to A: proceed may be shown over it (R3)
+        WD_DP_4 = QR_P1 and (not TR_P1)  # DP from C to B: its points lie, nothing is foul of it
+        WL_DP_4 = (not OCC_DP) and WD_DP_4  # DP from C to B: lies and is clear
+        WP_DP_4 = WL_DP_4 and (not BLK_DP)  # DP from C to B: proceed may be shown over it (R3)
+        G_R1 = (REQ == 1) and VALID and WF_DP_3  # grant of route X1-A (R6)
+        G_R2 = (REQ == 2) and VALID and WF_DP_4  # grant of route X1-B (R6)
+        G_R3 = (REQ == 3) and VALID and WF_DP_1  # grant of route X2-C (R6)
+        G_R4 = (REQ == 4) and VALID and WF_DP_2  # grant of route X3-C (R6)
+        GW_DP_1 = G_R3  # DP from A to C: granted
+        GW_DP_2 = G_R4  # DP from B to C: granted
+        GW_DP_3 = G_R1  # DP from C to A: granted
+        GW_DP_4 = G_R2  # DP from C to B: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_X1) and (not CAN_X1) and WL_DP_3  # route X1-A becomes locked (R3)
+        CO_R1 = VALID and WP_DP_3 and (not OCC_SA) and (not D_DP)  # conditions of proceed for route X1-A (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_X1) and (not CAN_X1) and WL_DP_4  # route X1-B becomes locked (R3)
+        CO_R2 = VALID and WP_DP_4 and (not OCC_SB) and (not D_DP)  # conditions of proceed for route X1-B (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_X2) and (not CAN_X2) and WL_DP_1  # route X2-C becomes locked (R3)
+        CO_R3 = VALID and WP_DP_1 and (not OCC_SC) and (not D_DP)  # conditions of proceed for route X2-C (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_X3) and (not CAN_X3) and WL_DP_2  # route X3-C becomes locked (R3)
+        CO_R4 = VALID and WP_DP_2 and (not OCC_SC) and (not D_DP)  # conditions of proceed for route X3-C (R3)
         NU_DP_1 = VALID and F_DP and (not D_DP) and (not U_DP) and L_DP_1 and OCC_DP and OCC_SA  # a train comes into DP at A (R9)
         NU_DP_2 = VALID and F_DP and (not D_DP) and (not U_DP) and L_DP_2 and OCC_DP and OCC_SB  # a train comes into DP at B (R9)
         NU_DP_3 = VALID and F_DP and (not D_DP) and (not U_DP) and (L_DP_3 or L_DP_4) and OCC_DP and OCC_SC  # a train comes into DP at C (R9)
@@ -207,10 +231,11 @@ class Controller:
         HR_DP = VALID and (not OCC_DP) and REL_DP and (L_DP_1 or L_DP_2 or L_DP_3 or L_DP_4) and ((not L_DP_1) or ((not A_R3) and ((not OCC_SA) or AT_X2))) and ((not L_DP_2) or ((not A_R4) and ((not OCC_SB) or AT_X3))) and ((not (L_DP_3 or L_DP_4)) or ((not (A_R1 or A_R2)) and ((not OCC_SC) or AT_X1)))  # DP released by hand (R8, section fault release)
         SR_DP = VALID and (not OCC_DP) and K_DP and (REL_DP or RELALL)  # DP released after a restart (R16)
         RLS_DP = RT_DP or CA_DP or CD_X2 or CD_X3 or CD_X1 or HR_DP or SR_DP  # DP is released
-        GPN_P1 = (G_R1 or G_R3)  # a grant needs P1 N
-        MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not (G_R1 or G_R2 or G_R3 or G_R4))  # machine P1 moved N by hand
-        GPR_P1 = (G_R2 or G_R4)  # a grant needs P1 R
-        MAR_P1 = MR_P1 and (not MN_P1) and MOV_P1 and (not (G_R1 or G_R2 or G_R3 or G_R4))  # machine P1 moved R by hand
+        TG_P1 = (GW_DP_1 or GW_DP_2 or GW_DP_3 or GW_DP_4)  # a grant touches machine P1 in this scan
+        GPN_P1 = (GW_DP_1 or GW_DP_3)  # a grant needs P1 N
+        MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not TG_P1)  # machine P1 moved N by hand
+        GPR_P1 = (GW_DP_2 or GW_DP_4)  # a grant needs P1 R
+        MAR_P1 = MR_P1 and (not MN_P1) and MOV_P1 and (not TG_P1)  # machine P1 moved R by hand
         HDN_P1 = CN_P1 and (not GPR_P1) and (not MAR_P1)  # the command N stays
         HDR_P1 = CR_P1 and (not GPN_P1) and (not MAN_P1)  # the command R stays
         STI_P1 = (CN_P1 and (not QN_P1)) or (CR_P1 and (not QR_P1))  # machine P1 is not where it was commanded
@@ -256,10 +281,10 @@ class Controller:
         N_X_X2 = (X_X2 or CAN_X2) and A_R3 and (not CD_X2)  # X2: cancelling
         N_X_X3 = (X_X3 or CAN_X3) and A_R4 and (not CD_X3)  # X3: cancelling
         N_K_DP = K_DP and (not RLS_DP)  # DP: restart lock (R16)
-        N_L_DP_1 = (L_DP_1 or G_R3) and (not RLS_DP)  # DP locked from A to C
-        N_L_DP_2 = (L_DP_2 or G_R4) and (not RLS_DP)  # DP locked from B to C
-        N_L_DP_3 = (L_DP_3 or G_R1) and (not RLS_DP)  # DP locked from C to A
-        N_L_DP_4 = (L_DP_4 or G_R2) and (not RLS_DP)  # DP locked from C to B
+        N_L_DP_1 = (L_DP_1 or GW_DP_1) and (not RLS_DP)  # DP locked from A to C
+        N_L_DP_2 = (L_DP_2 or GW_DP_2) and (not RLS_DP)  # DP locked from B to C
+        N_L_DP_3 = (L_DP_3 or GW_DP_3) and (not RLS_DP)  # DP locked from C to A
+        N_L_DP_4 = (L_DP_4 or GW_DP_4) and (not RLS_DP)  # DP locked from C to B
         N_F_DP = (F_DP or LK_R3 or LK_R4 or LK_R1 or LK_R2) and (not RLS_DP)  # DP firmly locked
         N_U_DP = (U_DP or NU_DP_1 or NU_DP_2 or NU_DP_3) and (not RLS_DP)  # DP used by a train (R9)
         N_P_DP = P_DP and (not RLS_DP)  # DP: the train went on (R9)

@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 3a729290743130755294d1711dd24e19b0452e4454e1c338e4ff73321f0ef431
-# claims 822902dd8c2e56d5b6be3bb4f0e44eae0039a1ded86d9abc0ec04e2efddd5ec5
+# claims 3e285fc5d103a2e625068c70e921cc481a945149091842782ec7a51696ad0a54
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -193,18 +193,40 @@ class Controller:
         MOV_P1 = VALID and FREE_III and (not OCC_III) and True and True  # machine P1 is free to move (R10)
         AVN_P1 = CN_P1 or MOV_P1 or (QN_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded N
         AVR_P1 = CR_P1 or MOV_P1 or (QR_P1 and (not CN_P1) and (not CR_P1))  # machine P1 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_III and (not OCC_III) and (not BLK_III) and AVR_P1 and (not TR_P1)  # grant of route X3-D (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_III and (not OCC_III) and (not BLK_III) and AVN_P1 and (not TR_P1)  # grant of route X3-X5 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_III and (not OCC_III) and (not BLK_III) and AVR_P1 and (not TR_P1)  # grant of route X4-B (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_SC and (not OCC_SC) and (not BLK_SC)  # grant of route X5-C (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_X3) and (not CAN_X3) and (not OCC_III) and QR_P1  # route X3-D becomes locked (R3)
-        CO_R1 = VALID and (not OCC_III) and (not BLK_III) and QR_P1 and (not TR_P1) and (not OCC_SD) and (not D_III)  # conditions of proceed for route X3-D (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_X3) and (not CAN_X3) and (not OCC_III) and QN_P1  # route X3-X5 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_III) and (not BLK_III) and QN_P1 and (not TR_P1) and (not D_III)  # conditions of proceed for route X3-X5 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_X4) and (not CAN_X4) and (not OCC_III) and QR_P1  # route X4-B becomes locked (R3)
-        CO_R3 = VALID and (not OCC_III) and (not BLK_III) and QR_P1 and (not TR_P1) and (not OCC_SB) and (not D_III)  # conditions of proceed for route X4-B (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_X5) and (not CAN_X5) and (not OCC_SC)  # route X5-C becomes locked (R3)
-        CO_R4 = VALID and (not OCC_SC) and (not BLK_SC) and (not D_SC)  # conditions of proceed for route X5-C (R3)
+        WA_III_1 = AVR_P1 and (not TR_P1)  # III from B to D: could be locked
+        WF_III_1 = FREE_III and (not OCC_III) and (not BLK_III) and WA_III_1  # III from B to D: free for a route (R6)
+        WA_III_2 = AVN_P1 and (not TR_P1)  # III from B to III|SC@main.0: could be locked
+        WF_III_2 = FREE_III and (not OCC_III) and (not BLK_III) and WA_III_2  # III from B to III|SC@main.0: free for a route (R6)
+        WA_III_3 = AVR_P1 and (not TR_P1)  # III from D to B: could be locked
+        WF_III_3 = FREE_III and (not OCC_III) and (not BLK_III) and WA_III_3  # III from D to B: free for a route (R6)
+        WF_SC_2 = FREE_SC and (not OCC_SC) and (not BLK_SC)  # SC from III|SC@main.0 to C: free for a route (R6)
+        WD_III_1 = QR_P1 and (not TR_P1)  # III from B to D: its points lie, nothing is foul of it
+        WL_III_1 = (not OCC_III) and WD_III_1  # III from B to D: lies and is clear
+        WP_III_1 = WL_III_1 and (not BLK_III)  # III from B to D: proceed may be shown over it (R3)
+        WD_III_2 = QN_P1 and (not TR_P1)  # III from B to III|SC@main.0: its points lie, nothing is foul of it
+        WL_III_2 = (not OCC_III) and WD_III_2  # III from B to III|SC@main.0: lies and is clear
+        WP_III_2 = WL_III_2 and (not BLK_III)  # III from B to III|SC@main.0: proceed may be shown over it (R3)
+        WD_III_3 = QR_P1 and (not TR_P1)  # III from D to B: its points lie, nothing is foul of it
+        WL_III_3 = (not OCC_III) and WD_III_3  # III from D to B: lies and is clear
+        WP_III_3 = WL_III_3 and (not BLK_III)  # III from D to B: proceed may be shown over it (R3)
+        WL_SC_2 = (not OCC_SC)  # SC from III|SC@main.0 to C: lies and is clear
+        WP_SC_2 = WL_SC_2 and (not BLK_SC)  # SC from III|SC@main.0 to C: proceed may be shown over it (R3)
+        G_R1 = (REQ == 1) and VALID and WF_III_1  # grant of route X3-D (R6)
+        G_R2 = (REQ == 2) and VALID and WF_III_2  # grant of route X3-X5 (R6)
+        G_R3 = (REQ == 3) and VALID and WF_III_3  # grant of route X4-B (R6)
+        G_R4 = (REQ == 4) and VALID and WF_SC_2  # grant of route X5-C (R6)
+        GW_III_1 = G_R1  # III from B to D: granted
+        GW_III_2 = G_R2  # III from B to III|SC@main.0: granted
+        GW_III_3 = G_R3  # III from D to B: granted
+        GW_SC_2 = G_R4  # SC from III|SC@main.0 to C: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_X3) and (not CAN_X3) and WL_III_1  # route X3-D becomes locked (R3)
+        CO_R1 = VALID and WP_III_1 and (not OCC_SD) and (not D_III)  # conditions of proceed for route X3-D (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_X3) and (not CAN_X3) and WL_III_2  # route X3-X5 becomes locked (R3)
+        CO_R2 = VALID and WP_III_2 and (not D_III)  # conditions of proceed for route X3-X5 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_X4) and (not CAN_X4) and WL_III_3  # route X4-B becomes locked (R3)
+        CO_R3 = VALID and WP_III_3 and (not OCC_SB) and (not D_III)  # conditions of proceed for route X4-B (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_X5) and (not CAN_X5) and WL_SC_2  # route X5-C becomes locked (R3)
+        CO_R4 = VALID and WP_SC_2 and (not D_SC)  # conditions of proceed for route X5-C (R3)
         NU_III_1 = VALID and F_III and (not D_III) and (not U_III) and (L_III_1 or L_III_2) and OCC_III and OCC_SB  # a train comes into III at B (R9)
         NU_III_2 = VALID and F_III and (not D_III) and (not U_III) and L_III_3 and OCC_III and OCC_SD  # a train comes into III at D (R9)
         NU_SC_2 = VALID and F_SC and (not D_SC) and (not U_SC) and L_SC_2 and OCC_SC and OCC_III  # a train comes into SC at III|SC@main.0 (R9)
@@ -231,10 +253,11 @@ class Controller:
         HR_SC = VALID and (not OCC_SC) and REL_SC and L_SC_2 and ((not L_SC_2) or ((not A_R4) and ((not OCC_III) or AT_X5)))  # SC released by hand (R8, section fault release)
         SR_SC = VALID and (not OCC_SC) and K_SC and (REL_SC or RELALL)  # SC released after a restart (R16)
         RLS_SC = RT_SC or CA_SC or CD_X5 or HR_SC or SR_SC  # SC is released
-        GPN_P1 = G_R2  # a grant needs P1 N
-        MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not (G_R1 or G_R2 or G_R3))  # machine P1 moved N by hand
-        GPR_P1 = (G_R1 or G_R3)  # a grant needs P1 R
-        MAR_P1 = MR_P1 and (not MN_P1) and MOV_P1 and (not (G_R1 or G_R2 or G_R3))  # machine P1 moved R by hand
+        TG_P1 = (GW_III_1 or GW_III_2 or GW_III_3)  # a grant touches machine P1 in this scan
+        GPN_P1 = GW_III_2  # a grant needs P1 N
+        MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not TG_P1)  # machine P1 moved N by hand
+        GPR_P1 = (GW_III_1 or GW_III_3)  # a grant needs P1 R
+        MAR_P1 = MR_P1 and (not MN_P1) and MOV_P1 and (not TG_P1)  # machine P1 moved R by hand
         HDN_P1 = CN_P1 and (not GPR_P1) and (not MAR_P1)  # the command N stays
         HDR_P1 = CR_P1 and (not GPN_P1) and (not MAN_P1)  # the command R stays
         STI_P1 = (CN_P1 and (not QN_P1)) or (CR_P1 and (not QR_P1))  # machine P1 is not where it was commanded
@@ -280,15 +303,15 @@ class Controller:
         N_X_X4 = (X_X4 or CAN_X4) and A_R3 and (not CD_X4)  # X4: cancelling
         N_X_X5 = (X_X5 or CAN_X5) and A_R4 and (not CD_X5)  # X5: cancelling
         N_K_III = K_III and (not RLS_III)  # III: restart lock (R16)
-        N_L_III_1 = (L_III_1 or G_R1) and (not RLS_III)  # III locked from B to D
-        N_L_III_2 = (L_III_2 or G_R2) and (not RLS_III)  # III locked from B to III|SC@main.0
-        N_L_III_3 = (L_III_3 or G_R3) and (not RLS_III)  # III locked from D to B
+        N_L_III_1 = (L_III_1 or GW_III_1) and (not RLS_III)  # III locked from B to D
+        N_L_III_2 = (L_III_2 or GW_III_2) and (not RLS_III)  # III locked from B to III|SC@main.0
+        N_L_III_3 = (L_III_3 or GW_III_3) and (not RLS_III)  # III locked from D to B
         N_F_III = (F_III or LK_R1 or LK_R2 or LK_R3) and (not RLS_III)  # III firmly locked
         N_U_III = (U_III or NU_III_1 or NU_III_2) and (not RLS_III)  # III used by a train (R9)
         N_P_III = (P_III or (U_III and OCC_III and NU_SC_2)) and (not RLS_III)  # III: the train went on (R9)
         N_D_III = (D_III or ((not VALID) and (L_III_1 or L_III_2 or L_III_3))) and (not RLS_III)  # III: inputs were lost while locked
         N_K_SC = K_SC and (not RLS_SC)  # SC: restart lock (R16)
-        N_L_SC_2 = (L_SC_2 or G_R4) and (not RLS_SC)  # SC locked from III|SC@main.0 to C
+        N_L_SC_2 = (L_SC_2 or GW_SC_2) and (not RLS_SC)  # SC locked from III|SC@main.0 to C
         N_F_SC = (F_SC or LK_R4) and (not RLS_SC)  # SC firmly locked
         N_U_SC = (U_SC or NU_SC_2) and (not RLS_SC)  # SC used by a train (R9)
         N_P_SC = P_SC and (not RLS_SC)  # SC: the train went on (R9)

@@ -1,7 +1,7 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 87f5c9d37b11ae5c30ce92877c5440b048d35058a2b0efbafd51045e4529e759
-# claims 613fae88a33c77dfe71c499390b9aa9a2059e69dbdabd3bf71229b9c9cca2d88
+# claims d6e7f874afd5010c3160a259b803f64f53dcf327da59d3094f872a2318d25a39
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -673,36 +673,114 @@ class Controller:
         MOV_LC1 = VALID and FREE_g4 and (not OCC_g4) and True and True  # machine LC1 is free to move (R10)
         AVN_LC1 = CN_LC1 or MOV_LC1 or (QN_LC1 and (not CN_LC1) and (not CR_LC1))  # machine LC1 can be demanded N
         AVR_LC1 = CR_LC1 or MOV_LC1 or (QR_LC1 and (not CN_LC1) and (not CR_LC1))  # machine LC1 can be demanded R
-        G_R1 = (REQ == 1) and VALID and ((not K_w6) and (not L_w6_1) and (not L_w6_2) and (not V_F_2)) and ((not K_g5) and (not L_g5_2)) and (not OCC_w6) and (not OCC_g5) and (not BLK_w6) and (not BLK_g5) and AVN_6 and (not TR_6)  # grant of route F-B (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_w5 and FREE_g8 and (not OCC_w5) and (not OCC_g8) and (not BLK_w5) and (not BLK_g8) and AVR_Gs1 and AVR_5 and AVN_1 and (not TR_Gs1) and (not TR_5) and (not TR_1)  # grant of route L5-N8 (R6)
-        G_R3 = (REQ == 3) and VALID and ((not K_w2) and (not L_w2_1) and (not L_w2_4)) and ((not K_g4) and (not L_g4_1)) and ((not K_w6) and (not V_F_1) and (not V_F_2) and ((not L_w6_1) or A_R1) and (not L_w6_2)) and ((not K_g5) and (not V_F_1) and ((not L_g5_2) or A_R1)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and AVN_2 and AVR_LC1 and AVN_6 and (not TR_2) and (not TR_6)  # grant of route N2-F (R6)
-        G_R4 = (REQ == 4) and VALID and ((not K_w2) and (not L_w2_1) and (not L_w2_4)) and ((not K_g4) and (not L_g4_1)) and ((not K_w6) and (not V_F_1) and (not V_F_2) and (not L_w6_1) and (not L_w6_2)) and ((not K_g6) and (not V_F_2) and (not L_g6_2)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and AVN_2 and AVR_LC1 and AVR_6 and (not TR_2) and (not TR_6)  # grant of route N2-F.o2 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_w2 and FREE_g4 and ((not K_w6) and (not V_F_1) and (not V_F_2) and ((not L_w6_1) or A_R1) and (not L_w6_2)) and ((not K_g5) and (not V_F_1) and ((not L_g5_2) or A_R1)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and AVR_2 and AVR_LC1 and AVN_6 and (not TR_2) and (not TR_6)  # grant of route N8-F (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_w2 and FREE_g4 and ((not K_w6) and (not V_F_1) and (not V_F_2) and (not L_w6_1) and (not L_w6_2)) and ((not K_g6) and (not V_F_2) and (not L_g6_2)) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and AVR_2 and AVR_LC1 and AVR_6 and (not TR_2) and (not TR_6)  # grant of route N8-F.o2 (R6)
-        G_R7 = (REQ == 7) and VALID and ((not K_w1) and (not L_w1_2) and (not L_w1_3) and (not V_S1_2)) and ((not K_g2) and (not L_g2_1)) and ((not K_w2) and (not V_N2_1) and ((not L_w2_1) or A_R3 or A_R4) and (not L_w2_4)) and ((not K_g4) and (not V_N2_1) and ((not L_g4_1) or A_R3 or A_R4)) and (not OCC_w1) and (not OCC_g2) and (not OCC_w2) and (not OCC_g4) and (not BLK_w1) and (not BLK_g2) and AVN_1 and AVN_2 and AVR_LC1 and (not TR_1) and (not TR_2)  # grant of route S1-N2 (R6)
-        G_R8 = (REQ == 8) and VALID and ((not K_w1) and (not L_w1_2) and (not L_w1_3) and (not V_S1_1)) and ((not K_w5) and (not L_w5_4) and (not L_w5_5)) and ((not K_g8) and (not L_g8_2)) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w1) and (not BLK_w5) and (not BLK_g8) and AVR_1 and AVN_5 and AVN_Gs1 and (not TR_1) and (not TR_5) and (not TR_Gs1)  # grant of route S1-N8 (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_w0 and ((not K_w1) and (not V_S1_1) and (not V_S1_2) and ((not L_w1_2) or A_R7) and (not L_w1_3)) and ((not K_g2) and (not V_S1_1) and ((not L_g2_1) or A_R7)) and (not OCC_w0) and (not OCC_w1) and (not OCC_g2) and (not BLK_w0) and AVN_1 and (not TR_1)  # grant of route SA-S1 (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_w0 and ((not K_w1) and (not V_S1_1) and (not V_S1_2) and (not L_w1_2) and ((not L_w1_3) or A_R8)) and ((not K_w5) and (not V_S1_2) and (not L_w5_4) and ((not L_w5_5) or A_R8)) and ((not K_g8) and (not V_S1_2) and ((not L_g8_2) or A_R8)) and (not OCC_w0) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w0) and AVR_1 and AVN_5 and AVN_Gs1 and (not TR_1) and (not TR_5) and (not TR_Gs1)  # grant of route SA-S1.o2 (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_F) and (not CAN_F) and (not OCC_w6) and (not OCC_g5) and QN_6  # route F-B becomes locked (R3)
-        CO_R1 = VALID and (not OCC_w6) and (not OCC_g5) and (not BLK_w6) and (not BLK_g5) and QN_6 and (not TR_6) and (not OCC_gb) and (not D_w6)  # conditions of proceed for route F-B (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_L5) and (not CAN_L5) and (not OCC_w5) and (not OCC_g8) and QR_Gs1 and QR_5 and QN_1  # route L5-N8 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_w5) and (not OCC_g8) and (not BLK_w5) and (not BLK_g8) and QR_Gs1 and QR_5 and QN_1 and (not TR_Gs1) and (not TR_5) and (not TR_1) and (not D_w5)  # conditions of proceed for route L5-N8 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_N2) and (not CAN_N2) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and QN_2 and QR_LC1 and QN_6  # route N2-F becomes locked (R3)
-        CO_R3 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and QN_2 and QR_LC1 and QN_6 and (not TR_2) and (not TR_6) and (not D_w2) and V_F_1  # conditions of proceed for route N2-F (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_N2) and (not CAN_N2) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and QN_2 and QR_LC1 and QR_6  # route N2-F.o2 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and QN_2 and QR_LC1 and QR_6 and (not TR_2) and (not TR_6) and (not D_w2) and V_F_2  # conditions of proceed for route N2-F.o2 (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_N8) and (not CAN_N8) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and QR_2 and QR_LC1 and QN_6  # route N8-F becomes locked (R3)
-        CO_R5 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not BLK_w2) and (not BLK_g4) and QR_2 and QR_LC1 and QN_6 and (not TR_2) and (not TR_6) and (not D_w2) and V_F_1  # conditions of proceed for route N8-F (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_N8) and (not CAN_N8) and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and QR_2 and QR_LC1 and QR_6  # route N8-F.o2 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_w2) and (not OCC_g4) and (not OCC_w6) and (not OCC_g6) and (not BLK_w2) and (not BLK_g4) and QR_2 and QR_LC1 and QR_6 and (not TR_2) and (not TR_6) and (not D_w2) and V_F_2  # conditions of proceed for route N8-F.o2 (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_w1) and (not OCC_g2) and (not OCC_w2) and (not OCC_g4) and QN_1 and QN_2 and QR_LC1  # route S1-N2 becomes locked (R3)
-        CO_R7 = VALID and (not OCC_w1) and (not OCC_g2) and (not OCC_w2) and (not OCC_g4) and (not BLK_w1) and (not BLK_g2) and QN_1 and QN_2 and QR_LC1 and (not TR_1) and (not TR_2) and (not D_w1) and V_N2_1  # conditions of proceed for route S1-N2 (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and QR_1 and QN_5 and QN_Gs1  # route S1-N8 becomes locked (R3)
-        CO_R8 = VALID and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w1) and (not BLK_w5) and (not BLK_g8) and QR_1 and QN_5 and QN_Gs1 and (not TR_1) and (not TR_5) and (not TR_Gs1) and (not D_w1)  # conditions of proceed for route S1-N8 (R3)
-        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_SA) and (not CAN_SA) and (not OCC_w0) and (not OCC_w1) and (not OCC_g2) and QN_1  # route SA-S1 becomes locked (R3)
-        CO_R9 = VALID and (not OCC_w0) and (not OCC_w1) and (not OCC_g2) and (not BLK_w0) and QN_1 and (not TR_1) and (not D_w0) and V_S1_1  # conditions of proceed for route SA-S1 (R3)
-        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_SA) and (not CAN_SA) and (not OCC_w0) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and QR_1 and QN_5 and QN_Gs1  # route SA-S1.o2 becomes locked (R3)
-        CO_R10 = VALID and (not OCC_w0) and (not OCC_w1) and (not OCC_w5) and (not OCC_g8) and (not BLK_w0) and QR_1 and QN_5 and QN_Gs1 and (not TR_1) and (not TR_5) and (not TR_Gs1) and (not D_w0) and V_S1_2  # conditions of proceed for route SA-S1.o2 (R3)
+        WF_g2_1 = FREE_g2 and (not OCC_g2) and (not BLK_g2)  # g2 from g2|w1@1.normal to g2|w2@2.normal: free for a route (R6)
+        WA_g4_1 = AVR_LC1  # g4 from g4|w2@2.toe to g4|w6@6.toe: could be locked
+        WF_g4_1 = FREE_g4 and (not OCC_g4) and (not BLK_g4) and WA_g4_1  # g4 from g4|w2@2.toe to g4|w6@6.toe: free for a route (R6)
+        WF_g5_2 = FREE_g5 and (not OCC_g5) and (not BLK_g5)  # g5 from g5|w6@6.normal to B: free for a route (R6)
+        WF_g8_2 = FREE_g8 and (not OCC_g8) and (not BLK_g8)  # g8 from g8|w5@5.toe to g8|w2@2.reverse: free for a route (R6)
+        WF_w0_1 = FREE_w0 and (not OCC_w0) and (not BLK_w0)  # w0 from A to w0|w1@1.toe: free for a route (R6)
+        WA_w1_2 = AVN_1 and (not TR_1)  # w1 from w0|w1@1.toe to g2|w1@1.normal: could be locked
+        WF_w1_2 = FREE_w1 and (not OCC_w1) and (not BLK_w1) and WA_w1_2  # w1 from w0|w1@1.toe to g2|w1@1.normal: free for a route (R6)
+        WA_w1_3 = AVR_1 and (not TR_1)  # w1 from w0|w1@1.toe to w1|w5@1.reverse: could be locked
+        WF_w1_3 = FREE_w1 and (not OCC_w1) and (not BLK_w1) and WA_w1_3  # w1 from w0|w1@1.toe to w1|w5@1.reverse: free for a route (R6)
+        WA_w2_1 = AVN_2 and (not TR_2)  # w2 from g2|w2@2.normal to g4|w2@2.toe: could be locked
+        WF_w2_1 = FREE_w2 and (not OCC_w2) and (not BLK_w2) and WA_w2_1  # w2 from g2|w2@2.normal to g4|w2@2.toe: free for a route (R6)
+        WA_w2_4 = AVR_2 and (not TR_2)  # w2 from g8|w2@2.reverse to g4|w2@2.toe: could be locked
+        WF_w2_4 = FREE_w2 and (not OCC_w2) and (not BLK_w2) and WA_w2_4  # w2 from g8|w2@2.reverse to g4|w2@2.toe: free for a route (R6)
+        WA_w5_4 = AVR_Gs1 and AVR_5 and AVN_1 and (not TR_Gs1) and (not TR_5) and (not TR_1)  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: could be locked
+        WF_w5_4 = FREE_w5 and (not OCC_w5) and (not BLK_w5) and WA_w5_4  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: free for a route (R6)
+        WA_w5_5 = AVN_5 and AVN_Gs1 and (not TR_5) and (not TR_Gs1)  # w5 from w1|w5@1.reverse to g8|w5@5.toe: could be locked
+        WF_w5_5 = FREE_w5 and (not OCC_w5) and (not BLK_w5) and WA_w5_5  # w5 from w1|w5@1.reverse to g8|w5@5.toe: free for a route (R6)
+        WA_w6_1 = AVN_6 and (not TR_6)  # w6 from g4|w6@6.toe to g5|w6@6.normal: could be locked
+        WF_w6_1 = FREE_w6 and (not OCC_w6) and (not BLK_w6) and WA_w6_1  # w6 from g4|w6@6.toe to g5|w6@6.normal: free for a route (R6)
+        WA_w6_2 = AVR_6 and (not TR_6)  # w6 from g4|w6@6.toe to g6|w6@6.reverse: could be locked
+        OF_F_1 = ((not K_w6) and (not V_F_1) and (not V_F_2) and ((not L_w6_1) or A_R1) and (not L_w6_2)) and (not OCC_w6) and WA_w6_1 and ((not K_g5) and (not V_F_1) and ((not L_g5_2) or A_R1)) and (not OCC_g5)  # overlap 1 of F may be held (R4)
+        OF_F_2 = ((not K_w6) and (not V_F_1) and (not V_F_2) and (not L_w6_1) and (not L_w6_2)) and (not OCC_w6) and WA_w6_2 and ((not K_g6) and (not V_F_2) and (not L_g6_2)) and (not OCC_g6)  # overlap 2 of F may be held (R4)
+        OF_N2_1 = ((not K_w2) and (not V_N2_1) and ((not L_w2_1) or A_R3 or A_R4) and (not L_w2_4)) and (not OCC_w2) and WA_w2_1 and ((not K_g4) and (not V_N2_1) and ((not L_g4_1) or A_R3 or A_R4)) and (not OCC_g4) and WA_g4_1  # overlap 1 of N2 may be held (R4)
+        OF_S1_1 = ((not K_w1) and (not V_S1_1) and (not V_S1_2) and ((not L_w1_2) or A_R7) and (not L_w1_3)) and (not OCC_w1) and WA_w1_2 and ((not K_g2) and (not V_S1_1) and ((not L_g2_1) or A_R7)) and (not OCC_g2)  # overlap 1 of S1 may be held (R4)
+        OF_S1_2 = ((not K_w1) and (not V_S1_1) and (not V_S1_2) and (not L_w1_2) and ((not L_w1_3) or A_R8)) and (not OCC_w1) and WA_w1_3 and ((not K_w5) and (not V_S1_2) and (not L_w5_4) and ((not L_w5_5) or A_R8)) and (not OCC_w5) and WA_w5_5 and ((not K_g8) and (not V_S1_2) and ((not L_g8_2) or A_R8)) and (not OCC_g8)  # overlap 2 of S1 may be held (R4)
+        WL_g2_1 = (not OCC_g2)  # g2 from g2|w1@1.normal to g2|w2@2.normal: lies and is clear
+        WP_g2_1 = WL_g2_1 and (not BLK_g2)  # g2 from g2|w1@1.normal to g2|w2@2.normal: proceed may be shown over it (R3)
+        WD_g4_1 = QR_LC1  # g4 from g4|w2@2.toe to g4|w6@6.toe: its points lie, nothing is foul of it
+        WL_g4_1 = (not OCC_g4) and WD_g4_1  # g4 from g4|w2@2.toe to g4|w6@6.toe: lies and is clear
+        WP_g4_1 = WL_g4_1 and (not BLK_g4)  # g4 from g4|w2@2.toe to g4|w6@6.toe: proceed may be shown over it (R3)
+        WL_g5_2 = (not OCC_g5)  # g5 from g5|w6@6.normal to B: lies and is clear
+        WP_g5_2 = WL_g5_2 and (not BLK_g5)  # g5 from g5|w6@6.normal to B: proceed may be shown over it (R3)
+        WL_g6_2 = (not OCC_g6)  # g6 from g6|w6@6.reverse to C: lies and is clear
+        WL_g8_2 = (not OCC_g8)  # g8 from g8|w5@5.toe to g8|w2@2.reverse: lies and is clear
+        WP_g8_2 = WL_g8_2 and (not BLK_g8)  # g8 from g8|w5@5.toe to g8|w2@2.reverse: proceed may be shown over it (R3)
+        WL_w0_1 = (not OCC_w0)  # w0 from A to w0|w1@1.toe: lies and is clear
+        WP_w0_1 = WL_w0_1 and (not BLK_w0)  # w0 from A to w0|w1@1.toe: proceed may be shown over it (R3)
+        WD_w1_2 = QN_1 and (not TR_1)  # w1 from w0|w1@1.toe to g2|w1@1.normal: its points lie, nothing is foul of it
+        WL_w1_2 = (not OCC_w1) and WD_w1_2  # w1 from w0|w1@1.toe to g2|w1@1.normal: lies and is clear
+        WP_w1_2 = WL_w1_2 and (not BLK_w1)  # w1 from w0|w1@1.toe to g2|w1@1.normal: proceed may be shown over it (R3)
+        WD_w1_3 = QR_1 and (not TR_1)  # w1 from w0|w1@1.toe to w1|w5@1.reverse: its points lie, nothing is foul of it
+        WL_w1_3 = (not OCC_w1) and WD_w1_3  # w1 from w0|w1@1.toe to w1|w5@1.reverse: lies and is clear
+        WP_w1_3 = WL_w1_3 and (not BLK_w1)  # w1 from w0|w1@1.toe to w1|w5@1.reverse: proceed may be shown over it (R3)
+        WD_w2_1 = QN_2 and (not TR_2)  # w2 from g2|w2@2.normal to g4|w2@2.toe: its points lie, nothing is foul of it
+        WL_w2_1 = (not OCC_w2) and WD_w2_1  # w2 from g2|w2@2.normal to g4|w2@2.toe: lies and is clear
+        WP_w2_1 = WL_w2_1 and (not BLK_w2)  # w2 from g2|w2@2.normal to g4|w2@2.toe: proceed may be shown over it (R3)
+        WD_w2_4 = QR_2 and (not TR_2)  # w2 from g8|w2@2.reverse to g4|w2@2.toe: its points lie, nothing is foul of it
+        WL_w2_4 = (not OCC_w2) and WD_w2_4  # w2 from g8|w2@2.reverse to g4|w2@2.toe: lies and is clear
+        WP_w2_4 = WL_w2_4 and (not BLK_w2)  # w2 from g8|w2@2.reverse to g4|w2@2.toe: proceed may be shown over it (R3)
+        WD_w5_4 = QR_Gs1 and QR_5 and QN_1 and (not TR_Gs1) and (not TR_5) and (not TR_1)  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: its points lie, nothing is foul of it
+        WL_w5_4 = (not OCC_w5) and WD_w5_4  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: lies and is clear
+        WP_w5_4 = WL_w5_4 and (not BLK_w5)  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: proceed may be shown over it (R3)
+        WD_w5_5 = QN_5 and QN_Gs1 and (not TR_5) and (not TR_Gs1)  # w5 from w1|w5@1.reverse to g8|w5@5.toe: its points lie, nothing is foul of it
+        WL_w5_5 = (not OCC_w5) and WD_w5_5  # w5 from w1|w5@1.reverse to g8|w5@5.toe: lies and is clear
+        WP_w5_5 = WL_w5_5 and (not BLK_w5)  # w5 from w1|w5@1.reverse to g8|w5@5.toe: proceed may be shown over it (R3)
+        WD_w6_1 = QN_6 and (not TR_6)  # w6 from g4|w6@6.toe to g5|w6@6.normal: its points lie, nothing is foul of it
+        WL_w6_1 = (not OCC_w6) and WD_w6_1  # w6 from g4|w6@6.toe to g5|w6@6.normal: lies and is clear
+        WP_w6_1 = WL_w6_1 and (not BLK_w6)  # w6 from g4|w6@6.toe to g5|w6@6.normal: proceed may be shown over it (R3)
+        WD_w6_2 = QR_6 and (not TR_6)  # w6 from g4|w6@6.toe to g6|w6@6.reverse: its points lie, nothing is foul of it
+        WL_w6_2 = (not OCC_w6) and WD_w6_2  # w6 from g4|w6@6.toe to g6|w6@6.reverse: lies and is clear
+        G_R1 = (REQ == 1) and VALID and ((not K_w6) and (not L_w6_1) and (not L_w6_2) and (not V_F_2)) and (not OCC_w6) and (not BLK_w6) and WA_w6_1 and ((not K_g5) and (not L_g5_2)) and (not OCC_g5) and (not BLK_g5)  # grant of route F-B (R6)
+        G_R2 = (REQ == 2) and VALID and WF_w5_4 and WF_g8_2  # grant of route L5-N8 (R6)
+        G_R3 = (REQ == 3) and VALID and ((not K_w2) and (not L_w2_1) and (not L_w2_4)) and (not OCC_w2) and (not BLK_w2) and WA_w2_1 and ((not K_g4) and (not L_g4_1)) and (not OCC_g4) and (not BLK_g4) and WA_g4_1 and OF_F_1  # grant of route N2-F (R6)
+        G_R4 = (REQ == 4) and VALID and ((not K_w2) and (not L_w2_1) and (not L_w2_4)) and (not OCC_w2) and (not BLK_w2) and WA_w2_1 and ((not K_g4) and (not L_g4_1)) and (not OCC_g4) and (not BLK_g4) and WA_g4_1 and OF_F_2  # grant of route N2-F.o2 (R6)
+        G_R5 = (REQ == 5) and VALID and WF_w2_4 and WF_g4_1 and OF_F_1  # grant of route N8-F (R6)
+        G_R6 = (REQ == 6) and VALID and WF_w2_4 and WF_g4_1 and OF_F_2  # grant of route N8-F.o2 (R6)
+        G_R7 = (REQ == 7) and VALID and ((not K_w1) and (not L_w1_2) and (not L_w1_3) and (not V_S1_2)) and (not OCC_w1) and (not BLK_w1) and WA_w1_2 and ((not K_g2) and (not L_g2_1)) and (not OCC_g2) and (not BLK_g2) and OF_N2_1  # grant of route S1-N2 (R6)
+        G_R8 = (REQ == 8) and VALID and ((not K_w1) and (not L_w1_2) and (not L_w1_3) and (not V_S1_1)) and (not OCC_w1) and (not BLK_w1) and WA_w1_3 and ((not K_w5) and (not L_w5_4) and (not L_w5_5)) and (not OCC_w5) and (not BLK_w5) and WA_w5_5 and ((not K_g8) and (not L_g8_2)) and (not OCC_g8) and (not BLK_g8)  # grant of route S1-N8 (R6)
+        G_R9 = (REQ == 9) and VALID and WF_w0_1 and OF_S1_1  # grant of route SA-S1 (R6)
+        G_R10 = (REQ == 10) and VALID and WF_w0_1 and OF_S1_2  # grant of route SA-S1.o2 (R6)
+        GW_g2_1 = G_R7  # g2 from g2|w1@1.normal to g2|w2@2.normal: granted
+        GW_g4_1 = G_R3 or G_R4 or G_R5 or G_R6  # g4 from g4|w2@2.toe to g4|w6@6.toe: granted
+        GW_g5_2 = G_R1  # g5 from g5|w6@6.normal to B: granted
+        GW_g8_2 = G_R2 or G_R8  # g8 from g8|w5@5.toe to g8|w2@2.reverse: granted
+        GW_w0_1 = G_R9 or G_R10  # w0 from A to w0|w1@1.toe: granted
+        GW_w1_2 = G_R7  # w1 from w0|w1@1.toe to g2|w1@1.normal: granted
+        GW_w1_3 = G_R8  # w1 from w0|w1@1.toe to w1|w5@1.reverse: granted
+        GW_w2_1 = G_R3 or G_R4  # w2 from g2|w2@2.normal to g4|w2@2.toe: granted
+        GW_w2_4 = G_R5 or G_R6  # w2 from g8|w2@2.reverse to g4|w2@2.toe: granted
+        GW_w5_4 = G_R2  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: granted
+        GW_w5_5 = G_R8  # w5 from w1|w5@1.reverse to g8|w5@5.toe: granted
+        GW_w6_1 = G_R1  # w6 from g4|w6@6.toe to g5|w6@6.normal: granted
+        GO_F_1 = G_R3 or G_R5  # overlap 1 of F: granted
+        GO_F_2 = G_R4 or G_R6  # overlap 2 of F: granted
+        GO_N2_1 = G_R7  # overlap 1 of N2: granted
+        GO_S1_1 = G_R9  # overlap 1 of S1: granted
+        GO_S1_2 = G_R10  # overlap 2 of S1: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_F) and (not CAN_F) and WL_w6_1 and WL_g5_2  # route F-B becomes locked (R3)
+        CO_R1 = VALID and WP_w6_1 and WP_g5_2 and (not OCC_gb) and (not D_w6)  # conditions of proceed for route F-B (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_L5) and (not CAN_L5) and WL_w5_4 and WL_g8_2  # route L5-N8 becomes locked (R3)
+        CO_R2 = VALID and WP_w5_4 and WP_g8_2 and (not D_w5)  # conditions of proceed for route L5-N8 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_N2) and (not CAN_N2) and WL_w2_1 and WL_g4_1 and WL_w6_1 and WL_g5_2  # route N2-F becomes locked (R3)
+        CO_R3 = VALID and WP_w2_1 and WP_g4_1 and WL_w6_1 and WL_g5_2 and (not D_w2) and V_F_1  # conditions of proceed for route N2-F (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_N2) and (not CAN_N2) and WL_w2_1 and WL_g4_1 and WL_w6_2 and WL_g6_2  # route N2-F.o2 becomes locked (R3)
+        CO_R4 = VALID and WP_w2_1 and WP_g4_1 and WL_w6_2 and WL_g6_2 and (not D_w2) and V_F_2  # conditions of proceed for route N2-F.o2 (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_N8) and (not CAN_N8) and WL_w2_4 and WL_g4_1 and WL_w6_1 and WL_g5_2  # route N8-F becomes locked (R3)
+        CO_R5 = VALID and WP_w2_4 and WP_g4_1 and WL_w6_1 and WL_g5_2 and (not D_w2) and V_F_1  # conditions of proceed for route N8-F (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_N8) and (not CAN_N8) and WL_w2_4 and WL_g4_1 and WL_w6_2 and WL_g6_2  # route N8-F.o2 becomes locked (R3)
+        CO_R6 = VALID and WP_w2_4 and WP_g4_1 and WL_w6_2 and WL_g6_2 and (not D_w2) and V_F_2  # conditions of proceed for route N8-F.o2 (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S1) and (not CAN_S1) and WL_w1_2 and WL_g2_1 and WL_w2_1 and WL_g4_1  # route S1-N2 becomes locked (R3)
+        CO_R7 = VALID and WP_w1_2 and WP_g2_1 and WL_w2_1 and WL_g4_1 and (not D_w1) and V_N2_1  # conditions of proceed for route S1-N2 (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S1) and (not CAN_S1) and WL_w1_3 and WL_w5_5 and WL_g8_2  # route S1-N8 becomes locked (R3)
+        CO_R8 = VALID and WP_w1_3 and WP_w5_5 and WP_g8_2 and (not D_w1)  # conditions of proceed for route S1-N8 (R3)
+        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_SA) and (not CAN_SA) and WL_w0_1 and WL_w1_2 and WL_g2_1  # route SA-S1 becomes locked (R3)
+        CO_R9 = VALID and WP_w0_1 and WL_w1_2 and WL_g2_1 and (not D_w0) and V_S1_1  # conditions of proceed for route SA-S1 (R3)
+        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_SA) and (not CAN_SA) and WL_w0_1 and WL_w1_3 and WL_w5_5 and WL_g8_2  # route SA-S1.o2 becomes locked (R3)
+        CO_R10 = VALID and WP_w0_1 and WL_w1_3 and WL_w5_5 and WL_g8_2 and (not D_w0) and V_S1_2  # conditions of proceed for route SA-S1.o2 (R3)
         NU_g2_1 = VALID and F_g2 and (not D_g2) and (not U_g2) and L_g2_1 and OCC_g2 and OCC_w1 and (V_S1_1 or U_w1) and (V_S1_1 or L_w1_2)  # a train comes into g2 at g2|w1@1.normal (R9)
         NU_g4_1 = VALID and F_g4 and (not D_g4) and (not U_g4) and L_g4_1 and OCC_g4 and OCC_w2 and (V_N2_1 or U_w2) and (V_N2_1 or L_w2_1 or L_w2_4)  # a train comes into g4 at g4|w2@2.toe (R9)
         NU_g5_2 = VALID and F_g5 and (not D_g5) and (not U_g5) and L_g5_2 and OCC_g5 and OCC_w6 and (V_F_1 or U_w6) and (V_F_1 or L_w6_1)  # a train comes into g5 at g5|w6@6.normal (R9)
@@ -819,40 +897,46 @@ class Controller:
         OR_F = (not L_g4_1) or OT_F  # the overlap of F is not needed any more (R4)
         OR_N2 = (not L_g2_1) or OT_N2  # the overlap of N2 is not needed any more (R4)
         OR_S1 = (not L_w0_1) or OT_S1  # the overlap of S1 is not needed any more (R4)
-        GPN_1 = (G_R2 or G_R7 or G_R9)  # a grant needs 1 N
-        MAN_1 = MN_1 and (not MR_1) and MOV_1 and (not (G_R2 or G_R7 or G_R8 or G_R9 or G_R10))  # machine 1 moved N by hand
-        GPR_1 = (G_R8 or G_R10)  # a grant needs 1 R
-        MAR_1 = MR_1 and (not MN_1) and MOV_1 and (not (G_R2 or G_R7 or G_R8 or G_R9 or G_R10))  # machine 1 moved R by hand
+        TG_1 = (GW_w1_2 or GO_S1_1 or GW_w1_3 or GO_S1_2 or GW_w5_4)  # a grant touches machine 1 in this scan
+        GPN_1 = (GW_w1_2 or GO_S1_1 or GW_w5_4)  # a grant needs 1 N
+        MAN_1 = MN_1 and (not MR_1) and MOV_1 and (not TG_1)  # machine 1 moved N by hand
+        GPR_1 = (GW_w1_3 or GO_S1_2)  # a grant needs 1 R
+        MAR_1 = MR_1 and (not MN_1) and MOV_1 and (not TG_1)  # machine 1 moved R by hand
         HDN_1 = CN_1 and (not GPR_1) and (not MAR_1)  # the command N stays
         HDR_1 = CR_1 and (not GPN_1) and (not MAN_1)  # the command R stays
-        GPN_2 = (G_R3 or G_R4 or G_R7)  # a grant needs 2 N
-        MAN_2 = MN_2 and (not MR_2) and MOV_2 and (not (G_R3 or G_R4 or G_R5 or G_R6 or G_R7))  # machine 2 moved N by hand
-        GPR_2 = (G_R5 or G_R6)  # a grant needs 2 R
-        MAR_2 = MR_2 and (not MN_2) and MOV_2 and (not (G_R3 or G_R4 or G_R5 or G_R6 or G_R7))  # machine 2 moved R by hand
+        TG_2 = (GW_w2_1 or GO_N2_1 or GW_w2_4)  # a grant touches machine 2 in this scan
+        GPN_2 = (GW_w2_1 or GO_N2_1)  # a grant needs 2 N
+        MAN_2 = MN_2 and (not MR_2) and MOV_2 and (not TG_2)  # machine 2 moved N by hand
+        GPR_2 = GW_w2_4  # a grant needs 2 R
+        MAR_2 = MR_2 and (not MN_2) and MOV_2 and (not TG_2)  # machine 2 moved R by hand
         HDN_2 = CN_2 and (not GPR_2) and (not MAR_2)  # the command N stays
         HDR_2 = CR_2 and (not GPN_2) and (not MAN_2)  # the command R stays
-        GPN_5 = (G_R8 or G_R10)  # a grant needs 5 N
-        MAN_5 = MN_5 and (not MR_5) and MOV_5 and (not (G_R2 or G_R8 or G_R10))  # machine 5 moved N by hand
-        GPR_5 = G_R2  # a grant needs 5 R
-        MAR_5 = MR_5 and (not MN_5) and MOV_5 and (not (G_R2 or G_R8 or G_R10))  # machine 5 moved R by hand
+        TG_5 = (GW_w5_4 or GW_w5_5 or GO_S1_2)  # a grant touches machine 5 in this scan
+        GPN_5 = (GW_w5_5 or GO_S1_2)  # a grant needs 5 N
+        MAN_5 = MN_5 and (not MR_5) and MOV_5 and (not TG_5)  # machine 5 moved N by hand
+        GPR_5 = GW_w5_4  # a grant needs 5 R
+        MAR_5 = MR_5 and (not MN_5) and MOV_5 and (not TG_5)  # machine 5 moved R by hand
         HDN_5 = CN_5 and (not GPR_5) and (not MAR_5)  # the command N stays
         HDR_5 = CR_5 and (not GPN_5) and (not MAN_5)  # the command R stays
-        GPN_6 = (G_R1 or G_R3 or G_R5)  # a grant needs 6 N
-        MAN_6 = MN_6 and (not MR_6) and MOV_6 and (not (G_R1 or G_R3 or G_R4 or G_R5 or G_R6))  # machine 6 moved N by hand
-        GPR_6 = (G_R4 or G_R6)  # a grant needs 6 R
-        MAR_6 = MR_6 and (not MN_6) and MOV_6 and (not (G_R1 or G_R3 or G_R4 or G_R5 or G_R6))  # machine 6 moved R by hand
+        TG_6 = (GW_w6_1 or GO_F_1 or GO_F_2)  # a grant touches machine 6 in this scan
+        GPN_6 = (GW_w6_1 or GO_F_1)  # a grant needs 6 N
+        MAN_6 = MN_6 and (not MR_6) and MOV_6 and (not TG_6)  # machine 6 moved N by hand
+        GPR_6 = GO_F_2  # a grant needs 6 R
+        MAR_6 = MR_6 and (not MN_6) and MOV_6 and (not TG_6)  # machine 6 moved R by hand
         HDN_6 = CN_6 and (not GPR_6) and (not MAR_6)  # the command N stays
         HDR_6 = CR_6 and (not GPN_6) and (not MAN_6)  # the command R stays
-        GPN_Gs1 = (G_R8 or G_R10)  # a grant needs Gs1 N
-        MAN_Gs1 = MN_Gs1 and (not MR_Gs1) and MOV_Gs1 and (not (G_R2 or G_R8 or G_R10))  # machine Gs1 moved N by hand
-        GPR_Gs1 = G_R2  # a grant needs Gs1 R
-        MAR_Gs1 = MR_Gs1 and (not MN_Gs1) and MOV_Gs1 and (not (G_R2 or G_R8 or G_R10))  # machine Gs1 moved R by hand
+        TG_Gs1 = (GW_w5_4 or GW_w5_5 or GO_S1_2)  # a grant touches machine Gs1 in this scan
+        GPN_Gs1 = (GW_w5_5 or GO_S1_2)  # a grant needs Gs1 N
+        MAN_Gs1 = MN_Gs1 and (not MR_Gs1) and MOV_Gs1 and (not TG_Gs1)  # machine Gs1 moved N by hand
+        GPR_Gs1 = GW_w5_4  # a grant needs Gs1 R
+        MAR_Gs1 = MR_Gs1 and (not MN_Gs1) and MOV_Gs1 and (not TG_Gs1)  # machine Gs1 moved R by hand
         HDN_Gs1 = CN_Gs1 and (not GPR_Gs1) and (not MAR_Gs1)  # the command N stays
         HDR_Gs1 = CR_Gs1 and (not GPN_Gs1) and (not MAN_Gs1)  # the command R stays
-        GPN_LC1 = False or (MOV_LC1 and (not (G_R3 or G_R4 or G_R5 or G_R6 or G_R7)) and (not MR_LC1))  # a grant needs LC1 N
-        MAN_LC1 = MN_LC1 and (not MR_LC1) and MOV_LC1 and (not (G_R3 or G_R4 or G_R5 or G_R6 or G_R7))  # machine LC1 moved N by hand
-        GPR_LC1 = (G_R3 or G_R4 or G_R5 or G_R6 or G_R7)  # a grant needs LC1 R
-        MAR_LC1 = MR_LC1 and (not MN_LC1) and MOV_LC1 and (not (G_R3 or G_R4 or G_R5 or G_R6 or G_R7))  # machine LC1 moved R by hand
+        TG_LC1 = (GW_g4_1 or GO_N2_1)  # a grant touches machine LC1 in this scan
+        GPN_LC1 = False or (MOV_LC1 and (not TG_LC1) and (not MR_LC1))  # a grant needs LC1 N
+        MAN_LC1 = MN_LC1 and (not MR_LC1) and MOV_LC1 and (not TG_LC1)  # machine LC1 moved N by hand
+        GPR_LC1 = (GW_g4_1 or GO_N2_1)  # a grant needs LC1 R
+        MAR_LC1 = MR_LC1 and (not MN_LC1) and MOV_LC1 and (not TG_LC1)  # machine LC1 moved R by hand
         HDN_LC1 = CN_LC1 and (not GPR_LC1) and (not MAR_LC1)  # the command N stays
         HDR_LC1 = CR_LC1 and (not GPN_LC1) and (not MAN_LC1)  # the command R stays
         STI_1 = (CN_1 and (not QN_1)) or (CR_1 and (not QR_1))  # machine 1 is not where it was commanded
@@ -982,21 +1066,21 @@ class Controller:
         N_X_S1 = (X_S1 or CAN_S1) and (A_R7 or A_R8) and (not CD_S1)  # S1: cancelling
         N_X_SA = (X_SA or CAN_SA) and (A_R9 or A_R10) and (not CD_SA)  # SA: cancelling
         N_K_g2 = K_g2 and (not RLS_g2)  # g2: restart lock (R16)
-        N_L_g2_1 = (L_g2_1 or G_R7) and (not RLS_g2)  # g2 locked from g2|w1@1.normal to g2|w2@2.normal
+        N_L_g2_1 = (L_g2_1 or GW_g2_1) and (not RLS_g2)  # g2 locked from g2|w1@1.normal to g2|w2@2.normal
         N_M_g2 = (M_g2 or G_R7) and (not RLS_g2)  # g2 locked for a train movement
         N_F_g2 = (F_g2 or LK_R7) and (not RLS_g2)  # g2 firmly locked
         N_U_g2 = (U_g2 or NU_g2_1) and (not RLS_g2)  # g2 used by a train (R9)
         N_P_g2 = (P_g2 or (U_g2 and OCC_g2 and NU_w2_1)) and (not RLS_g2)  # g2: the train went on (R9)
         N_D_g2 = (D_g2 or ((not VALID) and L_g2_1)) and (not RLS_g2)  # g2: inputs were lost while locked
         N_K_g4 = K_g4 and (not RLS_g4)  # g4: restart lock (R16)
-        N_L_g4_1 = (L_g4_1 or G_R3 or G_R4 or G_R5 or G_R6) and (not RLS_g4)  # g4 locked from g4|w2@2.toe to g4|w6@6.toe
+        N_L_g4_1 = (L_g4_1 or GW_g4_1) and (not RLS_g4)  # g4 locked from g4|w2@2.toe to g4|w6@6.toe
         N_M_g4 = (M_g4 or G_R3 or G_R4 or G_R5 or G_R6) and (not RLS_g4)  # g4 locked for a train movement
         N_F_g4 = (F_g4 or LK_R3 or LK_R4 or LK_R5 or LK_R6) and (not RLS_g4)  # g4 firmly locked
         N_U_g4 = (U_g4 or NU_g4_1) and (not RLS_g4)  # g4 used by a train (R9)
         N_P_g4 = (P_g4 or (U_g4 and OCC_g4 and NU_w6_1)) and (not RLS_g4)  # g4: the train went on (R9)
         N_D_g4 = (D_g4 or ((not VALID) and L_g4_1)) and (not RLS_g4)  # g4: inputs were lost while locked
         N_K_g5 = K_g5 and (not RLS_g5)  # g5: restart lock (R16)
-        N_L_g5_2 = (L_g5_2 or G_R1) and (not RLS_g5)  # g5 locked from g5|w6@6.normal to B
+        N_L_g5_2 = (L_g5_2 or GW_g5_2) and (not RLS_g5)  # g5 locked from g5|w6@6.normal to B
         N_M_g5 = (M_g5 or G_R1) and (not RLS_g5)  # g5 locked for a train movement
         N_F_g5 = (F_g5 or LK_R1) and (not RLS_g5)  # g5 firmly locked
         N_U_g5 = (U_g5 or NU_g5_2) and (not RLS_g5)  # g5 used by a train (R9)
@@ -1010,7 +1094,7 @@ class Controller:
         N_P_g6 = P_g6 and (not RLS_g6)  # g6: the train went on (R9)
         N_D_g6 = (D_g6 or ((not VALID) and L_g6_2)) and (not RLS_g6)  # g6: inputs were lost while locked
         N_K_g8 = K_g8 and (not RLS_g8)  # g8: restart lock (R16)
-        N_L_g8_2 = (L_g8_2 or G_R2 or G_R8) and (not RLS_g8)  # g8 locked from g8|w5@5.toe to g8|w2@2.reverse
+        N_L_g8_2 = (L_g8_2 or GW_g8_2) and (not RLS_g8)  # g8 locked from g8|w5@5.toe to g8|w2@2.reverse
         N_M_g8 = (M_g8 or G_R8) and (not RLS_g8)  # g8 locked for a train movement
         N_F_g8 = (F_g8 or LK_R2 or LK_R8) and (not RLS_g8)  # g8 firmly locked
         N_U_g8 = (U_g8 or NU_g8_2) and (not RLS_g8)  # g8 used by a train (R9)
@@ -1023,49 +1107,49 @@ class Controller:
         N_P_sid = (P_sid or (U_sid and OCC_sid and NU_w5_3)) and (not RLS_sid)  # sid: the train went on (R9)
         N_D_sid = D_sid and (not RLS_sid)  # sid: inputs were lost while locked
         N_K_w0 = K_w0 and (not RLS_w0)  # w0: restart lock (R16)
-        N_L_w0_1 = (L_w0_1 or G_R9 or G_R10) and (not RLS_w0)  # w0 locked from A to w0|w1@1.toe
+        N_L_w0_1 = (L_w0_1 or GW_w0_1) and (not RLS_w0)  # w0 locked from A to w0|w1@1.toe
         N_M_w0 = (M_w0 or G_R9 or G_R10) and (not RLS_w0)  # w0 locked for a train movement
         N_F_w0 = (F_w0 or LK_R9 or LK_R10) and (not RLS_w0)  # w0 firmly locked
         N_U_w0 = (U_w0 or NU_w0_1) and (not RLS_w0)  # w0 used by a train (R9)
         N_P_w0 = (P_w0 or (U_w0 and OCC_w0 and NU_w1_2)) and (not RLS_w0)  # w0: the train went on (R9)
         N_D_w0 = (D_w0 or ((not VALID) and L_w0_1)) and (not RLS_w0)  # w0: inputs were lost while locked
         N_K_w1 = K_w1 and (not RLS_w1)  # w1: restart lock (R16)
-        N_L_w1_2 = (L_w1_2 or G_R7) and (not RLS_w1)  # w1 locked from w0|w1@1.toe to g2|w1@1.normal
-        N_L_w1_3 = (L_w1_3 or G_R8) and (not RLS_w1)  # w1 locked from w0|w1@1.toe to w1|w5@1.reverse
+        N_L_w1_2 = (L_w1_2 or GW_w1_2) and (not RLS_w1)  # w1 locked from w0|w1@1.toe to g2|w1@1.normal
+        N_L_w1_3 = (L_w1_3 or GW_w1_3) and (not RLS_w1)  # w1 locked from w0|w1@1.toe to w1|w5@1.reverse
         N_M_w1 = (M_w1 or G_R7 or G_R8) and (not RLS_w1)  # w1 locked for a train movement
         N_F_w1 = (F_w1 or LK_R7 or LK_R8) and (not RLS_w1)  # w1 firmly locked
         N_U_w1 = (U_w1 or NU_w1_2) and (not RLS_w1)  # w1 used by a train (R9)
         N_P_w1 = (P_w1 or (U_w1 and OCC_w1 and (NU_g2_1 or NU_w5_4))) and (not RLS_w1)  # w1: the train went on (R9)
         N_D_w1 = (D_w1 or ((not VALID) and (L_w1_2 or L_w1_3))) and (not RLS_w1)  # w1: inputs were lost while locked
         N_K_w2 = K_w2 and (not RLS_w2)  # w2: restart lock (R16)
-        N_L_w2_1 = (L_w2_1 or G_R3 or G_R4) and (not RLS_w2)  # w2 locked from g2|w2@2.normal to g4|w2@2.toe
-        N_L_w2_4 = (L_w2_4 or G_R5 or G_R6) and (not RLS_w2)  # w2 locked from g8|w2@2.reverse to g4|w2@2.toe
+        N_L_w2_1 = (L_w2_1 or GW_w2_1) and (not RLS_w2)  # w2 locked from g2|w2@2.normal to g4|w2@2.toe
+        N_L_w2_4 = (L_w2_4 or GW_w2_4) and (not RLS_w2)  # w2 locked from g8|w2@2.reverse to g4|w2@2.toe
         N_M_w2 = (M_w2 or G_R3 or G_R4 or G_R5 or G_R6) and (not RLS_w2)  # w2 locked for a train movement
         N_F_w2 = (F_w2 or LK_R3 or LK_R4 or LK_R5 or LK_R6) and (not RLS_w2)  # w2 firmly locked
         N_U_w2 = (U_w2 or NU_w2_1 or NU_w2_3) and (not RLS_w2)  # w2 used by a train (R9)
         N_P_w2 = (P_w2 or (U_w2 and OCC_w2 and NU_g4_1)) and (not RLS_w2)  # w2: the train went on (R9)
         N_D_w2 = (D_w2 or ((not VALID) and (L_w2_1 or L_w2_4))) and (not RLS_w2)  # w2: inputs were lost while locked
         N_K_w5 = K_w5 and (not RLS_w5)  # w5: restart lock (R16)
-        N_L_w5_4 = (L_w5_4 or G_R2) and (not RLS_w5)  # w5 locked from sid|w5@Gs1.outer to g8|w5@5.toe
-        N_L_w5_5 = (L_w5_5 or G_R8) and (not RLS_w5)  # w5 locked from w1|w5@1.reverse to g8|w5@5.toe
+        N_L_w5_4 = (L_w5_4 or GW_w5_4) and (not RLS_w5)  # w5 locked from sid|w5@Gs1.outer to g8|w5@5.toe
+        N_L_w5_5 = (L_w5_5 or GW_w5_5) and (not RLS_w5)  # w5 locked from w1|w5@1.reverse to g8|w5@5.toe
         N_M_w5 = (M_w5 or G_R8) and (not RLS_w5)  # w5 locked for a train movement
         N_F_w5 = (F_w5 or LK_R2 or LK_R8) and (not RLS_w5)  # w5 firmly locked
         N_U_w5 = (U_w5 or NU_w5_3 or NU_w5_4) and (not RLS_w5)  # w5 used by a train (R9)
         N_P_w5 = (P_w5 or (U_w5 and OCC_w5 and NU_g8_2)) and (not RLS_w5)  # w5: the train went on (R9)
         N_D_w5 = (D_w5 or ((not VALID) and (L_w5_4 or L_w5_5))) and (not RLS_w5)  # w5: inputs were lost while locked
         N_K_w6 = K_w6 and (not RLS_w6)  # w6: restart lock (R16)
-        N_L_w6_1 = (L_w6_1 or G_R1) and (not RLS_w6)  # w6 locked from g4|w6@6.toe to g5|w6@6.normal
+        N_L_w6_1 = (L_w6_1 or GW_w6_1) and (not RLS_w6)  # w6 locked from g4|w6@6.toe to g5|w6@6.normal
         N_L_w6_2 = L_w6_2 and (not RLS_w6)  # w6 locked from g4|w6@6.toe to g6|w6@6.reverse
         N_M_w6 = (M_w6 or G_R1) and (not RLS_w6)  # w6 locked for a train movement
         N_F_w6 = (F_w6 or LK_R1) and (not RLS_w6)  # w6 firmly locked
         N_U_w6 = (U_w6 or NU_w6_1) and (not RLS_w6)  # w6 used by a train (R9)
         N_P_w6 = (P_w6 or (U_w6 and OCC_w6 and (NU_g5_2 or NU_g6_2))) and (not RLS_w6)  # w6: the train went on (R9)
         N_D_w6 = (D_w6 or ((not VALID) and (L_w6_1 or L_w6_2))) and (not RLS_w6)  # w6: inputs were lost while locked
-        N_V_F_1 = (G_R3 or G_R5) or (V_F_1 and (not (OR_F and (not OCC_w6) and (not OCC_g5))))  # overlap 1 of F held
-        N_V_F_2 = (G_R4 or G_R6) or (V_F_2 and (not (OR_F and (not OCC_w6) and (not OCC_g6))))  # overlap 2 of F held
-        N_V_N2_1 = G_R7 or (V_N2_1 and (not (OR_N2 and (not OCC_w2) and (not OCC_g4))))  # overlap 1 of N2 held
-        N_V_S1_1 = G_R9 or (V_S1_1 and (not (OR_S1 and (not OCC_w1) and (not OCC_g2))))  # overlap 1 of S1 held
-        N_V_S1_2 = G_R10 or (V_S1_2 and (not (OR_S1 and (not OCC_w1) and (not OCC_w5) and (not OCC_g8))))  # overlap 2 of S1 held
+        N_V_F_1 = GO_F_1 or (V_F_1 and (not (OR_F and (not OCC_w6) and (not OCC_g5))))  # overlap 1 of F held
+        N_V_F_2 = GO_F_2 or (V_F_2 and (not (OR_F and (not OCC_w6) and (not OCC_g6))))  # overlap 2 of F held
+        N_V_N2_1 = GO_N2_1 or (V_N2_1 and (not (OR_N2 and (not OCC_w2) and (not OCC_g4))))  # overlap 1 of N2 held
+        N_V_S1_1 = GO_S1_1 or (V_S1_1 and (not (OR_S1 and (not OCC_w1) and (not OCC_g2))))  # overlap 1 of S1 held
+        N_V_S1_2 = GO_S1_2 or (V_S1_2 and (not (OR_S1 and (not OCC_w1) and (not OCC_w5) and (not OCC_g8))))  # overlap 2 of S1 held
         N_VF_F = (VF_F or LK_R3 or LK_R4 or LK_R5 or LK_R6) and (V_F_1 or V_F_2)  # overlap of F firmly held
         N_VF_N2 = (VF_N2 or LK_R7) and V_N2_1  # overlap of N2 firmly held
         N_VF_S1 = (VF_S1 or LK_R9 or LK_R10) and (V_S1_1 or V_S1_2)  # overlap of S1 firmly held

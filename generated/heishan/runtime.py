@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 85a4fad1b8d2275061be911b240f9d605d0e5ead107c0507ad14c15da5f88491
-# claims 6fc0944a72cb689732fa446f0f0c4b10519909c5dbd6af6b61dad2ddfd5ea2c1
+# claims fdbd91d3e1817c3bd47ada261177fd43f270fab0c4017d3e468656ab5ca07463
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -727,57 +727,201 @@ class Controller:
         MOV_PS = VALID and FREE_s2 and (not OCC_s2) and True and True  # machine PS is free to move (R10)
         AVN_PS = CN_PS or MOV_PS or (QN_PS and (not CN_PS) and (not CR_PS))  # machine PS can be demanded N
         AVR_PS = CR_PS or MOV_PS or (QR_PS and (not CN_PS) and (not CR_PS))  # machine PS can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_s2 and FREE_s2_out and (not OCC_s2) and (not OCC_s2_out) and (not BLK_s2) and (not BLK_s2_out) and AVR_PS and (not TR_PS)  # grant of route XB-OUT (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_s2 and FREE_s3 and FREE_s4_xc1 and (not OCC_s2) and (not OCC_s3) and (not OCC_s4_xc1) and (not BLK_s2) and (not BLK_s3) and (not BLK_s4_xc1) and AVN_PS and AVR_P1 and (not TR_PS) and (not TR_P1)  # grant of route XB-XC1 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_s2 and FREE_s3 and FREE_s6 and FREE_s5_xc2 and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not OCC_s5_xc2) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and (not BLK_s5_xc2) and AVN_PS and AVN_P1 and AVR_P2 and (not TR_PS) and (not TR_P1) and (not TR_P2)  # grant of route XB-XC2 (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_s2 and FREE_s3 and FREE_s6 and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and AVN_PS and AVN_P1 and AVN_P2 and (not TR_PS) and (not TR_P1) and (not TR_P2)  # grant of route XB-XI7 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_s7 and FREE_s8_xc3 and (not OCC_s7) and (not OCC_s8_xc3) and (not BLK_s7) and (not BLK_s8_xc3) and AVR_P3 and (not TR_P3)  # grant of route XI7-XC3 (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_s7 and (not OCC_s7) and (not BLK_s7) and AVN_P3 and (not TR_P3)  # grant of route XI7-XI9 (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_s9 and FREE_s10_xc4 and (not OCC_s9) and (not OCC_s10_xc4) and (not BLK_s9) and (not BLK_s10_xc4) and AVN_P4 and (not TR_P4)  # grant of route XI9-XC4 (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_s9 and FREE_s11_xc5 and (not OCC_s9) and (not OCC_s11_xc5) and (not BLK_s9) and (not BLK_s11_xc5) and AVR_P4 and (not TR_P4)  # grant of route XI9-XC5 (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_s3 and (not OCC_s3) and (not BLK_s3) and AVR_P1 and (not TR_P1)  # grant of route XL1-XT3 (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_s6 and FREE_s3 and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and AVR_P2 and AVN_P1 and (not TR_P2) and (not TR_P1)  # grant of route XL2-XT3 (R6)
-        G_R11 = (REQ == 11) and VALID and FREE_s7 and (not OCC_s7) and (not BLK_s7) and AVR_P3 and (not TR_P3)  # grant of route XL3-XT7 (R6)
-        G_R12 = (REQ == 12) and VALID and FREE_s9 and (not OCC_s9) and (not BLK_s9) and AVN_P4 and (not TR_P4)  # grant of route XL4-XT9 (R6)
-        G_R13 = (REQ == 13) and VALID and FREE_s9 and (not OCC_s9) and (not BLK_s9) and AVR_P4 and (not TR_P4)  # grant of route XL5-XT9 (R6)
-        G_R14 = (REQ == 14) and VALID and FREE_s2 and (not OCC_s2) and (not BLK_s2) and AVR_PS and (not TR_PS)  # grant of route XO-W (R6)
-        G_R15 = (REQ == 15) and VALID and FREE_s2 and (not OCC_s2) and (not BLK_s2) and AVN_PS and (not TR_PS)  # grant of route XT3-W (R6)
-        G_R16 = (REQ == 16) and VALID and FREE_s6 and FREE_s3 and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and AVN_P2 and AVN_P1 and (not TR_P2) and (not TR_P1)  # grant of route XT7-XT3 (R6)
-        G_R17 = (REQ == 17) and VALID and FREE_s7 and (not OCC_s7) and (not BLK_s7) and AVN_P3 and (not TR_P3)  # grant of route XT9-XT7 (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_XB) and (not CAN_XB) and (not OCC_s2) and (not OCC_s2_out) and QR_PS  # route XB-OUT becomes locked (R3)
-        CO_R1 = VALID and (not OCC_s2) and (not OCC_s2_out) and (not BLK_s2) and (not BLK_s2_out) and QR_PS and (not TR_PS) and (not D_s2)  # conditions of proceed for route XB-OUT (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_XB) and (not CAN_XB) and (not OCC_s2) and (not OCC_s3) and (not OCC_s4_xc1) and QN_PS and QR_P1  # route XB-XC1 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_s2) and (not OCC_s3) and (not OCC_s4_xc1) and (not BLK_s2) and (not BLK_s3) and (not BLK_s4_xc1) and QN_PS and QR_P1 and (not TR_PS) and (not TR_P1) and (not D_s2)  # conditions of proceed for route XB-XC1 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_XB) and (not CAN_XB) and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not OCC_s5_xc2) and QN_PS and QN_P1 and QR_P2  # route XB-XC2 becomes locked (R3)
-        CO_R3 = VALID and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not OCC_s5_xc2) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and (not BLK_s5_xc2) and QN_PS and QN_P1 and QR_P2 and (not TR_PS) and (not TR_P1) and (not TR_P2) and (not D_s2)  # conditions of proceed for route XB-XC2 (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_XB) and (not CAN_XB) and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and QN_PS and QN_P1 and QN_P2  # route XB-XI7 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_s2) and (not OCC_s3) and (not OCC_s6) and (not BLK_s2) and (not BLK_s3) and (not BLK_s6) and QN_PS and QN_P1 and QN_P2 and (not TR_PS) and (not TR_P1) and (not TR_P2) and (not D_s2)  # conditions of proceed for route XB-XI7 (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_XI7) and (not CAN_XI7) and (not OCC_s7) and (not OCC_s8_xc3) and QR_P3  # route XI7-XC3 becomes locked (R3)
-        CO_R5 = VALID and (not OCC_s7) and (not OCC_s8_xc3) and (not BLK_s7) and (not BLK_s8_xc3) and QR_P3 and (not TR_P3) and (not D_s7)  # conditions of proceed for route XI7-XC3 (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_XI7) and (not CAN_XI7) and (not OCC_s7) and QN_P3  # route XI7-XI9 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_s7) and (not BLK_s7) and QN_P3 and (not TR_P3) and (not D_s7)  # conditions of proceed for route XI7-XI9 (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_XI9) and (not CAN_XI9) and (not OCC_s9) and (not OCC_s10_xc4) and QN_P4  # route XI9-XC4 becomes locked (R3)
-        CO_R7 = VALID and (not OCC_s9) and (not OCC_s10_xc4) and (not BLK_s9) and (not BLK_s10_xc4) and QN_P4 and (not TR_P4) and (not D_s9)  # conditions of proceed for route XI9-XC4 (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_XI9) and (not CAN_XI9) and (not OCC_s9) and (not OCC_s11_xc5) and QR_P4  # route XI9-XC5 becomes locked (R3)
-        CO_R8 = VALID and (not OCC_s9) and (not OCC_s11_xc5) and (not BLK_s9) and (not BLK_s11_xc5) and QR_P4 and (not TR_P4) and (not D_s9)  # conditions of proceed for route XI9-XC5 (R3)
-        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_XL1) and (not CAN_XL1) and (not OCC_s3) and QR_P1  # route XL1-XT3 becomes locked (R3)
-        CO_R9 = VALID and (not OCC_s3) and (not BLK_s3) and QR_P1 and (not TR_P1) and (not D_s3)  # conditions of proceed for route XL1-XT3 (R3)
-        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_XL2) and (not CAN_XL2) and (not OCC_s6) and (not OCC_s3) and QR_P2 and QN_P1  # route XL2-XT3 becomes locked (R3)
-        CO_R10 = VALID and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and QR_P2 and QN_P1 and (not TR_P2) and (not TR_P1) and (not D_s6)  # conditions of proceed for route XL2-XT3 (R3)
-        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_XL3) and (not CAN_XL3) and (not OCC_s7) and QR_P3  # route XL3-XT7 becomes locked (R3)
-        CO_R11 = VALID and (not OCC_s7) and (not BLK_s7) and QR_P3 and (not TR_P3) and (not D_s7)  # conditions of proceed for route XL3-XT7 (R3)
-        LK_R12 = A_R12 and (not B_R12) and VALID and (not X_XL4) and (not CAN_XL4) and (not OCC_s9) and QN_P4  # route XL4-XT9 becomes locked (R3)
-        CO_R12 = VALID and (not OCC_s9) and (not BLK_s9) and QN_P4 and (not TR_P4) and (not D_s9)  # conditions of proceed for route XL4-XT9 (R3)
-        LK_R13 = A_R13 and (not B_R13) and VALID and (not X_XL5) and (not CAN_XL5) and (not OCC_s9) and QR_P4  # route XL5-XT9 becomes locked (R3)
-        CO_R13 = VALID and (not OCC_s9) and (not BLK_s9) and QR_P4 and (not TR_P4) and (not D_s9)  # conditions of proceed for route XL5-XT9 (R3)
-        LK_R14 = A_R14 and (not B_R14) and VALID and (not X_XO) and (not CAN_XO) and (not OCC_s2) and QR_PS  # route XO-W becomes locked (R3)
-        CO_R14 = VALID and (not OCC_s2) and (not BLK_s2) and QR_PS and (not TR_PS) and (not OCC_s1_wait) and (not D_s2)  # conditions of proceed for route XO-W (R3)
-        LK_R15 = A_R15 and (not B_R15) and VALID and (not X_XT3) and (not CAN_XT3) and (not OCC_s2) and QN_PS  # route XT3-W becomes locked (R3)
-        CO_R15 = VALID and (not OCC_s2) and (not BLK_s2) and QN_PS and (not TR_PS) and (not OCC_s1_wait) and (not D_s2)  # conditions of proceed for route XT3-W (R3)
-        LK_R16 = A_R16 and (not B_R16) and VALID and (not X_XT7) and (not CAN_XT7) and (not OCC_s6) and (not OCC_s3) and QN_P2 and QN_P1  # route XT7-XT3 becomes locked (R3)
-        CO_R16 = VALID and (not OCC_s6) and (not OCC_s3) and (not BLK_s6) and (not BLK_s3) and QN_P2 and QN_P1 and (not TR_P2) and (not TR_P1) and (not D_s6)  # conditions of proceed for route XT7-XT3 (R3)
-        LK_R17 = A_R17 and (not B_R17) and VALID and (not X_XT9) and (not CAN_XT9) and (not OCC_s7) and QN_P3  # route XT9-XT7 becomes locked (R3)
-        CO_R17 = VALID and (not OCC_s7) and (not BLK_s7) and QN_P3 and (not TR_P3) and (not D_s7)  # conditions of proceed for route XT9-XT7 (R3)
+        WF_s10_xc4_2 = FREE_s10_xc4 and (not OCC_s10_xc4) and (not BLK_s10_xc4)  # s10_xc4 from s10_xc4|s9@P4.normal to XC4: free for a route (R6)
+        WF_s11_xc5_2 = FREE_s11_xc5 and (not OCC_s11_xc5) and (not BLK_s11_xc5)  # s11_xc5 from s11_xc5|s9@P4.reverse to XC5: free for a route (R6)
+        WA_s2_1 = AVR_PS and (not TR_PS)  # s2 from W to s2|s2_out@PS.reverse: could be locked
+        WF_s2_1 = FREE_s2 and (not OCC_s2) and (not BLK_s2) and WA_s2_1  # s2 from W to s2|s2_out@PS.reverse: free for a route (R6)
+        WA_s2_2 = AVN_PS and (not TR_PS)  # s2 from W to s2|s3@PS.normal: could be locked
+        WF_s2_2 = FREE_s2 and (not OCC_s2) and (not BLK_s2) and WA_s2_2  # s2 from W to s2|s3@PS.normal: free for a route (R6)
+        WA_s2_3 = AVR_PS and (not TR_PS)  # s2 from s2|s2_out@PS.reverse to W: could be locked
+        WF_s2_3 = FREE_s2 and (not OCC_s2) and (not BLK_s2) and WA_s2_3  # s2 from s2|s2_out@PS.reverse to W: free for a route (R6)
+        WA_s2_4 = AVN_PS and (not TR_PS)  # s2 from s2|s3@PS.normal to W: could be locked
+        WF_s2_4 = FREE_s2 and (not OCC_s2) and (not BLK_s2) and WA_s2_4  # s2 from s2|s3@PS.normal to W: free for a route (R6)
+        WF_s2_out_2 = FREE_s2_out and (not OCC_s2_out) and (not BLK_s2_out)  # s2_out from s2|s2_out@PS.reverse to OUT: free for a route (R6)
+        WA_s3_1 = AVR_P1 and (not TR_P1)  # s3 from s2|s3@PS.normal to s3|s4_xc1@P1.reverse: could be locked
+        WF_s3_1 = FREE_s3 and (not OCC_s3) and (not BLK_s3) and WA_s3_1  # s3 from s2|s3@PS.normal to s3|s4_xc1@P1.reverse: free for a route (R6)
+        WA_s3_2 = AVN_P1 and (not TR_P1)  # s3 from s2|s3@PS.normal to s3|s6@P1.normal: could be locked
+        WF_s3_2 = FREE_s3 and (not OCC_s3) and (not BLK_s3) and WA_s3_2  # s3 from s2|s3@PS.normal to s3|s6@P1.normal: free for a route (R6)
+        WA_s3_3 = AVR_P1 and (not TR_P1)  # s3 from s3|s4_xc1@P1.reverse to s2|s3@PS.normal: could be locked
+        WF_s3_3 = FREE_s3 and (not OCC_s3) and (not BLK_s3) and WA_s3_3  # s3 from s3|s4_xc1@P1.reverse to s2|s3@PS.normal: free for a route (R6)
+        WA_s3_4 = AVN_P1 and (not TR_P1)  # s3 from s3|s6@P1.normal to s2|s3@PS.normal: could be locked
+        WF_s3_4 = FREE_s3 and (not OCC_s3) and (not BLK_s3) and WA_s3_4  # s3 from s3|s6@P1.normal to s2|s3@PS.normal: free for a route (R6)
+        WF_s4_xc1_2 = FREE_s4_xc1 and (not OCC_s4_xc1) and (not BLK_s4_xc1)  # s4_xc1 from s3|s4_xc1@P1.reverse to XC1: free for a route (R6)
+        WF_s5_xc2_2 = FREE_s5_xc2 and (not OCC_s5_xc2) and (not BLK_s5_xc2)  # s5_xc2 from s5_xc2|s6@P2.reverse to XC2: free for a route (R6)
+        WA_s6_1 = AVR_P2 and (not TR_P2)  # s6 from s3|s6@P1.normal to s5_xc2|s6@P2.reverse: could be locked
+        WF_s6_1 = FREE_s6 and (not OCC_s6) and (not BLK_s6) and WA_s6_1  # s6 from s3|s6@P1.normal to s5_xc2|s6@P2.reverse: free for a route (R6)
+        WA_s6_2 = AVN_P2 and (not TR_P2)  # s6 from s3|s6@P1.normal to s6|s7@P2.normal: could be locked
+        WF_s6_2 = FREE_s6 and (not OCC_s6) and (not BLK_s6) and WA_s6_2  # s6 from s3|s6@P1.normal to s6|s7@P2.normal: free for a route (R6)
+        WA_s6_3 = AVR_P2 and (not TR_P2)  # s6 from s5_xc2|s6@P2.reverse to s3|s6@P1.normal: could be locked
+        WF_s6_3 = FREE_s6 and (not OCC_s6) and (not BLK_s6) and WA_s6_3  # s6 from s5_xc2|s6@P2.reverse to s3|s6@P1.normal: free for a route (R6)
+        WA_s6_4 = AVN_P2 and (not TR_P2)  # s6 from s6|s7@P2.normal to s3|s6@P1.normal: could be locked
+        WF_s6_4 = FREE_s6 and (not OCC_s6) and (not BLK_s6) and WA_s6_4  # s6 from s6|s7@P2.normal to s3|s6@P1.normal: free for a route (R6)
+        WA_s7_1 = AVR_P3 and (not TR_P3)  # s7 from s6|s7@P2.normal to s7|s8_xc3@P3.reverse: could be locked
+        WF_s7_1 = FREE_s7 and (not OCC_s7) and (not BLK_s7) and WA_s7_1  # s7 from s6|s7@P2.normal to s7|s8_xc3@P3.reverse: free for a route (R6)
+        WA_s7_2 = AVN_P3 and (not TR_P3)  # s7 from s6|s7@P2.normal to s7|s9@P3.normal: could be locked
+        WF_s7_2 = FREE_s7 and (not OCC_s7) and (not BLK_s7) and WA_s7_2  # s7 from s6|s7@P2.normal to s7|s9@P3.normal: free for a route (R6)
+        WA_s7_3 = AVR_P3 and (not TR_P3)  # s7 from s7|s8_xc3@P3.reverse to s6|s7@P2.normal: could be locked
+        WF_s7_3 = FREE_s7 and (not OCC_s7) and (not BLK_s7) and WA_s7_3  # s7 from s7|s8_xc3@P3.reverse to s6|s7@P2.normal: free for a route (R6)
+        WA_s7_4 = AVN_P3 and (not TR_P3)  # s7 from s7|s9@P3.normal to s6|s7@P2.normal: could be locked
+        WF_s7_4 = FREE_s7 and (not OCC_s7) and (not BLK_s7) and WA_s7_4  # s7 from s7|s9@P3.normal to s6|s7@P2.normal: free for a route (R6)
+        WF_s8_xc3_2 = FREE_s8_xc3 and (not OCC_s8_xc3) and (not BLK_s8_xc3)  # s8_xc3 from s7|s8_xc3@P3.reverse to XC3: free for a route (R6)
+        WA_s9_1 = AVN_P4 and (not TR_P4)  # s9 from s10_xc4|s9@P4.normal to s7|s9@P3.normal: could be locked
+        WF_s9_1 = FREE_s9 and (not OCC_s9) and (not BLK_s9) and WA_s9_1  # s9 from s10_xc4|s9@P4.normal to s7|s9@P3.normal: free for a route (R6)
+        WA_s9_2 = AVR_P4 and (not TR_P4)  # s9 from s11_xc5|s9@P4.reverse to s7|s9@P3.normal: could be locked
+        WF_s9_2 = FREE_s9 and (not OCC_s9) and (not BLK_s9) and WA_s9_2  # s9 from s11_xc5|s9@P4.reverse to s7|s9@P3.normal: free for a route (R6)
+        WA_s9_3 = AVN_P4 and (not TR_P4)  # s9 from s7|s9@P3.normal to s10_xc4|s9@P4.normal: could be locked
+        WF_s9_3 = FREE_s9 and (not OCC_s9) and (not BLK_s9) and WA_s9_3  # s9 from s7|s9@P3.normal to s10_xc4|s9@P4.normal: free for a route (R6)
+        WA_s9_4 = AVR_P4 and (not TR_P4)  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: could be locked
+        WF_s9_4 = FREE_s9 and (not OCC_s9) and (not BLK_s9) and WA_s9_4  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: free for a route (R6)
+        WL_s10_xc4_2 = (not OCC_s10_xc4)  # s10_xc4 from s10_xc4|s9@P4.normal to XC4: lies and is clear
+        WP_s10_xc4_2 = WL_s10_xc4_2 and (not BLK_s10_xc4)  # s10_xc4 from s10_xc4|s9@P4.normal to XC4: proceed may be shown over it (R3)
+        WL_s11_xc5_2 = (not OCC_s11_xc5)  # s11_xc5 from s11_xc5|s9@P4.reverse to XC5: lies and is clear
+        WP_s11_xc5_2 = WL_s11_xc5_2 and (not BLK_s11_xc5)  # s11_xc5 from s11_xc5|s9@P4.reverse to XC5: proceed may be shown over it (R3)
+        WD_s2_1 = QR_PS and (not TR_PS)  # s2 from W to s2|s2_out@PS.reverse: its points lie, nothing is foul of it
+        WL_s2_1 = (not OCC_s2) and WD_s2_1  # s2 from W to s2|s2_out@PS.reverse: lies and is clear
+        WP_s2_1 = WL_s2_1 and (not BLK_s2)  # s2 from W to s2|s2_out@PS.reverse: proceed may be shown over it (R3)
+        WD_s2_2 = QN_PS and (not TR_PS)  # s2 from W to s2|s3@PS.normal: its points lie, nothing is foul of it
+        WL_s2_2 = (not OCC_s2) and WD_s2_2  # s2 from W to s2|s3@PS.normal: lies and is clear
+        WP_s2_2 = WL_s2_2 and (not BLK_s2)  # s2 from W to s2|s3@PS.normal: proceed may be shown over it (R3)
+        WD_s2_3 = QR_PS and (not TR_PS)  # s2 from s2|s2_out@PS.reverse to W: its points lie, nothing is foul of it
+        WL_s2_3 = (not OCC_s2) and WD_s2_3  # s2 from s2|s2_out@PS.reverse to W: lies and is clear
+        WP_s2_3 = WL_s2_3 and (not BLK_s2)  # s2 from s2|s2_out@PS.reverse to W: proceed may be shown over it (R3)
+        WD_s2_4 = QN_PS and (not TR_PS)  # s2 from s2|s3@PS.normal to W: its points lie, nothing is foul of it
+        WL_s2_4 = (not OCC_s2) and WD_s2_4  # s2 from s2|s3@PS.normal to W: lies and is clear
+        WP_s2_4 = WL_s2_4 and (not BLK_s2)  # s2 from s2|s3@PS.normal to W: proceed may be shown over it (R3)
+        WL_s2_out_2 = (not OCC_s2_out)  # s2_out from s2|s2_out@PS.reverse to OUT: lies and is clear
+        WP_s2_out_2 = WL_s2_out_2 and (not BLK_s2_out)  # s2_out from s2|s2_out@PS.reverse to OUT: proceed may be shown over it (R3)
+        WD_s3_1 = QR_P1 and (not TR_P1)  # s3 from s2|s3@PS.normal to s3|s4_xc1@P1.reverse: its points lie, nothing is foul of it
+        WL_s3_1 = (not OCC_s3) and WD_s3_1  # s3 from s2|s3@PS.normal to s3|s4_xc1@P1.reverse: lies and is clear
+        WP_s3_1 = WL_s3_1 and (not BLK_s3)  # s3 from s2|s3@PS.normal to s3|s4_xc1@P1.reverse: proceed may be shown over it (R3)
+        WD_s3_2 = QN_P1 and (not TR_P1)  # s3 from s2|s3@PS.normal to s3|s6@P1.normal: its points lie, nothing is foul of it
+        WL_s3_2 = (not OCC_s3) and WD_s3_2  # s3 from s2|s3@PS.normal to s3|s6@P1.normal: lies and is clear
+        WP_s3_2 = WL_s3_2 and (not BLK_s3)  # s3 from s2|s3@PS.normal to s3|s6@P1.normal: proceed may be shown over it (R3)
+        WD_s3_3 = QR_P1 and (not TR_P1)  # s3 from s3|s4_xc1@P1.reverse to s2|s3@PS.normal: its points lie, nothing is foul of it
+        WL_s3_3 = (not OCC_s3) and WD_s3_3  # s3 from s3|s4_xc1@P1.reverse to s2|s3@PS.normal: lies and is clear
+        WP_s3_3 = WL_s3_3 and (not BLK_s3)  # s3 from s3|s4_xc1@P1.reverse to s2|s3@PS.normal: proceed may be shown over it (R3)
+        WD_s3_4 = QN_P1 and (not TR_P1)  # s3 from s3|s6@P1.normal to s2|s3@PS.normal: its points lie, nothing is foul of it
+        WL_s3_4 = (not OCC_s3) and WD_s3_4  # s3 from s3|s6@P1.normal to s2|s3@PS.normal: lies and is clear
+        WP_s3_4 = WL_s3_4 and (not BLK_s3)  # s3 from s3|s6@P1.normal to s2|s3@PS.normal: proceed may be shown over it (R3)
+        WL_s4_xc1_2 = (not OCC_s4_xc1)  # s4_xc1 from s3|s4_xc1@P1.reverse to XC1: lies and is clear
+        WP_s4_xc1_2 = WL_s4_xc1_2 and (not BLK_s4_xc1)  # s4_xc1 from s3|s4_xc1@P1.reverse to XC1: proceed may be shown over it (R3)
+        WL_s5_xc2_2 = (not OCC_s5_xc2)  # s5_xc2 from s5_xc2|s6@P2.reverse to XC2: lies and is clear
+        WP_s5_xc2_2 = WL_s5_xc2_2 and (not BLK_s5_xc2)  # s5_xc2 from s5_xc2|s6@P2.reverse to XC2: proceed may be shown over it (R3)
+        WD_s6_1 = QR_P2 and (not TR_P2)  # s6 from s3|s6@P1.normal to s5_xc2|s6@P2.reverse: its points lie, nothing is foul of it
+        WL_s6_1 = (not OCC_s6) and WD_s6_1  # s6 from s3|s6@P1.normal to s5_xc2|s6@P2.reverse: lies and is clear
+        WP_s6_1 = WL_s6_1 and (not BLK_s6)  # s6 from s3|s6@P1.normal to s5_xc2|s6@P2.reverse: proceed may be shown over it (R3)
+        WD_s6_2 = QN_P2 and (not TR_P2)  # s6 from s3|s6@P1.normal to s6|s7@P2.normal: its points lie, nothing is foul of it
+        WL_s6_2 = (not OCC_s6) and WD_s6_2  # s6 from s3|s6@P1.normal to s6|s7@P2.normal: lies and is clear
+        WP_s6_2 = WL_s6_2 and (not BLK_s6)  # s6 from s3|s6@P1.normal to s6|s7@P2.normal: proceed may be shown over it (R3)
+        WD_s6_3 = QR_P2 and (not TR_P2)  # s6 from s5_xc2|s6@P2.reverse to s3|s6@P1.normal: its points lie, nothing is foul of it
+        WL_s6_3 = (not OCC_s6) and WD_s6_3  # s6 from s5_xc2|s6@P2.reverse to s3|s6@P1.normal: lies and is clear
+        WP_s6_3 = WL_s6_3 and (not BLK_s6)  # s6 from s5_xc2|s6@P2.reverse to s3|s6@P1.normal: proceed may be shown over it (R3)
+        WD_s6_4 = QN_P2 and (not TR_P2)  # s6 from s6|s7@P2.normal to s3|s6@P1.normal: its points lie, nothing is foul of it
+        WL_s6_4 = (not OCC_s6) and WD_s6_4  # s6 from s6|s7@P2.normal to s3|s6@P1.normal: lies and is clear
+        WP_s6_4 = WL_s6_4 and (not BLK_s6)  # s6 from s6|s7@P2.normal to s3|s6@P1.normal: proceed may be shown over it (R3)
+        WD_s7_1 = QR_P3 and (not TR_P3)  # s7 from s6|s7@P2.normal to s7|s8_xc3@P3.reverse: its points lie, nothing is foul of it
+        WL_s7_1 = (not OCC_s7) and WD_s7_1  # s7 from s6|s7@P2.normal to s7|s8_xc3@P3.reverse: lies and is clear
+        WP_s7_1 = WL_s7_1 and (not BLK_s7)  # s7 from s6|s7@P2.normal to s7|s8_xc3@P3.reverse: proceed may be shown over it (R3)
+        WD_s7_2 = QN_P3 and (not TR_P3)  # s7 from s6|s7@P2.normal to s7|s9@P3.normal: its points lie, nothing is foul of it
+        WL_s7_2 = (not OCC_s7) and WD_s7_2  # s7 from s6|s7@P2.normal to s7|s9@P3.normal: lies and is clear
+        WP_s7_2 = WL_s7_2 and (not BLK_s7)  # s7 from s6|s7@P2.normal to s7|s9@P3.normal: proceed may be shown over it (R3)
+        WD_s7_3 = QR_P3 and (not TR_P3)  # s7 from s7|s8_xc3@P3.reverse to s6|s7@P2.normal: its points lie, nothing is foul of it
+        WL_s7_3 = (not OCC_s7) and WD_s7_3  # s7 from s7|s8_xc3@P3.reverse to s6|s7@P2.normal: lies and is clear
+        WP_s7_3 = WL_s7_3 and (not BLK_s7)  # s7 from s7|s8_xc3@P3.reverse to s6|s7@P2.normal: proceed may be shown over it (R3)
+        WD_s7_4 = QN_P3 and (not TR_P3)  # s7 from s7|s9@P3.normal to s6|s7@P2.normal: its points lie, nothing is foul of it
+        WL_s7_4 = (not OCC_s7) and WD_s7_4  # s7 from s7|s9@P3.normal to s6|s7@P2.normal: lies and is clear
+        WP_s7_4 = WL_s7_4 and (not BLK_s7)  # s7 from s7|s9@P3.normal to s6|s7@P2.normal: proceed may be shown over it (R3)
+        WL_s8_xc3_2 = (not OCC_s8_xc3)  # s8_xc3 from s7|s8_xc3@P3.reverse to XC3: lies and is clear
+        WP_s8_xc3_2 = WL_s8_xc3_2 and (not BLK_s8_xc3)  # s8_xc3 from s7|s8_xc3@P3.reverse to XC3: proceed may be shown over it (R3)
+        WD_s9_1 = QN_P4 and (not TR_P4)  # s9 from s10_xc4|s9@P4.normal to s7|s9@P3.normal: its points lie, nothing is foul of it
+        WL_s9_1 = (not OCC_s9) and WD_s9_1  # s9 from s10_xc4|s9@P4.normal to s7|s9@P3.normal: lies and is clear
+        WP_s9_1 = WL_s9_1 and (not BLK_s9)  # s9 from s10_xc4|s9@P4.normal to s7|s9@P3.normal: proceed may be shown over it (R3)
+        WD_s9_2 = QR_P4 and (not TR_P4)  # s9 from s11_xc5|s9@P4.reverse to s7|s9@P3.normal: its points lie, nothing is foul of it
+        WL_s9_2 = (not OCC_s9) and WD_s9_2  # s9 from s11_xc5|s9@P4.reverse to s7|s9@P3.normal: lies and is clear
+        WP_s9_2 = WL_s9_2 and (not BLK_s9)  # s9 from s11_xc5|s9@P4.reverse to s7|s9@P3.normal: proceed may be shown over it (R3)
+        WD_s9_3 = QN_P4 and (not TR_P4)  # s9 from s7|s9@P3.normal to s10_xc4|s9@P4.normal: its points lie, nothing is foul of it
+        WL_s9_3 = (not OCC_s9) and WD_s9_3  # s9 from s7|s9@P3.normal to s10_xc4|s9@P4.normal: lies and is clear
+        WP_s9_3 = WL_s9_3 and (not BLK_s9)  # s9 from s7|s9@P3.normal to s10_xc4|s9@P4.normal: proceed may be shown over it (R3)
+        WD_s9_4 = QR_P4 and (not TR_P4)  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: its points lie, nothing is foul of it
+        WL_s9_4 = (not OCC_s9) and WD_s9_4  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: lies and is clear
+        WP_s9_4 = WL_s9_4 and (not BLK_s9)  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: proceed may be shown over it (R3)
+        G_R1 = (REQ == 1) and VALID and WF_s2_1 and WF_s2_out_2  # grant of route XB-OUT (R6)
+        G_R2 = (REQ == 2) and VALID and WF_s2_2 and WF_s3_1 and WF_s4_xc1_2  # grant of route XB-XC1 (R6)
+        G_R3 = (REQ == 3) and VALID and WF_s2_2 and WF_s3_2 and WF_s6_1 and WF_s5_xc2_2  # grant of route XB-XC2 (R6)
+        G_R4 = (REQ == 4) and VALID and WF_s2_2 and WF_s3_2 and WF_s6_2  # grant of route XB-XI7 (R6)
+        G_R5 = (REQ == 5) and VALID and WF_s7_1 and WF_s8_xc3_2  # grant of route XI7-XC3 (R6)
+        G_R6 = (REQ == 6) and VALID and WF_s7_2  # grant of route XI7-XI9 (R6)
+        G_R7 = (REQ == 7) and VALID and WF_s9_3 and WF_s10_xc4_2  # grant of route XI9-XC4 (R6)
+        G_R8 = (REQ == 8) and VALID and WF_s9_4 and WF_s11_xc5_2  # grant of route XI9-XC5 (R6)
+        G_R9 = (REQ == 9) and VALID and WF_s3_3  # grant of route XL1-XT3 (R6)
+        G_R10 = (REQ == 10) and VALID and WF_s6_3 and WF_s3_4  # grant of route XL2-XT3 (R6)
+        G_R11 = (REQ == 11) and VALID and WF_s7_3  # grant of route XL3-XT7 (R6)
+        G_R12 = (REQ == 12) and VALID and WF_s9_1  # grant of route XL4-XT9 (R6)
+        G_R13 = (REQ == 13) and VALID and WF_s9_2  # grant of route XL5-XT9 (R6)
+        G_R14 = (REQ == 14) and VALID and WF_s2_3  # grant of route XO-W (R6)
+        G_R15 = (REQ == 15) and VALID and WF_s2_4  # grant of route XT3-W (R6)
+        G_R16 = (REQ == 16) and VALID and WF_s6_4 and WF_s3_4  # grant of route XT7-XT3 (R6)
+        G_R17 = (REQ == 17) and VALID and WF_s7_4  # grant of route XT9-XT7 (R6)
+        GW_s10_xc4_2 = G_R7  # s10_xc4 from s10_xc4|s9@P4.normal to XC4: granted
+        GW_s11_xc5_2 = G_R8  # s11_xc5 from s11_xc5|s9@P4.reverse to XC5: granted
+        GW_s2_1 = G_R1  # s2 from W to s2|s2_out@PS.reverse: granted
+        GW_s2_2 = G_R2 or G_R3 or G_R4  # s2 from W to s2|s3@PS.normal: granted
+        GW_s2_3 = G_R14  # s2 from s2|s2_out@PS.reverse to W: granted
+        GW_s2_4 = G_R15  # s2 from s2|s3@PS.normal to W: granted
+        GW_s2_out_2 = G_R1  # s2_out from s2|s2_out@PS.reverse to OUT: granted
+        GW_s3_1 = G_R2  # s3 from s2|s3@PS.normal to s3|s4_xc1@P1.reverse: granted
+        GW_s3_2 = G_R3 or G_R4  # s3 from s2|s3@PS.normal to s3|s6@P1.normal: granted
+        GW_s3_3 = G_R9  # s3 from s3|s4_xc1@P1.reverse to s2|s3@PS.normal: granted
+        GW_s3_4 = G_R10 or G_R16  # s3 from s3|s6@P1.normal to s2|s3@PS.normal: granted
+        GW_s4_xc1_2 = G_R2  # s4_xc1 from s3|s4_xc1@P1.reverse to XC1: granted
+        GW_s5_xc2_2 = G_R3  # s5_xc2 from s5_xc2|s6@P2.reverse to XC2: granted
+        GW_s6_1 = G_R3  # s6 from s3|s6@P1.normal to s5_xc2|s6@P2.reverse: granted
+        GW_s6_2 = G_R4  # s6 from s3|s6@P1.normal to s6|s7@P2.normal: granted
+        GW_s6_3 = G_R10  # s6 from s5_xc2|s6@P2.reverse to s3|s6@P1.normal: granted
+        GW_s6_4 = G_R16  # s6 from s6|s7@P2.normal to s3|s6@P1.normal: granted
+        GW_s7_1 = G_R5  # s7 from s6|s7@P2.normal to s7|s8_xc3@P3.reverse: granted
+        GW_s7_2 = G_R6  # s7 from s6|s7@P2.normal to s7|s9@P3.normal: granted
+        GW_s7_3 = G_R11  # s7 from s7|s8_xc3@P3.reverse to s6|s7@P2.normal: granted
+        GW_s7_4 = G_R17  # s7 from s7|s9@P3.normal to s6|s7@P2.normal: granted
+        GW_s8_xc3_2 = G_R5  # s8_xc3 from s7|s8_xc3@P3.reverse to XC3: granted
+        GW_s9_1 = G_R12  # s9 from s10_xc4|s9@P4.normal to s7|s9@P3.normal: granted
+        GW_s9_2 = G_R13  # s9 from s11_xc5|s9@P4.reverse to s7|s9@P3.normal: granted
+        GW_s9_3 = G_R7  # s9 from s7|s9@P3.normal to s10_xc4|s9@P4.normal: granted
+        GW_s9_4 = G_R8  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_XB) and (not CAN_XB) and WL_s2_1 and WL_s2_out_2  # route XB-OUT becomes locked (R3)
+        CO_R1 = VALID and WP_s2_1 and WP_s2_out_2 and (not D_s2)  # conditions of proceed for route XB-OUT (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_XB) and (not CAN_XB) and WL_s2_2 and WL_s3_1 and WL_s4_xc1_2  # route XB-XC1 becomes locked (R3)
+        CO_R2 = VALID and WP_s2_2 and WP_s3_1 and WP_s4_xc1_2 and (not D_s2)  # conditions of proceed for route XB-XC1 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_XB) and (not CAN_XB) and WL_s2_2 and WL_s3_2 and WL_s6_1 and WL_s5_xc2_2  # route XB-XC2 becomes locked (R3)
+        CO_R3 = VALID and WP_s2_2 and WP_s3_2 and WP_s6_1 and WP_s5_xc2_2 and (not D_s2)  # conditions of proceed for route XB-XC2 (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_XB) and (not CAN_XB) and WL_s2_2 and WL_s3_2 and WL_s6_2  # route XB-XI7 becomes locked (R3)
+        CO_R4 = VALID and WP_s2_2 and WP_s3_2 and WP_s6_2 and (not D_s2)  # conditions of proceed for route XB-XI7 (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_XI7) and (not CAN_XI7) and WL_s7_1 and WL_s8_xc3_2  # route XI7-XC3 becomes locked (R3)
+        CO_R5 = VALID and WP_s7_1 and WP_s8_xc3_2 and (not D_s7)  # conditions of proceed for route XI7-XC3 (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_XI7) and (not CAN_XI7) and WL_s7_2  # route XI7-XI9 becomes locked (R3)
+        CO_R6 = VALID and WP_s7_2 and (not D_s7)  # conditions of proceed for route XI7-XI9 (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_XI9) and (not CAN_XI9) and WL_s9_3 and WL_s10_xc4_2  # route XI9-XC4 becomes locked (R3)
+        CO_R7 = VALID and WP_s9_3 and WP_s10_xc4_2 and (not D_s9)  # conditions of proceed for route XI9-XC4 (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_XI9) and (not CAN_XI9) and WL_s9_4 and WL_s11_xc5_2  # route XI9-XC5 becomes locked (R3)
+        CO_R8 = VALID and WP_s9_4 and WP_s11_xc5_2 and (not D_s9)  # conditions of proceed for route XI9-XC5 (R3)
+        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_XL1) and (not CAN_XL1) and WL_s3_3  # route XL1-XT3 becomes locked (R3)
+        CO_R9 = VALID and WP_s3_3 and (not D_s3)  # conditions of proceed for route XL1-XT3 (R3)
+        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_XL2) and (not CAN_XL2) and WL_s6_3 and WL_s3_4  # route XL2-XT3 becomes locked (R3)
+        CO_R10 = VALID and WP_s6_3 and WP_s3_4 and (not D_s6)  # conditions of proceed for route XL2-XT3 (R3)
+        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_XL3) and (not CAN_XL3) and WL_s7_3  # route XL3-XT7 becomes locked (R3)
+        CO_R11 = VALID and WP_s7_3 and (not D_s7)  # conditions of proceed for route XL3-XT7 (R3)
+        LK_R12 = A_R12 and (not B_R12) and VALID and (not X_XL4) and (not CAN_XL4) and WL_s9_1  # route XL4-XT9 becomes locked (R3)
+        CO_R12 = VALID and WP_s9_1 and (not D_s9)  # conditions of proceed for route XL4-XT9 (R3)
+        LK_R13 = A_R13 and (not B_R13) and VALID and (not X_XL5) and (not CAN_XL5) and WL_s9_2  # route XL5-XT9 becomes locked (R3)
+        CO_R13 = VALID and WP_s9_2 and (not D_s9)  # conditions of proceed for route XL5-XT9 (R3)
+        LK_R14 = A_R14 and (not B_R14) and VALID and (not X_XO) and (not CAN_XO) and WL_s2_3  # route XO-W becomes locked (R3)
+        CO_R14 = VALID and WP_s2_3 and (not OCC_s1_wait) and (not D_s2)  # conditions of proceed for route XO-W (R3)
+        LK_R15 = A_R15 and (not B_R15) and VALID and (not X_XT3) and (not CAN_XT3) and WL_s2_4  # route XT3-W becomes locked (R3)
+        CO_R15 = VALID and WP_s2_4 and (not OCC_s1_wait) and (not D_s2)  # conditions of proceed for route XT3-W (R3)
+        LK_R16 = A_R16 and (not B_R16) and VALID and (not X_XT7) and (not CAN_XT7) and WL_s6_4 and WL_s3_4  # route XT7-XT3 becomes locked (R3)
+        CO_R16 = VALID and WP_s6_4 and WP_s3_4 and (not D_s6)  # conditions of proceed for route XT7-XT3 (R3)
+        LK_R17 = A_R17 and (not B_R17) and VALID and (not X_XT9) and (not CAN_XT9) and WL_s7_4  # route XT9-XT7 becomes locked (R3)
+        CO_R17 = VALID and WP_s7_4 and (not D_s7)  # conditions of proceed for route XT9-XT7 (R3)
         NU_s10_xc4_2 = VALID and F_s10_xc4 and (not D_s10_xc4) and (not U_s10_xc4) and L_s10_xc4_2 and OCC_s10_xc4 and OCC_s9 and U_s9 and L_s9_3  # a train comes into s10_xc4 at s10_xc4|s9@P4.normal (R9)
         NU_s11_xc5_2 = VALID and F_s11_xc5 and (not D_s11_xc5) and (not U_s11_xc5) and L_s11_xc5_2 and OCC_s11_xc5 and OCC_s9 and U_s9 and L_s9_4  # a train comes into s11_xc5 at s11_xc5|s9@P4.reverse (R9)
         NU_s2_1 = VALID and F_s2 and (not D_s2) and (not U_s2) and (L_s2_1 or L_s2_2) and OCC_s2 and OCC_s1_wait  # a train comes into s2 at W (R9)
@@ -912,34 +1056,39 @@ class Controller:
         HR_s9 = VALID and (not OCC_s9) and REL_s9 and (L_s9_1 or L_s9_2 or L_s9_3 or L_s9_4) and ((not L_s9_1) or ((not A_R12) and ((not OCC_s10_xc4) or AT_XL4))) and ((not L_s9_2) or ((not A_R13) and ((not OCC_s11_xc5) or AT_XL5))) and ((not (L_s9_3 or L_s9_4)) or ((not (A_R7 or A_R8)) and ((not OCC_s7) or AT_XI9)))  # s9 released by hand (R8, section fault release)
         SR_s9 = VALID and (not OCC_s9) and K_s9 and (REL_s9 or RELALL)  # s9 released after a restart (R16)
         RLS_s9 = RT_s9 or CA_s9 or CD_XL4 or CD_XL5 or CD_XI9 or HR_s9 or SR_s9  # s9 is released
-        GPN_P1 = (G_R3 or G_R4 or G_R10 or G_R16)  # a grant needs P1 N
-        MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not (G_R2 or G_R3 or G_R4 or G_R9 or G_R10 or G_R16))  # machine P1 moved N by hand
-        GPR_P1 = (G_R2 or G_R9)  # a grant needs P1 R
-        MAR_P1 = MR_P1 and (not MN_P1) and MOV_P1 and (not (G_R2 or G_R3 or G_R4 or G_R9 or G_R10 or G_R16))  # machine P1 moved R by hand
+        TG_P1 = (GW_s3_1 or GW_s3_2 or GW_s3_3 or GW_s3_4)  # a grant touches machine P1 in this scan
+        GPN_P1 = (GW_s3_2 or GW_s3_4)  # a grant needs P1 N
+        MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not TG_P1)  # machine P1 moved N by hand
+        GPR_P1 = (GW_s3_1 or GW_s3_3)  # a grant needs P1 R
+        MAR_P1 = MR_P1 and (not MN_P1) and MOV_P1 and (not TG_P1)  # machine P1 moved R by hand
         HDN_P1 = CN_P1 and (not GPR_P1) and (not MAR_P1)  # the command N stays
         HDR_P1 = CR_P1 and (not GPN_P1) and (not MAN_P1)  # the command R stays
-        GPN_P2 = (G_R4 or G_R16)  # a grant needs P2 N
-        MAN_P2 = MN_P2 and (not MR_P2) and MOV_P2 and (not (G_R3 or G_R4 or G_R10 or G_R16))  # machine P2 moved N by hand
-        GPR_P2 = (G_R3 or G_R10)  # a grant needs P2 R
-        MAR_P2 = MR_P2 and (not MN_P2) and MOV_P2 and (not (G_R3 or G_R4 or G_R10 or G_R16))  # machine P2 moved R by hand
+        TG_P2 = (GW_s6_1 or GW_s6_2 or GW_s6_3 or GW_s6_4)  # a grant touches machine P2 in this scan
+        GPN_P2 = (GW_s6_2 or GW_s6_4)  # a grant needs P2 N
+        MAN_P2 = MN_P2 and (not MR_P2) and MOV_P2 and (not TG_P2)  # machine P2 moved N by hand
+        GPR_P2 = (GW_s6_1 or GW_s6_3)  # a grant needs P2 R
+        MAR_P2 = MR_P2 and (not MN_P2) and MOV_P2 and (not TG_P2)  # machine P2 moved R by hand
         HDN_P2 = CN_P2 and (not GPR_P2) and (not MAR_P2)  # the command N stays
         HDR_P2 = CR_P2 and (not GPN_P2) and (not MAN_P2)  # the command R stays
-        GPN_P3 = (G_R6 or G_R17)  # a grant needs P3 N
-        MAN_P3 = MN_P3 and (not MR_P3) and MOV_P3 and (not (G_R5 or G_R6 or G_R11 or G_R17))  # machine P3 moved N by hand
-        GPR_P3 = (G_R5 or G_R11)  # a grant needs P3 R
-        MAR_P3 = MR_P3 and (not MN_P3) and MOV_P3 and (not (G_R5 or G_R6 or G_R11 or G_R17))  # machine P3 moved R by hand
+        TG_P3 = (GW_s7_1 or GW_s7_2 or GW_s7_3 or GW_s7_4)  # a grant touches machine P3 in this scan
+        GPN_P3 = (GW_s7_2 or GW_s7_4)  # a grant needs P3 N
+        MAN_P3 = MN_P3 and (not MR_P3) and MOV_P3 and (not TG_P3)  # machine P3 moved N by hand
+        GPR_P3 = (GW_s7_1 or GW_s7_3)  # a grant needs P3 R
+        MAR_P3 = MR_P3 and (not MN_P3) and MOV_P3 and (not TG_P3)  # machine P3 moved R by hand
         HDN_P3 = CN_P3 and (not GPR_P3) and (not MAR_P3)  # the command N stays
         HDR_P3 = CR_P3 and (not GPN_P3) and (not MAN_P3)  # the command R stays
-        GPN_P4 = (G_R7 or G_R12)  # a grant needs P4 N
-        MAN_P4 = MN_P4 and (not MR_P4) and MOV_P4 and (not (G_R7 or G_R8 or G_R12 or G_R13))  # machine P4 moved N by hand
-        GPR_P4 = (G_R8 or G_R13)  # a grant needs P4 R
-        MAR_P4 = MR_P4 and (not MN_P4) and MOV_P4 and (not (G_R7 or G_R8 or G_R12 or G_R13))  # machine P4 moved R by hand
+        TG_P4 = (GW_s9_1 or GW_s9_2 or GW_s9_3 or GW_s9_4)  # a grant touches machine P4 in this scan
+        GPN_P4 = (GW_s9_1 or GW_s9_3)  # a grant needs P4 N
+        MAN_P4 = MN_P4 and (not MR_P4) and MOV_P4 and (not TG_P4)  # machine P4 moved N by hand
+        GPR_P4 = (GW_s9_2 or GW_s9_4)  # a grant needs P4 R
+        MAR_P4 = MR_P4 and (not MN_P4) and MOV_P4 and (not TG_P4)  # machine P4 moved R by hand
         HDN_P4 = CN_P4 and (not GPR_P4) and (not MAR_P4)  # the command N stays
         HDR_P4 = CR_P4 and (not GPN_P4) and (not MAN_P4)  # the command R stays
-        GPN_PS = (G_R2 or G_R3 or G_R4 or G_R15)  # a grant needs PS N
-        MAN_PS = MN_PS and (not MR_PS) and MOV_PS and (not (G_R1 or G_R2 or G_R3 or G_R4 or G_R14 or G_R15))  # machine PS moved N by hand
-        GPR_PS = (G_R1 or G_R14)  # a grant needs PS R
-        MAR_PS = MR_PS and (not MN_PS) and MOV_PS and (not (G_R1 or G_R2 or G_R3 or G_R4 or G_R14 or G_R15))  # machine PS moved R by hand
+        TG_PS = (GW_s2_1 or GW_s2_2 or GW_s2_3 or GW_s2_4)  # a grant touches machine PS in this scan
+        GPN_PS = (GW_s2_2 or GW_s2_4)  # a grant needs PS N
+        MAN_PS = MN_PS and (not MR_PS) and MOV_PS and (not TG_PS)  # machine PS moved N by hand
+        GPR_PS = (GW_s2_1 or GW_s2_3)  # a grant needs PS R
+        MAR_PS = MR_PS and (not MN_PS) and MOV_PS and (not TG_PS)  # machine PS moved R by hand
         HDN_PS = CN_PS and (not GPR_PS) and (not MAR_PS)  # the command N stays
         HDR_PS = CR_PS and (not GPN_PS) and (not MAN_PS)  # the command R stays
         STI_P1 = (CN_P1 and (not QN_P1)) or (CR_P1 and (not QR_P1))  # machine P1 is not where it was commanded
@@ -1126,82 +1275,82 @@ class Controller:
         N_X_XT7 = (X_XT7 or CAN_XT7) and A_R16 and (not CD_XT7)  # XT7: cancelling
         N_X_XT9 = (X_XT9 or CAN_XT9) and A_R17 and (not CD_XT9)  # XT9: cancelling
         N_K_s10_xc4 = K_s10_xc4 and (not RLS_s10_xc4)  # s10_xc4: restart lock (R16)
-        N_L_s10_xc4_2 = (L_s10_xc4_2 or G_R7) and (not RLS_s10_xc4)  # s10_xc4 locked from s10_xc4|s9@P4.normal to XC4
+        N_L_s10_xc4_2 = (L_s10_xc4_2 or GW_s10_xc4_2) and (not RLS_s10_xc4)  # s10_xc4 locked from s10_xc4|s9@P4.normal to XC4
         N_F_s10_xc4 = (F_s10_xc4 or LK_R7) and (not RLS_s10_xc4)  # s10_xc4 firmly locked
         N_U_s10_xc4 = (U_s10_xc4 or NU_s10_xc4_2) and (not RLS_s10_xc4)  # s10_xc4 used by a train (R9)
         N_P_s10_xc4 = (P_s10_xc4 or (U_s10_xc4 and OCC_s10_xc4 and NU_s9_1)) and (not RLS_s10_xc4)  # s10_xc4: the train went on (R9)
         N_D_s10_xc4 = (D_s10_xc4 or ((not VALID) and L_s10_xc4_2)) and (not RLS_s10_xc4)  # s10_xc4: inputs were lost while locked
         N_K_s11_xc5 = K_s11_xc5 and (not RLS_s11_xc5)  # s11_xc5: restart lock (R16)
-        N_L_s11_xc5_2 = (L_s11_xc5_2 or G_R8) and (not RLS_s11_xc5)  # s11_xc5 locked from s11_xc5|s9@P4.reverse to XC5
+        N_L_s11_xc5_2 = (L_s11_xc5_2 or GW_s11_xc5_2) and (not RLS_s11_xc5)  # s11_xc5 locked from s11_xc5|s9@P4.reverse to XC5
         N_F_s11_xc5 = (F_s11_xc5 or LK_R8) and (not RLS_s11_xc5)  # s11_xc5 firmly locked
         N_U_s11_xc5 = (U_s11_xc5 or NU_s11_xc5_2) and (not RLS_s11_xc5)  # s11_xc5 used by a train (R9)
         N_P_s11_xc5 = (P_s11_xc5 or (U_s11_xc5 and OCC_s11_xc5 and NU_s9_2)) and (not RLS_s11_xc5)  # s11_xc5: the train went on (R9)
         N_D_s11_xc5 = (D_s11_xc5 or ((not VALID) and L_s11_xc5_2)) and (not RLS_s11_xc5)  # s11_xc5: inputs were lost while locked
         N_K_s2 = K_s2 and (not RLS_s2)  # s2: restart lock (R16)
-        N_L_s2_1 = (L_s2_1 or G_R1) and (not RLS_s2)  # s2 locked from W to s2|s2_out@PS.reverse
-        N_L_s2_2 = (L_s2_2 or G_R2 or G_R3 or G_R4) and (not RLS_s2)  # s2 locked from W to s2|s3@PS.normal
-        N_L_s2_3 = (L_s2_3 or G_R14) and (not RLS_s2)  # s2 locked from s2|s2_out@PS.reverse to W
-        N_L_s2_4 = (L_s2_4 or G_R15) and (not RLS_s2)  # s2 locked from s2|s3@PS.normal to W
+        N_L_s2_1 = (L_s2_1 or GW_s2_1) and (not RLS_s2)  # s2 locked from W to s2|s2_out@PS.reverse
+        N_L_s2_2 = (L_s2_2 or GW_s2_2) and (not RLS_s2)  # s2 locked from W to s2|s3@PS.normal
+        N_L_s2_3 = (L_s2_3 or GW_s2_3) and (not RLS_s2)  # s2 locked from s2|s2_out@PS.reverse to W
+        N_L_s2_4 = (L_s2_4 or GW_s2_4) and (not RLS_s2)  # s2 locked from s2|s3@PS.normal to W
         N_F_s2 = (F_s2 or LK_R1 or LK_R2 or LK_R3 or LK_R4 or LK_R14 or LK_R15) and (not RLS_s2)  # s2 firmly locked
         N_U_s2 = (U_s2 or NU_s2_1 or NU_s2_2 or NU_s2_3) and (not RLS_s2)  # s2 used by a train (R9)
         N_P_s2 = (P_s2 or (U_s2 and OCC_s2 and (NU_s2_out_2 or NU_s3_1))) and (not RLS_s2)  # s2: the train went on (R9)
         N_D_s2 = (D_s2 or ((not VALID) and (L_s2_1 or L_s2_2 or L_s2_3 or L_s2_4))) and (not RLS_s2)  # s2: inputs were lost while locked
         N_K_s2_out = K_s2_out and (not RLS_s2_out)  # s2_out: restart lock (R16)
-        N_L_s2_out_2 = (L_s2_out_2 or G_R1) and (not RLS_s2_out)  # s2_out locked from s2|s2_out@PS.reverse to OUT
+        N_L_s2_out_2 = (L_s2_out_2 or GW_s2_out_2) and (not RLS_s2_out)  # s2_out locked from s2|s2_out@PS.reverse to OUT
         N_F_s2_out = (F_s2_out or LK_R1) and (not RLS_s2_out)  # s2_out firmly locked
         N_U_s2_out = (U_s2_out or NU_s2_out_2) and (not RLS_s2_out)  # s2_out used by a train (R9)
         N_P_s2_out = (P_s2_out or (U_s2_out and OCC_s2_out and NU_s2_2)) and (not RLS_s2_out)  # s2_out: the train went on (R9)
         N_D_s2_out = (D_s2_out or ((not VALID) and L_s2_out_2)) and (not RLS_s2_out)  # s2_out: inputs were lost while locked
         N_K_s3 = K_s3 and (not RLS_s3)  # s3: restart lock (R16)
-        N_L_s3_1 = (L_s3_1 or G_R2) and (not RLS_s3)  # s3 locked from s2|s3@PS.normal to s3|s4_xc1@P1.reverse
-        N_L_s3_2 = (L_s3_2 or G_R3 or G_R4) and (not RLS_s3)  # s3 locked from s2|s3@PS.normal to s3|s6@P1.normal
-        N_L_s3_3 = (L_s3_3 or G_R9) and (not RLS_s3)  # s3 locked from s3|s4_xc1@P1.reverse to s2|s3@PS.normal
-        N_L_s3_4 = (L_s3_4 or G_R10 or G_R16) and (not RLS_s3)  # s3 locked from s3|s6@P1.normal to s2|s3@PS.normal
+        N_L_s3_1 = (L_s3_1 or GW_s3_1) and (not RLS_s3)  # s3 locked from s2|s3@PS.normal to s3|s4_xc1@P1.reverse
+        N_L_s3_2 = (L_s3_2 or GW_s3_2) and (not RLS_s3)  # s3 locked from s2|s3@PS.normal to s3|s6@P1.normal
+        N_L_s3_3 = (L_s3_3 or GW_s3_3) and (not RLS_s3)  # s3 locked from s3|s4_xc1@P1.reverse to s2|s3@PS.normal
+        N_L_s3_4 = (L_s3_4 or GW_s3_4) and (not RLS_s3)  # s3 locked from s3|s6@P1.normal to s2|s3@PS.normal
         N_F_s3 = (F_s3 or LK_R2 or LK_R3 or LK_R4 or LK_R9 or LK_R10 or LK_R16) and (not RLS_s3)  # s3 firmly locked
         N_U_s3 = (U_s3 or NU_s3_1 or NU_s3_2 or NU_s3_3) and (not RLS_s3)  # s3 used by a train (R9)
         N_P_s3 = (P_s3 or (U_s3 and OCC_s3 and (NU_s2_3 or NU_s4_xc1_2 or NU_s6_1))) and (not RLS_s3)  # s3: the train went on (R9)
         N_D_s3 = (D_s3 or ((not VALID) and (L_s3_1 or L_s3_2 or L_s3_3 or L_s3_4))) and (not RLS_s3)  # s3: inputs were lost while locked
         N_K_s4_xc1 = K_s4_xc1 and (not RLS_s4_xc1)  # s4_xc1: restart lock (R16)
-        N_L_s4_xc1_2 = (L_s4_xc1_2 or G_R2) and (not RLS_s4_xc1)  # s4_xc1 locked from s3|s4_xc1@P1.reverse to XC1
+        N_L_s4_xc1_2 = (L_s4_xc1_2 or GW_s4_xc1_2) and (not RLS_s4_xc1)  # s4_xc1 locked from s3|s4_xc1@P1.reverse to XC1
         N_F_s4_xc1 = (F_s4_xc1 or LK_R2) and (not RLS_s4_xc1)  # s4_xc1 firmly locked
         N_U_s4_xc1 = (U_s4_xc1 or NU_s4_xc1_2) and (not RLS_s4_xc1)  # s4_xc1 used by a train (R9)
         N_P_s4_xc1 = (P_s4_xc1 or (U_s4_xc1 and OCC_s4_xc1 and NU_s3_2)) and (not RLS_s4_xc1)  # s4_xc1: the train went on (R9)
         N_D_s4_xc1 = (D_s4_xc1 or ((not VALID) and L_s4_xc1_2)) and (not RLS_s4_xc1)  # s4_xc1: inputs were lost while locked
         N_K_s5_xc2 = K_s5_xc2 and (not RLS_s5_xc2)  # s5_xc2: restart lock (R16)
-        N_L_s5_xc2_2 = (L_s5_xc2_2 or G_R3) and (not RLS_s5_xc2)  # s5_xc2 locked from s5_xc2|s6@P2.reverse to XC2
+        N_L_s5_xc2_2 = (L_s5_xc2_2 or GW_s5_xc2_2) and (not RLS_s5_xc2)  # s5_xc2 locked from s5_xc2|s6@P2.reverse to XC2
         N_F_s5_xc2 = (F_s5_xc2 or LK_R3) and (not RLS_s5_xc2)  # s5_xc2 firmly locked
         N_U_s5_xc2 = (U_s5_xc2 or NU_s5_xc2_2) and (not RLS_s5_xc2)  # s5_xc2 used by a train (R9)
         N_P_s5_xc2 = (P_s5_xc2 or (U_s5_xc2 and OCC_s5_xc2 and NU_s6_2)) and (not RLS_s5_xc2)  # s5_xc2: the train went on (R9)
         N_D_s5_xc2 = (D_s5_xc2 or ((not VALID) and L_s5_xc2_2)) and (not RLS_s5_xc2)  # s5_xc2: inputs were lost while locked
         N_K_s6 = K_s6 and (not RLS_s6)  # s6: restart lock (R16)
-        N_L_s6_1 = (L_s6_1 or G_R3) and (not RLS_s6)  # s6 locked from s3|s6@P1.normal to s5_xc2|s6@P2.reverse
-        N_L_s6_2 = (L_s6_2 or G_R4) and (not RLS_s6)  # s6 locked from s3|s6@P1.normal to s6|s7@P2.normal
-        N_L_s6_3 = (L_s6_3 or G_R10) and (not RLS_s6)  # s6 locked from s5_xc2|s6@P2.reverse to s3|s6@P1.normal
-        N_L_s6_4 = (L_s6_4 or G_R16) and (not RLS_s6)  # s6 locked from s6|s7@P2.normal to s3|s6@P1.normal
+        N_L_s6_1 = (L_s6_1 or GW_s6_1) and (not RLS_s6)  # s6 locked from s3|s6@P1.normal to s5_xc2|s6@P2.reverse
+        N_L_s6_2 = (L_s6_2 or GW_s6_2) and (not RLS_s6)  # s6 locked from s3|s6@P1.normal to s6|s7@P2.normal
+        N_L_s6_3 = (L_s6_3 or GW_s6_3) and (not RLS_s6)  # s6 locked from s5_xc2|s6@P2.reverse to s3|s6@P1.normal
+        N_L_s6_4 = (L_s6_4 or GW_s6_4) and (not RLS_s6)  # s6 locked from s6|s7@P2.normal to s3|s6@P1.normal
         N_F_s6 = (F_s6 or LK_R3 or LK_R4 or LK_R10 or LK_R16) and (not RLS_s6)  # s6 firmly locked
         N_U_s6 = (U_s6 or NU_s6_1 or NU_s6_2 or NU_s6_3) and (not RLS_s6)  # s6 used by a train (R9)
         N_P_s6 = (P_s6 or (U_s6 and OCC_s6 and (NU_s3_3 or NU_s5_xc2_2 or NU_s7_1))) and (not RLS_s6)  # s6: the train went on (R9)
         N_D_s6 = (D_s6 or ((not VALID) and (L_s6_1 or L_s6_2 or L_s6_3 or L_s6_4))) and (not RLS_s6)  # s6: inputs were lost while locked
         N_K_s7 = K_s7 and (not RLS_s7)  # s7: restart lock (R16)
-        N_L_s7_1 = (L_s7_1 or G_R5) and (not RLS_s7)  # s7 locked from s6|s7@P2.normal to s7|s8_xc3@P3.reverse
-        N_L_s7_2 = (L_s7_2 or G_R6) and (not RLS_s7)  # s7 locked from s6|s7@P2.normal to s7|s9@P3.normal
-        N_L_s7_3 = (L_s7_3 or G_R11) and (not RLS_s7)  # s7 locked from s7|s8_xc3@P3.reverse to s6|s7@P2.normal
-        N_L_s7_4 = (L_s7_4 or G_R17) and (not RLS_s7)  # s7 locked from s7|s9@P3.normal to s6|s7@P2.normal
+        N_L_s7_1 = (L_s7_1 or GW_s7_1) and (not RLS_s7)  # s7 locked from s6|s7@P2.normal to s7|s8_xc3@P3.reverse
+        N_L_s7_2 = (L_s7_2 or GW_s7_2) and (not RLS_s7)  # s7 locked from s6|s7@P2.normal to s7|s9@P3.normal
+        N_L_s7_3 = (L_s7_3 or GW_s7_3) and (not RLS_s7)  # s7 locked from s7|s8_xc3@P3.reverse to s6|s7@P2.normal
+        N_L_s7_4 = (L_s7_4 or GW_s7_4) and (not RLS_s7)  # s7 locked from s7|s9@P3.normal to s6|s7@P2.normal
         N_F_s7 = (F_s7 or LK_R5 or LK_R6 or LK_R11 or LK_R17) and (not RLS_s7)  # s7 firmly locked
         N_U_s7 = (U_s7 or NU_s7_1 or NU_s7_2 or NU_s7_3) and (not RLS_s7)  # s7 used by a train (R9)
         N_P_s7 = (P_s7 or (U_s7 and OCC_s7 and (NU_s6_3 or NU_s8_xc3_2 or NU_s9_3))) and (not RLS_s7)  # s7: the train went on (R9)
         N_D_s7 = (D_s7 or ((not VALID) and (L_s7_1 or L_s7_2 or L_s7_3 or L_s7_4))) and (not RLS_s7)  # s7: inputs were lost while locked
         N_K_s8_xc3 = K_s8_xc3 and (not RLS_s8_xc3)  # s8_xc3: restart lock (R16)
-        N_L_s8_xc3_2 = (L_s8_xc3_2 or G_R5) and (not RLS_s8_xc3)  # s8_xc3 locked from s7|s8_xc3@P3.reverse to XC3
+        N_L_s8_xc3_2 = (L_s8_xc3_2 or GW_s8_xc3_2) and (not RLS_s8_xc3)  # s8_xc3 locked from s7|s8_xc3@P3.reverse to XC3
         N_F_s8_xc3 = (F_s8_xc3 or LK_R5) and (not RLS_s8_xc3)  # s8_xc3 firmly locked
         N_U_s8_xc3 = (U_s8_xc3 or NU_s8_xc3_2) and (not RLS_s8_xc3)  # s8_xc3 used by a train (R9)
         N_P_s8_xc3 = (P_s8_xc3 or (U_s8_xc3 and OCC_s8_xc3 and NU_s7_2)) and (not RLS_s8_xc3)  # s8_xc3: the train went on (R9)
         N_D_s8_xc3 = (D_s8_xc3 or ((not VALID) and L_s8_xc3_2)) and (not RLS_s8_xc3)  # s8_xc3: inputs were lost while locked
         N_K_s9 = K_s9 and (not RLS_s9)  # s9: restart lock (R16)
-        N_L_s9_1 = (L_s9_1 or G_R12) and (not RLS_s9)  # s9 locked from s10_xc4|s9@P4.normal to s7|s9@P3.normal
-        N_L_s9_2 = (L_s9_2 or G_R13) and (not RLS_s9)  # s9 locked from s11_xc5|s9@P4.reverse to s7|s9@P3.normal
-        N_L_s9_3 = (L_s9_3 or G_R7) and (not RLS_s9)  # s9 locked from s7|s9@P3.normal to s10_xc4|s9@P4.normal
-        N_L_s9_4 = (L_s9_4 or G_R8) and (not RLS_s9)  # s9 locked from s7|s9@P3.normal to s11_xc5|s9@P4.reverse
+        N_L_s9_1 = (L_s9_1 or GW_s9_1) and (not RLS_s9)  # s9 locked from s10_xc4|s9@P4.normal to s7|s9@P3.normal
+        N_L_s9_2 = (L_s9_2 or GW_s9_2) and (not RLS_s9)  # s9 locked from s11_xc5|s9@P4.reverse to s7|s9@P3.normal
+        N_L_s9_3 = (L_s9_3 or GW_s9_3) and (not RLS_s9)  # s9 locked from s7|s9@P3.normal to s10_xc4|s9@P4.normal
+        N_L_s9_4 = (L_s9_4 or GW_s9_4) and (not RLS_s9)  # s9 locked from s7|s9@P3.normal to s11_xc5|s9@P4.reverse
         N_F_s9 = (F_s9 or LK_R12 or LK_R13 or LK_R7 or LK_R8) and (not RLS_s9)  # s9 firmly locked
         N_U_s9 = (U_s9 or NU_s9_1 or NU_s9_2 or NU_s9_3) and (not RLS_s9)  # s9 used by a train (R9)
         N_P_s9 = (P_s9 or (U_s9 and OCC_s9 and (NU_s10_xc4_2 or NU_s11_xc5_2 or NU_s7_3))) and (not RLS_s9)  # s9: the train went on (R9)

@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 86f8cd7e9cc974f00c3d02026c17530a7ca9eb12f77235b0f99717fc5e65f01f
-# claims 33b247559ef6afa87ebf055fd47618b68b4f0d981415a585fa6e3982878839fc
+# claims e220a5a65446dd4439378eb2baee1ce11fc5a317d26cd071e488ec03892b07ce
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -435,33 +435,113 @@ class Controller:
         MOV_PU = VALID and FREE_u2 and (not OCC_u2) and True and True  # machine PU is free to move (R10)
         AVN_PU = CN_PU or MOV_PU or (QN_PU and (not CN_PU) and (not CR_PU))  # machine PU can be demanded N
         AVR_PU = CR_PU or MOV_PU or (QR_PU and (not CN_PU) and (not CR_PU))  # machine PU can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_d1 and FREE_i2 and FREE_i1 and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and AVN_PD and (not TR_PD)  # grant of route XD2-XN1 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_d1 and FREE_i2 and FREE_i1 and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and AVR_PD and (not TR_PD)  # grant of route XD3-XN1 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_d3 and (not OCC_d3) and (not BLK_d3)  # grant of route XL-XD3 (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_d1 and FREE_d3 and (not OCC_d1) and (not OCC_d3) and (not BLK_d1) and (not BLK_d3) and AVR_PD and (not TR_PD)  # grant of route XM-L (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_d1 and FREE_d2 and (not OCC_d1) and (not OCC_d2) and (not BLK_d1) and (not BLK_d2) and AVN_PD and (not TR_PD)  # grant of route XM-LB (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_u2 and (not OCC_u2) and (not BLK_u2) and AVN_PU and (not TR_PU)  # grant of route XN1-U (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_u2 and FREE_u3_stub and (not OCC_u2) and (not OCC_u3_stub) and (not BLK_u2) and (not BLK_u3_stub) and AVR_PU and (not TR_PU)  # grant of route XU-UB (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_u2 and FREE_i1 and FREE_i2 and (not OCC_u2) and (not OCC_i1) and (not OCC_i2) and (not BLK_u2) and (not BLK_i1) and (not BLK_i2) and AVN_PU and (not TR_PU)  # grant of route XU-XM (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_u2 and (not OCC_u2) and (not BLK_u2) and AVR_PU and (not TR_PU)  # grant of route XU3-U (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_XD2) and (not CAN_XD2) and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and QN_PD  # route XD2-XN1 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and QN_PD and (not TR_PD) and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_d1)  # conditions of proceed for route XD2-XN1 (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_XD3) and (not CAN_XD3) and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and QR_PD  # route XD3-XN1 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_d1) and (not OCC_i2) and (not OCC_i1) and (not BLK_d1) and (not BLK_i2) and (not BLK_i1) and QR_PD and (not TR_PD) and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_d1)  # conditions of proceed for route XD3-XN1 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_XL) and (not CAN_XL) and (not OCC_d3)  # route XL-XD3 becomes locked (R3)
-        CO_R3 = VALID and (not OCC_d3) and (not BLK_d3) and (not D_d3)  # conditions of proceed for route XL-XD3 (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_XM) and (not CAN_XM) and (not OCC_d1) and (not OCC_d3) and QR_PD  # route XM-L becomes locked (R3)
-        CO_R4 = VALID and (not OCC_d1) and (not OCC_d3) and (not BLK_d1) and (not BLK_d3) and QR_PD and (not TR_PD) and E_HOIST_STOPPED and (not OCC_lane) and (not D_d1)  # conditions of proceed for route XM-L (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_XM) and (not CAN_XM) and (not OCC_d1) and (not OCC_d2) and QN_PD  # route XM-LB becomes locked (R3)
-        CO_R5 = VALID and (not OCC_d1) and (not OCC_d2) and (not BLK_d1) and (not BLK_d2) and QN_PD and (not TR_PD) and E_HOIST_STOPPED and (not D_d1)  # conditions of proceed for route XM-LB (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_XN1) and (not CAN_XN1) and (not OCC_u2) and QN_PU  # route XN1-U becomes locked (R3)
-        CO_R6 = VALID and (not OCC_u2) and (not BLK_u2) and QN_PU and (not TR_PU) and E_HOIST_STOPPED and (not OCC_u1) and (not D_u2)  # conditions of proceed for route XN1-U (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_XU) and (not CAN_XU) and (not OCC_u2) and (not OCC_u3_stub) and QR_PU  # route XU-UB becomes locked (R3)
-        CO_R7 = VALID and (not OCC_u2) and (not OCC_u3_stub) and (not BLK_u2) and (not BLK_u3_stub) and QR_PU and (not TR_PU) and E_HOIST_STOPPED and (not D_u2)  # conditions of proceed for route XU-UB (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_XU) and (not CAN_XU) and (not OCC_u2) and (not OCC_i1) and (not OCC_i2) and QN_PU  # route XU-XM becomes locked (R3)
-        CO_R8 = VALID and (not OCC_u2) and (not OCC_i1) and (not OCC_i2) and (not BLK_u2) and (not BLK_i1) and (not BLK_i2) and QN_PU and (not TR_PU) and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_u2)  # conditions of proceed for route XU-XM (R3)
-        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_XU3) and (not CAN_XU3) and (not OCC_u2) and QR_PU  # route XU3-U becomes locked (R3)
-        CO_R9 = VALID and (not OCC_u2) and (not BLK_u2) and QR_PU and (not TR_PU) and E_HOIST_STOPPED and (not OCC_u1) and (not D_u2)  # conditions of proceed for route XU3-U (R3)
+        WA_d1_1 = AVN_PD and (not TR_PD)  # d1 from d1|d2@PD.normal to d1|i2@PD.toe: could be locked
+        WF_d1_1 = FREE_d1 and (not OCC_d1) and (not BLK_d1) and WA_d1_1  # d1 from d1|d2@PD.normal to d1|i2@PD.toe: free for a route (R6)
+        WA_d1_2 = AVR_PD and (not TR_PD)  # d1 from d1|d3@PD.reverse to d1|i2@PD.toe: could be locked
+        WF_d1_2 = FREE_d1 and (not OCC_d1) and (not BLK_d1) and WA_d1_2  # d1 from d1|d3@PD.reverse to d1|i2@PD.toe: free for a route (R6)
+        WA_d1_3 = AVN_PD and (not TR_PD)  # d1 from d1|i2@PD.toe to d1|d2@PD.normal: could be locked
+        WF_d1_3 = FREE_d1 and (not OCC_d1) and (not BLK_d1) and WA_d1_3  # d1 from d1|i2@PD.toe to d1|d2@PD.normal: free for a route (R6)
+        WA_d1_4 = AVR_PD and (not TR_PD)  # d1 from d1|i2@PD.toe to d1|d3@PD.reverse: could be locked
+        WF_d1_4 = FREE_d1 and (not OCC_d1) and (not BLK_d1) and WA_d1_4  # d1 from d1|i2@PD.toe to d1|d3@PD.reverse: free for a route (R6)
+        WF_d2_2 = FREE_d2 and (not OCC_d2) and (not BLK_d2)  # d2 from d1|d2@PD.normal to LB: free for a route (R6)
+        WF_d3_1 = FREE_d3 and (not OCC_d3) and (not BLK_d3)  # d3 from L to d1|d3@PD.reverse: free for a route (R6)
+        WF_d3_2 = FREE_d3 and (not OCC_d3) and (not BLK_d3)  # d3 from d1|d3@PD.reverse to L: free for a route (R6)
+        WF_i1_1 = FREE_i1 and (not OCC_i1) and (not BLK_i1)  # i1 from i1|i2@slope.0 to i1|u2@PU.normal: free for a route (R6)
+        WF_i1_2 = FREE_i1 and (not OCC_i1) and (not BLK_i1)  # i1 from i1|u2@PU.normal to i1|i2@slope.0: free for a route (R6)
+        WF_i2_1 = FREE_i2 and (not OCC_i2) and (not BLK_i2)  # i2 from d1|i2@PD.toe to i1|i2@slope.0: free for a route (R6)
+        WF_i2_2 = FREE_i2 and (not OCC_i2) and (not BLK_i2)  # i2 from i1|i2@slope.0 to d1|i2@PD.toe: free for a route (R6)
+        WA_u2_1 = AVN_PU and (not TR_PU)  # u2 from U to i1|u2@PU.normal: could be locked
+        WF_u2_1 = FREE_u2 and (not OCC_u2) and (not BLK_u2) and WA_u2_1  # u2 from U to i1|u2@PU.normal: free for a route (R6)
+        WA_u2_2 = AVR_PU and (not TR_PU)  # u2 from U to u2|u3_stub@PU.reverse: could be locked
+        WF_u2_2 = FREE_u2 and (not OCC_u2) and (not BLK_u2) and WA_u2_2  # u2 from U to u2|u3_stub@PU.reverse: free for a route (R6)
+        WA_u2_3 = AVN_PU and (not TR_PU)  # u2 from i1|u2@PU.normal to U: could be locked
+        WF_u2_3 = FREE_u2 and (not OCC_u2) and (not BLK_u2) and WA_u2_3  # u2 from i1|u2@PU.normal to U: free for a route (R6)
+        WA_u2_4 = AVR_PU and (not TR_PU)  # u2 from u2|u3_stub@PU.reverse to U: could be locked
+        WF_u2_4 = FREE_u2 and (not OCC_u2) and (not BLK_u2) and WA_u2_4  # u2 from u2|u3_stub@PU.reverse to U: free for a route (R6)
+        WF_u3_stub_2 = FREE_u3_stub and (not OCC_u3_stub) and (not BLK_u3_stub)  # u3_stub from u2|u3_stub@PU.reverse to UB: free for a route (R6)
+        WD_d1_1 = QN_PD and (not TR_PD)  # d1 from d1|d2@PD.normal to d1|i2@PD.toe: its points lie, nothing is foul of it
+        WL_d1_1 = (not OCC_d1) and WD_d1_1  # d1 from d1|d2@PD.normal to d1|i2@PD.toe: lies and is clear
+        WP_d1_1 = WL_d1_1 and (not BLK_d1)  # d1 from d1|d2@PD.normal to d1|i2@PD.toe: proceed may be shown over it (R3)
+        WD_d1_2 = QR_PD and (not TR_PD)  # d1 from d1|d3@PD.reverse to d1|i2@PD.toe: its points lie, nothing is foul of it
+        WL_d1_2 = (not OCC_d1) and WD_d1_2  # d1 from d1|d3@PD.reverse to d1|i2@PD.toe: lies and is clear
+        WP_d1_2 = WL_d1_2 and (not BLK_d1)  # d1 from d1|d3@PD.reverse to d1|i2@PD.toe: proceed may be shown over it (R3)
+        WD_d1_3 = QN_PD and (not TR_PD)  # d1 from d1|i2@PD.toe to d1|d2@PD.normal: its points lie, nothing is foul of it
+        WL_d1_3 = (not OCC_d1) and WD_d1_3  # d1 from d1|i2@PD.toe to d1|d2@PD.normal: lies and is clear
+        WP_d1_3 = WL_d1_3 and (not BLK_d1)  # d1 from d1|i2@PD.toe to d1|d2@PD.normal: proceed may be shown over it (R3)
+        WD_d1_4 = QR_PD and (not TR_PD)  # d1 from d1|i2@PD.toe to d1|d3@PD.reverse: its points lie, nothing is foul of it
+        WL_d1_4 = (not OCC_d1) and WD_d1_4  # d1 from d1|i2@PD.toe to d1|d3@PD.reverse: lies and is clear
+        WP_d1_4 = WL_d1_4 and (not BLK_d1)  # d1 from d1|i2@PD.toe to d1|d3@PD.reverse: proceed may be shown over it (R3)
+        WL_d2_2 = (not OCC_d2)  # d2 from d1|d2@PD.normal to LB: lies and is clear
+        WP_d2_2 = WL_d2_2 and (not BLK_d2)  # d2 from d1|d2@PD.normal to LB: proceed may be shown over it (R3)
+        WL_d3_1 = (not OCC_d3)  # d3 from L to d1|d3@PD.reverse: lies and is clear
+        WP_d3_1 = WL_d3_1 and (not BLK_d3)  # d3 from L to d1|d3@PD.reverse: proceed may be shown over it (R3)
+        WL_d3_2 = (not OCC_d3)  # d3 from d1|d3@PD.reverse to L: lies and is clear
+        WP_d3_2 = WL_d3_2 and (not BLK_d3)  # d3 from d1|d3@PD.reverse to L: proceed may be shown over it (R3)
+        WL_i1_1 = (not OCC_i1)  # i1 from i1|i2@slope.0 to i1|u2@PU.normal: lies and is clear
+        WP_i1_1 = WL_i1_1 and (not BLK_i1)  # i1 from i1|i2@slope.0 to i1|u2@PU.normal: proceed may be shown over it (R3)
+        WL_i1_2 = (not OCC_i1)  # i1 from i1|u2@PU.normal to i1|i2@slope.0: lies and is clear
+        WP_i1_2 = WL_i1_2 and (not BLK_i1)  # i1 from i1|u2@PU.normal to i1|i2@slope.0: proceed may be shown over it (R3)
+        WL_i2_1 = (not OCC_i2)  # i2 from d1|i2@PD.toe to i1|i2@slope.0: lies and is clear
+        WP_i2_1 = WL_i2_1 and (not BLK_i2)  # i2 from d1|i2@PD.toe to i1|i2@slope.0: proceed may be shown over it (R3)
+        WL_i2_2 = (not OCC_i2)  # i2 from i1|i2@slope.0 to d1|i2@PD.toe: lies and is clear
+        WP_i2_2 = WL_i2_2 and (not BLK_i2)  # i2 from i1|i2@slope.0 to d1|i2@PD.toe: proceed may be shown over it (R3)
+        WD_u2_1 = QN_PU and (not TR_PU)  # u2 from U to i1|u2@PU.normal: its points lie, nothing is foul of it
+        WL_u2_1 = (not OCC_u2) and WD_u2_1  # u2 from U to i1|u2@PU.normal: lies and is clear
+        WP_u2_1 = WL_u2_1 and (not BLK_u2)  # u2 from U to i1|u2@PU.normal: proceed may be shown over it (R3)
+        WD_u2_2 = QR_PU and (not TR_PU)  # u2 from U to u2|u3_stub@PU.reverse: its points lie, nothing is foul of it
+        WL_u2_2 = (not OCC_u2) and WD_u2_2  # u2 from U to u2|u3_stub@PU.reverse: lies and is clear
+        WP_u2_2 = WL_u2_2 and (not BLK_u2)  # u2 from U to u2|u3_stub@PU.reverse: proceed may be shown over it (R3)
+        WD_u2_3 = QN_PU and (not TR_PU)  # u2 from i1|u2@PU.normal to U: its points lie, nothing is foul of it
+        WL_u2_3 = (not OCC_u2) and WD_u2_3  # u2 from i1|u2@PU.normal to U: lies and is clear
+        WP_u2_3 = WL_u2_3 and (not BLK_u2)  # u2 from i1|u2@PU.normal to U: proceed may be shown over it (R3)
+        WD_u2_4 = QR_PU and (not TR_PU)  # u2 from u2|u3_stub@PU.reverse to U: its points lie, nothing is foul of it
+        WL_u2_4 = (not OCC_u2) and WD_u2_4  # u2 from u2|u3_stub@PU.reverse to U: lies and is clear
+        WP_u2_4 = WL_u2_4 and (not BLK_u2)  # u2 from u2|u3_stub@PU.reverse to U: proceed may be shown over it (R3)
+        WL_u3_stub_2 = (not OCC_u3_stub)  # u3_stub from u2|u3_stub@PU.reverse to UB: lies and is clear
+        WP_u3_stub_2 = WL_u3_stub_2 and (not BLK_u3_stub)  # u3_stub from u2|u3_stub@PU.reverse to UB: proceed may be shown over it (R3)
+        G_R1 = (REQ == 1) and VALID and WF_d1_1 and WF_i2_1 and WF_i1_1  # grant of route XD2-XN1 (R6)
+        G_R2 = (REQ == 2) and VALID and WF_d1_2 and WF_i2_1 and WF_i1_1  # grant of route XD3-XN1 (R6)
+        G_R3 = (REQ == 3) and VALID and WF_d3_1  # grant of route XL-XD3 (R6)
+        G_R4 = (REQ == 4) and VALID and WF_d1_4 and WF_d3_2  # grant of route XM-L (R6)
+        G_R5 = (REQ == 5) and VALID and WF_d1_3 and WF_d2_2  # grant of route XM-LB (R6)
+        G_R6 = (REQ == 6) and VALID and WF_u2_3  # grant of route XN1-U (R6)
+        G_R7 = (REQ == 7) and VALID and WF_u2_2 and WF_u3_stub_2  # grant of route XU-UB (R6)
+        G_R8 = (REQ == 8) and VALID and WF_u2_1 and WF_i1_2 and WF_i2_2  # grant of route XU-XM (R6)
+        G_R9 = (REQ == 9) and VALID and WF_u2_4  # grant of route XU3-U (R6)
+        GW_d1_1 = G_R1  # d1 from d1|d2@PD.normal to d1|i2@PD.toe: granted
+        GW_d1_2 = G_R2  # d1 from d1|d3@PD.reverse to d1|i2@PD.toe: granted
+        GW_d1_3 = G_R5  # d1 from d1|i2@PD.toe to d1|d2@PD.normal: granted
+        GW_d1_4 = G_R4  # d1 from d1|i2@PD.toe to d1|d3@PD.reverse: granted
+        GW_d2_2 = G_R5  # d2 from d1|d2@PD.normal to LB: granted
+        GW_d3_1 = G_R3  # d3 from L to d1|d3@PD.reverse: granted
+        GW_d3_2 = G_R4  # d3 from d1|d3@PD.reverse to L: granted
+        GW_i1_1 = G_R1 or G_R2  # i1 from i1|i2@slope.0 to i1|u2@PU.normal: granted
+        GW_i1_2 = G_R8  # i1 from i1|u2@PU.normal to i1|i2@slope.0: granted
+        GW_i2_1 = G_R1 or G_R2  # i2 from d1|i2@PD.toe to i1|i2@slope.0: granted
+        GW_i2_2 = G_R8  # i2 from i1|i2@slope.0 to d1|i2@PD.toe: granted
+        GW_u2_1 = G_R8  # u2 from U to i1|u2@PU.normal: granted
+        GW_u2_2 = G_R7  # u2 from U to u2|u3_stub@PU.reverse: granted
+        GW_u2_3 = G_R6  # u2 from i1|u2@PU.normal to U: granted
+        GW_u2_4 = G_R9  # u2 from u2|u3_stub@PU.reverse to U: granted
+        GW_u3_stub_2 = G_R7  # u3_stub from u2|u3_stub@PU.reverse to UB: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_XD2) and (not CAN_XD2) and WL_d1_1 and WL_i2_1 and WL_i1_1  # route XD2-XN1 becomes locked (R3)
+        CO_R1 = VALID and WP_d1_1 and WP_i2_1 and WP_i1_1 and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_d1)  # conditions of proceed for route XD2-XN1 (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_XD3) and (not CAN_XD3) and WL_d1_2 and WL_i2_1 and WL_i1_1  # route XD3-XN1 becomes locked (R3)
+        CO_R2 = VALID and WP_d1_2 and WP_i2_1 and WP_i1_1 and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_d1)  # conditions of proceed for route XD3-XN1 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_XL) and (not CAN_XL) and WL_d3_1  # route XL-XD3 becomes locked (R3)
+        CO_R3 = VALID and WP_d3_1 and (not D_d3)  # conditions of proceed for route XL-XD3 (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_XM) and (not CAN_XM) and WL_d1_4 and WL_d3_2  # route XM-L becomes locked (R3)
+        CO_R4 = VALID and WP_d1_4 and WP_d3_2 and E_HOIST_STOPPED and (not OCC_lane) and (not D_d1)  # conditions of proceed for route XM-L (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_XM) and (not CAN_XM) and WL_d1_3 and WL_d2_2  # route XM-LB becomes locked (R3)
+        CO_R5 = VALID and WP_d1_3 and WP_d2_2 and E_HOIST_STOPPED and (not D_d1)  # conditions of proceed for route XM-LB (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_XN1) and (not CAN_XN1) and WL_u2_3  # route XN1-U becomes locked (R3)
+        CO_R6 = VALID and WP_u2_3 and E_HOIST_STOPPED and (not OCC_u1) and (not D_u2)  # conditions of proceed for route XN1-U (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_XU) and (not CAN_XU) and WL_u2_2 and WL_u3_stub_2  # route XU-UB becomes locked (R3)
+        CO_R7 = VALID and WP_u2_2 and WP_u3_stub_2 and E_HOIST_STOPPED and (not D_u2)  # conditions of proceed for route XU-UB (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_XU) and (not CAN_XU) and WL_u2_1 and WL_i1_2 and WL_i2_2  # route XU-XM becomes locked (R3)
+        CO_R8 = VALID and WP_u2_1 and WP_i1_2 and WP_i2_2 and E_B1_OPEN and E_B2_OPEN and E_HOIST_STOPPED and E_NO_PERSON and E_ROPE_ATTACHED and (not D_u2)  # conditions of proceed for route XU-XM (R3)
+        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_XU3) and (not CAN_XU3) and WL_u2_4  # route XU3-U becomes locked (R3)
+        CO_R9 = VALID and WP_u2_4 and E_HOIST_STOPPED and (not OCC_u1) and (not D_u2)  # conditions of proceed for route XU3-U (R3)
         NU_d1_1 = VALID and F_d1 and (not D_d1) and (not U_d1) and L_d1_1 and OCC_d1 and OCC_d2  # a train comes into d1 at d1|d2@PD.normal (R9)
         NU_d1_2 = VALID and F_d1 and (not D_d1) and (not U_d1) and L_d1_2 and OCC_d1 and OCC_d3  # a train comes into d1 at d1|d3@PD.reverse (R9)
         NU_d1_3 = VALID and F_d1 and (not D_d1) and (not U_d1) and (L_d1_3 or L_d1_4) and OCC_d1 and OCC_i2  # a train comes into d1 at d1|i2@PD.toe (R9)
@@ -546,16 +626,18 @@ class Controller:
         HR_u3_stub = VALID and (not OCC_u3_stub) and (not (L_u3_stub_2 and L_u2_2)) and REL_u3_stub and L_u3_stub_2  # u3_stub released by hand (R8, section fault release)
         SR_u3_stub = VALID and (not OCC_u3_stub) and K_u3_stub and (REL_u3_stub or RELALL)  # u3_stub released after a restart (R16)
         RLS_u3_stub = RT_u3_stub or CA_u3_stub or HR_u3_stub or SR_u3_stub  # u3_stub is released
-        GPN_PD = (G_R1 or G_R5)  # a grant needs PD N
-        MAN_PD = MN_PD and (not MR_PD) and MOV_PD and (not (G_R1 or G_R2 or G_R4 or G_R5))  # machine PD moved N by hand
-        GPR_PD = (G_R2 or G_R4)  # a grant needs PD R
-        MAR_PD = MR_PD and (not MN_PD) and MOV_PD and (not (G_R1 or G_R2 or G_R4 or G_R5))  # machine PD moved R by hand
+        TG_PD = (GW_d1_1 or GW_d1_2 or GW_d1_3 or GW_d1_4)  # a grant touches machine PD in this scan
+        GPN_PD = (GW_d1_1 or GW_d1_3)  # a grant needs PD N
+        MAN_PD = MN_PD and (not MR_PD) and MOV_PD and (not TG_PD)  # machine PD moved N by hand
+        GPR_PD = (GW_d1_2 or GW_d1_4)  # a grant needs PD R
+        MAR_PD = MR_PD and (not MN_PD) and MOV_PD and (not TG_PD)  # machine PD moved R by hand
         HDN_PD = CN_PD and (not GPR_PD) and (not MAR_PD)  # the command N stays
         HDR_PD = CR_PD and (not GPN_PD) and (not MAN_PD)  # the command R stays
-        GPN_PU = (G_R6 or G_R8)  # a grant needs PU N
-        MAN_PU = MN_PU and (not MR_PU) and MOV_PU and (not (G_R6 or G_R7 or G_R8 or G_R9))  # machine PU moved N by hand
-        GPR_PU = (G_R7 or G_R9)  # a grant needs PU R
-        MAR_PU = MR_PU and (not MN_PU) and MOV_PU and (not (G_R6 or G_R7 or G_R8 or G_R9))  # machine PU moved R by hand
+        TG_PU = (GW_u2_1 or GW_u2_2 or GW_u2_3 or GW_u2_4)  # a grant touches machine PU in this scan
+        GPN_PU = (GW_u2_1 or GW_u2_3)  # a grant needs PU N
+        MAN_PU = MN_PU and (not MR_PU) and MOV_PU and (not TG_PU)  # machine PU moved N by hand
+        GPR_PU = (GW_u2_2 or GW_u2_4)  # a grant needs PU R
+        MAR_PU = MR_PU and (not MN_PU) and MOV_PU and (not TG_PU)  # machine PU moved R by hand
         HDN_PU = CN_PU and (not GPR_PU) and (not MAR_PU)  # the command N stays
         HDR_PU = CR_PU and (not GPN_PU) and (not MAN_PU)  # the command R stays
         STI_PD = (CN_PD and (not QN_PD)) or (CR_PD and (not QR_PD))  # machine PD is not where it was commanded
@@ -652,52 +734,52 @@ class Controller:
         N_X_XU = (X_XU or CAN_XU) and (A_R7 or A_R8) and (not CD_XU)  # XU: cancelling
         N_X_XU3 = (X_XU3 or CAN_XU3) and A_R9 and (not CD_XU3)  # XU3: cancelling
         N_K_d1 = K_d1 and (not RLS_d1)  # d1: restart lock (R16)
-        N_L_d1_1 = (L_d1_1 or G_R1) and (not RLS_d1)  # d1 locked from d1|d2@PD.normal to d1|i2@PD.toe
-        N_L_d1_2 = (L_d1_2 or G_R2) and (not RLS_d1)  # d1 locked from d1|d3@PD.reverse to d1|i2@PD.toe
-        N_L_d1_3 = (L_d1_3 or G_R5) and (not RLS_d1)  # d1 locked from d1|i2@PD.toe to d1|d2@PD.normal
-        N_L_d1_4 = (L_d1_4 or G_R4) and (not RLS_d1)  # d1 locked from d1|i2@PD.toe to d1|d3@PD.reverse
+        N_L_d1_1 = (L_d1_1 or GW_d1_1) and (not RLS_d1)  # d1 locked from d1|d2@PD.normal to d1|i2@PD.toe
+        N_L_d1_2 = (L_d1_2 or GW_d1_2) and (not RLS_d1)  # d1 locked from d1|d3@PD.reverse to d1|i2@PD.toe
+        N_L_d1_3 = (L_d1_3 or GW_d1_3) and (not RLS_d1)  # d1 locked from d1|i2@PD.toe to d1|d2@PD.normal
+        N_L_d1_4 = (L_d1_4 or GW_d1_4) and (not RLS_d1)  # d1 locked from d1|i2@PD.toe to d1|d3@PD.reverse
         N_F_d1 = (F_d1 or LK_R1 or LK_R2 or LK_R5 or LK_R4) and (not RLS_d1)  # d1 firmly locked
         N_U_d1 = (U_d1 or NU_d1_1 or NU_d1_2 or NU_d1_3) and (not RLS_d1)  # d1 used by a train (R9)
         N_P_d1 = (P_d1 or (U_d1 and OCC_d1 and (NU_d2_2 or NU_d3_2 or NU_i2_1))) and (not RLS_d1)  # d1: the train went on (R9)
         N_D_d1 = (D_d1 or ((not VALID) and (L_d1_1 or L_d1_2 or L_d1_3 or L_d1_4))) and (not RLS_d1)  # d1: inputs were lost while locked
         N_K_d2 = K_d2 and (not RLS_d2)  # d2: restart lock (R16)
-        N_L_d2_2 = (L_d2_2 or G_R5) and (not RLS_d2)  # d2 locked from d1|d2@PD.normal to LB
+        N_L_d2_2 = (L_d2_2 or GW_d2_2) and (not RLS_d2)  # d2 locked from d1|d2@PD.normal to LB
         N_F_d2 = (F_d2 or LK_R5) and (not RLS_d2)  # d2 firmly locked
         N_U_d2 = (U_d2 or NU_d2_2) and (not RLS_d2)  # d2 used by a train (R9)
         N_P_d2 = (P_d2 or (U_d2 and OCC_d2 and NU_d1_1)) and (not RLS_d2)  # d2: the train went on (R9)
         N_D_d2 = (D_d2 or ((not VALID) and L_d2_2)) and (not RLS_d2)  # d2: inputs were lost while locked
         N_K_d3 = K_d3 and (not RLS_d3)  # d3: restart lock (R16)
-        N_L_d3_1 = (L_d3_1 or G_R3) and (not RLS_d3)  # d3 locked from L to d1|d3@PD.reverse
-        N_L_d3_2 = (L_d3_2 or G_R4) and (not RLS_d3)  # d3 locked from d1|d3@PD.reverse to L
+        N_L_d3_1 = (L_d3_1 or GW_d3_1) and (not RLS_d3)  # d3 locked from L to d1|d3@PD.reverse
+        N_L_d3_2 = (L_d3_2 or GW_d3_2) and (not RLS_d3)  # d3 locked from d1|d3@PD.reverse to L
         N_F_d3 = (F_d3 or LK_R3 or LK_R4) and (not RLS_d3)  # d3 firmly locked
         N_U_d3 = (U_d3 or NU_d3_1 or NU_d3_2) and (not RLS_d3)  # d3 used by a train (R9)
         N_P_d3 = (P_d3 or (U_d3 and OCC_d3 and NU_d1_2)) and (not RLS_d3)  # d3: the train went on (R9)
         N_D_d3 = (D_d3 or ((not VALID) and (L_d3_1 or L_d3_2))) and (not RLS_d3)  # d3: inputs were lost while locked
         N_K_i1 = K_i1 and (not RLS_i1)  # i1: restart lock (R16)
-        N_L_i1_1 = (L_i1_1 or G_R1 or G_R2) and (not RLS_i1)  # i1 locked from i1|i2@slope.0 to i1|u2@PU.normal
-        N_L_i1_2 = (L_i1_2 or G_R8) and (not RLS_i1)  # i1 locked from i1|u2@PU.normal to i1|i2@slope.0
+        N_L_i1_1 = (L_i1_1 or GW_i1_1) and (not RLS_i1)  # i1 locked from i1|i2@slope.0 to i1|u2@PU.normal
+        N_L_i1_2 = (L_i1_2 or GW_i1_2) and (not RLS_i1)  # i1 locked from i1|u2@PU.normal to i1|i2@slope.0
         N_F_i1 = (F_i1 or LK_R1 or LK_R2 or LK_R8) and (not RLS_i1)  # i1 firmly locked
         N_U_i1 = (U_i1 or NU_i1_1 or NU_i1_2) and (not RLS_i1)  # i1 used by a train (R9)
         N_P_i1 = (P_i1 or (U_i1 and OCC_i1 and (NU_i2_2 or NU_u2_2))) and (not RLS_i1)  # i1: the train went on (R9)
         N_D_i1 = (D_i1 or ((not VALID) and (L_i1_1 or L_i1_2))) and (not RLS_i1)  # i1: inputs were lost while locked
         N_K_i2 = K_i2 and (not RLS_i2)  # i2: restart lock (R16)
-        N_L_i2_1 = (L_i2_1 or G_R1 or G_R2) and (not RLS_i2)  # i2 locked from d1|i2@PD.toe to i1|i2@slope.0
-        N_L_i2_2 = (L_i2_2 or G_R8) and (not RLS_i2)  # i2 locked from i1|i2@slope.0 to d1|i2@PD.toe
+        N_L_i2_1 = (L_i2_1 or GW_i2_1) and (not RLS_i2)  # i2 locked from d1|i2@PD.toe to i1|i2@slope.0
+        N_L_i2_2 = (L_i2_2 or GW_i2_2) and (not RLS_i2)  # i2 locked from i1|i2@slope.0 to d1|i2@PD.toe
         N_F_i2 = (F_i2 or LK_R1 or LK_R2 or LK_R8) and (not RLS_i2)  # i2 firmly locked
         N_U_i2 = (U_i2 or NU_i2_1 or NU_i2_2) and (not RLS_i2)  # i2 used by a train (R9)
         N_P_i2 = (P_i2 or (U_i2 and OCC_i2 and (NU_d1_3 or NU_i1_1))) and (not RLS_i2)  # i2: the train went on (R9)
         N_D_i2 = (D_i2 or ((not VALID) and (L_i2_1 or L_i2_2))) and (not RLS_i2)  # i2: inputs were lost while locked
         N_K_u2 = K_u2 and (not RLS_u2)  # u2: restart lock (R16)
-        N_L_u2_1 = (L_u2_1 or G_R8) and (not RLS_u2)  # u2 locked from U to i1|u2@PU.normal
-        N_L_u2_2 = (L_u2_2 or G_R7) and (not RLS_u2)  # u2 locked from U to u2|u3_stub@PU.reverse
-        N_L_u2_3 = (L_u2_3 or G_R6) and (not RLS_u2)  # u2 locked from i1|u2@PU.normal to U
-        N_L_u2_4 = (L_u2_4 or G_R9) and (not RLS_u2)  # u2 locked from u2|u3_stub@PU.reverse to U
+        N_L_u2_1 = (L_u2_1 or GW_u2_1) and (not RLS_u2)  # u2 locked from U to i1|u2@PU.normal
+        N_L_u2_2 = (L_u2_2 or GW_u2_2) and (not RLS_u2)  # u2 locked from U to u2|u3_stub@PU.reverse
+        N_L_u2_3 = (L_u2_3 or GW_u2_3) and (not RLS_u2)  # u2 locked from i1|u2@PU.normal to U
+        N_L_u2_4 = (L_u2_4 or GW_u2_4) and (not RLS_u2)  # u2 locked from u2|u3_stub@PU.reverse to U
         N_F_u2 = (F_u2 or LK_R8 or LK_R7 or LK_R6 or LK_R9) and (not RLS_u2)  # u2 firmly locked
         N_U_u2 = (U_u2 or NU_u2_1 or NU_u2_2 or NU_u2_3) and (not RLS_u2)  # u2 used by a train (R9)
         N_P_u2 = (P_u2 or (U_u2 and OCC_u2 and (NU_i1_2 or NU_u3_stub_2))) and (not RLS_u2)  # u2: the train went on (R9)
         N_D_u2 = (D_u2 or ((not VALID) and (L_u2_1 or L_u2_2 or L_u2_3 or L_u2_4))) and (not RLS_u2)  # u2: inputs were lost while locked
         N_K_u3_stub = K_u3_stub and (not RLS_u3_stub)  # u3_stub: restart lock (R16)
-        N_L_u3_stub_2 = (L_u3_stub_2 or G_R7) and (not RLS_u3_stub)  # u3_stub locked from u2|u3_stub@PU.reverse to UB
+        N_L_u3_stub_2 = (L_u3_stub_2 or GW_u3_stub_2) and (not RLS_u3_stub)  # u3_stub locked from u2|u3_stub@PU.reverse to UB
         N_F_u3_stub = (F_u3_stub or LK_R7) and (not RLS_u3_stub)  # u3_stub firmly locked
         N_U_u3_stub = (U_u3_stub or NU_u3_stub_2) and (not RLS_u3_stub)  # u3_stub used by a train (R9)
         N_P_u3_stub = (P_u3_stub or (U_u3_stub and OCC_u3_stub and NU_u2_3)) and (not RLS_u3_stub)  # u3_stub: the train went on (R9)

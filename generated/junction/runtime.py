@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 9ae72323112259c64f529e2ba1a4f61ca1df232fba0c644c260470a565a7a7ff
-# claims 2b1e39ef0c598a883339ea0f543116d615619fb6035b8797113aec24ee2f4540
+# claims 592d8c60edb1bd7c7b823083c12aa71ddc7a385130e2e2b17061d0ae2146ca6c
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -595,39 +595,113 @@ class Controller:
         MOV_102 = VALID and FREE_BC and (not OCC_BC) and True and True  # machine 102 is free to move (R10)
         AVN_102 = CN_102 or MOV_102 or (QN_102 and (not CN_102) and (not CR_102))  # machine 102 can be demanded N
         AVR_102 = CR_102 or MOV_102 or (QR_102 and (not CN_102) and (not CR_102))  # machine 102 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_AB and ((not K_AC) and (not V_S1J_1) and (not V_S1J_2) and ((not L_AC_1) or A_R3) and (not L_AC_2)) and ((not K_AD) and (not V_S1J_1) and ((not L_AD_1) or A_R3)) and (not OCC_AB) and (not OCC_AC) and (not OCC_AD) and (not BLK_AB) and AVN_101 and (not TR_101)  # grant of route S1-S1J (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_AB and ((not K_AC) and (not V_S1J_1) and (not V_S1J_2) and (not L_AC_1) and ((not L_AC_2) or A_R4)) and ((not K_CD) and (not V_S1J_2) and ((not L_CD_1) or A_R4)) and (not OCC_AB) and (not OCC_AC) and (not OCC_CD) and (not BLK_AB) and (not (L_BC_1 or V_S2J_1 or K_BC)) and AVR_101 and (not TR_101)  # grant of route S1-S1J.o2 (R6)
-        G_R3 = (REQ == 3) and VALID and ((not K_AC) and (not L_AC_1) and (not L_AC_2) and (not V_S1J_2)) and ((not K_AD) and (not L_AD_1)) and ((not K_AE) and (not V_S3_1) and ((not L_AE_1) or A_R7)) and (not OCC_AC) and (not OCC_AD) and (not OCC_AE) and (not BLK_AC) and (not BLK_AD) and AVN_101 and (not TR_101)  # grant of route S1J-S3 (R6)
-        G_R4 = (REQ == 4) and VALID and ((not K_AC) and (not L_AC_1) and (not L_AC_2) and (not V_S1J_1)) and ((not K_CD) and (not L_CD_1)) and ((not K_CE) and (not V_S5_1) and ((not L_CE_1) or A_R10)) and (not OCC_AC) and (not OCC_CD) and (not OCC_CE) and (not BLK_AC) and (not BLK_CD) and (not (L_BC_1 or V_S2J_1 or K_BC)) and AVR_101 and (not TR_101)  # grant of route S1J-S5 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BC_1) or A_R6) and (not L_BC_4)) and ((not K_BD) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BD_1) or A_R6)) and (not OCC_BB) and (not OCC_BC) and (not OCC_BD) and (not BLK_BB) and (not (L_AC_2 or V_S1J_2 or K_AC)) and AVN_102 and AVN_101 and (not TR_102) and (not TR_101)  # grant of route S2-S2J (R6)
-        G_R6 = (REQ == 6) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_4) and (not V_S4J_1)) and ((not K_BD) and (not L_BD_1) and (not V_S4J_1)) and ((not K_BE) and (not V_S6_1) and ((not L_BE_1) or A_R11)) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and (not (L_AC_2 or V_S1J_2 or K_AC)) and AVN_102 and AVN_101 and (not TR_102) and (not TR_101)  # grant of route S2J-S6 (R6)
+        WF_AB_2 = FREE_AB and (not OCC_AB) and (not BLK_AB)  # AB from DM to AB|AC@101.toe: free for a route (R6)
+        WA_AC_1 = AVN_101 and (not TR_101)  # AC from AB|AC@101.toe to AC|AD@101.normal: could be locked
+        WF_AC_1 = FREE_AC and (not OCC_AC) and (not BLK_AC) and WA_AC_1  # AC from AB|AC@101.toe to AC|AD@101.normal: free for a route (R6)
+        WA_AC_2 = (not (L_BC_1 or V_S2J_1 or K_BC)) and AVR_101 and (not TR_101)  # AC from AB|AC@101.toe to AC|CD@X1.1b: could be locked
+        WF_AC_2 = FREE_AC and (not OCC_AC) and (not BLK_AC) and WA_AC_2  # AC from AB|AC@101.toe to AC|CD@X1.1b: free for a route (R6)
+        WF_AD_1 = FREE_AD and (not OCC_AD) and (not BLK_AD)  # AD from AC|AD@101.normal to AD|AE@down2.0: free for a route (R6)
+        WF_AE_1 = FREE_AE and (not OCC_AE) and (not BLK_AE)  # AE from AD|AE@down2.0 to DM2: free for a route (R6)
+        WF_BB_2 = FREE_BB and (not OCC_BB) and (not BLK_BB)  # BB from UM2 to BB|BC@X1.2a: free for a route (R6)
+        WA_BC_1 = (not (L_AC_2 or V_S1J_2 or K_AC)) and AVN_102 and AVN_101 and (not TR_102) and (not TR_101)  # BC from BB|BC@X1.2a to BC|BD@102.toe: could be locked
+        WF_BC_1 = FREE_BC and (not OCC_BC) and (not BLK_BC) and WA_BC_1  # BC from BB|BC@X1.2a to BC|BD@102.toe: free for a route (R6)
+        WA_BC_4 = AVR_102 and (not TR_102)  # BC from BC|DB@102.reverse to BC|BD@102.toe: could be locked
+        WF_BC_4 = FREE_BC and (not OCC_BC) and (not BLK_BC) and WA_BC_4  # BC from BC|DB@102.reverse to BC|BD@102.toe: free for a route (R6)
+        WF_BD_1 = FREE_BD and (not OCC_BD) and (not BLK_BD)  # BD from BC|BD@102.toe to BD|BE@up2.0: free for a route (R6)
+        WF_BE_1 = FREE_BE and (not OCC_BE) and (not BLK_BE)  # BE from BD|BE@up2.0 to UM: free for a route (R6)
+        WF_CD_1 = FREE_CD and (not OCC_CD) and (not BLK_CD)  # CD from AC|CD@X1.1b to CD|CE@branch.0: free for a route (R6)
+        WF_CE_1 = FREE_CE and (not OCC_CE) and (not BLK_CE)  # CE from CD|CE@branch.0 to DBO: free for a route (R6)
+        WF_DB_2 = FREE_DB and (not OCC_DB) and (not BLK_DB)  # DB from UB to BC|DB@102.reverse: free for a route (R6)
+        OF_S1J_1 = ((not K_AC) and (not V_S1J_1) and (not V_S1J_2) and ((not L_AC_1) or A_R3) and (not L_AC_2)) and (not OCC_AC) and WA_AC_1 and ((not K_AD) and (not V_S1J_1) and ((not L_AD_1) or A_R3)) and (not OCC_AD)  # overlap 1 of S1J may be held (R4)
+        OF_S1J_2 = ((not K_AC) and (not V_S1J_1) and (not V_S1J_2) and (not L_AC_1) and ((not L_AC_2) or A_R4)) and (not OCC_AC) and WA_AC_2 and ((not K_CD) and (not V_S1J_2) and ((not L_CD_1) or A_R4)) and (not OCC_CD)  # overlap 2 of S1J may be held (R4)
+        OF_S2J_1 = ((not K_BC) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BC_1) or A_R6) and (not L_BC_4)) and (not OCC_BC) and WA_BC_1 and ((not K_BD) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BD_1) or A_R6)) and (not OCC_BD)  # overlap 1 of S2J may be held (R4)
+        OF_S3_1 = ((not K_AE) and (not V_S3_1) and ((not L_AE_1) or A_R7)) and (not OCC_AE)  # overlap 1 of S3 may be held (R4)
+        OF_S4J_1 = ((not K_BC) and (not V_S2J_1) and (not V_S4J_1) and (not L_BC_1) and ((not L_BC_4) or A_R9)) and (not OCC_BC) and WA_BC_4 and ((not K_BD) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BD_1) or A_R9)) and (not OCC_BD)  # overlap 1 of S4J may be held (R4)
+        OF_S5_1 = ((not K_CE) and (not V_S5_1) and ((not L_CE_1) or A_R10)) and (not OCC_CE)  # overlap 1 of S5 may be held (R4)
+        OF_S6_1 = ((not K_BE) and (not V_S6_1) and ((not L_BE_1) or A_R11)) and (not OCC_BE)  # overlap 1 of S6 may be held (R4)
+        WL_AB_2 = (not OCC_AB)  # AB from DM to AB|AC@101.toe: lies and is clear
+        WP_AB_2 = WL_AB_2 and (not BLK_AB)  # AB from DM to AB|AC@101.toe: proceed may be shown over it (R3)
+        WD_AC_1 = QN_101 and (not TR_101)  # AC from AB|AC@101.toe to AC|AD@101.normal: its points lie, nothing is foul of it
+        WL_AC_1 = (not OCC_AC) and WD_AC_1  # AC from AB|AC@101.toe to AC|AD@101.normal: lies and is clear
+        WP_AC_1 = WL_AC_1 and (not BLK_AC)  # AC from AB|AC@101.toe to AC|AD@101.normal: proceed may be shown over it (R3)
+        WD_AC_2 = QR_101 and (not TR_101)  # AC from AB|AC@101.toe to AC|CD@X1.1b: its points lie, nothing is foul of it
+        WL_AC_2 = (not OCC_AC) and WD_AC_2  # AC from AB|AC@101.toe to AC|CD@X1.1b: lies and is clear
+        WP_AC_2 = WL_AC_2 and (not BLK_AC)  # AC from AB|AC@101.toe to AC|CD@X1.1b: proceed may be shown over it (R3)
+        WL_AD_1 = (not OCC_AD)  # AD from AC|AD@101.normal to AD|AE@down2.0: lies and is clear
+        WP_AD_1 = WL_AD_1 and (not BLK_AD)  # AD from AC|AD@101.normal to AD|AE@down2.0: proceed may be shown over it (R3)
+        WL_AE_1 = (not OCC_AE)  # AE from AD|AE@down2.0 to DM2: lies and is clear
+        WP_AE_1 = WL_AE_1 and (not BLK_AE)  # AE from AD|AE@down2.0 to DM2: proceed may be shown over it (R3)
+        WL_BB_2 = (not OCC_BB)  # BB from UM2 to BB|BC@X1.2a: lies and is clear
+        WP_BB_2 = WL_BB_2 and (not BLK_BB)  # BB from UM2 to BB|BC@X1.2a: proceed may be shown over it (R3)
+        WD_BC_1 = QN_102 and QN_101 and (not TR_102) and (not TR_101)  # BC from BB|BC@X1.2a to BC|BD@102.toe: its points lie, nothing is foul of it
+        WL_BC_1 = (not OCC_BC) and WD_BC_1  # BC from BB|BC@X1.2a to BC|BD@102.toe: lies and is clear
+        WP_BC_1 = WL_BC_1 and (not BLK_BC)  # BC from BB|BC@X1.2a to BC|BD@102.toe: proceed may be shown over it (R3)
+        WD_BC_4 = QR_102 and (not TR_102)  # BC from BC|DB@102.reverse to BC|BD@102.toe: its points lie, nothing is foul of it
+        WL_BC_4 = (not OCC_BC) and WD_BC_4  # BC from BC|DB@102.reverse to BC|BD@102.toe: lies and is clear
+        WP_BC_4 = WL_BC_4 and (not BLK_BC)  # BC from BC|DB@102.reverse to BC|BD@102.toe: proceed may be shown over it (R3)
+        WL_BD_1 = (not OCC_BD)  # BD from BC|BD@102.toe to BD|BE@up2.0: lies and is clear
+        WP_BD_1 = WL_BD_1 and (not BLK_BD)  # BD from BC|BD@102.toe to BD|BE@up2.0: proceed may be shown over it (R3)
+        WL_BE_1 = (not OCC_BE)  # BE from BD|BE@up2.0 to UM: lies and is clear
+        WP_BE_1 = WL_BE_1 and (not BLK_BE)  # BE from BD|BE@up2.0 to UM: proceed may be shown over it (R3)
+        WL_CD_1 = (not OCC_CD)  # CD from AC|CD@X1.1b to CD|CE@branch.0: lies and is clear
+        WP_CD_1 = WL_CD_1 and (not BLK_CD)  # CD from AC|CD@X1.1b to CD|CE@branch.0: proceed may be shown over it (R3)
+        WL_CE_1 = (not OCC_CE)  # CE from CD|CE@branch.0 to DBO: lies and is clear
+        WP_CE_1 = WL_CE_1 and (not BLK_CE)  # CE from CD|CE@branch.0 to DBO: proceed may be shown over it (R3)
+        WL_DB_2 = (not OCC_DB)  # DB from UB to BC|DB@102.reverse: lies and is clear
+        WP_DB_2 = WL_DB_2 and (not BLK_DB)  # DB from UB to BC|DB@102.reverse: proceed may be shown over it (R3)
+        G_R1 = (REQ == 1) and VALID and WF_AB_2 and OF_S1J_1  # grant of route S1-S1J (R6)
+        G_R2 = (REQ == 2) and VALID and WF_AB_2 and OF_S1J_2  # grant of route S1-S1J.o2 (R6)
+        G_R3 = (REQ == 3) and VALID and ((not K_AC) and (not L_AC_1) and (not L_AC_2) and (not V_S1J_2)) and (not OCC_AC) and (not BLK_AC) and WA_AC_1 and ((not K_AD) and (not L_AD_1)) and (not OCC_AD) and (not BLK_AD) and OF_S3_1  # grant of route S1J-S3 (R6)
+        G_R4 = (REQ == 4) and VALID and ((not K_AC) and (not L_AC_1) and (not L_AC_2) and (not V_S1J_1)) and (not OCC_AC) and (not BLK_AC) and WA_AC_2 and ((not K_CD) and (not L_CD_1)) and (not OCC_CD) and (not BLK_CD) and OF_S5_1  # grant of route S1J-S5 (R6)
+        G_R5 = (REQ == 5) and VALID and WF_BB_2 and OF_S2J_1  # grant of route S2-S2J (R6)
+        G_R6 = (REQ == 6) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_4) and (not V_S4J_1)) and (not OCC_BC) and (not BLK_BC) and WA_BC_1 and ((not K_BD) and (not L_BD_1) and (not V_S4J_1)) and (not OCC_BD) and (not BLK_BD) and OF_S6_1  # grant of route S2J-S6 (R6)
         G_R7 = (REQ == 7) and VALID and ((not K_AE) and (not L_AE_1)) and (not OCC_AE) and (not BLK_AE)  # grant of route S3-DM2 (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_DB and ((not K_BC) and (not V_S2J_1) and (not V_S4J_1) and (not L_BC_1) and ((not L_BC_4) or A_R9)) and ((not K_BD) and (not V_S2J_1) and (not V_S4J_1) and ((not L_BD_1) or A_R9)) and (not OCC_DB) and (not OCC_BC) and (not OCC_BD) and (not BLK_DB) and AVR_102 and (not TR_102)  # grant of route S4-S4J (R6)
-        G_R9 = (REQ == 9) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_4) and (not V_S2J_1)) and ((not K_BD) and (not L_BD_1) and (not V_S2J_1)) and ((not K_BE) and (not V_S6_1) and ((not L_BE_1) or A_R11)) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and AVR_102 and (not TR_102)  # grant of route S4J-S6 (R6)
+        G_R8 = (REQ == 8) and VALID and WF_DB_2 and OF_S4J_1  # grant of route S4-S4J (R6)
+        G_R9 = (REQ == 9) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_4) and (not V_S2J_1)) and (not OCC_BC) and (not BLK_BC) and WA_BC_4 and ((not K_BD) and (not L_BD_1) and (not V_S2J_1)) and (not OCC_BD) and (not BLK_BD) and OF_S6_1  # grant of route S4J-S6 (R6)
         G_R10 = (REQ == 10) and VALID and ((not K_CE) and (not L_CE_1)) and (not OCC_CE) and (not BLK_CE)  # grant of route S5-DBO (R6)
         G_R11 = (REQ == 11) and VALID and ((not K_BE) and (not L_BE_1)) and (not OCC_BE) and (not BLK_BE)  # grant of route S6-UM (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_AB) and (not OCC_AC) and (not OCC_AD) and QN_101  # route S1-S1J becomes locked (R3)
-        CO_R1 = VALID and (not OCC_AB) and (not OCC_AC) and (not OCC_AD) and (not BLK_AB) and QN_101 and (not TR_101) and (not D_AB) and V_S1J_1  # conditions of proceed for route S1-S1J (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_AB) and (not OCC_AC) and (not OCC_CD) and QR_101  # route S1-S1J.o2 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_AB) and (not OCC_AC) and (not OCC_CD) and (not BLK_AB) and QR_101 and (not TR_101) and (not D_AB) and V_S1J_2  # conditions of proceed for route S1-S1J.o2 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_AC) and (not OCC_AD) and (not OCC_AE) and QN_101  # route S1J-S3 becomes locked (R3)
-        CO_R3 = VALID and (not OCC_AC) and (not OCC_AD) and (not OCC_AE) and (not BLK_AC) and (not BLK_AD) and QN_101 and (not TR_101) and (not D_AC) and V_S3_1  # conditions of proceed for route S1J-S3 (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_AC) and (not OCC_CD) and (not OCC_CE) and QR_101  # route S1J-S5 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_AC) and (not OCC_CD) and (not OCC_CE) and (not BLK_AC) and (not BLK_CD) and QR_101 and (not TR_101) and (not D_AC) and V_S5_1  # conditions of proceed for route S1J-S5 (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_BB) and (not OCC_BC) and (not OCC_BD) and QN_102 and QN_101  # route S2-S2J becomes locked (R3)
-        CO_R5 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_BD) and (not BLK_BB) and QN_102 and QN_101 and (not TR_102) and (not TR_101) and (not D_BB) and V_S2J_1  # conditions of proceed for route S2-S2J (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S2J) and (not CAN_S2J) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and QN_102 and QN_101  # route S2J-S6 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and QN_102 and QN_101 and (not TR_102) and (not TR_101) and (not D_BC) and V_S6_1  # conditions of proceed for route S2J-S6 (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S3) and (not CAN_S3) and (not OCC_AE)  # route S3-DM2 becomes locked (R3)
-        CO_R7 = VALID and (not OCC_AE) and (not BLK_AE) and (not D_AE)  # conditions of proceed for route S3-DM2 (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_DB) and (not OCC_BC) and (not OCC_BD) and QR_102  # route S4-S4J becomes locked (R3)
-        CO_R8 = VALID and (not OCC_DB) and (not OCC_BC) and (not OCC_BD) and (not BLK_DB) and QR_102 and (not TR_102) and (not D_DB) and V_S4J_1  # conditions of proceed for route S4-S4J (R3)
-        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S4J) and (not CAN_S4J) and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and QR_102  # route S4J-S6 becomes locked (R3)
-        CO_R9 = VALID and (not OCC_BC) and (not OCC_BD) and (not OCC_BE) and (not BLK_BC) and (not BLK_BD) and QR_102 and (not TR_102) and (not D_BC) and V_S6_1  # conditions of proceed for route S4J-S6 (R3)
-        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_CE)  # route S5-DBO becomes locked (R3)
-        CO_R10 = VALID and (not OCC_CE) and (not BLK_CE) and (not D_CE)  # conditions of proceed for route S5-DBO (R3)
-        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S6) and (not CAN_S6) and (not OCC_BE)  # route S6-UM becomes locked (R3)
-        CO_R11 = VALID and (not OCC_BE) and (not BLK_BE) and (not D_BE)  # conditions of proceed for route S6-UM (R3)
+        GW_AB_2 = G_R1 or G_R2  # AB from DM to AB|AC@101.toe: granted
+        GW_AC_1 = G_R3  # AC from AB|AC@101.toe to AC|AD@101.normal: granted
+        GW_AC_2 = G_R4  # AC from AB|AC@101.toe to AC|CD@X1.1b: granted
+        GW_AD_1 = G_R3  # AD from AC|AD@101.normal to AD|AE@down2.0: granted
+        GW_AE_1 = G_R7  # AE from AD|AE@down2.0 to DM2: granted
+        GW_BB_2 = G_R5  # BB from UM2 to BB|BC@X1.2a: granted
+        GW_BC_1 = G_R6  # BC from BB|BC@X1.2a to BC|BD@102.toe: granted
+        GW_BC_4 = G_R9  # BC from BC|DB@102.reverse to BC|BD@102.toe: granted
+        GW_BD_1 = G_R6 or G_R9  # BD from BC|BD@102.toe to BD|BE@up2.0: granted
+        GW_BE_1 = G_R11  # BE from BD|BE@up2.0 to UM: granted
+        GW_CD_1 = G_R4  # CD from AC|CD@X1.1b to CD|CE@branch.0: granted
+        GW_CE_1 = G_R10  # CE from CD|CE@branch.0 to DBO: granted
+        GW_DB_2 = G_R8  # DB from UB to BC|DB@102.reverse: granted
+        GO_S1J_1 = G_R1  # overlap 1 of S1J: granted
+        GO_S1J_2 = G_R2  # overlap 2 of S1J: granted
+        GO_S2J_1 = G_R5  # overlap 1 of S2J: granted
+        GO_S3_1 = G_R3  # overlap 1 of S3: granted
+        GO_S4J_1 = G_R8  # overlap 1 of S4J: granted
+        GO_S5_1 = G_R4  # overlap 1 of S5: granted
+        GO_S6_1 = G_R6 or G_R9  # overlap 1 of S6: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S1) and (not CAN_S1) and WL_AB_2 and WL_AC_1 and WL_AD_1  # route S1-S1J becomes locked (R3)
+        CO_R1 = VALID and WP_AB_2 and WL_AC_1 and WL_AD_1 and (not D_AB) and V_S1J_1  # conditions of proceed for route S1-S1J (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S1) and (not CAN_S1) and WL_AB_2 and WL_AC_2 and WL_CD_1  # route S1-S1J.o2 becomes locked (R3)
+        CO_R2 = VALID and WP_AB_2 and WL_AC_2 and WL_CD_1 and (not D_AB) and V_S1J_2  # conditions of proceed for route S1-S1J.o2 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1J) and (not CAN_S1J) and WL_AC_1 and WL_AD_1 and WL_AE_1  # route S1J-S3 becomes locked (R3)
+        CO_R3 = VALID and WP_AC_1 and WP_AD_1 and WL_AE_1 and (not D_AC) and V_S3_1  # conditions of proceed for route S1J-S3 (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S1J) and (not CAN_S1J) and WL_AC_2 and WL_CD_1 and WL_CE_1  # route S1J-S5 becomes locked (R3)
+        CO_R4 = VALID and WP_AC_2 and WP_CD_1 and WL_CE_1 and (not D_AC) and V_S5_1  # conditions of proceed for route S1J-S5 (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S2) and (not CAN_S2) and WL_BB_2 and WL_BC_1 and WL_BD_1  # route S2-S2J becomes locked (R3)
+        CO_R5 = VALID and WP_BB_2 and WL_BC_1 and WL_BD_1 and (not D_BB) and V_S2J_1  # conditions of proceed for route S2-S2J (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S2J) and (not CAN_S2J) and WL_BC_1 and WL_BD_1 and WL_BE_1  # route S2J-S6 becomes locked (R3)
+        CO_R6 = VALID and WP_BC_1 and WP_BD_1 and WL_BE_1 and (not D_BC) and V_S6_1  # conditions of proceed for route S2J-S6 (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S3) and (not CAN_S3) and WL_AE_1  # route S3-DM2 becomes locked (R3)
+        CO_R7 = VALID and WP_AE_1 and (not D_AE)  # conditions of proceed for route S3-DM2 (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S4) and (not CAN_S4) and WL_DB_2 and WL_BC_4 and WL_BD_1  # route S4-S4J becomes locked (R3)
+        CO_R8 = VALID and WP_DB_2 and WL_BC_4 and WL_BD_1 and (not D_DB) and V_S4J_1  # conditions of proceed for route S4-S4J (R3)
+        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S4J) and (not CAN_S4J) and WL_BC_4 and WL_BD_1 and WL_BE_1  # route S4J-S6 becomes locked (R3)
+        CO_R9 = VALID and WP_BC_4 and WP_BD_1 and WL_BE_1 and (not D_BC) and V_S6_1  # conditions of proceed for route S4J-S6 (R3)
+        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S5) and (not CAN_S5) and WL_CE_1  # route S5-DBO becomes locked (R3)
+        CO_R10 = VALID and WP_CE_1 and (not D_CE)  # conditions of proceed for route S5-DBO (R3)
+        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S6) and (not CAN_S6) and WL_BE_1  # route S6-UM becomes locked (R3)
+        CO_R11 = VALID and WP_BE_1 and (not D_BE)  # conditions of proceed for route S6-UM (R3)
         NU_AB_2 = VALID and F_AB and (not D_AB) and (not U_AB) and L_AB_2 and OCC_AB and OCC_AA  # a train comes into AB at DM (R9)
         NU_AC_1 = VALID and F_AC and (not D_AC) and (not U_AC) and (L_AC_1 or L_AC_2) and OCC_AC and OCC_AB  # a train comes into AC at AB|AC@101.toe (R9)
         NU_AD_1 = VALID and F_AD and (not D_AD) and (not U_AD) and L_AD_1 and OCC_AD and OCC_AC and (V_S1J_1 or U_AC) and (V_S1J_1 or L_AC_1)  # a train comes into AD at AC|AD@101.normal (R9)
@@ -762,16 +836,18 @@ class Controller:
         OR_S4J = (not L_DB_2) or OT_S4J  # the overlap of S4J is not needed any more (R4)
         OR_S5 = (not L_CD_1) or OT_S5  # the overlap of S5 is not needed any more (R4)
         OR_S6 = (not L_BD_1) or OT_S6  # the overlap of S6 is not needed any more (R4)
-        GPN_101 = (G_R1 or G_R3 or G_R5 or G_R6)  # a grant needs 101 N
-        MAN_101 = MN_101 and (not MR_101) and MOV_101 and (not (G_R1 or G_R2 or G_R3 or G_R4 or G_R5 or G_R6))  # machine 101 moved N by hand
-        GPR_101 = (G_R2 or G_R4)  # a grant needs 101 R
-        MAR_101 = MR_101 and (not MN_101) and MOV_101 and (not (G_R1 or G_R2 or G_R3 or G_R4 or G_R5 or G_R6))  # machine 101 moved R by hand
+        TG_101 = (GW_AC_1 or GO_S1J_1 or GW_AC_2 or GO_S1J_2 or GW_BC_1 or GO_S2J_1)  # a grant touches machine 101 in this scan
+        GPN_101 = (GW_AC_1 or GO_S1J_1 or GW_BC_1 or GO_S2J_1)  # a grant needs 101 N
+        MAN_101 = MN_101 and (not MR_101) and MOV_101 and (not TG_101)  # machine 101 moved N by hand
+        GPR_101 = (GW_AC_2 or GO_S1J_2)  # a grant needs 101 R
+        MAR_101 = MR_101 and (not MN_101) and MOV_101 and (not TG_101)  # machine 101 moved R by hand
         HDN_101 = CN_101 and (not GPR_101) and (not MAR_101)  # the command N stays
         HDR_101 = CR_101 and (not GPN_101) and (not MAN_101)  # the command R stays
-        GPN_102 = (G_R5 or G_R6)  # a grant needs 102 N
-        MAN_102 = MN_102 and (not MR_102) and MOV_102 and (not (G_R5 or G_R6 or G_R8 or G_R9))  # machine 102 moved N by hand
-        GPR_102 = (G_R8 or G_R9)  # a grant needs 102 R
-        MAR_102 = MR_102 and (not MN_102) and MOV_102 and (not (G_R5 or G_R6 or G_R8 or G_R9))  # machine 102 moved R by hand
+        TG_102 = (GW_BC_1 or GO_S2J_1 or GW_BC_4 or GO_S4J_1)  # a grant touches machine 102 in this scan
+        GPN_102 = (GW_BC_1 or GO_S2J_1)  # a grant needs 102 N
+        MAN_102 = MN_102 and (not MR_102) and MOV_102 and (not TG_102)  # machine 102 moved N by hand
+        GPR_102 = (GW_BC_4 or GO_S4J_1)  # a grant needs 102 R
+        MAR_102 = MR_102 and (not MN_102) and MOV_102 and (not TG_102)  # machine 102 moved R by hand
         HDN_102 = CN_102 and (not GPR_102) and (not MAR_102)  # the command N stays
         HDR_102 = CR_102 and (not GPN_102) and (not MAN_102)  # the command R stays
         STI_101 = (CN_101 and (not QN_101)) or (CR_101 and (not QR_101))  # machine 101 is not where it was commanded
@@ -886,80 +962,80 @@ class Controller:
         N_X_S5 = (X_S5 or CAN_S5) and A_R10 and (not CD_S5)  # S5: cancelling
         N_X_S6 = (X_S6 or CAN_S6) and A_R11 and (not CD_S6)  # S6: cancelling
         N_K_AB = K_AB and (not RLS_AB)  # AB: restart lock (R16)
-        N_L_AB_2 = (L_AB_2 or G_R1 or G_R2) and (not RLS_AB)  # AB locked from DM to AB|AC@101.toe
+        N_L_AB_2 = (L_AB_2 or GW_AB_2) and (not RLS_AB)  # AB locked from DM to AB|AC@101.toe
         N_F_AB = (F_AB or LK_R1 or LK_R2) and (not RLS_AB)  # AB firmly locked
         N_U_AB = (U_AB or NU_AB_2) and (not RLS_AB)  # AB used by a train (R9)
         N_P_AB = (P_AB or (U_AB and OCC_AB and NU_AC_1)) and (not RLS_AB)  # AB: the train went on (R9)
         N_D_AB = (D_AB or ((not VALID) and L_AB_2)) and (not RLS_AB)  # AB: inputs were lost while locked
         N_K_AC = K_AC and (not RLS_AC)  # AC: restart lock (R16)
-        N_L_AC_1 = (L_AC_1 or G_R3) and (not RLS_AC)  # AC locked from AB|AC@101.toe to AC|AD@101.normal
-        N_L_AC_2 = (L_AC_2 or G_R4) and (not RLS_AC)  # AC locked from AB|AC@101.toe to AC|CD@X1.1b
+        N_L_AC_1 = (L_AC_1 or GW_AC_1) and (not RLS_AC)  # AC locked from AB|AC@101.toe to AC|AD@101.normal
+        N_L_AC_2 = (L_AC_2 or GW_AC_2) and (not RLS_AC)  # AC locked from AB|AC@101.toe to AC|CD@X1.1b
         N_F_AC = (F_AC or LK_R3 or LK_R4) and (not RLS_AC)  # AC firmly locked
         N_U_AC = (U_AC or NU_AC_1) and (not RLS_AC)  # AC used by a train (R9)
         N_P_AC = (P_AC or (U_AC and OCC_AC and (NU_AD_1 or NU_CD_1))) and (not RLS_AC)  # AC: the train went on (R9)
         N_D_AC = (D_AC or ((not VALID) and (L_AC_1 or L_AC_2))) and (not RLS_AC)  # AC: inputs were lost while locked
         N_K_AD = K_AD and (not RLS_AD)  # AD: restart lock (R16)
-        N_L_AD_1 = (L_AD_1 or G_R3) and (not RLS_AD)  # AD locked from AC|AD@101.normal to AD|AE@down2.0
+        N_L_AD_1 = (L_AD_1 or GW_AD_1) and (not RLS_AD)  # AD locked from AC|AD@101.normal to AD|AE@down2.0
         N_F_AD = (F_AD or LK_R3) and (not RLS_AD)  # AD firmly locked
         N_U_AD = (U_AD or NU_AD_1) and (not RLS_AD)  # AD used by a train (R9)
         N_P_AD = (P_AD or (U_AD and OCC_AD and NU_AE_1)) and (not RLS_AD)  # AD: the train went on (R9)
         N_D_AD = (D_AD or ((not VALID) and L_AD_1)) and (not RLS_AD)  # AD: inputs were lost while locked
         N_K_AE = K_AE and (not RLS_AE)  # AE: restart lock (R16)
-        N_L_AE_1 = (L_AE_1 or G_R7) and (not RLS_AE)  # AE locked from AD|AE@down2.0 to DM2
+        N_L_AE_1 = (L_AE_1 or GW_AE_1) and (not RLS_AE)  # AE locked from AD|AE@down2.0 to DM2
         N_F_AE = (F_AE or LK_R7) and (not RLS_AE)  # AE firmly locked
         N_U_AE = (U_AE or NU_AE_1) and (not RLS_AE)  # AE used by a train (R9)
         N_P_AE = P_AE and (not RLS_AE)  # AE: the train went on (R9)
         N_D_AE = (D_AE or ((not VALID) and L_AE_1)) and (not RLS_AE)  # AE: inputs were lost while locked
         N_K_BB = K_BB and (not RLS_BB)  # BB: restart lock (R16)
-        N_L_BB_2 = (L_BB_2 or G_R5) and (not RLS_BB)  # BB locked from UM2 to BB|BC@X1.2a
+        N_L_BB_2 = (L_BB_2 or GW_BB_2) and (not RLS_BB)  # BB locked from UM2 to BB|BC@X1.2a
         N_F_BB = (F_BB or LK_R5) and (not RLS_BB)  # BB firmly locked
         N_U_BB = (U_BB or NU_BB_2) and (not RLS_BB)  # BB used by a train (R9)
         N_P_BB = (P_BB or (U_BB and OCC_BB and NU_BC_1)) and (not RLS_BB)  # BB: the train went on (R9)
         N_D_BB = (D_BB or ((not VALID) and L_BB_2)) and (not RLS_BB)  # BB: inputs were lost while locked
         N_K_BC = K_BC and (not RLS_BC)  # BC: restart lock (R16)
-        N_L_BC_1 = (L_BC_1 or G_R6) and (not RLS_BC)  # BC locked from BB|BC@X1.2a to BC|BD@102.toe
-        N_L_BC_4 = (L_BC_4 or G_R9) and (not RLS_BC)  # BC locked from BC|DB@102.reverse to BC|BD@102.toe
+        N_L_BC_1 = (L_BC_1 or GW_BC_1) and (not RLS_BC)  # BC locked from BB|BC@X1.2a to BC|BD@102.toe
+        N_L_BC_4 = (L_BC_4 or GW_BC_4) and (not RLS_BC)  # BC locked from BC|DB@102.reverse to BC|BD@102.toe
         N_F_BC = (F_BC or LK_R6 or LK_R9) and (not RLS_BC)  # BC firmly locked
         N_U_BC = (U_BC or NU_BC_1 or NU_BC_3) and (not RLS_BC)  # BC used by a train (R9)
         N_P_BC = (P_BC or (U_BC and OCC_BC and NU_BD_1)) and (not RLS_BC)  # BC: the train went on (R9)
         N_D_BC = (D_BC or ((not VALID) and (L_BC_1 or L_BC_4))) and (not RLS_BC)  # BC: inputs were lost while locked
         N_K_BD = K_BD and (not RLS_BD)  # BD: restart lock (R16)
-        N_L_BD_1 = (L_BD_1 or G_R6 or G_R9) and (not RLS_BD)  # BD locked from BC|BD@102.toe to BD|BE@up2.0
+        N_L_BD_1 = (L_BD_1 or GW_BD_1) and (not RLS_BD)  # BD locked from BC|BD@102.toe to BD|BE@up2.0
         N_F_BD = (F_BD or LK_R6 or LK_R9) and (not RLS_BD)  # BD firmly locked
         N_U_BD = (U_BD or NU_BD_1) and (not RLS_BD)  # BD used by a train (R9)
         N_P_BD = (P_BD or (U_BD and OCC_BD and NU_BE_1)) and (not RLS_BD)  # BD: the train went on (R9)
         N_D_BD = (D_BD or ((not VALID) and L_BD_1)) and (not RLS_BD)  # BD: inputs were lost while locked
         N_K_BE = K_BE and (not RLS_BE)  # BE: restart lock (R16)
-        N_L_BE_1 = (L_BE_1 or G_R11) and (not RLS_BE)  # BE locked from BD|BE@up2.0 to UM
+        N_L_BE_1 = (L_BE_1 or GW_BE_1) and (not RLS_BE)  # BE locked from BD|BE@up2.0 to UM
         N_F_BE = (F_BE or LK_R11) and (not RLS_BE)  # BE firmly locked
         N_U_BE = (U_BE or NU_BE_1) and (not RLS_BE)  # BE used by a train (R9)
         N_P_BE = P_BE and (not RLS_BE)  # BE: the train went on (R9)
         N_D_BE = (D_BE or ((not VALID) and L_BE_1)) and (not RLS_BE)  # BE: inputs were lost while locked
         N_K_CD = K_CD and (not RLS_CD)  # CD: restart lock (R16)
-        N_L_CD_1 = (L_CD_1 or G_R4) and (not RLS_CD)  # CD locked from AC|CD@X1.1b to CD|CE@branch.0
+        N_L_CD_1 = (L_CD_1 or GW_CD_1) and (not RLS_CD)  # CD locked from AC|CD@X1.1b to CD|CE@branch.0
         N_F_CD = (F_CD or LK_R4) and (not RLS_CD)  # CD firmly locked
         N_U_CD = (U_CD or NU_CD_1) and (not RLS_CD)  # CD used by a train (R9)
         N_P_CD = (P_CD or (U_CD and OCC_CD and NU_CE_1)) and (not RLS_CD)  # CD: the train went on (R9)
         N_D_CD = (D_CD or ((not VALID) and L_CD_1)) and (not RLS_CD)  # CD: inputs were lost while locked
         N_K_CE = K_CE and (not RLS_CE)  # CE: restart lock (R16)
-        N_L_CE_1 = (L_CE_1 or G_R10) and (not RLS_CE)  # CE locked from CD|CE@branch.0 to DBO
+        N_L_CE_1 = (L_CE_1 or GW_CE_1) and (not RLS_CE)  # CE locked from CD|CE@branch.0 to DBO
         N_F_CE = (F_CE or LK_R10) and (not RLS_CE)  # CE firmly locked
         N_U_CE = (U_CE or NU_CE_1) and (not RLS_CE)  # CE used by a train (R9)
         N_P_CE = P_CE and (not RLS_CE)  # CE: the train went on (R9)
         N_D_CE = (D_CE or ((not VALID) and L_CE_1)) and (not RLS_CE)  # CE: inputs were lost while locked
         N_K_DB = K_DB and (not RLS_DB)  # DB: restart lock (R16)
-        N_L_DB_2 = (L_DB_2 or G_R8) and (not RLS_DB)  # DB locked from UB to BC|DB@102.reverse
+        N_L_DB_2 = (L_DB_2 or GW_DB_2) and (not RLS_DB)  # DB locked from UB to BC|DB@102.reverse
         N_F_DB = (F_DB or LK_R8) and (not RLS_DB)  # DB firmly locked
         N_U_DB = (U_DB or NU_DB_2) and (not RLS_DB)  # DB used by a train (R9)
         N_P_DB = (P_DB or (U_DB and OCC_DB and NU_BC_3)) and (not RLS_DB)  # DB: the train went on (R9)
         N_D_DB = (D_DB or ((not VALID) and L_DB_2)) and (not RLS_DB)  # DB: inputs were lost while locked
-        N_V_S1J_1 = G_R1 or (V_S1J_1 and (not (OR_S1J and (not OCC_AC) and (not OCC_AD))))  # overlap 1 of S1J held
-        N_V_S1J_2 = G_R2 or (V_S1J_2 and (not (OR_S1J and (not OCC_AC) and (not OCC_CD))))  # overlap 2 of S1J held
-        N_V_S2J_1 = G_R5 or (V_S2J_1 and (not (OR_S2J and (not OCC_BC) and (not OCC_BD))))  # overlap 1 of S2J held
-        N_V_S3_1 = G_R3 or (V_S3_1 and (not (OR_S3 and (not OCC_AE))))  # overlap 1 of S3 held
-        N_V_S4J_1 = G_R8 or (V_S4J_1 and (not (OR_S4J and (not OCC_BC) and (not OCC_BD))))  # overlap 1 of S4J held
-        N_V_S5_1 = G_R4 or (V_S5_1 and (not (OR_S5 and (not OCC_CE))))  # overlap 1 of S5 held
-        N_V_S6_1 = (G_R6 or G_R9) or (V_S6_1 and (not (OR_S6 and (not OCC_BE))))  # overlap 1 of S6 held
+        N_V_S1J_1 = GO_S1J_1 or (V_S1J_1 and (not (OR_S1J and (not OCC_AC) and (not OCC_AD))))  # overlap 1 of S1J held
+        N_V_S1J_2 = GO_S1J_2 or (V_S1J_2 and (not (OR_S1J and (not OCC_AC) and (not OCC_CD))))  # overlap 2 of S1J held
+        N_V_S2J_1 = GO_S2J_1 or (V_S2J_1 and (not (OR_S2J and (not OCC_BC) and (not OCC_BD))))  # overlap 1 of S2J held
+        N_V_S3_1 = GO_S3_1 or (V_S3_1 and (not (OR_S3 and (not OCC_AE))))  # overlap 1 of S3 held
+        N_V_S4J_1 = GO_S4J_1 or (V_S4J_1 and (not (OR_S4J and (not OCC_BC) and (not OCC_BD))))  # overlap 1 of S4J held
+        N_V_S5_1 = GO_S5_1 or (V_S5_1 and (not (OR_S5 and (not OCC_CE))))  # overlap 1 of S5 held
+        N_V_S6_1 = GO_S6_1 or (V_S6_1 and (not (OR_S6 and (not OCC_BE))))  # overlap 1 of S6 held
         N_VF_S1J = (VF_S1J or LK_R1 or LK_R2) and (V_S1J_1 or V_S1J_2)  # overlap of S1J firmly held
         N_VF_S2J = (VF_S2J or LK_R5) and V_S2J_1  # overlap of S2J firmly held
         N_VF_S3 = (VF_S3 or LK_R3) and V_S3_1  # overlap of S3 firmly held

@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 0c07de1db56f8f65d897faeb4d8ff48813368c3ea9921dc289951ed7247f6482
-# claims b26f2403bb14b9516358208fba5249947034835967e4d563bf1c6896112f1297
+# claims 8f4556faea103ee292b577f6524d0607d5178652631cb5927ac69f6a835fa8b4
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -410,30 +410,110 @@ class Controller:
         MOV_2 = VALID and FREE_2DG and (not OCC_2DG) and True and True  # machine 2 is free to move (R10)
         AVN_2 = CN_2 or MOV_2 or (QN_2 and (not CN_2) and (not CR_2))  # machine 2 can be demanded N
         AVR_2 = CR_2 or MOV_2 or (QR_2 and (not CN_2) and (not CR_2))  # machine 2 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_IIAG and FREE_2DG and FREE_IG and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_IG) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_IG) and AVN_2 and (not TR_2)  # grant of route S-S1 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_IIAG and FREE_2DG and FREE_3G and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_3G) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_3G) and AVR_2 and (not TR_2)  # grant of route S-S3 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_1DG and FREE_IAG and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and AVN_1 and (not TR_1)  # grant of route S1-W (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_1DG and FREE_IAG and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and AVR_1 and (not TR_1)  # grant of route S3-W (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_IAG and FREE_1DG and FREE_IG and (not OCC_IAG) and (not OCC_1DG) and (not OCC_IG) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_IG) and AVN_1 and (not TR_1)  # grant of route X-X1 (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_IAG and FREE_1DG and FREE_3G and (not OCC_IAG) and (not OCC_1DG) and (not OCC_3G) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_3G) and AVR_1 and (not TR_1)  # grant of route X-X3 (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_2DG and FREE_IIAG and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and AVN_2 and (not TR_2)  # grant of route X1-E (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_2DG and FREE_IIAG and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and AVR_2 and (not TR_2)  # grant of route X3-E (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S) and (not CAN_S) and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_IG) and QN_2  # route S-S1 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_IG) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_IG) and QN_2 and (not TR_2) and (not D_IIAG)  # conditions of proceed for route S-S1 (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S) and (not CAN_S) and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_3G) and QR_2  # route S-S3 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_IIAG) and (not OCC_2DG) and (not OCC_3G) and (not BLK_IIAG) and (not BLK_2DG) and (not BLK_3G) and QR_2 and (not TR_2) and (not D_IIAG)  # conditions of proceed for route S-S3 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_1DG) and (not OCC_IAG) and QN_1  # route S1-W becomes locked (R3)
-        CO_R3 = VALID and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and QN_1 and (not TR_1) and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S1-W (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S3) and (not CAN_S3) and (not OCC_1DG) and (not OCC_IAG) and QR_1  # route S3-W becomes locked (R3)
-        CO_R4 = VALID and (not OCC_1DG) and (not OCC_IAG) and (not BLK_1DG) and (not BLK_IAG) and QR_1 and (not TR_1) and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S3-W (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_1DG) and (not OCC_IG) and QN_1  # route X-X1 becomes locked (R3)
-        CO_R5 = VALID and (not OCC_IAG) and (not OCC_1DG) and (not OCC_IG) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_IG) and QN_1 and (not TR_1) and (not D_IAG)  # conditions of proceed for route X-X1 (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_X) and (not CAN_X) and (not OCC_IAG) and (not OCC_1DG) and (not OCC_3G) and QR_1  # route X-X3 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_IAG) and (not OCC_1DG) and (not OCC_3G) and (not BLK_IAG) and (not BLK_1DG) and (not BLK_3G) and QR_1 and (not TR_1) and (not D_IAG)  # conditions of proceed for route X-X3 (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_X1) and (not CAN_X1) and (not OCC_2DG) and (not OCC_IIAG) and QN_2  # route X1-E becomes locked (R3)
-        CO_R7 = VALID and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and QN_2 and (not TR_2) and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X1-E (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_X3) and (not CAN_X3) and (not OCC_2DG) and (not OCC_IIAG) and QR_2  # route X3-E becomes locked (R3)
-        CO_R8 = VALID and (not OCC_2DG) and (not OCC_IIAG) and (not BLK_2DG) and (not BLK_IIAG) and QR_2 and (not TR_2) and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X3-E (R3)
+        WA_1DG_1 = AVR_1 and (not TR_1)  # 1DG from 1DG|3G@1.reverse to 1DG|IAG@1.toe: could be locked
+        WF_1DG_1 = FREE_1DG and (not OCC_1DG) and (not BLK_1DG) and WA_1DG_1  # 1DG from 1DG|3G@1.reverse to 1DG|IAG@1.toe: free for a route (R6)
+        WA_1DG_2 = AVR_1 and (not TR_1)  # 1DG from 1DG|IAG@1.toe to 1DG|3G@1.reverse: could be locked
+        WF_1DG_2 = FREE_1DG and (not OCC_1DG) and (not BLK_1DG) and WA_1DG_2  # 1DG from 1DG|IAG@1.toe to 1DG|3G@1.reverse: free for a route (R6)
+        WA_1DG_3 = AVN_1 and (not TR_1)  # 1DG from 1DG|IAG@1.toe to 1DG|IG@1.normal: could be locked
+        WF_1DG_3 = FREE_1DG and (not OCC_1DG) and (not BLK_1DG) and WA_1DG_3  # 1DG from 1DG|IAG@1.toe to 1DG|IG@1.normal: free for a route (R6)
+        WA_1DG_4 = AVN_1 and (not TR_1)  # 1DG from 1DG|IG@1.normal to 1DG|IAG@1.toe: could be locked
+        WF_1DG_4 = FREE_1DG and (not OCC_1DG) and (not BLK_1DG) and WA_1DG_4  # 1DG from 1DG|IG@1.normal to 1DG|IAG@1.toe: free for a route (R6)
+        WA_2DG_1 = AVR_2 and (not TR_2)  # 2DG from 2DG|3G@2.reverse to 2DG|IIAG@2.toe: could be locked
+        WF_2DG_1 = FREE_2DG and (not OCC_2DG) and (not BLK_2DG) and WA_2DG_1  # 2DG from 2DG|3G@2.reverse to 2DG|IIAG@2.toe: free for a route (R6)
+        WA_2DG_2 = AVN_2 and (not TR_2)  # 2DG from 2DG|IG@2.normal to 2DG|IIAG@2.toe: could be locked
+        WF_2DG_2 = FREE_2DG and (not OCC_2DG) and (not BLK_2DG) and WA_2DG_2  # 2DG from 2DG|IG@2.normal to 2DG|IIAG@2.toe: free for a route (R6)
+        WA_2DG_3 = AVR_2 and (not TR_2)  # 2DG from 2DG|IIAG@2.toe to 2DG|3G@2.reverse: could be locked
+        WF_2DG_3 = FREE_2DG and (not OCC_2DG) and (not BLK_2DG) and WA_2DG_3  # 2DG from 2DG|IIAG@2.toe to 2DG|3G@2.reverse: free for a route (R6)
+        WA_2DG_4 = AVN_2 and (not TR_2)  # 2DG from 2DG|IIAG@2.toe to 2DG|IG@2.normal: could be locked
+        WF_2DG_4 = FREE_2DG and (not OCC_2DG) and (not BLK_2DG) and WA_2DG_4  # 2DG from 2DG|IIAG@2.toe to 2DG|IG@2.normal: free for a route (R6)
+        WF_3G_1 = FREE_3G and (not OCC_3G) and (not BLK_3G)  # 3G from 1DG|3G@1.reverse to 2DG|3G@2.reverse: free for a route (R6)
+        WF_3G_2 = FREE_3G and (not OCC_3G) and (not BLK_3G)  # 3G from 2DG|3G@2.reverse to 1DG|3G@1.reverse: free for a route (R6)
+        WF_IAG_1 = FREE_IAG and (not OCC_IAG) and (not BLK_IAG)  # IAG from 1DG|IAG@1.toe to W: free for a route (R6)
+        WF_IAG_2 = FREE_IAG and (not OCC_IAG) and (not BLK_IAG)  # IAG from W to 1DG|IAG@1.toe: free for a route (R6)
+        WF_IG_1 = FREE_IG and (not OCC_IG) and (not BLK_IG)  # IG from 1DG|IG@1.normal to 2DG|IG@2.normal: free for a route (R6)
+        WF_IG_2 = FREE_IG and (not OCC_IG) and (not BLK_IG)  # IG from 2DG|IG@2.normal to 1DG|IG@1.normal: free for a route (R6)
+        WF_IIAG_1 = FREE_IIAG and (not OCC_IIAG) and (not BLK_IIAG)  # IIAG from 2DG|IIAG@2.toe to E: free for a route (R6)
+        WF_IIAG_2 = FREE_IIAG and (not OCC_IIAG) and (not BLK_IIAG)  # IIAG from E to 2DG|IIAG@2.toe: free for a route (R6)
+        WD_1DG_1 = QR_1 and (not TR_1)  # 1DG from 1DG|3G@1.reverse to 1DG|IAG@1.toe: its points lie, nothing is foul of it
+        WL_1DG_1 = (not OCC_1DG) and WD_1DG_1  # 1DG from 1DG|3G@1.reverse to 1DG|IAG@1.toe: lies and is clear
+        WP_1DG_1 = WL_1DG_1 and (not BLK_1DG)  # 1DG from 1DG|3G@1.reverse to 1DG|IAG@1.toe: proceed may be shown over it (R3)
+        WD_1DG_2 = QR_1 and (not TR_1)  # 1DG from 1DG|IAG@1.toe to 1DG|3G@1.reverse: its points lie, nothing is foul of it
+        WL_1DG_2 = (not OCC_1DG) and WD_1DG_2  # 1DG from 1DG|IAG@1.toe to 1DG|3G@1.reverse: lies and is clear
+        WP_1DG_2 = WL_1DG_2 and (not BLK_1DG)  # 1DG from 1DG|IAG@1.toe to 1DG|3G@1.reverse: proceed may be shown over it (R3)
+        WD_1DG_3 = QN_1 and (not TR_1)  # 1DG from 1DG|IAG@1.toe to 1DG|IG@1.normal: its points lie, nothing is foul of it
+        WL_1DG_3 = (not OCC_1DG) and WD_1DG_3  # 1DG from 1DG|IAG@1.toe to 1DG|IG@1.normal: lies and is clear
+        WP_1DG_3 = WL_1DG_3 and (not BLK_1DG)  # 1DG from 1DG|IAG@1.toe to 1DG|IG@1.normal: proceed may be shown over it (R3)
+        WD_1DG_4 = QN_1 and (not TR_1)  # 1DG from 1DG|IG@1.normal to 1DG|IAG@1.toe: its points lie, nothing is foul of it
+        WL_1DG_4 = (not OCC_1DG) and WD_1DG_4  # 1DG from 1DG|IG@1.normal to 1DG|IAG@1.toe: lies and is clear
+        WP_1DG_4 = WL_1DG_4 and (not BLK_1DG)  # 1DG from 1DG|IG@1.normal to 1DG|IAG@1.toe: proceed may be shown over it (R3)
+        WD_2DG_1 = QR_2 and (not TR_2)  # 2DG from 2DG|3G@2.reverse to 2DG|IIAG@2.toe: its points lie, nothing is foul of it
+        WL_2DG_1 = (not OCC_2DG) and WD_2DG_1  # 2DG from 2DG|3G@2.reverse to 2DG|IIAG@2.toe: lies and is clear
+        WP_2DG_1 = WL_2DG_1 and (not BLK_2DG)  # 2DG from 2DG|3G@2.reverse to 2DG|IIAG@2.toe: proceed may be shown over it (R3)
+        WD_2DG_2 = QN_2 and (not TR_2)  # 2DG from 2DG|IG@2.normal to 2DG|IIAG@2.toe: its points lie, nothing is foul of it
+        WL_2DG_2 = (not OCC_2DG) and WD_2DG_2  # 2DG from 2DG|IG@2.normal to 2DG|IIAG@2.toe: lies and is clear
+        WP_2DG_2 = WL_2DG_2 and (not BLK_2DG)  # 2DG from 2DG|IG@2.normal to 2DG|IIAG@2.toe: proceed may be shown over it (R3)
+        WD_2DG_3 = QR_2 and (not TR_2)  # 2DG from 2DG|IIAG@2.toe to 2DG|3G@2.reverse: its points lie, nothing is foul of it
+        WL_2DG_3 = (not OCC_2DG) and WD_2DG_3  # 2DG from 2DG|IIAG@2.toe to 2DG|3G@2.reverse: lies and is clear
+        WP_2DG_3 = WL_2DG_3 and (not BLK_2DG)  # 2DG from 2DG|IIAG@2.toe to 2DG|3G@2.reverse: proceed may be shown over it (R3)
+        WD_2DG_4 = QN_2 and (not TR_2)  # 2DG from 2DG|IIAG@2.toe to 2DG|IG@2.normal: its points lie, nothing is foul of it
+        WL_2DG_4 = (not OCC_2DG) and WD_2DG_4  # 2DG from 2DG|IIAG@2.toe to 2DG|IG@2.normal: lies and is clear
+        WP_2DG_4 = WL_2DG_4 and (not BLK_2DG)  # 2DG from 2DG|IIAG@2.toe to 2DG|IG@2.normal: proceed may be shown over it (R3)
+        WL_3G_1 = (not OCC_3G)  # 3G from 1DG|3G@1.reverse to 2DG|3G@2.reverse: lies and is clear
+        WP_3G_1 = WL_3G_1 and (not BLK_3G)  # 3G from 1DG|3G@1.reverse to 2DG|3G@2.reverse: proceed may be shown over it (R3)
+        WL_3G_2 = (not OCC_3G)  # 3G from 2DG|3G@2.reverse to 1DG|3G@1.reverse: lies and is clear
+        WP_3G_2 = WL_3G_2 and (not BLK_3G)  # 3G from 2DG|3G@2.reverse to 1DG|3G@1.reverse: proceed may be shown over it (R3)
+        WL_IAG_1 = (not OCC_IAG)  # IAG from 1DG|IAG@1.toe to W: lies and is clear
+        WP_IAG_1 = WL_IAG_1 and (not BLK_IAG)  # IAG from 1DG|IAG@1.toe to W: proceed may be shown over it (R3)
+        WL_IAG_2 = (not OCC_IAG)  # IAG from W to 1DG|IAG@1.toe: lies and is clear
+        WP_IAG_2 = WL_IAG_2 and (not BLK_IAG)  # IAG from W to 1DG|IAG@1.toe: proceed may be shown over it (R3)
+        WL_IG_1 = (not OCC_IG)  # IG from 1DG|IG@1.normal to 2DG|IG@2.normal: lies and is clear
+        WP_IG_1 = WL_IG_1 and (not BLK_IG)  # IG from 1DG|IG@1.normal to 2DG|IG@2.normal: proceed may be shown over it (R3)
+        WL_IG_2 = (not OCC_IG)  # IG from 2DG|IG@2.normal to 1DG|IG@1.normal: lies and is clear
+        WP_IG_2 = WL_IG_2 and (not BLK_IG)  # IG from 2DG|IG@2.normal to 1DG|IG@1.normal: proceed may be shown over it (R3)
+        WL_IIAG_1 = (not OCC_IIAG)  # IIAG from 2DG|IIAG@2.toe to E: lies and is clear
+        WP_IIAG_1 = WL_IIAG_1 and (not BLK_IIAG)  # IIAG from 2DG|IIAG@2.toe to E: proceed may be shown over it (R3)
+        WL_IIAG_2 = (not OCC_IIAG)  # IIAG from E to 2DG|IIAG@2.toe: lies and is clear
+        WP_IIAG_2 = WL_IIAG_2 and (not BLK_IIAG)  # IIAG from E to 2DG|IIAG@2.toe: proceed may be shown over it (R3)
+        G_R1 = (REQ == 1) and VALID and WF_IIAG_2 and WF_2DG_4 and WF_IG_2  # grant of route S-S1 (R6)
+        G_R2 = (REQ == 2) and VALID and WF_IIAG_2 and WF_2DG_3 and WF_3G_2  # grant of route S-S3 (R6)
+        G_R3 = (REQ == 3) and VALID and WF_1DG_4 and WF_IAG_1  # grant of route S1-W (R6)
+        G_R4 = (REQ == 4) and VALID and WF_1DG_1 and WF_IAG_1  # grant of route S3-W (R6)
+        G_R5 = (REQ == 5) and VALID and WF_IAG_2 and WF_1DG_3 and WF_IG_1  # grant of route X-X1 (R6)
+        G_R6 = (REQ == 6) and VALID and WF_IAG_2 and WF_1DG_2 and WF_3G_1  # grant of route X-X3 (R6)
+        G_R7 = (REQ == 7) and VALID and WF_2DG_2 and WF_IIAG_1  # grant of route X1-E (R6)
+        G_R8 = (REQ == 8) and VALID and WF_2DG_1 and WF_IIAG_1  # grant of route X3-E (R6)
+        GW_1DG_1 = G_R4  # 1DG from 1DG|3G@1.reverse to 1DG|IAG@1.toe: granted
+        GW_1DG_2 = G_R6  # 1DG from 1DG|IAG@1.toe to 1DG|3G@1.reverse: granted
+        GW_1DG_3 = G_R5  # 1DG from 1DG|IAG@1.toe to 1DG|IG@1.normal: granted
+        GW_1DG_4 = G_R3  # 1DG from 1DG|IG@1.normal to 1DG|IAG@1.toe: granted
+        GW_2DG_1 = G_R8  # 2DG from 2DG|3G@2.reverse to 2DG|IIAG@2.toe: granted
+        GW_2DG_2 = G_R7  # 2DG from 2DG|IG@2.normal to 2DG|IIAG@2.toe: granted
+        GW_2DG_3 = G_R2  # 2DG from 2DG|IIAG@2.toe to 2DG|3G@2.reverse: granted
+        GW_2DG_4 = G_R1  # 2DG from 2DG|IIAG@2.toe to 2DG|IG@2.normal: granted
+        GW_3G_1 = G_R6  # 3G from 1DG|3G@1.reverse to 2DG|3G@2.reverse: granted
+        GW_3G_2 = G_R2  # 3G from 2DG|3G@2.reverse to 1DG|3G@1.reverse: granted
+        GW_IAG_1 = G_R3 or G_R4  # IAG from 1DG|IAG@1.toe to W: granted
+        GW_IAG_2 = G_R5 or G_R6  # IAG from W to 1DG|IAG@1.toe: granted
+        GW_IG_1 = G_R5  # IG from 1DG|IG@1.normal to 2DG|IG@2.normal: granted
+        GW_IG_2 = G_R1  # IG from 2DG|IG@2.normal to 1DG|IG@1.normal: granted
+        GW_IIAG_1 = G_R7 or G_R8  # IIAG from 2DG|IIAG@2.toe to E: granted
+        GW_IIAG_2 = G_R1 or G_R2  # IIAG from E to 2DG|IIAG@2.toe: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S) and (not CAN_S) and WL_IIAG_2 and WL_2DG_4 and WL_IG_2  # route S-S1 becomes locked (R3)
+        CO_R1 = VALID and WP_IIAG_2 and WP_2DG_4 and WP_IG_2 and (not D_IIAG)  # conditions of proceed for route S-S1 (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S) and (not CAN_S) and WL_IIAG_2 and WL_2DG_3 and WL_3G_2  # route S-S3 becomes locked (R3)
+        CO_R2 = VALID and WP_IIAG_2 and WP_2DG_3 and WP_3G_2 and (not D_IIAG)  # conditions of proceed for route S-S3 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and WL_1DG_4 and WL_IAG_1  # route S1-W becomes locked (R3)
+        CO_R3 = VALID and WP_1DG_4 and WP_IAG_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S1-W (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S3) and (not CAN_S3) and WL_1DG_1 and WL_IAG_1  # route S3-W becomes locked (R3)
+        CO_R4 = VALID and WP_1DG_1 and WP_IAG_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S3-W (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_1DG_3 and WL_IG_1  # route X-X1 becomes locked (R3)
+        CO_R5 = VALID and WP_IAG_2 and WP_1DG_3 and WP_IG_1 and (not D_IAG)  # conditions of proceed for route X-X1 (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_1DG_2 and WL_3G_1  # route X-X3 becomes locked (R3)
+        CO_R6 = VALID and WP_IAG_2 and WP_1DG_2 and WP_3G_1 and (not D_IAG)  # conditions of proceed for route X-X3 (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_X1) and (not CAN_X1) and WL_2DG_2 and WL_IIAG_1  # route X1-E becomes locked (R3)
+        CO_R7 = VALID and WP_2DG_2 and WP_IIAG_1 and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X1-E (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_X3) and (not CAN_X3) and WL_2DG_1 and WL_IIAG_1  # route X3-E becomes locked (R3)
+        CO_R8 = VALID and WP_2DG_1 and WP_IIAG_1 and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X3-E (R3)
         NU_1DG_1 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and L_1DG_1 and OCC_1DG and OCC_3G  # a train comes into 1DG at 1DG|3G@1.reverse (R9)
         NU_1DG_2 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and (L_1DG_2 or L_1DG_3) and OCC_1DG and OCC_IAG and U_IAG and L_IAG_2  # a train comes into 1DG at 1DG|IAG@1.toe (R9)
         NU_1DG_3 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and L_1DG_4 and OCC_1DG and OCC_IG  # a train comes into 1DG at 1DG|IG@1.normal (R9)
@@ -508,16 +588,18 @@ class Controller:
         HR_IIAG = VALID and (not OCC_IIAG) and (not (L_IIAG_1 and (L_2DG_1 or L_2DG_2))) and REL_IIAG and (L_IIAG_1 or L_IIAG_2) and ((not L_IIAG_2) or ((not (A_R1 or A_R2)) and ((not OCC_SJG) or AT_S)))  # IIAG released by hand (R8, section fault release)
         SR_IIAG = VALID and (not OCC_IIAG) and K_IIAG and (REL_IIAG or RELALL)  # IIAG released after a restart (R16)
         RLS_IIAG = RT_IIAG or CA_IIAG or CD_S or HR_IIAG or SR_IIAG  # IIAG is released
-        GPN_1 = (G_R3 or G_R5)  # a grant needs 1 N
-        MAN_1 = MN_1 and (not MR_1) and MOV_1 and (not (G_R3 or G_R4 or G_R5 or G_R6))  # machine 1 moved N by hand
-        GPR_1 = (G_R4 or G_R6)  # a grant needs 1 R
-        MAR_1 = MR_1 and (not MN_1) and MOV_1 and (not (G_R3 or G_R4 or G_R5 or G_R6))  # machine 1 moved R by hand
+        TG_1 = (GW_1DG_1 or GW_1DG_2 or GW_1DG_3 or GW_1DG_4)  # a grant touches machine 1 in this scan
+        GPN_1 = (GW_1DG_3 or GW_1DG_4)  # a grant needs 1 N
+        MAN_1 = MN_1 and (not MR_1) and MOV_1 and (not TG_1)  # machine 1 moved N by hand
+        GPR_1 = (GW_1DG_1 or GW_1DG_2)  # a grant needs 1 R
+        MAR_1 = MR_1 and (not MN_1) and MOV_1 and (not TG_1)  # machine 1 moved R by hand
         HDN_1 = CN_1 and (not GPR_1) and (not MAR_1)  # the command N stays
         HDR_1 = CR_1 and (not GPN_1) and (not MAN_1)  # the command R stays
-        GPN_2 = (G_R1 or G_R7)  # a grant needs 2 N
-        MAN_2 = MN_2 and (not MR_2) and MOV_2 and (not (G_R1 or G_R2 or G_R7 or G_R8))  # machine 2 moved N by hand
-        GPR_2 = (G_R2 or G_R8)  # a grant needs 2 R
-        MAR_2 = MR_2 and (not MN_2) and MOV_2 and (not (G_R1 or G_R2 or G_R7 or G_R8))  # machine 2 moved R by hand
+        TG_2 = (GW_2DG_1 or GW_2DG_2 or GW_2DG_3 or GW_2DG_4)  # a grant touches machine 2 in this scan
+        GPN_2 = (GW_2DG_2 or GW_2DG_4)  # a grant needs 2 N
+        MAN_2 = MN_2 and (not MR_2) and MOV_2 and (not TG_2)  # machine 2 moved N by hand
+        GPR_2 = (GW_2DG_1 or GW_2DG_3)  # a grant needs 2 R
+        MAR_2 = MR_2 and (not MN_2) and MOV_2 and (not TG_2)  # machine 2 moved R by hand
         HDN_2 = CN_2 and (not GPR_2) and (not MAR_2)  # the command N stays
         HDR_2 = CR_2 and (not GPN_2) and (not MAN_2)  # the command R stays
         STI_1 = (CN_1 and (not QN_1)) or (CR_1 and (not QR_1))  # machine 1 is not where it was commanded
@@ -605,47 +687,47 @@ class Controller:
         N_X_X1 = (X_X1 or CAN_X1) and A_R7 and (not CD_X1)  # X1: cancelling
         N_X_X3 = (X_X3 or CAN_X3) and A_R8 and (not CD_X3)  # X3: cancelling
         N_K_1DG = K_1DG and (not RLS_1DG)  # 1DG: restart lock (R16)
-        N_L_1DG_1 = (L_1DG_1 or G_R4) and (not RLS_1DG)  # 1DG locked from 1DG|3G@1.reverse to 1DG|IAG@1.toe
-        N_L_1DG_2 = (L_1DG_2 or G_R6) and (not RLS_1DG)  # 1DG locked from 1DG|IAG@1.toe to 1DG|3G@1.reverse
-        N_L_1DG_3 = (L_1DG_3 or G_R5) and (not RLS_1DG)  # 1DG locked from 1DG|IAG@1.toe to 1DG|IG@1.normal
-        N_L_1DG_4 = (L_1DG_4 or G_R3) and (not RLS_1DG)  # 1DG locked from 1DG|IG@1.normal to 1DG|IAG@1.toe
+        N_L_1DG_1 = (L_1DG_1 or GW_1DG_1) and (not RLS_1DG)  # 1DG locked from 1DG|3G@1.reverse to 1DG|IAG@1.toe
+        N_L_1DG_2 = (L_1DG_2 or GW_1DG_2) and (not RLS_1DG)  # 1DG locked from 1DG|IAG@1.toe to 1DG|3G@1.reverse
+        N_L_1DG_3 = (L_1DG_3 or GW_1DG_3) and (not RLS_1DG)  # 1DG locked from 1DG|IAG@1.toe to 1DG|IG@1.normal
+        N_L_1DG_4 = (L_1DG_4 or GW_1DG_4) and (not RLS_1DG)  # 1DG locked from 1DG|IG@1.normal to 1DG|IAG@1.toe
         N_F_1DG = (F_1DG or LK_R4 or LK_R6 or LK_R5 or LK_R3) and (not RLS_1DG)  # 1DG firmly locked
         N_U_1DG = (U_1DG or NU_1DG_1 or NU_1DG_2 or NU_1DG_3) and (not RLS_1DG)  # 1DG used by a train (R9)
         N_P_1DG = (P_1DG or (U_1DG and OCC_1DG and (NU_3G_1 or NU_IAG_1 or NU_IG_1))) and (not RLS_1DG)  # 1DG: the train went on (R9)
         N_D_1DG = (D_1DG or ((not VALID) and (L_1DG_1 or L_1DG_2 or L_1DG_3 or L_1DG_4))) and (not RLS_1DG)  # 1DG: inputs were lost while locked
         N_K_2DG = K_2DG and (not RLS_2DG)  # 2DG: restart lock (R16)
-        N_L_2DG_1 = (L_2DG_1 or G_R8) and (not RLS_2DG)  # 2DG locked from 2DG|3G@2.reverse to 2DG|IIAG@2.toe
-        N_L_2DG_2 = (L_2DG_2 or G_R7) and (not RLS_2DG)  # 2DG locked from 2DG|IG@2.normal to 2DG|IIAG@2.toe
-        N_L_2DG_3 = (L_2DG_3 or G_R2) and (not RLS_2DG)  # 2DG locked from 2DG|IIAG@2.toe to 2DG|3G@2.reverse
-        N_L_2DG_4 = (L_2DG_4 or G_R1) and (not RLS_2DG)  # 2DG locked from 2DG|IIAG@2.toe to 2DG|IG@2.normal
+        N_L_2DG_1 = (L_2DG_1 or GW_2DG_1) and (not RLS_2DG)  # 2DG locked from 2DG|3G@2.reverse to 2DG|IIAG@2.toe
+        N_L_2DG_2 = (L_2DG_2 or GW_2DG_2) and (not RLS_2DG)  # 2DG locked from 2DG|IG@2.normal to 2DG|IIAG@2.toe
+        N_L_2DG_3 = (L_2DG_3 or GW_2DG_3) and (not RLS_2DG)  # 2DG locked from 2DG|IIAG@2.toe to 2DG|3G@2.reverse
+        N_L_2DG_4 = (L_2DG_4 or GW_2DG_4) and (not RLS_2DG)  # 2DG locked from 2DG|IIAG@2.toe to 2DG|IG@2.normal
         N_F_2DG = (F_2DG or LK_R8 or LK_R7 or LK_R2 or LK_R1) and (not RLS_2DG)  # 2DG firmly locked
         N_U_2DG = (U_2DG or NU_2DG_1 or NU_2DG_2 or NU_2DG_3) and (not RLS_2DG)  # 2DG used by a train (R9)
         N_P_2DG = (P_2DG or (U_2DG and OCC_2DG and (NU_3G_2 or NU_IG_2 or NU_IIAG_1))) and (not RLS_2DG)  # 2DG: the train went on (R9)
         N_D_2DG = (D_2DG or ((not VALID) and (L_2DG_1 or L_2DG_2 or L_2DG_3 or L_2DG_4))) and (not RLS_2DG)  # 2DG: inputs were lost while locked
         N_K_3G = K_3G and (not RLS_3G)  # 3G: restart lock (R16)
-        N_L_3G_1 = (L_3G_1 or G_R6) and (not RLS_3G)  # 3G locked from 1DG|3G@1.reverse to 2DG|3G@2.reverse
-        N_L_3G_2 = (L_3G_2 or G_R2) and (not RLS_3G)  # 3G locked from 2DG|3G@2.reverse to 1DG|3G@1.reverse
+        N_L_3G_1 = (L_3G_1 or GW_3G_1) and (not RLS_3G)  # 3G locked from 1DG|3G@1.reverse to 2DG|3G@2.reverse
+        N_L_3G_2 = (L_3G_2 or GW_3G_2) and (not RLS_3G)  # 3G locked from 2DG|3G@2.reverse to 1DG|3G@1.reverse
         N_F_3G = (F_3G or LK_R6 or LK_R2) and (not RLS_3G)  # 3G firmly locked
         N_U_3G = (U_3G or NU_3G_1 or NU_3G_2) and (not RLS_3G)  # 3G used by a train (R9)
         N_P_3G = (P_3G or (U_3G and OCC_3G and (NU_1DG_1 or NU_2DG_1))) and (not RLS_3G)  # 3G: the train went on (R9)
         N_D_3G = (D_3G or ((not VALID) and (L_3G_1 or L_3G_2))) and (not RLS_3G)  # 3G: inputs were lost while locked
         N_K_IAG = K_IAG and (not RLS_IAG)  # IAG: restart lock (R16)
-        N_L_IAG_1 = (L_IAG_1 or G_R3 or G_R4) and (not RLS_IAG)  # IAG locked from 1DG|IAG@1.toe to W
-        N_L_IAG_2 = (L_IAG_2 or G_R5 or G_R6) and (not RLS_IAG)  # IAG locked from W to 1DG|IAG@1.toe
+        N_L_IAG_1 = (L_IAG_1 or GW_IAG_1) and (not RLS_IAG)  # IAG locked from 1DG|IAG@1.toe to W
+        N_L_IAG_2 = (L_IAG_2 or GW_IAG_2) and (not RLS_IAG)  # IAG locked from W to 1DG|IAG@1.toe
         N_F_IAG = (F_IAG or LK_R3 or LK_R4 or LK_R5 or LK_R6) and (not RLS_IAG)  # IAG firmly locked
         N_U_IAG = (U_IAG or NU_IAG_1 or NU_IAG_2) and (not RLS_IAG)  # IAG used by a train (R9)
         N_P_IAG = (P_IAG or (U_IAG and OCC_IAG and NU_1DG_2)) and (not RLS_IAG)  # IAG: the train went on (R9)
         N_D_IAG = (D_IAG or ((not VALID) and (L_IAG_1 or L_IAG_2))) and (not RLS_IAG)  # IAG: inputs were lost while locked
         N_K_IG = K_IG and (not RLS_IG)  # IG: restart lock (R16)
-        N_L_IG_1 = (L_IG_1 or G_R5) and (not RLS_IG)  # IG locked from 1DG|IG@1.normal to 2DG|IG@2.normal
-        N_L_IG_2 = (L_IG_2 or G_R1) and (not RLS_IG)  # IG locked from 2DG|IG@2.normal to 1DG|IG@1.normal
+        N_L_IG_1 = (L_IG_1 or GW_IG_1) and (not RLS_IG)  # IG locked from 1DG|IG@1.normal to 2DG|IG@2.normal
+        N_L_IG_2 = (L_IG_2 or GW_IG_2) and (not RLS_IG)  # IG locked from 2DG|IG@2.normal to 1DG|IG@1.normal
         N_F_IG = (F_IG or LK_R5 or LK_R1) and (not RLS_IG)  # IG firmly locked
         N_U_IG = (U_IG or NU_IG_1 or NU_IG_2) and (not RLS_IG)  # IG used by a train (R9)
         N_P_IG = (P_IG or (U_IG and OCC_IG and (NU_1DG_3 or NU_2DG_2))) and (not RLS_IG)  # IG: the train went on (R9)
         N_D_IG = (D_IG or ((not VALID) and (L_IG_1 or L_IG_2))) and (not RLS_IG)  # IG: inputs were lost while locked
         N_K_IIAG = K_IIAG and (not RLS_IIAG)  # IIAG: restart lock (R16)
-        N_L_IIAG_1 = (L_IIAG_1 or G_R7 or G_R8) and (not RLS_IIAG)  # IIAG locked from 2DG|IIAG@2.toe to E
-        N_L_IIAG_2 = (L_IIAG_2 or G_R1 or G_R2) and (not RLS_IIAG)  # IIAG locked from E to 2DG|IIAG@2.toe
+        N_L_IIAG_1 = (L_IIAG_1 or GW_IIAG_1) and (not RLS_IIAG)  # IIAG locked from 2DG|IIAG@2.toe to E
+        N_L_IIAG_2 = (L_IIAG_2 or GW_IIAG_2) and (not RLS_IIAG)  # IIAG locked from E to 2DG|IIAG@2.toe
         N_F_IIAG = (F_IIAG or LK_R7 or LK_R8 or LK_R1 or LK_R2) and (not RLS_IIAG)  # IIAG firmly locked
         N_U_IIAG = (U_IIAG or NU_IIAG_1 or NU_IIAG_2) and (not RLS_IIAG)  # IIAG used by a train (R9)
         N_P_IIAG = (P_IIAG or (U_IIAG and OCC_IIAG and NU_2DG_3)) and (not RLS_IIAG)  # IIAG: the train went on (R9)

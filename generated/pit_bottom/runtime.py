@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 3b47a93f6ad39c7b3492e9fab4ffe1d5233b25f8462bb0151a868a9404d28624
-# claims 194faeec5976fb5efa9606e6fcf23fbdeaf136355a72df05c5df184864b946c9
+# claims 63c9197abaf9670696a545b3e7b8e3c2308248a5d2d32ad7651573c72f14259a
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -736,54 +736,190 @@ class Controller:
         MOV_P4 = VALID and FREE_q12 and (not OCC_q12) and True and True  # machine P4 is free to move (R10)
         AVN_P4 = CN_P4 or MOV_P4 or (QN_P4 and (not CN_P4) and (not CR_P4))  # machine P4 can be demanded N
         AVR_P4 = CR_P4 or MOV_P4 or (QR_P4 and (not CN_P4) and (not CR_P4))  # machine P4 can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_q1 and (not OCC_q1) and (not BLK_q1)  # grant of route S0-S1 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_q2 and FREE_q3_heavy and (not OCC_q2) and (not OCC_q3_heavy) and (not BLK_q2) and (not BLK_q3_heavy) and AVN_P1 and (not TR_P1)  # grant of route S1-S2 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_q2 and FREE_q5_bypass1 and (not OCC_q2) and (not OCC_q5_bypass1) and (not BLK_q2) and (not BLK_q5_bypass1) and AVR_P1 and (not TR_P1)  # grant of route S1-S4 (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_q9 and FREE_q5_bypass1 and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and AVN_P3 and (not TR_P3)  # grant of route S10-S11 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_q2 and FREE_q1 and (not OCC_q2) and (not OCC_q1) and (not BLK_q2) and (not BLK_q1) and AVR_P1 and (not TR_P1)  # grant of route S11-W (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_q4_tippler and FREE_q6_empty and (not OCC_q4_tippler) and (not OCC_q6_empty) and (not BLK_q4_tippler) and (not BLK_q6_empty)  # grant of route S2-S3 (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_q7 and FREE_q12 and FREE_q8_dep and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and AVN_P2 and AVN_P4 and (not TR_P2) and (not TR_P4)  # grant of route S3-E (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_q7 and FREE_q12 and FREE_q13_man and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and AVN_P2 and AVR_P4 and (not TR_P2) and (not TR_P4)  # grant of route S3-MAN (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_q9 and FREE_q11_material and (not OCC_q9) and (not OCC_q11_material) and (not BLK_q9) and (not BLK_q11_material) and AVR_P3 and (not TR_P3)  # grant of route S4-MAT (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_q9 and FREE_q10_bypass2 and (not OCC_q9) and (not OCC_q10_bypass2) and (not BLK_q9) and (not BLK_q10_bypass2) and AVN_P3 and (not TR_P3)  # grant of route S4-S5 (R6)
-        G_R11 = (REQ == 11) and VALID and FREE_q7 and FREE_q12 and FREE_q8_dep and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and AVR_P2 and AVN_P4 and (not TR_P2) and (not TR_P4)  # grant of route S5-E (R6)
-        G_R12 = (REQ == 12) and VALID and FREE_q7 and FREE_q12 and FREE_q13_man and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and AVR_P2 and AVR_P4 and (not TR_P2) and (not TR_P4)  # grant of route S5-MAN (R6)
-        G_R13 = (REQ == 13) and VALID and FREE_q9 and FREE_q5_bypass1 and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and AVR_P3 and (not TR_P3)  # grant of route S6-S11 (R6)
-        G_R14 = (REQ == 14) and VALID and FREE_q12 and FREE_q7 and FREE_q10_bypass2 and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and AVR_P4 and AVR_P2 and (not TR_P4) and (not TR_P2)  # grant of route S7-S10 (R6)
-        G_R15 = (REQ == 15) and VALID and FREE_q8_dep and (not OCC_q8_dep) and (not BLK_q8_dep)  # grant of route S8-S9 (R6)
-        G_R16 = (REQ == 16) and VALID and FREE_q12 and FREE_q7 and FREE_q10_bypass2 and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and AVN_P4 and AVR_P2 and (not TR_P4) and (not TR_P2)  # grant of route S9-S10 (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S0) and (not CAN_S0) and (not OCC_q1)  # route S0-S1 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_q1) and (not BLK_q1) and (not D_q1)  # conditions of proceed for route S0-S1 (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_q2) and (not OCC_q3_heavy) and QN_P1  # route S1-S2 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_q2) and (not OCC_q3_heavy) and (not BLK_q2) and (not BLK_q3_heavy) and QN_P1 and (not TR_P1) and (not D_q2)  # conditions of proceed for route S1-S2 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_q2) and (not OCC_q5_bypass1) and QR_P1  # route S1-S4 becomes locked (R3)
-        CO_R3 = VALID and (not OCC_q2) and (not OCC_q5_bypass1) and (not BLK_q2) and (not BLK_q5_bypass1) and QR_P1 and (not TR_P1) and (not D_q2)  # conditions of proceed for route S1-S4 (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S10) and (not CAN_S10) and (not OCC_q9) and (not OCC_q5_bypass1) and QN_P3  # route S10-S11 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and QN_P3 and (not TR_P3) and (not D_q9)  # conditions of proceed for route S10-S11 (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S11) and (not CAN_S11) and (not OCC_q2) and (not OCC_q1) and QR_P1  # route S11-W becomes locked (R3)
-        CO_R5 = VALID and (not OCC_q2) and (not OCC_q1) and (not BLK_q2) and (not BLK_q1) and QR_P1 and (not TR_P1) and (not OCC_ap_W) and (not D_q2)  # conditions of proceed for route S11-W (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_q4_tippler) and (not OCC_q6_empty)  # route S2-S3 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_q4_tippler) and (not OCC_q6_empty) and (not BLK_q4_tippler) and (not BLK_q6_empty) and E_PUSHER_HOME and E_TIP_HOME and (not D_q4_tippler)  # conditions of proceed for route S2-S3 (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S3) and (not CAN_S3) and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and QN_P2 and QN_P4  # route S3-E becomes locked (R3)
-        CO_R7 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and QN_P2 and QN_P4 and (not TR_P2) and (not TR_P4) and (not OCC_ap_E) and (not D_q7)  # conditions of proceed for route S3-E (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S3) and (not CAN_S3) and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and QN_P2 and QR_P4  # route S3-MAN becomes locked (R3)
-        CO_R8 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and QN_P2 and QR_P4 and (not TR_P2) and (not TR_P4) and (not D_q7)  # conditions of proceed for route S3-MAN (R3)
-        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_q9) and (not OCC_q11_material) and QR_P3  # route S4-MAT becomes locked (R3)
-        CO_R9 = VALID and (not OCC_q9) and (not OCC_q11_material) and (not BLK_q9) and (not BLK_q11_material) and QR_P3 and (not TR_P3) and (not D_q9)  # conditions of proceed for route S4-MAT (R3)
-        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_q9) and (not OCC_q10_bypass2) and QN_P3  # route S4-S5 becomes locked (R3)
-        CO_R10 = VALID and (not OCC_q9) and (not OCC_q10_bypass2) and (not BLK_q9) and (not BLK_q10_bypass2) and QN_P3 and (not TR_P3) and (not D_q9)  # conditions of proceed for route S4-S5 (R3)
-        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and QR_P2 and QN_P4  # route S5-E becomes locked (R3)
-        CO_R11 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q8_dep) and (not BLK_q7) and (not BLK_q12) and (not BLK_q8_dep) and QR_P2 and QN_P4 and (not TR_P2) and (not TR_P4) and (not OCC_ap_E) and (not D_q7)  # conditions of proceed for route S5-E (R3)
-        LK_R12 = A_R12 and (not B_R12) and VALID and (not X_S5) and (not CAN_S5) and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and QR_P2 and QR_P4  # route S5-MAN becomes locked (R3)
-        CO_R12 = VALID and (not OCC_q7) and (not OCC_q12) and (not OCC_q13_man) and (not BLK_q7) and (not BLK_q12) and (not BLK_q13_man) and QR_P2 and QR_P4 and (not TR_P2) and (not TR_P4) and (not D_q7)  # conditions of proceed for route S5-MAN (R3)
-        LK_R13 = A_R13 and (not B_R13) and VALID and (not X_S6) and (not CAN_S6) and (not OCC_q9) and (not OCC_q5_bypass1) and QR_P3  # route S6-S11 becomes locked (R3)
-        CO_R13 = VALID and (not OCC_q9) and (not OCC_q5_bypass1) and (not BLK_q9) and (not BLK_q5_bypass1) and QR_P3 and (not TR_P3) and (not D_q9)  # conditions of proceed for route S6-S11 (R3)
-        LK_R14 = A_R14 and (not B_R14) and VALID and (not X_S7) and (not CAN_S7) and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and QR_P4 and QR_P2  # route S7-S10 becomes locked (R3)
-        CO_R14 = VALID and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and QR_P4 and QR_P2 and (not TR_P4) and (not TR_P2) and (not D_q12)  # conditions of proceed for route S7-S10 (R3)
-        LK_R15 = A_R15 and (not B_R15) and VALID and (not X_S8) and (not CAN_S8) and (not OCC_q8_dep)  # route S8-S9 becomes locked (R3)
-        CO_R15 = VALID and (not OCC_q8_dep) and (not BLK_q8_dep) and (not D_q8_dep)  # conditions of proceed for route S8-S9 (R3)
-        LK_R16 = A_R16 and (not B_R16) and VALID and (not X_S9) and (not CAN_S9) and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and QN_P4 and QR_P2  # route S9-S10 becomes locked (R3)
-        CO_R16 = VALID and (not OCC_q12) and (not OCC_q7) and (not OCC_q10_bypass2) and (not BLK_q12) and (not BLK_q7) and (not BLK_q10_bypass2) and QN_P4 and QR_P2 and (not TR_P4) and (not TR_P2) and (not D_q12)  # conditions of proceed for route S9-S10 (R3)
+        WF_q1_1 = FREE_q1 and (not OCC_q1) and (not BLK_q1)  # q1 from W to q1|q2@P1.toe: free for a route (R6)
+        WF_q1_2 = FREE_q1 and (not OCC_q1) and (not BLK_q1)  # q1 from q1|q2@P1.toe to W: free for a route (R6)
+        WF_q10_bypass2_1 = FREE_q10_bypass2 and (not OCC_q10_bypass2) and (not BLK_q10_bypass2)  # q10_bypass2 from q10_bypass2|q7@P2.reverse to q10_bypass2|q9@P3.normal: free for a route (R6)
+        WF_q10_bypass2_2 = FREE_q10_bypass2 and (not OCC_q10_bypass2) and (not BLK_q10_bypass2)  # q10_bypass2 from q10_bypass2|q9@P3.normal to q10_bypass2|q7@P2.reverse: free for a route (R6)
+        WF_q11_material_2 = FREE_q11_material and (not OCC_q11_material) and (not BLK_q11_material)  # q11_material from q11_material|q9@P3.reverse to MAT: free for a route (R6)
+        WA_q12_1 = AVR_P4 and (not TR_P4)  # q12 from q12|q13_man@P4.reverse to q12|q7@P2.toe: could be locked
+        WF_q12_1 = FREE_q12 and (not OCC_q12) and (not BLK_q12) and WA_q12_1  # q12 from q12|q13_man@P4.reverse to q12|q7@P2.toe: free for a route (R6)
+        WA_q12_2 = AVR_P4 and (not TR_P4)  # q12 from q12|q7@P2.toe to q12|q13_man@P4.reverse: could be locked
+        WF_q12_2 = FREE_q12 and (not OCC_q12) and (not BLK_q12) and WA_q12_2  # q12 from q12|q7@P2.toe to q12|q13_man@P4.reverse: free for a route (R6)
+        WA_q12_3 = AVN_P4 and (not TR_P4)  # q12 from q12|q7@P2.toe to q12|q8_dep@P4.normal: could be locked
+        WF_q12_3 = FREE_q12 and (not OCC_q12) and (not BLK_q12) and WA_q12_3  # q12 from q12|q7@P2.toe to q12|q8_dep@P4.normal: free for a route (R6)
+        WA_q12_4 = AVN_P4 and (not TR_P4)  # q12 from q12|q8_dep@P4.normal to q12|q7@P2.toe: could be locked
+        WF_q12_4 = FREE_q12 and (not OCC_q12) and (not BLK_q12) and WA_q12_4  # q12 from q12|q8_dep@P4.normal to q12|q7@P2.toe: free for a route (R6)
+        WF_q13_man_2 = FREE_q13_man and (not OCC_q13_man) and (not BLK_q13_man)  # q13_man from q12|q13_man@P4.reverse to MAN: free for a route (R6)
+        WA_q2_1 = AVN_P1 and (not TR_P1)  # q2 from q1|q2@P1.toe to q2|q3_heavy@P1.normal: could be locked
+        WF_q2_1 = FREE_q2 and (not OCC_q2) and (not BLK_q2) and WA_q2_1  # q2 from q1|q2@P1.toe to q2|q3_heavy@P1.normal: free for a route (R6)
+        WA_q2_2 = AVR_P1 and (not TR_P1)  # q2 from q1|q2@P1.toe to q2|q5_bypass1@P1.reverse: could be locked
+        WF_q2_2 = FREE_q2 and (not OCC_q2) and (not BLK_q2) and WA_q2_2  # q2 from q1|q2@P1.toe to q2|q5_bypass1@P1.reverse: free for a route (R6)
+        WA_q2_4 = AVR_P1 and (not TR_P1)  # q2 from q2|q5_bypass1@P1.reverse to q1|q2@P1.toe: could be locked
+        WF_q2_4 = FREE_q2 and (not OCC_q2) and (not BLK_q2) and WA_q2_4  # q2 from q2|q5_bypass1@P1.reverse to q1|q2@P1.toe: free for a route (R6)
+        WF_q3_heavy_1 = FREE_q3_heavy and (not OCC_q3_heavy) and (not BLK_q3_heavy)  # q3_heavy from q2|q3_heavy@P1.normal to q3_heavy|q4_tippler@heavy.0: free for a route (R6)
+        WF_q4_tippler_1 = FREE_q4_tippler and (not OCC_q4_tippler) and (not BLK_q4_tippler)  # q4_tippler from q3_heavy|q4_tippler@heavy.0 to q4_tippler|q6_empty@heavy.1: free for a route (R6)
+        WF_q5_bypass1_1 = FREE_q5_bypass1 and (not OCC_q5_bypass1) and (not BLK_q5_bypass1)  # q5_bypass1 from q2|q5_bypass1@P1.reverse to q5_bypass1|q9@P3.toe: free for a route (R6)
+        WF_q5_bypass1_2 = FREE_q5_bypass1 and (not OCC_q5_bypass1) and (not BLK_q5_bypass1)  # q5_bypass1 from q5_bypass1|q9@P3.toe to q2|q5_bypass1@P1.reverse: free for a route (R6)
+        WF_q6_empty_1 = FREE_q6_empty and (not OCC_q6_empty) and (not BLK_q6_empty)  # q6_empty from q4_tippler|q6_empty@heavy.1 to q6_empty|q7@P2.normal: free for a route (R6)
+        WA_q7_1 = AVR_P2 and (not TR_P2)  # q7 from q10_bypass2|q7@P2.reverse to q12|q7@P2.toe: could be locked
+        WF_q7_1 = FREE_q7 and (not OCC_q7) and (not BLK_q7) and WA_q7_1  # q7 from q10_bypass2|q7@P2.reverse to q12|q7@P2.toe: free for a route (R6)
+        WA_q7_2 = AVR_P2 and (not TR_P2)  # q7 from q12|q7@P2.toe to q10_bypass2|q7@P2.reverse: could be locked
+        WF_q7_2 = FREE_q7 and (not OCC_q7) and (not BLK_q7) and WA_q7_2  # q7 from q12|q7@P2.toe to q10_bypass2|q7@P2.reverse: free for a route (R6)
+        WA_q7_4 = AVN_P2 and (not TR_P2)  # q7 from q6_empty|q7@P2.normal to q12|q7@P2.toe: could be locked
+        WF_q7_4 = FREE_q7 and (not OCC_q7) and (not BLK_q7) and WA_q7_4  # q7 from q6_empty|q7@P2.normal to q12|q7@P2.toe: free for a route (R6)
+        WF_q8_dep_1 = FREE_q8_dep and (not OCC_q8_dep) and (not BLK_q8_dep)  # q8_dep from E to q12|q8_dep@P4.normal: free for a route (R6)
+        WF_q8_dep_2 = FREE_q8_dep and (not OCC_q8_dep) and (not BLK_q8_dep)  # q8_dep from q12|q8_dep@P4.normal to E: free for a route (R6)
+        WA_q9_1 = AVN_P3 and (not TR_P3)  # q9 from q10_bypass2|q9@P3.normal to q5_bypass1|q9@P3.toe: could be locked
+        WF_q9_1 = FREE_q9 and (not OCC_q9) and (not BLK_q9) and WA_q9_1  # q9 from q10_bypass2|q9@P3.normal to q5_bypass1|q9@P3.toe: free for a route (R6)
+        WA_q9_2 = AVR_P3 and (not TR_P3)  # q9 from q11_material|q9@P3.reverse to q5_bypass1|q9@P3.toe: could be locked
+        WF_q9_2 = FREE_q9 and (not OCC_q9) and (not BLK_q9) and WA_q9_2  # q9 from q11_material|q9@P3.reverse to q5_bypass1|q9@P3.toe: free for a route (R6)
+        WA_q9_3 = AVN_P3 and (not TR_P3)  # q9 from q5_bypass1|q9@P3.toe to q10_bypass2|q9@P3.normal: could be locked
+        WF_q9_3 = FREE_q9 and (not OCC_q9) and (not BLK_q9) and WA_q9_3  # q9 from q5_bypass1|q9@P3.toe to q10_bypass2|q9@P3.normal: free for a route (R6)
+        WA_q9_4 = AVR_P3 and (not TR_P3)  # q9 from q5_bypass1|q9@P3.toe to q11_material|q9@P3.reverse: could be locked
+        WF_q9_4 = FREE_q9 and (not OCC_q9) and (not BLK_q9) and WA_q9_4  # q9 from q5_bypass1|q9@P3.toe to q11_material|q9@P3.reverse: free for a route (R6)
+        WL_q1_1 = (not OCC_q1)  # q1 from W to q1|q2@P1.toe: lies and is clear
+        WP_q1_1 = WL_q1_1 and (not BLK_q1)  # q1 from W to q1|q2@P1.toe: proceed may be shown over it (R3)
+        WL_q1_2 = (not OCC_q1)  # q1 from q1|q2@P1.toe to W: lies and is clear
+        WP_q1_2 = WL_q1_2 and (not BLK_q1)  # q1 from q1|q2@P1.toe to W: proceed may be shown over it (R3)
+        WL_q10_bypass2_1 = (not OCC_q10_bypass2)  # q10_bypass2 from q10_bypass2|q7@P2.reverse to q10_bypass2|q9@P3.normal: lies and is clear
+        WP_q10_bypass2_1 = WL_q10_bypass2_1 and (not BLK_q10_bypass2)  # q10_bypass2 from q10_bypass2|q7@P2.reverse to q10_bypass2|q9@P3.normal: proceed may be shown over it (R3)
+        WL_q10_bypass2_2 = (not OCC_q10_bypass2)  # q10_bypass2 from q10_bypass2|q9@P3.normal to q10_bypass2|q7@P2.reverse: lies and is clear
+        WP_q10_bypass2_2 = WL_q10_bypass2_2 and (not BLK_q10_bypass2)  # q10_bypass2 from q10_bypass2|q9@P3.normal to q10_bypass2|q7@P2.reverse: proceed may be shown over it (R3)
+        WL_q11_material_2 = (not OCC_q11_material)  # q11_material from q11_material|q9@P3.reverse to MAT: lies and is clear
+        WP_q11_material_2 = WL_q11_material_2 and (not BLK_q11_material)  # q11_material from q11_material|q9@P3.reverse to MAT: proceed may be shown over it (R3)
+        WD_q12_1 = QR_P4 and (not TR_P4)  # q12 from q12|q13_man@P4.reverse to q12|q7@P2.toe: its points lie, nothing is foul of it
+        WL_q12_1 = (not OCC_q12) and WD_q12_1  # q12 from q12|q13_man@P4.reverse to q12|q7@P2.toe: lies and is clear
+        WP_q12_1 = WL_q12_1 and (not BLK_q12)  # q12 from q12|q13_man@P4.reverse to q12|q7@P2.toe: proceed may be shown over it (R3)
+        WD_q12_2 = QR_P4 and (not TR_P4)  # q12 from q12|q7@P2.toe to q12|q13_man@P4.reverse: its points lie, nothing is foul of it
+        WL_q12_2 = (not OCC_q12) and WD_q12_2  # q12 from q12|q7@P2.toe to q12|q13_man@P4.reverse: lies and is clear
+        WP_q12_2 = WL_q12_2 and (not BLK_q12)  # q12 from q12|q7@P2.toe to q12|q13_man@P4.reverse: proceed may be shown over it (R3)
+        WD_q12_3 = QN_P4 and (not TR_P4)  # q12 from q12|q7@P2.toe to q12|q8_dep@P4.normal: its points lie, nothing is foul of it
+        WL_q12_3 = (not OCC_q12) and WD_q12_3  # q12 from q12|q7@P2.toe to q12|q8_dep@P4.normal: lies and is clear
+        WP_q12_3 = WL_q12_3 and (not BLK_q12)  # q12 from q12|q7@P2.toe to q12|q8_dep@P4.normal: proceed may be shown over it (R3)
+        WD_q12_4 = QN_P4 and (not TR_P4)  # q12 from q12|q8_dep@P4.normal to q12|q7@P2.toe: its points lie, nothing is foul of it
+        WL_q12_4 = (not OCC_q12) and WD_q12_4  # q12 from q12|q8_dep@P4.normal to q12|q7@P2.toe: lies and is clear
+        WP_q12_4 = WL_q12_4 and (not BLK_q12)  # q12 from q12|q8_dep@P4.normal to q12|q7@P2.toe: proceed may be shown over it (R3)
+        WL_q13_man_2 = (not OCC_q13_man)  # q13_man from q12|q13_man@P4.reverse to MAN: lies and is clear
+        WP_q13_man_2 = WL_q13_man_2 and (not BLK_q13_man)  # q13_man from q12|q13_man@P4.reverse to MAN: proceed may be shown over it (R3)
+        WD_q2_1 = QN_P1 and (not TR_P1)  # q2 from q1|q2@P1.toe to q2|q3_heavy@P1.normal: its points lie, nothing is foul of it
+        WL_q2_1 = (not OCC_q2) and WD_q2_1  # q2 from q1|q2@P1.toe to q2|q3_heavy@P1.normal: lies and is clear
+        WP_q2_1 = WL_q2_1 and (not BLK_q2)  # q2 from q1|q2@P1.toe to q2|q3_heavy@P1.normal: proceed may be shown over it (R3)
+        WD_q2_2 = QR_P1 and (not TR_P1)  # q2 from q1|q2@P1.toe to q2|q5_bypass1@P1.reverse: its points lie, nothing is foul of it
+        WL_q2_2 = (not OCC_q2) and WD_q2_2  # q2 from q1|q2@P1.toe to q2|q5_bypass1@P1.reverse: lies and is clear
+        WP_q2_2 = WL_q2_2 and (not BLK_q2)  # q2 from q1|q2@P1.toe to q2|q5_bypass1@P1.reverse: proceed may be shown over it (R3)
+        WD_q2_4 = QR_P1 and (not TR_P1)  # q2 from q2|q5_bypass1@P1.reverse to q1|q2@P1.toe: its points lie, nothing is foul of it
+        WL_q2_4 = (not OCC_q2) and WD_q2_4  # q2 from q2|q5_bypass1@P1.reverse to q1|q2@P1.toe: lies and is clear
+        WP_q2_4 = WL_q2_4 and (not BLK_q2)  # q2 from q2|q5_bypass1@P1.reverse to q1|q2@P1.toe: proceed may be shown over it (R3)
+        WL_q3_heavy_1 = (not OCC_q3_heavy)  # q3_heavy from q2|q3_heavy@P1.normal to q3_heavy|q4_tippler@heavy.0: lies and is clear
+        WP_q3_heavy_1 = WL_q3_heavy_1 and (not BLK_q3_heavy)  # q3_heavy from q2|q3_heavy@P1.normal to q3_heavy|q4_tippler@heavy.0: proceed may be shown over it (R3)
+        WL_q4_tippler_1 = (not OCC_q4_tippler)  # q4_tippler from q3_heavy|q4_tippler@heavy.0 to q4_tippler|q6_empty@heavy.1: lies and is clear
+        WP_q4_tippler_1 = WL_q4_tippler_1 and (not BLK_q4_tippler)  # q4_tippler from q3_heavy|q4_tippler@heavy.0 to q4_tippler|q6_empty@heavy.1: proceed may be shown over it (R3)
+        WL_q5_bypass1_1 = (not OCC_q5_bypass1)  # q5_bypass1 from q2|q5_bypass1@P1.reverse to q5_bypass1|q9@P3.toe: lies and is clear
+        WP_q5_bypass1_1 = WL_q5_bypass1_1 and (not BLK_q5_bypass1)  # q5_bypass1 from q2|q5_bypass1@P1.reverse to q5_bypass1|q9@P3.toe: proceed may be shown over it (R3)
+        WL_q5_bypass1_2 = (not OCC_q5_bypass1)  # q5_bypass1 from q5_bypass1|q9@P3.toe to q2|q5_bypass1@P1.reverse: lies and is clear
+        WP_q5_bypass1_2 = WL_q5_bypass1_2 and (not BLK_q5_bypass1)  # q5_bypass1 from q5_bypass1|q9@P3.toe to q2|q5_bypass1@P1.reverse: proceed may be shown over it (R3)
+        WL_q6_empty_1 = (not OCC_q6_empty)  # q6_empty from q4_tippler|q6_empty@heavy.1 to q6_empty|q7@P2.normal: lies and is clear
+        WP_q6_empty_1 = WL_q6_empty_1 and (not BLK_q6_empty)  # q6_empty from q4_tippler|q6_empty@heavy.1 to q6_empty|q7@P2.normal: proceed may be shown over it (R3)
+        WD_q7_1 = QR_P2 and (not TR_P2)  # q7 from q10_bypass2|q7@P2.reverse to q12|q7@P2.toe: its points lie, nothing is foul of it
+        WL_q7_1 = (not OCC_q7) and WD_q7_1  # q7 from q10_bypass2|q7@P2.reverse to q12|q7@P2.toe: lies and is clear
+        WP_q7_1 = WL_q7_1 and (not BLK_q7)  # q7 from q10_bypass2|q7@P2.reverse to q12|q7@P2.toe: proceed may be shown over it (R3)
+        WD_q7_2 = QR_P2 and (not TR_P2)  # q7 from q12|q7@P2.toe to q10_bypass2|q7@P2.reverse: its points lie, nothing is foul of it
+        WL_q7_2 = (not OCC_q7) and WD_q7_2  # q7 from q12|q7@P2.toe to q10_bypass2|q7@P2.reverse: lies and is clear
+        WP_q7_2 = WL_q7_2 and (not BLK_q7)  # q7 from q12|q7@P2.toe to q10_bypass2|q7@P2.reverse: proceed may be shown over it (R3)
+        WD_q7_4 = QN_P2 and (not TR_P2)  # q7 from q6_empty|q7@P2.normal to q12|q7@P2.toe: its points lie, nothing is foul of it
+        WL_q7_4 = (not OCC_q7) and WD_q7_4  # q7 from q6_empty|q7@P2.normal to q12|q7@P2.toe: lies and is clear
+        WP_q7_4 = WL_q7_4 and (not BLK_q7)  # q7 from q6_empty|q7@P2.normal to q12|q7@P2.toe: proceed may be shown over it (R3)
+        WL_q8_dep_1 = (not OCC_q8_dep)  # q8_dep from E to q12|q8_dep@P4.normal: lies and is clear
+        WP_q8_dep_1 = WL_q8_dep_1 and (not BLK_q8_dep)  # q8_dep from E to q12|q8_dep@P4.normal: proceed may be shown over it (R3)
+        WL_q8_dep_2 = (not OCC_q8_dep)  # q8_dep from q12|q8_dep@P4.normal to E: lies and is clear
+        WP_q8_dep_2 = WL_q8_dep_2 and (not BLK_q8_dep)  # q8_dep from q12|q8_dep@P4.normal to E: proceed may be shown over it (R3)
+        WD_q9_1 = QN_P3 and (not TR_P3)  # q9 from q10_bypass2|q9@P3.normal to q5_bypass1|q9@P3.toe: its points lie, nothing is foul of it
+        WL_q9_1 = (not OCC_q9) and WD_q9_1  # q9 from q10_bypass2|q9@P3.normal to q5_bypass1|q9@P3.toe: lies and is clear
+        WP_q9_1 = WL_q9_1 and (not BLK_q9)  # q9 from q10_bypass2|q9@P3.normal to q5_bypass1|q9@P3.toe: proceed may be shown over it (R3)
+        WD_q9_2 = QR_P3 and (not TR_P3)  # q9 from q11_material|q9@P3.reverse to q5_bypass1|q9@P3.toe: its points lie, nothing is foul of it
+        WL_q9_2 = (not OCC_q9) and WD_q9_2  # q9 from q11_material|q9@P3.reverse to q5_bypass1|q9@P3.toe: lies and is clear
+        WP_q9_2 = WL_q9_2 and (not BLK_q9)  # q9 from q11_material|q9@P3.reverse to q5_bypass1|q9@P3.toe: proceed may be shown over it (R3)
+        WD_q9_3 = QN_P3 and (not TR_P3)  # q9 from q5_bypass1|q9@P3.toe to q10_bypass2|q9@P3.normal: its points lie, nothing is foul of it
+        WL_q9_3 = (not OCC_q9) and WD_q9_3  # q9 from q5_bypass1|q9@P3.toe to q10_bypass2|q9@P3.normal: lies and is clear
+        WP_q9_3 = WL_q9_3 and (not BLK_q9)  # q9 from q5_bypass1|q9@P3.toe to q10_bypass2|q9@P3.normal: proceed may be shown over it (R3)
+        WD_q9_4 = QR_P3 and (not TR_P3)  # q9 from q5_bypass1|q9@P3.toe to q11_material|q9@P3.reverse: its points lie, nothing is foul of it
+        WL_q9_4 = (not OCC_q9) and WD_q9_4  # q9 from q5_bypass1|q9@P3.toe to q11_material|q9@P3.reverse: lies and is clear
+        WP_q9_4 = WL_q9_4 and (not BLK_q9)  # q9 from q5_bypass1|q9@P3.toe to q11_material|q9@P3.reverse: proceed may be shown over it (R3)
+        G_R1 = (REQ == 1) and VALID and WF_q1_1  # grant of route S0-S1 (R6)
+        G_R2 = (REQ == 2) and VALID and WF_q2_1 and WF_q3_heavy_1  # grant of route S1-S2 (R6)
+        G_R3 = (REQ == 3) and VALID and WF_q2_2 and WF_q5_bypass1_1  # grant of route S1-S4 (R6)
+        G_R4 = (REQ == 4) and VALID and WF_q9_1 and WF_q5_bypass1_2  # grant of route S10-S11 (R6)
+        G_R5 = (REQ == 5) and VALID and WF_q2_4 and WF_q1_2  # grant of route S11-W (R6)
+        G_R6 = (REQ == 6) and VALID and WF_q4_tippler_1 and WF_q6_empty_1  # grant of route S2-S3 (R6)
+        G_R7 = (REQ == 7) and VALID and WF_q7_4 and WF_q12_3 and WF_q8_dep_2  # grant of route S3-E (R6)
+        G_R8 = (REQ == 8) and VALID and WF_q7_4 and WF_q12_2 and WF_q13_man_2  # grant of route S3-MAN (R6)
+        G_R9 = (REQ == 9) and VALID and WF_q9_4 and WF_q11_material_2  # grant of route S4-MAT (R6)
+        G_R10 = (REQ == 10) and VALID and WF_q9_3 and WF_q10_bypass2_2  # grant of route S4-S5 (R6)
+        G_R11 = (REQ == 11) and VALID and WF_q7_1 and WF_q12_3 and WF_q8_dep_2  # grant of route S5-E (R6)
+        G_R12 = (REQ == 12) and VALID and WF_q7_1 and WF_q12_2 and WF_q13_man_2  # grant of route S5-MAN (R6)
+        G_R13 = (REQ == 13) and VALID and WF_q9_2 and WF_q5_bypass1_2  # grant of route S6-S11 (R6)
+        G_R14 = (REQ == 14) and VALID and WF_q12_1 and WF_q7_2 and WF_q10_bypass2_1  # grant of route S7-S10 (R6)
+        G_R15 = (REQ == 15) and VALID and WF_q8_dep_1  # grant of route S8-S9 (R6)
+        G_R16 = (REQ == 16) and VALID and WF_q12_4 and WF_q7_2 and WF_q10_bypass2_1  # grant of route S9-S10 (R6)
+        GW_q1_1 = G_R1  # q1 from W to q1|q2@P1.toe: granted
+        GW_q1_2 = G_R5  # q1 from q1|q2@P1.toe to W: granted
+        GW_q10_bypass2_1 = G_R14 or G_R16  # q10_bypass2 from q10_bypass2|q7@P2.reverse to q10_bypass2|q9@P3.normal: granted
+        GW_q10_bypass2_2 = G_R10  # q10_bypass2 from q10_bypass2|q9@P3.normal to q10_bypass2|q7@P2.reverse: granted
+        GW_q11_material_2 = G_R9  # q11_material from q11_material|q9@P3.reverse to MAT: granted
+        GW_q12_1 = G_R14  # q12 from q12|q13_man@P4.reverse to q12|q7@P2.toe: granted
+        GW_q12_2 = G_R8 or G_R12  # q12 from q12|q7@P2.toe to q12|q13_man@P4.reverse: granted
+        GW_q12_3 = G_R7 or G_R11  # q12 from q12|q7@P2.toe to q12|q8_dep@P4.normal: granted
+        GW_q12_4 = G_R16  # q12 from q12|q8_dep@P4.normal to q12|q7@P2.toe: granted
+        GW_q13_man_2 = G_R8 or G_R12  # q13_man from q12|q13_man@P4.reverse to MAN: granted
+        GW_q2_1 = G_R2  # q2 from q1|q2@P1.toe to q2|q3_heavy@P1.normal: granted
+        GW_q2_2 = G_R3  # q2 from q1|q2@P1.toe to q2|q5_bypass1@P1.reverse: granted
+        GW_q2_4 = G_R5  # q2 from q2|q5_bypass1@P1.reverse to q1|q2@P1.toe: granted
+        GW_q3_heavy_1 = G_R2  # q3_heavy from q2|q3_heavy@P1.normal to q3_heavy|q4_tippler@heavy.0: granted
+        GW_q4_tippler_1 = G_R6  # q4_tippler from q3_heavy|q4_tippler@heavy.0 to q4_tippler|q6_empty@heavy.1: granted
+        GW_q5_bypass1_1 = G_R3  # q5_bypass1 from q2|q5_bypass1@P1.reverse to q5_bypass1|q9@P3.toe: granted
+        GW_q5_bypass1_2 = G_R4 or G_R13  # q5_bypass1 from q5_bypass1|q9@P3.toe to q2|q5_bypass1@P1.reverse: granted
+        GW_q6_empty_1 = G_R6  # q6_empty from q4_tippler|q6_empty@heavy.1 to q6_empty|q7@P2.normal: granted
+        GW_q7_1 = G_R11 or G_R12  # q7 from q10_bypass2|q7@P2.reverse to q12|q7@P2.toe: granted
+        GW_q7_2 = G_R14 or G_R16  # q7 from q12|q7@P2.toe to q10_bypass2|q7@P2.reverse: granted
+        GW_q7_4 = G_R7 or G_R8  # q7 from q6_empty|q7@P2.normal to q12|q7@P2.toe: granted
+        GW_q8_dep_1 = G_R15  # q8_dep from E to q12|q8_dep@P4.normal: granted
+        GW_q8_dep_2 = G_R7 or G_R11  # q8_dep from q12|q8_dep@P4.normal to E: granted
+        GW_q9_1 = G_R4  # q9 from q10_bypass2|q9@P3.normal to q5_bypass1|q9@P3.toe: granted
+        GW_q9_2 = G_R13  # q9 from q11_material|q9@P3.reverse to q5_bypass1|q9@P3.toe: granted
+        GW_q9_3 = G_R10  # q9 from q5_bypass1|q9@P3.toe to q10_bypass2|q9@P3.normal: granted
+        GW_q9_4 = G_R9  # q9 from q5_bypass1|q9@P3.toe to q11_material|q9@P3.reverse: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S0) and (not CAN_S0) and WL_q1_1  # route S0-S1 becomes locked (R3)
+        CO_R1 = VALID and WP_q1_1 and (not D_q1)  # conditions of proceed for route S0-S1 (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S1) and (not CAN_S1) and WL_q2_1 and WL_q3_heavy_1  # route S1-S2 becomes locked (R3)
+        CO_R2 = VALID and WP_q2_1 and WP_q3_heavy_1 and (not D_q2)  # conditions of proceed for route S1-S2 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and WL_q2_2 and WL_q5_bypass1_1  # route S1-S4 becomes locked (R3)
+        CO_R3 = VALID and WP_q2_2 and WP_q5_bypass1_1 and (not D_q2)  # conditions of proceed for route S1-S4 (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S10) and (not CAN_S10) and WL_q9_1 and WL_q5_bypass1_2  # route S10-S11 becomes locked (R3)
+        CO_R4 = VALID and WP_q9_1 and WP_q5_bypass1_2 and (not D_q9)  # conditions of proceed for route S10-S11 (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S11) and (not CAN_S11) and WL_q2_4 and WL_q1_2  # route S11-W becomes locked (R3)
+        CO_R5 = VALID and WP_q2_4 and WP_q1_2 and (not OCC_ap_W) and (not D_q2)  # conditions of proceed for route S11-W (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S2) and (not CAN_S2) and WL_q4_tippler_1 and WL_q6_empty_1  # route S2-S3 becomes locked (R3)
+        CO_R6 = VALID and WP_q4_tippler_1 and WP_q6_empty_1 and E_PUSHER_HOME and E_TIP_HOME and (not D_q4_tippler)  # conditions of proceed for route S2-S3 (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S3) and (not CAN_S3) and WL_q7_4 and WL_q12_3 and WL_q8_dep_2  # route S3-E becomes locked (R3)
+        CO_R7 = VALID and WP_q7_4 and WP_q12_3 and WP_q8_dep_2 and (not OCC_ap_E) and (not D_q7)  # conditions of proceed for route S3-E (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S3) and (not CAN_S3) and WL_q7_4 and WL_q12_2 and WL_q13_man_2  # route S3-MAN becomes locked (R3)
+        CO_R8 = VALID and WP_q7_4 and WP_q12_2 and WP_q13_man_2 and (not D_q7)  # conditions of proceed for route S3-MAN (R3)
+        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S4) and (not CAN_S4) and WL_q9_4 and WL_q11_material_2  # route S4-MAT becomes locked (R3)
+        CO_R9 = VALID and WP_q9_4 and WP_q11_material_2 and (not D_q9)  # conditions of proceed for route S4-MAT (R3)
+        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S4) and (not CAN_S4) and WL_q9_3 and WL_q10_bypass2_2  # route S4-S5 becomes locked (R3)
+        CO_R10 = VALID and WP_q9_3 and WP_q10_bypass2_2 and (not D_q9)  # conditions of proceed for route S4-S5 (R3)
+        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S5) and (not CAN_S5) and WL_q7_1 and WL_q12_3 and WL_q8_dep_2  # route S5-E becomes locked (R3)
+        CO_R11 = VALID and WP_q7_1 and WP_q12_3 and WP_q8_dep_2 and (not OCC_ap_E) and (not D_q7)  # conditions of proceed for route S5-E (R3)
+        LK_R12 = A_R12 and (not B_R12) and VALID and (not X_S5) and (not CAN_S5) and WL_q7_1 and WL_q12_2 and WL_q13_man_2  # route S5-MAN becomes locked (R3)
+        CO_R12 = VALID and WP_q7_1 and WP_q12_2 and WP_q13_man_2 and (not D_q7)  # conditions of proceed for route S5-MAN (R3)
+        LK_R13 = A_R13 and (not B_R13) and VALID and (not X_S6) and (not CAN_S6) and WL_q9_2 and WL_q5_bypass1_2  # route S6-S11 becomes locked (R3)
+        CO_R13 = VALID and WP_q9_2 and WP_q5_bypass1_2 and (not D_q9)  # conditions of proceed for route S6-S11 (R3)
+        LK_R14 = A_R14 and (not B_R14) and VALID and (not X_S7) and (not CAN_S7) and WL_q12_1 and WL_q7_2 and WL_q10_bypass2_1  # route S7-S10 becomes locked (R3)
+        CO_R14 = VALID and WP_q12_1 and WP_q7_2 and WP_q10_bypass2_1 and (not D_q12)  # conditions of proceed for route S7-S10 (R3)
+        LK_R15 = A_R15 and (not B_R15) and VALID and (not X_S8) and (not CAN_S8) and WL_q8_dep_1  # route S8-S9 becomes locked (R3)
+        CO_R15 = VALID and WP_q8_dep_1 and (not D_q8_dep)  # conditions of proceed for route S8-S9 (R3)
+        LK_R16 = A_R16 and (not B_R16) and VALID and (not X_S9) and (not CAN_S9) and WL_q12_4 and WL_q7_2 and WL_q10_bypass2_1  # route S9-S10 becomes locked (R3)
+        CO_R16 = VALID and WP_q12_4 and WP_q7_2 and WP_q10_bypass2_1 and (not D_q12)  # conditions of proceed for route S9-S10 (R3)
         NU_q1_1 = VALID and F_q1 and (not D_q1) and (not U_q1) and L_q1_1 and OCC_q1 and OCC_ap_W  # a train comes into q1 at W (R9)
         NU_q1_2 = VALID and F_q1 and (not D_q1) and (not U_q1) and L_q1_2 and OCC_q1 and OCC_q2 and U_q2 and L_q2_4  # a train comes into q1 at q1|q2@P1.toe (R9)
         NU_q10_bypass2_1 = VALID and F_q10_bypass2 and (not D_q10_bypass2) and (not U_q10_bypass2) and L_q10_bypass2_1 and OCC_q10_bypass2 and OCC_q7 and U_q7 and L_q7_2  # a train comes into q10_bypass2 at q10_bypass2|q7@P2.reverse (R9)
@@ -935,28 +1071,32 @@ class Controller:
         HR_q9 = VALID and (not OCC_q9) and REL_q9 and (L_q9_1 or L_q9_2 or L_q9_3 or L_q9_4) and ((not L_q9_1) or ((not A_R4) and ((not OCC_q10_bypass2) or AT_S10))) and ((not L_q9_2) or ((not A_R13) and ((not OCC_q11_material) or AT_S6))) and ((not (L_q9_3 or L_q9_4)) or ((not (A_R9 or A_R10)) and ((not OCC_q5_bypass1) or AT_S4)))  # q9 released by hand (R8, section fault release)
         SR_q9 = VALID and (not OCC_q9) and K_q9 and (REL_q9 or RELALL)  # q9 released after a restart (R16)
         RLS_q9 = RT_q9 or CA_q9 or CD_S10 or CD_S6 or CD_S4 or HR_q9 or SR_q9  # q9 is released
-        GPN_P1 = G_R2  # a grant needs P1 N
-        MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not (G_R2 or G_R3 or G_R5))  # machine P1 moved N by hand
-        GPR_P1 = (G_R3 or G_R5)  # a grant needs P1 R
-        MAR_P1 = MR_P1 and (not MN_P1) and MOV_P1 and (not (G_R2 or G_R3 or G_R5))  # machine P1 moved R by hand
+        TG_P1 = (GW_q2_1 or GW_q2_2 or GW_q2_4)  # a grant touches machine P1 in this scan
+        GPN_P1 = GW_q2_1  # a grant needs P1 N
+        MAN_P1 = MN_P1 and (not MR_P1) and MOV_P1 and (not TG_P1)  # machine P1 moved N by hand
+        GPR_P1 = (GW_q2_2 or GW_q2_4)  # a grant needs P1 R
+        MAR_P1 = MR_P1 and (not MN_P1) and MOV_P1 and (not TG_P1)  # machine P1 moved R by hand
         HDN_P1 = CN_P1 and (not GPR_P1) and (not MAR_P1)  # the command N stays
         HDR_P1 = CR_P1 and (not GPN_P1) and (not MAN_P1)  # the command R stays
-        GPN_P2 = (G_R7 or G_R8)  # a grant needs P2 N
-        MAN_P2 = MN_P2 and (not MR_P2) and MOV_P2 and (not (G_R7 or G_R8 or G_R11 or G_R12 or G_R14 or G_R16))  # machine P2 moved N by hand
-        GPR_P2 = (G_R11 or G_R12 or G_R14 or G_R16)  # a grant needs P2 R
-        MAR_P2 = MR_P2 and (not MN_P2) and MOV_P2 and (not (G_R7 or G_R8 or G_R11 or G_R12 or G_R14 or G_R16))  # machine P2 moved R by hand
+        TG_P2 = (GW_q7_1 or GW_q7_2 or GW_q7_4)  # a grant touches machine P2 in this scan
+        GPN_P2 = GW_q7_4  # a grant needs P2 N
+        MAN_P2 = MN_P2 and (not MR_P2) and MOV_P2 and (not TG_P2)  # machine P2 moved N by hand
+        GPR_P2 = (GW_q7_1 or GW_q7_2)  # a grant needs P2 R
+        MAR_P2 = MR_P2 and (not MN_P2) and MOV_P2 and (not TG_P2)  # machine P2 moved R by hand
         HDN_P2 = CN_P2 and (not GPR_P2) and (not MAR_P2)  # the command N stays
         HDR_P2 = CR_P2 and (not GPN_P2) and (not MAN_P2)  # the command R stays
-        GPN_P3 = (G_R4 or G_R10)  # a grant needs P3 N
-        MAN_P3 = MN_P3 and (not MR_P3) and MOV_P3 and (not (G_R4 or G_R9 or G_R10 or G_R13))  # machine P3 moved N by hand
-        GPR_P3 = (G_R9 or G_R13)  # a grant needs P3 R
-        MAR_P3 = MR_P3 and (not MN_P3) and MOV_P3 and (not (G_R4 or G_R9 or G_R10 or G_R13))  # machine P3 moved R by hand
+        TG_P3 = (GW_q9_1 or GW_q9_2 or GW_q9_3 or GW_q9_4)  # a grant touches machine P3 in this scan
+        GPN_P3 = (GW_q9_1 or GW_q9_3)  # a grant needs P3 N
+        MAN_P3 = MN_P3 and (not MR_P3) and MOV_P3 and (not TG_P3)  # machine P3 moved N by hand
+        GPR_P3 = (GW_q9_2 or GW_q9_4)  # a grant needs P3 R
+        MAR_P3 = MR_P3 and (not MN_P3) and MOV_P3 and (not TG_P3)  # machine P3 moved R by hand
         HDN_P3 = CN_P3 and (not GPR_P3) and (not MAR_P3)  # the command N stays
         HDR_P3 = CR_P3 and (not GPN_P3) and (not MAN_P3)  # the command R stays
-        GPN_P4 = (G_R7 or G_R11 or G_R16)  # a grant needs P4 N
-        MAN_P4 = MN_P4 and (not MR_P4) and MOV_P4 and (not (G_R7 or G_R8 or G_R11 or G_R12 or G_R14 or G_R16))  # machine P4 moved N by hand
-        GPR_P4 = (G_R8 or G_R12 or G_R14)  # a grant needs P4 R
-        MAR_P4 = MR_P4 and (not MN_P4) and MOV_P4 and (not (G_R7 or G_R8 or G_R11 or G_R12 or G_R14 or G_R16))  # machine P4 moved R by hand
+        TG_P4 = (GW_q12_1 or GW_q12_2 or GW_q12_3 or GW_q12_4)  # a grant touches machine P4 in this scan
+        GPN_P4 = (GW_q12_3 or GW_q12_4)  # a grant needs P4 N
+        MAN_P4 = MN_P4 and (not MR_P4) and MOV_P4 and (not TG_P4)  # machine P4 moved N by hand
+        GPR_P4 = (GW_q12_1 or GW_q12_2)  # a grant needs P4 R
+        MAR_P4 = MR_P4 and (not MN_P4) and MOV_P4 and (not TG_P4)  # machine P4 moved R by hand
         HDN_P4 = CN_P4 and (not GPR_P4) and (not MAR_P4)  # the command N stays
         HDR_P4 = CR_P4 and (not GPN_P4) and (not MAN_P4)  # the command R stays
         STI_P1 = (CN_P1 and (not QN_P1)) or (CR_P1 and (not QR_P1))  # machine P1 is not where it was commanded
@@ -1128,93 +1268,93 @@ class Controller:
         N_X_S8 = (X_S8 or CAN_S8) and A_R15 and (not CD_S8)  # S8: cancelling
         N_X_S9 = (X_S9 or CAN_S9) and A_R16 and (not CD_S9)  # S9: cancelling
         N_K_q1 = K_q1 and (not RLS_q1)  # q1: restart lock (R16)
-        N_L_q1_1 = (L_q1_1 or G_R1) and (not RLS_q1)  # q1 locked from W to q1|q2@P1.toe
-        N_L_q1_2 = (L_q1_2 or G_R5) and (not RLS_q1)  # q1 locked from q1|q2@P1.toe to W
+        N_L_q1_1 = (L_q1_1 or GW_q1_1) and (not RLS_q1)  # q1 locked from W to q1|q2@P1.toe
+        N_L_q1_2 = (L_q1_2 or GW_q1_2) and (not RLS_q1)  # q1 locked from q1|q2@P1.toe to W
         N_F_q1 = (F_q1 or LK_R1 or LK_R5) and (not RLS_q1)  # q1 firmly locked
         N_U_q1 = (U_q1 or NU_q1_1 or NU_q1_2) and (not RLS_q1)  # q1 used by a train (R9)
         N_P_q1 = (P_q1 or (U_q1 and OCC_q1 and NU_q2_1)) and (not RLS_q1)  # q1: the train went on (R9)
         N_D_q1 = (D_q1 or ((not VALID) and (L_q1_1 or L_q1_2))) and (not RLS_q1)  # q1: inputs were lost while locked
         N_K_q10_bypass2 = K_q10_bypass2 and (not RLS_q10_bypass2)  # q10_bypass2: restart lock (R16)
-        N_L_q10_bypass2_1 = (L_q10_bypass2_1 or G_R14 or G_R16) and (not RLS_q10_bypass2)  # q10_bypass2 locked from q10_bypass2|q7@P2.reverse to q10_bypass2|q9@P3.normal
-        N_L_q10_bypass2_2 = (L_q10_bypass2_2 or G_R10) and (not RLS_q10_bypass2)  # q10_bypass2 locked from q10_bypass2|q9@P3.normal to q10_bypass2|q7@P2.reverse
+        N_L_q10_bypass2_1 = (L_q10_bypass2_1 or GW_q10_bypass2_1) and (not RLS_q10_bypass2)  # q10_bypass2 locked from q10_bypass2|q7@P2.reverse to q10_bypass2|q9@P3.normal
+        N_L_q10_bypass2_2 = (L_q10_bypass2_2 or GW_q10_bypass2_2) and (not RLS_q10_bypass2)  # q10_bypass2 locked from q10_bypass2|q9@P3.normal to q10_bypass2|q7@P2.reverse
         N_F_q10_bypass2 = (F_q10_bypass2 or LK_R14 or LK_R16 or LK_R10) and (not RLS_q10_bypass2)  # q10_bypass2 firmly locked
         N_U_q10_bypass2 = (U_q10_bypass2 or NU_q10_bypass2_1 or NU_q10_bypass2_2) and (not RLS_q10_bypass2)  # q10_bypass2 used by a train (R9)
         N_P_q10_bypass2 = (P_q10_bypass2 or (U_q10_bypass2 and OCC_q10_bypass2 and (NU_q7_1 or NU_q9_1))) and (not RLS_q10_bypass2)  # q10_bypass2: the train went on (R9)
         N_D_q10_bypass2 = (D_q10_bypass2 or ((not VALID) and (L_q10_bypass2_1 or L_q10_bypass2_2))) and (not RLS_q10_bypass2)  # q10_bypass2: inputs were lost while locked
         N_K_q11_material = K_q11_material and (not RLS_q11_material)  # q11_material: restart lock (R16)
-        N_L_q11_material_2 = (L_q11_material_2 or G_R9) and (not RLS_q11_material)  # q11_material locked from q11_material|q9@P3.reverse to MAT
+        N_L_q11_material_2 = (L_q11_material_2 or GW_q11_material_2) and (not RLS_q11_material)  # q11_material locked from q11_material|q9@P3.reverse to MAT
         N_F_q11_material = (F_q11_material or LK_R9) and (not RLS_q11_material)  # q11_material firmly locked
         N_U_q11_material = (U_q11_material or NU_q11_material_2) and (not RLS_q11_material)  # q11_material used by a train (R9)
         N_P_q11_material = (P_q11_material or (U_q11_material and OCC_q11_material and NU_q9_2)) and (not RLS_q11_material)  # q11_material: the train went on (R9)
         N_D_q11_material = (D_q11_material or ((not VALID) and L_q11_material_2)) and (not RLS_q11_material)  # q11_material: inputs were lost while locked
         N_K_q12 = K_q12 and (not RLS_q12)  # q12: restart lock (R16)
-        N_L_q12_1 = (L_q12_1 or G_R14) and (not RLS_q12)  # q12 locked from q12|q13_man@P4.reverse to q12|q7@P2.toe
-        N_L_q12_2 = (L_q12_2 or G_R8 or G_R12) and (not RLS_q12)  # q12 locked from q12|q7@P2.toe to q12|q13_man@P4.reverse
-        N_L_q12_3 = (L_q12_3 or G_R7 or G_R11) and (not RLS_q12)  # q12 locked from q12|q7@P2.toe to q12|q8_dep@P4.normal
-        N_L_q12_4 = (L_q12_4 or G_R16) and (not RLS_q12)  # q12 locked from q12|q8_dep@P4.normal to q12|q7@P2.toe
+        N_L_q12_1 = (L_q12_1 or GW_q12_1) and (not RLS_q12)  # q12 locked from q12|q13_man@P4.reverse to q12|q7@P2.toe
+        N_L_q12_2 = (L_q12_2 or GW_q12_2) and (not RLS_q12)  # q12 locked from q12|q7@P2.toe to q12|q13_man@P4.reverse
+        N_L_q12_3 = (L_q12_3 or GW_q12_3) and (not RLS_q12)  # q12 locked from q12|q7@P2.toe to q12|q8_dep@P4.normal
+        N_L_q12_4 = (L_q12_4 or GW_q12_4) and (not RLS_q12)  # q12 locked from q12|q8_dep@P4.normal to q12|q7@P2.toe
         N_F_q12 = (F_q12 or LK_R14 or LK_R8 or LK_R12 or LK_R7 or LK_R11 or LK_R16) and (not RLS_q12)  # q12 firmly locked
         N_U_q12 = (U_q12 or NU_q12_1 or NU_q12_2 or NU_q12_3) and (not RLS_q12)  # q12 used by a train (R9)
         N_P_q12 = (P_q12 or (U_q12 and OCC_q12 and (NU_q13_man_2 or NU_q7_2 or NU_q8_dep_2))) and (not RLS_q12)  # q12: the train went on (R9)
         N_D_q12 = (D_q12 or ((not VALID) and (L_q12_1 or L_q12_2 or L_q12_3 or L_q12_4))) and (not RLS_q12)  # q12: inputs were lost while locked
         N_K_q13_man = K_q13_man and (not RLS_q13_man)  # q13_man: restart lock (R16)
-        N_L_q13_man_2 = (L_q13_man_2 or G_R8 or G_R12) and (not RLS_q13_man)  # q13_man locked from q12|q13_man@P4.reverse to MAN
+        N_L_q13_man_2 = (L_q13_man_2 or GW_q13_man_2) and (not RLS_q13_man)  # q13_man locked from q12|q13_man@P4.reverse to MAN
         N_F_q13_man = (F_q13_man or LK_R8 or LK_R12) and (not RLS_q13_man)  # q13_man firmly locked
         N_U_q13_man = (U_q13_man or NU_q13_man_2) and (not RLS_q13_man)  # q13_man used by a train (R9)
         N_P_q13_man = (P_q13_man or (U_q13_man and OCC_q13_man and NU_q12_1)) and (not RLS_q13_man)  # q13_man: the train went on (R9)
         N_D_q13_man = (D_q13_man or ((not VALID) and L_q13_man_2)) and (not RLS_q13_man)  # q13_man: inputs were lost while locked
         N_K_q2 = K_q2 and (not RLS_q2)  # q2: restart lock (R16)
-        N_L_q2_1 = (L_q2_1 or G_R2) and (not RLS_q2)  # q2 locked from q1|q2@P1.toe to q2|q3_heavy@P1.normal
-        N_L_q2_2 = (L_q2_2 or G_R3) and (not RLS_q2)  # q2 locked from q1|q2@P1.toe to q2|q5_bypass1@P1.reverse
-        N_L_q2_4 = (L_q2_4 or G_R5) and (not RLS_q2)  # q2 locked from q2|q5_bypass1@P1.reverse to q1|q2@P1.toe
+        N_L_q2_1 = (L_q2_1 or GW_q2_1) and (not RLS_q2)  # q2 locked from q1|q2@P1.toe to q2|q3_heavy@P1.normal
+        N_L_q2_2 = (L_q2_2 or GW_q2_2) and (not RLS_q2)  # q2 locked from q1|q2@P1.toe to q2|q5_bypass1@P1.reverse
+        N_L_q2_4 = (L_q2_4 or GW_q2_4) and (not RLS_q2)  # q2 locked from q2|q5_bypass1@P1.reverse to q1|q2@P1.toe
         N_F_q2 = (F_q2 or LK_R2 or LK_R3 or LK_R5) and (not RLS_q2)  # q2 firmly locked
         N_U_q2 = (U_q2 or NU_q2_1 or NU_q2_3) and (not RLS_q2)  # q2 used by a train (R9)
         N_P_q2 = (P_q2 or (U_q2 and OCC_q2 and (NU_q1_2 or NU_q3_heavy_1 or NU_q5_bypass1_1))) and (not RLS_q2)  # q2: the train went on (R9)
         N_D_q2 = (D_q2 or ((not VALID) and (L_q2_1 or L_q2_2 or L_q2_4))) and (not RLS_q2)  # q2: inputs were lost while locked
         N_K_q3_heavy = K_q3_heavy and (not RLS_q3_heavy)  # q3_heavy: restart lock (R16)
-        N_L_q3_heavy_1 = (L_q3_heavy_1 or G_R2) and (not RLS_q3_heavy)  # q3_heavy locked from q2|q3_heavy@P1.normal to q3_heavy|q4_tippler@heavy.0
+        N_L_q3_heavy_1 = (L_q3_heavy_1 or GW_q3_heavy_1) and (not RLS_q3_heavy)  # q3_heavy locked from q2|q3_heavy@P1.normal to q3_heavy|q4_tippler@heavy.0
         N_F_q3_heavy = (F_q3_heavy or LK_R2) and (not RLS_q3_heavy)  # q3_heavy firmly locked
         N_U_q3_heavy = (U_q3_heavy or NU_q3_heavy_1) and (not RLS_q3_heavy)  # q3_heavy used by a train (R9)
         N_P_q3_heavy = (P_q3_heavy or (U_q3_heavy and OCC_q3_heavy and NU_q4_tippler_1)) and (not RLS_q3_heavy)  # q3_heavy: the train went on (R9)
         N_D_q3_heavy = (D_q3_heavy or ((not VALID) and L_q3_heavy_1)) and (not RLS_q3_heavy)  # q3_heavy: inputs were lost while locked
         N_K_q4_tippler = K_q4_tippler and (not RLS_q4_tippler)  # q4_tippler: restart lock (R16)
-        N_L_q4_tippler_1 = (L_q4_tippler_1 or G_R6) and (not RLS_q4_tippler)  # q4_tippler locked from q3_heavy|q4_tippler@heavy.0 to q4_tippler|q6_empty@heavy.1
+        N_L_q4_tippler_1 = (L_q4_tippler_1 or GW_q4_tippler_1) and (not RLS_q4_tippler)  # q4_tippler locked from q3_heavy|q4_tippler@heavy.0 to q4_tippler|q6_empty@heavy.1
         N_F_q4_tippler = (F_q4_tippler or LK_R6) and (not RLS_q4_tippler)  # q4_tippler firmly locked
         N_U_q4_tippler = (U_q4_tippler or NU_q4_tippler_1) and (not RLS_q4_tippler)  # q4_tippler used by a train (R9)
         N_P_q4_tippler = (P_q4_tippler or (U_q4_tippler and OCC_q4_tippler and NU_q6_empty_1)) and (not RLS_q4_tippler)  # q4_tippler: the train went on (R9)
         N_D_q4_tippler = (D_q4_tippler or ((not VALID) and L_q4_tippler_1)) and (not RLS_q4_tippler)  # q4_tippler: inputs were lost while locked
         N_K_q5_bypass1 = K_q5_bypass1 and (not RLS_q5_bypass1)  # q5_bypass1: restart lock (R16)
-        N_L_q5_bypass1_1 = (L_q5_bypass1_1 or G_R3) and (not RLS_q5_bypass1)  # q5_bypass1 locked from q2|q5_bypass1@P1.reverse to q5_bypass1|q9@P3.toe
-        N_L_q5_bypass1_2 = (L_q5_bypass1_2 or G_R4 or G_R13) and (not RLS_q5_bypass1)  # q5_bypass1 locked from q5_bypass1|q9@P3.toe to q2|q5_bypass1@P1.reverse
+        N_L_q5_bypass1_1 = (L_q5_bypass1_1 or GW_q5_bypass1_1) and (not RLS_q5_bypass1)  # q5_bypass1 locked from q2|q5_bypass1@P1.reverse to q5_bypass1|q9@P3.toe
+        N_L_q5_bypass1_2 = (L_q5_bypass1_2 or GW_q5_bypass1_2) and (not RLS_q5_bypass1)  # q5_bypass1 locked from q5_bypass1|q9@P3.toe to q2|q5_bypass1@P1.reverse
         N_F_q5_bypass1 = (F_q5_bypass1 or LK_R3 or LK_R4 or LK_R13) and (not RLS_q5_bypass1)  # q5_bypass1 firmly locked
         N_U_q5_bypass1 = (U_q5_bypass1 or NU_q5_bypass1_1 or NU_q5_bypass1_2) and (not RLS_q5_bypass1)  # q5_bypass1 used by a train (R9)
         N_P_q5_bypass1 = (P_q5_bypass1 or (U_q5_bypass1 and OCC_q5_bypass1 and (NU_q2_3 or NU_q9_3))) and (not RLS_q5_bypass1)  # q5_bypass1: the train went on (R9)
         N_D_q5_bypass1 = (D_q5_bypass1 or ((not VALID) and (L_q5_bypass1_1 or L_q5_bypass1_2))) and (not RLS_q5_bypass1)  # q5_bypass1: inputs were lost while locked
         N_K_q6_empty = K_q6_empty and (not RLS_q6_empty)  # q6_empty: restart lock (R16)
-        N_L_q6_empty_1 = (L_q6_empty_1 or G_R6) and (not RLS_q6_empty)  # q6_empty locked from q4_tippler|q6_empty@heavy.1 to q6_empty|q7@P2.normal
+        N_L_q6_empty_1 = (L_q6_empty_1 or GW_q6_empty_1) and (not RLS_q6_empty)  # q6_empty locked from q4_tippler|q6_empty@heavy.1 to q6_empty|q7@P2.normal
         N_F_q6_empty = (F_q6_empty or LK_R6) and (not RLS_q6_empty)  # q6_empty firmly locked
         N_U_q6_empty = (U_q6_empty or NU_q6_empty_1) and (not RLS_q6_empty)  # q6_empty used by a train (R9)
         N_P_q6_empty = (P_q6_empty or (U_q6_empty and OCC_q6_empty and NU_q7_3)) and (not RLS_q6_empty)  # q6_empty: the train went on (R9)
         N_D_q6_empty = (D_q6_empty or ((not VALID) and L_q6_empty_1)) and (not RLS_q6_empty)  # q6_empty: inputs were lost while locked
         N_K_q7 = K_q7 and (not RLS_q7)  # q7: restart lock (R16)
-        N_L_q7_1 = (L_q7_1 or G_R11 or G_R12) and (not RLS_q7)  # q7 locked from q10_bypass2|q7@P2.reverse to q12|q7@P2.toe
-        N_L_q7_2 = (L_q7_2 or G_R14 or G_R16) and (not RLS_q7)  # q7 locked from q12|q7@P2.toe to q10_bypass2|q7@P2.reverse
-        N_L_q7_4 = (L_q7_4 or G_R7 or G_R8) and (not RLS_q7)  # q7 locked from q6_empty|q7@P2.normal to q12|q7@P2.toe
+        N_L_q7_1 = (L_q7_1 or GW_q7_1) and (not RLS_q7)  # q7 locked from q10_bypass2|q7@P2.reverse to q12|q7@P2.toe
+        N_L_q7_2 = (L_q7_2 or GW_q7_2) and (not RLS_q7)  # q7 locked from q12|q7@P2.toe to q10_bypass2|q7@P2.reverse
+        N_L_q7_4 = (L_q7_4 or GW_q7_4) and (not RLS_q7)  # q7 locked from q6_empty|q7@P2.normal to q12|q7@P2.toe
         N_F_q7 = (F_q7 or LK_R11 or LK_R12 or LK_R14 or LK_R16 or LK_R7 or LK_R8) and (not RLS_q7)  # q7 firmly locked
         N_U_q7 = (U_q7 or NU_q7_1 or NU_q7_2 or NU_q7_3) and (not RLS_q7)  # q7 used by a train (R9)
         N_P_q7 = (P_q7 or (U_q7 and OCC_q7 and (NU_q10_bypass2_1 or NU_q12_2))) and (not RLS_q7)  # q7: the train went on (R9)
         N_D_q7 = (D_q7 or ((not VALID) and (L_q7_1 or L_q7_2 or L_q7_4))) and (not RLS_q7)  # q7: inputs were lost while locked
         N_K_q8_dep = K_q8_dep and (not RLS_q8_dep)  # q8_dep: restart lock (R16)
-        N_L_q8_dep_1 = (L_q8_dep_1 or G_R15) and (not RLS_q8_dep)  # q8_dep locked from E to q12|q8_dep@P4.normal
-        N_L_q8_dep_2 = (L_q8_dep_2 or G_R7 or G_R11) and (not RLS_q8_dep)  # q8_dep locked from q12|q8_dep@P4.normal to E
+        N_L_q8_dep_1 = (L_q8_dep_1 or GW_q8_dep_1) and (not RLS_q8_dep)  # q8_dep locked from E to q12|q8_dep@P4.normal
+        N_L_q8_dep_2 = (L_q8_dep_2 or GW_q8_dep_2) and (not RLS_q8_dep)  # q8_dep locked from q12|q8_dep@P4.normal to E
         N_F_q8_dep = (F_q8_dep or LK_R15 or LK_R7 or LK_R11) and (not RLS_q8_dep)  # q8_dep firmly locked
         N_U_q8_dep = (U_q8_dep or NU_q8_dep_1 or NU_q8_dep_2) and (not RLS_q8_dep)  # q8_dep used by a train (R9)
         N_P_q8_dep = (P_q8_dep or (U_q8_dep and OCC_q8_dep and NU_q12_3)) and (not RLS_q8_dep)  # q8_dep: the train went on (R9)
         N_D_q8_dep = (D_q8_dep or ((not VALID) and (L_q8_dep_1 or L_q8_dep_2))) and (not RLS_q8_dep)  # q8_dep: inputs were lost while locked
         N_K_q9 = K_q9 and (not RLS_q9)  # q9: restart lock (R16)
-        N_L_q9_1 = (L_q9_1 or G_R4) and (not RLS_q9)  # q9 locked from q10_bypass2|q9@P3.normal to q5_bypass1|q9@P3.toe
-        N_L_q9_2 = (L_q9_2 or G_R13) and (not RLS_q9)  # q9 locked from q11_material|q9@P3.reverse to q5_bypass1|q9@P3.toe
-        N_L_q9_3 = (L_q9_3 or G_R10) and (not RLS_q9)  # q9 locked from q5_bypass1|q9@P3.toe to q10_bypass2|q9@P3.normal
-        N_L_q9_4 = (L_q9_4 or G_R9) and (not RLS_q9)  # q9 locked from q5_bypass1|q9@P3.toe to q11_material|q9@P3.reverse
+        N_L_q9_1 = (L_q9_1 or GW_q9_1) and (not RLS_q9)  # q9 locked from q10_bypass2|q9@P3.normal to q5_bypass1|q9@P3.toe
+        N_L_q9_2 = (L_q9_2 or GW_q9_2) and (not RLS_q9)  # q9 locked from q11_material|q9@P3.reverse to q5_bypass1|q9@P3.toe
+        N_L_q9_3 = (L_q9_3 or GW_q9_3) and (not RLS_q9)  # q9 locked from q5_bypass1|q9@P3.toe to q10_bypass2|q9@P3.normal
+        N_L_q9_4 = (L_q9_4 or GW_q9_4) and (not RLS_q9)  # q9 locked from q5_bypass1|q9@P3.toe to q11_material|q9@P3.reverse
         N_F_q9 = (F_q9 or LK_R4 or LK_R13 or LK_R10 or LK_R9) and (not RLS_q9)  # q9 firmly locked
         N_U_q9 = (U_q9 or NU_q9_1 or NU_q9_2 or NU_q9_3) and (not RLS_q9)  # q9 used by a train (R9)
         N_P_q9 = (P_q9 or (U_q9 and OCC_q9 and (NU_q10_bypass2_2 or NU_q11_material_2 or NU_q5_bypass1_2))) and (not RLS_q9)  # q9: the train went on (R9)

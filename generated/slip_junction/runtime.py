@@ -1,7 +1,7 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout fb16f62efc9e1ca570bf3f0216f7f0ddd032a663478098812001aabbdcd846d5
-# claims 933145525c32358204fa8868fec7c5d22486972dd75345a8e23276aab33f428b
+# claims 56b9f5a7dfaf7e155922032f5b78f01284bd1616982f78bf47e9f636bc722679
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -870,66 +870,209 @@ class Controller:
         MOV_210b = VALID and FREE_SC and (not OCC_SC) and True and True  # machine 210b is free to move (R10)
         AVN_210b = CN_210b or MOV_210b or (QN_210b and (not CN_210b) and (not CR_210b))  # machine 210b can be demanded N
         AVR_210b = CR_210b or MOV_210b or (QR_210b and (not CN_210b) and (not CR_210b))  # machine 210b can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_SC and (not OCC_SC) and (not BLK_SC) and AVR_210b and AVR_210a and AVN_201b and (not TR_210b) and (not TR_210a) and (not TR_201b)  # grant of route G2-G3 (R6)
+        WF_AB_2 = FREE_AB and (not OCC_AB) and (not BLK_AB)  # AB from DM to AB|SC@210.1a: free for a route (R6)
+        WA_AC_2 = AVR_101 and (not TR_101)  # AC from AC|BC@101.reverse to AC|SC@101.toe: could be locked
+        WF_AC_2 = FREE_AC and (not OCC_AC) and (not BLK_AC) and WA_AC_2  # AC from AC|BC@101.reverse to AC|SC@101.toe: free for a route (R6)
+        WA_AC_3 = AVN_101 and AVN_201b and (not TR_101) and (not TR_201b)  # AC from AC|SC@101.toe to AC|AD@101.normal: could be locked
+        WF_AC_3 = FREE_AC and (not OCC_AC) and (not BLK_AC) and WA_AC_3  # AC from AC|SC@101.toe to AC|AD@101.normal: free for a route (R6)
+        WA_AC_4 = AVR_101 and (not TR_101)  # AC from AC|SC@101.toe to AC|BC@101.reverse: could be locked
+        WF_AC_4 = FREE_AC and (not OCC_AC) and (not BLK_AC) and WA_AC_4  # AC from AC|SC@101.toe to AC|BC@101.reverse: free for a route (R6)
+        WF_AD_1 = FREE_AD and (not OCC_AD) and (not BLK_AD)  # AD from AC|AD@101.normal to DM2: free for a route (R6)
+        WF_BB_1 = FREE_BB and (not OCC_BB) and (not BLK_BB)  # BB from BB|BC@201.2b to UM2: free for a route (R6)
+        WF_BB_2 = FREE_BB and (not OCC_BB) and (not BLK_BB)  # BB from UM2 to BB|BC@201.2b: free for a route (R6)
+        WA_BC_1 = AVR_201a and AVR_201b and (not TR_201a) and (not TR_201b)  # BC from AC|BC@101.reverse to BB|BC@201.2b: could be locked
+        WF_BC_1 = FREE_BC and (not OCC_BC) and (not BLK_BC) and WA_BC_1  # BC from AC|BC@101.reverse to BB|BC@201.2b: free for a route (R6)
+        WA_BC_2 = AVN_201a and AVN_201b and (not TR_201a) and (not TR_201b)  # BC from AC|BC@101.reverse to BC|CD@201.1b: could be locked
+        WF_BC_2 = FREE_BC and (not OCC_BC) and (not BLK_BC) and WA_BC_2  # BC from AC|BC@101.reverse to BC|CD@201.1b: free for a route (R6)
+        WA_BC_3 = AVR_201b and AVR_201a and (not TR_201b) and (not TR_201a)  # BC from BB|BC@201.2b to AC|BC@101.reverse: could be locked
+        WF_BC_3 = FREE_BC and (not OCC_BC) and (not BLK_BC) and WA_BC_3  # BC from BB|BC@201.2b to AC|BC@101.reverse: free for a route (R6)
+        WA_BC_4 = AVN_201b and AVN_201a and AVN_101 and (not TR_201b) and (not TR_201a) and (not TR_101)  # BC from BB|BC@201.2b to BC|BE@102.normal: could be locked
+        WF_BC_4 = FREE_BC and (not OCC_BC) and (not BLK_BC) and WA_BC_4  # BC from BB|BC@201.2b to BC|BE@102.normal: free for a route (R6)
+        WF_BD_1 = FREE_BD and (not OCC_BD) and (not BLK_BD)  # BD from BD|BE@102.toe to UM: free for a route (R6)
+        WA_BE_1 = AVN_102 and (not TR_102)  # BE from BC|BE@102.normal to BD|BE@102.toe: could be locked
+        WF_BE_1 = FREE_BE and (not OCC_BE) and (not BLK_BE) and WA_BE_1  # BE from BC|BE@102.normal to BD|BE@102.toe: free for a route (R6)
+        WA_BE_4 = AVR_102 and AVR_201b and (not TR_102) and (not TR_201b)  # BE from BE|CB@102.reverse to BD|BE@102.toe: could be locked
+        WF_BE_4 = FREE_BE and (not OCC_BE) and (not BLK_BE) and WA_BE_4  # BE from BE|CB@102.reverse to BD|BE@102.toe: free for a route (R6)
+        WF_CB_2 = FREE_CB and (not OCC_CB) and (not BLK_CB)  # CB from UB to BE|CB@102.reverse: free for a route (R6)
+        WF_CD_1 = FREE_CD and (not OCC_CD) and (not BLK_CD)  # CD from BC|CD@201.1b to DB: free for a route (R6)
+        WF_GA_1 = FREE_GA and (not OCC_GA) and (not BLK_GA)  # GA from G to GA|SC@210.2a: free for a route (R6)
+        WF_GA_2 = FREE_GA and (not OCC_GA) and (not BLK_GA)  # GA from GA|SC@210.2a to G: free for a route (R6)
+        WF_GB_1 = FREE_GB and (not OCC_GB) and (not BLK_GB)  # GB from GB|SC@210.2b to GN: free for a route (R6)
+        WA_SC_1 = AVN_210a and AVN_210b and (not TR_210a) and (not TR_210b)  # SC from AB|SC@210.1a to AC|SC@101.toe: could be locked
+        WF_SC_1 = FREE_SC and (not OCC_SC) and (not BLK_SC) and WA_SC_1  # SC from AB|SC@210.1a to AC|SC@101.toe: free for a route (R6)
+        WA_SC_2 = AVN_210a and AVR_210b and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b)  # SC from AB|SC@210.1a to GB|SC@210.2b: could be locked
+        WF_SC_2 = FREE_SC and (not OCC_SC) and (not BLK_SC) and WA_SC_2  # SC from AB|SC@210.1a to GB|SC@210.2b: free for a route (R6)
+        WA_SC_3 = AVN_210b and AVN_210a and (not TR_210b) and (not TR_210a)  # SC from AC|SC@101.toe to AB|SC@210.1a: could be locked
+        WA_SC_4 = AVN_210b and AVR_210a and (not TR_210b) and (not TR_210a)  # SC from AC|SC@101.toe to GA|SC@210.2a: could be locked
+        WF_SC_4 = FREE_SC and (not OCC_SC) and (not BLK_SC) and WA_SC_4  # SC from AC|SC@101.toe to GA|SC@210.2a: free for a route (R6)
+        WA_SC_5 = AVR_210a and AVN_210b and (not TR_210a) and (not TR_210b)  # SC from GA|SC@210.2a to AC|SC@101.toe: could be locked
+        WF_SC_5 = FREE_SC and (not OCC_SC) and (not BLK_SC) and WA_SC_5  # SC from GA|SC@210.2a to AC|SC@101.toe: free for a route (R6)
+        WA_SC_6 = AVR_210a and AVR_210b and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b)  # SC from GA|SC@210.2a to GB|SC@210.2b: could be locked
+        WF_SC_6 = FREE_SC and (not OCC_SC) and (not BLK_SC) and WA_SC_6  # SC from GA|SC@210.2a to GB|SC@210.2b: free for a route (R6)
+        WA_SC_8 = AVR_210b and AVR_210a and AVN_201b and (not TR_210b) and (not TR_210a) and (not TR_201b)  # SC from GB|SC@210.2b to GA|SC@210.2a: could be locked
+        WF_SC_8 = FREE_SC and (not OCC_SC) and (not BLK_SC) and WA_SC_8  # SC from GB|SC@210.2b to GA|SC@210.2a: free for a route (R6)
+        OF_G3_1 = ((not K_GA) and (not V_G3_1) and (not V_S2J_3) and (not L_GA_1) and ((not L_GA_2) or A_R2)) and (not OCC_GA)  # overlap 1 of G3 may be held (R4)
+        OF_S2J_1 = ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and ((not L_BC_4) or A_R12)) and (not OCC_BC) and WA_BC_4 and ((not K_BE) and (not V_S2J_1) and ((not L_BE_1) or A_R12) and (not L_BE_4)) and (not OCC_BE) and WA_BE_1 and ((not K_BD) and (not V_S2J_1) and ((not L_BD_1) or A_R12)) and (not OCC_BD)  # overlap 1 of S2J may be held (R4)
+        OF_S2J_2 = ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and ((not L_BC_3) or A_R11) and (not L_BC_4)) and (not OCC_BC) and WA_BC_3 and ((not K_AC) and (not V_S2J_2) and (not V_S2J_3) and ((not L_AC_2) or A_R11) and (not L_AC_3) and (not L_AC_4)) and (not OCC_AC) and WA_AC_2 and ((not K_SC) and (not V_S2J_2) and (not V_S2J_3) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and (not L_SC_4) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8)) and (not OCC_SC) and WA_SC_3 and ((not K_AB) and (not V_S2J_2) and (not L_AB_1) and (not L_AB_2)) and (not OCC_AB)  # overlap 2 of S2J may be held (R4)
+        OF_S2J_3 = ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and ((not L_BC_3) or A_R11) and (not L_BC_4)) and (not OCC_BC) and WA_BC_3 and ((not K_AC) and (not V_S2J_2) and (not V_S2J_3) and ((not L_AC_2) or A_R11) and (not L_AC_3) and (not L_AC_4)) and (not OCC_AC) and WA_AC_2 and ((not K_SC) and (not V_S2J_2) and (not V_S2J_3) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and ((not L_SC_4) or A_R11) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8)) and (not OCC_SC) and WA_SC_4 and ((not K_GA) and (not V_G3_1) and (not V_S2J_3) and (not L_GA_1) and (not L_GA_2)) and (not OCC_GA)  # overlap 3 of S2J may be held (R4)
+        WL_AB_1 = (not OCC_AB)  # AB from AB|SC@210.1a to DM: lies and is clear
+        WL_AB_2 = (not OCC_AB)  # AB from DM to AB|SC@210.1a: lies and is clear
+        WP_AB_2 = WL_AB_2 and (not BLK_AB)  # AB from DM to AB|SC@210.1a: proceed may be shown over it (R3)
+        WD_AC_2 = QR_101 and (not TR_101)  # AC from AC|BC@101.reverse to AC|SC@101.toe: its points lie, nothing is foul of it
+        WL_AC_2 = (not OCC_AC) and WD_AC_2  # AC from AC|BC@101.reverse to AC|SC@101.toe: lies and is clear
+        WP_AC_2 = WL_AC_2 and (not BLK_AC)  # AC from AC|BC@101.reverse to AC|SC@101.toe: proceed may be shown over it (R3)
+        WD_AC_3 = QN_101 and QN_201b and (not TR_101) and (not TR_201b)  # AC from AC|SC@101.toe to AC|AD@101.normal: its points lie, nothing is foul of it
+        WL_AC_3 = (not OCC_AC) and WD_AC_3  # AC from AC|SC@101.toe to AC|AD@101.normal: lies and is clear
+        WP_AC_3 = WL_AC_3 and (not BLK_AC)  # AC from AC|SC@101.toe to AC|AD@101.normal: proceed may be shown over it (R3)
+        WD_AC_4 = QR_101 and (not TR_101)  # AC from AC|SC@101.toe to AC|BC@101.reverse: its points lie, nothing is foul of it
+        WL_AC_4 = (not OCC_AC) and WD_AC_4  # AC from AC|SC@101.toe to AC|BC@101.reverse: lies and is clear
+        WP_AC_4 = WL_AC_4 and (not BLK_AC)  # AC from AC|SC@101.toe to AC|BC@101.reverse: proceed may be shown over it (R3)
+        WL_AD_1 = (not OCC_AD)  # AD from AC|AD@101.normal to DM2: lies and is clear
+        WP_AD_1 = WL_AD_1 and (not BLK_AD)  # AD from AC|AD@101.normal to DM2: proceed may be shown over it (R3)
+        WL_BB_1 = (not OCC_BB)  # BB from BB|BC@201.2b to UM2: lies and is clear
+        WP_BB_1 = WL_BB_1 and (not BLK_BB)  # BB from BB|BC@201.2b to UM2: proceed may be shown over it (R3)
+        WL_BB_2 = (not OCC_BB)  # BB from UM2 to BB|BC@201.2b: lies and is clear
+        WP_BB_2 = WL_BB_2 and (not BLK_BB)  # BB from UM2 to BB|BC@201.2b: proceed may be shown over it (R3)
+        WD_BC_1 = QR_201a and QR_201b and (not TR_201a) and (not TR_201b)  # BC from AC|BC@101.reverse to BB|BC@201.2b: its points lie, nothing is foul of it
+        WL_BC_1 = (not OCC_BC) and WD_BC_1  # BC from AC|BC@101.reverse to BB|BC@201.2b: lies and is clear
+        WP_BC_1 = WL_BC_1 and (not BLK_BC)  # BC from AC|BC@101.reverse to BB|BC@201.2b: proceed may be shown over it (R3)
+        WD_BC_2 = QN_201a and QN_201b and (not TR_201a) and (not TR_201b)  # BC from AC|BC@101.reverse to BC|CD@201.1b: its points lie, nothing is foul of it
+        WL_BC_2 = (not OCC_BC) and WD_BC_2  # BC from AC|BC@101.reverse to BC|CD@201.1b: lies and is clear
+        WP_BC_2 = WL_BC_2 and (not BLK_BC)  # BC from AC|BC@101.reverse to BC|CD@201.1b: proceed may be shown over it (R3)
+        WD_BC_3 = QR_201b and QR_201a and (not TR_201b) and (not TR_201a)  # BC from BB|BC@201.2b to AC|BC@101.reverse: its points lie, nothing is foul of it
+        WL_BC_3 = (not OCC_BC) and WD_BC_3  # BC from BB|BC@201.2b to AC|BC@101.reverse: lies and is clear
+        WP_BC_3 = WL_BC_3 and (not BLK_BC)  # BC from BB|BC@201.2b to AC|BC@101.reverse: proceed may be shown over it (R3)
+        WD_BC_4 = QN_201b and QN_201a and QN_101 and (not TR_201b) and (not TR_201a) and (not TR_101)  # BC from BB|BC@201.2b to BC|BE@102.normal: its points lie, nothing is foul of it
+        WL_BC_4 = (not OCC_BC) and WD_BC_4  # BC from BB|BC@201.2b to BC|BE@102.normal: lies and is clear
+        WP_BC_4 = WL_BC_4 and (not BLK_BC)  # BC from BB|BC@201.2b to BC|BE@102.normal: proceed may be shown over it (R3)
+        WL_BD_1 = (not OCC_BD)  # BD from BD|BE@102.toe to UM: lies and is clear
+        WP_BD_1 = WL_BD_1 and (not BLK_BD)  # BD from BD|BE@102.toe to UM: proceed may be shown over it (R3)
+        WD_BE_1 = QN_102 and (not TR_102)  # BE from BC|BE@102.normal to BD|BE@102.toe: its points lie, nothing is foul of it
+        WL_BE_1 = (not OCC_BE) and WD_BE_1  # BE from BC|BE@102.normal to BD|BE@102.toe: lies and is clear
+        WP_BE_1 = WL_BE_1 and (not BLK_BE)  # BE from BC|BE@102.normal to BD|BE@102.toe: proceed may be shown over it (R3)
+        WD_BE_4 = QR_102 and QR_201b and (not TR_102) and (not TR_201b)  # BE from BE|CB@102.reverse to BD|BE@102.toe: its points lie, nothing is foul of it
+        WL_BE_4 = (not OCC_BE) and WD_BE_4  # BE from BE|CB@102.reverse to BD|BE@102.toe: lies and is clear
+        WP_BE_4 = WL_BE_4 and (not BLK_BE)  # BE from BE|CB@102.reverse to BD|BE@102.toe: proceed may be shown over it (R3)
+        WL_CB_2 = (not OCC_CB)  # CB from UB to BE|CB@102.reverse: lies and is clear
+        WP_CB_2 = WL_CB_2 and (not BLK_CB)  # CB from UB to BE|CB@102.reverse: proceed may be shown over it (R3)
+        WL_CD_1 = (not OCC_CD)  # CD from BC|CD@201.1b to DB: lies and is clear
+        WP_CD_1 = WL_CD_1 and (not BLK_CD)  # CD from BC|CD@201.1b to DB: proceed may be shown over it (R3)
+        WL_GA_1 = (not OCC_GA)  # GA from G to GA|SC@210.2a: lies and is clear
+        WP_GA_1 = WL_GA_1 and (not BLK_GA)  # GA from G to GA|SC@210.2a: proceed may be shown over it (R3)
+        WL_GA_2 = (not OCC_GA)  # GA from GA|SC@210.2a to G: lies and is clear
+        WP_GA_2 = WL_GA_2 and (not BLK_GA)  # GA from GA|SC@210.2a to G: proceed may be shown over it (R3)
+        WL_GB_1 = (not OCC_GB)  # GB from GB|SC@210.2b to GN: lies and is clear
+        WP_GB_1 = WL_GB_1 and (not BLK_GB)  # GB from GB|SC@210.2b to GN: proceed may be shown over it (R3)
+        WD_SC_1 = QN_210a and QN_210b and (not TR_210a) and (not TR_210b)  # SC from AB|SC@210.1a to AC|SC@101.toe: its points lie, nothing is foul of it
+        WL_SC_1 = (not OCC_SC) and WD_SC_1  # SC from AB|SC@210.1a to AC|SC@101.toe: lies and is clear
+        WP_SC_1 = WL_SC_1 and (not BLK_SC)  # SC from AB|SC@210.1a to AC|SC@101.toe: proceed may be shown over it (R3)
+        WD_SC_2 = QN_210a and QR_210b and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b)  # SC from AB|SC@210.1a to GB|SC@210.2b: its points lie, nothing is foul of it
+        WL_SC_2 = (not OCC_SC) and WD_SC_2  # SC from AB|SC@210.1a to GB|SC@210.2b: lies and is clear
+        WP_SC_2 = WL_SC_2 and (not BLK_SC)  # SC from AB|SC@210.1a to GB|SC@210.2b: proceed may be shown over it (R3)
+        WD_SC_3 = QN_210b and QN_210a and (not TR_210b) and (not TR_210a)  # SC from AC|SC@101.toe to AB|SC@210.1a: its points lie, nothing is foul of it
+        WL_SC_3 = (not OCC_SC) and WD_SC_3  # SC from AC|SC@101.toe to AB|SC@210.1a: lies and is clear
+        WD_SC_4 = QN_210b and QR_210a and (not TR_210b) and (not TR_210a)  # SC from AC|SC@101.toe to GA|SC@210.2a: its points lie, nothing is foul of it
+        WL_SC_4 = (not OCC_SC) and WD_SC_4  # SC from AC|SC@101.toe to GA|SC@210.2a: lies and is clear
+        WP_SC_4 = WL_SC_4 and (not BLK_SC)  # SC from AC|SC@101.toe to GA|SC@210.2a: proceed may be shown over it (R3)
+        WD_SC_5 = QR_210a and QN_210b and (not TR_210a) and (not TR_210b)  # SC from GA|SC@210.2a to AC|SC@101.toe: its points lie, nothing is foul of it
+        WL_SC_5 = (not OCC_SC) and WD_SC_5  # SC from GA|SC@210.2a to AC|SC@101.toe: lies and is clear
+        WP_SC_5 = WL_SC_5 and (not BLK_SC)  # SC from GA|SC@210.2a to AC|SC@101.toe: proceed may be shown over it (R3)
+        WD_SC_6 = QR_210a and QR_210b and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b)  # SC from GA|SC@210.2a to GB|SC@210.2b: its points lie, nothing is foul of it
+        WL_SC_6 = (not OCC_SC) and WD_SC_6  # SC from GA|SC@210.2a to GB|SC@210.2b: lies and is clear
+        WP_SC_6 = WL_SC_6 and (not BLK_SC)  # SC from GA|SC@210.2a to GB|SC@210.2b: proceed may be shown over it (R3)
+        WD_SC_8 = QR_210b and QR_210a and QN_201b and (not TR_210b) and (not TR_210a) and (not TR_201b)  # SC from GB|SC@210.2b to GA|SC@210.2a: its points lie, nothing is foul of it
+        WL_SC_8 = (not OCC_SC) and WD_SC_8  # SC from GB|SC@210.2b to GA|SC@210.2a: lies and is clear
+        WP_SC_8 = WL_SC_8 and (not BLK_SC)  # SC from GB|SC@210.2b to GA|SC@210.2a: proceed may be shown over it (R3)
+        G_R1 = (REQ == 1) and VALID and WF_SC_8  # grant of route G2-G3 (R6)
         G_R2 = (REQ == 2) and VALID and ((not K_GA) and (not L_GA_1) and (not L_GA_2) and (not V_S2J_3)) and (not OCC_GA) and (not BLK_GA)  # grant of route G3-G (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_AB and (not OCC_AB) and (not BLK_AB)  # grant of route S1-S1J (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_CD and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and AVN_210a and AVN_210b and AVR_101 and AVN_201a and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b)  # grant of route S1J-DB (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_SC and FREE_AC and FREE_AD and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and AVN_210a and AVN_210b and AVN_101 and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201b)  # grant of route S1J-DM2 (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_SC and FREE_GB and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and AVN_210a and AVR_210b and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b)  # grant of route S1J-GN (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_BB and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and AVN_210a and AVN_210b and AVR_101 and AVR_201a and AVR_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b)  # grant of route S1J-UM2 (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and ((not L_BC_4) or A_R12)) and ((not K_BE) and (not V_S2J_1) and ((not L_BE_1) or A_R12) and (not L_BE_4)) and ((not K_BD) and (not V_S2J_1) and ((not L_BD_1) or A_R12)) and (not OCC_BB) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BB) and AVN_201b and AVN_201a and AVN_101 and AVN_102 and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_102)  # grant of route S2-S2J (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and ((not L_BC_3) or A_R11) and (not L_BC_4)) and ((not K_AC) and (not V_S2J_2) and (not V_S2J_3) and ((not L_AC_2) or A_R11) and (not L_AC_3) and (not L_AC_4)) and ((not K_SC) and (not V_S2J_2) and (not V_S2J_3) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and (not L_SC_4) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8)) and ((not K_AB) and (not V_S2J_2) and (not L_AB_1) and (not L_AB_2)) and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_AB) and (not BLK_BB) and AVR_201b and AVR_201a and AVR_101 and AVN_210b and AVN_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a)  # grant of route S2-S2J.o2 (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_BB and ((not K_BC) and (not V_S2J_1) and (not V_S2J_2) and (not V_S2J_3) and (not L_BC_1) and (not L_BC_2) and ((not L_BC_3) or A_R11) and (not L_BC_4)) and ((not K_AC) and (not V_S2J_2) and (not V_S2J_3) and ((not L_AC_2) or A_R11) and (not L_AC_3) and (not L_AC_4)) and ((not K_SC) and (not V_S2J_2) and (not V_S2J_3) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and ((not L_SC_4) or A_R11) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8)) and ((not K_GA) and (not V_G3_1) and (not V_S2J_3) and (not L_GA_1) and (not L_GA_2)) and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BB) and AVR_201b and AVR_201a and AVR_101 and AVN_210b and AVR_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a)  # grant of route S2-S2J.o3 (R6)
-        G_R11 = (REQ == 11) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and (not L_BC_4) and (not V_S2J_1)) and ((not K_AC) and (not L_AC_2) and (not L_AC_3) and (not L_AC_4)) and ((not K_SC) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and (not L_SC_4) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8) and (not V_S2J_2)) and ((not K_GA) and (not V_G3_1) and (not V_S2J_3) and (not L_GA_1) and ((not L_GA_2) or A_R2)) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BC) and (not BLK_AC) and (not BLK_SC) and AVR_201b and AVR_201a and AVR_101 and AVN_210b and AVR_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a)  # grant of route S2J-G3 (R6)
-        G_R12 = (REQ == 12) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and (not L_BC_4) and (not V_S2J_2) and (not V_S2J_3)) and ((not K_BE) and (not L_BE_1) and (not L_BE_4)) and ((not K_BD) and (not L_BD_1)) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BC) and (not BLK_BE) and (not BLK_BD) and AVN_201b and AVN_201a and AVN_101 and AVN_102 and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_102)  # grant of route S2J-UM (R6)
-        G_R13 = (REQ == 13) and VALID and FREE_CB and (not OCC_CB) and (not BLK_CB)  # grant of route S4-S4J (R6)
-        G_R14 = (REQ == 14) and VALID and FREE_BE and FREE_BD and (not OCC_BE) and (not OCC_BD) and (not BLK_BE) and (not BLK_BD) and AVR_102 and AVR_201b and (not TR_102) and (not TR_201b)  # grant of route S4J-UM (R6)
-        G_R15 = (REQ == 15) and VALID and FREE_GA and (not OCC_GA) and (not BLK_GA)  # grant of route SG-SGJ (R6)
-        G_R16 = (REQ == 16) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_CD and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and AVR_210a and AVN_210b and AVR_101 and AVN_201a and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b)  # grant of route SGJ-DB (R6)
-        G_R17 = (REQ == 17) and VALID and FREE_SC and FREE_AC and FREE_AD and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and AVR_210a and AVN_210b and AVN_101 and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201b)  # grant of route SGJ-DM2 (R6)
-        G_R18 = (REQ == 18) and VALID and FREE_SC and FREE_GB and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and AVR_210a and AVR_210b and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b)  # grant of route SGJ-GN (R6)
-        G_R19 = (REQ == 19) and VALID and FREE_SC and FREE_AC and FREE_BC and FREE_BB and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and AVR_210a and AVN_210b and AVR_101 and AVR_201a and AVR_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b)  # grant of route SGJ-UM2 (R6)
-        G_R20 = (REQ == 20) and VALID and FREE_SC and (not M_GB) and (not OCC_SC) and (not BLK_SC) and (not BLK_GB) and AVR_210a and AVR_210b and AVN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b)  # grant of route SGJ-GN.s (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_G2) and (not CAN_G2) and (not OCC_SC) and QR_210b and QR_210a and QN_201b  # route G2-G3 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_SC) and (not BLK_SC) and QR_210b and QR_210a and QN_201b and (not TR_210b) and (not TR_210a) and (not TR_201b) and (not D_SC)  # conditions of proceed for route G2-G3 (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_G3) and (not CAN_G3) and (not OCC_GA)  # route G3-G becomes locked (R3)
-        CO_R2 = VALID and (not OCC_GA) and (not BLK_GA) and (not OCC_GX) and (not D_GA)  # conditions of proceed for route G3-G (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_AB)  # route S1-S1J becomes locked (R3)
-        CO_R3 = VALID and (not OCC_AB) and (not BLK_AB) and (not D_AB)  # conditions of proceed for route S1-S1J (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and QN_210a and QN_210b and QR_101 and QN_201a and QN_201b  # route S1J-DB becomes locked (R3)
-        CO_R4 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and QN_210a and QN_210b and QR_101 and QN_201a and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b) and (not D_SC)  # conditions of proceed for route S1J-DB (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and QN_210a and QN_210b and QN_101 and QN_201b  # route S1J-DM2 becomes locked (R3)
-        CO_R5 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and QN_210a and QN_210b and QN_101 and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201b) and (not D_SC)  # conditions of proceed for route S1J-DM2 (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_SC) and (not OCC_GB) and QN_210a and QR_210b and QN_201b  # route S1J-GN becomes locked (R3)
-        CO_R6 = VALID and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and QN_210a and QR_210b and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b) and (not D_SC)  # conditions of proceed for route S1J-GN (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S1J) and (not CAN_S1J) and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and QN_210a and QN_210b and QR_101 and QR_201a and QR_201b  # route S1J-UM2 becomes locked (R3)
-        CO_R7 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and QN_210a and QN_210b and QR_101 and QR_201a and QR_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b) and (not OCC_BA) and (not D_SC)  # conditions of proceed for route S1J-UM2 (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_BB) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and QN_201b and QN_201a and QN_101 and QN_102  # route S2-S2J becomes locked (R3)
-        CO_R8 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BB) and QN_201b and QN_201a and QN_101 and QN_102 and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_102) and (not D_BB) and V_S2J_1  # conditions of proceed for route S2-S2J (R3)
-        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_AB) and QR_201b and QR_201a and QR_101 and QN_210b and QN_210a  # route S2-S2J.o2 becomes locked (R3)
-        CO_R9 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_AB) and (not BLK_BB) and QR_201b and QR_201a and QR_101 and QN_210b and QN_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a) and (not D_BB) and V_S2J_2  # conditions of proceed for route S2-S2J.o2 (R3)
-        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S2) and (not CAN_S2) and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and QR_201b and QR_201a and QR_101 and QN_210b and QR_210a  # route S2-S2J.o3 becomes locked (R3)
-        CO_R10 = VALID and (not OCC_BB) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BB) and QR_201b and QR_201a and QR_101 and QN_210b and QR_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a) and (not D_BB) and V_S2J_3  # conditions of proceed for route S2-S2J.o3 (R3)
-        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S2J) and (not CAN_S2J) and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and QR_201b and QR_201a and QR_101 and QN_210b and QR_210a  # route S2J-G3 becomes locked (R3)
-        CO_R11 = VALID and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA) and (not BLK_BC) and (not BLK_AC) and (not BLK_SC) and QR_201b and QR_201a and QR_101 and QN_210b and QR_210a and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_210b) and (not TR_210a) and (not D_BC) and V_G3_1  # conditions of proceed for route S2J-G3 (R3)
-        LK_R12 = A_R12 and (not B_R12) and VALID and (not X_S2J) and (not CAN_S2J) and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and QN_201b and QN_201a and QN_101 and QN_102  # route S2J-UM becomes locked (R3)
-        CO_R12 = VALID and (not OCC_BC) and (not OCC_BE) and (not OCC_BD) and (not BLK_BC) and (not BLK_BE) and (not BLK_BD) and QN_201b and QN_201a and QN_101 and QN_102 and (not TR_201b) and (not TR_201a) and (not TR_101) and (not TR_102) and (not D_BC)  # conditions of proceed for route S2J-UM (R3)
-        LK_R13 = A_R13 and (not B_R13) and VALID and (not X_S4) and (not CAN_S4) and (not OCC_CB)  # route S4-S4J becomes locked (R3)
-        CO_R13 = VALID and (not OCC_CB) and (not BLK_CB) and (not D_CB)  # conditions of proceed for route S4-S4J (R3)
-        LK_R14 = A_R14 and (not B_R14) and VALID and (not X_S4J) and (not CAN_S4J) and (not OCC_BE) and (not OCC_BD) and QR_102 and QR_201b  # route S4J-UM becomes locked (R3)
-        CO_R14 = VALID and (not OCC_BE) and (not OCC_BD) and (not BLK_BE) and (not BLK_BD) and QR_102 and QR_201b and (not TR_102) and (not TR_201b) and (not D_BE)  # conditions of proceed for route S4J-UM (R3)
-        LK_R15 = A_R15 and (not B_R15) and VALID and (not X_SG) and (not CAN_SG) and (not OCC_GA)  # route SG-SGJ becomes locked (R3)
-        CO_R15 = VALID and (not OCC_GA) and (not BLK_GA) and (not D_GA)  # conditions of proceed for route SG-SGJ (R3)
-        LK_R16 = A_R16 and (not B_R16) and VALID and (not X_SGJ) and (not CAN_SGJ) and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and QR_210a and QN_210b and QR_101 and QN_201a and QN_201b  # route SGJ-DB becomes locked (R3)
-        CO_R16 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_CD) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_CD) and QR_210a and QN_210b and QR_101 and QN_201a and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b) and (not D_SC)  # conditions of proceed for route SGJ-DB (R3)
-        LK_R17 = A_R17 and (not B_R17) and VALID and (not X_SGJ) and (not CAN_SGJ) and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and QR_210a and QN_210b and QN_101 and QN_201b  # route SGJ-DM2 becomes locked (R3)
-        CO_R17 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_AD) and (not BLK_SC) and (not BLK_AC) and (not BLK_AD) and QR_210a and QN_210b and QN_101 and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201b) and (not D_SC)  # conditions of proceed for route SGJ-DM2 (R3)
-        LK_R18 = A_R18 and (not B_R18) and VALID and (not X_SGJ) and (not CAN_SGJ) and (not OCC_SC) and (not OCC_GB) and QR_210a and QR_210b and QN_201b  # route SGJ-GN becomes locked (R3)
-        CO_R18 = VALID and (not OCC_SC) and (not OCC_GB) and (not BLK_SC) and (not BLK_GB) and QR_210a and QR_210b and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b) and (not D_SC)  # conditions of proceed for route SGJ-GN (R3)
-        LK_R19 = A_R19 and (not B_R19) and VALID and (not X_SGJ) and (not CAN_SGJ) and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and QR_210a and QN_210b and QR_101 and QR_201a and QR_201b  # route SGJ-UM2 becomes locked (R3)
-        CO_R19 = VALID and (not OCC_SC) and (not OCC_AC) and (not OCC_BC) and (not OCC_BB) and (not BLK_SC) and (not BLK_AC) and (not BLK_BC) and (not BLK_BB) and QR_210a and QN_210b and QR_101 and QR_201a and QR_201b and (not TR_210a) and (not TR_210b) and (not TR_101) and (not TR_201a) and (not TR_201b) and (not OCC_BA) and (not D_SC)  # conditions of proceed for route SGJ-UM2 (R3)
-        LK_R20 = A_R20 and (not B_R20) and VALID and (not X_SGJ) and (not CAN_SGJ) and (not OCC_SC) and QR_210a and QR_210b and QN_201b  # route SGJ-GN.s becomes locked (R3)
-        CO_R20 = VALID and (not OCC_SC) and (not BLK_SC) and (not BLK_GB) and QR_210a and QR_210b and QN_201b and (not TR_210a) and (not TR_210b) and (not TR_201b) and (not D_SC)  # conditions of proceed for route SGJ-GN.s (R3)
+        G_R3 = (REQ == 3) and VALID and WF_AB_2  # grant of route S1-S1J (R6)
+        G_R4 = (REQ == 4) and VALID and WF_SC_1 and WF_AC_4 and WF_BC_2 and WF_CD_1  # grant of route S1J-DB (R6)
+        G_R5 = (REQ == 5) and VALID and WF_SC_1 and WF_AC_3 and WF_AD_1  # grant of route S1J-DM2 (R6)
+        G_R6 = (REQ == 6) and VALID and WF_SC_2 and WF_GB_1  # grant of route S1J-GN (R6)
+        G_R7 = (REQ == 7) and VALID and WF_SC_1 and WF_AC_4 and WF_BC_1 and WF_BB_1  # grant of route S1J-UM2 (R6)
+        G_R8 = (REQ == 8) and VALID and WF_BB_2 and OF_S2J_1  # grant of route S2-S2J (R6)
+        G_R9 = (REQ == 9) and VALID and WF_BB_2 and OF_S2J_2  # grant of route S2-S2J.o2 (R6)
+        G_R10 = (REQ == 10) and VALID and WF_BB_2 and OF_S2J_3  # grant of route S2-S2J.o3 (R6)
+        G_R11 = (REQ == 11) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and (not L_BC_4) and (not V_S2J_1)) and (not OCC_BC) and (not BLK_BC) and WA_BC_3 and ((not K_AC) and (not L_AC_2) and (not L_AC_3) and (not L_AC_4)) and (not OCC_AC) and (not BLK_AC) and WA_AC_2 and ((not K_SC) and (not L_SC_1) and (not L_SC_2) and (not L_SC_3) and (not L_SC_4) and (not L_SC_5) and (not L_SC_6) and (not L_SC_8) and (not V_S2J_2)) and (not OCC_SC) and (not BLK_SC) and WA_SC_4 and OF_G3_1  # grant of route S2J-G3 (R6)
+        G_R12 = (REQ == 12) and VALID and ((not K_BC) and (not L_BC_1) and (not L_BC_2) and (not L_BC_3) and (not L_BC_4) and (not V_S2J_2) and (not V_S2J_3)) and (not OCC_BC) and (not BLK_BC) and WA_BC_4 and ((not K_BE) and (not L_BE_1) and (not L_BE_4)) and (not OCC_BE) and (not BLK_BE) and WA_BE_1 and ((not K_BD) and (not L_BD_1)) and (not OCC_BD) and (not BLK_BD)  # grant of route S2J-UM (R6)
+        G_R13 = (REQ == 13) and VALID and WF_CB_2  # grant of route S4-S4J (R6)
+        G_R14 = (REQ == 14) and VALID and WF_BE_4 and WF_BD_1  # grant of route S4J-UM (R6)
+        G_R15 = (REQ == 15) and VALID and WF_GA_1  # grant of route SG-SGJ (R6)
+        G_R16 = (REQ == 16) and VALID and WF_SC_5 and WF_AC_4 and WF_BC_2 and WF_CD_1  # grant of route SGJ-DB (R6)
+        G_R17 = (REQ == 17) and VALID and WF_SC_5 and WF_AC_3 and WF_AD_1  # grant of route SGJ-DM2 (R6)
+        G_R18 = (REQ == 18) and VALID and WF_SC_6 and WF_GB_1  # grant of route SGJ-GN (R6)
+        G_R19 = (REQ == 19) and VALID and WF_SC_5 and WF_AC_4 and WF_BC_1 and WF_BB_1  # grant of route SGJ-UM2 (R6)
+        G_R20 = (REQ == 20) and VALID and WF_SC_6 and (not BLK_GB) and (not M_GB)  # grant of route SGJ-GN.s (R6)
+        GW_AB_2 = G_R3  # AB from DM to AB|SC@210.1a: granted
+        GW_AC_2 = G_R11  # AC from AC|BC@101.reverse to AC|SC@101.toe: granted
+        GW_AC_3 = G_R5 or G_R17  # AC from AC|SC@101.toe to AC|AD@101.normal: granted
+        GW_AC_4 = G_R4 or G_R7 or G_R16 or G_R19  # AC from AC|SC@101.toe to AC|BC@101.reverse: granted
+        GW_AD_1 = G_R5 or G_R17  # AD from AC|AD@101.normal to DM2: granted
+        GW_BB_1 = G_R7 or G_R19  # BB from BB|BC@201.2b to UM2: granted
+        GW_BB_2 = G_R8 or G_R9 or G_R10  # BB from UM2 to BB|BC@201.2b: granted
+        GW_BC_1 = G_R7 or G_R19  # BC from AC|BC@101.reverse to BB|BC@201.2b: granted
+        GW_BC_2 = G_R4 or G_R16  # BC from AC|BC@101.reverse to BC|CD@201.1b: granted
+        GW_BC_3 = G_R11  # BC from BB|BC@201.2b to AC|BC@101.reverse: granted
+        GW_BC_4 = G_R12  # BC from BB|BC@201.2b to BC|BE@102.normal: granted
+        GW_BD_1 = G_R12 or G_R14  # BD from BD|BE@102.toe to UM: granted
+        GW_BE_1 = G_R12  # BE from BC|BE@102.normal to BD|BE@102.toe: granted
+        GW_BE_4 = G_R14  # BE from BE|CB@102.reverse to BD|BE@102.toe: granted
+        GW_CB_2 = G_R13  # CB from UB to BE|CB@102.reverse: granted
+        GW_CD_1 = G_R4 or G_R16  # CD from BC|CD@201.1b to DB: granted
+        GW_GA_1 = G_R15  # GA from G to GA|SC@210.2a: granted
+        GW_GA_2 = G_R2  # GA from GA|SC@210.2a to G: granted
+        GW_GB_1 = G_R6 or G_R18  # GB from GB|SC@210.2b to GN: granted
+        GB_GB_1 = G_R20  # GB from GB|SC@210.2b to GN: granted
+        GW_SC_1 = G_R4 or G_R5 or G_R7  # SC from AB|SC@210.1a to AC|SC@101.toe: granted
+        GW_SC_2 = G_R6  # SC from AB|SC@210.1a to GB|SC@210.2b: granted
+        GW_SC_4 = G_R11  # SC from AC|SC@101.toe to GA|SC@210.2a: granted
+        GW_SC_5 = G_R16 or G_R17 or G_R19  # SC from GA|SC@210.2a to AC|SC@101.toe: granted
+        GW_SC_6 = G_R18 or G_R20  # SC from GA|SC@210.2a to GB|SC@210.2b: granted
+        GW_SC_8 = G_R1  # SC from GB|SC@210.2b to GA|SC@210.2a: granted
+        GO_G3_1 = G_R11  # overlap 1 of G3: granted
+        GO_S2J_1 = G_R8  # overlap 1 of S2J: granted
+        GO_S2J_2 = G_R9  # overlap 2 of S2J: granted
+        GO_S2J_3 = G_R10  # overlap 3 of S2J: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_G2) and (not CAN_G2) and WL_SC_8  # route G2-G3 becomes locked (R3)
+        CO_R1 = VALID and WP_SC_8 and (not D_SC)  # conditions of proceed for route G2-G3 (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_G3) and (not CAN_G3) and WL_GA_2  # route G3-G becomes locked (R3)
+        CO_R2 = VALID and WP_GA_2 and (not OCC_GX) and (not D_GA)  # conditions of proceed for route G3-G (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and WL_AB_2  # route S1-S1J becomes locked (R3)
+        CO_R3 = VALID and WP_AB_2 and (not D_AB)  # conditions of proceed for route S1-S1J (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S1J) and (not CAN_S1J) and WL_SC_1 and WL_AC_4 and WL_BC_2 and WL_CD_1  # route S1J-DB becomes locked (R3)
+        CO_R4 = VALID and WP_SC_1 and WP_AC_4 and WP_BC_2 and WP_CD_1 and (not D_SC)  # conditions of proceed for route S1J-DB (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S1J) and (not CAN_S1J) and WL_SC_1 and WL_AC_3 and WL_AD_1  # route S1J-DM2 becomes locked (R3)
+        CO_R5 = VALID and WP_SC_1 and WP_AC_3 and WP_AD_1 and (not D_SC)  # conditions of proceed for route S1J-DM2 (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S1J) and (not CAN_S1J) and WL_SC_2 and WL_GB_1  # route S1J-GN becomes locked (R3)
+        CO_R6 = VALID and WP_SC_2 and WP_GB_1 and (not D_SC)  # conditions of proceed for route S1J-GN (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S1J) and (not CAN_S1J) and WL_SC_1 and WL_AC_4 and WL_BC_1 and WL_BB_1  # route S1J-UM2 becomes locked (R3)
+        CO_R7 = VALID and WP_SC_1 and WP_AC_4 and WP_BC_1 and WP_BB_1 and (not OCC_BA) and (not D_SC)  # conditions of proceed for route S1J-UM2 (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S2) and (not CAN_S2) and WL_BB_2 and WL_BC_4 and WL_BE_1 and WL_BD_1  # route S2-S2J becomes locked (R3)
+        CO_R8 = VALID and WP_BB_2 and WL_BC_4 and WL_BE_1 and WL_BD_1 and (not D_BB) and V_S2J_1  # conditions of proceed for route S2-S2J (R3)
+        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S2) and (not CAN_S2) and WL_BB_2 and WL_BC_3 and WL_AC_2 and WL_SC_3 and WL_AB_1  # route S2-S2J.o2 becomes locked (R3)
+        CO_R9 = VALID and WP_BB_2 and WL_BC_3 and WL_AC_2 and WL_SC_3 and WL_AB_1 and (not D_BB) and V_S2J_2  # conditions of proceed for route S2-S2J.o2 (R3)
+        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S2) and (not CAN_S2) and WL_BB_2 and WL_BC_3 and WL_AC_2 and WL_SC_4 and WL_GA_2  # route S2-S2J.o3 becomes locked (R3)
+        CO_R10 = VALID and WP_BB_2 and WL_BC_3 and WL_AC_2 and WL_SC_4 and WL_GA_2 and (not D_BB) and V_S2J_3  # conditions of proceed for route S2-S2J.o3 (R3)
+        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S2J) and (not CAN_S2J) and WL_BC_3 and WL_AC_2 and WL_SC_4 and WL_GA_2  # route S2J-G3 becomes locked (R3)
+        CO_R11 = VALID and WP_BC_3 and WP_AC_2 and WP_SC_4 and WL_GA_2 and (not D_BC) and V_G3_1  # conditions of proceed for route S2J-G3 (R3)
+        LK_R12 = A_R12 and (not B_R12) and VALID and (not X_S2J) and (not CAN_S2J) and WL_BC_4 and WL_BE_1 and WL_BD_1  # route S2J-UM becomes locked (R3)
+        CO_R12 = VALID and WP_BC_4 and WP_BE_1 and WP_BD_1 and (not D_BC)  # conditions of proceed for route S2J-UM (R3)
+        LK_R13 = A_R13 and (not B_R13) and VALID and (not X_S4) and (not CAN_S4) and WL_CB_2  # route S4-S4J becomes locked (R3)
+        CO_R13 = VALID and WP_CB_2 and (not D_CB)  # conditions of proceed for route S4-S4J (R3)
+        LK_R14 = A_R14 and (not B_R14) and VALID and (not X_S4J) and (not CAN_S4J) and WL_BE_4 and WL_BD_1  # route S4J-UM becomes locked (R3)
+        CO_R14 = VALID and WP_BE_4 and WP_BD_1 and (not D_BE)  # conditions of proceed for route S4J-UM (R3)
+        LK_R15 = A_R15 and (not B_R15) and VALID and (not X_SG) and (not CAN_SG) and WL_GA_1  # route SG-SGJ becomes locked (R3)
+        CO_R15 = VALID and WP_GA_1 and (not D_GA)  # conditions of proceed for route SG-SGJ (R3)
+        LK_R16 = A_R16 and (not B_R16) and VALID and (not X_SGJ) and (not CAN_SGJ) and WL_SC_5 and WL_AC_4 and WL_BC_2 and WL_CD_1  # route SGJ-DB becomes locked (R3)
+        CO_R16 = VALID and WP_SC_5 and WP_AC_4 and WP_BC_2 and WP_CD_1 and (not D_SC)  # conditions of proceed for route SGJ-DB (R3)
+        LK_R17 = A_R17 and (not B_R17) and VALID and (not X_SGJ) and (not CAN_SGJ) and WL_SC_5 and WL_AC_3 and WL_AD_1  # route SGJ-DM2 becomes locked (R3)
+        CO_R17 = VALID and WP_SC_5 and WP_AC_3 and WP_AD_1 and (not D_SC)  # conditions of proceed for route SGJ-DM2 (R3)
+        LK_R18 = A_R18 and (not B_R18) and VALID and (not X_SGJ) and (not CAN_SGJ) and WL_SC_6 and WL_GB_1  # route SGJ-GN becomes locked (R3)
+        CO_R18 = VALID and WP_SC_6 and WP_GB_1 and (not D_SC)  # conditions of proceed for route SGJ-GN (R3)
+        LK_R19 = A_R19 and (not B_R19) and VALID and (not X_SGJ) and (not CAN_SGJ) and WL_SC_5 and WL_AC_4 and WL_BC_1 and WL_BB_1  # route SGJ-UM2 becomes locked (R3)
+        CO_R19 = VALID and WP_SC_5 and WP_AC_4 and WP_BC_1 and WP_BB_1 and (not OCC_BA) and (not D_SC)  # conditions of proceed for route SGJ-UM2 (R3)
+        LK_R20 = A_R20 and (not B_R20) and VALID and (not X_SGJ) and (not CAN_SGJ) and WL_SC_6  # route SGJ-GN.s becomes locked (R3)
+        CO_R20 = VALID and WP_SC_6 and (not BLK_GB) and (not D_SC)  # conditions of proceed for route SGJ-GN.s (R3)
         NU_AB_1 = VALID and F_AB and (not D_AB) and (not U_AB) and L_AB_1 and OCC_AB and OCC_SC and (V_S2J_2 or U_SC) and (V_S2J_2 or L_SC_3)  # a train comes into AB at AB|SC@210.1a (R9)
         NU_AB_2 = VALID and F_AB and (not D_AB) and (not U_AB) and L_AB_2 and OCC_AB and OCC_AA  # a train comes into AB at DM (R9)
         NU_AC_2 = VALID and F_AC and (not D_AC) and (not U_AC) and L_AC_2 and OCC_AC and OCC_BC and (V_S2J_2 or V_S2J_3 or U_BC) and (V_S2J_2 or V_S2J_3 or L_BC_3)  # a train comes into AC at AC|BC@101.reverse (R9)
@@ -1072,40 +1215,46 @@ class Controller:
         OT_S2J = self._timer('OT_S2J', OTI_S2J, dt_ms)  # S2J: the train before it stands (R4)
         OR_G3 = (not (L_SC_4 or L_SC_8)) or OT_G3  # the overlap of G3 is not needed any more (R4)
         OR_S2J = (not L_BB_2) or OT_S2J  # the overlap of S2J is not needed any more (R4)
-        GPN_101 = (G_R5 or G_R8 or G_R12 or G_R17)  # a grant needs 101 N
-        MAN_101 = MN_101 and (not MR_101) and MOV_101 and (not (G_R4 or G_R5 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R16 or G_R17 or G_R19))  # machine 101 moved N by hand
-        GPR_101 = (G_R4 or G_R7 or G_R9 or G_R10 or G_R11 or G_R16 or G_R19)  # a grant needs 101 R
-        MAR_101 = MR_101 and (not MN_101) and MOV_101 and (not (G_R4 or G_R5 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R16 or G_R17 or G_R19))  # machine 101 moved R by hand
+        TG_101 = (GW_AC_2 or GO_S2J_2 or GO_S2J_3 or GW_AC_3 or GW_AC_4 or GW_BC_4 or GO_S2J_1)  # a grant touches machine 101 in this scan
+        GPN_101 = (GW_AC_3 or GW_BC_4 or GO_S2J_1)  # a grant needs 101 N
+        MAN_101 = MN_101 and (not MR_101) and MOV_101 and (not TG_101)  # machine 101 moved N by hand
+        GPR_101 = (GW_AC_2 or GO_S2J_2 or GO_S2J_3 or GW_AC_4)  # a grant needs 101 R
+        MAR_101 = MR_101 and (not MN_101) and MOV_101 and (not TG_101)  # machine 101 moved R by hand
         HDN_101 = CN_101 and (not GPR_101) and (not MAR_101)  # the command N stays
         HDR_101 = CR_101 and (not GPN_101) and (not MAN_101)  # the command R stays
-        GPN_102 = (G_R8 or G_R12)  # a grant needs 102 N
-        MAN_102 = MN_102 and (not MR_102) and MOV_102 and (not (G_R8 or G_R12 or G_R14))  # machine 102 moved N by hand
-        GPR_102 = G_R14  # a grant needs 102 R
-        MAR_102 = MR_102 and (not MN_102) and MOV_102 and (not (G_R8 or G_R12 or G_R14))  # machine 102 moved R by hand
+        TG_102 = (GW_BE_1 or GO_S2J_1 or GW_BE_4)  # a grant touches machine 102 in this scan
+        GPN_102 = (GW_BE_1 or GO_S2J_1)  # a grant needs 102 N
+        MAN_102 = MN_102 and (not MR_102) and MOV_102 and (not TG_102)  # machine 102 moved N by hand
+        GPR_102 = GW_BE_4  # a grant needs 102 R
+        MAR_102 = MR_102 and (not MN_102) and MOV_102 and (not TG_102)  # machine 102 moved R by hand
         HDN_102 = CN_102 and (not GPR_102) and (not MAR_102)  # the command N stays
         HDR_102 = CR_102 and (not GPN_102) and (not MAN_102)  # the command R stays
-        GPN_201a = (G_R4 or G_R8 or G_R12 or G_R16)  # a grant needs 201a N
-        MAN_201a = MN_201a and (not MR_201a) and MOV_201a and (not (G_R4 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R16 or G_R19))  # machine 201a moved N by hand
-        GPR_201a = (G_R7 or G_R9 or G_R10 or G_R11 or G_R19)  # a grant needs 201a R
-        MAR_201a = MR_201a and (not MN_201a) and MOV_201a and (not (G_R4 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R16 or G_R19))  # machine 201a moved R by hand
+        TG_201a = (GW_BC_1 or GW_BC_2 or GW_BC_3 or GO_S2J_2 or GO_S2J_3 or GW_BC_4 or GO_S2J_1)  # a grant touches machine 201a in this scan
+        GPN_201a = (GW_BC_2 or GW_BC_4 or GO_S2J_1)  # a grant needs 201a N
+        MAN_201a = MN_201a and (not MR_201a) and MOV_201a and (not TG_201a)  # machine 201a moved N by hand
+        GPR_201a = (GW_BC_1 or GW_BC_3 or GO_S2J_2 or GO_S2J_3)  # a grant needs 201a R
+        MAR_201a = MR_201a and (not MN_201a) and MOV_201a and (not TG_201a)  # machine 201a moved R by hand
         HDN_201a = CN_201a and (not GPR_201a) and (not MAR_201a)  # the command N stays
         HDR_201a = CR_201a and (not GPN_201a) and (not MAN_201a)  # the command R stays
-        GPN_201b = (G_R1 or G_R4 or G_R5 or G_R6 or G_R8 or G_R12 or G_R16 or G_R17 or G_R18 or G_R20)  # a grant needs 201b N
-        MAN_201b = MN_201b and (not MR_201b) and MOV_201b and (not (G_R1 or G_R4 or G_R5 or G_R6 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R14 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20))  # machine 201b moved N by hand
-        GPR_201b = (G_R7 or G_R9 or G_R10 or G_R11 or G_R14 or G_R19)  # a grant needs 201b R
-        MAR_201b = MR_201b and (not MN_201b) and MOV_201b and (not (G_R1 or G_R4 or G_R5 or G_R6 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R14 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20))  # machine 201b moved R by hand
+        TG_201b = (GW_AC_3 or GW_BC_1 or GW_BC_2 or GW_BC_3 or GO_S2J_2 or GO_S2J_3 or GW_BC_4 or GO_S2J_1 or GW_BE_4 or GW_SC_2 or GW_SC_6 or GW_SC_8)  # a grant touches machine 201b in this scan
+        GPN_201b = (GW_AC_3 or GW_BC_2 or GW_BC_4 or GO_S2J_1 or GW_SC_2 or GW_SC_6 or GW_SC_8)  # a grant needs 201b N
+        MAN_201b = MN_201b and (not MR_201b) and MOV_201b and (not TG_201b)  # machine 201b moved N by hand
+        GPR_201b = (GW_BC_1 or GW_BC_3 or GO_S2J_2 or GO_S2J_3 or GW_BE_4)  # a grant needs 201b R
+        MAR_201b = MR_201b and (not MN_201b) and MOV_201b and (not TG_201b)  # machine 201b moved R by hand
         HDN_201b = CN_201b and (not GPR_201b) and (not MAR_201b)  # the command N stays
         HDR_201b = CR_201b and (not GPN_201b) and (not MAN_201b)  # the command R stays
-        GPN_210a = (G_R4 or G_R5 or G_R6 or G_R7 or G_R9)  # a grant needs 210a N
-        MAN_210a = MN_210a and (not MR_210a) and MOV_210a and (not (G_R1 or G_R4 or G_R5 or G_R6 or G_R7 or G_R9 or G_R10 or G_R11 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20))  # machine 210a moved N by hand
-        GPR_210a = (G_R1 or G_R10 or G_R11 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20)  # a grant needs 210a R
-        MAR_210a = MR_210a and (not MN_210a) and MOV_210a and (not (G_R1 or G_R4 or G_R5 or G_R6 or G_R7 or G_R9 or G_R10 or G_R11 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20))  # machine 210a moved R by hand
+        TG_210a = (GW_SC_1 or GW_SC_2 or GO_S2J_2 or GW_SC_4 or GO_S2J_3 or GW_SC_5 or GW_SC_6 or GW_SC_8)  # a grant touches machine 210a in this scan
+        GPN_210a = (GW_SC_1 or GW_SC_2 or GO_S2J_2)  # a grant needs 210a N
+        MAN_210a = MN_210a and (not MR_210a) and MOV_210a and (not TG_210a)  # machine 210a moved N by hand
+        GPR_210a = (GW_SC_4 or GO_S2J_3 or GW_SC_5 or GW_SC_6 or GW_SC_8)  # a grant needs 210a R
+        MAR_210a = MR_210a and (not MN_210a) and MOV_210a and (not TG_210a)  # machine 210a moved R by hand
         HDN_210a = CN_210a and (not GPR_210a) and (not MAR_210a)  # the command N stays
         HDR_210a = CR_210a and (not GPN_210a) and (not MAN_210a)  # the command R stays
-        GPN_210b = (G_R4 or G_R5 or G_R7 or G_R9 or G_R10 or G_R11 or G_R16 or G_R17 or G_R19)  # a grant needs 210b N
-        MAN_210b = MN_210b and (not MR_210b) and MOV_210b and (not (G_R1 or G_R4 or G_R5 or G_R6 or G_R7 or G_R9 or G_R10 or G_R11 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20))  # machine 210b moved N by hand
-        GPR_210b = (G_R1 or G_R6 or G_R18 or G_R20)  # a grant needs 210b R
-        MAR_210b = MR_210b and (not MN_210b) and MOV_210b and (not (G_R1 or G_R4 or G_R5 or G_R6 or G_R7 or G_R9 or G_R10 or G_R11 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20))  # machine 210b moved R by hand
+        TG_210b = (GW_SC_1 or GW_SC_2 or GO_S2J_2 or GW_SC_4 or GO_S2J_3 or GW_SC_5 or GW_SC_6 or GW_SC_8)  # a grant touches machine 210b in this scan
+        GPN_210b = (GW_SC_1 or GO_S2J_2 or GW_SC_4 or GO_S2J_3 or GW_SC_5)  # a grant needs 210b N
+        MAN_210b = MN_210b and (not MR_210b) and MOV_210b and (not TG_210b)  # machine 210b moved N by hand
+        GPR_210b = (GW_SC_2 or GW_SC_6 or GW_SC_8)  # a grant needs 210b R
+        MAR_210b = MR_210b and (not MN_210b) and MOV_210b and (not TG_210b)  # machine 210b moved R by hand
         HDN_210b = CN_210b and (not GPR_210b) and (not MAR_210b)  # the command N stays
         HDR_210b = CR_210b and (not GPN_210b) and (not MAN_210b)  # the command R stays
         STI_101 = (CN_101 and (not QN_101)) or (CR_101 and (not QR_101))  # machine 101 is not where it was commanded
@@ -1322,107 +1471,107 @@ class Controller:
         N_X_SGJ = (X_SGJ or CAN_SGJ) and (A_R16 or A_R17 or A_R18 or A_R19 or A_R20) and (not CD_SGJ)  # SGJ: cancelling
         N_K_AB = K_AB and (not RLS_AB)  # AB: restart lock (R16)
         N_L_AB_1 = L_AB_1 and (not RLS_AB)  # AB locked from AB|SC@210.1a to DM
-        N_L_AB_2 = (L_AB_2 or G_R3) and (not RLS_AB)  # AB locked from DM to AB|SC@210.1a
+        N_L_AB_2 = (L_AB_2 or GW_AB_2) and (not RLS_AB)  # AB locked from DM to AB|SC@210.1a
         N_M_AB = (M_AB or G_R3) and (not RLS_AB)  # AB locked for a train movement
         N_F_AB = (F_AB or LK_R3) and (not RLS_AB)  # AB firmly locked
         N_U_AB = (U_AB or NU_AB_1 or NU_AB_2) and (not RLS_AB)  # AB used by a train (R9)
         N_P_AB = (P_AB or (U_AB and OCC_AB and NU_SC_1)) and (not RLS_AB)  # AB: the train went on (R9)
         N_D_AB = (D_AB or ((not VALID) and (L_AB_1 or L_AB_2))) and (not RLS_AB)  # AB: inputs were lost while locked
         N_K_AC = K_AC and (not RLS_AC)  # AC: restart lock (R16)
-        N_L_AC_2 = (L_AC_2 or G_R11) and (not RLS_AC)  # AC locked from AC|BC@101.reverse to AC|SC@101.toe
-        N_L_AC_3 = (L_AC_3 or G_R5 or G_R17) and (not RLS_AC)  # AC locked from AC|SC@101.toe to AC|AD@101.normal
-        N_L_AC_4 = (L_AC_4 or G_R4 or G_R7 or G_R16 or G_R19) and (not RLS_AC)  # AC locked from AC|SC@101.toe to AC|BC@101.reverse
+        N_L_AC_2 = (L_AC_2 or GW_AC_2) and (not RLS_AC)  # AC locked from AC|BC@101.reverse to AC|SC@101.toe
+        N_L_AC_3 = (L_AC_3 or GW_AC_3) and (not RLS_AC)  # AC locked from AC|SC@101.toe to AC|AD@101.normal
+        N_L_AC_4 = (L_AC_4 or GW_AC_4) and (not RLS_AC)  # AC locked from AC|SC@101.toe to AC|BC@101.reverse
         N_M_AC = (M_AC or G_R11 or G_R5 or G_R17 or G_R4 or G_R7 or G_R16 or G_R19) and (not RLS_AC)  # AC locked for a train movement
         N_F_AC = (F_AC or LK_R11 or LK_R5 or LK_R17 or LK_R4 or LK_R7 or LK_R16 or LK_R19) and (not RLS_AC)  # AC firmly locked
         N_U_AC = (U_AC or NU_AC_2 or NU_AC_3) and (not RLS_AC)  # AC used by a train (R9)
         N_P_AC = (P_AC or (U_AC and OCC_AC and (NU_AD_1 or NU_BC_1 or NU_SC_2))) and (not RLS_AC)  # AC: the train went on (R9)
         N_D_AC = (D_AC or ((not VALID) and (L_AC_2 or L_AC_3 or L_AC_4))) and (not RLS_AC)  # AC: inputs were lost while locked
         N_K_AD = K_AD and (not RLS_AD)  # AD: restart lock (R16)
-        N_L_AD_1 = (L_AD_1 or G_R5 or G_R17) and (not RLS_AD)  # AD locked from AC|AD@101.normal to DM2
+        N_L_AD_1 = (L_AD_1 or GW_AD_1) and (not RLS_AD)  # AD locked from AC|AD@101.normal to DM2
         N_M_AD = (M_AD or G_R5 or G_R17) and (not RLS_AD)  # AD locked for a train movement
         N_F_AD = (F_AD or LK_R5 or LK_R17) and (not RLS_AD)  # AD firmly locked
         N_U_AD = (U_AD or NU_AD_1) and (not RLS_AD)  # AD used by a train (R9)
         N_P_AD = P_AD and (not RLS_AD)  # AD: the train went on (R9)
         N_D_AD = (D_AD or ((not VALID) and L_AD_1)) and (not RLS_AD)  # AD: inputs were lost while locked
         N_K_BB = K_BB and (not RLS_BB)  # BB: restart lock (R16)
-        N_L_BB_1 = (L_BB_1 or G_R7 or G_R19) and (not RLS_BB)  # BB locked from BB|BC@201.2b to UM2
-        N_L_BB_2 = (L_BB_2 or G_R8 or G_R9 or G_R10) and (not RLS_BB)  # BB locked from UM2 to BB|BC@201.2b
+        N_L_BB_1 = (L_BB_1 or GW_BB_1) and (not RLS_BB)  # BB locked from BB|BC@201.2b to UM2
+        N_L_BB_2 = (L_BB_2 or GW_BB_2) and (not RLS_BB)  # BB locked from UM2 to BB|BC@201.2b
         N_M_BB = (M_BB or G_R7 or G_R19 or G_R8 or G_R9 or G_R10) and (not RLS_BB)  # BB locked for a train movement
         N_F_BB = (F_BB or LK_R7 or LK_R19 or LK_R8 or LK_R9 or LK_R10) and (not RLS_BB)  # BB firmly locked
         N_U_BB = (U_BB or NU_BB_1 or NU_BB_2) and (not RLS_BB)  # BB used by a train (R9)
         N_P_BB = (P_BB or (U_BB and OCC_BB and NU_BC_2)) and (not RLS_BB)  # BB: the train went on (R9)
         N_D_BB = (D_BB or ((not VALID) and (L_BB_1 or L_BB_2))) and (not RLS_BB)  # BB: inputs were lost while locked
         N_K_BC = K_BC and (not RLS_BC)  # BC: restart lock (R16)
-        N_L_BC_1 = (L_BC_1 or G_R7 or G_R19) and (not RLS_BC)  # BC locked from AC|BC@101.reverse to BB|BC@201.2b
-        N_L_BC_2 = (L_BC_2 or G_R4 or G_R16) and (not RLS_BC)  # BC locked from AC|BC@101.reverse to BC|CD@201.1b
-        N_L_BC_3 = (L_BC_3 or G_R11) and (not RLS_BC)  # BC locked from BB|BC@201.2b to AC|BC@101.reverse
-        N_L_BC_4 = (L_BC_4 or G_R12) and (not RLS_BC)  # BC locked from BB|BC@201.2b to BC|BE@102.normal
+        N_L_BC_1 = (L_BC_1 or GW_BC_1) and (not RLS_BC)  # BC locked from AC|BC@101.reverse to BB|BC@201.2b
+        N_L_BC_2 = (L_BC_2 or GW_BC_2) and (not RLS_BC)  # BC locked from AC|BC@101.reverse to BC|CD@201.1b
+        N_L_BC_3 = (L_BC_3 or GW_BC_3) and (not RLS_BC)  # BC locked from BB|BC@201.2b to AC|BC@101.reverse
+        N_L_BC_4 = (L_BC_4 or GW_BC_4) and (not RLS_BC)  # BC locked from BB|BC@201.2b to BC|BE@102.normal
         N_M_BC = (M_BC or G_R7 or G_R19 or G_R4 or G_R16 or G_R11 or G_R12) and (not RLS_BC)  # BC locked for a train movement
         N_F_BC = (F_BC or LK_R7 or LK_R19 or LK_R4 or LK_R16 or LK_R11 or LK_R12) and (not RLS_BC)  # BC firmly locked
         N_U_BC = (U_BC or NU_BC_1 or NU_BC_2) and (not RLS_BC)  # BC used by a train (R9)
         N_P_BC = (P_BC or (U_BC and OCC_BC and (NU_AC_2 or NU_BB_1 or NU_BE_1 or NU_CD_1))) and (not RLS_BC)  # BC: the train went on (R9)
         N_D_BC = (D_BC or ((not VALID) and (L_BC_1 or L_BC_2 or L_BC_3 or L_BC_4))) and (not RLS_BC)  # BC: inputs were lost while locked
         N_K_BD = K_BD and (not RLS_BD)  # BD: restart lock (R16)
-        N_L_BD_1 = (L_BD_1 or G_R12 or G_R14) and (not RLS_BD)  # BD locked from BD|BE@102.toe to UM
+        N_L_BD_1 = (L_BD_1 or GW_BD_1) and (not RLS_BD)  # BD locked from BD|BE@102.toe to UM
         N_M_BD = (M_BD or G_R12 or G_R14) and (not RLS_BD)  # BD locked for a train movement
         N_F_BD = (F_BD or LK_R12 or LK_R14) and (not RLS_BD)  # BD firmly locked
         N_U_BD = (U_BD or NU_BD_1) and (not RLS_BD)  # BD used by a train (R9)
         N_P_BD = P_BD and (not RLS_BD)  # BD: the train went on (R9)
         N_D_BD = (D_BD or ((not VALID) and L_BD_1)) and (not RLS_BD)  # BD: inputs were lost while locked
         N_K_BE = K_BE and (not RLS_BE)  # BE: restart lock (R16)
-        N_L_BE_1 = (L_BE_1 or G_R12) and (not RLS_BE)  # BE locked from BC|BE@102.normal to BD|BE@102.toe
-        N_L_BE_4 = (L_BE_4 or G_R14) and (not RLS_BE)  # BE locked from BE|CB@102.reverse to BD|BE@102.toe
+        N_L_BE_1 = (L_BE_1 or GW_BE_1) and (not RLS_BE)  # BE locked from BC|BE@102.normal to BD|BE@102.toe
+        N_L_BE_4 = (L_BE_4 or GW_BE_4) and (not RLS_BE)  # BE locked from BE|CB@102.reverse to BD|BE@102.toe
         N_M_BE = (M_BE or G_R12 or G_R14) and (not RLS_BE)  # BE locked for a train movement
         N_F_BE = (F_BE or LK_R12 or LK_R14) and (not RLS_BE)  # BE firmly locked
         N_U_BE = (U_BE or NU_BE_1 or NU_BE_3) and (not RLS_BE)  # BE used by a train (R9)
         N_P_BE = (P_BE or (U_BE and OCC_BE and NU_BD_1)) and (not RLS_BE)  # BE: the train went on (R9)
         N_D_BE = (D_BE or ((not VALID) and (L_BE_1 or L_BE_4))) and (not RLS_BE)  # BE: inputs were lost while locked
         N_K_CB = K_CB and (not RLS_CB)  # CB: restart lock (R16)
-        N_L_CB_2 = (L_CB_2 or G_R13) and (not RLS_CB)  # CB locked from UB to BE|CB@102.reverse
+        N_L_CB_2 = (L_CB_2 or GW_CB_2) and (not RLS_CB)  # CB locked from UB to BE|CB@102.reverse
         N_M_CB = (M_CB or G_R13) and (not RLS_CB)  # CB locked for a train movement
         N_F_CB = (F_CB or LK_R13) and (not RLS_CB)  # CB firmly locked
         N_U_CB = (U_CB or NU_CB_2) and (not RLS_CB)  # CB used by a train (R9)
         N_P_CB = (P_CB or (U_CB and OCC_CB and NU_BE_3)) and (not RLS_CB)  # CB: the train went on (R9)
         N_D_CB = (D_CB or ((not VALID) and L_CB_2)) and (not RLS_CB)  # CB: inputs were lost while locked
         N_K_CD = K_CD and (not RLS_CD)  # CD: restart lock (R16)
-        N_L_CD_1 = (L_CD_1 or G_R4 or G_R16) and (not RLS_CD)  # CD locked from BC|CD@201.1b to DB
+        N_L_CD_1 = (L_CD_1 or GW_CD_1) and (not RLS_CD)  # CD locked from BC|CD@201.1b to DB
         N_M_CD = (M_CD or G_R4 or G_R16) and (not RLS_CD)  # CD locked for a train movement
         N_F_CD = (F_CD or LK_R4 or LK_R16) and (not RLS_CD)  # CD firmly locked
         N_U_CD = (U_CD or NU_CD_1) and (not RLS_CD)  # CD used by a train (R9)
         N_P_CD = P_CD and (not RLS_CD)  # CD: the train went on (R9)
         N_D_CD = (D_CD or ((not VALID) and L_CD_1)) and (not RLS_CD)  # CD: inputs were lost while locked
         N_K_GA = K_GA and (not RLS_GA)  # GA: restart lock (R16)
-        N_L_GA_1 = (L_GA_1 or G_R15) and (not RLS_GA)  # GA locked from G to GA|SC@210.2a
-        N_L_GA_2 = (L_GA_2 or G_R2) and (not RLS_GA)  # GA locked from GA|SC@210.2a to G
+        N_L_GA_1 = (L_GA_1 or GW_GA_1) and (not RLS_GA)  # GA locked from G to GA|SC@210.2a
+        N_L_GA_2 = (L_GA_2 or GW_GA_2) and (not RLS_GA)  # GA locked from GA|SC@210.2a to G
         N_M_GA = (M_GA or G_R15 or G_R2) and (not RLS_GA)  # GA locked for a train movement
         N_F_GA = (F_GA or LK_R15 or LK_R2) and (not RLS_GA)  # GA firmly locked
         N_U_GA = (U_GA or NU_GA_1 or NU_GA_2) and (not RLS_GA)  # GA used by a train (R9)
         N_P_GA = (P_GA or (U_GA and OCC_GA and NU_SC_3)) and (not RLS_GA)  # GA: the train went on (R9)
         N_D_GA = (D_GA or ((not VALID) and (L_GA_1 or L_GA_2))) and (not RLS_GA)  # GA: inputs were lost while locked
         N_K_GB = K_GB and (not RLS_GB)  # GB: restart lock (R16)
-        N_L_GB_1 = (L_GB_1 or G_R6 or G_R18 or (G_R20 and FREE_GB)) and (not RLS_GB)  # GB locked from GB|SC@210.2b to GN
+        N_L_GB_1 = (L_GB_1 or GW_GB_1 or (GB_GB_1 and FREE_GB)) and (not RLS_GB)  # GB locked from GB|SC@210.2b to GN
         N_M_GB = (M_GB or G_R6 or G_R18) and (not RLS_GB) and (not AR_GB)  # GB locked for a train movement
         N_F_GB = (F_GB or LK_R6 or LK_R18 or (LK_R20 and L_GB_1)) and (not RLS_GB)  # GB firmly locked
         N_U_GB = (U_GB or NU_GB_1) and (not RLS_GB)  # GB used by a train (R9)
         N_P_GB = (P_GB or (U_GB and OCC_GB and NU_SC_4)) and (not RLS_GB)  # GB: the train went on (R9)
         N_D_GB = (D_GB or ((not VALID) and L_GB_1)) and (not RLS_GB)  # GB: inputs were lost while locked
         N_K_SC = K_SC and (not RLS_SC)  # SC: restart lock (R16)
-        N_L_SC_1 = (L_SC_1 or G_R4 or G_R5 or G_R7) and (not RLS_SC)  # SC locked from AB|SC@210.1a to AC|SC@101.toe
-        N_L_SC_2 = (L_SC_2 or G_R6) and (not RLS_SC)  # SC locked from AB|SC@210.1a to GB|SC@210.2b
+        N_L_SC_1 = (L_SC_1 or GW_SC_1) and (not RLS_SC)  # SC locked from AB|SC@210.1a to AC|SC@101.toe
+        N_L_SC_2 = (L_SC_2 or GW_SC_2) and (not RLS_SC)  # SC locked from AB|SC@210.1a to GB|SC@210.2b
         N_L_SC_3 = L_SC_3 and (not RLS_SC)  # SC locked from AC|SC@101.toe to AB|SC@210.1a
-        N_L_SC_4 = (L_SC_4 or G_R11) and (not RLS_SC)  # SC locked from AC|SC@101.toe to GA|SC@210.2a
-        N_L_SC_5 = (L_SC_5 or G_R16 or G_R17 or G_R19) and (not RLS_SC)  # SC locked from GA|SC@210.2a to AC|SC@101.toe
-        N_L_SC_6 = (L_SC_6 or G_R18 or G_R20) and (not RLS_SC)  # SC locked from GA|SC@210.2a to GB|SC@210.2b
-        N_L_SC_8 = (L_SC_8 or G_R1) and (not RLS_SC)  # SC locked from GB|SC@210.2b to GA|SC@210.2a
+        N_L_SC_4 = (L_SC_4 or GW_SC_4) and (not RLS_SC)  # SC locked from AC|SC@101.toe to GA|SC@210.2a
+        N_L_SC_5 = (L_SC_5 or GW_SC_5) and (not RLS_SC)  # SC locked from GA|SC@210.2a to AC|SC@101.toe
+        N_L_SC_6 = (L_SC_6 or GW_SC_6) and (not RLS_SC)  # SC locked from GA|SC@210.2a to GB|SC@210.2b
+        N_L_SC_8 = (L_SC_8 or GW_SC_8) and (not RLS_SC)  # SC locked from GB|SC@210.2b to GA|SC@210.2a
         N_M_SC = (M_SC or G_R4 or G_R5 or G_R7 or G_R6 or G_R11 or G_R16 or G_R17 or G_R19 or G_R18) and (not RLS_SC)  # SC locked for a train movement
         N_F_SC = (F_SC or LK_R4 or LK_R5 or LK_R7 or LK_R6 or LK_R11 or LK_R16 or LK_R17 or LK_R19 or LK_R18 or LK_R20 or LK_R1) and (not RLS_SC)  # SC firmly locked
         N_U_SC = (U_SC or NU_SC_1 or NU_SC_2 or NU_SC_3 or NU_SC_4) and (not RLS_SC)  # SC used by a train (R9)
         N_P_SC = (P_SC or (U_SC and OCC_SC and (NU_AB_1 or NU_AC_3 or NU_GA_2 or NU_GB_1))) and (not RLS_SC)  # SC: the train went on (R9)
         N_D_SC = (D_SC or ((not VALID) and (L_SC_1 or L_SC_2 or L_SC_3 or L_SC_4 or L_SC_5 or L_SC_6 or L_SC_8))) and (not RLS_SC)  # SC: inputs were lost while locked
-        N_V_G3_1 = G_R11 or (V_G3_1 and (not (OR_G3 and (not OCC_GA))))  # overlap 1 of G3 held
-        N_V_S2J_1 = G_R8 or (V_S2J_1 and (not (OR_S2J and (not OCC_BC) and (not OCC_BE) and (not OCC_BD))))  # overlap 1 of S2J held
-        N_V_S2J_2 = G_R9 or (V_S2J_2 and (not (OR_S2J and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_AB))))  # overlap 2 of S2J held
-        N_V_S2J_3 = G_R10 or (V_S2J_3 and (not (OR_S2J and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA))))  # overlap 3 of S2J held
+        N_V_G3_1 = GO_G3_1 or (V_G3_1 and (not (OR_G3 and (not OCC_GA))))  # overlap 1 of G3 held
+        N_V_S2J_1 = GO_S2J_1 or (V_S2J_1 and (not (OR_S2J and (not OCC_BC) and (not OCC_BE) and (not OCC_BD))))  # overlap 1 of S2J held
+        N_V_S2J_2 = GO_S2J_2 or (V_S2J_2 and (not (OR_S2J and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_AB))))  # overlap 2 of S2J held
+        N_V_S2J_3 = GO_S2J_3 or (V_S2J_3 and (not (OR_S2J and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_GA))))  # overlap 3 of S2J held
         N_VF_G3 = (VF_G3 or LK_R11) and V_G3_1  # overlap of G3 firmly held
         N_VF_S2J = (VF_S2J or LK_R8 or LK_R9 or LK_R10) and (V_S2J_1 or V_S2J_2 or V_S2J_3)  # overlap of S2J firmly held
         N_C_G3 = PR_R2 and PR_R2  # G3 shows clear

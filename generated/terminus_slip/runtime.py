@@ -1,7 +1,7 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 858c4af6fbb6c3eaf48bb5e39c82cf809f9b9ccdc020211545e26582b79b6006
-# claims bd8d518eefe1b013f60d94be6f5b6b73f43ebf86596770d53f30179fff13bfa2
+# claims 90a02483fd03ec155c4ffc84980174d7aca9d2314f8391db71d134303528c194
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -869,78 +869,260 @@ class Controller:
         MOV_205b = VALID and FREE_T5 and (not OCC_T5) and True and True  # machine 205b is free to move (R10)
         AVN_205b = CN_205b or MOV_205b or (QN_205b and (not CN_205b) and (not CR_205b))  # machine 205b can be demanded N
         AVR_205b = CR_205b or MOV_205b or (QR_205b and (not CN_205b) and (not CR_205b))  # machine 205b can be demanded R
-        G_R1 = (REQ == 1) and VALID and FREE_T5 and FREE_T4 and (not M_P3) and (not OCC_T5) and (not OCC_T4) and (not BLK_T5) and (not BLK_T4) and (not BLK_P3) and AVR_205a and AVN_205b and AVN_201 and AVN_204 and (not TR_205a) and (not TR_205b) and (not TR_201) and (not TR_204)  # grant of route D1-B3 (R6)
-        G_R2 = (REQ == 2) and VALID and FREE_T5 and FREE_T4 and (not M_P4) and (not OCC_T5) and (not OCC_T4) and (not BLK_T5) and (not BLK_T4) and (not BLK_P4) and AVR_205a and AVN_205b and AVN_201 and AVR_204 and (not TR_205a) and (not TR_205b) and (not TR_201) and (not TR_204)  # grant of route D1-B4 (R6)
-        G_R3 = (REQ == 3) and VALID and FREE_T5 and (not M_P5) and (not OCC_T5) and (not BLK_T5) and (not BLK_P5) and AVR_205a and AVR_205b and AVN_201 and (not TR_205a) and (not TR_205b) and (not TR_201)  # grant of route D1-B5 (R6)
-        G_R4 = (REQ == 4) and VALID and FREE_T1 and FREE_T3 and FREE_P1 and (not OCC_T1) and (not OCC_T3) and (not OCC_P1) and (not BLK_T1) and (not BLK_T3) and (not BLK_P1) and AVN_201 and AVN_202 and AVN_203 and (not TR_201) and (not TR_202) and (not TR_203)  # grant of route S1-B1 (R6)
-        G_R5 = (REQ == 5) and VALID and FREE_T1 and FREE_T3 and FREE_P2 and (not OCC_T1) and (not OCC_T3) and (not OCC_P2) and (not BLK_T1) and (not BLK_T3) and (not BLK_P2) and AVN_201 and AVN_202 and AVR_203 and (not TR_201) and (not TR_202) and (not TR_203)  # grant of route S1-B2 (R6)
-        G_R6 = (REQ == 6) and VALID and FREE_T1 and FREE_T2 and FREE_T5 and FREE_T4 and FREE_P3 and (not OCC_T1) and (not OCC_T2) and (not OCC_T5) and (not OCC_T4) and (not OCC_P3) and (not BLK_T1) and (not BLK_T2) and (not BLK_T5) and (not BLK_T4) and (not BLK_P3) and (not (L_T2_2 or K_T2)) and AVR_201 and AVR_202 and AVN_205a and AVN_205b and AVN_204 and (not TR_201) and (not TR_202) and (not TR_205a) and (not TR_205b) and (not TR_204)  # grant of route S1-B3 (R6)
-        G_R7 = (REQ == 7) and VALID and FREE_T1 and FREE_T2 and FREE_T5 and FREE_T4 and FREE_P4 and (not OCC_T1) and (not OCC_T2) and (not OCC_T5) and (not OCC_T4) and (not OCC_P4) and (not BLK_T1) and (not BLK_T2) and (not BLK_T5) and (not BLK_T4) and (not BLK_P4) and (not (L_T2_2 or K_T2)) and AVR_201 and AVR_202 and AVN_205a and AVN_205b and AVR_204 and (not TR_201) and (not TR_202) and (not TR_205a) and (not TR_205b) and (not TR_204)  # grant of route S1-B4 (R6)
-        G_R8 = (REQ == 8) and VALID and FREE_T1 and FREE_T2 and FREE_T5 and FREE_P5 and (not OCC_T1) and (not OCC_T2) and (not OCC_T5) and (not OCC_P5) and (not BLK_T1) and (not BLK_T2) and (not BLK_T5) and (not BLK_P5) and (not (L_T2_2 or K_T2)) and AVR_201 and AVR_202 and AVN_205a and AVR_205b and (not TR_201) and (not TR_202) and (not TR_205a) and (not TR_205b)  # grant of route S1-B5 (R6)
-        G_R9 = (REQ == 9) and VALID and FREE_T3 and FREE_T1 and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and AVN_203 and AVN_202 and AVN_201 and (not TR_203) and (not TR_202) and (not TR_201)  # grant of route S11-D (R6)
-        G_R10 = (REQ == 10) and VALID and FREE_T3 and FREE_T1 and FREE_T2 and FREE_UA and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and (not (L_T1_1 or L_T1_3 or K_T1)) and AVN_203 and AVR_202 and AVR_201 and AVR_205a and (not TR_203) and (not TR_202) and (not TR_201) and (not TR_205a)  # grant of route S11-U (R6)
-        G_R11 = (REQ == 11) and VALID and FREE_T3 and FREE_T1 and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and AVR_203 and AVN_202 and AVN_201 and (not TR_203) and (not TR_202) and (not TR_201)  # grant of route S12-D (R6)
-        G_R12 = (REQ == 12) and VALID and FREE_T3 and FREE_T1 and FREE_T2 and FREE_UA and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and (not (L_T1_1 or L_T1_3 or K_T1)) and AVR_203 and AVR_202 and AVR_201 and AVR_205a and (not TR_203) and (not TR_202) and (not TR_201) and (not TR_205a)  # grant of route S12-U (R6)
-        G_R13 = (REQ == 13) and VALID and FREE_T4 and FREE_T5 and FREE_T2 and FREE_T1 and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T5) and (not BLK_T2) and (not BLK_T1) and (not (L_T2_2 or K_T2)) and AVN_204 and AVN_205b and AVN_205a and AVR_201 and AVR_202 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202)  # grant of route S13-D (R6)
-        G_R14 = (REQ == 14) and VALID and FREE_T4 and FREE_T5 and FREE_SB and (not OCC_T4) and (not OCC_T5) and (not OCC_SB) and (not BLK_T4) and (not BLK_T5) and (not BLK_SB) and AVN_204 and AVN_205b and AVR_205a and AVN_201 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201)  # grant of route S13-ST (R6)
-        G_R15 = (REQ == 15) and VALID and FREE_T4 and FREE_T5 and FREE_T2 and FREE_UA and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T5) and (not BLK_T2) and (not BLK_UA) and AVN_204 and AVN_205b and AVN_205a and AVN_201 and AVN_202 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202)  # grant of route S13-U (R6)
-        G_R16 = (REQ == 16) and VALID and FREE_T4 and FREE_T5 and (not M_SB) and (not OCC_T4) and (not OCC_T5) and (not BLK_T4) and (not BLK_T5) and (not BLK_SB) and AVN_204 and AVN_205b and AVR_205a and AVN_201 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201)  # grant of route S13-ST.s (R6)
-        G_R17 = (REQ == 17) and VALID and FREE_T4 and FREE_T5 and FREE_T2 and FREE_T1 and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T5) and (not BLK_T2) and (not BLK_T1) and (not (L_T2_2 or K_T2)) and AVR_204 and AVN_205b and AVN_205a and AVR_201 and AVR_202 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202)  # grant of route S14-D (R6)
-        G_R18 = (REQ == 18) and VALID and FREE_T4 and FREE_T5 and FREE_SB and (not OCC_T4) and (not OCC_T5) and (not OCC_SB) and (not BLK_T4) and (not BLK_T5) and (not BLK_SB) and AVR_204 and AVN_205b and AVR_205a and AVN_201 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201)  # grant of route S14-ST (R6)
-        G_R19 = (REQ == 19) and VALID and FREE_T4 and FREE_T5 and FREE_T2 and FREE_UA and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T5) and (not BLK_T2) and (not BLK_UA) and AVR_204 and AVN_205b and AVN_205a and AVN_201 and AVN_202 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202)  # grant of route S14-U (R6)
-        G_R20 = (REQ == 20) and VALID and FREE_T4 and FREE_T5 and (not M_SB) and (not OCC_T4) and (not OCC_T5) and (not BLK_T4) and (not BLK_T5) and (not BLK_SB) and AVR_204 and AVN_205b and AVR_205a and AVN_201 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201)  # grant of route S14-ST.s (R6)
-        G_R21 = (REQ == 21) and VALID and FREE_T5 and FREE_T2 and FREE_T1 and (not OCC_T5) and (not OCC_T2) and (not OCC_T1) and (not BLK_T5) and (not BLK_T2) and (not BLK_T1) and (not (L_T2_2 or K_T2)) and AVR_205b and AVN_205a and AVR_201 and AVR_202 and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202)  # grant of route S15-D (R6)
-        G_R22 = (REQ == 22) and VALID and FREE_T5 and FREE_SB and (not OCC_T5) and (not OCC_SB) and (not BLK_T5) and (not BLK_SB) and AVR_205b and AVR_205a and AVN_201 and (not TR_205b) and (not TR_205a) and (not TR_201)  # grant of route S15-ST (R6)
-        G_R23 = (REQ == 23) and VALID and FREE_T5 and FREE_T2 and FREE_UA and (not OCC_T5) and (not OCC_T2) and (not OCC_UA) and (not BLK_T5) and (not BLK_T2) and (not BLK_UA) and AVR_205b and AVN_205a and AVN_201 and AVN_202 and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202)  # grant of route S15-U (R6)
-        G_R24 = (REQ == 24) and VALID and FREE_T5 and (not M_SB) and (not OCC_T5) and (not BLK_T5) and (not BLK_SB) and AVR_205b and AVR_205a and AVN_201 and (not TR_205b) and (not TR_205a) and (not TR_201)  # grant of route S15-ST.s (R6)
-        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_D1) and (not CAN_D1) and (not OCC_T5) and (not OCC_T4) and QR_205a and QN_205b and QN_201 and QN_204  # route D1-B3 becomes locked (R3)
-        CO_R1 = VALID and (not OCC_T5) and (not OCC_T4) and (not BLK_T5) and (not BLK_T4) and (not BLK_P3) and QR_205a and QN_205b and QN_201 and QN_204 and (not TR_205a) and (not TR_205b) and (not TR_201) and (not TR_204) and (not D_T5)  # conditions of proceed for route D1-B3 (R3)
-        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_D1) and (not CAN_D1) and (not OCC_T5) and (not OCC_T4) and QR_205a and QN_205b and QN_201 and QR_204  # route D1-B4 becomes locked (R3)
-        CO_R2 = VALID and (not OCC_T5) and (not OCC_T4) and (not BLK_T5) and (not BLK_T4) and (not BLK_P4) and QR_205a and QN_205b and QN_201 and QR_204 and (not TR_205a) and (not TR_205b) and (not TR_201) and (not TR_204) and (not D_T5)  # conditions of proceed for route D1-B4 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_D1) and (not CAN_D1) and (not OCC_T5) and QR_205a and QR_205b and QN_201  # route D1-B5 becomes locked (R3)
-        CO_R3 = VALID and (not OCC_T5) and (not BLK_T5) and (not BLK_P5) and QR_205a and QR_205b and QN_201 and (not TR_205a) and (not TR_205b) and (not TR_201) and (not D_T5)  # conditions of proceed for route D1-B5 (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_T1) and (not OCC_T3) and (not OCC_P1) and QN_201 and QN_202 and QN_203  # route S1-B1 becomes locked (R3)
-        CO_R4 = VALID and (not OCC_T1) and (not OCC_T3) and (not OCC_P1) and (not BLK_T1) and (not BLK_T3) and (not BLK_P1) and QN_201 and QN_202 and QN_203 and (not TR_201) and (not TR_202) and (not TR_203) and (not D_T1)  # conditions of proceed for route S1-B1 (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_T1) and (not OCC_T3) and (not OCC_P2) and QN_201 and QN_202 and QR_203  # route S1-B2 becomes locked (R3)
-        CO_R5 = VALID and (not OCC_T1) and (not OCC_T3) and (not OCC_P2) and (not BLK_T1) and (not BLK_T3) and (not BLK_P2) and QN_201 and QN_202 and QR_203 and (not TR_201) and (not TR_202) and (not TR_203) and (not D_T1)  # conditions of proceed for route S1-B2 (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_T1) and (not OCC_T2) and (not OCC_T5) and (not OCC_T4) and (not OCC_P3) and QR_201 and QR_202 and QN_205a and QN_205b and QN_204  # route S1-B3 becomes locked (R3)
-        CO_R6 = VALID and (not OCC_T1) and (not OCC_T2) and (not OCC_T5) and (not OCC_T4) and (not OCC_P3) and (not BLK_T1) and (not BLK_T2) and (not BLK_T5) and (not BLK_T4) and (not BLK_P3) and QR_201 and QR_202 and QN_205a and QN_205b and QN_204 and (not TR_201) and (not TR_202) and (not TR_205a) and (not TR_205b) and (not TR_204) and (not D_T1)  # conditions of proceed for route S1-B3 (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_T1) and (not OCC_T2) and (not OCC_T5) and (not OCC_T4) and (not OCC_P4) and QR_201 and QR_202 and QN_205a and QN_205b and QR_204  # route S1-B4 becomes locked (R3)
-        CO_R7 = VALID and (not OCC_T1) and (not OCC_T2) and (not OCC_T5) and (not OCC_T4) and (not OCC_P4) and (not BLK_T1) and (not BLK_T2) and (not BLK_T5) and (not BLK_T4) and (not BLK_P4) and QR_201 and QR_202 and QN_205a and QN_205b and QR_204 and (not TR_201) and (not TR_202) and (not TR_205a) and (not TR_205b) and (not TR_204) and (not D_T1)  # conditions of proceed for route S1-B4 (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S1) and (not CAN_S1) and (not OCC_T1) and (not OCC_T2) and (not OCC_T5) and (not OCC_P5) and QR_201 and QR_202 and QN_205a and QR_205b  # route S1-B5 becomes locked (R3)
-        CO_R8 = VALID and (not OCC_T1) and (not OCC_T2) and (not OCC_T5) and (not OCC_P5) and (not BLK_T1) and (not BLK_T2) and (not BLK_T5) and (not BLK_P5) and QR_201 and QR_202 and QN_205a and QR_205b and (not TR_201) and (not TR_202) and (not TR_205a) and (not TR_205b) and (not D_T1)  # conditions of proceed for route S1-B5 (R3)
-        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S11) and (not CAN_S11) and (not OCC_T3) and (not OCC_T1) and QN_203 and QN_202 and QN_201  # route S11-D becomes locked (R3)
-        CO_R9 = VALID and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and QN_203 and QN_202 and QN_201 and (not TR_203) and (not TR_202) and (not TR_201) and (not OCC_DA) and (not D_T3)  # conditions of proceed for route S11-D (R3)
-        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S11) and (not CAN_S11) and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and QN_203 and QR_202 and QR_201 and QR_205a  # route S11-U becomes locked (R3)
-        CO_R10 = VALID and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and QN_203 and QR_202 and QR_201 and QR_205a and (not TR_203) and (not TR_202) and (not TR_201) and (not TR_205a) and (not D_T3)  # conditions of proceed for route S11-U (R3)
-        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S12) and (not CAN_S12) and (not OCC_T3) and (not OCC_T1) and QR_203 and QN_202 and QN_201  # route S12-D becomes locked (R3)
-        CO_R11 = VALID and (not OCC_T3) and (not OCC_T1) and (not BLK_T3) and (not BLK_T1) and QR_203 and QN_202 and QN_201 and (not TR_203) and (not TR_202) and (not TR_201) and (not OCC_DA) and (not D_T3)  # conditions of proceed for route S12-D (R3)
-        LK_R12 = A_R12 and (not B_R12) and VALID and (not X_S12) and (not CAN_S12) and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and QR_203 and QR_202 and QR_201 and QR_205a  # route S12-U becomes locked (R3)
-        CO_R12 = VALID and (not OCC_T3) and (not OCC_T1) and (not OCC_T2) and (not OCC_UA) and (not BLK_T3) and (not BLK_T1) and (not BLK_T2) and (not BLK_UA) and QR_203 and QR_202 and QR_201 and QR_205a and (not TR_203) and (not TR_202) and (not TR_201) and (not TR_205a) and (not D_T3)  # conditions of proceed for route S12-U (R3)
-        LK_R13 = A_R13 and (not B_R13) and VALID and (not X_S13) and (not CAN_S13) and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_T1) and QN_204 and QN_205b and QN_205a and QR_201 and QR_202  # route S13-D becomes locked (R3)
-        CO_R13 = VALID and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T5) and (not BLK_T2) and (not BLK_T1) and QN_204 and QN_205b and QN_205a and QR_201 and QR_202 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202) and (not OCC_DA) and (not D_T4)  # conditions of proceed for route S13-D (R3)
-        LK_R14 = A_R14 and (not B_R14) and VALID and (not X_S13) and (not CAN_S13) and (not OCC_T4) and (not OCC_T5) and (not OCC_SB) and QN_204 and QN_205b and QR_205a and QN_201  # route S13-ST becomes locked (R3)
-        CO_R14 = VALID and (not OCC_T4) and (not OCC_T5) and (not OCC_SB) and (not BLK_T4) and (not BLK_T5) and (not BLK_SB) and QN_204 and QN_205b and QR_205a and QN_201 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not D_T4)  # conditions of proceed for route S13-ST (R3)
-        LK_R15 = A_R15 and (not B_R15) and VALID and (not X_S13) and (not CAN_S13) and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_UA) and QN_204 and QN_205b and QN_205a and QN_201 and QN_202  # route S13-U becomes locked (R3)
-        CO_R15 = VALID and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T5) and (not BLK_T2) and (not BLK_UA) and QN_204 and QN_205b and QN_205a and QN_201 and QN_202 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202) and (not D_T4)  # conditions of proceed for route S13-U (R3)
-        LK_R16 = A_R16 and (not B_R16) and VALID and (not X_S13) and (not CAN_S13) and (not OCC_T4) and (not OCC_T5) and QN_204 and QN_205b and QR_205a and QN_201  # route S13-ST.s becomes locked (R3)
-        CO_R16 = VALID and (not OCC_T4) and (not OCC_T5) and (not BLK_T4) and (not BLK_T5) and (not BLK_SB) and QN_204 and QN_205b and QR_205a and QN_201 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not D_T4)  # conditions of proceed for route S13-ST.s (R3)
-        LK_R17 = A_R17 and (not B_R17) and VALID and (not X_S14) and (not CAN_S14) and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_T1) and QR_204 and QN_205b and QN_205a and QR_201 and QR_202  # route S14-D becomes locked (R3)
-        CO_R17 = VALID and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_T1) and (not BLK_T4) and (not BLK_T5) and (not BLK_T2) and (not BLK_T1) and QR_204 and QN_205b and QN_205a and QR_201 and QR_202 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202) and (not OCC_DA) and (not D_T4)  # conditions of proceed for route S14-D (R3)
-        LK_R18 = A_R18 and (not B_R18) and VALID and (not X_S14) and (not CAN_S14) and (not OCC_T4) and (not OCC_T5) and (not OCC_SB) and QR_204 and QN_205b and QR_205a and QN_201  # route S14-ST becomes locked (R3)
-        CO_R18 = VALID and (not OCC_T4) and (not OCC_T5) and (not OCC_SB) and (not BLK_T4) and (not BLK_T5) and (not BLK_SB) and QR_204 and QN_205b and QR_205a and QN_201 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not D_T4)  # conditions of proceed for route S14-ST (R3)
-        LK_R19 = A_R19 and (not B_R19) and VALID and (not X_S14) and (not CAN_S14) and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_UA) and QR_204 and QN_205b and QN_205a and QN_201 and QN_202  # route S14-U becomes locked (R3)
-        CO_R19 = VALID and (not OCC_T4) and (not OCC_T5) and (not OCC_T2) and (not OCC_UA) and (not BLK_T4) and (not BLK_T5) and (not BLK_T2) and (not BLK_UA) and QR_204 and QN_205b and QN_205a and QN_201 and QN_202 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202) and (not D_T4)  # conditions of proceed for route S14-U (R3)
-        LK_R20 = A_R20 and (not B_R20) and VALID and (not X_S14) and (not CAN_S14) and (not OCC_T4) and (not OCC_T5) and QR_204 and QN_205b and QR_205a and QN_201  # route S14-ST.s becomes locked (R3)
-        CO_R20 = VALID and (not OCC_T4) and (not OCC_T5) and (not BLK_T4) and (not BLK_T5) and (not BLK_SB) and QR_204 and QN_205b and QR_205a and QN_201 and (not TR_204) and (not TR_205b) and (not TR_205a) and (not TR_201) and (not D_T4)  # conditions of proceed for route S14-ST.s (R3)
-        LK_R21 = A_R21 and (not B_R21) and VALID and (not X_S15) and (not CAN_S15) and (not OCC_T5) and (not OCC_T2) and (not OCC_T1) and QR_205b and QN_205a and QR_201 and QR_202  # route S15-D becomes locked (R3)
-        CO_R21 = VALID and (not OCC_T5) and (not OCC_T2) and (not OCC_T1) and (not BLK_T5) and (not BLK_T2) and (not BLK_T1) and QR_205b and QN_205a and QR_201 and QR_202 and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202) and (not OCC_DA) and (not D_T5)  # conditions of proceed for route S15-D (R3)
-        LK_R22 = A_R22 and (not B_R22) and VALID and (not X_S15) and (not CAN_S15) and (not OCC_T5) and (not OCC_SB) and QR_205b and QR_205a and QN_201  # route S15-ST becomes locked (R3)
-        CO_R22 = VALID and (not OCC_T5) and (not OCC_SB) and (not BLK_T5) and (not BLK_SB) and QR_205b and QR_205a and QN_201 and (not TR_205b) and (not TR_205a) and (not TR_201) and (not D_T5)  # conditions of proceed for route S15-ST (R3)
-        LK_R23 = A_R23 and (not B_R23) and VALID and (not X_S15) and (not CAN_S15) and (not OCC_T5) and (not OCC_T2) and (not OCC_UA) and QR_205b and QN_205a and QN_201 and QN_202  # route S15-U becomes locked (R3)
-        CO_R23 = VALID and (not OCC_T5) and (not OCC_T2) and (not OCC_UA) and (not BLK_T5) and (not BLK_T2) and (not BLK_UA) and QR_205b and QN_205a and QN_201 and QN_202 and (not TR_205b) and (not TR_205a) and (not TR_201) and (not TR_202) and (not D_T5)  # conditions of proceed for route S15-U (R3)
-        LK_R24 = A_R24 and (not B_R24) and VALID and (not X_S15) and (not CAN_S15) and (not OCC_T5) and QR_205b and QR_205a and QN_201  # route S15-ST.s becomes locked (R3)
-        CO_R24 = VALID and (not OCC_T5) and (not BLK_T5) and (not BLK_SB) and QR_205b and QR_205a and QN_201 and (not TR_205b) and (not TR_205a) and (not TR_201) and (not D_T5)  # conditions of proceed for route S15-ST.s (R3)
+        WF_P1_2 = FREE_P1 and (not OCC_P1) and (not BLK_P1)  # P1 from P1|T3@203.normal to B1: free for a route (R6)
+        WF_P2_2 = FREE_P2 and (not OCC_P2) and (not BLK_P2)  # P2 from P2|T3@203.reverse to B2: free for a route (R6)
+        WF_P3_2 = FREE_P3 and (not OCC_P3) and (not BLK_P3)  # P3 from P3|T4@204.normal to B3: free for a route (R6)
+        WF_P4_2 = FREE_P4 and (not OCC_P4) and (not BLK_P4)  # P4 from P4|T4@204.reverse to B4: free for a route (R6)
+        WF_P5_2 = FREE_P5 and (not OCC_P5) and (not BLK_P5)  # P5 from P5|T5@205.2b to B5: free for a route (R6)
+        WF_SB_1 = FREE_SB and (not OCC_SB) and (not BLK_SB)  # SB from SB|T5@205.2a to ST: free for a route (R6)
+        WA_T1_1 = (not (L_T2_2 or K_T2)) and AVR_201 and AVR_202 and (not TR_201) and (not TR_202)  # T1 from D to T1|T2@201B.reverse: could be locked
+        WF_T1_1 = FREE_T1 and (not OCC_T1) and (not BLK_T1) and WA_T1_1  # T1 from D to T1|T2@201B.reverse: free for a route (R6)
+        WA_T1_2 = AVN_201 and AVN_202 and (not TR_201) and (not TR_202)  # T1 from D to T1|T3@202B.toe: could be locked
+        WF_T1_2 = FREE_T1 and (not OCC_T1) and (not BLK_T1) and WA_T1_2  # T1 from D to T1|T3@202B.toe: free for a route (R6)
+        WA_T1_3 = (not (L_T2_2 or K_T2)) and AVR_201 and AVR_202 and (not TR_201) and (not TR_202)  # T1 from T1|T2@201B.reverse to D: could be locked
+        WF_T1_3 = FREE_T1 and (not OCC_T1) and (not BLK_T1) and WA_T1_3  # T1 from T1|T2@201B.reverse to D: free for a route (R6)
+        WA_T1_5 = AVN_202 and AVN_201 and (not TR_202) and (not TR_201)  # T1 from T1|T3@202B.toe to D: could be locked
+        WF_T1_5 = FREE_T1 and (not OCC_T1) and (not BLK_T1) and WA_T1_5  # T1 from T1|T3@202B.toe to D: free for a route (R6)
+        WA_T1_6 = AVR_202 and AVR_201 and (not TR_202) and (not TR_201)  # T1 from T1|T3@202B.toe to T1|T2@202B.reverse: could be locked
+        WF_T1_6 = FREE_T1 and (not OCC_T1) and (not BLK_T1) and WA_T1_6  # T1 from T1|T3@202B.toe to T1|T2@202B.reverse: free for a route (R6)
+        WA_T2_1 = AVR_201 and (not TR_201)  # T2 from T1|T2@201B.reverse to T2|T5@201B.toe: could be locked
+        WF_T2_1 = FREE_T2 and (not OCC_T2) and (not BLK_T2) and WA_T2_1  # T2 from T1|T2@201B.reverse to T2|T5@201B.toe: free for a route (R6)
+        WA_T2_2 = (not (L_T1_1 or L_T1_3 or K_T1)) and AVR_202 and AVR_201 and AVR_205a and (not TR_202) and (not TR_201) and (not TR_205a)  # T2 from T1|T2@202B.reverse to T2|UA@202A.toe: could be locked
+        WF_T2_2 = FREE_T2 and (not OCC_T2) and (not BLK_T2) and WA_T2_2  # T2 from T1|T2@202B.reverse to T2|UA@202A.toe: free for a route (R6)
+        WA_T2_3 = AVR_201 and (not TR_201)  # T2 from T2|T5@201B.toe to T1|T2@201B.reverse: could be locked
+        WF_T2_3 = FREE_T2 and (not OCC_T2) and (not BLK_T2) and WA_T2_3  # T2 from T2|T5@201B.toe to T1|T2@201B.reverse: free for a route (R6)
+        WA_T2_4 = AVN_201 and AVN_202 and (not TR_201) and (not TR_202)  # T2 from T2|T5@201B.toe to T2|UA@202A.toe: could be locked
+        WF_T2_4 = FREE_T2 and (not OCC_T2) and (not BLK_T2) and WA_T2_4  # T2 from T2|T5@201B.toe to T2|UA@202A.toe: free for a route (R6)
+        WA_T3_1 = AVN_203 and (not TR_203)  # T3 from P1|T3@203.normal to T1|T3@202B.toe: could be locked
+        WF_T3_1 = FREE_T3 and (not OCC_T3) and (not BLK_T3) and WA_T3_1  # T3 from P1|T3@203.normal to T1|T3@202B.toe: free for a route (R6)
+        WA_T3_2 = AVR_203 and (not TR_203)  # T3 from P2|T3@203.reverse to T1|T3@202B.toe: could be locked
+        WF_T3_2 = FREE_T3 and (not OCC_T3) and (not BLK_T3) and WA_T3_2  # T3 from P2|T3@203.reverse to T1|T3@202B.toe: free for a route (R6)
+        WA_T3_3 = AVN_203 and (not TR_203)  # T3 from T1|T3@202B.toe to P1|T3@203.normal: could be locked
+        WF_T3_3 = FREE_T3 and (not OCC_T3) and (not BLK_T3) and WA_T3_3  # T3 from T1|T3@202B.toe to P1|T3@203.normal: free for a route (R6)
+        WA_T3_4 = AVR_203 and (not TR_203)  # T3 from T1|T3@202B.toe to P2|T3@203.reverse: could be locked
+        WF_T3_4 = FREE_T3 and (not OCC_T3) and (not BLK_T3) and WA_T3_4  # T3 from T1|T3@202B.toe to P2|T3@203.reverse: free for a route (R6)
+        WA_T4_1 = AVN_204 and (not TR_204)  # T4 from P3|T4@204.normal to T4|T5@204.toe: could be locked
+        WF_T4_1 = FREE_T4 and (not OCC_T4) and (not BLK_T4) and WA_T4_1  # T4 from P3|T4@204.normal to T4|T5@204.toe: free for a route (R6)
+        WA_T4_2 = AVR_204 and (not TR_204)  # T4 from P4|T4@204.reverse to T4|T5@204.toe: could be locked
+        WF_T4_2 = FREE_T4 and (not OCC_T4) and (not BLK_T4) and WA_T4_2  # T4 from P4|T4@204.reverse to T4|T5@204.toe: free for a route (R6)
+        WA_T4_3 = AVN_204 and (not TR_204)  # T4 from T4|T5@204.toe to P3|T4@204.normal: could be locked
+        WF_T4_3 = FREE_T4 and (not OCC_T4) and (not BLK_T4) and WA_T4_3  # T4 from T4|T5@204.toe to P3|T4@204.normal: free for a route (R6)
+        WA_T4_4 = AVR_204 and (not TR_204)  # T4 from T4|T5@204.toe to P4|T4@204.reverse: could be locked
+        WF_T4_4 = FREE_T4 and (not OCC_T4) and (not BLK_T4) and WA_T4_4  # T4 from T4|T5@204.toe to P4|T4@204.reverse: free for a route (R6)
+        WA_T5_1 = AVR_205b and AVR_205a and AVN_201 and (not TR_205b) and (not TR_205a) and (not TR_201)  # T5 from P5|T5@205.2b to SB|T5@205.2a: could be locked
+        WF_T5_1 = FREE_T5 and (not OCC_T5) and (not BLK_T5) and WA_T5_1  # T5 from P5|T5@205.2b to SB|T5@205.2a: free for a route (R6)
+        WA_T5_2 = AVR_205b and AVN_205a and (not TR_205b) and (not TR_205a)  # T5 from P5|T5@205.2b to T2|T5@201B.toe: could be locked
+        WF_T5_2 = FREE_T5 and (not OCC_T5) and (not BLK_T5) and WA_T5_2  # T5 from P5|T5@205.2b to T2|T5@201B.toe: free for a route (R6)
+        WA_T5_3 = AVR_205a and AVR_205b and AVN_201 and (not TR_205a) and (not TR_205b) and (not TR_201)  # T5 from SB|T5@205.2a to P5|T5@205.2b: could be locked
+        WF_T5_3 = FREE_T5 and (not OCC_T5) and (not BLK_T5) and WA_T5_3  # T5 from SB|T5@205.2a to P5|T5@205.2b: free for a route (R6)
+        WA_T5_4 = AVR_205a and AVN_205b and AVN_201 and (not TR_205a) and (not TR_205b) and (not TR_201)  # T5 from SB|T5@205.2a to T4|T5@204.toe: could be locked
+        WF_T5_4 = FREE_T5 and (not OCC_T5) and (not BLK_T5) and WA_T5_4  # T5 from SB|T5@205.2a to T4|T5@204.toe: free for a route (R6)
+        WA_T5_5 = AVN_205a and AVR_205b and (not TR_205a) and (not TR_205b)  # T5 from T2|T5@201B.toe to P5|T5@205.2b: could be locked
+        WF_T5_5 = FREE_T5 and (not OCC_T5) and (not BLK_T5) and WA_T5_5  # T5 from T2|T5@201B.toe to P5|T5@205.2b: free for a route (R6)
+        WA_T5_6 = AVN_205a and AVN_205b and (not TR_205a) and (not TR_205b)  # T5 from T2|T5@201B.toe to T4|T5@204.toe: could be locked
+        WF_T5_6 = FREE_T5 and (not OCC_T5) and (not BLK_T5) and WA_T5_6  # T5 from T2|T5@201B.toe to T4|T5@204.toe: free for a route (R6)
+        WA_T5_7 = AVN_205b and AVR_205a and AVN_201 and (not TR_205b) and (not TR_205a) and (not TR_201)  # T5 from T4|T5@204.toe to SB|T5@205.2a: could be locked
+        WF_T5_7 = FREE_T5 and (not OCC_T5) and (not BLK_T5) and WA_T5_7  # T5 from T4|T5@204.toe to SB|T5@205.2a: free for a route (R6)
+        WA_T5_8 = AVN_205b and AVN_205a and (not TR_205b) and (not TR_205a)  # T5 from T4|T5@204.toe to T2|T5@201B.toe: could be locked
+        WF_T5_8 = FREE_T5 and (not OCC_T5) and (not BLK_T5) and WA_T5_8  # T5 from T4|T5@204.toe to T2|T5@201B.toe: free for a route (R6)
+        WF_UA_1 = FREE_UA and (not OCC_UA) and (not BLK_UA)  # UA from T2|UA@202A.toe to U: free for a route (R6)
+        WL_P1_2 = (not OCC_P1)  # P1 from P1|T3@203.normal to B1: lies and is clear
+        WP_P1_2 = WL_P1_2 and (not BLK_P1)  # P1 from P1|T3@203.normal to B1: proceed may be shown over it (R3)
+        WL_P2_2 = (not OCC_P2)  # P2 from P2|T3@203.reverse to B2: lies and is clear
+        WP_P2_2 = WL_P2_2 and (not BLK_P2)  # P2 from P2|T3@203.reverse to B2: proceed may be shown over it (R3)
+        WL_P3_2 = (not OCC_P3)  # P3 from P3|T4@204.normal to B3: lies and is clear
+        WP_P3_2 = WL_P3_2 and (not BLK_P3)  # P3 from P3|T4@204.normal to B3: proceed may be shown over it (R3)
+        WL_P4_2 = (not OCC_P4)  # P4 from P4|T4@204.reverse to B4: lies and is clear
+        WP_P4_2 = WL_P4_2 and (not BLK_P4)  # P4 from P4|T4@204.reverse to B4: proceed may be shown over it (R3)
+        WL_P5_2 = (not OCC_P5)  # P5 from P5|T5@205.2b to B5: lies and is clear
+        WP_P5_2 = WL_P5_2 and (not BLK_P5)  # P5 from P5|T5@205.2b to B5: proceed may be shown over it (R3)
+        WL_SB_1 = (not OCC_SB)  # SB from SB|T5@205.2a to ST: lies and is clear
+        WP_SB_1 = WL_SB_1 and (not BLK_SB)  # SB from SB|T5@205.2a to ST: proceed may be shown over it (R3)
+        WD_T1_1 = QR_201 and QR_202 and (not TR_201) and (not TR_202)  # T1 from D to T1|T2@201B.reverse: its points lie, nothing is foul of it
+        WL_T1_1 = (not OCC_T1) and WD_T1_1  # T1 from D to T1|T2@201B.reverse: lies and is clear
+        WP_T1_1 = WL_T1_1 and (not BLK_T1)  # T1 from D to T1|T2@201B.reverse: proceed may be shown over it (R3)
+        WD_T1_2 = QN_201 and QN_202 and (not TR_201) and (not TR_202)  # T1 from D to T1|T3@202B.toe: its points lie, nothing is foul of it
+        WL_T1_2 = (not OCC_T1) and WD_T1_2  # T1 from D to T1|T3@202B.toe: lies and is clear
+        WP_T1_2 = WL_T1_2 and (not BLK_T1)  # T1 from D to T1|T3@202B.toe: proceed may be shown over it (R3)
+        WD_T1_3 = QR_201 and QR_202 and (not TR_201) and (not TR_202)  # T1 from T1|T2@201B.reverse to D: its points lie, nothing is foul of it
+        WL_T1_3 = (not OCC_T1) and WD_T1_3  # T1 from T1|T2@201B.reverse to D: lies and is clear
+        WP_T1_3 = WL_T1_3 and (not BLK_T1)  # T1 from T1|T2@201B.reverse to D: proceed may be shown over it (R3)
+        WD_T1_5 = QN_202 and QN_201 and (not TR_202) and (not TR_201)  # T1 from T1|T3@202B.toe to D: its points lie, nothing is foul of it
+        WL_T1_5 = (not OCC_T1) and WD_T1_5  # T1 from T1|T3@202B.toe to D: lies and is clear
+        WP_T1_5 = WL_T1_5 and (not BLK_T1)  # T1 from T1|T3@202B.toe to D: proceed may be shown over it (R3)
+        WD_T1_6 = QR_202 and QR_201 and (not TR_202) and (not TR_201)  # T1 from T1|T3@202B.toe to T1|T2@202B.reverse: its points lie, nothing is foul of it
+        WL_T1_6 = (not OCC_T1) and WD_T1_6  # T1 from T1|T3@202B.toe to T1|T2@202B.reverse: lies and is clear
+        WP_T1_6 = WL_T1_6 and (not BLK_T1)  # T1 from T1|T3@202B.toe to T1|T2@202B.reverse: proceed may be shown over it (R3)
+        WD_T2_1 = QR_201 and (not TR_201)  # T2 from T1|T2@201B.reverse to T2|T5@201B.toe: its points lie, nothing is foul of it
+        WL_T2_1 = (not OCC_T2) and WD_T2_1  # T2 from T1|T2@201B.reverse to T2|T5@201B.toe: lies and is clear
+        WP_T2_1 = WL_T2_1 and (not BLK_T2)  # T2 from T1|T2@201B.reverse to T2|T5@201B.toe: proceed may be shown over it (R3)
+        WD_T2_2 = QR_202 and QR_201 and QR_205a and (not TR_202) and (not TR_201) and (not TR_205a)  # T2 from T1|T2@202B.reverse to T2|UA@202A.toe: its points lie, nothing is foul of it
+        WL_T2_2 = (not OCC_T2) and WD_T2_2  # T2 from T1|T2@202B.reverse to T2|UA@202A.toe: lies and is clear
+        WP_T2_2 = WL_T2_2 and (not BLK_T2)  # T2 from T1|T2@202B.reverse to T2|UA@202A.toe: proceed may be shown over it (R3)
+        WD_T2_3 = QR_201 and (not TR_201)  # T2 from T2|T5@201B.toe to T1|T2@201B.reverse: its points lie, nothing is foul of it
+        WL_T2_3 = (not OCC_T2) and WD_T2_3  # T2 from T2|T5@201B.toe to T1|T2@201B.reverse: lies and is clear
+        WP_T2_3 = WL_T2_3 and (not BLK_T2)  # T2 from T2|T5@201B.toe to T1|T2@201B.reverse: proceed may be shown over it (R3)
+        WD_T2_4 = QN_201 and QN_202 and (not TR_201) and (not TR_202)  # T2 from T2|T5@201B.toe to T2|UA@202A.toe: its points lie, nothing is foul of it
+        WL_T2_4 = (not OCC_T2) and WD_T2_4  # T2 from T2|T5@201B.toe to T2|UA@202A.toe: lies and is clear
+        WP_T2_4 = WL_T2_4 and (not BLK_T2)  # T2 from T2|T5@201B.toe to T2|UA@202A.toe: proceed may be shown over it (R3)
+        WD_T3_1 = QN_203 and (not TR_203)  # T3 from P1|T3@203.normal to T1|T3@202B.toe: its points lie, nothing is foul of it
+        WL_T3_1 = (not OCC_T3) and WD_T3_1  # T3 from P1|T3@203.normal to T1|T3@202B.toe: lies and is clear
+        WP_T3_1 = WL_T3_1 and (not BLK_T3)  # T3 from P1|T3@203.normal to T1|T3@202B.toe: proceed may be shown over it (R3)
+        WD_T3_2 = QR_203 and (not TR_203)  # T3 from P2|T3@203.reverse to T1|T3@202B.toe: its points lie, nothing is foul of it
+        WL_T3_2 = (not OCC_T3) and WD_T3_2  # T3 from P2|T3@203.reverse to T1|T3@202B.toe: lies and is clear
+        WP_T3_2 = WL_T3_2 and (not BLK_T3)  # T3 from P2|T3@203.reverse to T1|T3@202B.toe: proceed may be shown over it (R3)
+        WD_T3_3 = QN_203 and (not TR_203)  # T3 from T1|T3@202B.toe to P1|T3@203.normal: its points lie, nothing is foul of it
+        WL_T3_3 = (not OCC_T3) and WD_T3_3  # T3 from T1|T3@202B.toe to P1|T3@203.normal: lies and is clear
+        WP_T3_3 = WL_T3_3 and (not BLK_T3)  # T3 from T1|T3@202B.toe to P1|T3@203.normal: proceed may be shown over it (R3)
+        WD_T3_4 = QR_203 and (not TR_203)  # T3 from T1|T3@202B.toe to P2|T3@203.reverse: its points lie, nothing is foul of it
+        WL_T3_4 = (not OCC_T3) and WD_T3_4  # T3 from T1|T3@202B.toe to P2|T3@203.reverse: lies and is clear
+        WP_T3_4 = WL_T3_4 and (not BLK_T3)  # T3 from T1|T3@202B.toe to P2|T3@203.reverse: proceed may be shown over it (R3)
+        WD_T4_1 = QN_204 and (not TR_204)  # T4 from P3|T4@204.normal to T4|T5@204.toe: its points lie, nothing is foul of it
+        WL_T4_1 = (not OCC_T4) and WD_T4_1  # T4 from P3|T4@204.normal to T4|T5@204.toe: lies and is clear
+        WP_T4_1 = WL_T4_1 and (not BLK_T4)  # T4 from P3|T4@204.normal to T4|T5@204.toe: proceed may be shown over it (R3)
+        WD_T4_2 = QR_204 and (not TR_204)  # T4 from P4|T4@204.reverse to T4|T5@204.toe: its points lie, nothing is foul of it
+        WL_T4_2 = (not OCC_T4) and WD_T4_2  # T4 from P4|T4@204.reverse to T4|T5@204.toe: lies and is clear
+        WP_T4_2 = WL_T4_2 and (not BLK_T4)  # T4 from P4|T4@204.reverse to T4|T5@204.toe: proceed may be shown over it (R3)
+        WD_T4_3 = QN_204 and (not TR_204)  # T4 from T4|T5@204.toe to P3|T4@204.normal: its points lie, nothing is foul of it
+        WL_T4_3 = (not OCC_T4) and WD_T4_3  # T4 from T4|T5@204.toe to P3|T4@204.normal: lies and is clear
+        WP_T4_3 = WL_T4_3 and (not BLK_T4)  # T4 from T4|T5@204.toe to P3|T4@204.normal: proceed may be shown over it (R3)
+        WD_T4_4 = QR_204 and (not TR_204)  # T4 from T4|T5@204.toe to P4|T4@204.reverse: its points lie, nothing is foul of it
+        WL_T4_4 = (not OCC_T4) and WD_T4_4  # T4 from T4|T5@204.toe to P4|T4@204.reverse: lies and is clear
+        WP_T4_4 = WL_T4_4 and (not BLK_T4)  # T4 from T4|T5@204.toe to P4|T4@204.reverse: proceed may be shown over it (R3)
+        WD_T5_1 = QR_205b and QR_205a and QN_201 and (not TR_205b) and (not TR_205a) and (not TR_201)  # T5 from P5|T5@205.2b to SB|T5@205.2a: its points lie, nothing is foul of it
+        WL_T5_1 = (not OCC_T5) and WD_T5_1  # T5 from P5|T5@205.2b to SB|T5@205.2a: lies and is clear
+        WP_T5_1 = WL_T5_1 and (not BLK_T5)  # T5 from P5|T5@205.2b to SB|T5@205.2a: proceed may be shown over it (R3)
+        WD_T5_2 = QR_205b and QN_205a and (not TR_205b) and (not TR_205a)  # T5 from P5|T5@205.2b to T2|T5@201B.toe: its points lie, nothing is foul of it
+        WL_T5_2 = (not OCC_T5) and WD_T5_2  # T5 from P5|T5@205.2b to T2|T5@201B.toe: lies and is clear
+        WP_T5_2 = WL_T5_2 and (not BLK_T5)  # T5 from P5|T5@205.2b to T2|T5@201B.toe: proceed may be shown over it (R3)
+        WD_T5_3 = QR_205a and QR_205b and QN_201 and (not TR_205a) and (not TR_205b) and (not TR_201)  # T5 from SB|T5@205.2a to P5|T5@205.2b: its points lie, nothing is foul of it
+        WL_T5_3 = (not OCC_T5) and WD_T5_3  # T5 from SB|T5@205.2a to P5|T5@205.2b: lies and is clear
+        WP_T5_3 = WL_T5_3 and (not BLK_T5)  # T5 from SB|T5@205.2a to P5|T5@205.2b: proceed may be shown over it (R3)
+        WD_T5_4 = QR_205a and QN_205b and QN_201 and (not TR_205a) and (not TR_205b) and (not TR_201)  # T5 from SB|T5@205.2a to T4|T5@204.toe: its points lie, nothing is foul of it
+        WL_T5_4 = (not OCC_T5) and WD_T5_4  # T5 from SB|T5@205.2a to T4|T5@204.toe: lies and is clear
+        WP_T5_4 = WL_T5_4 and (not BLK_T5)  # T5 from SB|T5@205.2a to T4|T5@204.toe: proceed may be shown over it (R3)
+        WD_T5_5 = QN_205a and QR_205b and (not TR_205a) and (not TR_205b)  # T5 from T2|T5@201B.toe to P5|T5@205.2b: its points lie, nothing is foul of it
+        WL_T5_5 = (not OCC_T5) and WD_T5_5  # T5 from T2|T5@201B.toe to P5|T5@205.2b: lies and is clear
+        WP_T5_5 = WL_T5_5 and (not BLK_T5)  # T5 from T2|T5@201B.toe to P5|T5@205.2b: proceed may be shown over it (R3)
+        WD_T5_6 = QN_205a and QN_205b and (not TR_205a) and (not TR_205b)  # T5 from T2|T5@201B.toe to T4|T5@204.toe: its points lie, nothing is foul of it
+        WL_T5_6 = (not OCC_T5) and WD_T5_6  # T5 from T2|T5@201B.toe to T4|T5@204.toe: lies and is clear
+        WP_T5_6 = WL_T5_6 and (not BLK_T5)  # T5 from T2|T5@201B.toe to T4|T5@204.toe: proceed may be shown over it (R3)
+        WD_T5_7 = QN_205b and QR_205a and QN_201 and (not TR_205b) and (not TR_205a) and (not TR_201)  # T5 from T4|T5@204.toe to SB|T5@205.2a: its points lie, nothing is foul of it
+        WL_T5_7 = (not OCC_T5) and WD_T5_7  # T5 from T4|T5@204.toe to SB|T5@205.2a: lies and is clear
+        WP_T5_7 = WL_T5_7 and (not BLK_T5)  # T5 from T4|T5@204.toe to SB|T5@205.2a: proceed may be shown over it (R3)
+        WD_T5_8 = QN_205b and QN_205a and (not TR_205b) and (not TR_205a)  # T5 from T4|T5@204.toe to T2|T5@201B.toe: its points lie, nothing is foul of it
+        WL_T5_8 = (not OCC_T5) and WD_T5_8  # T5 from T4|T5@204.toe to T2|T5@201B.toe: lies and is clear
+        WP_T5_8 = WL_T5_8 and (not BLK_T5)  # T5 from T4|T5@204.toe to T2|T5@201B.toe: proceed may be shown over it (R3)
+        WL_UA_1 = (not OCC_UA)  # UA from T2|UA@202A.toe to U: lies and is clear
+        WP_UA_1 = WL_UA_1 and (not BLK_UA)  # UA from T2|UA@202A.toe to U: proceed may be shown over it (R3)
+        G_R1 = (REQ == 1) and VALID and WF_T5_4 and WF_T4_3 and (not BLK_P3) and (not M_P3)  # grant of route D1-B3 (R6)
+        G_R2 = (REQ == 2) and VALID and WF_T5_4 and WF_T4_4 and (not BLK_P4) and (not M_P4)  # grant of route D1-B4 (R6)
+        G_R3 = (REQ == 3) and VALID and WF_T5_3 and (not BLK_P5) and (not M_P5)  # grant of route D1-B5 (R6)
+        G_R4 = (REQ == 4) and VALID and WF_T1_2 and WF_T3_3 and WF_P1_2  # grant of route S1-B1 (R6)
+        G_R5 = (REQ == 5) and VALID and WF_T1_2 and WF_T3_4 and WF_P2_2  # grant of route S1-B2 (R6)
+        G_R6 = (REQ == 6) and VALID and WF_T1_1 and WF_T2_1 and WF_T5_6 and WF_T4_3 and WF_P3_2  # grant of route S1-B3 (R6)
+        G_R7 = (REQ == 7) and VALID and WF_T1_1 and WF_T2_1 and WF_T5_6 and WF_T4_4 and WF_P4_2  # grant of route S1-B4 (R6)
+        G_R8 = (REQ == 8) and VALID and WF_T1_1 and WF_T2_1 and WF_T5_5 and WF_P5_2  # grant of route S1-B5 (R6)
+        G_R9 = (REQ == 9) and VALID and WF_T3_1 and WF_T1_5  # grant of route S11-D (R6)
+        G_R10 = (REQ == 10) and VALID and WF_T3_1 and WF_T1_6 and WF_T2_2 and WF_UA_1  # grant of route S11-U (R6)
+        G_R11 = (REQ == 11) and VALID and WF_T3_2 and WF_T1_5  # grant of route S12-D (R6)
+        G_R12 = (REQ == 12) and VALID and WF_T3_2 and WF_T1_6 and WF_T2_2 and WF_UA_1  # grant of route S12-U (R6)
+        G_R13 = (REQ == 13) and VALID and WF_T4_1 and WF_T5_8 and WF_T2_3 and WF_T1_3  # grant of route S13-D (R6)
+        G_R14 = (REQ == 14) and VALID and WF_T4_1 and WF_T5_7 and WF_SB_1  # grant of route S13-ST (R6)
+        G_R15 = (REQ == 15) and VALID and WF_T4_1 and WF_T5_8 and WF_T2_4 and WF_UA_1  # grant of route S13-U (R6)
+        G_R16 = (REQ == 16) and VALID and WF_T4_1 and WF_T5_7 and (not BLK_SB) and (not M_SB)  # grant of route S13-ST.s (R6)
+        G_R17 = (REQ == 17) and VALID and WF_T4_2 and WF_T5_8 and WF_T2_3 and WF_T1_3  # grant of route S14-D (R6)
+        G_R18 = (REQ == 18) and VALID and WF_T4_2 and WF_T5_7 and WF_SB_1  # grant of route S14-ST (R6)
+        G_R19 = (REQ == 19) and VALID and WF_T4_2 and WF_T5_8 and WF_T2_4 and WF_UA_1  # grant of route S14-U (R6)
+        G_R20 = (REQ == 20) and VALID and WF_T4_2 and WF_T5_7 and (not BLK_SB) and (not M_SB)  # grant of route S14-ST.s (R6)
+        G_R21 = (REQ == 21) and VALID and WF_T5_2 and WF_T2_3 and WF_T1_3  # grant of route S15-D (R6)
+        G_R22 = (REQ == 22) and VALID and WF_T5_1 and WF_SB_1  # grant of route S15-ST (R6)
+        G_R23 = (REQ == 23) and VALID and WF_T5_2 and WF_T2_4 and WF_UA_1  # grant of route S15-U (R6)
+        G_R24 = (REQ == 24) and VALID and WF_T5_1 and (not BLK_SB) and (not M_SB)  # grant of route S15-ST.s (R6)
+        GW_P1_2 = G_R4  # P1 from P1|T3@203.normal to B1: granted
+        GW_P2_2 = G_R5  # P2 from P2|T3@203.reverse to B2: granted
+        GW_P3_2 = G_R6  # P3 from P3|T4@204.normal to B3: granted
+        GB_P3_2 = G_R1  # P3 from P3|T4@204.normal to B3: granted
+        GW_P4_2 = G_R7  # P4 from P4|T4@204.reverse to B4: granted
+        GB_P4_2 = G_R2  # P4 from P4|T4@204.reverse to B4: granted
+        GW_P5_2 = G_R8  # P5 from P5|T5@205.2b to B5: granted
+        GB_P5_2 = G_R3  # P5 from P5|T5@205.2b to B5: granted
+        GW_SB_1 = G_R14 or G_R18 or G_R22  # SB from SB|T5@205.2a to ST: granted
+        GB_SB_1 = G_R16 or G_R20 or G_R24  # SB from SB|T5@205.2a to ST: granted
+        GW_T1_1 = G_R6 or G_R7 or G_R8  # T1 from D to T1|T2@201B.reverse: granted
+        GW_T1_2 = G_R4 or G_R5  # T1 from D to T1|T3@202B.toe: granted
+        GW_T1_3 = G_R13 or G_R17 or G_R21  # T1 from T1|T2@201B.reverse to D: granted
+        GW_T1_5 = G_R9 or G_R11  # T1 from T1|T3@202B.toe to D: granted
+        GW_T1_6 = G_R10 or G_R12  # T1 from T1|T3@202B.toe to T1|T2@202B.reverse: granted
+        GW_T2_1 = G_R6 or G_R7 or G_R8  # T2 from T1|T2@201B.reverse to T2|T5@201B.toe: granted
+        GW_T2_2 = G_R10 or G_R12  # T2 from T1|T2@202B.reverse to T2|UA@202A.toe: granted
+        GW_T2_3 = G_R13 or G_R17 or G_R21  # T2 from T2|T5@201B.toe to T1|T2@201B.reverse: granted
+        GW_T2_4 = G_R15 or G_R19 or G_R23  # T2 from T2|T5@201B.toe to T2|UA@202A.toe: granted
+        GW_T3_1 = G_R9 or G_R10  # T3 from P1|T3@203.normal to T1|T3@202B.toe: granted
+        GW_T3_2 = G_R11 or G_R12  # T3 from P2|T3@203.reverse to T1|T3@202B.toe: granted
+        GW_T3_3 = G_R4  # T3 from T1|T3@202B.toe to P1|T3@203.normal: granted
+        GW_T3_4 = G_R5  # T3 from T1|T3@202B.toe to P2|T3@203.reverse: granted
+        GW_T4_1 = G_R13 or G_R14 or G_R15 or G_R16  # T4 from P3|T4@204.normal to T4|T5@204.toe: granted
+        GW_T4_2 = G_R17 or G_R18 or G_R19 or G_R20  # T4 from P4|T4@204.reverse to T4|T5@204.toe: granted
+        GW_T4_3 = G_R1 or G_R6  # T4 from T4|T5@204.toe to P3|T4@204.normal: granted
+        GW_T4_4 = G_R2 or G_R7  # T4 from T4|T5@204.toe to P4|T4@204.reverse: granted
+        GW_T5_1 = G_R22 or G_R24  # T5 from P5|T5@205.2b to SB|T5@205.2a: granted
+        GW_T5_2 = G_R21 or G_R23  # T5 from P5|T5@205.2b to T2|T5@201B.toe: granted
+        GW_T5_3 = G_R3  # T5 from SB|T5@205.2a to P5|T5@205.2b: granted
+        GW_T5_4 = G_R1 or G_R2  # T5 from SB|T5@205.2a to T4|T5@204.toe: granted
+        GW_T5_5 = G_R8  # T5 from T2|T5@201B.toe to P5|T5@205.2b: granted
+        GW_T5_6 = G_R6 or G_R7  # T5 from T2|T5@201B.toe to T4|T5@204.toe: granted
+        GW_T5_7 = G_R14 or G_R16 or G_R18 or G_R20  # T5 from T4|T5@204.toe to SB|T5@205.2a: granted
+        GW_T5_8 = G_R13 or G_R15 or G_R17 or G_R19  # T5 from T4|T5@204.toe to T2|T5@201B.toe: granted
+        GW_UA_1 = G_R10 or G_R12 or G_R15 or G_R19 or G_R23  # UA from T2|UA@202A.toe to U: granted
+        LK_R1 = A_R1 and (not B_R1) and VALID and (not X_D1) and (not CAN_D1) and WL_T5_4 and WL_T4_3  # route D1-B3 becomes locked (R3)
+        CO_R1 = VALID and WP_T5_4 and WP_T4_3 and (not BLK_P3) and (not D_T5)  # conditions of proceed for route D1-B3 (R3)
+        LK_R2 = A_R2 and (not B_R2) and VALID and (not X_D1) and (not CAN_D1) and WL_T5_4 and WL_T4_4  # route D1-B4 becomes locked (R3)
+        CO_R2 = VALID and WP_T5_4 and WP_T4_4 and (not BLK_P4) and (not D_T5)  # conditions of proceed for route D1-B4 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_D1) and (not CAN_D1) and WL_T5_3  # route D1-B5 becomes locked (R3)
+        CO_R3 = VALID and WP_T5_3 and (not BLK_P5) and (not D_T5)  # conditions of proceed for route D1-B5 (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S1) and (not CAN_S1) and WL_T1_2 and WL_T3_3 and WL_P1_2  # route S1-B1 becomes locked (R3)
+        CO_R4 = VALID and WP_T1_2 and WP_T3_3 and WP_P1_2 and (not D_T1)  # conditions of proceed for route S1-B1 (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S1) and (not CAN_S1) and WL_T1_2 and WL_T3_4 and WL_P2_2  # route S1-B2 becomes locked (R3)
+        CO_R5 = VALID and WP_T1_2 and WP_T3_4 and WP_P2_2 and (not D_T1)  # conditions of proceed for route S1-B2 (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S1) and (not CAN_S1) and WL_T1_1 and WL_T2_1 and WL_T5_6 and WL_T4_3 and WL_P3_2  # route S1-B3 becomes locked (R3)
+        CO_R6 = VALID and WP_T1_1 and WP_T2_1 and WP_T5_6 and WP_T4_3 and WP_P3_2 and (not D_T1)  # conditions of proceed for route S1-B3 (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S1) and (not CAN_S1) and WL_T1_1 and WL_T2_1 and WL_T5_6 and WL_T4_4 and WL_P4_2  # route S1-B4 becomes locked (R3)
+        CO_R7 = VALID and WP_T1_1 and WP_T2_1 and WP_T5_6 and WP_T4_4 and WP_P4_2 and (not D_T1)  # conditions of proceed for route S1-B4 (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S1) and (not CAN_S1) and WL_T1_1 and WL_T2_1 and WL_T5_5 and WL_P5_2  # route S1-B5 becomes locked (R3)
+        CO_R8 = VALID and WP_T1_1 and WP_T2_1 and WP_T5_5 and WP_P5_2 and (not D_T1)  # conditions of proceed for route S1-B5 (R3)
+        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_S11) and (not CAN_S11) and WL_T3_1 and WL_T1_5  # route S11-D becomes locked (R3)
+        CO_R9 = VALID and WP_T3_1 and WP_T1_5 and (not OCC_DA) and (not D_T3)  # conditions of proceed for route S11-D (R3)
+        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_S11) and (not CAN_S11) and WL_T3_1 and WL_T1_6 and WL_T2_2 and WL_UA_1  # route S11-U becomes locked (R3)
+        CO_R10 = VALID and WP_T3_1 and WP_T1_6 and WP_T2_2 and WP_UA_1 and (not D_T3)  # conditions of proceed for route S11-U (R3)
+        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_S12) and (not CAN_S12) and WL_T3_2 and WL_T1_5  # route S12-D becomes locked (R3)
+        CO_R11 = VALID and WP_T3_2 and WP_T1_5 and (not OCC_DA) and (not D_T3)  # conditions of proceed for route S12-D (R3)
+        LK_R12 = A_R12 and (not B_R12) and VALID and (not X_S12) and (not CAN_S12) and WL_T3_2 and WL_T1_6 and WL_T2_2 and WL_UA_1  # route S12-U becomes locked (R3)
+        CO_R12 = VALID and WP_T3_2 and WP_T1_6 and WP_T2_2 and WP_UA_1 and (not D_T3)  # conditions of proceed for route S12-U (R3)
+        LK_R13 = A_R13 and (not B_R13) and VALID and (not X_S13) and (not CAN_S13) and WL_T4_1 and WL_T5_8 and WL_T2_3 and WL_T1_3  # route S13-D becomes locked (R3)
+        CO_R13 = VALID and WP_T4_1 and WP_T5_8 and WP_T2_3 and WP_T1_3 and (not OCC_DA) and (not D_T4)  # conditions of proceed for route S13-D (R3)
+        LK_R14 = A_R14 and (not B_R14) and VALID and (not X_S13) and (not CAN_S13) and WL_T4_1 and WL_T5_7 and WL_SB_1  # route S13-ST becomes locked (R3)
+        CO_R14 = VALID and WP_T4_1 and WP_T5_7 and WP_SB_1 and (not D_T4)  # conditions of proceed for route S13-ST (R3)
+        LK_R15 = A_R15 and (not B_R15) and VALID and (not X_S13) and (not CAN_S13) and WL_T4_1 and WL_T5_8 and WL_T2_4 and WL_UA_1  # route S13-U becomes locked (R3)
+        CO_R15 = VALID and WP_T4_1 and WP_T5_8 and WP_T2_4 and WP_UA_1 and (not D_T4)  # conditions of proceed for route S13-U (R3)
+        LK_R16 = A_R16 and (not B_R16) and VALID and (not X_S13) and (not CAN_S13) and WL_T4_1 and WL_T5_7  # route S13-ST.s becomes locked (R3)
+        CO_R16 = VALID and WP_T4_1 and WP_T5_7 and (not BLK_SB) and (not D_T4)  # conditions of proceed for route S13-ST.s (R3)
+        LK_R17 = A_R17 and (not B_R17) and VALID and (not X_S14) and (not CAN_S14) and WL_T4_2 and WL_T5_8 and WL_T2_3 and WL_T1_3  # route S14-D becomes locked (R3)
+        CO_R17 = VALID and WP_T4_2 and WP_T5_8 and WP_T2_3 and WP_T1_3 and (not OCC_DA) and (not D_T4)  # conditions of proceed for route S14-D (R3)
+        LK_R18 = A_R18 and (not B_R18) and VALID and (not X_S14) and (not CAN_S14) and WL_T4_2 and WL_T5_7 and WL_SB_1  # route S14-ST becomes locked (R3)
+        CO_R18 = VALID and WP_T4_2 and WP_T5_7 and WP_SB_1 and (not D_T4)  # conditions of proceed for route S14-ST (R3)
+        LK_R19 = A_R19 and (not B_R19) and VALID and (not X_S14) and (not CAN_S14) and WL_T4_2 and WL_T5_8 and WL_T2_4 and WL_UA_1  # route S14-U becomes locked (R3)
+        CO_R19 = VALID and WP_T4_2 and WP_T5_8 and WP_T2_4 and WP_UA_1 and (not D_T4)  # conditions of proceed for route S14-U (R3)
+        LK_R20 = A_R20 and (not B_R20) and VALID and (not X_S14) and (not CAN_S14) and WL_T4_2 and WL_T5_7  # route S14-ST.s becomes locked (R3)
+        CO_R20 = VALID and WP_T4_2 and WP_T5_7 and (not BLK_SB) and (not D_T4)  # conditions of proceed for route S14-ST.s (R3)
+        LK_R21 = A_R21 and (not B_R21) and VALID and (not X_S15) and (not CAN_S15) and WL_T5_2 and WL_T2_3 and WL_T1_3  # route S15-D becomes locked (R3)
+        CO_R21 = VALID and WP_T5_2 and WP_T2_3 and WP_T1_3 and (not OCC_DA) and (not D_T5)  # conditions of proceed for route S15-D (R3)
+        LK_R22 = A_R22 and (not B_R22) and VALID and (not X_S15) and (not CAN_S15) and WL_T5_1 and WL_SB_1  # route S15-ST becomes locked (R3)
+        CO_R22 = VALID and WP_T5_1 and WP_SB_1 and (not D_T5)  # conditions of proceed for route S15-ST (R3)
+        LK_R23 = A_R23 and (not B_R23) and VALID and (not X_S15) and (not CAN_S15) and WL_T5_2 and WL_T2_4 and WL_UA_1  # route S15-U becomes locked (R3)
+        CO_R23 = VALID and WP_T5_2 and WP_T2_4 and WP_UA_1 and (not D_T5)  # conditions of proceed for route S15-U (R3)
+        LK_R24 = A_R24 and (not B_R24) and VALID and (not X_S15) and (not CAN_S15) and WL_T5_1  # route S15-ST.s becomes locked (R3)
+        CO_R24 = VALID and WP_T5_1 and (not BLK_SB) and (not D_T5)  # conditions of proceed for route S15-ST.s (R3)
         NU_P1_2 = VALID and F_P1 and (not D_P1) and (not U_P1) and L_P1_2 and OCC_P1 and OCC_T3 and U_T3 and L_T3_3  # a train comes into P1 at P1|T3@203.normal (R9)
         NU_P2_2 = VALID and F_P2 and (not D_P2) and (not U_P2) and L_P2_2 and OCC_P2 and OCC_T3 and U_T3 and L_T3_4  # a train comes into P2 at P2|T3@203.reverse (R9)
         NU_P3_2 = VALID and F_P3 and (not D_P3) and (not U_P3) and L_P3_2 and OCC_P3 and OCC_T4 and U_T4 and L_T4_3  # a train comes into P3 at P3|T4@204.normal (R9)
@@ -1073,40 +1255,46 @@ class Controller:
         HR_UA = VALID and (not OCC_UA) and (not (L_UA_1 and (L_T2_2 or L_T2_4))) and REL_UA and L_UA_1  # UA released by hand (R8, section fault release)
         SR_UA = VALID and (not OCC_UA) and K_UA and (REL_UA or RELALL)  # UA released after a restart (R16)
         RLS_UA = RT_UA or CA_UA or HR_UA or SR_UA  # UA is released
-        GPN_201 = (G_R1 or G_R2 or G_R3 or G_R4 or G_R5 or G_R9 or G_R11 or G_R14 or G_R15 or G_R16 or G_R18 or G_R19 or G_R20 or G_R22 or G_R23 or G_R24)  # a grant needs 201 N
-        MAN_201 = MN_201 and (not MR_201) and MOV_201 and (not (G_R1 or G_R2 or G_R3 or G_R4 or G_R5 or G_R6 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R13 or G_R14 or G_R15 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20 or G_R21 or G_R22 or G_R23 or G_R24))  # machine 201 moved N by hand
-        GPR_201 = (G_R6 or G_R7 or G_R8 or G_R10 or G_R12 or G_R13 or G_R17 or G_R21)  # a grant needs 201 R
-        MAR_201 = MR_201 and (not MN_201) and MOV_201 and (not (G_R1 or G_R2 or G_R3 or G_R4 or G_R5 or G_R6 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R13 or G_R14 or G_R15 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20 or G_R21 or G_R22 or G_R23 or G_R24))  # machine 201 moved R by hand
+        TG_201 = (GW_T1_1 or GW_T1_2 or GW_T1_3 or GW_T1_5 or GW_T1_6 or GW_T2_1 or GW_T2_2 or GW_T2_3 or GW_T2_4 or GW_T5_1 or GW_T5_3 or GW_T5_4 or GW_T5_7)  # a grant touches machine 201 in this scan
+        GPN_201 = (GW_T1_2 or GW_T1_5 or GW_T2_4 or GW_T5_1 or GW_T5_3 or GW_T5_4 or GW_T5_7)  # a grant needs 201 N
+        MAN_201 = MN_201 and (not MR_201) and MOV_201 and (not TG_201)  # machine 201 moved N by hand
+        GPR_201 = (GW_T1_1 or GW_T1_3 or GW_T1_6 or GW_T2_1 or GW_T2_2 or GW_T2_3)  # a grant needs 201 R
+        MAR_201 = MR_201 and (not MN_201) and MOV_201 and (not TG_201)  # machine 201 moved R by hand
         HDN_201 = CN_201 and (not GPR_201) and (not MAR_201)  # the command N stays
         HDR_201 = CR_201 and (not GPN_201) and (not MAN_201)  # the command R stays
-        GPN_202 = (G_R4 or G_R5 or G_R9 or G_R11 or G_R15 or G_R19 or G_R23)  # a grant needs 202 N
-        MAN_202 = MN_202 and (not MR_202) and MOV_202 and (not (G_R4 or G_R5 or G_R6 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R13 or G_R15 or G_R17 or G_R19 or G_R21 or G_R23))  # machine 202 moved N by hand
-        GPR_202 = (G_R6 or G_R7 or G_R8 or G_R10 or G_R12 or G_R13 or G_R17 or G_R21)  # a grant needs 202 R
-        MAR_202 = MR_202 and (not MN_202) and MOV_202 and (not (G_R4 or G_R5 or G_R6 or G_R7 or G_R8 or G_R9 or G_R10 or G_R11 or G_R12 or G_R13 or G_R15 or G_R17 or G_R19 or G_R21 or G_R23))  # machine 202 moved R by hand
+        TG_202 = (GW_T1_1 or GW_T1_2 or GW_T1_3 or GW_T1_5 or GW_T1_6 or GW_T2_1 or GW_T2_2 or GW_T2_3 or GW_T2_4)  # a grant touches machine 202 in this scan
+        GPN_202 = (GW_T1_2 or GW_T1_5 or GW_T2_4)  # a grant needs 202 N
+        MAN_202 = MN_202 and (not MR_202) and MOV_202 and (not TG_202)  # machine 202 moved N by hand
+        GPR_202 = (GW_T1_1 or GW_T1_3 or GW_T1_6 or GW_T2_2)  # a grant needs 202 R
+        MAR_202 = MR_202 and (not MN_202) and MOV_202 and (not TG_202)  # machine 202 moved R by hand
         HDN_202 = CN_202 and (not GPR_202) and (not MAR_202)  # the command N stays
         HDR_202 = CR_202 and (not GPN_202) and (not MAN_202)  # the command R stays
-        GPN_203 = (G_R4 or G_R9 or G_R10)  # a grant needs 203 N
-        MAN_203 = MN_203 and (not MR_203) and MOV_203 and (not (G_R4 or G_R5 or G_R9 or G_R10 or G_R11 or G_R12))  # machine 203 moved N by hand
-        GPR_203 = (G_R5 or G_R11 or G_R12)  # a grant needs 203 R
-        MAR_203 = MR_203 and (not MN_203) and MOV_203 and (not (G_R4 or G_R5 or G_R9 or G_R10 or G_R11 or G_R12))  # machine 203 moved R by hand
+        TG_203 = (GW_T3_1 or GW_T3_2 or GW_T3_3 or GW_T3_4)  # a grant touches machine 203 in this scan
+        GPN_203 = (GW_T3_1 or GW_T3_3)  # a grant needs 203 N
+        MAN_203 = MN_203 and (not MR_203) and MOV_203 and (not TG_203)  # machine 203 moved N by hand
+        GPR_203 = (GW_T3_2 or GW_T3_4)  # a grant needs 203 R
+        MAR_203 = MR_203 and (not MN_203) and MOV_203 and (not TG_203)  # machine 203 moved R by hand
         HDN_203 = CN_203 and (not GPR_203) and (not MAR_203)  # the command N stays
         HDR_203 = CR_203 and (not GPN_203) and (not MAN_203)  # the command R stays
-        GPN_204 = (G_R1 or G_R6 or G_R13 or G_R14 or G_R15 or G_R16)  # a grant needs 204 N
-        MAN_204 = MN_204 and (not MR_204) and MOV_204 and (not (G_R1 or G_R2 or G_R6 or G_R7 or G_R13 or G_R14 or G_R15 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20))  # machine 204 moved N by hand
-        GPR_204 = (G_R2 or G_R7 or G_R17 or G_R18 or G_R19 or G_R20)  # a grant needs 204 R
-        MAR_204 = MR_204 and (not MN_204) and MOV_204 and (not (G_R1 or G_R2 or G_R6 or G_R7 or G_R13 or G_R14 or G_R15 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20))  # machine 204 moved R by hand
+        TG_204 = (GW_T4_1 or GW_T4_2 or GW_T4_3 or GW_T4_4)  # a grant touches machine 204 in this scan
+        GPN_204 = (GW_T4_1 or GW_T4_3)  # a grant needs 204 N
+        MAN_204 = MN_204 and (not MR_204) and MOV_204 and (not TG_204)  # machine 204 moved N by hand
+        GPR_204 = (GW_T4_2 or GW_T4_4)  # a grant needs 204 R
+        MAR_204 = MR_204 and (not MN_204) and MOV_204 and (not TG_204)  # machine 204 moved R by hand
         HDN_204 = CN_204 and (not GPR_204) and (not MAR_204)  # the command N stays
         HDR_204 = CR_204 and (not GPN_204) and (not MAN_204)  # the command R stays
-        GPN_205a = (G_R6 or G_R7 or G_R8 or G_R13 or G_R15 or G_R17 or G_R19 or G_R21 or G_R23)  # a grant needs 205a N
-        MAN_205a = MN_205a and (not MR_205a) and MOV_205a and (not (G_R1 or G_R2 or G_R3 or G_R6 or G_R7 or G_R8 or G_R10 or G_R12 or G_R13 or G_R14 or G_R15 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20 or G_R21 or G_R22 or G_R23 or G_R24))  # machine 205a moved N by hand
-        GPR_205a = (G_R1 or G_R2 or G_R3 or G_R10 or G_R12 or G_R14 or G_R16 or G_R18 or G_R20 or G_R22 or G_R24)  # a grant needs 205a R
-        MAR_205a = MR_205a and (not MN_205a) and MOV_205a and (not (G_R1 or G_R2 or G_R3 or G_R6 or G_R7 or G_R8 or G_R10 or G_R12 or G_R13 or G_R14 or G_R15 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20 or G_R21 or G_R22 or G_R23 or G_R24))  # machine 205a moved R by hand
+        TG_205a = (GW_T2_2 or GW_T5_1 or GW_T5_2 or GW_T5_3 or GW_T5_4 or GW_T5_5 or GW_T5_6 or GW_T5_7 or GW_T5_8)  # a grant touches machine 205a in this scan
+        GPN_205a = (GW_T5_2 or GW_T5_5 or GW_T5_6 or GW_T5_8)  # a grant needs 205a N
+        MAN_205a = MN_205a and (not MR_205a) and MOV_205a and (not TG_205a)  # machine 205a moved N by hand
+        GPR_205a = (GW_T2_2 or GW_T5_1 or GW_T5_3 or GW_T5_4 or GW_T5_7)  # a grant needs 205a R
+        MAR_205a = MR_205a and (not MN_205a) and MOV_205a and (not TG_205a)  # machine 205a moved R by hand
         HDN_205a = CN_205a and (not GPR_205a) and (not MAR_205a)  # the command N stays
         HDR_205a = CR_205a and (not GPN_205a) and (not MAN_205a)  # the command R stays
-        GPN_205b = (G_R1 or G_R2 or G_R6 or G_R7 or G_R13 or G_R14 or G_R15 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20)  # a grant needs 205b N
-        MAN_205b = MN_205b and (not MR_205b) and MOV_205b and (not (G_R1 or G_R2 or G_R3 or G_R6 or G_R7 or G_R8 or G_R13 or G_R14 or G_R15 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20 or G_R21 or G_R22 or G_R23 or G_R24))  # machine 205b moved N by hand
-        GPR_205b = (G_R3 or G_R8 or G_R21 or G_R22 or G_R23 or G_R24)  # a grant needs 205b R
-        MAR_205b = MR_205b and (not MN_205b) and MOV_205b and (not (G_R1 or G_R2 or G_R3 or G_R6 or G_R7 or G_R8 or G_R13 or G_R14 or G_R15 or G_R16 or G_R17 or G_R18 or G_R19 or G_R20 or G_R21 or G_R22 or G_R23 or G_R24))  # machine 205b moved R by hand
+        TG_205b = (GW_T5_1 or GW_T5_2 or GW_T5_3 or GW_T5_4 or GW_T5_5 or GW_T5_6 or GW_T5_7 or GW_T5_8)  # a grant touches machine 205b in this scan
+        GPN_205b = (GW_T5_4 or GW_T5_6 or GW_T5_7 or GW_T5_8)  # a grant needs 205b N
+        MAN_205b = MN_205b and (not MR_205b) and MOV_205b and (not TG_205b)  # machine 205b moved N by hand
+        GPR_205b = (GW_T5_1 or GW_T5_2 or GW_T5_3 or GW_T5_5)  # a grant needs 205b R
+        MAR_205b = MR_205b and (not MN_205b) and MOV_205b and (not TG_205b)  # machine 205b moved R by hand
         HDN_205b = CN_205b and (not GPR_205b) and (not MAR_205b)  # the command N stays
         HDR_205b = CR_205b and (not GPN_205b) and (not MAN_205b)  # the command R stays
         STI_201 = (CN_201 and (not QN_201)) or (CR_201 and (not QR_201))  # machine 201 is not where it was commanded
@@ -1351,104 +1539,104 @@ class Controller:
         N_X_S14 = (X_S14 or CAN_S14) and (A_R17 or A_R18 or A_R19 or A_R20) and (not CD_S14)  # S14: cancelling
         N_X_S15 = (X_S15 or CAN_S15) and (A_R21 or A_R22 or A_R23 or A_R24) and (not CD_S15)  # S15: cancelling
         N_K_P1 = K_P1 and (not RLS_P1)  # P1: restart lock (R16)
-        N_L_P1_2 = (L_P1_2 or G_R4) and (not RLS_P1)  # P1 locked from P1|T3@203.normal to B1
+        N_L_P1_2 = (L_P1_2 or GW_P1_2) and (not RLS_P1)  # P1 locked from P1|T3@203.normal to B1
         N_M_P1 = (M_P1 or G_R4) and (not RLS_P1)  # P1 locked for a train movement
         N_F_P1 = (F_P1 or LK_R4) and (not RLS_P1)  # P1 firmly locked
         N_U_P1 = (U_P1 or NU_P1_2) and (not RLS_P1)  # P1 used by a train (R9)
         N_P_P1 = (P_P1 or (U_P1 and OCC_P1 and NU_T3_1)) and (not RLS_P1)  # P1: the train went on (R9)
         N_D_P1 = (D_P1 or ((not VALID) and L_P1_2)) and (not RLS_P1)  # P1: inputs were lost while locked
         N_K_P2 = K_P2 and (not RLS_P2)  # P2: restart lock (R16)
-        N_L_P2_2 = (L_P2_2 or G_R5) and (not RLS_P2)  # P2 locked from P2|T3@203.reverse to B2
+        N_L_P2_2 = (L_P2_2 or GW_P2_2) and (not RLS_P2)  # P2 locked from P2|T3@203.reverse to B2
         N_M_P2 = (M_P2 or G_R5) and (not RLS_P2)  # P2 locked for a train movement
         N_F_P2 = (F_P2 or LK_R5) and (not RLS_P2)  # P2 firmly locked
         N_U_P2 = (U_P2 or NU_P2_2) and (not RLS_P2)  # P2 used by a train (R9)
         N_P_P2 = (P_P2 or (U_P2 and OCC_P2 and NU_T3_2)) and (not RLS_P2)  # P2: the train went on (R9)
         N_D_P2 = (D_P2 or ((not VALID) and L_P2_2)) and (not RLS_P2)  # P2: inputs were lost while locked
         N_K_P3 = K_P3 and (not RLS_P3)  # P3: restart lock (R16)
-        N_L_P3_2 = (L_P3_2 or (G_R1 and FREE_P3) or G_R6) and (not RLS_P3)  # P3 locked from P3|T4@204.normal to B3
+        N_L_P3_2 = (L_P3_2 or GW_P3_2 or (GB_P3_2 and FREE_P3)) and (not RLS_P3)  # P3 locked from P3|T4@204.normal to B3
         N_M_P3 = (M_P3 or G_R6) and (not RLS_P3) and (not AR_P3)  # P3 locked for a train movement
         N_F_P3 = (F_P3 or (LK_R1 and L_P3_2) or LK_R6) and (not RLS_P3)  # P3 firmly locked
         N_U_P3 = (U_P3 or NU_P3_2) and (not RLS_P3)  # P3 used by a train (R9)
         N_P_P3 = (P_P3 or (U_P3 and OCC_P3 and NU_T4_1)) and (not RLS_P3)  # P3: the train went on (R9)
         N_D_P3 = (D_P3 or ((not VALID) and L_P3_2)) and (not RLS_P3)  # P3: inputs were lost while locked
         N_K_P4 = K_P4 and (not RLS_P4)  # P4: restart lock (R16)
-        N_L_P4_2 = (L_P4_2 or (G_R2 and FREE_P4) or G_R7) and (not RLS_P4)  # P4 locked from P4|T4@204.reverse to B4
+        N_L_P4_2 = (L_P4_2 or GW_P4_2 or (GB_P4_2 and FREE_P4)) and (not RLS_P4)  # P4 locked from P4|T4@204.reverse to B4
         N_M_P4 = (M_P4 or G_R7) and (not RLS_P4) and (not AR_P4)  # P4 locked for a train movement
         N_F_P4 = (F_P4 or (LK_R2 and L_P4_2) or LK_R7) and (not RLS_P4)  # P4 firmly locked
         N_U_P4 = (U_P4 or NU_P4_2) and (not RLS_P4)  # P4 used by a train (R9)
         N_P_P4 = (P_P4 or (U_P4 and OCC_P4 and NU_T4_2)) and (not RLS_P4)  # P4: the train went on (R9)
         N_D_P4 = (D_P4 or ((not VALID) and L_P4_2)) and (not RLS_P4)  # P4: inputs were lost while locked
         N_K_P5 = K_P5 and (not RLS_P5)  # P5: restart lock (R16)
-        N_L_P5_2 = (L_P5_2 or (G_R3 and FREE_P5) or G_R8) and (not RLS_P5)  # P5 locked from P5|T5@205.2b to B5
+        N_L_P5_2 = (L_P5_2 or GW_P5_2 or (GB_P5_2 and FREE_P5)) and (not RLS_P5)  # P5 locked from P5|T5@205.2b to B5
         N_M_P5 = (M_P5 or G_R8) and (not RLS_P5) and (not AR_P5)  # P5 locked for a train movement
         N_F_P5 = (F_P5 or (LK_R3 and L_P5_2) or LK_R8) and (not RLS_P5)  # P5 firmly locked
         N_U_P5 = (U_P5 or NU_P5_2) and (not RLS_P5)  # P5 used by a train (R9)
         N_P_P5 = (P_P5 or (U_P5 and OCC_P5 and NU_T5_1)) and (not RLS_P5)  # P5: the train went on (R9)
         N_D_P5 = (D_P5 or ((not VALID) and L_P5_2)) and (not RLS_P5)  # P5: inputs were lost while locked
         N_K_SB = K_SB and (not RLS_SB)  # SB: restart lock (R16)
-        N_L_SB_1 = (L_SB_1 or G_R14 or (G_R16 and FREE_SB) or G_R18 or (G_R20 and FREE_SB) or G_R22 or (G_R24 and FREE_SB)) and (not RLS_SB)  # SB locked from SB|T5@205.2a to ST
+        N_L_SB_1 = (L_SB_1 or GW_SB_1 or (GB_SB_1 and FREE_SB)) and (not RLS_SB)  # SB locked from SB|T5@205.2a to ST
         N_M_SB = (M_SB or G_R14 or G_R18 or G_R22) and (not RLS_SB) and (not AR_SB)  # SB locked for a train movement
         N_F_SB = (F_SB or LK_R14 or (LK_R16 and L_SB_1) or LK_R18 or (LK_R20 and L_SB_1) or LK_R22 or (LK_R24 and L_SB_1)) and (not RLS_SB)  # SB firmly locked
         N_U_SB = (U_SB or NU_SB_1) and (not RLS_SB)  # SB used by a train (R9)
         N_P_SB = (P_SB or (U_SB and OCC_SB and NU_T5_2)) and (not RLS_SB)  # SB: the train went on (R9)
         N_D_SB = (D_SB or ((not VALID) and L_SB_1)) and (not RLS_SB)  # SB: inputs were lost while locked
         N_K_T1 = K_T1 and (not RLS_T1)  # T1: restart lock (R16)
-        N_L_T1_1 = (L_T1_1 or G_R6 or G_R7 or G_R8) and (not RLS_T1)  # T1 locked from D to T1|T2@201B.reverse
-        N_L_T1_2 = (L_T1_2 or G_R4 or G_R5) and (not RLS_T1)  # T1 locked from D to T1|T3@202B.toe
-        N_L_T1_3 = (L_T1_3 or G_R13 or G_R17 or G_R21) and (not RLS_T1)  # T1 locked from T1|T2@201B.reverse to D
-        N_L_T1_5 = (L_T1_5 or G_R9 or G_R11) and (not RLS_T1)  # T1 locked from T1|T3@202B.toe to D
-        N_L_T1_6 = (L_T1_6 or G_R10 or G_R12) and (not RLS_T1)  # T1 locked from T1|T3@202B.toe to T1|T2@202B.reverse
+        N_L_T1_1 = (L_T1_1 or GW_T1_1) and (not RLS_T1)  # T1 locked from D to T1|T2@201B.reverse
+        N_L_T1_2 = (L_T1_2 or GW_T1_2) and (not RLS_T1)  # T1 locked from D to T1|T3@202B.toe
+        N_L_T1_3 = (L_T1_3 or GW_T1_3) and (not RLS_T1)  # T1 locked from T1|T2@201B.reverse to D
+        N_L_T1_5 = (L_T1_5 or GW_T1_5) and (not RLS_T1)  # T1 locked from T1|T3@202B.toe to D
+        N_L_T1_6 = (L_T1_6 or GW_T1_6) and (not RLS_T1)  # T1 locked from T1|T3@202B.toe to T1|T2@202B.reverse
         N_M_T1 = (M_T1 or G_R6 or G_R7 or G_R8 or G_R4 or G_R5 or G_R13 or G_R17 or G_R21 or G_R9 or G_R11 or G_R10 or G_R12) and (not RLS_T1)  # T1 locked for a train movement
         N_F_T1 = (F_T1 or LK_R6 or LK_R7 or LK_R8 or LK_R4 or LK_R5 or LK_R13 or LK_R17 or LK_R21 or LK_R9 or LK_R11 or LK_R10 or LK_R12) and (not RLS_T1)  # T1 firmly locked
         N_U_T1 = (U_T1 or NU_T1_1 or NU_T1_2 or NU_T1_4) and (not RLS_T1)  # T1 used by a train (R9)
         N_P_T1 = (P_T1 or (U_T1 and OCC_T1 and (NU_T2_1 or NU_T2_2 or NU_T3_3))) and (not RLS_T1)  # T1: the train went on (R9)
         N_D_T1 = (D_T1 or ((not VALID) and (L_T1_1 or L_T1_2 or L_T1_3 or L_T1_5 or L_T1_6))) and (not RLS_T1)  # T1: inputs were lost while locked
         N_K_T2 = K_T2 and (not RLS_T2)  # T2: restart lock (R16)
-        N_L_T2_1 = (L_T2_1 or G_R6 or G_R7 or G_R8) and (not RLS_T2)  # T2 locked from T1|T2@201B.reverse to T2|T5@201B.toe
-        N_L_T2_2 = (L_T2_2 or G_R10 or G_R12) and (not RLS_T2)  # T2 locked from T1|T2@202B.reverse to T2|UA@202A.toe
-        N_L_T2_3 = (L_T2_3 or G_R13 or G_R17 or G_R21) and (not RLS_T2)  # T2 locked from T2|T5@201B.toe to T1|T2@201B.reverse
-        N_L_T2_4 = (L_T2_4 or G_R15 or G_R19 or G_R23) and (not RLS_T2)  # T2 locked from T2|T5@201B.toe to T2|UA@202A.toe
+        N_L_T2_1 = (L_T2_1 or GW_T2_1) and (not RLS_T2)  # T2 locked from T1|T2@201B.reverse to T2|T5@201B.toe
+        N_L_T2_2 = (L_T2_2 or GW_T2_2) and (not RLS_T2)  # T2 locked from T1|T2@202B.reverse to T2|UA@202A.toe
+        N_L_T2_3 = (L_T2_3 or GW_T2_3) and (not RLS_T2)  # T2 locked from T2|T5@201B.toe to T1|T2@201B.reverse
+        N_L_T2_4 = (L_T2_4 or GW_T2_4) and (not RLS_T2)  # T2 locked from T2|T5@201B.toe to T2|UA@202A.toe
         N_M_T2 = (M_T2 or G_R6 or G_R7 or G_R8 or G_R10 or G_R12 or G_R13 or G_R17 or G_R21 or G_R15 or G_R19 or G_R23) and (not RLS_T2)  # T2 locked for a train movement
         N_F_T2 = (F_T2 or LK_R6 or LK_R7 or LK_R8 or LK_R10 or LK_R12 or LK_R13 or LK_R17 or LK_R21 or LK_R15 or LK_R19 or LK_R23) and (not RLS_T2)  # T2 firmly locked
         N_U_T2 = (U_T2 or NU_T2_1 or NU_T2_2 or NU_T2_3) and (not RLS_T2)  # T2 used by a train (R9)
         N_P_T2 = (P_T2 or (U_T2 and OCC_T2 and (NU_T1_2 or NU_T5_3 or NU_UA_1))) and (not RLS_T2)  # T2: the train went on (R9)
         N_D_T2 = (D_T2 or ((not VALID) and (L_T2_1 or L_T2_2 or L_T2_3 or L_T2_4))) and (not RLS_T2)  # T2: inputs were lost while locked
         N_K_T3 = K_T3 and (not RLS_T3)  # T3: restart lock (R16)
-        N_L_T3_1 = (L_T3_1 or G_R9 or G_R10) and (not RLS_T3)  # T3 locked from P1|T3@203.normal to T1|T3@202B.toe
-        N_L_T3_2 = (L_T3_2 or G_R11 or G_R12) and (not RLS_T3)  # T3 locked from P2|T3@203.reverse to T1|T3@202B.toe
-        N_L_T3_3 = (L_T3_3 or G_R4) and (not RLS_T3)  # T3 locked from T1|T3@202B.toe to P1|T3@203.normal
-        N_L_T3_4 = (L_T3_4 or G_R5) and (not RLS_T3)  # T3 locked from T1|T3@202B.toe to P2|T3@203.reverse
+        N_L_T3_1 = (L_T3_1 or GW_T3_1) and (not RLS_T3)  # T3 locked from P1|T3@203.normal to T1|T3@202B.toe
+        N_L_T3_2 = (L_T3_2 or GW_T3_2) and (not RLS_T3)  # T3 locked from P2|T3@203.reverse to T1|T3@202B.toe
+        N_L_T3_3 = (L_T3_3 or GW_T3_3) and (not RLS_T3)  # T3 locked from T1|T3@202B.toe to P1|T3@203.normal
+        N_L_T3_4 = (L_T3_4 or GW_T3_4) and (not RLS_T3)  # T3 locked from T1|T3@202B.toe to P2|T3@203.reverse
         N_M_T3 = (M_T3 or G_R9 or G_R10 or G_R11 or G_R12 or G_R4 or G_R5) and (not RLS_T3)  # T3 locked for a train movement
         N_F_T3 = (F_T3 or LK_R9 or LK_R10 or LK_R11 or LK_R12 or LK_R4 or LK_R5) and (not RLS_T3)  # T3 firmly locked
         N_U_T3 = (U_T3 or NU_T3_1 or NU_T3_2 or NU_T3_3) and (not RLS_T3)  # T3 used by a train (R9)
         N_P_T3 = (P_T3 or (U_T3 and OCC_T3 and (NU_P1_2 or NU_P2_2 or NU_T1_4))) and (not RLS_T3)  # T3: the train went on (R9)
         N_D_T3 = (D_T3 or ((not VALID) and (L_T3_1 or L_T3_2 or L_T3_3 or L_T3_4))) and (not RLS_T3)  # T3: inputs were lost while locked
         N_K_T4 = K_T4 and (not RLS_T4)  # T4: restart lock (R16)
-        N_L_T4_1 = (L_T4_1 or G_R13 or G_R14 or G_R15 or G_R16) and (not RLS_T4)  # T4 locked from P3|T4@204.normal to T4|T5@204.toe
-        N_L_T4_2 = (L_T4_2 or G_R17 or G_R18 or G_R19 or G_R20) and (not RLS_T4)  # T4 locked from P4|T4@204.reverse to T4|T5@204.toe
-        N_L_T4_3 = (L_T4_3 or G_R1 or G_R6) and (not RLS_T4)  # T4 locked from T4|T5@204.toe to P3|T4@204.normal
-        N_L_T4_4 = (L_T4_4 or G_R2 or G_R7) and (not RLS_T4)  # T4 locked from T4|T5@204.toe to P4|T4@204.reverse
+        N_L_T4_1 = (L_T4_1 or GW_T4_1) and (not RLS_T4)  # T4 locked from P3|T4@204.normal to T4|T5@204.toe
+        N_L_T4_2 = (L_T4_2 or GW_T4_2) and (not RLS_T4)  # T4 locked from P4|T4@204.reverse to T4|T5@204.toe
+        N_L_T4_3 = (L_T4_3 or GW_T4_3) and (not RLS_T4)  # T4 locked from T4|T5@204.toe to P3|T4@204.normal
+        N_L_T4_4 = (L_T4_4 or GW_T4_4) and (not RLS_T4)  # T4 locked from T4|T5@204.toe to P4|T4@204.reverse
         N_M_T4 = (M_T4 or G_R13 or G_R14 or G_R15 or G_R17 or G_R18 or G_R19 or G_R6 or G_R7) and (not RLS_T4)  # T4 locked for a train movement
         N_F_T4 = (F_T4 or LK_R13 or LK_R14 or LK_R15 or LK_R16 or LK_R17 or LK_R18 or LK_R19 or LK_R20 or LK_R1 or LK_R6 or LK_R2 or LK_R7) and (not RLS_T4)  # T4 firmly locked
         N_U_T4 = (U_T4 or NU_T4_1 or NU_T4_2 or NU_T4_3) and (not RLS_T4)  # T4 used by a train (R9)
         N_P_T4 = (P_T4 or (U_T4 and OCC_T4 and (NU_P3_2 or NU_P4_2 or NU_T5_4))) and (not RLS_T4)  # T4: the train went on (R9)
         N_D_T4 = (D_T4 or ((not VALID) and (L_T4_1 or L_T4_2 or L_T4_3 or L_T4_4))) and (not RLS_T4)  # T4: inputs were lost while locked
         N_K_T5 = K_T5 and (not RLS_T5)  # T5: restart lock (R16)
-        N_L_T5_1 = (L_T5_1 or G_R22 or G_R24) and (not RLS_T5)  # T5 locked from P5|T5@205.2b to SB|T5@205.2a
-        N_L_T5_2 = (L_T5_2 or G_R21 or G_R23) and (not RLS_T5)  # T5 locked from P5|T5@205.2b to T2|T5@201B.toe
-        N_L_T5_3 = (L_T5_3 or G_R3) and (not RLS_T5)  # T5 locked from SB|T5@205.2a to P5|T5@205.2b
-        N_L_T5_4 = (L_T5_4 or G_R1 or G_R2) and (not RLS_T5)  # T5 locked from SB|T5@205.2a to T4|T5@204.toe
-        N_L_T5_5 = (L_T5_5 or G_R8) and (not RLS_T5)  # T5 locked from T2|T5@201B.toe to P5|T5@205.2b
-        N_L_T5_6 = (L_T5_6 or G_R6 or G_R7) and (not RLS_T5)  # T5 locked from T2|T5@201B.toe to T4|T5@204.toe
-        N_L_T5_7 = (L_T5_7 or G_R14 or G_R16 or G_R18 or G_R20) and (not RLS_T5)  # T5 locked from T4|T5@204.toe to SB|T5@205.2a
-        N_L_T5_8 = (L_T5_8 or G_R13 or G_R15 or G_R17 or G_R19) and (not RLS_T5)  # T5 locked from T4|T5@204.toe to T2|T5@201B.toe
+        N_L_T5_1 = (L_T5_1 or GW_T5_1) and (not RLS_T5)  # T5 locked from P5|T5@205.2b to SB|T5@205.2a
+        N_L_T5_2 = (L_T5_2 or GW_T5_2) and (not RLS_T5)  # T5 locked from P5|T5@205.2b to T2|T5@201B.toe
+        N_L_T5_3 = (L_T5_3 or GW_T5_3) and (not RLS_T5)  # T5 locked from SB|T5@205.2a to P5|T5@205.2b
+        N_L_T5_4 = (L_T5_4 or GW_T5_4) and (not RLS_T5)  # T5 locked from SB|T5@205.2a to T4|T5@204.toe
+        N_L_T5_5 = (L_T5_5 or GW_T5_5) and (not RLS_T5)  # T5 locked from T2|T5@201B.toe to P5|T5@205.2b
+        N_L_T5_6 = (L_T5_6 or GW_T5_6) and (not RLS_T5)  # T5 locked from T2|T5@201B.toe to T4|T5@204.toe
+        N_L_T5_7 = (L_T5_7 or GW_T5_7) and (not RLS_T5)  # T5 locked from T4|T5@204.toe to SB|T5@205.2a
+        N_L_T5_8 = (L_T5_8 or GW_T5_8) and (not RLS_T5)  # T5 locked from T4|T5@204.toe to T2|T5@201B.toe
         N_M_T5 = (M_T5 or G_R22 or G_R21 or G_R23 or G_R8 or G_R6 or G_R7 or G_R14 or G_R18 or G_R13 or G_R15 or G_R17 or G_R19) and (not RLS_T5)  # T5 locked for a train movement
         N_F_T5 = (F_T5 or LK_R22 or LK_R24 or LK_R21 or LK_R23 or LK_R3 or LK_R1 or LK_R2 or LK_R8 or LK_R6 or LK_R7 or LK_R14 or LK_R16 or LK_R18 or LK_R20 or LK_R13 or LK_R15 or LK_R17 or LK_R19) and (not RLS_T5)  # T5 firmly locked
         N_U_T5 = (U_T5 or NU_T5_1 or NU_T5_2 or NU_T5_3 or NU_T5_4) and (not RLS_T5)  # T5 used by a train (R9)
         N_P_T5 = (P_T5 or (U_T5 and OCC_T5 and (NU_P5_2 or NU_SB_1 or NU_T2_3 or NU_T4_3))) and (not RLS_T5)  # T5: the train went on (R9)
         N_D_T5 = (D_T5 or ((not VALID) and (L_T5_1 or L_T5_2 or L_T5_3 or L_T5_4 or L_T5_5 or L_T5_6 or L_T5_7 or L_T5_8))) and (not RLS_T5)  # T5: inputs were lost while locked
         N_K_UA = K_UA and (not RLS_UA)  # UA: restart lock (R16)
-        N_L_UA_1 = (L_UA_1 or G_R10 or G_R12 or G_R15 or G_R19 or G_R23) and (not RLS_UA)  # UA locked from T2|UA@202A.toe to U
+        N_L_UA_1 = (L_UA_1 or GW_UA_1) and (not RLS_UA)  # UA locked from T2|UA@202A.toe to U
         N_M_UA = (M_UA or G_R10 or G_R12 or G_R15 or G_R19 or G_R23) and (not RLS_UA)  # UA locked for a train movement
         N_F_UA = (F_UA or LK_R10 or LK_R12 or LK_R15 or LK_R19 or LK_R23) and (not RLS_UA)  # UA firmly locked
         N_U_UA = (U_UA or NU_UA_1) and (not RLS_UA)  # UA used by a train (R9)

@@ -120,9 +120,12 @@ def iff(a: Expr, b: Expr) -> Expr:
 
 
 def at_most_one(xs: Iterable[Expr]) -> Expr:
-    """No two of them."""
+    """No two of them: pair by pair for a few, by halves for many, so that the size stays n log n."""
     seen = list(xs)
-    return conj(neg(a & b) for i, a in enumerate(seen) for b in seen[i + 1 :])
+    if len(seen) <= 6:
+        return conj(neg(a & b) for i, a in enumerate(seen) for b in seen[i + 1 :])
+    left, right = seen[: len(seen) // 2], seen[len(seen) // 2 :]
+    return conj((at_most_one(left), at_most_one(right), neg(disj(left) & disj(right))))
 
 
 def walk(roots: Iterable[Expr]) -> Iterator[Expr]:

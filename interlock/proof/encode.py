@@ -22,6 +22,7 @@ class Cnf:
         self.names: dict[str, int] = {}
         self._of: dict[int, tuple[Expr, int]] = {}
         self._values: dict[str, dict[int, int]] = {}
+        self._some: dict[str, int] = {}
         self._true = self.fresh()
         self.clauses.append((self._true,))
 
@@ -84,9 +85,18 @@ class Cnf:
         if value not in values:
             new = self.fresh()
             if self._exclusive:
-                self.clauses.extend((-new, -old) for old in values.values())
+                self._exclude(name, new)
             values[value] = new
         return values[value]
+
+    def _exclude(self, name: str, new: int) -> None:
+        """The new value excludes all before it: by a chain of "one of these", so that the clauses stay few."""
+        before = self._some.get(name)
+        if before is not None:
+            self.clauses.append((-new, -before))
+        some = self.fresh()
+        self.clauses.extend([(-new, some), *([(-before, some)] if before is not None else [])])
+        self._some[name] = some
 
     def value_literals(self) -> list[int]:
         """The literals of all comparisons of small-range variables with values other than 0."""

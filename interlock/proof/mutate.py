@@ -62,13 +62,13 @@ def _with(c: Controller, old: Equation, new: Equation) -> Controller:
     return replace(c, steps=steps, next=following)
 
 
-def without(prefix: str, *kinds: str) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
-    """Drop one term of the given kinds from an equation whose name has the prefix."""
+def without(prefixes: str, *kinds: str) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
+    """Drop one term of the given kinds from an equation whose name has one of the prefixes (separated by spaces)."""
 
     def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         c = lower(layout, table)
         for e in (*c.equations, *c.next):
-            if not e.name.startswith(prefix + "_"):
+            if e.name.split("_", 1)[0] not in prefixes.split():
                 continue
             for i, t in enumerate(e.terms):
                 if t.kind in kinds and t.expr is not TRUE:
@@ -195,7 +195,9 @@ def _overlap_shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutan
 
 
 KINDS: tuple[Kind, ...] = (
-    Kind("hostile-not-excluded", "a route is granted over a section that another holds", without("G", "section free")),
+    Kind(
+        "hostile-not-excluded", "a route is granted over a section that another holds", without("WF G", "section free")
+    ),
     Kind("diamond-not-excluded", "the exclusion over a diamond or foul joint is missing", _exclusions),
     Kind("two-grants", "a route is granted without having been asked for, beside another", without("G", "requested")),
     Kind("point-missing", "a point demand of the path is missing", _points("path", False)),
@@ -205,21 +207,23 @@ KINDS: tuple[Kind, ...] = (
     Kind("section-missing", "the last section of a route is left out", _shorter),
     Kind(
         "detection-not-required",
-        "proceed without detection of a point",
-        without("CO", "path point detected", "flank point detected"),
+        "locked, and proceed shown, without detection of a point",
+        without("WD", "path point detected", "flank point detected"),
     ),
     Kind(
         "lock-without-detection",
-        "locked before the point is detected",
-        without("LK", "path point detected", "flank point detected"),
+        "locked before the points of a way are detected",
+        without("LK", "way lies"),
     ),
-    Kind("section-not-checked", "proceed without a section clear", without("CO", "section clear")),
+    Kind("way-not-supervised", "proceed stays whatever becomes of a way", without("CO", "way in order")),
+    Kind("way-not-available", "a route is granted over a way that cannot be had", without("WF", "way available")),
+    Kind("section-not-checked", "locked, and proceed shown, without a section clear", without("WL", "section clear")),
     Kind(
         "condition-not-checked",
         "proceed without an external condition or the line beyond",
         without("CO", "condition", "line beyond clear"),
     ),
-    Kind("blocked-not-checked", "proceed over a blocked section", without("CO", "not blocked")),
+    Kind("blocked-not-checked", "proceed over a blocked section", without("WP CO", "not blocked")),
     Kind("proceed-before-lock", "proceed before the route is locked", without("PR", "locked")),
     Kind("signal-not-dropped", "proceed stays when a condition is lost", without("PR", "conditions")),
     Kind("signal-open-behind-train", "the signal is not closed by the train", without("PR", "stays")),
@@ -275,17 +279,16 @@ KINDS: tuple[Kind, ...] = (
     Kind("device-wrong", "a level crossing or interlock is demanded open", _points("device", True)),
     Kind("opens-under-train", "a level crossing opens by itself while locked or occupied", _unguarded("returns")),
     Kind("driven-while-locked", "a driven point moves while it is locked", _unguarded("driven along")),
-    Kind("foul-not-checked", "proceed although a foul section is occupied", without("CO", "foul section clear")),
+    Kind("foul-not-checked", "proceed although a foul section is occupied", without("WD", "foul section clear")),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
-    Kind("trailed-not-kept-back", "proceed over a trailed point", without("CO", "not trailed")),
+    Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),
     Kind("lamp-not-lit", "proceed with its lamp out", without("CO", "proceed lamp intact")),
     Kind("clear-lamp-not-lit", "clear with its lamp out", without("C", "clear lamp intact")),
     Kind("clear-before-stop", "clear although the next signal is at stop", without("C", "next signal open")),
-    Kind("overlap-not-free", "a route is granted although its overlap is held", without("G", "overlap free")),
-    Kind("overlap-not-clear", "locked although the overlap is occupied", without("LK", "overlap clear")),
-    Kind("overlap-not-checked", "proceed although the overlap is occupied", without("CO", "overlap clear")),
-    Kind("overlap-not-detected", "an overlap point is not detected", without("CO", "overlap point detected")),
+    Kind("overlap-not-free", "a route is granted although its overlap is held", without("OF", "overlap free")),
+    Kind("overlap-not-clear", "locked although the overlap is not in order", without("LK", "overlap lies")),
+    Kind("overlap-not-checked", "proceed although the overlap is not in order", without("CO", "overlap lies")),
     Kind("overlap-not-held", "the overlap is given up at once", without("V", "held")),
     Kind("overlap-shorter", "an overlap without its last section", _overlap_shorter),
     Kind(

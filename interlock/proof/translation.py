@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from interlock.logic.controller import Controller
-from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, iff, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, iff, var, variables
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer
 from interlock.proof.engines.z3_sat import Z3Sat
@@ -46,9 +46,9 @@ def compare_st(controller: Controller, text: str, query_ms: int = 20_000) -> Tra
         run: Execution[Term] = Execution(unit, algebra)
         found = _state_of(run)
         base = dict(found)
+        holders = _holders(run)
         for s in controller.state:
-            place = _holder(run, s.name)
-            place[s.name] = var(s.name)
+            holders[s.name][s.name] = var(s.name)
         inputs: dict[str, Term] = {i.name: Symbol(i.name) if i.size else var(i.name) for i in controller.inputs}
         outputs = run.scan(inputs)
         after = _state_of(run)
@@ -57,21 +57,16 @@ def compare_st(controller: Controller, text: str, query_ms: int = 20_000) -> Tra
     return _compare(controller, base, after, outputs, algebra, query_ms)
 
 
-def _holder(run: Execution[Term], name: str) -> dict[str, Term]:
+def _holders(run: Execution[Term]) -> dict[str, dict[str, Term]]:
+    """For each state variable, the variables of the block that keeps it."""
+    out: dict[str, dict[str, Term]] = {}
     for inst in run.main.inner.values():
-        if name in {d.name for d in inst.block.outputs} and f"N_{name}" in inst.values:
-            return inst.values
-    raise KeyError(name)
+        out |= {n: inst.values for n in inst.block.output_names if f"N_{n}" in inst.values}
+    return out
 
 
 def _state_of(run: Execution[Term]) -> dict[str, Term]:
-    out: dict[str, Term] = {}
-    for inst in run.main.inner.values():
-        outputs = {d.name for d in inst.block.outputs}
-        for name in outputs:
-            if f"N_{name}" in inst.values:
-                out[name] = inst.values[name]
-    return out
+    return {n: values[n] for n, values in _holders(run).items()}
 
 
 def _compare(
@@ -125,9 +120,7 @@ def _compare(
 
 
 def _names(a: Expr, b: Expr) -> set[str]:
-    from interlock.logic.expr import variables
-
     return set(variables((a, b)))
 
 
-__all__ = ["Difference", "Translation", "compare_st", "neg"]
+__all__ = ["Difference", "Translation", "compare_st"]

@@ -6,6 +6,7 @@ No loops, no pointers, no enumerations: BOOL, INT and TIME scalars, function blo
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 
 @dataclass(frozen=True)
@@ -117,6 +118,16 @@ class Block:
     locals: tuple[Declaration, ...]
     body: tuple[Statement, ...]
     note: str = field(default="", compare=False)
+
+    @cached_property
+    def input_names(self) -> frozenset[str]:
+        """Names of the inputs."""
+        return frozenset(d.name for d in self.inputs)
+
+    @cached_property
+    def output_names(self) -> frozenset[str]:
+        """Names of the outputs."""
+        return frozenset(d.name for d in self.outputs)
 
 
 @dataclass(frozen=True)

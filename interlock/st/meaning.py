@@ -94,7 +94,7 @@ class Execution(Generic[V]):
         return {d.name: self.main.values[d.name] for d in self.main.block.outputs}
 
     def _call(self, inst: Instance[V], inputs: Mapping[str, V]) -> None:
-        names = {d.name for d in inst.block.inputs}
+        names = inst.block.input_names
         for n, v in inputs.items():
             if n not in names:
                 raise BadText(f"{inst.block.name} has no input {n}")
@@ -144,11 +144,12 @@ class Execution(Generic[V]):
         if isinstance(x, Name):
             if len(x.parts) == 2 and x.parts[0] in inst.inner:
                 inner = inst.inner[x.parts[0]]
-                if x.parts[1] not in {d.name for d in inner.block.outputs}:
+                if x.parts[1] not in inner.block.output_names:
                     raise BadText(f"{inst.block.name}: {x} is no output")
                 return inner.values[x.parts[1]]
-            if str(x) in inst.values:
-                return inst.values[str(x)]
+            name = x.parts[0] if len(x.parts) == 1 else str(x)
+            if name in inst.values:
+                return inst.values[name]
             raise BadText(f"{inst.block.name}: unknown name {x}")
         if isinstance(x, Not):
             return a.neg(self._value(inst, x.arg))

@@ -1,12 +1,21 @@
-"""Structured Text back to the tree, by our own LALR grammar."""
+"""Structured Text back to the tree: one regular expression for the tokens, one function for each rule.
+
+    unit        = block+
+    block       = FUNCTION_BLOCK name part* statement* END_FUNCTION_BLOCK
+    part        = (VAR_INPUT | VAR_OUTPUT | VAR) (name : name [:= expr] ;)* END_VAR
+    statement   = name := expr ; | name ( [name := expr {, name := expr}] ) ; | IF expr THEN body [ELSE body] END_IF ;
+    expr        = xor {OR xor}        xor = and {XOR and}        and = comparison {AND comparison}
+    comparison  = unary [(= | <> | < | > | <= | >=) unary]       unary = NOT unary | literal | name {. name} | ( expr )
+
+Keywords in any case; comments (* *) are not nested.  A file of a large layout has a million tokens: a general parser
+generator took fifteen times as long.
+"""
 
 from __future__ import annotations
 
-from functools import lru_cache
-from importlib import resources
-
-from lark import Lark, Token, Transformer, v_args
-from lark.exceptions import UnexpectedInput
+import re
+from collections.abc import Callable
+from typing import NoReturn
 
 from interlock.st.ast import (
     Assign,
@@ -27,95 +36,223 @@ from interlock.st.ast import (
 )
 
 _UNITS = {"ms": 1, "s": 1000, "m": 60_000, "h": 3_600_000}
+_TOKEN = re.compile(
+    r"""\s+ | \(\*(?:[^*]|\*(?!\)))*\*\)                       # space and comments
+    | ( [Tt](?:[Ii][Mm][Ee])?\#[0-9]+(?:ms|s|m|h)\b
+      | [A-Za-z_][A-Za-z0-9_]* | [0-9]+(?![A-Za-z0-9_])
+      | := | <> | <= | >= | [-+*/=<>();:.,\[\]&] )""",
+    re.VERBOSE,
+)
+_COMPARE = frozenset(("=", "<>", "<", ">", "<=", ">="))
+_OPERATORS = ("AND", "OR", "XOR", "NOT", "TRUE", "FALSE")
+_DECLARING = ("VAR_INPUT", "VAR_OUTPUT", "VAR")
+_RESERVED = frozenset(
+    (*_DECLARING, "FUNCTION_BLOCK", "END_FUNCTION_BLOCK", "END_VAR", "IF", "THEN", "ELSE", "END_IF", *_OPERATORS)
+)
+_END = ""
+_Rule = Callable[[], Expression]
 
 
 class NotInSubset(Exception):
     """The text is not in the subset; the message names line and column."""
 
 
-@v_args(inline=True)
-class _Build(Transformer[Token, Unit]):
-    """Parse tree to syntax tree."""
-
-    def start(self, *blocks: Block) -> Unit:
-        return Unit(tuple(blocks))
-
-    def block(self, name: Token, *rest: object) -> Block:
-        parts: dict[str, list[Declaration]] = {"VAR_INPUT": [], "VAR_OUTPUT": [], "VAR": []}
-        body: list[Statement] = []
-        for x in rest:
-            if isinstance(x, tuple):
-                parts[x[0]].extend(x[1])
-            elif isinstance(x, Assign | Call | If):
-                body.append(x)
-        return Block(str(name), tuple(parts["VAR_INPUT"]), tuple(parts["VAR_OUTPUT"]), tuple(parts["VAR"]), tuple(body))
-
-    def var_part(self, kind: Token, *declarations: Declaration) -> tuple[str, list[Declaration]]:
-        return str(kind).upper(), list(declarations)
-
-    def declaration(self, name: Token, kind: Token, initial: Expression | None = None) -> Declaration:
-        return Declaration(str(name), str(kind), initial)
-
-    def assign(self, target: Name, value: Expression) -> Assign:
-        return Assign(target, value)
-
-    def call(self, instance: Token, *params: tuple[str, Expression]) -> Call:
-        return Call(str(instance), tuple(p for p in params if p is not None))
-
-    def if_(
-        self, condition: Expression, then: tuple[Statement, ...], otherwise: tuple[Statement, ...] | None = None
-    ) -> If:
-        return If(condition, then, otherwise or ())
-
-    def then_part(self, *body: Statement) -> tuple[Statement, ...]:
-        return body
-
-    else_part = then_part
-
-    def param(self, name: Token, value: Expression) -> tuple[str, Expression]:
-        return str(name), value
-
-    def or_expr(self, *args: Expression) -> Nary:
-        return Nary("OR", args)
-
-    def xor_expr(self, *args: Expression) -> Nary:
-        return Nary("XOR", args)
-
-    def and_expr(self, *args: Expression) -> Nary:
-        return Nary("AND", args)
-
-    def comparison(self, left: Expression, op: Token | None = None, right: Expression | None = None) -> Expression:
-        return left if op is None or right is None else Compare(str(op), left, right)
-
-    def not_(self, arg: Expression) -> Not:
-        return Not(arg)
-
-    def bool(self, token: Token) -> Bool:
-        return Bool(token.upper() == "TRUE")
-
-    def int(self, token: Token) -> Int:
-        return Int(int(token))
-
-    def time(self, token: Token) -> Time:
-        digits = token.split("#")[1]
-        unit = digits.lstrip("0123456789").lower()
-        return Time(int(digits[: len(digits) - len(unit)]) * _UNITS[unit])
-
-    def name(self, *parts: Token) -> Name:
-        return Name(tuple(map(str, parts)))
-
-
-@lru_cache(maxsize=1)
-def _parser() -> Lark:
-    grammar = resources.files("interlock.st").joinpath("st.lark").read_text("utf-8")
-    return Lark(grammar, parser="lalr", maybe_placeholders=True, transformer=_Build())
-
-
 def parse_unit(text: str) -> Unit:
     """The tree of a text; raises `NotInSubset`."""
-    try:
-        unit = _parser().parse(text)
-    except UnexpectedInput as error:
-        raise NotInSubset(f"line {error.line}, column {error.column}: {str(error).splitlines()[0]}") from None
-    assert isinstance(unit, Unit)
-    return unit
+    return _Reader(text).unit()
+
+
+class _Reader:
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.tokens: list[str] = []
+        self.starts: list[int] = []
+        self.at = 0
+        self._names: dict[str, Name] = {}
+        self._scan()
+
+    def _scan(self) -> None:
+        end, tokens, starts = 0, self.tokens, self.starts
+        for m in _TOKEN.finditer(self.text):
+            if m.start() != end:
+                break
+            end = m.end()
+            token = m[1]
+            if token is not None:
+                tokens.append(token)
+                starts.append(m.start())
+        if end != len(self.text):
+            raise NotInSubset(f"{self._place(end)}: {self.text[end : end + 10]!r} is not in the subset")
+        tokens.append(_END)
+        starts.append(len(self.text))
+
+    def _place(self, offset: int) -> str:
+        before = self.text[:offset]
+        return f"line {before.count(chr(10)) + 1}, column {offset - before.rfind(chr(10))}"
+
+    def _fail(self, wanted: str) -> NoReturn:
+        found = self.tokens[self.at] or "the end"
+        raise NotInSubset(f"{self._place(self.starts[self.at])}: {wanted} is expected, here is {found}")
+
+    def _take(self, token: str) -> None:
+        if self.tokens[self.at] != token:
+            self._fail(f"'{token}'")
+        self.at += 1
+
+    def _is(self, keyword: str) -> bool:
+        return self.tokens[self.at].upper() == keyword
+
+    def _word(self, keyword: str) -> None:
+        if not self._is(keyword):
+            self._fail(keyword)
+        self.at += 1
+
+    def _name(self) -> str:
+        token = self.tokens[self.at]
+        if not (token[:1].isalpha() or token[:1] == "_") or "#" in token or token.upper() in _RESERVED:
+            self._fail("a name")
+        self.at += 1
+        return token
+
+    def unit(self) -> Unit:
+        blocks = []
+        while self.tokens[self.at]:
+            blocks.append(self.block())
+        if not blocks:
+            self._fail("FUNCTION_BLOCK")
+        return Unit(tuple(blocks))
+
+    def block(self) -> Block:
+        self._word("FUNCTION_BLOCK")
+        name = self._name()
+        parts: dict[str, list[Declaration]] = {kind: [] for kind in _DECLARING}
+        while self.tokens[self.at].upper() in parts:
+            part = parts[self.tokens[self.at].upper()]
+            self.at += 1
+            while not self._is("END_VAR"):
+                part.append(self.declaration())
+            self.at += 1
+        body = self.body("END_FUNCTION_BLOCK")
+        self.at += 1
+        inputs, outputs, locals_ = (tuple(parts[kind]) for kind in _DECLARING)
+        return Block(name, inputs, outputs, locals_, body)
+
+    def declaration(self) -> Declaration:
+        name = self._name()
+        self._take(":")
+        kind = self._name()
+        initial = None
+        if self.tokens[self.at] == ":=":
+            self.at += 1
+            initial = self.expression()
+        self._take(";")
+        return Declaration(name, kind, initial)
+
+    def body(self, *ends: str) -> tuple[Statement, ...]:
+        out = []
+        while self.tokens[self.at].upper() not in ends:
+            out.append(self.statement())
+        return tuple(out)
+
+    def statement(self) -> Statement:
+        if self._is("IF"):
+            return self.branch()
+        name = self._name()
+        if self.tokens[self.at] == "(":
+            self.at += 1
+            params: list[tuple[str, Expression]] = []
+            while self.tokens[self.at] != ")":
+                if params:
+                    self._take(",")
+                param = self._name()
+                self._take(":=")
+                params.append((param, self.expression()))
+            self.at += 1
+            self._take(";")
+            return Call(name, tuple(params))
+        target = self.qualified(name)
+        self._take(":=")
+        value = self.expression()
+        self._take(";")
+        return Assign(target, value)
+
+    def branch(self) -> If:
+        self.at += 1
+        condition = self.expression()
+        self._word("THEN")
+        then = self.body("ELSE", "END_IF", _END)
+        otherwise: tuple[Statement, ...] = ()
+        empty = not then
+        if self._is("ELSE"):
+            self.at += 1
+            otherwise = self.body("END_IF", _END)
+            empty = empty or not otherwise
+        self._word("END_IF")
+        self._take(";")
+        if empty:
+            self._fail("a statement in each branch of the IF above")
+        return If(condition, then, otherwise)
+
+    def qualified(self, first: str) -> Name:
+        tokens = self.tokens
+        if tokens[self.at] != ".":
+            found = self._names.get(first)
+            if found is None:
+                found = self._names[first] = Name((first,))
+            return found
+        parts = [first]
+        while tokens[self.at] == ".":
+            self.at += 1
+            parts.append(self._name())
+        return Name(tuple(parts))
+
+    def expression(self) -> Expression:
+        return self._joined("OR", self._exclusive)
+
+    def _exclusive(self) -> Expression:
+        return self._joined("XOR", self._all)
+
+    def _all(self) -> Expression:
+        return self._joined("AND", self._comparison)
+
+    def _joined(self, op: str, operand: _Rule) -> Expression:
+        first = operand()
+        if self.tokens[self.at].upper() != op:
+            return first
+        args = [first]
+        while self.tokens[self.at].upper() == op:
+            self.at += 1
+            args.append(operand())
+        return Nary(op, tuple(args))
+
+    def _comparison(self) -> Expression:
+        left = self._unary()
+        op = self.tokens[self.at]
+        if op not in _COMPARE:
+            return left
+        self.at += 1
+        return Compare(op, left, self._unary())
+
+    def _unary(self) -> Expression:
+        token = self.tokens[self.at]
+        word = token.upper()
+        if word == "NOT":
+            self.at += 1
+            return Not(self._unary())
+        if token == "(":
+            self.at += 1
+            inner = self.expression()
+            self._take(")")
+            return inner
+        if word == "TRUE" or word == "FALSE":
+            self.at += 1
+            return Bool(word == "TRUE")
+        if token.isdigit():
+            self.at += 1
+            return Int(int(token))
+        if "#" in token:
+            self.at += 1
+            digits = token.split("#")[1]
+            unit = digits.lstrip("0123456789")
+            return Time(int(digits[: len(digits) - len(unit)]) * _UNITS[unit])
+        return self.qualified(self._name())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from interlock.logic.controller import Controller, RouteSymbols, Symbols
-from interlock.logic.lower import aspects, overlaps, points, requests, routes, sections
+from interlock.logic.lower import aspects, overlaps, points, requests, routes, sections, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, SectionId
 from interlock.model.layout import Layout
@@ -18,8 +18,11 @@ PASSES = (
     sections.image,
     points.detection,
     points.movable,
+    ways.availability,
+    ways.detection,
     requests.offers,
     routes.grants,
+    ways.granted,
     routes.locking,
     sections.three_point,
     routes.cancellation,

@@ -41,7 +41,6 @@ def keep(d: Draft) -> None:
     for o, ways in d.overlaps.items():
         g, k = o
         n = portable(g)
-        users = [r for r in d.table.routes if r.overlap is not None and (r.overlap.signal, r.overlap.option) == o]
         clear = conj(neg(d.occupied(s)) for s, _ in ways)
         stays = neg(conj((var(f"OR_{n}"), clear)))
         d.kept(
@@ -50,7 +49,7 @@ def keep(d: Draft) -> None:
             f"overlap {k} of {g} held",
             Join.ANY,
             (
-                Term(disj(var(f"G_R{r.number}") for r in users), "granted"),
+                Term(var(f"GO_{n}_{k}"), "granted"),
                 Term(conj((d.overlap(o), stays)), "held", "until it is not needed and clear"),
             ),
             f"overlap {g}",

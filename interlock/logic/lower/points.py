@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
+from interlock.logic.lower import ways
 from interlock.logic.lower.draft import Draft
-from interlock.model.elements import MachineId, Position, SectionId
+from interlock.model.elements import MachineId, Position
 from interlock.model.portable import portable
-from interlock.table.rows import Role, RouteRow
+from interlock.table.rows import Role
 
 
 def inputs(d: Draft) -> None:
@@ -44,18 +45,19 @@ def detection(d: Draft) -> None:
             )
 
 
-def flank_demand(d: Draft, m: MachineId, x: Position) -> Expr:
-    """Some lock needs the machine as flank protection in that position."""
-    return disj(
-        d.holding(t.key)
-        for t in d.table.locks
-        for p in t.points
-        if p.machine == m and p.position is x and p.role is Role.FLANK
-    )
+def flank_demands(d: Draft) -> dict[tuple[MachineId, Position], Expr]:
+    """For each machine and position: some lock needs it so as flank protection."""
+    found: dict[tuple[MachineId, Position], list[Expr]] = {}
+    for t in d.table.locks:
+        for p in t.points:
+            if p.role is Role.FLANK:
+                found.setdefault((p.machine, p.position), []).append(d.holding(t.key))
+    return {k: disj(xs) for k, xs in found.items()}
 
 
 def movable(d: Draft) -> None:
     """Free to move: nothing locked, nothing occupied, no flank held (R10; never a shared flag)."""
+    flank = flank_demands(d)
     for m in d.machines:
         n = portable(m)
         terms: list[Term] = [Term(var("VALID"), "inputs valid")]
@@ -63,7 +65,7 @@ def movable(d: Draft) -> None:
             terms.append(Term(var(f"FREE_{portable(s)}"), "point section free", f"{s} not locked"))
             terms.append(Term(neg(d.occupied(s)), "point section clear", f"{s} clear"))
         for x in Position:
-            held = flank_demand(d, m, x)
+            held = flank.get((m, x), FALSE)
             terms.append(Term(neg(held), "flank not held", f"nobody needs {m} {x} as flank protection"))
         d.wire(f"MOV_{n}", Join.ALL, terms, f"point {m}", f"machine {m} is free to move (R10)")
         for x in Position:
@@ -83,25 +85,16 @@ def movable(d: Draft) -> None:
             )
 
 
-def _taken(r: RouteRow) -> set[SectionId]:
-    """The sections of a route's path and overlap."""
-    return {*r.section_ids, *(s for s, _ in (r.overlap.ways if r.overlap else ()))}
-
-
 def commands(d: Draft) -> None:
     """Commands follow grants; by hand only when free and not touched by a grant in this scan."""
+    touches, demands = ways.demands(d)
+    driving = _driving(d)
     for m in d.machines:
         n = portable(m)
-        secs = set(d.sections_of(m))
-        touching = [r for r in d.table.routes if secs & _taken(r) or any(p.machine == m for p in r.points)]
-        touched = disj(var(f"G_R{r.number}") for r in touching)
+        terms = [Term(touches[m], "granted", "a way over it, or one that demands it")]
+        touched = d.wire(f"TG_{n}", Join.ANY, terms, f"point {m}", f"a grant touches machine {m} in this scan")
         for x in Position:
-            granted = disj(
-                var(f"G_R{r.number}") for r in touching if any(p.machine == m and p.position is x for p in r.points)
-            )
-            driven = disj(
-                var(f"G_R{r.number}") for r in touching if any(p.machine == m and p.position is x for p in r.driven)
-            )
+            granted, driven = demands[m, x], driving.get((m, x), FALSE)
             terms = [Term(granted, "granted")]
             if driven is not FALSE:
                 terms.append(Term(conj((driven, var(f"MOV_{n}"))), "driven along", "beside the path, if free to move"))
@@ -147,6 +140,15 @@ def commands(d: Draft) -> None:
             )
             started = conj((d.command(m, x), d.started(m)))
             d.outputs.append(Output(f"Y{x}_{n}", started, False, f"machine {m}: {d.layout.word(m, x)}"))
+
+
+def _driving(d: Draft) -> dict[tuple[MachineId, Position], Expr]:
+    """The grants that drive a machine beside their path."""
+    found: dict[tuple[MachineId, Position], list[Expr]] = {}
+    for r in d.table.routes:
+        for p in r.driven:
+            found.setdefault((p.machine, p.position), []).append(var(f"G_R{r.number}"))
+    return {k: disj(xs) for k, xs in found.items()}
 
 
 def supervision(d: Draft) -> None:

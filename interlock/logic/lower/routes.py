@@ -8,12 +8,11 @@ Who asks for a route is in `requests`.
 from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Term
-from interlock.logic.expr import FALSE, Expr, conj, disj, eq, neg, var
-from interlock.logic.lower import aspects, requests
+from interlock.logic.expr import FALSE, conj, disj, eq, neg, var
+from interlock.logic.lower import aspects, requests, ways
 from interlock.logic.lower.draft import Draft
-from interlock.model.elements import SectionId
 from interlock.model.portable import portable
-from interlock.table.rows import RouteKind, RouteRow
+from interlock.table.rows import RouteRow
 
 
 def inputs(d: Draft) -> None:
@@ -32,18 +31,6 @@ def inputs(d: Draft) -> None:
         d.inputs.append(Input(f"E_{portable(c.id)}", f"external condition {c.id}: {c.text or 'holds'}"))
 
 
-def _clear_terms(d: Draft, r: RouteRow) -> list[Term]:
-    out = [Term(neg(d.occupied(c.section)), "section clear", f"{c.section} clear") for c in r.sections]
-    for s, _ in r.overlap.ways if r.overlap else ():
-        out.append(Term(neg(d.occupied(s)), "overlap clear", f"{s} clear: overlap"))
-    for c in r.foul:
-        clear = neg(d.occupied(c.section))
-        if c.when is not None:
-            clear = disj((clear, d.detected(c.when[0], c.when[1].other)))
-        out.append(Term(clear, "foul section clear", c.because.text))
-    return out
-
-
 def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Vehicles may stand in the berth, but no train is about to come in, nor another shunting movement (R2, R6.6)."""
     if r.berth is None:
@@ -51,7 +38,8 @@ def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
     s = r.berth
     into = r.traversals[-1]
     entry = d.table.lock[into].entry
-    out = [Term(neg(d.train(s)), "no train into the berth", f"{s} is not locked for a train")]
+    out = [*ways.not_blocked(s), *ways.available(d, into)]
+    out += [Term(neg(d.train(s)), "no train into the berth", f"{s} is not locked for a train")]
     out += [Term(neg(d.overlap(o)), "no overlap in the berth", f"no overlap of {o[0]}") for o in d.overlaps_over(s)]
     for node in d.topo.ends[s]:
         rear = d.topo.beyond(s, node)
@@ -67,79 +55,14 @@ def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
     return out
 
 
-def _block_terms(d: Draft, r: RouteRow) -> list[Term]:
-    return [Term(neg(var(f"BLK_{portable(s)}")), "not blocked", f"{s} not blocked") for s in r.section_ids]
-
-
-def _detection_terms(d: Draft, r: RouteRow) -> list[Term]:
-    return [
-        Term(
-            d.detected(p.machine, p.position), f"{p.role} point detected", f"{p.machine} {p.position}: {p.because.text}"
-        )
-        for p in r.points
-    ]
-
-
-def _free(d: Draft, r: RouteRow, s: SectionId, n: int) -> Expr:
-    """A section is free for a route; the overlap of its own entry signal over the same way is no hindrance (R4)."""
-    own = [o for o in d.overlaps_over(s) if o[0] == r.entry and (s, n) in d.overlaps[o]]
-    if not own or r.kind is RouteKind.SHUNT:
-        return var(f"FREE_{portable(s)}")
-    others = [neg(d.overlap(o)) for o in d.overlaps_over(s) if o not in own]
-    return conj([neg(var(f"K_{portable(s)}")), *(neg(d.lock(*t.key)) for t in d.locks_of[s]), *others])
-
-
-def _overlap_terms(d: Draft, r: RouteRow) -> list[Term]:
-    """The overlap is free, or lies over the route that is already set onward from the exit signal (R4)."""
-    out = []
-    for s, n in r.overlap.ways if r.overlap else ():
-        onward = disj(
-            var(f"A_R{t.number}")
-            for t in d.routes_over.get((s, n), ())
-            if r.overlap and t.entry == r.overlap.signal and t.kind is RouteKind.MAIN
-        )
-        terms = [neg(var(f"K_{portable(s)}")), *(neg(d.overlap(o)) for o in d.overlaps_over(s))]
-        for t in d.locks_of[s]:
-            lock = neg(d.lock(*t.key))
-            terms.append(disj((lock, onward)) if t.key == (s, n) else lock)
-        out.append(Term(conj(terms), "overlap free", f"{s} free as overlap of {r.exit}"))
-    return out
-
-
-def _trailed_terms(d: Draft, r: RouteRow) -> list[Term]:
-    """A trailed point is not used before somebody has looked at it (R10)."""
-    machines = dict.fromkeys(p.machine for p in r.points if p.machine in d.powered)
-    return [Term(neg(var(f"TR_{portable(m)}")), "not trailed", f"{m} was not trailed") for m in machines]
-
-
 def grants(d: Draft) -> None:
     """A route is granted when everything it needs is free (R6, R3)."""
     for r in d.table.routes:
         terms = [Term(requests.requested(d, r), "requested"), Term(var("VALID"), "inputs valid")]
-        for s, n in r.locked:
-            terms.append(Term(_free(d, r, s, n), "section free", f"{s} not locked"))
-        terms += _overlap_terms(d, r)
+        for key in r.locked:
+            terms += ways.free_terms(d, r, key)
+        terms += ways.overlap_terms(d, r)
         terms += _berth_terms(d, r)
-        terms += _clear_terms(d, r)
-        terms += _block_terms(d, r)
-        for key in (*r.traversals, *(r.overlap.ways if r.overlap else ())):
-            for ex in d.table.lock[key].exclusions:
-                if ex.section not in d.sections:
-                    continue
-                if ex.whole:
-                    held = neg(var(f"FREE_{portable(ex.section)}"))
-                else:
-                    held = disj([*(d.holding((ex.section, n)) for n in ex.numbers), var(f"K_{portable(ex.section)}")])
-                terms.append(Term(neg(held), "exclusion", f"{ex.section}: {ex.because.text}"))
-        for p in r.points:
-            terms.append(
-                Term(
-                    var(f"AV{p.position}_{portable(p.machine)}"),
-                    f"{p.role} point available",
-                    f"{p.machine} {p.position}: {p.because.text}",
-                )
-            )
-        terms += _trailed_terms(d, r)
         d.wire(f"G_R{r.number}", Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} (R6)")
 
 
@@ -158,8 +81,7 @@ def locking(d: Draft) -> None:
                 Term(var("VALID"), "inputs valid"),
                 Term(neg(var(f"X_{g}")), "not cancelling"),
                 Term(neg(var(f"CAN_{g}")), "not cancelled"),
-                *_clear_terms(d, r),
-                *_detection_terms(d, r),
+                *ways.lying_terms(d, r),
             ),
             group,
             f"route {r.id} becomes locked (R3)",
@@ -169,10 +91,7 @@ def locking(d: Draft) -> None:
             Join.ALL,
             (
                 Term(var("VALID"), "inputs valid"),
-                *_clear_terms(d, r),
-                *_block_terms(d, r),
-                *_detection_terms(d, r),
-                *_trailed_terms(d, r),
+                *ways.proceed_terms(d, r),
                 *(Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions),
                 *(Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block),
                 Term(neg(var(f"D_{first}")), "inputs never lost"),

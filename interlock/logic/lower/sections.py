@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
+from interlock.logic.lower import ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import NodeId, SectionId
 from interlock.model.portable import portable
@@ -280,11 +281,11 @@ def keep(d: Draft) -> None:
         firmer: list[Expr] = []
         for t in d.locks_of[s]:
             name = f"L_{n}_{t.number}"
-            grants = []
+            # a shunting movement locks its berth only if nobody has
+            berth = conj((ways.grant_of(d, t.key, berth=True), var(f"FREE_{n}")))
+            grants = [ways.grant_of(d, t.key), berth]
             for r in d.routes_over.get(t.key, ()):
-                grant, lock = var(f"G_R{r.number}"), var(f"LK_R{r.number}")
-                # a shunting movement locks its berth only if nobody has
-                grants.append(conj((grant, var(f"FREE_{n}"))) if r.berth == s else grant)
+                lock = var(f"LK_R{r.number}")
                 firmer.append(conj((lock, locks)) if r.berth == s else lock)
             d.kept(
                 name,

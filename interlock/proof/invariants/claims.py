@@ -5,10 +5,11 @@ Train level: T-...; signal level: S-...; locking level: L-...; points: P-....
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 
-from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, came, lamp, lies, o, rests, shunting
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
@@ -133,8 +134,8 @@ def exposed(f: Facts, edge: EdgeId, node: NodeId, gone: float, clear_of: float, 
     if far in seen or far in layout.buffer_at:
         return FALSE
     seen = seen | {far}
-    for g in layout.signals:
-        if g.node == far and g.into == edge and gone >= clear_of:
+    for g in f.signals_at.get(far, ()):
+        if g.into == edge and gone >= clear_of:
             called = [x for k in f.functions(g.id) for x in (f.sym.signal(g.id, k), lamp(g.id, k), accepted(g.id, k))]
             if not g.main:  # a train passes it on a lock that leads this way
                 called.append(conj((f.train(e.section), f.firm(e.section), f.locked_in(e.section, far))))
@@ -188,63 +189,83 @@ def _flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 # --- signals -------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+Shown = tuple[SignalId, bool]
+
+
+@dataclass
 class Ground:
-    """What a path takes: sections, arms of diamonds, points passed beside a foul joint, foul joints touched."""
+    """Who shows proceed over which way, and past which signal."""
 
-    ways: dict[SectionId, Traversal]
-    arms: frozenset[tuple[str, int]]
-    over: frozenset[FoulJoint]
-    near: frozenset[FoulJoint]
-    lies: Expr
+    over: dict[tuple[SectionId, int], dict[Shown, list[Expr]]]
+    past: dict[SignalId, list[Expr]]
 
 
-def _ground(f: Facts, path: SignalPath, fouls: dict[str, list[FoulJoint]], near: dict[str, list[FoulJoint]]) -> Ground:
-    ways = {t.section: t for t in path.ways}
-    over = {fj for t in path.ways for p, x in t.points for fj in fouls.get(p, ()) if x is not fj.leg}
-    close = {fj for t in path.ways for fj in near.get(t.section, ()) if fj.when is None or fj.node in (t.entry, t.exit)}
-    arms = frozenset(a for t in path.ways for a in t.crossings)
-    return Ground(ways, arms, frozenset(over), frozenset(close), lie(f, path.ways))
+def _ground(f: Facts) -> Ground:
+    ground = Ground({}, {})
+    for who in ((g.id, k) for g in f.layout.signals for k in f.functions(g.id)):
+        for path in signal_paths(f, *who):
+            there = conj((f.sym.signal(*who), lie(f, path.ways)))
+            for t in path.ways:
+                ground.over.setdefault(t.key, {}).setdefault(who, []).append(there)
+            for a, b in pairwise(path.ways):
+                passed = f.topo.signal_into.get((a.exit, b.section))
+                if passed is not None:
+                    ground.past.setdefault(passed, []).append(there)
+    return ground
 
 
-def _conflict(a: Ground, b: Ground) -> str | None:
-    hostile = False
-    small, large = (a.ways, b.ways) if len(a.ways) <= len(b.ways) else (b.ways, a.ways)
-    for s, t in small.items():
-        x = large.get(s)
-        if x is not None:
-            if t.entry == x.exit or t.exit == x.entry:
-                return "S-OPPOSING"
-            hostile = True
-    hostile = hostile or any((c, 1 - arm) in b.arms for c, arm in a.arms)
-    hostile = hostile or not a.over.isdisjoint(b.near) or not b.over.isdisjoint(a.near)
-    return "S-HOSTILE" if hostile else None
+def _shown_over(ground: Ground, ways: Iterable[Traversal]) -> dict[Shown, Expr]:
+    """Each signal that shows proceed over one of the ways."""
+    found: dict[Shown, list[Expr]] = {}
+    for t in ways:
+        for who, there in ground.over.get(t.key, {}).items():
+            found.setdefault(who, []).extend(there)
+    return {who: disj(there) for who, there in found.items()}
+
+
+def _apart(a: dict[Shown, Expr], b: dict[Shown, Expr]) -> Expr:
+    """No signal of the one and another of the other show proceed at once."""
+    both = a.keys() & b.keys()
+    out = [neg(conj((disj(x for w, x in a.items() if w not in both), disj(b.values()))))]
+    out += [neg(conj((a[w], disj(x for v, x in b.items() if v != w)))) for w in sorted(both)]
+    return conj(out)
 
 
 def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    shown = [(g.id, k) for g in f.layout.signals for k in f.functions(g.id)]
-    fouls: dict[str, list[FoulJoint]] = {}
-    near: dict[str, list[FoulJoint]] = {}
-    for fj in f.fouls:
-        fouls.setdefault(fj.point, []).append(fj)
-        near.setdefault(fj.neighbour, []).append(fj)
-    grounds = [[_ground(f, p, fouls, near) for p in signal_paths(f, *x)] for x in shown]
-    users: dict[object, set[int]] = {}
-    for i, gs in enumerate(grounds):
-        for g in gs:
-            for thing in (*g.ways, *(c for c, _ in g.arms), *g.over, *g.near):
-                users.setdefault(thing, set()).add(i)
-    candidates = {(i, j) for those in users.values() for i in those for j in those if i < j}
-    for i, j in sorted(candidates):
+    """No two signals show proceed over the same track, place by place.
+
+    Two paths that share track differ somewhere: in the way through a section, where they meet; or the one begins at a
+    signal that the other passes; or they are of one signal for trains and for shunting movements.  So a claim for each
+    section and for each signal says it of all pairs, and their number grows with the layout, not with its square.
+    """
+    ground = _ground(f)
+    for s in f.topo.sections:
+        ways = [t for t in f.topo.traversals[s] if t.key in ground.over]
+        shown = {t.key: disj(_shown_over(ground, [t]).values()) for t in ways}
         bad: dict[str, list[Expr]] = {}
-        for a in grounds[i]:
-            for b in grounds[j]:
-                kind = _conflict(a, b)
-                if kind is not None:
-                    bad.setdefault(kind, []).append(conj((a.lies, b.lies)))
-        for kind, ways in sorted(bad.items()):
-            both = conj((f.sym.signal(*shown[i]), f.sym.signal(*shown[j]), disj(ways)))
-            yield kind, f"{_who(*shown[i])}/{_who(*shown[j])}", neg(both)
+        for i, t in enumerate(ways):
+            for x in ways[i + 1 :]:
+                opposing = t.entry == x.exit or t.exit == x.entry
+                kind = "S-OPPOSING" if opposing else "S-HOSTILE"
+                bad.setdefault(kind, []).append(conj((shown[t.key], shown[x.key])))
+        for kind, cases in sorted(bad.items()):
+            yield kind, s, neg(disj(cases))
+    for g in f.layout.signals:
+        one = [f.sym.signal(g.id, k) for k in f.functions(g.id)] + [disj(ground.past.get(g.id, ()))]
+        yield "S-HOSTILE", f"signal {g.id}", at_most_one(one)
+    for c in f.layout.crossings:
+        arms = [
+            _shown_over(
+                ground, (t for s in f.topo.sections for t in f.topo.traversals[s] if (c.id, arm) in t.crossings)
+            )
+            for arm in (0, 1)
+        ]
+        yield "S-HOSTILE", f"diamond {c.id}", _apart(*arms)
+    for fj in f.fouls:
+        section, beside = f.topo.traversals[fj.section], f.topo.traversals[fj.neighbour]
+        over = _shown_over(ground, (t for t in section if any(p == fj.point and x is not fj.leg for p, x in t.points)))
+        near = _shown_over(ground, (t for t in beside if fj.when is None or fj.node in (t.entry, t.exit)))
+        yield "S-HOSTILE", f"joint {fj.section}/{fj.neighbour} foul of {fj.point}", _apart(over, near)
 
 
 def _who(g: SignalId, shunt: bool) -> str:

@@ -1,0 +1,242 @@
+"""What a way through a section asks for: one set of wires that every route and overlap over it reads.
+
+Per way: WA it could be locked, whatever stands in its section; WF a route may lock it now; WD its points and devices
+are detected and nothing is foul of it; WL it is clear besides; WP proceed may be shown over it.  GW it is granted to
+a route in this scan, GB the same for the berth of a shunting movement.  Per overlap: OF it may be held; GO it is
+granted with a route.  What is always true has no wire.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from interlock.logic.controller import Join, Term
+from interlock.logic.expr import Expr, conj, disj, neg, var
+from interlock.logic.lower.draft import Draft
+from interlock.model.elements import MachineId, Position, SectionId, SignalId
+from interlock.model.portable import portable
+from interlock.table.rows import RouteKind, RouteRow, TraversalKey, TraversalRow
+
+
+def _named(prefix: str, key: TraversalKey) -> str:
+    return f"{prefix}_{portable(key[0])}_{key[1]}"
+
+
+def _wire(d: Draft, prefix: str, t: TraversalRow, terms: Sequence[Term], note: str) -> None:
+    if terms:
+        group = f"section {t.section}"
+        d.wire(_named(prefix, t.key), Join.ALL, terms, group, f"{t.section} from {t.entry} to {t.exit}: {note}")
+
+
+def _of_routes(d: Draft) -> set[TraversalKey]:
+    """The ways that routes go through, not only overlaps, nor only as a berth."""
+    return {key for r in d.table.routes for key in r.locked}
+
+
+# --- what is looked at ---------------------------------------------------------------------------
+
+
+def availability(d: Draft) -> None:
+    """Whether ways can be locked (R6, R10), and whether overlaps can be held (R4)."""
+    routes = _of_routes(d)
+    for t in d.table.locks:
+        _wire(d, "WA", t, _availability(d, t), "could be locked")
+        free = [Term(var(f"FREE_{portable(t.section)}"), "section free", f"{t.section} not locked")]
+        if t.key in routes:
+            _wire(d, "WF", t, [*free, *_unlocked(d, t.key)], "free for a route (R6)")
+    for (g, k), over in d.overlaps.items():
+        terms = [x for key in over for x in _overlap_terms(d, g, key)]
+        d.wire(f"OF_{portable(g)}_{k}", Join.ALL, terms, f"overlap {g}", f"overlap {k} of {g} may be held (R4)")
+
+
+def _availability(d: Draft, t: TraversalRow) -> list[Term]:
+    terms = []
+    for ex in t.exclusions:
+        if ex.section not in d.sections:
+            continue
+        if ex.whole:
+            held = neg(var(f"FREE_{portable(ex.section)}"))
+        else:
+            held = disj([*(d.holding((ex.section, n)) for n in ex.numbers), var(f"K_{portable(ex.section)}")])
+        terms.append(Term(neg(held), "exclusion", f"{ex.section}: {ex.because.text}"))
+    for p in t.points:
+        free = var(f"AV{p.position}_{portable(p.machine)}")
+        terms.append(Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}"))
+    return [*terms, *_trailed(d, t), *_foul(d, t)]
+
+
+def _unlocked(d: Draft, key: TraversalKey) -> list[Term]:
+    """What a route asks for besides its section being free."""
+    s = key[0]
+    clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
+    return [clear, *not_blocked(s), *available(d, key)]
+
+
+def available(d: Draft, key: TraversalKey) -> list[Term]:
+    """The way could be locked."""
+    terms = _availability(d, d.table.lock[key])
+    return [Term(var(_named("WA", key)), "way available", f"way through {key[0]} available")] if terms else []
+
+
+def not_blocked(s: SectionId) -> list[Term]:
+    """Nobody has blocked the section."""
+    return [Term(neg(var(f"BLK_{portable(s)}")), "not blocked", f"{s} not blocked")]
+
+
+def _trailed(d: Draft, t: TraversalRow) -> list[Term]:
+    """A trailed point is not used before somebody has looked at it (R10)."""
+    machines = dict.fromkeys(p.machine for p in t.points if p.machine in d.powered)
+    return [Term(neg(var(f"TR_{portable(m)}")), "not trailed", f"{m} was not trailed") for m in machines]
+
+
+def _foul(d: Draft, t: TraversalRow) -> list[Term]:
+    out = []
+    for c in t.foul:
+        clear = neg(d.occupied(c.section))
+        if c.when is not None:
+            clear = disj((clear, d.detected(c.when[0], c.when[1].other)))
+        out.append(Term(clear, "foul section clear", c.because.text))
+    return out
+
+
+def _overlap_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
+    """The overlap's way is free, or lies over the route that is already set onward from the signal (R4)."""
+    s = key[0]
+    onward = disj(
+        var(f"A_R{r.number}") for r in d.routes_over.get(key, ()) if r.entry == g and r.kind is RouteKind.MAIN
+    )
+    free = [neg(var(f"K_{portable(s)}")), *(neg(d.overlap(o)) for o in d.overlaps_over(s))]
+    for t in d.locks_of[s]:
+        lock = neg(d.lock(*t.key))
+        free.append(disj((lock, onward)) if t.key == key else lock)
+    clear = Term(neg(d.occupied(s)), "overlap clear", f"{s} clear: overlap")
+    return [Term(conj(free), "overlap free", f"{s} free as overlap of {g}"), clear, *available(d, key)]
+
+
+def detection(d: Draft) -> None:
+    """Whether ways lie and are clear, checked in every scan (R3)."""
+    routes = _of_routes(d)
+    for t in d.table.locks:
+        _wire(d, "WD", t, _detection(d, t), "its points lie, nothing is foul of it")
+        clear = Term(neg(d.occupied(t.section)), "section clear", f"{t.section} clear")
+        _wire(d, "WL", t, [clear, *_detected(d, t.key)], "lies and is clear")
+        if t.key in routes:
+            terms = [*_lying(t.key, "way lies"), *not_blocked(t.section)]
+            _wire(d, "WP", t, terms, "proceed may be shown over it (R3)")
+
+
+def _detection(d: Draft, t: TraversalRow) -> list[Term]:
+    terms = [
+        Term(d.detected(p.machine, p.position), f"{p.role} point detected", f"{p.machine} {p.position} detected")
+        for p in t.points
+    ]
+    return [*terms, *_trailed(d, t), *_foul(d, t)]
+
+
+def _detected(d: Draft, key: TraversalKey) -> list[Term]:
+    terms = _detection(d, d.table.lock[key])
+    return [Term(var(_named("WD", key)), "way detected", f"points of the way through {key[0]}")] if terms else []
+
+
+def _lying(key: TraversalKey, kind: str) -> list[Term]:
+    return [Term(var(_named("WL", key)), kind, f"way through {key[0]} lies and is clear")]
+
+
+# --- what routes ask for -------------------------------------------------------------------------
+
+
+def free_terms(d: Draft, r: RouteRow, key: TraversalKey) -> list[Term]:
+    """A way is free for a route; the overlap of its own entry signal over the same way is no hindrance (R4)."""
+    s = key[0]
+    own = [o for o in d.overlaps_over(s) if o[0] == r.entry and key in d.overlaps[o]]
+    if not own or r.kind is RouteKind.SHUNT:
+        return [Term(var(_named("WF", key)), "way free", f"way through {s} free")]
+    others = [neg(d.overlap(o)) for o in d.overlaps_over(s) if o not in own]
+    free = conj([neg(var(f"K_{portable(s)}")), *(neg(d.lock(*t.key)) for t in d.locks_of[s]), *others])
+    return [Term(free, "section free", f"{s} not locked, but for the own overlap"), *_unlocked(d, key)]
+
+
+def overlap_terms(d: Draft, r: RouteRow) -> list[Term]:
+    """The route's overlap may be held."""
+    if r.overlap is None:
+        return []
+    g, k = r.overlap.signal, r.overlap.option
+    return [Term(var(f"OF_{portable(g)}_{k}"), "overlap free", f"overlap of {g} may be held")]
+
+
+def lying_terms(d: Draft, r: RouteRow) -> list[Term]:
+    """Everything lies and is clear; vehicles may stand in the berth."""
+    out = [x for key in r.locked for x in _lying(key, "way lies")]
+    if r.berth is not None:
+        out += _detected(d, r.traversals[-1])
+    return [*out, *_overlap_lies(r)]
+
+
+def proceed_terms(d: Draft, r: RouteRow) -> list[Term]:
+    """Proceed may be shown over every way, and the overlap lies and is clear."""
+    out = [Term(var(_named("WP", k)), "way in order", f"way through {k[0]} in order") for k in r.locked]
+    if r.berth is not None:
+        out += [*_detected(d, r.traversals[-1]), *not_blocked(r.berth)]
+    return [*out, *_overlap_lies(r)]
+
+
+def _overlap_lies(r: RouteRow) -> list[Term]:
+    return [x for key in (r.overlap.ways if r.overlap else ()) for x in _lying(key, "overlap lies")]
+
+
+# --- what grants reach ---------------------------------------------------------------------------
+
+
+def granted(d: Draft) -> None:
+    """Which ways and overlaps are granted in this scan."""
+    for t in d.table.locks:
+        over = d.routes_over.get(t.key, ())
+        for prefix, routes in (
+            ("GW", [r for r in over if r.berth != t.section]),
+            ("GB", [r for r in over if r.berth == t.section]),
+        ):
+            if routes:
+                terms = [Term(var(f"G_R{r.number}"), "granted", f"route {r.id}") for r in routes]
+                note = f"{t.section} from {t.entry} to {t.exit}: granted"
+                d.wire(_named(prefix, t.key), Join.ANY, terms, f"section {t.section}", note)
+    for (g, k), _ in d.overlaps.items():
+        terms = [Term(var(f"G_R{r.number}"), "granted", f"route {r.id}") for r in overlap_users(d, (g, k))]
+        d.wire(f"GO_{portable(g)}_{k}", Join.ANY, terms, f"overlap {g}", f"overlap {k} of {g}: granted")
+
+
+def overlap_users(d: Draft, option: tuple[SignalId, int]) -> list[RouteRow]:
+    """The routes that lock an overlap."""
+    return [r for r in d.table.routes if r.overlap is not None and (r.overlap.signal, r.overlap.option) == option]
+
+
+def grant_of(d: Draft, key: TraversalKey, berth: bool = False) -> Expr:
+    """The way is granted in this scan: to a route that goes through it, or to one that ends in it as a berth."""
+    s = key[0]
+    ends = any((r.berth == s) is berth for r in d.routes_over.get(key, ()))
+    return var(_named("GB" if berth else "GW", key)) if ends else disj(())
+
+
+def demands(d: Draft) -> tuple[Mapping[MachineId, Expr], Mapping[tuple[MachineId, Position], Expr]]:
+    """A grant in this scan touches each machine (it lies over it, or demands it), and demands it in a position."""
+    touched: dict[MachineId, dict[Expr, None]] = {m: {} for m in d.machines}
+    demanded: dict[tuple[MachineId, Position], dict[Expr, None]] = {(m, x): {} for m in d.machines for x in Position}
+    machines_in: dict[SectionId, list[MachineId]] = {}
+    for m in d.machines:
+        for s in d.sections_of(m):
+            machines_in.setdefault(s, []).append(m)
+    for t in d.table.locks:
+        grants = dict.fromkeys(_grants(d, t.key))
+        for m in machines_in.get(t.section, ()):
+            touched[m] |= grants
+        for p in t.points:
+            touched[p.machine] |= grants
+            demanded[p.machine, p.position] |= grants
+    return {m: disj(xs) for m, xs in touched.items()}, {k: disj(xs) for k, xs in demanded.items()}
+
+
+def _grants(d: Draft, key: TraversalKey) -> Iterator[Expr]:
+    yield grant_of(d, key)
+    yield grant_of(d, key, berth=True)
+    for (g, k), over in d.overlaps.items():
+        if key in over:
+            yield var(f"GO_{portable(g)}_{k}")
