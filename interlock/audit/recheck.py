@@ -7,7 +7,7 @@ area touches a leg or arm that the route does not use.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -316,14 +316,31 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
 def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
     grounds = [_ground(layout, r, matched[r.id]) for r in table.routes if r.id in matched]
     listed = {(r.id, h.route) for r in table.routes for h in r.hostile}
-    for i, a in enumerate(grounds):
-        for b in grounds[i + 1 :]:
-            why = _cannot_both(layout, a, b)
-            for x, y in ((a.row.id, b.row.id), (b.row.id, a.row.id)):
-                if why and (x, y) not in listed:
-                    yield Finding(x, "hostile", f"{y} is hostile: {why}")
-                if not why and (x, y) in listed:
-                    yield Finding(x, "hostile", f"{y} is not hostile")
+    meeting = _meeting(grounds)
+    number = {g.row.id: i for i, g in enumerate(grounds)}
+    for x, y in sorted(listed):
+        if x in number and y in number:
+            meeting.add((min(number[x], number[y]), max(number[x], number[y])))
+    for i, j in sorted(meeting):
+        a, b = grounds[i], grounds[j]
+        why = _cannot_both(layout, a, b)
+        for x, y in ((a.row.id, b.row.id), (b.row.id, a.row.id)):
+            if why and (x, y) not in listed:
+                yield Finding(x, "hostile", f"{y} is hostile: {why[0]} {', '.join(sorted(why[1]))}")
+            if not why and (x, y) in listed:
+                yield Finding(x, "hostile", f"{y} is not hostile")
+
+
+def _meeting(grounds: list[_Ground]) -> set[tuple[int, int]]:
+    """The pairs that have anything in common: a signal, a section, a node, a machine."""
+    users: dict[tuple[str, str], list[int]] = {}
+    for i, g in enumerate(grounds):
+        things = {("signal", g.entry)}
+        things |= {("section", s) for s in (*g.sections, *g.over, *(f[0] for f in g.foul))}
+        things |= {("node", n) for n in (*g.nodes, *g.over_nodes)} | {("machine", m) for m in g.positions}
+        for thing in things:
+            users.setdefault(thing, []).append(i)
+    return {(i, j) for those in users.values() for k, i in enumerate(those) for j in those[k + 1 :]}
 
 
 def _same_way(layout: Layout, a: frozenset[Move], b: frozenset[Move], section: SectionId) -> bool:
@@ -340,32 +357,36 @@ def _own(x: _Ground, y: _Ground) -> frozenset[NodeId]:
     return frozenset(m.node for m in x.over_moves & y.moves)
 
 
-def _cannot_both(layout: Layout, a: _Ground, b: _Ground) -> str:
+Clash = tuple[str, Collection[str]]
+"""What two routes cannot share, and where."""
+
+
+def _cannot_both(layout: Layout, a: _Ground, b: _Ground) -> Clash | None:
     if a.entry == b.entry:
-        return "the same signal"
+        return "both begin at", frozenset({a.entry})
     if not a.sections.isdisjoint(b.sections):
-        return f"both pass {', '.join(sorted(a.sections & b.sections))}"
+        return "both pass", a.sections & b.sections
     if not a.nodes.isdisjoint(b.nodes):
-        return f"both pass {', '.join(sorted(a.nodes & b.nodes))}"
+        return "both pass", a.nodes & b.nodes
     for x, y in ((a, b), (b, a)):
         if not x.over:
             continue
         if not x.over.isdisjoint(y.over):
-            return f"the overlaps share {', '.join(sorted(x.over & y.over))}"
+            return "the overlaps share", x.over & y.over
         for section in sorted(x.over & y.sections):
             if y.shunt or y.entry != x.exit or not _same_way(layout, x.over_moves, y.moves, section):
-                return f"{section} is an overlap"
+                return "overlap over", frozenset({section})
         if not x.over_nodes.isdisjoint(y.over_nodes) or not x.over_nodes.isdisjoint(y.nodes - (y.nodes & _own(x, y))):
-            return "an overlap crosses"
+            return "an overlap crosses", x.over_nodes
     if not a.positions.keys().isdisjoint(b.positions):
         for m in sorted(a.positions.keys() & b.positions.keys()):
             if a.positions[m] is not b.positions[m]:
-                return f"machine {m} in two positions"
+                return "two positions of machine", frozenset({m})
     for x, y in ((a, b), (b, a)):
         for section, when, near in x.foul:
             if section in y.sections | y.over and (when is None or near in y.touched):
-                return f"{section} is foul"
-    return ""
+                return "foul of", frozenset({section})
+    return None
 
 
 def _voyages(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:

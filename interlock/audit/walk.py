@@ -71,10 +71,7 @@ def steps(
 
 def signal_facing(layout: Layout, node: NodeId, onto: EdgeId) -> Signal | None:
     """The signal that a vehicle meets at a node before it goes onto an edge."""
-    for g in layout.signals:
-        if g.node == node and g.into == onto:
-            return g
-    return None
+    return layout.signal_facing.get((node, onto))
 
 
 @lru_cache(maxsize=4096)

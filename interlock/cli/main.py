@@ -5,6 +5,7 @@ Exit codes: 0 fine, 1 findings or refuted, 2 usage, 3 could not be proved, 70 in
 
 from __future__ import annotations
 
+import gc
 import importlib
 import os
 import sys
@@ -71,6 +72,7 @@ def cli() -> None:
 
 def main() -> None:
     """Run the command line."""
+    gc.disable()  # expressions are shared and live to the end: the collector would only walk them again and again
     try:
         cli(standalone_mode=True)
     except SystemExit:

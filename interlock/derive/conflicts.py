@@ -7,6 +7,7 @@ positions, cross on a diamond, or foul each other.  The first class that applies
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 from interlock.derive.routes import Path
 from interlock.model.elements import MachineId, Position, RouteId, SectionId
@@ -30,9 +31,10 @@ def derive_hostile(
 ) -> dict[RouteId, tuple[Hostile, ...]]:
     """For every route, its hostile routes in order of number."""
     out: dict[RouteId, list[Hostile]] = {p.id: [] for p in paths}
+    needs = {p.id: Needs(_positions(demands[p.id], (Role.PATH,)), _positions(demands[p.id], _HELD)) for p in paths}
     for i, j in sorted(_candidates(paths, locks, demands)):
         a, b = paths[i], paths[j]
-        found = classify(a, b, locks, demands)
+        found = classify(a, b, locks, needs)
         if found is None:
             continue
         kind, witness, rule = found
@@ -65,13 +67,21 @@ def _positions(demands: Sequence[PointDemand], roles: tuple[Role, ...]) -> dict[
     return {d.machine: d.position for d in demands if d.role in roles}
 
 
+@dataclass(frozen=True)
+class Needs:
+    """How machines lie for a route: those of its path, and all that it holds."""
+
+    path: Mapping[MachineId, Position]
+    held: Mapping[MachineId, Position]
+
+
 def classify(
-    a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], demands: Mapping[RouteId, Sequence[PointDemand]]
+    a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
 ) -> tuple[HostileClass, str, str] | None:
     """Class, witness and rule of a hostile pair, or None when both may be set together."""
     if a.entry == b.entry:
         return HostileClass.SAME_ENTRY, f"both begin at {a.entry}", "R6.5"
-    path_a, path_b = _positions(demands[a.id], (Role.PATH,)), _positions(demands[b.id], (Role.PATH,))
+    path_a, path_b = needs[a.id].path, needs[b.id].path
     for m, x in path_a.items():
         if path_b.get(m, x) is not x:
             return HostileClass.POINTS, f"machine {m} lies {x} for {a.id} and {path_b[m]} for {b.id}", "R6.1"
@@ -88,8 +98,7 @@ def classify(
     overlap = _overlap(a, b, locks) or _overlap(b, a, locks)
     if overlap is not None:
         return overlap
-    all_a = _positions(demands[a.id], _HELD)
-    all_b = _positions(demands[b.id], _HELD)
+    all_a, all_b = needs[a.id].held, needs[b.id].held
     for m, x in all_a.items():
         if all_b.get(m, x) is not x:
             return HostileClass.FLANK, f"machine {m} must lie {x} for {a.id} and {all_b[m]} for {b.id}", "R6.9"

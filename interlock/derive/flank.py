@@ -86,7 +86,7 @@ def _outward(
     if far in layout.buffer_at:
         yield (Provider(ProviderKind.BUFFER, far),)
         return
-    signal = next((g for g in layout.signals if g.node == far and g.into == edge), None)
+    signal = layout.signal_facing.get((far, edge))
     if signal is not None and gone >= r.clear_of:
         yield (Provider(ProviderKind.SIGNAL, signal.id),)
         return

@@ -183,6 +183,11 @@ class Symbols:
             out.setdefault(s, []).append((n, name))
         return out
 
+    @cached_property
+    def locked_by(self) -> dict[SectionId, tuple[str, ...]]:
+        """The variables that lock each section: restart lock and locks."""
+        return {s: (k, *(name for _, name in self.locks_of.get(s, ()))) for s, k in self.restart.items()}
+
     def signal(self, g: SignalId, shunt: bool = False) -> Expr:
         """Whether the controller shows proceed at a signal: to trains, or to shunting movements."""
         return disj(var(r.proceed) for r in self.routes_from.get(g, ()) if r.shunt is shunt)

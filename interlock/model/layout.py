@@ -134,6 +134,11 @@ class Layout:
         return {d.id: d for d in self.devices}
 
     @cached_property
+    def signal_facing(self) -> dict[tuple[NodeId, EdgeId], Signal]:
+        """The signal that a vehicle meets at a node before it goes onto an edge."""
+        return {(g.node, g.into): g for g in self.signals}
+
+    @cached_property
     def machines(self) -> tuple[MachineId, ...]:
         """Everything that is moved and locked: machines of points, and devices, in order."""
         return tuple(sorted({*self.ends_of_machine, *self.device}))

@@ -139,9 +139,9 @@ def _run(system: System, lane: Lane, r: RouteSymbols, turning: str = "") -> Driv
         if not (yield from _until_off(lane, f"o.{place}", f"tail.{joint}.{place}")):
             return f"the train's tail does not leave {place}"
     keep = set(layout.undetected) if leaves else {place, *layout.undetected}
-    near = [s for s in topo.sections if s not in keep]
+    near = {s: locks for s, locks in system.symbols.locked_by.items() if s not in keep}
     for _ in range(MAX_STEPS):
-        near = [s for s in near if _held(system, lane, s)]
+        near = {s: locks for s, locks in near.items() if lane.any_on(locks)}
         if not near:
             break
         yield NOTHING
@@ -178,11 +178,6 @@ def _lying(system: System, r: RouteSymbols) -> dict[str, int]:
         for m, x in system.symbols.demands[way]:
             state |= {f"at.{m}.N": int(x is Position.NORMAL), f"at.{m}.R": int(x is Position.REVERSE)}
     return state
-
-
-def _held(system: System, lane: Lane, s: SectionId) -> bool:
-    names = [t[1] for t in system.symbols.locks_of.get(s, ())]
-    return any(lane.is_on(n) for n in [system.symbols.restart[s], *names])
 
 
 def _rear(layout: Layout, topo: Topology, node: NodeId, first: SectionId) -> str:

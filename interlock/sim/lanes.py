@@ -41,6 +41,10 @@ class Lane:
         """A state variable."""
         return bool(self.lanes.state[name] & self.bit)
 
+    def any_on(self, names: tuple[str, ...]) -> bool:
+        """Whether one of some state variables is on; asked by many runs of the same names."""
+        return bool(self.lanes.joined(names) & self.bit)
+
     def troubles(self) -> list[str]:
         """Hazards and broken assumptions so far."""
         return [n for n, v in self.lanes.troubles.items() if v & self.bit]
@@ -78,12 +82,13 @@ class Lanes:
             for group in independent(controller)
         ]
         roots = flat.next | controller.next_state
-        self._next = compile_bits(roots)
-        self._rules = compile_bits({f"{i} {x[0]}": x[1] for i, x in enumerate(flat.assumptions)})
-        self._hazards = compile_bits(dict(flat.hazards))
+        rules = {f"{i} {x[0]}": x[1] for i, x in enumerate(flat.assumptions)}
+        self._kept, self._rules, self._hazards = tuple(roots), tuple(rules), tuple(n for n, _ in flat.hazards)
+        self._next = compile_bits(roots | rules | dict(flat.hazards))
         self.state: dict[str, int] = {}
         self.last: dict[str, int] = {}
         self.troubles: dict[str, int] = {}
+        self._joined: dict[tuple[str, ...], int] = {}
 
     def run(
         self, starts: Sequence[Mapping[str, int]], drivers: Sequence[Callable[[Lane], Driver]]
@@ -100,6 +105,7 @@ class Lanes:
                 bit = 1 << number
                 self.state[name] = self.state[name] | bit if value else self.state[name] & ~bit
         self.troubles = {}
+        self._joined.clear()
         self._running: dict[str, list[tuple[int, int]]] = {t.name: [] for t in self.controller.timers}
         self._clock = 0
         lanes = [Lane(self, n) for n in range(len(starts))]
@@ -118,6 +124,16 @@ class Lanes:
             if active:
                 self._step([(lanes[n], wishes[n]) for n in active])
         return outcomes
+
+    def joined(self, names: tuple[str, ...]) -> int:
+        """The runs in which one of some state variables is on."""
+        known = self._joined.get(names)
+        if known is None:
+            known = 0
+            for n in names:
+                known |= self.state[n]
+            self._joined[names] = known
+        return known
 
     def _step(self, wanted: list[tuple[Lane, Wish]]) -> None:
         sym = self.controller.symbols
@@ -157,14 +173,16 @@ class Lanes:
                     values[name] = values[name] | lane.bit if value else values[name] & ~lane.bit
         self._run_timers(values)
         after = self._next(values, m)
-        for name, ok in self._rules(values, m).items():
-            if ok != m:
-                self.troubles[name.split(" ", 1)[1]] = self.troubles.get(name.split(" ", 1)[1], 0) | (m ^ ok)
-        for name, bad in self._hazards(values, m).items():
-            if bad:
-                self.troubles[name] = self.troubles.get(name, 0) | bad
+        for rule in self._rules:
+            if after[rule] != m:
+                name = rule.split(" ", 1)[1]
+                self.troubles[name] = self.troubles.get(name, 0) | (m ^ after[rule])
+        for name in self._hazards:
+            if after[name]:
+                self.troubles[name] = self.troubles.get(name, 0) | after[name]
         self.last = values
-        self.state = {**self.state, **after}
+        self.state = {**self.state, **{n: after[n] for n in self._kept}}
+        self._joined.clear()
         self._clock += 1
 
     def _run_timers(self, values: dict[str, int]) -> None:
