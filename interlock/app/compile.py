@@ -32,13 +32,18 @@ from interlock.table.national import national_sheets
 
 
 def build(
-    path: str, *, unproved: bool = False, limits: Limits | None = None, progress: Progress = quiet
+    path: str,
+    *,
+    unproved: bool = False,
+    limits: Limits | None = None,
+    progress: Progress = quiet,
+    dialects: Sequence[str] = (),
 ) -> tuple[Proved, dict[str, bytes]]:
     """All outputs of a layout in memory; empty when there are errors, no PLC text when something is open."""
     checked = check_file(path)
     if not checked.ok:
         return Proved(checked), {}
-    proved, texts = prove_checked(checked, limits, progress)
+    proved, texts = prove_checked(checked, limits, progress, dialects)
     files = _documents(checked, proved)
     if proved.green or unproved:
         files |= texts
@@ -55,7 +60,7 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
         "layout_digest": layout.digest,
         "proved": proved.green,
         "claims": claims_json(proof),
-        "text": {f"st/iec/{layout.name}.st": "PROVED equal to the controller" if proved.text_equal else "NOT EQUAL"},
+        "text": {t.file: "PROVED equal to the controller" if t.equal else "NOT EQUAL" for t in proved.texts},
         "assumptions": ASSUMPTIONS,
         "invariants": proof.invariants,
         "dropped_invariants": list(proof.dropped),
@@ -98,9 +103,10 @@ def compile_file(
     unproved: bool = False,
     limits: Limits | None = None,
     progress: Progress = quiet,
+    dialects: Sequence[str] = (),
 ) -> Proved:
     """Write the outputs of a layout (or compare them with what is there)."""
-    proved, files = build(path, unproved=unproved, limits=limits, progress=progress)
+    proved, files = build(path, unproved=unproved, limits=limits, progress=progress, dialects=dialects)
     layout = proved.checked.layout
     if not files or layout is None:
         return proved

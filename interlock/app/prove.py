@@ -4,20 +4,33 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from interlock import __version__
 from interlock.app.check import Checked, check_file
 from interlock.diag import Diagnostic, Severity
 from interlock.emit.python.runtime import runtime_py
-from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
+from interlock.proof.python_text import compare_runtime
 from interlock.proof.runner import Limits, Progress, ProofResult, Verdict, prove, quiet
 from interlock.proof.system import System
-from interlock.proof.translation import compare_st
-from interlock.st.lower import lower_st
-from interlock.st.printer import print_unit
+from interlock.proof.translation import Difference, compare_dialect
+from interlock.st.dialects import DIALECTS, write_st
+
+
+@dataclass(frozen=True)
+class TextVerdict:
+    """Whether an emitted text (a file, or a folder of files of one dialect) equals the controller."""
+
+    file: str
+    differences: tuple[Difference, ...]
+
+    @property
+    def equal(self) -> bool:
+        """Proved equal, output by output."""
+        return not self.differences
 
 
 @dataclass(frozen=True)
@@ -26,8 +39,7 @@ class Proved:
 
     checked: Checked
     proof: ProofResult | None = None
-    text_equal: bool | None = None
-    text_differences: tuple[str, ...] = ()
+    texts: tuple[TextVerdict, ...] = ()
     files: tuple[str, ...] = ()
     notes: tuple[Diagnostic, ...] = ()
 
@@ -37,9 +49,14 @@ class Proved:
         return (
             self.proof is not None
             and self.proof.proved
-            and self.text_equal is not False
+            and self.text_equal
             and not any(d.severity is Severity.ERROR for d in self.notes)
         )
+
+    @property
+    def text_equal(self) -> bool:
+        """Every text that was compared equals the controller, and there was one."""
+        return bool(self.texts) and all(t.equal for t in self.texts)
 
     @property
     def unknown(self) -> bool:
@@ -56,22 +73,36 @@ def prove_file(path: str, limits: Limits | None = None, progress: Progress = qui
     return prove_checked(checked, limits, progress)[0]
 
 
-def prove_checked(checked: Checked, limits: Limits | None, progress: Progress) -> tuple[Proved, dict[str, bytes]]:
+def prove_checked(
+    checked: Checked, limits: Limits | None, progress: Progress, dialects: Sequence[str] = ()
+) -> tuple[Proved, dict[str, bytes]]:
+    """The proof of a checked layout, and its texts: the portable one, the runtime, and what other dialects are asked
+    for; each is read back and compared."""
     assert checked.layout is not None and checked.table is not None
     controller = lower(checked.layout, checked.table)
     system = System(checked.layout, controller)
     proof = prove(system, limits, progress)
-    progress("comparing the text", 0, 1)
-    texts = _texts(checked.layout, controller, proof)
-    translation = compare_st(controller, texts[f"st/iec/{checked.layout.name}.st"].decode())
+    header = _header(checked.layout, proof)
+    files: dict[str, bytes] = {}
+    verdicts = []
+    wanted = [d for d in DIALECTS if d.name == "iec" or d.name in dialects]
+    for n, dialect in enumerate(wanted):
+        progress("comparing the text", n, len(wanted) + 1)
+        written = write_st(controller, dialect, header)
+        found = compare_dialect(controller, dialect, written)
+        folder = f"st/{dialect.name}"
+        name = f"{folder}/{next(iter(written))}" if len(written) == 1 else folder
+        verdicts.append(TextVerdict(name, found.differences))
+        files |= {f"{folder}/{n}": text.encode() for n, text in written.items()}
+    runtime = runtime_py(controller, header)
+    verdicts.append(TextVerdict("runtime.py", compare_runtime(controller, runtime).differences))
+    files["runtime.py"] = runtime.encode()
     notes = list(_notes(checked, proof))
-    notes += [
-        Diagnostic("IL5001", Severity.ERROR, f"text and controller differ at {d.name}: {d.text}")
-        for d in translation.differences
-    ]
-    return Proved(
-        checked, proof, translation.proved, tuple(d.name for d in translation.differences), (), tuple(notes)
-    ), texts
+    for t in verdicts:
+        for d in t.differences:
+            message = f"{t.file} and the controller differ at {d.name}: {d.text}"
+            notes.append(Diagnostic("IL5001", Severity.ERROR, message))
+    return Proved(checked, proof, tuple(verdicts), (), tuple(notes)), files
 
 
 def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
@@ -132,11 +163,3 @@ def claims_json(proof: ProofResult) -> list[dict[str, object]]:
         {"id": c.id, "verdict": str(c.verdict), "places": c.places, "open": list(c.open), "sentence": c.sentence}
         for c in proof.claims
     ]
-
-
-def _texts(layout: Layout, controller: Controller, proof: ProofResult) -> dict[str, bytes]:
-    header = _header(layout, proof)
-    return {
-        f"st/iec/{layout.name}.st": print_unit(lower_st(controller, header)).encode(),
-        "runtime.py": runtime_py(controller, header).encode(),
-    }

@@ -123,6 +123,7 @@ def proof_body(p: Proved) -> dict[str, Any]:
             ],
             "witnesses": [{"route": w.route, "ok": w.ok, "text": w.text} for w in p.proof.witnesses],
             "text_equals_controller": p.text_equal,
+            "texts": {t.file: t.equal for t in p.texts},
             "seconds": round(p.proof.seconds, 3),
         }
     return body
@@ -145,8 +146,9 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
             mark = click.style(f"{c.verdict:8}", fg=_COLOURS[c.verdict])
             count = f"{c.places} place{'s' if c.places != 1 else ''}" if c.places else "nothing to claim"
             click.echo(f"  {mark} {c.id:15} {count:>16}  {c.sentence}")
-        same = "PROVED  " if p.text_equal else "REFUTED "
-        click.echo(f"  {click.style(same, fg=_COLOURS[same.strip()])} text = controller")
+        for t in p.texts:
+            same = "PROVED  " if t.equal else "REFUTED "
+            click.echo(f"  {click.style(same, fg=_COLOURS[same.strip()])} {t.file} = controller")
     show(p.notes, sources, form)
     for c in p.proof.claims:
         if c.story:

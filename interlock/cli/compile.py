@@ -20,7 +20,8 @@ from interlock.cli.common import (
     show,
     show_proof,
 )
-from interlock.proof.runner import Limits
+from interlock.proof.runner import Limits, quiet
+from interlock.st.dialects import DIALECTS
 
 
 @click.command("compile")
@@ -34,25 +35,40 @@ from interlock.proof.runner import Limits
     help="Folder for the outputs; each layout gets a folder of its own in it.",
 )
 @jobs_option
+@click.option(
+    "--dialect",
+    "dialects",
+    multiple=True,
+    type=click.Choice([*(d.name for d in DIALECTS), "all"]),
+    help="Write the PLC text for this tool as well (several times, or `all`); iec is always written.",
+)
 @click.option("--check", is_flag=True, help="Write nothing; tell whether the outputs are current.")
 @click.option("--unproved", is_flag=True, help="Write PLC text although something is not proved, with a mark.")
 @click.option("-v", "--verbose", is_flag=True, help="Show every claim.")
 @format_option
 def command(
-    layouts: tuple[str, ...], out: Path, jobs: int, check: bool, unproved: bool, verbose: bool, form: str
+    layouts: tuple[str, ...],
+    out: Path,
+    jobs: int,
+    dialects: tuple[str, ...],
+    check: bool,
+    unproved: bool,
+    verbose: bool,
+    form: str,
 ) -> None:
     """Derive the table, prove the controller, and write all outputs."""
+    tools = tuple(d.name for d in DIALECTS) if "all" in dialects else dialects
     clashes = names_twice(layouts) if len(layouts) > 1 else ()
     if clashes:
         show(clashes, {}, form)
         sys.exit(FINDINGS)
     if jobs > 1 and len(layouts) > 1:
-        results = run_many(compile_file, [(p, out, check, unproved, Limits()) for p in layouts], jobs)
+        results = run_many(compile_file, [(p, out, check, unproved, Limits(), quiet, tools) for p in layouts], jobs)
     else:
         results = []
         for p in layouts:
             with progress(p) as report:
-                results.append(compile_file(p, out, check, unproved, Limits(), report))
+                results.append(compile_file(p, out, check, unproved, Limits(), report, tools))
     if form == "json":
         put_json([proof_body(r) for r in results])
     else:

@@ -13,8 +13,11 @@ from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, iff, var, vari
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer
 from interlock.proof.engines.z3_sat import Z3Sat
+from interlock.st.ast import Unit
+from interlock.st.dialects import BY_NAME, Dialect, Files
+from interlock.st.dialects.restart import RESTART
 from interlock.st.meaning import BadText, Execution, Symbol, Symbols, Term
-from interlock.st.parser import NotInSubset, parse_unit
+from interlock.st.parser import NotInSubset
 
 
 @dataclass(frozen=True)
@@ -40,21 +43,57 @@ class Translation:
 
 def compare_st(controller: Controller, text: str, query_ms: int = 20_000) -> Translation:
     """Compare a Structured Text file with its controller."""
+    return compare_dialect(controller, BY_NAME["iec"], {"text": text}, query_ms)
+
+
+def compare_dialect(controller: Controller, dialect: Dialect, files: Files, query_ms: int = 20_000) -> Translation:
+    """Compare the files of a dialect with their controller."""
     try:
-        unit = parse_unit(text)
-        algebra = Symbols(timer_names={f"TON_{t.name}": t.name for t in controller.timers})
-        run: Execution[Term] = Execution(unit, algebra)
-        found = _state_of(run)
-        base = dict(found)
-        holders = _holders(run)
-        for s in controller.state:
-            holders[s.name][s.name] = var(s.name)
-        inputs: dict[str, Term] = {i.name: Symbol(i.name) if i.size else var(i.name) for i in controller.inputs}
-        outputs = run.scan(inputs)
-        after = _state_of(run)
+        unit = dialect.read(files)
+        found = compare_scan(controller, _scan(controller, unit, dialect.restart), query_ms)
+        return _restarted(controller, unit, found) if dialect.restart else found
     except (NotInSubset, BadText, KeyError) as error:
         return Translation(0, (Difference("text", f"cannot be read: {error}"),))
-    return _compare(controller, base, after, outputs, algebra, query_ms)
+
+
+@dataclass(frozen=True)
+class Scan:
+    """What a text computes in one scan from its initial state variables by name."""
+
+    base: dict[str, Term]
+    after: dict[str, Term]
+    outputs: dict[str, Term]
+    timers: dict[str, tuple[Expr, int]]
+
+
+def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting: bool = False) -> Scan:
+    algebra = Symbols(timer_names={f"TON_{t.name}": t.name for t in controller.timers})
+    run: Execution[Term] = Execution(unit, algebra)
+    holders = _holders(run)
+    base = {n: values[n] for n, values in holders.items()}
+    for s in controller.state:
+        holders[s.name][s.name] = var(s.name)
+    inputs: dict[str, Term] = {i.name: Symbol(i.name) if i.size else var(i.name) for i in controller.inputs}
+    if restart:
+        inputs[RESTART] = TRUE if restarting else FALSE
+    outputs = run.scan(inputs)
+    after = {n: values[n] for n, values in _holders(run).items()}
+    return Scan(base, after, outputs, dict(algebra.timers))
+
+
+def _restarted(controller: Controller, unit: Unit, found: Translation) -> Translation:
+    """With RESTART the scan ends in the initial state with timers stopped and its outputs, whatever was kept."""
+    scan = _scan(controller, unit, True, True)
+    initial = {s.name: TRUE if s.initial else FALSE for s in controller.state}
+    start = Substitution(initial)
+    wrong = [Difference(n, "RESTART does not set it") for n, x in initial.items() if scan.after.get(n) is not x]
+    for o in controller.outputs:
+        if scan.outputs.get(o.name) is not start(o.expr):
+            wrong.append(Difference(o.name, "RESTART does not make it restrictive"))
+    for t in controller.timers:
+        if scan.timers.get(t.name, (TRUE, 0))[0] is not FALSE:
+            wrong.append(Difference(t.name, "RESTART does not stop it"))
+    return Translation(found.compared + len(initial), (*found.differences, *wrong))
 
 
 def _holders(run: Execution[Term]) -> dict[str, dict[str, Term]]:
@@ -65,38 +104,28 @@ def _holders(run: Execution[Term]) -> dict[str, dict[str, Term]]:
     return out
 
 
-def _state_of(run: Execution[Term]) -> dict[str, Term]:
-    return {n: values[n] for n, values in _holders(run).items()}
-
-
-def _compare(
-    controller: Controller,
-    base: dict[str, Term],
-    after: dict[str, Term],
-    outputs: dict[str, Term],
-    algebra: Symbols,
-    query_ms: int,
-) -> Translation:
+def compare_scan(controller: Controller, scan: Scan, query_ms: int) -> Translation:
+    """Compare what a text computes with the controller."""
     wrong: list[Difference] = []
     pairs: list[tuple[str, Expr, Expr]] = []
     for s in controller.state:
-        if base.get(s.name) is not (TRUE if s.initial else FALSE):
+        if scan.base.get(s.name) is not (TRUE if s.initial else FALSE):
             wrong.append(Difference(s.name, "another initial value"))
-        mine = after.get(s.name)
+        mine = scan.after.get(s.name)
         if isinstance(mine, Expr):
             pairs.append((s.name, mine, controller.next_state[s.name]))
         else:
             wrong.append(Difference(s.name, "missing in the text"))
     new = Substitution(controller.next_state)
     for o in controller.outputs:
-        mine = outputs.get(o.name)
+        mine = scan.outputs.get(o.name)
         if isinstance(mine, Expr):
             pairs.append((o.name, mine, new(o.expr)))
         else:
             wrong.append(Difference(o.name, "missing in the text"))
-    if set(outputs) != {o.name for o in controller.outputs}:
+    if set(scan.outputs) != {o.name for o in controller.outputs}:
         wrong.append(Difference("outputs", "the text has other outputs"))
-    by_name = dict(algebra.timers)
+    by_name = dict(scan.timers)
     for t in controller.timers:
         got = by_name.pop(t.name, None)
         if got is None or got[1] != t.preset_ms:
@@ -123,4 +152,4 @@ def _names(a: Expr, b: Expr) -> set[str]:
     return set(variables((a, b)))
 
 
-__all__ = ["Difference", "Translation", "compare_st"]
+__all__ = ["Difference", "Scan", "Translation", "compare_dialect", "compare_scan", "compare_st"]

@@ -30,16 +30,16 @@ from interlock.st.ast import (
 )
 
 MAX_OPERANDS = 10
-MAX_ROWS = 400  # of equations and declarations in a computing block; the strictest guide found allows 500
+MAX_ROWS = 400  # the strictest guide found allows 500
 MAX_STATE = 120
 
 
-def lower_st(controller: Controller, header: Sequence[str]) -> Unit:
-    """The whole text of a controller as a tree."""
+def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS) -> Unit:
+    """The whole text of a controller as a tree; `rows`: of equations and declarations in a computing block."""
     prefix = f"IL_{portable(controller.name)}"
     ranges = {i.name for i in controller.inputs if i.size}
     next_wires = [Equation(f"N_{e.name}", e.join, e.terms, e.group, f"next: {e.note}") for e in controller.next]
-    pieces = _cut([*controller.steps, *next_wires])
+    pieces = _cut([*controller.steps, *next_wires], rows)
     blocks: list[Block] = []
     where: dict[str, Name] = {i.name: Name((i.name,)) for i in controller.inputs}
     body: list[Statement] = []
@@ -89,14 +89,14 @@ def _rows(e: Equation) -> int:
     return 3 + len(e.terms) + sum(max(0, len(t.expr.args)) // 4 for t in e.terms)
 
 
-def _cut(steps: Sequence[Equation | Timer]) -> list[list[Equation | Timer]]:
+def _cut(steps: Sequence[Equation | Timer], most: int) -> list[list[Equation | Timer]]:
     """Consecutive equations, and consecutive timers, in pieces of limited size."""
     out: list[list[Equation | Timer]] = []
     rows, reads = 0, set[str]()
     for step in steps:
         new = set(variables(t.expr for t in step.terms)) if isinstance(step, Equation) else {step.input}
         size = _rows(step) if isinstance(step, Equation) else 4
-        if out and type(out[-1][0]) is type(step) and rows + size + len(reads | new) <= MAX_ROWS:
+        if out and type(out[-1][0]) is type(step) and rows + size + len(reads | new) <= most:
             out[-1].append(step)
             rows += size
             reads |= new

@@ -34,12 +34,13 @@ from interlock.st.ast import (
     Time,
     Unit,
 )
+from interlock.st.style import IEC, Style
 
 _UNITS = {"ms": 1, "s": 1000, "m": 60_000, "h": 3_600_000}
 _TOKEN = re.compile(
     r"""\s+ | \(\*(?:[^*]|\*(?!\)))*\*\)                       # space and comments
     | ( [Tt](?:[Ii][Mm][Ee])?\#[0-9]+(?:ms|s|m|h)\b
-      | [A-Za-z_][A-Za-z0-9_]* | [0-9]+(?![A-Za-z0-9_])
+      | \#?[A-Za-z_][A-Za-z0-9_]* | [0-9]+(?:\.[0-9]+)?(?![A-Za-z0-9_]) | "[A-Za-z0-9_]+" | \{[^{}]*\}
       | := | <> | <= | >= | [-+*/=<>();:.,\[\]&] )""",
     re.VERBOSE,
 )
@@ -57,14 +58,30 @@ class NotInSubset(Exception):
     """The text is not in the subset; the message names line and column."""
 
 
-def parse_unit(text: str) -> Unit:
-    """The tree of a text; raises `NotInSubset`."""
-    return _Reader(text).unit()
+def parse_unit(text: str, style: Style = IEC) -> Unit:
+    """The tree of a text in a style; raises `NotInSubset`."""
+    return _Reader(text, style).unit()
+
+
+def parse_block(name: str, declarations: str, body: str) -> Block:
+    """A block whose declarations and statements come in two texts; raises `NotInSubset`."""
+    head = _Reader(declarations, IEC)
+    parts = head.declarations()
+    head.end()
+    rest = _Reader(body, IEC)
+    statements = rest.body(_END)
+    return Block(name, *parts, statements)
+
+
+def _tokens(text: str) -> list[str]:
+    return [m[1] for m in _TOKEN.finditer(text) if m[1] is not None]
 
 
 class _Reader:
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, style: Style) -> None:
         self.text = text
+        self.style = style
+        self._attributes = _tokens(" ".join(style.attributes))
         self.tokens: list[str] = []
         self.starts: list[int] = []
         self.at = 0
@@ -114,17 +131,47 @@ class _Reader:
         self.at += 1
         return token
 
+    def end(self) -> None:
+        """Nothing may follow."""
+        if self.tokens[self.at]:
+            self._fail("the end")
+
     def unit(self) -> Unit:
         blocks = []
-        while self.tokens[self.at]:
+        while self._is("FUNCTION_BLOCK"):
             blocks.append(self.block())
         if not blocks:
             self._fail("FUNCTION_BLOCK")
+        if self.style.instance:
+            main = blocks[-1].name
+            wanted = ["DATA_BLOCK", self.style.block(self.style.instance + main), *self._attributes]
+            for token in (*wanted, self.style.block(main), "BEGIN", "END_DATA_BLOCK"):
+                self._take(token)
+        self.end()
         return Unit(tuple(blocks))
+
+    def _block_name(self) -> str:
+        token = self.tokens[self.at]
+        if self.style.quoted:
+            if token[:1] != '"':
+                self._fail("a name in double quotes")
+            self.at += 1
+            return token[1:-1]
+        return self._name()
 
     def block(self) -> Block:
         self._word("FUNCTION_BLOCK")
-        name = self._name()
+        name = self._block_name()
+        for token in self._attributes:
+            self._take(token)
+        parts = self.declarations()
+        if self.style.begin:
+            self._word("BEGIN")
+        body = self.body("END_FUNCTION_BLOCK")
+        self.at += 1
+        return Block(name, *parts, body)
+
+    def declarations(self) -> tuple[tuple[Declaration, ...], tuple[Declaration, ...], tuple[Declaration, ...]]:
         parts: dict[str, list[Declaration]] = {kind: [] for kind in _DECLARING}
         while self.tokens[self.at].upper() in parts:
             part = parts[self.tokens[self.at].upper()]
@@ -132,21 +179,44 @@ class _Reader:
             while not self._is("END_VAR"):
                 part.append(self.declaration())
             self.at += 1
-        body = self.body("END_FUNCTION_BLOCK")
-        self.at += 1
         inputs, outputs, locals_ = (tuple(parts[kind]) for kind in _DECLARING)
-        return Block(name, inputs, outputs, locals_, body)
+        return inputs, outputs, locals_
 
     def declaration(self) -> Declaration:
         name = self._name()
+        timer = self.style.timer_note and self.tokens[self.at] == self.style.timer_note
+        if timer:
+            self.at += 1
         self._take(":")
-        kind = self._name()
+        kind = self._kind()
+        if self.style.timer_note and (kind == "TON") is not timer:
+            self._fail(f"{self.style.timer_note} with a timer, and only there,")
         initial = None
         if self.tokens[self.at] == ":=":
             self.at += 1
             initial = self.expression()
         self._take(";")
         return Declaration(name, kind, initial)
+
+    def _kind(self) -> str:
+        token = self.tokens[self.at]
+        if token == self.style.timer:
+            self.at += 1
+            return "TON"
+        if self.style.quoted and token.upper() not in ("BOOL", "INT"):
+            return self._block_name()
+        return self._name()
+
+    def _variable(self) -> str:
+        """The name of a variable in a body, with its mark."""
+        mark = self.style.local
+        if not mark:
+            return self._name()
+        token = self.tokens[self.at]
+        if not token.startswith(mark):
+            self._fail(f"a variable with {mark}")
+        self.at += 1
+        return token[len(mark) :]
 
     def body(self, *ends: str) -> tuple[Statement, ...]:
         out = []
@@ -157,7 +227,7 @@ class _Reader:
     def statement(self) -> Statement:
         if self._is("IF"):
             return self.branch()
-        name = self._name()
+        name = self._variable()
         if self.tokens[self.at] == "(":
             self.at += 1
             params: list[tuple[str, Expression]] = []
@@ -250,9 +320,9 @@ class _Reader:
         if token.isdigit():
             self.at += 1
             return Int(int(token))
-        if "#" in token:
+        if "#" in token and token[0] != "#":
             self.at += 1
             digits = token.split("#")[1]
             unit = digits.lstrip("0123456789")
             return Time(int(digits[: len(digits) - len(unit)]) * _UNITS[unit])
-        return self.qualified(self._name())
+        return self.qualified(self._variable())

@@ -10,7 +10,6 @@ from interlock.st.ast import (
     Compare,
     Declaration,
     Expression,
-    If,
     Int,
     Name,
     Nary,
@@ -19,6 +18,7 @@ from interlock.st.ast import (
     Time,
     Unit,
 )
+from interlock.st.style import IEC, Style
 
 MAX_COLUMNS = 150
 
@@ -29,31 +29,55 @@ def comment(text: str) -> str:
     return "(* " + "".join(c if 32 <= ord(c) < 127 else "?" for c in clean) + " *)"
 
 
-def print_unit(unit: Unit) -> str:
+def print_unit(unit: Unit, style: Style = IEC) -> str:
     """The whole file, newline at the end."""
     out = [comment(line) for line in unit.header]
     for block in unit.blocks:
         out.append("")
-        out.extend(_block(block))
+        out.extend(print_block(block, style))
+    if style.instance:
+        main = unit.blocks[-1].name
+        out += ["", f"DATA_BLOCK {style.block(style.instance + main)}", *style.attributes]
+        out += [style.block(main), "BEGIN", "END_DATA_BLOCK"]
     return "\n".join(out) + "\n"
 
 
-def _block(b: Block) -> list[str]:
-    out = [f"FUNCTION_BLOCK {b.name}"]
-    if b.note:
-        out.append(comment(b.note[: MAX_COLUMNS - 10]))
+def print_block(b: Block, style: Style = IEC) -> list[str]:
+    """The lines of a block."""
+    return [*_head(b, style), *declarations(b, style), *_begin(style), *body(b, style), "END_FUNCTION_BLOCK"]
+
+
+def _head(b: Block, style: Style) -> list[str]:
+    note = [comment(b.note[: MAX_COLUMNS - 10])] if b.note else []
+    return [f"FUNCTION_BLOCK {style.block(b.name)}", *style.attributes, *note]
+
+
+def _begin(style: Style) -> list[str]:
+    return ["BEGIN"] if style.begin else []
+
+
+def declarations(b: Block, style: Style = IEC) -> list[str]:
+    """The lines that declare a block's variables."""
+    out: list[str] = []
     for title, part in (("VAR_INPUT", b.inputs), ("VAR_OUTPUT", b.outputs), ("VAR", b.locals)):
         if part:
-            out += [title, *(_declaration(d) for d in part), "END_VAR"]
-    for s in b.body:
-        out.extend(_statement(s, "  "))
-    return [*out, "END_FUNCTION_BLOCK"]
+            out += [title, *(_declaration(d, style) for d in part), "END_VAR"]
+    return out
 
 
-def _declaration(d: Declaration) -> str:
-    initial = f" := {_expression(d.initial, 0)}" if d.initial is not None else ""
-    line = f"  {d.name} : {d.type}{initial};"
-    return _noted(line, d.note)
+def body(b: Block, style: Style = IEC) -> list[str]:
+    """The lines of a block's statements."""
+    return [line for s in b.body for line in _Body(style).statement(s, "  ")]
+
+
+def _declaration(d: Declaration, style: Style) -> str:
+    initial = f" := {_Body(IEC).expression(d.initial, 0)}" if d.initial is not None else ""
+    note = ""
+    if d.type == "TON":
+        kind, note = style.timer, style.timer_note and f" {style.timer_note}"
+    else:
+        kind = d.type if d.type in ("BOOL", "INT") else style.block(d.type)
+    return _noted(f"  {d.name}{note} : {kind}{initial};", d.note)
 
 
 def _noted(line: str, note: str) -> str:
@@ -63,35 +87,78 @@ def _noted(line: str, note: str) -> str:
     return f"{line} {comment(note[:room])}" if room > 8 else line
 
 
-def _statement(s: Statement, indent: str) -> list[str]:
-    if isinstance(s, Assign):
-        return _assign(s, indent)
-    if isinstance(s, Call):
-        return _call(s, indent)
-    out = [f"{indent}IF {_expression(s.condition, 0)} THEN"]
-    for x in s.then:
-        out.extend(_statement(x, indent + "  "))
-    if s.otherwise:
-        out.append(f"{indent}ELSE")
-        for x in s.otherwise:
-            out.extend(_statement(x, indent + "  "))
-    return [*out, f"{indent}END_IF;"]
+_RANK = {"OR": 1, "XOR": 1, "AND": 2}
 
 
-def _assign(s: Assign, indent: str) -> list[str]:
-    if not isinstance(s.value, Nary) or not any(s.value.notes):
-        text = f"{indent}{s.target} := {_expression(s.value, 0)};"
-        return [_noted(text, s.note)] if len(text) <= MAX_COLUMNS - 10 else _wrapped(text, s.note, indent)
-    out = [indent + comment(s.note[: MAX_COLUMNS - 12])] if s.note else []
-    last = len(s.value.args) - 1
-    for i, (x, note) in enumerate(zip(s.value.args, s.value.notes, strict=True)):
-        lead = f"{indent}{s.target} := " if i == 0 else f"{indent}  {s.value.op} "
-        text = f"{lead}{_expression(x, 2)}{';' if i == last else ''}"
-        if len(text) <= MAX_COLUMNS:
-            out.append(_noted(text, note))
-        else:
-            out.extend(_wrapped(text, note, f"{indent}  "))
-    return out
+class _Body:
+    """Statements and expressions in one style."""
+
+    def __init__(self, style: Style) -> None:
+        self.local = style.local
+
+    def statement(self, s: Statement, indent: str) -> list[str]:
+        """The lines of a statement."""
+        if isinstance(s, Assign):
+            return self.assign(s, indent)
+        if isinstance(s, Call):
+            return self.call(s, indent)
+        out = [f"{indent}IF {self.expression(s.condition, 0)} THEN"]
+        for x in s.then:
+            out.extend(self.statement(x, indent + "  "))
+        if s.otherwise:
+            out.append(f"{indent}ELSE")
+            for x in s.otherwise:
+                out.extend(self.statement(x, indent + "  "))
+        return [*out, f"{indent}END_IF;"]
+
+    def assign(self, s: Assign, indent: str) -> list[str]:
+        """An assignment; operands with notes stand on lines of their own."""
+        target = self.local + str(s.target)
+        if not isinstance(s.value, Nary) or not any(s.value.notes):
+            text = f"{indent}{target} := {self.expression(s.value, 0)};"
+            return [_noted(text, s.note)] if len(text) <= MAX_COLUMNS - 10 else _wrapped(text, s.note, indent)
+        out = [indent + comment(s.note[: MAX_COLUMNS - 12])] if s.note else []
+        last = len(s.value.args) - 1
+        for i, (x, note) in enumerate(zip(s.value.args, s.value.notes, strict=True)):
+            lead = f"{indent}{target} := " if i == 0 else f"{indent}  {s.value.op} "
+            text = f"{lead}{self.expression(x, 2)}{';' if i == last else ''}"
+            if len(text) <= MAX_COLUMNS:
+                out.append(_noted(text, note))
+            else:
+                out.extend(_wrapped(text, note, f"{indent}  "))
+        return out
+
+    def call(self, s: Call, indent: str) -> list[str]:
+        """A call, as many parameters a line as there is room for."""
+        params = [f"{n} := {self.expression(x, 0)}" for n, x in s.params]
+        lines = [f"{indent}{self.local}{s.instance}("]
+        for i, p in enumerate(params):
+            text = p + ("" if i == len(params) - 1 else ", ")
+            if len(lines[-1]) + len(text) > MAX_COLUMNS - 4:
+                lines.append(indent + "  ")
+            lines[-1] += text
+        lines[-1] += ");"
+        lines = [line.rstrip() for line in lines]
+        if len(lines) == 1:
+            lines[0] = _noted(lines[0], s.note)
+        return lines
+
+    def expression(self, x: Expression, outer: int) -> str:
+        """Text of an expression; `outer` is the binding strength of what surrounds it."""
+        if isinstance(x, Name):
+            return self.local + str(x)
+        if isinstance(x, Bool):
+            return "TRUE" if x.value else "FALSE"
+        if isinstance(x, Int):
+            return str(x.value)
+        if isinstance(x, Time):
+            return f"T#{x.ms // 1000}s" if x.ms % 1000 == 0 else f"T#{x.ms}ms"
+        if isinstance(x, Not):
+            return f"NOT {self.expression(x.arg, 3)}"
+        if isinstance(x, Compare):
+            return f"({self.expression(x.left, 3)} {x.op} {self.expression(x.right, 3)})"
+        text = f" {x.op} ".join(self.expression(a, _RANK[x.op] + 1) for a in x.args)
+        return f"({text})" if outer else text
 
 
 def _wrapped(text: str, note: str, indent: str) -> list[str]:
@@ -102,42 +169,3 @@ def _wrapped(text: str, note: str, indent: str) -> list[str]:
         out.append(text[:cut])
         text = f"{indent}  {text[cut + 1 :]}"
     return [*out, text]
-
-
-def _call(s: Call, indent: str) -> list[str]:
-    params = [f"{n} := {_expression(x, 0)}" for n, x in s.params]
-    lines = [f"{indent}{s.instance}("]
-    for i, p in enumerate(params):
-        text = p + ("" if i == len(params) - 1 else ", ")
-        if len(lines[-1]) + len(text) > MAX_COLUMNS - 4:
-            lines.append(indent + "  ")
-        lines[-1] += text
-    lines[-1] += ");"
-    lines = [line.rstrip() for line in lines]
-    if len(lines) == 1:
-        lines[0] = _noted(lines[0], s.note)
-    return lines
-
-
-_RANK = {"OR": 1, "XOR": 1, "AND": 2}
-
-
-def _expression(x: Expression, outer: int) -> str:
-    """Text of an expression; `outer` is the binding strength of what surrounds it."""
-    if isinstance(x, Name):
-        return str(x)
-    if isinstance(x, Bool):
-        return "TRUE" if x.value else "FALSE"
-    if isinstance(x, Int):
-        return str(x.value)
-    if isinstance(x, Time):
-        return f"T#{x.ms // 1000}s" if x.ms % 1000 == 0 else f"T#{x.ms}ms"
-    if isinstance(x, Not):
-        return f"NOT {_expression(x.arg, 3)}"
-    if isinstance(x, Compare):
-        return f"({_expression(x.left, 3)} {x.op} {_expression(x.right, 3)})"
-    body = f" {x.op} ".join(_expression(a, _RANK[x.op] + 1) for a in x.args)
-    return f"({body})" if outer else body
-
-
-__all__ = ["If", "comment", "print_unit"]

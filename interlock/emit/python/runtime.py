@@ -32,6 +32,31 @@ def _plain(text: str) -> str:
     return "".join(c if c.isprintable() else "?" for c in text)
 
 
+FIXED = '''class Controller:
+    """A running controller; `state` and `elapsed` are all that it remembers."""
+
+    def __init__(self):
+        self.state = dict(STATE)
+        self.elapsed = dict.fromkeys(TIMERS, 0)
+
+    def _timer(self, name, on, dt_ms):
+        if not on:
+            self.elapsed[name] = 0
+            return False
+        self.elapsed[name] = min(self.elapsed[name] + dt_ms, TIMERS[name])
+        return self.elapsed[name] >= TIMERS[name]
+
+    def scan(self, inputs, dt_ms):
+        """One scan, `dt_ms` milliseconds after the last; returns the outputs."""
+        read = {}
+        for name, (restrictive, size) in INPUTS.items():
+            value = int(inputs.get(name, restrictive))
+            read[name] = value if 0 <= value < size else restrictive
+        old = self.state
+'''
+"""What every runtime has in common, up to the first line that depends on the controller."""
+
+
 def runtime_py(controller: Controller, header: Sequence[str]) -> str:
     """The text of the runtime."""
     c = controller
@@ -60,27 +85,7 @@ def runtime_py(controller: Controller, header: Sequence[str]) -> str:
         "}",
         "",
         "",
-        "class Controller:",
-        '    """A running controller; `state` and `elapsed` are all that it remembers."""',
-        "",
-        "    def __init__(self):",
-        "        self.state = dict(STATE)",
-        "        self.elapsed = dict.fromkeys(TIMERS, 0)",
-        "",
-        "    def _timer(self, name, on, dt_ms):",
-        "        if not on:",
-        "            self.elapsed[name] = 0",
-        "            return False",
-        "        self.elapsed[name] = min(self.elapsed[name] + dt_ms, TIMERS[name])",
-        "        return self.elapsed[name] >= TIMERS[name]",
-        "",
-        "    def scan(self, inputs, dt_ms):",
-        '        """One scan, `dt_ms` milliseconds after the last; returns the outputs."""',
-        "        read = {}",
-        "        for name, (restrictive, size) in INPUTS.items():",
-        "            value = int(inputs.get(name, restrictive))",
-        "            read[name] = value if 0 <= value < size else restrictive",
-        "        old = self.state",
+        *FIXED.splitlines(),
     ]
     lines += [f"        {i.name} = read[{i.name!r}]" for i in c.inputs]
     lines += [f"        {s.name} = old[{s.name!r}]" for s in c.state]

@@ -65,7 +65,7 @@ def _symbols(d: Draft) -> Symbols:
         voyage="VOY" if d.table.voyages else None,
         ring=tuple(f"T_R{r.number}" for r in d.noted),
         clear={s.id: f"CLR_{portable(s.id)}" for s in d.layout.sections if s.detected},
-        blocked=each("BLK"),
+        blocked={s: f"BLK_{portable(s)}" for s in d.lockable},
         detected={(m, x): f"D{x}_{portable(m)}" for m in d.machines for x in Position},
         command={(m, x): f"C{x}_{portable(m)}" for m in d.machines for x in Position},
         trailed={m: f"TR_{portable(m)}" for m in d.powered},

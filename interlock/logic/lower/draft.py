@@ -52,6 +52,11 @@ class Draft:
         return {s: tuple(ts) for s, ts in out.items()}
 
     @cached_property
+    def lockable(self) -> tuple[SectionId, ...]:
+        """Sections that some route or overlap locks."""
+        return tuple(s for s in self.sections if self.locks_of[s])
+
+    @cached_property
     def routes_over(self) -> Mapping[tuple[SectionId, int], tuple[RouteRow, ...]]:
         """The routes that use each lock."""
         out: dict[tuple[SectionId, int], list[RouteRow]] = {}

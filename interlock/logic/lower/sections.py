@@ -25,7 +25,7 @@ def inputs(d: Draft) -> None:
         d.inputs.append(Input(f"CLR_{portable(s.id)}", f"section {s.id} reported clear"))
     for s_ in d.sections:
         d.inputs.append(Input(f"REL_{portable(s_)}", f"operator: release section {s_} (hold until released)"))
-    for s_ in d.sections:
+    for s_ in d.lockable:
         d.inputs.append(Input(f"BLK_{portable(s_)}", f"operator: section {s_} is blocked", restrictive=1))
     d.inputs.append(Input("RELALL", "operator: release all clear sections after a restart"))
 

@@ -110,7 +110,7 @@ def _overlap_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
         lock = neg(d.lock(*t.key))
         free.append(disj((lock, onward)) if t.key == key else lock)
     clear = Term(neg(d.occupied(s)), "overlap clear", f"{s} clear: overlap")
-    return [Term(conj(free), "overlap free", f"{s} free as overlap of {g}"), clear, *available(d, key)]
+    return [Term(conj(free), "overlap free", f"{s} free as overlap of {g}"), clear, *not_blocked(s), *available(d, key)]
 
 
 def detection(d: Draft) -> None:

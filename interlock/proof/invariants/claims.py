@@ -333,7 +333,8 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             ]
             if secured:
                 yield "S-DETECTED", f"{place} devices", implies(here, conj(secured))
-            yield "S-BLOCKED", place, implies(here, conj(neg(var(f.sym.blocked[t.section])) for t in path.ways))
+            barred = [neg(var(f.sym.blocked[t.section])) for t in path.ways if t.section in f.sym.blocked]
+            yield "S-BLOCKED", place, implies(here, conj(barred))
             own = path.kept_clear
             locked = [f.lock(t.section, t.number) for t in own if (t.section, t.number) in f.sym.lock]
             kind = [neg(f.train(t.section)) if shunt else f.train(t.section) for t in own]

@@ -1,0 +1,143 @@
+"""What the generated Python runtime computes, read from its syntax tree: nothing is executed.
+
+The parts that all runtimes share must be word for word what the emitter calls fixed; the rest is a list of
+assignments of a few shapes.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+
+from interlock.emit.python.runtime import FIXED
+from interlock.logic.controller import Controller
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
+from interlock.proof.translation import Difference, Scan, Translation, compare_scan
+from interlock.st.meaning import Symbol, Term
+
+
+class BadRuntime(Exception):
+    """The text is not a runtime as it is emitted."""
+
+
+def compare_runtime(controller: Controller, text: str, query_ms: int = 20_000) -> Translation:
+    """Compare a Python runtime with its controller."""
+    try:
+        return compare_scan(controller, _Reader(controller, text).scan(), query_ms)
+    except (BadRuntime, SyntaxError, ValueError) as error:
+        return Translation(0, (Difference("runtime", f"cannot be read: {error}"),))
+
+
+class _Reader:
+    def __init__(self, controller: Controller, text: str) -> None:
+        self.values: dict[str, Term] = {}
+        self.after: dict[str, Term] = {}
+        self.timers: dict[str, tuple[Expr, int]] = {}
+        self.sizes = {i.name: i.size for i in controller.inputs}
+        doc, *rest = ast.parse(text).body
+        if not _is_docstring(doc) or len(rest) != 5:
+            raise BadRuntime("the parts of the module")
+        tables = [_table(x, n) for x, n in zip(rest, ("INPUTS", "STATE", "TIMERS", "OUTPUTS"), strict=False)]
+        inputs, self.state, self.presets, self.restrictive = tables
+        if inputs != {i.name: (i.restrictive, i.size or 2) for i in controller.inputs}:
+            raise BadRuntime("INPUTS are not those of the controller")
+        if self.restrictive != {o.name: o.restrictive for o in controller.outputs}:
+            raise BadRuntime("OUTPUTS are not those of the controller")
+        self.body = _own_statements(rest[4])
+
+    def scan(self) -> Scan:
+        """Initial and next state, outputs and timers."""
+        base: dict[str, Term] = {n: TRUE if v is True else FALSE for n, v in self.state.items() if type(v) is bool}
+        *statements, last = self.body
+        for s in statements:
+            self._assign(s)
+        if not isinstance(last, ast.Return) or not isinstance(last.value, ast.Dict):
+            raise BadRuntime(f"line {last.lineno}: the outputs are returned at the end")
+        if set(self.timers) != set(self.presets):
+            raise BadRuntime("TIMERS are not those that run")
+        return Scan(base, self.after, self._dictionary(last.value), self.timers)
+
+    def _assign(self, s: ast.stmt) -> None:
+        if not isinstance(s, ast.Assign) or len(s.targets) != 1:
+            raise BadRuntime(f"line {s.lineno}: no assignment")
+        target, value = s.targets[0], s.value
+        if isinstance(target, ast.Name):
+            self.values[target.id] = self._read(target.id, value)
+        elif ast.unparse(target) == "self.state" and isinstance(value, ast.Dict) and not self.after:
+            self.after = self._dictionary(value)
+        else:
+            raise BadRuntime(f"line {s.lineno}: {ast.unparse(target)} is assigned")
+
+    def _read(self, name: str, x: ast.expr) -> Term:
+        if isinstance(x, ast.Subscript) and isinstance(x.slice, ast.Constant):
+            where, key = ast.unparse(x.value), str(x.slice.value)
+            if where == "read" and key in self.sizes:
+                return Symbol(key) if self.sizes[key] else var(key)
+            if where == "old" and key in self.state:
+                return var(key)
+            if where == "self.state" and key in self.after:
+                return self.after[key]
+        if isinstance(x, ast.Call) and ast.unparse(x.func) == "self._timer" and len(x.args) == 3 and not x.keywords:
+            own, on, dt = x.args
+            if isinstance(own, ast.Constant) and own.value == name and ast.unparse(dt) == "dt_ms":
+                preset = self.presets.get(name)
+                if type(preset) is int and name not in self.timers:
+                    self.timers[name] = (self._value(on), preset)
+                    return var(name)
+        return self._value(x)
+
+    def _dictionary(self, x: ast.Dict) -> dict[str, Term]:
+        found: dict[str, Term] = {}
+        for key, value in zip(x.keys, x.values, strict=True):
+            plain = isinstance(value, ast.Call) and ast.unparse(value.func) == "bool" and len(value.args) == 1
+            if not isinstance(key, ast.Constant) or not plain or key.value in found:
+                raise BadRuntime(f"line {x.lineno}: an entry that is no truth value, or comes twice")
+            assert isinstance(value, ast.Call)
+            found[str(key.value)] = self._value(value.args[0])
+        return found
+
+    def _value(self, x: ast.expr) -> Expr:
+        if isinstance(x, ast.Constant) and type(x.value) is bool:
+            return TRUE if x.value else FALSE
+        if isinstance(x, ast.Name):
+            found = self.values.get(x.id)
+            if isinstance(found, Expr):
+                return found
+        if isinstance(x, ast.UnaryOp) and isinstance(x.op, ast.Not):
+            return neg(self._value(x.operand))
+        if isinstance(x, ast.BoolOp):
+            join = conj if isinstance(x.op, ast.And) else disj
+            return join([self._value(v) for v in x.values])
+        if isinstance(x, ast.Compare) and isinstance(x.left, ast.Name) and len(x.ops) == 1:
+            symbol, right = self.values.get(x.left.id), x.comparators[0]
+            number = right.value if isinstance(right, ast.Constant) and type(right.value) is int else None
+            if isinstance(symbol, Symbol) and isinstance(x.ops[0], ast.Eq) and number is not None:
+                return eq(symbol.name, number)
+        raise BadRuntime(f"line {x.lineno}: {ast.unparse(x)} is not of the emitted shapes")
+
+
+def _is_docstring(x: ast.stmt) -> bool:
+    return isinstance(x, ast.Expr) and isinstance(x.value, ast.Constant) and isinstance(x.value.value, str)
+
+
+def _table(x: ast.stmt, name: str) -> dict[str, object]:
+    if isinstance(x, ast.Assign) and ast.unparse(x.targets[0]) == name and isinstance(x.value, ast.Dict):
+        keys = [k.value for k in x.value.keys if isinstance(k, ast.Constant)]
+        if len(set(keys)) == len(x.value.keys):
+            found: dict[str, object] = ast.literal_eval(x.value)
+            return found
+    raise BadRuntime(f"{name} is no table, or has a name twice")
+
+
+def _own_statements(x: ast.stmt) -> Sequence[ast.stmt]:
+    """The statements of the scan after the fixed part."""
+    fixed = ast.parse(FIXED).body[0]
+    assert isinstance(fixed, ast.ClassDef) and isinstance(fixed.body[-1], ast.FunctionDef)
+    if not isinstance(x, ast.ClassDef) or not x.body or not isinstance(x.body[-1], ast.FunctionDef):
+        raise BadRuntime("no class Controller with a scan")
+    scan, shared = x.body[-1], len(fixed.body[-1].body)
+    own = scan.body[shared:]
+    del scan.body[shared:]
+    if ast.dump(x) != ast.dump(fixed) or not own:
+        raise BadRuntime("the fixed part of the class is changed")
+    return own

