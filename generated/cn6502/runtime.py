@@ -1,6 +1,6 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 63be046c605d7f00831f1d89721e6b993bf103c169948b187f768a3b9d24f39c
+# layout 790b723db646ac97fff335129d344f75758fc6f048d74b112e51d45874b4a949
 # claims c71ee449ff4ebd89876408c5acda7659d94e13ca2aed85d7a01dd9c5e3cd9a55
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout e225ab5a206ac124a9f24deafd623a207ee96fbdeac8219c22c51b4216cea61c
+# layout 03200afa93c76e98930edcfcd0bcdcc81315f8905c12726ddd2384f80b285b91
 # claims dcd1590c7782b2de9e096bf86379773b679319910cd930453577252fe3b2d977
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout c17137e41a233a1bc614bad2a27da135b926e02962cb10cd556e9e30baa5d8d1
+# layout 083865bd80b7fb657781dbbb8071d7d924a86c0900153d82478c4e6d5adf5410
 # claims 12ece84bfd2216ee913c3cd704af8963535be3a0cf64f521a7be8977259021c2
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

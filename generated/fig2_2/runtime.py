@@ -1,6 +1,6 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 4a231d72e97580dfcab105b4fa018323148855860536d707949b1e2b280034c5
+# layout dea774a04d85a2119025a395ed114ec628a15358f61bbd9cfcd6c37237d570c5
 # claims 5c13cf05123ccaa60f48844dfa6e7e11a9382ece14a86f186f02dd8e2bdbb40c
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 85a4fad1b8d2275061be911b240f9d605d0e5ead107c0507ad14c15da5f88491
+# layout 39b846df09998009d93b3daebc6953e2d8ea7c3d838b9ecd0c6e99eb2931096b
 # claims fdbd91d3e1817c3bd47ada261177fd43f270fab0c4017d3e468656ab5ca07463
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 86f8cd7e9cc974f00c3d02026c17530a7ca9eb12f77235b0f99717fc5e65f01f
+# layout cb5a0dba9114d19a96a83fe32cf077694054a7fd19a4e88d47009d20150df897
 # claims e220a5a65446dd4439378eb2baee1ce11fc5a317d26cd071e488ec03892b07ce
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout fb16f62efc9e1ca570bf3f0216f7f0ddd032a663478098812001aabbdcd846d5
+# layout 96bd1103cd78b7855dd8ba7ba298b371881e34c6e58c9576ca44ddf82160f2fe
 # claims 56b9f5a7dfaf7e155922032f5b78f01284bd1616982f78bf47e9f636bc722679
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

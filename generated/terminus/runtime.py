@@ -1,6 +1,6 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout cdb40b3ee8f9aa7b7077c649788f6fee2fa642e9c2957b85ef8a4e47e7472c28
+# layout 38a636ebc43577577170b386033f1f5b2037ddbe697dbe6cd37a7b66503dbf5a
 # claims e9e9b8312993b086b86a6f3e506fb51b3813a6c0bc467a7645e69be8ec5f3665
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

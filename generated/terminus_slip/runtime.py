@@ -1,6 +1,6 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 858c4af6fbb6c3eaf48bb5e39c82cf809f9b9ccdc020211545e26582b79b6006
+# layout f9155bf7d2eac4193d098656620328a18bf340c378253a9af1f60699e7d74181
 # claims 90a02483fd03ec155c4ffc84980174d7aca9d2314f8391db71d134303528c194
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

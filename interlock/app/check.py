@@ -44,8 +44,21 @@ def check_file(path: str) -> Checked:
                 None,
                 "this is a defect of interlock; please report the layout",
             )
+    if layout.addresses and not sink.has_errors:
+        _addresses(layout, table, source, sink)
     placed = tuple(_place(d, source, path) for d in sink.diagnostics)
     return Checked(path, source, placed, layout, table)
+
+
+def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: Sink) -> None:
+    from interlock.logic.cabinet import BadAddress, allocate
+    from interlock.logic.lower import lower
+
+    try:
+        allocate(layout, lower(layout, table))
+    except BadAddress as error:
+        fix = "see io/channels.csv of a compiled layout for the variables with a wire"
+        sink.add("IL2015", str(error), source.at("addresses", error.variable), fix)
 
 
 def _place(d: Diagnostic, source: Source, path: str) -> Diagnostic:

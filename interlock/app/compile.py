@@ -15,6 +15,7 @@ from interlock.app.check import Checked, check_file
 from interlock.app.prove import Proved, claims_json, prove_checked
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
+from interlock.emit.io import channels_csv, equipment_csv, tags_xlsx
 from interlock.emit.tables.export import (
     matrix_csv,
     sheet_csv,
@@ -26,6 +27,8 @@ from interlock.emit.tables.export import (
 )
 from interlock.emit.tables.railml import railml_json
 from interlock.frontend import load
+from interlock.logic.cabinet import allocate
+from interlock.logic.lower import lower
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.proof.runner import Limits, Progress, quiet
 from interlock.table.national import national_sheets
@@ -53,6 +56,8 @@ def build(
 def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
     layout, table, proof = checked.layout, checked.table, proved.proof
     assert layout is not None and table is not None and proof is not None
+    controller = lower(layout, table)
+    allocation = allocate(layout, controller)
     watermark = "" if proved.green else "NOT PROVED: for study only, never for a railway"
     body = {
         "schema": "interlock-proof/1",
@@ -79,6 +84,9 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
         "table_railml.json": railml_json(layout, table).encode(),
         **({"voyages.csv": voyages_csv(table).encode()} if table.voyages else {}),
         **{f"table_{form.key}.csv": sheet_csv(form).encode() for form in national_sheets(layout, table)},
+        "io/channels.csv": channels_csv(controller, allocation).encode(),
+        "io/equipment.csv": equipment_csv(layout, allocation).encode(),
+        "io/tags_tia.xlsx": tags_xlsx(layout, allocation),
         "proof.json": (json.dumps(body, indent=1, ensure_ascii=False) + "\n").encode(),
     }
 

@@ -11,13 +11,20 @@ from interlock import __version__
 from interlock.app.check import Checked, check_file
 from interlock.diag import Diagnostic, Severity
 from interlock.emit.python.runtime import runtime_py
+from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
+from interlock.model.elements import TelegramForm
 from interlock.model.layout import Layout
+from interlock.proof.cabinet import compare_program
 from interlock.proof.python_text import compare_runtime
 from interlock.proof.runner import Limits, Progress, ProofResult, Verdict, prove, quiet
 from interlock.proof.system import System
+from interlock.proof.telegram import compare_telegram
 from interlock.proof.translation import Difference, compare_dialect
 from interlock.st.dialects import DIALECTS, write_st
+from interlock.st.printer import print_unit
+from interlock.st.program import io_program
+from interlock.st.telegram import telegram_unit
 
 
 @dataclass(frozen=True)
@@ -94,6 +101,17 @@ def prove_checked(
         name = f"{folder}/{next(iter(written))}" if len(written) == 1 else folder
         verdicts.append(TextVerdict(name, found.differences))
         files |= {f"{folder}/{n}": text.encode() for n, text in written.items()}
+    sent = tuple(controller.symbols.trailed)  # the machines that are driven
+    allocation = allocate(checked.layout, controller)
+    mapping, place = print_unit(io_program(controller, allocation, header)), f"st/iec/{checked.layout.name}_io.st"
+    verdicts.append(TextVerdict(place, compare_program(controller, allocation, mapping)))
+    files[place] = mapping.encode()
+    if checked.layout.telegram is not TelegramForm.NONE and sent:
+        tagged = checked.layout.telegram is TelegramForm.TAGGED
+        unit = telegram_unit(checked.layout.name, sent, tagged, header)
+        text, place = print_unit(unit), f"st/iec/{checked.layout.name}_telegram.st"
+        verdicts.append(TextVerdict(place, compare_telegram(checked.layout.name, sent, tagged, text)))
+        files[place] = text.encode()
     runtime = runtime_py(controller, header)
     verdicts.append(TextVerdict("runtime.py", compare_runtime(controller, runtime).differences))
     files["runtime.py"] = runtime.encode()

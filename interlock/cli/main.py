@@ -21,6 +21,7 @@ VERBS = {
     "prove": "Prove every safety claim for every possible train movement.",
     "certify": "Write the proof as files that can be checked again.",
     "verify": "Check certificates again, with nothing of what made them.",
+    "run": "Run the proved runtime against inputs and outputs on Modbus TCP.",
     "export": "Write the whole system as a circuit for other engines.",
     "why": "Print why each cell of a route's row is as it is.",
     "explain": "Explain a diagnostic code or a rule; without one, list all codes.",

@@ -45,6 +45,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2011": (_W, "a condition that no route requires"),
     "IL2012": (_W, "an exclusion that fits no route"),
     "IL2013": (_E, "a voyage that no chain of routes makes"),
+    "IL2014": (_E, "a substation's elements are not clear"),
+    "IL2015": (_E, "an address that cannot be"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),
     "IL3002": (_E, "one end is joined twice"),

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
+from interlock.frontend.cabinets import resolve_addresses, resolve_substations
 from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.names import check_names
@@ -126,6 +127,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     ] + [Section(SectionId(s), True) for s in wiring.approaches]
     overlaps = resolve_overlaps(ctx, principles, signals, wiring)
     distants = resolve_distants(ctx, signals)
+    substations = resolve_substations(ctx, wiring)
     if sink.has_errors:
         return None, source
     layout = Layout(
@@ -149,6 +151,9 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         distants=distants,
         voyages=voyages,
         automatic=automatic,
+        substations=substations,
+        addresses=resolve_addresses(ctx),
+        telegram=data.telegram,
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )
     for check in CHECKS:

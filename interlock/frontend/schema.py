@@ -24,7 +24,7 @@ from pydantic_core import PydanticCustomError
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
-from interlock.model.elements import BlockKind, SignalKind, Work
+from interlock.model.elements import BlockKind, SignalKind, TelegramForm, Work
 from interlock.model.overlap import overlap_length
 from interlock.model.principles import KNOBS, PROFILES, Caution, FlankChoice, Principles
 
@@ -340,6 +340,11 @@ class LayoutFile(_Part):
     exclude: list[ExcludeSpec] = []
     overlaps: dict[Name, OverlapSpec] = {}
     waive: list[WaiverSpec] = []
+    substations: Annotated[
+        dict[Name, list[Text]], Field(description="cabinets, each with the elements wired to it; one may be left empty")
+    ] = {}
+    telegram: Annotated[TelegramForm, _choice("telegram", tuple(TelegramForm))] = TelegramForm.NONE
+    addresses: Annotated[dict[Text, Text], Field(description="PLC variable: address, for instance `CLR_q1: I4.0`")] = {}
 
 
 def json_schema() -> dict[str, Any]:

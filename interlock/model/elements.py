@@ -277,6 +277,22 @@ class Overlap:
     length: float
 
 
+class TelegramForm(StrEnum):
+    """How point commands travel to the machines, if not by a wire each (document C)."""
+
+    NONE = "none"
+    PLAIN = "plain"
+    TAGGED = "tagged"
+
+
+@dataclass(frozen=True)
+class Substation:
+    """A cabinet of inputs and outputs (分站), and the elements that are wired to it; empty: all that no other has."""
+
+    name: str
+    elements: tuple[str, ...]
+
+
 @dataclass(frozen=True)
 class Exclude:
     """Routes that the author does not want: all that begin, end and pass as given (None: anything)."""

@@ -33,6 +33,8 @@ from interlock.model.elements import (
     SectionId,
     Signal,
     SignalId,
+    Substation,
+    TelegramForm,
     Voyage,
     Waiver,
     Work,
@@ -64,6 +66,9 @@ class Layout:
     distants: tuple[Distant, ...] = ()
     voyages: tuple[Voyage, ...] = ()
     automatic: tuple[NamedRoute, ...] = ()
+    substations: tuple[Substation, ...] = ()
+    addresses: tuple[tuple[str, str], ...] = ()
+    telegram: TelegramForm = TelegramForm.NONE
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     @cached_property

@@ -100,17 +100,18 @@ Statement = Assign | Call | If
 
 @dataclass(frozen=True)
 class Declaration:
-    """One variable: name, type, initial value and comment."""
+    """One variable: name, type, initial value, comment, and in a program its address."""
 
     name: str
     type: str
     initial: Expression | None = None
     note: str = field(default="", compare=False)
+    address: str = ""
 
 
 @dataclass(frozen=True)
 class Block:
-    """A function block."""
+    """A function block, or a program (`kind`)."""
 
     name: str
     inputs: tuple[Declaration, ...]
@@ -118,6 +119,7 @@ class Block:
     locals: tuple[Declaration, ...]
     body: tuple[Statement, ...]
     note: str = field(default="", compare=False)
+    kind: str = "FUNCTION_BLOCK"
 
     @cached_property
     def input_names(self) -> frozenset[str]:

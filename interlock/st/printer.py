@@ -44,12 +44,12 @@ def print_unit(unit: Unit, style: Style = IEC) -> str:
 
 def print_block(b: Block, style: Style = IEC) -> list[str]:
     """The lines of a block."""
-    return [*_head(b, style), *declarations(b, style), *_begin(style), *body(b, style), "END_FUNCTION_BLOCK"]
+    return [*_head(b, style), *declarations(b, style), *_begin(style), *body(b, style), f"END_{b.kind}"]
 
 
 def _head(b: Block, style: Style) -> list[str]:
     note = [comment(b.note[: MAX_COLUMNS - 10])] if b.note else []
-    return [f"FUNCTION_BLOCK {style.block(b.name)}", *style.attributes, *note]
+    return [f"{b.kind} {style.block(b.name)}", *style.attributes, *note]
 
 
 def _begin(style: Style) -> list[str]:
@@ -77,7 +77,8 @@ def _declaration(d: Declaration, style: Style) -> str:
         kind, note = style.timer, style.timer_note and f" {style.timer_note}"
     else:
         kind = d.type if d.type in ("BOOL", "INT") else style.block(d.type)
-    return _noted(f"  {d.name}{note} : {kind}{initial};", d.note)
+    where = f" AT {d.address}" if d.address else ""
+    return _noted(f"  {d.name}{where}{note} : {kind}{initial};", d.note)
 
 
 def _noted(line: str, note: str) -> str:

@@ -144,10 +144,10 @@ def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
                     sheet.write_number(y, x, int(value))
                 else:
                     sheet.write_string(y, x, value)
-    return _stored(out.getvalue())
+    return reproducible(out.getvalue())
 
 
-def _stored(data: bytes) -> bytes:
+def reproducible(data: bytes) -> bytes:
     """The same archive without compression and with fixed dates: equal bytes whatever zlib the machine has."""
     out = io.BytesIO()
     with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(out, "w", zipfile.ZIP_STORED) as new:

@@ -1,0 +1,99 @@
+"""Run a layout's proved runtime as a soft PLC."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+
+from interlock.app.check import check_file
+from interlock.app.prove import Proved, prove_checked
+from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
+from interlock.logic.cabinet import Allocation, allocate
+from interlock.logic.controller import Controller
+from interlock.logic.lower import lower
+from interlock.proof.runner import Limits, Progress, quiet
+from interlock.table.rows import InterlockingTable
+
+
+@dataclass(frozen=True)
+class Ready:
+    """A proved layout, ready to run; everything but `proved` is None when it is not proved."""
+
+    proved: Proved
+    table: InterlockingTable | None = None
+    controller: Controller | None = None
+    allocation: Allocation | None = None
+    runtime: str = ""
+
+
+def prepare(path: str, limits: Limits | None = None, progress: Progress = quiet) -> Ready:
+    """Check, prove, and compare the runtime that is going to run."""
+    checked = check_file(path)
+    if not checked.ok or checked.layout is None or checked.table is None:
+        return Ready(Proved(checked))
+    proved, files = prove_checked(checked, limits, progress)
+    if not proved.green:
+        return Ready(proved)
+    controller = lower(checked.layout, checked.table)
+    allocation = allocate(checked.layout, controller)
+    return Ready(proved, checked.table, controller, allocation, files["runtime.py"].decode())
+
+
+class BadCommand(Exception):
+    """What the operator typed cannot be carried out; the message says why."""
+
+
+def operate(ready: Ready, line: str) -> dict[str, int]:
+    """The operator's inputs that a line asks for, for one cycle.  Raises `BadCommand`."""
+    assert ready.table is not None and ready.controller is not None and ready.allocation is not None
+    words = line.split()
+    inputs = {i.name: i for i in ready.controller.inputs if i.name in ready.allocation.written}
+    if len(words) == 2 and words[0] == "set":
+        row = next((r for r in ready.table.routes if words[1] in (r.id, *r.names)), None)
+        if row is None:
+            raise BadCommand(f"there is no route {words[1]}")
+        return {ready.controller.symbols.request: row.number}
+    if len(words) == 2 and words[0] == "voyage":
+        voyage = next((v for v in ready.table.voyages if v.name == words[1]), None)
+        if voyage is None:
+            raise BadCommand(f"there is no voyage {words[1]}")
+        return {str(ready.controller.symbols.voyage): voyage.number}
+    if len(words) == 2 and words[0] == "cancel":
+        name = next((n for g, n in ready.controller.symbols.cancel.items() if g == words[1]), None)
+        if name is None:
+            raise BadCommand(f"no route begins at {words[1]}")
+        return {name: 1}
+    if words == ["release"]:
+        return {"RELALL": 1}
+    if len(words) == 1 and "=" in words[0]:
+        name, _, value = words[0].partition("=")
+        if name in inputs and value.isdigit() and int(value) < (inputs[name].size or 2):
+            return {name: int(value)}
+    raise BadCommand("write set ROUTE, voyage NAME, cancel SIGNAL, release, or VARIABLE=VALUE")
+
+
+def run(
+    ready: Ready,
+    links: Mapping[str, Link],
+    cycle_ms: int,
+    cycles: int | None,
+    ask: Callable[[], Mapping[str, int]],
+) -> Iterator[tuple[Cycle, float]]:
+    """Cycles in their time, each with the seconds that it took; `ask` gives the operator's inputs of the next one."""
+    assert ready.controller is not None and ready.allocation is not None
+    plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, links, ready.controller.symbols.valid)
+    try:
+        before = time.monotonic()
+        done = 0
+        while cycles is None or done < cycles:
+            operator = dict.fromkeys(ready.allocation.written, 0) | dict(ask())
+            began = time.monotonic()
+            result = plc.cycle(operator, max(1, round((began - before) * 1000)) if done else cycle_ms)
+            before = began
+            done += 1
+            took = time.monotonic() - began
+            yield result, took
+            time.sleep(max(0.0, cycle_ms / 1000 - (time.monotonic() - began)))
+    finally:
+        plc.close()

@@ -1,0 +1,100 @@
+"""The allocation as lists: wiring per cabinet, tags for TIA Portal, and the equipment with its counts."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections import Counter
+from datetime import datetime
+
+import xlsxwriter
+
+from interlock.emit.tables.export import reproducible
+from interlock.logic.cabinet import Allocation
+from interlock.logic.controller import Controller
+from interlock.model.elements import Work
+from interlock.model.layout import Layout
+
+HEADINGS = ("Substation", "Slot", "Card", "Byte", "Bit", "Address", "Variable", "Element", "When 1", "At restart")
+
+
+def _csv(rows: list[tuple[object, ...]]) -> str:
+    out = io.StringIO()
+    csv.writer(out, lineterminator="\n").writerows(rows)
+    return out.getvalue()
+
+
+def channels_csv(controller: Controller, a: Allocation) -> str:
+    """The wiring list: one row for each channel, cabinet by cabinet, the spare ones too."""
+    start = {o.name: str(int(o.restrictive)) for o in controller.outputs}
+    used = {(c.direction, c.byte, c.bit): c for c in (*a.heartbeats, *a.channels)}
+    rows: list[tuple[object, ...]] = [HEADINGS]
+    first = {"I": 0, "Q": 0}
+    seen = set()
+    for station, slot, direction, size in a.cards:
+        for k in range(size):
+            byte, bit = first[direction] + k // 8, k % 8
+            c = used.get((direction, byte, bit))
+            card = "DI" if direction == "I" else "DO"
+            what = (c.variable, c.element, c.note, start.get(c.variable, "")) if c else ("", "", "spare", "")
+            rows.append((station, slot, card, byte, bit, f"{direction}{byte}.{bit}", *what))
+            seen.add((direction, byte, bit))
+        first[direction] += size // 8
+    for key, c in sorted(used.items()):
+        if key not in seen:
+            card = "DI" if c.direction == "I" else "DO"
+            what = (c.variable, c.element, c.note, start.get(c.variable, ""))
+            rows.append((c.substation, "as stated", card, c.byte, c.bit, c.address, *what))
+    return _csv(rows)
+
+
+def equipment_csv(layout: Layout, a: Allocation) -> str:
+    """What has to be bought and mounted, counted from the layout (document B 2.2)."""
+    kinds = Counter(f"signal, {g.kind}" for g in layout.signals)
+    hand = {p.machine for p in layout.points if p.work is Work.HAND}
+    derailers = {p.machine for p in layout.points if p.derailer}
+    motors = [m for m in layout.ends_of_machine if m not in hand]
+    kinds["distant signal"] = len(layout.distants)
+    kinds["section with detection"] = sum(s.detected and not s.approach for s in layout.sections)
+    kinds["approach section with detection"] = sum(s.detected and s.approach for s in layout.sections)
+    kinds["point machine"] = len([m for m in motors if m not in derailers])
+    kinds["derailer machine"] = len([m for m in motors if m in derailers])
+    kinds["point worked by hand, with key"] = len(hand)
+    for d in layout.devices:
+        kinds[str(d.kind)] += 1
+    kinds["external condition"] = len(layout.conditions)
+    kinds["substation"] = len(a.heartbeats)
+    for _, _, direction, size in a.cards:
+        kinds[f"card, {size} digital {'inputs' if direction == 'I' else 'outputs'}"] += 1
+    kinds["channel in use"] = len(a.channels) + len(a.heartbeats)
+    kinds["channel"] = sum(size for *_, size in a.cards)
+    return _csv([("Item", "Count"), *sorted((k, n) for k, n in kinds.items() if n)])
+
+
+_TIA = (
+    "Name",
+    "Path",
+    "Data Type",
+    "Logical Address",
+    "Comment",
+    "Hmi Visible",
+    "Hmi Accessible",
+    "Hmi Writeable",
+    "Typeobject ID",
+    "Version ID",
+)
+
+
+def tags_xlsx(layout: Layout, a: Allocation) -> bytes:
+    """A tag table that TIA Portal's tag import asks for; from a public description, tried in no tool."""
+    out = io.BytesIO()
+    with xlsxwriter.Workbook(out, {"in_memory": True}) as book:
+        book.set_properties({"created": datetime(2000, 1, 1)})
+        sheet = book.add_worksheet("PLC Tags")
+        for x, title in enumerate(_TIA):
+            sheet.write_string(0, x, title)
+        for y, c in enumerate((*a.heartbeats, *a.channels), 1):
+            row = (c.variable, f"IL_{layout.name}", "Bool", f"%{c.address}", c.note, "True", "True", "False", "", "")
+            for x, value in enumerate(row):
+                sheet.write_string(y, x, value)
+    return reproducible(out.getvalue())

@@ -1,0 +1,129 @@
+"""The generated runtime as a soft PLC: poll the substations, scan, write; a substation that is lost stops everything.
+
+A cycle: (1) read each substation; (2) the inputs are valid only if all of them answered and their heartbeats change;
+(3) one scan of the runtime; (4) write each substation, with a heartbeat of ours, so that it can let go of its outputs
+when we are gone.  What could not be read or written counts as lost, and lost inputs are not valid (R16).
+"""
+
+from __future__ import annotations
+
+import types
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from interlock.logic.cabinet import Allocation
+from interlock.st.program import HEARTBEAT_MS
+
+Scan = Callable[[dict[str, int], int], dict[str, bool]]
+
+
+class LinkLost(Exception):
+    """A substation did not answer, or not as it should."""
+
+
+class Link(Protocol):
+    """The way to one substation."""
+
+    def read(self) -> Mapping[str, int]:
+        """Its inputs by variable.  Raises `LinkLost`."""
+        ...
+
+    def write(self, values: Mapping[str, bool], heartbeat: bool) -> None:
+        """Its outputs by variable.  Raises `LinkLost`."""
+        ...
+
+    def close(self) -> None:
+        """Let go of it."""
+        ...
+
+
+def runtime_scan(text: str) -> Scan:
+    """The scan of a generated runtime, from its text."""
+    module = types.ModuleType("runtime")
+    exec(compile(text, "runtime.py", "exec"), module.__dict__)
+    scan: Scan = module.Controller().scan
+    return scan
+
+
+@dataclass
+class Watch:
+    """Alive while the heartbeat changes in time; as the block WATCH of the mapping program, scan by scan."""
+
+    alive: bool = False
+    _last: int = 0
+    _runs: bool = False
+    _still_ms: int = 0
+
+    def step(self, heartbeat: int, dt_ms: int) -> bool:
+        """One scan."""
+        same = heartbeat == self._last
+        self._still_ms = min(self._still_ms + dt_ms, HEARTBEAT_MS) if same else 0
+        over = same and self._still_ms >= HEARTBEAT_MS
+        self.alive = self._runs and not over and (self.alive or not same)
+        self._last, self._runs = heartbeat, True
+        return self.alive
+
+
+@dataclass(frozen=True)
+class Cycle:
+    """What a cycle did: the outputs, whether the inputs were valid, and what was lost in words."""
+
+    outputs: Mapping[str, bool]
+    valid: bool
+    lost: tuple[str, ...]
+
+
+@dataclass
+class SoftPlc:
+    """The runtime between its substations; `links` by substation, in the order in which they are polled."""
+
+    scan: Scan
+    allocation: Allocation
+    links: Mapping[str, Link]
+    valid_name: str = "VALID"
+    watches: dict[str, Watch] = field(init=False)
+    heartbeat: bool = field(default=False, init=False)
+
+    def __post_init__(self) -> None:
+        stations = [c.substation for c in self.allocation.heartbeats]
+        if sorted(stations) != sorted(self.links):
+            raise ValueError(f"links for {sorted(self.links)}, substations {sorted(stations)}")
+        self.watches = {s: Watch() for s in stations}
+
+    def cycle(self, operator: Mapping[str, int], dt_ms: int) -> Cycle:
+        """One cycle, `dt_ms` milliseconds after the last; `operator`: what the operator's place writes."""
+        inputs = {n: operator[n] for n in self.allocation.written if n in operator}
+        lost: list[str] = []
+        alive = []
+        for c in self.allocation.heartbeats:
+            watch = self.watches[c.substation]
+            try:
+                values = self.links[c.substation].read()
+                inputs |= {n: v for n, v in values.items() if n != c.variable}
+                alive.append(watch.step(values[c.variable], dt_ms))
+            except LinkLost as error:
+                self.watches[c.substation] = Watch()  # it has to show a change of its heartbeat again
+                alive.append(False)
+                lost.append(f"{c.substation}: {error}")
+        valid = all(alive)
+        outputs = self.scan({**inputs, self.valid_name: int(valid)}, dt_ms)
+        self.heartbeat = not self.heartbeat
+        for c in self.allocation.heartbeats:
+            own = {
+                x.variable: outputs[x.variable]
+                for x in self.allocation.channels
+                if x.direction == "Q" and x.substation == c.substation
+            }
+            try:
+                self.links[c.substation].write(own, self.heartbeat)
+            except LinkLost as error:
+                self.watches[c.substation] = Watch()
+                if not any(x.startswith(f"{c.substation}:") for x in lost):
+                    lost.append(f"{c.substation}: {error}")
+        return Cycle(outputs, valid, tuple(lost))
+
+    def close(self) -> None:
+        """Let go of all substations."""
+        for link in self.links.values():
+            link.close()

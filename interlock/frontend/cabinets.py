@@ -1,0 +1,78 @@
+"""Substations and addresses: which cabinet an element is wired to, and where the author wants it (document B 2.2).
+
+Output: diagnostics IL2014, IL2015, and the elements.
+"""
+
+from __future__ import annotations
+
+import re
+
+from interlock.diag.suggest import did_you_mean
+from interlock.frontend.context import Context
+from interlock.frontend.ports import Wiring
+from interlock.model.elements import Substation
+
+
+def _wired(ctx: Context, wiring: Wiring) -> list[str]:
+    """Everything that has a wire: sections, machines, devices, signals, distants, conditions."""
+    f = ctx.file
+    undetected = {s for s, spec in f.sections.items() if not spec.detected}
+    sections = [s for s in (*wiring.sections, *wiring.approaches) if s not in undetected]
+    machines = sorted({str(p.machine) for p in wiring.points})
+    return [*sections, *machines, *f.level_crossings, *f.interlocks, *f.signals, *f.distants, *f.conditions]
+
+
+def resolve_substations(ctx: Context, wiring: Wiring) -> tuple[Substation, ...]:
+    """The cabinets in the order of the layout; every element is wired to exactly one."""
+    given = ctx.file.substations
+    known = _wired(ctx, wiring)
+    holder: dict[str, str] = {}
+    rest = [name for name, elements in given.items() if not elements]
+    for name, elements in given.items():
+        for i, element in enumerate(elements):
+            span = ctx.at("substations", name, i)
+            if element not in known:
+                ctx.add(
+                    "IL2014",
+                    f"substation {name}: {element} is no section, machine, signal, device or condition",
+                    span,
+                    did_you_mean(element, known),
+                )
+            first = holder.setdefault(element, name)
+            if first != name or elements.index(element) != i:
+                ctx.add("IL2014", f"{element} is wired to {first} and to {name}", span, "name it once")
+    if len(rest) > 1:
+        ctx.add(
+            "IL2014",
+            f"the substations {', '.join(rest)} are all empty",
+            ctx.at_key("substations", rest[1]),
+            "one of them may be empty: it takes what no other names",
+        )
+    missing = [e for e in dict.fromkeys(known) if e not in holder]
+    if given and missing and not rest:
+        ctx.add(
+            "IL2014",
+            f"no substation is wired to {', '.join(missing[:8])}{' ...' if len(missing) > 8 else ''}",
+            ctx.at_key("substations", next(iter(given))),
+            "name each of them, or add a substation with an empty list for the rest",
+        )
+    return tuple(Substation(n, tuple(elements)) for n, elements in given.items())
+
+
+def resolve_addresses(ctx: Context) -> tuple[tuple[str, str], ...]:
+    """Addresses that the author wants, by PLC variable; whether the variable exists is seen when they are allocated."""
+    seen: dict[str, str] = {}
+    for name, address in ctx.file.addresses.items():
+        span = ctx.at("addresses", name)
+        m = re.fullmatch(r"([IQ])(\d{1,4})\.([0-7])", address)
+        if m is None:
+            ctx.add(
+                "IL2015",
+                f"{address!r} is no address",
+                span,
+                "write I or Q, the byte, a point and the bit, for instance I4.0 or Q12.7",
+            )
+        elif address in seen:
+            ctx.add("IL2015", f"{name} and {seen[address]} would both have {address}", span, "give each its own")
+        seen.setdefault(address, name)
+    return tuple(sorted(ctx.file.addresses.items()))

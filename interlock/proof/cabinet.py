@@ -1,0 +1,58 @@
+"""The mapping program carries every wire to its variable and back: read back from its text and compared, name by name.
+
+The interlocking is proved for every value of its inputs, so nothing more is asked of the mapping than this: each input
+gets its own wire (or the operator's variable of its name), each wire to the outside gets its own output, no address
+twice, and VALID only while every substation's watch says that it is alive.
+"""
+
+from __future__ import annotations
+
+from interlock.logic.cabinet import Allocation
+from interlock.logic.controller import Controller
+from interlock.model.portable import portable
+from interlock.proof.translation import Difference
+from interlock.st.ast import Assign, Call, Expression, Name, Nary
+from interlock.st.parser import NotInSubset, parse_unit
+from interlock.st.program import watch
+
+
+def compare_program(controller: Controller, a: Allocation, text: str) -> tuple[Difference, ...]:
+    """What is wrong with a mapping program; empty when nothing is."""
+    try:
+        blocks = parse_unit(text).blocks
+    except NotInSubset as error:
+        return (Difference("text", f"cannot be read: {error}"),)
+    prefix = f"IL_{portable(controller.name)}"
+    if len(blocks) != 2 or blocks[0] != watch(f"{prefix}_WATCH") or blocks[1].kind != "PROGRAM":
+        return (Difference("text", "not a watch and a program as they are made"),)
+    program = blocks[1]
+    wrong: list[Difference] = []
+    wanted = {c.variable: c.located for c in (*a.heartbeats, *a.channels)}
+    found = {d.name: d.address for d in program.locals if d.address}
+    wrong += [Difference(n, f"has address {found.get(n)}, not {x}") for n, x in wanted.items() if found.get(n) != x]
+    wrong += [Difference(n, "has an address that nobody gave it") for n in found if n not in wanted]
+    if len(set(found.values())) != len(found):
+        wrong.append(Difference("addresses", "one is given twice"))
+    instances = {d.name: d.type for d in program.locals if d.type not in ("BOOL", "INT")}
+    watches = {f"W_{portable(c.substation)}": c.variable for c in a.heartbeats}
+    if instances != {**dict.fromkeys(watches, f"{prefix}_WATCH"), "RUN": prefix}:
+        wrong.append(Difference("instances", "are not one watch for each substation and the interlocking"))
+    valid = controller.symbols.valid
+    alive: tuple[Expression, ...] = tuple(Name((w, "OK")) for w in watches)
+    steps: list[Assign | Call] = [Call(w, (("HB", Name((hb,))),)) for w, hb in watches.items()]
+    steps.append(Assign(Name((valid,)), alive[0] if len(alive) == 1 else Nary("AND", alive)))
+    steps.append(Call("RUN", tuple((i.name, Name((i.name,))) for i in controller.inputs)))
+    steps += [Assign(Name((o.name,)), Name(("RUN", o.name))) for o in controller.outputs]
+    for mine, should in zip(program.body, steps, strict=False):
+        if mine != should:
+            name = mine.target if isinstance(mine, Assign) else getattr(mine, "instance", "IF")
+            wrong.append(Difference(str(name), "is not as it should be"))
+    if len(program.body) != len(steps):
+        wrong.append(Difference("body", f"has {len(program.body)} statements, not {len(steps)}"))
+    start = {i.name: i.restrictive for i in controller.inputs}
+    for d in program.locals:
+        if d.name in a.written or d.name == valid:
+            value = getattr(d.initial, "value", None)
+            if value is None or int(value) != start[d.name]:
+                wrong.append(Difference(d.name, "does not begin with its restrictive value"))
+    return tuple(wrong)

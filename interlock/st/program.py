@@ -1,0 +1,72 @@
+"""The mapping program: the only place with addresses.
+
+It watches the heartbeats, calls the interlocking once, and carries every wire to its variable and back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from interlock.logic.cabinet import Allocation
+from interlock.logic.controller import Controller
+from interlock.model.portable import portable
+from interlock.st.ast import Assign, Block, Bool, Call, Declaration, Expression, Int, Name, Nary, Not, Time, Unit
+
+HEARTBEAT_MS = 1000  # our choice: ten polls of 100 ms; document D asks for more than the ring's 50 ms
+
+
+def watch(name: str) -> Block:
+    """OK while the heartbeat changes at least once in the time; never before it has changed once since the restart."""
+    hb, last, run, ok = (Name((n,)) for n in ("HB", "LAST", "RUNS", "OK"))
+    same = Name(("SAME",))
+    both = Nary("OR", (Nary("AND", (hb, last)), Nary("AND", (Not(hb), Not(last)))))
+    alive = Nary("AND", (run, Not(Name(("STILL", "Q"))), Nary("OR", (ok, Not(same)))))
+    return Block(
+        name,
+        (Declaration("HB", "BOOL", None, "heartbeat of a substation"),),
+        (Declaration("OK", "BOOL", Bool(False), "the substation is alive"),),
+        (
+            Declaration("LAST", "BOOL", Bool(False), "heartbeat in the last scan"),
+            Declaration("RUNS", "BOOL", Bool(False), "false in the first scan after a restart"),
+            Declaration("SAME", "BOOL", Bool(False)),
+            Declaration("STILL", "TON", None, "no change for too long"),
+        ),
+        (
+            Assign(same, both, "no change since the last scan"),
+            Call("STILL", (("IN", same), ("PT", Time(HEARTBEAT_MS)))),
+            Assign(ok, alive, "alive"),
+            Assign(last, hb),
+            Assign(run, Bool(True)),
+        ),
+        "watches the heartbeat of a substation",
+    )
+
+
+def io_program(controller: Controller, a: Allocation, header: Sequence[str]) -> Unit:
+    """The watch and the program; the interlocking itself stands in a file of its own."""
+    prefix = f"IL_{portable(controller.name)}"
+    sizes = {i.name: i for i in controller.inputs}
+    notes = {o.name: o.note for o in controller.outputs}
+    guard = watch(f"{prefix}_WATCH")
+    valid = controller.symbols.valid
+    declared = [
+        Declaration(c.variable, "BOOL", None, f"{c.substation}: {c.note}", c.located)
+        for c in (*a.heartbeats, *a.channels)
+    ]
+    for n in a.written:
+        i = sizes[n]
+        initial: Expression = Int(i.restrictive) if i.size else Bool(bool(i.restrictive))
+        declared.append(Declaration(n, "INT" if i.size else "BOOL", initial, i.note))
+    declared += [Declaration(n, "BOOL", None, notes[n]) for n in a.read]
+    declared.append(Declaration(valid, "BOOL", Bool(False), sizes[valid].note))
+    watches = [(c, f"W_{portable(c.substation)}") for c in a.heartbeats]
+    declared += [Declaration(w, guard.name, None, f"watches substation {c.substation}") for c, w in watches]
+    declared.append(Declaration("RUN", prefix, None, "the interlocking"))
+    healthy: list[Expression] = [Name((w, "OK")) for _, w in watches]
+    body: list[Assign | Call] = [Call(w, (("HB", Name((c.variable,))),)) for c, w in watches]
+    body.append(Assign(Name((valid,)), healthy[0] if len(healthy) == 1 else Nary("AND", tuple(healthy))))
+    body.append(Call("RUN", tuple((i.name, Name((i.name,))) for i in controller.inputs)))
+    body += [Assign(Name((o.name,)), Name(("RUN", o.name))) for o in controller.outputs]
+    note = "inputs, interlocking, outputs: run it in one task with a constant cycle"
+    program = Block(f"{prefix}_IO", (), (), tuple(declared), tuple(body), note, "PROGRAM")
+    return Unit((guard, program), tuple(header))

@@ -1,0 +1,244 @@
+"""The soft PLC against real Modbus servers on the loopback: a train is driven, a server is killed in mid-scan."""
+
+from __future__ import annotations
+
+import random
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+
+import pytest
+from click.testing import CliRunner
+from pymodbus.client import ModbusTcpClient
+
+from interlock.app.run import BadCommand, Ready, operate, prepare
+from interlock.cli.main import cli
+from interlock.field.modbus import ModbusLink, _runs, heartbeat_coil
+from interlock.field.plc import Cycle, LinkLost, SoftPlc, Watch, runtime_scan
+from interlock.st.ast import Unit
+from interlock.st.meaning import Execution, Numbers
+from interlock.st.program import watch
+from tests.substation import WIRE
+
+TWO = """
+substations:
+  west: [ap_W, q1, q2, P1, X7, X1]
+  east: []
+"""
+
+
+@pytest.fixture(scope="module")
+def ready(tmp_path_factory: pytest.TempPathFactory) -> Ready:
+    """mine11 with two substations, proved."""
+    path = tmp_path_factory.mktemp("field") / "mine.yaml"
+    with open("layouts/mine11.yaml", encoding="utf-8") as mine:
+        path.write_text(mine.read() + TWO, "utf-8")
+    found = prepare(str(path))
+    assert found.proved.green and found.allocation is not None
+    return found
+
+
+def free_port() -> int:
+    with socket.socket() as s:
+        s.bind(("127.0.0.1", 0))
+        port: int = s.getsockname()[1]
+        return port
+
+
+class Station:
+    """A substation process, and a wire to its inputs."""
+
+    def __init__(self, ready: Ready, name: str) -> None:
+        assert ready.allocation is not None
+        self.name = name
+        wires = (*ready.allocation.heartbeats, *ready.allocation.channels)
+        self.places = {c.variable: 8 * c.byte + c.bit for c in wires}
+        self.own = [c for c in ready.allocation.channels if c.substation == name]
+        self.beat = next(c for c in ready.allocation.heartbeats if c.substation == name)
+        self.port = free_port()
+        self.start()
+
+    def start(self) -> None:
+        """Start the process; sections are clear and points lie normal."""
+        ones = [str(self.places[c.variable]) for c in self.own if c.variable.startswith(("CLR_", "DN_"))]
+        args = [str(self.port), "60", str(self.places[self.beat.variable]), *ones]
+        command = [sys.executable, "-m", "tests.substation", *args]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        assert self.process.stdout is not None and self.process.stdout.readline().strip() == "ready"
+        self.client = ModbusTcpClient("127.0.0.1", port=self.port, timeout=1, retries=0)
+        assert self.client.connect()
+
+    def put(self, variable: str, value: int) -> None:
+        """Move the railway."""
+        self.client.write_coils(WIRE + self.places[variable], [bool(value)], device_id=1)
+
+    def lamp(self, variable: str) -> bool:
+        """What hangs on an output."""
+        return bool(self.client.read_coils(self.places[variable], count=1, device_id=1).bits[0])
+
+    def kill(self) -> None:
+        """The process dies at once."""
+        self.client.close()
+        self.process.kill()
+        self.process.wait()
+        assert self.process.stdout is not None
+        self.process.stdout.close()
+
+
+@contextmanager
+def running(ready: Ready) -> Iterator[tuple[SoftPlc, Station, Station]]:
+    assert ready.allocation is not None
+    west, east = Station(ready, "west"), Station(ready, "east")
+    links = {s.name: ModbusLink(ready.allocation, s.name, "127.0.0.1", s.port) for s in (west, east)}
+    plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, links)
+    try:
+        yield plc, west, east
+    finally:
+        plc.close()
+        west.kill()
+        east.kill()
+
+
+def cycle(ready: Ready, plc: SoftPlc, dt_ms: int = 100, line: str = "") -> Cycle:
+    """One cycle with a command."""
+    assert ready.allocation is not None
+    operator = dict.fromkeys(ready.allocation.written, 0) | (operate(ready, line) if line else {})
+    time.sleep(0.03)  # the servers' heartbeats go on in real time
+    return plc.cycle(operator, dt_ms)
+
+
+def until_valid(ready: Ready, plc: SoftPlc) -> None:
+    for _ in range(40):
+        if cycle(ready, plc).valid:
+            return
+    raise AssertionError("never valid")
+
+
+def test_a_route_is_set_over_the_bus_and_closed_by_its_train(ready: Ready) -> None:
+    with running(ready) as (plc, west, east):
+        until_valid(ready, plc)
+        assert west.lamp("YS_X7") and not west.lamp("YP_X7")
+        cycle(ready, plc, line="release")
+        cycle(ready, plc, line="set X7-X1")
+        for _ in range(4):
+            result = cycle(ready, plc)
+        assert result.valid and not result.lost
+        assert west.lamp("YP_X7") and not west.lamp("YS_X7") and east.lamp("YS_X4")
+        beats = {plc.links["west"]._client.read_coils(heartbeat_coil(plc.allocation), count=1, device_id=1).bits[0]}  # type: ignore[attr-defined]
+        cycle(ready, plc)
+        beats |= {west.client.read_coils(heartbeat_coil(plc.allocation), count=1, device_id=1).bits[0]}
+        assert beats == {True, False}  # our heartbeat goes out too
+        west.put("CLR_ap_W", 0)
+        west.put("CLR_q1", 0)
+        cycle(ready, plc)
+        assert west.lamp("YS_X7") and not west.lamp("YP_X7")  # the first axle closes it
+
+
+def test_a_server_killed_in_mid_scan_puts_every_signal_to_stop_and_nothing_reopens(ready: Ready) -> None:
+    with running(ready) as (plc, west, east):
+        until_valid(ready, plc)
+        cycle(ready, plc, line="release")
+        cycle(ready, plc, line="set X7-X1")
+        for _ in range(4):
+            cycle(ready, plc)
+        assert west.lamp("YP_X7")
+        scan = plc.scan
+
+        def killing(inputs: dict[str, int], dt_ms: int) -> dict[str, bool]:
+            east.kill()  # after it was read, before it is written
+            plc.scan = scan
+            return scan(inputs, dt_ms)
+
+        plc.scan = killing
+        first = cycle(ready, plc)
+        assert [x.split(":")[0] for x in first.lost] == ["east"]
+        second = cycle(ready, plc)
+        assert not second.valid and second.outputs["YS_X7"] and not second.outputs["YP_X7"]
+        assert west.lamp("YS_X7") and not west.lamp("YP_X7")  # told to the one that is left
+        assert all(v for n, v in second.outputs.items() if n.startswith("YS_"))
+        east.start()
+        until_valid(ready, plc)
+        for _ in range(5):
+            assert cycle(ready, plc).outputs["YS_X7"]  # R14: it stays at stop until it is asked for again
+        cycle(ready, plc, line="set X7-X1")
+
+
+def test_a_heartbeat_that_hangs_is_noticed(ready: Ready) -> None:
+    """A device that answers, and whose processor hangs."""
+    assert ready.allocation is not None
+
+    class Hung:
+        def __init__(self, beats: bool) -> None:
+            self.beats, self.count = beats, 0
+
+        def read(self) -> Mapping[str, int]:
+            self.count += 1
+            return {
+                **{c.variable: 1 for c in plc.allocation.channels if c.direction == "I"},
+                **{c.variable: self.count % 2 if self.beats else 1 for c in plc.allocation.heartbeats},
+            }
+
+        def write(self, values: Mapping[str, bool], heartbeat: bool) -> None:
+            pass
+
+        def close(self) -> None:
+            pass
+
+    plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, {"west": Hung(True), "east": Hung(True)})
+    assert [plc.cycle({}, 100).valid for _ in range(4)] == [False, True, True, True]
+    plc.links["east"].beats = False  # type: ignore[attr-defined]
+    valid = [plc.cycle({}, 100).valid for _ in range(20)]
+    assert valid[0] and not valid[-1] and valid.index(False) <= 11
+    with pytest.raises(ValueError, match="links for"):
+        SoftPlc(runtime_scan(ready.runtime), ready.allocation, {"west": Hung(True)})
+
+
+def test_the_watch_is_the_one_of_the_mapping_program() -> None:
+    numbers = Numbers()
+    text: Execution[int] = Execution(Unit((watch("W"),)), numbers)
+    own, rng = Watch(), random.Random(8)
+    beat = 0
+    for _ in range(2000):
+        beat ^= rng.random() < 0.3
+        numbers.dt_ms = rng.choice((50, 100, 400))
+        assert own.step(beat, numbers.dt_ms) == bool(text.scan({"HB": beat})["OK"])
+
+
+def test_what_the_operator_types(ready: Ready) -> None:
+    assert operate(ready, "set j1") == operate(ready, "set X1-X5")
+    assert operate(ready, "cancel X1") == {"CAN_X1": 1} and operate(ready, "BLK_q1=1") == {"BLK_q1": 1}
+    assert list(operate(ready, "voyage in")) == ["VOY"]
+    for line in ("set nonsense", "voyage nowhere", "cancel X99", "CLR_q1=1", "BLK_q1=2", "hello"):
+        with pytest.raises(BadCommand):
+            operate(ready, line)
+
+
+def test_no_connection_is_told_not_thrown(ready: Ready) -> None:
+    assert ready.allocation is not None
+    link = ModbusLink(ready.allocation, "west", "127.0.0.1", free_port())
+    with pytest.raises(LinkLost):
+        link.read()
+    link.close()
+    assert _runs([1, 2, 3, 5000], 2000) == [(1, 3), (5000, 1)]
+
+
+def test_the_command_runs_proves_and_stops(ready: Ready) -> None:
+    west, east = Station(ready, "west"), Station(ready, "east")
+    try:
+        path = ready.proved.checked.path
+        args = ["run", path, "--modbus", f"west=127.0.0.1:{west.port}", "--modbus", f"east=127.0.0.1:{east.port}"]
+        typed = "\n" * 12 + "release\nset X7-X1\nrubbish\n"  # a line a cycle
+        done = CliRunner().invoke(cli, [*args, "--cycles", "30", "--cycle", "40"], input=typed)
+        assert done.exit_code == 0, done.output
+        assert "PROVED" in done.output and "inputs valid" in done.output and "YP_X7 = 1" in done.output
+        assert "write set ROUTE" in done.output and "the longest cycle took" in done.output
+        wrong = CliRunner().invoke(cli, ["run", path, "--modbus", "north=127.0.0.1:1"])
+        assert wrong.exit_code == 2 and "substations: west, east" in wrong.output
+        missing = CliRunner().invoke(cli, [*args[:4]])
+        assert missing.exit_code == 2 and "missing for east" in missing.output
+    finally:
+        west.kill()
+        east.kill()

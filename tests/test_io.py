@@ -1,0 +1,194 @@
+"""Wires and addresses: nothing missing, nothing twice, and the mapping program proved to carry each to its place."""
+
+from __future__ import annotations
+
+import csv
+import io
+import random
+import re
+
+import openpyxl
+import pytest
+
+from interlock.derive import derive
+from interlock.diag import Sink
+from interlock.emit.io import channels_csv, equipment_csv, tags_xlsx
+from interlock.frontend import load_text
+from interlock.logic.cabinet import BadAddress, allocate
+from interlock.logic.controller import Controller
+from interlock.logic.lower import lower
+from interlock.model.layout import Layout
+from interlock.proof.cabinet import compare_program
+from interlock.st.ast import Unit
+from interlock.st.dialects import BY_NAME, write_st
+from interlock.st.lint import lint
+from interlock.st.meaning import Execution, Numbers
+from interlock.st.printer import print_unit
+from interlock.st.program import HEARTBEAT_MS, io_program, watch
+from tests.layouts import SHIPPED, built
+
+MINE = open("layouts/mine11.yaml", encoding="utf-8").read()  # noqa: SIM115
+
+
+def made(extra: str) -> tuple[Layout, Controller]:
+    """mine11 with more lines."""
+    sink = Sink()
+    layout, _ = load_text("mine11.yaml", MINE + extra, sink)
+    assert layout is not None, sink.diagnostics
+    return layout, lower(layout, derive(layout, sink))
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_variable_has_one_place_and_every_address_one_variable(name: str) -> None:
+    layout, _, controller = built(name)
+    a = allocate(layout, controller)
+    wires = [c.variable for c in a.channels]
+    assert len({c.address for c in (*a.channels, *a.heartbeats)}) == len(a.channels) + len(a.heartbeats)
+    inputs, outputs = {i.name for i in controller.inputs}, {o.name for o in controller.outputs}
+    assert set(wires) | set(a.written) | set(a.read) | {"VALID"} == inputs | outputs
+    assert len(wires) == len(set(wires)) and not set(wires) & {*a.written, *a.read}
+    assert {c.variable for c in a.channels if c.direction == "I"} <= inputs
+    assert {c.variable for c in a.channels if c.direction == "Q"} <= outputs
+    assert all(0 <= c.bit < 8 for c in a.channels)
+    for kind in "IQ":
+        room = sum(size for *_, d, size in a.cards if d == kind)
+        used = sum(c.direction == kind for c in (*a.channels, *a.heartbeats))
+        assert used * 1.1 <= room  # a tenth is spare
+    assert all(i.restrictive == 0 for i in controller.inputs if i.name in wires)  # a broken wire reads 0
+
+
+def test_the_counts_of_the_eleven_section_mine() -> None:
+    """The rule of document B 2.2 on mine11 with two lamps a signal: 18 outputs, 31 inputs."""
+    layout, controller = made("principles: {lamp_proof: true}\n")
+    a = allocate(layout, controller)
+    assert sum(c.direction == "Q" for c in a.channels) == 7 * 2 + 2 * 2
+    assert sum(c.direction == "I" for c in a.channels) == 7 * 2 + 2 * 2 + 11 + 2
+
+
+def test_substations_and_stated_addresses() -> None:
+    layout, controller = made(
+        "substations:\n  west: [ap_W, q1, q2, P1, X7, X1]\n  east: []\naddresses: {CLR_q1: I0.3, YN_P2: Q9.7}\n"
+    )
+    a = allocate(layout, controller)
+    assert [c.variable for c in a.heartbeats] == ["HB_west", "HB_east"]
+    assert a.by_variable["CLR_q1"].address == "I0.3" and a.by_variable["CLR_q1"].located == "%IX0.3"
+    assert a.by_variable["YN_P2"].address == "Q9.7" and a.by_variable["YN_P2"].substation == "east"
+    assert {c.element for c in a.channels if c.substation == "west"} == {"ap_W", "q1", "q2", "P1", "X7", "X1"}
+    west = [c.byte for c in a.channels if c.substation == "west" and c.direction == "I" and c.slot]
+    east = [c.byte for c in a.channels if c.substation == "east" and c.direction == "I"]
+    assert max(west) < min(east)
+    assert compare_program(controller, a, print_unit(io_program(controller, a, []))) == ()
+    text = print_unit(io_program(controller, a, []))
+    assert "VALID := W_west.OK AND W_east.OK;" in text and "CLR_q1 AT %IX0.3 : BOOL;" in text
+
+
+@pytest.mark.parametrize(
+    ("addresses", "message"),
+    [
+        ("{CLR_q77: I0.3}", "CLR_q77 is no variable with a wire"),
+        ("{CLR_q1: Q0.3}", "CLR_q1 is an input"),
+        ("{REQ: I0.0}", "no wire"),
+    ],
+)
+def test_addresses_that_cannot_be(addresses: str, message: str) -> None:
+    layout, controller = made(f"addresses: {addresses}\n")
+    with pytest.raises(BadAddress, match=message.replace("no wire", "no variable")):
+        allocate(layout, controller)
+
+
+def test_check_tells_of_an_address_that_cannot_be(tmp_path_factory: pytest.TempPathFactory) -> None:
+    from interlock.app.check import check_file
+
+    path = tmp_path_factory.mktemp("io") / "mine.yaml"
+    path.write_text(MINE + "addresses: {CLR_q1: Q0.3}\n", "utf-8")
+    (found,) = [d for d in check_file(str(path)).diagnostics if d.code == "IL2015"]
+    assert found.span is not None and "begins with I" in found.message
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_the_mapping_program_is_proved_and_passes_our_checks(name: str) -> None:
+    layout, _, controller = built(name)
+    a = allocate(layout, controller)
+    unit = io_program(controller, a, ["made for a test"])
+    text = print_unit(unit)
+    assert compare_program(controller, a, text) == ()
+    core = BY_NAME["iec"].read(write_st(controller, BY_NAME["iec"], []))
+    whole = Unit((unit.blocks[0], *core.blocks, unit.blocks[1]))
+    assert {f.rule for f in lint(whole) if f.block != unit.blocks[0].name} <= {"ST-SIZE", "ST-USED", "ST-INIT"}
+    assert all("is never used" in f.text for f in lint(whole) if f.rule == "ST-USED")
+
+
+def test_a_changed_mapping_is_refuted() -> None:
+    layout, _, controller = built("mine11")
+    a = allocate(layout, controller)
+    text = print_unit(io_program(controller, a, []))
+    changes = [
+        ("%IX0.3", "%IX0.4"),
+        ("CLR_q1 := CLR_q1", "CLR_q1 := CLR_q2"),
+        ("YN_P1 := RUN.YN_P1", "YN_P1 := RUN.YR_P1"),
+        ("VALID := W_main.OK", "VALID := TRUE"),
+        ("  YS_X1 := RUN.YS_X1;\n", ""),
+        ("BLK_q1 : BOOL := TRUE", "BLK_q1 : BOOL := FALSE"),
+        ("T#1s", "T#100s"),
+        ("W_main(HB := HB_main)", "W_main(HB := CLR_q1)"),
+        ("HB AND LAST", "HB OR LAST"),
+    ]
+    for old, new in changes:
+        assert old in text, old
+        assert compare_program(controller, a, text.replace(old, new, 1)), old
+
+
+def test_cabinet_text_and_runtime_run_alike() -> None:
+    """The program with wires, by addresses, against the plain runtime by names."""
+    from interlock.logic.eval import Machine
+
+    layout, _, controller = built("fig2_3_split")
+    a = allocate(layout, controller)
+    core = BY_NAME["iec"].read(write_st(controller, BY_NAME["iec"], []))
+    program = io_program(controller, a, [])
+    numbers = Numbers(dt_ms=100)
+    run: Execution[int] = Execution(Unit((program.blocks[0], *core.blocks, program.blocks[1])), numbers)
+    machine, rng = Machine(controller), random.Random(4)
+    for k in range(400):
+        inputs = {i.name: rng.randrange(i.size) if i.size else int(rng.random() < 0.8) for i in controller.inputs}
+        cabinet = run.main.values
+        cabinet.update({n: v for n, v in inputs.items() if n != "VALID"})
+        cabinet["HB_main"] = k % 2
+        run.scan({})
+        inputs["VALID"] = int(k > 0)  # alive from the second scan on
+        expected = machine.scan(inputs, 100)
+        assert {o.name: bool(run.main.values[o.name]) for o in controller.outputs} == expected, k
+
+
+def test_a_heartbeat_that_stops_is_noticed_in_time_and_one_that_never_came_too() -> None:
+    numbers = Numbers(dt_ms=100)
+    run: Execution[int] = Execution(Unit((watch("W"),)), numbers)
+    assert [run.scan({"HB": 1})["OK"] for _ in range(30)] == [0] * 30  # stuck since the restart
+    assert [run.scan({"HB": k % 2})["OK"] for k in range(6)] == [1] * 6
+    still = [run.scan({"HB": 1})["OK"] for _ in range(20)]
+    assert still == [1] * 9 + [0] * 11 or still == [1] * 10 + [0] * 10
+    assert still.index(0) * 100 <= HEARTBEAT_MS
+    assert run.scan({"HB": 0})["OK"] == 1
+
+
+def test_the_lists_say_the_same_as_the_allocation() -> None:
+    layout, _, controller = built("cn6502")
+    a = allocate(layout, controller)
+    rows = list(csv.DictReader(io.StringIO(channels_csv(controller, a))))
+    by_variable = {r["Variable"]: r for r in rows if r["Variable"]}
+    assert {n: r["Address"] for n, r in by_variable.items()} == {
+        c.variable: c.address for c in (*a.heartbeats, *a.channels)
+    }
+    assert len({r["Address"] for r in rows}) == len(rows) == sum(size for *_, size in a.cards)
+    assert by_variable["YS_X"]["At restart"] == "1" and by_variable["YP_X"]["At restart"] == "0"
+    assert tags_xlsx(layout, a) == tags_xlsx(layout, a)
+    sheet = openpyxl.load_workbook(io.BytesIO(tags_xlsx(layout, a)))["PLC Tags"]
+    tags = list(sheet.iter_rows(values_only=True))
+    assert tags[0][:4] == ("Name", "Path", "Data Type", "Logical Address")
+    assert {t[0]: t[3] for t in tags[1:]} == {c.variable: f"%{c.address}" for c in (*a.heartbeats, *a.channels)}
+    assert all(re.fullmatch(r"%[IQ]\d+\.[0-7]", str(t[3])) for t in tags[1:])
+    equipment = dict(csv.reader(io.StringIO(equipment_csv(layout, a))))
+    assert equipment["point machine"] == str(len(layout.machines))
+    assert int(equipment["signal, combined"]) + int(equipment["signal, shunt"]) + int(equipment["signal, main"]) == len(
+        layout.signals
+    )

@@ -1,0 +1,187 @@
+"""Point telegrams of document C: golden vectors, every telegram decided, and what the check cannot see."""
+
+from __future__ import annotations
+
+import random
+import re
+from collections import Counter
+from itertools import pairwise, product
+
+import pytest
+
+from interlock.field.telegram import BadTelegram, Form, Receiver, Sender, decode, encode, form_of
+from interlock.logic.expr import neg, var
+from interlock.model.elements import MachineId, Position
+from interlock.proof.encode import Cnf
+from interlock.proof.engines import Answer, solver
+from interlock.proof.telegram import compare_telegram, right
+from interlock.st.ast import Unit
+from interlock.st.lint import lint
+from interlock.st.meaning import Execution, Numbers
+from interlock.st.parser import parse_unit
+from interlock.st.printer import print_unit
+from interlock.st.telegram import telegram_unit
+
+N, R = Position.NORMAL, Position.REVERSE
+ELEVEN = form_of([MachineId(f"P{k}") for k in range(1, 12)])
+SIZES = (1, 2, 4, 5, 11)
+FORMS = [form_of([MachineId(f"P{k}") for k in range(1, n + 1)], tagged) for n in SIZES for tagged in (False, True)]
+
+
+def commands(form: Form, positions: list[Position]) -> dict[MachineId, Position]:
+    return dict(zip(form.machines, positions, strict=True))
+
+
+def text_of(form: Form) -> str:
+    return print_unit(telegram_unit("demo", form.machines, form.tagged, ["made for a test"]))
+
+
+def test_the_vectors_of_document_c() -> None:
+    assert encode(form_of(ELEVEN.machines[:4]), commands(form_of(ELEVEN.machines[:4]), [N, N, R, R]))[0] == 0xA5
+    telegram = encode(ELEVEN, commands(ELEVEN, [N, N, R, R, N, N, N, N, N, N, N]))
+    assert telegram.hex(" ").upper() == "A5 AA A8 A7"
+    assert decode(ELEVEN, telegram)[MachineId("P3")] is R
+
+
+@pytest.mark.parametrize("form", FORMS, ids=str)
+def test_what_is_sent_is_received(form: Form) -> None:
+    rng = random.Random(1)
+    for _ in range(50):
+        wanted = commands(form, [rng.choice((N, R)) for _ in form.machines])
+        assert decode(form, encode(form, wanted)) == wanted
+
+
+@pytest.mark.parametrize("form", FORMS, ids=str)
+def test_the_text_is_proved_for_every_telegram(form: Form) -> None:
+    text = text_of(form)
+    assert compare_telegram("demo", form.machines, form.tagged, text) == ()
+    for old, new in (
+        ("D_1 XOR D_2;", "D_1 OR D_2;"),
+        ("OK := ", "OK := NOT "),
+        ("AND D_1;", "AND D_2;"),
+        ("NOT T_2", "T_2"),
+    ):
+        assert old in text
+        assert compare_telegram("demo", form.machines, form.tagged, text.replace(old, new, 1)), (old, new)
+
+
+@pytest.mark.parametrize("form", FORMS, ids=str)
+def test_text_and_python_accept_the_same_telegrams(form: Form) -> None:
+    unit = parse_unit(text_of(form))
+    receive: Execution[int] = Execution(Unit((unit.blocks[1],)), Numbers())
+    rng = random.Random(2)
+    accepted = 0
+    for _ in range(400):
+        telegram = bytearray(encode(form, commands(form, [rng.choice((N, R)) for _ in form.machines])))
+        for _ in range(rng.choice((0, 0, 1, 2, 4))):
+            telegram[rng.randrange(form.size)] ^= 1 << rng.randrange(8)
+        bits = {f"D_{k * 8 + b + 1}": byte >> (7 - b) & 1 for k, byte in enumerate(telegram) for b in range(8)}
+        out = receive.scan(bits)
+        try:
+            positions: dict[MachineId, Position] = decode(form, bytes(telegram))
+        except BadTelegram:
+            positions = {}
+        assert bool(out["OK"]) is bool(positions)
+        for m in form.machines:
+            assert out[f"CN_{m}"] == (positions.get(m) is N) and out[f"CR_{m}"] == (positions.get(m) is R)
+        accepted += bool(positions)
+    assert 100 < accepted < 400
+
+
+def test_of_all_telegrams_of_eleven_points_exactly_the_right_ones_are_accepted() -> None:
+    """2^32 telegrams: those that the receiver accepts are the 2^11 encodings, by proof, and no two are near."""
+    bits = {(byte, bit): var(f"b{byte}.{bit}") for byte in range(4) for bit in range(8)}
+    cnf = Cnf()
+    cnf.require(right(11, False, bits))
+    sat = solver("minisat", cnf, 10_000)
+    points = [cnf.literal(bits[n // 4, n % 4 * 2]) for n in range(11)]
+    for choice in ([1] * 11, [0] * 11, [1, 0] * 5 + [1]):
+        given = [x if c else -x for x, c in zip(points, choice, strict=True)]
+        assert sat.ask(*given) is Answer.SAT
+        wanted = encode(ELEVEN, commands(ELEVEN, [N if c else R for c in choice]))
+        for (byte, bit), x in bits.items():
+            value = wanted[byte] >> (7 - bit) & 1
+            assert sat.ask(*given, cnf.literal(neg(x) if value else x)) is Answer.UNSAT  # nothing else is free
+    everything = {encode(ELEVEN, commands(ELEVEN, list(p))) for p in product((N, R), repeat=11)}
+    assert len(everything) == 2048
+    first = min(everything)
+    far = Counter(sum((a ^ b).bit_count() for a, b in zip(first, t, strict=True)) for t in everything)
+    assert min(d for d in far if d) == 4  # any three wrong bits are seen
+    assert (far[4], far[8], far[12]) == (21, 165, 585)
+
+
+def test_the_plain_check_is_blind_to_the_order_of_bytes_and_the_tagged_one_is_not() -> None:
+    plain = encode(ELEVEN, commands(ELEVEN, [N, N, R, R, N, N, N, N, N, N, N]))
+    exchanged = bytes([plain[1], plain[0], *plain[2:]])
+    assert decode(ELEVEN, exchanged) != decode(ELEVEN, plain)  # the documented weakness of document C
+    tagged = form_of(ELEVEN.machines, tagged=True)
+    telegram = encode(tagged, commands(tagged, [N, N, R, R, N, N, N, N, N, N, N]))
+    for i, j in ((0, 1), (0, 2), (1, 3), (2, 3)):
+        swapped = bytearray(telegram)
+        swapped[i], swapped[j] = swapped[j], swapped[i]
+        with pytest.raises(BadTelegram):
+            decode(tagged, bytes(swapped))
+
+
+@pytest.mark.parametrize(
+    ("telegram", "message"),
+    [
+        ("A5 AA A8", "3 bytes, not 4"),
+        ("A5 AA A8 A6", "check byte"),
+        ("E5 AA A8 E7", "P1: 11 is no position"),
+        ("25 AA A8 27", "P1: 00 is no position"),
+        ("A5 AA AA A5", "unused place"),
+    ],
+)
+def test_wrong_telegrams_are_refused_and_change_nothing(telegram: str, message: str) -> None:
+    receiver = Receiver(ELEVEN, commands(ELEVEN, [N] * 11))
+    assert not receiver.receive(bytes.fromhex(telegram))
+    assert message in receiver.refused[0] and receiver.positions == commands(ELEVEN, [N] * 11)
+
+
+def test_nothing_is_sent_unless_the_host_agrees() -> None:
+    form = form_of(ELEVEN.machines[:2])
+    sender = Sender(form)
+    own = commands(form, [N, R])
+    assert sender.step(own, commands(form, [N, N]), None, 100) is None
+    assert sender.step(own, {}, None, 100) is None
+    assert sender.step(own, own, None, 100) == encode(form, own)
+
+
+def test_a_telegram_is_repeated_twice_and_then_alarmed() -> None:
+    form = form_of(ELEVEN.machines[:2])
+    sender = Sender(form)
+    own = commands(form, [N, R])
+    sent = [sender.step(own, own, None, 100) for _ in range(10)]
+    assert [t is not None for t in sent] == [True, False, True, False, True, False, False, False, False, False]
+    assert sender.alarm
+    assert sender.step(own, own, True, 100) is None and not sender.alarm  # a late word of the receiver
+    refused = Sender(form)
+    answers = [None, False, False, False, True]
+    assert [refused.step(own, own, a, 10) is not None for a in answers] == [True, True, True, False, False]
+
+
+def test_the_text_repeats_and_alarms_as_the_runtime_does() -> None:
+    """TRY against the Python sender: the same telegrams, the same alarm, on answers at random."""
+    unit = parse_unit(text_of(form_of(ELEVEN.machines[:2])))
+    assert unit.blocks[2].name == "IL_demo_TRY"
+    numbers = Numbers(dt_ms=100)
+    run: Execution[int] = Execution(Unit((unit.blocks[2],)), numbers)
+    sends = [run.scan({"NEW": k == 0, "YES": 0, "NO": 0}) for k in range(12)]
+    assert sum(s["SEND"] for s in sends) == 3 and sends[-1]["ALARM"] and not sends[0]["ALARM"]
+    assert sends[0]["SEND"] and all(not (a["SEND"] and b["SEND"]) for a, b in pairwise(sends))
+    assert not run.scan({"NEW": 0, "YES": 1, "NO": 0})["ALARM"]
+    run = Execution(Unit((unit.blocks[2],)), Numbers(dt_ms=100))
+    refused = [run.scan({"NEW": k == 0, "YES": 0, "NO": k in (1, 3, 5)}) for k in range(8)]
+    assert [k for k, s in enumerate(refused) if s["SEND"]] == [0, 1, 3] and refused[5]["ALARM"]
+    run = Execution(Unit((unit.blocks[2],)), Numbers(dt_ms=100))
+    fine = [run.scan({"NEW": k == 0, "YES": k == 1, "NO": 0}) for k in range(30)]
+    assert sum(s["SEND"] for s in fine) == 1 and not any(s["ALARM"] for s in fine)
+
+
+@pytest.mark.parametrize("form", FORMS, ids=str)
+def test_the_blocks_pass_our_own_checks(form: Form) -> None:
+    unit = telegram_unit("demo", form.machines, form.tagged, [])
+    kinds = {f.rule for f in lint(unit) if "no block has an instance" not in f.text}
+    assert kinds <= {"ST-INIT"}  # AGAIN and the like are of the last scan
+    assert not re.search(r"\b(FOR|WHILE|ARRAY)\b", text_of(form))
