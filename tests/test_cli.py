@@ -101,7 +101,8 @@ def test_compile_writes_everything_and_check_tells_whether_it_is_current(tmp_pat
         "io/equipment.csv",
         "io/tags_tia.xlsx",
         "table.csv",
-        "table.html",
+        "index.html",
+        "plan.svg",
         "table.json",
         "table_railml.json",
         "table.xlsx",
@@ -120,7 +121,7 @@ def test_no_plc_text_without_a_proof_unless_marked(tmp_path: Path) -> None:
     assert done.exit_code == 1 and "IL5006" in done.output
     folder = tmp_path / "wrong_waiver"
     assert not list(folder.rglob("*.st")) and not list(folder.rglob("*.py"))
-    assert "NOT PROVED" in (folder / "table.html").read_text("utf-8")
+    assert "NOT PROVED" in (folder / "index.html").read_text("utf-8")
     assert run(*args, "--unproved").exit_code == 1
     assert "NOT PROVED" in (folder / "st/iec/wrong_waiver.st").read_text("utf-8").splitlines()[0]
     assert "NOT PROVED" in (folder / "runtime.py").read_text("utf-8").splitlines()[0]

@@ -15,12 +15,13 @@ from interlock.app.check import Checked, check_file
 from interlock.app.prove import Proved, claims_json, prove_checked
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
+from interlock.emit.drawing import plan_svg
 from interlock.emit.io import channels_csv, equipment_csv, tags_xlsx
+from interlock.emit.report import player_html, report_html
 from interlock.emit.tables.export import (
     matrix_csv,
     sheet_csv,
     table_csv,
-    table_html,
     table_json,
     table_xlsx,
     voyages_csv,
@@ -50,15 +51,19 @@ def build(
     files = _documents(checked, proved)
     if proved.green or unproved:
         files |= texts
+    for claim, trace in proved.traces:
+        files[f"counterexamples/{claim}.itf.json"] = trace.encode()
+        files[f"counterexamples/{claim}.html"] = player_html(trace).encode()
+    files["index.html"] = _report(checked, proved, files).encode()
     return replace(proved, files=tuple(sorted(files))), files
 
 
 def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
     layout, table, proof = checked.layout, checked.table, proved.proof
     assert layout is not None and table is not None and proof is not None
+    plan = plan_svg(layout)
     controller = lower(layout, table)
     allocation = allocate(layout, controller)
-    watermark = "" if proved.green else "NOT PROVED: for study only, never for a railway"
     body = {
         "schema": "interlock-proof/1",
         "layout": layout.name,
@@ -79,7 +84,7 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
         "table.json": table_json(table).encode(),
         "table.csv": table_csv(table).encode(),
         "table.xlsx": table_xlsx(layout, table),
-        "table.html": table_html(layout, table, claims_json(proof), watermark).encode(),
+        "plan.svg": plan.encode(),
         "matrix.csv": matrix_csv(table).encode(),
         "table_railml.json": railml_json(layout, table).encode(),
         **({"voyages.csv": voyages_csv(table).encode()} if table.voyages else {}),
@@ -89,6 +94,21 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
         "io/tags_tia.xlsx": tags_xlsx(layout, allocation),
         "proof.json": (json.dumps(body, indent=1, ensure_ascii=False) + "\n").encode(),
     }
+
+
+def _report(checked: Checked, proved: Proved, files: dict[str, bytes]) -> str:
+    layout, table, proof = checked.layout, checked.table, proved.proof
+    assert layout is not None and table is not None and proof is not None
+    return report_html(
+        layout,
+        table,
+        files["plan.svg"].decode(),
+        claims_json(proof),
+        [(t.file, t.equal) for t in proved.texts],
+        ASSUMPTIONS,
+        files,
+        "" if proved.green else "NOT PROVED: for study only, never for a railway",
+    )
 
 
 def finish(checked: Checked, files: dict[str, bytes]) -> dict[str, bytes]:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from interlock import __version__
 from interlock.app.check import Checked, check_file
 from interlock.diag import Diagnostic, Severity
+from interlock.emit.drawing import plan_svg
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
@@ -20,6 +21,7 @@ from interlock.proof.python_text import compare_runtime
 from interlock.proof.runner import Limits, Progress, ProofResult, Verdict, prove, quiet
 from interlock.proof.system import System
 from interlock.proof.telegram import compare_telegram
+from interlock.proof.trace import itf
 from interlock.proof.translation import Difference, compare_dialect
 from interlock.st.dialects import DIALECTS, write_st
 from interlock.st.printer import print_unit
@@ -47,6 +49,8 @@ class Proved:
     checked: Checked
     proof: ProofResult | None = None
     texts: tuple[TextVerdict, ...] = ()
+    traces: tuple[tuple[str, str], ...] = ()
+    """For each refuted claim its name and the ITF trace of its counterexample."""
     files: tuple[str, ...] = ()
     notes: tuple[Diagnostic, ...] = ()
 
@@ -120,7 +124,10 @@ def prove_checked(
         for d in t.differences:
             message = f"{t.file} and the controller differ at {d.name}: {d.text}"
             notes.append(Diagnostic("IL5001", Severity.ERROR, message))
-    return Proved(checked, proof, tuple(verdicts), (), tuple(notes)), files
+    stories = [c.story for c in proof.claims if c.story is not None]
+    plan = plan_svg(checked.layout) if stories else ""
+    traces = tuple((s.claim, itf(system, s, plan)) for s in stories)
+    return Proved(checked, proof, tuple(verdicts), traces, (), tuple(notes)), files
 
 
 def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:

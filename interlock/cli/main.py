@@ -23,6 +23,8 @@ VERBS = {
     "verify": "Check certificates again, with nothing of what made them.",
     "run": "Run the proved runtime against inputs and outputs on Modbus TCP.",
     "export": "Write the whole system as a circuit for other engines.",
+    "draw": "Draw the track plan as SVG.",
+    "play": "Make a page that plays a trace.",
     "why": "Print why each cell of a route's row is as it is.",
     "explain": "Explain a diagnostic code or a rule; without one, list all codes.",
     "mutate": "Weaken table and controller on purpose; see which claim fails.",

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 
 import click
 
 from interlock.app.compile import run_many
+from interlock.app.draw import write_traces
 from interlock.app.prove import prove_file
 from interlock.cli.common import (
     exit_code,
@@ -46,9 +48,22 @@ from interlock.proof.runner import Limits
     show_default=True,
     help="What decides the obligations; Z3 is slower, and a second opinion.",
 )
+@click.option(
+    "--traces",
+    type=click.Path(path_type=Path, file_okay=False),
+    default=Path("counterexamples"),
+    show_default=True,
+    help="Folder for a page that plays each counterexample, and its trace.",
+)
 @format_option
 def command(
-    layouts: tuple[str, ...], jobs: int, search_depth: int, search_seconds: float, engine: str, form: str
+    layouts: tuple[str, ...],
+    jobs: int,
+    search_depth: int,
+    search_seconds: float,
+    engine: str,
+    traces: Path,
+    form: str,
 ) -> None:
     """Prove every safety claim for every possible train movement."""
     limits = Limits(
@@ -66,4 +81,9 @@ def command(
     else:
         for r in results:
             show_proof(r, form, verbose=True)
+            try:
+                for page in write_traces(r, traces):
+                    click.echo(f"  to play it: {page}")
+            except OSError as error:
+                click.echo(f"{traces}: {error.strerror}", err=True)
     sys.exit(exit_code(results))

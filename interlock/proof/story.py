@@ -20,6 +20,8 @@ class Story:
     sentence: str
     steps: tuple[str, ...]
     frames: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...]
+    after: tuple[int, ...] = ()
+    """For each step, the frame whose state it leads to."""
 
 
 def tell(system: System, run: Run) -> Story:
@@ -35,6 +37,7 @@ def tell(system: System, run: Run) -> Story:
         + (f"; {lying}" if lying else "")
         + "."
     )
+    after_step = [0]
     raw: list[tuple[tuple[str, ...], tuple[str, ...]]] = []
     for i, frame in enumerate(run.frames):
         values = {**frame.state, **frame.inputs}
@@ -56,6 +59,7 @@ def tell(system: System, run: Run) -> Story:
         )
         if sentences:
             steps.append("; ".join(_capital(s) if k == 0 else s for k, s in enumerate(sentences)) + ".")
+            after_step.append(min(i + 1, len(run.frames) - 1))
     last = run.frames[-1].state
     where = ", ".join(s for s in trains if last[f"o.{s}"]) or "nowhere"
     lying = _points(system, last)
@@ -65,7 +69,8 @@ def tell(system: System, run: Run) -> Story:
         steps.append(f"Nothing keeps a vehicle away that rolls in over {leg}: no signal at stop, no point turned away.")
     sentence = CLAIMS[run.claim.id]
     steps.append(f"This violates {run.claim.id} at {run.claim.place}: {sentence}")
-    return Story(run.claim.id, run.claim.place, sentence, tuple(steps), tuple(raw))
+    after_step += [len(run.frames) - 1] * (len(steps) - len(after_step))
+    return Story(run.claim.id, run.claim.place, sentence, tuple(steps), tuple(raw), tuple(after_step))
 
 
 def _capital(text: str) -> str:

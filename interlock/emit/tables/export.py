@@ -8,10 +8,8 @@ import json
 import zipfile
 from dataclasses import asdict
 from datetime import datetime
-from functools import lru_cache
 
 import xlsxwriter
-from jinja2 import Environment, PackageLoader, select_autoescape
 
 from interlock.model.layout import Layout
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
@@ -154,33 +152,3 @@ def reproducible(data: bytes) -> bytes:
         for item in old.infolist():
             new.writestr(zipfile.ZipInfo(item.filename, (2000, 1, 1, 0, 0, 0)), old.read(item))
     return out.getvalue()
-
-
-@lru_cache(maxsize=1)
-def _environment() -> Environment:
-    return Environment(
-        loader=PackageLoader("interlock.emit.tables", "."),
-        autoescape=select_autoescape(default=True, default_for_string=True),
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-
-
-def table_html(layout: Layout, table: InterlockingTable, claims: list[dict[str, object]], watermark: str) -> str:
-    """One self-contained page that prints on A3 landscape; every cell shows its reason on hover and focus."""
-    named = matrix(table, named_only=True)
-    return (
-        _environment()
-        .get_template("table.html.j2")
-        .render(
-            layout=layout,
-            table=table,
-            columns=COLUMNS,
-            voyage_columns=VOYAGE_COLUMNS,
-            claims=claims,
-            watermark=watermark,
-            m=named if named.routes else matrix(table),
-            beyond=beyond_matrix(table),
-            forms=national_sheets(layout, table),
-        )
-    )

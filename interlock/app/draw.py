@@ -1,0 +1,46 @@
+"""Pictures: the track plan of a layout, and the player of a trace."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from interlock.app.prove import Proved
+from interlock.diag import Diagnostic, Sink
+from interlock.emit.drawing import place, plan_svg
+from interlock.emit.report import player_html
+from interlock.frontend import Source, load
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """A plan, what the drawing could not do, and the diagnostics when there is none."""
+
+    source: Source
+    svg: str | None
+    notes: tuple[str, ...] = ()
+    diagnostics: tuple[Diagnostic, ...] = ()
+
+
+def draw_file(path: str) -> Drawn:
+    """The plan of a layout file; nothing needs to be derived or proved for it."""
+    sink = Sink()
+    layout, source = load(path, sink)
+    if layout is None:
+        return Drawn(source, None, (), sink.diagnostics)
+    drawing = place(layout)
+    return Drawn(source, plan_svg(layout, drawing), tuple(drawing.notes))
+
+
+def write_traces(proved: Proved, folder: Path) -> list[Path]:
+    """A trace and a player for each refuted claim; the players' paths.  Raises OSError."""
+    out = []
+    layout = proved.checked.layout
+    for claim, trace in proved.traces:
+        assert layout is not None
+        folder.mkdir(parents=True, exist_ok=True)
+        page = folder / f"{layout.name}-{claim}.html"
+        page.with_suffix(".itf.json").write_text(trace, "utf-8")
+        page.write_text(player_html(trace), "utf-8")
+        out.append(page)
+    return out

@@ -1,0 +1,7 @@
+"""The track plan: placed from topology alone, drawn as SVG."""
+
+from interlock.emit.drawing.canvas import Drawing
+from interlock.emit.drawing.place import place
+from interlock.emit.drawing.svg import plan_svg
+
+__all__ = ["Drawing", "place", "plan_svg"]

@@ -1,0 +1,131 @@
+"""What a drawing consists of: spots, names, and what is taken already."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+
+from interlock.emit.drawing.strands import Plan
+from interlock.model.elements import EdgeId, NodeId, SectionId
+from interlock.model.layout import Layout
+
+UNIT = 42  # pixels of a level: half a track's distance
+LEAST = 26  # of an edge without any name
+SIGNAL = 34  # of a signal's symbol
+MARGIN, TOP = 40, 84
+
+Spot = tuple[float, float]
+Box = tuple[float, float, float, float]
+
+
+def width(text: str) -> float:
+    """Pixels of a name at the size in which it is drawn."""
+    return sum(11.5 if ord(c) > 0x2E80 else 6.4 for c in text)
+
+
+@dataclass(frozen=True)
+class Label:
+    """A name: what kind of thing bears it, its id, the text, the middle of its line, and whether it is a length."""
+
+    kind: str
+    id: str
+    text: str
+    x: float
+    y: float
+    small: bool = False
+    anchor: str = "middle"
+
+    @property
+    def box(self) -> Box:
+        """Left, top, right, bottom."""
+        wide = width(self.text) * (0.82 if self.small else 1)
+        left = self.x - {"start": 0.0, "middle": wide / 2, "end": wide}[self.anchor]
+        return (left, self.y - 9, left + wide, self.y + 2.5)
+
+    def moved(self, dx: float, dy: float) -> Label:
+        """The same elsewhere."""
+        return replace(self, x=self.x + dx, y=self.y + dy)
+
+
+class Taken:
+    """Where something is drawn already: boxes in a grid, names apart from lines and marks."""
+
+    CELL = 48
+
+    def __init__(self) -> None:
+        self._cells: dict[tuple[int, int], list[tuple[Box, bool]]] = {}
+
+    def add(self, box: Box, name: bool = False) -> None:
+        """Something is here."""
+        for cell in self._over(box):
+            self._cells.setdefault(cell, []).append((box, name))
+
+    def meets(self, box: Box, names_only: bool = False) -> bool:
+        """Whether something is there."""
+        return any(
+            (name or not names_only) and _meet(box, other)
+            for cell in self._over(box)
+            for other, name in self._cells.get(cell, ())
+        )
+
+    def _over(self, box: Box) -> Iterator[tuple[int, int]]:
+        for x in range(int(box[0] // self.CELL), int(box[2] // self.CELL) + 1):
+            for y in range(int(box[1] // self.CELL), int(box[3] // self.CELL) + 1):
+                yield (x, y)
+
+
+@dataclass
+class Drawing:
+    """A plan with its places.  Edges are lines of spots from left to right; `turned`: the right end of a signal's
+    track lies behind it."""
+
+    layout: Layout
+    plan: Plan
+    at: dict[NodeId, Spot] = field(default_factory=dict)
+    edges: dict[EdgeId, list[Spot]] = field(default_factory=dict)
+    labels: list[Label] = field(default_factory=list)
+    signals: dict[str, tuple[float, float, bool]] = field(default_factory=dict)
+    distants: dict[str, tuple[float, float, bool]] = field(default_factory=dict)
+    joints: list[tuple[NodeId, float, float, float]] = field(default_factory=list)
+    taken: Taken = field(default_factory=lambda: Taken())
+    outside: list[tuple[NodeId, Spot, bool]] = field(default_factory=list)
+    width: float = 0.0
+    height: float = 0.0
+    notes: list[str] = field(default_factory=list)
+
+
+def flat(line: list[Spot]) -> tuple[Spot, Spot]:
+    """The longest level part of an edge, or its longest part."""
+    parts = list(pairwise(line))
+    return max(parts, key=lambda p: (p[0][1] == p[1][1], p[1][0] - p[0][0]))
+
+
+# --- names and signals ---------------------------------------------------------------------------
+
+
+def bend(d: Drawing, point: str) -> Spot:
+    """The next spot on the turned leg of a point."""
+    p = d.layout.point[point]  # type: ignore[index]
+    line = d.edges[d.plan.turned_leg(p)]
+    return line[1] if line[0] == d.at[p.node] else line[-2]
+
+
+def fouling_mark(d: Drawing, point: str) -> Spot:
+    """Where the fouling point of a point is marked: between its legs."""
+    (x, y), far = d.at[d.layout.point[point].node], bend(d, point)  # type: ignore[index]
+    return (x + (27 if far[0] > x else -27), y + (12 if far[1] > y else -12))
+
+
+def device_spots(d: Drawing, over: tuple[SectionId, ...]) -> list[Spot]:
+    """Where a device lies over each of its sections."""
+    out = []
+    for s in over:
+        stretches = [flat(d.edges[e.id]) for e in d.layout.edges if e.section == s]
+        (x0, y0), (x1, y1) = max(stretches, key=lambda p: p[1][0] - p[0][0])
+        out.append((x0 + (x1 - x0) * 0.25, y0 + (y1 - y0) * 0.25))
+    return out
+
+
+def _meet(a: Box, b: Box) -> bool:
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]

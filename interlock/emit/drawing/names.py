@@ -1,0 +1,147 @@
+"""Joints, signals and names of a placed plan.
+
+Those with a fixed place first, then the others where nothing else stands: moved along the track, or away from it, as
+little as needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from interlock.emit.drawing.canvas import (
+    SIGNAL,
+    Drawing,
+    Label,
+    Spot,
+    bend,
+    device_spots,
+    flat,
+    fouling_mark,
+    width,
+)
+from interlock.model.elements import BufferKind, EdgeId, SectionId
+
+
+def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
+    """Joints, signals and names: those with a fixed place first, the others where nothing else stands."""
+    _lines(d)
+    _joints(d)
+    _signals(d)
+    _outside(d)
+    for p in d.layout.points:
+        x, y = d.at[p.node]
+        far = bend(d, p.id)
+        below = far[1] < y
+        way = 1 if far[0] < x else -1
+        _put(
+            d, Label("point", p.id, p.id, x + way * 8, y + 15 if below else y - 8, anchor="start" if way > 0 else "end")
+        )
+    for edge, section in sorted(named.items()):
+        (x0, y0), (x1, y1) = flat(d.edges[edge])
+        length = sum(e.length for e in d.layout.edges if e.section == section)
+        x, y = (x0 + x1) / 2, (y0 + y1) / 2
+        tilt = 10 if y0 != y1 else 0
+        _put(d, Label("section", section, section, x, y - 6 - tilt))
+        _put(d, Label("length", section, f"{length:g}", x, y + 13 + tilt, small=True))
+
+
+def _lines(d: Drawing) -> None:
+    """What names should keep away from: diagonals, and the marks of points."""
+    for line in d.edges.values():
+        for (x0, y0), (x1, y1) in pairwise(line):
+            if y0 != y1:
+                steps = max(1, int(abs(y1 - y0) / 5))
+                for k in range(steps + 1):
+                    x, y = x0 + (x1 - x0) * k / steps, y0 + (y1 - y0) * k / steps
+                    d.taken.add((x - 3, y - 3, x + 3, y + 3))
+    for device in d.layout.devices:
+        for x, y in device_spots(d, device.over):
+            d.taken.add((x - 10, y - 16, x + 10, y + 16))
+    for p in d.layout.points:
+        x, y = d.at[p.node]
+        d.taken.add((x - 6, y - 8, x + 6, y + 8))
+        x, y = fouling_mark(d, p.id)
+        d.taken.add((x - 4, y - 4, x + 4, y + 4))
+
+
+def _joints(d: Drawing) -> None:
+    for n, (x, y) in d.at.items():
+        if n in d.plan.knots and n not in d.layout.boundary_at:
+            continue
+        edges = d.layout.edges_at[n]
+        if len({e.section for e in edges}) > 1 or n in d.layout.boundary_at:
+            d.joints.append((n, x, y, _slope(d, edges[0].id, (x, y))))
+            d.taken.add((x - 1, y - 7, x + 1, y + 7))
+
+
+def _signals(d: Drawing) -> None:
+    leftward = d.layout.profile != "de"  # signals stand on the left of their track, in Germany on the right
+    for g in d.layout.signals:
+        x, y = d.at[g.node]
+        ahead = d.edges[g.into][0] == (x, y)
+        up = ahead is leftward
+        way = 1 if ahead else -1
+        d.signals[g.id] = (x, y, ahead)
+        d.taken.add(
+            (min(x, x + way * SIGNAL), y - 19 if up else y + 6, max(x, x + way * SIGNAL), y - 6 if up else y + 19)
+        )
+        anchor = "start" if ahead else "end"
+        _put(d, Label("signal", g.id, g.id, x + way * 2, y - 22 if up else y + 30, anchor=anchor))
+    for k in d.layout.distants:
+        x, y = d.at[d.layout.signal[k.of].node]
+        ahead = d.signals[k.of][2]
+        way = 1 if ahead else -1
+        d.distants[k.id] = (x - way * 24, y, ahead)
+        _put(d, Label("signal", k.id, k.id, x - way * 24, y - 24 if ahead is leftward else y + 32))
+
+
+def _outside(d: Drawing) -> None:
+    layout = d.layout
+    for b in layout.boundaries:
+        x, y = d.at[b.node]
+        right = all(d.edges[e.id][-1] == (x, y) for e in layout.edges_at[b.node])
+        reach = max(46.0, width(str(b.approach or "")) + 16)
+        tip = x + (reach if right else -reach)
+        d.outside.append((b.node, (tip, y), right))
+        if b.approach is not None:
+            _put(d, Label("section", b.approach, b.approach, (x + tip) / 2, y - 6))
+        text = layout.labels.get(b.node, "") or b.node
+        where = tip + (8 if right else -8)
+        _put(d, Label("boundary", b.node, text, where, y + 4, anchor="start" if right else "end"))
+    for stop in layout.buffers:
+        x, y = d.at[stop.node]
+        left = all(d.edges[e.id][0] == (x, y) for e in layout.edges_at[stop.node])
+        if stop.kind is not BufferKind.DERAIL:
+            where = x + (-9 if left else 9)
+            _put(d, Label("buffer", stop.node, stop.node, where, y + 4, anchor="end" if left else "start"))
+
+
+def _slope(d: Drawing, edge: EdgeId, at: Spot) -> float:
+    """How a track runs where it meets a joint: 0 level, otherwise down or up to the right."""
+    line = d.edges[edge]
+    (x0, y0), (x1, y1) = (line[0], line[1]) if line[0] == at else (line[-2], line[-1])
+    return 0.0 if y0 == y1 else (y1 - y0) / max(1.0, x1 - x0)
+
+
+def _put(d: Drawing, label: Label) -> None:
+    """The label where nothing else stands: moved along the track, or away from it, as little as needed."""
+    moves = list(_tries())
+    for names_only in (False, True):
+        for dx, dy in moves:
+            moved = label.moved(dx, dy)
+            if not d.taken.meets(moved.box, names_only):
+                d.labels.append(moved)
+                d.taken.add(moved.box, name=True)
+                return
+    d.notes.append(f"the name {label.text} lies over another")
+    d.labels.append(label)
+
+
+def _tries() -> Iterator[tuple[float, float]]:
+    yield (0, 0)
+    for step in range(1, 8):
+        yield from ((6.0 * step, 0), (-6.0 * step, 0))
+    for dy in (-9, 9, -20, 20):
+        for step in range(8):
+            yield from ((6.0 * step, dy), (-6.0 * step, dy))

@@ -1,0 +1,177 @@
+"""The layout as a graph of strands: stretches of track between points, crossings, boundaries and ends of track.
+
+Every strand gets a left and a right end.  A point has its toe on one side and its legs on the other, a joint goes
+straight on, an arm of a crossing too; so one choice orients everything that hangs together, but for the two arms of a
+crossing: they may be told apart, and then every way of turning them is tried (`place`).  A layout that runs back
+into itself (a balloon loop) cannot be told into left and right: the strand that closes it is drawn as it comes.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from functools import cached_property
+
+from interlock.model.elements import BufferKind, EdgeId, NodeId, Point
+from interlock.model.layout import Layout
+
+CROSSOVER = 250.0  # metres: what is longer between two turned legs is a track
+
+
+@dataclass(frozen=True)
+class Strand:
+    """Edges from the left end to the right one, and the nodes between and around them."""
+
+    number: int
+    edges: tuple[EdgeId, ...]
+    nodes: tuple[NodeId, ...]
+
+    @property
+    def left(self) -> NodeId:
+        """The left end."""
+        return self.nodes[0]
+
+    @property
+    def right(self) -> NodeId:
+        """The right end."""
+        return self.nodes[-1]
+
+
+class Plan:
+    """The strands of a layout, oriented; `mirrored` turns parts round, counted in the order in which they are found."""
+
+    def __init__(self, layout: Layout, mirrored: int = 0) -> None:
+        self.layout = layout
+        self.parts = 0
+        self._mirrored = mirrored
+        self.knots = {
+            n
+            for n, edges in layout.edges_at.items()
+            if len(edges) != 2 or n in layout.point_at or n in layout.crossing_at or n in layout.boundary_at
+        }
+        self.knots |= set(layout.buffer_at)
+        self.turned: list[Strand] = []
+        oriented = self._oriented(self._contracted())
+        off = {b.node for b in layout.buffers if b.kind is BufferKind.DERAIL}
+        self.stubs = [s for s in oriented if s.left in off or s.right in off]
+        """Legs that lead off the rails: a short stroke, without a place of their own."""
+        self.strands = [s for s in oriented if s not in self.stubs]
+
+    def _contracted(self) -> list[Strand]:
+        out: list[Strand] = []
+        done: set[EdgeId] = set()
+        for e in self.layout.edges:
+            if e.id in done:
+                continue
+            back, behind = self._walk(e.id, e.a)  # back to the beginning, then forward
+            edges, nodes = self._walk(back[-1], self.layout.far(back[-1], behind[-1]))
+            done |= set(edges)
+            out.append(Strand(len(out), tuple(edges), tuple(nodes)))
+        return out
+
+    def _walk(self, edge: EdgeId, towards: NodeId) -> tuple[list[EdgeId], list[NodeId]]:
+        """From an edge on to the next knot; the nodes begin with the one behind."""
+        edges, nodes = [edge], [self.layout.far(edge, towards), towards]
+        while nodes[-1] not in self.knots:
+            onward = next((x.id for x in self.layout.edges_at[nodes[-1]] if x.id != edges[-1]), None)
+            if onward is None or onward == edges[0]:
+                break
+            edges.append(onward)
+            nodes.append(self.layout.far(onward, nodes[-1]))
+        return edges, nodes
+
+    def _oriented(self, raw: list[Strand]) -> list[Strand]:
+        at: dict[NodeId, list[int]] = {}
+        for s in raw:
+            for n in {s.nodes[0], s.nodes[-1]}:
+                at.setdefault(n, []).append(s.number)
+        forward: dict[int, bool] = {}
+        for first in raw:
+            if first.number in forward:
+                continue
+            forward[first.number] = True
+            found = [first.number]
+            todo = deque([first.number])
+            while todo:
+                k = todo.popleft()
+                for end in (raw[k].nodes[0], raw[k].nodes[-1]):
+                    mine = raw[k].edges[0] if end == raw[k].nodes[0] else raw[k].edges[-1]
+                    arrives = forward[k] is (end == raw[k].nodes[-1])
+                    for other in at[end]:
+                        theirs = raw[other].edges[0] if end == raw[other].nodes[0] else raw[other].edges[-1]
+                        same = self._same_side(end, mine, theirs)
+                        if other == k or same is None or other in forward:
+                            continue
+                        lands = arrives if same else not arrives
+                        forward[other] = lands is (end == raw[other].nodes[-1])
+                        found.append(other)
+                        todo.append(other)
+            along = sum(1 if self._declared(raw[k]) is forward[k] else -1 for k in found)
+            if (along < 0) is not bool(self._mirrored >> self.parts & 1):
+                for k in found:
+                    forward[k] = not forward[k]
+            self.parts += 1
+        out = []
+        for s in raw:
+            keeps = forward[s.number]
+            out.append(s if keeps else Strand(s.number, s.edges[::-1], s.nodes[::-1]))
+        return out
+
+    def _declared(self, s: Strand) -> bool:
+        """Whether most edges of a strand run as they are declared."""
+        ahead = sum(self.layout.edge[e].a == n for e, n in zip(s.edges, s.nodes, strict=False))
+        return 2 * ahead >= len(s.edges)
+
+    def _same_side(self, node: NodeId, a: EdgeId, b: EdgeId) -> bool | None:
+        """Whether two edges leave a knot on the same side; None when it says nothing."""
+        point = self.layout.point_at.get(node)
+        if point is not None:
+            return (a == point.toe) is (b == point.toe)
+        crossing = self.layout.crossing_at.get(node)
+        if crossing is not None:
+            for arm in crossing.arms:
+                if a in arm and b in arm:
+                    return a == b
+        return None  # the other arm may lie either way
+
+    # --- which ends bend --------------------------------------------------------------------------
+
+    def diverges(self, s: Strand, node: NodeId) -> bool:
+        """Whether a strand leaves a knot on a diagonal: the leg of a point that is not straight, a diagonal arm."""
+        edge = s.edges[0] if node == s.left else s.edges[-1]
+        point = self.layout.point_at.get(node)
+        if point is not None:
+            return edge == self.turned_leg(point)
+        crossing = self.layout.crossing_at.get(node)
+        if crossing is not None:
+            return any(edge in crossing.arms[k] for k in self.diagonal_arms[crossing.id])
+        return False
+
+    def crossover(self, s: Strand) -> bool:
+        """Whether a strand between two turned legs is short and bears no signal, so that it is all diagonal."""
+        layout = self.layout
+        signals = any((n, e) in layout.signal_facing for n in s.nodes for e in s.edges)
+        return not signals and sum(layout.edge[e].length for e in s.edges) <= CROSSOVER
+
+    def turned_leg(self, point: Point) -> EdgeId:
+        """The leg that is drawn as a diagonal."""
+        return point.normal if point.derailer else point.reverse
+
+    @cached_property
+    def diagonal_arms(self) -> dict[str, tuple[int, ...]]:
+        """The arms of each crossing that are drawn as diagonals: those between turned legs, at least one."""
+        out: dict[str, tuple[int, ...]] = {}
+        of_edge = {e: s for s in self.strands for e in s.edges}
+        for c in self.layout.crossings:
+            turned = []
+            for k, arm in enumerate(c.arms):
+                for edge in arm:
+                    s = of_edge[edge]
+                    far = s.right if s.left == c.node else s.left
+                    point = self.layout.point_at.get(far)
+                    end = s.edges[-1] if s.left == c.node else s.edges[0]
+                    if point is not None and end == self.turned_leg(point):
+                        turned.append(k)
+                        break
+            out[c.id] = tuple(dict.fromkeys(turned)) or (1,)
+        return out

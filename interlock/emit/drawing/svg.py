@@ -1,0 +1,218 @@
+"""A placed plan as SVG: the same bytes for the same layout, and an id on everything that other parts may address.
+
+Ids: `section-`, `edge-`, `point-`, `signal-`, `joint-`, `boundary-`, `buffer-`, `crossing-`, `device-` and the name.
+The drawing needs nothing from a network.  Colours are left to the style sheet at its head, so that a page can light up
+what it wants.
+"""
+
+from __future__ import annotations
+
+from xml.sax.saxutils import escape, quoteattr
+
+from interlock.emit.drawing.canvas import Drawing, Label, Spot, bend, device_spots, flat, fouling_mark
+from interlock.emit.drawing.place import place
+from interlock.model.elements import BufferKind, DeviceKind, Lane, Point, Signal, SignalKind, Work
+from interlock.model.foul import foul_joints
+from interlock.model.layout import Layout
+
+STYLE = """
+.plan { background: #fff; font: 11px Helvetica, Arial, "Noto Sans CJK SC", sans-serif; fill: #111 }
+.plan .track { fill: none; stroke: #222; stroke-width: 2.6; stroke-linejoin: round }
+.plan .hit { fill: none; stroke: transparent; stroke-width: 16; pointer-events: stroke }
+.plan .outside { stroke-dasharray: 7 4 }
+.plan .inclined { stroke-width: 4.2 }
+.plan .blind { stroke-dasharray: 2 3 }
+.plan .mark, .plan .mast { fill: none; stroke: #222; stroke-width: 1.5 }
+.plan .foul { fill: none; stroke: #222; stroke-width: 1.2 }
+.plan .lamp { fill: #fff; stroke: #222; stroke-width: 1.3 }
+.plan .lamp.main { fill: #222 }
+.plan .gap { stroke: #fff; stroke-width: 5 }
+.plan text { text-anchor: middle; pointer-events: none }
+.plan text.section { font-weight: bold }
+.plan text.length { font-size: 9px; fill: #666 }
+.plan text.point { font-style: italic }
+.plan text.signal { fill: #111 }
+.plan .title { font-size: 14px; text-anchor: start }
+"""
+
+
+def _n(x: float) -> str:
+    return f"{x:.1f}".rstrip("0").rstrip(".")
+
+
+def _path(line: list[Spot]) -> str:
+    return "M" + " L".join(f"{_n(x)} {_n(y)}" for x, y in line)
+
+
+def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
+    """The plan as a document of its own."""
+    d = drawing or place(layout)
+    body = "\n".join(
+        [*_tracks(d), *_crossings(d), *_joints(d), *_points(d), *_ends(d), *_devices(d), *_signals(d), *_texts(d)]
+    )
+    w, h = _n(d.width), _n(d.height)
+    title = escape(layout.title or layout.name)
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" class="plan" viewBox="0 0 {w} {h}" width="{w}" height="{h}" '
+        'role="img">\n'
+        f"<title>{title}</title>\n<style>{STYLE}</style>\n"
+        f'<rect width="{w}" height="{h}" fill="#fff"/>\n<text class="title" x="12" y="22">{title}</text>\n'
+        f"{body}\n</svg>\n"
+    )
+
+
+def _tracks(d: Drawing) -> list[str]:
+    layout = d.layout
+    out = []
+    for n, tip, _ in d.outside:
+        boundary = layout.boundary_at[n]
+        name = f' id="section-{escape(boundary.approach)}"' if boundary.approach else ""
+        out.append(f'<g{name} class="section approach"><path class="track outside" d="{_path([d.at[n], tip])}"/></g>')
+    for s in layout.sections:
+        edges = [e for e in layout.edges if e.section == s.id]
+        if not edges:
+            continue
+        kind = "track" + (" inclined" if s.lane is Lane.INCLINED else "") + ("" if s.detected else " blind")
+        paths = "".join(
+            f'<path id={quoteattr(f"edge-{e.id}")} class="{kind}" d="{_path(d.edges[e.id])}"/>' for e in edges
+        )
+        hit = f'<path class="hit" d="{" ".join(_path(d.edges[e.id]) for e in edges)}"/>'
+        arrows = "".join(_arrow(d, e.id) for e in edges if e.one_way)
+        out.append(f'<g id={quoteattr(f"section-{s.id}")} class="section">{hit}{paths}{arrows}</g>')
+    return out
+
+
+def _arrow(d: Drawing, edge: str) -> str:
+    """One-way track: an arrow on it."""
+    e = d.layout.edge[edge]  # type: ignore[index]
+    (x0, y0), (x1, y1) = flat(d.edges[e.id])
+    x, y = x0 + (x1 - x0) * 0.8, y0 + (y1 - y0) * 0.8
+    way = 6 if d.edges[e.id][0] == d.at[e.a] else -6
+    return f'<path class="mark" d="M{_n(x - way)} {_n(y - 5)} L{_n(x)} {_n(y)} L{_n(x - way)} {_n(y + 5)}"/>'
+
+
+def _joints(d: Drawing) -> list[str]:
+    fouls = {f.node for f in foul_joints(d.layout)}
+    out = []
+    for n, x, y, slope in d.joints:
+        dx, dy = (0.0, 7.0) if abs(slope) < 0.05 else (5.0 if slope < 0 else -5.0, 5.0)
+        ring = f'<circle class="foul" cx="{_n(x)}" cy="{_n(y)}" r="7"/>' if n in fouls else ""
+        tick = f'<path class="mark" d="M{_n(x - dx)} {_n(y - dy)} L{_n(x + dx)} {_n(y + dy)}"/>'
+        out.append(f'<g id={quoteattr(f"joint-{n}")} class="joint">{tick}{ring}</g>')
+    return out
+
+
+def _points(d: Drawing) -> list[str]:
+    out = []
+    for p in d.layout.points:
+        x, y = d.at[p.node]
+        far = bend(d, p.id)
+        length = max(1.0, ((far[0] - x) ** 2 + (far[1] - y) ** 2) ** 0.5)
+        ux, uy = (far[0] - x) / length, (far[1] - y) / length
+        gap = f'<path class="gap" d="M{_n(x + 5 * ux)} {_n(y + 5 * uy)} L{_n(x + 11 * ux)} {_n(y + 11 * uy)}"/>'
+        out.append(f'<g id={quoteattr(f"point-{p.id}")} class="point">{gap}{_machine(p, x, y, uy)}{_fouling(d, p)}</g>')
+    return out
+
+
+def _machine(p: Point, x: float, y: float, uy: float) -> str:
+    """A small square beside a worked point, a triangle for a derailer, a ring for a hand-worked one."""
+    beside = y + (-5 if uy > 0 else 5)
+    if p.derailer:
+        return f'<path class="mark" d="M{_n(x - 6)} {_n(y - 6)} L{_n(x + 6)} {_n(y - 6)} L{_n(x)} {_n(y + 4)} Z"/>'
+    if p.work is Work.HAND:
+        return f'<circle class="mark" cx="{_n(x)}" cy="{_n(beside)}" r="3"/>'
+    return f'<rect class="mark" x="{_n(x - 2.5)}" y="{_n(beside - 2.5)}" width="5" height="5"/>'
+
+
+def _fouling(d: Drawing, p: Point) -> str:
+    """The fouling point: a cross between the legs, as far out as the layout's scale has no say in."""
+    if p.derailer:
+        return ""
+    cx, cy = fouling_mark(d, p.id)
+    return f'<path class="foul" d="M{_n(cx - 2.5)} {_n(cy - 2.5)} l5 5 M{_n(cx - 2.5)} {_n(cy + 2.5)} l5 -5"/>'
+
+
+def _crossings(d: Drawing) -> list[str]:
+    out = []
+    for c in d.layout.crossings:
+        x, y = d.at[c.node]
+        out.append(f'<circle id={quoteattr(f"crossing-{c.id}")} class="mark" cx="{_n(x)}" cy="{_n(y)}" r="4"/>')
+    return out
+
+
+def _ends(d: Drawing) -> list[str]:
+    out = []
+    for n, (x, y), right in d.outside:
+        way = 5 if right else -5
+        tip = f'<path class="mark" d="M{_n(x - way)} {_n(y - 5)} L{_n(x)} {_n(y)} L{_n(x - way)} {_n(y + 5)}"/>'
+        out.append(f'<g id={quoteattr(f"boundary-{n}")} class="boundary">{tip}</g>')
+    for b in d.layout.buffers:
+        x, y = d.at[b.node]
+        left = all(d.edges[e.id][0] == (x, y) for e in d.layout.edges_at[b.node])
+        way = 5 if left else -5
+        if b.kind is BufferKind.STOP:
+            mark = f"M{_n(x + way)} {_n(y - 7)} L{_n(x)} {_n(y - 7)} L{_n(x)} {_n(y + 7)} L{_n(x + way)} {_n(y + 7)}"
+        elif b.kind is BufferKind.TRAP:
+            mark = f"M{_n(x)} {_n(y - 7)} L{_n(x)} {_n(y + 7)} M{_n(x - way)} {_n(y - 7)} L{_n(x - way)} {_n(y + 7)}"
+        else:
+            mark = (
+                f"M{_n(x - 4)} {_n(y - 4)} L{_n(x + 4)} {_n(y + 4)} M{_n(x - 4)} {_n(y + 4)} L{_n(x + 4)} {_n(y - 4)}"
+            )
+        out.append(f'<g id={quoteattr(f"buffer-{b.node}")} class="buffer"><path class="mark" d="{mark}"/></g>')
+    return out
+
+
+def _devices(d: Drawing) -> list[str]:
+    """A level crossing is a road across every track that it lies over; other interlocks are a frame around it."""
+    out = []
+    for device in d.layout.devices:
+        marks = []
+        for x, y in device_spots(d, device.over):
+            if device.kind is DeviceKind.LEVEL_CROSSING:
+                marks += [f"M{_n(x + k)} {_n(y - 16)} L{_n(x + k)} {_n(y + 16)}" for k in (-4, 4)]
+            else:
+                marks.append(f"M{_n(x - 9)} {_n(y - 9)} h18 v18 h-18 Z")
+        path = f'<path class="mark" d="{" ".join(marks)}"/>'
+        out.append(
+            f'<g id={quoteattr(f"device-{device.id}")} class="device"><title>{escape(device.id)}</title>{path}</g>'
+        )
+    return out
+
+
+def _signals(d: Drawing) -> list[str]:
+    leftward = d.layout.profile != "de"
+    out = [_signal(g, *d.signals[g.id], leftward) for g in d.layout.signals]
+    for k in d.layout.distants:  # a distant signal: an open square on its mast, in rear of its main signal
+        x, y, ahead = d.distants[k.id]
+        my = y + (-14 if ahead is leftward else 14)
+        box = f'<path class="mast" d="M{_n(x)} {_n(y)} L{_n(x)} {_n(my)} M{_n(x - 5)} {_n(my)} l5 -5 l5 5 l-5 5 Z"/>'
+        out.append(f'<g id={quoteattr(f"signal-{k.id}")} class="signal distant">{box}</g>')
+    return out
+
+
+def _signal(g: Signal, x: float, y: float, ahead: bool, leftward: bool) -> str:
+    """A foot at the joint, a mast along the track in the direction of travel, and its lamps: full for main signals,
+    open for shunt signals, both for combined ones."""
+    side, way = (-1 if ahead is leftward else 1), (1 if ahead else -1)
+    my = y + side * 14
+    lamps = {SignalKind.MAIN: ["main"], SignalKind.SHUNT: ["shunt"], SignalKind.COMBINED: ["main", "shunt"]}[g.kind]
+    mast = f"M{_n(x)} {_n(y + side * 4)} L{_n(x)} {_n(my + side * 4)} M{_n(x)} {_n(my)} L{_n(x + way * 12)} {_n(my)}"
+    heads = "".join(
+        f'<circle class="lamp {kind}" cx="{_n(x + way * (16 + 9 * k))}" cy="{_n(my)}" r="4.2"/>'
+        for k, kind in enumerate(lamps)
+    )
+    return f'<g id={quoteattr(f"signal-{g.id}")} class="signal {g.kind}"><path class="mast" d="{mast}"/>{heads}</g>'
+
+
+def _texts(d: Drawing) -> list[str]:
+    return [_text(t) for t in d.labels]
+
+
+def _text(t: Label) -> str:
+    anchor = "" if t.anchor == "middle" else f' style="text-anchor:{t.anchor}"'
+    return (
+        f'<text class="{t.kind}"{anchor} data-of={quoteattr(t.id)} x="{_n(t.x)}" y="{_n(t.y)}">{escape(t.text)}</text>'
+    )
+
+
+__all__ = ["plan_svg"]

@@ -1,0 +1,140 @@
+"""The report: plan, table, reasons, proof, matrices and files on one page that needs nothing else.
+
+Choosing a route lights up its path, overlap and flank protection on the plan and marks its hostile routes in the table.
+Everything that is printed stands in the page itself; scripts only light up, filter and explain.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from importlib import resources
+
+from jinja2 import Environment, PackageLoader, select_autoescape
+from markupsafe import Markup
+
+from interlock.model.layout import Layout
+from interlock.model.traversal import topology
+from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
+from interlock.table.matrix import beyond_matrix, matrix
+from interlock.table.national import national_sheets
+from interlock.table.rows import HostileClass, InterlockingTable, ProviderKind, RouteRow, TraversalKey
+
+LARGE = 200  # routes: from here on hostile routes are counted in the table, and named when asked for
+
+
+@lru_cache(maxsize=1)
+def environment() -> Environment:
+    """Templates of this folder."""
+    return Environment(
+        loader=PackageLoader("interlock.emit.report", "."),
+        autoescape=select_autoescape(default=True, default_for_string=True),
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+
+
+def asset(name: str) -> str:
+    """A style sheet or script of this folder."""
+    return resources.files("interlock.emit.report").joinpath(name).read_text("utf-8")
+
+
+def script_json(value: object) -> str:
+    """JSON that cannot end the script element in which it stands."""
+    text = json.dumps(value, ensure_ascii=False, separators=(",", ":"), sort_keys=True)
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def report_html(
+    layout: Layout,
+    table: InterlockingTable,
+    plan: str,
+    claims: Sequence[Mapping[str, object]],
+    texts: Sequence[tuple[str, bool]],
+    assumptions: Mapping[str, str],
+    files: Mapping[str, bytes],
+    watermark: str,
+) -> str:
+    """The page; `files` are those that it names with their digests."""
+    named = matrix(table, named_only=True)
+    m = named if named.routes else matrix(table)
+    small = len(m.routes) <= 80
+    mmt = m.m_mt() if small else ()
+    large = len(table.routes) > LARGE
+
+    def hostile_text(r: RouteRow) -> str:
+        return f"{len(r.hostile)} routes" if large else ", ".join(h.route for h in r.hostile)
+
+    return (
+        environment()
+        .get_template("index.html.j2")
+        .render(
+            layout=layout,
+            table=table,
+            plan=plan,
+            css=Markup(asset("report.css")),
+            js=asset("report.js"),
+            data=script_json(_data(layout, table)),
+            columns=COLUMNS,
+            voyage_columns=VOYAGE_COLUMNS,
+            claims=claims,
+            texts=texts,
+            assumptions=assumptions,
+            watermark=watermark,
+            m=m,
+            mmt=mmt,
+            most=max((x for row in mmt for x in row), default=1),
+            heat=_heat,
+            hostile_text=hostile_text,
+            beyond=beyond_matrix(table),
+            forms=national_sheets(layout, table) if not large else (),
+            kinds_of_routes=sorted({str(r.kind) for r in table.routes}),
+            places=sorted({*(s for r in table.routes for s in r.section_ids), *(r.entry for r in table.routes)}),
+            digests=[(n, hashlib.sha256(data).hexdigest()) for n, data in sorted(files.items())],
+        )
+    )
+
+
+def _heat(value: int, most: int) -> Markup:
+    """The colour of a number in a matrix."""
+    if not value:
+        return Markup("")
+    return Markup(' style="background:rgba(0,114,178,{:.2f})"').format(0.12 + 0.5 * value / max(1, most))
+
+
+def _data(layout: Layout, table: InterlockingTable) -> dict[str, object]:
+    topo = topology(layout)
+    kinds = [str(k) for k in HostileClass]
+    large = len(table.routes) > LARGE
+
+    def edges(keys: Sequence[TraversalKey]) -> list[str]:
+        return [e for s, n in keys for e in topo.traversals[s][n - 1].edges]
+
+    def points(keys: Sequence[TraversalKey]) -> list[str]:
+        return [p for s, n in keys for p, _ in topo.traversals[s][n - 1].points]
+
+    index = {r.id: i for i, r in enumerate(table.routes)}
+    routes = []
+    for r in table.routes:
+        providers = [p for c in r.flank for p in c.providers]
+        machines = {p.name for p in providers if p.kind is ProviderKind.POINT}
+        ends = [str(p.id) for p in layout.points if p.id in machines or p.machine in machines]
+        over = r.overlap.ways if r.overlap is not None else ()
+        routes.append(
+            {
+                "id": r.id,
+                "kind": str(r.kind),
+                "entry": r.entry,
+                "sections": list(r.section_ids),
+                "edges": edges(r.traversals),
+                "overlap": edges(over),
+                "points": points((*r.traversals, *over)),
+                "flank_points": ends,
+                "flank_signals": [p.name for p in providers if p.kind is ProviderKind.SIGNAL],
+                "hostile": [[index[h.route], kinds.index(str(h.kind)), "" if large else h.witness] for h in r.hostile],
+                "words": f"{r.kind} route from {r.entry} to {r.exit} over {', '.join(r.section_ids)}",
+            }
+        )
+    return {"routes": routes, "kinds": kinds}

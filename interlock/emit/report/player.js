@@ -1,0 +1,73 @@
+"use strict";
+const data = JSON.parse(document.getElementById("data").textContent);
+const slider = document.getElementById("slider"), list = [...document.querySelectorAll("#steps li")];
+const said = document.getElementById("said"), changes = document.getElementById("changes");
+let at = 0, timer = null;
+
+function views(k) {
+  const out = new Map();
+  for (const name of data.states[data.shown[k]]) for (const v of data.views[name] || []) out.set(v.join(" "), v);
+  return out;
+}
+
+const words = { occupied: "occupied", locked: "locked", overlap: "held as overlap", restart: "restart lock", proceed: "proceed", N: "normal", R: "reverse" };
+
+function show(k) {
+  at = Math.max(0, Math.min(data.texts.length - 1, k));
+  slider.value = at;
+  const now = views(at), before = at ? views(at - 1) : new Map();
+  for (const e of document.querySelectorAll("#plan [data-now]")) { e.removeAttribute("data-now"); e.classList.remove("changed"); }
+  for (const e of document.querySelectorAll("#plan .train")) e.remove();
+  const marks = new Map();
+  for (const [key, [kind, id, what]] of now) {
+    const e = document.getElementById(kind + "-" + id);
+    if (!e) continue;
+    marks.set(e, (marks.get(e) || "") + " " + what);
+    if (!before.has(key) && at) e.classList.add("changed");
+    if (what === "occupied") train(e, id);
+  }
+  for (const [e, what] of marks) e.setAttribute("data-now", what.trim());
+  const news = [];
+  for (const [key, v] of now) if (!before.has(key) && at) news.push(v[1] + " " + words[v[2]]);
+  for (const [key, v] of before) if (!now.has(key)) news.push(v[1] + " no longer " + words[v[2]]);
+  changes.textContent = news.join("; ");
+  said.textContent = (at + 1) + " of " + data.texts.length + ": " + data.texts[at];
+  list.forEach((li, i) => { li.classList.toggle("now", i === at); if (i === at) li.setAttribute("aria-current", "step"); else li.removeAttribute("aria-current"); });
+  if (list[at]) list[at].scrollIntoView({ block: "nearest" });
+}
+
+function train(group, id) {
+  const path = [...group.querySelectorAll("path.track")].sort((a, b) => b.getTotalLength() - a.getTotalLength())[0];
+  if (!path) return;
+  const n = path.getTotalLength(), p = path.getPointAtLength(n / 2), q = path.getPointAtLength(n / 2 + 1);
+  const box = document.createElementNS("http://www.w3.org/2000/svg", "rect");
+  const long = Math.min(30, n * 0.7);
+  for (const [k, v] of Object.entries({ class: "train", x: p.x - long / 2, y: p.y - 6, width: long, height: 12, rx: 4,
+    transform: "rotate(" + Math.atan2(q.y - p.y, q.x - p.x) * 180 / Math.PI + " " + p.x + " " + p.y + ")" })) box.setAttribute(k, v);
+  const title = document.createElementNS("http://www.w3.org/2000/svg", "title");
+  title.textContent = "a train in " + id;
+  box.append(title);
+  group.append(box);
+}
+
+function play() {
+  const button = document.getElementById("play");
+  if (timer) { clearInterval(timer); timer = null; button.textContent = "Play"; return; }
+  if (at === data.texts.length - 1) show(0);
+  button.textContent = "Pause";
+  timer = setInterval(() => { if (at >= data.texts.length - 1) play(); else show(at + 1); }, 1400);
+}
+
+slider.addEventListener("input", () => show(+slider.value));
+document.getElementById("back").addEventListener("click", () => show(at - 1));
+document.getElementById("on").addEventListener("click", () => show(at + 1));
+document.getElementById("play").addEventListener("click", play);
+list.forEach((li, i) => li.addEventListener("click", () => show(i)));
+document.addEventListener("keydown", (e) => {
+  if (e.target === slider) return;
+  if (e.key === "ArrowRight") show(at + 1);
+  if (e.key === "ArrowLeft") show(at - 1);
+  if (e.key === "Home") show(0);
+  if (e.key === "End") show(data.texts.length - 1);
+});
+show(0);

@@ -1,0 +1,110 @@
+"use strict";
+const data = JSON.parse(document.getElementById("data").textContent);
+const rows = [...document.querySelectorAll("#routes tr")];
+const why = document.getElementById("why");
+const byId = new Map(data.routes.map((r, i) => [r.id, i]));
+let chosen = -1;
+
+function lit(kind, ids, prefix) {
+  for (const id of ids) {
+    const e = document.getElementById(prefix + id);
+    if (e) e.classList.add(kind);
+  }
+}
+
+function dark() {
+  for (const kind of ["lit-path", "lit-overlap", "lit-flank", "lit-point", "lit-entry"])
+    for (const e of document.querySelectorAll("#plan ." + kind)) e.classList.remove(kind);
+  for (const r of rows) { r.classList.remove("chosen", "hostile"); r.removeAttribute("aria-selected"); }
+}
+
+function choose(i, scroll) {
+  dark();
+  chosen = i;
+  document.getElementById("route").value = i < 0 ? "" : data.routes[i].id;
+  if (i < 0) { say("Choose a route: its path, overlap and flank protection light up, and its hostile routes are marked."); return; }
+  const r = data.routes[i];
+  lit("lit-path", r.edges, "edge-");
+  lit("lit-overlap", r.overlap, "edge-");
+  lit("lit-point", r.points, "point-");
+  lit("lit-entry", [r.entry], "signal-");
+  lit("lit-flank", r.flank_signals, "signal-");
+  lit("lit-flank", r.flank_points, "point-");
+  rows[i].classList.add("chosen");
+  rows[i].setAttribute("aria-selected", "true");
+  for (const h of r.hostile) rows[h[0]].classList.add("hostile");
+  if (scroll) {
+    const box = rows[i].closest(".scroll");
+    box.scrollTop = rows[i].offsetTop - box.querySelector("thead").offsetHeight;
+  }
+  say(r.id + ": " + r.words + "; " + r.hostile.length + " hostile routes.");
+}
+
+function say(text) { why.textContent = text; }
+
+function filter() {
+  const text = document.getElementById("text").value.trim().toLowerCase();
+  const kind = document.getElementById("kind").value;
+  const over = document.getElementById("over").value;
+  let shown = 0;
+  data.routes.forEach((r, i) => {
+    const fits = (!text || rows[i].textContent.toLowerCase().includes(text)) && (!kind || r.kind === kind)
+      && (!over || r.sections.includes(over) || r.entry === over);
+    rows[i].hidden = !fits;
+    shown += fits;
+  });
+  document.getElementById("shown").textContent = shown + " of " + data.routes.length + " routes";
+}
+
+rows.forEach((row, i) => {
+  row.addEventListener("click", (e) => { if (!e.target.closest("button")) choose(i === chosen ? -1 : i, false); });
+  row.addEventListener("keydown", (e) => {
+    if (e.target !== row) return;
+    const step = { ArrowDown: 1, ArrowUp: -1 }[e.key];
+    if (e.key === "Enter" || e.key === " ") { e.preventDefault(); choose(i === chosen ? -1 : i, false); }
+    if (step) {
+      e.preventDefault();
+      let k = i + step;
+      while (rows[k] && rows[k].hidden) k += step;
+      if (rows[k]) rows[k].focus();
+    }
+  });
+});
+document.addEventListener("keydown", (e) => { if (e.key === "Escape") choose(-1, false); });
+document.getElementById("routes").addEventListener("click", (e) => {
+  const b = e.target.closest("button.why");
+  if (!b) return;
+  if (b.dataset.hostile !== undefined) {
+    const r = data.routes[+b.dataset.hostile];
+    say("Hostile to " + r.id + ": " + r.hostile.map((h) => data.routes[h[0]].id + " (" + data.kinds[h[1]] + (h[2] ? ": " + h[2] : "") + ")").join("; "));
+  } else say(b.title);
+});
+for (const id of ["text", "kind", "over"]) document.getElementById(id).addEventListener("input", filter);
+document.getElementById("route").addEventListener("change", (e) => choose(byId.has(e.target.value) ? byId.get(e.target.value) : -1, true));
+document.getElementById("plan").addEventListener("click", (e) => {
+  const g = e.target.closest(".section, .signal");
+  if (!g || !g.id) return;
+  const name = g.id.replace(/^(section|signal)-/, "");
+  const over = document.getElementById("over");
+  over.value = over.value === name ? "" : name;
+  filter();
+  say(over.value ? "Routes over or from " + name : "All routes");
+});
+for (const c of document.querySelectorAll("canvas.heat")) {
+  const n = data.routes.length, ctx = c.getContext("2d");
+  const sets = data.routes.map((r) => new Set(r.sections));
+  let most = 1;
+  const value = (a, b) => { let k = 0; for (const s of sets[a]) if (sets[b].has(s)) k++; return k; };
+  for (let a = 0; a < n; a++) most = Math.max(most, sets[a].size);
+  for (let a = 0; a < n; a++) for (let b = 0; b < n; b++) {
+    const v = value(a, b);
+    if (v) { ctx.fillStyle = "rgba(0,114,178," + (0.15 + 0.85 * v / most) + ")"; ctx.fillRect(b, a, 1, 1); }
+  }
+  c.addEventListener("click", (e) => {
+    const box = c.getBoundingClientRect();
+    const b = Math.floor((e.clientX - box.left) / box.width * n), a = Math.floor((e.clientY - box.top) / box.height * n);
+    say(data.routes[a].id + " and " + data.routes[b].id + " share " + value(a, b) + " sections");
+  });
+}
+choose(-1, false);
+filter();

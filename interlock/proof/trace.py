@@ -1,0 +1,53 @@
+"""A counterexample as an ITF trace (the JSON trace format of the TLA+ tools), with all that a player needs."""
+
+from __future__ import annotations
+
+import json
+
+from interlock.proof.story import Story
+from interlock.proof.system import System
+
+
+def views(system: System) -> dict[str, list[list[str]]]:
+    """What each state variable shows on the plan: kind of element, its id, and what is shown."""
+    sym, layout = system.symbols, system.layout
+    out: dict[str, list[list[str]]] = {}
+    for s in layout.sections:
+        if f"o.{s.id}" in system.state:
+            out[f"o.{s.id}"] = [["section", s.id, "occupied"]]
+    for (s_, n), name in sym.lock.items():
+        out[name] = [["edge", e, "locked"] for e in system.topo.traversals[s_][n - 1].edges]
+    for option, name in sym.overlap.items():
+        ways = sym.overlap_ways[option]
+        out[name] = [["edge", e, "overlap"] for s_, n in ways for e in system.topo.traversals[s_][n - 1].edges]
+    for s_, name in sym.restart.items():
+        out[name] = [["section", s_, "restart"]]
+    for r in sym.routes:
+        out[r.proceed] = [["signal", r.entry, "proceed"]]
+    for (m, x), _ in sym.command.items():
+        ends = [["point", str(p.id), str(x)] for p in layout.ends_of_machine.get(m, ())]
+        out[f"at.{m}.{x}"] = ends or [["device", str(m), str(x)]]
+    return {n: v for n, v in out.items() if n in set(system.state)}
+
+
+def itf(system: System, story: Story, plan: str) -> str:
+    """The trace of a story: one state for each of its steps."""
+    names = list(system.state)
+    states = []
+    for k, (text, frame) in enumerate(zip(story.steps, story.after, strict=True)):
+        true = set(story.frames[frame][0])
+        states.append({"#meta": {"index": k, "text": text}, **{n: n in true for n in names}})
+    body = {
+        "#meta": {
+            "format": "ITF",
+            "title": f"Counterexample to {story.claim} in {system.layout.name}",
+            "claim": f"{story.claim} at {story.place}",
+            "sentence": story.sentence,
+            "layout": system.layout.digest,
+            "plan": plan,
+            "views": views(system),
+        },
+        "vars": names,
+        "states": states,
+    }
+    return json.dumps(body, ensure_ascii=False, indent=1) + "\n"

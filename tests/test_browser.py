@@ -1,0 +1,202 @@
+"""The report and the player in a real browser (Debian's Chromium, driven by Playwright), where one is installed."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+
+from interlock.app.init import yard
+from interlock.cli.main import cli
+from interlock.derive import derive
+from interlock.diag import Sink
+from interlock.emit.drawing import plan_svg
+from interlock.emit.report import BadTrace, player_html, report_html
+from interlock.frontend import load_text
+
+BROWSER = shutil.which("chromium") or shutil.which("chromium-browser")
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--disable-background-networking"]
+FLAGS += ["--disable-component-update", "--disable-sync", "--no-first-run"]
+
+
+@contextmanager
+def opened(path: Path) -> Iterator[Any]:
+    """A page, and at the end the certainty that it logged no error and asked for nothing from anywhere."""
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as p:
+        browser = p.chromium.launch(executable_path=BROWSER, args=FLAGS)
+        page = browser.new_page(viewport={"width": 1500, "height": 1000})
+        wrong: list[str] = []
+        page.on("console", lambda m: wrong.append(m.text) if m.type == "error" else None)
+        page.on("pageerror", lambda e: wrong.append(str(e)))
+        page.on("request", lambda r: wrong.append(r.url) if not r.url.startswith("file:") else None)
+        page.goto(path.resolve().as_uri())
+        yield page
+        browser.close()
+        assert wrong == []
+
+
+@pytest.fixture(scope="module")
+def traces(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The counterexamples of every layout that the proof refutes."""
+    folder = tmp_path_factory.mktemp("counterexamples")
+    for path in sorted(Path("layouts/refuted").glob("*.yaml")):
+        done = CliRunner().invoke(cli, ["prove", str(path), "--traces", str(folder)])
+        assert done.exit_code == 1 and "to play it:" in done.output
+    return folder
+
+
+def test_every_refuted_claim_gets_a_trace_and_a_page_that_needs_nothing_else(traces: Path) -> None:
+    pages = sorted(traces.glob("*.html"))
+    assert {p.name.split("-")[0] for p in pages} == {p.stem for p in Path("layouts/refuted").glob("*.yaml")}
+    for page in pages:
+        text = page.read_text("utf-8")
+        assert not re.search(r"(src|href)=[\"']?(https?:|//)", text) and "This violates" in text
+        trace = json.loads(page.with_suffix(".itf.json").read_text("utf-8"))
+        assert trace["#meta"]["format"] == "ITF"
+        assert all(set(s) == {"#meta", *trace["vars"]} for s in trace["states"])
+        assert player_html(page.with_suffix(".itf.json").read_text("utf-8")) == text
+
+
+@pytest.mark.parametrize("text", ["", "[]", "{}", '{"#meta": {}, "vars": [], "states": []}', '{"#meta": 1}'])
+def test_what_is_no_trace_is_told(text: str, tmp_path_factory: pytest.TempPathFactory) -> None:
+    with pytest.raises(BadTrace):
+        player_html(text)
+    path = tmp_path_factory.mktemp("play") / "x.itf.json"
+    path.write_text(text)
+    done = CliRunner().invoke(cli, ["play", str(path)])
+    assert (done.exit_code == 1 and "not an ITF trace" in done.output) or "no states" in done.output
+    assert CliRunner().invoke(cli, ["play", "nowhere.json"]).exit_code == 1
+
+
+def test_a_trace_cannot_bring_a_script_along(traces: Path) -> None:
+    trace = json.loads(next(iter(traces.glob("*.itf.json"))).read_text("utf-8"))
+    trace["states"][0]["#meta"]["text"] = "</script><script>alert(1)</script>"
+    page = player_html(json.dumps(trace))
+    assert "<script>alert" not in page
+    trace["#meta"]["plan"] = "<svg><SCRIPT>alert(1)</SCRIPT></svg>"
+    with pytest.raises(BadTrace):
+        player_html(json.dumps(trace))
+
+
+def large_report(folder: Path) -> tuple[Path, int]:
+    """The report of a yard of a thousand routes, without its proof."""
+    sink = Sink()
+    layout, _ = load_text("yard.yaml", yard(124), sink)
+    assert layout is not None
+    table = derive(layout, sink)
+    page = folder / "large.html"
+    page.write_text(report_html(layout, table, plan_svg(layout), [], [], {}, {}, "NOT PROVED"), "utf-8")
+    return page, len(table.routes)
+
+
+if BROWSER:
+
+    @pytest.mark.parametrize("name", ["heishan", "cn6502", "mine11"])
+    def test_a_chosen_route_lights_up_on_plan_and_table(name: str) -> None:
+        with opened(Path(f"generated/{name}/index.html")) as page:
+            data = json.loads(page.inner_text("#data") or page.evaluate("document.getElementById('data').textContent"))
+            for i in (0, len(data["routes"]) // 2, len(data["routes"]) - 1):
+                r = data["routes"][i]
+                page.select_option("#route", r["id"])
+                lit = page.eval_on_selector_all("#plan .lit-path", "es => es.map(e => e.id)")
+                assert sorted(lit) == sorted(f"edge-{e}" for e in r["edges"])
+                over = page.eval_on_selector_all("#plan .lit-overlap", "es => es.map(e => e.id)")
+                assert sorted(over) == sorted({f"edge-{e}" for e in r["overlap"]})
+                assert page.locator("#routes tr.chosen").count() == 1
+                assert page.locator("#routes tr.hostile").count() == len(r["hostile"])
+                assert r["id"] in page.inner_text("#why")
+            page.keyboard.press("Escape")
+            assert page.locator("#plan .lit-path").count() == 0
+
+    def test_the_table_is_filtered_and_tells_reasons_and_works_by_keyboard() -> None:
+        with opened(Path("generated/cn6502/index.html")) as page:
+            everything = page.locator("#routes tr:visible").count()
+            page.select_option("#kind", "shunt")
+            shunts = page.locator("#routes tr:visible").count()
+            assert 0 < shunts < everything and f"{shunts} of {everything}" in page.inner_text("#shown")
+            page.select_option("#over", "5DG")
+            assert page.locator("#routes tr:visible").count() < shunts
+            page.select_option("#kind", "")
+            page.select_option("#over", "")
+            page.fill("#text", "nothing like this")
+            assert page.locator("#routes tr:visible").count() == 0
+            page.fill("#text", "")
+            page.locator("#routes button.why").nth(8).click()
+            assert re.match(r"R\d+", page.inner_text("#why"))
+            page.locator("#routes button[data-hostile]").first.click()
+            assert page.inner_text("#why").startswith("Hostile to")
+            page.locator("#routes tr").first.focus()
+            page.keyboard.press("ArrowDown")
+            page.keyboard.press("Enter")
+            assert page.locator("#routes tr.chosen").count() == 1
+            assert page.evaluate("document.activeElement === document.querySelectorAll('#routes tr')[1]")
+            spot = page.evaluate(
+                "(() => { const e = document.querySelector('#section-IAG .track'); "
+                "e.scrollIntoView({ block: 'center' }); const b = e.getBoundingClientRect(); "
+                "return [b.x + b.width / 2, b.y + b.height / 2 + 4]; })()"
+            )
+            page.mouse.click(*spot)  # a finger's breadth beside the line will do
+            assert page.input_value("#over") == "IAG"
+
+    def test_the_report_prints_on_a3(tmp_path_factory: pytest.TempPathFactory) -> None:
+        with opened(Path("generated/heishan/index.html")) as page:
+            data = page.pdf(prefer_css_page_size=True)
+        assert data.startswith(b"%PDF") and len(data) > 20_000
+        box = re.search(rb"/MediaBox\s*\[\s*0\s+0\s+([\d.]+)\s+([\d.]+)", data)
+        if box is not None:  # A3 landscape in points
+            assert abs(float(box[1]) - 1190.6) < 3 and abs(float(box[2]) - 841.9) < 3
+
+    def test_names_are_no_wider_in_the_browser_than_the_plan_reckons() -> None:
+        for name in ("cn6502", "pit_bottom", "depot"):
+            with opened(Path(f"generated/{name}/plan.svg")) as page:
+                boxes = page.evaluate(
+                    "[...document.querySelectorAll('text:not(.title)')].map(t => "
+                    "{ const b = t.getBBox(); return [t.textContent, b.x, b.y, b.x + b.width, b.y + b.height]; })"
+                )
+            for i, (s, *a) in enumerate(boxes):
+                for t, *b in boxes[i + 1 :]:
+                    wide = min(a[2], b[2]) - max(a[0], b[0])
+                    high = min(a[3], b[3]) - max(a[1], b[1])
+                    assert wide <= 1.5 or high <= 4, (name, s, t)
+
+    def test_a_counterexample_is_stepped_through(traces: Path) -> None:
+        for path in sorted(traces.glob("*.html")):
+            with opened(path) as page:
+                steps = page.locator("#steps li").count()
+                assert page.inner_text("#said").startswith(f"1 of {steps}: Restart")
+                seen_train = seen_proceed = False
+                for k in range(1, steps):
+                    page.click("#on")
+                    assert page.inner_text("#said").startswith(f"{k + 1} of {steps}")
+                    seen_train |= page.locator("#plan .train").count() > 0
+                    seen_proceed |= page.locator("#plan .signal[data-now~=proceed]").count() > 0
+                assert seen_proceed and (seen_train or "-S-" in path.name)
+                assert "This violates" in page.inner_text("#said")
+                page.keyboard.press("Home")
+                assert page.input_value("#slider") == "0"
+                page.keyboard.press("ArrowRight")
+                assert page.input_value("#slider") == "1"
+                page.locator("#steps li").last.click()
+                assert page.input_value("#slider") == str(steps - 1)
+
+    def test_a_yard_of_a_thousand_routes_stays_usable(tmp_path_factory: pytest.TempPathFactory) -> None:
+        path, count = large_report(tmp_path_factory.mktemp("large"))
+        assert count >= 1000 and path.stat().st_size < 40_000_000
+        with opened(path) as page:
+            assert page.locator("#routes tr").count() == count
+            spent = page.evaluate(
+                "(() => { const t = performance.now(); const s = document.getElementById('route'); "
+                "s.selectedIndex = 500; s.dispatchEvent(new Event('change')); return performance.now() - t; })()"
+            )
+            assert spent < 2000
+            assert page.locator("#plan .lit-path").count() > 3
+            assert page.locator("canvas.heat").count() == 1

@@ -1,0 +1,170 @@
+"""The track plan: everything drawn once, joined where the layout joins, no name over another, the same bytes always."""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ElementTree
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from interlock.cli.main import cli
+from interlock.diag import Sink
+from interlock.emit.drawing import Drawing, place, plan_svg
+from interlock.emit.drawing.place import _cross
+from interlock.frontend import load_text
+from interlock.model.elements import BufferKind
+from interlock.model.layout import Layout
+from tests.grow import grow
+from tests.layouts import SHIPPED, built
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def _boxes_meet(d: Drawing) -> list[tuple[str, str]]:
+    boxes = [(t.text, t.box) for t in d.labels]
+    return [
+        (s, t)
+        for i, (s, a) in enumerate(boxes)
+        for t, b in boxes[i + 1 :]
+        if a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+    ]
+
+
+def _check(layout: Layout, d: Drawing) -> None:
+    assert _boxes_meet(d) == []
+    assert set(d.edges) == {e.id for e in layout.edges}
+    for e in layout.edges:
+        line = d.edges[e.id]
+        ends = {(round(x, 3), round(y, 3)) for x, y in (line[0], line[-1])}
+        wanted = {(round(d.at[n][0], 3), round(d.at[n][1], 3)) for n in (e.a, e.b)}
+        assert ends == wanted, e.id  # joined where the layout joins
+        assert all(a[0] <= b[0] + 1e-6 for a, b in pairwise(line)), e.id  # never back
+    drawn = plan_svg(layout, d)
+    root = ElementTree.fromstring(drawn)
+    ids = [x.get("id") for x in root.iter() if x.get("id")]
+    assert len(ids) == len(set(ids))
+    wanted_ids = {f"edge-{e.id}" for e in layout.edges} | {f"point-{p.id}" for p in layout.points}
+    wanted_ids |= {f"signal-{g.id}" for g in (*layout.signals, *layout.distants)}
+    wanted_ids |= {f"boundary-{b.node}" for b in layout.boundaries} | {f"buffer-{b.node}" for b in layout.buffers}
+    wanted_ids |= {f"crossing-{c.id}" for c in layout.crossings} | {f"device-{x.id}" for x in layout.devices}
+    wanted_ids |= {f"section-{s.id}" for s in layout.sections}
+    assert wanted_ids <= set(ids), wanted_ids - set(ids)
+    names = {x.text for x in root.iter(f"{SVG}text")}
+    assert {s.id for s in layout.sections} | {p.id for p in layout.points} <= names
+    assert {g.id for g in layout.signals} <= names
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_shipped_layout_is_drawn_whole(name: str) -> None:
+    layout, _, _ = built(name)
+    d = place(layout)
+    assert d.notes == []
+    _check(layout, d)
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_the_same_layout_gives_the_same_bytes(name: str) -> None:
+    layout, _, _ = built(name)
+    assert plan_svg(layout) == plan_svg(layout)
+    assert Path(f"generated/{name}/plan.svg").read_text("utf-8") == plan_svg(layout)
+
+
+@pytest.mark.parametrize("name", [n for n in SHIPPED if n != "slip_junction"])
+def test_no_lines_cross_that_do_not_cross_on_the_ground(name: str) -> None:
+    layout, _, _ = built(name)
+    d = place(layout)
+    strokes = [(e, a, b) for e, line in d.edges.items() for a, b in pairwise(line)]
+    crossing = [
+        (e, f) for i, (e, a, b) in enumerate(strokes) for f, p, q in strokes[i + 1 :] if e != f and _cross(a, b, p, q)
+    ]
+    assert crossing == []
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_signals_stand_on_the_left_of_their_track_and_in_germany_on_the_right(name: str) -> None:
+    layout, _, _ = built(name)
+    root = ElementTree.fromstring(plan_svg(layout))
+    d = place(layout)
+    for g in layout.signals:
+        mast = next(x for x in root.iter(f"{SVG}g") if x.get("id") == f"signal-{g.id}").find(f"{SVG}path")
+        assert mast is not None
+        ys = [float(y) for y in re.findall(r"[ML][-\d.]+ ([-\d.]+)", mast.get("d", ""))]
+        to_the_right = d.edges[g.into][0] == d.at[g.node]
+        above = max(ys) < d.at[g.node][1] + 1
+        assert above is (to_the_right is (layout.profile != "de")), g.id
+
+
+def test_a_scissors_lies_between_its_tracks_and_a_derailer_on_its_track() -> None:
+    layout, _, _ = built("terminus")
+    d = place(layout)
+    middle = d.at[layout.crossings[0].node]
+    ends = sorted({d.at[p.node][1] for p in layout.points if p.id.startswith(("201", "202"))})
+    assert len(ends) == 2 and middle[1] == sum(ends) / 2
+    layout, _, _ = built("depot")
+    d = place(layout)
+    for p in layout.points:
+        if p.derailer:
+            assert d.edges[p.toe][-1][1] == d.at[p.node][1] and d.edges[p.reverse][-1][1] == d.at[p.node][1]
+    assert sum(b.kind is BufferKind.DERAIL for b in layout.buffers) == 3
+
+
+def test_layouts_that_grow_at_random_are_drawn_whole() -> None:
+    drawn = 0
+    for seed in range(120):
+        layout, _ = load_text("grown.yaml", grow(seed), Sink())
+        if layout is None:
+            continue
+        d = place(layout)
+        assert set(d.edges) == {e.id for e in layout.edges}
+        assert ElementTree.fromstring(plan_svg(layout, d)) is not None
+        if not d.notes:
+            _check(layout, d)
+            drawn += 1
+    assert drawn >= 60
+
+
+def test_a_layout_that_runs_back_into_itself_is_drawn_and_not_refused() -> None:
+    text = """
+interlock: 1
+name: balloon
+boundaries: {W: {approach: ap 100}}
+tracks:
+  west: [W, a 100]
+  loop: [b 100, c 100]
+points:
+  P: {section: p, toe: west.end, normal: loop.start, reverse: loop.end}
+signals:
+  X: {from: W, into: a}
+  Y: {from: b, into: c}
+  Z: {from: c, into: p}
+"""
+    layout, _ = load_text("balloon.yaml", text, Sink())
+    assert layout is not None
+    d = place(layout)
+    assert set(d.edges) == {e.id for e in layout.edges} and plan_svg(layout, d).startswith("<svg")
+    assert any("runs back" in n for n in d.notes)
+
+
+def test_names_with_anything_in_them_do_not_break_the_drawing() -> None:
+    sink = Sink()
+    with open("layouts/fig2_2.yaml", encoding="utf-8") as f:
+        text = f.read()
+    title = '"<script>alert(1)</script> & co"'
+    text = re.sub(r"(?m)^title:.*$", f"title: {title}", text)
+    layout, _ = load_text("x.yaml", text, sink)
+    assert layout is not None
+    drawn = plan_svg(layout)
+    assert "<script" not in drawn and ElementTree.fromstring(drawn) is not None
+
+
+def test_draw_writes_a_file_or_tells_why_not(tmp_path_factory: pytest.TempPathFactory) -> None:
+    folder = tmp_path_factory.mktemp("draw")
+    done = CliRunner().invoke(cli, ["draw", "layouts/junction.yaml", "-o", str(folder / "j.svg")])
+    assert done.exit_code == 0 and (folder / "j.svg").read_text("utf-8") == plan_svg(built("junction")[0])
+    broken = CliRunner().invoke(cli, ["draw", "tests/diagnostics/IL2004.yaml", "-o", str(folder / "k.svg")])
+    assert broken.exit_code == 1 and "IL2004" in broken.output and not (folder / "k.svg").exists()
+    nowhere = CliRunner().invoke(cli, ["draw", "layouts/junction.yaml", "-o", str(folder / "no" / "j.svg")])
+    assert nowhere.exit_code == 1 and "Traceback" not in nowhere.output
