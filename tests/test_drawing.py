@@ -160,6 +160,26 @@ def test_names_with_anything_in_them_do_not_break_the_drawing() -> None:
     assert "<script" not in drawn and ElementTree.fromstring(drawn) is not None
 
 
+def test_a_hint_of_the_layout_wins() -> None:
+    with open("layouts/mine11.yaml", encoding="utf-8") as f:
+        text = f.read()
+
+    def height(extra: str) -> float:
+        layout, _ = load_text("mine11.yaml", text + extra, Sink())
+        assert layout is not None
+        d = place(layout)
+        _check(layout, d)
+        return d.edges[next(e.id for e in layout.edges if e.section == "q6")][0][1] - d.at[layout.points[0].node][1]
+
+    assert height("") == 84 and height("drawing: {q6: 1}\n") == -84 and height("drawing: {q6: -2}\n") == 168
+    sink = Sink()
+    assert load_text("mine11.yaml", text + "drawing: {q66: 1, q6: up}\n", sink)[0] is None
+    assert {d.code for d in sink.diagnostics} == {"IL1013"}
+    sink = Sink()
+    assert load_text("mine11.yaml", text + "drawing: {q66: 1}\n", sink)[0] is None
+    assert {d.code for d in sink.diagnostics} == {"IL2004"}
+
+
 def test_draw_writes_a_file_or_tells_why_not(tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = tmp_path_factory.mktemp("draw")
     done = CliRunner().invoke(cli, ["draw", "layouts/junction.yaml", "-o", str(folder / "j.svg")])

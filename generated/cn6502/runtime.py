@@ -1,6 +1,6 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 790b723db646ac97fff335129d344f75758fc6f048d74b112e51d45874b4a949
+# layout 5516427c7e0879ab648e5fbefa02ae24d5f9fe84c68ec8728c40096e0dd874b7
 # claims c71ee449ff4ebd89876408c5acda7659d94e13ca2aed85d7a01dd9c5e3cd9a55
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 03200afa93c76e98930edcfcd0bcdcc81315f8905c12726ddd2384f80b285b91
+# layout a722e7758d21c6cab448631a60d0adf9cf0355bea3cbd8de5f5be41cc4e57c28
 # claims dcd1590c7782b2de9e096bf86379773b679319910cd930453577252fe3b2d977
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 3c799529020c2acafd87a9a4c19a05486030978e399a4ee3139c15408c9c20f2
+# layout e06dd33e1aef99ba4b1681bbe18b83922df057a3ba1a0f7cdf602f76c58fb3d5
 # claims 184ceea7ce3404e99b4a35be8821846c85c328a2d5ad8740eaa31bcea35b2dfb
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

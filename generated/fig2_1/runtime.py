@@ -1,6 +1,6 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 083865bd80b7fb657781dbbb8071d7d924a86c0900153d82478c4e6d5adf5410
+# layout 16dffb4b984fd867c2ad984ab2b5ae2ad294b3f9a7e3ce1eacef474ff5615eee
 # claims 12ece84bfd2216ee913c3cd704af8963535be3a0cf64f521a7be8977259021c2
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

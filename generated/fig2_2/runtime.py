@@ -1,6 +1,6 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout dea774a04d85a2119025a395ed114ec628a15358f61bbd9cfcd6c37237d570c5
+# layout 48b56ad2f3c1fec64038b7ecd634f1c1eda05f712e8c8e79bcd9b17ea94daad5
 # claims 5c13cf05123ccaa60f48844dfa6e7e11a9382ece14a86f186f02dd8e2bdbb40c
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

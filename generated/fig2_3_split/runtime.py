@@ -1,6 +1,6 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 15887ff152b5a56ebd2ba9e359f0bf6fa4d90f63c91918955b39619dfb5481ca
+# layout b9b329a01752cf6c757de493e1d17e03b0140970eb7a770e0d6eec48cd002f2b
 # claims 57d280561ecc65dc805b26f9c6a2441a2299a00791cb52acc222b20062999aa4
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 8c65fa0d5577edbc47f0214ddb1d6989889beb83fb69aff51594963d957f2815
+# layout 5d2a4bb524ca9718622620552d33a6172b5f969b4cb86a9e9cdf181847747989
 # claims 3e285fc5d103a2e625068c70e921cc481a945149091842782ec7a51696ad0a54
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

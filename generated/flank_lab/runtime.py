@@ -1,6 +1,6 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout ce71b2770de6566ed4565f8fc486322eded7654457b66e0bca2f43150b25b49e
+# layout 257f98b5db2fd4db0b37ac339153ad8882af4b393caf2ae0ebf6ea754c92119e
 # claims d6e7f874afd5010c3160a259b803f64f53dcf327da59d3094f872a2318d25a39
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

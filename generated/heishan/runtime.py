@@ -1,6 +1,6 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 39b846df09998009d93b3daebc6953e2d8ea7c3d838b9ecd0c6e99eb2931096b
+# layout 26cddb250b4c0100034a64b720a35075d528709b3c2b1018c73fda6b6f6c0096
 # claims fdbd91d3e1817c3bd47ada261177fd43f270fab0c4017d3e468656ab5ca07463
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout cb5a0dba9114d19a96a83fe32cf077694054a7fd19a4e88d47009d20150df897
+# layout a7a902f2f7f7a4afab3a449ba7b786b07d7c0b6d0da810ac00cd30a772b2775c
 # claims e220a5a65446dd4439378eb2baee1ce11fc5a317d26cd071e488ec03892b07ce
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

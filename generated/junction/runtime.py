@@ -1,6 +1,6 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout f5b6fb76e6aef99e007603c14391508a155caa29b0a80fb08a38fbc306d135c2
+# layout 470621a5697875017fe88261088acd54d34e6c9b726bf26f05f95bfa9ada729d
 # claims 592d8c60edb1bd7c7b823083c12aa71ddc7a385130e2e2b17061d0ae2146ca6c
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 9a489865bdc91beb94fb381157c1af4fe0b61fcb0bf525d4a0db90641526e388
+# layout 25cabd8df2f779b67cdf0ef2101ea8c769c317fb79382d449e9fc4e85d01202a
 # claims de55fb87ed3e81c7bf0daa98996ac7065085d628d55dfe86fee2b8d4f61b1a16
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 90f9cca342bef8975a797cf04626a405ae2c62b7ceb5674ac91f5ef0e199d00a
+# layout 908fb8d96fae378c2f30235c6cf18f79cd814eb66d5bf77ba88354cad81301de
 # claims 8f4556faea103ee292b577f6524d0607d5178652631cb5927ac69f6a835fa8b4
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

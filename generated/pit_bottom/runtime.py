@@ -1,6 +1,6 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 1b77f97be3a672215c1e15fc981f18dd783e757d6457993a03ad1362f4c627c9
+# layout 0e21f2204cf5fb4854db8f1ab20625714e92a7efff666070e6d295abad219087
 # claims 63c9197abaf9670696a545b3e7b8e3c2308248a5d2d32ad7651573c72f14259a
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 96bd1103cd78b7855dd8ba7ba298b371881e34c6e58c9576ca44ddf82160f2fe
+# layout 0616cc66e652502a7ffc06337d140cda0459f7e501a4cdf8b28838eeb8205cfe
 # claims 56b9f5a7dfaf7e155922032f5b78f01284bd1616982f78bf47e9f636bc722679
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

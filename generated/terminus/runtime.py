@@ -1,6 +1,6 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 38a636ebc43577577170b386033f1f5b2037ddbe697dbe6cd37a7b66503dbf5a
+# layout c860db68969c60bc66667e972049929162d85f76de5e7254a9e5e08d560571fb
 # claims e9e9b8312993b086b86a6f3e506fb51b3813a6c0bc467a7645e69be8ec5f3665
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

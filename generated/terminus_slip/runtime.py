@@ -1,6 +1,6 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout f9155bf7d2eac4193d098656620328a18bf340c378253a9af1f60699e7d74181
+# layout 54b7082dd8912d5f1384d5e6bf506a9fd98eb840c93909e133fb5a89c0c9b6bf
 # claims 90a02483fd03ec155c4ffc84980174d7aca9d2314f8391db71d134303528c194
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
-"""Substations and addresses: which cabinet an element is wired to, and where the author wants it (document B 2.2).
+"""What hangs on a layout beside its logic: cabinets and addresses (document B 2.2), and hints for the plan.
 
-Output: diagnostics IL2014, IL2015, and the elements.
+Output: diagnostics IL2004, IL2014, IL2015, and the elements.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import re
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
-from interlock.model.elements import Substation
+from interlock.model.elements import SectionId, Substation
 
 
 def _wired(ctx: Context, wiring: Wiring) -> list[str]:
@@ -76,3 +76,12 @@ def resolve_addresses(ctx: Context) -> tuple[tuple[str, str], ...]:
             ctx.add("IL2015", f"{name} and {seen[address]} would both have {address}", span, "give each its own")
         seen.setdefault(address, name)
     return tuple(sorted(ctx.file.addresses.items()))
+
+
+def resolve_drawing(ctx: Context, wiring: Wiring) -> tuple[tuple[SectionId, int], ...]:
+    """Hints for the plan: sections and their levels."""
+    for name in ctx.file.drawing:
+        if name not in wiring.sections:
+            hint = did_you_mean(name, wiring.sections)
+            ctx.add("IL2004", f"drawing: there is no section {name}", ctx.at_key("drawing", name), hint)
+    return tuple(sorted((SectionId(n), level) for n, level in ctx.file.drawing.items()))

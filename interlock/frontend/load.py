@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
-from interlock.frontend.cabinets import resolve_addresses, resolve_substations
+from interlock.frontend.cabinets import resolve_addresses, resolve_drawing, resolve_substations
 from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.names import check_names
@@ -128,6 +128,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     overlaps = resolve_overlaps(ctx, principles, signals, wiring)
     distants = resolve_distants(ctx, signals)
     substations = resolve_substations(ctx, wiring)
+    drawing = resolve_drawing(ctx, wiring)
     if sink.has_errors:
         return None, source
     layout = Layout(
@@ -154,6 +155,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         substations=substations,
         addresses=resolve_addresses(ctx),
         telegram=data.telegram,
+        drawing=drawing,
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )
     for check in CHECKS:

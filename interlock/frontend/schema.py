@@ -312,6 +312,13 @@ class PrinciplesSpec(_Part):
         return replace(base, **{k: v for k in KNOBS if (v := getattr(self, k)) is not None})
 
 
+def _level(value: Any) -> int:
+    text = str(value).strip()
+    if not re.fullmatch(r"[+-]?\d{1,3}", text):
+        raise PydanticCustomError("number", "{v} is not a whole number", {"v": repr(text)})
+    return int(text)
+
+
 class LayoutFile(_Part):
     """A track layout for interlock."""
 
@@ -342,6 +349,10 @@ class LayoutFile(_Part):
     waive: list[WaiverSpec] = []
     substations: Annotated[
         dict[Name, list[Text]], Field(description="cabinets, each with the elements wired to it; one may be left empty")
+    ] = {}
+    drawing: Annotated[
+        dict[Name, Annotated[int, BeforeValidator(_level), WithJsonSchema({"type": "integer"})]],
+        Field(description="hints for the plan, section: tracks above (or, negative, below) the longest run"),
     ] = {}
     telegram: Annotated[TelegramForm, _choice("telegram", tuple(TelegramForm))] = TelegramForm.NONE
     addresses: Annotated[dict[Text, Text], Field(description="PLC variable: address, for instance `CLR_q1: I4.0`")] = {}

@@ -69,6 +69,7 @@ class Layout:
     substations: tuple[Substation, ...] = ()
     addresses: tuple[tuple[str, str], ...] = ()
     telegram: TelegramForm = TelegramForm.NONE
+    drawing: tuple[tuple[SectionId, int], ...] = ()
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     @cached_property

@@ -76,6 +76,13 @@ class Runs:
                 bend = 40.0
                 self._cover(k, x[s.left] + (bend if plan.diverges(s, s.left) else 0))
                 self._cover(k, x[s.right] - (bend if plan.diverges(s, s.right) else 0))
+        hints = dict(plan.layout.drawing)
+        self.fixed: dict[int, int] = {}
+        for s in plan.strands:
+            if s.number in self.of_strand:
+                for e in s.edges:
+                    if plan.layout.edge[e].section in hints:
+                        self.fixed[self.of_strand[s.number]] = 2 * hints[plan.layout.edge[e].section]
         self.half = {self.of_node[c.node] for c in plan.layout.crossings if len(plan.diagonal_arms[c.id]) == 2}
         self.links = self._links(x)
         self.links_of: list[list[int]] = [[] for _ in range(self.count)]
@@ -122,7 +129,7 @@ def passes(count: int) -> int:
 
 
 def place_levels(runs: Runs) -> list[int]:
-    """The level of each run; 0 is that of the longest."""
+    """The level of each run; 0 is that of the longest, unless a hint of the layout says otherwise."""
     order = _order(runs)
     level: list[int | None] = [None] * runs.count
     for k in order:
@@ -131,8 +138,7 @@ def place_levels(runs: Runs) -> list[int]:
     for _ in range(passes(runs.count)):
         if not _improve(runs, found, order):
             break
-    base = found[order[0]]
-    return [v - base for v in found]
+    return found
 
 
 def cost(runs: Runs, levels: list[int]) -> float:
@@ -220,6 +226,8 @@ def _pair_cost(runs: Runs, level: list[int | None], i: int) -> float:
 
 def _best(runs: Runs, level: list[int | None], k: int) -> tuple[int, float]:
     """The best level for a run next to those that have one, and its cost: near what it hangs on, or else anywhere."""
+    if k in runs.fixed:
+        return runs.fixed[k], _cost_of(runs, level, k, runs.fixed[k])
     there = [v for v in level if v is not None]
     if not there:
         return 0, 0.0
@@ -250,7 +258,7 @@ def _improve(runs: Runs, found: list[int], order: list[int]) -> bool:
             better = True
     for link in runs.links if runs.count <= FEW else ():  # two runs at once: what hangs together moves together
         for step in (-4, -2, 2, 4):
-            pair = sorted({link.knot, link.run} - {order[0]})
+            pair = sorted({link.knot, link.run} - {order[0], *runs.fixed})
             if len(pair) != 2:
                 continue
             before = [found[j] for j in pair]

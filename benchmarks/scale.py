@@ -1,0 +1,74 @@
+"""The whole of `interlock prove`, from YAML to verdicts, on growing yards and lines: `python -m benchmarks.scale`.
+
+Each run is a process of its own with two processes for the induction (`-j 2`), witnesses and comparison of the texts
+included; the growth exponent is that of the seconds between two sizes of one kind.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from interlock.app.init import line, yard
+
+TOP = Path(__file__).resolve().parent.parent
+SIZES = (("yard", 30), ("yard", 60), ("yard", 124), ("line", 62), ("line", 125), ("line", 250))
+
+
+def run(path: Path) -> tuple[float, float, dict[str, object]]:
+    """Seconds, GiB at most, and what `prove` said."""
+    args = [sys.executable, "-m", "interlock.cli.main", "prove", str(path), "-j", "2", "--format", "json"]
+    began = time.perf_counter()
+    with tempfile.TemporaryFile() as out:
+        child = subprocess.Popen(args, cwd=TOP, stdout=out)
+        _, status, used = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        seconds = time.perf_counter() - began
+        out.seek(0)
+        body = json.loads(out.read())[0]
+    return seconds, used.ru_maxrss / 1024 / 1024, body
+
+
+def main() -> None:
+    """Print the page."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--most", type=int, default=1200, help="stop at layouts with more routes than this")
+    given = parser.parse_args()
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=TOP, capture_output=True, text=True).stdout
+    print(f"# Scale\n\n`python -m benchmarks.scale` at commit {commit.strip()}, x86_64, 2 cores.\n")
+    print("| layout | routes | seconds | GiB | claims | places | text = controller | growth exponent |")
+    print("|---|---|---|---|---|---|---|---|")
+    before: dict[str, tuple[int, float]] = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for kind, size in SIZES:
+            path = Path(folder) / f"{kind}{size}.yaml"
+            path.write_text(line(size) if kind == "line" else yard(size))
+            seconds, memory, body = run(path)
+            claims, witnesses = body["claims"], body["witnesses"]
+            assert isinstance(claims, list) and isinstance(witnesses, list)
+            proved = sum(c["verdict"] == "PROVED" for c in claims)
+            places = sum(c["places"] for c in claims)
+            routes = len(witnesses)
+            exponent = ""
+            if kind in before:
+                old = before[kind]
+                exponent = f"{math.log(seconds / old[1]) / math.log(routes / old[0]):.2f}"
+            before[kind] = (routes, seconds)
+            print(
+                f"| {kind} {size} | {routes} | {seconds:.1f} | {memory:.2f} | {proved} of {len(claims)} PROVED "
+                f"| {places} | {body['text_equals_controller']} | {exponent} |",
+                flush=True,
+            )
+            if routes > given.most:
+                break
+
+
+if __name__ == "__main__":
+    main()
