@@ -22,7 +22,7 @@ def row(name: str, text: str | None = None) -> None:
     drawing = place(layout)
     placed = time.perf_counter()
     svg = plan_svg(layout, drawing)
-    notes = len(drawing.notes) or "none"
+    notes = sum("runs of track" not in n for n in drawing.notes) or "none"
     size = f"{drawing.width:.0f} x {drawing.height:.0f}"
     print(f"| {name} | {len(layout.points)} | {placed - began:.2f} | {size} | {len(svg) // 1000} kB | {notes} |")
 

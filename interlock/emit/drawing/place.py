@@ -11,7 +11,7 @@ from itertools import pairwise
 import networkx as nx
 
 from interlock.emit.drawing.canvas import LEAST, MARGIN, SIGNAL, TOP, UNIT, Drawing, Spot, width
-from interlock.emit.drawing.levels import Runs, cost, place_levels
+from interlock.emit.drawing.levels import FEW, Runs, cost, place_levels
 from interlock.emit.drawing.names import put_names
 from interlock.emit.drawing.strands import Plan, Strand
 from interlock.model.elements import EdgeId, NodeId, SectionId, Signal
@@ -56,6 +56,8 @@ def _drawn(layout: Layout, tried: Levelled) -> tuple[float, Drawing]:
         if len(plan.diagonal_arms[c.id]) == 2:
             ends = [s.right if s.left == c.node else s.left for s in plan.strands if c.node in (s.left, s.right)]
             x[c.node] = sum(x[n] for n in ends) / len(ends)
+    if runs.count > FEW:
+        d.notes.append(f"{runs.count} runs of track: a good plan in time, not the best one")
     for s in plan.strands:
         if x[s.right] < x[s.left] or s.left == s.right:
             d.notes.append(f"the track at {s.edges[0]} runs back into the plan: there left and right cannot be told")
