@@ -71,8 +71,8 @@ def test_prove_as_json_names_claims_with_verdict_sentence_and_seconds() -> None:
         assert {"id", "verdict", "sentence", "seconds", "places"} <= set(claim) and claim["verdict"] == "PROVED"
 
 
-def test_a_refuted_layout_ends_with_1_and_tells_its_story() -> None:
-    done = run("prove", "layouts/refuted/wrong_waiver.yaml")
+def test_a_refuted_layout_ends_with_1_and_tells_its_story(tmp_path: Path) -> None:
+    done = run("prove", "layouts/refuted/wrong_waiver.yaml", "--traces", str(tmp_path))
     assert done.exit_code == 1
     assert "Counterexample to T-FLANK:" in done.output and "    1. Restart:" in done.output
     assert "NOT SAFE" in done.output
