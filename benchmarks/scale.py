@@ -19,7 +19,7 @@ from pathlib import Path
 from interlock.app.init import line, yard
 
 TOP = Path(__file__).resolve().parent.parent
-SIZES = (("yard", 30), ("yard", 60), ("yard", 124), ("line", 62), ("line", 125), ("line", 250))
+SIZES = (("yard", 30), ("yard", 60), ("line", 62), ("line", 125), ("yard", 124))
 
 
 def run(path: Path) -> tuple[float, float, dict[str, object]]:
