@@ -65,6 +65,49 @@ def test_a_dialect_is_not_read_as_another() -> None:
             BY_NAME[b].read(files)
 
 
+@pytest.mark.parametrize(
+    ("dialect", "old", "new"),
+    [
+        ("plcopen", "<localVars>", '<localVars retain="true">'),
+        ("plcopen", "<localVars>", '<localVars constant="true">'),
+        ("plcopen", '<variable name="', '<variable address="%IX0.0" name="'),
+        ("plcopen", '<variable name="', '<variable name="x AT %IX0.0 : BOOL; '),
+        ("plcopen", "</interface>", "</interface><actions/>"),
+        ("plcopen", "</pous>", "</pous><globalVars/>"),
+        ("plcopen", "<configurations/>", '<configurations><configuration name="c"/></configurations>'),
+        ("plcopen", "<ST>", "<IL/><ST>"),
+        ("plcopen", "</xhtml:p></ST>", "<xhtml:b>x := 1;</xhtml:b></xhtml:p></ST>"),
+        ("twincat", "FUNCTION_BLOCK", "VAR_GLOBAL x : BOOL; END_VAR FUNCTION_BLOCK"),
+        ("twincat", "FUNCTION_BLOCK", "{attribute 'call_after_init'}\nFUNCTION_BLOCK"),
+        ("twincat", "</Declaration>", "</Declaration><Action/>"),
+        ("twincat", "</POU>", "</POU><GVL/>"),
+        ("twincat", "VAR_INPUT\n", "VAR_INPUT\n  extra AT %IX0.0 : BOOL;\n"),
+    ],
+)
+def test_a_reader_refuses_what_a_tool_might_act_on(dialect: str, old: str, new: str) -> None:
+    _, _, controller = built("fig2_2")
+    files = write_st(controller, BY_NAME[dialect], ["made for a test"])
+    name = max(files, key=lambda f: len(files[f]))
+    assert old in files[name]
+    with pytest.raises(NotInSubset):
+        BY_NAME[dialect].read({**files, name: files[name].replace(old, new, 1)})
+
+
+@pytest.mark.parametrize("name", ["dt_ms", "bool", "self", "read", "old", "INPUTS", "TIMERS", "int", "min", "dict"])
+def test_a_runtime_that_takes_a_name_of_the_fixed_part_is_refused(name: str) -> None:
+    from interlock.emit.python.runtime import runtime_py
+    from interlock.proof.python_text import compare_runtime
+
+    _, _, controller = built("fig2_2")
+    text = runtime_py(controller, [])
+    assert compare_runtime(controller, text).proved
+    at = text.index("        self.state = {\n")
+    (found,) = compare_runtime(controller, text[:at] + f"        {name} = True\n" + text[at:]).differences
+    assert f"{name} is a name of the fixed part" in found.text
+    two = compare_runtime(controller, text.replace("INPUTS = {", f"INPUTS = {name} = {{", 1))
+    assert not two.proved
+
+
 def test_scl_marks_its_variables_and_quotes_its_blocks() -> None:
     text = next(iter(write_st(built("fig2_2")[2], BY_NAME["scl1500"], []).values()))
     assert "FUNCTION_BLOCK \"IL_fig2_2_B01\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n" in text

@@ -14,7 +14,7 @@ import pytest
 from click.testing import CliRunner
 from pymodbus.client import ModbusTcpClient
 
-from interlock.app.run import BadCommand, Ready, operate, prepare
+from interlock.app.run import BadCommand, Operator, Ready, operate, prepare
 from interlock.cli.main import cli
 from interlock.field.modbus import ModbusLink, _runs, heartbeat_coil
 from interlock.field.plc import Cycle, LinkLost, SoftPlc, Watch, runtime_scan
@@ -214,6 +214,17 @@ def test_what_the_operator_types(ready: Ready) -> None:
     for line in ("set nonsense", "voyage nowhere", "cancel X99", "CLR_q1=1", "BLK_q1=2", "hello"):
         with pytest.raises(BadCommand):
             operate(ready, line)
+
+
+def test_commands_are_for_one_cycle_and_values_stay(ready: Ready) -> None:
+    operator = Operator(ready)
+    operator.type("BLK_q1=1")
+    operator.type("set j1")
+    request = next(iter(operate(ready, "set j1")))
+    first, second = operator.inputs(), operator.inputs()
+    assert first["BLK_q1"] == 1 and first[request] and second["BLK_q1"] == 1 and second[request] == 0
+    operator.type("BLK_q1=0")
+    assert operator.inputs()["BLK_q1"] == 0 and not operator.held
 
 
 def test_no_connection_is_told_not_thrown(ready: Ready) -> None:

@@ -96,6 +96,25 @@ def test_addresses_that_cannot_be(addresses: str, message: str) -> None:
         allocate(layout, controller)
 
 
+def test_an_address_on_a_card_of_another_substation_is_refused() -> None:
+    where = "substations:\n  west: [ap_W, q1, q2, P1, X7, X1]\n  east: []\n"
+    layout, controller = made(where + "addresses: {CLR_q1: I3.0}\n")
+    with pytest.raises(BadAddress, match=r"CLR_q1 belongs to substation west, but I3\.0 is on a card of east"):
+        allocate(layout, controller)
+
+
+def test_stated_addresses_count_against_the_spare_channels() -> None:
+    layout, controller = made("")
+    names = [c.variable for c in allocate(layout, controller).channels if c.direction == "I"]
+    for count in range(1, len(names)):
+        stated = ", ".join(f"{n}: I{k // 8}.{k % 8}" for k, n in enumerate(names[:count]))
+        layout, controller = made(f"addresses: {{{stated}}}\n")
+        a = allocate(layout, controller)
+        room = sum(size for *_, d, size in a.cards if d == "I")
+        assert (len(names) + 1) * 1.1 <= room
+        assert len({c.address for c in (*a.channels, *a.heartbeats)}) == len(a.channels) + len(a.heartbeats)
+
+
 def test_check_tells_of_an_address_that_cannot_be(tmp_path_factory: pytest.TempPathFactory) -> None:
     from interlock.app.check import check_file
 

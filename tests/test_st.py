@@ -91,6 +91,25 @@ def test_text_equals_controller(name: str) -> None:
     assert result.proved and result.compared > 2 * len(controller.state)
 
 
+def test_a_text_that_reads_what_a_later_equation_left_in_the_last_scan_is_refuted() -> None:
+    """In the first scan it computes the same; from the second on it does not."""
+    _, _, controller = built("fig2_2")
+    text = re.sub(r"\(\*[^*]*\*\)", "", text_of("fig2_2"))
+    assert compare_st(controller, text).proved
+    at = text.index("  QN_P1 := ")
+    end = text.index(";", at)
+    block = text[text.rindex("FUNCTION_BLOCK", 0, at) : text.index("END_FUNCTION_BLOCK", at)]
+    later = re.findall(r"\n  (\w+) :=", block)[-1]
+    stale = text[at:end].replace(":= ", f":= {later} OR (", 1) + ")"
+    assert not compare_st(controller, text[:at] + stale + text[end:]).proved
+    lines = text.splitlines(keepends=True)  # the same between blocks: a block called before what it reads
+    calls = [k for k, line in enumerate(lines) if re.match(r"  B\d+\(", line)]
+    first, second = calls[0], calls[1]
+    stop = next(k for k in range(second, len(lines)) if ");" in lines[k]) + 1
+    swapped = lines[:first] + lines[second:stop] + lines[first:second] + lines[stop:]
+    assert not compare_st(controller, "".join(swapped)).proved
+
+
 def _edits(text: str, rng: random.Random) -> tuple[str, str]:
     """One random edit of the code that is likely to change its meaning."""
     kind = rng.choice(["and-or", "drop-not", "swap", "drop-line", "initial", "time", "number"])

@@ -44,8 +44,32 @@ class BadCommand(Exception):
     """What the operator typed cannot be carried out; the message says why."""
 
 
+class Operator:
+    """The operator's place: commands hold for one cycle, VARIABLE=VALUE until it is set to 0."""
+
+    def __init__(self, ready: Ready) -> None:
+        self._ready = ready
+        self._once: dict[str, int] = {}
+        self.held: dict[str, int] = {}
+
+    def type(self, line: str) -> None:
+        """Take one line of input.  Raises `BadCommand`."""
+        found = operate(self._ready, line)
+        if "=" in line:
+            self.held = {n: v for n, v in {**self.held, **found}.items() if v}
+        else:
+            self._once |= found
+
+    def inputs(self) -> dict[str, int]:
+        """What the next cycle reads; commands are used up."""
+        assert self._ready.allocation is not None
+        found = dict.fromkeys(self._ready.allocation.written, 0) | self.held | self._once
+        self._once = {}
+        return found
+
+
 def operate(ready: Ready, line: str) -> dict[str, int]:
-    """The operator's inputs that a line asks for, for one cycle.  Raises `BadCommand`."""
+    """The operator's inputs that a line asks for.  Raises `BadCommand`."""
     assert ready.table is not None and ready.controller is not None and ready.allocation is not None
     words = line.split()
     inputs = {i.name: i for i in ready.controller.inputs if i.name in ready.allocation.written}
@@ -80,14 +104,14 @@ def run(
     cycles: int | None,
     ask: Callable[[], Mapping[str, int]],
 ) -> Iterator[tuple[Cycle, float]]:
-    """Cycles in their time, each with the seconds that it took; `ask` gives the operator's inputs of the next one."""
+    """Cycles in their time, each with the seconds that it took; `ask` gives the inputs of the operator's place."""
     assert ready.controller is not None and ready.allocation is not None
     plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, links, ready.controller.symbols.valid)
     try:
         before = time.monotonic()
         done = 0
         while cycles is None or done < cycles:
-            operator = dict.fromkeys(ready.allocation.written, 0) | dict(ask())
+            operator = ask()
             began = time.monotonic()
             result = plc.cycle(operator, max(1, round((began - before) * 1000)) if done else cycle_ms)
             before = began

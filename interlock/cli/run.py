@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import queue
 import sys
 import threading
@@ -9,7 +10,7 @@ from collections.abc import Mapping
 
 import click
 
-from interlock.app.run import BadCommand, Ready, operate, prepare, run
+from interlock.app.run import BadCommand, Operator, Ready, prepare, run
 from interlock.cli.common import exit_code, progress, show_proof
 from interlock.field.modbus import ModbusLink
 from interlock.field.plc import Link
@@ -41,8 +42,8 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
 def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | None) -> None:
     """Prove LAYOUT, then run its runtime on Modbus TCP.
 
-    A line of input is a command: set ROUTE, voyage NAME, cancel SIGNAL, release, or VARIABLE=VALUE.  Every change of an
-    output is printed.  A standard computer is no safety PLC: for trials, not for a railway.
+    A line of input is a command for one cycle: set ROUTE, voyage NAME, cancel SIGNAL or release.  VARIABLE=VALUE (for
+    instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A standard computer is no safety PLC: for trials, not for a railway.
     """
     try:
         import pymodbus  # noqa: F401
@@ -60,17 +61,21 @@ def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | N
         for line in sys.stdin:
             typed.put(line)
 
+    gc.enable()  # off in the short-lived commands; this one runs on
     threading.Thread(target=listen, daemon=True).start()
 
+    operator = Operator(ready)
+
     def ask() -> Mapping[str, int]:
-        if typed.empty():
-            return {}
-        line = typed.get().strip()
-        try:
-            return operate(ready, line) if line else {}
-        except BadCommand as error:
-            click.echo(f"  {error}")
-            return {}
+        line = "" if typed.empty() else typed.get().strip()
+        if line:
+            try:
+                operator.type(line)
+            except BadCommand as error:
+                click.echo(f"  {error}")
+            if "=" in line:
+                click.echo(f"  held: {', '.join(f'{n}={v}' for n, v in sorted(operator.held.items())) or 'nothing'}")
+        return operator.inputs()
 
     before: dict[str, bool] = {}
     said: tuple[object, ...] = ()

@@ -116,6 +116,7 @@ def allocate(layout: Layout, controller: Controller) -> Allocation:
     heartbeats: list[Channel] = []
     cards: list[tuple[str, int, str, int]] = []
     first = {"I": 0, "Q": 0}
+    owner: dict[tuple[str, int], str] = {}
     for station in stations:
         slot = 0
         for direction in ("I", "Q"):
@@ -128,23 +129,37 @@ def allocate(layout: Layout, controller: Controller) -> Allocation:
                 here = [(f"HB_{portable(station.name)}", station.name), *here]
             if not here:
                 continue
+            count = _cards(len(here), direction, first[direction], taken)
             places = _places(direction, first[direction], taken)
-            last = slot
             for variable, element in here:
                 card, byte, bit = next(places)
-                last = slot + card + 1
                 note = notes.get(variable, f"substation {station.name} is alive: changes in every cycle")
-                made = Channel(variable, direction, station.name, element, note, last, byte, bit)
+                made = Channel(variable, direction, station.name, element, note, slot + card + 1, byte, bit)
                 (heartbeats if variable not in notes else channels).append(made)
-            count = -(-int(len(here) * (1 + SPARE) + 0.999) // CARD)
-            count = max(count, last - slot)
-            cards += [(station.name, slot + k + 1, direction, CARD) for k in range(count)]
+            for k in range(count):
+                cards.append((station.name, slot + k + 1, direction, CARD))
+                owner |= {(direction, first[direction] + b): station.name for b in range(2 * k, 2 * k + 2)}
             slot += count
             first[direction] += count * CARD // 8
+    for c in channels:
+        if not c.slot and owner.get((c.direction, c.byte), c.substation) != c.substation:
+            holds = owner[c.direction, c.byte]
+            text = f"{c.variable} belongs to substation {c.substation}, but {c.address} is on a card of {holds}"
+            raise BadAddress(c.variable, text)
     used = {c.variable for c in channels}
     written = tuple(i.name for i in controller.inputs if i.name not in used and i.name != controller.symbols.valid)
     read = tuple(o.name for o in controller.outputs if o.name not in used)
     return Allocation(tuple(channels), tuple(heartbeats), written, read, tuple(cards))
+
+
+def _cards(wires: int, direction: str, first: int, taken: set[tuple[str, int, int]]) -> int:
+    """How many cards hold so many wires, with a tenth spare, beside the stated addresses that lie on them."""
+    count = 1
+    while True:
+        on_them = sum(d == direction and first <= byte < first + count * CARD // 8 for d, byte, _ in taken)
+        if (wires + on_them) * (1 + SPARE) <= count * CARD:
+            return count
+        count += 1
 
 
 def _places(direction: str, first: int, taken: set[tuple[str, int, int]]) -> Iterator[tuple[int, int, int]]:

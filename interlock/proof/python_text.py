@@ -28,6 +28,17 @@ def compare_runtime(controller: Controller, text: str, query_ms: int = 20_000) -
         return Translation(0, (Difference("runtime", f"cannot be read: {error}"),))
 
 
+def _names(fixed: str) -> frozenset[str]:
+    """Every name that the fixed part relies on: assigned once more, the scan would no longer do what it says."""
+    nodes = list(ast.walk(ast.parse(fixed)))
+    return frozenset(
+        {x.id for x in nodes if isinstance(x, ast.Name)} | {x.arg for x in nodes if isinstance(x, ast.arg)}
+    )
+
+
+RESERVED = _names(FIXED) | {"bool", "OUTPUTS", "Controller"}
+
+
 class _Reader:
     def __init__(self, controller: Controller, text: str) -> None:
         self.values: dict[str, Term] = {}
@@ -62,6 +73,8 @@ class _Reader:
             raise BadRuntime(f"line {s.lineno}: no assignment")
         target, value = s.targets[0], s.value
         if isinstance(target, ast.Name):
+            if target.id in RESERVED:
+                raise BadRuntime(f"line {s.lineno}: {target.id} is a name of the fixed part")
             self.values[target.id] = self._read(target.id, value)
         elif ast.unparse(target) == "self.state" and isinstance(value, ast.Dict) and not self.after:
             self.after = self._dictionary(value)
@@ -121,7 +134,7 @@ def _is_docstring(x: ast.stmt) -> bool:
 
 
 def _table(x: ast.stmt, name: str) -> dict[str, object]:
-    if isinstance(x, ast.Assign) and ast.unparse(x.targets[0]) == name and isinstance(x.value, ast.Dict):
+    if isinstance(x, ast.Assign) and [ast.unparse(t) for t in x.targets] == [name] and isinstance(x.value, ast.Dict):
         keys = [k.value for k in x.value.keys if isinstance(k, ast.Constant)]
         if len(set(keys)) == len(x.value.keys):
             found: dict[str, object] = ast.literal_eval(x.value)

@@ -1,7 +1,8 @@
 """The emitted text equals the controller: proved output by output, base case and step.
 
-The text is parsed back by our own grammar and executed symbolically; every state variable's initial and next value,
-every timer's input and preset, and every output must be the same function as in the controller.
+The text is parsed back by our own grammar and executed symbolically, from any values that its variables may have kept
+from the scan before; every state variable's initial and next value, every timer's input and preset, and every output
+must be the same function as in the controller.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from interlock.proof.engines.z3_sat import Z3Sat
 from interlock.st.ast import Unit
 from interlock.st.dialects import BY_NAME, Dialect, Files
 from interlock.st.dialects.restart import RESTART
-from interlock.st.meaning import BadText, Execution, Symbol, Symbols, Term
+from interlock.st.meaning import BadText, Execution, Instance, Symbol, Symbols, Term
 from interlock.st.parser import NotInSubset
 
 
@@ -71,6 +72,7 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
     run: Execution[Term] = Execution(unit, algebra)
     holders = _holders(run)
     base = {n: values[n] for n, values in holders.items()}
+    _forget(run.main)
     for s in controller.state:
         holders[s.name][s.name] = var(s.name)
     inputs: dict[str, Term] = {i.name: Symbol(i.name) if i.size else var(i.name) for i in controller.inputs}
@@ -79,6 +81,15 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
     outputs = run.scan(inputs)
     after = {n: values[n] for n, values in _holders(run).items()}
     return Scan(base, after, outputs, dict(algebra.timers))
+
+
+def _forget(inst: Instance[Term]) -> None:
+    """What a block keeps from the last scan may be anything: whoever reads it before it is written differs."""
+    for name, value in inst.values.items():
+        unknown = f"kept {inst.path}{name}"
+        inst.values[name] = var(unknown) if isinstance(value, Expr) else Symbol(unknown)
+    for inner in inst.inner.values():
+        _forget(inner)
 
 
 def _restarted(controller: Controller, unit: Unit, found: Translation) -> Translation:

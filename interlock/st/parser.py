@@ -69,6 +69,8 @@ def parse_block(name: str, declarations: str, body: str) -> Block:
     head.end()
     rest = _Reader(body, IEC)
     statements = rest.body(_END)
+    if any(d.address for part in parts for d in part):
+        raise NotInSubset(f"{name}: an address in a function block")
     return Block(name, *parts, statements)
 
 
@@ -169,6 +171,8 @@ class _Reader:
             self._word("BEGIN")
         body = self.body(f"END_{kind}")
         self.at += 1
+        if kind != "PROGRAM" and any(d.address for part in parts for d in part):
+            raise NotInSubset(f"{name}: an address in a function block")
         return Block(name, *parts, body, kind=kind)
 
     def declarations(self) -> tuple[tuple[Declaration, ...], tuple[Declaration, ...], tuple[Declaration, ...]]:

@@ -2,17 +2,53 @@
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ElementTree
 from xml.sax.saxutils import escape, quoteattr
 
 from interlock.st.ast import Block, Bool, Declaration, Expression, Int, Unit
 from interlock.st.dialects.dialect import Dialect, Files, Unsupported
+from interlock.st.dialects.strict import Rule, expect, parse
 from interlock.st.parser import NotInSubset, parse_block
 from interlock.st.printer import body
 
 XHTML = "http://www.w3.org/1999/xhtml"
 _PARTS = (("inputVars", "VAR_INPUT"), ("outputVars", "VAR_OUTPUT"), ("localVars", "VAR"))
 _WHEN = "2000-01-01T00:00:00"  # the same bytes for the same controller
+
+
+def _rules(space: str) -> dict[str, Rule]:
+    """The part of the schema that is written: nothing retained or constant, no address, no action, no instance."""
+    note = "documentation"
+    rules = {
+        "project": Rule(children="fileHeader contentHeader types instances"),
+        "fileHeader": Rule("companyName productName productVersion creationDateTime contentDescription"),
+        "contentHeader": Rule("name modificationDateTime", "coordinateInfo"),
+        "coordinateInfo": Rule(children="fbd ld sfc"),
+        **dict.fromkeys(("fbd", "ld", "sfc"), Rule(children="scaling")),
+        "scaling": Rule("x y"),
+        "types": Rule(children="dataTypes pous"),
+        "pous": Rule(children="pou*"),
+        "pou": Rule("name pouType", f"interface body {note}"),
+        "interface": Rule(children=" ".join(p for p, _ in _PARTS)),
+        **dict.fromkeys((p for p, _ in _PARTS), Rule(children="variable*")),
+        "variable": Rule("name", f"type initialValue {note}"),
+        "type": Rule(children="BOOL INT derived"),
+        "derived": Rule("name"),
+        "initialValue": Rule(children="simpleValue"),
+        "simpleValue": Rule("value"),
+        "body": Rule(children="ST"),
+        "ST": Rule(children="p"),
+        note: Rule(children="p"),
+        "instances": Rule(children="configurations"),
+        **dict.fromkeys(("dataTypes", "configurations", "BOOL", "INT"), Rule()),
+        "p": Rule(text=True),
+    }
+
+    def full(name: str) -> str:
+        return f"{{{XHTML if name.rstrip('*') == 'p' else space}}}{name}"
+
+    return {full(n): Rule(r.attributes, " ".join(map(full, r.children.split())), r.text) for n, r in rules.items()}
 
 
 class PlcOpen:
@@ -55,10 +91,8 @@ class PlcOpen:
     def read(self, files: Files) -> Unit:
         """The blocks of a project file."""
         (text,) = files.values()
-        try:
-            root = ElementTree.fromstring(text)
-        except ElementTree.ParseError as error:
-            raise NotInSubset(str(error)) from None
+        root = parse(text)
+        expect(root, _rules(self.space))
         if root.tag != f"{{{self.space}}}project":
             raise NotInSubset("no PLCopen XML project of this version")
         return Unit(tuple(self._block(p) for p in root.findall(self._path("types/pous/pou"))))
@@ -88,8 +122,10 @@ class PlcOpen:
             raise NotInSubset(f"{v.get('name')} has no type")
         own = kind[0].get("name") or kind[0].tag.rsplit("}", 1)[1]
         value = v.find(self._path("initialValue/simpleValue"))
-        initial = f" := {value.get('value')}" if value is not None else ""
-        return f"{v.get('name')} : {own}{initial};"
+        words = (v.get("name", ""), own, *((value.get("value", ""),) if value is not None else ()))
+        if not all(re.fullmatch(r"\w+", w, re.ASCII) for w in words):
+            raise NotInSubset(f"{v.get('name')}: a name, type or value that is not one word")
+        return f"{words[0]} : {words[1]}" + (f" := {words[2]};" if words[2:] else ";")
 
 
 def _pou(b: Block) -> list[str]:

@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
+import re
 import uuid
-import xml.etree.ElementTree as ElementTree
 from xml.sax.saxutils import quoteattr
 
 from interlock.st.ast import Block, Unit
 from interlock.st.dialects.dialect import Dialect, Files
+from interlock.st.dialects.strict import Rule, expect, parse
 from interlock.st.parser import NotInSubset, parse_block
 from interlock.st.printer import body, comment, declarations
+
+_RULES = {
+    "TcPlcObject": Rule("Version ProductVersion", "POU"),
+    "POU": Rule("Name Id SpecialFunc", "Declaration Implementation"),
+    "Declaration": Rule(text=True),
+    "Implementation": Rule(children="ST"),
+    "ST": Rule(text=True),
+}
+_HEAD = re.compile(r"(?:\(\*(?:[^*]|\*(?!\)))*\*\)\s*)*FUNCTION_BLOCK (\w+)\n")
 
 _SPACE = uuid.UUID("6b1c1d52-3f0e-4c44-8b5e-0d5d6c6f1a11")
 
@@ -50,19 +60,16 @@ def read(files: Files) -> Unit:
 
 
 def _block(name: str, text: str) -> Block:
-    try:
-        root = ElementTree.fromstring(text)
-    except ElementTree.ParseError as error:
-        raise NotInSubset(f"{name}: {error}") from None
+    root = parse(text)
+    expect(root, _RULES)
     pou = root.find("POU")
     declared, implemented = root.findtext("POU/Declaration"), root.findtext("POU/Implementation/ST")
     if root.tag != "TcPlcObject" or pou is None or declared is None or implemented is None:
         raise NotInSubset(f"{name}: no POU with declaration and implementation")
-    own = pou.get("Name", "")
-    at = declared.find(f"FUNCTION_BLOCK {own}\n")
-    if at < 0 or name != f"{own}.TcPOU":
-        raise NotInSubset(f"{name}: the names of file, object and block differ")
-    return parse_block(own, declared[at + len(f"FUNCTION_BLOCK {own}\n") :], implemented)
+    own, head = pou.get("Name", ""), _HEAD.match(declared)
+    if head is None or head[1] != own or name != f"{own}.TcPOU" or pou.get("SpecialFunc") != "None":
+        raise NotInSubset(f"{name}: the names of file, object and block differ, or more than comments stand before")
+    return parse_block(own, declared[head.end() :], implemented)
 
 
 DIALECT = Dialect("twincat", "Beckhoff TwinCAT 3, .TcPOU files", write, read)

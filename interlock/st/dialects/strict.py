@@ -1,0 +1,49 @@
+"""What an XML file may hold: everything else is refused, for a tool might act on what this reader passed over."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from interlock.st.parser import NotInSubset
+
+
+@dataclass(frozen=True)
+class Rule:
+    """Attributes and children that an element may have; a child with `*` may come more than once."""
+
+    attributes: str = ""
+    children: str = ""
+    text: bool = False
+
+
+def parse(text: str) -> ElementTree.Element:
+    """The root of a file without a document type; raises `NotInSubset`."""
+    if "<!DOCTYPE" in text or "<!ENTITY" in text:
+        raise NotInSubset("a document type declaration")
+    try:
+        return ElementTree.fromstring(text)
+    except ElementTree.ParseError as error:
+        raise NotInSubset(str(error)) from None
+
+
+def expect(e: ElementTree.Element, rules: Mapping[str, Rule]) -> None:
+    """Raise `NotInSubset` at the first attribute, element or text below `e` that no rule allows."""
+    rule = rules.get(e.tag)
+    if rule is None:
+        raise NotInSubset(f"element {e.tag}")
+    for a in e.attrib:
+        if a not in rule.attributes.split():
+            raise NotInSubset(f"attribute {a} of {e.tag}")
+    if not rule.text and (e.text or "").strip():
+        raise NotInSubset(f"text in {e.tag}")
+    many = {c.removesuffix("*"): c.endswith("*") for c in rule.children.split()}
+    seen = set()
+    for child in e:
+        if child.tag not in many or (child.tag in seen and not many[child.tag]):
+            raise NotInSubset(f"element {child.tag} in {e.tag}")
+        if (child.tail or "").strip():
+            raise NotInSubset(f"text in {e.tag}")
+        seen.add(child.tag)
+        expect(child, rules)
