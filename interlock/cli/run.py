@@ -43,7 +43,8 @@ def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | N
     """Prove LAYOUT, then run its runtime on Modbus TCP.
 
     A line of input is a command for one cycle: set ROUTE, voyage NAME, cancel SIGNAL or release.  VARIABLE=VALUE (for
-    instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A standard computer is no safety PLC: for trials, not for a railway.
+    instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A standard computer is
+    no safety PLC: for trials, not for a railway.
     """
     try:
         import pymodbus  # noqa: F401
