@@ -260,7 +260,9 @@ class Grown:
             out.append("derailers:")
             for n, spec in self.derailers.items():
                 out.append(f"  {n}: {{{', '.join(f'{k}: {v}' for k, v in spec.items())}}}")
-        out += [*more, "signals:", *self.signals]
+        calling = tuple(f"  {g}:" for g in self.main if self.rng.random() < 0.15)
+        signals = [f"{s[:-1]}, call_on: yes}}" if s.startswith(calling) else s for s in self.signals]
+        out += [*more, "signals:", *signals]
         announced = [g for g in self.main if self.rng.random() < 0.2]
         if announced:
             out += ["distants:", *(f"  V{g}: {{of: {g}}}" for g in announced)]

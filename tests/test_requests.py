@@ -271,3 +271,32 @@ def test_two_opposing_voyages_asked_for_together_do_not_lock_each_other_out() ->
             assert not (seen & over[0] and seen & over[1]), "both hold a part of the single line"
         got = [all(sim.is_on(f"A_R{number(sim, r)}") for r in v.routes) for v in table.voyages]
         assert sum(got) == 1, "the other waits outside"
+
+
+CALL = TWO.replace("X2: {from: q1, into: q2}", "X2: {from: q1, into: q2, call_on: yes}")
+
+
+def test_a_train_is_called_on_past_a_failed_section_and_its_locks_are_cancelled_by_hand() -> None:
+    sim = simulator(CALL)
+    main, call = number(sim, "X2-X3"), number(sim, "X2-X3.c")
+    steps(sim, 2, ("appear.wa",))
+    seen = steps(sim, 3, REQ=main, CLR_q3=0)  # the track circuit of q3 has failed
+    assert "G_R" not in seen[-1] and f"A_R{main}" not in seen[-1]
+    seen = steps(sim, 3, REQ=call, CLR_q3=0)
+    assert {f"A_R{call}", "YO_X2", "YS_X2"} <= seen[-1] and "YP_X2" not in seen[-1]
+    assert "YO_X2" not in steps(sim, 1, CLR_q3=0, CLR_q2=0)[-1]  # the first axle closes it
+    seen = steps(sim, 5, REQ=call, CLR_q3=0)
+    assert all("YO_X2" not in s for s in seen) and "L_q2_1" in seen[-1]  # and it stays closed
+    seen = steps(sim, 60, CAN_X2=1, CLR_q3=0)
+    assert "L_q2_1" not in seen[-1] and "L_q3_1" in seen[-1]  # an occupied section is never released
+    seen = steps(sim, 60)
+    assert "L_q3_1" not in seen[-1]
+
+
+def test_no_call_on_with_the_first_section_occupied_or_over_a_locked_section() -> None:
+    sim = simulator(CALL)
+    call = number(sim, "X2-X3.c")
+    seen = steps(sim, 3, REQ=call, CLR_q2=0)
+    assert f"A_R{call}" not in seen[-1]
+    steps(sim, 3, REQ=number(sim, "Y2-Y3"))
+    assert f"A_R{call}" not in steps(sim, 3, REQ=call)[-1]

@@ -1,7 +1,7 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 5516427c7e0879ab648e5fbefa02ae24d5f9fe84c68ec8728c40096e0dd874b7
-# claims c71ee449ff4ebd89876408c5acda7659d94e13ca2aed85d7a01dd9c5e3cd9a55
+# layout 18b6d78bf655c6bd66bf0911315bb05f1f9b93fa823376a0287a3fe7318fe94b
+# claims ea2ab066217ec0fd20edcada773246188c88f01b1c6c8cb966bdbdc34d1a828d
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -54,7 +54,7 @@ INPUTS = {
     'CL_XD': (0, 2),  # caution lamp of XD intact, or not lit
     'E_BF_BS': (0, 2),  # external condition BF/BS: block towards BS free, direction ours
     'E_BF_DJ': (0, 2),  # external condition BF/DJ: block towards DJ free, direction ours
-    'REQ': (0, 61),  # operator: set route number, 0 = none
+    'REQ': (0, 76),  # operator: set route number, 0 = none
     'VOY': (0, 2),  # operator: voyage number, 0 = none
     'CLR_1_19WG': (0, 2),  # section 1/19WG reported clear
     'CLR_11_13DG': (0, 2),  # section 11-13DG reported clear
@@ -480,31 +480,106 @@ STATE = {
     'W_R55': False,  # route X-E5.2: proceed wanted
     'S_R55': False,  # route X-E5.2: proceed
     'H_R55': False,  # route X-E5.2: signal has been open
-    'A_R56': False,  # route XD-E1 active
-    'B_R56': False,  # route XD-E1 locked
-    'W_R56': False,  # route XD-E1: proceed wanted
-    'S_R56': False,  # route XD-E1: proceed
-    'H_R56': False,  # route XD-E1: signal has been open
-    'A_R57': False,  # route XD-E3 active
-    'B_R57': False,  # route XD-E3 locked
-    'W_R57': False,  # route XD-E3: proceed wanted
-    'S_R57': False,  # route XD-E3: proceed
-    'H_R57': False,  # route XD-E3: signal has been open
-    'A_R58': False,  # route XD-E3.2 active
-    'B_R58': False,  # route XD-E3.2 locked
-    'W_R58': False,  # route XD-E3.2: proceed wanted
-    'S_R58': False,  # route XD-E3.2: proceed
-    'H_R58': False,  # route XD-E3.2: signal has been open
-    'A_R59': False,  # route XD-E4 active
-    'B_R59': False,  # route XD-E4 locked
-    'W_R59': False,  # route XD-E4: proceed wanted
-    'S_R59': False,  # route XD-E4: proceed
-    'H_R59': False,  # route XD-E4: signal has been open
-    'A_R60': False,  # route XD-E5 active
-    'B_R60': False,  # route XD-E5 locked
-    'W_R60': False,  # route XD-E5: proceed wanted
-    'S_R60': False,  # route XD-E5: proceed
-    'H_R60': False,  # route XD-E5: signal has been open
+    'A_R56': False,  # route X-E1.c active
+    'B_R56': False,  # route X-E1.c locked
+    'W_R56': False,  # route X-E1.c: proceed wanted
+    'S_R56': False,  # route X-E1.c: proceed
+    'H_R56': False,  # route X-E1.c: signal has been open
+    'A_R57': False,  # route X-E1.c.2 active
+    'B_R57': False,  # route X-E1.c.2 locked
+    'W_R57': False,  # route X-E1.c.2: proceed wanted
+    'S_R57': False,  # route X-E1.c.2: proceed
+    'H_R57': False,  # route X-E1.c.2: signal has been open
+    'A_R58': False,  # route X-E3.c active
+    'B_R58': False,  # route X-E3.c locked
+    'W_R58': False,  # route X-E3.c: proceed wanted
+    'S_R58': False,  # route X-E3.c: proceed
+    'H_R58': False,  # route X-E3.c: signal has been open
+    'A_R59': False,  # route X-E3.c.2 active
+    'B_R59': False,  # route X-E3.c.2 locked
+    'W_R59': False,  # route X-E3.c.2: proceed wanted
+    'S_R59': False,  # route X-E3.c.2: proceed
+    'H_R59': False,  # route X-E3.c.2: signal has been open
+    'A_R60': False,  # route X-E3.c.3 active
+    'B_R60': False,  # route X-E3.c.3 locked
+    'W_R60': False,  # route X-E3.c.3: proceed wanted
+    'S_R60': False,  # route X-E3.c.3: proceed
+    'H_R60': False,  # route X-E3.c.3: signal has been open
+    'A_R61': False,  # route X-E3.c.4 active
+    'B_R61': False,  # route X-E3.c.4 locked
+    'W_R61': False,  # route X-E3.c.4: proceed wanted
+    'S_R61': False,  # route X-E3.c.4: proceed
+    'H_R61': False,  # route X-E3.c.4: signal has been open
+    'A_R62': False,  # route X-E4.c active
+    'B_R62': False,  # route X-E4.c locked
+    'W_R62': False,  # route X-E4.c: proceed wanted
+    'S_R62': False,  # route X-E4.c: proceed
+    'H_R62': False,  # route X-E4.c: signal has been open
+    'A_R63': False,  # route X-E4.c.2 active
+    'B_R63': False,  # route X-E4.c.2 locked
+    'W_R63': False,  # route X-E4.c.2: proceed wanted
+    'S_R63': False,  # route X-E4.c.2: proceed
+    'H_R63': False,  # route X-E4.c.2: signal has been open
+    'A_R64': False,  # route X-E5.c active
+    'B_R64': False,  # route X-E5.c locked
+    'W_R64': False,  # route X-E5.c: proceed wanted
+    'S_R64': False,  # route X-E5.c: proceed
+    'H_R64': False,  # route X-E5.c: signal has been open
+    'A_R65': False,  # route X-E5.c.2 active
+    'B_R65': False,  # route X-E5.c.2 locked
+    'W_R65': False,  # route X-E5.c.2: proceed wanted
+    'S_R65': False,  # route X-E5.c.2: proceed
+    'H_R65': False,  # route X-E5.c.2: signal has been open
+    'A_R66': False,  # route XD-E1 active
+    'B_R66': False,  # route XD-E1 locked
+    'W_R66': False,  # route XD-E1: proceed wanted
+    'S_R66': False,  # route XD-E1: proceed
+    'H_R66': False,  # route XD-E1: signal has been open
+    'A_R67': False,  # route XD-E3 active
+    'B_R67': False,  # route XD-E3 locked
+    'W_R67': False,  # route XD-E3: proceed wanted
+    'S_R67': False,  # route XD-E3: proceed
+    'H_R67': False,  # route XD-E3: signal has been open
+    'A_R68': False,  # route XD-E3.2 active
+    'B_R68': False,  # route XD-E3.2 locked
+    'W_R68': False,  # route XD-E3.2: proceed wanted
+    'S_R68': False,  # route XD-E3.2: proceed
+    'H_R68': False,  # route XD-E3.2: signal has been open
+    'A_R69': False,  # route XD-E4 active
+    'B_R69': False,  # route XD-E4 locked
+    'W_R69': False,  # route XD-E4: proceed wanted
+    'S_R69': False,  # route XD-E4: proceed
+    'H_R69': False,  # route XD-E4: signal has been open
+    'A_R70': False,  # route XD-E5 active
+    'B_R70': False,  # route XD-E5 locked
+    'W_R70': False,  # route XD-E5: proceed wanted
+    'S_R70': False,  # route XD-E5: proceed
+    'H_R70': False,  # route XD-E5: signal has been open
+    'A_R71': False,  # route XD-E1.c active
+    'B_R71': False,  # route XD-E1.c locked
+    'W_R71': False,  # route XD-E1.c: proceed wanted
+    'S_R71': False,  # route XD-E1.c: proceed
+    'H_R71': False,  # route XD-E1.c: signal has been open
+    'A_R72': False,  # route XD-E3.c active
+    'B_R72': False,  # route XD-E3.c locked
+    'W_R72': False,  # route XD-E3.c: proceed wanted
+    'S_R72': False,  # route XD-E3.c: proceed
+    'H_R72': False,  # route XD-E3.c: signal has been open
+    'A_R73': False,  # route XD-E3.c.2 active
+    'B_R73': False,  # route XD-E3.c.2 locked
+    'W_R73': False,  # route XD-E3.c.2: proceed wanted
+    'S_R73': False,  # route XD-E3.c.2: proceed
+    'H_R73': False,  # route XD-E3.c.2: signal has been open
+    'A_R74': False,  # route XD-E4.c active
+    'B_R74': False,  # route XD-E4.c locked
+    'W_R74': False,  # route XD-E4.c: proceed wanted
+    'S_R74': False,  # route XD-E4.c: proceed
+    'H_R74': False,  # route XD-E4.c: signal has been open
+    'A_R75': False,  # route XD-E5.c active
+    'B_R75': False,  # route XD-E5.c locked
+    'W_R75': False,  # route XD-E5.c: proceed wanted
+    'S_R75': False,  # route XD-E5.c: proceed
+    'H_R75': False,  # route XD-E5.c: signal has been open
     'X_D1': False,  # D1: cancelling
     'X_D11': False,  # D11: cancelling
     'X_D13': False,  # D13: cancelling
@@ -533,7 +608,7 @@ STATE = {
     'F_1_19WG': False,  # 1/19WG firmly locked
     'U_1_19WG': True,  # 1/19WG used by a train (R9)
     'P_1_19WG': False,  # 1/19WG: the train went on (R9)
-    'D_1_19WG': False,  # 1/19WG: inputs were lost while locked
+    'D_1_19WG': False,  # 1/19WG: detection is not relied on, inputs were lost or a train is called on
     'K_11_13DG': True,  # 11-13DG: restart lock (R16)
     'L_11_13DG_1': False,  # 11-13DG locked from 11-13DG|21DG@11.toe to 11-13DG|7DG@13.toe
     'L_11_13DG_2': False,  # 11-13DG locked from 11-13DG|21DG@11.toe to 11-13DG|9-15DG@11.reverse
@@ -545,7 +620,7 @@ STATE = {
     'F_11_13DG': False,  # 11-13DG firmly locked
     'U_11_13DG': True,  # 11-13DG used by a train (R9)
     'P_11_13DG': False,  # 11-13DG: the train went on (R9)
-    'D_11_13DG': False,  # 11-13DG: inputs were lost while locked
+    'D_11_13DG': False,  # 11-13DG: detection is not relied on, inputs were lost or a train is called on
     'K_17_23DG': True,  # 17-23DG: restart lock (R16)
     'L_17_23DG_1': False,  # 17-23DG locked from 17-23DG|19-27DG@x17.0 to 17-23DG|9-15DG@15.toe
     'L_17_23DG_2': False,  # 17-23DG locked from 17-23DG|25DG@x23.0 to 17-23DG|9-15DG@15.toe
@@ -557,7 +632,7 @@ STATE = {
     'F_17_23DG': False,  # 17-23DG firmly locked
     'U_17_23DG': True,  # 17-23DG used by a train (R9)
     'P_17_23DG': False,  # 17-23DG: the train went on (R9)
-    'D_17_23DG': False,  # 17-23DG: inputs were lost while locked
+    'D_17_23DG': False,  # 17-23DG: detection is not relied on, inputs were lost or a train is called on
     'K_19_27DG': True,  # 19-27DG: restart lock (R16)
     'L_19_27DG_1': False,  # 19-27DG locked from 1/19WG|19-27DG@19.normal to 19-27DG|4G@t4.0
     'L_19_27DG_2': False,  # 19-27DG locked from 1/19WG|19-27DG@19.normal to 19-27DG|IIG@tII.0
@@ -571,7 +646,7 @@ STATE = {
     'F_19_27DG': False,  # 19-27DG firmly locked
     'U_19_27DG': True,  # 19-27DG used by a train (R9)
     'P_19_27DG': False,  # 19-27DG: the train went on (R9)
-    'D_19_27DG': False,  # 19-27DG: inputs were lost while locked
+    'D_19_27DG': False,  # 19-27DG: detection is not relied on, inputs were lost or a train is called on
     'K_1DG': True,  # 1DG: restart lock (R16)
     'L_1DG_1': False,  # 1DG locked from 1/19WG|1DG@WG.0 to 1DG|IIAG@1.toe
     'L_1DG_2': False,  # 1DG locked from 1DG|3DG@x1.0 to 1DG|IIAG@1.toe
@@ -581,7 +656,7 @@ STATE = {
     'F_1DG': False,  # 1DG firmly locked
     'U_1DG': True,  # 1DG used by a train (R9)
     'P_1DG': False,  # 1DG: the train went on (R9)
-    'D_1DG': False,  # 1DG: inputs were lost while locked
+    'D_1DG': False,  # 1DG: detection is not relied on, inputs were lost or a train is called on
     'K_21DG': True,  # 21DG: restart lock (R16)
     'L_21DG_1': False,  # 21DG locked from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal
     'L_21DG_2': False,  # 21DG locked from 11-13DG|21DG@11.toe to 21DG|5G@t5.0
@@ -591,7 +666,7 @@ STATE = {
     'F_21DG': False,  # 21DG firmly locked
     'U_21DG': True,  # 21DG used by a train (R9)
     'P_21DG': False,  # 21DG: the train went on (R9)
-    'D_21DG': False,  # 21DG: inputs were lost while locked
+    'D_21DG': False,  # 21DG: detection is not relied on, inputs were lost or a train is called on
     'K_25DG': True,  # 25DG: restart lock (R16)
     'L_25DG_1': False,  # 25DG locked from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0
     'L_25DG_2': False,  # 25DG locked from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0
@@ -601,7 +676,7 @@ STATE = {
     'F_25DG': False,  # 25DG firmly locked
     'U_25DG': True,  # 25DG used by a train (R9)
     'P_25DG': False,  # 25DG: the train went on (R9)
-    'D_25DG': False,  # 25DG: inputs were lost while locked
+    'D_25DG': False,  # 25DG: detection is not relied on, inputs were lost or a train is called on
     'K_3DG': True,  # 3DG: restart lock (R16)
     'L_3DG_1': False,  # 3DG locked from 1DG|3DG@x1.0 to 3DG|9-15DG@3-9.end
     'L_3DG_2': False,  # 3DG locked from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end
@@ -611,14 +686,14 @@ STATE = {
     'F_3DG': False,  # 3DG firmly locked
     'U_3DG': True,  # 3DG used by a train (R9)
     'P_3DG': False,  # 3DG: the train went on (R9)
-    'D_3DG': False,  # 3DG: inputs were lost while locked
+    'D_3DG': False,  # 3DG: detection is not relied on, inputs were lost or a train is called on
     'K_4G': True,  # 4G: restart lock (R16)
     'L_4G_1': False,  # 4G locked from 19-27DG|4G@t4.0 to E4
     'M_4G': False,  # 4G locked for a train movement
     'F_4G': False,  # 4G firmly locked
     'U_4G': True,  # 4G used by a train (R9)
     'P_4G': False,  # 4G: the train went on (R9)
-    'D_4G': False,  # 4G: inputs were lost while locked
+    'D_4G': False,  # 4G: detection is not relied on, inputs were lost or a train is called on
     'K_5DG': True,  # 5DG: restart lock (R16)
     'L_5DG_1': False,  # 5DG locked from 3DG|5DG@3.normal to 5DG|IAG@5.toe
     'L_5DG_2': False,  # 5DG locked from 5DG|7DG@x5.0 to 5DG|IAG@5.toe
@@ -628,14 +703,14 @@ STATE = {
     'F_5DG': False,  # 5DG firmly locked
     'U_5DG': True,  # 5DG used by a train (R9)
     'P_5DG': False,  # 5DG: the train went on (R9)
-    'D_5DG': False,  # 5DG: inputs were lost while locked
+    'D_5DG': False,  # 5DG: detection is not relied on, inputs were lost or a train is called on
     'K_5G': True,  # 5G: restart lock (R16)
     'L_5G_1': False,  # 5G locked from 21DG|5G@t5.0 to E5
     'M_5G': False,  # 5G locked for a train movement
     'F_5G': False,  # 5G firmly locked
     'U_5G': True,  # 5G used by a train (R9)
     'P_5G': False,  # 5G: the train went on (R9)
-    'D_5G': False,  # 5G: inputs were lost while locked
+    'D_5G': False,  # 5G: detection is not relied on, inputs were lost or a train is called on
     'K_7DG': True,  # 7DG: restart lock (R16)
     'L_7DG_1': False,  # 7DG locked from 11-13DG|7DG@13.toe to 5DG|7DG@x5.0
     'L_7DG_2': False,  # 7DG locked from 11-13DG|7DG@13.toe to DJ
@@ -645,7 +720,7 @@ STATE = {
     'F_7DG': False,  # 7DG firmly locked
     'U_7DG': True,  # 7DG used by a train (R9)
     'P_7DG': False,  # 7DG: the train went on (R9)
-    'D_7DG': False,  # 7DG: inputs were lost while locked
+    'D_7DG': False,  # 7DG: detection is not relied on, inputs were lost or a train is called on
     'K_9_15DG': True,  # 9-15DG: restart lock (R16)
     'L_9_15DG_1': False,  # 9-15DG locked from 11-13DG|9-15DG@11.reverse to 3DG|9-15DG@3-9.end
     'L_9_15DG_2': False,  # 9-15DG locked from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe
@@ -657,7 +732,7 @@ STATE = {
     'F_9_15DG': False,  # 9-15DG firmly locked
     'U_9_15DG': True,  # 9-15DG used by a train (R9)
     'P_9_15DG': False,  # 9-15DG: the train went on (R9)
-    'D_9_15DG': False,  # 9-15DG: inputs were lost while locked
+    'D_9_15DG': False,  # 9-15DG: detection is not relied on, inputs were lost or a train is called on
     'K_IAG': True,  # IAG: restart lock (R16)
     'L_IAG_1': False,  # IAG locked from 5DG|IAG@5.toe to BX
     'L_IAG_2': False,  # IAG locked from BX to 5DG|IAG@5.toe
@@ -665,35 +740,35 @@ STATE = {
     'F_IAG': False,  # IAG firmly locked
     'U_IAG': True,  # IAG used by a train (R9)
     'P_IAG': False,  # IAG: the train went on (R9)
-    'D_IAG': False,  # IAG: inputs were lost while locked
+    'D_IAG': False,  # IAG: detection is not relied on, inputs were lost or a train is called on
     'K_IG': True,  # IG: restart lock (R16)
     'L_IG_1': False,  # IG locked from 17-23DG|IG@tI.0 to E1
     'M_IG': False,  # IG locked for a train movement
     'F_IG': False,  # IG firmly locked
     'U_IG': True,  # IG used by a train (R9)
     'P_IG': False,  # IG: the train went on (R9)
-    'D_IG': False,  # IG: inputs were lost while locked
+    'D_IG': False,  # IG: detection is not relied on, inputs were lost or a train is called on
     'K_IIAG': True,  # IIAG: restart lock (R16)
     'L_IIAG_1': False,  # IIAG locked from 1DG|IIAG@1.toe to BS
     'M_IIAG': False,  # IIAG locked for a train movement
     'F_IIAG': False,  # IIAG firmly locked
     'U_IIAG': True,  # IIAG used by a train (R9)
     'P_IIAG': False,  # IIAG: the train went on (R9)
-    'D_IIAG': False,  # IIAG: inputs were lost while locked
+    'D_IIAG': False,  # IIAG: detection is not relied on, inputs were lost or a train is called on
     'K_IIG': True,  # IIG: restart lock (R16)
     'L_IIG_1': False,  # IIG locked from 19-27DG|IIG@tII.0 to E2
     'M_IIG': False,  # IIG locked for a train movement
     'F_IIG': False,  # IIG firmly locked
     'U_IIG': True,  # IIG used by a train (R9)
     'P_IIG': False,  # IIG: the train went on (R9)
-    'D_IIG': False,  # IIG: inputs were lost while locked
+    'D_IIG': False,  # IIG: detection is not relied on, inputs were lost or a train is called on
     'K_IIIG': True,  # IIIG: restart lock (R16)
     'L_IIIG_1': False,  # IIIG locked from 25DG|IIIG@tIII.0 to E3
     'M_IIIG': False,  # IIIG locked for a train movement
     'F_IIIG': False,  # IIIG firmly locked
     'U_IIIG': True,  # IIIG used by a train (R9)
     'P_IIIG': False,  # IIIG: the train went on (R9)
-    'D_IIIG': False,  # IIIG: inputs were lost while locked
+    'D_IIIG': False,  # IIIG: detection is not relied on, inputs were lost or a train is called on
     'C_S4': False,  # S4 shows clear
     'C_S5': False,  # S5 shows clear
     'C_SII': False,  # SII shows clear
@@ -834,9 +909,11 @@ OUTPUTS = {
     'YS_SIII': True,  # signal SIII: stop
     'YP_X': False,  # signal X: clear (green)
     'YY_X': False,  # signal X: caution (yellow)
+    'YO_X': False,  # signal X: call-on, beside stop
     'YS_X': True,  # signal X: stop
     'YP_XD': False,  # signal XD: clear (green)
     'YY_XD': False,  # signal XD: caution (yellow)
+    'YO_XD': False,  # signal XD: call-on, beside stop
     'YS_XD': True,  # signal XD: stop
 }
 
@@ -1355,6 +1432,81 @@ class Controller:
         W_R60 = old['W_R60']
         S_R60 = old['S_R60']
         H_R60 = old['H_R60']
+        A_R61 = old['A_R61']
+        B_R61 = old['B_R61']
+        W_R61 = old['W_R61']
+        S_R61 = old['S_R61']
+        H_R61 = old['H_R61']
+        A_R62 = old['A_R62']
+        B_R62 = old['B_R62']
+        W_R62 = old['W_R62']
+        S_R62 = old['S_R62']
+        H_R62 = old['H_R62']
+        A_R63 = old['A_R63']
+        B_R63 = old['B_R63']
+        W_R63 = old['W_R63']
+        S_R63 = old['S_R63']
+        H_R63 = old['H_R63']
+        A_R64 = old['A_R64']
+        B_R64 = old['B_R64']
+        W_R64 = old['W_R64']
+        S_R64 = old['S_R64']
+        H_R64 = old['H_R64']
+        A_R65 = old['A_R65']
+        B_R65 = old['B_R65']
+        W_R65 = old['W_R65']
+        S_R65 = old['S_R65']
+        H_R65 = old['H_R65']
+        A_R66 = old['A_R66']
+        B_R66 = old['B_R66']
+        W_R66 = old['W_R66']
+        S_R66 = old['S_R66']
+        H_R66 = old['H_R66']
+        A_R67 = old['A_R67']
+        B_R67 = old['B_R67']
+        W_R67 = old['W_R67']
+        S_R67 = old['S_R67']
+        H_R67 = old['H_R67']
+        A_R68 = old['A_R68']
+        B_R68 = old['B_R68']
+        W_R68 = old['W_R68']
+        S_R68 = old['S_R68']
+        H_R68 = old['H_R68']
+        A_R69 = old['A_R69']
+        B_R69 = old['B_R69']
+        W_R69 = old['W_R69']
+        S_R69 = old['S_R69']
+        H_R69 = old['H_R69']
+        A_R70 = old['A_R70']
+        B_R70 = old['B_R70']
+        W_R70 = old['W_R70']
+        S_R70 = old['S_R70']
+        H_R70 = old['H_R70']
+        A_R71 = old['A_R71']
+        B_R71 = old['B_R71']
+        W_R71 = old['W_R71']
+        S_R71 = old['S_R71']
+        H_R71 = old['H_R71']
+        A_R72 = old['A_R72']
+        B_R72 = old['B_R72']
+        W_R72 = old['W_R72']
+        S_R72 = old['S_R72']
+        H_R72 = old['H_R72']
+        A_R73 = old['A_R73']
+        B_R73 = old['B_R73']
+        W_R73 = old['W_R73']
+        S_R73 = old['S_R73']
+        H_R73 = old['H_R73']
+        A_R74 = old['A_R74']
+        B_R74 = old['B_R74']
+        W_R74 = old['W_R74']
+        S_R74 = old['S_R74']
+        H_R74 = old['H_R74']
+        A_R75 = old['A_R75']
+        B_R75 = old['B_R75']
+        W_R75 = old['W_R75']
+        S_R75 = old['S_R75']
+        H_R75 = old['H_R75']
         X_D1 = old['X_D1']
         X_D11 = old['X_D11']
         X_D13 = old['X_D13']
@@ -1960,29 +2112,44 @@ class Controller:
         G_R53 = (REQ == 53) and VALID and WF_IAG_2 and WF_5DG_4 and WF_7DG_3 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_3 and WF_19_27DG_3 and WF_4G_1  # grant of route X-E4.2 (R6)
         G_R54 = (REQ == 54) and VALID and WF_IAG_2 and WF_5DG_4 and WF_7DG_3 and WF_11_13DG_3 and WF_21DG_2 and WF_5G_1  # grant of route X-E5 (R6)
         G_R55 = (REQ == 55) and VALID and WF_IAG_2 and WF_5DG_3 and WF_3DG_2 and WF_9_15DG_5 and WF_11_13DG_5 and WF_21DG_2 and WF_5G_1  # grant of route X-E5.2 (R6)
-        G_R56 = (REQ == 56) and VALID and WF_7DG_4 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_5 and WF_IG_1  # grant of route XD-E1 (R6)
-        G_R57 = (REQ == 57) and VALID and WF_7DG_4 and WF_11_13DG_3 and WF_21DG_1 and WF_25DG_2 and WF_IIIG_1  # grant of route XD-E3 (R6)
-        G_R58 = (REQ == 58) and VALID and WF_7DG_4 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_4 and WF_25DG_1 and WF_IIIG_1  # grant of route XD-E3.2 (R6)
-        G_R59 = (REQ == 59) and VALID and WF_7DG_4 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_3 and WF_19_27DG_3 and WF_4G_1  # grant of route XD-E4 (R6)
-        G_R60 = (REQ == 60) and VALID and WF_7DG_4 and WF_11_13DG_3 and WF_21DG_2 and WF_5G_1  # grant of route XD-E5 (R6)
+        G_R56 = (REQ == 56) and VALID and WF_IAG_2 and FREE_5DG and (not BLK_5DG) and WA_5DG_3 and FREE_3DG and (not BLK_3DG) and WA_3DG_2 and FREE_9_15DG and (not BLK_9_15DG) and WA_9_15DG_6 and FREE_17_23DG and (not BLK_17_23DG) and WA_17_23DG_5 and WF_IG_1  # grant of route X-E1.c (R6)
+        G_R57 = (REQ == 57) and VALID and WF_IAG_2 and FREE_5DG and (not BLK_5DG) and WA_5DG_4 and FREE_7DG and (not BLK_7DG) and WA_7DG_3 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_4 and FREE_9_15DG and (not BLK_9_15DG) and WA_9_15DG_2 and FREE_17_23DG and (not BLK_17_23DG) and WA_17_23DG_5 and WF_IG_1  # grant of route X-E1.c.2 (R6)
+        G_R58 = (REQ == 58) and VALID and WF_IAG_2 and FREE_5DG and (not BLK_5DG) and WA_5DG_3 and FREE_3DG and (not BLK_3DG) and WA_3DG_2 and FREE_9_15DG and (not BLK_9_15DG) and WA_9_15DG_6 and FREE_17_23DG and (not BLK_17_23DG) and WA_17_23DG_4 and FREE_25DG and (not BLK_25DG) and WA_25DG_1 and WF_IIIG_1  # grant of route X-E3.c (R6)
+        G_R59 = (REQ == 59) and VALID and WF_IAG_2 and FREE_5DG and (not BLK_5DG) and WA_5DG_4 and FREE_7DG and (not BLK_7DG) and WA_7DG_3 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_3 and FREE_21DG and (not BLK_21DG) and WA_21DG_1 and FREE_25DG and (not BLK_25DG) and WA_25DG_2 and WF_IIIG_1  # grant of route X-E3.c.2 (R6)
+        G_R60 = (REQ == 60) and VALID and WF_IAG_2 and FREE_5DG and (not BLK_5DG) and WA_5DG_3 and FREE_3DG and (not BLK_3DG) and WA_3DG_2 and FREE_9_15DG and (not BLK_9_15DG) and WA_9_15DG_5 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_5 and FREE_21DG and (not BLK_21DG) and WA_21DG_1 and FREE_25DG and (not BLK_25DG) and WA_25DG_2 and WF_IIIG_1  # grant of route X-E3.c.3 (R6)
+        G_R61 = (REQ == 61) and VALID and WF_IAG_2 and FREE_5DG and (not BLK_5DG) and WA_5DG_4 and FREE_7DG and (not BLK_7DG) and WA_7DG_3 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_4 and FREE_9_15DG and (not BLK_9_15DG) and WA_9_15DG_2 and FREE_17_23DG and (not BLK_17_23DG) and WA_17_23DG_4 and FREE_25DG and (not BLK_25DG) and WA_25DG_1 and WF_IIIG_1  # grant of route X-E3.c.4 (R6)
+        G_R62 = (REQ == 62) and VALID and WF_IAG_2 and FREE_5DG and (not BLK_5DG) and WA_5DG_3 and FREE_3DG and (not BLK_3DG) and WA_3DG_2 and FREE_9_15DG and (not BLK_9_15DG) and WA_9_15DG_6 and FREE_17_23DG and (not BLK_17_23DG) and WA_17_23DG_3 and FREE_19_27DG and (not BLK_19_27DG) and WA_19_27DG_3 and WF_4G_1  # grant of route X-E4.c (R6)
+        G_R63 = (REQ == 63) and VALID and WF_IAG_2 and FREE_5DG and (not BLK_5DG) and WA_5DG_4 and FREE_7DG and (not BLK_7DG) and WA_7DG_3 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_4 and FREE_9_15DG and (not BLK_9_15DG) and WA_9_15DG_2 and FREE_17_23DG and (not BLK_17_23DG) and WA_17_23DG_3 and FREE_19_27DG and (not BLK_19_27DG) and WA_19_27DG_3 and WF_4G_1  # grant of route X-E4.c.2 (R6)
+        G_R64 = (REQ == 64) and VALID and WF_IAG_2 and FREE_5DG and (not BLK_5DG) and WA_5DG_4 and FREE_7DG and (not BLK_7DG) and WA_7DG_3 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_3 and FREE_21DG and (not BLK_21DG) and WA_21DG_2 and WF_5G_1  # grant of route X-E5.c (R6)
+        G_R65 = (REQ == 65) and VALID and WF_IAG_2 and FREE_5DG and (not BLK_5DG) and WA_5DG_3 and FREE_3DG and (not BLK_3DG) and WA_3DG_2 and FREE_9_15DG and (not BLK_9_15DG) and WA_9_15DG_5 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_5 and FREE_21DG and (not BLK_21DG) and WA_21DG_2 and WF_5G_1  # grant of route X-E5.c.2 (R6)
+        G_R66 = (REQ == 66) and VALID and WF_7DG_4 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_5 and WF_IG_1  # grant of route XD-E1 (R6)
+        G_R67 = (REQ == 67) and VALID and WF_7DG_4 and WF_11_13DG_3 and WF_21DG_1 and WF_25DG_2 and WF_IIIG_1  # grant of route XD-E3 (R6)
+        G_R68 = (REQ == 68) and VALID and WF_7DG_4 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_4 and WF_25DG_1 and WF_IIIG_1  # grant of route XD-E3.2 (R6)
+        G_R69 = (REQ == 69) and VALID and WF_7DG_4 and WF_11_13DG_4 and WF_9_15DG_2 and WF_17_23DG_3 and WF_19_27DG_3 and WF_4G_1  # grant of route XD-E4 (R6)
+        G_R70 = (REQ == 70) and VALID and WF_7DG_4 and WF_11_13DG_3 and WF_21DG_2 and WF_5G_1  # grant of route XD-E5 (R6)
+        G_R71 = (REQ == 71) and VALID and WF_7DG_4 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_4 and FREE_9_15DG and (not BLK_9_15DG) and WA_9_15DG_2 and FREE_17_23DG and (not BLK_17_23DG) and WA_17_23DG_5 and WF_IG_1  # grant of route XD-E1.c (R6)
+        G_R72 = (REQ == 72) and VALID and WF_7DG_4 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_3 and FREE_21DG and (not BLK_21DG) and WA_21DG_1 and FREE_25DG and (not BLK_25DG) and WA_25DG_2 and WF_IIIG_1  # grant of route XD-E3.c (R6)
+        G_R73 = (REQ == 73) and VALID and WF_7DG_4 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_4 and FREE_9_15DG and (not BLK_9_15DG) and WA_9_15DG_2 and FREE_17_23DG and (not BLK_17_23DG) and WA_17_23DG_4 and FREE_25DG and (not BLK_25DG) and WA_25DG_1 and WF_IIIG_1  # grant of route XD-E3.c.2 (R6)
+        G_R74 = (REQ == 74) and VALID and WF_7DG_4 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_4 and FREE_9_15DG and (not BLK_9_15DG) and WA_9_15DG_2 and FREE_17_23DG and (not BLK_17_23DG) and WA_17_23DG_3 and FREE_19_27DG and (not BLK_19_27DG) and WA_19_27DG_3 and WF_4G_1  # grant of route XD-E4.c (R6)
+        G_R75 = (REQ == 75) and VALID and WF_7DG_4 and FREE_11_13DG and (not BLK_11_13DG) and WA_11_13DG_3 and FREE_21DG and (not BLK_21DG) and WA_21DG_2 and WF_5G_1  # grant of route XD-E5.c (R6)
         GW_1_19WG_1 = G_R22 or G_R32  # 1/19WG from 1/19WG|19-27DG@19.normal to 1/19WG|1DG@WG.0: granted
         GB_1_19WG_1 = G_R25 or G_R35  # 1/19WG from 1/19WG|19-27DG@19.normal to 1/19WG|1DG@WG.0: granted
         GB_1_19WG_2 = G_R1  # 1/19WG from 1/19WG|1DG@WG.0 to 1/19WG|19-27DG@19.normal: granted
         GW_11_13DG_1 = G_R29 or G_R31 or G_R40 or G_R44  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|7DG@13.toe: granted
         GW_11_13DG_2 = G_R28 or G_R30 or G_R39 or G_R43  # 11-13DG from 11-13DG|21DG@11.toe to 11-13DG|9-15DG@11.reverse: granted
-        GW_11_13DG_3 = G_R3 or G_R5 or G_R49 or G_R54 or G_R57 or G_R60  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|21DG@11.toe: granted
-        GW_11_13DG_4 = G_R4 or G_R47 or G_R51 or G_R53 or G_R56 or G_R58 or G_R59  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|9-15DG@15.reverse: granted
-        GW_11_13DG_5 = G_R19 or G_R21 or G_R50 or G_R55  # 11-13DG from 11-13DG|9-15DG@11.reverse to 11-13DG|21DG@11.toe: granted
+        GW_11_13DG_3 = G_R3 or G_R5 or G_R49 or G_R54 or G_R59 or G_R64 or G_R67 or G_R70 or G_R72 or G_R75  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|21DG@11.toe: granted
+        GW_11_13DG_4 = G_R4 or G_R47 or G_R51 or G_R53 or G_R57 or G_R61 or G_R63 or G_R66 or G_R68 or G_R69 or G_R71 or G_R73 or G_R74  # 11-13DG from 11-13DG|7DG@13.toe to 11-13DG|9-15DG@15.reverse: granted
+        GW_11_13DG_5 = G_R19 or G_R21 or G_R50 or G_R55 or G_R60 or G_R65  # 11-13DG from 11-13DG|9-15DG@11.reverse to 11-13DG|21DG@11.toe: granted
         GW_11_13DG_6 = G_R13 or G_R24 or G_R27 or G_R34 or G_R37 or G_R41 or G_R45  # 11-13DG from 11-13DG|9-15DG@15.reverse to 11-13DG|7DG@13.toe: granted
         GW_17_23DG_1 = G_R23 or G_R24 or G_R26 or G_R27 or G_R33 or G_R34 or G_R36 or G_R37  # 17-23DG from 17-23DG|19-27DG@x17.0 to 17-23DG|9-15DG@15.toe: granted
         GW_17_23DG_2 = G_R38 or G_R41 or G_R42 or G_R45  # 17-23DG from 17-23DG|25DG@x23.0 to 17-23DG|9-15DG@15.toe: granted
-        GW_17_23DG_3 = G_R6 or G_R8 or G_R52 or G_R53 or G_R59  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|19-27DG@x17.0: granted
-        GW_17_23DG_4 = G_R9 or G_R48 or G_R51 or G_R58  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|25DG@x23.0: granted
-        GW_17_23DG_5 = G_R7 or G_R46 or G_R47 or G_R56  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|IG@tI.0: granted
+        GW_17_23DG_3 = G_R6 or G_R8 or G_R52 or G_R53 or G_R62 or G_R63 or G_R69 or G_R74  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|19-27DG@x17.0: granted
+        GW_17_23DG_4 = G_R9 or G_R48 or G_R51 or G_R58 or G_R61 or G_R68 or G_R73  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|25DG@x23.0: granted
+        GW_17_23DG_5 = G_R7 or G_R46 or G_R47 or G_R56 or G_R57 or G_R66 or G_R71  # 17-23DG from 17-23DG|9-15DG@15.toe to 17-23DG|IG@tI.0: granted
         GW_17_23DG_6 = G_R12 or G_R13  # 17-23DG from 17-23DG|IG@tI.0 to 17-23DG|9-15DG@15.toe: granted
         GW_19_27DG_1 = G_R10  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|4G@t4.0: granted
         GW_19_27DG_2 = G_R11  # 19-27DG from 1/19WG|19-27DG@19.normal to 19-27DG|IIG@tII.0: granted
-        GW_19_27DG_3 = G_R6 or G_R52 or G_R53 or G_R59  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|4G@t4.0: granted
+        GW_19_27DG_3 = G_R6 or G_R52 or G_R53 or G_R62 or G_R63 or G_R69 or G_R74  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|4G@t4.0: granted
         GW_19_27DG_4 = G_R8  # 19-27DG from 17-23DG|19-27DG@x17.0 to 19-27DG|IIG@tII.0: granted
         GW_19_27DG_5 = G_R22 or G_R25  # 19-27DG from 19-27DG|4G@t4.0 to 1/19WG|19-27DG@19.normal: granted
         GW_19_27DG_6 = G_R23 or G_R24 or G_R26 or G_R27  # 19-27DG from 19-27DG|4G@t4.0 to 17-23DG|19-27DG@x17.0: granted
@@ -1992,44 +2159,44 @@ class Controller:
         GW_1DG_2 = G_R18 or G_R23 or G_R28 or G_R33 or G_R38 or G_R39  # 1DG from 1DG|3DG@x1.0 to 1DG|IIAG@1.toe: granted
         GW_1DG_3 = G_R1  # 1DG from 1DG|IIAG@1.toe to 1/19WG|1DG@WG.0: granted
         GW_1DG_4 = G_R2  # 1DG from 1DG|IIAG@1.toe to 1DG|3DG@x1.0: granted
-        GW_21DG_1 = G_R5 or G_R21 or G_R49 or G_R50 or G_R57  # 21DG from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal: granted
-        GW_21DG_2 = G_R3 or G_R19 or G_R54 or G_R55 or G_R60  # 21DG from 11-13DG|21DG@11.toe to 21DG|5G@t5.0: granted
+        GW_21DG_1 = G_R5 or G_R21 or G_R49 or G_R50 or G_R59 or G_R60 or G_R67 or G_R72  # 21DG from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal: granted
+        GW_21DG_2 = G_R3 or G_R19 or G_R54 or G_R55 or G_R64 or G_R65 or G_R70 or G_R75  # 21DG from 11-13DG|21DG@11.toe to 21DG|5G@t5.0: granted
         GW_21DG_3 = G_R39 or G_R40 or G_R43 or G_R44  # 21DG from 21DG|25DG@21.normal to 11-13DG|21DG@11.toe: granted
         GW_21DG_4 = G_R28 or G_R29 or G_R30 or G_R31  # 21DG from 21DG|5G@t5.0 to 11-13DG|21DG@11.toe: granted
-        GW_25DG_1 = G_R9 or G_R48 or G_R51 or G_R58  # 25DG from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0: granted
-        GW_25DG_2 = G_R5 or G_R21 or G_R49 or G_R50 or G_R57  # 25DG from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0: granted
+        GW_25DG_1 = G_R9 or G_R48 or G_R51 or G_R58 or G_R61 or G_R68 or G_R73  # 25DG from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0: granted
+        GW_25DG_2 = G_R5 or G_R21 or G_R49 or G_R50 or G_R59 or G_R60 or G_R67 or G_R72  # 25DG from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0: granted
         GW_25DG_3 = G_R38 or G_R41 or G_R42 or G_R45  # 25DG from 25DG|IIIG@tIII.0 to 17-23DG|25DG@x23.0: granted
         GW_25DG_4 = G_R39 or G_R40 or G_R43 or G_R44  # 25DG from 25DG|IIIG@tIII.0 to 21DG|25DG@21.normal: granted
         GW_3DG_1 = G_R2  # 3DG from 1DG|3DG@x1.0 to 3DG|9-15DG@3-9.end: granted
-        GW_3DG_2 = G_R15 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55  # 3DG from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end: granted
+        GW_3DG_2 = G_R15 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55 or G_R56 or G_R58 or G_R60 or G_R62 or G_R65  # 3DG from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end: granted
         GW_3DG_3 = G_R18 or G_R23 or G_R28 or G_R33 or G_R38 or G_R39  # 3DG from 3DG|9-15DG@3-9.end to 1DG|3DG@x1.0: granted
         GW_3DG_4 = G_R17  # 3DG from 3DG|9-15DG@3-9.end to 3DG|5DG@3.normal: granted
-        GW_4G_1 = G_R52 or G_R53 or G_R59  # 4G from 19-27DG|4G@t4.0 to E4: granted
+        GW_4G_1 = G_R52 or G_R53 or G_R62 or G_R63 or G_R69 or G_R74  # 4G from 19-27DG|4G@t4.0 to E4: granted
         GB_4G_1 = G_R6 or G_R10  # 4G from 19-27DG|4G@t4.0 to E4: granted
         GW_5DG_1 = G_R17  # 5DG from 3DG|5DG@3.normal to 5DG|IAG@5.toe: granted
         GW_5DG_2 = G_R13 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45  # 5DG from 5DG|7DG@x5.0 to 5DG|IAG@5.toe: granted
-        GW_5DG_3 = G_R15 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55  # 5DG from 5DG|IAG@5.toe to 3DG|5DG@3.normal: granted
-        GW_5DG_4 = G_R14 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54  # 5DG from 5DG|IAG@5.toe to 5DG|7DG@x5.0: granted
-        GW_5G_1 = G_R54 or G_R55 or G_R60  # 5G from 21DG|5G@t5.0 to E5: granted
+        GW_5DG_3 = G_R15 or G_R46 or G_R48 or G_R50 or G_R52 or G_R55 or G_R56 or G_R58 or G_R60 or G_R62 or G_R65  # 5DG from 5DG|IAG@5.toe to 3DG|5DG@3.normal: granted
+        GW_5DG_4 = G_R14 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54 or G_R57 or G_R59 or G_R61 or G_R63 or G_R64  # 5DG from 5DG|IAG@5.toe to 5DG|7DG@x5.0: granted
+        GW_5G_1 = G_R54 or G_R55 or G_R64 or G_R65 or G_R70 or G_R75  # 5G from 21DG|5G@t5.0 to E5: granted
         GB_5G_1 = G_R3 or G_R19  # 5G from 21DG|5G@t5.0 to E5: granted
         GW_7DG_1 = G_R13 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45  # 7DG from 11-13DG|7DG@13.toe to 5DG|7DG@x5.0: granted
         GW_7DG_2 = G_R24 or G_R29 or G_R34 or G_R40 or G_R41  # 7DG from 11-13DG|7DG@13.toe to DJ: granted
-        GW_7DG_3 = G_R14 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54  # 7DG from 5DG|7DG@x5.0 to 11-13DG|7DG@13.toe: granted
-        GW_7DG_4 = G_R56 or G_R57 or G_R58 or G_R59 or G_R60  # 7DG from DJ to 11-13DG|7DG@13.toe: granted
+        GW_7DG_3 = G_R14 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54 or G_R57 or G_R59 or G_R61 or G_R63 or G_R64  # 7DG from 5DG|7DG@x5.0 to 11-13DG|7DG@13.toe: granted
+        GW_7DG_4 = G_R66 or G_R67 or G_R68 or G_R69 or G_R70 or G_R71 or G_R72 or G_R73 or G_R74 or G_R75  # 7DG from DJ to 11-13DG|7DG@13.toe: granted
         GW_9_15DG_1 = G_R28 or G_R30 or G_R39 or G_R43  # 9-15DG from 11-13DG|9-15DG@11.reverse to 3DG|9-15DG@3-9.end: granted
-        GW_9_15DG_2 = G_R4 or G_R47 or G_R51 or G_R53 or G_R56 or G_R58 or G_R59  # 9-15DG from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe: granted
+        GW_9_15DG_2 = G_R4 or G_R47 or G_R51 or G_R53 or G_R57 or G_R61 or G_R63 or G_R66 or G_R68 or G_R69 or G_R71 or G_R73 or G_R74  # 9-15DG from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe: granted
         GW_9_15DG_3 = G_R13 or G_R24 or G_R27 or G_R34 or G_R37 or G_R41 or G_R45  # 9-15DG from 17-23DG|9-15DG@15.toe to 11-13DG|9-15DG@15.reverse: granted
         GW_9_15DG_4 = G_R12 or G_R23 or G_R26 or G_R33 or G_R36 or G_R38 or G_R42  # 9-15DG from 17-23DG|9-15DG@15.toe to 3DG|9-15DG@3-9.end: granted
-        GW_9_15DG_5 = G_R19 or G_R21 or G_R50 or G_R55  # 9-15DG from 3DG|9-15DG@3-9.end to 11-13DG|9-15DG@11.reverse: granted
-        GW_9_15DG_6 = G_R20 or G_R46 or G_R48 or G_R52  # 9-15DG from 3DG|9-15DG@3-9.end to 17-23DG|9-15DG@15.toe: granted
+        GW_9_15DG_5 = G_R19 or G_R21 or G_R50 or G_R55 or G_R60 or G_R65  # 9-15DG from 3DG|9-15DG@3-9.end to 11-13DG|9-15DG@11.reverse: granted
+        GW_9_15DG_6 = G_R20 or G_R46 or G_R48 or G_R52 or G_R56 or G_R58 or G_R62  # 9-15DG from 3DG|9-15DG@3-9.end to 17-23DG|9-15DG@15.toe: granted
         GB_IAG_1 = G_R13 or G_R17 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45  # IAG from 5DG|IAG@5.toe to BX: granted
-        GW_IAG_2 = G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55  # IAG from BX to 5DG|IAG@5.toe: granted
-        GW_IG_1 = G_R46 or G_R47 or G_R56  # IG from 17-23DG|IG@tI.0 to E1: granted
+        GW_IAG_2 = G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60 or G_R61 or G_R62 or G_R63 or G_R64 or G_R65  # IAG from BX to 5DG|IAG@5.toe: granted
+        GW_IG_1 = G_R46 or G_R47 or G_R56 or G_R57 or G_R66 or G_R71  # IG from 17-23DG|IG@tI.0 to E1: granted
         GB_IG_1 = G_R7  # IG from 17-23DG|IG@tI.0 to E1: granted
         GW_IIAG_1 = G_R22 or G_R23 or G_R28 or G_R32 or G_R33 or G_R38 or G_R39  # IIAG from 1DG|IIAG@1.toe to BS: granted
         GB_IIAG_1 = G_R16 or G_R18  # IIAG from 1DG|IIAG@1.toe to BS: granted
         GB_IIG_1 = G_R8 or G_R11  # IIG from 19-27DG|IIG@tII.0 to E2: granted
-        GW_IIIG_1 = G_R48 or G_R49 or G_R50 or G_R51 or G_R57 or G_R58  # IIIG from 25DG|IIIG@tIII.0 to E3: granted
+        GW_IIIG_1 = G_R48 or G_R49 or G_R50 or G_R51 or G_R58 or G_R59 or G_R60 or G_R61 or G_R67 or G_R68 or G_R72 or G_R73  # IIIG from 25DG|IIIG@tIII.0 to E3: granted
         GB_IIIG_1 = G_R5 or G_R9 or G_R21  # IIIG from 25DG|IIIG@tIII.0 to E3: granted
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_D1) and (not CAN_D1) and WL_1DG_3  # route D1-D15 becomes locked (R3)
         CO_R1 = VALID and WP_1DG_3 and (not BLK_1_19WG) and (not D_1DG)  # conditions of proceed for route D1-D15 (R3)
@@ -2141,16 +2308,46 @@ class Controller:
         CO_R54 = VALID and WP_IAG_2 and WP_5DG_4 and WP_7DG_3 and WP_11_13DG_3 and WP_21DG_2 and WP_5G_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E5 (R3)
         LK_R55 = A_R55 and (not B_R55) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_5DG_3 and WL_3DG_2 and WL_9_15DG_5 and WL_11_13DG_5 and WL_21DG_2 and WL_5G_1  # route X-E5.2 becomes locked (R3)
         CO_R55 = VALID and WP_IAG_2 and WP_5DG_3 and WP_3DG_2 and WP_9_15DG_5 and WP_11_13DG_5 and WP_21DG_2 and WP_5G_1 and (not D_IAG) and CL_X  # conditions of proceed for route X-E5.2 (R3)
-        LK_R56 = A_R56 and (not B_R56) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_5 and WL_IG_1  # route XD-E1 becomes locked (R3)
-        CO_R56 = VALID and WP_7DG_4 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_5 and WP_IG_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E1 (R3)
-        LK_R57 = A_R57 and (not B_R57) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_3 and WL_21DG_1 and WL_25DG_2 and WL_IIIG_1  # route XD-E3 becomes locked (R3)
-        CO_R57 = VALID and WP_7DG_4 and WP_11_13DG_3 and WP_21DG_1 and WP_25DG_2 and WP_IIIG_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E3 (R3)
-        LK_R58 = A_R58 and (not B_R58) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_4 and WL_25DG_1 and WL_IIIG_1  # route XD-E3.2 becomes locked (R3)
-        CO_R58 = VALID and WP_7DG_4 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_4 and WP_25DG_1 and WP_IIIG_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E3.2 (R3)
-        LK_R59 = A_R59 and (not B_R59) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_3 and WL_19_27DG_3 and WL_4G_1  # route XD-E4 becomes locked (R3)
-        CO_R59 = VALID and WP_7DG_4 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_3 and WP_19_27DG_3 and WP_4G_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E4 (R3)
-        LK_R60 = A_R60 and (not B_R60) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_3 and WL_21DG_2 and WL_5G_1  # route XD-E5 becomes locked (R3)
-        CO_R60 = VALID and WP_7DG_4 and WP_11_13DG_3 and WP_21DG_2 and WP_5G_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E5 (R3)
+        LK_R56 = A_R56 and (not B_R56) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_5DG_3 and WD_3DG_2 and WD_9_15DG_6 and WD_17_23DG_5 and WL_IG_1  # route X-E1.c becomes locked (R3)
+        CO_R56 = VALID and WP_IAG_2 and WD_5DG_3 and (not BLK_5DG) and WD_3DG_2 and (not BLK_3DG) and WD_9_15DG_6 and (not BLK_9_15DG) and WD_17_23DG_5 and (not BLK_17_23DG) and WP_IG_1  # conditions of proceed for route X-E1.c (R3)
+        LK_R57 = A_R57 and (not B_R57) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_5DG_4 and WD_7DG_3 and WD_11_13DG_4 and WD_9_15DG_2 and WD_17_23DG_5 and WL_IG_1  # route X-E1.c.2 becomes locked (R3)
+        CO_R57 = VALID and WP_IAG_2 and WD_5DG_4 and (not BLK_5DG) and WD_7DG_3 and (not BLK_7DG) and WD_11_13DG_4 and (not BLK_11_13DG) and WD_9_15DG_2 and (not BLK_9_15DG) and WD_17_23DG_5 and (not BLK_17_23DG) and WP_IG_1  # conditions of proceed for route X-E1.c.2 (R3)
+        LK_R58 = A_R58 and (not B_R58) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_5DG_3 and WD_3DG_2 and WD_9_15DG_6 and WD_17_23DG_4 and WD_25DG_1 and WL_IIIG_1  # route X-E3.c becomes locked (R3)
+        CO_R58 = VALID and WP_IAG_2 and WD_5DG_3 and (not BLK_5DG) and WD_3DG_2 and (not BLK_3DG) and WD_9_15DG_6 and (not BLK_9_15DG) and WD_17_23DG_4 and (not BLK_17_23DG) and WD_25DG_1 and (not BLK_25DG) and WP_IIIG_1  # conditions of proceed for route X-E3.c (R3)
+        LK_R59 = A_R59 and (not B_R59) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_5DG_4 and WD_7DG_3 and WD_11_13DG_3 and WD_21DG_1 and WD_25DG_2 and WL_IIIG_1  # route X-E3.c.2 becomes locked (R3)
+        CO_R59 = VALID and WP_IAG_2 and WD_5DG_4 and (not BLK_5DG) and WD_7DG_3 and (not BLK_7DG) and WD_11_13DG_3 and (not BLK_11_13DG) and WD_21DG_1 and (not BLK_21DG) and WD_25DG_2 and (not BLK_25DG) and WP_IIIG_1  # conditions of proceed for route X-E3.c.2 (R3)
+        LK_R60 = A_R60 and (not B_R60) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_5DG_3 and WD_3DG_2 and WD_9_15DG_5 and WD_11_13DG_5 and WD_21DG_1 and WD_25DG_2 and WL_IIIG_1  # route X-E3.c.3 becomes locked (R3)
+        CO_R60 = VALID and WP_IAG_2 and WD_5DG_3 and (not BLK_5DG) and WD_3DG_2 and (not BLK_3DG) and WD_9_15DG_5 and (not BLK_9_15DG) and WD_11_13DG_5 and (not BLK_11_13DG) and WD_21DG_1 and (not BLK_21DG) and WD_25DG_2 and (not BLK_25DG) and WP_IIIG_1  # conditions of proceed for route X-E3.c.3 (R3)
+        LK_R61 = A_R61 and (not B_R61) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_5DG_4 and WD_7DG_3 and WD_11_13DG_4 and WD_9_15DG_2 and WD_17_23DG_4 and WD_25DG_1 and WL_IIIG_1  # route X-E3.c.4 becomes locked (R3)
+        CO_R61 = VALID and WP_IAG_2 and WD_5DG_4 and (not BLK_5DG) and WD_7DG_3 and (not BLK_7DG) and WD_11_13DG_4 and (not BLK_11_13DG) and WD_9_15DG_2 and (not BLK_9_15DG) and WD_17_23DG_4 and (not BLK_17_23DG) and WD_25DG_1 and (not BLK_25DG) and WP_IIIG_1  # conditions of proceed for route X-E3.c.4 (R3)
+        LK_R62 = A_R62 and (not B_R62) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_5DG_3 and WD_3DG_2 and WD_9_15DG_6 and WD_17_23DG_3 and WD_19_27DG_3 and WL_4G_1  # route X-E4.c becomes locked (R3)
+        CO_R62 = VALID and WP_IAG_2 and WD_5DG_3 and (not BLK_5DG) and WD_3DG_2 and (not BLK_3DG) and WD_9_15DG_6 and (not BLK_9_15DG) and WD_17_23DG_3 and (not BLK_17_23DG) and WD_19_27DG_3 and (not BLK_19_27DG) and WP_4G_1  # conditions of proceed for route X-E4.c (R3)
+        LK_R63 = A_R63 and (not B_R63) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_5DG_4 and WD_7DG_3 and WD_11_13DG_4 and WD_9_15DG_2 and WD_17_23DG_3 and WD_19_27DG_3 and WL_4G_1  # route X-E4.c.2 becomes locked (R3)
+        CO_R63 = VALID and WP_IAG_2 and WD_5DG_4 and (not BLK_5DG) and WD_7DG_3 and (not BLK_7DG) and WD_11_13DG_4 and (not BLK_11_13DG) and WD_9_15DG_2 and (not BLK_9_15DG) and WD_17_23DG_3 and (not BLK_17_23DG) and WD_19_27DG_3 and (not BLK_19_27DG) and WP_4G_1  # conditions of proceed for route X-E4.c.2 (R3)
+        LK_R64 = A_R64 and (not B_R64) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_5DG_4 and WD_7DG_3 and WD_11_13DG_3 and WD_21DG_2 and WL_5G_1  # route X-E5.c becomes locked (R3)
+        CO_R64 = VALID and WP_IAG_2 and WD_5DG_4 and (not BLK_5DG) and WD_7DG_3 and (not BLK_7DG) and WD_11_13DG_3 and (not BLK_11_13DG) and WD_21DG_2 and (not BLK_21DG) and WP_5G_1  # conditions of proceed for route X-E5.c (R3)
+        LK_R65 = A_R65 and (not B_R65) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_5DG_3 and WD_3DG_2 and WD_9_15DG_5 and WD_11_13DG_5 and WD_21DG_2 and WL_5G_1  # route X-E5.c.2 becomes locked (R3)
+        CO_R65 = VALID and WP_IAG_2 and WD_5DG_3 and (not BLK_5DG) and WD_3DG_2 and (not BLK_3DG) and WD_9_15DG_5 and (not BLK_9_15DG) and WD_11_13DG_5 and (not BLK_11_13DG) and WD_21DG_2 and (not BLK_21DG) and WP_5G_1  # conditions of proceed for route X-E5.c.2 (R3)
+        LK_R66 = A_R66 and (not B_R66) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_5 and WL_IG_1  # route XD-E1 becomes locked (R3)
+        CO_R66 = VALID and WP_7DG_4 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_5 and WP_IG_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E1 (R3)
+        LK_R67 = A_R67 and (not B_R67) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_3 and WL_21DG_1 and WL_25DG_2 and WL_IIIG_1  # route XD-E3 becomes locked (R3)
+        CO_R67 = VALID and WP_7DG_4 and WP_11_13DG_3 and WP_21DG_1 and WP_25DG_2 and WP_IIIG_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E3 (R3)
+        LK_R68 = A_R68 and (not B_R68) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_4 and WL_25DG_1 and WL_IIIG_1  # route XD-E3.2 becomes locked (R3)
+        CO_R68 = VALID and WP_7DG_4 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_4 and WP_25DG_1 and WP_IIIG_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E3.2 (R3)
+        LK_R69 = A_R69 and (not B_R69) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_4 and WL_9_15DG_2 and WL_17_23DG_3 and WL_19_27DG_3 and WL_4G_1  # route XD-E4 becomes locked (R3)
+        CO_R69 = VALID and WP_7DG_4 and WP_11_13DG_4 and WP_9_15DG_2 and WP_17_23DG_3 and WP_19_27DG_3 and WP_4G_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E4 (R3)
+        LK_R70 = A_R70 and (not B_R70) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WL_11_13DG_3 and WL_21DG_2 and WL_5G_1  # route XD-E5 becomes locked (R3)
+        CO_R70 = VALID and WP_7DG_4 and WP_11_13DG_3 and WP_21DG_2 and WP_5G_1 and (not D_7DG) and CL_XD  # conditions of proceed for route XD-E5 (R3)
+        LK_R71 = A_R71 and (not B_R71) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WD_11_13DG_4 and WD_9_15DG_2 and WD_17_23DG_5 and WL_IG_1  # route XD-E1.c becomes locked (R3)
+        CO_R71 = VALID and WP_7DG_4 and WD_11_13DG_4 and (not BLK_11_13DG) and WD_9_15DG_2 and (not BLK_9_15DG) and WD_17_23DG_5 and (not BLK_17_23DG) and WP_IG_1  # conditions of proceed for route XD-E1.c (R3)
+        LK_R72 = A_R72 and (not B_R72) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WD_11_13DG_3 and WD_21DG_1 and WD_25DG_2 and WL_IIIG_1  # route XD-E3.c becomes locked (R3)
+        CO_R72 = VALID and WP_7DG_4 and WD_11_13DG_3 and (not BLK_11_13DG) and WD_21DG_1 and (not BLK_21DG) and WD_25DG_2 and (not BLK_25DG) and WP_IIIG_1  # conditions of proceed for route XD-E3.c (R3)
+        LK_R73 = A_R73 and (not B_R73) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WD_11_13DG_4 and WD_9_15DG_2 and WD_17_23DG_4 and WD_25DG_1 and WL_IIIG_1  # route XD-E3.c.2 becomes locked (R3)
+        CO_R73 = VALID and WP_7DG_4 and WD_11_13DG_4 and (not BLK_11_13DG) and WD_9_15DG_2 and (not BLK_9_15DG) and WD_17_23DG_4 and (not BLK_17_23DG) and WD_25DG_1 and (not BLK_25DG) and WP_IIIG_1  # conditions of proceed for route XD-E3.c.2 (R3)
+        LK_R74 = A_R74 and (not B_R74) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WD_11_13DG_4 and WD_9_15DG_2 and WD_17_23DG_3 and WD_19_27DG_3 and WL_4G_1  # route XD-E4.c becomes locked (R3)
+        CO_R74 = VALID and WP_7DG_4 and WD_11_13DG_4 and (not BLK_11_13DG) and WD_9_15DG_2 and (not BLK_9_15DG) and WD_17_23DG_3 and (not BLK_17_23DG) and WD_19_27DG_3 and (not BLK_19_27DG) and WP_4G_1  # conditions of proceed for route XD-E4.c (R3)
+        LK_R75 = A_R75 and (not B_R75) and VALID and (not X_XD) and (not CAN_XD) and WL_7DG_4 and WD_11_13DG_3 and WD_21DG_2 and WL_5G_1  # route XD-E5.c becomes locked (R3)
+        CO_R75 = VALID and WP_7DG_4 and WD_11_13DG_3 and (not BLK_11_13DG) and WD_21DG_2 and (not BLK_21DG) and WP_5G_1  # conditions of proceed for route XD-E5.c (R3)
         NU_1_19WG_1 = VALID and F_1_19WG and (not D_1_19WG) and (not U_1_19WG) and (L_1_19WG_1 or L_1_19WG_2) and OCC_1_19WG and OCC_19_27DG and U_19_27DG and (L_19_27DG_5 or L_19_27DG_7)  # a train comes into 1/19WG at 1/19WG|19-27DG@19.normal (R9)
         NU_1_19WG_2 = VALID and F_1_19WG and (not D_1_19WG) and (not U_1_19WG) and (L_1_19WG_1 or L_1_19WG_2) and OCC_1_19WG and OCC_1DG and U_1DG and L_1DG_3  # a train comes into 1/19WG at 1/19WG|1DG@WG.0 (R9)
         NU_11_13DG_1 = VALID and F_11_13DG and (not D_11_13DG) and (not U_11_13DG) and (L_11_13DG_1 or L_11_13DG_2) and OCC_11_13DG and OCC_21DG and U_21DG and (L_21DG_3 or L_21DG_4)  # a train comes into 11-13DG at 11-13DG|21DG@11.toe (R9)
@@ -2208,8 +2405,8 @@ class Controller:
         ATI_S5 = X_S5 or ((not (A_R28 or A_R29 or A_R30 or A_R31)) and L_21DG_4 and REL_21DG)  # S5 at stop, waiting for a train that may still come (R8)
         ATI_SII = X_SII or ((not (A_R32 or A_R33 or A_R34 or A_R35 or A_R36 or A_R37)) and (L_19_27DG_7 or L_19_27DG_8) and (REL_19_27DG or (L_19_27DG_7 and (not M_19_27DG) and U_19_27DG and (not OCC_19_27DG))))  # SII at stop, waiting for a train that may still come (R8)
         ATI_SIII = X_SIII or ((not (A_R38 or A_R39 or A_R40 or A_R41 or A_R42 or A_R43 or A_R44 or A_R45)) and (L_25DG_3 or L_25DG_4) and REL_25DG)  # SIII at stop, waiting for a train that may still come (R8)
-        ATI_X = X_X or ((not (A_R46 or A_R47 or A_R48 or A_R49 or A_R50 or A_R51 or A_R52 or A_R53 or A_R54 or A_R55)) and L_IAG_2 and REL_IAG)  # X at stop, waiting for a train that may still come (R8)
-        ATI_XD = X_XD or ((not (A_R56 or A_R57 or A_R58 or A_R59 or A_R60)) and L_7DG_4 and REL_7DG)  # XD at stop, waiting for a train that may still come (R8)
+        ATI_X = X_X or ((not (A_R46 or A_R47 or A_R48 or A_R49 or A_R50 or A_R51 or A_R52 or A_R53 or A_R54 or A_R55 or A_R56 or A_R57 or A_R58 or A_R59 or A_R60 or A_R61 or A_R62 or A_R63 or A_R64 or A_R65)) and L_IAG_2 and REL_IAG)  # X at stop, waiting for a train that may still come (R8)
+        ATI_XD = X_XD or ((not (A_R66 or A_R67 or A_R68 or A_R69 or A_R70 or A_R71 or A_R72 or A_R73 or A_R74 or A_R75)) and L_7DG_4 and REL_7DG)  # XD at stop, waiting for a train that may still come (R8)
         AT_D1 = self._timer('AT_D1', ATI_D1, dt_ms)  # D1: approach locking delay (R8)
         AT_D11 = self._timer('AT_D11', ATI_D11, dt_ms)  # D11: approach locking delay (R8)
         AT_D13 = self._timer('AT_D13', ATI_D13, dt_ms)  # D13: approach locking delay (R8)
@@ -2238,8 +2435,8 @@ class Controller:
         CD_S5 = X_S5 and (A_R28 or A_R29 or A_R30 or A_R31) and VALID and (not OCC_21DG) and ((not OCC_5G) or AT_S5 or (not (H_R28 or H_R29 or H_R30 or H_R31)))  # the route from S5 is cancelled (R8)
         CD_SII = X_SII and (A_R32 or A_R33 or A_R34 or A_R35 or A_R36 or A_R37) and VALID and (not OCC_19_27DG) and ((not OCC_IIG) or AT_SII or (not (H_R32 or H_R33 or H_R34 or H_R35 or H_R36 or H_R37)))  # the route from SII is cancelled (R8)
         CD_SIII = X_SIII and (A_R38 or A_R39 or A_R40 or A_R41 or A_R42 or A_R43 or A_R44 or A_R45) and VALID and (not OCC_25DG) and ((not OCC_IIIG) or AT_SIII or (not (H_R38 or H_R39 or H_R40 or H_R41 or H_R42 or H_R43 or H_R44 or H_R45)))  # the route from SIII is cancelled (R8)
-        CD_X = X_X and (A_R46 or A_R47 or A_R48 or A_R49 or A_R50 or A_R51 or A_R52 or A_R53 or A_R54 or A_R55) and VALID and (not OCC_IAG) and ((not OCC_XJG) or AT_X or (not (H_R46 or H_R47 or H_R48 or H_R49 or H_R50 or H_R51 or H_R52 or H_R53 or H_R54 or H_R55)))  # the route from X is cancelled (R8)
-        CD_XD = X_XD and (A_R56 or A_R57 or A_R58 or A_R59 or A_R60) and VALID and (not OCC_7DG) and ((not OCC_XDJG) or AT_XD or (not (H_R56 or H_R57 or H_R58 or H_R59 or H_R60)))  # the route from XD is cancelled (R8)
+        CD_X = X_X and (A_R46 or A_R47 or A_R48 or A_R49 or A_R50 or A_R51 or A_R52 or A_R53 or A_R54 or A_R55 or A_R56 or A_R57 or A_R58 or A_R59 or A_R60 or A_R61 or A_R62 or A_R63 or A_R64 or A_R65) and VALID and (not OCC_IAG) and ((not OCC_XJG) or AT_X or (not (H_R46 or H_R47 or H_R48 or H_R49 or H_R50 or H_R51 or H_R52 or H_R53 or H_R54 or H_R55 or H_R56 or H_R57 or H_R58 or H_R59 or H_R60 or H_R61 or H_R62 or H_R63 or H_R64 or H_R65)))  # the route from X is cancelled (R8)
+        CD_XD = X_XD and (A_R66 or A_R67 or A_R68 or A_R69 or A_R70 or A_R71 or A_R72 or A_R73 or A_R74 or A_R75) and VALID and (not OCC_7DG) and ((not OCC_XDJG) or AT_XD or (not (H_R66 or H_R67 or H_R68 or H_R69 or H_R70 or H_R71 or H_R72 or H_R73 or H_R74 or H_R75)))  # the route from XD is cancelled (R8)
         EX_1_19WG = P_1_19WG  # a train in 1/19WG leaves over a boundary, or has passed on
         RTI_1_19WG = VALID and U_1_19WG and (not OCC_1_19WG) and (not (G_R1 or G_R25 or G_R35)) and (not (L_19_27DG_5 or L_19_27DG_7)) and (not L_1DG_3) and EX_1_19WG  # 1/19WG may be released behind the train (R9)
         EX_11_13DG = P_11_13DG  # a train in 11-13DG leaves over a boundary, or has passed on
@@ -2342,7 +2539,7 @@ class Controller:
         SR_5G = VALID and (not OCC_5G) and K_5G and (REL_5G or RELALL) and (not (G_R3 or G_R19)) and (not L_21DG_2)  # 5G released after a restart (R16)
         RLS_5G = RT_5G or CA_5G or HR_5G or SR_5G  # 5G is released
         CA_7DG = VALID and (not OCC_7DG) and (not U_7DG) and (L_7DG_1 or L_7DG_2 or L_7DG_3) and (not ((L_7DG_1 or L_7DG_2) and (L_11_13DG_1 or L_11_13DG_6))) and (not (L_7DG_3 and L_5DG_4))  # the lock before 7DG was withdrawn (R8)
-        HR_7DG = VALID and (not OCC_7DG) and (not ((L_7DG_1 or L_7DG_2) and (L_11_13DG_1 or L_11_13DG_6))) and (not (L_7DG_3 and L_5DG_4)) and REL_7DG and (L_7DG_1 or L_7DG_2 or L_7DG_3 or L_7DG_4) and ((not L_7DG_4) or ((not (A_R56 or A_R57 or A_R58 or A_R59 or A_R60)) and ((not OCC_XDJG) or AT_XD)))  # 7DG released by hand (R8, section fault release)
+        HR_7DG = VALID and (not OCC_7DG) and (not ((L_7DG_1 or L_7DG_2) and (L_11_13DG_1 or L_11_13DG_6))) and (not (L_7DG_3 and L_5DG_4)) and REL_7DG and (L_7DG_1 or L_7DG_2 or L_7DG_3 or L_7DG_4) and ((not L_7DG_4) or ((not (A_R66 or A_R67 or A_R68 or A_R69 or A_R70 or A_R71 or A_R72 or A_R73 or A_R74 or A_R75)) and ((not OCC_XDJG) or AT_XD)))  # 7DG released by hand (R8, section fault release)
         SR_7DG = VALID and (not OCC_7DG) and K_7DG and (REL_7DG or RELALL)  # 7DG released after a restart (R16)
         RLS_7DG = RT_7DG or CA_7DG or CD_XD or HR_7DG or SR_7DG  # 7DG is released
         CA_9_15DG = VALID and (not OCC_9_15DG) and (not U_9_15DG) and (L_9_15DG_1 or L_9_15DG_2 or L_9_15DG_3 or L_9_15DG_4 or ((L_9_15DG_5 or L_9_15DG_6) and M_9_15DG)) and (not (L_9_15DG_1 and L_11_13DG_2)) and (not (L_9_15DG_2 and L_11_13DG_4)) and (not ((L_9_15DG_3 or L_9_15DG_4) and (L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_6))) and (not ((L_9_15DG_5 or L_9_15DG_6) and (L_3DG_1 or L_3DG_2) and M_9_15DG and M_3DG))  # the lock before 9-15DG was withdrawn (R8)
@@ -2351,7 +2548,7 @@ class Controller:
         RLS_9_15DG = RT_9_15DG or CA_9_15DG or CD_D9 or HR_9_15DG or SR_9_15DG  # 9-15DG is released
         AR_IAG = VALID and U_IAG and (not (G_R13 or G_R17 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45)) and (not (L_5DG_1 or L_5DG_2)) and (not (L_IAG_2 and OCC_XJG)) and (not (L_IAG_2 and (L_5DG_3 or L_5DG_4) and M_5DG and M_IAG))  # a train has arrived in IAG, wholly (R2)
         CA_IAG = VALID and (not OCC_IAG) and (not U_IAG) and L_IAG_1 and (not (G_R13 or G_R17 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45)) and (not (L_5DG_1 or L_5DG_2))  # the lock before IAG was withdrawn (R8)
-        HR_IAG = VALID and (not OCC_IAG) and (not (G_R13 or G_R17 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45)) and (not (L_5DG_1 or L_5DG_2)) and REL_IAG and (L_IAG_1 or L_IAG_2) and ((not L_IAG_2) or ((not (A_R46 or A_R47 or A_R48 or A_R49 or A_R50 or A_R51 or A_R52 or A_R53 or A_R54 or A_R55)) and ((not OCC_XJG) or AT_X)))  # IAG released by hand (R8, section fault release)
+        HR_IAG = VALID and (not OCC_IAG) and (not (G_R13 or G_R17 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45)) and (not (L_5DG_1 or L_5DG_2)) and REL_IAG and (L_IAG_1 or L_IAG_2) and ((not L_IAG_2) or ((not (A_R46 or A_R47 or A_R48 or A_R49 or A_R50 or A_R51 or A_R52 or A_R53 or A_R54 or A_R55 or A_R56 or A_R57 or A_R58 or A_R59 or A_R60 or A_R61 or A_R62 or A_R63 or A_R64 or A_R65)) and ((not OCC_XJG) or AT_X)))  # IAG released by hand (R8, section fault release)
         SR_IAG = VALID and (not OCC_IAG) and K_IAG and (REL_IAG or RELALL) and (not (G_R13 or G_R17 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45)) and (not (L_5DG_1 or L_5DG_2))  # IAG released after a restart (R16)
         RLS_IAG = RT_IAG or CA_IAG or CD_X or HR_IAG or SR_IAG  # IAG is released
         AR_IG = VALID and U_IG and (not G_R7) and (not L_17_23DG_5)  # a train has arrived in IG, wholly (R2)
@@ -2403,7 +2600,7 @@ class Controller:
         HDN_21 = CN_21 and (not GPR_21) and (not MAR_21)  # the command N stays
         HDR_21 = CR_21 and (not GPN_21) and (not MAN_21)  # the command R stays
         TG_23_25 = (GW_17_23DG_1 or GW_17_23DG_2 or GW_17_23DG_3 or GW_17_23DG_4 or GW_17_23DG_5 or GW_17_23DG_6 or GW_25DG_1 or GW_25DG_2 or GW_25DG_3 or GW_25DG_4)  # a grant touches machine 23/25 in this scan
-        GPN_23_25 = (GW_17_23DG_5 or GW_17_23DG_6 or GW_25DG_2 or GW_25DG_4) or ((G_R6 or G_R8 or G_R23 or G_R24 or G_R26 or G_R27 or G_R33 or G_R34 or G_R36 or G_R37 or G_R52 or G_R53 or G_R59) and MOV_23_25)  # a grant needs 23/25 N
+        GPN_23_25 = (GW_17_23DG_5 or GW_17_23DG_6 or GW_25DG_2 or GW_25DG_4) or ((G_R6 or G_R8 or G_R23 or G_R24 or G_R26 or G_R27 or G_R33 or G_R34 or G_R36 or G_R37 or G_R52 or G_R53 or G_R62 or G_R63 or G_R69 or G_R74) and MOV_23_25)  # a grant needs 23/25 N
         MAN_23_25 = MN_23_25 and (not MR_23_25) and MOV_23_25 and (not TG_23_25)  # machine 23/25 moved N by hand
         GPR_23_25 = (GW_17_23DG_2 or GW_17_23DG_4 or GW_25DG_1 or GW_25DG_3)  # a grant needs 23/25 R
         MAR_23_25 = MR_23_25 and (not MN_23_25) and MOV_23_25 and (not TG_23_25)  # machine 23/25 moved R by hand
@@ -2629,21 +2826,66 @@ class Controller:
         KP_R55 = (not NU_IAG_2) and (not CD_X)  # route X-E5.2 stays set
         PR_R55 = A_R55 and B_R55 and W_R55 and CO_R55 and KP_R55 and (not X_X) and (not CAN_X) and (S_R55 or RL_X)  # proceed for route X-E5.2 (R3, R11)
         LS_R55 = S_R55 and (not CO_R55)  # route X-E5.2: a condition was lost; no reopening by itself (R14)
-        KP_R56 = (not NU_7DG_3) and (not CD_XD)  # route XD-E1 stays set
-        PR_R56 = A_R56 and B_R56 and W_R56 and CO_R56 and KP_R56 and (not X_XD) and (not CAN_XD) and (S_R56 or RL_XD)  # proceed for route XD-E1 (R3, R11)
-        LS_R56 = S_R56 and (not CO_R56)  # route XD-E1: a condition was lost; no reopening by itself (R14)
-        KP_R57 = (not NU_7DG_3) and (not CD_XD)  # route XD-E3 stays set
-        PR_R57 = A_R57 and B_R57 and W_R57 and CO_R57 and KP_R57 and (not X_XD) and (not CAN_XD) and (S_R57 or RL_XD)  # proceed for route XD-E3 (R3, R11)
-        LS_R57 = S_R57 and (not CO_R57)  # route XD-E3: a condition was lost; no reopening by itself (R14)
-        KP_R58 = (not NU_7DG_3) and (not CD_XD)  # route XD-E3.2 stays set
-        PR_R58 = A_R58 and B_R58 and W_R58 and CO_R58 and KP_R58 and (not X_XD) and (not CAN_XD) and (S_R58 or RL_XD)  # proceed for route XD-E3.2 (R3, R11)
-        LS_R58 = S_R58 and (not CO_R58)  # route XD-E3.2: a condition was lost; no reopening by itself (R14)
-        KP_R59 = (not NU_7DG_3) and (not CD_XD)  # route XD-E4 stays set
-        PR_R59 = A_R59 and B_R59 and W_R59 and CO_R59 and KP_R59 and (not X_XD) and (not CAN_XD) and (S_R59 or RL_XD)  # proceed for route XD-E4 (R3, R11)
-        LS_R59 = S_R59 and (not CO_R59)  # route XD-E4: a condition was lost; no reopening by itself (R14)
-        KP_R60 = (not NU_7DG_3) and (not CD_XD)  # route XD-E5 stays set
-        PR_R60 = A_R60 and B_R60 and W_R60 and CO_R60 and KP_R60 and (not X_XD) and (not CAN_XD) and (S_R60 or RL_XD)  # proceed for route XD-E5 (R3, R11)
-        LS_R60 = S_R60 and (not CO_R60)  # route XD-E5: a condition was lost; no reopening by itself (R14)
+        KP_R56 = (not NU_IAG_2) and (not CD_X)  # route X-E1.c stays set
+        PR_R56 = A_R56 and B_R56 and W_R56 and CO_R56 and KP_R56 and (not X_X) and (not CAN_X) and (S_R56 or RL_X)  # proceed for route X-E1.c (R3, R11)
+        LS_R56 = S_R56 and (not CO_R56)  # route X-E1.c: a condition was lost; no reopening by itself (R14)
+        KP_R57 = (not NU_IAG_2) and (not CD_X)  # route X-E1.c.2 stays set
+        PR_R57 = A_R57 and B_R57 and W_R57 and CO_R57 and KP_R57 and (not X_X) and (not CAN_X) and (S_R57 or RL_X)  # proceed for route X-E1.c.2 (R3, R11)
+        LS_R57 = S_R57 and (not CO_R57)  # route X-E1.c.2: a condition was lost; no reopening by itself (R14)
+        KP_R58 = (not NU_IAG_2) and (not CD_X)  # route X-E3.c stays set
+        PR_R58 = A_R58 and B_R58 and W_R58 and CO_R58 and KP_R58 and (not X_X) and (not CAN_X) and (S_R58 or RL_X)  # proceed for route X-E3.c (R3, R11)
+        LS_R58 = S_R58 and (not CO_R58)  # route X-E3.c: a condition was lost; no reopening by itself (R14)
+        KP_R59 = (not NU_IAG_2) and (not CD_X)  # route X-E3.c.2 stays set
+        PR_R59 = A_R59 and B_R59 and W_R59 and CO_R59 and KP_R59 and (not X_X) and (not CAN_X) and (S_R59 or RL_X)  # proceed for route X-E3.c.2 (R3, R11)
+        LS_R59 = S_R59 and (not CO_R59)  # route X-E3.c.2: a condition was lost; no reopening by itself (R14)
+        KP_R60 = (not NU_IAG_2) and (not CD_X)  # route X-E3.c.3 stays set
+        PR_R60 = A_R60 and B_R60 and W_R60 and CO_R60 and KP_R60 and (not X_X) and (not CAN_X) and (S_R60 or RL_X)  # proceed for route X-E3.c.3 (R3, R11)
+        LS_R60 = S_R60 and (not CO_R60)  # route X-E3.c.3: a condition was lost; no reopening by itself (R14)
+        KP_R61 = (not NU_IAG_2) and (not CD_X)  # route X-E3.c.4 stays set
+        PR_R61 = A_R61 and B_R61 and W_R61 and CO_R61 and KP_R61 and (not X_X) and (not CAN_X) and (S_R61 or RL_X)  # proceed for route X-E3.c.4 (R3, R11)
+        LS_R61 = S_R61 and (not CO_R61)  # route X-E3.c.4: a condition was lost; no reopening by itself (R14)
+        KP_R62 = (not NU_IAG_2) and (not CD_X)  # route X-E4.c stays set
+        PR_R62 = A_R62 and B_R62 and W_R62 and CO_R62 and KP_R62 and (not X_X) and (not CAN_X) and (S_R62 or RL_X)  # proceed for route X-E4.c (R3, R11)
+        LS_R62 = S_R62 and (not CO_R62)  # route X-E4.c: a condition was lost; no reopening by itself (R14)
+        KP_R63 = (not NU_IAG_2) and (not CD_X)  # route X-E4.c.2 stays set
+        PR_R63 = A_R63 and B_R63 and W_R63 and CO_R63 and KP_R63 and (not X_X) and (not CAN_X) and (S_R63 or RL_X)  # proceed for route X-E4.c.2 (R3, R11)
+        LS_R63 = S_R63 and (not CO_R63)  # route X-E4.c.2: a condition was lost; no reopening by itself (R14)
+        KP_R64 = (not NU_IAG_2) and (not CD_X)  # route X-E5.c stays set
+        PR_R64 = A_R64 and B_R64 and W_R64 and CO_R64 and KP_R64 and (not X_X) and (not CAN_X) and (S_R64 or RL_X)  # proceed for route X-E5.c (R3, R11)
+        LS_R64 = S_R64 and (not CO_R64)  # route X-E5.c: a condition was lost; no reopening by itself (R14)
+        KP_R65 = (not NU_IAG_2) and (not CD_X)  # route X-E5.c.2 stays set
+        PR_R65 = A_R65 and B_R65 and W_R65 and CO_R65 and KP_R65 and (not X_X) and (not CAN_X) and (S_R65 or RL_X)  # proceed for route X-E5.c.2 (R3, R11)
+        LS_R65 = S_R65 and (not CO_R65)  # route X-E5.c.2: a condition was lost; no reopening by itself (R14)
+        KP_R66 = (not NU_7DG_3) and (not CD_XD)  # route XD-E1 stays set
+        PR_R66 = A_R66 and B_R66 and W_R66 and CO_R66 and KP_R66 and (not X_XD) and (not CAN_XD) and (S_R66 or RL_XD)  # proceed for route XD-E1 (R3, R11)
+        LS_R66 = S_R66 and (not CO_R66)  # route XD-E1: a condition was lost; no reopening by itself (R14)
+        KP_R67 = (not NU_7DG_3) and (not CD_XD)  # route XD-E3 stays set
+        PR_R67 = A_R67 and B_R67 and W_R67 and CO_R67 and KP_R67 and (not X_XD) and (not CAN_XD) and (S_R67 or RL_XD)  # proceed for route XD-E3 (R3, R11)
+        LS_R67 = S_R67 and (not CO_R67)  # route XD-E3: a condition was lost; no reopening by itself (R14)
+        KP_R68 = (not NU_7DG_3) and (not CD_XD)  # route XD-E3.2 stays set
+        PR_R68 = A_R68 and B_R68 and W_R68 and CO_R68 and KP_R68 and (not X_XD) and (not CAN_XD) and (S_R68 or RL_XD)  # proceed for route XD-E3.2 (R3, R11)
+        LS_R68 = S_R68 and (not CO_R68)  # route XD-E3.2: a condition was lost; no reopening by itself (R14)
+        KP_R69 = (not NU_7DG_3) and (not CD_XD)  # route XD-E4 stays set
+        PR_R69 = A_R69 and B_R69 and W_R69 and CO_R69 and KP_R69 and (not X_XD) and (not CAN_XD) and (S_R69 or RL_XD)  # proceed for route XD-E4 (R3, R11)
+        LS_R69 = S_R69 and (not CO_R69)  # route XD-E4: a condition was lost; no reopening by itself (R14)
+        KP_R70 = (not NU_7DG_3) and (not CD_XD)  # route XD-E5 stays set
+        PR_R70 = A_R70 and B_R70 and W_R70 and CO_R70 and KP_R70 and (not X_XD) and (not CAN_XD) and (S_R70 or RL_XD)  # proceed for route XD-E5 (R3, R11)
+        LS_R70 = S_R70 and (not CO_R70)  # route XD-E5: a condition was lost; no reopening by itself (R14)
+        KP_R71 = (not NU_7DG_3) and (not CD_XD)  # route XD-E1.c stays set
+        PR_R71 = A_R71 and B_R71 and W_R71 and CO_R71 and KP_R71 and (not X_XD) and (not CAN_XD) and (S_R71 or RL_XD)  # proceed for route XD-E1.c (R3, R11)
+        LS_R71 = S_R71 and (not CO_R71)  # route XD-E1.c: a condition was lost; no reopening by itself (R14)
+        KP_R72 = (not NU_7DG_3) and (not CD_XD)  # route XD-E3.c stays set
+        PR_R72 = A_R72 and B_R72 and W_R72 and CO_R72 and KP_R72 and (not X_XD) and (not CAN_XD) and (S_R72 or RL_XD)  # proceed for route XD-E3.c (R3, R11)
+        LS_R72 = S_R72 and (not CO_R72)  # route XD-E3.c: a condition was lost; no reopening by itself (R14)
+        KP_R73 = (not NU_7DG_3) and (not CD_XD)  # route XD-E3.c.2 stays set
+        PR_R73 = A_R73 and B_R73 and W_R73 and CO_R73 and KP_R73 and (not X_XD) and (not CAN_XD) and (S_R73 or RL_XD)  # proceed for route XD-E3.c.2 (R3, R11)
+        LS_R73 = S_R73 and (not CO_R73)  # route XD-E3.c.2: a condition was lost; no reopening by itself (R14)
+        KP_R74 = (not NU_7DG_3) and (not CD_XD)  # route XD-E4.c stays set
+        PR_R74 = A_R74 and B_R74 and W_R74 and CO_R74 and KP_R74 and (not X_XD) and (not CAN_XD) and (S_R74 or RL_XD)  # proceed for route XD-E4.c (R3, R11)
+        LS_R74 = S_R74 and (not CO_R74)  # route XD-E4.c: a condition was lost; no reopening by itself (R14)
+        KP_R75 = (not NU_7DG_3) and (not CD_XD)  # route XD-E5.c stays set
+        PR_R75 = A_R75 and B_R75 and W_R75 and CO_R75 and KP_R75 and (not X_XD) and (not CAN_XD) and (S_R75 or RL_XD)  # proceed for route XD-E5.c (R3, R11)
+        LS_R75 = S_R75 and (not CO_R75)  # route XD-E5.c: a condition was lost; no reopening by itself (R14)
         N_CN_1_3 = GPN_1_3 or MAN_1_3 or HDN_1_3  # machine 1/3 commanded N
         N_CR_1_3 = GPR_1_3 or MAR_1_3 or HDR_1_3  # machine 1/3 commanded R
         N_CN_13_15 = GPN_13_15 or MAN_13_15 or HDN_13_15  # machine 13/15 commanded N
@@ -2968,31 +3210,106 @@ class Controller:
         N_W_R55 = (W_R55 or LK_R55 or ((REQ == 55) and B_R55)) and (not LS_R55) and KP_R55 and (not X_X) and (not CAN_X)  # route X-E5.2: proceed wanted
         N_S_R55 = PR_R55  # route X-E5.2: proceed
         N_H_R55 = (H_R55 or PR_R55) and KP_R55  # route X-E5.2: signal has been open
-        N_A_R56 = (A_R56 or G_R56) and KP_R56  # route XD-E1 active
-        N_B_R56 = (B_R56 or LK_R56) and KP_R56  # route XD-E1 locked
-        N_W_R56 = (W_R56 or LK_R56 or ((REQ == 56) and B_R56)) and (not LS_R56) and KP_R56 and (not X_XD) and (not CAN_XD)  # route XD-E1: proceed wanted
-        N_S_R56 = PR_R56  # route XD-E1: proceed
-        N_H_R56 = (H_R56 or PR_R56) and KP_R56  # route XD-E1: signal has been open
-        N_A_R57 = (A_R57 or G_R57) and KP_R57  # route XD-E3 active
-        N_B_R57 = (B_R57 or LK_R57) and KP_R57  # route XD-E3 locked
-        N_W_R57 = (W_R57 or LK_R57 or ((REQ == 57) and B_R57)) and (not LS_R57) and KP_R57 and (not X_XD) and (not CAN_XD)  # route XD-E3: proceed wanted
-        N_S_R57 = PR_R57  # route XD-E3: proceed
-        N_H_R57 = (H_R57 or PR_R57) and KP_R57  # route XD-E3: signal has been open
-        N_A_R58 = (A_R58 or G_R58) and KP_R58  # route XD-E3.2 active
-        N_B_R58 = (B_R58 or LK_R58) and KP_R58  # route XD-E3.2 locked
-        N_W_R58 = (W_R58 or LK_R58 or ((REQ == 58) and B_R58)) and (not LS_R58) and KP_R58 and (not X_XD) and (not CAN_XD)  # route XD-E3.2: proceed wanted
-        N_S_R58 = PR_R58  # route XD-E3.2: proceed
-        N_H_R58 = (H_R58 or PR_R58) and KP_R58  # route XD-E3.2: signal has been open
-        N_A_R59 = (A_R59 or G_R59) and KP_R59  # route XD-E4 active
-        N_B_R59 = (B_R59 or LK_R59) and KP_R59  # route XD-E4 locked
-        N_W_R59 = (W_R59 or LK_R59 or ((REQ == 59) and B_R59)) and (not LS_R59) and KP_R59 and (not X_XD) and (not CAN_XD)  # route XD-E4: proceed wanted
-        N_S_R59 = PR_R59  # route XD-E4: proceed
-        N_H_R59 = (H_R59 or PR_R59) and KP_R59  # route XD-E4: signal has been open
-        N_A_R60 = (A_R60 or G_R60) and KP_R60  # route XD-E5 active
-        N_B_R60 = (B_R60 or LK_R60) and KP_R60  # route XD-E5 locked
-        N_W_R60 = (W_R60 or LK_R60 or ((REQ == 60) and B_R60)) and (not LS_R60) and KP_R60 and (not X_XD) and (not CAN_XD)  # route XD-E5: proceed wanted
-        N_S_R60 = PR_R60  # route XD-E5: proceed
-        N_H_R60 = (H_R60 or PR_R60) and KP_R60  # route XD-E5: signal has been open
+        N_A_R56 = (A_R56 or G_R56) and KP_R56  # route X-E1.c active
+        N_B_R56 = (B_R56 or LK_R56) and KP_R56  # route X-E1.c locked
+        N_W_R56 = (W_R56 or LK_R56) and (not LS_R56) and KP_R56 and (not X_X) and (not CAN_X)  # route X-E1.c: proceed wanted
+        N_S_R56 = PR_R56  # route X-E1.c: proceed
+        N_H_R56 = (H_R56 or PR_R56) and KP_R56  # route X-E1.c: signal has been open
+        N_A_R57 = (A_R57 or G_R57) and KP_R57  # route X-E1.c.2 active
+        N_B_R57 = (B_R57 or LK_R57) and KP_R57  # route X-E1.c.2 locked
+        N_W_R57 = (W_R57 or LK_R57) and (not LS_R57) and KP_R57 and (not X_X) and (not CAN_X)  # route X-E1.c.2: proceed wanted
+        N_S_R57 = PR_R57  # route X-E1.c.2: proceed
+        N_H_R57 = (H_R57 or PR_R57) and KP_R57  # route X-E1.c.2: signal has been open
+        N_A_R58 = (A_R58 or G_R58) and KP_R58  # route X-E3.c active
+        N_B_R58 = (B_R58 or LK_R58) and KP_R58  # route X-E3.c locked
+        N_W_R58 = (W_R58 or LK_R58) and (not LS_R58) and KP_R58 and (not X_X) and (not CAN_X)  # route X-E3.c: proceed wanted
+        N_S_R58 = PR_R58  # route X-E3.c: proceed
+        N_H_R58 = (H_R58 or PR_R58) and KP_R58  # route X-E3.c: signal has been open
+        N_A_R59 = (A_R59 or G_R59) and KP_R59  # route X-E3.c.2 active
+        N_B_R59 = (B_R59 or LK_R59) and KP_R59  # route X-E3.c.2 locked
+        N_W_R59 = (W_R59 or LK_R59) and (not LS_R59) and KP_R59 and (not X_X) and (not CAN_X)  # route X-E3.c.2: proceed wanted
+        N_S_R59 = PR_R59  # route X-E3.c.2: proceed
+        N_H_R59 = (H_R59 or PR_R59) and KP_R59  # route X-E3.c.2: signal has been open
+        N_A_R60 = (A_R60 or G_R60) and KP_R60  # route X-E3.c.3 active
+        N_B_R60 = (B_R60 or LK_R60) and KP_R60  # route X-E3.c.3 locked
+        N_W_R60 = (W_R60 or LK_R60) and (not LS_R60) and KP_R60 and (not X_X) and (not CAN_X)  # route X-E3.c.3: proceed wanted
+        N_S_R60 = PR_R60  # route X-E3.c.3: proceed
+        N_H_R60 = (H_R60 or PR_R60) and KP_R60  # route X-E3.c.3: signal has been open
+        N_A_R61 = (A_R61 or G_R61) and KP_R61  # route X-E3.c.4 active
+        N_B_R61 = (B_R61 or LK_R61) and KP_R61  # route X-E3.c.4 locked
+        N_W_R61 = (W_R61 or LK_R61) and (not LS_R61) and KP_R61 and (not X_X) and (not CAN_X)  # route X-E3.c.4: proceed wanted
+        N_S_R61 = PR_R61  # route X-E3.c.4: proceed
+        N_H_R61 = (H_R61 or PR_R61) and KP_R61  # route X-E3.c.4: signal has been open
+        N_A_R62 = (A_R62 or G_R62) and KP_R62  # route X-E4.c active
+        N_B_R62 = (B_R62 or LK_R62) and KP_R62  # route X-E4.c locked
+        N_W_R62 = (W_R62 or LK_R62) and (not LS_R62) and KP_R62 and (not X_X) and (not CAN_X)  # route X-E4.c: proceed wanted
+        N_S_R62 = PR_R62  # route X-E4.c: proceed
+        N_H_R62 = (H_R62 or PR_R62) and KP_R62  # route X-E4.c: signal has been open
+        N_A_R63 = (A_R63 or G_R63) and KP_R63  # route X-E4.c.2 active
+        N_B_R63 = (B_R63 or LK_R63) and KP_R63  # route X-E4.c.2 locked
+        N_W_R63 = (W_R63 or LK_R63) and (not LS_R63) and KP_R63 and (not X_X) and (not CAN_X)  # route X-E4.c.2: proceed wanted
+        N_S_R63 = PR_R63  # route X-E4.c.2: proceed
+        N_H_R63 = (H_R63 or PR_R63) and KP_R63  # route X-E4.c.2: signal has been open
+        N_A_R64 = (A_R64 or G_R64) and KP_R64  # route X-E5.c active
+        N_B_R64 = (B_R64 or LK_R64) and KP_R64  # route X-E5.c locked
+        N_W_R64 = (W_R64 or LK_R64) and (not LS_R64) and KP_R64 and (not X_X) and (not CAN_X)  # route X-E5.c: proceed wanted
+        N_S_R64 = PR_R64  # route X-E5.c: proceed
+        N_H_R64 = (H_R64 or PR_R64) and KP_R64  # route X-E5.c: signal has been open
+        N_A_R65 = (A_R65 or G_R65) and KP_R65  # route X-E5.c.2 active
+        N_B_R65 = (B_R65 or LK_R65) and KP_R65  # route X-E5.c.2 locked
+        N_W_R65 = (W_R65 or LK_R65) and (not LS_R65) and KP_R65 and (not X_X) and (not CAN_X)  # route X-E5.c.2: proceed wanted
+        N_S_R65 = PR_R65  # route X-E5.c.2: proceed
+        N_H_R65 = (H_R65 or PR_R65) and KP_R65  # route X-E5.c.2: signal has been open
+        N_A_R66 = (A_R66 or G_R66) and KP_R66  # route XD-E1 active
+        N_B_R66 = (B_R66 or LK_R66) and KP_R66  # route XD-E1 locked
+        N_W_R66 = (W_R66 or LK_R66 or ((REQ == 66) and B_R66)) and (not LS_R66) and KP_R66 and (not X_XD) and (not CAN_XD)  # route XD-E1: proceed wanted
+        N_S_R66 = PR_R66  # route XD-E1: proceed
+        N_H_R66 = (H_R66 or PR_R66) and KP_R66  # route XD-E1: signal has been open
+        N_A_R67 = (A_R67 or G_R67) and KP_R67  # route XD-E3 active
+        N_B_R67 = (B_R67 or LK_R67) and KP_R67  # route XD-E3 locked
+        N_W_R67 = (W_R67 or LK_R67 or ((REQ == 67) and B_R67)) and (not LS_R67) and KP_R67 and (not X_XD) and (not CAN_XD)  # route XD-E3: proceed wanted
+        N_S_R67 = PR_R67  # route XD-E3: proceed
+        N_H_R67 = (H_R67 or PR_R67) and KP_R67  # route XD-E3: signal has been open
+        N_A_R68 = (A_R68 or G_R68) and KP_R68  # route XD-E3.2 active
+        N_B_R68 = (B_R68 or LK_R68) and KP_R68  # route XD-E3.2 locked
+        N_W_R68 = (W_R68 or LK_R68 or ((REQ == 68) and B_R68)) and (not LS_R68) and KP_R68 and (not X_XD) and (not CAN_XD)  # route XD-E3.2: proceed wanted
+        N_S_R68 = PR_R68  # route XD-E3.2: proceed
+        N_H_R68 = (H_R68 or PR_R68) and KP_R68  # route XD-E3.2: signal has been open
+        N_A_R69 = (A_R69 or G_R69) and KP_R69  # route XD-E4 active
+        N_B_R69 = (B_R69 or LK_R69) and KP_R69  # route XD-E4 locked
+        N_W_R69 = (W_R69 or LK_R69 or ((REQ == 69) and B_R69)) and (not LS_R69) and KP_R69 and (not X_XD) and (not CAN_XD)  # route XD-E4: proceed wanted
+        N_S_R69 = PR_R69  # route XD-E4: proceed
+        N_H_R69 = (H_R69 or PR_R69) and KP_R69  # route XD-E4: signal has been open
+        N_A_R70 = (A_R70 or G_R70) and KP_R70  # route XD-E5 active
+        N_B_R70 = (B_R70 or LK_R70) and KP_R70  # route XD-E5 locked
+        N_W_R70 = (W_R70 or LK_R70 or ((REQ == 70) and B_R70)) and (not LS_R70) and KP_R70 and (not X_XD) and (not CAN_XD)  # route XD-E5: proceed wanted
+        N_S_R70 = PR_R70  # route XD-E5: proceed
+        N_H_R70 = (H_R70 or PR_R70) and KP_R70  # route XD-E5: signal has been open
+        N_A_R71 = (A_R71 or G_R71) and KP_R71  # route XD-E1.c active
+        N_B_R71 = (B_R71 or LK_R71) and KP_R71  # route XD-E1.c locked
+        N_W_R71 = (W_R71 or LK_R71) and (not LS_R71) and KP_R71 and (not X_XD) and (not CAN_XD)  # route XD-E1.c: proceed wanted
+        N_S_R71 = PR_R71  # route XD-E1.c: proceed
+        N_H_R71 = (H_R71 or PR_R71) and KP_R71  # route XD-E1.c: signal has been open
+        N_A_R72 = (A_R72 or G_R72) and KP_R72  # route XD-E3.c active
+        N_B_R72 = (B_R72 or LK_R72) and KP_R72  # route XD-E3.c locked
+        N_W_R72 = (W_R72 or LK_R72) and (not LS_R72) and KP_R72 and (not X_XD) and (not CAN_XD)  # route XD-E3.c: proceed wanted
+        N_S_R72 = PR_R72  # route XD-E3.c: proceed
+        N_H_R72 = (H_R72 or PR_R72) and KP_R72  # route XD-E3.c: signal has been open
+        N_A_R73 = (A_R73 or G_R73) and KP_R73  # route XD-E3.c.2 active
+        N_B_R73 = (B_R73 or LK_R73) and KP_R73  # route XD-E3.c.2 locked
+        N_W_R73 = (W_R73 or LK_R73) and (not LS_R73) and KP_R73 and (not X_XD) and (not CAN_XD)  # route XD-E3.c.2: proceed wanted
+        N_S_R73 = PR_R73  # route XD-E3.c.2: proceed
+        N_H_R73 = (H_R73 or PR_R73) and KP_R73  # route XD-E3.c.2: signal has been open
+        N_A_R74 = (A_R74 or G_R74) and KP_R74  # route XD-E4.c active
+        N_B_R74 = (B_R74 or LK_R74) and KP_R74  # route XD-E4.c locked
+        N_W_R74 = (W_R74 or LK_R74) and (not LS_R74) and KP_R74 and (not X_XD) and (not CAN_XD)  # route XD-E4.c: proceed wanted
+        N_S_R74 = PR_R74  # route XD-E4.c: proceed
+        N_H_R74 = (H_R74 or PR_R74) and KP_R74  # route XD-E4.c: signal has been open
+        N_A_R75 = (A_R75 or G_R75) and KP_R75  # route XD-E5.c active
+        N_B_R75 = (B_R75 or LK_R75) and KP_R75  # route XD-E5.c locked
+        N_W_R75 = (W_R75 or LK_R75) and (not LS_R75) and KP_R75 and (not X_XD) and (not CAN_XD)  # route XD-E5.c: proceed wanted
+        N_S_R75 = PR_R75  # route XD-E5.c: proceed
+        N_H_R75 = (H_R75 or PR_R75) and KP_R75  # route XD-E5.c: signal has been open
         N_X_D1 = (X_D1 or CAN_D1) and (A_R1 or A_R2) and (not CD_D1)  # D1: cancelling
         N_X_D11 = (X_D11 or CAN_D11) and (A_R3 or A_R4 or A_R5) and (not CD_D11)  # D11: cancelling
         N_X_D13 = (X_D13 or CAN_D13) and (A_R6 or A_R7 or A_R8 or A_R9) and (not CD_D13)  # D13: cancelling
@@ -3006,8 +3323,8 @@ class Controller:
         N_X_S5 = (X_S5 or CAN_S5) and (A_R28 or A_R29 or A_R30 or A_R31) and (not CD_S5)  # S5: cancelling
         N_X_SII = (X_SII or CAN_SII) and (A_R32 or A_R33 or A_R34 or A_R35 or A_R36 or A_R37) and (not CD_SII)  # SII: cancelling
         N_X_SIII = (X_SIII or CAN_SIII) and (A_R38 or A_R39 or A_R40 or A_R41 or A_R42 or A_R43 or A_R44 or A_R45) and (not CD_SIII)  # SIII: cancelling
-        N_X_X = (X_X or CAN_X) and (A_R46 or A_R47 or A_R48 or A_R49 or A_R50 or A_R51 or A_R52 or A_R53 or A_R54 or A_R55) and (not CD_X)  # X: cancelling
-        N_X_XD = (X_XD or CAN_XD) and (A_R56 or A_R57 or A_R58 or A_R59 or A_R60) and (not CD_XD)  # XD: cancelling
+        N_X_X = (X_X or CAN_X) and (A_R46 or A_R47 or A_R48 or A_R49 or A_R50 or A_R51 or A_R52 or A_R53 or A_R54 or A_R55 or A_R56 or A_R57 or A_R58 or A_R59 or A_R60 or A_R61 or A_R62 or A_R63 or A_R64 or A_R65) and (not CD_X)  # X: cancelling
+        N_X_XD = (X_XD or CAN_XD) and (A_R66 or A_R67 or A_R68 or A_R69 or A_R70 or A_R71 or A_R72 or A_R73 or A_R74 or A_R75) and (not CD_XD)  # XD: cancelling
         N_N_R2 = (N_R2 or (VOY == 1)) and (not G_R2) and (not CAN_D1)  # route D1-D9 is noted
         N_T_R2 = T_R20  # it is the turn of route D1-D9
         N_N_R7 = (N_R7 or (VOY == 1)) and (not G_R7) and (not CAN_D13)  # route D13-IG is noted
@@ -3021,7 +3338,7 @@ class Controller:
         N_F_1_19WG = (F_1_19WG or LK_R22 or (LK_R25 and (L_1_19WG_1 or L_1_19WG_2)) or LK_R32 or (LK_R35 and (L_1_19WG_1 or L_1_19WG_2)) or (LK_R1 and (L_1_19WG_1 or L_1_19WG_2))) and (not RLS_1_19WG)  # 1/19WG firmly locked
         N_U_1_19WG = (U_1_19WG or NU_1_19WG_1 or NU_1_19WG_2) and (not RLS_1_19WG)  # 1/19WG used by a train (R9)
         N_P_1_19WG = (P_1_19WG or (U_1_19WG and OCC_1_19WG and (NU_19_27DG_1 or NU_1DG_1))) and (not RLS_1_19WG)  # 1/19WG: the train went on (R9)
-        N_D_1_19WG = (D_1_19WG or ((not VALID) and (L_1_19WG_1 or L_1_19WG_2))) and (not RLS_1_19WG)  # 1/19WG: inputs were lost while locked
+        N_D_1_19WG = (D_1_19WG or ((not VALID) and (L_1_19WG_1 or L_1_19WG_2))) and (not RLS_1_19WG)  # 1/19WG: detection is not relied on, inputs were lost or a train is called on
         N_K_11_13DG = K_11_13DG and (not RLS_11_13DG)  # 11-13DG: restart lock (R16)
         N_L_11_13DG_1 = (L_11_13DG_1 or GW_11_13DG_1) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|21DG@11.toe to 11-13DG|7DG@13.toe
         N_L_11_13DG_2 = (L_11_13DG_2 or GW_11_13DG_2) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|21DG@11.toe to 11-13DG|9-15DG@11.reverse
@@ -3029,11 +3346,11 @@ class Controller:
         N_L_11_13DG_4 = (L_11_13DG_4 or GW_11_13DG_4) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|7DG@13.toe to 11-13DG|9-15DG@15.reverse
         N_L_11_13DG_5 = (L_11_13DG_5 or GW_11_13DG_5) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|9-15DG@11.reverse to 11-13DG|21DG@11.toe
         N_L_11_13DG_6 = (L_11_13DG_6 or GW_11_13DG_6) and (not RLS_11_13DG)  # 11-13DG locked from 11-13DG|9-15DG@15.reverse to 11-13DG|7DG@13.toe
-        N_M_11_13DG = (M_11_13DG or G_R29 or G_R40 or G_R28 or G_R39 or G_R49 or G_R54 or G_R57 or G_R60 or G_R47 or G_R51 or G_R53 or G_R56 or G_R58 or G_R59 or G_R50 or G_R55 or G_R24 or G_R34 or G_R41) and (not RLS_11_13DG)  # 11-13DG locked for a train movement
-        N_F_11_13DG = (F_11_13DG or LK_R29 or LK_R31 or LK_R40 or LK_R44 or LK_R28 or LK_R30 or LK_R39 or LK_R43 or LK_R3 or LK_R5 or LK_R49 or LK_R54 or LK_R57 or LK_R60 or LK_R4 or LK_R47 or LK_R51 or LK_R53 or LK_R56 or LK_R58 or LK_R59 or LK_R19 or LK_R21 or LK_R50 or LK_R55 or LK_R13 or LK_R24 or LK_R27 or LK_R34 or LK_R37 or LK_R41 or LK_R45) and (not RLS_11_13DG)  # 11-13DG firmly locked
+        N_M_11_13DG = (M_11_13DG or G_R29 or G_R40 or G_R28 or G_R39 or G_R49 or G_R54 or G_R59 or G_R64 or G_R67 or G_R70 or G_R72 or G_R75 or G_R47 or G_R51 or G_R53 or G_R57 or G_R61 or G_R63 or G_R66 or G_R68 or G_R69 or G_R71 or G_R73 or G_R74 or G_R50 or G_R55 or G_R60 or G_R65 or G_R24 or G_R34 or G_R41) and (not RLS_11_13DG)  # 11-13DG locked for a train movement
+        N_F_11_13DG = (F_11_13DG or LK_R29 or LK_R31 or LK_R40 or LK_R44 or LK_R28 or LK_R30 or LK_R39 or LK_R43 or LK_R3 or LK_R5 or LK_R49 or LK_R54 or LK_R59 or LK_R64 or LK_R67 or LK_R70 or LK_R72 or LK_R75 or LK_R4 or LK_R47 or LK_R51 or LK_R53 or LK_R57 or LK_R61 or LK_R63 or LK_R66 or LK_R68 or LK_R69 or LK_R71 or LK_R73 or LK_R74 or LK_R19 or LK_R21 or LK_R50 or LK_R55 or LK_R60 or LK_R65 or LK_R13 or LK_R24 or LK_R27 or LK_R34 or LK_R37 or LK_R41 or LK_R45) and (not RLS_11_13DG)  # 11-13DG firmly locked
         N_U_11_13DG = (U_11_13DG or NU_11_13DG_1 or NU_11_13DG_2 or NU_11_13DG_3 or NU_11_13DG_4) and (not RLS_11_13DG)  # 11-13DG used by a train (R9)
         N_P_11_13DG = (P_11_13DG or (U_11_13DG and OCC_11_13DG and (NU_21DG_1 or NU_7DG_1 or NU_9_15DG_1 or NU_9_15DG_2))) and (not RLS_11_13DG)  # 11-13DG: the train went on (R9)
-        N_D_11_13DG = (D_11_13DG or ((not VALID) and (L_11_13DG_1 or L_11_13DG_2 or L_11_13DG_3 or L_11_13DG_4 or L_11_13DG_5 or L_11_13DG_6))) and (not RLS_11_13DG)  # 11-13DG: inputs were lost while locked
+        N_D_11_13DG = (D_11_13DG or ((not VALID) and (L_11_13DG_1 or L_11_13DG_2 or L_11_13DG_3 or L_11_13DG_4 or L_11_13DG_5 or L_11_13DG_6)) or G_R57 or G_R59 or G_R60 or G_R61 or G_R63 or G_R64 or G_R65 or G_R71 or G_R72 or G_R73 or G_R74 or G_R75) and (not RLS_11_13DG)  # 11-13DG: detection is not relied on, inputs were lost or a train is called on
         N_K_17_23DG = K_17_23DG and (not RLS_17_23DG)  # 17-23DG: restart lock (R16)
         N_L_17_23DG_1 = (L_17_23DG_1 or GW_17_23DG_1) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|19-27DG@x17.0 to 17-23DG|9-15DG@15.toe
         N_L_17_23DG_2 = (L_17_23DG_2 or GW_17_23DG_2) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|25DG@x23.0 to 17-23DG|9-15DG@15.toe
@@ -3041,11 +3358,11 @@ class Controller:
         N_L_17_23DG_4 = (L_17_23DG_4 or GW_17_23DG_4) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|9-15DG@15.toe to 17-23DG|25DG@x23.0
         N_L_17_23DG_5 = (L_17_23DG_5 or GW_17_23DG_5) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|9-15DG@15.toe to 17-23DG|IG@tI.0
         N_L_17_23DG_6 = (L_17_23DG_6 or GW_17_23DG_6) and (not RLS_17_23DG)  # 17-23DG locked from 17-23DG|IG@tI.0 to 17-23DG|9-15DG@15.toe
-        N_M_17_23DG = (M_17_23DG or G_R23 or G_R24 or G_R33 or G_R34 or G_R38 or G_R41 or G_R52 or G_R53 or G_R59 or G_R48 or G_R51 or G_R58 or G_R46 or G_R47 or G_R56) and (not RLS_17_23DG)  # 17-23DG locked for a train movement
-        N_F_17_23DG = (F_17_23DG or LK_R23 or LK_R24 or LK_R26 or LK_R27 or LK_R33 or LK_R34 or LK_R36 or LK_R37 or LK_R38 or LK_R41 or LK_R42 or LK_R45 or LK_R6 or LK_R8 or LK_R52 or LK_R53 or LK_R59 or LK_R9 or LK_R48 or LK_R51 or LK_R58 or LK_R7 or LK_R46 or LK_R47 or LK_R56 or LK_R12 or LK_R13) and (not RLS_17_23DG)  # 17-23DG firmly locked
+        N_M_17_23DG = (M_17_23DG or G_R23 or G_R24 or G_R33 or G_R34 or G_R38 or G_R41 or G_R52 or G_R53 or G_R62 or G_R63 or G_R69 or G_R74 or G_R48 or G_R51 or G_R58 or G_R61 or G_R68 or G_R73 or G_R46 or G_R47 or G_R56 or G_R57 or G_R66 or G_R71) and (not RLS_17_23DG)  # 17-23DG locked for a train movement
+        N_F_17_23DG = (F_17_23DG or LK_R23 or LK_R24 or LK_R26 or LK_R27 or LK_R33 or LK_R34 or LK_R36 or LK_R37 or LK_R38 or LK_R41 or LK_R42 or LK_R45 or LK_R6 or LK_R8 or LK_R52 or LK_R53 or LK_R62 or LK_R63 or LK_R69 or LK_R74 or LK_R9 or LK_R48 or LK_R51 or LK_R58 or LK_R61 or LK_R68 or LK_R73 or LK_R7 or LK_R46 or LK_R47 or LK_R56 or LK_R57 or LK_R66 or LK_R71 or LK_R12 or LK_R13) and (not RLS_17_23DG)  # 17-23DG firmly locked
         N_U_17_23DG = (U_17_23DG or NU_17_23DG_1 or NU_17_23DG_2 or NU_17_23DG_3 or NU_17_23DG_4) and (not RLS_17_23DG)  # 17-23DG used by a train (R9)
         N_P_17_23DG = (P_17_23DG or (U_17_23DG and OCC_17_23DG and (NU_19_27DG_2 or NU_25DG_1 or NU_9_15DG_3 or NU_IG_1))) and (not RLS_17_23DG)  # 17-23DG: the train went on (R9)
-        N_D_17_23DG = (D_17_23DG or ((not VALID) and (L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5 or L_17_23DG_6))) and (not RLS_17_23DG)  # 17-23DG: inputs were lost while locked
+        N_D_17_23DG = (D_17_23DG or ((not VALID) and (L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5 or L_17_23DG_6)) or G_R56 or G_R57 or G_R58 or G_R61 or G_R62 or G_R63 or G_R71 or G_R73 or G_R74) and (not RLS_17_23DG)  # 17-23DG: detection is not relied on, inputs were lost or a train is called on
         N_K_19_27DG = K_19_27DG and (not RLS_19_27DG)  # 19-27DG: restart lock (R16)
         N_L_19_27DG_1 = (L_19_27DG_1 or GW_19_27DG_1) and (not RLS_19_27DG)  # 19-27DG locked from 1/19WG|19-27DG@19.normal to 19-27DG|4G@t4.0
         N_L_19_27DG_2 = (L_19_27DG_2 or GW_19_27DG_2) and (not RLS_19_27DG)  # 19-27DG locked from 1/19WG|19-27DG@19.normal to 19-27DG|IIG@tII.0
@@ -3055,11 +3372,11 @@ class Controller:
         N_L_19_27DG_6 = (L_19_27DG_6 or GW_19_27DG_6) and (not RLS_19_27DG)  # 19-27DG locked from 19-27DG|4G@t4.0 to 17-23DG|19-27DG@x17.0
         N_L_19_27DG_7 = (L_19_27DG_7 or GW_19_27DG_7) and (not RLS_19_27DG)  # 19-27DG locked from 19-27DG|IIG@tII.0 to 1/19WG|19-27DG@19.normal
         N_L_19_27DG_8 = (L_19_27DG_8 or GW_19_27DG_8) and (not RLS_19_27DG)  # 19-27DG locked from 19-27DG|IIG@tII.0 to 17-23DG|19-27DG@x17.0
-        N_M_19_27DG = (M_19_27DG or G_R52 or G_R53 or G_R59 or G_R22 or G_R23 or G_R24 or G_R32 or G_R33 or G_R34) and (not RLS_19_27DG)  # 19-27DG locked for a train movement
-        N_F_19_27DG = (F_19_27DG or LK_R10 or LK_R11 or LK_R6 or LK_R52 or LK_R53 or LK_R59 or LK_R8 or LK_R22 or LK_R25 or LK_R23 or LK_R24 or LK_R26 or LK_R27 or LK_R32 or LK_R35 or LK_R33 or LK_R34 or LK_R36 or LK_R37) and (not RLS_19_27DG)  # 19-27DG firmly locked
+        N_M_19_27DG = (M_19_27DG or G_R52 or G_R53 or G_R62 or G_R63 or G_R69 or G_R74 or G_R22 or G_R23 or G_R24 or G_R32 or G_R33 or G_R34) and (not RLS_19_27DG)  # 19-27DG locked for a train movement
+        N_F_19_27DG = (F_19_27DG or LK_R10 or LK_R11 or LK_R6 or LK_R52 or LK_R53 or LK_R62 or LK_R63 or LK_R69 or LK_R74 or LK_R8 or LK_R22 or LK_R25 or LK_R23 or LK_R24 or LK_R26 or LK_R27 or LK_R32 or LK_R35 or LK_R33 or LK_R34 or LK_R36 or LK_R37) and (not RLS_19_27DG)  # 19-27DG firmly locked
         N_U_19_27DG = (U_19_27DG or NU_19_27DG_1 or NU_19_27DG_2 or NU_19_27DG_3 or NU_19_27DG_4) and (not RLS_19_27DG)  # 19-27DG used by a train (R9)
         N_P_19_27DG = (P_19_27DG or (U_19_27DG and OCC_19_27DG and (NU_1_19WG_1 or NU_17_23DG_1 or NU_4G_1 or NU_IIG_1))) and (not RLS_19_27DG)  # 19-27DG: the train went on (R9)
-        N_D_19_27DG = (D_19_27DG or ((not VALID) and (L_19_27DG_1 or L_19_27DG_2 or L_19_27DG_3 or L_19_27DG_4 or L_19_27DG_5 or L_19_27DG_6 or L_19_27DG_7 or L_19_27DG_8))) and (not RLS_19_27DG)  # 19-27DG: inputs were lost while locked
+        N_D_19_27DG = (D_19_27DG or ((not VALID) and (L_19_27DG_1 or L_19_27DG_2 or L_19_27DG_3 or L_19_27DG_4 or L_19_27DG_5 or L_19_27DG_6 or L_19_27DG_7 or L_19_27DG_8)) or G_R62 or G_R63 or G_R74) and (not RLS_19_27DG)  # 19-27DG: detection is not relied on, inputs were lost or a train is called on
         N_K_1DG = K_1DG and (not RLS_1DG)  # 1DG: restart lock (R16)
         N_L_1DG_1 = (L_1DG_1 or GW_1DG_1) and (not RLS_1DG)  # 1DG locked from 1/19WG|1DG@WG.0 to 1DG|IIAG@1.toe
         N_L_1DG_2 = (L_1DG_2 or GW_1DG_2) and (not RLS_1DG)  # 1DG locked from 1DG|3DG@x1.0 to 1DG|IIAG@1.toe
@@ -3069,71 +3386,71 @@ class Controller:
         N_F_1DG = (F_1DG or LK_R16 or LK_R22 or LK_R32 or LK_R18 or LK_R23 or LK_R28 or LK_R33 or LK_R38 or LK_R39 or LK_R1 or LK_R2) and (not RLS_1DG)  # 1DG firmly locked
         N_U_1DG = (U_1DG or NU_1DG_1 or NU_1DG_2 or NU_1DG_3) and (not RLS_1DG)  # 1DG used by a train (R9)
         N_P_1DG = (P_1DG or (U_1DG and OCC_1DG and (NU_1_19WG_2 or NU_3DG_1 or NU_IIAG_1))) and (not RLS_1DG)  # 1DG: the train went on (R9)
-        N_D_1DG = (D_1DG or ((not VALID) and (L_1DG_1 or L_1DG_2 or L_1DG_3 or L_1DG_4))) and (not RLS_1DG)  # 1DG: inputs were lost while locked
+        N_D_1DG = (D_1DG or ((not VALID) and (L_1DG_1 or L_1DG_2 or L_1DG_3 or L_1DG_4))) and (not RLS_1DG)  # 1DG: detection is not relied on, inputs were lost or a train is called on
         N_K_21DG = K_21DG and (not RLS_21DG)  # 21DG: restart lock (R16)
         N_L_21DG_1 = (L_21DG_1 or GW_21DG_1) and (not RLS_21DG)  # 21DG locked from 11-13DG|21DG@11.toe to 21DG|25DG@21.normal
         N_L_21DG_2 = (L_21DG_2 or GW_21DG_2) and (not RLS_21DG)  # 21DG locked from 11-13DG|21DG@11.toe to 21DG|5G@t5.0
         N_L_21DG_3 = (L_21DG_3 or GW_21DG_3) and (not RLS_21DG)  # 21DG locked from 21DG|25DG@21.normal to 11-13DG|21DG@11.toe
         N_L_21DG_4 = (L_21DG_4 or GW_21DG_4) and (not RLS_21DG)  # 21DG locked from 21DG|5G@t5.0 to 11-13DG|21DG@11.toe
-        N_M_21DG = (M_21DG or G_R49 or G_R50 or G_R57 or G_R54 or G_R55 or G_R60 or G_R39 or G_R40 or G_R28 or G_R29) and (not RLS_21DG)  # 21DG locked for a train movement
-        N_F_21DG = (F_21DG or LK_R5 or LK_R21 or LK_R49 or LK_R50 or LK_R57 or LK_R3 or LK_R19 or LK_R54 or LK_R55 or LK_R60 or LK_R39 or LK_R40 or LK_R43 or LK_R44 or LK_R28 or LK_R29 or LK_R30 or LK_R31) and (not RLS_21DG)  # 21DG firmly locked
+        N_M_21DG = (M_21DG or G_R49 or G_R50 or G_R59 or G_R60 or G_R67 or G_R72 or G_R54 or G_R55 or G_R64 or G_R65 or G_R70 or G_R75 or G_R39 or G_R40 or G_R28 or G_R29) and (not RLS_21DG)  # 21DG locked for a train movement
+        N_F_21DG = (F_21DG or LK_R5 or LK_R21 or LK_R49 or LK_R50 or LK_R59 or LK_R60 or LK_R67 or LK_R72 or LK_R3 or LK_R19 or LK_R54 or LK_R55 or LK_R64 or LK_R65 or LK_R70 or LK_R75 or LK_R39 or LK_R40 or LK_R43 or LK_R44 or LK_R28 or LK_R29 or LK_R30 or LK_R31) and (not RLS_21DG)  # 21DG firmly locked
         N_U_21DG = (U_21DG or NU_21DG_1 or NU_21DG_2 or NU_21DG_3) and (not RLS_21DG)  # 21DG used by a train (R9)
         N_P_21DG = (P_21DG or (U_21DG and OCC_21DG and (NU_11_13DG_1 or NU_25DG_2 or NU_5G_1))) and (not RLS_21DG)  # 21DG: the train went on (R9)
-        N_D_21DG = (D_21DG or ((not VALID) and (L_21DG_1 or L_21DG_2 or L_21DG_3 or L_21DG_4))) and (not RLS_21DG)  # 21DG: inputs were lost while locked
+        N_D_21DG = (D_21DG or ((not VALID) and (L_21DG_1 or L_21DG_2 or L_21DG_3 or L_21DG_4)) or G_R59 or G_R60 or G_R64 or G_R65 or G_R72 or G_R75) and (not RLS_21DG)  # 21DG: detection is not relied on, inputs were lost or a train is called on
         N_K_25DG = K_25DG and (not RLS_25DG)  # 25DG: restart lock (R16)
         N_L_25DG_1 = (L_25DG_1 or GW_25DG_1) and (not RLS_25DG)  # 25DG locked from 17-23DG|25DG@x23.0 to 25DG|IIIG@tIII.0
         N_L_25DG_2 = (L_25DG_2 or GW_25DG_2) and (not RLS_25DG)  # 25DG locked from 21DG|25DG@21.normal to 25DG|IIIG@tIII.0
         N_L_25DG_3 = (L_25DG_3 or GW_25DG_3) and (not RLS_25DG)  # 25DG locked from 25DG|IIIG@tIII.0 to 17-23DG|25DG@x23.0
         N_L_25DG_4 = (L_25DG_4 or GW_25DG_4) and (not RLS_25DG)  # 25DG locked from 25DG|IIIG@tIII.0 to 21DG|25DG@21.normal
-        N_M_25DG = (M_25DG or G_R48 or G_R51 or G_R58 or G_R49 or G_R50 or G_R57 or G_R38 or G_R41 or G_R39 or G_R40) and (not RLS_25DG)  # 25DG locked for a train movement
-        N_F_25DG = (F_25DG or LK_R9 or LK_R48 or LK_R51 or LK_R58 or LK_R5 or LK_R21 or LK_R49 or LK_R50 or LK_R57 or LK_R38 or LK_R41 or LK_R42 or LK_R45 or LK_R39 or LK_R40 or LK_R43 or LK_R44) and (not RLS_25DG)  # 25DG firmly locked
+        N_M_25DG = (M_25DG or G_R48 or G_R51 or G_R58 or G_R61 or G_R68 or G_R73 or G_R49 or G_R50 or G_R59 or G_R60 or G_R67 or G_R72 or G_R38 or G_R41 or G_R39 or G_R40) and (not RLS_25DG)  # 25DG locked for a train movement
+        N_F_25DG = (F_25DG or LK_R9 or LK_R48 or LK_R51 or LK_R58 or LK_R61 or LK_R68 or LK_R73 or LK_R5 or LK_R21 or LK_R49 or LK_R50 or LK_R59 or LK_R60 or LK_R67 or LK_R72 or LK_R38 or LK_R41 or LK_R42 or LK_R45 or LK_R39 or LK_R40 or LK_R43 or LK_R44) and (not RLS_25DG)  # 25DG firmly locked
         N_U_25DG = (U_25DG or NU_25DG_1 or NU_25DG_2 or NU_25DG_3) and (not RLS_25DG)  # 25DG used by a train (R9)
         N_P_25DG = (P_25DG or (U_25DG and OCC_25DG and (NU_17_23DG_2 or NU_21DG_2 or NU_IIIG_1))) and (not RLS_25DG)  # 25DG: the train went on (R9)
-        N_D_25DG = (D_25DG or ((not VALID) and (L_25DG_1 or L_25DG_2 or L_25DG_3 or L_25DG_4))) and (not RLS_25DG)  # 25DG: inputs were lost while locked
+        N_D_25DG = (D_25DG or ((not VALID) and (L_25DG_1 or L_25DG_2 or L_25DG_3 or L_25DG_4)) or G_R58 or G_R59 or G_R60 or G_R61 or G_R72 or G_R73) and (not RLS_25DG)  # 25DG: detection is not relied on, inputs were lost or a train is called on
         N_K_3DG = K_3DG and (not RLS_3DG)  # 3DG: restart lock (R16)
         N_L_3DG_1 = (L_3DG_1 or GW_3DG_1) and (not RLS_3DG)  # 3DG locked from 1DG|3DG@x1.0 to 3DG|9-15DG@3-9.end
         N_L_3DG_2 = (L_3DG_2 or GW_3DG_2) and (not RLS_3DG)  # 3DG locked from 3DG|5DG@3.normal to 3DG|9-15DG@3-9.end
         N_L_3DG_3 = (L_3DG_3 or GW_3DG_3) and (not RLS_3DG)  # 3DG locked from 3DG|9-15DG@3-9.end to 1DG|3DG@x1.0
         N_L_3DG_4 = (L_3DG_4 or GW_3DG_4) and (not RLS_3DG)  # 3DG locked from 3DG|9-15DG@3-9.end to 3DG|5DG@3.normal
-        N_M_3DG = (M_3DG or G_R46 or G_R48 or G_R50 or G_R52 or G_R55 or G_R23 or G_R28 or G_R33 or G_R38 or G_R39) and (not RLS_3DG)  # 3DG locked for a train movement
-        N_F_3DG = (F_3DG or LK_R2 or LK_R15 or LK_R46 or LK_R48 or LK_R50 or LK_R52 or LK_R55 or LK_R18 or LK_R23 or LK_R28 or LK_R33 or LK_R38 or LK_R39 or LK_R17) and (not RLS_3DG)  # 3DG firmly locked
+        N_M_3DG = (M_3DG or G_R46 or G_R48 or G_R50 or G_R52 or G_R55 or G_R56 or G_R58 or G_R60 or G_R62 or G_R65 or G_R23 or G_R28 or G_R33 or G_R38 or G_R39) and (not RLS_3DG)  # 3DG locked for a train movement
+        N_F_3DG = (F_3DG or LK_R2 or LK_R15 or LK_R46 or LK_R48 or LK_R50 or LK_R52 or LK_R55 or LK_R56 or LK_R58 or LK_R60 or LK_R62 or LK_R65 or LK_R18 or LK_R23 or LK_R28 or LK_R33 or LK_R38 or LK_R39 or LK_R17) and (not RLS_3DG)  # 3DG firmly locked
         N_U_3DG = (U_3DG or NU_3DG_1 or NU_3DG_2 or NU_3DG_3) and (not RLS_3DG)  # 3DG used by a train (R9)
         N_P_3DG = (P_3DG or (U_3DG and OCC_3DG and (NU_1DG_2 or NU_5DG_1 or NU_9_15DG_4))) and (not RLS_3DG)  # 3DG: the train went on (R9)
-        N_D_3DG = (D_3DG or ((not VALID) and (L_3DG_1 or L_3DG_2 or L_3DG_3 or L_3DG_4))) and (not RLS_3DG)  # 3DG: inputs were lost while locked
+        N_D_3DG = (D_3DG or ((not VALID) and (L_3DG_1 or L_3DG_2 or L_3DG_3 or L_3DG_4)) or G_R56 or G_R58 or G_R60 or G_R62 or G_R65) and (not RLS_3DG)  # 3DG: detection is not relied on, inputs were lost or a train is called on
         N_K_4G = K_4G and (not RLS_4G)  # 4G: restart lock (R16)
         N_L_4G_1 = (L_4G_1 or GW_4G_1 or (GB_4G_1 and FREE_4G)) and (not RLS_4G)  # 4G locked from 19-27DG|4G@t4.0 to E4
-        N_M_4G = (M_4G or G_R52 or G_R53 or G_R59) and (not RLS_4G) and (not AR_4G)  # 4G locked for a train movement
-        N_F_4G = (F_4G or (LK_R6 and L_4G_1) or (LK_R10 and L_4G_1) or LK_R52 or LK_R53 or LK_R59) and (not RLS_4G)  # 4G firmly locked
+        N_M_4G = (M_4G or G_R52 or G_R53 or G_R62 or G_R63 or G_R69 or G_R74) and (not RLS_4G) and (not AR_4G)  # 4G locked for a train movement
+        N_F_4G = (F_4G or (LK_R6 and L_4G_1) or (LK_R10 and L_4G_1) or LK_R52 or LK_R53 or LK_R62 or LK_R63 or LK_R69 or LK_R74) and (not RLS_4G)  # 4G firmly locked
         N_U_4G = (U_4G or NU_4G_1) and (not RLS_4G)  # 4G used by a train (R9)
         N_P_4G = (P_4G or (U_4G and OCC_4G and NU_19_27DG_3)) and (not RLS_4G)  # 4G: the train went on (R9)
-        N_D_4G = (D_4G or ((not VALID) and L_4G_1)) and (not RLS_4G)  # 4G: inputs were lost while locked
+        N_D_4G = (D_4G or ((not VALID) and L_4G_1) or G_R62 or G_R63 or G_R74) and (not RLS_4G)  # 4G: detection is not relied on, inputs were lost or a train is called on
         N_K_5DG = K_5DG and (not RLS_5DG)  # 5DG: restart lock (R16)
         N_L_5DG_1 = (L_5DG_1 or GW_5DG_1) and (not RLS_5DG)  # 5DG locked from 3DG|5DG@3.normal to 5DG|IAG@5.toe
         N_L_5DG_2 = (L_5DG_2 or GW_5DG_2) and (not RLS_5DG)  # 5DG locked from 5DG|7DG@x5.0 to 5DG|IAG@5.toe
         N_L_5DG_3 = (L_5DG_3 or GW_5DG_3) and (not RLS_5DG)  # 5DG locked from 5DG|IAG@5.toe to 3DG|5DG@3.normal
         N_L_5DG_4 = (L_5DG_4 or GW_5DG_4) and (not RLS_5DG)  # 5DG locked from 5DG|IAG@5.toe to 5DG|7DG@x5.0
-        N_M_5DG = (M_5DG or G_R46 or G_R48 or G_R50 or G_R52 or G_R55 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54) and (not RLS_5DG)  # 5DG locked for a train movement
-        N_F_5DG = (F_5DG or LK_R17 or LK_R13 or LK_R27 or LK_R31 or LK_R37 or LK_R44 or LK_R45 or LK_R15 or LK_R46 or LK_R48 or LK_R50 or LK_R52 or LK_R55 or LK_R14 or LK_R47 or LK_R49 or LK_R51 or LK_R53 or LK_R54) and (not RLS_5DG)  # 5DG firmly locked
+        N_M_5DG = (M_5DG or G_R46 or G_R48 or G_R50 or G_R52 or G_R55 or G_R56 or G_R58 or G_R60 or G_R62 or G_R65 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54 or G_R57 or G_R59 or G_R61 or G_R63 or G_R64) and (not RLS_5DG)  # 5DG locked for a train movement
+        N_F_5DG = (F_5DG or LK_R17 or LK_R13 or LK_R27 or LK_R31 or LK_R37 or LK_R44 or LK_R45 or LK_R15 or LK_R46 or LK_R48 or LK_R50 or LK_R52 or LK_R55 or LK_R56 or LK_R58 or LK_R60 or LK_R62 or LK_R65 or LK_R14 or LK_R47 or LK_R49 or LK_R51 or LK_R53 or LK_R54 or LK_R57 or LK_R59 or LK_R61 or LK_R63 or LK_R64) and (not RLS_5DG)  # 5DG firmly locked
         N_U_5DG = (U_5DG or NU_5DG_1 or NU_5DG_2 or NU_5DG_3) and (not RLS_5DG)  # 5DG used by a train (R9)
         N_P_5DG = (P_5DG or (U_5DG and OCC_5DG and (NU_3DG_2 or NU_7DG_2 or NU_IAG_1))) and (not RLS_5DG)  # 5DG: the train went on (R9)
-        N_D_5DG = (D_5DG or ((not VALID) and (L_5DG_1 or L_5DG_2 or L_5DG_3 or L_5DG_4))) and (not RLS_5DG)  # 5DG: inputs were lost while locked
+        N_D_5DG = (D_5DG or ((not VALID) and (L_5DG_1 or L_5DG_2 or L_5DG_3 or L_5DG_4)) or G_R56 or G_R57 or G_R58 or G_R59 or G_R60 or G_R61 or G_R62 or G_R63 or G_R64 or G_R65) and (not RLS_5DG)  # 5DG: detection is not relied on, inputs were lost or a train is called on
         N_K_5G = K_5G and (not RLS_5G)  # 5G: restart lock (R16)
         N_L_5G_1 = (L_5G_1 or GW_5G_1 or (GB_5G_1 and FREE_5G)) and (not RLS_5G)  # 5G locked from 21DG|5G@t5.0 to E5
-        N_M_5G = (M_5G or G_R54 or G_R55 or G_R60) and (not RLS_5G) and (not AR_5G)  # 5G locked for a train movement
-        N_F_5G = (F_5G or (LK_R3 and L_5G_1) or (LK_R19 and L_5G_1) or LK_R54 or LK_R55 or LK_R60) and (not RLS_5G)  # 5G firmly locked
+        N_M_5G = (M_5G or G_R54 or G_R55 or G_R64 or G_R65 or G_R70 or G_R75) and (not RLS_5G) and (not AR_5G)  # 5G locked for a train movement
+        N_F_5G = (F_5G or (LK_R3 and L_5G_1) or (LK_R19 and L_5G_1) or LK_R54 or LK_R55 or LK_R64 or LK_R65 or LK_R70 or LK_R75) and (not RLS_5G)  # 5G firmly locked
         N_U_5G = (U_5G or NU_5G_1) and (not RLS_5G)  # 5G used by a train (R9)
         N_P_5G = (P_5G or (U_5G and OCC_5G and NU_21DG_3)) and (not RLS_5G)  # 5G: the train went on (R9)
-        N_D_5G = (D_5G or ((not VALID) and L_5G_1)) and (not RLS_5G)  # 5G: inputs were lost while locked
+        N_D_5G = (D_5G or ((not VALID) and L_5G_1) or G_R64 or G_R65 or G_R75) and (not RLS_5G)  # 5G: detection is not relied on, inputs were lost or a train is called on
         N_K_7DG = K_7DG and (not RLS_7DG)  # 7DG: restart lock (R16)
         N_L_7DG_1 = (L_7DG_1 or GW_7DG_1) and (not RLS_7DG)  # 7DG locked from 11-13DG|7DG@13.toe to 5DG|7DG@x5.0
         N_L_7DG_2 = (L_7DG_2 or GW_7DG_2) and (not RLS_7DG)  # 7DG locked from 11-13DG|7DG@13.toe to DJ
         N_L_7DG_3 = (L_7DG_3 or GW_7DG_3) and (not RLS_7DG)  # 7DG locked from 5DG|7DG@x5.0 to 11-13DG|7DG@13.toe
         N_L_7DG_4 = (L_7DG_4 or GW_7DG_4) and (not RLS_7DG)  # 7DG locked from DJ to 11-13DG|7DG@13.toe
-        N_M_7DG = (M_7DG or G_R24 or G_R29 or G_R34 or G_R40 or G_R41 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60) and (not RLS_7DG)  # 7DG locked for a train movement
-        N_F_7DG = (F_7DG or LK_R13 or LK_R27 or LK_R31 or LK_R37 or LK_R44 or LK_R45 or LK_R24 or LK_R29 or LK_R34 or LK_R40 or LK_R41 or LK_R14 or LK_R47 or LK_R49 or LK_R51 or LK_R53 or LK_R54 or LK_R56 or LK_R57 or LK_R58 or LK_R59 or LK_R60) and (not RLS_7DG)  # 7DG firmly locked
+        N_M_7DG = (M_7DG or G_R24 or G_R29 or G_R34 or G_R40 or G_R41 or G_R47 or G_R49 or G_R51 or G_R53 or G_R54 or G_R57 or G_R59 or G_R61 or G_R63 or G_R64 or G_R66 or G_R67 or G_R68 or G_R69 or G_R70 or G_R71 or G_R72 or G_R73 or G_R74 or G_R75) and (not RLS_7DG)  # 7DG locked for a train movement
+        N_F_7DG = (F_7DG or LK_R13 or LK_R27 or LK_R31 or LK_R37 or LK_R44 or LK_R45 or LK_R24 or LK_R29 or LK_R34 or LK_R40 or LK_R41 or LK_R14 or LK_R47 or LK_R49 or LK_R51 or LK_R53 or LK_R54 or LK_R57 or LK_R59 or LK_R61 or LK_R63 or LK_R64 or LK_R66 or LK_R67 or LK_R68 or LK_R69 or LK_R70 or LK_R71 or LK_R72 or LK_R73 or LK_R74 or LK_R75) and (not RLS_7DG)  # 7DG firmly locked
         N_U_7DG = (U_7DG or NU_7DG_1 or NU_7DG_2 or NU_7DG_3) and (not RLS_7DG)  # 7DG used by a train (R9)
         N_P_7DG = (P_7DG or (U_7DG and OCC_7DG and (NU_11_13DG_2 or NU_5DG_2))) and (not RLS_7DG)  # 7DG: the train went on (R9)
-        N_D_7DG = (D_7DG or ((not VALID) and (L_7DG_1 or L_7DG_2 or L_7DG_3 or L_7DG_4))) and (not RLS_7DG)  # 7DG: inputs were lost while locked
+        N_D_7DG = (D_7DG or ((not VALID) and (L_7DG_1 or L_7DG_2 or L_7DG_3 or L_7DG_4)) or G_R57 or G_R59 or G_R61 or G_R63 or G_R64 or G_R71 or G_R72 or G_R73 or G_R74 or G_R75) and (not RLS_7DG)  # 7DG: detection is not relied on, inputs were lost or a train is called on
         N_K_9_15DG = K_9_15DG and (not RLS_9_15DG)  # 9-15DG: restart lock (R16)
         N_L_9_15DG_1 = (L_9_15DG_1 or GW_9_15DG_1) and (not RLS_9_15DG)  # 9-15DG locked from 11-13DG|9-15DG@11.reverse to 3DG|9-15DG@3-9.end
         N_L_9_15DG_2 = (L_9_15DG_2 or GW_9_15DG_2) and (not RLS_9_15DG)  # 9-15DG locked from 11-13DG|9-15DG@15.reverse to 17-23DG|9-15DG@15.toe
@@ -3141,53 +3458,53 @@ class Controller:
         N_L_9_15DG_4 = (L_9_15DG_4 or GW_9_15DG_4) and (not RLS_9_15DG)  # 9-15DG locked from 17-23DG|9-15DG@15.toe to 3DG|9-15DG@3-9.end
         N_L_9_15DG_5 = (L_9_15DG_5 or GW_9_15DG_5) and (not RLS_9_15DG)  # 9-15DG locked from 3DG|9-15DG@3-9.end to 11-13DG|9-15DG@11.reverse
         N_L_9_15DG_6 = (L_9_15DG_6 or GW_9_15DG_6) and (not RLS_9_15DG)  # 9-15DG locked from 3DG|9-15DG@3-9.end to 17-23DG|9-15DG@15.toe
-        N_M_9_15DG = (M_9_15DG or G_R28 or G_R39 or G_R47 or G_R51 or G_R53 or G_R56 or G_R58 or G_R59 or G_R24 or G_R34 or G_R41 or G_R23 or G_R33 or G_R38 or G_R50 or G_R55 or G_R46 or G_R48 or G_R52) and (not RLS_9_15DG)  # 9-15DG locked for a train movement
-        N_F_9_15DG = (F_9_15DG or LK_R28 or LK_R30 or LK_R39 or LK_R43 or LK_R4 or LK_R47 or LK_R51 or LK_R53 or LK_R56 or LK_R58 or LK_R59 or LK_R13 or LK_R24 or LK_R27 or LK_R34 or LK_R37 or LK_R41 or LK_R45 or LK_R12 or LK_R23 or LK_R26 or LK_R33 or LK_R36 or LK_R38 or LK_R42 or LK_R19 or LK_R21 or LK_R50 or LK_R55 or LK_R20 or LK_R46 or LK_R48 or LK_R52) and (not RLS_9_15DG)  # 9-15DG firmly locked
+        N_M_9_15DG = (M_9_15DG or G_R28 or G_R39 or G_R47 or G_R51 or G_R53 or G_R57 or G_R61 or G_R63 or G_R66 or G_R68 or G_R69 or G_R71 or G_R73 or G_R74 or G_R24 or G_R34 or G_R41 or G_R23 or G_R33 or G_R38 or G_R50 or G_R55 or G_R60 or G_R65 or G_R46 or G_R48 or G_R52 or G_R56 or G_R58 or G_R62) and (not RLS_9_15DG)  # 9-15DG locked for a train movement
+        N_F_9_15DG = (F_9_15DG or LK_R28 or LK_R30 or LK_R39 or LK_R43 or LK_R4 or LK_R47 or LK_R51 or LK_R53 or LK_R57 or LK_R61 or LK_R63 or LK_R66 or LK_R68 or LK_R69 or LK_R71 or LK_R73 or LK_R74 or LK_R13 or LK_R24 or LK_R27 or LK_R34 or LK_R37 or LK_R41 or LK_R45 or LK_R12 or LK_R23 or LK_R26 or LK_R33 or LK_R36 or LK_R38 or LK_R42 or LK_R19 or LK_R21 or LK_R50 or LK_R55 or LK_R60 or LK_R65 or LK_R20 or LK_R46 or LK_R48 or LK_R52 or LK_R56 or LK_R58 or LK_R62) and (not RLS_9_15DG)  # 9-15DG firmly locked
         N_U_9_15DG = (U_9_15DG or NU_9_15DG_1 or NU_9_15DG_2 or NU_9_15DG_3 or NU_9_15DG_4) and (not RLS_9_15DG)  # 9-15DG used by a train (R9)
         N_P_9_15DG = (P_9_15DG or (U_9_15DG and OCC_9_15DG and (NU_11_13DG_3 or NU_11_13DG_4 or NU_17_23DG_3 or NU_3DG_3))) and (not RLS_9_15DG)  # 9-15DG: the train went on (R9)
-        N_D_9_15DG = (D_9_15DG or ((not VALID) and (L_9_15DG_1 or L_9_15DG_2 or L_9_15DG_3 or L_9_15DG_4 or L_9_15DG_5 or L_9_15DG_6))) and (not RLS_9_15DG)  # 9-15DG: inputs were lost while locked
+        N_D_9_15DG = (D_9_15DG or ((not VALID) and (L_9_15DG_1 or L_9_15DG_2 or L_9_15DG_3 or L_9_15DG_4 or L_9_15DG_5 or L_9_15DG_6)) or G_R56 or G_R57 or G_R58 or G_R60 or G_R61 or G_R62 or G_R63 or G_R65 or G_R71 or G_R73 or G_R74) and (not RLS_9_15DG)  # 9-15DG: detection is not relied on, inputs were lost or a train is called on
         N_K_IAG = K_IAG and (not RLS_IAG)  # IAG: restart lock (R16)
         N_L_IAG_1 = (L_IAG_1 or (GB_IAG_1 and FREE_IAG)) and (not RLS_IAG)  # IAG locked from 5DG|IAG@5.toe to BX
         N_L_IAG_2 = (L_IAG_2 or GW_IAG_2) and (not RLS_IAG)  # IAG locked from BX to 5DG|IAG@5.toe
-        N_M_IAG = (M_IAG or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55) and (not RLS_IAG) and (not AR_IAG)  # IAG locked for a train movement
-        N_F_IAG = (F_IAG or (LK_R13 and (L_IAG_1 or L_IAG_2)) or (LK_R17 and (L_IAG_1 or L_IAG_2)) or (LK_R27 and (L_IAG_1 or L_IAG_2)) or (LK_R31 and (L_IAG_1 or L_IAG_2)) or (LK_R37 and (L_IAG_1 or L_IAG_2)) or (LK_R44 and (L_IAG_1 or L_IAG_2)) or (LK_R45 and (L_IAG_1 or L_IAG_2)) or LK_R46 or LK_R47 or LK_R48 or LK_R49 or LK_R50 or LK_R51 or LK_R52 or LK_R53 or LK_R54 or LK_R55) and (not RLS_IAG)  # IAG firmly locked
+        N_M_IAG = (M_IAG or G_R46 or G_R47 or G_R48 or G_R49 or G_R50 or G_R51 or G_R52 or G_R53 or G_R54 or G_R55 or G_R56 or G_R57 or G_R58 or G_R59 or G_R60 or G_R61 or G_R62 or G_R63 or G_R64 or G_R65) and (not RLS_IAG) and (not AR_IAG)  # IAG locked for a train movement
+        N_F_IAG = (F_IAG or (LK_R13 and (L_IAG_1 or L_IAG_2)) or (LK_R17 and (L_IAG_1 or L_IAG_2)) or (LK_R27 and (L_IAG_1 or L_IAG_2)) or (LK_R31 and (L_IAG_1 or L_IAG_2)) or (LK_R37 and (L_IAG_1 or L_IAG_2)) or (LK_R44 and (L_IAG_1 or L_IAG_2)) or (LK_R45 and (L_IAG_1 or L_IAG_2)) or LK_R46 or LK_R47 or LK_R48 or LK_R49 or LK_R50 or LK_R51 or LK_R52 or LK_R53 or LK_R54 or LK_R55 or LK_R56 or LK_R57 or LK_R58 or LK_R59 or LK_R60 or LK_R61 or LK_R62 or LK_R63 or LK_R64 or LK_R65) and (not RLS_IAG)  # IAG firmly locked
         N_U_IAG = (U_IAG or NU_IAG_1 or NU_IAG_2) and (not RLS_IAG)  # IAG used by a train (R9)
         N_P_IAG = (P_IAG or (U_IAG and OCC_IAG and NU_5DG_3)) and (not RLS_IAG)  # IAG: the train went on (R9)
-        N_D_IAG = (D_IAG or ((not VALID) and (L_IAG_1 or L_IAG_2))) and (not RLS_IAG)  # IAG: inputs were lost while locked
+        N_D_IAG = (D_IAG or ((not VALID) and (L_IAG_1 or L_IAG_2)) or G_R56 or G_R57 or G_R58 or G_R59 or G_R60 or G_R61 or G_R62 or G_R63 or G_R64 or G_R65) and (not RLS_IAG)  # IAG: detection is not relied on, inputs were lost or a train is called on
         N_K_IG = K_IG and (not RLS_IG)  # IG: restart lock (R16)
         N_L_IG_1 = (L_IG_1 or GW_IG_1 or (GB_IG_1 and FREE_IG)) and (not RLS_IG)  # IG locked from 17-23DG|IG@tI.0 to E1
-        N_M_IG = (M_IG or G_R46 or G_R47 or G_R56) and (not RLS_IG) and (not AR_IG)  # IG locked for a train movement
-        N_F_IG = (F_IG or (LK_R7 and L_IG_1) or LK_R46 or LK_R47 or LK_R56) and (not RLS_IG)  # IG firmly locked
+        N_M_IG = (M_IG or G_R46 or G_R47 or G_R56 or G_R57 or G_R66 or G_R71) and (not RLS_IG) and (not AR_IG)  # IG locked for a train movement
+        N_F_IG = (F_IG or (LK_R7 and L_IG_1) or LK_R46 or LK_R47 or LK_R56 or LK_R57 or LK_R66 or LK_R71) and (not RLS_IG)  # IG firmly locked
         N_U_IG = (U_IG or NU_IG_1) and (not RLS_IG)  # IG used by a train (R9)
         N_P_IG = (P_IG or (U_IG and OCC_IG and NU_17_23DG_4)) and (not RLS_IG)  # IG: the train went on (R9)
-        N_D_IG = (D_IG or ((not VALID) and L_IG_1)) and (not RLS_IG)  # IG: inputs were lost while locked
+        N_D_IG = (D_IG or ((not VALID) and L_IG_1) or G_R56 or G_R57 or G_R71) and (not RLS_IG)  # IG: detection is not relied on, inputs were lost or a train is called on
         N_K_IIAG = K_IIAG and (not RLS_IIAG)  # IIAG: restart lock (R16)
         N_L_IIAG_1 = (L_IIAG_1 or GW_IIAG_1 or (GB_IIAG_1 and FREE_IIAG)) and (not RLS_IIAG)  # IIAG locked from 1DG|IIAG@1.toe to BS
         N_M_IIAG = (M_IIAG or G_R22 or G_R23 or G_R28 or G_R32 or G_R33 or G_R38 or G_R39) and (not RLS_IIAG) and (not AR_IIAG)  # IIAG locked for a train movement
         N_F_IIAG = (F_IIAG or (LK_R16 and L_IIAG_1) or (LK_R18 and L_IIAG_1) or LK_R22 or LK_R23 or LK_R28 or LK_R32 or LK_R33 or LK_R38 or LK_R39) and (not RLS_IIAG)  # IIAG firmly locked
         N_U_IIAG = (U_IIAG or NU_IIAG_1) and (not RLS_IIAG)  # IIAG used by a train (R9)
         N_P_IIAG = (P_IIAG or (U_IIAG and OCC_IIAG and NU_1DG_3)) and (not RLS_IIAG)  # IIAG: the train went on (R9)
-        N_D_IIAG = (D_IIAG or ((not VALID) and L_IIAG_1)) and (not RLS_IIAG)  # IIAG: inputs were lost while locked
+        N_D_IIAG = (D_IIAG or ((not VALID) and L_IIAG_1)) and (not RLS_IIAG)  # IIAG: detection is not relied on, inputs were lost or a train is called on
         N_K_IIG = K_IIG and (not RLS_IIG)  # IIG: restart lock (R16)
         N_L_IIG_1 = (L_IIG_1 or (GB_IIG_1 and FREE_IIG)) and (not RLS_IIG)  # IIG locked from 19-27DG|IIG@tII.0 to E2
         N_M_IIG = M_IIG and (not RLS_IIG) and (not AR_IIG)  # IIG locked for a train movement
         N_F_IIG = (F_IIG or (LK_R8 and L_IIG_1) or (LK_R11 and L_IIG_1)) and (not RLS_IIG)  # IIG firmly locked
         N_U_IIG = (U_IIG or NU_IIG_1) and (not RLS_IIG)  # IIG used by a train (R9)
         N_P_IIG = (P_IIG or (U_IIG and OCC_IIG and NU_19_27DG_4)) and (not RLS_IIG)  # IIG: the train went on (R9)
-        N_D_IIG = (D_IIG or ((not VALID) and L_IIG_1)) and (not RLS_IIG)  # IIG: inputs were lost while locked
+        N_D_IIG = (D_IIG or ((not VALID) and L_IIG_1)) and (not RLS_IIG)  # IIG: detection is not relied on, inputs were lost or a train is called on
         N_K_IIIG = K_IIIG and (not RLS_IIIG)  # IIIG: restart lock (R16)
         N_L_IIIG_1 = (L_IIIG_1 or GW_IIIG_1 or (GB_IIIG_1 and FREE_IIIG)) and (not RLS_IIIG)  # IIIG locked from 25DG|IIIG@tIII.0 to E3
-        N_M_IIIG = (M_IIIG or G_R48 or G_R49 or G_R50 or G_R51 or G_R57 or G_R58) and (not RLS_IIIG) and (not AR_IIIG)  # IIIG locked for a train movement
-        N_F_IIIG = (F_IIIG or (LK_R5 and L_IIIG_1) or (LK_R9 and L_IIIG_1) or (LK_R21 and L_IIIG_1) or LK_R48 or LK_R49 or LK_R50 or LK_R51 or LK_R57 or LK_R58) and (not RLS_IIIG)  # IIIG firmly locked
+        N_M_IIIG = (M_IIIG or G_R48 or G_R49 or G_R50 or G_R51 or G_R58 or G_R59 or G_R60 or G_R61 or G_R67 or G_R68 or G_R72 or G_R73) and (not RLS_IIIG) and (not AR_IIIG)  # IIIG locked for a train movement
+        N_F_IIIG = (F_IIIG or (LK_R5 and L_IIIG_1) or (LK_R9 and L_IIIG_1) or (LK_R21 and L_IIIG_1) or LK_R48 or LK_R49 or LK_R50 or LK_R51 or LK_R58 or LK_R59 or LK_R60 or LK_R61 or LK_R67 or LK_R68 or LK_R72 or LK_R73) and (not RLS_IIIG)  # IIIG firmly locked
         N_U_IIIG = (U_IIIG or NU_IIIG_1) and (not RLS_IIIG)  # IIIG used by a train (R9)
         N_P_IIIG = (P_IIIG or (U_IIIG and OCC_IIIG and NU_25DG_3)) and (not RLS_IIIG)  # IIIG: the train went on (R9)
-        N_D_IIIG = (D_IIIG or ((not VALID) and L_IIIG_1)) and (not RLS_IIIG)  # IIIG: inputs were lost while locked
+        N_D_IIIG = (D_IIIG or ((not VALID) and L_IIIG_1) or G_R58 or G_R59 or G_R60 or G_R61 or G_R72 or G_R73) and (not RLS_IIIG)  # IIIG: detection is not relied on, inputs were lost or a train is called on
         N_C_S4 = (PR_R22 or PR_R23 or PR_R24) and (PR_R22 or PR_R23 or PR_R24) and GL_S4  # S4 shows clear
         N_C_S5 = (PR_R28 or PR_R29) and (PR_R28 or PR_R29) and GL_S5  # S5 shows clear
         N_C_SII = (PR_R32 or PR_R33 or PR_R34) and (PR_R32 or PR_R33 or PR_R34) and GL_SII  # SII shows clear
         N_C_SIII = (PR_R38 or PR_R39 or PR_R40 or PR_R41) and (PR_R38 or PR_R39 or PR_R40 or PR_R41) and GL_SIII  # SIII shows clear
         N_C_X = (PR_R46 or PR_R47 or PR_R48 or PR_R49 or PR_R50 or PR_R51 or PR_R52 or PR_R53 or PR_R54 or PR_R55) and False and GL_X  # X shows clear
-        N_C_XD = (PR_R56 or PR_R57 or PR_R58 or PR_R59 or PR_R60) and False and GL_XD  # XD shows clear
+        N_C_XD = (PR_R66 or PR_R67 or PR_R68 or PR_R69 or PR_R70) and False and GL_XD  # XD shows clear
         self.state = {
             'CN_1_3': bool(N_CN_1_3),
             'CR_1_3': bool(N_CR_1_3),
@@ -3538,6 +3855,81 @@ class Controller:
             'W_R60': bool(N_W_R60),
             'S_R60': bool(N_S_R60),
             'H_R60': bool(N_H_R60),
+            'A_R61': bool(N_A_R61),
+            'B_R61': bool(N_B_R61),
+            'W_R61': bool(N_W_R61),
+            'S_R61': bool(N_S_R61),
+            'H_R61': bool(N_H_R61),
+            'A_R62': bool(N_A_R62),
+            'B_R62': bool(N_B_R62),
+            'W_R62': bool(N_W_R62),
+            'S_R62': bool(N_S_R62),
+            'H_R62': bool(N_H_R62),
+            'A_R63': bool(N_A_R63),
+            'B_R63': bool(N_B_R63),
+            'W_R63': bool(N_W_R63),
+            'S_R63': bool(N_S_R63),
+            'H_R63': bool(N_H_R63),
+            'A_R64': bool(N_A_R64),
+            'B_R64': bool(N_B_R64),
+            'W_R64': bool(N_W_R64),
+            'S_R64': bool(N_S_R64),
+            'H_R64': bool(N_H_R64),
+            'A_R65': bool(N_A_R65),
+            'B_R65': bool(N_B_R65),
+            'W_R65': bool(N_W_R65),
+            'S_R65': bool(N_S_R65),
+            'H_R65': bool(N_H_R65),
+            'A_R66': bool(N_A_R66),
+            'B_R66': bool(N_B_R66),
+            'W_R66': bool(N_W_R66),
+            'S_R66': bool(N_S_R66),
+            'H_R66': bool(N_H_R66),
+            'A_R67': bool(N_A_R67),
+            'B_R67': bool(N_B_R67),
+            'W_R67': bool(N_W_R67),
+            'S_R67': bool(N_S_R67),
+            'H_R67': bool(N_H_R67),
+            'A_R68': bool(N_A_R68),
+            'B_R68': bool(N_B_R68),
+            'W_R68': bool(N_W_R68),
+            'S_R68': bool(N_S_R68),
+            'H_R68': bool(N_H_R68),
+            'A_R69': bool(N_A_R69),
+            'B_R69': bool(N_B_R69),
+            'W_R69': bool(N_W_R69),
+            'S_R69': bool(N_S_R69),
+            'H_R69': bool(N_H_R69),
+            'A_R70': bool(N_A_R70),
+            'B_R70': bool(N_B_R70),
+            'W_R70': bool(N_W_R70),
+            'S_R70': bool(N_S_R70),
+            'H_R70': bool(N_H_R70),
+            'A_R71': bool(N_A_R71),
+            'B_R71': bool(N_B_R71),
+            'W_R71': bool(N_W_R71),
+            'S_R71': bool(N_S_R71),
+            'H_R71': bool(N_H_R71),
+            'A_R72': bool(N_A_R72),
+            'B_R72': bool(N_B_R72),
+            'W_R72': bool(N_W_R72),
+            'S_R72': bool(N_S_R72),
+            'H_R72': bool(N_H_R72),
+            'A_R73': bool(N_A_R73),
+            'B_R73': bool(N_B_R73),
+            'W_R73': bool(N_W_R73),
+            'S_R73': bool(N_S_R73),
+            'H_R73': bool(N_H_R73),
+            'A_R74': bool(N_A_R74),
+            'B_R74': bool(N_B_R74),
+            'W_R74': bool(N_W_R74),
+            'S_R74': bool(N_S_R74),
+            'H_R74': bool(N_H_R74),
+            'A_R75': bool(N_A_R75),
+            'B_R75': bool(N_B_R75),
+            'W_R75': bool(N_W_R75),
+            'S_R75': bool(N_S_R75),
+            'H_R75': bool(N_H_R75),
             'X_D1': bool(N_X_D1),
             'X_D11': bool(N_X_D11),
             'X_D13': bool(N_X_D13),
@@ -4083,6 +4475,81 @@ class Controller:
         W_R60 = self.state['W_R60']
         S_R60 = self.state['S_R60']
         H_R60 = self.state['H_R60']
+        A_R61 = self.state['A_R61']
+        B_R61 = self.state['B_R61']
+        W_R61 = self.state['W_R61']
+        S_R61 = self.state['S_R61']
+        H_R61 = self.state['H_R61']
+        A_R62 = self.state['A_R62']
+        B_R62 = self.state['B_R62']
+        W_R62 = self.state['W_R62']
+        S_R62 = self.state['S_R62']
+        H_R62 = self.state['H_R62']
+        A_R63 = self.state['A_R63']
+        B_R63 = self.state['B_R63']
+        W_R63 = self.state['W_R63']
+        S_R63 = self.state['S_R63']
+        H_R63 = self.state['H_R63']
+        A_R64 = self.state['A_R64']
+        B_R64 = self.state['B_R64']
+        W_R64 = self.state['W_R64']
+        S_R64 = self.state['S_R64']
+        H_R64 = self.state['H_R64']
+        A_R65 = self.state['A_R65']
+        B_R65 = self.state['B_R65']
+        W_R65 = self.state['W_R65']
+        S_R65 = self.state['S_R65']
+        H_R65 = self.state['H_R65']
+        A_R66 = self.state['A_R66']
+        B_R66 = self.state['B_R66']
+        W_R66 = self.state['W_R66']
+        S_R66 = self.state['S_R66']
+        H_R66 = self.state['H_R66']
+        A_R67 = self.state['A_R67']
+        B_R67 = self.state['B_R67']
+        W_R67 = self.state['W_R67']
+        S_R67 = self.state['S_R67']
+        H_R67 = self.state['H_R67']
+        A_R68 = self.state['A_R68']
+        B_R68 = self.state['B_R68']
+        W_R68 = self.state['W_R68']
+        S_R68 = self.state['S_R68']
+        H_R68 = self.state['H_R68']
+        A_R69 = self.state['A_R69']
+        B_R69 = self.state['B_R69']
+        W_R69 = self.state['W_R69']
+        S_R69 = self.state['S_R69']
+        H_R69 = self.state['H_R69']
+        A_R70 = self.state['A_R70']
+        B_R70 = self.state['B_R70']
+        W_R70 = self.state['W_R70']
+        S_R70 = self.state['S_R70']
+        H_R70 = self.state['H_R70']
+        A_R71 = self.state['A_R71']
+        B_R71 = self.state['B_R71']
+        W_R71 = self.state['W_R71']
+        S_R71 = self.state['S_R71']
+        H_R71 = self.state['H_R71']
+        A_R72 = self.state['A_R72']
+        B_R72 = self.state['B_R72']
+        W_R72 = self.state['W_R72']
+        S_R72 = self.state['S_R72']
+        H_R72 = self.state['H_R72']
+        A_R73 = self.state['A_R73']
+        B_R73 = self.state['B_R73']
+        W_R73 = self.state['W_R73']
+        S_R73 = self.state['S_R73']
+        H_R73 = self.state['H_R73']
+        A_R74 = self.state['A_R74']
+        B_R74 = self.state['B_R74']
+        W_R74 = self.state['W_R74']
+        S_R74 = self.state['S_R74']
+        H_R74 = self.state['H_R74']
+        A_R75 = self.state['A_R75']
+        B_R75 = self.state['B_R75']
+        W_R75 = self.state['W_R75']
+        S_R75 = self.state['S_R75']
+        H_R75 = self.state['H_R75']
         X_D1 = self.state['X_D1']
         X_D11 = self.state['X_D11']
         X_D13 = self.state['X_D13']
@@ -4365,8 +4832,10 @@ class Controller:
             'YS_SIII': bool((not (S_R38 or S_R39 or S_R40 or S_R41 or S_R42 or S_R43 or S_R44 or S_R45))),
             'YP_X': bool(C_X),
             'YY_X': bool((S_R46 or S_R47 or S_R48 or S_R49 or S_R50 or S_R51 or S_R52 or S_R53 or S_R54 or S_R55) and (not C_X)),
+            'YO_X': bool(S_R56 or S_R57 or S_R58 or S_R59 or S_R60 or S_R61 or S_R62 or S_R63 or S_R64 or S_R65),
             'YS_X': bool((not (S_R46 or S_R47 or S_R48 or S_R49 or S_R50 or S_R51 or S_R52 or S_R53 or S_R54 or S_R55))),
             'YP_XD': bool(C_XD),
-            'YY_XD': bool((S_R56 or S_R57 or S_R58 or S_R59 or S_R60) and (not C_XD)),
-            'YS_XD': bool((not (S_R56 or S_R57 or S_R58 or S_R59 or S_R60))),
+            'YY_XD': bool((S_R66 or S_R67 or S_R68 or S_R69 or S_R70) and (not C_XD)),
+            'YO_XD': bool(S_R71 or S_R72 or S_R73 or S_R74 or S_R75),
+            'YS_XD': bool((not (S_R66 or S_R67 or S_R68 or S_R69 or S_R70))),
         }

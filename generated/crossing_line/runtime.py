@@ -1,7 +1,7 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout a722e7758d21c6cab448631a60d0adf9cf0355bea3cbd8de5f5be41cc4e57c28
-# claims dcd1590c7782b2de9e096bf86379773b679319910cd930453577252fe3b2d977
+# layout fd813b28898f22e11bec42edded329520ccb365e13d78153ad26b4033a388451
+# claims e7a5c601dde9c723ee89c0e7c98d903645f12b559df2928a92033f943f253348
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -125,21 +125,21 @@ STATE = {
     'F_ld': False,  # ld firmly locked
     'U_ld': True,  # ld used by a train (R9)
     'P_ld': False,  # ld: the train went on (R9)
-    'D_ld': False,  # ld: inputs were lost while locked
+    'D_ld': False,  # ld: detection is not relied on, inputs were lost or a train is called on
     'K_s1': True,  # s1: restart lock (R16)
     'L_s1_1': False,  # s1 locked from W to s1|s2@west.0
     'L_s1_2': False,  # s1 locked from s1|s2@west.0 to W
     'F_s1': False,  # s1 firmly locked
     'U_s1': True,  # s1 used by a train (R9)
     'P_s1': False,  # s1: the train went on (R9)
-    'D_s1': False,  # s1: inputs were lost while locked
+    'D_s1': False,  # s1: detection is not relied on, inputs were lost or a train is called on
     'K_s2': True,  # s2: restart lock (R16)
     'L_s2_1': False,  # s2 locked from s1|s2@west.0 to s2|s3@P1.toe
     'L_s2_2': False,  # s2 locked from s2|s3@P1.toe to s1|s2@west.0
     'F_s2': False,  # s2 firmly locked
     'U_s2': True,  # s2 used by a train (R9)
     'P_s2': False,  # s2: the train went on (R9)
-    'D_s2': False,  # s2: inputs were lost while locked
+    'D_s2': False,  # s2: detection is not relied on, inputs were lost or a train is called on
     'K_s3': True,  # s3: restart lock (R16)
     'L_s3_1': False,  # s3 locked from ld|s3@P1.reverse to s2|s3@P1.toe
     'L_s3_2': False,  # s3 locked from s2|s3@P1.toe to ld|s3@P1.reverse
@@ -148,21 +148,21 @@ STATE = {
     'F_s3': False,  # s3 firmly locked
     'U_s3': True,  # s3 used by a train (R9)
     'P_s3': False,  # s3: the train went on (R9)
-    'D_s3': False,  # s3: inputs were lost while locked
+    'D_s3': False,  # s3: detection is not relied on, inputs were lost or a train is called on
     'K_s4': True,  # s4: restart lock (R16)
     'L_s4_1': False,  # s4 locked from s3|s4@P1.normal to s4|s5@mid.0
     'L_s4_2': False,  # s4 locked from s4|s5@mid.0 to s3|s4@P1.normal
     'F_s4': False,  # s4 firmly locked
     'U_s4': True,  # s4 used by a train (R9)
     'P_s4': False,  # s4: the train went on (R9)
-    'D_s4': False,  # s4: inputs were lost while locked
+    'D_s4': False,  # s4: detection is not relied on, inputs were lost or a train is called on
     'K_s5': True,  # s5: restart lock (R16)
     'L_s5_1': False,  # s5 locked from E to s4|s5@mid.0
     'L_s5_2': False,  # s5 locked from s4|s5@mid.0 to E
     'F_s5': False,  # s5 firmly locked
     'U_s5': True,  # s5 used by a train (R9)
     'P_s5': False,  # s5: the train went on (R9)
-    'D_s5': False,  # s5: inputs were lost while locked
+    'D_s5': False,  # s5: detection is not relied on, inputs were lost or a train is called on
     'V_M_1': False,  # overlap 1 of M held
     'V_W2_1': False,  # overlap 1 of W2 held
     'VF_M': False,  # overlap of M firmly held
@@ -762,21 +762,21 @@ class Controller:
         N_F_ld = (F_ld or LK_R8) and (not RLS_ld)  # ld firmly locked
         N_U_ld = (U_ld or NU_ld_2) and (not RLS_ld)  # ld used by a train (R9)
         N_P_ld = (P_ld or (U_ld and OCC_ld and NU_s3_1)) and (not RLS_ld)  # ld: the train went on (R9)
-        N_D_ld = (D_ld or ((not VALID) and L_ld_2)) and (not RLS_ld)  # ld: inputs were lost while locked
+        N_D_ld = (D_ld or ((not VALID) and L_ld_2)) and (not RLS_ld)  # ld: detection is not relied on, inputs were lost or a train is called on
         N_K_s1 = K_s1 and (not RLS_s1)  # s1: restart lock (R16)
         N_L_s1_1 = (L_s1_1 or GW_s1_1) and (not RLS_s1)  # s1 locked from W to s1|s2@west.0
         N_L_s1_2 = (L_s1_2 or GW_s1_2) and (not RLS_s1)  # s1 locked from s1|s2@west.0 to W
         N_F_s1 = (F_s1 or LK_R6 or LK_R3) and (not RLS_s1)  # s1 firmly locked
         N_U_s1 = (U_s1 or NU_s1_1 or NU_s1_2) and (not RLS_s1)  # s1 used by a train (R9)
         N_P_s1 = (P_s1 or (U_s1 and OCC_s1 and NU_s2_1)) and (not RLS_s1)  # s1: the train went on (R9)
-        N_D_s1 = (D_s1 or ((not VALID) and (L_s1_1 or L_s1_2))) and (not RLS_s1)  # s1: inputs were lost while locked
+        N_D_s1 = (D_s1 or ((not VALID) and (L_s1_1 or L_s1_2))) and (not RLS_s1)  # s1: detection is not relied on, inputs were lost or a train is called on
         N_K_s2 = K_s2 and (not RLS_s2)  # s2: restart lock (R16)
         N_L_s2_1 = (L_s2_1 or GW_s2_1) and (not RLS_s2)  # s2 locked from s1|s2@west.0 to s2|s3@P1.toe
         N_L_s2_2 = (L_s2_2 or GW_s2_2) and (not RLS_s2)  # s2 locked from s2|s3@P1.toe to s1|s2@west.0
         N_F_s2 = (F_s2 or LK_R7 or LK_R2 or LK_R4) and (not RLS_s2)  # s2 firmly locked
         N_U_s2 = (U_s2 or NU_s2_1 or NU_s2_2) and (not RLS_s2)  # s2 used by a train (R9)
         N_P_s2 = (P_s2 or (U_s2 and OCC_s2 and (NU_s1_2 or NU_s3_2))) and (not RLS_s2)  # s2: the train went on (R9)
-        N_D_s2 = (D_s2 or ((not VALID) and (L_s2_1 or L_s2_2))) and (not RLS_s2)  # s2: inputs were lost while locked
+        N_D_s2 = (D_s2 or ((not VALID) and (L_s2_1 or L_s2_2))) and (not RLS_s2)  # s2: detection is not relied on, inputs were lost or a train is called on
         N_K_s3 = K_s3 and (not RLS_s3)  # s3: restart lock (R16)
         N_L_s3_1 = (L_s3_1 or GW_s3_1) and (not RLS_s3)  # s3 locked from ld|s3@P1.reverse to s2|s3@P1.toe
         N_L_s3_2 = (L_s3_2 or GW_s3_2) and (not RLS_s3)  # s3 locked from s2|s3@P1.toe to ld|s3@P1.reverse
@@ -785,21 +785,21 @@ class Controller:
         N_F_s3 = (F_s3 or LK_R4 or LK_R8 or LK_R9 or LK_R2) and (not RLS_s3)  # s3 firmly locked
         N_U_s3 = (U_s3 or NU_s3_1 or NU_s3_2 or NU_s3_3) and (not RLS_s3)  # s3 used by a train (R9)
         N_P_s3 = (P_s3 or (U_s3 and OCC_s3 and (NU_ld_2 or NU_s2_2 or NU_s4_1))) and (not RLS_s3)  # s3: the train went on (R9)
-        N_D_s3 = (D_s3 or ((not VALID) and (L_s3_1 or L_s3_2 or L_s3_3 or L_s3_4))) and (not RLS_s3)  # s3: inputs were lost while locked
+        N_D_s3 = (D_s3 or ((not VALID) and (L_s3_1 or L_s3_2 or L_s3_3 or L_s3_4))) and (not RLS_s3)  # s3: detection is not relied on, inputs were lost or a train is called on
         N_K_s4 = K_s4 and (not RLS_s4)  # s4: restart lock (R16)
         N_L_s4_1 = (L_s4_1 or GW_s4_1) and (not RLS_s4)  # s4 locked from s3|s4@P1.normal to s4|s5@mid.0
         N_L_s4_2 = (L_s4_2 or GW_s4_2) and (not RLS_s4)  # s4 locked from s4|s5@mid.0 to s3|s4@P1.normal
         N_F_s4 = (F_s4 or LK_R9 or LK_R2) and (not RLS_s4)  # s4 firmly locked
         N_U_s4 = (U_s4 or NU_s4_1 or NU_s4_2) and (not RLS_s4)  # s4 used by a train (R9)
         N_P_s4 = (P_s4 or (U_s4 and OCC_s4 and (NU_s3_3 or NU_s5_2))) and (not RLS_s4)  # s4: the train went on (R9)
-        N_D_s4 = (D_s4 or ((not VALID) and (L_s4_1 or L_s4_2))) and (not RLS_s4)  # s4: inputs were lost while locked
+        N_D_s4 = (D_s4 or ((not VALID) and (L_s4_1 or L_s4_2))) and (not RLS_s4)  # s4: detection is not relied on, inputs were lost or a train is called on
         N_K_s5 = K_s5 and (not RLS_s5)  # s5: restart lock (R16)
         N_L_s5_1 = (L_s5_1 or GW_s5_1) and (not RLS_s5)  # s5 locked from E to s4|s5@mid.0
         N_L_s5_2 = (L_s5_2 or GW_s5_2) and (not RLS_s5)  # s5 locked from s4|s5@mid.0 to E
         N_F_s5 = (F_s5 or LK_R1 or LK_R5) and (not RLS_s5)  # s5 firmly locked
         N_U_s5 = (U_s5 or NU_s5_1 or NU_s5_2) and (not RLS_s5)  # s5 used by a train (R9)
         N_P_s5 = (P_s5 or (U_s5 and OCC_s5 and NU_s4_2)) and (not RLS_s5)  # s5: the train went on (R9)
-        N_D_s5 = (D_s5 or ((not VALID) and (L_s5_1 or L_s5_2))) and (not RLS_s5)  # s5: inputs were lost while locked
+        N_D_s5 = (D_s5 or ((not VALID) and (L_s5_1 or L_s5_2))) and (not RLS_s5)  # s5: detection is not relied on, inputs were lost or a train is called on
         N_V_M_1 = GO_M_1 or (V_M_1 and (not (OR_M and (not OCC_s5))))  # overlap 1 of M held
         N_V_W2_1 = GO_W2_1 or (V_W2_1 and (not (OR_W2 and (not OCC_s2))))  # overlap 1 of W2 held
         N_VF_M = (VF_M or LK_R9) and V_M_1  # overlap of M firmly held

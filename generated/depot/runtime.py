@@ -1,7 +1,7 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout e06dd33e1aef99ba4b1681bbe18b83922df057a3ba1a0f7cdf602f76c58fb3d5
-# claims 184ceea7ce3404e99b4a35be8821846c85c328a2d5ad8740eaa31bcea35b2dfb
+# layout ba98649f9315d06727153ee768d63e37df707c0313a5639cec9afd4850102c95
+# claims a7e2e31d7498b00b8169be0b92d078cf0be92192742b0932796a16aaf10c2976
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -199,7 +199,7 @@ STATE = {
     'F_arr': False,  # arr firmly locked
     'U_arr': True,  # arr used by a train (R9)
     'P_arr': False,  # arr: the train went on (R9)
-    'D_arr': False,  # arr: inputs were lost while locked
+    'D_arr': False,  # arr: detection is not relied on, inputs were lost or a train is called on
     'K_brg': True,  # brg: restart lock (R16)
     'L_brg_1': False,  # brg locked from brg|p1@P1.toe to brg|ph@PH.normal
     'L_brg_2': False,  # brg locked from brg|ph@PH.normal to brg|p1@P1.toe
@@ -207,7 +207,7 @@ STATE = {
     'F_brg': False,  # brg firmly locked
     'U_brg': True,  # brg used by a train (R9)
     'P_brg': False,  # brg: the train went on (R9)
-    'D_brg': False,  # brg: inputs were lost while locked
+    'D_brg': False,  # brg: detection is not relied on, inputs were lost or a train is called on
     'K_p1': True,  # p1: restart lock (R16)
     'L_p1_1': False,  # p1 locked from brg|p1@P1.toe to p1|p2@P1.normal
     'L_p1_2': False,  # p1 locked from brg|p1@P1.toe to p1|wsh@P1.reverse
@@ -217,7 +217,7 @@ STATE = {
     'F_p1': False,  # p1 firmly locked
     'U_p1': True,  # p1 used by a train (R9)
     'P_p1': False,  # p1: the train went on (R9)
-    'D_p1': False,  # p1: inputs were lost while locked
+    'D_p1': False,  # p1: detection is not relied on, inputs were lost or a train is called on
     'K_p2': True,  # p2: restart lock (R16)
     'L_p2_2': False,  # p2 locked from p1|p2@P1.normal to p2|p3@P2.normal
     'L_p2_3': False,  # p2 locked from p1|p2@P1.normal to p2|sh1@D1.outer
@@ -227,7 +227,7 @@ STATE = {
     'F_p2': False,  # p2 firmly locked
     'U_p2': True,  # p2 used by a train (R9)
     'P_p2': False,  # p2: the train went on (R9)
-    'D_p2': False,  # p2: inputs were lost while locked
+    'D_p2': False,  # p2: detection is not relied on, inputs were lost or a train is called on
     'K_p3': True,  # p3: restart lock (R16)
     'L_p3_3': False,  # p3 locked from p2|p3@P2.normal to p3|sh2@D2.outer
     'L_p3_4': False,  # p3 locked from p2|p3@P2.normal to p3|sh3@D3.outer
@@ -237,7 +237,7 @@ STATE = {
     'F_p3': False,  # p3 firmly locked
     'U_p3': True,  # p3 used by a train (R9)
     'P_p3': False,  # p3: the train went on (R9)
-    'D_p3': False,  # p3: inputs were lost while locked
+    'D_p3': False,  # p3: detection is not relied on, inputs were lost or a train is called on
     'K_ph': True,  # ph: restart lock (R16)
     'L_ph_1': False,  # ph locked from arr|ph@PH.toe to brg|ph@PH.normal
     'L_ph_3': False,  # ph locked from brg|ph@PH.normal to arr|ph@PH.toe
@@ -245,41 +245,41 @@ STATE = {
     'F_ph': False,  # ph firmly locked
     'U_ph': True,  # ph used by a train (R9)
     'P_ph': False,  # ph: the train went on (R9)
-    'D_ph': False,  # ph: inputs were lost while locked
+    'D_ph': False,  # ph: detection is not relied on, inputs were lost or a train is called on
     'K_sh1': True,  # sh1: restart lock (R16)
     'L_sh1_2': False,  # sh1 locked from p2|sh1@D1.outer to H1
     'M_sh1': False,  # sh1 locked for a train movement
     'F_sh1': False,  # sh1 firmly locked
     'U_sh1': True,  # sh1 used by a train (R9)
     'P_sh1': False,  # sh1: the train went on (R9)
-    'D_sh1': False,  # sh1: inputs were lost while locked
+    'D_sh1': False,  # sh1: detection is not relied on, inputs were lost or a train is called on
     'K_sh2': True,  # sh2: restart lock (R16)
     'L_sh2_2': False,  # sh2 locked from p3|sh2@D2.outer to H2
     'M_sh2': False,  # sh2 locked for a train movement
     'F_sh2': False,  # sh2 firmly locked
     'U_sh2': True,  # sh2 used by a train (R9)
     'P_sh2': False,  # sh2: the train went on (R9)
-    'D_sh2': False,  # sh2: inputs were lost while locked
+    'D_sh2': False,  # sh2: detection is not relied on, inputs were lost or a train is called on
     'K_sh3': True,  # sh3: restart lock (R16)
     'L_sh3_2': False,  # sh3 locked from p3|sh3@D3.outer to H3
     'M_sh3': False,  # sh3 locked for a train movement
     'F_sh3': False,  # sh3 firmly locked
     'U_sh3': True,  # sh3 used by a train (R9)
     'P_sh3': False,  # sh3: the train went on (R9)
-    'D_sh3': False,  # sh3: inputs were lost while locked
+    'D_sh3': False,  # sh3: detection is not relied on, inputs were lost or a train is called on
     'K_sto': True,  # sto: restart lock (R16)
     'M_sto': False,  # sto locked for a train movement
     'F_sto': False,  # sto firmly locked
     'U_sto': True,  # sto used by a train (R9)
     'P_sto': False,  # sto: the train went on (R9)
-    'D_sto': False,  # sto: inputs were lost while locked
+    'D_sto': False,  # sto: detection is not relied on, inputs were lost or a train is called on
     'K_wsh': True,  # wsh: restart lock (R16)
     'L_wsh_2': False,  # wsh locked from p1|wsh@P1.reverse to WASH
     'M_wsh': False,  # wsh locked for a train movement
     'F_wsh': False,  # wsh firmly locked
     'U_wsh': True,  # wsh used by a train (R9)
     'P_wsh': False,  # wsh: the train went on (R9)
-    'D_wsh': False,  # wsh: inputs were lost while locked
+    'D_wsh': False,  # wsh: detection is not relied on, inputs were lost or a train is called on
     'C_A2': False,  # A2 shows clear
     'C_E': False,  # E shows clear
 }
@@ -1213,7 +1213,7 @@ class Controller:
         N_F_arr = (F_arr or LK_R7 or LK_R2) and (not RLS_arr)  # arr firmly locked
         N_U_arr = (U_arr or NU_arr_1 or NU_arr_2) and (not RLS_arr)  # arr used by a train (R9)
         N_P_arr = (P_arr or (U_arr and OCC_arr and NU_ph_1)) and (not RLS_arr)  # arr: the train went on (R9)
-        N_D_arr = (D_arr or ((not VALID) and (L_arr_1 or L_arr_2))) and (not RLS_arr)  # arr: inputs were lost while locked
+        N_D_arr = (D_arr or ((not VALID) and (L_arr_1 or L_arr_2))) and (not RLS_arr)  # arr: detection is not relied on, inputs were lost or a train is called on
         N_K_brg = K_brg and (not RLS_brg)  # brg: restart lock (R16)
         N_L_brg_1 = (L_brg_1 or GW_brg_1) and (not RLS_brg)  # brg locked from brg|p1@P1.toe to brg|ph@PH.normal
         N_L_brg_2 = (L_brg_2 or GW_brg_2) and (not RLS_brg)  # brg locked from brg|ph@PH.normal to brg|p1@P1.toe
@@ -1221,7 +1221,7 @@ class Controller:
         N_F_brg = (F_brg or LK_R8 or LK_R9 or LK_R10 or LK_R11 or LK_R1) and (not RLS_brg)  # brg firmly locked
         N_U_brg = (U_brg or NU_brg_1 or NU_brg_2) and (not RLS_brg)  # brg used by a train (R9)
         N_P_brg = (P_brg or (U_brg and OCC_brg and (NU_p1_1 or NU_ph_2))) and (not RLS_brg)  # brg: the train went on (R9)
-        N_D_brg = (D_brg or ((not VALID) and (L_brg_1 or L_brg_2))) and (not RLS_brg)  # brg: inputs were lost while locked
+        N_D_brg = (D_brg or ((not VALID) and (L_brg_1 or L_brg_2))) and (not RLS_brg)  # brg: detection is not relied on, inputs were lost or a train is called on
         N_K_p1 = K_p1 and (not RLS_p1)  # p1: restart lock (R16)
         N_L_p1_1 = (L_p1_1 or GW_p1_1) and (not RLS_p1)  # p1 locked from brg|p1@P1.toe to p1|p2@P1.normal
         N_L_p1_2 = (L_p1_2 or GW_p1_2) and (not RLS_p1)  # p1 locked from brg|p1@P1.toe to p1|wsh@P1.reverse
@@ -1231,7 +1231,7 @@ class Controller:
         N_F_p1 = (F_p1 or LK_R3 or LK_R4 or LK_R5 or LK_R6 or LK_R8 or LK_R9 or LK_R10 or LK_R11) and (not RLS_p1)  # p1 firmly locked
         N_U_p1 = (U_p1 or NU_p1_1 or NU_p1_2 or NU_p1_3) and (not RLS_p1)  # p1 used by a train (R9)
         N_P_p1 = (P_p1 or (U_p1 and OCC_p1 and (NU_brg_1 or NU_p2_2 or NU_wsh_2))) and (not RLS_p1)  # p1: the train went on (R9)
-        N_D_p1 = (D_p1 or ((not VALID) and (L_p1_1 or L_p1_2 or L_p1_3 or L_p1_4))) and (not RLS_p1)  # p1: inputs were lost while locked
+        N_D_p1 = (D_p1 or ((not VALID) and (L_p1_1 or L_p1_2 or L_p1_3 or L_p1_4))) and (not RLS_p1)  # p1: detection is not relied on, inputs were lost or a train is called on
         N_K_p2 = K_p2 and (not RLS_p2)  # p2: restart lock (R16)
         N_L_p2_2 = (L_p2_2 or GW_p2_2) and (not RLS_p2)  # p2 locked from p1|p2@P1.normal to p2|p3@P2.normal
         N_L_p2_3 = (L_p2_3 or GW_p2_3) and (not RLS_p2)  # p2 locked from p1|p2@P1.normal to p2|sh1@D1.outer
@@ -1241,7 +1241,7 @@ class Controller:
         N_F_p2 = (F_p2 or LK_R4 or LK_R5 or LK_R3 or LK_R9 or LK_R10 or LK_R8) and (not RLS_p2)  # p2 firmly locked
         N_U_p2 = (U_p2 or NU_p2_2 or NU_p2_3 or NU_p2_4) and (not RLS_p2)  # p2 used by a train (R9)
         N_P_p2 = (P_p2 or (U_p2 and OCC_p2 and (NU_p1_2 or NU_p3_3 or NU_sh1_2))) and (not RLS_p2)  # p2: the train went on (R9)
-        N_D_p2 = (D_p2 or ((not VALID) and (L_p2_2 or L_p2_3 or L_p2_4 or L_p2_5))) and (not RLS_p2)  # p2: inputs were lost while locked
+        N_D_p2 = (D_p2 or ((not VALID) and (L_p2_2 or L_p2_3 or L_p2_4 or L_p2_5))) and (not RLS_p2)  # p2: detection is not relied on, inputs were lost or a train is called on
         N_K_p3 = K_p3 and (not RLS_p3)  # p3: restart lock (R16)
         N_L_p3_3 = (L_p3_3 or GW_p3_3) and (not RLS_p3)  # p3 locked from p2|p3@P2.normal to p3|sh2@D2.outer
         N_L_p3_4 = (L_p3_4 or GW_p3_4) and (not RLS_p3)  # p3 locked from p2|p3@P2.normal to p3|sh3@D3.outer
@@ -1251,7 +1251,7 @@ class Controller:
         N_F_p3 = (F_p3 or LK_R4 or LK_R5 or LK_R9 or LK_R10) and (not RLS_p3)  # p3 firmly locked
         N_U_p3 = (U_p3 or NU_p3_3 or NU_p3_4 or NU_p3_5) and (not RLS_p3)  # p3 used by a train (R9)
         N_P_p3 = (P_p3 or (U_p3 and OCC_p3 and (NU_p2_3 or NU_sh2_2 or NU_sh3_2))) and (not RLS_p3)  # p3: the train went on (R9)
-        N_D_p3 = (D_p3 or ((not VALID) and (L_p3_3 or L_p3_4 or L_p3_5 or L_p3_6))) and (not RLS_p3)  # p3: inputs were lost while locked
+        N_D_p3 = (D_p3 or ((not VALID) and (L_p3_3 or L_p3_4 or L_p3_5 or L_p3_6))) and (not RLS_p3)  # p3: detection is not relied on, inputs were lost or a train is called on
         N_K_ph = K_ph and (not RLS_ph)  # ph: restart lock (R16)
         N_L_ph_1 = (L_ph_1 or GW_ph_1) and (not RLS_ph)  # ph locked from arr|ph@PH.toe to brg|ph@PH.normal
         N_L_ph_3 = (L_ph_3 or GW_ph_3) and (not RLS_ph)  # ph locked from brg|ph@PH.normal to arr|ph@PH.toe
@@ -1259,41 +1259,41 @@ class Controller:
         N_F_ph = (F_ph or LK_R1 or LK_R8 or LK_R9 or LK_R10 or LK_R11) and (not RLS_ph)  # ph firmly locked
         N_U_ph = (U_ph or NU_ph_1 or NU_ph_2) and (not RLS_ph)  # ph used by a train (R9)
         N_P_ph = (P_ph or (U_ph and OCC_ph and (NU_arr_2 or NU_brg_2))) and (not RLS_ph)  # ph: the train went on (R9)
-        N_D_ph = (D_ph or ((not VALID) and (L_ph_1 or L_ph_3))) and (not RLS_ph)  # ph: inputs were lost while locked
+        N_D_ph = (D_ph or ((not VALID) and (L_ph_1 or L_ph_3))) and (not RLS_ph)  # ph: detection is not relied on, inputs were lost or a train is called on
         N_K_sh1 = K_sh1 and (not RLS_sh1)  # sh1: restart lock (R16)
         N_L_sh1_2 = (L_sh1_2 or (GB_sh1_2 and FREE_sh1)) and (not RLS_sh1)  # sh1 locked from p2|sh1@D1.outer to H1
         N_M_sh1 = M_sh1 and (not RLS_sh1) and (not AR_sh1)  # sh1 locked for a train movement
         N_F_sh1 = (F_sh1 or (LK_R3 and L_sh1_2)) and (not RLS_sh1)  # sh1 firmly locked
         N_U_sh1 = (U_sh1 or NU_sh1_2) and (not RLS_sh1)  # sh1 used by a train (R9)
         N_P_sh1 = (P_sh1 or (U_sh1 and OCC_sh1 and NU_p2_4)) and (not RLS_sh1)  # sh1: the train went on (R9)
-        N_D_sh1 = (D_sh1 or ((not VALID) and L_sh1_2)) and (not RLS_sh1)  # sh1: inputs were lost while locked
+        N_D_sh1 = (D_sh1 or ((not VALID) and L_sh1_2)) and (not RLS_sh1)  # sh1: detection is not relied on, inputs were lost or a train is called on
         N_K_sh2 = K_sh2 and (not RLS_sh2)  # sh2: restart lock (R16)
         N_L_sh2_2 = (L_sh2_2 or (GB_sh2_2 and FREE_sh2)) and (not RLS_sh2)  # sh2 locked from p3|sh2@D2.outer to H2
         N_M_sh2 = M_sh2 and (not RLS_sh2) and (not AR_sh2)  # sh2 locked for a train movement
         N_F_sh2 = (F_sh2 or (LK_R4 and L_sh2_2)) and (not RLS_sh2)  # sh2 firmly locked
         N_U_sh2 = (U_sh2 or NU_sh2_2) and (not RLS_sh2)  # sh2 used by a train (R9)
         N_P_sh2 = (P_sh2 or (U_sh2 and OCC_sh2 and NU_p3_4)) and (not RLS_sh2)  # sh2: the train went on (R9)
-        N_D_sh2 = (D_sh2 or ((not VALID) and L_sh2_2)) and (not RLS_sh2)  # sh2: inputs were lost while locked
+        N_D_sh2 = (D_sh2 or ((not VALID) and L_sh2_2)) and (not RLS_sh2)  # sh2: detection is not relied on, inputs were lost or a train is called on
         N_K_sh3 = K_sh3 and (not RLS_sh3)  # sh3: restart lock (R16)
         N_L_sh3_2 = (L_sh3_2 or (GB_sh3_2 and FREE_sh3)) and (not RLS_sh3)  # sh3 locked from p3|sh3@D3.outer to H3
         N_M_sh3 = M_sh3 and (not RLS_sh3) and (not AR_sh3)  # sh3 locked for a train movement
         N_F_sh3 = (F_sh3 or (LK_R5 and L_sh3_2)) and (not RLS_sh3)  # sh3 firmly locked
         N_U_sh3 = (U_sh3 or NU_sh3_2) and (not RLS_sh3)  # sh3 used by a train (R9)
         N_P_sh3 = (P_sh3 or (U_sh3 and OCC_sh3 and NU_p3_5)) and (not RLS_sh3)  # sh3: the train went on (R9)
-        N_D_sh3 = (D_sh3 or ((not VALID) and L_sh3_2)) and (not RLS_sh3)  # sh3: inputs were lost while locked
+        N_D_sh3 = (D_sh3 or ((not VALID) and L_sh3_2)) and (not RLS_sh3)  # sh3: detection is not relied on, inputs were lost or a train is called on
         N_K_sto = K_sto and (not RLS_sto)  # sto: restart lock (R16)
         N_M_sto = M_sto and (not RLS_sto)  # sto locked for a train movement
         N_F_sto = F_sto and (not RLS_sto)  # sto firmly locked
         N_U_sto = U_sto and (not RLS_sto)  # sto used by a train (R9)
         N_P_sto = P_sto and (not RLS_sto)  # sto: the train went on (R9)
-        N_D_sto = D_sto and (not RLS_sto)  # sto: inputs were lost while locked
+        N_D_sto = D_sto and (not RLS_sto)  # sto: detection is not relied on, inputs were lost or a train is called on
         N_K_wsh = K_wsh and (not RLS_wsh)  # wsh: restart lock (R16)
         N_L_wsh_2 = (L_wsh_2 or (GB_wsh_2 and FREE_wsh)) and (not RLS_wsh)  # wsh locked from p1|wsh@P1.reverse to WASH
         N_M_wsh = M_wsh and (not RLS_wsh) and (not AR_wsh)  # wsh locked for a train movement
         N_F_wsh = (F_wsh or (LK_R6 and L_wsh_2)) and (not RLS_wsh)  # wsh firmly locked
         N_U_wsh = (U_wsh or NU_wsh_2) and (not RLS_wsh)  # wsh used by a train (R9)
         N_P_wsh = (P_wsh or (U_wsh and NU_p1_3)) and (not RLS_wsh)  # wsh: the train went on (R9)
-        N_D_wsh = (D_wsh or ((not VALID) and L_wsh_2)) and (not RLS_wsh)  # wsh: inputs were lost while locked
+        N_D_wsh = (D_wsh or ((not VALID) and L_wsh_2)) and (not RLS_wsh)  # wsh: detection is not relied on, inputs were lost or a train is called on
         N_C_A2 = PR_R2 and PR_R2  # A2 shows clear
         N_C_E = PR_R7 and False  # E shows clear
         self.state = {

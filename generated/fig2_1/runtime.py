@@ -1,7 +1,7 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 16dffb4b984fd867c2ad984ab2b5ae2ad294b3f9a7e3ce1eacef474ff5615eee
-# claims 12ece84bfd2216ee913c3cd704af8963535be3a0cf64f521a7be8977259021c2
+# layout f3bf77702b0ea2df3ef0e1bd175fd5732eed64d522c031f0c21703e804d4c591
+# claims 1ad5bf5c639f6adc4fcc0037658aabc9a5900f7144a47cc56eccb2c4059062bf
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -156,7 +156,7 @@ STATE = {
     'F_A': False,  # A firmly locked
     'U_A': True,  # A used by a train (R9)
     'P_A': False,  # A: the train went on (R9)
-    'D_A': False,  # A: inputs were lost while locked
+    'D_A': False,  # A: detection is not relied on, inputs were lost or a train is called on
     'K_B': True,  # B: restart lock (R16)
     'L_B_1': False,  # B locked from A|B@PB.normal to B|C@PB.toe
     'L_B_2': False,  # B locked from B|C@PB.toe to A|B@PB.normal
@@ -164,21 +164,21 @@ STATE = {
     'F_B': False,  # B firmly locked
     'U_B': True,  # B used by a train (R9)
     'P_B': False,  # B: the train went on (R9)
-    'D_B': False,  # B: inputs were lost while locked
+    'D_B': False,  # B: detection is not relied on, inputs were lost or a train is called on
     'K_C': True,  # C: restart lock (R16)
     'L_C_1': False,  # C locked from B|C@PB.toe to C|D@line.0
     'L_C_2': False,  # C locked from C|D@line.0 to B|C@PB.toe
     'F_C': False,  # C firmly locked
     'U_C': True,  # C used by a train (R9)
     'P_C': False,  # C: the train went on (R9)
-    'D_C': False,  # C: inputs were lost while locked
+    'D_C': False,  # C: detection is not relied on, inputs were lost or a train is called on
     'K_D': True,  # D: restart lock (R16)
     'L_D_1': False,  # D locked from C|D@line.0 to D|E@PE.toe
     'L_D_2': False,  # D locked from D|E@PE.toe to C|D@line.0
     'F_D': False,  # D firmly locked
     'U_D': True,  # D used by a train (R9)
     'P_D': False,  # D: the train went on (R9)
-    'D_D': False,  # D: inputs were lost while locked
+    'D_D': False,  # D: detection is not relied on, inputs were lost or a train is called on
     'K_E': True,  # E: restart lock (R16)
     'L_E_1': False,  # E locked from D|E@PE.toe to E|F@PE.normal
     'L_E_2': False,  # E locked from D|E@PE.toe to E|H@PE.reverse
@@ -186,38 +186,38 @@ STATE = {
     'F_E': False,  # E firmly locked
     'U_E': True,  # E used by a train (R9)
     'P_E': False,  # E: the train went on (R9)
-    'D_E': False,  # E: inputs were lost while locked
+    'D_E': False,  # E: detection is not relied on, inputs were lost or a train is called on
     'K_F': True,  # F: restart lock (R16)
     'L_F_1': False,  # F locked from E|F@PE.normal to F|ap_II@two.0
     'F_F': False,  # F firmly locked
     'U_F': True,  # F used by a train (R9)
     'P_F': False,  # F: the train went on (R9)
-    'D_F': False,  # F: inputs were lost while locked
+    'D_F': False,  # F: detection is not relied on, inputs were lost or a train is called on
     'K_G': True,  # G: restart lock (R16)
     'L_G_1': False,  # G locked from B|G@PB.reverse to G|ap_IV@four.0
     'F_G': False,  # G firmly locked
     'U_G': True,  # G used by a train (R9)
     'P_G': False,  # G: the train went on (R9)
-    'D_G': False,  # G: inputs were lost while locked
+    'D_G': False,  # G: detection is not relied on, inputs were lost or a train is called on
     'K_H': True,  # H: restart lock (R16)
     'L_H_1': False,  # H locked from E|H@PE.reverse to III
     'L_H_2': False,  # H locked from III to E|H@PE.reverse
     'F_H': False,  # H firmly locked
     'U_H': True,  # H used by a train (R9)
     'P_H': False,  # H: the train went on (R9)
-    'D_H': False,  # H: inputs were lost while locked
+    'D_H': False,  # H: detection is not relied on, inputs were lost or a train is called on
     'K_ap_II': True,  # ap_II: restart lock (R16)
     'L_ap_II_1': False,  # ap_II locked from F|ap_II@two.0 to II
     'F_ap_II': False,  # ap_II firmly locked
     'U_ap_II': True,  # ap_II used by a train (R9)
     'P_ap_II': False,  # ap_II: the train went on (R9)
-    'D_ap_II': False,  # ap_II: inputs were lost while locked
+    'D_ap_II': False,  # ap_II: detection is not relied on, inputs were lost or a train is called on
     'K_ap_IV': True,  # ap_IV: restart lock (R16)
     'L_ap_IV_1': False,  # ap_IV locked from G|ap_IV@four.0 to IV
     'F_ap_IV': False,  # ap_IV firmly locked
     'U_ap_IV': True,  # ap_IV used by a train (R9)
     'P_ap_IV': False,  # ap_IV: the train went on (R9)
-    'D_ap_IV': False,  # ap_IV: inputs were lost while locked
+    'D_ap_IV': False,  # ap_IV: detection is not relied on, inputs were lost or a train is called on
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -910,7 +910,7 @@ class Controller:
         N_F_A = (F_A or LK_R3 or LK_R8) and (not RLS_A)  # A firmly locked
         N_U_A = (U_A or NU_A_1 or NU_A_2) and (not RLS_A)  # A used by a train (R9)
         N_P_A = (P_A or (U_A and OCC_A and NU_B_1)) and (not RLS_A)  # A: the train went on (R9)
-        N_D_A = (D_A or ((not VALID) and (L_A_1 or L_A_2))) and (not RLS_A)  # A: inputs were lost while locked
+        N_D_A = (D_A or ((not VALID) and (L_A_1 or L_A_2))) and (not RLS_A)  # A: detection is not relied on, inputs were lost or a train is called on
         N_K_B = K_B and (not RLS_B)  # B: restart lock (R16)
         N_L_B_1 = (L_B_1 or GW_B_1) and (not RLS_B)  # B locked from A|B@PB.normal to B|C@PB.toe
         N_L_B_2 = (L_B_2 or GW_B_2) and (not RLS_B)  # B locked from B|C@PB.toe to A|B@PB.normal
@@ -918,21 +918,21 @@ class Controller:
         N_F_B = (F_B or LK_R10 or LK_R3 or LK_R4) and (not RLS_B)  # B firmly locked
         N_U_B = (U_B or NU_B_1 or NU_B_2) and (not RLS_B)  # B used by a train (R9)
         N_P_B = (P_B or (U_B and OCC_B and (NU_A_1 or NU_C_1 or NU_G_1))) and (not RLS_B)  # B: the train went on (R9)
-        N_D_B = (D_B or ((not VALID) and (L_B_1 or L_B_2 or L_B_3))) and (not RLS_B)  # B: inputs were lost while locked
+        N_D_B = (D_B or ((not VALID) and (L_B_1 or L_B_2 or L_B_3))) and (not RLS_B)  # B: detection is not relied on, inputs were lost or a train is called on
         N_K_C = K_C and (not RLS_C)  # C: restart lock (R16)
         N_L_C_1 = (L_C_1 or GW_C_1) and (not RLS_C)  # C locked from B|C@PB.toe to C|D@line.0
         N_L_C_2 = (L_C_2 or GW_C_2) and (not RLS_C)  # C locked from C|D@line.0 to B|C@PB.toe
         N_F_C = (F_C or LK_R10 or LK_R3 or LK_R4) and (not RLS_C)  # C firmly locked
         N_U_C = (U_C or NU_C_1 or NU_C_2) and (not RLS_C)  # C used by a train (R9)
         N_P_C = (P_C or (U_C and OCC_C and (NU_B_2 or NU_D_1))) and (not RLS_C)  # C: the train went on (R9)
-        N_D_C = (D_C or ((not VALID) and (L_C_1 or L_C_2))) and (not RLS_C)  # C: inputs were lost while locked
+        N_D_C = (D_C or ((not VALID) and (L_C_1 or L_C_2))) and (not RLS_C)  # C: detection is not relied on, inputs were lost or a train is called on
         N_K_D = K_D and (not RLS_D)  # D: restart lock (R16)
         N_L_D_1 = (L_D_1 or GW_D_1) and (not RLS_D)  # D locked from C|D@line.0 to D|E@PE.toe
         N_L_D_2 = (L_D_2 or GW_D_2) and (not RLS_D)  # D locked from D|E@PE.toe to C|D@line.0
         N_F_D = (F_D or LK_R1 or LK_R2 or LK_R5) and (not RLS_D)  # D firmly locked
         N_U_D = (U_D or NU_D_1 or NU_D_2) and (not RLS_D)  # D used by a train (R9)
         N_P_D = (P_D or (U_D and OCC_D and (NU_C_2 or NU_E_1))) and (not RLS_D)  # D: the train went on (R9)
-        N_D_D = (D_D or ((not VALID) and (L_D_1 or L_D_2))) and (not RLS_D)  # D: inputs were lost while locked
+        N_D_D = (D_D or ((not VALID) and (L_D_1 or L_D_2))) and (not RLS_D)  # D: detection is not relied on, inputs were lost or a train is called on
         N_K_E = K_E and (not RLS_E)  # E: restart lock (R16)
         N_L_E_1 = (L_E_1 or GW_E_1) and (not RLS_E)  # E locked from D|E@PE.toe to E|F@PE.normal
         N_L_E_2 = (L_E_2 or GW_E_2) and (not RLS_E)  # E locked from D|E@PE.toe to E|H@PE.reverse
@@ -940,38 +940,38 @@ class Controller:
         N_F_E = (F_E or LK_R2 or LK_R1 or LK_R5) and (not RLS_E)  # E firmly locked
         N_U_E = (U_E or NU_E_1 or NU_E_3) and (not RLS_E)  # E used by a train (R9)
         N_P_E = (P_E or (U_E and OCC_E and (NU_D_2 or NU_F_1 or NU_H_1))) and (not RLS_E)  # E: the train went on (R9)
-        N_D_E = (D_E or ((not VALID) and (L_E_1 or L_E_2 or L_E_4))) and (not RLS_E)  # E: inputs were lost while locked
+        N_D_E = (D_E or ((not VALID) and (L_E_1 or L_E_2 or L_E_4))) and (not RLS_E)  # E: detection is not relied on, inputs were lost or a train is called on
         N_K_F = K_F and (not RLS_F)  # F: restart lock (R16)
         N_L_F_1 = (L_F_1 or GW_F_1) and (not RLS_F)  # F locked from E|F@PE.normal to F|ap_II@two.0
         N_F_F = (F_F or LK_R2) and (not RLS_F)  # F firmly locked
         N_U_F = (U_F or NU_F_1) and (not RLS_F)  # F used by a train (R9)
         N_P_F = (P_F or (U_F and OCC_F and NU_ap_II_1)) and (not RLS_F)  # F: the train went on (R9)
-        N_D_F = (D_F or ((not VALID) and L_F_1)) and (not RLS_F)  # F: inputs were lost while locked
+        N_D_F = (D_F or ((not VALID) and L_F_1)) and (not RLS_F)  # F: detection is not relied on, inputs were lost or a train is called on
         N_K_G = K_G and (not RLS_G)  # G: restart lock (R16)
         N_L_G_1 = (L_G_1 or GW_G_1) and (not RLS_G)  # G locked from B|G@PB.reverse to G|ap_IV@four.0
         N_F_G = (F_G or LK_R4) and (not RLS_G)  # G firmly locked
         N_U_G = (U_G or NU_G_1) and (not RLS_G)  # G used by a train (R9)
         N_P_G = (P_G or (U_G and OCC_G and NU_ap_IV_1)) and (not RLS_G)  # G: the train went on (R9)
-        N_D_G = (D_G or ((not VALID) and L_G_1)) and (not RLS_G)  # G: inputs were lost while locked
+        N_D_G = (D_G or ((not VALID) and L_G_1)) and (not RLS_G)  # G: detection is not relied on, inputs were lost or a train is called on
         N_K_H = K_H and (not RLS_H)  # H: restart lock (R16)
         N_L_H_1 = (L_H_1 or GW_H_1) and (not RLS_H)  # H locked from E|H@PE.reverse to III
         N_L_H_2 = (L_H_2 or GW_H_2) and (not RLS_H)  # H locked from III to E|H@PE.reverse
         N_F_H = (F_H or LK_R1 or LK_R9) and (not RLS_H)  # H firmly locked
         N_U_H = (U_H or NU_H_1 or NU_H_2) and (not RLS_H)  # H used by a train (R9)
         N_P_H = (P_H or (U_H and OCC_H and NU_E_3)) and (not RLS_H)  # H: the train went on (R9)
-        N_D_H = (D_H or ((not VALID) and (L_H_1 or L_H_2))) and (not RLS_H)  # H: inputs were lost while locked
+        N_D_H = (D_H or ((not VALID) and (L_H_1 or L_H_2))) and (not RLS_H)  # H: detection is not relied on, inputs were lost or a train is called on
         N_K_ap_II = K_ap_II and (not RLS_ap_II)  # ap_II: restart lock (R16)
         N_L_ap_II_1 = (L_ap_II_1 or GW_ap_II_1) and (not RLS_ap_II)  # ap_II locked from F|ap_II@two.0 to II
         N_F_ap_II = (F_ap_II or LK_R6) and (not RLS_ap_II)  # ap_II firmly locked
         N_U_ap_II = (U_ap_II or NU_ap_II_1) and (not RLS_ap_II)  # ap_II used by a train (R9)
         N_P_ap_II = P_ap_II and (not RLS_ap_II)  # ap_II: the train went on (R9)
-        N_D_ap_II = (D_ap_II or ((not VALID) and L_ap_II_1)) and (not RLS_ap_II)  # ap_II: inputs were lost while locked
+        N_D_ap_II = (D_ap_II or ((not VALID) and L_ap_II_1)) and (not RLS_ap_II)  # ap_II: detection is not relied on, inputs were lost or a train is called on
         N_K_ap_IV = K_ap_IV and (not RLS_ap_IV)  # ap_IV: restart lock (R16)
         N_L_ap_IV_1 = (L_ap_IV_1 or GW_ap_IV_1) and (not RLS_ap_IV)  # ap_IV locked from G|ap_IV@four.0 to IV
         N_F_ap_IV = (F_ap_IV or LK_R7) and (not RLS_ap_IV)  # ap_IV firmly locked
         N_U_ap_IV = (U_ap_IV or NU_ap_IV_1) and (not RLS_ap_IV)  # ap_IV used by a train (R9)
         N_P_ap_IV = P_ap_IV and (not RLS_ap_IV)  # ap_IV: the train went on (R9)
-        N_D_ap_IV = (D_ap_IV or ((not VALID) and L_ap_IV_1)) and (not RLS_ap_IV)  # ap_IV: inputs were lost while locked
+        N_D_ap_IV = (D_ap_IV or ((not VALID) and L_ap_IV_1)) and (not RLS_ap_IV)  # ap_IV: detection is not relied on, inputs were lost or a train is called on
         self.state = {
             'CN_PB': bool(N_CN_PB),
             'CR_PB': bool(N_CR_PB),

@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 48b56ad2f3c1fec64038b7ecd634f1c1eda05f712e8c8e79bcd9b17ea94daad5
-# claims 5c13cf05123ccaa60f48844dfa6e7e11a9382ece14a86f186f02dd8e2bdbb40c
+# layout c28abfd0e668e293714356395dfeedbff14d084ac0bd81f4f4a11d6922fa3845
+# claims 99e2246efe6adf1b6230309e4b57a2d7afebbfe1a9e1519622697e869b2eb35e
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -65,7 +65,7 @@ STATE = {
     'F_DP': False,  # DP firmly locked
     'U_DP': True,  # DP used by a train (R9)
     'P_DP': False,  # DP: the train went on (R9)
-    'D_DP': False,  # DP: inputs were lost while locked
+    'D_DP': False,  # DP: detection is not relied on, inputs were lost or a train is called on
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -288,7 +288,7 @@ class Controller:
         N_F_DP = (F_DP or LK_R3 or LK_R4 or LK_R1 or LK_R2) and (not RLS_DP)  # DP firmly locked
         N_U_DP = (U_DP or NU_DP_1 or NU_DP_2 or NU_DP_3) and (not RLS_DP)  # DP used by a train (R9)
         N_P_DP = P_DP and (not RLS_DP)  # DP: the train went on (R9)
-        N_D_DP = (D_DP or ((not VALID) and (L_DP_1 or L_DP_2 or L_DP_3 or L_DP_4))) and (not RLS_DP)  # DP: inputs were lost while locked
+        N_D_DP = (D_DP or ((not VALID) and (L_DP_1 or L_DP_2 or L_DP_3 or L_DP_4))) and (not RLS_DP)  # DP: detection is not relied on, inputs were lost or a train is called on
         self.state = {
             'CN_P1': bool(N_CN_P1),
             'CR_P1': bool(N_CR_P1),

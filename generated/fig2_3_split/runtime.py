@@ -1,7 +1,7 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout b9b329a01752cf6c757de493e1d17e03b0140970eb7a770e0d6eec48cd002f2b
-# claims 57d280561ecc65dc805b26f9c6a2441a2299a00791cb52acc222b20062999aa4
+# layout 37b3606622d77cb65182afde11e1317a5c6922915ac21bac89378eecb7bfc926
+# claims 18dafba283573395381536209d3556dc87214b5214347f6966bef99f82ca04e8
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -77,19 +77,19 @@ STATE = {
     'F_III': False,  # III firmly locked
     'U_III': True,  # III used by a train (R9)
     'P_III': False,  # III: the train went on (R9)
-    'D_III': False,  # III: inputs were lost while locked
+    'D_III': False,  # III: detection is not relied on, inputs were lost or a train is called on
     'K_IV': True,  # IV: restart lock (R16)
     'L_IV_1': False,  # IV locked from III|IV@P1.normal to IV|SC@main.0
     'F_IV': False,  # IV firmly locked
     'U_IV': True,  # IV used by a train (R9)
     'P_IV': False,  # IV: the train went on (R9)
-    'D_IV': False,  # IV: inputs were lost while locked
+    'D_IV': False,  # IV: detection is not relied on, inputs were lost or a train is called on
     'K_SC': True,  # SC: restart lock (R16)
     'L_SC_2': False,  # SC locked from IV|SC@main.0 to C
     'F_SC': False,  # SC firmly locked
     'U_SC': True,  # SC used by a train (R9)
     'P_SC': False,  # SC: the train went on (R9)
-    'D_SC': False,  # SC: inputs were lost while locked
+    'D_SC': False,  # SC: detection is not relied on, inputs were lost or a train is called on
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -385,19 +385,19 @@ class Controller:
         N_F_III = (F_III or LK_R1 or LK_R2 or LK_R3 or LK_R5) and (not RLS_III)  # III firmly locked
         N_U_III = (U_III or NU_III_1 or NU_III_2 or NU_III_3) and (not RLS_III)  # III used by a train (R9)
         N_P_III = (P_III or (U_III and OCC_III and NU_IV_1)) and (not RLS_III)  # III: the train went on (R9)
-        N_D_III = (D_III or ((not VALID) and (L_III_1 or L_III_2 or L_III_3 or L_III_4))) and (not RLS_III)  # III: inputs were lost while locked
+        N_D_III = (D_III or ((not VALID) and (L_III_1 or L_III_2 or L_III_3 or L_III_4))) and (not RLS_III)  # III: detection is not relied on, inputs were lost or a train is called on
         N_K_IV = K_IV and (not RLS_IV)  # IV: restart lock (R16)
         N_L_IV_1 = (L_IV_1 or GW_IV_1) and (not RLS_IV)  # IV locked from III|IV@P1.normal to IV|SC@main.0
         N_F_IV = (F_IV or LK_R2) and (not RLS_IV)  # IV firmly locked
         N_U_IV = (U_IV or NU_IV_1) and (not RLS_IV)  # IV used by a train (R9)
         N_P_IV = (P_IV or (U_IV and OCC_IV and (NU_III_3 or NU_SC_2))) and (not RLS_IV)  # IV: the train went on (R9)
-        N_D_IV = (D_IV or ((not VALID) and L_IV_1)) and (not RLS_IV)  # IV: inputs were lost while locked
+        N_D_IV = (D_IV or ((not VALID) and L_IV_1)) and (not RLS_IV)  # IV: detection is not relied on, inputs were lost or a train is called on
         N_K_SC = K_SC and (not RLS_SC)  # SC: restart lock (R16)
         N_L_SC_2 = (L_SC_2 or GW_SC_2) and (not RLS_SC)  # SC locked from IV|SC@main.0 to C
         N_F_SC = (F_SC or LK_R4) and (not RLS_SC)  # SC firmly locked
         N_U_SC = (U_SC or NU_SC_2) and (not RLS_SC)  # SC used by a train (R9)
         N_P_SC = P_SC and (not RLS_SC)  # SC: the train went on (R9)
-        N_D_SC = (D_SC or ((not VALID) and L_SC_2)) and (not RLS_SC)  # SC: inputs were lost while locked
+        N_D_SC = (D_SC or ((not VALID) and L_SC_2)) and (not RLS_SC)  # SC: detection is not relied on, inputs were lost or a train is called on
         self.state = {
             'CN_P1': bool(N_CN_P1),
             'CR_P1': bool(N_CR_P1),

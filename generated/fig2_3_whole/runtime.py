@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 5d2a4bb524ca9718622620552d33a6172b5f969b4cb86a9e9cdf181847747989
-# claims 3e285fc5d103a2e625068c70e921cc481a945149091842782ec7a51696ad0a54
+# layout b7474c3758785277caf0ab30273c735d61feb2aab7641fa843b323ccb235a023
+# claims b45b28edd30bea72a28adb412ffbf6d5b66678d34d63939db4430e565a099a51
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -66,13 +66,13 @@ STATE = {
     'F_III': False,  # III firmly locked
     'U_III': True,  # III used by a train (R9)
     'P_III': False,  # III: the train went on (R9)
-    'D_III': False,  # III: inputs were lost while locked
+    'D_III': False,  # III: detection is not relied on, inputs were lost or a train is called on
     'K_SC': True,  # SC: restart lock (R16)
     'L_SC_2': False,  # SC locked from III|SC@main.0 to C
     'F_SC': False,  # SC firmly locked
     'U_SC': True,  # SC used by a train (R9)
     'P_SC': False,  # SC: the train went on (R9)
-    'D_SC': False,  # SC: inputs were lost while locked
+    'D_SC': False,  # SC: detection is not relied on, inputs were lost or a train is called on
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -309,13 +309,13 @@ class Controller:
         N_F_III = (F_III or LK_R1 or LK_R2 or LK_R3) and (not RLS_III)  # III firmly locked
         N_U_III = (U_III or NU_III_1 or NU_III_2) and (not RLS_III)  # III used by a train (R9)
         N_P_III = (P_III or (U_III and OCC_III and NU_SC_2)) and (not RLS_III)  # III: the train went on (R9)
-        N_D_III = (D_III or ((not VALID) and (L_III_1 or L_III_2 or L_III_3))) and (not RLS_III)  # III: inputs were lost while locked
+        N_D_III = (D_III or ((not VALID) and (L_III_1 or L_III_2 or L_III_3))) and (not RLS_III)  # III: detection is not relied on, inputs were lost or a train is called on
         N_K_SC = K_SC and (not RLS_SC)  # SC: restart lock (R16)
         N_L_SC_2 = (L_SC_2 or GW_SC_2) and (not RLS_SC)  # SC locked from III|SC@main.0 to C
         N_F_SC = (F_SC or LK_R4) and (not RLS_SC)  # SC firmly locked
         N_U_SC = (U_SC or NU_SC_2) and (not RLS_SC)  # SC used by a train (R9)
         N_P_SC = P_SC and (not RLS_SC)  # SC: the train went on (R9)
-        N_D_SC = (D_SC or ((not VALID) and L_SC_2)) and (not RLS_SC)  # SC: inputs were lost while locked
+        N_D_SC = (D_SC or ((not VALID) and L_SC_2)) and (not RLS_SC)  # SC: detection is not relied on, inputs were lost or a train is called on
         self.state = {
             'CN_P1': bool(N_CN_P1),
             'CR_P1': bool(N_CR_P1),

@@ -1,7 +1,7 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 257f98b5db2fd4db0b37ac339153ad8882af4b393caf2ae0ebf6ea754c92119e
-# claims d6e7f874afd5010c3160a259b803f64f53dcf327da59d3094f872a2318d25a39
+# layout b04ddf896540857ad28aef4e8ba4e32db13b90c1145fd585b0d5d9185f2d5270
+# claims cc70fda5884c6a7464dbbda985253a5d91b3a219c26f34737f2919b2c2356d90
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -174,48 +174,48 @@ STATE = {
     'F_g2': False,  # g2 firmly locked
     'U_g2': True,  # g2 used by a train (R9)
     'P_g2': False,  # g2: the train went on (R9)
-    'D_g2': False,  # g2: inputs were lost while locked
+    'D_g2': False,  # g2: detection is not relied on, inputs were lost or a train is called on
     'K_g4': True,  # g4: restart lock (R16)
     'L_g4_1': False,  # g4 locked from g4|w2@2.toe to g4|w6@6.toe
     'M_g4': False,  # g4 locked for a train movement
     'F_g4': False,  # g4 firmly locked
     'U_g4': True,  # g4 used by a train (R9)
     'P_g4': False,  # g4: the train went on (R9)
-    'D_g4': False,  # g4: inputs were lost while locked
+    'D_g4': False,  # g4: detection is not relied on, inputs were lost or a train is called on
     'K_g5': True,  # g5: restart lock (R16)
     'L_g5_2': False,  # g5 locked from g5|w6@6.normal to B
     'M_g5': False,  # g5 locked for a train movement
     'F_g5': False,  # g5 firmly locked
     'U_g5': True,  # g5 used by a train (R9)
     'P_g5': False,  # g5: the train went on (R9)
-    'D_g5': False,  # g5: inputs were lost while locked
+    'D_g5': False,  # g5: detection is not relied on, inputs were lost or a train is called on
     'K_g6': True,  # g6: restart lock (R16)
     'L_g6_2': False,  # g6 locked from g6|w6@6.reverse to C
     'M_g6': False,  # g6 locked for a train movement
     'F_g6': False,  # g6 firmly locked
     'U_g6': True,  # g6 used by a train (R9)
     'P_g6': False,  # g6: the train went on (R9)
-    'D_g6': False,  # g6: inputs were lost while locked
+    'D_g6': False,  # g6: detection is not relied on, inputs were lost or a train is called on
     'K_g8': True,  # g8: restart lock (R16)
     'L_g8_2': False,  # g8 locked from g8|w5@5.toe to g8|w2@2.reverse
     'M_g8': False,  # g8 locked for a train movement
     'F_g8': False,  # g8 firmly locked
     'U_g8': True,  # g8 used by a train (R9)
     'P_g8': False,  # g8: the train went on (R9)
-    'D_g8': False,  # g8: inputs were lost while locked
+    'D_g8': False,  # g8: detection is not relied on, inputs were lost or a train is called on
     'K_sid': True,  # sid: restart lock (R16)
     'M_sid': False,  # sid locked for a train movement
     'F_sid': False,  # sid firmly locked
     'U_sid': True,  # sid used by a train (R9)
     'P_sid': False,  # sid: the train went on (R9)
-    'D_sid': False,  # sid: inputs were lost while locked
+    'D_sid': False,  # sid: detection is not relied on, inputs were lost or a train is called on
     'K_w0': True,  # w0: restart lock (R16)
     'L_w0_1': False,  # w0 locked from A to w0|w1@1.toe
     'M_w0': False,  # w0 locked for a train movement
     'F_w0': False,  # w0 firmly locked
     'U_w0': True,  # w0 used by a train (R9)
     'P_w0': False,  # w0: the train went on (R9)
-    'D_w0': False,  # w0: inputs were lost while locked
+    'D_w0': False,  # w0: detection is not relied on, inputs were lost or a train is called on
     'K_w1': True,  # w1: restart lock (R16)
     'L_w1_2': False,  # w1 locked from w0|w1@1.toe to g2|w1@1.normal
     'L_w1_3': False,  # w1 locked from w0|w1@1.toe to w1|w5@1.reverse
@@ -223,7 +223,7 @@ STATE = {
     'F_w1': False,  # w1 firmly locked
     'U_w1': True,  # w1 used by a train (R9)
     'P_w1': False,  # w1: the train went on (R9)
-    'D_w1': False,  # w1: inputs were lost while locked
+    'D_w1': False,  # w1: detection is not relied on, inputs were lost or a train is called on
     'K_w2': True,  # w2: restart lock (R16)
     'L_w2_1': False,  # w2 locked from g2|w2@2.normal to g4|w2@2.toe
     'L_w2_4': False,  # w2 locked from g8|w2@2.reverse to g4|w2@2.toe
@@ -231,7 +231,7 @@ STATE = {
     'F_w2': False,  # w2 firmly locked
     'U_w2': True,  # w2 used by a train (R9)
     'P_w2': False,  # w2: the train went on (R9)
-    'D_w2': False,  # w2: inputs were lost while locked
+    'D_w2': False,  # w2: detection is not relied on, inputs were lost or a train is called on
     'K_w5': True,  # w5: restart lock (R16)
     'L_w5_4': False,  # w5 locked from sid|w5@Gs1.outer to g8|w5@5.toe
     'L_w5_5': False,  # w5 locked from w1|w5@1.reverse to g8|w5@5.toe
@@ -239,7 +239,7 @@ STATE = {
     'F_w5': False,  # w5 firmly locked
     'U_w5': True,  # w5 used by a train (R9)
     'P_w5': False,  # w5: the train went on (R9)
-    'D_w5': False,  # w5: inputs were lost while locked
+    'D_w5': False,  # w5: detection is not relied on, inputs were lost or a train is called on
     'K_w6': True,  # w6: restart lock (R16)
     'L_w6_1': False,  # w6 locked from g4|w6@6.toe to g5|w6@6.normal
     'L_w6_2': False,  # w6 locked from g4|w6@6.toe to g6|w6@6.reverse
@@ -247,7 +247,7 @@ STATE = {
     'F_w6': False,  # w6 firmly locked
     'U_w6': True,  # w6 used by a train (R9)
     'P_w6': False,  # w6: the train went on (R9)
-    'D_w6': False,  # w6: inputs were lost while locked
+    'D_w6': False,  # w6: detection is not relied on, inputs were lost or a train is called on
     'V_F_1': False,  # overlap 1 of F held
     'V_F_2': False,  # overlap 2 of F held
     'V_N2_1': False,  # overlap 1 of N2 held
@@ -1069,48 +1069,48 @@ class Controller:
         N_F_g2 = (F_g2 or LK_R7) and (not RLS_g2)  # g2 firmly locked
         N_U_g2 = (U_g2 or NU_g2_1) and (not RLS_g2)  # g2 used by a train (R9)
         N_P_g2 = (P_g2 or (U_g2 and OCC_g2 and NU_w2_1)) and (not RLS_g2)  # g2: the train went on (R9)
-        N_D_g2 = (D_g2 or ((not VALID) and L_g2_1)) and (not RLS_g2)  # g2: inputs were lost while locked
+        N_D_g2 = (D_g2 or ((not VALID) and L_g2_1)) and (not RLS_g2)  # g2: detection is not relied on, inputs were lost or a train is called on
         N_K_g4 = K_g4 and (not RLS_g4)  # g4: restart lock (R16)
         N_L_g4_1 = (L_g4_1 or GW_g4_1) and (not RLS_g4)  # g4 locked from g4|w2@2.toe to g4|w6@6.toe
         N_M_g4 = (M_g4 or G_R3 or G_R4 or G_R5 or G_R6) and (not RLS_g4)  # g4 locked for a train movement
         N_F_g4 = (F_g4 or LK_R3 or LK_R4 or LK_R5 or LK_R6) and (not RLS_g4)  # g4 firmly locked
         N_U_g4 = (U_g4 or NU_g4_1) and (not RLS_g4)  # g4 used by a train (R9)
         N_P_g4 = (P_g4 or (U_g4 and OCC_g4 and NU_w6_1)) and (not RLS_g4)  # g4: the train went on (R9)
-        N_D_g4 = (D_g4 or ((not VALID) and L_g4_1)) and (not RLS_g4)  # g4: inputs were lost while locked
+        N_D_g4 = (D_g4 or ((not VALID) and L_g4_1)) and (not RLS_g4)  # g4: detection is not relied on, inputs were lost or a train is called on
         N_K_g5 = K_g5 and (not RLS_g5)  # g5: restart lock (R16)
         N_L_g5_2 = (L_g5_2 or GW_g5_2) and (not RLS_g5)  # g5 locked from g5|w6@6.normal to B
         N_M_g5 = (M_g5 or G_R1) and (not RLS_g5)  # g5 locked for a train movement
         N_F_g5 = (F_g5 or LK_R1) and (not RLS_g5)  # g5 firmly locked
         N_U_g5 = (U_g5 or NU_g5_2) and (not RLS_g5)  # g5 used by a train (R9)
         N_P_g5 = P_g5 and (not RLS_g5)  # g5: the train went on (R9)
-        N_D_g5 = (D_g5 or ((not VALID) and L_g5_2)) and (not RLS_g5)  # g5: inputs were lost while locked
+        N_D_g5 = (D_g5 or ((not VALID) and L_g5_2)) and (not RLS_g5)  # g5: detection is not relied on, inputs were lost or a train is called on
         N_K_g6 = K_g6 and (not RLS_g6)  # g6: restart lock (R16)
         N_L_g6_2 = L_g6_2 and (not RLS_g6)  # g6 locked from g6|w6@6.reverse to C
         N_M_g6 = M_g6 and (not RLS_g6)  # g6 locked for a train movement
         N_F_g6 = F_g6 and (not RLS_g6)  # g6 firmly locked
         N_U_g6 = (U_g6 or NU_g6_2) and (not RLS_g6)  # g6 used by a train (R9)
         N_P_g6 = P_g6 and (not RLS_g6)  # g6: the train went on (R9)
-        N_D_g6 = (D_g6 or ((not VALID) and L_g6_2)) and (not RLS_g6)  # g6: inputs were lost while locked
+        N_D_g6 = (D_g6 or ((not VALID) and L_g6_2)) and (not RLS_g6)  # g6: detection is not relied on, inputs were lost or a train is called on
         N_K_g8 = K_g8 and (not RLS_g8)  # g8: restart lock (R16)
         N_L_g8_2 = (L_g8_2 or GW_g8_2) and (not RLS_g8)  # g8 locked from g8|w5@5.toe to g8|w2@2.reverse
         N_M_g8 = (M_g8 or G_R8) and (not RLS_g8)  # g8 locked for a train movement
         N_F_g8 = (F_g8 or LK_R2 or LK_R8) and (not RLS_g8)  # g8 firmly locked
         N_U_g8 = (U_g8 or NU_g8_2) and (not RLS_g8)  # g8 used by a train (R9)
         N_P_g8 = (P_g8 or (U_g8 and OCC_g8 and NU_w2_3)) and (not RLS_g8)  # g8: the train went on (R9)
-        N_D_g8 = (D_g8 or ((not VALID) and L_g8_2)) and (not RLS_g8)  # g8: inputs were lost while locked
+        N_D_g8 = (D_g8 or ((not VALID) and L_g8_2)) and (not RLS_g8)  # g8: detection is not relied on, inputs were lost or a train is called on
         N_K_sid = K_sid and (not RLS_sid)  # sid: restart lock (R16)
         N_M_sid = M_sid and (not RLS_sid)  # sid locked for a train movement
         N_F_sid = F_sid and (not RLS_sid)  # sid firmly locked
         N_U_sid = U_sid and (not RLS_sid)  # sid used by a train (R9)
         N_P_sid = (P_sid or (U_sid and OCC_sid and NU_w5_3)) and (not RLS_sid)  # sid: the train went on (R9)
-        N_D_sid = D_sid and (not RLS_sid)  # sid: inputs were lost while locked
+        N_D_sid = D_sid and (not RLS_sid)  # sid: detection is not relied on, inputs were lost or a train is called on
         N_K_w0 = K_w0 and (not RLS_w0)  # w0: restart lock (R16)
         N_L_w0_1 = (L_w0_1 or GW_w0_1) and (not RLS_w0)  # w0 locked from A to w0|w1@1.toe
         N_M_w0 = (M_w0 or G_R9 or G_R10) and (not RLS_w0)  # w0 locked for a train movement
         N_F_w0 = (F_w0 or LK_R9 or LK_R10) and (not RLS_w0)  # w0 firmly locked
         N_U_w0 = (U_w0 or NU_w0_1) and (not RLS_w0)  # w0 used by a train (R9)
         N_P_w0 = (P_w0 or (U_w0 and OCC_w0 and NU_w1_2)) and (not RLS_w0)  # w0: the train went on (R9)
-        N_D_w0 = (D_w0 or ((not VALID) and L_w0_1)) and (not RLS_w0)  # w0: inputs were lost while locked
+        N_D_w0 = (D_w0 or ((not VALID) and L_w0_1)) and (not RLS_w0)  # w0: detection is not relied on, inputs were lost or a train is called on
         N_K_w1 = K_w1 and (not RLS_w1)  # w1: restart lock (R16)
         N_L_w1_2 = (L_w1_2 or GW_w1_2) and (not RLS_w1)  # w1 locked from w0|w1@1.toe to g2|w1@1.normal
         N_L_w1_3 = (L_w1_3 or GW_w1_3) and (not RLS_w1)  # w1 locked from w0|w1@1.toe to w1|w5@1.reverse
@@ -1118,7 +1118,7 @@ class Controller:
         N_F_w1 = (F_w1 or LK_R7 or LK_R8) and (not RLS_w1)  # w1 firmly locked
         N_U_w1 = (U_w1 or NU_w1_2) and (not RLS_w1)  # w1 used by a train (R9)
         N_P_w1 = (P_w1 or (U_w1 and OCC_w1 and (NU_g2_1 or NU_w5_4))) and (not RLS_w1)  # w1: the train went on (R9)
-        N_D_w1 = (D_w1 or ((not VALID) and (L_w1_2 or L_w1_3))) and (not RLS_w1)  # w1: inputs were lost while locked
+        N_D_w1 = (D_w1 or ((not VALID) and (L_w1_2 or L_w1_3))) and (not RLS_w1)  # w1: detection is not relied on, inputs were lost or a train is called on
         N_K_w2 = K_w2 and (not RLS_w2)  # w2: restart lock (R16)
         N_L_w2_1 = (L_w2_1 or GW_w2_1) and (not RLS_w2)  # w2 locked from g2|w2@2.normal to g4|w2@2.toe
         N_L_w2_4 = (L_w2_4 or GW_w2_4) and (not RLS_w2)  # w2 locked from g8|w2@2.reverse to g4|w2@2.toe
@@ -1126,7 +1126,7 @@ class Controller:
         N_F_w2 = (F_w2 or LK_R3 or LK_R4 or LK_R5 or LK_R6) and (not RLS_w2)  # w2 firmly locked
         N_U_w2 = (U_w2 or NU_w2_1 or NU_w2_3) and (not RLS_w2)  # w2 used by a train (R9)
         N_P_w2 = (P_w2 or (U_w2 and OCC_w2 and NU_g4_1)) and (not RLS_w2)  # w2: the train went on (R9)
-        N_D_w2 = (D_w2 or ((not VALID) and (L_w2_1 or L_w2_4))) and (not RLS_w2)  # w2: inputs were lost while locked
+        N_D_w2 = (D_w2 or ((not VALID) and (L_w2_1 or L_w2_4))) and (not RLS_w2)  # w2: detection is not relied on, inputs were lost or a train is called on
         N_K_w5 = K_w5 and (not RLS_w5)  # w5: restart lock (R16)
         N_L_w5_4 = (L_w5_4 or GW_w5_4) and (not RLS_w5)  # w5 locked from sid|w5@Gs1.outer to g8|w5@5.toe
         N_L_w5_5 = (L_w5_5 or GW_w5_5) and (not RLS_w5)  # w5 locked from w1|w5@1.reverse to g8|w5@5.toe
@@ -1134,7 +1134,7 @@ class Controller:
         N_F_w5 = (F_w5 or LK_R2 or LK_R8) and (not RLS_w5)  # w5 firmly locked
         N_U_w5 = (U_w5 or NU_w5_3 or NU_w5_4) and (not RLS_w5)  # w5 used by a train (R9)
         N_P_w5 = (P_w5 or (U_w5 and OCC_w5 and NU_g8_2)) and (not RLS_w5)  # w5: the train went on (R9)
-        N_D_w5 = (D_w5 or ((not VALID) and (L_w5_4 or L_w5_5))) and (not RLS_w5)  # w5: inputs were lost while locked
+        N_D_w5 = (D_w5 or ((not VALID) and (L_w5_4 or L_w5_5))) and (not RLS_w5)  # w5: detection is not relied on, inputs were lost or a train is called on
         N_K_w6 = K_w6 and (not RLS_w6)  # w6: restart lock (R16)
         N_L_w6_1 = (L_w6_1 or GW_w6_1) and (not RLS_w6)  # w6 locked from g4|w6@6.toe to g5|w6@6.normal
         N_L_w6_2 = L_w6_2 and (not RLS_w6)  # w6 locked from g4|w6@6.toe to g6|w6@6.reverse
@@ -1142,7 +1142,7 @@ class Controller:
         N_F_w6 = (F_w6 or LK_R1) and (not RLS_w6)  # w6 firmly locked
         N_U_w6 = (U_w6 or NU_w6_1) and (not RLS_w6)  # w6 used by a train (R9)
         N_P_w6 = (P_w6 or (U_w6 and OCC_w6 and (NU_g5_2 or NU_g6_2))) and (not RLS_w6)  # w6: the train went on (R9)
-        N_D_w6 = (D_w6 or ((not VALID) and (L_w6_1 or L_w6_2))) and (not RLS_w6)  # w6: inputs were lost while locked
+        N_D_w6 = (D_w6 or ((not VALID) and (L_w6_1 or L_w6_2))) and (not RLS_w6)  # w6: detection is not relied on, inputs were lost or a train is called on
         N_V_F_1 = GO_F_1 or (V_F_1 and (not (OR_F and (not OCC_w6) and (not OCC_g5))))  # overlap 1 of F held
         N_V_F_2 = GO_F_2 or (V_F_2 and (not (OR_F and (not OCC_w6) and (not OCC_g6))))  # overlap 2 of F held
         N_V_N2_1 = GO_N2_1 or (V_N2_1 and (not (OR_N2 and (not OCC_w2) and (not OCC_g4))))  # overlap 1 of N2 held

@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 26cddb250b4c0100034a64b720a35075d528709b3c2b1018c73fda6b6f6c0096
-# claims fdbd91d3e1817c3bd47ada261177fd43f270fab0c4017d3e468656ab5ca07463
+# layout 7648b7ab91209fac82c04781a979aa19034b68903f06804eb254987634c806c8
+# claims 2e81d54eb65bd88639dca8b45602629fd86a631855474b7291e9d5b02766cee3
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -213,13 +213,13 @@ STATE = {
     'F_s10_xc4': False,  # s10_xc4 firmly locked
     'U_s10_xc4': True,  # s10_xc4 used by a train (R9)
     'P_s10_xc4': False,  # s10_xc4: the train went on (R9)
-    'D_s10_xc4': False,  # s10_xc4: inputs were lost while locked
+    'D_s10_xc4': False,  # s10_xc4: detection is not relied on, inputs were lost or a train is called on
     'K_s11_xc5': True,  # s11_xc5: restart lock (R16)
     'L_s11_xc5_2': False,  # s11_xc5 locked from s11_xc5|s9@P4.reverse to XC5
     'F_s11_xc5': False,  # s11_xc5 firmly locked
     'U_s11_xc5': True,  # s11_xc5 used by a train (R9)
     'P_s11_xc5': False,  # s11_xc5: the train went on (R9)
-    'D_s11_xc5': False,  # s11_xc5: inputs were lost while locked
+    'D_s11_xc5': False,  # s11_xc5: detection is not relied on, inputs were lost or a train is called on
     'K_s2': True,  # s2: restart lock (R16)
     'L_s2_1': False,  # s2 locked from W to s2|s2_out@PS.reverse
     'L_s2_2': False,  # s2 locked from W to s2|s3@PS.normal
@@ -228,13 +228,13 @@ STATE = {
     'F_s2': False,  # s2 firmly locked
     'U_s2': True,  # s2 used by a train (R9)
     'P_s2': False,  # s2: the train went on (R9)
-    'D_s2': False,  # s2: inputs were lost while locked
+    'D_s2': False,  # s2: detection is not relied on, inputs were lost or a train is called on
     'K_s2_out': True,  # s2_out: restart lock (R16)
     'L_s2_out_2': False,  # s2_out locked from s2|s2_out@PS.reverse to OUT
     'F_s2_out': False,  # s2_out firmly locked
     'U_s2_out': True,  # s2_out used by a train (R9)
     'P_s2_out': False,  # s2_out: the train went on (R9)
-    'D_s2_out': False,  # s2_out: inputs were lost while locked
+    'D_s2_out': False,  # s2_out: detection is not relied on, inputs were lost or a train is called on
     'K_s3': True,  # s3: restart lock (R16)
     'L_s3_1': False,  # s3 locked from s2|s3@PS.normal to s3|s4_xc1@P1.reverse
     'L_s3_2': False,  # s3 locked from s2|s3@PS.normal to s3|s6@P1.normal
@@ -243,19 +243,19 @@ STATE = {
     'F_s3': False,  # s3 firmly locked
     'U_s3': True,  # s3 used by a train (R9)
     'P_s3': False,  # s3: the train went on (R9)
-    'D_s3': False,  # s3: inputs were lost while locked
+    'D_s3': False,  # s3: detection is not relied on, inputs were lost or a train is called on
     'K_s4_xc1': True,  # s4_xc1: restart lock (R16)
     'L_s4_xc1_2': False,  # s4_xc1 locked from s3|s4_xc1@P1.reverse to XC1
     'F_s4_xc1': False,  # s4_xc1 firmly locked
     'U_s4_xc1': True,  # s4_xc1 used by a train (R9)
     'P_s4_xc1': False,  # s4_xc1: the train went on (R9)
-    'D_s4_xc1': False,  # s4_xc1: inputs were lost while locked
+    'D_s4_xc1': False,  # s4_xc1: detection is not relied on, inputs were lost or a train is called on
     'K_s5_xc2': True,  # s5_xc2: restart lock (R16)
     'L_s5_xc2_2': False,  # s5_xc2 locked from s5_xc2|s6@P2.reverse to XC2
     'F_s5_xc2': False,  # s5_xc2 firmly locked
     'U_s5_xc2': True,  # s5_xc2 used by a train (R9)
     'P_s5_xc2': False,  # s5_xc2: the train went on (R9)
-    'D_s5_xc2': False,  # s5_xc2: inputs were lost while locked
+    'D_s5_xc2': False,  # s5_xc2: detection is not relied on, inputs were lost or a train is called on
     'K_s6': True,  # s6: restart lock (R16)
     'L_s6_1': False,  # s6 locked from s3|s6@P1.normal to s5_xc2|s6@P2.reverse
     'L_s6_2': False,  # s6 locked from s3|s6@P1.normal to s6|s7@P2.normal
@@ -264,7 +264,7 @@ STATE = {
     'F_s6': False,  # s6 firmly locked
     'U_s6': True,  # s6 used by a train (R9)
     'P_s6': False,  # s6: the train went on (R9)
-    'D_s6': False,  # s6: inputs were lost while locked
+    'D_s6': False,  # s6: detection is not relied on, inputs were lost or a train is called on
     'K_s7': True,  # s7: restart lock (R16)
     'L_s7_1': False,  # s7 locked from s6|s7@P2.normal to s7|s8_xc3@P3.reverse
     'L_s7_2': False,  # s7 locked from s6|s7@P2.normal to s7|s9@P3.normal
@@ -273,13 +273,13 @@ STATE = {
     'F_s7': False,  # s7 firmly locked
     'U_s7': True,  # s7 used by a train (R9)
     'P_s7': False,  # s7: the train went on (R9)
-    'D_s7': False,  # s7: inputs were lost while locked
+    'D_s7': False,  # s7: detection is not relied on, inputs were lost or a train is called on
     'K_s8_xc3': True,  # s8_xc3: restart lock (R16)
     'L_s8_xc3_2': False,  # s8_xc3 locked from s7|s8_xc3@P3.reverse to XC3
     'F_s8_xc3': False,  # s8_xc3 firmly locked
     'U_s8_xc3': True,  # s8_xc3 used by a train (R9)
     'P_s8_xc3': False,  # s8_xc3: the train went on (R9)
-    'D_s8_xc3': False,  # s8_xc3: inputs were lost while locked
+    'D_s8_xc3': False,  # s8_xc3: detection is not relied on, inputs were lost or a train is called on
     'K_s9': True,  # s9: restart lock (R16)
     'L_s9_1': False,  # s9 locked from s10_xc4|s9@P4.normal to s7|s9@P3.normal
     'L_s9_2': False,  # s9 locked from s11_xc5|s9@P4.reverse to s7|s9@P3.normal
@@ -288,7 +288,7 @@ STATE = {
     'F_s9': False,  # s9 firmly locked
     'U_s9': True,  # s9 used by a train (R9)
     'P_s9': False,  # s9: the train went on (R9)
-    'D_s9': False,  # s9: inputs were lost while locked
+    'D_s9': False,  # s9: detection is not relied on, inputs were lost or a train is called on
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -1279,13 +1279,13 @@ class Controller:
         N_F_s10_xc4 = (F_s10_xc4 or LK_R7) and (not RLS_s10_xc4)  # s10_xc4 firmly locked
         N_U_s10_xc4 = (U_s10_xc4 or NU_s10_xc4_2) and (not RLS_s10_xc4)  # s10_xc4 used by a train (R9)
         N_P_s10_xc4 = (P_s10_xc4 or (U_s10_xc4 and OCC_s10_xc4 and NU_s9_1)) and (not RLS_s10_xc4)  # s10_xc4: the train went on (R9)
-        N_D_s10_xc4 = (D_s10_xc4 or ((not VALID) and L_s10_xc4_2)) and (not RLS_s10_xc4)  # s10_xc4: inputs were lost while locked
+        N_D_s10_xc4 = (D_s10_xc4 or ((not VALID) and L_s10_xc4_2)) and (not RLS_s10_xc4)  # s10_xc4: detection is not relied on, inputs were lost or a train is called on
         N_K_s11_xc5 = K_s11_xc5 and (not RLS_s11_xc5)  # s11_xc5: restart lock (R16)
         N_L_s11_xc5_2 = (L_s11_xc5_2 or GW_s11_xc5_2) and (not RLS_s11_xc5)  # s11_xc5 locked from s11_xc5|s9@P4.reverse to XC5
         N_F_s11_xc5 = (F_s11_xc5 or LK_R8) and (not RLS_s11_xc5)  # s11_xc5 firmly locked
         N_U_s11_xc5 = (U_s11_xc5 or NU_s11_xc5_2) and (not RLS_s11_xc5)  # s11_xc5 used by a train (R9)
         N_P_s11_xc5 = (P_s11_xc5 or (U_s11_xc5 and OCC_s11_xc5 and NU_s9_2)) and (not RLS_s11_xc5)  # s11_xc5: the train went on (R9)
-        N_D_s11_xc5 = (D_s11_xc5 or ((not VALID) and L_s11_xc5_2)) and (not RLS_s11_xc5)  # s11_xc5: inputs were lost while locked
+        N_D_s11_xc5 = (D_s11_xc5 or ((not VALID) and L_s11_xc5_2)) and (not RLS_s11_xc5)  # s11_xc5: detection is not relied on, inputs were lost or a train is called on
         N_K_s2 = K_s2 and (not RLS_s2)  # s2: restart lock (R16)
         N_L_s2_1 = (L_s2_1 or GW_s2_1) and (not RLS_s2)  # s2 locked from W to s2|s2_out@PS.reverse
         N_L_s2_2 = (L_s2_2 or GW_s2_2) and (not RLS_s2)  # s2 locked from W to s2|s3@PS.normal
@@ -1294,13 +1294,13 @@ class Controller:
         N_F_s2 = (F_s2 or LK_R1 or LK_R2 or LK_R3 or LK_R4 or LK_R14 or LK_R15) and (not RLS_s2)  # s2 firmly locked
         N_U_s2 = (U_s2 or NU_s2_1 or NU_s2_2 or NU_s2_3) and (not RLS_s2)  # s2 used by a train (R9)
         N_P_s2 = (P_s2 or (U_s2 and OCC_s2 and (NU_s2_out_2 or NU_s3_1))) and (not RLS_s2)  # s2: the train went on (R9)
-        N_D_s2 = (D_s2 or ((not VALID) and (L_s2_1 or L_s2_2 or L_s2_3 or L_s2_4))) and (not RLS_s2)  # s2: inputs were lost while locked
+        N_D_s2 = (D_s2 or ((not VALID) and (L_s2_1 or L_s2_2 or L_s2_3 or L_s2_4))) and (not RLS_s2)  # s2: detection is not relied on, inputs were lost or a train is called on
         N_K_s2_out = K_s2_out and (not RLS_s2_out)  # s2_out: restart lock (R16)
         N_L_s2_out_2 = (L_s2_out_2 or GW_s2_out_2) and (not RLS_s2_out)  # s2_out locked from s2|s2_out@PS.reverse to OUT
         N_F_s2_out = (F_s2_out or LK_R1) and (not RLS_s2_out)  # s2_out firmly locked
         N_U_s2_out = (U_s2_out or NU_s2_out_2) and (not RLS_s2_out)  # s2_out used by a train (R9)
         N_P_s2_out = (P_s2_out or (U_s2_out and OCC_s2_out and NU_s2_2)) and (not RLS_s2_out)  # s2_out: the train went on (R9)
-        N_D_s2_out = (D_s2_out or ((not VALID) and L_s2_out_2)) and (not RLS_s2_out)  # s2_out: inputs were lost while locked
+        N_D_s2_out = (D_s2_out or ((not VALID) and L_s2_out_2)) and (not RLS_s2_out)  # s2_out: detection is not relied on, inputs were lost or a train is called on
         N_K_s3 = K_s3 and (not RLS_s3)  # s3: restart lock (R16)
         N_L_s3_1 = (L_s3_1 or GW_s3_1) and (not RLS_s3)  # s3 locked from s2|s3@PS.normal to s3|s4_xc1@P1.reverse
         N_L_s3_2 = (L_s3_2 or GW_s3_2) and (not RLS_s3)  # s3 locked from s2|s3@PS.normal to s3|s6@P1.normal
@@ -1309,19 +1309,19 @@ class Controller:
         N_F_s3 = (F_s3 or LK_R2 or LK_R3 or LK_R4 or LK_R9 or LK_R10 or LK_R16) and (not RLS_s3)  # s3 firmly locked
         N_U_s3 = (U_s3 or NU_s3_1 or NU_s3_2 or NU_s3_3) and (not RLS_s3)  # s3 used by a train (R9)
         N_P_s3 = (P_s3 or (U_s3 and OCC_s3 and (NU_s2_3 or NU_s4_xc1_2 or NU_s6_1))) and (not RLS_s3)  # s3: the train went on (R9)
-        N_D_s3 = (D_s3 or ((not VALID) and (L_s3_1 or L_s3_2 or L_s3_3 or L_s3_4))) and (not RLS_s3)  # s3: inputs were lost while locked
+        N_D_s3 = (D_s3 or ((not VALID) and (L_s3_1 or L_s3_2 or L_s3_3 or L_s3_4))) and (not RLS_s3)  # s3: detection is not relied on, inputs were lost or a train is called on
         N_K_s4_xc1 = K_s4_xc1 and (not RLS_s4_xc1)  # s4_xc1: restart lock (R16)
         N_L_s4_xc1_2 = (L_s4_xc1_2 or GW_s4_xc1_2) and (not RLS_s4_xc1)  # s4_xc1 locked from s3|s4_xc1@P1.reverse to XC1
         N_F_s4_xc1 = (F_s4_xc1 or LK_R2) and (not RLS_s4_xc1)  # s4_xc1 firmly locked
         N_U_s4_xc1 = (U_s4_xc1 or NU_s4_xc1_2) and (not RLS_s4_xc1)  # s4_xc1 used by a train (R9)
         N_P_s4_xc1 = (P_s4_xc1 or (U_s4_xc1 and OCC_s4_xc1 and NU_s3_2)) and (not RLS_s4_xc1)  # s4_xc1: the train went on (R9)
-        N_D_s4_xc1 = (D_s4_xc1 or ((not VALID) and L_s4_xc1_2)) and (not RLS_s4_xc1)  # s4_xc1: inputs were lost while locked
+        N_D_s4_xc1 = (D_s4_xc1 or ((not VALID) and L_s4_xc1_2)) and (not RLS_s4_xc1)  # s4_xc1: detection is not relied on, inputs were lost or a train is called on
         N_K_s5_xc2 = K_s5_xc2 and (not RLS_s5_xc2)  # s5_xc2: restart lock (R16)
         N_L_s5_xc2_2 = (L_s5_xc2_2 or GW_s5_xc2_2) and (not RLS_s5_xc2)  # s5_xc2 locked from s5_xc2|s6@P2.reverse to XC2
         N_F_s5_xc2 = (F_s5_xc2 or LK_R3) and (not RLS_s5_xc2)  # s5_xc2 firmly locked
         N_U_s5_xc2 = (U_s5_xc2 or NU_s5_xc2_2) and (not RLS_s5_xc2)  # s5_xc2 used by a train (R9)
         N_P_s5_xc2 = (P_s5_xc2 or (U_s5_xc2 and OCC_s5_xc2 and NU_s6_2)) and (not RLS_s5_xc2)  # s5_xc2: the train went on (R9)
-        N_D_s5_xc2 = (D_s5_xc2 or ((not VALID) and L_s5_xc2_2)) and (not RLS_s5_xc2)  # s5_xc2: inputs were lost while locked
+        N_D_s5_xc2 = (D_s5_xc2 or ((not VALID) and L_s5_xc2_2)) and (not RLS_s5_xc2)  # s5_xc2: detection is not relied on, inputs were lost or a train is called on
         N_K_s6 = K_s6 and (not RLS_s6)  # s6: restart lock (R16)
         N_L_s6_1 = (L_s6_1 or GW_s6_1) and (not RLS_s6)  # s6 locked from s3|s6@P1.normal to s5_xc2|s6@P2.reverse
         N_L_s6_2 = (L_s6_2 or GW_s6_2) and (not RLS_s6)  # s6 locked from s3|s6@P1.normal to s6|s7@P2.normal
@@ -1330,7 +1330,7 @@ class Controller:
         N_F_s6 = (F_s6 or LK_R3 or LK_R4 or LK_R10 or LK_R16) and (not RLS_s6)  # s6 firmly locked
         N_U_s6 = (U_s6 or NU_s6_1 or NU_s6_2 or NU_s6_3) and (not RLS_s6)  # s6 used by a train (R9)
         N_P_s6 = (P_s6 or (U_s6 and OCC_s6 and (NU_s3_3 or NU_s5_xc2_2 or NU_s7_1))) and (not RLS_s6)  # s6: the train went on (R9)
-        N_D_s6 = (D_s6 or ((not VALID) and (L_s6_1 or L_s6_2 or L_s6_3 or L_s6_4))) and (not RLS_s6)  # s6: inputs were lost while locked
+        N_D_s6 = (D_s6 or ((not VALID) and (L_s6_1 or L_s6_2 or L_s6_3 or L_s6_4))) and (not RLS_s6)  # s6: detection is not relied on, inputs were lost or a train is called on
         N_K_s7 = K_s7 and (not RLS_s7)  # s7: restart lock (R16)
         N_L_s7_1 = (L_s7_1 or GW_s7_1) and (not RLS_s7)  # s7 locked from s6|s7@P2.normal to s7|s8_xc3@P3.reverse
         N_L_s7_2 = (L_s7_2 or GW_s7_2) and (not RLS_s7)  # s7 locked from s6|s7@P2.normal to s7|s9@P3.normal
@@ -1339,13 +1339,13 @@ class Controller:
         N_F_s7 = (F_s7 or LK_R5 or LK_R6 or LK_R11 or LK_R17) and (not RLS_s7)  # s7 firmly locked
         N_U_s7 = (U_s7 or NU_s7_1 or NU_s7_2 or NU_s7_3) and (not RLS_s7)  # s7 used by a train (R9)
         N_P_s7 = (P_s7 or (U_s7 and OCC_s7 and (NU_s6_3 or NU_s8_xc3_2 or NU_s9_3))) and (not RLS_s7)  # s7: the train went on (R9)
-        N_D_s7 = (D_s7 or ((not VALID) and (L_s7_1 or L_s7_2 or L_s7_3 or L_s7_4))) and (not RLS_s7)  # s7: inputs were lost while locked
+        N_D_s7 = (D_s7 or ((not VALID) and (L_s7_1 or L_s7_2 or L_s7_3 or L_s7_4))) and (not RLS_s7)  # s7: detection is not relied on, inputs were lost or a train is called on
         N_K_s8_xc3 = K_s8_xc3 and (not RLS_s8_xc3)  # s8_xc3: restart lock (R16)
         N_L_s8_xc3_2 = (L_s8_xc3_2 or GW_s8_xc3_2) and (not RLS_s8_xc3)  # s8_xc3 locked from s7|s8_xc3@P3.reverse to XC3
         N_F_s8_xc3 = (F_s8_xc3 or LK_R5) and (not RLS_s8_xc3)  # s8_xc3 firmly locked
         N_U_s8_xc3 = (U_s8_xc3 or NU_s8_xc3_2) and (not RLS_s8_xc3)  # s8_xc3 used by a train (R9)
         N_P_s8_xc3 = (P_s8_xc3 or (U_s8_xc3 and OCC_s8_xc3 and NU_s7_2)) and (not RLS_s8_xc3)  # s8_xc3: the train went on (R9)
-        N_D_s8_xc3 = (D_s8_xc3 or ((not VALID) and L_s8_xc3_2)) and (not RLS_s8_xc3)  # s8_xc3: inputs were lost while locked
+        N_D_s8_xc3 = (D_s8_xc3 or ((not VALID) and L_s8_xc3_2)) and (not RLS_s8_xc3)  # s8_xc3: detection is not relied on, inputs were lost or a train is called on
         N_K_s9 = K_s9 and (not RLS_s9)  # s9: restart lock (R16)
         N_L_s9_1 = (L_s9_1 or GW_s9_1) and (not RLS_s9)  # s9 locked from s10_xc4|s9@P4.normal to s7|s9@P3.normal
         N_L_s9_2 = (L_s9_2 or GW_s9_2) and (not RLS_s9)  # s9 locked from s11_xc5|s9@P4.reverse to s7|s9@P3.normal
@@ -1354,7 +1354,7 @@ class Controller:
         N_F_s9 = (F_s9 or LK_R12 or LK_R13 or LK_R7 or LK_R8) and (not RLS_s9)  # s9 firmly locked
         N_U_s9 = (U_s9 or NU_s9_1 or NU_s9_2 or NU_s9_3) and (not RLS_s9)  # s9 used by a train (R9)
         N_P_s9 = (P_s9 or (U_s9 and OCC_s9 and (NU_s10_xc4_2 or NU_s11_xc5_2 or NU_s7_3))) and (not RLS_s9)  # s9: the train went on (R9)
-        N_D_s9 = (D_s9 or ((not VALID) and (L_s9_1 or L_s9_2 or L_s9_3 or L_s9_4))) and (not RLS_s9)  # s9: inputs were lost while locked
+        N_D_s9 = (D_s9 or ((not VALID) and (L_s9_1 or L_s9_2 or L_s9_3 or L_s9_4))) and (not RLS_s9)  # s9: detection is not relied on, inputs were lost or a train is called on
         self.state = {
             'CN_P1': bool(N_CN_P1),
             'CR_P1': bool(N_CR_P1),

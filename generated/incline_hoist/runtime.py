@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout a7a902f2f7f7a4afab3a449ba7b786b07d7c0b6d0da810ac00cd30a772b2775c
-# claims e220a5a65446dd4439378eb2baee1ce11fc5a317d26cd071e488ec03892b07ce
+# layout 4609e660ef1455c27dc034201d18eda7442c268b298457dfca783d2d842cd785
+# claims 07229de3ebdf2abd1523d43ab69aab32c6219ef0844dc2a53b24eb28a4a23193
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -130,34 +130,34 @@ STATE = {
     'F_d1': False,  # d1 firmly locked
     'U_d1': True,  # d1 used by a train (R9)
     'P_d1': False,  # d1: the train went on (R9)
-    'D_d1': False,  # d1: inputs were lost while locked
+    'D_d1': False,  # d1: detection is not relied on, inputs were lost or a train is called on
     'K_d2': True,  # d2: restart lock (R16)
     'L_d2_2': False,  # d2 locked from d1|d2@PD.normal to LB
     'F_d2': False,  # d2 firmly locked
     'U_d2': True,  # d2 used by a train (R9)
     'P_d2': False,  # d2: the train went on (R9)
-    'D_d2': False,  # d2: inputs were lost while locked
+    'D_d2': False,  # d2: detection is not relied on, inputs were lost or a train is called on
     'K_d3': True,  # d3: restart lock (R16)
     'L_d3_1': False,  # d3 locked from L to d1|d3@PD.reverse
     'L_d3_2': False,  # d3 locked from d1|d3@PD.reverse to L
     'F_d3': False,  # d3 firmly locked
     'U_d3': True,  # d3 used by a train (R9)
     'P_d3': False,  # d3: the train went on (R9)
-    'D_d3': False,  # d3: inputs were lost while locked
+    'D_d3': False,  # d3: detection is not relied on, inputs were lost or a train is called on
     'K_i1': True,  # i1: restart lock (R16)
     'L_i1_1': False,  # i1 locked from i1|i2@slope.0 to i1|u2@PU.normal
     'L_i1_2': False,  # i1 locked from i1|u2@PU.normal to i1|i2@slope.0
     'F_i1': False,  # i1 firmly locked
     'U_i1': True,  # i1 used by a train (R9)
     'P_i1': False,  # i1: the train went on (R9)
-    'D_i1': False,  # i1: inputs were lost while locked
+    'D_i1': False,  # i1: detection is not relied on, inputs were lost or a train is called on
     'K_i2': True,  # i2: restart lock (R16)
     'L_i2_1': False,  # i2 locked from d1|i2@PD.toe to i1|i2@slope.0
     'L_i2_2': False,  # i2 locked from i1|i2@slope.0 to d1|i2@PD.toe
     'F_i2': False,  # i2 firmly locked
     'U_i2': True,  # i2 used by a train (R9)
     'P_i2': False,  # i2: the train went on (R9)
-    'D_i2': False,  # i2: inputs were lost while locked
+    'D_i2': False,  # i2: detection is not relied on, inputs were lost or a train is called on
     'K_u2': True,  # u2: restart lock (R16)
     'L_u2_1': False,  # u2 locked from U to i1|u2@PU.normal
     'L_u2_2': False,  # u2 locked from U to u2|u3_stub@PU.reverse
@@ -166,13 +166,13 @@ STATE = {
     'F_u2': False,  # u2 firmly locked
     'U_u2': True,  # u2 used by a train (R9)
     'P_u2': False,  # u2: the train went on (R9)
-    'D_u2': False,  # u2: inputs were lost while locked
+    'D_u2': False,  # u2: detection is not relied on, inputs were lost or a train is called on
     'K_u3_stub': True,  # u3_stub: restart lock (R16)
     'L_u3_stub_2': False,  # u3_stub locked from u2|u3_stub@PU.reverse to UB
     'F_u3_stub': False,  # u3_stub firmly locked
     'U_u3_stub': True,  # u3_stub used by a train (R9)
     'P_u3_stub': False,  # u3_stub: the train went on (R9)
-    'D_u3_stub': False,  # u3_stub: inputs were lost while locked
+    'D_u3_stub': False,  # u3_stub: detection is not relied on, inputs were lost or a train is called on
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -741,34 +741,34 @@ class Controller:
         N_F_d1 = (F_d1 or LK_R1 or LK_R2 or LK_R5 or LK_R4) and (not RLS_d1)  # d1 firmly locked
         N_U_d1 = (U_d1 or NU_d1_1 or NU_d1_2 or NU_d1_3) and (not RLS_d1)  # d1 used by a train (R9)
         N_P_d1 = (P_d1 or (U_d1 and OCC_d1 and (NU_d2_2 or NU_d3_2 or NU_i2_1))) and (not RLS_d1)  # d1: the train went on (R9)
-        N_D_d1 = (D_d1 or ((not VALID) and (L_d1_1 or L_d1_2 or L_d1_3 or L_d1_4))) and (not RLS_d1)  # d1: inputs were lost while locked
+        N_D_d1 = (D_d1 or ((not VALID) and (L_d1_1 or L_d1_2 or L_d1_3 or L_d1_4))) and (not RLS_d1)  # d1: detection is not relied on, inputs were lost or a train is called on
         N_K_d2 = K_d2 and (not RLS_d2)  # d2: restart lock (R16)
         N_L_d2_2 = (L_d2_2 or GW_d2_2) and (not RLS_d2)  # d2 locked from d1|d2@PD.normal to LB
         N_F_d2 = (F_d2 or LK_R5) and (not RLS_d2)  # d2 firmly locked
         N_U_d2 = (U_d2 or NU_d2_2) and (not RLS_d2)  # d2 used by a train (R9)
         N_P_d2 = (P_d2 or (U_d2 and OCC_d2 and NU_d1_1)) and (not RLS_d2)  # d2: the train went on (R9)
-        N_D_d2 = (D_d2 or ((not VALID) and L_d2_2)) and (not RLS_d2)  # d2: inputs were lost while locked
+        N_D_d2 = (D_d2 or ((not VALID) and L_d2_2)) and (not RLS_d2)  # d2: detection is not relied on, inputs were lost or a train is called on
         N_K_d3 = K_d3 and (not RLS_d3)  # d3: restart lock (R16)
         N_L_d3_1 = (L_d3_1 or GW_d3_1) and (not RLS_d3)  # d3 locked from L to d1|d3@PD.reverse
         N_L_d3_2 = (L_d3_2 or GW_d3_2) and (not RLS_d3)  # d3 locked from d1|d3@PD.reverse to L
         N_F_d3 = (F_d3 or LK_R3 or LK_R4) and (not RLS_d3)  # d3 firmly locked
         N_U_d3 = (U_d3 or NU_d3_1 or NU_d3_2) and (not RLS_d3)  # d3 used by a train (R9)
         N_P_d3 = (P_d3 or (U_d3 and OCC_d3 and NU_d1_2)) and (not RLS_d3)  # d3: the train went on (R9)
-        N_D_d3 = (D_d3 or ((not VALID) and (L_d3_1 or L_d3_2))) and (not RLS_d3)  # d3: inputs were lost while locked
+        N_D_d3 = (D_d3 or ((not VALID) and (L_d3_1 or L_d3_2))) and (not RLS_d3)  # d3: detection is not relied on, inputs were lost or a train is called on
         N_K_i1 = K_i1 and (not RLS_i1)  # i1: restart lock (R16)
         N_L_i1_1 = (L_i1_1 or GW_i1_1) and (not RLS_i1)  # i1 locked from i1|i2@slope.0 to i1|u2@PU.normal
         N_L_i1_2 = (L_i1_2 or GW_i1_2) and (not RLS_i1)  # i1 locked from i1|u2@PU.normal to i1|i2@slope.0
         N_F_i1 = (F_i1 or LK_R1 or LK_R2 or LK_R8) and (not RLS_i1)  # i1 firmly locked
         N_U_i1 = (U_i1 or NU_i1_1 or NU_i1_2) and (not RLS_i1)  # i1 used by a train (R9)
         N_P_i1 = (P_i1 or (U_i1 and OCC_i1 and (NU_i2_2 or NU_u2_2))) and (not RLS_i1)  # i1: the train went on (R9)
-        N_D_i1 = (D_i1 or ((not VALID) and (L_i1_1 or L_i1_2))) and (not RLS_i1)  # i1: inputs were lost while locked
+        N_D_i1 = (D_i1 or ((not VALID) and (L_i1_1 or L_i1_2))) and (not RLS_i1)  # i1: detection is not relied on, inputs were lost or a train is called on
         N_K_i2 = K_i2 and (not RLS_i2)  # i2: restart lock (R16)
         N_L_i2_1 = (L_i2_1 or GW_i2_1) and (not RLS_i2)  # i2 locked from d1|i2@PD.toe to i1|i2@slope.0
         N_L_i2_2 = (L_i2_2 or GW_i2_2) and (not RLS_i2)  # i2 locked from i1|i2@slope.0 to d1|i2@PD.toe
         N_F_i2 = (F_i2 or LK_R1 or LK_R2 or LK_R8) and (not RLS_i2)  # i2 firmly locked
         N_U_i2 = (U_i2 or NU_i2_1 or NU_i2_2) and (not RLS_i2)  # i2 used by a train (R9)
         N_P_i2 = (P_i2 or (U_i2 and OCC_i2 and (NU_d1_3 or NU_i1_1))) and (not RLS_i2)  # i2: the train went on (R9)
-        N_D_i2 = (D_i2 or ((not VALID) and (L_i2_1 or L_i2_2))) and (not RLS_i2)  # i2: inputs were lost while locked
+        N_D_i2 = (D_i2 or ((not VALID) and (L_i2_1 or L_i2_2))) and (not RLS_i2)  # i2: detection is not relied on, inputs were lost or a train is called on
         N_K_u2 = K_u2 and (not RLS_u2)  # u2: restart lock (R16)
         N_L_u2_1 = (L_u2_1 or GW_u2_1) and (not RLS_u2)  # u2 locked from U to i1|u2@PU.normal
         N_L_u2_2 = (L_u2_2 or GW_u2_2) and (not RLS_u2)  # u2 locked from U to u2|u3_stub@PU.reverse
@@ -777,13 +777,13 @@ class Controller:
         N_F_u2 = (F_u2 or LK_R8 or LK_R7 or LK_R6 or LK_R9) and (not RLS_u2)  # u2 firmly locked
         N_U_u2 = (U_u2 or NU_u2_1 or NU_u2_2 or NU_u2_3) and (not RLS_u2)  # u2 used by a train (R9)
         N_P_u2 = (P_u2 or (U_u2 and OCC_u2 and (NU_i1_2 or NU_u3_stub_2))) and (not RLS_u2)  # u2: the train went on (R9)
-        N_D_u2 = (D_u2 or ((not VALID) and (L_u2_1 or L_u2_2 or L_u2_3 or L_u2_4))) and (not RLS_u2)  # u2: inputs were lost while locked
+        N_D_u2 = (D_u2 or ((not VALID) and (L_u2_1 or L_u2_2 or L_u2_3 or L_u2_4))) and (not RLS_u2)  # u2: detection is not relied on, inputs were lost or a train is called on
         N_K_u3_stub = K_u3_stub and (not RLS_u3_stub)  # u3_stub: restart lock (R16)
         N_L_u3_stub_2 = (L_u3_stub_2 or GW_u3_stub_2) and (not RLS_u3_stub)  # u3_stub locked from u2|u3_stub@PU.reverse to UB
         N_F_u3_stub = (F_u3_stub or LK_R7) and (not RLS_u3_stub)  # u3_stub firmly locked
         N_U_u3_stub = (U_u3_stub or NU_u3_stub_2) and (not RLS_u3_stub)  # u3_stub used by a train (R9)
         N_P_u3_stub = (P_u3_stub or (U_u3_stub and OCC_u3_stub and NU_u2_3)) and (not RLS_u3_stub)  # u3_stub: the train went on (R9)
-        N_D_u3_stub = (D_u3_stub or ((not VALID) and L_u3_stub_2)) and (not RLS_u3_stub)  # u3_stub: inputs were lost while locked
+        N_D_u3_stub = (D_u3_stub or ((not VALID) and L_u3_stub_2)) and (not RLS_u3_stub)  # u3_stub: detection is not relied on, inputs were lost or a train is called on
         self.state = {
             'CN_PD': bool(N_CN_PD),
             'CR_PD': bool(N_CR_PD),

@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 470621a5697875017fe88261088acd54d34e6c9b726bf26f05f95bfa9ada729d
-# claims 592d8c60edb1bd7c7b823083c12aa71ddc7a385130e2e2b17061d0ae2146ca6c
+# layout 16e70746ce10a1dcfb0285057fdccf585223ea6d09728a453e7020eb4ec84a0c
+# claims 92e1c59ff50eed91b1625bb89429114d6f60c246e023499cdb952890903791ad
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -149,69 +149,69 @@ STATE = {
     'F_AB': False,  # AB firmly locked
     'U_AB': True,  # AB used by a train (R9)
     'P_AB': False,  # AB: the train went on (R9)
-    'D_AB': False,  # AB: inputs were lost while locked
+    'D_AB': False,  # AB: detection is not relied on, inputs were lost or a train is called on
     'K_AC': True,  # AC: restart lock (R16)
     'L_AC_1': False,  # AC locked from AB|AC@101.toe to AC|AD@101.normal
     'L_AC_2': False,  # AC locked from AB|AC@101.toe to AC|CD@X1.1b
     'F_AC': False,  # AC firmly locked
     'U_AC': True,  # AC used by a train (R9)
     'P_AC': False,  # AC: the train went on (R9)
-    'D_AC': False,  # AC: inputs were lost while locked
+    'D_AC': False,  # AC: detection is not relied on, inputs were lost or a train is called on
     'K_AD': True,  # AD: restart lock (R16)
     'L_AD_1': False,  # AD locked from AC|AD@101.normal to AD|AE@down2.0
     'F_AD': False,  # AD firmly locked
     'U_AD': True,  # AD used by a train (R9)
     'P_AD': False,  # AD: the train went on (R9)
-    'D_AD': False,  # AD: inputs were lost while locked
+    'D_AD': False,  # AD: detection is not relied on, inputs were lost or a train is called on
     'K_AE': True,  # AE: restart lock (R16)
     'L_AE_1': False,  # AE locked from AD|AE@down2.0 to DM2
     'F_AE': False,  # AE firmly locked
     'U_AE': True,  # AE used by a train (R9)
     'P_AE': False,  # AE: the train went on (R9)
-    'D_AE': False,  # AE: inputs were lost while locked
+    'D_AE': False,  # AE: detection is not relied on, inputs were lost or a train is called on
     'K_BB': True,  # BB: restart lock (R16)
     'L_BB_2': False,  # BB locked from UM2 to BB|BC@X1.2a
     'F_BB': False,  # BB firmly locked
     'U_BB': True,  # BB used by a train (R9)
     'P_BB': False,  # BB: the train went on (R9)
-    'D_BB': False,  # BB: inputs were lost while locked
+    'D_BB': False,  # BB: detection is not relied on, inputs were lost or a train is called on
     'K_BC': True,  # BC: restart lock (R16)
     'L_BC_1': False,  # BC locked from BB|BC@X1.2a to BC|BD@102.toe
     'L_BC_4': False,  # BC locked from BC|DB@102.reverse to BC|BD@102.toe
     'F_BC': False,  # BC firmly locked
     'U_BC': True,  # BC used by a train (R9)
     'P_BC': False,  # BC: the train went on (R9)
-    'D_BC': False,  # BC: inputs were lost while locked
+    'D_BC': False,  # BC: detection is not relied on, inputs were lost or a train is called on
     'K_BD': True,  # BD: restart lock (R16)
     'L_BD_1': False,  # BD locked from BC|BD@102.toe to BD|BE@up2.0
     'F_BD': False,  # BD firmly locked
     'U_BD': True,  # BD used by a train (R9)
     'P_BD': False,  # BD: the train went on (R9)
-    'D_BD': False,  # BD: inputs were lost while locked
+    'D_BD': False,  # BD: detection is not relied on, inputs were lost or a train is called on
     'K_BE': True,  # BE: restart lock (R16)
     'L_BE_1': False,  # BE locked from BD|BE@up2.0 to UM
     'F_BE': False,  # BE firmly locked
     'U_BE': True,  # BE used by a train (R9)
     'P_BE': False,  # BE: the train went on (R9)
-    'D_BE': False,  # BE: inputs were lost while locked
+    'D_BE': False,  # BE: detection is not relied on, inputs were lost or a train is called on
     'K_CD': True,  # CD: restart lock (R16)
     'L_CD_1': False,  # CD locked from AC|CD@X1.1b to CD|CE@branch.0
     'F_CD': False,  # CD firmly locked
     'U_CD': True,  # CD used by a train (R9)
     'P_CD': False,  # CD: the train went on (R9)
-    'D_CD': False,  # CD: inputs were lost while locked
+    'D_CD': False,  # CD: detection is not relied on, inputs were lost or a train is called on
     'K_CE': True,  # CE: restart lock (R16)
     'L_CE_1': False,  # CE locked from CD|CE@branch.0 to DBO
     'F_CE': False,  # CE firmly locked
     'U_CE': True,  # CE used by a train (R9)
     'P_CE': False,  # CE: the train went on (R9)
-    'D_CE': False,  # CE: inputs were lost while locked
+    'D_CE': False,  # CE: detection is not relied on, inputs were lost or a train is called on
     'K_DB': True,  # DB: restart lock (R16)
     'L_DB_2': False,  # DB locked from UB to BC|DB@102.reverse
     'F_DB': False,  # DB firmly locked
     'U_DB': True,  # DB used by a train (R9)
     'P_DB': False,  # DB: the train went on (R9)
-    'D_DB': False,  # DB: inputs were lost while locked
+    'D_DB': False,  # DB: detection is not relied on, inputs were lost or a train is called on
     'V_S1J_1': False,  # overlap 1 of S1J held
     'V_S1J_2': False,  # overlap 2 of S1J held
     'V_S2J_1': False,  # overlap 1 of S2J held
@@ -966,69 +966,69 @@ class Controller:
         N_F_AB = (F_AB or LK_R1 or LK_R2) and (not RLS_AB)  # AB firmly locked
         N_U_AB = (U_AB or NU_AB_2) and (not RLS_AB)  # AB used by a train (R9)
         N_P_AB = (P_AB or (U_AB and OCC_AB and NU_AC_1)) and (not RLS_AB)  # AB: the train went on (R9)
-        N_D_AB = (D_AB or ((not VALID) and L_AB_2)) and (not RLS_AB)  # AB: inputs were lost while locked
+        N_D_AB = (D_AB or ((not VALID) and L_AB_2)) and (not RLS_AB)  # AB: detection is not relied on, inputs were lost or a train is called on
         N_K_AC = K_AC and (not RLS_AC)  # AC: restart lock (R16)
         N_L_AC_1 = (L_AC_1 or GW_AC_1) and (not RLS_AC)  # AC locked from AB|AC@101.toe to AC|AD@101.normal
         N_L_AC_2 = (L_AC_2 or GW_AC_2) and (not RLS_AC)  # AC locked from AB|AC@101.toe to AC|CD@X1.1b
         N_F_AC = (F_AC or LK_R3 or LK_R4) and (not RLS_AC)  # AC firmly locked
         N_U_AC = (U_AC or NU_AC_1) and (not RLS_AC)  # AC used by a train (R9)
         N_P_AC = (P_AC or (U_AC and OCC_AC and (NU_AD_1 or NU_CD_1))) and (not RLS_AC)  # AC: the train went on (R9)
-        N_D_AC = (D_AC or ((not VALID) and (L_AC_1 or L_AC_2))) and (not RLS_AC)  # AC: inputs were lost while locked
+        N_D_AC = (D_AC or ((not VALID) and (L_AC_1 or L_AC_2))) and (not RLS_AC)  # AC: detection is not relied on, inputs were lost or a train is called on
         N_K_AD = K_AD and (not RLS_AD)  # AD: restart lock (R16)
         N_L_AD_1 = (L_AD_1 or GW_AD_1) and (not RLS_AD)  # AD locked from AC|AD@101.normal to AD|AE@down2.0
         N_F_AD = (F_AD or LK_R3) and (not RLS_AD)  # AD firmly locked
         N_U_AD = (U_AD or NU_AD_1) and (not RLS_AD)  # AD used by a train (R9)
         N_P_AD = (P_AD or (U_AD and OCC_AD and NU_AE_1)) and (not RLS_AD)  # AD: the train went on (R9)
-        N_D_AD = (D_AD or ((not VALID) and L_AD_1)) and (not RLS_AD)  # AD: inputs were lost while locked
+        N_D_AD = (D_AD or ((not VALID) and L_AD_1)) and (not RLS_AD)  # AD: detection is not relied on, inputs were lost or a train is called on
         N_K_AE = K_AE and (not RLS_AE)  # AE: restart lock (R16)
         N_L_AE_1 = (L_AE_1 or GW_AE_1) and (not RLS_AE)  # AE locked from AD|AE@down2.0 to DM2
         N_F_AE = (F_AE or LK_R7) and (not RLS_AE)  # AE firmly locked
         N_U_AE = (U_AE or NU_AE_1) and (not RLS_AE)  # AE used by a train (R9)
         N_P_AE = P_AE and (not RLS_AE)  # AE: the train went on (R9)
-        N_D_AE = (D_AE or ((not VALID) and L_AE_1)) and (not RLS_AE)  # AE: inputs were lost while locked
+        N_D_AE = (D_AE or ((not VALID) and L_AE_1)) and (not RLS_AE)  # AE: detection is not relied on, inputs were lost or a train is called on
         N_K_BB = K_BB and (not RLS_BB)  # BB: restart lock (R16)
         N_L_BB_2 = (L_BB_2 or GW_BB_2) and (not RLS_BB)  # BB locked from UM2 to BB|BC@X1.2a
         N_F_BB = (F_BB or LK_R5) and (not RLS_BB)  # BB firmly locked
         N_U_BB = (U_BB or NU_BB_2) and (not RLS_BB)  # BB used by a train (R9)
         N_P_BB = (P_BB or (U_BB and OCC_BB and NU_BC_1)) and (not RLS_BB)  # BB: the train went on (R9)
-        N_D_BB = (D_BB or ((not VALID) and L_BB_2)) and (not RLS_BB)  # BB: inputs were lost while locked
+        N_D_BB = (D_BB or ((not VALID) and L_BB_2)) and (not RLS_BB)  # BB: detection is not relied on, inputs were lost or a train is called on
         N_K_BC = K_BC and (not RLS_BC)  # BC: restart lock (R16)
         N_L_BC_1 = (L_BC_1 or GW_BC_1) and (not RLS_BC)  # BC locked from BB|BC@X1.2a to BC|BD@102.toe
         N_L_BC_4 = (L_BC_4 or GW_BC_4) and (not RLS_BC)  # BC locked from BC|DB@102.reverse to BC|BD@102.toe
         N_F_BC = (F_BC or LK_R6 or LK_R9) and (not RLS_BC)  # BC firmly locked
         N_U_BC = (U_BC or NU_BC_1 or NU_BC_3) and (not RLS_BC)  # BC used by a train (R9)
         N_P_BC = (P_BC or (U_BC and OCC_BC and NU_BD_1)) and (not RLS_BC)  # BC: the train went on (R9)
-        N_D_BC = (D_BC or ((not VALID) and (L_BC_1 or L_BC_4))) and (not RLS_BC)  # BC: inputs were lost while locked
+        N_D_BC = (D_BC or ((not VALID) and (L_BC_1 or L_BC_4))) and (not RLS_BC)  # BC: detection is not relied on, inputs were lost or a train is called on
         N_K_BD = K_BD and (not RLS_BD)  # BD: restart lock (R16)
         N_L_BD_1 = (L_BD_1 or GW_BD_1) and (not RLS_BD)  # BD locked from BC|BD@102.toe to BD|BE@up2.0
         N_F_BD = (F_BD or LK_R6 or LK_R9) and (not RLS_BD)  # BD firmly locked
         N_U_BD = (U_BD or NU_BD_1) and (not RLS_BD)  # BD used by a train (R9)
         N_P_BD = (P_BD or (U_BD and OCC_BD and NU_BE_1)) and (not RLS_BD)  # BD: the train went on (R9)
-        N_D_BD = (D_BD or ((not VALID) and L_BD_1)) and (not RLS_BD)  # BD: inputs were lost while locked
+        N_D_BD = (D_BD or ((not VALID) and L_BD_1)) and (not RLS_BD)  # BD: detection is not relied on, inputs were lost or a train is called on
         N_K_BE = K_BE and (not RLS_BE)  # BE: restart lock (R16)
         N_L_BE_1 = (L_BE_1 or GW_BE_1) and (not RLS_BE)  # BE locked from BD|BE@up2.0 to UM
         N_F_BE = (F_BE or LK_R11) and (not RLS_BE)  # BE firmly locked
         N_U_BE = (U_BE or NU_BE_1) and (not RLS_BE)  # BE used by a train (R9)
         N_P_BE = P_BE and (not RLS_BE)  # BE: the train went on (R9)
-        N_D_BE = (D_BE or ((not VALID) and L_BE_1)) and (not RLS_BE)  # BE: inputs were lost while locked
+        N_D_BE = (D_BE or ((not VALID) and L_BE_1)) and (not RLS_BE)  # BE: detection is not relied on, inputs were lost or a train is called on
         N_K_CD = K_CD and (not RLS_CD)  # CD: restart lock (R16)
         N_L_CD_1 = (L_CD_1 or GW_CD_1) and (not RLS_CD)  # CD locked from AC|CD@X1.1b to CD|CE@branch.0
         N_F_CD = (F_CD or LK_R4) and (not RLS_CD)  # CD firmly locked
         N_U_CD = (U_CD or NU_CD_1) and (not RLS_CD)  # CD used by a train (R9)
         N_P_CD = (P_CD or (U_CD and OCC_CD and NU_CE_1)) and (not RLS_CD)  # CD: the train went on (R9)
-        N_D_CD = (D_CD or ((not VALID) and L_CD_1)) and (not RLS_CD)  # CD: inputs were lost while locked
+        N_D_CD = (D_CD or ((not VALID) and L_CD_1)) and (not RLS_CD)  # CD: detection is not relied on, inputs were lost or a train is called on
         N_K_CE = K_CE and (not RLS_CE)  # CE: restart lock (R16)
         N_L_CE_1 = (L_CE_1 or GW_CE_1) and (not RLS_CE)  # CE locked from CD|CE@branch.0 to DBO
         N_F_CE = (F_CE or LK_R10) and (not RLS_CE)  # CE firmly locked
         N_U_CE = (U_CE or NU_CE_1) and (not RLS_CE)  # CE used by a train (R9)
         N_P_CE = P_CE and (not RLS_CE)  # CE: the train went on (R9)
-        N_D_CE = (D_CE or ((not VALID) and L_CE_1)) and (not RLS_CE)  # CE: inputs were lost while locked
+        N_D_CE = (D_CE or ((not VALID) and L_CE_1)) and (not RLS_CE)  # CE: detection is not relied on, inputs were lost or a train is called on
         N_K_DB = K_DB and (not RLS_DB)  # DB: restart lock (R16)
         N_L_DB_2 = (L_DB_2 or GW_DB_2) and (not RLS_DB)  # DB locked from UB to BC|DB@102.reverse
         N_F_DB = (F_DB or LK_R8) and (not RLS_DB)  # DB firmly locked
         N_U_DB = (U_DB or NU_DB_2) and (not RLS_DB)  # DB used by a train (R9)
         N_P_DB = (P_DB or (U_DB and OCC_DB and NU_BC_3)) and (not RLS_DB)  # DB: the train went on (R9)
-        N_D_DB = (D_DB or ((not VALID) and L_DB_2)) and (not RLS_DB)  # DB: inputs were lost while locked
+        N_D_DB = (D_DB or ((not VALID) and L_DB_2)) and (not RLS_DB)  # DB: detection is not relied on, inputs were lost or a train is called on
         N_V_S1J_1 = GO_S1J_1 or (V_S1J_1 and (not (OR_S1J and (not OCC_AC) and (not OCC_AD))))  # overlap 1 of S1J held
         N_V_S1J_2 = GO_S1J_2 or (V_S1J_2 and (not (OR_S1J and (not OCC_AC) and (not OCC_CD))))  # overlap 2 of S1J held
         N_V_S2J_1 = GO_S2J_1 or (V_S2J_1 and (not (OR_S2J and (not OCC_BC) and (not OCC_BD))))  # overlap 1 of S2J held

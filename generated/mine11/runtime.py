@@ -1,7 +1,7 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 25cabd8df2f779b67cdf0ef2101ea8c769c317fb79382d449e9fc4e85d01202a
-# claims de55fb87ed3e81c7bf0daa98996ac7065085d628d55dfe86fee2b8d4f61b1a16
+# layout 3c40d13b4ee25033fea9a362c1611033a217622e615a350453adab1e076ec552
+# claims ba198c126f8e202d590153150dc29ab581be72405f3f2431daeca3bd7faf8601
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -146,14 +146,14 @@ STATE = {
     'F_q1': False,  # q1 firmly locked
     'U_q1': True,  # q1 used by a train (R9)
     'P_q1': False,  # q1: the train went on (R9)
-    'D_q1': False,  # q1: inputs were lost while locked
+    'D_q1': False,  # q1: detection is not relied on, inputs were lost or a train is called on
     'K_q10': True,  # q10: restart lock (R16)
     'L_q10_1': False,  # q10 locked from q10|q11@P2.reverse to q10|q8@even.2
     'L_q10_2': False,  # q10 locked from q10|q8@even.2 to q10|q11@P2.reverse
     'F_q10': False,  # q10 firmly locked
     'U_q10': True,  # q10 used by a train (R9)
     'P_q10': False,  # q10: the train went on (R9)
-    'D_q10': False,  # q10: inputs were lost while locked
+    'D_q10': False,  # q10: detection is not relied on, inputs were lost or a train is called on
     'K_q11': True,  # q11: restart lock (R16)
     'L_q11_1': False,  # q11 locked from E to q10|q11@P2.reverse
     'L_q11_2': False,  # q11 locked from E to q11|q9@P2.normal
@@ -162,7 +162,7 @@ STATE = {
     'F_q11': False,  # q11 firmly locked
     'U_q11': True,  # q11 used by a train (R9)
     'P_q11': False,  # q11: the train went on (R9)
-    'D_q11': False,  # q11: inputs were lost while locked
+    'D_q11': False,  # q11: detection is not relied on, inputs were lost or a train is called on
     'K_q2': True,  # q2: restart lock (R16)
     'L_q2_1': False,  # q2 locked from q1|q2@P1.toe to q2|q3@P1.normal
     'L_q2_2': False,  # q2 locked from q1|q2@P1.toe to q2|q4@P1.reverse
@@ -171,56 +171,56 @@ STATE = {
     'F_q2': False,  # q2 firmly locked
     'U_q2': True,  # q2 used by a train (R9)
     'P_q2': False,  # q2: the train went on (R9)
-    'D_q2': False,  # q2: inputs were lost while locked
+    'D_q2': False,  # q2: detection is not relied on, inputs were lost or a train is called on
     'K_q3': True,  # q3: restart lock (R16)
     'L_q3_1': False,  # q3 locked from q2|q3@P1.normal to q3|q5@odd.0
     'L_q3_2': False,  # q3 locked from q3|q5@odd.0 to q2|q3@P1.normal
     'F_q3': False,  # q3 firmly locked
     'U_q3': True,  # q3 used by a train (R9)
     'P_q3': False,  # q3: the train went on (R9)
-    'D_q3': False,  # q3: inputs were lost while locked
+    'D_q3': False,  # q3: detection is not relied on, inputs were lost or a train is called on
     'K_q4': True,  # q4: restart lock (R16)
     'L_q4_1': False,  # q4 locked from q2|q4@P1.reverse to q4|q6@even.0
     'L_q4_2': False,  # q4 locked from q4|q6@even.0 to q2|q4@P1.reverse
     'F_q4': False,  # q4 firmly locked
     'U_q4': True,  # q4 used by a train (R9)
     'P_q4': False,  # q4: the train went on (R9)
-    'D_q4': False,  # q4: inputs were lost while locked
+    'D_q4': False,  # q4: detection is not relied on, inputs were lost or a train is called on
     'K_q5': True,  # q5: restart lock (R16)
     'L_q5_1': False,  # q5 locked from q3|q5@odd.0 to q5|q7@odd.1
     'L_q5_2': False,  # q5 locked from q5|q7@odd.1 to q3|q5@odd.0
     'F_q5': False,  # q5 firmly locked
     'U_q5': True,  # q5 used by a train (R9)
     'P_q5': False,  # q5: the train went on (R9)
-    'D_q5': False,  # q5: inputs were lost while locked
+    'D_q5': False,  # q5: detection is not relied on, inputs were lost or a train is called on
     'K_q6': True,  # q6: restart lock (R16)
     'L_q6_1': False,  # q6 locked from q4|q6@even.0 to q6|q8@even.1
     'L_q6_2': False,  # q6 locked from q6|q8@even.1 to q4|q6@even.0
     'F_q6': False,  # q6 firmly locked
     'U_q6': True,  # q6 used by a train (R9)
     'P_q6': False,  # q6: the train went on (R9)
-    'D_q6': False,  # q6: inputs were lost while locked
+    'D_q6': False,  # q6: detection is not relied on, inputs were lost or a train is called on
     'K_q7': True,  # q7: restart lock (R16)
     'L_q7_1': False,  # q7 locked from q5|q7@odd.1 to q7|q9@odd.2
     'L_q7_2': False,  # q7 locked from q7|q9@odd.2 to q5|q7@odd.1
     'F_q7': False,  # q7 firmly locked
     'U_q7': True,  # q7 used by a train (R9)
     'P_q7': False,  # q7: the train went on (R9)
-    'D_q7': False,  # q7: inputs were lost while locked
+    'D_q7': False,  # q7: detection is not relied on, inputs were lost or a train is called on
     'K_q8': True,  # q8: restart lock (R16)
     'L_q8_1': False,  # q8 locked from q10|q8@even.2 to q6|q8@even.1
     'L_q8_2': False,  # q8 locked from q6|q8@even.1 to q10|q8@even.2
     'F_q8': False,  # q8 firmly locked
     'U_q8': True,  # q8 used by a train (R9)
     'P_q8': False,  # q8: the train went on (R9)
-    'D_q8': False,  # q8: inputs were lost while locked
+    'D_q8': False,  # q8: detection is not relied on, inputs were lost or a train is called on
     'K_q9': True,  # q9: restart lock (R16)
     'L_q9_1': False,  # q9 locked from q11|q9@P2.normal to q7|q9@odd.2
     'L_q9_2': False,  # q9 locked from q7|q9@odd.2 to q11|q9@P2.normal
     'F_q9': False,  # q9 firmly locked
     'U_q9': True,  # q9 used by a train (R9)
     'P_q9': False,  # q9: the train went on (R9)
-    'D_q9': False,  # q9: inputs were lost while locked
+    'D_q9': False,  # q9: detection is not relied on, inputs were lost or a train is called on
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -944,14 +944,14 @@ class Controller:
         N_F_q1 = (F_q1 or LK_R9 or LK_R3 or LK_R8) and (not RLS_q1)  # q1 firmly locked
         N_U_q1 = (U_q1 or NU_q1_1 or NU_q1_2) and (not RLS_q1)  # q1 used by a train (R9)
         N_P_q1 = (P_q1 or (U_q1 and OCC_q1 and NU_q2_1)) and (not RLS_q1)  # q1: the train went on (R9)
-        N_D_q1 = (D_q1 or ((not VALID) and (L_q1_1 or L_q1_2))) and (not RLS_q1)  # q1: inputs were lost while locked
+        N_D_q1 = (D_q1 or ((not VALID) and (L_q1_1 or L_q1_2))) and (not RLS_q1)  # q1: detection is not relied on, inputs were lost or a train is called on
         N_K_q10 = K_q10 and (not RLS_q10)  # q10: restart lock (R16)
         N_L_q10_1 = (L_q10_1 or GW_q10_1) and (not RLS_q10)  # q10 locked from q10|q11@P2.reverse to q10|q8@even.2
         N_L_q10_2 = (L_q10_2 or GW_q10_2) and (not RLS_q10)  # q10 locked from q10|q8@even.2 to q10|q11@P2.reverse
         N_F_q10 = (F_q10 or LK_R6 or LK_R7) and (not RLS_q10)  # q10 firmly locked
         N_U_q10 = (U_q10 or NU_q10_1 or NU_q10_2) and (not RLS_q10)  # q10 used by a train (R9)
         N_P_q10 = (P_q10 or (U_q10 and OCC_q10 and (NU_q11_2 or NU_q8_1))) and (not RLS_q10)  # q10: the train went on (R9)
-        N_D_q10 = (D_q10 or ((not VALID) and (L_q10_1 or L_q10_2))) and (not RLS_q10)  # q10: inputs were lost while locked
+        N_D_q10 = (D_q10 or ((not VALID) and (L_q10_1 or L_q10_2))) and (not RLS_q10)  # q10: detection is not relied on, inputs were lost or a train is called on
         N_K_q11 = K_q11 and (not RLS_q11)  # q11: restart lock (R16)
         N_L_q11_1 = (L_q11_1 or GW_q11_1) and (not RLS_q11)  # q11 locked from E to q10|q11@P2.reverse
         N_L_q11_2 = (L_q11_2 or GW_q11_2) and (not RLS_q11)  # q11 locked from E to q11|q9@P2.normal
@@ -960,7 +960,7 @@ class Controller:
         N_F_q11 = (F_q11 or LK_R6 or LK_R5 or LK_R7 or LK_R4) and (not RLS_q11)  # q11 firmly locked
         N_U_q11 = (U_q11 or NU_q11_1 or NU_q11_2 or NU_q11_3) and (not RLS_q11)  # q11 used by a train (R9)
         N_P_q11 = (P_q11 or (U_q11 and OCC_q11 and (NU_q10_1 or NU_q9_1))) and (not RLS_q11)  # q11: the train went on (R9)
-        N_D_q11 = (D_q11 or ((not VALID) and (L_q11_1 or L_q11_2 or L_q11_3 or L_q11_4))) and (not RLS_q11)  # q11: inputs were lost while locked
+        N_D_q11 = (D_q11 or ((not VALID) and (L_q11_1 or L_q11_2 or L_q11_3 or L_q11_4))) and (not RLS_q11)  # q11: detection is not relied on, inputs were lost or a train is called on
         N_K_q2 = K_q2 and (not RLS_q2)  # q2: restart lock (R16)
         N_L_q2_1 = (L_q2_1 or GW_q2_1) and (not RLS_q2)  # q2 locked from q1|q2@P1.toe to q2|q3@P1.normal
         N_L_q2_2 = (L_q2_2 or GW_q2_2) and (not RLS_q2)  # q2 locked from q1|q2@P1.toe to q2|q4@P1.reverse
@@ -969,56 +969,56 @@ class Controller:
         N_F_q2 = (F_q2 or LK_R1 or LK_R2 or LK_R3 or LK_R8) and (not RLS_q2)  # q2 firmly locked
         N_U_q2 = (U_q2 or NU_q2_1 or NU_q2_2 or NU_q2_3) and (not RLS_q2)  # q2 used by a train (R9)
         N_P_q2 = (P_q2 or (U_q2 and OCC_q2 and (NU_q1_2 or NU_q3_1 or NU_q4_1))) and (not RLS_q2)  # q2: the train went on (R9)
-        N_D_q2 = (D_q2 or ((not VALID) and (L_q2_1 or L_q2_2 or L_q2_3 or L_q2_4))) and (not RLS_q2)  # q2: inputs were lost while locked
+        N_D_q2 = (D_q2 or ((not VALID) and (L_q2_1 or L_q2_2 or L_q2_3 or L_q2_4))) and (not RLS_q2)  # q2: detection is not relied on, inputs were lost or a train is called on
         N_K_q3 = K_q3 and (not RLS_q3)  # q3: restart lock (R16)
         N_L_q3_1 = (L_q3_1 or GW_q3_1) and (not RLS_q3)  # q3 locked from q2|q3@P1.normal to q3|q5@odd.0
         N_L_q3_2 = (L_q3_2 or GW_q3_2) and (not RLS_q3)  # q3 locked from q3|q5@odd.0 to q2|q3@P1.normal
         N_F_q3 = (F_q3 or LK_R1 or LK_R3) and (not RLS_q3)  # q3 firmly locked
         N_U_q3 = (U_q3 or NU_q3_1 or NU_q3_2) and (not RLS_q3)  # q3 used by a train (R9)
         N_P_q3 = (P_q3 or (U_q3 and OCC_q3 and (NU_q2_2 or NU_q5_1))) and (not RLS_q3)  # q3: the train went on (R9)
-        N_D_q3 = (D_q3 or ((not VALID) and (L_q3_1 or L_q3_2))) and (not RLS_q3)  # q3: inputs were lost while locked
+        N_D_q3 = (D_q3 or ((not VALID) and (L_q3_1 or L_q3_2))) and (not RLS_q3)  # q3: detection is not relied on, inputs were lost or a train is called on
         N_K_q4 = K_q4 and (not RLS_q4)  # q4: restart lock (R16)
         N_L_q4_1 = (L_q4_1 or GW_q4_1) and (not RLS_q4)  # q4 locked from q2|q4@P1.reverse to q4|q6@even.0
         N_L_q4_2 = (L_q4_2 or GW_q4_2) and (not RLS_q4)  # q4 locked from q4|q6@even.0 to q2|q4@P1.reverse
         N_F_q4 = (F_q4 or LK_R2 or LK_R8) and (not RLS_q4)  # q4 firmly locked
         N_U_q4 = (U_q4 or NU_q4_1 or NU_q4_2) and (not RLS_q4)  # q4 used by a train (R9)
         N_P_q4 = (P_q4 or (U_q4 and OCC_q4 and (NU_q2_3 or NU_q6_1))) and (not RLS_q4)  # q4: the train went on (R9)
-        N_D_q4 = (D_q4 or ((not VALID) and (L_q4_1 or L_q4_2))) and (not RLS_q4)  # q4: inputs were lost while locked
+        N_D_q4 = (D_q4 or ((not VALID) and (L_q4_1 or L_q4_2))) and (not RLS_q4)  # q4: detection is not relied on, inputs were lost or a train is called on
         N_K_q5 = K_q5 and (not RLS_q5)  # q5: restart lock (R16)
         N_L_q5_1 = (L_q5_1 or GW_q5_1) and (not RLS_q5)  # q5 locked from q3|q5@odd.0 to q5|q7@odd.1
         N_L_q5_2 = (L_q5_2 or GW_q5_2) and (not RLS_q5)  # q5 locked from q5|q7@odd.1 to q3|q5@odd.0
         N_F_q5 = (F_q5 or LK_R4 or LK_R5) and (not RLS_q5)  # q5 firmly locked
         N_U_q5 = (U_q5 or NU_q5_1 or NU_q5_2) and (not RLS_q5)  # q5 used by a train (R9)
         N_P_q5 = (P_q5 or (U_q5 and OCC_q5 and (NU_q3_2 or NU_q7_1))) and (not RLS_q5)  # q5: the train went on (R9)
-        N_D_q5 = (D_q5 or ((not VALID) and (L_q5_1 or L_q5_2))) and (not RLS_q5)  # q5: inputs were lost while locked
+        N_D_q5 = (D_q5 or ((not VALID) and (L_q5_1 or L_q5_2))) and (not RLS_q5)  # q5: detection is not relied on, inputs were lost or a train is called on
         N_K_q6 = K_q6 and (not RLS_q6)  # q6: restart lock (R16)
         N_L_q6_1 = (L_q6_1 or GW_q6_1) and (not RLS_q6)  # q6 locked from q4|q6@even.0 to q6|q8@even.1
         N_L_q6_2 = (L_q6_2 or GW_q6_2) and (not RLS_q6)  # q6 locked from q6|q8@even.1 to q4|q6@even.0
         N_F_q6 = (F_q6 or LK_R7 or LK_R8) and (not RLS_q6)  # q6 firmly locked
         N_U_q6 = (U_q6 or NU_q6_1 or NU_q6_2) and (not RLS_q6)  # q6 used by a train (R9)
         N_P_q6 = (P_q6 or (U_q6 and OCC_q6 and (NU_q4_2 or NU_q8_2))) and (not RLS_q6)  # q6: the train went on (R9)
-        N_D_q6 = (D_q6 or ((not VALID) and (L_q6_1 or L_q6_2))) and (not RLS_q6)  # q6: inputs were lost while locked
+        N_D_q6 = (D_q6 or ((not VALID) and (L_q6_1 or L_q6_2))) and (not RLS_q6)  # q6: detection is not relied on, inputs were lost or a train is called on
         N_K_q7 = K_q7 and (not RLS_q7)  # q7: restart lock (R16)
         N_L_q7_1 = (L_q7_1 or GW_q7_1) and (not RLS_q7)  # q7 locked from q5|q7@odd.1 to q7|q9@odd.2
         N_L_q7_2 = (L_q7_2 or GW_q7_2) and (not RLS_q7)  # q7 locked from q7|q9@odd.2 to q5|q7@odd.1
         N_F_q7 = (F_q7 or LK_R4 or LK_R5) and (not RLS_q7)  # q7 firmly locked
         N_U_q7 = (U_q7 or NU_q7_1 or NU_q7_2) and (not RLS_q7)  # q7 used by a train (R9)
         N_P_q7 = (P_q7 or (U_q7 and OCC_q7 and (NU_q5_2 or NU_q9_2))) and (not RLS_q7)  # q7: the train went on (R9)
-        N_D_q7 = (D_q7 or ((not VALID) and (L_q7_1 or L_q7_2))) and (not RLS_q7)  # q7: inputs were lost while locked
+        N_D_q7 = (D_q7 or ((not VALID) and (L_q7_1 or L_q7_2))) and (not RLS_q7)  # q7: detection is not relied on, inputs were lost or a train is called on
         N_K_q8 = K_q8 and (not RLS_q8)  # q8: restart lock (R16)
         N_L_q8_1 = (L_q8_1 or GW_q8_1) and (not RLS_q8)  # q8 locked from q10|q8@even.2 to q6|q8@even.1
         N_L_q8_2 = (L_q8_2 or GW_q8_2) and (not RLS_q8)  # q8 locked from q6|q8@even.1 to q10|q8@even.2
         N_F_q8 = (F_q8 or LK_R8 or LK_R7) and (not RLS_q8)  # q8 firmly locked
         N_U_q8 = (U_q8 or NU_q8_1 or NU_q8_2) and (not RLS_q8)  # q8 used by a train (R9)
         N_P_q8 = (P_q8 or (U_q8 and OCC_q8 and (NU_q10_2 or NU_q6_2))) and (not RLS_q8)  # q8: the train went on (R9)
-        N_D_q8 = (D_q8 or ((not VALID) and (L_q8_1 or L_q8_2))) and (not RLS_q8)  # q8: inputs were lost while locked
+        N_D_q8 = (D_q8 or ((not VALID) and (L_q8_1 or L_q8_2))) and (not RLS_q8)  # q8: detection is not relied on, inputs were lost or a train is called on
         N_K_q9 = K_q9 and (not RLS_q9)  # q9: restart lock (R16)
         N_L_q9_1 = (L_q9_1 or GW_q9_1) and (not RLS_q9)  # q9 locked from q11|q9@P2.normal to q7|q9@odd.2
         N_L_q9_2 = (L_q9_2 or GW_q9_2) and (not RLS_q9)  # q9 locked from q7|q9@odd.2 to q11|q9@P2.normal
         N_F_q9 = (F_q9 or LK_R5 or LK_R4) and (not RLS_q9)  # q9 firmly locked
         N_U_q9 = (U_q9 or NU_q9_1 or NU_q9_2) and (not RLS_q9)  # q9 used by a train (R9)
         N_P_q9 = (P_q9 or (U_q9 and OCC_q9 and (NU_q11_3 or NU_q7_2))) and (not RLS_q9)  # q9: the train went on (R9)
-        N_D_q9 = (D_q9 or ((not VALID) and (L_q9_1 or L_q9_2))) and (not RLS_q9)  # q9: inputs were lost while locked
+        N_D_q9 = (D_q9 or ((not VALID) and (L_q9_1 or L_q9_2))) and (not RLS_q9)  # q9: detection is not relied on, inputs were lost or a train is called on
         self.state = {
             'CN_P1': bool(N_CN_P1),
             'CR_P1': bool(N_CR_P1),

@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 908fb8d96fae378c2f30235c6cf18f79cd814eb66d5bf77ba88354cad81301de
-# claims 8f4556faea103ee292b577f6524d0607d5178652631cb5927ac69f6a835fa8b4
+# layout caa8966a2927a5011a7a5bdbbebd93f1c1a29e0007b7877f52e6342abcc42ada
+# claims a242e55bf832dc5c90d7290b4d2ec5bf019512616540f2498ef190541fd56d30
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -18,7 +18,7 @@ INPUTS = {
     'CAN_X3': (0, 2),  # operator: cancel the route from X3
     'E_BF_E': (0, 2),  # external condition BF/E: block towards E free, direction ours
     'E_BF_W': (0, 2),  # external condition BF/W: block towards W free, direction ours
-    'REQ': (0, 9),  # operator: set route number, 0 = none
+    'REQ': (0, 13),  # operator: set route number, 0 = none
     'CLR_1DG': (0, 2),  # section 1DG reported clear
     'CLR_2DG': (0, 2),  # section 2DG reported clear
     'CLR_3G': (0, 2),  # section 3G reported clear
@@ -73,36 +73,56 @@ STATE = {
     'W_R2': False,  # route S-S3: proceed wanted
     'S_R2': False,  # route S-S3: proceed
     'H_R2': False,  # route S-S3: signal has been open
-    'A_R3': False,  # route S1-W active
-    'B_R3': False,  # route S1-W locked
-    'W_R3': False,  # route S1-W: proceed wanted
-    'S_R3': False,  # route S1-W: proceed
-    'H_R3': False,  # route S1-W: signal has been open
-    'A_R4': False,  # route S3-W active
-    'B_R4': False,  # route S3-W locked
-    'W_R4': False,  # route S3-W: proceed wanted
-    'S_R4': False,  # route S3-W: proceed
-    'H_R4': False,  # route S3-W: signal has been open
-    'A_R5': False,  # route X-X1 active
-    'B_R5': False,  # route X-X1 locked
-    'W_R5': False,  # route X-X1: proceed wanted
-    'S_R5': False,  # route X-X1: proceed
-    'H_R5': False,  # route X-X1: signal has been open
-    'A_R6': False,  # route X-X3 active
-    'B_R6': False,  # route X-X3 locked
-    'W_R6': False,  # route X-X3: proceed wanted
-    'S_R6': False,  # route X-X3: proceed
-    'H_R6': False,  # route X-X3: signal has been open
-    'A_R7': False,  # route X1-E active
-    'B_R7': False,  # route X1-E locked
-    'W_R7': False,  # route X1-E: proceed wanted
-    'S_R7': False,  # route X1-E: proceed
-    'H_R7': False,  # route X1-E: signal has been open
-    'A_R8': False,  # route X3-E active
-    'B_R8': False,  # route X3-E locked
-    'W_R8': False,  # route X3-E: proceed wanted
-    'S_R8': False,  # route X3-E: proceed
-    'H_R8': False,  # route X3-E: signal has been open
+    'A_R3': False,  # route S-S1.c active
+    'B_R3': False,  # route S-S1.c locked
+    'W_R3': False,  # route S-S1.c: proceed wanted
+    'S_R3': False,  # route S-S1.c: proceed
+    'H_R3': False,  # route S-S1.c: signal has been open
+    'A_R4': False,  # route S-S3.c active
+    'B_R4': False,  # route S-S3.c locked
+    'W_R4': False,  # route S-S3.c: proceed wanted
+    'S_R4': False,  # route S-S3.c: proceed
+    'H_R4': False,  # route S-S3.c: signal has been open
+    'A_R5': False,  # route S1-W active
+    'B_R5': False,  # route S1-W locked
+    'W_R5': False,  # route S1-W: proceed wanted
+    'S_R5': False,  # route S1-W: proceed
+    'H_R5': False,  # route S1-W: signal has been open
+    'A_R6': False,  # route S3-W active
+    'B_R6': False,  # route S3-W locked
+    'W_R6': False,  # route S3-W: proceed wanted
+    'S_R6': False,  # route S3-W: proceed
+    'H_R6': False,  # route S3-W: signal has been open
+    'A_R7': False,  # route X-X1 active
+    'B_R7': False,  # route X-X1 locked
+    'W_R7': False,  # route X-X1: proceed wanted
+    'S_R7': False,  # route X-X1: proceed
+    'H_R7': False,  # route X-X1: signal has been open
+    'A_R8': False,  # route X-X3 active
+    'B_R8': False,  # route X-X3 locked
+    'W_R8': False,  # route X-X3: proceed wanted
+    'S_R8': False,  # route X-X3: proceed
+    'H_R8': False,  # route X-X3: signal has been open
+    'A_R9': False,  # route X-X1.c active
+    'B_R9': False,  # route X-X1.c locked
+    'W_R9': False,  # route X-X1.c: proceed wanted
+    'S_R9': False,  # route X-X1.c: proceed
+    'H_R9': False,  # route X-X1.c: signal has been open
+    'A_R10': False,  # route X-X3.c active
+    'B_R10': False,  # route X-X3.c locked
+    'W_R10': False,  # route X-X3.c: proceed wanted
+    'S_R10': False,  # route X-X3.c: proceed
+    'H_R10': False,  # route X-X3.c: signal has been open
+    'A_R11': False,  # route X1-E active
+    'B_R11': False,  # route X1-E locked
+    'W_R11': False,  # route X1-E: proceed wanted
+    'S_R11': False,  # route X1-E: proceed
+    'H_R11': False,  # route X1-E: signal has been open
+    'A_R12': False,  # route X3-E active
+    'B_R12': False,  # route X3-E locked
+    'W_R12': False,  # route X3-E: proceed wanted
+    'S_R12': False,  # route X3-E: proceed
+    'H_R12': False,  # route X3-E: signal has been open
     'X_S': False,  # S: cancelling
     'X_S1': False,  # S1: cancelling
     'X_S3': False,  # S3: cancelling
@@ -117,7 +137,7 @@ STATE = {
     'F_1DG': False,  # 1DG firmly locked
     'U_1DG': True,  # 1DG used by a train (R9)
     'P_1DG': False,  # 1DG: the train went on (R9)
-    'D_1DG': False,  # 1DG: inputs were lost while locked
+    'D_1DG': False,  # 1DG: detection is not relied on, inputs were lost or a train is called on
     'K_2DG': True,  # 2DG: restart lock (R16)
     'L_2DG_1': False,  # 2DG locked from 2DG|3G@2.reverse to 2DG|IIAG@2.toe
     'L_2DG_2': False,  # 2DG locked from 2DG|IG@2.normal to 2DG|IIAG@2.toe
@@ -126,35 +146,35 @@ STATE = {
     'F_2DG': False,  # 2DG firmly locked
     'U_2DG': True,  # 2DG used by a train (R9)
     'P_2DG': False,  # 2DG: the train went on (R9)
-    'D_2DG': False,  # 2DG: inputs were lost while locked
+    'D_2DG': False,  # 2DG: detection is not relied on, inputs were lost or a train is called on
     'K_3G': True,  # 3G: restart lock (R16)
     'L_3G_1': False,  # 3G locked from 1DG|3G@1.reverse to 2DG|3G@2.reverse
     'L_3G_2': False,  # 3G locked from 2DG|3G@2.reverse to 1DG|3G@1.reverse
     'F_3G': False,  # 3G firmly locked
     'U_3G': True,  # 3G used by a train (R9)
     'P_3G': False,  # 3G: the train went on (R9)
-    'D_3G': False,  # 3G: inputs were lost while locked
+    'D_3G': False,  # 3G: detection is not relied on, inputs were lost or a train is called on
     'K_IAG': True,  # IAG: restart lock (R16)
     'L_IAG_1': False,  # IAG locked from 1DG|IAG@1.toe to W
     'L_IAG_2': False,  # IAG locked from W to 1DG|IAG@1.toe
     'F_IAG': False,  # IAG firmly locked
     'U_IAG': True,  # IAG used by a train (R9)
     'P_IAG': False,  # IAG: the train went on (R9)
-    'D_IAG': False,  # IAG: inputs were lost while locked
+    'D_IAG': False,  # IAG: detection is not relied on, inputs were lost or a train is called on
     'K_IG': True,  # IG: restart lock (R16)
     'L_IG_1': False,  # IG locked from 1DG|IG@1.normal to 2DG|IG@2.normal
     'L_IG_2': False,  # IG locked from 2DG|IG@2.normal to 1DG|IG@1.normal
     'F_IG': False,  # IG firmly locked
     'U_IG': True,  # IG used by a train (R9)
     'P_IG': False,  # IG: the train went on (R9)
-    'D_IG': False,  # IG: inputs were lost while locked
+    'D_IG': False,  # IG: detection is not relied on, inputs were lost or a train is called on
     'K_IIAG': True,  # IIAG: restart lock (R16)
     'L_IIAG_1': False,  # IIAG locked from 2DG|IIAG@2.toe to E
     'L_IIAG_2': False,  # IIAG locked from E to 2DG|IIAG@2.toe
     'F_IIAG': False,  # IIAG firmly locked
     'U_IIAG': True,  # IIAG used by a train (R9)
     'P_IIAG': False,  # IIAG: the train went on (R9)
-    'D_IIAG': False,  # IIAG: inputs were lost while locked
+    'D_IIAG': False,  # IIAG: detection is not relied on, inputs were lost or a train is called on
     'C_S': False,  # S shows clear
     'C_S1': False,  # S1 shows clear
     'C_S3': False,  # S3 shows clear
@@ -197,6 +217,7 @@ OUTPUTS = {
     'YL_IIAG': True,  # indication: IIAG is locked
     'YP_S': False,  # signal S: clear (green)
     'YY_S': False,  # signal S: caution (yellow)
+    'YO_S': False,  # signal S: call-on, beside stop
     'YS_S': True,  # signal S: stop
     'YP_S1': False,  # signal S1: clear (green)
     'YY_S1': False,  # signal S1: caution (yellow)
@@ -206,6 +227,7 @@ OUTPUTS = {
     'YS_S3': True,  # signal S3: stop
     'YP_X': False,  # signal X: clear (green)
     'YY_X': False,  # signal X: caution (yellow)
+    'YO_X': False,  # signal X: call-on, beside stop
     'YS_X': True,  # signal X: stop
     'YP_X1': False,  # signal X1: clear (green)
     'YY_X1': False,  # signal X1: caution (yellow)
@@ -328,6 +350,26 @@ class Controller:
         W_R8 = old['W_R8']
         S_R8 = old['S_R8']
         H_R8 = old['H_R8']
+        A_R9 = old['A_R9']
+        B_R9 = old['B_R9']
+        W_R9 = old['W_R9']
+        S_R9 = old['S_R9']
+        H_R9 = old['H_R9']
+        A_R10 = old['A_R10']
+        B_R10 = old['B_R10']
+        W_R10 = old['W_R10']
+        S_R10 = old['S_R10']
+        H_R10 = old['H_R10']
+        A_R11 = old['A_R11']
+        B_R11 = old['B_R11']
+        W_R11 = old['W_R11']
+        S_R11 = old['S_R11']
+        H_R11 = old['H_R11']
+        A_R12 = old['A_R12']
+        B_R12 = old['B_R12']
+        W_R12 = old['W_R12']
+        S_R12 = old['S_R12']
+        H_R12 = old['H_R12']
         X_S = old['X_S']
         X_S1 = old['X_S1']
         X_S3 = old['X_S3']
@@ -476,44 +518,56 @@ class Controller:
         WP_IIAG_2 = WL_IIAG_2 and (not BLK_IIAG)  # IIAG from E to 2DG|IIAG@2.toe: proceed may be shown over it (R3)
         G_R1 = (REQ == 1) and VALID and WF_IIAG_2 and WF_2DG_4 and WF_IG_2  # grant of route S-S1 (R6)
         G_R2 = (REQ == 2) and VALID and WF_IIAG_2 and WF_2DG_3 and WF_3G_2  # grant of route S-S3 (R6)
-        G_R3 = (REQ == 3) and VALID and WF_1DG_4 and WF_IAG_1  # grant of route S1-W (R6)
-        G_R4 = (REQ == 4) and VALID and WF_1DG_1 and WF_IAG_1  # grant of route S3-W (R6)
-        G_R5 = (REQ == 5) and VALID and WF_IAG_2 and WF_1DG_3 and WF_IG_1  # grant of route X-X1 (R6)
-        G_R6 = (REQ == 6) and VALID and WF_IAG_2 and WF_1DG_2 and WF_3G_1  # grant of route X-X3 (R6)
-        G_R7 = (REQ == 7) and VALID and WF_2DG_2 and WF_IIAG_1  # grant of route X1-E (R6)
-        G_R8 = (REQ == 8) and VALID and WF_2DG_1 and WF_IIAG_1  # grant of route X3-E (R6)
-        GW_1DG_1 = G_R4  # 1DG from 1DG|3G@1.reverse to 1DG|IAG@1.toe: granted
-        GW_1DG_2 = G_R6  # 1DG from 1DG|IAG@1.toe to 1DG|3G@1.reverse: granted
-        GW_1DG_3 = G_R5  # 1DG from 1DG|IAG@1.toe to 1DG|IG@1.normal: granted
-        GW_1DG_4 = G_R3  # 1DG from 1DG|IG@1.normal to 1DG|IAG@1.toe: granted
-        GW_2DG_1 = G_R8  # 2DG from 2DG|3G@2.reverse to 2DG|IIAG@2.toe: granted
-        GW_2DG_2 = G_R7  # 2DG from 2DG|IG@2.normal to 2DG|IIAG@2.toe: granted
-        GW_2DG_3 = G_R2  # 2DG from 2DG|IIAG@2.toe to 2DG|3G@2.reverse: granted
-        GW_2DG_4 = G_R1  # 2DG from 2DG|IIAG@2.toe to 2DG|IG@2.normal: granted
-        GW_3G_1 = G_R6  # 3G from 1DG|3G@1.reverse to 2DG|3G@2.reverse: granted
-        GW_3G_2 = G_R2  # 3G from 2DG|3G@2.reverse to 1DG|3G@1.reverse: granted
-        GW_IAG_1 = G_R3 or G_R4  # IAG from 1DG|IAG@1.toe to W: granted
-        GW_IAG_2 = G_R5 or G_R6  # IAG from W to 1DG|IAG@1.toe: granted
-        GW_IG_1 = G_R5  # IG from 1DG|IG@1.normal to 2DG|IG@2.normal: granted
-        GW_IG_2 = G_R1  # IG from 2DG|IG@2.normal to 1DG|IG@1.normal: granted
-        GW_IIAG_1 = G_R7 or G_R8  # IIAG from 2DG|IIAG@2.toe to E: granted
-        GW_IIAG_2 = G_R1 or G_R2  # IIAG from E to 2DG|IIAG@2.toe: granted
+        G_R3 = (REQ == 3) and VALID and WF_IIAG_2 and FREE_2DG and (not BLK_2DG) and WA_2DG_4 and FREE_IG and (not BLK_IG)  # grant of route S-S1.c (R6)
+        G_R4 = (REQ == 4) and VALID and WF_IIAG_2 and FREE_2DG and (not BLK_2DG) and WA_2DG_3 and FREE_3G and (not BLK_3G)  # grant of route S-S3.c (R6)
+        G_R5 = (REQ == 5) and VALID and WF_1DG_4 and WF_IAG_1  # grant of route S1-W (R6)
+        G_R6 = (REQ == 6) and VALID and WF_1DG_1 and WF_IAG_1  # grant of route S3-W (R6)
+        G_R7 = (REQ == 7) and VALID and WF_IAG_2 and WF_1DG_3 and WF_IG_1  # grant of route X-X1 (R6)
+        G_R8 = (REQ == 8) and VALID and WF_IAG_2 and WF_1DG_2 and WF_3G_1  # grant of route X-X3 (R6)
+        G_R9 = (REQ == 9) and VALID and WF_IAG_2 and FREE_1DG and (not BLK_1DG) and WA_1DG_3 and FREE_IG and (not BLK_IG)  # grant of route X-X1.c (R6)
+        G_R10 = (REQ == 10) and VALID and WF_IAG_2 and FREE_1DG and (not BLK_1DG) and WA_1DG_2 and FREE_3G and (not BLK_3G)  # grant of route X-X3.c (R6)
+        G_R11 = (REQ == 11) and VALID and WF_2DG_2 and WF_IIAG_1  # grant of route X1-E (R6)
+        G_R12 = (REQ == 12) and VALID and WF_2DG_1 and WF_IIAG_1  # grant of route X3-E (R6)
+        GW_1DG_1 = G_R6  # 1DG from 1DG|3G@1.reverse to 1DG|IAG@1.toe: granted
+        GW_1DG_2 = G_R8 or G_R10  # 1DG from 1DG|IAG@1.toe to 1DG|3G@1.reverse: granted
+        GW_1DG_3 = G_R7 or G_R9  # 1DG from 1DG|IAG@1.toe to 1DG|IG@1.normal: granted
+        GW_1DG_4 = G_R5  # 1DG from 1DG|IG@1.normal to 1DG|IAG@1.toe: granted
+        GW_2DG_1 = G_R12  # 2DG from 2DG|3G@2.reverse to 2DG|IIAG@2.toe: granted
+        GW_2DG_2 = G_R11  # 2DG from 2DG|IG@2.normal to 2DG|IIAG@2.toe: granted
+        GW_2DG_3 = G_R2 or G_R4  # 2DG from 2DG|IIAG@2.toe to 2DG|3G@2.reverse: granted
+        GW_2DG_4 = G_R1 or G_R3  # 2DG from 2DG|IIAG@2.toe to 2DG|IG@2.normal: granted
+        GW_3G_1 = G_R8 or G_R10  # 3G from 1DG|3G@1.reverse to 2DG|3G@2.reverse: granted
+        GW_3G_2 = G_R2 or G_R4  # 3G from 2DG|3G@2.reverse to 1DG|3G@1.reverse: granted
+        GW_IAG_1 = G_R5 or G_R6  # IAG from 1DG|IAG@1.toe to W: granted
+        GW_IAG_2 = G_R7 or G_R8 or G_R9 or G_R10  # IAG from W to 1DG|IAG@1.toe: granted
+        GW_IG_1 = G_R7 or G_R9  # IG from 1DG|IG@1.normal to 2DG|IG@2.normal: granted
+        GW_IG_2 = G_R1 or G_R3  # IG from 2DG|IG@2.normal to 1DG|IG@1.normal: granted
+        GW_IIAG_1 = G_R11 or G_R12  # IIAG from 2DG|IIAG@2.toe to E: granted
+        GW_IIAG_2 = G_R1 or G_R2 or G_R3 or G_R4  # IIAG from E to 2DG|IIAG@2.toe: granted
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_S) and (not CAN_S) and WL_IIAG_2 and WL_2DG_4 and WL_IG_2  # route S-S1 becomes locked (R3)
         CO_R1 = VALID and WP_IIAG_2 and WP_2DG_4 and WP_IG_2 and (not D_IIAG)  # conditions of proceed for route S-S1 (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_S) and (not CAN_S) and WL_IIAG_2 and WL_2DG_3 and WL_3G_2  # route S-S3 becomes locked (R3)
         CO_R2 = VALID and WP_IIAG_2 and WP_2DG_3 and WP_3G_2 and (not D_IIAG)  # conditions of proceed for route S-S3 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S1) and (not CAN_S1) and WL_1DG_4 and WL_IAG_1  # route S1-W becomes locked (R3)
-        CO_R3 = VALID and WP_1DG_4 and WP_IAG_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S1-W (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S3) and (not CAN_S3) and WL_1DG_1 and WL_IAG_1  # route S3-W becomes locked (R3)
-        CO_R4 = VALID and WP_1DG_1 and WP_IAG_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S3-W (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_1DG_3 and WL_IG_1  # route X-X1 becomes locked (R3)
-        CO_R5 = VALID and WP_IAG_2 and WP_1DG_3 and WP_IG_1 and (not D_IAG)  # conditions of proceed for route X-X1 (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_1DG_2 and WL_3G_1  # route X-X3 becomes locked (R3)
-        CO_R6 = VALID and WP_IAG_2 and WP_1DG_2 and WP_3G_1 and (not D_IAG)  # conditions of proceed for route X-X3 (R3)
-        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_X1) and (not CAN_X1) and WL_2DG_2 and WL_IIAG_1  # route X1-E becomes locked (R3)
-        CO_R7 = VALID and WP_2DG_2 and WP_IIAG_1 and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X1-E (R3)
-        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_X3) and (not CAN_X3) and WL_2DG_1 and WL_IIAG_1  # route X3-E becomes locked (R3)
-        CO_R8 = VALID and WP_2DG_1 and WP_IIAG_1 and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X3-E (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_S) and (not CAN_S) and WL_IIAG_2 and WD_2DG_4  # route S-S1.c becomes locked (R3)
+        CO_R3 = VALID and WP_IIAG_2 and WD_2DG_4 and (not BLK_2DG) and (not BLK_IG)  # conditions of proceed for route S-S1.c (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S) and (not CAN_S) and WL_IIAG_2 and WD_2DG_3  # route S-S3.c becomes locked (R3)
+        CO_R4 = VALID and WP_IIAG_2 and WD_2DG_3 and (not BLK_2DG) and (not BLK_3G)  # conditions of proceed for route S-S3.c (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S1) and (not CAN_S1) and WL_1DG_4 and WL_IAG_1  # route S1-W becomes locked (R3)
+        CO_R5 = VALID and WP_1DG_4 and WP_IAG_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S1-W (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S3) and (not CAN_S3) and WL_1DG_1 and WL_IAG_1  # route S3-W becomes locked (R3)
+        CO_R6 = VALID and WP_1DG_1 and WP_IAG_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S3-W (R3)
+        LK_R7 = A_R7 and (not B_R7) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_1DG_3 and WL_IG_1  # route X-X1 becomes locked (R3)
+        CO_R7 = VALID and WP_IAG_2 and WP_1DG_3 and WP_IG_1 and (not D_IAG)  # conditions of proceed for route X-X1 (R3)
+        LK_R8 = A_R8 and (not B_R8) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_1DG_2 and WL_3G_1  # route X-X3 becomes locked (R3)
+        CO_R8 = VALID and WP_IAG_2 and WP_1DG_2 and WP_3G_1 and (not D_IAG)  # conditions of proceed for route X-X3 (R3)
+        LK_R9 = A_R9 and (not B_R9) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_1DG_3  # route X-X1.c becomes locked (R3)
+        CO_R9 = VALID and WP_IAG_2 and WD_1DG_3 and (not BLK_1DG) and (not BLK_IG)  # conditions of proceed for route X-X1.c (R3)
+        LK_R10 = A_R10 and (not B_R10) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WD_1DG_2  # route X-X3.c becomes locked (R3)
+        CO_R10 = VALID and WP_IAG_2 and WD_1DG_2 and (not BLK_1DG) and (not BLK_3G)  # conditions of proceed for route X-X3.c (R3)
+        LK_R11 = A_R11 and (not B_R11) and VALID and (not X_X1) and (not CAN_X1) and WL_2DG_2 and WL_IIAG_1  # route X1-E becomes locked (R3)
+        CO_R11 = VALID and WP_2DG_2 and WP_IIAG_1 and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X1-E (R3)
+        LK_R12 = A_R12 and (not B_R12) and VALID and (not X_X3) and (not CAN_X3) and WL_2DG_1 and WL_IIAG_1  # route X3-E becomes locked (R3)
+        CO_R12 = VALID and WP_2DG_1 and WP_IIAG_1 and E_BF_E and (not OCC_SJG) and (not D_2DG)  # conditions of proceed for route X3-E (R3)
         NU_1DG_1 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and L_1DG_1 and OCC_1DG and OCC_3G  # a train comes into 1DG at 1DG|3G@1.reverse (R9)
         NU_1DG_2 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and (L_1DG_2 or L_1DG_3) and OCC_1DG and OCC_IAG and U_IAG and L_IAG_2  # a train comes into 1DG at 1DG|IAG@1.toe (R9)
         NU_1DG_3 = VALID and F_1DG and (not D_1DG) and (not U_1DG) and L_1DG_4 and OCC_1DG and OCC_IG  # a train comes into 1DG at 1DG|IG@1.normal (R9)
@@ -528,24 +582,24 @@ class Controller:
         NU_IG_2 = VALID and F_IG and (not D_IG) and (not U_IG) and L_IG_2 and OCC_IG and OCC_2DG and U_2DG and L_2DG_4  # a train comes into IG at 2DG|IG@2.normal (R9)
         NU_IIAG_1 = VALID and F_IIAG and (not D_IIAG) and (not U_IIAG) and L_IIAG_1 and OCC_IIAG and OCC_2DG and U_2DG and (L_2DG_1 or L_2DG_2)  # a train comes into IIAG at 2DG|IIAG@2.toe (R9)
         NU_IIAG_2 = VALID and F_IIAG and (not D_IIAG) and (not U_IIAG) and L_IIAG_2 and OCC_IIAG and OCC_SJG  # a train comes into IIAG at E (R9)
-        ATI_S = X_S or ((not (A_R1 or A_R2)) and L_IIAG_2 and REL_IIAG)  # S at stop, waiting for a train that may still come (R8)
-        ATI_S1 = X_S1 or ((not A_R3) and L_1DG_4 and REL_1DG)  # S1 at stop, waiting for a train that may still come (R8)
-        ATI_S3 = X_S3 or ((not A_R4) and L_1DG_1 and REL_1DG)  # S3 at stop, waiting for a train that may still come (R8)
-        ATI_X = X_X or ((not (A_R5 or A_R6)) and L_IAG_2 and REL_IAG)  # X at stop, waiting for a train that may still come (R8)
-        ATI_X1 = X_X1 or ((not A_R7) and L_2DG_2 and REL_2DG)  # X1 at stop, waiting for a train that may still come (R8)
-        ATI_X3 = X_X3 or ((not A_R8) and L_2DG_1 and REL_2DG)  # X3 at stop, waiting for a train that may still come (R8)
+        ATI_S = X_S or ((not (A_R1 or A_R2 or A_R3 or A_R4)) and L_IIAG_2 and REL_IIAG)  # S at stop, waiting for a train that may still come (R8)
+        ATI_S1 = X_S1 or ((not A_R5) and L_1DG_4 and REL_1DG)  # S1 at stop, waiting for a train that may still come (R8)
+        ATI_S3 = X_S3 or ((not A_R6) and L_1DG_1 and REL_1DG)  # S3 at stop, waiting for a train that may still come (R8)
+        ATI_X = X_X or ((not (A_R7 or A_R8 or A_R9 or A_R10)) and L_IAG_2 and REL_IAG)  # X at stop, waiting for a train that may still come (R8)
+        ATI_X1 = X_X1 or ((not A_R11) and L_2DG_2 and REL_2DG)  # X1 at stop, waiting for a train that may still come (R8)
+        ATI_X3 = X_X3 or ((not A_R12) and L_2DG_1 and REL_2DG)  # X3 at stop, waiting for a train that may still come (R8)
         AT_S = self._timer('AT_S', ATI_S, dt_ms)  # S: approach locking delay (R8)
         AT_S1 = self._timer('AT_S1', ATI_S1, dt_ms)  # S1: approach locking delay (R8)
         AT_S3 = self._timer('AT_S3', ATI_S3, dt_ms)  # S3: approach locking delay (R8)
         AT_X = self._timer('AT_X', ATI_X, dt_ms)  # X: approach locking delay (R8)
         AT_X1 = self._timer('AT_X1', ATI_X1, dt_ms)  # X1: approach locking delay (R8)
         AT_X3 = self._timer('AT_X3', ATI_X3, dt_ms)  # X3: approach locking delay (R8)
-        CD_S = X_S and (A_R1 or A_R2) and VALID and (not OCC_IIAG) and ((not OCC_SJG) or AT_S or (not (H_R1 or H_R2)))  # the route from S is cancelled (R8)
-        CD_S1 = X_S1 and A_R3 and VALID and (not OCC_1DG) and ((not OCC_IG) or AT_S1 or (not H_R3))  # the route from S1 is cancelled (R8)
-        CD_S3 = X_S3 and A_R4 and VALID and (not OCC_1DG) and ((not OCC_3G) or AT_S3 or (not H_R4))  # the route from S3 is cancelled (R8)
-        CD_X = X_X and (A_R5 or A_R6) and VALID and (not OCC_IAG) and ((not OCC_XJG) or AT_X or (not (H_R5 or H_R6)))  # the route from X is cancelled (R8)
-        CD_X1 = X_X1 and A_R7 and VALID and (not OCC_2DG) and ((not OCC_IG) or AT_X1 or (not H_R7))  # the route from X1 is cancelled (R8)
-        CD_X3 = X_X3 and A_R8 and VALID and (not OCC_2DG) and ((not OCC_3G) or AT_X3 or (not H_R8))  # the route from X3 is cancelled (R8)
+        CD_S = X_S and (A_R1 or A_R2 or A_R3 or A_R4) and VALID and (not OCC_IIAG) and ((not OCC_SJG) or AT_S or (not (H_R1 or H_R2 or H_R3 or H_R4)))  # the route from S is cancelled (R8)
+        CD_S1 = X_S1 and A_R5 and VALID and (not OCC_1DG) and ((not OCC_IG) or AT_S1 or (not H_R5))  # the route from S1 is cancelled (R8)
+        CD_S3 = X_S3 and A_R6 and VALID and (not OCC_1DG) and ((not OCC_3G) or AT_S3 or (not H_R6))  # the route from S3 is cancelled (R8)
+        CD_X = X_X and (A_R7 or A_R8 or A_R9 or A_R10) and VALID and (not OCC_IAG) and ((not OCC_XJG) or AT_X or (not (H_R7 or H_R8 or H_R9 or H_R10)))  # the route from X is cancelled (R8)
+        CD_X1 = X_X1 and A_R11 and VALID and (not OCC_2DG) and ((not OCC_IG) or AT_X1 or (not H_R11))  # the route from X1 is cancelled (R8)
+        CD_X3 = X_X3 and A_R12 and VALID and (not OCC_2DG) and ((not OCC_3G) or AT_X3 or (not H_R12))  # the route from X3 is cancelled (R8)
         EX_1DG = P_1DG  # a train in 1DG leaves over a boundary, or has passed on
         RTI_1DG = VALID and U_1DG and (not OCC_1DG) and (not ((L_1DG_2 or L_1DG_3) and L_IAG_2)) and EX_1DG  # 1DG may be released behind the train (R9)
         EX_2DG = P_2DG  # a train in 2DG leaves over a boundary, or has passed on
@@ -565,11 +619,11 @@ class Controller:
         RT_IG = self._timer('RT_IG', RTI_IG, dt_ms)  # IG: release delay (R9)
         RT_IIAG = self._timer('RT_IIAG', RTI_IIAG, dt_ms)  # IIAG: release delay (R9)
         CA_1DG = VALID and (not OCC_1DG) and (not U_1DG) and (L_1DG_2 or L_1DG_3) and (not ((L_1DG_2 or L_1DG_3) and L_IAG_2))  # the lock before 1DG was withdrawn (R8)
-        HR_1DG = VALID and (not OCC_1DG) and (not ((L_1DG_2 or L_1DG_3) and L_IAG_2)) and REL_1DG and (L_1DG_1 or L_1DG_2 or L_1DG_3 or L_1DG_4) and ((not L_1DG_1) or ((not A_R4) and ((not OCC_3G) or AT_S3))) and ((not L_1DG_4) or ((not A_R3) and ((not OCC_IG) or AT_S1)))  # 1DG released by hand (R8, section fault release)
+        HR_1DG = VALID and (not OCC_1DG) and (not ((L_1DG_2 or L_1DG_3) and L_IAG_2)) and REL_1DG and (L_1DG_1 or L_1DG_2 or L_1DG_3 or L_1DG_4) and ((not L_1DG_1) or ((not A_R6) and ((not OCC_3G) or AT_S3))) and ((not L_1DG_4) or ((not A_R5) and ((not OCC_IG) or AT_S1)))  # 1DG released by hand (R8, section fault release)
         SR_1DG = VALID and (not OCC_1DG) and K_1DG and (REL_1DG or RELALL)  # 1DG released after a restart (R16)
         RLS_1DG = RT_1DG or CA_1DG or CD_S3 or CD_S1 or HR_1DG or SR_1DG  # 1DG is released
         CA_2DG = VALID and (not OCC_2DG) and (not U_2DG) and (L_2DG_3 or L_2DG_4) and (not ((L_2DG_3 or L_2DG_4) and L_IIAG_2))  # the lock before 2DG was withdrawn (R8)
-        HR_2DG = VALID and (not OCC_2DG) and (not ((L_2DG_3 or L_2DG_4) and L_IIAG_2)) and REL_2DG and (L_2DG_1 or L_2DG_2 or L_2DG_3 or L_2DG_4) and ((not L_2DG_1) or ((not A_R8) and ((not OCC_3G) or AT_X3))) and ((not L_2DG_2) or ((not A_R7) and ((not OCC_IG) or AT_X1)))  # 2DG released by hand (R8, section fault release)
+        HR_2DG = VALID and (not OCC_2DG) and (not ((L_2DG_3 or L_2DG_4) and L_IIAG_2)) and REL_2DG and (L_2DG_1 or L_2DG_2 or L_2DG_3 or L_2DG_4) and ((not L_2DG_1) or ((not A_R12) and ((not OCC_3G) or AT_X3))) and ((not L_2DG_2) or ((not A_R11) and ((not OCC_IG) or AT_X1)))  # 2DG released by hand (R8, section fault release)
         SR_2DG = VALID and (not OCC_2DG) and K_2DG and (REL_2DG or RELALL)  # 2DG released after a restart (R16)
         RLS_2DG = RT_2DG or CA_2DG or CD_X3 or CD_X1 or HR_2DG or SR_2DG  # 2DG is released
         CA_3G = VALID and (not OCC_3G) and (not U_3G) and (L_3G_1 or L_3G_2) and (not (L_3G_1 and L_1DG_2)) and (not (L_3G_2 and L_2DG_3))  # the lock before 3G was withdrawn (R8)
@@ -577,7 +631,7 @@ class Controller:
         SR_3G = VALID and (not OCC_3G) and K_3G and (REL_3G or RELALL)  # 3G released after a restart (R16)
         RLS_3G = RT_3G or CA_3G or HR_3G or SR_3G  # 3G is released
         CA_IAG = VALID and (not OCC_IAG) and (not U_IAG) and L_IAG_1 and (not (L_IAG_1 and (L_1DG_1 or L_1DG_4)))  # the lock before IAG was withdrawn (R8)
-        HR_IAG = VALID and (not OCC_IAG) and (not (L_IAG_1 and (L_1DG_1 or L_1DG_4))) and REL_IAG and (L_IAG_1 or L_IAG_2) and ((not L_IAG_2) or ((not (A_R5 or A_R6)) and ((not OCC_XJG) or AT_X)))  # IAG released by hand (R8, section fault release)
+        HR_IAG = VALID and (not OCC_IAG) and (not (L_IAG_1 and (L_1DG_1 or L_1DG_4))) and REL_IAG and (L_IAG_1 or L_IAG_2) and ((not L_IAG_2) or ((not (A_R7 or A_R8 or A_R9 or A_R10)) and ((not OCC_XJG) or AT_X)))  # IAG released by hand (R8, section fault release)
         SR_IAG = VALID and (not OCC_IAG) and K_IAG and (REL_IAG or RELALL)  # IAG released after a restart (R16)
         RLS_IAG = RT_IAG or CA_IAG or CD_X or HR_IAG or SR_IAG  # IAG is released
         CA_IG = VALID and (not OCC_IG) and (not U_IG) and (L_IG_1 or L_IG_2) and (not (L_IG_1 and L_1DG_3)) and (not (L_IG_2 and L_2DG_4))  # the lock before IG was withdrawn (R8)
@@ -585,7 +639,7 @@ class Controller:
         SR_IG = VALID and (not OCC_IG) and K_IG and (REL_IG or RELALL)  # IG released after a restart (R16)
         RLS_IG = RT_IG or CA_IG or HR_IG or SR_IG  # IG is released
         CA_IIAG = VALID and (not OCC_IIAG) and (not U_IIAG) and L_IIAG_1 and (not (L_IIAG_1 and (L_2DG_1 or L_2DG_2)))  # the lock before IIAG was withdrawn (R8)
-        HR_IIAG = VALID and (not OCC_IIAG) and (not (L_IIAG_1 and (L_2DG_1 or L_2DG_2))) and REL_IIAG and (L_IIAG_1 or L_IIAG_2) and ((not L_IIAG_2) or ((not (A_R1 or A_R2)) and ((not OCC_SJG) or AT_S)))  # IIAG released by hand (R8, section fault release)
+        HR_IIAG = VALID and (not OCC_IIAG) and (not (L_IIAG_1 and (L_2DG_1 or L_2DG_2))) and REL_IIAG and (L_IIAG_1 or L_IIAG_2) and ((not L_IIAG_2) or ((not (A_R1 or A_R2 or A_R3 or A_R4)) and ((not OCC_SJG) or AT_S)))  # IIAG released by hand (R8, section fault release)
         SR_IIAG = VALID and (not OCC_IIAG) and K_IIAG and (REL_IIAG or RELALL)  # IIAG released after a restart (R16)
         RLS_IIAG = RT_IIAG or CA_IIAG or CD_S or HR_IIAG or SR_IIAG  # IIAG is released
         TG_1 = (GW_1DG_1 or GW_1DG_2 or GW_1DG_3 or GW_1DG_4)  # a grant touches machine 1 in this scan
@@ -612,24 +666,36 @@ class Controller:
         KP_R2 = (not NU_IIAG_2) and (not CD_S)  # route S-S3 stays set
         PR_R2 = A_R2 and B_R2 and W_R2 and CO_R2 and KP_R2 and (not X_S) and (not CAN_S)  # proceed for route S-S3 (R3, R11)
         LS_R2 = S_R2 and (not CO_R2)  # route S-S3: a condition was lost; no reopening by itself (R14)
-        KP_R3 = (not NU_1DG_3) and (not CD_S1)  # route S1-W stays set
-        PR_R3 = A_R3 and B_R3 and W_R3 and CO_R3 and KP_R3 and (not X_S1) and (not CAN_S1)  # proceed for route S1-W (R3, R11)
-        LS_R3 = S_R3 and (not CO_R3)  # route S1-W: a condition was lost; no reopening by itself (R14)
-        KP_R4 = (not NU_1DG_1) and (not CD_S3)  # route S3-W stays set
-        PR_R4 = A_R4 and B_R4 and W_R4 and CO_R4 and KP_R4 and (not X_S3) and (not CAN_S3)  # proceed for route S3-W (R3, R11)
-        LS_R4 = S_R4 and (not CO_R4)  # route S3-W: a condition was lost; no reopening by itself (R14)
-        KP_R5 = (not NU_IAG_2) and (not CD_X)  # route X-X1 stays set
-        PR_R5 = A_R5 and B_R5 and W_R5 and CO_R5 and KP_R5 and (not X_X) and (not CAN_X)  # proceed for route X-X1 (R3, R11)
-        LS_R5 = S_R5 and (not CO_R5)  # route X-X1: a condition was lost; no reopening by itself (R14)
-        KP_R6 = (not NU_IAG_2) and (not CD_X)  # route X-X3 stays set
-        PR_R6 = A_R6 and B_R6 and W_R6 and CO_R6 and KP_R6 and (not X_X) and (not CAN_X)  # proceed for route X-X3 (R3, R11)
-        LS_R6 = S_R6 and (not CO_R6)  # route X-X3: a condition was lost; no reopening by itself (R14)
-        KP_R7 = (not NU_2DG_2) and (not CD_X1)  # route X1-E stays set
-        PR_R7 = A_R7 and B_R7 and W_R7 and CO_R7 and KP_R7 and (not X_X1) and (not CAN_X1)  # proceed for route X1-E (R3, R11)
-        LS_R7 = S_R7 and (not CO_R7)  # route X1-E: a condition was lost; no reopening by itself (R14)
-        KP_R8 = (not NU_2DG_1) and (not CD_X3)  # route X3-E stays set
-        PR_R8 = A_R8 and B_R8 and W_R8 and CO_R8 and KP_R8 and (not X_X3) and (not CAN_X3)  # proceed for route X3-E (R3, R11)
-        LS_R8 = S_R8 and (not CO_R8)  # route X3-E: a condition was lost; no reopening by itself (R14)
+        KP_R3 = (not NU_IIAG_2) and (not CD_S)  # route S-S1.c stays set
+        PR_R3 = A_R3 and B_R3 and W_R3 and CO_R3 and KP_R3 and (not X_S) and (not CAN_S)  # proceed for route S-S1.c (R3, R11)
+        LS_R3 = S_R3 and (not CO_R3)  # route S-S1.c: a condition was lost; no reopening by itself (R14)
+        KP_R4 = (not NU_IIAG_2) and (not CD_S)  # route S-S3.c stays set
+        PR_R4 = A_R4 and B_R4 and W_R4 and CO_R4 and KP_R4 and (not X_S) and (not CAN_S)  # proceed for route S-S3.c (R3, R11)
+        LS_R4 = S_R4 and (not CO_R4)  # route S-S3.c: a condition was lost; no reopening by itself (R14)
+        KP_R5 = (not NU_1DG_3) and (not CD_S1)  # route S1-W stays set
+        PR_R5 = A_R5 and B_R5 and W_R5 and CO_R5 and KP_R5 and (not X_S1) and (not CAN_S1)  # proceed for route S1-W (R3, R11)
+        LS_R5 = S_R5 and (not CO_R5)  # route S1-W: a condition was lost; no reopening by itself (R14)
+        KP_R6 = (not NU_1DG_1) and (not CD_S3)  # route S3-W stays set
+        PR_R6 = A_R6 and B_R6 and W_R6 and CO_R6 and KP_R6 and (not X_S3) and (not CAN_S3)  # proceed for route S3-W (R3, R11)
+        LS_R6 = S_R6 and (not CO_R6)  # route S3-W: a condition was lost; no reopening by itself (R14)
+        KP_R7 = (not NU_IAG_2) and (not CD_X)  # route X-X1 stays set
+        PR_R7 = A_R7 and B_R7 and W_R7 and CO_R7 and KP_R7 and (not X_X) and (not CAN_X)  # proceed for route X-X1 (R3, R11)
+        LS_R7 = S_R7 and (not CO_R7)  # route X-X1: a condition was lost; no reopening by itself (R14)
+        KP_R8 = (not NU_IAG_2) and (not CD_X)  # route X-X3 stays set
+        PR_R8 = A_R8 and B_R8 and W_R8 and CO_R8 and KP_R8 and (not X_X) and (not CAN_X)  # proceed for route X-X3 (R3, R11)
+        LS_R8 = S_R8 and (not CO_R8)  # route X-X3: a condition was lost; no reopening by itself (R14)
+        KP_R9 = (not NU_IAG_2) and (not CD_X)  # route X-X1.c stays set
+        PR_R9 = A_R9 and B_R9 and W_R9 and CO_R9 and KP_R9 and (not X_X) and (not CAN_X)  # proceed for route X-X1.c (R3, R11)
+        LS_R9 = S_R9 and (not CO_R9)  # route X-X1.c: a condition was lost; no reopening by itself (R14)
+        KP_R10 = (not NU_IAG_2) and (not CD_X)  # route X-X3.c stays set
+        PR_R10 = A_R10 and B_R10 and W_R10 and CO_R10 and KP_R10 and (not X_X) and (not CAN_X)  # proceed for route X-X3.c (R3, R11)
+        LS_R10 = S_R10 and (not CO_R10)  # route X-X3.c: a condition was lost; no reopening by itself (R14)
+        KP_R11 = (not NU_2DG_2) and (not CD_X1)  # route X1-E stays set
+        PR_R11 = A_R11 and B_R11 and W_R11 and CO_R11 and KP_R11 and (not X_X1) and (not CAN_X1)  # proceed for route X1-E (R3, R11)
+        LS_R11 = S_R11 and (not CO_R11)  # route X1-E: a condition was lost; no reopening by itself (R14)
+        KP_R12 = (not NU_2DG_1) and (not CD_X3)  # route X3-E stays set
+        PR_R12 = A_R12 and B_R12 and W_R12 and CO_R12 and KP_R12 and (not X_X3) and (not CAN_X3)  # proceed for route X3-E (R3, R11)
+        LS_R12 = S_R12 and (not CO_R12)  # route X3-E: a condition was lost; no reopening by itself (R14)
         N_CN_1 = GPN_1 or MAN_1 or HDN_1  # machine 1 commanded N
         N_CR_1 = GPR_1 or MAR_1 or HDR_1  # machine 1 commanded R
         N_CN_2 = GPN_2 or MAN_2 or HDN_2  # machine 2 commanded N
@@ -650,94 +716,114 @@ class Controller:
         N_W_R2 = (W_R2 or LK_R2 or ((REQ == 2) and B_R2)) and (not LS_R2) and KP_R2 and (not X_S) and (not CAN_S)  # route S-S3: proceed wanted
         N_S_R2 = PR_R2  # route S-S3: proceed
         N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route S-S3: signal has been open
-        N_A_R3 = (A_R3 or G_R3) and KP_R3  # route S1-W active
-        N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route S1-W locked
-        N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_S1) and (not CAN_S1)  # route S1-W: proceed wanted
-        N_S_R3 = PR_R3  # route S1-W: proceed
-        N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route S1-W: signal has been open
-        N_A_R4 = (A_R4 or G_R4) and KP_R4  # route S3-W active
-        N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route S3-W locked
-        N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_S3) and (not CAN_S3)  # route S3-W: proceed wanted
-        N_S_R4 = PR_R4  # route S3-W: proceed
-        N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route S3-W: signal has been open
-        N_A_R5 = (A_R5 or G_R5) and KP_R5  # route X-X1 active
-        N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route X-X1 locked
-        N_W_R5 = (W_R5 or LK_R5 or ((REQ == 5) and B_R5)) and (not LS_R5) and KP_R5 and (not X_X) and (not CAN_X)  # route X-X1: proceed wanted
-        N_S_R5 = PR_R5  # route X-X1: proceed
-        N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route X-X1: signal has been open
-        N_A_R6 = (A_R6 or G_R6) and KP_R6  # route X-X3 active
-        N_B_R6 = (B_R6 or LK_R6) and KP_R6  # route X-X3 locked
-        N_W_R6 = (W_R6 or LK_R6 or ((REQ == 6) and B_R6)) and (not LS_R6) and KP_R6 and (not X_X) and (not CAN_X)  # route X-X3: proceed wanted
-        N_S_R6 = PR_R6  # route X-X3: proceed
-        N_H_R6 = (H_R6 or PR_R6) and KP_R6  # route X-X3: signal has been open
-        N_A_R7 = (A_R7 or G_R7) and KP_R7  # route X1-E active
-        N_B_R7 = (B_R7 or LK_R7) and KP_R7  # route X1-E locked
-        N_W_R7 = (W_R7 or LK_R7 or ((REQ == 7) and B_R7)) and (not LS_R7) and KP_R7 and (not X_X1) and (not CAN_X1)  # route X1-E: proceed wanted
-        N_S_R7 = PR_R7  # route X1-E: proceed
-        N_H_R7 = (H_R7 or PR_R7) and KP_R7  # route X1-E: signal has been open
-        N_A_R8 = (A_R8 or G_R8) and KP_R8  # route X3-E active
-        N_B_R8 = (B_R8 or LK_R8) and KP_R8  # route X3-E locked
-        N_W_R8 = (W_R8 or LK_R8 or ((REQ == 8) and B_R8)) and (not LS_R8) and KP_R8 and (not X_X3) and (not CAN_X3)  # route X3-E: proceed wanted
-        N_S_R8 = PR_R8  # route X3-E: proceed
-        N_H_R8 = (H_R8 or PR_R8) and KP_R8  # route X3-E: signal has been open
-        N_X_S = (X_S or CAN_S) and (A_R1 or A_R2) and (not CD_S)  # S: cancelling
-        N_X_S1 = (X_S1 or CAN_S1) and A_R3 and (not CD_S1)  # S1: cancelling
-        N_X_S3 = (X_S3 or CAN_S3) and A_R4 and (not CD_S3)  # S3: cancelling
-        N_X_X = (X_X or CAN_X) and (A_R5 or A_R6) and (not CD_X)  # X: cancelling
-        N_X_X1 = (X_X1 or CAN_X1) and A_R7 and (not CD_X1)  # X1: cancelling
-        N_X_X3 = (X_X3 or CAN_X3) and A_R8 and (not CD_X3)  # X3: cancelling
+        N_A_R3 = (A_R3 or G_R3) and KP_R3  # route S-S1.c active
+        N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route S-S1.c locked
+        N_W_R3 = (W_R3 or LK_R3) and (not LS_R3) and KP_R3 and (not X_S) and (not CAN_S)  # route S-S1.c: proceed wanted
+        N_S_R3 = PR_R3  # route S-S1.c: proceed
+        N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route S-S1.c: signal has been open
+        N_A_R4 = (A_R4 or G_R4) and KP_R4  # route S-S3.c active
+        N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route S-S3.c locked
+        N_W_R4 = (W_R4 or LK_R4) and (not LS_R4) and KP_R4 and (not X_S) and (not CAN_S)  # route S-S3.c: proceed wanted
+        N_S_R4 = PR_R4  # route S-S3.c: proceed
+        N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route S-S3.c: signal has been open
+        N_A_R5 = (A_R5 or G_R5) and KP_R5  # route S1-W active
+        N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route S1-W locked
+        N_W_R5 = (W_R5 or LK_R5 or ((REQ == 5) and B_R5)) and (not LS_R5) and KP_R5 and (not X_S1) and (not CAN_S1)  # route S1-W: proceed wanted
+        N_S_R5 = PR_R5  # route S1-W: proceed
+        N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route S1-W: signal has been open
+        N_A_R6 = (A_R6 or G_R6) and KP_R6  # route S3-W active
+        N_B_R6 = (B_R6 or LK_R6) and KP_R6  # route S3-W locked
+        N_W_R6 = (W_R6 or LK_R6 or ((REQ == 6) and B_R6)) and (not LS_R6) and KP_R6 and (not X_S3) and (not CAN_S3)  # route S3-W: proceed wanted
+        N_S_R6 = PR_R6  # route S3-W: proceed
+        N_H_R6 = (H_R6 or PR_R6) and KP_R6  # route S3-W: signal has been open
+        N_A_R7 = (A_R7 or G_R7) and KP_R7  # route X-X1 active
+        N_B_R7 = (B_R7 or LK_R7) and KP_R7  # route X-X1 locked
+        N_W_R7 = (W_R7 or LK_R7 or ((REQ == 7) and B_R7)) and (not LS_R7) and KP_R7 and (not X_X) and (not CAN_X)  # route X-X1: proceed wanted
+        N_S_R7 = PR_R7  # route X-X1: proceed
+        N_H_R7 = (H_R7 or PR_R7) and KP_R7  # route X-X1: signal has been open
+        N_A_R8 = (A_R8 or G_R8) and KP_R8  # route X-X3 active
+        N_B_R8 = (B_R8 or LK_R8) and KP_R8  # route X-X3 locked
+        N_W_R8 = (W_R8 or LK_R8 or ((REQ == 8) and B_R8)) and (not LS_R8) and KP_R8 and (not X_X) and (not CAN_X)  # route X-X3: proceed wanted
+        N_S_R8 = PR_R8  # route X-X3: proceed
+        N_H_R8 = (H_R8 or PR_R8) and KP_R8  # route X-X3: signal has been open
+        N_A_R9 = (A_R9 or G_R9) and KP_R9  # route X-X1.c active
+        N_B_R9 = (B_R9 or LK_R9) and KP_R9  # route X-X1.c locked
+        N_W_R9 = (W_R9 or LK_R9) and (not LS_R9) and KP_R9 and (not X_X) and (not CAN_X)  # route X-X1.c: proceed wanted
+        N_S_R9 = PR_R9  # route X-X1.c: proceed
+        N_H_R9 = (H_R9 or PR_R9) and KP_R9  # route X-X1.c: signal has been open
+        N_A_R10 = (A_R10 or G_R10) and KP_R10  # route X-X3.c active
+        N_B_R10 = (B_R10 or LK_R10) and KP_R10  # route X-X3.c locked
+        N_W_R10 = (W_R10 or LK_R10) and (not LS_R10) and KP_R10 and (not X_X) and (not CAN_X)  # route X-X3.c: proceed wanted
+        N_S_R10 = PR_R10  # route X-X3.c: proceed
+        N_H_R10 = (H_R10 or PR_R10) and KP_R10  # route X-X3.c: signal has been open
+        N_A_R11 = (A_R11 or G_R11) and KP_R11  # route X1-E active
+        N_B_R11 = (B_R11 or LK_R11) and KP_R11  # route X1-E locked
+        N_W_R11 = (W_R11 or LK_R11 or ((REQ == 11) and B_R11)) and (not LS_R11) and KP_R11 and (not X_X1) and (not CAN_X1)  # route X1-E: proceed wanted
+        N_S_R11 = PR_R11  # route X1-E: proceed
+        N_H_R11 = (H_R11 or PR_R11) and KP_R11  # route X1-E: signal has been open
+        N_A_R12 = (A_R12 or G_R12) and KP_R12  # route X3-E active
+        N_B_R12 = (B_R12 or LK_R12) and KP_R12  # route X3-E locked
+        N_W_R12 = (W_R12 or LK_R12 or ((REQ == 12) and B_R12)) and (not LS_R12) and KP_R12 and (not X_X3) and (not CAN_X3)  # route X3-E: proceed wanted
+        N_S_R12 = PR_R12  # route X3-E: proceed
+        N_H_R12 = (H_R12 or PR_R12) and KP_R12  # route X3-E: signal has been open
+        N_X_S = (X_S or CAN_S) and (A_R1 or A_R2 or A_R3 or A_R4) and (not CD_S)  # S: cancelling
+        N_X_S1 = (X_S1 or CAN_S1) and A_R5 and (not CD_S1)  # S1: cancelling
+        N_X_S3 = (X_S3 or CAN_S3) and A_R6 and (not CD_S3)  # S3: cancelling
+        N_X_X = (X_X or CAN_X) and (A_R7 or A_R8 or A_R9 or A_R10) and (not CD_X)  # X: cancelling
+        N_X_X1 = (X_X1 or CAN_X1) and A_R11 and (not CD_X1)  # X1: cancelling
+        N_X_X3 = (X_X3 or CAN_X3) and A_R12 and (not CD_X3)  # X3: cancelling
         N_K_1DG = K_1DG and (not RLS_1DG)  # 1DG: restart lock (R16)
         N_L_1DG_1 = (L_1DG_1 or GW_1DG_1) and (not RLS_1DG)  # 1DG locked from 1DG|3G@1.reverse to 1DG|IAG@1.toe
         N_L_1DG_2 = (L_1DG_2 or GW_1DG_2) and (not RLS_1DG)  # 1DG locked from 1DG|IAG@1.toe to 1DG|3G@1.reverse
         N_L_1DG_3 = (L_1DG_3 or GW_1DG_3) and (not RLS_1DG)  # 1DG locked from 1DG|IAG@1.toe to 1DG|IG@1.normal
         N_L_1DG_4 = (L_1DG_4 or GW_1DG_4) and (not RLS_1DG)  # 1DG locked from 1DG|IG@1.normal to 1DG|IAG@1.toe
-        N_F_1DG = (F_1DG or LK_R4 or LK_R6 or LK_R5 or LK_R3) and (not RLS_1DG)  # 1DG firmly locked
+        N_F_1DG = (F_1DG or LK_R6 or LK_R8 or LK_R10 or LK_R7 or LK_R9 or LK_R5) and (not RLS_1DG)  # 1DG firmly locked
         N_U_1DG = (U_1DG or NU_1DG_1 or NU_1DG_2 or NU_1DG_3) and (not RLS_1DG)  # 1DG used by a train (R9)
         N_P_1DG = (P_1DG or (U_1DG and OCC_1DG and (NU_3G_1 or NU_IAG_1 or NU_IG_1))) and (not RLS_1DG)  # 1DG: the train went on (R9)
-        N_D_1DG = (D_1DG or ((not VALID) and (L_1DG_1 or L_1DG_2 or L_1DG_3 or L_1DG_4))) and (not RLS_1DG)  # 1DG: inputs were lost while locked
+        N_D_1DG = (D_1DG or ((not VALID) and (L_1DG_1 or L_1DG_2 or L_1DG_3 or L_1DG_4)) or G_R9 or G_R10) and (not RLS_1DG)  # 1DG: detection is not relied on, inputs were lost or a train is called on
         N_K_2DG = K_2DG and (not RLS_2DG)  # 2DG: restart lock (R16)
         N_L_2DG_1 = (L_2DG_1 or GW_2DG_1) and (not RLS_2DG)  # 2DG locked from 2DG|3G@2.reverse to 2DG|IIAG@2.toe
         N_L_2DG_2 = (L_2DG_2 or GW_2DG_2) and (not RLS_2DG)  # 2DG locked from 2DG|IG@2.normal to 2DG|IIAG@2.toe
         N_L_2DG_3 = (L_2DG_3 or GW_2DG_3) and (not RLS_2DG)  # 2DG locked from 2DG|IIAG@2.toe to 2DG|3G@2.reverse
         N_L_2DG_4 = (L_2DG_4 or GW_2DG_4) and (not RLS_2DG)  # 2DG locked from 2DG|IIAG@2.toe to 2DG|IG@2.normal
-        N_F_2DG = (F_2DG or LK_R8 or LK_R7 or LK_R2 or LK_R1) and (not RLS_2DG)  # 2DG firmly locked
+        N_F_2DG = (F_2DG or LK_R12 or LK_R11 or LK_R2 or LK_R4 or LK_R1 or LK_R3) and (not RLS_2DG)  # 2DG firmly locked
         N_U_2DG = (U_2DG or NU_2DG_1 or NU_2DG_2 or NU_2DG_3) and (not RLS_2DG)  # 2DG used by a train (R9)
         N_P_2DG = (P_2DG or (U_2DG and OCC_2DG and (NU_3G_2 or NU_IG_2 or NU_IIAG_1))) and (not RLS_2DG)  # 2DG: the train went on (R9)
-        N_D_2DG = (D_2DG or ((not VALID) and (L_2DG_1 or L_2DG_2 or L_2DG_3 or L_2DG_4))) and (not RLS_2DG)  # 2DG: inputs were lost while locked
+        N_D_2DG = (D_2DG or ((not VALID) and (L_2DG_1 or L_2DG_2 or L_2DG_3 or L_2DG_4)) or G_R3 or G_R4) and (not RLS_2DG)  # 2DG: detection is not relied on, inputs were lost or a train is called on
         N_K_3G = K_3G and (not RLS_3G)  # 3G: restart lock (R16)
         N_L_3G_1 = (L_3G_1 or GW_3G_1) and (not RLS_3G)  # 3G locked from 1DG|3G@1.reverse to 2DG|3G@2.reverse
         N_L_3G_2 = (L_3G_2 or GW_3G_2) and (not RLS_3G)  # 3G locked from 2DG|3G@2.reverse to 1DG|3G@1.reverse
-        N_F_3G = (F_3G or LK_R6 or LK_R2) and (not RLS_3G)  # 3G firmly locked
+        N_F_3G = (F_3G or LK_R8 or LK_R10 or LK_R2 or LK_R4) and (not RLS_3G)  # 3G firmly locked
         N_U_3G = (U_3G or NU_3G_1 or NU_3G_2) and (not RLS_3G)  # 3G used by a train (R9)
         N_P_3G = (P_3G or (U_3G and OCC_3G and (NU_1DG_1 or NU_2DG_1))) and (not RLS_3G)  # 3G: the train went on (R9)
-        N_D_3G = (D_3G or ((not VALID) and (L_3G_1 or L_3G_2))) and (not RLS_3G)  # 3G: inputs were lost while locked
+        N_D_3G = (D_3G or ((not VALID) and (L_3G_1 or L_3G_2)) or G_R4 or G_R10) and (not RLS_3G)  # 3G: detection is not relied on, inputs were lost or a train is called on
         N_K_IAG = K_IAG and (not RLS_IAG)  # IAG: restart lock (R16)
         N_L_IAG_1 = (L_IAG_1 or GW_IAG_1) and (not RLS_IAG)  # IAG locked from 1DG|IAG@1.toe to W
         N_L_IAG_2 = (L_IAG_2 or GW_IAG_2) and (not RLS_IAG)  # IAG locked from W to 1DG|IAG@1.toe
-        N_F_IAG = (F_IAG or LK_R3 or LK_R4 or LK_R5 or LK_R6) and (not RLS_IAG)  # IAG firmly locked
+        N_F_IAG = (F_IAG or LK_R5 or LK_R6 or LK_R7 or LK_R8 or LK_R9 or LK_R10) and (not RLS_IAG)  # IAG firmly locked
         N_U_IAG = (U_IAG or NU_IAG_1 or NU_IAG_2) and (not RLS_IAG)  # IAG used by a train (R9)
         N_P_IAG = (P_IAG or (U_IAG and OCC_IAG and NU_1DG_2)) and (not RLS_IAG)  # IAG: the train went on (R9)
-        N_D_IAG = (D_IAG or ((not VALID) and (L_IAG_1 or L_IAG_2))) and (not RLS_IAG)  # IAG: inputs were lost while locked
+        N_D_IAG = (D_IAG or ((not VALID) and (L_IAG_1 or L_IAG_2)) or G_R9 or G_R10) and (not RLS_IAG)  # IAG: detection is not relied on, inputs were lost or a train is called on
         N_K_IG = K_IG and (not RLS_IG)  # IG: restart lock (R16)
         N_L_IG_1 = (L_IG_1 or GW_IG_1) and (not RLS_IG)  # IG locked from 1DG|IG@1.normal to 2DG|IG@2.normal
         N_L_IG_2 = (L_IG_2 or GW_IG_2) and (not RLS_IG)  # IG locked from 2DG|IG@2.normal to 1DG|IG@1.normal
-        N_F_IG = (F_IG or LK_R5 or LK_R1) and (not RLS_IG)  # IG firmly locked
+        N_F_IG = (F_IG or LK_R7 or LK_R9 or LK_R1 or LK_R3) and (not RLS_IG)  # IG firmly locked
         N_U_IG = (U_IG or NU_IG_1 or NU_IG_2) and (not RLS_IG)  # IG used by a train (R9)
         N_P_IG = (P_IG or (U_IG and OCC_IG and (NU_1DG_3 or NU_2DG_2))) and (not RLS_IG)  # IG: the train went on (R9)
-        N_D_IG = (D_IG or ((not VALID) and (L_IG_1 or L_IG_2))) and (not RLS_IG)  # IG: inputs were lost while locked
+        N_D_IG = (D_IG or ((not VALID) and (L_IG_1 or L_IG_2)) or G_R3 or G_R9) and (not RLS_IG)  # IG: detection is not relied on, inputs were lost or a train is called on
         N_K_IIAG = K_IIAG and (not RLS_IIAG)  # IIAG: restart lock (R16)
         N_L_IIAG_1 = (L_IIAG_1 or GW_IIAG_1) and (not RLS_IIAG)  # IIAG locked from 2DG|IIAG@2.toe to E
         N_L_IIAG_2 = (L_IIAG_2 or GW_IIAG_2) and (not RLS_IIAG)  # IIAG locked from E to 2DG|IIAG@2.toe
-        N_F_IIAG = (F_IIAG or LK_R7 or LK_R8 or LK_R1 or LK_R2) and (not RLS_IIAG)  # IIAG firmly locked
+        N_F_IIAG = (F_IIAG or LK_R11 or LK_R12 or LK_R1 or LK_R2 or LK_R3 or LK_R4) and (not RLS_IIAG)  # IIAG firmly locked
         N_U_IIAG = (U_IIAG or NU_IIAG_1 or NU_IIAG_2) and (not RLS_IIAG)  # IIAG used by a train (R9)
         N_P_IIAG = (P_IIAG or (U_IIAG and OCC_IIAG and NU_2DG_3)) and (not RLS_IIAG)  # IIAG: the train went on (R9)
-        N_D_IIAG = (D_IIAG or ((not VALID) and (L_IIAG_1 or L_IIAG_2))) and (not RLS_IIAG)  # IIAG: inputs were lost while locked
-        N_C_S = (PR_R1 or PR_R2) and ((PR_R1 and PR_R3) or (PR_R2 and PR_R4))  # S shows clear
-        N_C_S1 = PR_R3 and PR_R3  # S1 shows clear
-        N_C_S3 = PR_R4 and PR_R4  # S3 shows clear
-        N_C_X = (PR_R5 or PR_R6) and ((PR_R5 and PR_R7) or (PR_R6 and PR_R8))  # X shows clear
-        N_C_X1 = PR_R7 and PR_R7  # X1 shows clear
-        N_C_X3 = PR_R8 and PR_R8  # X3 shows clear
+        N_D_IIAG = (D_IIAG or ((not VALID) and (L_IIAG_1 or L_IIAG_2)) or G_R3 or G_R4) and (not RLS_IIAG)  # IIAG: detection is not relied on, inputs were lost or a train is called on
+        N_C_S = (PR_R1 or PR_R2) and ((PR_R1 and PR_R5) or (PR_R2 and PR_R6))  # S shows clear
+        N_C_S1 = PR_R5 and PR_R5  # S1 shows clear
+        N_C_S3 = PR_R6 and PR_R6  # S3 shows clear
+        N_C_X = (PR_R7 or PR_R8) and ((PR_R7 and PR_R11) or (PR_R8 and PR_R12))  # X shows clear
+        N_C_X1 = PR_R11 and PR_R11  # X1 shows clear
+        N_C_X3 = PR_R12 and PR_R12  # X3 shows clear
         self.state = {
             'CN_1': bool(N_CN_1),
             'CR_1': bool(N_CR_1),
@@ -789,6 +875,26 @@ class Controller:
             'W_R8': bool(N_W_R8),
             'S_R8': bool(N_S_R8),
             'H_R8': bool(N_H_R8),
+            'A_R9': bool(N_A_R9),
+            'B_R9': bool(N_B_R9),
+            'W_R9': bool(N_W_R9),
+            'S_R9': bool(N_S_R9),
+            'H_R9': bool(N_H_R9),
+            'A_R10': bool(N_A_R10),
+            'B_R10': bool(N_B_R10),
+            'W_R10': bool(N_W_R10),
+            'S_R10': bool(N_S_R10),
+            'H_R10': bool(N_H_R10),
+            'A_R11': bool(N_A_R11),
+            'B_R11': bool(N_B_R11),
+            'W_R11': bool(N_W_R11),
+            'S_R11': bool(N_S_R11),
+            'H_R11': bool(N_H_R11),
+            'A_R12': bool(N_A_R12),
+            'B_R12': bool(N_B_R12),
+            'W_R12': bool(N_W_R12),
+            'S_R12': bool(N_S_R12),
+            'H_R12': bool(N_H_R12),
             'X_S': bool(N_X_S),
             'X_S1': bool(N_X_S1),
             'X_S3': bool(N_X_S3),
@@ -898,6 +1004,26 @@ class Controller:
         W_R8 = self.state['W_R8']
         S_R8 = self.state['S_R8']
         H_R8 = self.state['H_R8']
+        A_R9 = self.state['A_R9']
+        B_R9 = self.state['B_R9']
+        W_R9 = self.state['W_R9']
+        S_R9 = self.state['S_R9']
+        H_R9 = self.state['H_R9']
+        A_R10 = self.state['A_R10']
+        B_R10 = self.state['B_R10']
+        W_R10 = self.state['W_R10']
+        S_R10 = self.state['S_R10']
+        H_R10 = self.state['H_R10']
+        A_R11 = self.state['A_R11']
+        B_R11 = self.state['B_R11']
+        W_R11 = self.state['W_R11']
+        S_R11 = self.state['S_R11']
+        H_R11 = self.state['H_R11']
+        A_R12 = self.state['A_R12']
+        B_R12 = self.state['B_R12']
+        W_R12 = self.state['W_R12']
+        S_R12 = self.state['S_R12']
+        H_R12 = self.state['H_R12']
         X_S = self.state['X_S']
         X_S1 = self.state['X_S1']
         X_S3 = self.state['X_S3']
@@ -973,20 +1099,22 @@ class Controller:
             'YL_IIAG': bool(K_IIAG or L_IIAG_1 or L_IIAG_2),
             'YP_S': bool(C_S),
             'YY_S': bool((S_R1 or S_R2) and (not C_S)),
+            'YO_S': bool(S_R3 or S_R4),
             'YS_S': bool((not (S_R1 or S_R2))),
             'YP_S1': bool(C_S1),
-            'YY_S1': bool(S_R3 and (not C_S1)),
-            'YS_S1': bool((not S_R3)),
+            'YY_S1': bool(S_R5 and (not C_S1)),
+            'YS_S1': bool((not S_R5)),
             'YP_S3': bool(C_S3),
-            'YY_S3': bool(S_R4 and (not C_S3)),
-            'YS_S3': bool((not S_R4)),
+            'YY_S3': bool(S_R6 and (not C_S3)),
+            'YS_S3': bool((not S_R6)),
             'YP_X': bool(C_X),
-            'YY_X': bool((S_R5 or S_R6) and (not C_X)),
-            'YS_X': bool((not (S_R5 or S_R6))),
+            'YY_X': bool((S_R7 or S_R8) and (not C_X)),
+            'YO_X': bool(S_R9 or S_R10),
+            'YS_X': bool((not (S_R7 or S_R8))),
             'YP_X1': bool(C_X1),
-            'YY_X1': bool(S_R7 and (not C_X1)),
-            'YS_X1': bool((not S_R7)),
+            'YY_X1': bool(S_R11 and (not C_X1)),
+            'YS_X1': bool((not S_R11)),
             'YP_X3': bool(C_X3),
-            'YY_X3': bool(S_R8 and (not C_X3)),
-            'YS_X3': bool((not S_R8)),
+            'YY_X3': bool(S_R12 and (not C_X3)),
+            'YS_X3': bool((not S_R12)),
         }

@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 0e21f2204cf5fb4854db8f1ab20625714e92a7efff666070e6d295abad219087
-# claims 63c9197abaf9670696a545b3e7b8e3c2308248a5d2d32ad7651573c72f14259a
+# layout 591b6b02c36641601b0f4871400a19e06fe90d6c67edb3956d554581835a7bd1
+# claims 3d3fd48966d3107f6c36e51e4867e3522d96b0bf1cad0b41eb33fdbca78e0cd6
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -208,20 +208,20 @@ STATE = {
     'F_q1': False,  # q1 firmly locked
     'U_q1': True,  # q1 used by a train (R9)
     'P_q1': False,  # q1: the train went on (R9)
-    'D_q1': False,  # q1: inputs were lost while locked
+    'D_q1': False,  # q1: detection is not relied on, inputs were lost or a train is called on
     'K_q10_bypass2': True,  # q10_bypass2: restart lock (R16)
     'L_q10_bypass2_1': False,  # q10_bypass2 locked from q10_bypass2|q7@P2.reverse to q10_bypass2|q9@P3.normal
     'L_q10_bypass2_2': False,  # q10_bypass2 locked from q10_bypass2|q9@P3.normal to q10_bypass2|q7@P2.reverse
     'F_q10_bypass2': False,  # q10_bypass2 firmly locked
     'U_q10_bypass2': True,  # q10_bypass2 used by a train (R9)
     'P_q10_bypass2': False,  # q10_bypass2: the train went on (R9)
-    'D_q10_bypass2': False,  # q10_bypass2: inputs were lost while locked
+    'D_q10_bypass2': False,  # q10_bypass2: detection is not relied on, inputs were lost or a train is called on
     'K_q11_material': True,  # q11_material: restart lock (R16)
     'L_q11_material_2': False,  # q11_material locked from q11_material|q9@P3.reverse to MAT
     'F_q11_material': False,  # q11_material firmly locked
     'U_q11_material': True,  # q11_material used by a train (R9)
     'P_q11_material': False,  # q11_material: the train went on (R9)
-    'D_q11_material': False,  # q11_material: inputs were lost while locked
+    'D_q11_material': False,  # q11_material: detection is not relied on, inputs were lost or a train is called on
     'K_q12': True,  # q12: restart lock (R16)
     'L_q12_1': False,  # q12 locked from q12|q13_man@P4.reverse to q12|q7@P2.toe
     'L_q12_2': False,  # q12 locked from q12|q7@P2.toe to q12|q13_man@P4.reverse
@@ -230,13 +230,13 @@ STATE = {
     'F_q12': False,  # q12 firmly locked
     'U_q12': True,  # q12 used by a train (R9)
     'P_q12': False,  # q12: the train went on (R9)
-    'D_q12': False,  # q12: inputs were lost while locked
+    'D_q12': False,  # q12: detection is not relied on, inputs were lost or a train is called on
     'K_q13_man': True,  # q13_man: restart lock (R16)
     'L_q13_man_2': False,  # q13_man locked from q12|q13_man@P4.reverse to MAN
     'F_q13_man': False,  # q13_man firmly locked
     'U_q13_man': True,  # q13_man used by a train (R9)
     'P_q13_man': False,  # q13_man: the train went on (R9)
-    'D_q13_man': False,  # q13_man: inputs were lost while locked
+    'D_q13_man': False,  # q13_man: detection is not relied on, inputs were lost or a train is called on
     'K_q2': True,  # q2: restart lock (R16)
     'L_q2_1': False,  # q2 locked from q1|q2@P1.toe to q2|q3_heavy@P1.normal
     'L_q2_2': False,  # q2 locked from q1|q2@P1.toe to q2|q5_bypass1@P1.reverse
@@ -244,32 +244,32 @@ STATE = {
     'F_q2': False,  # q2 firmly locked
     'U_q2': True,  # q2 used by a train (R9)
     'P_q2': False,  # q2: the train went on (R9)
-    'D_q2': False,  # q2: inputs were lost while locked
+    'D_q2': False,  # q2: detection is not relied on, inputs were lost or a train is called on
     'K_q3_heavy': True,  # q3_heavy: restart lock (R16)
     'L_q3_heavy_1': False,  # q3_heavy locked from q2|q3_heavy@P1.normal to q3_heavy|q4_tippler@heavy.0
     'F_q3_heavy': False,  # q3_heavy firmly locked
     'U_q3_heavy': True,  # q3_heavy used by a train (R9)
     'P_q3_heavy': False,  # q3_heavy: the train went on (R9)
-    'D_q3_heavy': False,  # q3_heavy: inputs were lost while locked
+    'D_q3_heavy': False,  # q3_heavy: detection is not relied on, inputs were lost or a train is called on
     'K_q4_tippler': True,  # q4_tippler: restart lock (R16)
     'L_q4_tippler_1': False,  # q4_tippler locked from q3_heavy|q4_tippler@heavy.0 to q4_tippler|q6_empty@heavy.1
     'F_q4_tippler': False,  # q4_tippler firmly locked
     'U_q4_tippler': True,  # q4_tippler used by a train (R9)
     'P_q4_tippler': False,  # q4_tippler: the train went on (R9)
-    'D_q4_tippler': False,  # q4_tippler: inputs were lost while locked
+    'D_q4_tippler': False,  # q4_tippler: detection is not relied on, inputs were lost or a train is called on
     'K_q5_bypass1': True,  # q5_bypass1: restart lock (R16)
     'L_q5_bypass1_1': False,  # q5_bypass1 locked from q2|q5_bypass1@P1.reverse to q5_bypass1|q9@P3.toe
     'L_q5_bypass1_2': False,  # q5_bypass1 locked from q5_bypass1|q9@P3.toe to q2|q5_bypass1@P1.reverse
     'F_q5_bypass1': False,  # q5_bypass1 firmly locked
     'U_q5_bypass1': True,  # q5_bypass1 used by a train (R9)
     'P_q5_bypass1': False,  # q5_bypass1: the train went on (R9)
-    'D_q5_bypass1': False,  # q5_bypass1: inputs were lost while locked
+    'D_q5_bypass1': False,  # q5_bypass1: detection is not relied on, inputs were lost or a train is called on
     'K_q6_empty': True,  # q6_empty: restart lock (R16)
     'L_q6_empty_1': False,  # q6_empty locked from q4_tippler|q6_empty@heavy.1 to q6_empty|q7@P2.normal
     'F_q6_empty': False,  # q6_empty firmly locked
     'U_q6_empty': True,  # q6_empty used by a train (R9)
     'P_q6_empty': False,  # q6_empty: the train went on (R9)
-    'D_q6_empty': False,  # q6_empty: inputs were lost while locked
+    'D_q6_empty': False,  # q6_empty: detection is not relied on, inputs were lost or a train is called on
     'K_q7': True,  # q7: restart lock (R16)
     'L_q7_1': False,  # q7 locked from q10_bypass2|q7@P2.reverse to q12|q7@P2.toe
     'L_q7_2': False,  # q7 locked from q12|q7@P2.toe to q10_bypass2|q7@P2.reverse
@@ -277,14 +277,14 @@ STATE = {
     'F_q7': False,  # q7 firmly locked
     'U_q7': True,  # q7 used by a train (R9)
     'P_q7': False,  # q7: the train went on (R9)
-    'D_q7': False,  # q7: inputs were lost while locked
+    'D_q7': False,  # q7: detection is not relied on, inputs were lost or a train is called on
     'K_q8_dep': True,  # q8_dep: restart lock (R16)
     'L_q8_dep_1': False,  # q8_dep locked from E to q12|q8_dep@P4.normal
     'L_q8_dep_2': False,  # q8_dep locked from q12|q8_dep@P4.normal to E
     'F_q8_dep': False,  # q8_dep firmly locked
     'U_q8_dep': True,  # q8_dep used by a train (R9)
     'P_q8_dep': False,  # q8_dep: the train went on (R9)
-    'D_q8_dep': False,  # q8_dep: inputs were lost while locked
+    'D_q8_dep': False,  # q8_dep: detection is not relied on, inputs were lost or a train is called on
     'K_q9': True,  # q9: restart lock (R16)
     'L_q9_1': False,  # q9 locked from q10_bypass2|q9@P3.normal to q5_bypass1|q9@P3.toe
     'L_q9_2': False,  # q9 locked from q11_material|q9@P3.reverse to q5_bypass1|q9@P3.toe
@@ -293,7 +293,7 @@ STATE = {
     'F_q9': False,  # q9 firmly locked
     'U_q9': True,  # q9 used by a train (R9)
     'P_q9': False,  # q9: the train went on (R9)
-    'D_q9': False,  # q9: inputs were lost while locked
+    'D_q9': False,  # q9: detection is not relied on, inputs were lost or a train is called on
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -1273,20 +1273,20 @@ class Controller:
         N_F_q1 = (F_q1 or LK_R1 or LK_R5) and (not RLS_q1)  # q1 firmly locked
         N_U_q1 = (U_q1 or NU_q1_1 or NU_q1_2) and (not RLS_q1)  # q1 used by a train (R9)
         N_P_q1 = (P_q1 or (U_q1 and OCC_q1 and NU_q2_1)) and (not RLS_q1)  # q1: the train went on (R9)
-        N_D_q1 = (D_q1 or ((not VALID) and (L_q1_1 or L_q1_2))) and (not RLS_q1)  # q1: inputs were lost while locked
+        N_D_q1 = (D_q1 or ((not VALID) and (L_q1_1 or L_q1_2))) and (not RLS_q1)  # q1: detection is not relied on, inputs were lost or a train is called on
         N_K_q10_bypass2 = K_q10_bypass2 and (not RLS_q10_bypass2)  # q10_bypass2: restart lock (R16)
         N_L_q10_bypass2_1 = (L_q10_bypass2_1 or GW_q10_bypass2_1) and (not RLS_q10_bypass2)  # q10_bypass2 locked from q10_bypass2|q7@P2.reverse to q10_bypass2|q9@P3.normal
         N_L_q10_bypass2_2 = (L_q10_bypass2_2 or GW_q10_bypass2_2) and (not RLS_q10_bypass2)  # q10_bypass2 locked from q10_bypass2|q9@P3.normal to q10_bypass2|q7@P2.reverse
         N_F_q10_bypass2 = (F_q10_bypass2 or LK_R14 or LK_R16 or LK_R10) and (not RLS_q10_bypass2)  # q10_bypass2 firmly locked
         N_U_q10_bypass2 = (U_q10_bypass2 or NU_q10_bypass2_1 or NU_q10_bypass2_2) and (not RLS_q10_bypass2)  # q10_bypass2 used by a train (R9)
         N_P_q10_bypass2 = (P_q10_bypass2 or (U_q10_bypass2 and OCC_q10_bypass2 and (NU_q7_1 or NU_q9_1))) and (not RLS_q10_bypass2)  # q10_bypass2: the train went on (R9)
-        N_D_q10_bypass2 = (D_q10_bypass2 or ((not VALID) and (L_q10_bypass2_1 or L_q10_bypass2_2))) and (not RLS_q10_bypass2)  # q10_bypass2: inputs were lost while locked
+        N_D_q10_bypass2 = (D_q10_bypass2 or ((not VALID) and (L_q10_bypass2_1 or L_q10_bypass2_2))) and (not RLS_q10_bypass2)  # q10_bypass2: detection is not relied on, inputs were lost or a train is called on
         N_K_q11_material = K_q11_material and (not RLS_q11_material)  # q11_material: restart lock (R16)
         N_L_q11_material_2 = (L_q11_material_2 or GW_q11_material_2) and (not RLS_q11_material)  # q11_material locked from q11_material|q9@P3.reverse to MAT
         N_F_q11_material = (F_q11_material or LK_R9) and (not RLS_q11_material)  # q11_material firmly locked
         N_U_q11_material = (U_q11_material or NU_q11_material_2) and (not RLS_q11_material)  # q11_material used by a train (R9)
         N_P_q11_material = (P_q11_material or (U_q11_material and OCC_q11_material and NU_q9_2)) and (not RLS_q11_material)  # q11_material: the train went on (R9)
-        N_D_q11_material = (D_q11_material or ((not VALID) and L_q11_material_2)) and (not RLS_q11_material)  # q11_material: inputs were lost while locked
+        N_D_q11_material = (D_q11_material or ((not VALID) and L_q11_material_2)) and (not RLS_q11_material)  # q11_material: detection is not relied on, inputs were lost or a train is called on
         N_K_q12 = K_q12 and (not RLS_q12)  # q12: restart lock (R16)
         N_L_q12_1 = (L_q12_1 or GW_q12_1) and (not RLS_q12)  # q12 locked from q12|q13_man@P4.reverse to q12|q7@P2.toe
         N_L_q12_2 = (L_q12_2 or GW_q12_2) and (not RLS_q12)  # q12 locked from q12|q7@P2.toe to q12|q13_man@P4.reverse
@@ -1295,13 +1295,13 @@ class Controller:
         N_F_q12 = (F_q12 or LK_R14 or LK_R8 or LK_R12 or LK_R7 or LK_R11 or LK_R16) and (not RLS_q12)  # q12 firmly locked
         N_U_q12 = (U_q12 or NU_q12_1 or NU_q12_2 or NU_q12_3) and (not RLS_q12)  # q12 used by a train (R9)
         N_P_q12 = (P_q12 or (U_q12 and OCC_q12 and (NU_q13_man_2 or NU_q7_2 or NU_q8_dep_2))) and (not RLS_q12)  # q12: the train went on (R9)
-        N_D_q12 = (D_q12 or ((not VALID) and (L_q12_1 or L_q12_2 or L_q12_3 or L_q12_4))) and (not RLS_q12)  # q12: inputs were lost while locked
+        N_D_q12 = (D_q12 or ((not VALID) and (L_q12_1 or L_q12_2 or L_q12_3 or L_q12_4))) and (not RLS_q12)  # q12: detection is not relied on, inputs were lost or a train is called on
         N_K_q13_man = K_q13_man and (not RLS_q13_man)  # q13_man: restart lock (R16)
         N_L_q13_man_2 = (L_q13_man_2 or GW_q13_man_2) and (not RLS_q13_man)  # q13_man locked from q12|q13_man@P4.reverse to MAN
         N_F_q13_man = (F_q13_man or LK_R8 or LK_R12) and (not RLS_q13_man)  # q13_man firmly locked
         N_U_q13_man = (U_q13_man or NU_q13_man_2) and (not RLS_q13_man)  # q13_man used by a train (R9)
         N_P_q13_man = (P_q13_man or (U_q13_man and OCC_q13_man and NU_q12_1)) and (not RLS_q13_man)  # q13_man: the train went on (R9)
-        N_D_q13_man = (D_q13_man or ((not VALID) and L_q13_man_2)) and (not RLS_q13_man)  # q13_man: inputs were lost while locked
+        N_D_q13_man = (D_q13_man or ((not VALID) and L_q13_man_2)) and (not RLS_q13_man)  # q13_man: detection is not relied on, inputs were lost or a train is called on
         N_K_q2 = K_q2 and (not RLS_q2)  # q2: restart lock (R16)
         N_L_q2_1 = (L_q2_1 or GW_q2_1) and (not RLS_q2)  # q2 locked from q1|q2@P1.toe to q2|q3_heavy@P1.normal
         N_L_q2_2 = (L_q2_2 or GW_q2_2) and (not RLS_q2)  # q2 locked from q1|q2@P1.toe to q2|q5_bypass1@P1.reverse
@@ -1309,32 +1309,32 @@ class Controller:
         N_F_q2 = (F_q2 or LK_R2 or LK_R3 or LK_R5) and (not RLS_q2)  # q2 firmly locked
         N_U_q2 = (U_q2 or NU_q2_1 or NU_q2_3) and (not RLS_q2)  # q2 used by a train (R9)
         N_P_q2 = (P_q2 or (U_q2 and OCC_q2 and (NU_q1_2 or NU_q3_heavy_1 or NU_q5_bypass1_1))) and (not RLS_q2)  # q2: the train went on (R9)
-        N_D_q2 = (D_q2 or ((not VALID) and (L_q2_1 or L_q2_2 or L_q2_4))) and (not RLS_q2)  # q2: inputs were lost while locked
+        N_D_q2 = (D_q2 or ((not VALID) and (L_q2_1 or L_q2_2 or L_q2_4))) and (not RLS_q2)  # q2: detection is not relied on, inputs were lost or a train is called on
         N_K_q3_heavy = K_q3_heavy and (not RLS_q3_heavy)  # q3_heavy: restart lock (R16)
         N_L_q3_heavy_1 = (L_q3_heavy_1 or GW_q3_heavy_1) and (not RLS_q3_heavy)  # q3_heavy locked from q2|q3_heavy@P1.normal to q3_heavy|q4_tippler@heavy.0
         N_F_q3_heavy = (F_q3_heavy or LK_R2) and (not RLS_q3_heavy)  # q3_heavy firmly locked
         N_U_q3_heavy = (U_q3_heavy or NU_q3_heavy_1) and (not RLS_q3_heavy)  # q3_heavy used by a train (R9)
         N_P_q3_heavy = (P_q3_heavy or (U_q3_heavy and OCC_q3_heavy and NU_q4_tippler_1)) and (not RLS_q3_heavy)  # q3_heavy: the train went on (R9)
-        N_D_q3_heavy = (D_q3_heavy or ((not VALID) and L_q3_heavy_1)) and (not RLS_q3_heavy)  # q3_heavy: inputs were lost while locked
+        N_D_q3_heavy = (D_q3_heavy or ((not VALID) and L_q3_heavy_1)) and (not RLS_q3_heavy)  # q3_heavy: detection is not relied on, inputs were lost or a train is called on
         N_K_q4_tippler = K_q4_tippler and (not RLS_q4_tippler)  # q4_tippler: restart lock (R16)
         N_L_q4_tippler_1 = (L_q4_tippler_1 or GW_q4_tippler_1) and (not RLS_q4_tippler)  # q4_tippler locked from q3_heavy|q4_tippler@heavy.0 to q4_tippler|q6_empty@heavy.1
         N_F_q4_tippler = (F_q4_tippler or LK_R6) and (not RLS_q4_tippler)  # q4_tippler firmly locked
         N_U_q4_tippler = (U_q4_tippler or NU_q4_tippler_1) and (not RLS_q4_tippler)  # q4_tippler used by a train (R9)
         N_P_q4_tippler = (P_q4_tippler or (U_q4_tippler and OCC_q4_tippler and NU_q6_empty_1)) and (not RLS_q4_tippler)  # q4_tippler: the train went on (R9)
-        N_D_q4_tippler = (D_q4_tippler or ((not VALID) and L_q4_tippler_1)) and (not RLS_q4_tippler)  # q4_tippler: inputs were lost while locked
+        N_D_q4_tippler = (D_q4_tippler or ((not VALID) and L_q4_tippler_1)) and (not RLS_q4_tippler)  # q4_tippler: detection is not relied on, inputs were lost or a train is called on
         N_K_q5_bypass1 = K_q5_bypass1 and (not RLS_q5_bypass1)  # q5_bypass1: restart lock (R16)
         N_L_q5_bypass1_1 = (L_q5_bypass1_1 or GW_q5_bypass1_1) and (not RLS_q5_bypass1)  # q5_bypass1 locked from q2|q5_bypass1@P1.reverse to q5_bypass1|q9@P3.toe
         N_L_q5_bypass1_2 = (L_q5_bypass1_2 or GW_q5_bypass1_2) and (not RLS_q5_bypass1)  # q5_bypass1 locked from q5_bypass1|q9@P3.toe to q2|q5_bypass1@P1.reverse
         N_F_q5_bypass1 = (F_q5_bypass1 or LK_R3 or LK_R4 or LK_R13) and (not RLS_q5_bypass1)  # q5_bypass1 firmly locked
         N_U_q5_bypass1 = (U_q5_bypass1 or NU_q5_bypass1_1 or NU_q5_bypass1_2) and (not RLS_q5_bypass1)  # q5_bypass1 used by a train (R9)
         N_P_q5_bypass1 = (P_q5_bypass1 or (U_q5_bypass1 and OCC_q5_bypass1 and (NU_q2_3 or NU_q9_3))) and (not RLS_q5_bypass1)  # q5_bypass1: the train went on (R9)
-        N_D_q5_bypass1 = (D_q5_bypass1 or ((not VALID) and (L_q5_bypass1_1 or L_q5_bypass1_2))) and (not RLS_q5_bypass1)  # q5_bypass1: inputs were lost while locked
+        N_D_q5_bypass1 = (D_q5_bypass1 or ((not VALID) and (L_q5_bypass1_1 or L_q5_bypass1_2))) and (not RLS_q5_bypass1)  # q5_bypass1: detection is not relied on, inputs were lost or a train is called on
         N_K_q6_empty = K_q6_empty and (not RLS_q6_empty)  # q6_empty: restart lock (R16)
         N_L_q6_empty_1 = (L_q6_empty_1 or GW_q6_empty_1) and (not RLS_q6_empty)  # q6_empty locked from q4_tippler|q6_empty@heavy.1 to q6_empty|q7@P2.normal
         N_F_q6_empty = (F_q6_empty or LK_R6) and (not RLS_q6_empty)  # q6_empty firmly locked
         N_U_q6_empty = (U_q6_empty or NU_q6_empty_1) and (not RLS_q6_empty)  # q6_empty used by a train (R9)
         N_P_q6_empty = (P_q6_empty or (U_q6_empty and OCC_q6_empty and NU_q7_3)) and (not RLS_q6_empty)  # q6_empty: the train went on (R9)
-        N_D_q6_empty = (D_q6_empty or ((not VALID) and L_q6_empty_1)) and (not RLS_q6_empty)  # q6_empty: inputs were lost while locked
+        N_D_q6_empty = (D_q6_empty or ((not VALID) and L_q6_empty_1)) and (not RLS_q6_empty)  # q6_empty: detection is not relied on, inputs were lost or a train is called on
         N_K_q7 = K_q7 and (not RLS_q7)  # q7: restart lock (R16)
         N_L_q7_1 = (L_q7_1 or GW_q7_1) and (not RLS_q7)  # q7 locked from q10_bypass2|q7@P2.reverse to q12|q7@P2.toe
         N_L_q7_2 = (L_q7_2 or GW_q7_2) and (not RLS_q7)  # q7 locked from q12|q7@P2.toe to q10_bypass2|q7@P2.reverse
@@ -1342,14 +1342,14 @@ class Controller:
         N_F_q7 = (F_q7 or LK_R11 or LK_R12 or LK_R14 or LK_R16 or LK_R7 or LK_R8) and (not RLS_q7)  # q7 firmly locked
         N_U_q7 = (U_q7 or NU_q7_1 or NU_q7_2 or NU_q7_3) and (not RLS_q7)  # q7 used by a train (R9)
         N_P_q7 = (P_q7 or (U_q7 and OCC_q7 and (NU_q10_bypass2_1 or NU_q12_2))) and (not RLS_q7)  # q7: the train went on (R9)
-        N_D_q7 = (D_q7 or ((not VALID) and (L_q7_1 or L_q7_2 or L_q7_4))) and (not RLS_q7)  # q7: inputs were lost while locked
+        N_D_q7 = (D_q7 or ((not VALID) and (L_q7_1 or L_q7_2 or L_q7_4))) and (not RLS_q7)  # q7: detection is not relied on, inputs were lost or a train is called on
         N_K_q8_dep = K_q8_dep and (not RLS_q8_dep)  # q8_dep: restart lock (R16)
         N_L_q8_dep_1 = (L_q8_dep_1 or GW_q8_dep_1) and (not RLS_q8_dep)  # q8_dep locked from E to q12|q8_dep@P4.normal
         N_L_q8_dep_2 = (L_q8_dep_2 or GW_q8_dep_2) and (not RLS_q8_dep)  # q8_dep locked from q12|q8_dep@P4.normal to E
         N_F_q8_dep = (F_q8_dep or LK_R15 or LK_R7 or LK_R11) and (not RLS_q8_dep)  # q8_dep firmly locked
         N_U_q8_dep = (U_q8_dep or NU_q8_dep_1 or NU_q8_dep_2) and (not RLS_q8_dep)  # q8_dep used by a train (R9)
         N_P_q8_dep = (P_q8_dep or (U_q8_dep and OCC_q8_dep and NU_q12_3)) and (not RLS_q8_dep)  # q8_dep: the train went on (R9)
-        N_D_q8_dep = (D_q8_dep or ((not VALID) and (L_q8_dep_1 or L_q8_dep_2))) and (not RLS_q8_dep)  # q8_dep: inputs were lost while locked
+        N_D_q8_dep = (D_q8_dep or ((not VALID) and (L_q8_dep_1 or L_q8_dep_2))) and (not RLS_q8_dep)  # q8_dep: detection is not relied on, inputs were lost or a train is called on
         N_K_q9 = K_q9 and (not RLS_q9)  # q9: restart lock (R16)
         N_L_q9_1 = (L_q9_1 or GW_q9_1) and (not RLS_q9)  # q9 locked from q10_bypass2|q9@P3.normal to q5_bypass1|q9@P3.toe
         N_L_q9_2 = (L_q9_2 or GW_q9_2) and (not RLS_q9)  # q9 locked from q11_material|q9@P3.reverse to q5_bypass1|q9@P3.toe
@@ -1358,7 +1358,7 @@ class Controller:
         N_F_q9 = (F_q9 or LK_R4 or LK_R13 or LK_R10 or LK_R9) and (not RLS_q9)  # q9 firmly locked
         N_U_q9 = (U_q9 or NU_q9_1 or NU_q9_2 or NU_q9_3) and (not RLS_q9)  # q9 used by a train (R9)
         N_P_q9 = (P_q9 or (U_q9 and OCC_q9 and (NU_q10_bypass2_2 or NU_q11_material_2 or NU_q5_bypass1_2))) and (not RLS_q9)  # q9: the train went on (R9)
-        N_D_q9 = (D_q9 or ((not VALID) and (L_q9_1 or L_q9_2 or L_q9_3 or L_q9_4))) and (not RLS_q9)  # q9: inputs were lost while locked
+        N_D_q9 = (D_q9 or ((not VALID) and (L_q9_1 or L_q9_2 or L_q9_3 or L_q9_4))) and (not RLS_q9)  # q9: detection is not relied on, inputs were lost or a train is called on
         self.state = {
             'CN_P1': bool(N_CN_P1),
             'CR_P1': bool(N_CR_P1),

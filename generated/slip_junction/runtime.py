@@ -1,7 +1,7 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 0616cc66e652502a7ffc06337d140cda0459f7e501a4cdf8b28838eeb8205cfe
-# claims 56b9f5a7dfaf7e155922032f5b78f01284bd1616982f78bf47e9f636bc722679
+# layout 572b44dac951374ff18541aeba69cd1f95bdc899468cb898c6e11857665de5c9
+# claims 0a42bba01de251348b8d84bafa1785d5c9f0c83d3130b5b6f8b8e1dda3f75d56
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -242,7 +242,7 @@ STATE = {
     'F_AB': False,  # AB firmly locked
     'U_AB': True,  # AB used by a train (R9)
     'P_AB': False,  # AB: the train went on (R9)
-    'D_AB': False,  # AB: inputs were lost while locked
+    'D_AB': False,  # AB: detection is not relied on, inputs were lost or a train is called on
     'K_AC': True,  # AC: restart lock (R16)
     'L_AC_2': False,  # AC locked from AC|BC@101.reverse to AC|SC@101.toe
     'L_AC_3': False,  # AC locked from AC|SC@101.toe to AC|AD@101.normal
@@ -251,14 +251,14 @@ STATE = {
     'F_AC': False,  # AC firmly locked
     'U_AC': True,  # AC used by a train (R9)
     'P_AC': False,  # AC: the train went on (R9)
-    'D_AC': False,  # AC: inputs were lost while locked
+    'D_AC': False,  # AC: detection is not relied on, inputs were lost or a train is called on
     'K_AD': True,  # AD: restart lock (R16)
     'L_AD_1': False,  # AD locked from AC|AD@101.normal to DM2
     'M_AD': False,  # AD locked for a train movement
     'F_AD': False,  # AD firmly locked
     'U_AD': True,  # AD used by a train (R9)
     'P_AD': False,  # AD: the train went on (R9)
-    'D_AD': False,  # AD: inputs were lost while locked
+    'D_AD': False,  # AD: detection is not relied on, inputs were lost or a train is called on
     'K_BB': True,  # BB: restart lock (R16)
     'L_BB_1': False,  # BB locked from BB|BC@201.2b to UM2
     'L_BB_2': False,  # BB locked from UM2 to BB|BC@201.2b
@@ -266,7 +266,7 @@ STATE = {
     'F_BB': False,  # BB firmly locked
     'U_BB': True,  # BB used by a train (R9)
     'P_BB': False,  # BB: the train went on (R9)
-    'D_BB': False,  # BB: inputs were lost while locked
+    'D_BB': False,  # BB: detection is not relied on, inputs were lost or a train is called on
     'K_BC': True,  # BC: restart lock (R16)
     'L_BC_1': False,  # BC locked from AC|BC@101.reverse to BB|BC@201.2b
     'L_BC_2': False,  # BC locked from AC|BC@101.reverse to BC|CD@201.1b
@@ -276,14 +276,14 @@ STATE = {
     'F_BC': False,  # BC firmly locked
     'U_BC': True,  # BC used by a train (R9)
     'P_BC': False,  # BC: the train went on (R9)
-    'D_BC': False,  # BC: inputs were lost while locked
+    'D_BC': False,  # BC: detection is not relied on, inputs were lost or a train is called on
     'K_BD': True,  # BD: restart lock (R16)
     'L_BD_1': False,  # BD locked from BD|BE@102.toe to UM
     'M_BD': False,  # BD locked for a train movement
     'F_BD': False,  # BD firmly locked
     'U_BD': True,  # BD used by a train (R9)
     'P_BD': False,  # BD: the train went on (R9)
-    'D_BD': False,  # BD: inputs were lost while locked
+    'D_BD': False,  # BD: detection is not relied on, inputs were lost or a train is called on
     'K_BE': True,  # BE: restart lock (R16)
     'L_BE_1': False,  # BE locked from BC|BE@102.normal to BD|BE@102.toe
     'L_BE_4': False,  # BE locked from BE|CB@102.reverse to BD|BE@102.toe
@@ -291,21 +291,21 @@ STATE = {
     'F_BE': False,  # BE firmly locked
     'U_BE': True,  # BE used by a train (R9)
     'P_BE': False,  # BE: the train went on (R9)
-    'D_BE': False,  # BE: inputs were lost while locked
+    'D_BE': False,  # BE: detection is not relied on, inputs were lost or a train is called on
     'K_CB': True,  # CB: restart lock (R16)
     'L_CB_2': False,  # CB locked from UB to BE|CB@102.reverse
     'M_CB': False,  # CB locked for a train movement
     'F_CB': False,  # CB firmly locked
     'U_CB': True,  # CB used by a train (R9)
     'P_CB': False,  # CB: the train went on (R9)
-    'D_CB': False,  # CB: inputs were lost while locked
+    'D_CB': False,  # CB: detection is not relied on, inputs were lost or a train is called on
     'K_CD': True,  # CD: restart lock (R16)
     'L_CD_1': False,  # CD locked from BC|CD@201.1b to DB
     'M_CD': False,  # CD locked for a train movement
     'F_CD': False,  # CD firmly locked
     'U_CD': True,  # CD used by a train (R9)
     'P_CD': False,  # CD: the train went on (R9)
-    'D_CD': False,  # CD: inputs were lost while locked
+    'D_CD': False,  # CD: detection is not relied on, inputs were lost or a train is called on
     'K_GA': True,  # GA: restart lock (R16)
     'L_GA_1': False,  # GA locked from G to GA|SC@210.2a
     'L_GA_2': False,  # GA locked from GA|SC@210.2a to G
@@ -313,14 +313,14 @@ STATE = {
     'F_GA': False,  # GA firmly locked
     'U_GA': True,  # GA used by a train (R9)
     'P_GA': False,  # GA: the train went on (R9)
-    'D_GA': False,  # GA: inputs were lost while locked
+    'D_GA': False,  # GA: detection is not relied on, inputs were lost or a train is called on
     'K_GB': True,  # GB: restart lock (R16)
     'L_GB_1': False,  # GB locked from GB|SC@210.2b to GN
     'M_GB': False,  # GB locked for a train movement
     'F_GB': False,  # GB firmly locked
     'U_GB': True,  # GB used by a train (R9)
     'P_GB': False,  # GB: the train went on (R9)
-    'D_GB': False,  # GB: inputs were lost while locked
+    'D_GB': False,  # GB: detection is not relied on, inputs were lost or a train is called on
     'K_SC': True,  # SC: restart lock (R16)
     'L_SC_1': False,  # SC locked from AB|SC@210.1a to AC|SC@101.toe
     'L_SC_2': False,  # SC locked from AB|SC@210.1a to GB|SC@210.2b
@@ -333,7 +333,7 @@ STATE = {
     'F_SC': False,  # SC firmly locked
     'U_SC': True,  # SC used by a train (R9)
     'P_SC': False,  # SC: the train went on (R9)
-    'D_SC': False,  # SC: inputs were lost while locked
+    'D_SC': False,  # SC: detection is not relied on, inputs were lost or a train is called on
     'V_G3_1': False,  # overlap 1 of G3 held
     'V_S2J_1': False,  # overlap 1 of S2J held
     'V_S2J_2': False,  # overlap 2 of S2J held
@@ -1476,7 +1476,7 @@ class Controller:
         N_F_AB = (F_AB or LK_R3) and (not RLS_AB)  # AB firmly locked
         N_U_AB = (U_AB or NU_AB_1 or NU_AB_2) and (not RLS_AB)  # AB used by a train (R9)
         N_P_AB = (P_AB or (U_AB and OCC_AB and NU_SC_1)) and (not RLS_AB)  # AB: the train went on (R9)
-        N_D_AB = (D_AB or ((not VALID) and (L_AB_1 or L_AB_2))) and (not RLS_AB)  # AB: inputs were lost while locked
+        N_D_AB = (D_AB or ((not VALID) and (L_AB_1 or L_AB_2))) and (not RLS_AB)  # AB: detection is not relied on, inputs were lost or a train is called on
         N_K_AC = K_AC and (not RLS_AC)  # AC: restart lock (R16)
         N_L_AC_2 = (L_AC_2 or GW_AC_2) and (not RLS_AC)  # AC locked from AC|BC@101.reverse to AC|SC@101.toe
         N_L_AC_3 = (L_AC_3 or GW_AC_3) and (not RLS_AC)  # AC locked from AC|SC@101.toe to AC|AD@101.normal
@@ -1485,14 +1485,14 @@ class Controller:
         N_F_AC = (F_AC or LK_R11 or LK_R5 or LK_R17 or LK_R4 or LK_R7 or LK_R16 or LK_R19) and (not RLS_AC)  # AC firmly locked
         N_U_AC = (U_AC or NU_AC_2 or NU_AC_3) and (not RLS_AC)  # AC used by a train (R9)
         N_P_AC = (P_AC or (U_AC and OCC_AC and (NU_AD_1 or NU_BC_1 or NU_SC_2))) and (not RLS_AC)  # AC: the train went on (R9)
-        N_D_AC = (D_AC or ((not VALID) and (L_AC_2 or L_AC_3 or L_AC_4))) and (not RLS_AC)  # AC: inputs were lost while locked
+        N_D_AC = (D_AC or ((not VALID) and (L_AC_2 or L_AC_3 or L_AC_4))) and (not RLS_AC)  # AC: detection is not relied on, inputs were lost or a train is called on
         N_K_AD = K_AD and (not RLS_AD)  # AD: restart lock (R16)
         N_L_AD_1 = (L_AD_1 or GW_AD_1) and (not RLS_AD)  # AD locked from AC|AD@101.normal to DM2
         N_M_AD = (M_AD or G_R5 or G_R17) and (not RLS_AD)  # AD locked for a train movement
         N_F_AD = (F_AD or LK_R5 or LK_R17) and (not RLS_AD)  # AD firmly locked
         N_U_AD = (U_AD or NU_AD_1) and (not RLS_AD)  # AD used by a train (R9)
         N_P_AD = P_AD and (not RLS_AD)  # AD: the train went on (R9)
-        N_D_AD = (D_AD or ((not VALID) and L_AD_1)) and (not RLS_AD)  # AD: inputs were lost while locked
+        N_D_AD = (D_AD or ((not VALID) and L_AD_1)) and (not RLS_AD)  # AD: detection is not relied on, inputs were lost or a train is called on
         N_K_BB = K_BB and (not RLS_BB)  # BB: restart lock (R16)
         N_L_BB_1 = (L_BB_1 or GW_BB_1) and (not RLS_BB)  # BB locked from BB|BC@201.2b to UM2
         N_L_BB_2 = (L_BB_2 or GW_BB_2) and (not RLS_BB)  # BB locked from UM2 to BB|BC@201.2b
@@ -1500,7 +1500,7 @@ class Controller:
         N_F_BB = (F_BB or LK_R7 or LK_R19 or LK_R8 or LK_R9 or LK_R10) and (not RLS_BB)  # BB firmly locked
         N_U_BB = (U_BB or NU_BB_1 or NU_BB_2) and (not RLS_BB)  # BB used by a train (R9)
         N_P_BB = (P_BB or (U_BB and OCC_BB and NU_BC_2)) and (not RLS_BB)  # BB: the train went on (R9)
-        N_D_BB = (D_BB or ((not VALID) and (L_BB_1 or L_BB_2))) and (not RLS_BB)  # BB: inputs were lost while locked
+        N_D_BB = (D_BB or ((not VALID) and (L_BB_1 or L_BB_2))) and (not RLS_BB)  # BB: detection is not relied on, inputs were lost or a train is called on
         N_K_BC = K_BC and (not RLS_BC)  # BC: restart lock (R16)
         N_L_BC_1 = (L_BC_1 or GW_BC_1) and (not RLS_BC)  # BC locked from AC|BC@101.reverse to BB|BC@201.2b
         N_L_BC_2 = (L_BC_2 or GW_BC_2) and (not RLS_BC)  # BC locked from AC|BC@101.reverse to BC|CD@201.1b
@@ -1510,14 +1510,14 @@ class Controller:
         N_F_BC = (F_BC or LK_R7 or LK_R19 or LK_R4 or LK_R16 or LK_R11 or LK_R12) and (not RLS_BC)  # BC firmly locked
         N_U_BC = (U_BC or NU_BC_1 or NU_BC_2) and (not RLS_BC)  # BC used by a train (R9)
         N_P_BC = (P_BC or (U_BC and OCC_BC and (NU_AC_2 or NU_BB_1 or NU_BE_1 or NU_CD_1))) and (not RLS_BC)  # BC: the train went on (R9)
-        N_D_BC = (D_BC or ((not VALID) and (L_BC_1 or L_BC_2 or L_BC_3 or L_BC_4))) and (not RLS_BC)  # BC: inputs were lost while locked
+        N_D_BC = (D_BC or ((not VALID) and (L_BC_1 or L_BC_2 or L_BC_3 or L_BC_4))) and (not RLS_BC)  # BC: detection is not relied on, inputs were lost or a train is called on
         N_K_BD = K_BD and (not RLS_BD)  # BD: restart lock (R16)
         N_L_BD_1 = (L_BD_1 or GW_BD_1) and (not RLS_BD)  # BD locked from BD|BE@102.toe to UM
         N_M_BD = (M_BD or G_R12 or G_R14) and (not RLS_BD)  # BD locked for a train movement
         N_F_BD = (F_BD or LK_R12 or LK_R14) and (not RLS_BD)  # BD firmly locked
         N_U_BD = (U_BD or NU_BD_1) and (not RLS_BD)  # BD used by a train (R9)
         N_P_BD = P_BD and (not RLS_BD)  # BD: the train went on (R9)
-        N_D_BD = (D_BD or ((not VALID) and L_BD_1)) and (not RLS_BD)  # BD: inputs were lost while locked
+        N_D_BD = (D_BD or ((not VALID) and L_BD_1)) and (not RLS_BD)  # BD: detection is not relied on, inputs were lost or a train is called on
         N_K_BE = K_BE and (not RLS_BE)  # BE: restart lock (R16)
         N_L_BE_1 = (L_BE_1 or GW_BE_1) and (not RLS_BE)  # BE locked from BC|BE@102.normal to BD|BE@102.toe
         N_L_BE_4 = (L_BE_4 or GW_BE_4) and (not RLS_BE)  # BE locked from BE|CB@102.reverse to BD|BE@102.toe
@@ -1525,21 +1525,21 @@ class Controller:
         N_F_BE = (F_BE or LK_R12 or LK_R14) and (not RLS_BE)  # BE firmly locked
         N_U_BE = (U_BE or NU_BE_1 or NU_BE_3) and (not RLS_BE)  # BE used by a train (R9)
         N_P_BE = (P_BE or (U_BE and OCC_BE and NU_BD_1)) and (not RLS_BE)  # BE: the train went on (R9)
-        N_D_BE = (D_BE or ((not VALID) and (L_BE_1 or L_BE_4))) and (not RLS_BE)  # BE: inputs were lost while locked
+        N_D_BE = (D_BE or ((not VALID) and (L_BE_1 or L_BE_4))) and (not RLS_BE)  # BE: detection is not relied on, inputs were lost or a train is called on
         N_K_CB = K_CB and (not RLS_CB)  # CB: restart lock (R16)
         N_L_CB_2 = (L_CB_2 or GW_CB_2) and (not RLS_CB)  # CB locked from UB to BE|CB@102.reverse
         N_M_CB = (M_CB or G_R13) and (not RLS_CB)  # CB locked for a train movement
         N_F_CB = (F_CB or LK_R13) and (not RLS_CB)  # CB firmly locked
         N_U_CB = (U_CB or NU_CB_2) and (not RLS_CB)  # CB used by a train (R9)
         N_P_CB = (P_CB or (U_CB and OCC_CB and NU_BE_3)) and (not RLS_CB)  # CB: the train went on (R9)
-        N_D_CB = (D_CB or ((not VALID) and L_CB_2)) and (not RLS_CB)  # CB: inputs were lost while locked
+        N_D_CB = (D_CB or ((not VALID) and L_CB_2)) and (not RLS_CB)  # CB: detection is not relied on, inputs were lost or a train is called on
         N_K_CD = K_CD and (not RLS_CD)  # CD: restart lock (R16)
         N_L_CD_1 = (L_CD_1 or GW_CD_1) and (not RLS_CD)  # CD locked from BC|CD@201.1b to DB
         N_M_CD = (M_CD or G_R4 or G_R16) and (not RLS_CD)  # CD locked for a train movement
         N_F_CD = (F_CD or LK_R4 or LK_R16) and (not RLS_CD)  # CD firmly locked
         N_U_CD = (U_CD or NU_CD_1) and (not RLS_CD)  # CD used by a train (R9)
         N_P_CD = P_CD and (not RLS_CD)  # CD: the train went on (R9)
-        N_D_CD = (D_CD or ((not VALID) and L_CD_1)) and (not RLS_CD)  # CD: inputs were lost while locked
+        N_D_CD = (D_CD or ((not VALID) and L_CD_1)) and (not RLS_CD)  # CD: detection is not relied on, inputs were lost or a train is called on
         N_K_GA = K_GA and (not RLS_GA)  # GA: restart lock (R16)
         N_L_GA_1 = (L_GA_1 or GW_GA_1) and (not RLS_GA)  # GA locked from G to GA|SC@210.2a
         N_L_GA_2 = (L_GA_2 or GW_GA_2) and (not RLS_GA)  # GA locked from GA|SC@210.2a to G
@@ -1547,14 +1547,14 @@ class Controller:
         N_F_GA = (F_GA or LK_R15 or LK_R2) and (not RLS_GA)  # GA firmly locked
         N_U_GA = (U_GA or NU_GA_1 or NU_GA_2) and (not RLS_GA)  # GA used by a train (R9)
         N_P_GA = (P_GA or (U_GA and OCC_GA and NU_SC_3)) and (not RLS_GA)  # GA: the train went on (R9)
-        N_D_GA = (D_GA or ((not VALID) and (L_GA_1 or L_GA_2))) and (not RLS_GA)  # GA: inputs were lost while locked
+        N_D_GA = (D_GA or ((not VALID) and (L_GA_1 or L_GA_2))) and (not RLS_GA)  # GA: detection is not relied on, inputs were lost or a train is called on
         N_K_GB = K_GB and (not RLS_GB)  # GB: restart lock (R16)
         N_L_GB_1 = (L_GB_1 or GW_GB_1 or (GB_GB_1 and FREE_GB)) and (not RLS_GB)  # GB locked from GB|SC@210.2b to GN
         N_M_GB = (M_GB or G_R6 or G_R18) and (not RLS_GB) and (not AR_GB)  # GB locked for a train movement
         N_F_GB = (F_GB or LK_R6 or LK_R18 or (LK_R20 and L_GB_1)) and (not RLS_GB)  # GB firmly locked
         N_U_GB = (U_GB or NU_GB_1) and (not RLS_GB)  # GB used by a train (R9)
         N_P_GB = (P_GB or (U_GB and OCC_GB and NU_SC_4)) and (not RLS_GB)  # GB: the train went on (R9)
-        N_D_GB = (D_GB or ((not VALID) and L_GB_1)) and (not RLS_GB)  # GB: inputs were lost while locked
+        N_D_GB = (D_GB or ((not VALID) and L_GB_1)) and (not RLS_GB)  # GB: detection is not relied on, inputs were lost or a train is called on
         N_K_SC = K_SC and (not RLS_SC)  # SC: restart lock (R16)
         N_L_SC_1 = (L_SC_1 or GW_SC_1) and (not RLS_SC)  # SC locked from AB|SC@210.1a to AC|SC@101.toe
         N_L_SC_2 = (L_SC_2 or GW_SC_2) and (not RLS_SC)  # SC locked from AB|SC@210.1a to GB|SC@210.2b
@@ -1567,7 +1567,7 @@ class Controller:
         N_F_SC = (F_SC or LK_R4 or LK_R5 or LK_R7 or LK_R6 or LK_R11 or LK_R16 or LK_R17 or LK_R19 or LK_R18 or LK_R20 or LK_R1) and (not RLS_SC)  # SC firmly locked
         N_U_SC = (U_SC or NU_SC_1 or NU_SC_2 or NU_SC_3 or NU_SC_4) and (not RLS_SC)  # SC used by a train (R9)
         N_P_SC = (P_SC or (U_SC and OCC_SC and (NU_AB_1 or NU_AC_3 or NU_GA_2 or NU_GB_1))) and (not RLS_SC)  # SC: the train went on (R9)
-        N_D_SC = (D_SC or ((not VALID) and (L_SC_1 or L_SC_2 or L_SC_3 or L_SC_4 or L_SC_5 or L_SC_6 or L_SC_8))) and (not RLS_SC)  # SC: inputs were lost while locked
+        N_D_SC = (D_SC or ((not VALID) and (L_SC_1 or L_SC_2 or L_SC_3 or L_SC_4 or L_SC_5 or L_SC_6 or L_SC_8))) and (not RLS_SC)  # SC: detection is not relied on, inputs were lost or a train is called on
         N_V_G3_1 = GO_G3_1 or (V_G3_1 and (not (OR_G3 and (not OCC_GA))))  # overlap 1 of G3 held
         N_V_S2J_1 = GO_S2J_1 or (V_S2J_1 and (not (OR_S2J and (not OCC_BC) and (not OCC_BE) and (not OCC_BD))))  # overlap 1 of S2J held
         N_V_S2J_2 = GO_S2J_2 or (V_S2J_2 and (not (OR_S2J and (not OCC_BC) and (not OCC_AC) and (not OCC_SC) and (not OCC_AB))))  # overlap 2 of S2J held

@@ -1,7 +1,7 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout c860db68969c60bc66667e972049929162d85f76de5e7254a9e5e08d560571fb
-# claims e9e9b8312993b086b86a6f3e506fb51b3813a6c0bc467a7645e69be8ec5f3665
+# layout c0b88994fe54406059a40f8456d702786fd4bb9e5a06e0a504cc4fe4893d86de
+# claims 3e020295ee8d2af7b85138b27854f9dcfb0419bf1da3ca050df3083ff0cbc395
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -158,25 +158,25 @@ STATE = {
     'F_P1': False,  # P1 firmly locked
     'U_P1': True,  # P1 used by a train (R9)
     'P_P1': False,  # P1: the train went on (R9)
-    'D_P1': False,  # P1: inputs were lost while locked
+    'D_P1': False,  # P1: detection is not relied on, inputs were lost or a train is called on
     'K_P2': True,  # P2: restart lock (R16)
     'L_P2_2': False,  # P2 locked from P2|T3@203.reverse to B2
     'F_P2': False,  # P2 firmly locked
     'U_P2': True,  # P2 used by a train (R9)
     'P_P2': False,  # P2: the train went on (R9)
-    'D_P2': False,  # P2: inputs were lost while locked
+    'D_P2': False,  # P2: detection is not relied on, inputs were lost or a train is called on
     'K_P3': True,  # P3: restart lock (R16)
     'L_P3_2': False,  # P3 locked from P3|T4@204.normal to B3
     'F_P3': False,  # P3 firmly locked
     'U_P3': True,  # P3 used by a train (R9)
     'P_P3': False,  # P3: the train went on (R9)
-    'D_P3': False,  # P3: inputs were lost while locked
+    'D_P3': False,  # P3: detection is not relied on, inputs were lost or a train is called on
     'K_P4': True,  # P4: restart lock (R16)
     'L_P4_2': False,  # P4 locked from P4|T4@204.reverse to B4
     'F_P4': False,  # P4 firmly locked
     'U_P4': True,  # P4 used by a train (R9)
     'P_P4': False,  # P4: the train went on (R9)
-    'D_P4': False,  # P4: inputs were lost while locked
+    'D_P4': False,  # P4: detection is not relied on, inputs were lost or a train is called on
     'K_T1': True,  # T1: restart lock (R16)
     'L_T1_1': False,  # T1 locked from D to T1|T2@201B.reverse
     'L_T1_2': False,  # T1 locked from D to T1|T3@202B.toe
@@ -186,7 +186,7 @@ STATE = {
     'F_T1': False,  # T1 firmly locked
     'U_T1': True,  # T1 used by a train (R9)
     'P_T1': False,  # T1: the train went on (R9)
-    'D_T1': False,  # T1: inputs were lost while locked
+    'D_T1': False,  # T1: detection is not relied on, inputs were lost or a train is called on
     'K_T2': True,  # T2: restart lock (R16)
     'L_T2_1': False,  # T2 locked from T1|T2@201B.reverse to T2|T4@201B.toe
     'L_T2_2': False,  # T2 locked from T1|T2@202B.reverse to T2|UA@202A.toe
@@ -195,7 +195,7 @@ STATE = {
     'F_T2': False,  # T2 firmly locked
     'U_T2': True,  # T2 used by a train (R9)
     'P_T2': False,  # T2: the train went on (R9)
-    'D_T2': False,  # T2: inputs were lost while locked
+    'D_T2': False,  # T2: detection is not relied on, inputs were lost or a train is called on
     'K_T3': True,  # T3: restart lock (R16)
     'L_T3_1': False,  # T3 locked from P1|T3@203.normal to T1|T3@202B.toe
     'L_T3_2': False,  # T3 locked from P2|T3@203.reverse to T1|T3@202B.toe
@@ -204,7 +204,7 @@ STATE = {
     'F_T3': False,  # T3 firmly locked
     'U_T3': True,  # T3 used by a train (R9)
     'P_T3': False,  # T3: the train went on (R9)
-    'D_T3': False,  # T3: inputs were lost while locked
+    'D_T3': False,  # T3: detection is not relied on, inputs were lost or a train is called on
     'K_T4': True,  # T4: restart lock (R16)
     'L_T4_1': False,  # T4 locked from P3|T4@204.normal to T2|T4@201B.toe
     'L_T4_2': False,  # T4 locked from P4|T4@204.reverse to T2|T4@201B.toe
@@ -213,13 +213,13 @@ STATE = {
     'F_T4': False,  # T4 firmly locked
     'U_T4': True,  # T4 used by a train (R9)
     'P_T4': False,  # T4: the train went on (R9)
-    'D_T4': False,  # T4: inputs were lost while locked
+    'D_T4': False,  # T4: detection is not relied on, inputs were lost or a train is called on
     'K_UA': True,  # UA: restart lock (R16)
     'L_UA_1': False,  # UA locked from T2|UA@202A.toe to U
     'F_UA': False,  # UA firmly locked
     'U_UA': True,  # UA used by a train (R9)
     'P_UA': False,  # UA: the train went on (R9)
-    'D_UA': False,  # UA: inputs were lost while locked
+    'D_UA': False,  # UA: detection is not relied on, inputs were lost or a train is called on
     'C_S1': False,  # S1 shows clear
     'C_S11': False,  # S11 shows clear
     'C_S12': False,  # S12 shows clear
@@ -980,25 +980,25 @@ class Controller:
         N_F_P1 = (F_P1 or LK_R1) and (not RLS_P1)  # P1 firmly locked
         N_U_P1 = (U_P1 or NU_P1_2) and (not RLS_P1)  # P1 used by a train (R9)
         N_P_P1 = (P_P1 or (U_P1 and OCC_P1 and NU_T3_1)) and (not RLS_P1)  # P1: the train went on (R9)
-        N_D_P1 = (D_P1 or ((not VALID) and L_P1_2)) and (not RLS_P1)  # P1: inputs were lost while locked
+        N_D_P1 = (D_P1 or ((not VALID) and L_P1_2)) and (not RLS_P1)  # P1: detection is not relied on, inputs were lost or a train is called on
         N_K_P2 = K_P2 and (not RLS_P2)  # P2: restart lock (R16)
         N_L_P2_2 = (L_P2_2 or GW_P2_2) and (not RLS_P2)  # P2 locked from P2|T3@203.reverse to B2
         N_F_P2 = (F_P2 or LK_R2) and (not RLS_P2)  # P2 firmly locked
         N_U_P2 = (U_P2 or NU_P2_2) and (not RLS_P2)  # P2 used by a train (R9)
         N_P_P2 = (P_P2 or (U_P2 and OCC_P2 and NU_T3_2)) and (not RLS_P2)  # P2: the train went on (R9)
-        N_D_P2 = (D_P2 or ((not VALID) and L_P2_2)) and (not RLS_P2)  # P2: inputs were lost while locked
+        N_D_P2 = (D_P2 or ((not VALID) and L_P2_2)) and (not RLS_P2)  # P2: detection is not relied on, inputs were lost or a train is called on
         N_K_P3 = K_P3 and (not RLS_P3)  # P3: restart lock (R16)
         N_L_P3_2 = (L_P3_2 or GW_P3_2) and (not RLS_P3)  # P3 locked from P3|T4@204.normal to B3
         N_F_P3 = (F_P3 or LK_R3) and (not RLS_P3)  # P3 firmly locked
         N_U_P3 = (U_P3 or NU_P3_2) and (not RLS_P3)  # P3 used by a train (R9)
         N_P_P3 = (P_P3 or (U_P3 and OCC_P3 and NU_T4_1)) and (not RLS_P3)  # P3: the train went on (R9)
-        N_D_P3 = (D_P3 or ((not VALID) and L_P3_2)) and (not RLS_P3)  # P3: inputs were lost while locked
+        N_D_P3 = (D_P3 or ((not VALID) and L_P3_2)) and (not RLS_P3)  # P3: detection is not relied on, inputs were lost or a train is called on
         N_K_P4 = K_P4 and (not RLS_P4)  # P4: restart lock (R16)
         N_L_P4_2 = (L_P4_2 or GW_P4_2) and (not RLS_P4)  # P4 locked from P4|T4@204.reverse to B4
         N_F_P4 = (F_P4 or LK_R4) and (not RLS_P4)  # P4 firmly locked
         N_U_P4 = (U_P4 or NU_P4_2) and (not RLS_P4)  # P4 used by a train (R9)
         N_P_P4 = (P_P4 or (U_P4 and OCC_P4 and NU_T4_2)) and (not RLS_P4)  # P4: the train went on (R9)
-        N_D_P4 = (D_P4 or ((not VALID) and L_P4_2)) and (not RLS_P4)  # P4: inputs were lost while locked
+        N_D_P4 = (D_P4 or ((not VALID) and L_P4_2)) and (not RLS_P4)  # P4: detection is not relied on, inputs were lost or a train is called on
         N_K_T1 = K_T1 and (not RLS_T1)  # T1: restart lock (R16)
         N_L_T1_1 = (L_T1_1 or GW_T1_1) and (not RLS_T1)  # T1 locked from D to T1|T2@201B.reverse
         N_L_T1_2 = (L_T1_2 or GW_T1_2) and (not RLS_T1)  # T1 locked from D to T1|T3@202B.toe
@@ -1008,7 +1008,7 @@ class Controller:
         N_F_T1 = (F_T1 or LK_R3 or LK_R4 or LK_R1 or LK_R2 or LK_R9 or LK_R11 or LK_R5 or LK_R7 or LK_R6 or LK_R8) and (not RLS_T1)  # T1 firmly locked
         N_U_T1 = (U_T1 or NU_T1_1 or NU_T1_2 or NU_T1_4) and (not RLS_T1)  # T1 used by a train (R9)
         N_P_T1 = (P_T1 or (U_T1 and OCC_T1 and (NU_T2_1 or NU_T2_2 or NU_T3_3))) and (not RLS_T1)  # T1: the train went on (R9)
-        N_D_T1 = (D_T1 or ((not VALID) and (L_T1_1 or L_T1_2 or L_T1_3 or L_T1_5 or L_T1_6))) and (not RLS_T1)  # T1: inputs were lost while locked
+        N_D_T1 = (D_T1 or ((not VALID) and (L_T1_1 or L_T1_2 or L_T1_3 or L_T1_5 or L_T1_6))) and (not RLS_T1)  # T1: detection is not relied on, inputs were lost or a train is called on
         N_K_T2 = K_T2 and (not RLS_T2)  # T2: restart lock (R16)
         N_L_T2_1 = (L_T2_1 or GW_T2_1) and (not RLS_T2)  # T2 locked from T1|T2@201B.reverse to T2|T4@201B.toe
         N_L_T2_2 = (L_T2_2 or GW_T2_2) and (not RLS_T2)  # T2 locked from T1|T2@202B.reverse to T2|UA@202A.toe
@@ -1017,7 +1017,7 @@ class Controller:
         N_F_T2 = (F_T2 or LK_R3 or LK_R4 or LK_R6 or LK_R8 or LK_R9 or LK_R11 or LK_R10 or LK_R12) and (not RLS_T2)  # T2 firmly locked
         N_U_T2 = (U_T2 or NU_T2_1 or NU_T2_2 or NU_T2_3) and (not RLS_T2)  # T2 used by a train (R9)
         N_P_T2 = (P_T2 or (U_T2 and OCC_T2 and (NU_T1_2 or NU_T4_3 or NU_UA_1))) and (not RLS_T2)  # T2: the train went on (R9)
-        N_D_T2 = (D_T2 or ((not VALID) and (L_T2_1 or L_T2_2 or L_T2_3 or L_T2_4))) and (not RLS_T2)  # T2: inputs were lost while locked
+        N_D_T2 = (D_T2 or ((not VALID) and (L_T2_1 or L_T2_2 or L_T2_3 or L_T2_4))) and (not RLS_T2)  # T2: detection is not relied on, inputs were lost or a train is called on
         N_K_T3 = K_T3 and (not RLS_T3)  # T3: restart lock (R16)
         N_L_T3_1 = (L_T3_1 or GW_T3_1) and (not RLS_T3)  # T3 locked from P1|T3@203.normal to T1|T3@202B.toe
         N_L_T3_2 = (L_T3_2 or GW_T3_2) and (not RLS_T3)  # T3 locked from P2|T3@203.reverse to T1|T3@202B.toe
@@ -1026,7 +1026,7 @@ class Controller:
         N_F_T3 = (F_T3 or LK_R5 or LK_R6 or LK_R7 or LK_R8 or LK_R1 or LK_R2) and (not RLS_T3)  # T3 firmly locked
         N_U_T3 = (U_T3 or NU_T3_1 or NU_T3_2 or NU_T3_3) and (not RLS_T3)  # T3 used by a train (R9)
         N_P_T3 = (P_T3 or (U_T3 and OCC_T3 and (NU_P1_2 or NU_P2_2 or NU_T1_4))) and (not RLS_T3)  # T3: the train went on (R9)
-        N_D_T3 = (D_T3 or ((not VALID) and (L_T3_1 or L_T3_2 or L_T3_3 or L_T3_4))) and (not RLS_T3)  # T3: inputs were lost while locked
+        N_D_T3 = (D_T3 or ((not VALID) and (L_T3_1 or L_T3_2 or L_T3_3 or L_T3_4))) and (not RLS_T3)  # T3: detection is not relied on, inputs were lost or a train is called on
         N_K_T4 = K_T4 and (not RLS_T4)  # T4: restart lock (R16)
         N_L_T4_1 = (L_T4_1 or GW_T4_1) and (not RLS_T4)  # T4 locked from P3|T4@204.normal to T2|T4@201B.toe
         N_L_T4_2 = (L_T4_2 or GW_T4_2) and (not RLS_T4)  # T4 locked from P4|T4@204.reverse to T2|T4@201B.toe
@@ -1035,13 +1035,13 @@ class Controller:
         N_F_T4 = (F_T4 or LK_R9 or LK_R10 or LK_R11 or LK_R12 or LK_R3 or LK_R4) and (not RLS_T4)  # T4 firmly locked
         N_U_T4 = (U_T4 or NU_T4_1 or NU_T4_2 or NU_T4_3) and (not RLS_T4)  # T4 used by a train (R9)
         N_P_T4 = (P_T4 or (U_T4 and OCC_T4 and (NU_P3_2 or NU_P4_2 or NU_T2_3))) and (not RLS_T4)  # T4: the train went on (R9)
-        N_D_T4 = (D_T4 or ((not VALID) and (L_T4_1 or L_T4_2 or L_T4_3 or L_T4_4))) and (not RLS_T4)  # T4: inputs were lost while locked
+        N_D_T4 = (D_T4 or ((not VALID) and (L_T4_1 or L_T4_2 or L_T4_3 or L_T4_4))) and (not RLS_T4)  # T4: detection is not relied on, inputs were lost or a train is called on
         N_K_UA = K_UA and (not RLS_UA)  # UA: restart lock (R16)
         N_L_UA_1 = (L_UA_1 or GW_UA_1) and (not RLS_UA)  # UA locked from T2|UA@202A.toe to U
         N_F_UA = (F_UA or LK_R6 or LK_R8 or LK_R10 or LK_R12) and (not RLS_UA)  # UA firmly locked
         N_U_UA = (U_UA or NU_UA_1) and (not RLS_UA)  # UA used by a train (R9)
         N_P_UA = P_UA and (not RLS_UA)  # UA: the train went on (R9)
-        N_D_UA = (D_UA or ((not VALID) and L_UA_1)) and (not RLS_UA)  # UA: inputs were lost while locked
+        N_D_UA = (D_UA or ((not VALID) and L_UA_1)) and (not RLS_UA)  # UA: detection is not relied on, inputs were lost or a train is called on
         N_C_S1 = (PR_R1 or PR_R2 or PR_R3 or PR_R4) and False  # S1 shows clear
         N_C_S11 = (PR_R5 or PR_R6) and PR_R5  # S11 shows clear
         N_C_S12 = (PR_R7 or PR_R8) and PR_R7  # S12 shows clear

@@ -1,7 +1,7 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 54b7082dd8912d5f1384d5e6bf506a9fd98eb840c93909e133fb5a89c0c9b6bf
-# claims 90a02483fd03ec155c4ffc84980174d7aca9d2314f8391db71d134303528c194
+# layout 6e20d2d1d1fccc1f9245d69924e2144829e5a979d7cabbbad730c8c9c39bf06d
+# claims a68dccc99cfcde13f0e95fee7d50fa05d8d59bdab4271e7e24ab25109040d9d5
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -252,42 +252,42 @@ STATE = {
     'F_P1': False,  # P1 firmly locked
     'U_P1': True,  # P1 used by a train (R9)
     'P_P1': False,  # P1: the train went on (R9)
-    'D_P1': False,  # P1: inputs were lost while locked
+    'D_P1': False,  # P1: detection is not relied on, inputs were lost or a train is called on
     'K_P2': True,  # P2: restart lock (R16)
     'L_P2_2': False,  # P2 locked from P2|T3@203.reverse to B2
     'M_P2': False,  # P2 locked for a train movement
     'F_P2': False,  # P2 firmly locked
     'U_P2': True,  # P2 used by a train (R9)
     'P_P2': False,  # P2: the train went on (R9)
-    'D_P2': False,  # P2: inputs were lost while locked
+    'D_P2': False,  # P2: detection is not relied on, inputs were lost or a train is called on
     'K_P3': True,  # P3: restart lock (R16)
     'L_P3_2': False,  # P3 locked from P3|T4@204.normal to B3
     'M_P3': False,  # P3 locked for a train movement
     'F_P3': False,  # P3 firmly locked
     'U_P3': True,  # P3 used by a train (R9)
     'P_P3': False,  # P3: the train went on (R9)
-    'D_P3': False,  # P3: inputs were lost while locked
+    'D_P3': False,  # P3: detection is not relied on, inputs were lost or a train is called on
     'K_P4': True,  # P4: restart lock (R16)
     'L_P4_2': False,  # P4 locked from P4|T4@204.reverse to B4
     'M_P4': False,  # P4 locked for a train movement
     'F_P4': False,  # P4 firmly locked
     'U_P4': True,  # P4 used by a train (R9)
     'P_P4': False,  # P4: the train went on (R9)
-    'D_P4': False,  # P4: inputs were lost while locked
+    'D_P4': False,  # P4: detection is not relied on, inputs were lost or a train is called on
     'K_P5': True,  # P5: restart lock (R16)
     'L_P5_2': False,  # P5 locked from P5|T5@205.2b to B5
     'M_P5': False,  # P5 locked for a train movement
     'F_P5': False,  # P5 firmly locked
     'U_P5': True,  # P5 used by a train (R9)
     'P_P5': False,  # P5: the train went on (R9)
-    'D_P5': False,  # P5: inputs were lost while locked
+    'D_P5': False,  # P5: detection is not relied on, inputs were lost or a train is called on
     'K_SB': True,  # SB: restart lock (R16)
     'L_SB_1': False,  # SB locked from SB|T5@205.2a to ST
     'M_SB': False,  # SB locked for a train movement
     'F_SB': False,  # SB firmly locked
     'U_SB': True,  # SB used by a train (R9)
     'P_SB': False,  # SB: the train went on (R9)
-    'D_SB': False,  # SB: inputs were lost while locked
+    'D_SB': False,  # SB: detection is not relied on, inputs were lost or a train is called on
     'K_T1': True,  # T1: restart lock (R16)
     'L_T1_1': False,  # T1 locked from D to T1|T2@201B.reverse
     'L_T1_2': False,  # T1 locked from D to T1|T3@202B.toe
@@ -298,7 +298,7 @@ STATE = {
     'F_T1': False,  # T1 firmly locked
     'U_T1': True,  # T1 used by a train (R9)
     'P_T1': False,  # T1: the train went on (R9)
-    'D_T1': False,  # T1: inputs were lost while locked
+    'D_T1': False,  # T1: detection is not relied on, inputs were lost or a train is called on
     'K_T2': True,  # T2: restart lock (R16)
     'L_T2_1': False,  # T2 locked from T1|T2@201B.reverse to T2|T5@201B.toe
     'L_T2_2': False,  # T2 locked from T1|T2@202B.reverse to T2|UA@202A.toe
@@ -308,7 +308,7 @@ STATE = {
     'F_T2': False,  # T2 firmly locked
     'U_T2': True,  # T2 used by a train (R9)
     'P_T2': False,  # T2: the train went on (R9)
-    'D_T2': False,  # T2: inputs were lost while locked
+    'D_T2': False,  # T2: detection is not relied on, inputs were lost or a train is called on
     'K_T3': True,  # T3: restart lock (R16)
     'L_T3_1': False,  # T3 locked from P1|T3@203.normal to T1|T3@202B.toe
     'L_T3_2': False,  # T3 locked from P2|T3@203.reverse to T1|T3@202B.toe
@@ -318,7 +318,7 @@ STATE = {
     'F_T3': False,  # T3 firmly locked
     'U_T3': True,  # T3 used by a train (R9)
     'P_T3': False,  # T3: the train went on (R9)
-    'D_T3': False,  # T3: inputs were lost while locked
+    'D_T3': False,  # T3: detection is not relied on, inputs were lost or a train is called on
     'K_T4': True,  # T4: restart lock (R16)
     'L_T4_1': False,  # T4 locked from P3|T4@204.normal to T4|T5@204.toe
     'L_T4_2': False,  # T4 locked from P4|T4@204.reverse to T4|T5@204.toe
@@ -328,7 +328,7 @@ STATE = {
     'F_T4': False,  # T4 firmly locked
     'U_T4': True,  # T4 used by a train (R9)
     'P_T4': False,  # T4: the train went on (R9)
-    'D_T4': False,  # T4: inputs were lost while locked
+    'D_T4': False,  # T4: detection is not relied on, inputs were lost or a train is called on
     'K_T5': True,  # T5: restart lock (R16)
     'L_T5_1': False,  # T5 locked from P5|T5@205.2b to SB|T5@205.2a
     'L_T5_2': False,  # T5 locked from P5|T5@205.2b to T2|T5@201B.toe
@@ -342,14 +342,14 @@ STATE = {
     'F_T5': False,  # T5 firmly locked
     'U_T5': True,  # T5 used by a train (R9)
     'P_T5': False,  # T5: the train went on (R9)
-    'D_T5': False,  # T5: inputs were lost while locked
+    'D_T5': False,  # T5: detection is not relied on, inputs were lost or a train is called on
     'K_UA': True,  # UA: restart lock (R16)
     'L_UA_1': False,  # UA locked from T2|UA@202A.toe to U
     'M_UA': False,  # UA locked for a train movement
     'F_UA': False,  # UA firmly locked
     'U_UA': True,  # UA used by a train (R9)
     'P_UA': False,  # UA: the train went on (R9)
-    'D_UA': False,  # UA: inputs were lost while locked
+    'D_UA': False,  # UA: detection is not relied on, inputs were lost or a train is called on
     'C_S1': False,  # S1 shows clear
     'C_S11': False,  # S11 shows clear
     'C_S12': False,  # S12 shows clear
@@ -1544,42 +1544,42 @@ class Controller:
         N_F_P1 = (F_P1 or LK_R4) and (not RLS_P1)  # P1 firmly locked
         N_U_P1 = (U_P1 or NU_P1_2) and (not RLS_P1)  # P1 used by a train (R9)
         N_P_P1 = (P_P1 or (U_P1 and OCC_P1 and NU_T3_1)) and (not RLS_P1)  # P1: the train went on (R9)
-        N_D_P1 = (D_P1 or ((not VALID) and L_P1_2)) and (not RLS_P1)  # P1: inputs were lost while locked
+        N_D_P1 = (D_P1 or ((not VALID) and L_P1_2)) and (not RLS_P1)  # P1: detection is not relied on, inputs were lost or a train is called on
         N_K_P2 = K_P2 and (not RLS_P2)  # P2: restart lock (R16)
         N_L_P2_2 = (L_P2_2 or GW_P2_2) and (not RLS_P2)  # P2 locked from P2|T3@203.reverse to B2
         N_M_P2 = (M_P2 or G_R5) and (not RLS_P2)  # P2 locked for a train movement
         N_F_P2 = (F_P2 or LK_R5) and (not RLS_P2)  # P2 firmly locked
         N_U_P2 = (U_P2 or NU_P2_2) and (not RLS_P2)  # P2 used by a train (R9)
         N_P_P2 = (P_P2 or (U_P2 and OCC_P2 and NU_T3_2)) and (not RLS_P2)  # P2: the train went on (R9)
-        N_D_P2 = (D_P2 or ((not VALID) and L_P2_2)) and (not RLS_P2)  # P2: inputs were lost while locked
+        N_D_P2 = (D_P2 or ((not VALID) and L_P2_2)) and (not RLS_P2)  # P2: detection is not relied on, inputs were lost or a train is called on
         N_K_P3 = K_P3 and (not RLS_P3)  # P3: restart lock (R16)
         N_L_P3_2 = (L_P3_2 or GW_P3_2 or (GB_P3_2 and FREE_P3)) and (not RLS_P3)  # P3 locked from P3|T4@204.normal to B3
         N_M_P3 = (M_P3 or G_R6) and (not RLS_P3) and (not AR_P3)  # P3 locked for a train movement
         N_F_P3 = (F_P3 or (LK_R1 and L_P3_2) or LK_R6) and (not RLS_P3)  # P3 firmly locked
         N_U_P3 = (U_P3 or NU_P3_2) and (not RLS_P3)  # P3 used by a train (R9)
         N_P_P3 = (P_P3 or (U_P3 and OCC_P3 and NU_T4_1)) and (not RLS_P3)  # P3: the train went on (R9)
-        N_D_P3 = (D_P3 or ((not VALID) and L_P3_2)) and (not RLS_P3)  # P3: inputs were lost while locked
+        N_D_P3 = (D_P3 or ((not VALID) and L_P3_2)) and (not RLS_P3)  # P3: detection is not relied on, inputs were lost or a train is called on
         N_K_P4 = K_P4 and (not RLS_P4)  # P4: restart lock (R16)
         N_L_P4_2 = (L_P4_2 or GW_P4_2 or (GB_P4_2 and FREE_P4)) and (not RLS_P4)  # P4 locked from P4|T4@204.reverse to B4
         N_M_P4 = (M_P4 or G_R7) and (not RLS_P4) and (not AR_P4)  # P4 locked for a train movement
         N_F_P4 = (F_P4 or (LK_R2 and L_P4_2) or LK_R7) and (not RLS_P4)  # P4 firmly locked
         N_U_P4 = (U_P4 or NU_P4_2) and (not RLS_P4)  # P4 used by a train (R9)
         N_P_P4 = (P_P4 or (U_P4 and OCC_P4 and NU_T4_2)) and (not RLS_P4)  # P4: the train went on (R9)
-        N_D_P4 = (D_P4 or ((not VALID) and L_P4_2)) and (not RLS_P4)  # P4: inputs were lost while locked
+        N_D_P4 = (D_P4 or ((not VALID) and L_P4_2)) and (not RLS_P4)  # P4: detection is not relied on, inputs were lost or a train is called on
         N_K_P5 = K_P5 and (not RLS_P5)  # P5: restart lock (R16)
         N_L_P5_2 = (L_P5_2 or GW_P5_2 or (GB_P5_2 and FREE_P5)) and (not RLS_P5)  # P5 locked from P5|T5@205.2b to B5
         N_M_P5 = (M_P5 or G_R8) and (not RLS_P5) and (not AR_P5)  # P5 locked for a train movement
         N_F_P5 = (F_P5 or (LK_R3 and L_P5_2) or LK_R8) and (not RLS_P5)  # P5 firmly locked
         N_U_P5 = (U_P5 or NU_P5_2) and (not RLS_P5)  # P5 used by a train (R9)
         N_P_P5 = (P_P5 or (U_P5 and OCC_P5 and NU_T5_1)) and (not RLS_P5)  # P5: the train went on (R9)
-        N_D_P5 = (D_P5 or ((not VALID) and L_P5_2)) and (not RLS_P5)  # P5: inputs were lost while locked
+        N_D_P5 = (D_P5 or ((not VALID) and L_P5_2)) and (not RLS_P5)  # P5: detection is not relied on, inputs were lost or a train is called on
         N_K_SB = K_SB and (not RLS_SB)  # SB: restart lock (R16)
         N_L_SB_1 = (L_SB_1 or GW_SB_1 or (GB_SB_1 and FREE_SB)) and (not RLS_SB)  # SB locked from SB|T5@205.2a to ST
         N_M_SB = (M_SB or G_R14 or G_R18 or G_R22) and (not RLS_SB) and (not AR_SB)  # SB locked for a train movement
         N_F_SB = (F_SB or LK_R14 or (LK_R16 and L_SB_1) or LK_R18 or (LK_R20 and L_SB_1) or LK_R22 or (LK_R24 and L_SB_1)) and (not RLS_SB)  # SB firmly locked
         N_U_SB = (U_SB or NU_SB_1) and (not RLS_SB)  # SB used by a train (R9)
         N_P_SB = (P_SB or (U_SB and OCC_SB and NU_T5_2)) and (not RLS_SB)  # SB: the train went on (R9)
-        N_D_SB = (D_SB or ((not VALID) and L_SB_1)) and (not RLS_SB)  # SB: inputs were lost while locked
+        N_D_SB = (D_SB or ((not VALID) and L_SB_1)) and (not RLS_SB)  # SB: detection is not relied on, inputs were lost or a train is called on
         N_K_T1 = K_T1 and (not RLS_T1)  # T1: restart lock (R16)
         N_L_T1_1 = (L_T1_1 or GW_T1_1) and (not RLS_T1)  # T1 locked from D to T1|T2@201B.reverse
         N_L_T1_2 = (L_T1_2 or GW_T1_2) and (not RLS_T1)  # T1 locked from D to T1|T3@202B.toe
@@ -1590,7 +1590,7 @@ class Controller:
         N_F_T1 = (F_T1 or LK_R6 or LK_R7 or LK_R8 or LK_R4 or LK_R5 or LK_R13 or LK_R17 or LK_R21 or LK_R9 or LK_R11 or LK_R10 or LK_R12) and (not RLS_T1)  # T1 firmly locked
         N_U_T1 = (U_T1 or NU_T1_1 or NU_T1_2 or NU_T1_4) and (not RLS_T1)  # T1 used by a train (R9)
         N_P_T1 = (P_T1 or (U_T1 and OCC_T1 and (NU_T2_1 or NU_T2_2 or NU_T3_3))) and (not RLS_T1)  # T1: the train went on (R9)
-        N_D_T1 = (D_T1 or ((not VALID) and (L_T1_1 or L_T1_2 or L_T1_3 or L_T1_5 or L_T1_6))) and (not RLS_T1)  # T1: inputs were lost while locked
+        N_D_T1 = (D_T1 or ((not VALID) and (L_T1_1 or L_T1_2 or L_T1_3 or L_T1_5 or L_T1_6))) and (not RLS_T1)  # T1: detection is not relied on, inputs were lost or a train is called on
         N_K_T2 = K_T2 and (not RLS_T2)  # T2: restart lock (R16)
         N_L_T2_1 = (L_T2_1 or GW_T2_1) and (not RLS_T2)  # T2 locked from T1|T2@201B.reverse to T2|T5@201B.toe
         N_L_T2_2 = (L_T2_2 or GW_T2_2) and (not RLS_T2)  # T2 locked from T1|T2@202B.reverse to T2|UA@202A.toe
@@ -1600,7 +1600,7 @@ class Controller:
         N_F_T2 = (F_T2 or LK_R6 or LK_R7 or LK_R8 or LK_R10 or LK_R12 or LK_R13 or LK_R17 or LK_R21 or LK_R15 or LK_R19 or LK_R23) and (not RLS_T2)  # T2 firmly locked
         N_U_T2 = (U_T2 or NU_T2_1 or NU_T2_2 or NU_T2_3) and (not RLS_T2)  # T2 used by a train (R9)
         N_P_T2 = (P_T2 or (U_T2 and OCC_T2 and (NU_T1_2 or NU_T5_3 or NU_UA_1))) and (not RLS_T2)  # T2: the train went on (R9)
-        N_D_T2 = (D_T2 or ((not VALID) and (L_T2_1 or L_T2_2 or L_T2_3 or L_T2_4))) and (not RLS_T2)  # T2: inputs were lost while locked
+        N_D_T2 = (D_T2 or ((not VALID) and (L_T2_1 or L_T2_2 or L_T2_3 or L_T2_4))) and (not RLS_T2)  # T2: detection is not relied on, inputs were lost or a train is called on
         N_K_T3 = K_T3 and (not RLS_T3)  # T3: restart lock (R16)
         N_L_T3_1 = (L_T3_1 or GW_T3_1) and (not RLS_T3)  # T3 locked from P1|T3@203.normal to T1|T3@202B.toe
         N_L_T3_2 = (L_T3_2 or GW_T3_2) and (not RLS_T3)  # T3 locked from P2|T3@203.reverse to T1|T3@202B.toe
@@ -1610,7 +1610,7 @@ class Controller:
         N_F_T3 = (F_T3 or LK_R9 or LK_R10 or LK_R11 or LK_R12 or LK_R4 or LK_R5) and (not RLS_T3)  # T3 firmly locked
         N_U_T3 = (U_T3 or NU_T3_1 or NU_T3_2 or NU_T3_3) and (not RLS_T3)  # T3 used by a train (R9)
         N_P_T3 = (P_T3 or (U_T3 and OCC_T3 and (NU_P1_2 or NU_P2_2 or NU_T1_4))) and (not RLS_T3)  # T3: the train went on (R9)
-        N_D_T3 = (D_T3 or ((not VALID) and (L_T3_1 or L_T3_2 or L_T3_3 or L_T3_4))) and (not RLS_T3)  # T3: inputs were lost while locked
+        N_D_T3 = (D_T3 or ((not VALID) and (L_T3_1 or L_T3_2 or L_T3_3 or L_T3_4))) and (not RLS_T3)  # T3: detection is not relied on, inputs were lost or a train is called on
         N_K_T4 = K_T4 and (not RLS_T4)  # T4: restart lock (R16)
         N_L_T4_1 = (L_T4_1 or GW_T4_1) and (not RLS_T4)  # T4 locked from P3|T4@204.normal to T4|T5@204.toe
         N_L_T4_2 = (L_T4_2 or GW_T4_2) and (not RLS_T4)  # T4 locked from P4|T4@204.reverse to T4|T5@204.toe
@@ -1620,7 +1620,7 @@ class Controller:
         N_F_T4 = (F_T4 or LK_R13 or LK_R14 or LK_R15 or LK_R16 or LK_R17 or LK_R18 or LK_R19 or LK_R20 or LK_R1 or LK_R6 or LK_R2 or LK_R7) and (not RLS_T4)  # T4 firmly locked
         N_U_T4 = (U_T4 or NU_T4_1 or NU_T4_2 or NU_T4_3) and (not RLS_T4)  # T4 used by a train (R9)
         N_P_T4 = (P_T4 or (U_T4 and OCC_T4 and (NU_P3_2 or NU_P4_2 or NU_T5_4))) and (not RLS_T4)  # T4: the train went on (R9)
-        N_D_T4 = (D_T4 or ((not VALID) and (L_T4_1 or L_T4_2 or L_T4_3 or L_T4_4))) and (not RLS_T4)  # T4: inputs were lost while locked
+        N_D_T4 = (D_T4 or ((not VALID) and (L_T4_1 or L_T4_2 or L_T4_3 or L_T4_4))) and (not RLS_T4)  # T4: detection is not relied on, inputs were lost or a train is called on
         N_K_T5 = K_T5 and (not RLS_T5)  # T5: restart lock (R16)
         N_L_T5_1 = (L_T5_1 or GW_T5_1) and (not RLS_T5)  # T5 locked from P5|T5@205.2b to SB|T5@205.2a
         N_L_T5_2 = (L_T5_2 or GW_T5_2) and (not RLS_T5)  # T5 locked from P5|T5@205.2b to T2|T5@201B.toe
@@ -1634,14 +1634,14 @@ class Controller:
         N_F_T5 = (F_T5 or LK_R22 or LK_R24 or LK_R21 or LK_R23 or LK_R3 or LK_R1 or LK_R2 or LK_R8 or LK_R6 or LK_R7 or LK_R14 or LK_R16 or LK_R18 or LK_R20 or LK_R13 or LK_R15 or LK_R17 or LK_R19) and (not RLS_T5)  # T5 firmly locked
         N_U_T5 = (U_T5 or NU_T5_1 or NU_T5_2 or NU_T5_3 or NU_T5_4) and (not RLS_T5)  # T5 used by a train (R9)
         N_P_T5 = (P_T5 or (U_T5 and OCC_T5 and (NU_P5_2 or NU_SB_1 or NU_T2_3 or NU_T4_3))) and (not RLS_T5)  # T5: the train went on (R9)
-        N_D_T5 = (D_T5 or ((not VALID) and (L_T5_1 or L_T5_2 or L_T5_3 or L_T5_4 or L_T5_5 or L_T5_6 or L_T5_7 or L_T5_8))) and (not RLS_T5)  # T5: inputs were lost while locked
+        N_D_T5 = (D_T5 or ((not VALID) and (L_T5_1 or L_T5_2 or L_T5_3 or L_T5_4 or L_T5_5 or L_T5_6 or L_T5_7 or L_T5_8))) and (not RLS_T5)  # T5: detection is not relied on, inputs were lost or a train is called on
         N_K_UA = K_UA and (not RLS_UA)  # UA: restart lock (R16)
         N_L_UA_1 = (L_UA_1 or GW_UA_1) and (not RLS_UA)  # UA locked from T2|UA@202A.toe to U
         N_M_UA = (M_UA or G_R10 or G_R12 or G_R15 or G_R19 or G_R23) and (not RLS_UA)  # UA locked for a train movement
         N_F_UA = (F_UA or LK_R10 or LK_R12 or LK_R15 or LK_R19 or LK_R23) and (not RLS_UA)  # UA firmly locked
         N_U_UA = (U_UA or NU_UA_1) and (not RLS_UA)  # UA used by a train (R9)
         N_P_UA = P_UA and (not RLS_UA)  # UA: the train went on (R9)
-        N_D_UA = (D_UA or ((not VALID) and L_UA_1)) and (not RLS_UA)  # UA: inputs were lost while locked
+        N_D_UA = (D_UA or ((not VALID) and L_UA_1)) and (not RLS_UA)  # UA: detection is not relied on, inputs were lost or a train is called on
         N_C_S1 = (PR_R4 or PR_R5 or PR_R6 or PR_R7 or PR_R8) and False  # S1 shows clear
         N_C_S11 = (PR_R9 or PR_R10) and PR_R9  # S11 shows clear
         N_C_S12 = (PR_R11 or PR_R12) and PR_R11  # S12 shows clear

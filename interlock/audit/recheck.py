@@ -8,10 +8,21 @@ area touches a leg or arm that the route does not use.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from interlock.audit.walk import Frozen, Move, Trip, distances, overruns, signal_distance, signal_facing, steps, trips
+from interlock.audit.walk import (
+    Frozen,
+    Move,
+    Trip,
+    distances,
+    overruns,
+    signal_distance,
+    signal_facing,
+    standing_place,
+    steps,
+    trips,
+)
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Caution
@@ -39,13 +50,14 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
         if not _unwanted(layout, t)
         for over in overruns(layout, t)
     ]
+    mine += [replace(t, call_on=True) for t in mine if _calls_on(layout, t)]
     for r in table.routes:
         same = [
             t
             for t in mine
             if t.entry == r.entry
             and t.exit == r.exit
-            and t.shunt == (r.kind == "shunt")
+            and (t.shunt, t.call_on) == (r.kind == "shunt", r.kind == "call-on")
             and t.berth == r.berth
             and t.sections == r.section_ids
             and _path_positions(r) == dict(t.positions)
@@ -64,6 +76,11 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     found += _hostile(layout, table, matched)
     found += _voyages(layout, table, matched)
     return tuple(found)
+
+
+def _calls_on(layout: Layout, t: Trip) -> bool:
+    """Whether a train's trip can be run by calling on, too."""
+    return not t.shunt and layout.signal[SignalId(t.entry)].call_on
 
 
 def _functions(g: Signal) -> list[bool]:
@@ -96,7 +113,10 @@ def _path_positions(r: RouteRow) -> dict[MachineId, Position]:
 
 
 def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
-    if tuple(c.section for c in r.sections) != tuple(s for s in trip.sections if s != trip.berth):
+    wanted = tuple(s for s in trip.sections if s != trip.berth)
+    if trip.call_on:
+        wanted = tuple(s for s in trip.sections if s == trip.sections[0] or standing_place(layout, s))
+    if tuple(c.section for c in r.sections) != wanted:
         yield Finding(r.id, "sections", f"the path lies over {', '.join(trip.sections)}")
     if tuple(s.section for s in r.release) != trip.sections:
         yield Finding(r.id, "release", "the order is not that of the path")
@@ -138,6 +158,8 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
 def _aspect(layout: Layout, trip: Trip) -> tuple[Shows, SignalId | None]:
     """What the open signal shows: the last track of the trip and the signal at its end decide."""
     rule = layout.principles.caution
+    if trip.call_on:
+        return Shows.CALL_ON, None
     if trip.shunt:
         return Shows.SHUNT, None
     last = trip.moves[-1]
@@ -352,7 +374,7 @@ def _same_way(layout: Layout, a: frozenset[Move], b: frozenset[Move], section: S
 
 def _own(x: _Ground, y: _Ground) -> frozenset[NodeId]:
     """Diamonds that y passes on the very overlap of x, going on from its exit."""
-    if y.shunt or y.entry != x.exit:
+    if y.row.kind != "main" or y.entry != x.exit:
         return frozenset()
     return frozenset(m.node for m in x.over_moves & y.moves)
 
@@ -374,7 +396,7 @@ def _cannot_both(layout: Layout, a: _Ground, b: _Ground) -> Clash | None:
         if not x.over.isdisjoint(y.over):
             return "the overlaps share", x.over & y.over
         for section in sorted(x.over & y.sections):
-            if y.shunt or y.entry != x.exit or not _same_way(layout, x.over_moves, y.moves, section):
+            if y.row.kind != "main" or y.entry != x.exit or not _same_way(layout, x.over_moves, y.moves, section):
                 return "overlap over", frozenset({section})
         if not x.over_nodes.isdisjoint(y.over_nodes) or not x.over_nodes.isdisjoint(y.nodes - (y.nodes & _own(x, y))):
             return "an overlap crosses", x.over_nodes

@@ -38,6 +38,7 @@ class Trip:
     positions: tuple[tuple[MachineId, Position], ...]
     over: tuple[Move, ...] = ()
     over_positions: tuple[tuple[MachineId, Position], ...] = ()
+    call_on: bool = False
 
 
 def steps(

@@ -44,7 +44,10 @@ def derive_release(layout: Layout, path: Path) -> tuple[ReleaseStep, ...]:
         last = i == len(path.ways) - 1
         after = path.ways[i - 1].section if i else None
         proved: str
-        if t.section == path.berth:
+        if path.kind is RouteKind.CALL_ON:
+            proved = "hand"
+            why = f"{t.section} was locked for a call-on: detection is not relied on, the operator cancels or releases"
+        elif t.section == path.berth:
             proved = "next movement"
             why = f"{t.section} stays locked while vehicles stand in it"
         elif not last:
@@ -73,6 +76,9 @@ def derive_block(layout: Layout, path: Path) -> tuple[BlockCell, ...]:
 def derive_aspect(layout: Layout, path: Path) -> AspectCell:
     """What the open signal shows: shunt, clear, or caution (R11)."""
     rule = layout.principles.caution
+    if path.kind is RouteKind.CALL_ON:
+        why = f"{path.entry} stays at stop and calls a train on; it runs on sight"
+        return AspectCell(Shows.CALL_ON, None, Because("R2", why))
     if path.kind is RouteKind.SHUNT:
         return AspectCell(Shows.SHUNT, None, Because("R11", f"{path.entry} calls a shunting movement"))
     if rule is Caution.NEVER:
@@ -97,7 +103,7 @@ def derive_conditions(layout: Layout, path: Path) -> tuple[ConditionCell, ...]:
         hit = sorted(sections & set(c.over))
         if hit:
             out.append(ConditionCell(c.id, Because("R17", f"required by every route over {', '.join(hit)}")))
-        elif path.kind is RouteKind.MAIN and path.ways[-1].exit in c.exits:
+        elif path.kind is not RouteKind.SHUNT and path.ways[-1].exit in c.exits:
             out.append(ConditionCell(c.id, Because("R12", f"a train leaves at {path.exit}: {c.text}")))
         elif path.entry in c.signals:
             out.append(ConditionCell(c.id, Because("R17", f"required by every route from {path.entry}")))

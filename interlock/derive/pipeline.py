@@ -26,6 +26,7 @@ from interlock.table.rows import (
     OverlapCell,
     PointDemand,
     Role,
+    RouteKind,
     RouteRow,
     TraversalKey,
     TraversalRow,
@@ -59,11 +60,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             length=p.length,
             points=demands[p.id],
             driven=_driven(layout, p, demands[p.id]),
-            sections=tuple(
-                ClearCell(t.section, Because("R3", f"{t.section} lies on the path"))
-                for t in p.ways
-                if t.section != p.berth
-            ),
+            sections=_clear(layout, p),
             foul=_foul(p, by_key, sink),
             flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
             hostile=hostile[p.id],
@@ -79,6 +76,23 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     )
     voyages = derive_voyages(layout, rows, by_key, sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, derive_automatic(layout, rows, sink))
+
+
+def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:
+    """The sections that must be reported clear; a call-on passes over those in which nothing can stand unlocked."""
+    out = []
+    for i, t in enumerate(path.ways):
+        why = f"{t.section} lies on the path"
+        if path.kind is RouteKind.CALL_ON:
+            if i == 0:
+                why = f"{t.section} is the first section: the train that is called on closes the signal there"
+            elif t.section in topology(layout).berths:
+                why = f"vehicles may stand in {t.section}"
+            else:
+                continue
+        if t.section != path.berth:
+            out.append(ClearCell(t.section, Because("R2" if path.kind is RouteKind.CALL_ON else "R3", why)))
+    return tuple(out)
 
 
 def _demands(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) -> tuple[PointDemand, ...]:

@@ -1,5 +1,6 @@
 """Routes (R1, R2): search from every signal, no length cap, all alternatives kept.
 
+A call-on route runs like a train route; it exists where its signal can call on.
 A train route follows the signal's direction to the next main signal of that direction, a boundary or a buffer.
 A shunt route ends at the next signal of either kind, at a buffer, or in the first berth: a plain section that is left
 only on a signal, where vehicles may stand.  It never leaves over a boundary.
@@ -102,7 +103,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
     for g in layout.signals:
         dropped = kept = 0
         for kind in RouteKind:
-            if not (g.main if kind is RouteKind.MAIN else g.shunt):
+            if not {RouteKind.MAIN: g.main, RouteKind.SHUNT: g.shunt, RouteKind.CALL_ON: g.call_on}[kind]:
                 continue
             for exit_kind, name, ways in _search(layout, topo, g, kind):
                 berth = kind is RouteKind.SHUNT and len(ways) > 1 and ways[-1].section in topo.berths
@@ -155,6 +156,7 @@ def _numbered(layout: Layout, found: Sequence[_Found], sink: Sink) -> tuple[Path
     for (g, kind, exit_), those in sorted(groups.items(), key=lambda x: (x[0][0], kinds.index(x[0][1]), x[0][2])):
         ranked = sorted(those, key=effect.rank) if len(those) > 1 else those
         mark = ".s" if kind is RouteKind.SHUNT and those[0].signal.kind is SignalKind.COMBINED else ""
+        mark = ".c" if kind is RouteKind.CALL_ON else mark
         for variant, f in enumerate(ranked, start=1):
             suffix = f"{mark}.{variant}" if variant > 1 else mark
             berth = f.ways[-1].section if _ends_in_berth(layout, f) else None
@@ -181,7 +183,7 @@ def _numbered(layout: Layout, found: Sequence[_Found], sink: Sink) -> tuple[Path
 
 def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[int, Ways]]:
     """The alternatives of a train route's overlap that its own path permits; (0, ()) where it needs none (R4)."""
-    if f.kind is not RouteKind.MAIN or f.exit_kind is not ExitKind.SIGNAL:
+    if f.kind is RouteKind.SHUNT or f.exit_kind is not ExitKind.SIGNAL:
         return [(0, ())]
     options = overlap_paths(layout, SignalId(f.exit))
     if not options:
@@ -245,7 +247,7 @@ class _Effect:
 
 def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Iterator[tuple[ExitKind | None, str, Ways]]:
     """Depth first over traversals; yields (None, "", path) for a path that cannot be run to its end."""
-    stops = topo.main_into if kind is RouteKind.MAIN else topo.signal_into
+    stops = topo.signal_into if kind is RouteKind.SHUNT else topo.main_into
     stack: list[tuple[SectionId, NodeId, Ways]] = [(layout.section_of(g.into), g.node, ())]
     while stack:
         section, entry, ways = stack.pop()
@@ -266,7 +268,7 @@ def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Itera
             elif berth:
                 yield ExitKind.BERTH, section, path
             elif onward is None:
-                leaves = layout.boundary_at[t.exit].kind is not BoundaryKind.IN and kind is RouteKind.MAIN
+                leaves = layout.boundary_at[t.exit].kind is not BoundaryKind.IN and kind is not RouteKind.SHUNT
                 yield (ExitKind.BOUNDARY if leaves else None), t.exit, path
             elif any(w.section == onward for w in path):
                 yield None, "", path

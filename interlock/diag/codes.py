@@ -46,6 +46,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2012": (_W, "an exclusion that fits no route"),
     "IL2013": (_E, "a voyage that no chain of routes makes"),
     "IL2014": (_E, "a substation's elements are not clear"),
+    "IL2016": (_E, "a signal that cannot call trains on"),
     "IL2015": (_E, "an address that cannot be"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),

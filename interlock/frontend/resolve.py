@@ -101,7 +101,14 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
             )
             continue
         taken[node, into.section] = name
-        signals.append(Signal(SignalId(name), node, into.id, SignalKind(spec.kind)))
+        if spec.call_on and spec.kind == "shunt":
+            ctx.add(
+                "IL2016",
+                f"{name} is a shunt signal: it cannot call a train on",
+                ctx.at("signals", name, "call_on"),
+                "remove `call_on`, or make it a `main` or `combined` signal",
+            )
+        signals.append(Signal(SignalId(name), node, into.id, SignalKind(spec.kind), spec.call_on))
     return tuple(sorted(signals, key=lambda g: g.id))
 
 

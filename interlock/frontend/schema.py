@@ -214,6 +214,7 @@ class SignalSpec(_Part):
     into: Name
     at: Annotated[Name | None, Field(description="a point next to the joint, if sections meet twice")] = None
     kind: Annotated[Literal["main", "shunt", "combined"], _choice("kind of signal", _KINDS)] = "main"
+    call_on: Annotated[YesNo, Field(description="it can call trains on over sections reported occupied")] = False
 
 
 class DistantSpec(_Part):
@@ -413,7 +414,7 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "derailers": tuple(DerailerSpec.model_fields),
     "level_crossings": tuple(DeviceSpec.model_fields),
     "interlocks": tuple(DeviceSpec.model_fields),
-    "signals": ("from", "into", "at", "kind"),
+    "signals": ("from", "into", "at", "kind", "call_on"),
     "distants": tuple(DistantSpec.model_fields),
     "principles": KNOBS,
     "overlaps": tuple(OverlapSpec.model_fields),

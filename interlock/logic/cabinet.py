@@ -88,7 +88,7 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
         for x in Position:
             yield f"Y{x}_{portable(m)}", "Q", m
     for signal in layout.signals:
-        for lamp in ("YS", "YY", "YP", "YW"):
+        for lamp in ("YS", "YY", "YP", "YW", "YO"):
             if f"{lamp}_{portable(signal.id)}" in outputs:
                 yield f"{lamp}_{portable(signal.id)}", "Q", signal.id
     for distant in layout.distants:

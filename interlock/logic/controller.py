@@ -117,6 +117,7 @@ class RouteSymbols:
     number: int
     entry: SignalId
     shunt: bool
+    call_on: bool
     ways: tuple[tuple[SectionId, int], ...]
     berth: tuple[SectionId, int] | None
     overlap: tuple[SignalId, int] | None
@@ -145,6 +146,7 @@ class Symbols:
     clear_lamp: Mapping[SignalId, str]
     caution_lamp: Mapping[SignalId, str]
     clear_aspect: Mapping[SignalId, str]
+    stop_aspect: Mapping[SignalId, str]
     distant_clear: Mapping[SignalId, str]
     restart: Mapping[SectionId, str]
     train: Mapping[SectionId, str]
@@ -189,8 +191,16 @@ class Symbols:
         return {s: (k, *(name for _, name in self.locks_of.get(s, ()))) for s, k in self.restart.items()}
 
     def signal(self, g: SignalId, shunt: bool = False) -> Expr:
-        """Whether the controller shows proceed at a signal: to trains, or to shunting movements."""
+        """Whether the controller shows proceed at a signal: to trains (call-on included), or to shunting movements."""
         return disj(var(r.proceed) for r in self.routes_from.get(g, ()) if r.shunt is shunt)
+
+    def opened(self, g: SignalId) -> Expr:
+        """Whether a main aspect is shown at a signal: proceed to trains, other than by calling on."""
+        return disj(var(r.proceed) for r in self.routes_from.get(g, ()) if not r.shunt and not r.call_on)
+
+    def called(self, g: SignalId) -> Expr:
+        """Whether a signal calls a train on."""
+        return disj(var(r.proceed) for r in self.routes_from.get(g, ()) if r.call_on)
 
     @cached_property
     def routes_from(self) -> dict[SignalId, list[RouteSymbols]]:

@@ -197,12 +197,14 @@ class Signal:
     """A signal at a joint; a movement that passes it goes onto edge `into`.
 
     A train obeys main and combined signals and passes a shunt signal whatever it shows; a shunting movement obeys all.
+    `call_on`: beside the stop aspect it can call a train on over sections that are reported occupied.
     """
 
     id: SignalId
     node: NodeId
     into: EdgeId
     kind: SignalKind = SignalKind.MAIN
+    call_on: bool = False
 
     @property
     def main(self) -> bool:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from interlock.logic.controller import Controller, Equation, StateVar
-from interlock.logic.expr import TRUE, Substitution
+from interlock.logic.expr import FALSE, TRUE, Substitution, conj, disj, eq, var
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.invariants import Facts, claims
@@ -20,7 +20,7 @@ from interlock.proof.runner import Limits, inductive, open_claims
 from interlock.proof.search import search
 from interlock.proof.story import tell
 from interlock.proof.system import System
-from interlock.table.rows import InterlockingTable, PointDemand, RouteRow, TraversalRow
+from interlock.table.rows import InterlockingTable, PointDemand, RouteKind, RouteRow, TraversalRow
 
 Mutant = tuple[str, Controller]
 
@@ -194,6 +194,33 @@ def _overlap_shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutan
             yield r.id, lower(layout, replace(table, routes=tuple(less if x is r else x for x in table.routes)))
 
 
+def _blind_call_on(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    for r in table.routes:
+        for i, c in enumerate(r.sections if r.kind is RouteKind.CALL_ON else ()):
+            less = replace(r, sections=r.sections[:i] + r.sections[i + 1 :])
+            rows = tuple(less if x is r else x for x in table.routes)
+            yield f"{r.id} without {c.section}", lower(layout, replace(table, routes=rows))
+
+
+def _call_on_again(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    for r in c.symbols.routes:
+        if r.call_on:
+            old = next(e for e in c.next if e.name == r.want)
+            asked = conj((eq(c.symbols.request, r.number), var(r.locked)))
+            terms = (replace(old.terms[0], expr=disj((old.terms[0].expr, asked))), *old.terms[1:])
+            yield r.id, _with(c, old, replace(old, terms=terms))
+
+
+def _call_on_trusted(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    granted = Substitution({f"G_R{r.number}": FALSE for r in c.symbols.routes if r.call_on})
+    for e in c.next:
+        terms = tuple(replace(t, expr=granted(t.expr)) for t in e.terms)
+        if e.name.startswith("D_") and terms != e.terms:
+            yield e.name, _with(c, e, replace(e, terms=terms))
+
+
 KINDS: tuple[Kind, ...] = (
     Kind(
         "hostile-not-excluded", "a route is granted over a section that another holds", without("WF G", "section free")
@@ -285,6 +312,13 @@ KINDS: tuple[Kind, ...] = (
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),
     Kind("lamp-not-lit", "proceed with its lamp out", without("CO", "proceed lamp intact")),
     Kind("clear-lamp-not-lit", "clear with its lamp out", without("C", "clear lamp intact")),
+    Kind("call-on-blind", "a train is called on without looking at its first section or at berths", _blind_call_on),
+    Kind("call-on-again", "a signal that called a train on can be opened again", _call_on_again),
+    Kind(
+        "call-on-released-by-detection",
+        "the three-point check goes on where a train was called on over a section that may report anything",
+        _call_on_trusted,
+    ),
     Kind("clear-before-stop", "clear although the next signal is at stop", without("C", "next signal open")),
     Kind("overlap-not-free", "a route is granted although its overlap is held", without("OF", "overlap free")),
     Kind("overlap-not-clear", "locked although the overlap is not in order", without("LK", "overlap lies")),

@@ -112,11 +112,37 @@ def _start(system: System, r: RouteSymbols, berth: str) -> dict[str, int] | str:
 
 def _run(system: System, lane: Lane, r: RouteSymbols, turning: str = "") -> Driver:
     """Set the route, drive it with the train before its signal, and wait for the release behind it."""
-    layout, topo = system.layout, system.topo
-    signal = layout.signal[r.entry]
+    signal = system.layout.signal[r.entry]
     if turning:
         turns = tuple(e for e in system.plant.events if e.startswith(f"turn.{turning}.{signal.node}."))
         yield Wish(turns)
+    if r.call_on and (failed := _failed_section(system, r)):
+        return (yield from _disturbed(_drive(system, lane, r, failed), {system.symbols.clear[failed]: 0}))
+    return (yield from _drive(system, lane, r))
+
+
+def _failed_section(system: System, r: RouteSymbols) -> SectionId | None:
+    """A section of a call-on route that may be reported occupied by mistake."""
+    topo = system.topo
+    return next((s for s, _ in r.ways[1:] if s not in topo.berths and s in system.symbols.clear), None)
+
+
+def _disturbed(run: Driver, inputs: dict[str, int]) -> Driver:
+    """The same run with inputs that stay as given."""
+    wish = next(run)
+    while True:
+        yield Wish(wish.events, {**wish.inputs, **inputs})
+        try:
+            wish = run.send(None)
+        except StopIteration as end:
+            failure: str | None = end.value
+            return failure
+
+
+def _drive(system: System, lane: Lane, r: RouteSymbols, failed: SectionId | None = None) -> Driver:
+    """Drive a route; `failed` is reported occupied all the time and stays locked."""
+    layout, topo = system.layout, system.topo
+    signal = layout.signal[r.entry]
     if not (yield from _until(lane, r.active, Wish((), {system.symbols.request: r.number}), 2)):
         return "the request is refused: " + _not(lane, f"G_R{r.number}")
     if not (yield from _until(lane, r.proceed)):
@@ -139,12 +165,15 @@ def _run(system: System, lane: Lane, r: RouteSymbols, turning: str = "") -> Driv
         if not (yield from _until_off(lane, f"o.{place}", f"tail.{joint}.{place}")):
             return f"the train's tail does not leave {place}"
     keep = set(layout.undetected) if leaves else {place, *layout.undetected}
+    if failed is not None:  # and so does what lies beyond it
+        keep |= {s for s, _ in r.ways[[s for s, _ in r.ways].index(failed) :]}
+    after = Wish((), {system.symbols.cancel[r.entry]: 1}) if r.call_on else NOTHING
     near = {s: locks for s, locks in system.symbols.locked_by.items() if s not in keep}
     for _ in range(MAX_STEPS):
         near = {s: locks for s, locks in near.items() if lane.any_on(locks)}
         if not near:
             break
-        yield NOTHING
+        yield after
     else:
         return f"{', '.join(near)} stay locked behind the train"
     troubles = lane.troubles()

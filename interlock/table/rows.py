@@ -181,6 +181,7 @@ class Shows(StrEnum):
     CAUTION = "caution"
     NEXT = "clear if the next signal is open"
     SHUNT = "shunt"
+    CALL_ON = "call-on"
 
 
 @dataclass(frozen=True)
@@ -222,10 +223,11 @@ class ExitKind(StrEnum):
 
 
 class RouteKind(StrEnum):
-    """Train route or shunt route (R2)."""
+    """Train route, shunt route, or call-on route (引导): a train over sections that are reported occupied (R2)."""
 
     MAIN = "main"
     SHUNT = "shunt"
+    CALL_ON = "call-on"
 
 
 @dataclass(frozen=True)
@@ -281,6 +283,16 @@ class RouteRow:
     approach: ApproachCell
     release: tuple[ReleaseStep, ...]
     because: Because
+
+    @property
+    def train(self) -> bool:
+        """Whether trains run over it, not shunting movements."""
+        return self.kind is not RouteKind.SHUNT
+
+    @cached_property
+    def kept_clear(self) -> frozenset[SectionId]:
+        """The sections of the path that must be reported clear."""
+        return frozenset(c.section for c in self.sections)
 
     @property
     def locked(self) -> tuple[TraversalKey, ...]:

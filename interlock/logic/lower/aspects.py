@@ -22,7 +22,7 @@ def cautions(d: Draft) -> bool:
 
 def lamp_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Proceed needs a lamp to show it; the most restrictive proceed lamp is the last (R11)."""
-    if not d.layout.principles.lamp_proof or r.kind is RouteKind.SHUNT:
+    if not d.layout.principles.lamp_proof or r.kind is not RouteKind.MAIN:
         return []
     lamp, word = ("CL", "caution") if cautions(d) else ("GL", "clear")
     return [Term(var(f"{lamp}_{portable(r.entry)}"), "proceed lamp intact", f"{word} lamp of {r.entry} intact")]
@@ -48,7 +48,7 @@ def keep(d: Draft) -> None:
 
 
 def outputs(d: Draft) -> None:
-    """The lamps of every signal: stop, caution, clear, shunt; what a distant signal shows."""
+    """The lamps of every signal: stop, caution, clear, shunt, call-on; what a distant signal shows."""
     for signal in d.layout.signals:
         n, routes = portable(signal.id), d.routes_from[signal.id]
         if not routes:
@@ -63,6 +63,9 @@ def outputs(d: Draft) -> None:
                 d.outputs.append(Output(f"YY_{n}", caution, False, f"signal {signal.id}: caution (yellow)"))
         if signal.shunt:
             d.outputs.append(Output(f"YW_{n}", shunts, False, f"signal {signal.id}: shunt (white)"))
+        calls = [var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.CALL_ON]
+        if calls:
+            d.outputs.append(Output(f"YO_{n}", disj(calls), False, f"signal {signal.id}: call-on, beside stop"))
         stop = neg(disj((mains, shunts)))
         d.outputs.append(Output(f"YS_{n}", stop, True, f"signal {signal.id}: stop"))
     for distant in d.layout.distants:

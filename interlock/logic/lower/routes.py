@@ -12,7 +12,7 @@ from interlock.logic.expr import FALSE, conj, disj, eq, neg, var
 from interlock.logic.lower import aspects, requests, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.portable import portable
-from interlock.table.rows import RouteRow
+from interlock.table.rows import RouteKind, RouteRow
 
 
 def inputs(d: Draft) -> None:
@@ -94,7 +94,7 @@ def locking(d: Draft) -> None:
                 *ways.proceed_terms(d, r),
                 *(Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions),
                 *(Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block),
-                Term(neg(var(f"D_{first}")), "inputs never lost"),
+                *([] if r.kind is RouteKind.CALL_ON else [Term(neg(var(f"D_{first}")), "inputs never lost")]),
                 *aspects.lamp_terms(d, r),
                 *(
                     [Term(d.overlap((r.overlap.signal, r.overlap.option)), "overlap held", r.overlap.because.text)]
@@ -232,14 +232,15 @@ def keep(d: Draft) -> None:
             (Term(disj((var(f"B_R{k}"), var(f"LK_R{k}"))), "held or locked"), stays),
             group,
         )
-        again = conj((eq("REQ", k), var(f"B_R{k}")))
+        # what calls a train on closes for good: nothing tells whether the train has passed
+        again = [conj((eq("REQ", k), var(f"B_R{k}")))] if r.kind is not RouteKind.CALL_ON else []
         d.kept(
             f"W_R{k}",
             False,
             f"route {r.id}: proceed wanted",
             Join.ALL,
             (
-                Term(disj((var(f"W_R{k}"), var(f"LK_R{k}"), again)), "wanted"),
+                Term(disj((var(f"W_R{k}"), var(f"LK_R{k}"), *again)), "wanted"),
                 Term(neg(var(f"LS_R{k}")), "conditions kept"),
                 stays,
                 *stop,

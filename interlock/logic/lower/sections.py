@@ -2,8 +2,8 @@
 
 Per section: K restart lock (nobody may use it after power-up until it is released by hand, R16); L one bit for
 each way through it; F firm, the route is locked and its points detected; U used, a train came in from the rear;
-P passed, a train went on into the next section; D stale, inputs were lost while locked, so that automatic release
-is off and the lock is released by hand.
+P passed, a train went on into the next section; D stale, inputs were lost while locked or the lock is for a call-on, so
+that automatic release is off and the lock is released by hand.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from interlock.logic.lower import ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import NodeId, SectionId
 from interlock.model.portable import portable
-from interlock.table.rows import RouteKind
+from interlock.table.rows import RouteKind, RouteRow
 
 
 def inputs(d: Draft) -> None:
@@ -272,6 +272,10 @@ def _exits(d: Draft, s: SectionId) -> list[Term]:
 
 def keep(d: Draft) -> None:
     """Next values of every section's state."""
+    called: dict[SectionId, list[RouteRow]] = {}
+    for r in d.table.routes:
+        for s in r.section_ids if r.kind is RouteKind.CALL_ON else ():
+            called.setdefault(s, []).append(r)
     for s in d.sections:
         n = portable(s)
         group = f"section {s}"
@@ -299,12 +303,7 @@ def keep(d: Draft) -> None:
                 group,
             )
         if d.shunting:
-            trains = [
-                var(f"G_R{r.number}")
-                for t in d.locks_of[s]
-                for r in d.routes_over.get(t.key, ())
-                if r.kind is RouteKind.MAIN
-            ]
+            trains = [var(f"G_R{r.number}") for t in d.locks_of[s] for r in d.routes_over.get(t.key, ()) if r.train]
             arrived = [Term(neg(var(f"AR_{n}")), "not arrived")] if s in d.berths else []
             d.kept(
                 f"M_{n}",
@@ -354,13 +353,14 @@ def keep(d: Draft) -> None:
             ),
             group,
         )
+        lost = conj((neg(var("VALID")), locks))
         d.kept(
             f"D_{n}",
             False,
-            f"{s}: inputs were lost while locked",
+            f"{s}: detection is not relied on, inputs were lost or a train is called on",
             Join.ALL,
             (
-                Term(disj((var(f"D_{n}"), conj((neg(var("VALID")), locks)))), "held or lost"),
+                Term(disj((var(f"D_{n}"), lost, *(var(f"G_R{r.number}") for r in called.get(s, ())))), "held or lost"),
                 stays,
             ),
             group,

@@ -65,11 +65,11 @@ def _availability(d: Draft, t: TraversalRow) -> list[Term]:
     return [*terms, *_trailed(d, t), *_foul(d, t)]
 
 
-def _unlocked(d: Draft, key: TraversalKey) -> list[Term]:
+def _unlocked(d: Draft, key: TraversalKey, clear: bool = True) -> list[Term]:
     """What a route asks for besides its section being free."""
     s = key[0]
-    clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
-    return [clear, *not_blocked(s), *available(d, key)]
+    reported = [Term(neg(d.occupied(s)), "section clear", f"{s} clear")] if clear else []
+    return [*reported, *not_blocked(s), *available(d, key)]
 
 
 def available(d: Draft, key: TraversalKey) -> list[Term]:
@@ -146,14 +146,20 @@ def _lying(key: TraversalKey, kind: str) -> list[Term]:
 
 
 def free_terms(d: Draft, r: RouteRow, key: TraversalKey) -> list[Term]:
-    """A way is free for a route; the overlap of its own entry signal over the same way is no hindrance (R4)."""
+    """A way is free for a route; a train may run over the overlap of its own entry signal (R4)."""
     s = key[0]
     own = [o for o in d.overlaps_over(s) if o[0] == r.entry and key in d.overlaps[o]]
-    if not own or r.kind is RouteKind.SHUNT:
+    if r.kind is not RouteKind.MAIN:  # nobody knows what stands in an overlap that a call-on would run over
+        own = []
+    clear = s in r.kept_clear
+    if not own and not clear:
+        free = var(f"FREE_{portable(s)}")
+        return [Term(free, "section free", f"{s} not locked"), *_unlocked(d, key, clear)]
+    if not own:
         return [Term(var(_named("WF", key)), "way free", f"way through {s} free")]
     others = [neg(d.overlap(o)) for o in d.overlaps_over(s) if o not in own]
     free = conj([neg(var(f"K_{portable(s)}")), *(neg(d.lock(*t.key)) for t in d.locks_of[s]), *others])
-    return [Term(free, "section free", f"{s} not locked, but for the own overlap"), *_unlocked(d, key)]
+    return [Term(free, "section free", f"{s} not locked, but for the own overlap"), *_unlocked(d, key, clear)]
 
 
 def overlap_terms(d: Draft, r: RouteRow) -> list[Term]:
@@ -166,7 +172,7 @@ def overlap_terms(d: Draft, r: RouteRow) -> list[Term]:
 
 def lying_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Everything lies and is clear; vehicles may stand in the berth."""
-    out = [x for key in r.locked for x in _lying(key, "way lies")]
+    out = [x for k in r.locked for x in (_lying(k, "way lies") if k[0] in r.kept_clear else _detected(d, k))]
     if r.berth is not None:
         out += _detected(d, r.traversals[-1])
     return [*out, *_overlap_lies(r)]
@@ -174,7 +180,12 @@ def lying_terms(d: Draft, r: RouteRow) -> list[Term]:
 
 def proceed_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Proceed may be shown over every way, and the overlap lies and is clear."""
-    out = [Term(var(_named("WP", k)), "way in order", f"way through {k[0]} in order") for k in r.locked]
+    out = []
+    for k in r.locked:
+        if k[0] in r.kept_clear:
+            out.append(Term(var(_named("WP", k)), "way in order", f"way through {k[0]} in order"))
+        else:
+            out += [*_detected(d, k), *not_blocked(k[0])]
     if r.berth is not None:
         out += [*_detected(d, r.traversals[-1]), *not_blocked(r.berth)]
     return [*out, *_overlap_lies(r)]

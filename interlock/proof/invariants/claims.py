@@ -29,6 +29,8 @@ CLAIMS: dict[str, str] = {
     "S-OPPOSING": "No two signals that lead towards each other over the same track show proceed.",
     "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
     "S-CLEAR": "Proceed is shown only when every section of the path, as the points lie, is reported clear.",
+    "S-CALL-ON": "A train is called on only beside stop, once only, into a clear first section, and onto no track in "
+    "which vehicles may stand unless it is clear.",
     "S-DETECTED": "Proceed is shown only when every point and device of the path is detected in that very scan.",
     "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
@@ -288,7 +290,7 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         if signal in f.sym.clear_lamp and not shunt:
             last = f.sym.caution_lamp.get(signal, f.sym.clear_lamp[signal])
             lit = implies(_clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
-            yield "S-LAMP", f"{who} proceed", conj((implies(shows, var(last)), lit))
+            yield "S-LAMP", f"{who} proceed", conj((implies(after(f.sym.opened(signal)), var(last)), lit))
         if signal in f.sym.cancelling:
             yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
         for k, path in enumerate(paths, 1):
@@ -296,7 +298,10 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             here = conj((shows, after(lie(f, path.ways))))
             if here is FALSE:
                 continue
-            yield "S-CLEAR", place, implies(here, conj(f.clear(t.section) for t in path.kept_clear))
+            opened = here if shunt else conj((after(f.sym.opened(signal)), after(lie(f, path.ways))))
+            yield "S-CLEAR", place, implies(opened, conj(f.clear(t.section) for t in path.kept_clear))
+            if f.layout.signal[signal].call_on and not shunt:
+                yield "S-CALL-ON", place, implies(conj((after(f.sym.called(signal)), here)), _may_call_on(f, path))
             yield (
                 "S-DETECTED",
                 place,
@@ -372,12 +377,22 @@ def _allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
     turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
     if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
         return FALSE
-    return f.system.after(f.sym.signal(exit_))
+    return f.system.after(f.sym.opened(exit_))
+
+
+def _may_call_on(f: Facts, path: SignalPath) -> Expr:
+    """A train may be called on over a path: R2."""
+    stop = f.system.after(f.system.output(f.sym.stop_aspect[path.signal]))
+    standing = [t.section for i, t in enumerate(path.ways) if i == 0 or t.section in f.topo.berths]
+    return conj([stop, *map(f.clear, standing)])
 
 
 def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for r in f.sym.routes:
         yield "S-AGAIN", r.id, implies(f.shut(r.number), neg(f.system.after(var(r.proceed))))
+        if r.call_on:
+            seen = conj((var(r.shown), var(r.active), neg(var(r.proceed))))
+            yield "S-CALL-ON", f"{r.id} once", implies(seen, neg(f.system.after(var(r.proceed))))
 
 
 def _distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:

@@ -30,6 +30,9 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
     for g in f.layout.signals:
         for k in f.functions(g.id):
             out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id, k)]
+        if g.call_on:  # its routes lock the same ways in two manners
+            one = at_most_one(var(r.active) for r in f.sym.routes_from.get(g.id, ()))
+            out.append(Invariant("G-ONE", g.id, one))
     out += overlap_invariants(f)
     if f.sym.ring:
         out.append(Invariant("Q-RING", "requests", at_most_one(var(n) for n in f.sym.ring)))
@@ -299,7 +302,14 @@ def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
     yield "R-UNUSED", implies(active, conj(neg(f.used(s)) for s, _ in r.ways))
     yield "R-FIRM", implies(locked, conj([active, *(f.firm(s) for s, _ in r.ways)]))
     yield "R-SETTING", implies(conj((active, neg(locked))), conj(neg(f.firm(s)) for s, _ in r.ways))
-    yield "R-PROCEED", implies(shows, conj((locked, var(r.shown), neg(f.stale(first)))))
+    trusted = TRUE if r.call_on else neg(f.stale(first))
+    yield "R-PROCEED", implies(shows, conj((locked, var(r.shown), trusted)))
+    if r.call_on:
+        yield "R-CALL-ON", implies(active, conj(f.stale(s) for s, _ in r.ways))
+        yield "R-CALL-ON-FREE", implies(active, conj(neg(x) for s, _ in r.ways for x in f.overlaps(s)))
+        yield "R-CALL-ON-ONCE", implies(conj((var(r.want), var(r.shown))), shows)
+        yield "R-CALL-ON-CLEAR", implies(shows, neg(image(first)))
+        yield "R-CALL-ON-BEEN", implies(conj((active, f.been(first))), var(r.shown))
     yield "R-WANTED", implies(var(r.want), locked)
     yield "R-SHOWN", implies(var(r.shown), locked)
     yield "R-SHUT", implies(f.shut(r.number), conj((locked, neg(var(r.want)), neg(shows))))

@@ -75,7 +75,9 @@ class _Form:
     @cached_property
     def printed(self) -> tuple[RouteRow, ...]:
         """The routes in print, in order."""
-        shown = [r for r in self.table.routes if r.kind is RouteKind.MAIN or r.variant == 1]
+        shown = [
+            r for r in self.table.routes if r.kind is RouteKind.MAIN or (r.kind is RouteKind.SHUNT and r.variant == 1)
+        ]
         return tuple(sorted(shown, key=self._place))
 
     @cached_property

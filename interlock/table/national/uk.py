@@ -50,7 +50,7 @@ def _letter(k: int) -> str:
 
 
 def _class(r: RouteRow) -> str:
-    return "M" if r.kind is RouteKind.MAIN else "S"
+    return {RouteKind.MAIN: "M", RouteKind.SHUNT: "S", RouteKind.CALL_ON: "C"}[r.kind]
 
 
 def route_table(layout: Layout, table: InterlockingTable) -> Sheet:

@@ -27,6 +27,9 @@ COLUMNS = (
 )
 
 
+_KINDS = {RouteKind.MAIN: "train", RouteKind.SHUNT: "shunt", RouteKind.CALL_ON: "call-on"}
+
+
 def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
     """The sheet of a layout."""
     x = Reading(layout, table)
@@ -43,7 +46,7 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
             (
                 r.entry,
                 r.exit,
-                "train" if r.kind is RouteKind.MAIN else "shunt",
+                _KINDS[r.kind],
                 x.points(r, Position.NORMAL),
                 x.points(r, Position.REVERSE),
                 x.derailers(r),
