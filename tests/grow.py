@@ -218,7 +218,8 @@ class Grown:
         if self.main and self.rng.random() < 0.5:
             out.append("overlaps:")
             for g in self.rng.sample(self.main, max(1, len(self.main) // 2)):
-                out.append(f"  {g}: {{length: {self.rng.choice([5, 30, 60, 150])}}}")
+                far = self.rng.choice(["length: 5", "length: 30", "length: 60", "length: 150", "successive: yes"])
+                out.append(f"  {g}: {{{far}}}")
         return out
 
     @property
@@ -239,8 +240,9 @@ class Grown:
 
     def text(self) -> str:
         more = [*self.furnish(), *self.blind()]
-        profile = self.rng.choice(["mine", "generic", "cn"])
-        out = ["interlock: 1", "name: grown", f"profile: {profile}", "boundaries:"]
+        profile = self.rng.choice(["mine", "generic", "cn", "de"])
+        rules = ["", "", "principles: {flank_space: yes}", "principles: {flank_lamp: yes, lamp_proof: yes}"]
+        out = ["interlock: 1", "name: grown", f"profile: {profile}", self.rng.choice(rules), "boundaries:"]
         out += [f"  {n}: {b}" for n, b in self.boundaries.items()]
         if self.buffers:
             out.append(f"buffers: [{', '.join(self.buffers)}]")

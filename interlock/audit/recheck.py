@@ -145,6 +145,11 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     for place in open_flanks(layout, trip, frozen):
         if (place.point, place.leg) not in waived:
             yield Finding(r.id, "flank", f"a vehicle can reach {place.name}")
+    needed_clear, possible = _flank_space(layout, trip, frozen, waived)
+    asked = {(c.name, c.lamp) for c in r.space}
+    if not needed_clear <= asked <= possible:
+        odd = sorted(name for name, _ in (needed_clear - asked) | (asked - possible))
+        yield Finding(r.id, "space", f"differs in {', '.join(odd)}")
     if (r.aspect.shows, r.aspect.next) != (shown := _aspect(layout, trip)):
         yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
     leaves = None if trip.shunt else trip.moves[-1].node
@@ -225,6 +230,54 @@ def unused_places(layout: Layout, trip: Trip) -> list[Place]:
 def open_flanks(layout: Layout, trip: Trip, frozen: Frozen) -> list[Place]:
     """Places that the area of some vehicle from outside touches."""
     return [p for p in unused_places(layout, trip) if _reached(layout, p, frozen)]
+
+
+Space = set[tuple[str, bool]]
+"""Sections, and signals (True)."""
+
+
+def _flank_space(
+    layout: Layout, trip: Trip, frozen: Frozen, waived: Collection[tuple[str, Position | None]]
+) -> tuple[Space, Space]:
+    """What lies between the places and what stops vehicles: with the points as the route locks them, and at most."""
+    needed: Space = set()
+    possible: Space = set()
+    path = {m.edge for m in (*trip.moves, *trip.over)}
+    for place in unused_places(layout, trip):
+        own = {layout.section_of(e.id) for e in layout.edges_at[place.node] if e.id in path}
+        if (place.point, place.leg) not in waived:
+            needed |= _between(layout, place, own, frozen)
+        possible |= _between(layout, place, own, {})
+    return needed, possible
+
+
+def _between(layout: Layout, place: Place, own: Collection[SectionId], frozen: Frozen) -> Space:
+    """Backwards from a place over everything from which a vehicle could roll to it."""
+    rules = layout.principles
+    found: Space = set()
+    todo = [Move(place.edge, place.node)]
+    seen: set[Move] = set()
+    while todo:
+        here = todo.pop()
+        e = layout.edge[here.edge]
+        if here in seen or (e.one_way and here.node != e.b):
+            continue
+        seen.add(here)
+        if rules.flank_space and e.section not in own and e.section not in layout.undetected:
+            found.add((e.section, False))
+        rear = layout.far(here.edge, here.node)
+        if rear in (place.node, *layout.buffer_at, *layout.boundary_at):
+            continue
+        if _stops(layout, rear, here.edge, place):
+            g = signal_facing(layout, rear, here.edge)
+            if g is not None and rules.flank_lamp and rules.lamp_proof:
+                found.add((g.id, True))
+            continue
+        for x in layout.edges_at[rear]:
+            before = Move(x.id, rear)
+            if x.id != here.edge and any(m == here for m, _ in steps(layout, before, frozen)):
+                todo.append(before)
+    return found
 
 
 def _reached(layout: Layout, place: Place, frozen: Frozen) -> bool:

@@ -165,7 +165,9 @@ def overruns(layout: Layout, trip: Trip) -> list[Trip]:
             continue
         ends = here.node in layout.boundary_at or here.node in layout.buffer_at
         at_joint = ends or any(layout.section_of(m.edge) != section for m, _ in steps(layout, here))
-        if ends or (at_joint and gone >= length):
+        next_signal = [h for m, _ in steps(layout, here) if (h := signal_facing(layout, here.node, m.edge)) is not None]
+        through = length == float("inf") and any(h.kind != "shunt" for h in next_signal)
+        if ends or (at_joint and (gone >= length or through)):
             wanted = dict(trip.positions)
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
             clash = clash or any(p.work == "hand" and wanted.get(p.machine) == "R" for p in layout.points)

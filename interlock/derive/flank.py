@@ -127,6 +127,47 @@ def _outward(
     yield from beyond
 
 
+def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[tuple[str, bool], str]:
+    """What the principles ask of the flank space: sections to be clear (False), stop lamps to be intact (True).
+
+    Walks outward from the requester again and stops at the chosen providers.
+    """
+    found: dict[tuple[str, bool], str] = {}
+    rules = layout.principles
+    todo: list[tuple[EdgeId, NodeId, float, frozenset[NodeId]]] = [(r.edge, r.node, 0.0, frozenset({r.node}))]
+    while todo:
+        edge, node, gone, seen = todo.pop()
+        e = layout.edge[edge]
+        if e.one_way and e.a == node:
+            continue
+        if rules.flank_space and e.section != r.section and e.section not in layout.undetected:
+            found.setdefault((e.section, False), f"{e.section} lies between {r.name} and its protection")
+        far = layout.far(edge, node)
+        gone += e.length
+        if far in seen or far in layout.buffer_at or far in layout.boundary_at:
+            continue
+        signal = layout.signal_facing.get((far, edge))
+        if signal is not None and gone >= r.clear_of:
+            if rules.flank_lamp and rules.lamp_proof:
+                found.setdefault((signal.id, True), f"{signal.id} protects {r.name} only while its stop lamp is intact")
+            continue
+        seen = seen | {far}
+        point = layout.point_at.get(far)
+        crossing = layout.crossing_at.get(far)
+        if point is None:
+            onward = [x.id for x in layout.edges_at[far] if x.id != edge]
+            if crossing is not None:
+                onward = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
+        elif (position := point.position_of(edge)) is None:
+            onward = [point.normal, point.reverse]
+        elif Provider(ProviderKind.POINT, point.machine, position.other) in providers:
+            onward = []
+        else:
+            onward = [point.toe]
+        todo += [(x, far, gone, seen) for x in onward]
+    return found
+
+
 def point_demands(providers: Sequence[Provider]) -> dict[MachineId, Position] | None:
     """The positions that providers demand, or None when they contradict each other."""
     found: dict[MachineId, Position] = {}

@@ -6,8 +6,9 @@ Only ways that some route uses become locks.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
-from interlock.derive.flank import point_demands, protect
+from interlock.derive.flank import point_demands, protect, requesters, space
 from interlock.derive.routes import Path, machine_positions
 from interlock.diag import Sink
 from interlock.model.elements import Position, SectionId
@@ -20,7 +21,9 @@ from interlock.table.rows import (
     FlankCell,
     FoulCell,
     PointDemand,
+    ProviderKind,
     Role,
+    SpaceCell,
     TraversalRow,
 )
 
@@ -42,7 +45,7 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
         cells, unprotected = protect(layout, t, own, routes)
         for r in unprotected:
             missing.setdefault(r.name, []).extend(p.id for p in over[key])
-        rows.append(_row(layout, t, cells, used, fouls))
+        rows.append(replace(_row(layout, t, cells, used, fouls), space=_space(layout, t, cells)))
     for name, routes_ in sorted(missing.items()):
         sink.add(
             "IL4001",
@@ -61,6 +64,17 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
                 "remove the waiver",
             )
     return tuple(rows)
+
+
+def _space(layout: Layout, t: Traversal, flank: tuple[FlankCell, ...]) -> tuple[SpaceCell, ...]:
+    """The flank space of every requester of a way that is protected, not waived."""
+    cells = {c.requester: c.providers for c in flank}
+    found: dict[tuple[str, bool], str] = {}
+    for r in requesters(layout, t):
+        providers = cells.get(r.name, ())
+        if r.name in cells and not any(p.kind is ProviderKind.WAIVED for p in providers):
+            found = space(layout, r, providers) | found
+    return tuple(SpaceCell(name, lamp, Because("R5", why)) for (name, lamp), why in sorted(found.items()))
 
 
 def _row(
@@ -122,4 +136,5 @@ def _row(
         flank,
         tuple(exclusions),
         tuple(foul_cells),
+        (),
     )

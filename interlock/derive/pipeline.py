@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from math import isinf
 
 from interlock.derive.conflicts import derive_hostile
 from interlock.derive.locking import derive_approach, derive_aspect, derive_block, derive_conditions, derive_release
@@ -63,8 +64,9 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             sections=_clear(layout, p),
             foul=_foul(p, by_key, sink),
             flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
+            space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
             hostile=hostile[p.id],
-            overlap=_overlap(p),
+            overlap=_overlap(layout, p),
             aspect=derive_aspect(layout, p),
             conditions=derive_conditions(layout, p),
             block=derive_block(layout, p),
@@ -115,12 +117,14 @@ def _demands(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink)
     return tuple(found.values())
 
 
-def _overlap(path: Path) -> OverlapCell | None:
+def _overlap(layout: Layout, path: Path) -> OverlapCell | None:
     if not path.overlap:
         return None
     metres = sum(t.length for t in path.overlap)
     over = ", ".join(t.section for t in path.overlap)
     why = Because("R4", f"a train may overrun {path.exit} over {over}: {metres:g} m to the next joint")
+    if isinf(layout.overlap_of[SignalId(path.exit)]):
+        why = Because("R2", f"successive route: a train that does not stop before {path.exit} runs on over {over}")
     return OverlapCell(SignalId(path.exit), path.option, tuple(t.key for t in path.overlap), metres, why)
 
 

@@ -197,11 +197,15 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
     if not fits:
         sink.add(
             "IL4008",
-            f"route {name} finds no overlap of {layout.overlap_of[SignalId(f.exit)]:g} m beyond {f.exit}",
+            f"route {name} finds no overlap beyond {f.exit}: wanted is {_wanted(layout, f.exit)}",
             None,
             f"shorten it: `overlaps: {{{f.exit}: {{length: ...}}}}`; 0 for none",
         )
     return list(fits)
+
+
+def _wanted(layout: Layout, g: str) -> str:
+    return next(o.text for o in layout.overlaps if o.signal == g)
 
 
 def _ends_in_berth(layout: Layout, f: _Found) -> bool:

@@ -336,12 +336,13 @@ def resolve_overlaps(
         except PydanticCustomError as error:
             ctx.add("IL1013", f"overlaps.{name}: {error.message()}", ctx.at_key("overlaps", name), "write metres")
             continue
-        if not 0 <= metres <= 2000 or (spec.length is None and spec.speed is None):
+        ways = [spec.length is not None, spec.speed is not None, spec.successive]
+        if sum(ways) != 1 or not (spec.successive or 0 <= metres <= 2000):
             ctx.add(
                 "IL1014",
-                f"overlaps.{name}: give a length of 0 to 2000 m, or a speed",
+                f"overlaps.{name}: give a length of 0 to 2000 m, or a speed, or `successive: yes`",
                 ctx.at_key("overlaps", name),
-                "for instance `{length: 180}` or `{speed: 60, falling: 5}`",
+                "for instance `{length: 180}`, `{speed: 60, falling: 5}` or `{successive: yes}`",
             )
             continue
         stated[name] = metres

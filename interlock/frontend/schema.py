@@ -250,9 +250,14 @@ class OverlapSpec(_Part):
     length: Annotated[Text | None, Field(description="metres; 0 for no overlap")] = None
     speed: Annotated[Length | None, Field(description="km/h towards the signal")] = None
     falling: Annotated[Text, Field(description="permille falling towards the signal; negative when it rises")] = "0"
+    successive: Annotated[YesNo, Field(description="as far as the next main signal, a boundary or the track's end")] = (
+        False
+    )
 
     def metres(self) -> float:
-        """The length; raises PydanticCustomError when a number is malformed."""
+        """The length, infinite for a successive route; raises PydanticCustomError when a number is malformed."""
+        if self.successive:
+            return float("inf")
         if self.length is not None:
             return number(self.length)
         return overlap_length(self.speed or 0.0, number(self.falling))
@@ -302,6 +307,8 @@ class PrinciplesSpec(_Part):
     clearance_m: Seconds | None = None
     leg_m: Seconds | None = None
     flank_by: Annotated[FlankChoice | None, _choice("protection", tuple(FlankChoice))] = None
+    flank_space: YesNo | None = None
+    flank_lamp: YesNo | None = None
     drive_points: YesNo | None = None
     lamp_proof: YesNo | None = None
     caution: Annotated[Caution | None, _choice("use of caution", tuple(Caution))] = None

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import StrEnum
+from math import isinf
 from typing import NewType
 
 SectionId = NewType("SectionId", str)
@@ -273,10 +274,18 @@ class Voyage:
 
 @dataclass(frozen=True)
 class Overlap:
-    """The track beyond a signal that a train may overrun: metres needed."""
+    """The track beyond a signal that a train may overrun: metres needed.
+
+    Infinite: a successive route (延续进路), to the next main signal, a boundary or the end of the track.
+    """
 
     signal: SignalId
     length: float
+
+    @property
+    def text(self) -> str:
+        """The length in words."""
+        return "as far as the next main signal" if isinf(self.length) else f"{self.length:g} m"
 
 
 class TelegramForm(StrEnum):

@@ -1,12 +1,13 @@
 """Overlaps (R4): the track beyond a signal into which a train may run that fails to stop at it.
 
 Lengths are metres.  An overlap ends at the first joint at or beyond its length, at a boundary, or at the end of the
-track.
+track; one of infinite length, a successive route, also at the next main signal.
 """
 
 from __future__ import annotations
 
 from functools import lru_cache
+from math import isinf
 
 from interlock.model.elements import PointId, Position, SignalId
 from interlock.model.layout import Layout
@@ -37,7 +38,7 @@ def overlap_paths(layout: Layout, signal: SignalId) -> tuple[tuple[Traversal, ..
         ways, gone = todo.pop()
         last = ways[-1]
         onward = topo.beyond(last.section, last.exit)
-        if gone >= length or onward is None:
+        if gone >= length or onward is None or (isinf(length) and (last.exit, onward) in topo.main_into):
             if _agrees(layout, ways):
                 found.append(ways)
             continue

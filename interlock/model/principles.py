@@ -42,6 +42,10 @@ class Principles:
     leg_m: length of the legs of a point where the layout states none (our choice).
     flank_by: whether a flank is protected by turning a point or by a signal at stop, where both can (R5); in
         either case a flank where nothing can come is asked for nothing.
+    flank_space: whether the track between a flank and what protects it must be reported clear (R5: Flankenschutzraum;
+        German practice unless a table says otherwise).
+    flank_lamp: whether a signal protects a flank only while its stop lamp is reported intact (R5: Lichtschutz); needs
+        `lamp_proof`.
     drive_points: whether a route drives the other points of its sections to normal, so that parallel routes stay
         possible (带动道岔).  A driven point is never a condition of proceed (R10).
     overlap_m: metres of overlap beyond every main signal inside the layout where the layout states none (R4: UK
@@ -64,6 +68,8 @@ class Principles:
     clearance_m: float = 3.5
     leg_m: float = 20.0
     flank_by: FlankChoice = FlankChoice.POINT
+    flank_space: bool = False
+    flank_lamp: bool = False
     drive_points: bool = False
     overlap_m: float = 0.0
     overlap_release_s: float = 60.0
@@ -75,7 +81,7 @@ PROFILES: dict[str, Principles] = {
     "generic": Principles(),
     "mine": Principles(approach_release_s=60.0, fouling_m=8.0, caution=Caution.NEVER),
     "uk": Principles(overlap_m=180.0, approach_release_s=120.0),
-    "de": Principles(overlap_m=200.0, overlap_release_s=45.0),
+    "de": Principles(overlap_m=200.0, overlap_release_s=45.0, flank_space=True),
     "cn": Principles(
         point_start_gap_s=0.5, flank_by=FlankChoice.SIGNAL, drive_points=True, lamp_proof=True, caution=Caution.TURNOUT
     ),

@@ -307,6 +307,11 @@ KINDS: tuple[Kind, ...] = (
     Kind("opens-under-train", "a level crossing opens by itself while locked or occupied", _unguarded("returns")),
     Kind("driven-while-locked", "a driven point moves while it is locked", _unguarded("driven along")),
     Kind("foul-not-checked", "proceed although a foul section is occupied", without("WD", "foul section clear")),
+    Kind(
+        "flank-space-not-checked",
+        "proceed although something stands in the flank space, or a protecting signal is dark",
+        without("WD", "flank space clear", "flank lamp intact"),
+    ),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),

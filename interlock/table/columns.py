@@ -53,6 +53,10 @@ def _flank(r: RouteRow) -> Reasons:
     return out
 
 
+def _space(r: RouteRow) -> Reasons:
+    return [(f"stop lamp of {c.name}" if c.lamp else c.name, c.because) for c in r.space]
+
+
 def _overlap(r: RouteRow) -> Reasons:
     return [] if r.overlap is None else [(s, r.overlap.because) for s, _ in r.overlap.ways]
 
@@ -115,6 +119,7 @@ COLUMNS: tuple[Column, ...] = (
         ],
     ),
     Column("flank", "Flank protection", "侧面防护", "Flankenschutz", _flank),
+    Column("space", "Flank space", "侧面防护区段", "Flankenschutzraum", _space),
     Column(
         "hostile",
         "Hostile routes",

@@ -22,7 +22,7 @@ from interlock.model.elements import (
     SignalId,
 )
 
-SCHEMA_VERSION = 2
+SCHEMA_VERSION = 3
 TraversalKey = tuple[SectionId, int]
 
 
@@ -106,6 +106,16 @@ class FoulCell:
     section: SectionId
     point: PointId
     when: tuple[MachineId, Position] | None
+    because: Because
+
+
+@dataclass(frozen=True)
+class SpaceCell:
+    """Flank space (R5): a section between a flank and its protection that must be clear, or (`lamp`) a protecting
+    signal whose stop lamp must be intact."""
+
+    name: str
+    lamp: bool
     because: Because
 
 
@@ -243,6 +253,7 @@ class TraversalRow:
     flank: tuple[FlankCell, ...]
     exclusions: tuple[Exclusion, ...]
     foul: tuple[FoulCell, ...]
+    space: tuple[SpaceCell, ...]
 
     @property
     def key(self) -> TraversalKey:
@@ -275,6 +286,7 @@ class RouteRow:
     sections: tuple[ClearCell, ...]
     foul: tuple[FoulCell, ...]
     flank: tuple[FlankCell, ...]
+    space: tuple[SpaceCell, ...]
     hostile: tuple[Hostile, ...]
     overlap: OverlapCell | None
     aspect: AspectCell

@@ -70,7 +70,7 @@ def _symbols(d: Draft) -> Symbols:
         command={(m, x): f"C{x}_{portable(m)}" for m in d.machines for x in Position},
         trailed={m: f"TR_{portable(m)}" for m in d.powered},
         condition={c.id: f"E_{portable(c.id)}" for c in d.layout.conditions},
-        stop_lamp={g: f"RL_{portable(g)}" for g in signals} if d.layout.principles.lamp_proof else {},
+        stop_lamp={g.id: f"RL_{portable(g.id)}" for g in d.layout.signals} if d.layout.principles.lamp_proof else {},
         clear_lamp={g: f"GL_{portable(g)}" for g in lit},
         caution_lamp={g: f"CL_{portable(g)}" for g in lit if aspects.cautions(d)},
         clear_aspect={g: f"YP_{portable(g)}" for g in d.open_for_trains},

@@ -62,7 +62,7 @@ def _availability(d: Draft, t: TraversalRow) -> list[Term]:
     for p in t.points:
         free = var(f"AV{p.position}_{portable(p.machine)}")
         terms.append(Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}"))
-    return [*terms, *_trailed(d, t), *_foul(d, t)]
+    return [*terms, *_trailed(d, t), *_foul(d, t), *_space(d, t)]
 
 
 def _unlocked(d: Draft, key: TraversalKey, clear: bool = True) -> list[Term]:
@@ -99,6 +99,17 @@ def _foul(d: Draft, t: TraversalRow) -> list[Term]:
     return out
 
 
+def _space(d: Draft, t: TraversalRow) -> list[Term]:
+    """The flank space is clear, and protecting signals show stop, where the principles ask for it (R5)."""
+    out = []
+    for c in t.space:
+        if c.lamp:
+            out.append(Term(var(f"RL_{portable(c.name)}"), "flank lamp intact", c.because.text))
+        else:
+            out.append(Term(neg(var(f"OCC_{portable(c.name)}")), "flank space clear", c.because.text))
+    return out
+
+
 def _overlap_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
     """The overlap's way is free, or lies over the route that is already set onward from the signal (R4)."""
     s = key[0]
@@ -130,7 +141,7 @@ def _detection(d: Draft, t: TraversalRow) -> list[Term]:
         Term(d.detected(p.machine, p.position), f"{p.role} point detected", f"{p.machine} {p.position} detected")
         for p in t.points
     ]
-    return [*terms, *_trailed(d, t), *_foul(d, t)]
+    return [*terms, *_trailed(d, t), *_foul(d, t), *_space(d, t)]
 
 
 def _detected(d: Draft, key: TraversalKey) -> list[Term]:

@@ -35,6 +35,8 @@ CLAIMS: dict[str, str] = {
     "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
+    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is clear and the stop "
+    "lamps of the signals that protect it are intact.",
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is clear, lies and is detected.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
@@ -105,6 +107,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         out.append(Claim(f"T-{h.id}", h.place, neg(h.expr), True))
     for name, place, expr, physical in (
         *((*x, x[0] == "T-FLANK") for x in _flank(f)),
+        *((*x, False) for x in _flank_space(f)),
         *((*x, False) for x in _pairs(f)),
         *((*x, False) for x in _signals(f)),
         *((*x, False) for x in _distants(f)),
@@ -186,6 +189,62 @@ def _flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 danger = exposed(f, edge, node, 0.0, clear_of, frozenset({node}))
                 yield "T-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, train)), neg(danger))
                 yield "S-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, shown)), neg(danger))
+
+
+def _flank_space(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    rules = f.layout.principles
+    if not rules.flank_space and not rules.flank_lamp:
+        return
+    ground = _ground(f)
+    waived = {(w.point, w.leg) for w in f.layout.waivers}
+    margin = rules.clearance_m
+    for s in f.topo.sections:
+        for t in f.topo.traversals[s]:
+            shown = disj(_shown_over(ground, [t]).values())
+            for pid, x in t.points:
+                p = f.layout.point[pid]
+                if (pid, x.other) not in waived:
+                    quiet = _quiet(f, s, p.leg(x.other), p.node, 0.0, p.fouling + margin, frozenset({p.node}))
+                    yield "S-FLANK-SPACE", f"{s}:{t.number}:{pid}", implies(f.system.after(shown), quiet)
+            for cid, arm in t.crossings:
+                c = f.layout.crossing[cid]
+                for edge in c.arms[1 - arm]:
+                    quiet = _quiet(f, s, edge, c.node, 0.0, rules.fouling_m + margin, frozenset({c.node}))
+                    yield "S-FLANK-SPACE", f"{s}:{t.number}:{cid}.{edge}", implies(f.system.after(shown), quiet)
+
+
+def _quiet(
+    f: Facts, own: SectionId, edge: EdgeId, node: NodeId, gone: float, clear_of: float, seen: frozenset[NodeId]
+) -> Expr:
+    """Nothing stands along `edge` up to what stops a vehicle, as everything really lies, and stop signals are lit."""
+    layout = f.layout
+    e = layout.edge[edge]
+    if e.one_way and e.a == node:
+        return TRUE
+    far = layout.far(edge, node)
+    gone += e.length
+    looked_at = layout.principles.flank_space and e.section != own and e.section not in layout.undetected
+    clear = f.clear(e.section) if looked_at else TRUE
+    if far in seen or far in layout.buffer_at or far in layout.boundary_at:
+        return clear
+    seen = seen | {far}
+    for g in f.signals_at.get(far, ()):
+        if g.into == edge and gone >= clear_of:
+            lit = layout.principles.flank_lamp and g.id in f.sym.stop_lamp
+            return conj((clear, var(f.sym.stop_lamp[g.id]))) if lit else clear
+    point, crossing = layout.point_at.get(far), layout.crossing_at.get(far)
+    if point is not None and point.position_of(edge) is not None:
+        position = point.position_of(edge)
+        assert position is not None
+        turned = f.system.after(lies(point.machine, position.other))
+        return conj((clear, disj((turned, _quiet(f, own, point.toe, far, gone, clear_of, seen)))))
+    if point is not None:
+        onward = [point.normal, point.reverse]
+    elif crossing is not None:
+        onward = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
+    else:
+        onward = [x.id for x in layout.edges_at[far] if x.id != edge]
+    return conj([clear, *(_quiet(f, own, x, far, gone, clear_of, seen) for x in onward)])
 
 
 # --- signals -------------------------------------------------------------------------------------

@@ -6,6 +6,8 @@ Columns as in the public data model of the planning tables; those that the table
 
 from __future__ import annotations
 
+from math import isinf
+
 from interlock.model.elements import MachineId, Position
 from interlock.model.layout import Layout
 from interlock.table.national.reading import Reading
@@ -154,7 +156,7 @@ def overlaps(layout: Layout, table: InterlockingTable) -> Sheet:
         rows[o.signal, o.option] = (
             o.signal,
             f"D{o.option}",
-            f"{layout.overlap_of[o.signal]:g}",
+            "" if isinf(length := layout.overlap_of[o.signal]) else f"{length:g}",
             f"{o.metres:g}",
             _lying(x, r, Role.OVERLAP),
             ", ".join(s for s, _ in o.ways),
