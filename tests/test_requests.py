@@ -300,3 +300,61 @@ def test_no_call_on_with_the_first_section_occupied_or_over_a_locked_section() -
     assert f"A_R{call}" not in seen[-1]
     steps(sim, 3, REQ=number(sim, "Y2-Y3"))
     assert f"A_R{call}" not in steps(sim, 3, REQ=call)[-1]
+
+
+BOTH = (
+    TWO.replace("name: two", "name: two\nprofile: mine\nprinciples: {approach_release_s: 1}")
+    + "sections: {q4: {lane: inclined}}\nvoyages:\n  level: {from: Y3, to: W}\n  steep: {from: X2, to: X4}\n"
+)
+
+
+def first_set(text: str, idle: int) -> str:
+    """Which of two routes that could both be set is set, when they are noted one after the other."""
+    sim = simulator(text)
+    level, steep = (f"A_R{number(sim, r)}" for r in ("Y3-W", "X2-X4"))
+    steps(sim, 1, VOY=1, CLR_q2=0)
+    steps(sim, 1 + idle, CLR_q2=0)
+    steps(sim, 1, VOY=2, CLR_q2=0)
+    for _ in range(12):
+        (seen,) = steps(sim, 1)
+        for name, word in ((level, "level"), (steep, "steep")):
+            if name in seen:
+                return word
+    return "none"
+
+
+@pytest.mark.parametrize("idle", range(4))
+def test_an_inclined_lane_comes_first_then_the_main_direction(idle: int) -> None:
+    assert first_set(BOTH, idle) == "steep"
+    level = BOTH.replace("sections: {q4: {lane: inclined}}\n", "")
+    back = level.replace("steep: {from: X2, to: X4}", "steep: {from: X4, to: E, direction: reverse}")
+    assert first_set(back, idle) == "level"
+
+
+def test_without_priorities_the_turn_decides() -> None:
+    plain = BOTH.replace("{approach_release_s: 1}", "{approach_release_s: 1, priorities: no}")
+    assert {first_set(plain, idle) for idle in range(4)} == {"level", "steep"}
+
+
+@pytest.mark.parametrize(("rule", "winner"), [("first", "X2-X4"), ("last", "Y3-W")])
+def test_of_a_local_and_a_remote_request_one_is_heard(rule: str, winner: str) -> None:
+    sim = simulator(TWO.replace("name: two", f"name: two\nprinciples: {{local_requests: {rule}}}"))
+    numbers = {r: number(sim, r) for r in ("Y3-W", "X2-X4")}
+    steps(sim, 1, REQ=numbers["Y3-W"], LREQ=numbers["X2-X4"])
+    (seen,) = steps(sim, 1)
+    assert {r for r, n in numbers.items() if f"A_R{n}" in seen} == {winner}
+
+
+@pytest.mark.parametrize(("wait", "first"), [(0, "X2-X4"), (5, "Y3-W")])
+def test_a_class_that_has_waited_long_enough_comes_first(wait: int, first: str) -> None:
+    text = BOTH.replace("{approach_release_s: 1}", f"{{approach_release_s: 1, priority_wait_s: {wait}}}")
+    sim = simulator(text + "automatic:\n  - {from: X2, to: X4}\n")
+    steep, other = number(sim, "X2-X4"), number(sim, "X3-E")
+    steps(sim, 1, VOY=1, CLR_q2=0)
+    steps(sim, 10, REQ=other, CLR_q5=0, **{f"AUTO_R{steep}": 1})  # by hand, and in vain: the others wait
+    for seen in steps(sim, 4, **{f"AUTO_R{steep}": 1}):
+        found = {r for r in ("X2-X4", "Y3-W") if f"A_R{number(sim, r)}" in seen}
+        if found:
+            assert found == {first}
+            return
+    raise AssertionError("neither is set")

@@ -1,7 +1,7 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 18b6d78bf655c6bd66bf0911315bb05f1f9b93fa823376a0287a3fe7318fe94b
-# claims ea2ab066217ec0fd20edcada773246188c88f01b1c6c8cb966bdbdc34d1a828d
+# layout 248839114547925641b4bafbb02dd52a21fcbac519ea4e45a5fb8bd9377e8c32
+# claims 2dfeb78d035090749f2134b56c13507a3f6fe5b90a2a3d8e61056461fae72fd7
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

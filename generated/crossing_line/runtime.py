@@ -1,7 +1,7 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout fd813b28898f22e11bec42edded329520ccb365e13d78153ad26b4033a388451
-# claims e7a5c601dde9c723ee89c0e7c98d903645f12b559df2928a92033f943f253348
+# layout 92e13e7980b7d7544d54a1e842e1248ad6e723fec9e3ce46ea202163afe97d43
+# claims 26479433c0af743a3b43e91a86bf47e9ec27830971322219f328de39c7756cb0
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

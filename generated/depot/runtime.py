@@ -1,7 +1,7 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout ba98649f9315d06727153ee768d63e37df707c0313a5639cec9afd4850102c95
-# claims a7e2e31d7498b00b8169be0b92d078cf0be92192742b0932796a16aaf10c2976
+# layout a4cea2fc4d75ff65188384f123b325d3cf98fc307e52fecd8f5948aa56a5cb7b
+# claims 1da69cd9f51519d9d9754fdb7e35ae82397c384e1f1cbc3cf653b24d65344f03
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout f3bf77702b0ea2df3ef0e1bd175fd5732eed64d522c031f0c21703e804d4c591
-# claims 1ad5bf5c639f6adc4fcc0037658aabc9a5900f7144a47cc56eccb2c4059062bf
+# layout bc26086b8ffe2b0696c791e9e3515052e000109eb2cf04980302562a4af63a6f
+# claims d9ecced8468a7ad03a1aa5ec3abe77d6cd0b1eb6c624fdd0eaf0805cb43949d8
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -19,6 +19,7 @@ INPUTS = {
     'CAN_SIII': (0, 2),  # operator: cancel the route from SIII
     'CAN_SV': (0, 2),  # operator: cancel the route from SV
     'REQ': (0, 11),  # operator: set route number, 0 = none
+    'LREQ': (0, 11),  # operator on the spot: set route number, 0 = none
     'VOY': (0, 3),  # operator: voyage number, 0 = none
     'CLR_A': (0, 2),  # section A reported clear
     'CLR_B': (0, 2),  # section B reported clear
@@ -312,6 +313,7 @@ class Controller:
         CAN_SIII = read['CAN_SIII']
         CAN_SV = read['CAN_SV']
         REQ = read['REQ']
+        LREQ = read['LREQ']
         VOY = read['VOY']
         CLR_A = read['CLR_A']
         CLR_B = read['CLR_B']
@@ -606,17 +608,17 @@ class Controller:
         WP_ap_II_1 = WL_ap_II_1 and (not BLK_ap_II)  # ap_II from F|ap_II@two.0 to II: proceed may be shown over it (R3)
         WL_ap_IV_1 = (not OCC_ap_IV)  # ap_IV from G|ap_IV@four.0 to IV: lies and is clear
         WP_ap_IV_1 = WL_ap_IV_1 and (not BLK_ap_IV)  # ap_IV from G|ap_IV@four.0 to IV: proceed may be shown over it (R3)
-        RQ_R2 = (REQ == 2) or ((REQ == 0) and T_R2 and N_R2 and (not L_B_3) and (not L_C_2) and (not L_D_2) and (not L_E_4))  # route SC-SF is asked for (R14, R18)
-        RQ_R4 = (REQ == 4) or ((REQ == 0) and T_R4 and N_R4 and (not L_B_1) and (not L_C_1) and (not L_D_1) and (not L_E_1))  # route SD-SG is asked for (R14, R18)
-        RQ_R5 = (REQ == 5) or ((REQ == 0) and T_R5 and N_R5 and (not L_B_1) and (not L_C_1) and (not L_D_1) and (not L_E_1))  # route SE-SD is asked for (R14, R18)
-        RQ_R6 = (REQ == 6) or ((REQ == 0) and T_R6 and N_R6)  # route SF-II is asked for (R14, R18)
-        RQ_R7 = (REQ == 7) or ((REQ == 0) and T_R7 and N_R7)  # route SG-IV is asked for (R14, R18)
-        RQ_R8 = (REQ == 8) or ((REQ == 0) and T_R8 and N_R8)  # route SI-SV is asked for (R14, R18)
-        RQ_R9 = (REQ == 9) or ((REQ == 0) and T_R9 and N_R9)  # route SIII-SE is asked for (R14, R18)
-        RQ_R10 = (REQ == 10) or ((REQ == 0) and T_R10 and N_R10 and (not L_B_3) and (not L_C_2) and (not L_D_2) and (not L_E_4))  # route SV-SC is asked for (R14, R18)
-        G_R1 = (REQ == 1) and VALID and WF_D_1 and WF_E_2 and WF_H_1  # grant of route SC-III (R6)
+        RQ_R2 = ((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) or ((LREQ == 0) and (REQ == 0) and T_R2 and N_R2 and (not L_B_3) and (not L_C_2) and (not L_D_2) and (not L_E_4))  # route SC-SF is asked for (R14, R18)
+        RQ_R4 = ((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) or ((LREQ == 0) and (REQ == 0) and T_R4 and N_R4 and (not L_B_1) and (not L_C_1) and (not L_D_1) and (not L_E_1))  # route SD-SG is asked for (R14, R18)
+        RQ_R5 = ((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) or ((LREQ == 0) and (REQ == 0) and T_R5 and N_R5 and (not L_B_1) and (not L_C_1) and (not L_D_1) and (not L_E_1))  # route SE-SD is asked for (R14, R18)
+        RQ_R6 = ((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) or ((LREQ == 0) and (REQ == 0) and T_R6 and N_R6)  # route SF-II is asked for (R14, R18)
+        RQ_R7 = ((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) or ((LREQ == 0) and (REQ == 0) and T_R7 and N_R7)  # route SG-IV is asked for (R14, R18)
+        RQ_R8 = ((LREQ == 8) or ((LREQ == 0) and (REQ == 8))) or ((LREQ == 0) and (REQ == 0) and T_R8 and N_R8)  # route SI-SV is asked for (R14, R18)
+        RQ_R9 = ((LREQ == 9) or ((LREQ == 0) and (REQ == 9))) or ((LREQ == 0) and (REQ == 0) and T_R9 and N_R9)  # route SIII-SE is asked for (R14, R18)
+        RQ_R10 = ((LREQ == 10) or ((LREQ == 0) and (REQ == 10))) or ((LREQ == 0) and (REQ == 0) and T_R10 and N_R10 and (not L_B_3) and (not L_C_2) and (not L_D_2) and (not L_E_4))  # route SV-SC is asked for (R14, R18)
+        G_R1 = ((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and VALID and WF_D_1 and WF_E_2 and WF_H_1  # grant of route SC-III (R6)
         G_R2 = RQ_R2 and VALID and WF_D_1 and WF_E_1 and WF_F_1  # grant of route SC-SF (R6)
-        G_R3 = (REQ == 3) and VALID and WF_C_2 and WF_B_2 and WF_A_1  # grant of route SD-I (R6)
+        G_R3 = ((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and VALID and WF_C_2 and WF_B_2 and WF_A_1  # grant of route SD-I (R6)
         G_R4 = RQ_R4 and VALID and WF_C_2 and WF_B_3 and WF_G_1  # grant of route SD-SG (R6)
         G_R5 = RQ_R5 and VALID and WF_E_4 and WF_D_2  # grant of route SE-SD (R6)
         G_R6 = RQ_R6 and VALID and WF_ap_II_1  # grant of route SF-II (R6)
@@ -832,52 +834,52 @@ class Controller:
         N_TR_PE = (TH_PE and VALID and ((CN_PE and (not QN_PE) and (not GPR_PE) and (not MAR_PE)) or (CR_PE and (not QR_PE) and (not GPN_PE) and (not MAN_PE)))) or (TR_PE and (not (TC_PE and VALID and (not OCC_E))))  # machine PE was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route SC-III active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route SC-III locked
-        N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_SC) and (not CAN_SC)  # route SC-III: proceed wanted
+        N_W_R1 = (W_R1 or LK_R1 or (((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and B_R1)) and (not LS_R1) and KP_R1 and (not X_SC) and (not CAN_SC)  # route SC-III: proceed wanted
         N_S_R1 = PR_R1  # route SC-III: proceed
         N_H_R1 = (H_R1 or PR_R1) and KP_R1  # route SC-III: signal has been open
         N_A_R2 = (A_R2 or G_R2) and KP_R2  # route SC-SF active
         N_B_R2 = (B_R2 or LK_R2) and KP_R2  # route SC-SF locked
-        N_W_R2 = (W_R2 or LK_R2 or ((REQ == 2) and B_R2)) and (not LS_R2) and KP_R2 and (not X_SC) and (not CAN_SC)  # route SC-SF: proceed wanted
+        N_W_R2 = (W_R2 or LK_R2 or (((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and B_R2)) and (not LS_R2) and KP_R2 and (not X_SC) and (not CAN_SC)  # route SC-SF: proceed wanted
         N_S_R2 = PR_R2  # route SC-SF: proceed
         N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route SC-SF: signal has been open
         N_A_R3 = (A_R3 or G_R3) and KP_R3  # route SD-I active
         N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route SD-I locked
-        N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_SD) and (not CAN_SD)  # route SD-I: proceed wanted
+        N_W_R3 = (W_R3 or LK_R3 or (((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and B_R3)) and (not LS_R3) and KP_R3 and (not X_SD) and (not CAN_SD)  # route SD-I: proceed wanted
         N_S_R3 = PR_R3  # route SD-I: proceed
         N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route SD-I: signal has been open
         N_A_R4 = (A_R4 or G_R4) and KP_R4  # route SD-SG active
         N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route SD-SG locked
-        N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_SD) and (not CAN_SD)  # route SD-SG: proceed wanted
+        N_W_R4 = (W_R4 or LK_R4 or (((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and B_R4)) and (not LS_R4) and KP_R4 and (not X_SD) and (not CAN_SD)  # route SD-SG: proceed wanted
         N_S_R4 = PR_R4  # route SD-SG: proceed
         N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route SD-SG: signal has been open
         N_A_R5 = (A_R5 or G_R5) and KP_R5  # route SE-SD active
         N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route SE-SD locked
-        N_W_R5 = (W_R5 or LK_R5 or ((REQ == 5) and B_R5)) and (not LS_R5) and KP_R5 and (not X_SE) and (not CAN_SE)  # route SE-SD: proceed wanted
+        N_W_R5 = (W_R5 or LK_R5 or (((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and B_R5)) and (not LS_R5) and KP_R5 and (not X_SE) and (not CAN_SE)  # route SE-SD: proceed wanted
         N_S_R5 = PR_R5  # route SE-SD: proceed
         N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route SE-SD: signal has been open
         N_A_R6 = (A_R6 or G_R6) and KP_R6  # route SF-II active
         N_B_R6 = (B_R6 or LK_R6) and KP_R6  # route SF-II locked
-        N_W_R6 = (W_R6 or LK_R6 or ((REQ == 6) and B_R6)) and (not LS_R6) and KP_R6 and (not X_SF) and (not CAN_SF)  # route SF-II: proceed wanted
+        N_W_R6 = (W_R6 or LK_R6 or (((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) and B_R6)) and (not LS_R6) and KP_R6 and (not X_SF) and (not CAN_SF)  # route SF-II: proceed wanted
         N_S_R6 = PR_R6  # route SF-II: proceed
         N_H_R6 = (H_R6 or PR_R6) and KP_R6  # route SF-II: signal has been open
         N_A_R7 = (A_R7 or G_R7) and KP_R7  # route SG-IV active
         N_B_R7 = (B_R7 or LK_R7) and KP_R7  # route SG-IV locked
-        N_W_R7 = (W_R7 or LK_R7 or ((REQ == 7) and B_R7)) and (not LS_R7) and KP_R7 and (not X_SG) and (not CAN_SG)  # route SG-IV: proceed wanted
+        N_W_R7 = (W_R7 or LK_R7 or (((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) and B_R7)) and (not LS_R7) and KP_R7 and (not X_SG) and (not CAN_SG)  # route SG-IV: proceed wanted
         N_S_R7 = PR_R7  # route SG-IV: proceed
         N_H_R7 = (H_R7 or PR_R7) and KP_R7  # route SG-IV: signal has been open
         N_A_R8 = (A_R8 or G_R8) and KP_R8  # route SI-SV active
         N_B_R8 = (B_R8 or LK_R8) and KP_R8  # route SI-SV locked
-        N_W_R8 = (W_R8 or LK_R8 or ((REQ == 8) and B_R8)) and (not LS_R8) and KP_R8 and (not X_SI) and (not CAN_SI)  # route SI-SV: proceed wanted
+        N_W_R8 = (W_R8 or LK_R8 or (((LREQ == 8) or ((LREQ == 0) and (REQ == 8))) and B_R8)) and (not LS_R8) and KP_R8 and (not X_SI) and (not CAN_SI)  # route SI-SV: proceed wanted
         N_S_R8 = PR_R8  # route SI-SV: proceed
         N_H_R8 = (H_R8 or PR_R8) and KP_R8  # route SI-SV: signal has been open
         N_A_R9 = (A_R9 or G_R9) and KP_R9  # route SIII-SE active
         N_B_R9 = (B_R9 or LK_R9) and KP_R9  # route SIII-SE locked
-        N_W_R9 = (W_R9 or LK_R9 or ((REQ == 9) and B_R9)) and (not LS_R9) and KP_R9 and (not X_SIII) and (not CAN_SIII)  # route SIII-SE: proceed wanted
+        N_W_R9 = (W_R9 or LK_R9 or (((LREQ == 9) or ((LREQ == 0) and (REQ == 9))) and B_R9)) and (not LS_R9) and KP_R9 and (not X_SIII) and (not CAN_SIII)  # route SIII-SE: proceed wanted
         N_S_R9 = PR_R9  # route SIII-SE: proceed
         N_H_R9 = (H_R9 or PR_R9) and KP_R9  # route SIII-SE: signal has been open
         N_A_R10 = (A_R10 or G_R10) and KP_R10  # route SV-SC active
         N_B_R10 = (B_R10 or LK_R10) and KP_R10  # route SV-SC locked
-        N_W_R10 = (W_R10 or LK_R10 or ((REQ == 10) and B_R10)) and (not LS_R10) and KP_R10 and (not X_SV) and (not CAN_SV)  # route SV-SC: proceed wanted
+        N_W_R10 = (W_R10 or LK_R10 or (((LREQ == 10) or ((LREQ == 0) and (REQ == 10))) and B_R10)) and (not LS_R10) and KP_R10 and (not X_SV) and (not CAN_SV)  # route SV-SC: proceed wanted
         N_S_R10 = PR_R10  # route SV-SC: proceed
         N_H_R10 = (H_R10 or PR_R10) and KP_R10  # route SV-SC: signal has been open
         N_X_SC = (X_SC or CAN_SC) and (A_R1 or A_R2) and (not CD_SC)  # SC: cancelling

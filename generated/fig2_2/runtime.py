@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout c28abfd0e668e293714356395dfeedbff14d084ac0bd81f4f4a11d6922fa3845
-# claims 99e2246efe6adf1b6230309e4b57a2d7afebbfe1a9e1519622697e869b2eb35e
+# layout 2e08ebfdb62aae048dbb91f0f300303eb08f8ab09ef03a01399f569c63bc6a13
+# claims 5088b7006449212a3b84074e435ecbc7d71c51d01ff61d298a3ace4678ca32dc
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -14,6 +14,7 @@ INPUTS = {
     'CAN_X2': (0, 2),  # operator: cancel the route from X2
     'CAN_X3': (0, 2),  # operator: cancel the route from X3
     'REQ': (0, 5),  # operator: set route number, 0 = none
+    'LREQ': (0, 5),  # operator on the spot: set route number, 0 = none
     'CLR_DP': (0, 2),  # section DP reported clear
     'CLR_SA': (0, 2),  # section SA reported clear
     'CLR_SB': (0, 2),  # section SB reported clear
@@ -117,6 +118,7 @@ class Controller:
         CAN_X2 = read['CAN_X2']
         CAN_X3 = read['CAN_X3']
         REQ = read['REQ']
+        LREQ = read['LREQ']
         CLR_DP = read['CLR_DP']
         CLR_SA = read['CLR_SA']
         CLR_SB = read['CLR_SB']
@@ -196,10 +198,10 @@ class Controller:
         WD_DP_4 = QR_P1 and (not TR_P1)  # DP from C to B: its points lie, nothing is foul of it
         WL_DP_4 = (not OCC_DP) and WD_DP_4  # DP from C to B: lies and is clear
         WP_DP_4 = WL_DP_4 and (not BLK_DP)  # DP from C to B: proceed may be shown over it (R3)
-        G_R1 = (REQ == 1) and VALID and WF_DP_3  # grant of route X1-A (R6)
-        G_R2 = (REQ == 2) and VALID and WF_DP_4  # grant of route X1-B (R6)
-        G_R3 = (REQ == 3) and VALID and WF_DP_1  # grant of route X2-C (R6)
-        G_R4 = (REQ == 4) and VALID and WF_DP_2  # grant of route X3-C (R6)
+        G_R1 = ((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and VALID and WF_DP_3  # grant of route X1-A (R6)
+        G_R2 = ((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and VALID and WF_DP_4  # grant of route X1-B (R6)
+        G_R3 = ((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and VALID and WF_DP_1  # grant of route X2-C (R6)
+        G_R4 = ((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and VALID and WF_DP_2  # grant of route X3-C (R6)
         GW_DP_1 = G_R3  # DP from A to C: granted
         GW_DP_2 = G_R4  # DP from B to C: granted
         GW_DP_3 = G_R1  # DP from C to A: granted
@@ -259,22 +261,22 @@ class Controller:
         N_TR_P1 = (TH_P1 and VALID and ((CN_P1 and (not QN_P1) and (not GPR_P1) and (not MAR_P1)) or (CR_P1 and (not QR_P1) and (not GPN_P1) and (not MAN_P1)))) or (TR_P1 and (not (TC_P1 and VALID and (not OCC_DP))))  # machine P1 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route X1-A active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route X1-A locked
-        N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_X1) and (not CAN_X1)  # route X1-A: proceed wanted
+        N_W_R1 = (W_R1 or LK_R1 or (((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and B_R1)) and (not LS_R1) and KP_R1 and (not X_X1) and (not CAN_X1)  # route X1-A: proceed wanted
         N_S_R1 = PR_R1  # route X1-A: proceed
         N_H_R1 = (H_R1 or PR_R1) and KP_R1  # route X1-A: signal has been open
         N_A_R2 = (A_R2 or G_R2) and KP_R2  # route X1-B active
         N_B_R2 = (B_R2 or LK_R2) and KP_R2  # route X1-B locked
-        N_W_R2 = (W_R2 or LK_R2 or ((REQ == 2) and B_R2)) and (not LS_R2) and KP_R2 and (not X_X1) and (not CAN_X1)  # route X1-B: proceed wanted
+        N_W_R2 = (W_R2 or LK_R2 or (((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and B_R2)) and (not LS_R2) and KP_R2 and (not X_X1) and (not CAN_X1)  # route X1-B: proceed wanted
         N_S_R2 = PR_R2  # route X1-B: proceed
         N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route X1-B: signal has been open
         N_A_R3 = (A_R3 or G_R3) and KP_R3  # route X2-C active
         N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route X2-C locked
-        N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_X2) and (not CAN_X2)  # route X2-C: proceed wanted
+        N_W_R3 = (W_R3 or LK_R3 or (((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and B_R3)) and (not LS_R3) and KP_R3 and (not X_X2) and (not CAN_X2)  # route X2-C: proceed wanted
         N_S_R3 = PR_R3  # route X2-C: proceed
         N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route X2-C: signal has been open
         N_A_R4 = (A_R4 or G_R4) and KP_R4  # route X3-C active
         N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route X3-C locked
-        N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_X3) and (not CAN_X3)  # route X3-C: proceed wanted
+        N_W_R4 = (W_R4 or LK_R4 or (((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and B_R4)) and (not LS_R4) and KP_R4 and (not X_X3) and (not CAN_X3)  # route X3-C: proceed wanted
         N_S_R4 = PR_R4  # route X3-C: proceed
         N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route X3-C: signal has been open
         N_X_X1 = (X_X1 or CAN_X1) and (A_R1 or A_R2) and (not CD_X1)  # X1: cancelling

@@ -1,7 +1,7 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 37b3606622d77cb65182afde11e1317a5c6922915ac21bac89378eecb7bfc926
-# claims 18dafba283573395381536209d3556dc87214b5214347f6966bef99f82ca04e8
+# layout 794acb71c6551ccbd4a08fa75c5d5cc6a3e56efb895196b1cd393f995165e505
+# claims e2f1bc442e9211a991520353c261ef52ed7324049d26d6cc9410e6656036953f
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -15,6 +15,7 @@ INPUTS = {
     'CAN_X5': (0, 2),  # operator: cancel the route from X5
     'CAN_X6': (0, 2),  # operator: cancel the route from X6
     'REQ': (0, 6),  # operator: set route number, 0 = none
+    'LREQ': (0, 6),  # operator on the spot: set route number, 0 = none
     'CLR_III': (0, 2),  # section III reported clear
     'CLR_IV': (0, 2),  # section IV reported clear
     'CLR_SB': (0, 2),  # section SB reported clear
@@ -149,6 +150,7 @@ class Controller:
         CAN_X5 = read['CAN_X5']
         CAN_X6 = read['CAN_X6']
         REQ = read['REQ']
+        LREQ = read['LREQ']
         CLR_III = read['CLR_III']
         CLR_IV = read['CLR_IV']
         CLR_SB = read['CLR_SB']
@@ -260,11 +262,11 @@ class Controller:
         WP_IV_1 = WL_IV_1 and (not BLK_IV)  # IV from III|IV@P1.normal to IV|SC@main.0: proceed may be shown over it (R3)
         WL_SC_2 = (not OCC_SC)  # SC from IV|SC@main.0 to C: lies and is clear
         WP_SC_2 = WL_SC_2 and (not BLK_SC)  # SC from IV|SC@main.0 to C: proceed may be shown over it (R3)
-        G_R1 = (REQ == 1) and VALID and WF_III_1  # grant of route X3-D (R6)
-        G_R2 = (REQ == 2) and VALID and WF_III_2 and WF_IV_1  # grant of route X3-X5 (R6)
-        G_R3 = (REQ == 3) and VALID and WF_III_3  # grant of route X4-B (R6)
-        G_R4 = (REQ == 4) and VALID and WF_SC_2  # grant of route X5-C (R6)
-        G_R5 = (REQ == 5) and VALID and WF_III_4  # grant of route X6-B (R6)
+        G_R1 = ((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and VALID and WF_III_1  # grant of route X3-D (R6)
+        G_R2 = ((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and VALID and WF_III_2 and WF_IV_1  # grant of route X3-X5 (R6)
+        G_R3 = ((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and VALID and WF_III_3  # grant of route X4-B (R6)
+        G_R4 = ((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and VALID and WF_SC_2  # grant of route X5-C (R6)
+        G_R5 = ((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and VALID and WF_III_4  # grant of route X6-B (R6)
         GW_III_1 = G_R1  # III from B to D: granted
         GW_III_2 = G_R2  # III from B to III|IV@P1.normal: granted
         GW_III_3 = G_R3  # III from D to B: granted
@@ -350,27 +352,27 @@ class Controller:
         N_TR_P1 = (TH_P1 and VALID and ((CN_P1 and (not QN_P1) and (not GPR_P1) and (not MAR_P1)) or (CR_P1 and (not QR_P1) and (not GPN_P1) and (not MAN_P1)))) or (TR_P1 and (not (TC_P1 and VALID and (not OCC_III))))  # machine P1 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route X3-D active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route X3-D locked
-        N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_X3) and (not CAN_X3)  # route X3-D: proceed wanted
+        N_W_R1 = (W_R1 or LK_R1 or (((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and B_R1)) and (not LS_R1) and KP_R1 and (not X_X3) and (not CAN_X3)  # route X3-D: proceed wanted
         N_S_R1 = PR_R1  # route X3-D: proceed
         N_H_R1 = (H_R1 or PR_R1) and KP_R1  # route X3-D: signal has been open
         N_A_R2 = (A_R2 or G_R2) and KP_R2  # route X3-X5 active
         N_B_R2 = (B_R2 or LK_R2) and KP_R2  # route X3-X5 locked
-        N_W_R2 = (W_R2 or LK_R2 or ((REQ == 2) and B_R2)) and (not LS_R2) and KP_R2 and (not X_X3) and (not CAN_X3)  # route X3-X5: proceed wanted
+        N_W_R2 = (W_R2 or LK_R2 or (((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and B_R2)) and (not LS_R2) and KP_R2 and (not X_X3) and (not CAN_X3)  # route X3-X5: proceed wanted
         N_S_R2 = PR_R2  # route X3-X5: proceed
         N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route X3-X5: signal has been open
         N_A_R3 = (A_R3 or G_R3) and KP_R3  # route X4-B active
         N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route X4-B locked
-        N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_X4) and (not CAN_X4)  # route X4-B: proceed wanted
+        N_W_R3 = (W_R3 or LK_R3 or (((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and B_R3)) and (not LS_R3) and KP_R3 and (not X_X4) and (not CAN_X4)  # route X4-B: proceed wanted
         N_S_R3 = PR_R3  # route X4-B: proceed
         N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route X4-B: signal has been open
         N_A_R4 = (A_R4 or G_R4) and KP_R4  # route X5-C active
         N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route X5-C locked
-        N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_X5) and (not CAN_X5)  # route X5-C: proceed wanted
+        N_W_R4 = (W_R4 or LK_R4 or (((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and B_R4)) and (not LS_R4) and KP_R4 and (not X_X5) and (not CAN_X5)  # route X5-C: proceed wanted
         N_S_R4 = PR_R4  # route X5-C: proceed
         N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route X5-C: signal has been open
         N_A_R5 = (A_R5 or G_R5) and KP_R5  # route X6-B active
         N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route X6-B locked
-        N_W_R5 = (W_R5 or LK_R5 or ((REQ == 5) and B_R5)) and (not LS_R5) and KP_R5 and (not X_X6) and (not CAN_X6)  # route X6-B: proceed wanted
+        N_W_R5 = (W_R5 or LK_R5 or (((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and B_R5)) and (not LS_R5) and KP_R5 and (not X_X6) and (not CAN_X6)  # route X6-B: proceed wanted
         N_S_R5 = PR_R5  # route X6-B: proceed
         N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route X6-B: signal has been open
         N_X_X3 = (X_X3 or CAN_X3) and (A_R1 or A_R2) and (not CD_X3)  # X3: cancelling

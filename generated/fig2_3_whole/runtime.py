@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout b7474c3758785277caf0ab30273c735d61feb2aab7641fa843b323ccb235a023
-# claims b45b28edd30bea72a28adb412ffbf6d5b66678d34d63939db4430e565a099a51
+# layout aa714e0dcaad254fb5209ff56ed0b4df4234f57946172c8492669ad7c9d5977d
+# claims 75bb7873e3aa5f669b2cc1a07f0ffc3e6951b36f80cbb6e8abc248b1f82a66a4
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -14,6 +14,7 @@ INPUTS = {
     'CAN_X4': (0, 2),  # operator: cancel the route from X4
     'CAN_X5': (0, 2),  # operator: cancel the route from X5
     'REQ': (0, 5),  # operator: set route number, 0 = none
+    'LREQ': (0, 5),  # operator on the spot: set route number, 0 = none
     'CLR_III': (0, 2),  # section III reported clear
     'CLR_SB': (0, 2),  # section SB reported clear
     'CLR_SC': (0, 2),  # section SC reported clear
@@ -126,6 +127,7 @@ class Controller:
         CAN_X4 = read['CAN_X4']
         CAN_X5 = read['CAN_X5']
         REQ = read['REQ']
+        LREQ = read['LREQ']
         CLR_III = read['CLR_III']
         CLR_SB = read['CLR_SB']
         CLR_SC = read['CLR_SC']
@@ -211,10 +213,10 @@ class Controller:
         WP_III_3 = WL_III_3 and (not BLK_III)  # III from D to B: proceed may be shown over it (R3)
         WL_SC_2 = (not OCC_SC)  # SC from III|SC@main.0 to C: lies and is clear
         WP_SC_2 = WL_SC_2 and (not BLK_SC)  # SC from III|SC@main.0 to C: proceed may be shown over it (R3)
-        G_R1 = (REQ == 1) and VALID and WF_III_1  # grant of route X3-D (R6)
-        G_R2 = (REQ == 2) and VALID and WF_III_2  # grant of route X3-X5 (R6)
-        G_R3 = (REQ == 3) and VALID and WF_III_3  # grant of route X4-B (R6)
-        G_R4 = (REQ == 4) and VALID and WF_SC_2  # grant of route X5-C (R6)
+        G_R1 = ((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and VALID and WF_III_1  # grant of route X3-D (R6)
+        G_R2 = ((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and VALID and WF_III_2  # grant of route X3-X5 (R6)
+        G_R3 = ((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and VALID and WF_III_3  # grant of route X4-B (R6)
+        G_R4 = ((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and VALID and WF_SC_2  # grant of route X5-C (R6)
         GW_III_1 = G_R1  # III from B to D: granted
         GW_III_2 = G_R2  # III from B to III|SC@main.0: granted
         GW_III_3 = G_R3  # III from D to B: granted
@@ -281,22 +283,22 @@ class Controller:
         N_TR_P1 = (TH_P1 and VALID and ((CN_P1 and (not QN_P1) and (not GPR_P1) and (not MAR_P1)) or (CR_P1 and (not QR_P1) and (not GPN_P1) and (not MAN_P1)))) or (TR_P1 and (not (TC_P1 and VALID and (not OCC_III))))  # machine P1 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route X3-D active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route X3-D locked
-        N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_X3) and (not CAN_X3)  # route X3-D: proceed wanted
+        N_W_R1 = (W_R1 or LK_R1 or (((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and B_R1)) and (not LS_R1) and KP_R1 and (not X_X3) and (not CAN_X3)  # route X3-D: proceed wanted
         N_S_R1 = PR_R1  # route X3-D: proceed
         N_H_R1 = (H_R1 or PR_R1) and KP_R1  # route X3-D: signal has been open
         N_A_R2 = (A_R2 or G_R2) and KP_R2  # route X3-X5 active
         N_B_R2 = (B_R2 or LK_R2) and KP_R2  # route X3-X5 locked
-        N_W_R2 = (W_R2 or LK_R2 or ((REQ == 2) and B_R2)) and (not LS_R2) and KP_R2 and (not X_X3) and (not CAN_X3)  # route X3-X5: proceed wanted
+        N_W_R2 = (W_R2 or LK_R2 or (((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and B_R2)) and (not LS_R2) and KP_R2 and (not X_X3) and (not CAN_X3)  # route X3-X5: proceed wanted
         N_S_R2 = PR_R2  # route X3-X5: proceed
         N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route X3-X5: signal has been open
         N_A_R3 = (A_R3 or G_R3) and KP_R3  # route X4-B active
         N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route X4-B locked
-        N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_X4) and (not CAN_X4)  # route X4-B: proceed wanted
+        N_W_R3 = (W_R3 or LK_R3 or (((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and B_R3)) and (not LS_R3) and KP_R3 and (not X_X4) and (not CAN_X4)  # route X4-B: proceed wanted
         N_S_R3 = PR_R3  # route X4-B: proceed
         N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route X4-B: signal has been open
         N_A_R4 = (A_R4 or G_R4) and KP_R4  # route X5-C active
         N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route X5-C locked
-        N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_X5) and (not CAN_X5)  # route X5-C: proceed wanted
+        N_W_R4 = (W_R4 or LK_R4 or (((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and B_R4)) and (not LS_R4) and KP_R4 and (not X_X5) and (not CAN_X5)  # route X5-C: proceed wanted
         N_S_R4 = PR_R4  # route X5-C: proceed
         N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route X5-C: signal has been open
         N_X_X3 = (X_X3 or CAN_X3) and (A_R1 or A_R2) and (not CD_X3)  # X3: cancelling

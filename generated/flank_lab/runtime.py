@@ -1,7 +1,7 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout b04ddf896540857ad28aef4e8ba4e32db13b90c1145fd585b0d5d9185f2d5270
-# claims cc70fda5884c6a7464dbbda985253a5d91b3a219c26f34737f2919b2c2356d90
+# layout f3c06922ed974980f1c38528fed59bbd96508e31018a9c29cbfb7a3b76af32a2
+# claims a006a19e3627bdf44527d0f1ef53ac55233c9e6acb79716e6e2f30adaa102810
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -16,6 +16,22 @@ INPUTS = {
     'CAN_N8': (0, 2),  # operator: cancel the route from N8
     'CAN_S1': (0, 2),  # operator: cancel the route from S1
     'CAN_SA': (0, 2),  # operator: cancel the route from SA
+    'RL_F': (0, 2),  # stop lamp of F intact
+    'RL_L5': (0, 2),  # stop lamp of L5 intact
+    'RL_N2': (0, 2),  # stop lamp of N2 intact
+    'RL_N8': (0, 2),  # stop lamp of N8 intact
+    'RL_S1': (0, 2),  # stop lamp of S1 intact
+    'RL_SA': (0, 2),  # stop lamp of SA intact
+    'GL_F': (0, 2),  # clear lamp of F intact, or not lit
+    'CL_F': (0, 2),  # caution lamp of F intact, or not lit
+    'GL_N2': (0, 2),  # clear lamp of N2 intact, or not lit
+    'CL_N2': (0, 2),  # caution lamp of N2 intact, or not lit
+    'GL_N8': (0, 2),  # clear lamp of N8 intact, or not lit
+    'CL_N8': (0, 2),  # caution lamp of N8 intact, or not lit
+    'GL_S1': (0, 2),  # clear lamp of S1 intact, or not lit
+    'CL_S1': (0, 2),  # caution lamp of S1 intact, or not lit
+    'GL_SA': (0, 2),  # clear lamp of SA intact, or not lit
+    'CL_SA': (0, 2),  # caution lamp of SA intact, or not lit
     'REQ': (0, 11),  # operator: set route number, 0 = none
     'CLR_g2': (0, 2),  # section g2 reported clear
     'CLR_g4': (0, 2),  # section g4 reported clear
@@ -375,6 +391,22 @@ class Controller:
         CAN_N8 = read['CAN_N8']
         CAN_S1 = read['CAN_S1']
         CAN_SA = read['CAN_SA']
+        RL_F = read['RL_F']
+        RL_L5 = read['RL_L5']
+        RL_N2 = read['RL_N2']
+        RL_N8 = read['RL_N8']
+        RL_S1 = read['RL_S1']
+        RL_SA = read['RL_SA']
+        GL_F = read['GL_F']
+        CL_F = read['CL_F']
+        GL_N2 = read['GL_N2']
+        CL_N2 = read['CL_N2']
+        GL_N8 = read['GL_N8']
+        CL_N8 = read['CL_N8']
+        GL_S1 = read['GL_S1']
+        CL_S1 = read['CL_S1']
+        GL_SA = read['GL_SA']
+        CL_SA = read['CL_SA']
         REQ = read['REQ']
         CLR_g2 = read['CLR_g2']
         CLR_g4 = read['CLR_g4']
@@ -677,21 +709,21 @@ class Controller:
         WF_g5_2 = FREE_g5 and (not OCC_g5) and (not BLK_g5)  # g5 from g5|w6@6.normal to B: free for a route (R6)
         WF_g8_2 = FREE_g8 and (not OCC_g8) and (not BLK_g8)  # g8 from g8|w5@5.toe to g8|w2@2.reverse: free for a route (R6)
         WF_w0_1 = FREE_w0 and (not OCC_w0) and (not BLK_w0)  # w0 from A to w0|w1@1.toe: free for a route (R6)
-        WA_w1_2 = AVN_1 and (not TR_1)  # w1 from w0|w1@1.toe to g2|w1@1.normal: could be locked
+        WA_w1_2 = AVN_1 and (not TR_1) and (not OCC_g4) and (not OCC_g5) and (not OCC_g6) and (not OCC_g8) and (not OCC_w2) and (not OCC_w5) and (not OCC_w6)  # w1 from w0|w1@1.toe to g2|w1@1.normal: could be locked
         WF_w1_2 = FREE_w1 and (not OCC_w1) and (not BLK_w1) and WA_w1_2  # w1 from w0|w1@1.toe to g2|w1@1.normal: free for a route (R6)
-        WA_w1_3 = AVR_1 and (not TR_1)  # w1 from w0|w1@1.toe to w1|w5@1.reverse: could be locked
+        WA_w1_3 = AVR_1 and (not TR_1) and (not OCC_g2) and (not OCC_g4) and (not OCC_g5) and (not OCC_g6) and (not OCC_w2) and (not OCC_w6)  # w1 from w0|w1@1.toe to w1|w5@1.reverse: could be locked
         WF_w1_3 = FREE_w1 and (not OCC_w1) and (not BLK_w1) and WA_w1_3  # w1 from w0|w1@1.toe to w1|w5@1.reverse: free for a route (R6)
-        WA_w2_1 = AVN_2 and (not TR_2)  # w2 from g2|w2@2.normal to g4|w2@2.toe: could be locked
+        WA_w2_1 = AVN_2 and (not TR_2) and RL_N8  # w2 from g2|w2@2.normal to g4|w2@2.toe: could be locked
         WF_w2_1 = FREE_w2 and (not OCC_w2) and (not BLK_w2) and WA_w2_1  # w2 from g2|w2@2.normal to g4|w2@2.toe: free for a route (R6)
-        WA_w2_4 = AVR_2 and (not TR_2)  # w2 from g8|w2@2.reverse to g4|w2@2.toe: could be locked
+        WA_w2_4 = AVR_2 and (not TR_2) and RL_N2  # w2 from g8|w2@2.reverse to g4|w2@2.toe: could be locked
         WF_w2_4 = FREE_w2 and (not OCC_w2) and (not BLK_w2) and WA_w2_4  # w2 from g8|w2@2.reverse to g4|w2@2.toe: free for a route (R6)
-        WA_w5_4 = AVR_Gs1 and AVR_5 and AVN_1 and (not TR_Gs1) and (not TR_5) and (not TR_1)  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: could be locked
+        WA_w5_4 = AVR_Gs1 and AVR_5 and AVN_1 and (not TR_Gs1) and (not TR_5) and (not TR_1) and (not OCC_w1)  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: could be locked
         WF_w5_4 = FREE_w5 and (not OCC_w5) and (not BLK_w5) and WA_w5_4  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: free for a route (R6)
         WA_w5_5 = AVN_5 and AVN_Gs1 and (not TR_5) and (not TR_Gs1)  # w5 from w1|w5@1.reverse to g8|w5@5.toe: could be locked
         WF_w5_5 = FREE_w5 and (not OCC_w5) and (not BLK_w5) and WA_w5_5  # w5 from w1|w5@1.reverse to g8|w5@5.toe: free for a route (R6)
-        WA_w6_1 = AVN_6 and (not TR_6)  # w6 from g4|w6@6.toe to g5|w6@6.normal: could be locked
+        WA_w6_1 = AVN_6 and (not TR_6) and (not OCC_g6)  # w6 from g4|w6@6.toe to g5|w6@6.normal: could be locked
         WF_w6_1 = FREE_w6 and (not OCC_w6) and (not BLK_w6) and WA_w6_1  # w6 from g4|w6@6.toe to g5|w6@6.normal: free for a route (R6)
-        WA_w6_2 = AVR_6 and (not TR_6)  # w6 from g4|w6@6.toe to g6|w6@6.reverse: could be locked
+        WA_w6_2 = AVR_6 and (not TR_6) and (not OCC_g5)  # w6 from g4|w6@6.toe to g6|w6@6.reverse: could be locked
         OF_F_1 = ((not K_w6) and (not V_F_1) and (not V_F_2) and ((not L_w6_1) or A_R1) and (not L_w6_2)) and (not OCC_w6) and (not BLK_w6) and WA_w6_1 and ((not K_g5) and (not V_F_1) and ((not L_g5_2) or A_R1)) and (not OCC_g5) and (not BLK_g5)  # overlap 1 of F may be held (R4)
         OF_F_2 = ((not K_w6) and (not V_F_1) and (not V_F_2) and (not L_w6_1) and (not L_w6_2)) and (not OCC_w6) and (not BLK_w6) and WA_w6_2 and ((not K_g6) and (not V_F_2) and (not L_g6_2)) and (not OCC_g6) and (not BLK_g6)  # overlap 2 of F may be held (R4)
         OF_N2_1 = ((not K_w2) and (not V_N2_1) and ((not L_w2_1) or A_R3 or A_R4) and (not L_w2_4)) and (not OCC_w2) and (not BLK_w2) and WA_w2_1 and ((not K_g4) and (not V_N2_1) and ((not L_g4_1) or A_R3 or A_R4)) and (not OCC_g4) and (not BLK_g4) and WA_g4_1  # overlap 1 of N2 may be held (R4)
@@ -709,28 +741,28 @@ class Controller:
         WP_g8_2 = WL_g8_2 and (not BLK_g8)  # g8 from g8|w5@5.toe to g8|w2@2.reverse: proceed may be shown over it (R3)
         WL_w0_1 = (not OCC_w0)  # w0 from A to w0|w1@1.toe: lies and is clear
         WP_w0_1 = WL_w0_1 and (not BLK_w0)  # w0 from A to w0|w1@1.toe: proceed may be shown over it (R3)
-        WD_w1_2 = QN_1 and (not TR_1)  # w1 from w0|w1@1.toe to g2|w1@1.normal: its points lie, nothing is foul of it
+        WD_w1_2 = QN_1 and (not TR_1) and (not OCC_g4) and (not OCC_g5) and (not OCC_g6) and (not OCC_g8) and (not OCC_w2) and (not OCC_w5) and (not OCC_w6)  # w1 from w0|w1@1.toe to g2|w1@1.normal: its points lie, nothing is foul of it
         WL_w1_2 = (not OCC_w1) and WD_w1_2  # w1 from w0|w1@1.toe to g2|w1@1.normal: lies and is clear
         WP_w1_2 = WL_w1_2 and (not BLK_w1)  # w1 from w0|w1@1.toe to g2|w1@1.normal: proceed may be shown over it (R3)
-        WD_w1_3 = QR_1 and (not TR_1)  # w1 from w0|w1@1.toe to w1|w5@1.reverse: its points lie, nothing is foul of it
+        WD_w1_3 = QR_1 and (not TR_1) and (not OCC_g2) and (not OCC_g4) and (not OCC_g5) and (not OCC_g6) and (not OCC_w2) and (not OCC_w6)  # w1 from w0|w1@1.toe to w1|w5@1.reverse: its points lie, nothing is foul of it
         WL_w1_3 = (not OCC_w1) and WD_w1_3  # w1 from w0|w1@1.toe to w1|w5@1.reverse: lies and is clear
         WP_w1_3 = WL_w1_3 and (not BLK_w1)  # w1 from w0|w1@1.toe to w1|w5@1.reverse: proceed may be shown over it (R3)
-        WD_w2_1 = QN_2 and (not TR_2)  # w2 from g2|w2@2.normal to g4|w2@2.toe: its points lie, nothing is foul of it
+        WD_w2_1 = QN_2 and (not TR_2) and RL_N8  # w2 from g2|w2@2.normal to g4|w2@2.toe: its points lie, nothing is foul of it
         WL_w2_1 = (not OCC_w2) and WD_w2_1  # w2 from g2|w2@2.normal to g4|w2@2.toe: lies and is clear
         WP_w2_1 = WL_w2_1 and (not BLK_w2)  # w2 from g2|w2@2.normal to g4|w2@2.toe: proceed may be shown over it (R3)
-        WD_w2_4 = QR_2 and (not TR_2)  # w2 from g8|w2@2.reverse to g4|w2@2.toe: its points lie, nothing is foul of it
+        WD_w2_4 = QR_2 and (not TR_2) and RL_N2  # w2 from g8|w2@2.reverse to g4|w2@2.toe: its points lie, nothing is foul of it
         WL_w2_4 = (not OCC_w2) and WD_w2_4  # w2 from g8|w2@2.reverse to g4|w2@2.toe: lies and is clear
         WP_w2_4 = WL_w2_4 and (not BLK_w2)  # w2 from g8|w2@2.reverse to g4|w2@2.toe: proceed may be shown over it (R3)
-        WD_w5_4 = QR_Gs1 and QR_5 and QN_1 and (not TR_Gs1) and (not TR_5) and (not TR_1)  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: its points lie, nothing is foul of it
+        WD_w5_4 = QR_Gs1 and QR_5 and QN_1 and (not TR_Gs1) and (not TR_5) and (not TR_1) and (not OCC_w1)  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: its points lie, nothing is foul of it
         WL_w5_4 = (not OCC_w5) and WD_w5_4  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: lies and is clear
         WP_w5_4 = WL_w5_4 and (not BLK_w5)  # w5 from sid|w5@Gs1.outer to g8|w5@5.toe: proceed may be shown over it (R3)
         WD_w5_5 = QN_5 and QN_Gs1 and (not TR_5) and (not TR_Gs1)  # w5 from w1|w5@1.reverse to g8|w5@5.toe: its points lie, nothing is foul of it
         WL_w5_5 = (not OCC_w5) and WD_w5_5  # w5 from w1|w5@1.reverse to g8|w5@5.toe: lies and is clear
         WP_w5_5 = WL_w5_5 and (not BLK_w5)  # w5 from w1|w5@1.reverse to g8|w5@5.toe: proceed may be shown over it (R3)
-        WD_w6_1 = QN_6 and (not TR_6)  # w6 from g4|w6@6.toe to g5|w6@6.normal: its points lie, nothing is foul of it
+        WD_w6_1 = QN_6 and (not TR_6) and (not OCC_g6)  # w6 from g4|w6@6.toe to g5|w6@6.normal: its points lie, nothing is foul of it
         WL_w6_1 = (not OCC_w6) and WD_w6_1  # w6 from g4|w6@6.toe to g5|w6@6.normal: lies and is clear
         WP_w6_1 = WL_w6_1 and (not BLK_w6)  # w6 from g4|w6@6.toe to g5|w6@6.normal: proceed may be shown over it (R3)
-        WD_w6_2 = QR_6 and (not TR_6)  # w6 from g4|w6@6.toe to g6|w6@6.reverse: its points lie, nothing is foul of it
+        WD_w6_2 = QR_6 and (not TR_6) and (not OCC_g5)  # w6 from g4|w6@6.toe to g6|w6@6.reverse: its points lie, nothing is foul of it
         WL_w6_2 = (not OCC_w6) and WD_w6_2  # w6 from g4|w6@6.toe to g6|w6@6.reverse: lies and is clear
         G_R1 = (REQ == 1) and VALID and ((not K_w6) and (not L_w6_1) and (not L_w6_2) and (not V_F_2)) and (not OCC_w6) and (not BLK_w6) and WA_w6_1 and ((not K_g5) and (not L_g5_2)) and (not OCC_g5) and (not BLK_g5)  # grant of route F-B (R6)
         G_R2 = (REQ == 2) and VALID and WF_w5_4 and WF_g8_2  # grant of route L5-N8 (R6)
@@ -760,25 +792,25 @@ class Controller:
         GO_S1_1 = G_R9  # overlap 1 of S1: granted
         GO_S1_2 = G_R10  # overlap 2 of S1: granted
         LK_R1 = A_R1 and (not B_R1) and VALID and (not X_F) and (not CAN_F) and WL_w6_1 and WL_g5_2  # route F-B becomes locked (R3)
-        CO_R1 = VALID and WP_w6_1 and WP_g5_2 and (not OCC_gb) and (not D_w6)  # conditions of proceed for route F-B (R3)
+        CO_R1 = VALID and WP_w6_1 and WP_g5_2 and (not OCC_gb) and (not D_w6) and CL_F  # conditions of proceed for route F-B (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_L5) and (not CAN_L5) and WL_w5_4 and WL_g8_2  # route L5-N8 becomes locked (R3)
         CO_R2 = VALID and WP_w5_4 and WP_g8_2 and (not D_w5)  # conditions of proceed for route L5-N8 (R3)
         LK_R3 = A_R3 and (not B_R3) and VALID and (not X_N2) and (not CAN_N2) and WL_w2_1 and WL_g4_1 and WL_w6_1 and WL_g5_2  # route N2-F becomes locked (R3)
-        CO_R3 = VALID and WP_w2_1 and WP_g4_1 and WL_w6_1 and WL_g5_2 and (not D_w2) and V_F_1  # conditions of proceed for route N2-F (R3)
+        CO_R3 = VALID and WP_w2_1 and WP_g4_1 and WL_w6_1 and WL_g5_2 and (not D_w2) and CL_N2 and V_F_1  # conditions of proceed for route N2-F (R3)
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_N2) and (not CAN_N2) and WL_w2_1 and WL_g4_1 and WL_w6_2 and WL_g6_2  # route N2-F.o2 becomes locked (R3)
-        CO_R4 = VALID and WP_w2_1 and WP_g4_1 and WL_w6_2 and WL_g6_2 and (not D_w2) and V_F_2  # conditions of proceed for route N2-F.o2 (R3)
+        CO_R4 = VALID and WP_w2_1 and WP_g4_1 and WL_w6_2 and WL_g6_2 and (not D_w2) and CL_N2 and V_F_2  # conditions of proceed for route N2-F.o2 (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_N8) and (not CAN_N8) and WL_w2_4 and WL_g4_1 and WL_w6_1 and WL_g5_2  # route N8-F becomes locked (R3)
-        CO_R5 = VALID and WP_w2_4 and WP_g4_1 and WL_w6_1 and WL_g5_2 and (not D_w2) and V_F_1  # conditions of proceed for route N8-F (R3)
+        CO_R5 = VALID and WP_w2_4 and WP_g4_1 and WL_w6_1 and WL_g5_2 and (not D_w2) and CL_N8 and V_F_1  # conditions of proceed for route N8-F (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_N8) and (not CAN_N8) and WL_w2_4 and WL_g4_1 and WL_w6_2 and WL_g6_2  # route N8-F.o2 becomes locked (R3)
-        CO_R6 = VALID and WP_w2_4 and WP_g4_1 and WL_w6_2 and WL_g6_2 and (not D_w2) and V_F_2  # conditions of proceed for route N8-F.o2 (R3)
+        CO_R6 = VALID and WP_w2_4 and WP_g4_1 and WL_w6_2 and WL_g6_2 and (not D_w2) and CL_N8 and V_F_2  # conditions of proceed for route N8-F.o2 (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S1) and (not CAN_S1) and WL_w1_2 and WL_g2_1 and WL_w2_1 and WL_g4_1  # route S1-N2 becomes locked (R3)
-        CO_R7 = VALID and WP_w1_2 and WP_g2_1 and WL_w2_1 and WL_g4_1 and (not D_w1) and V_N2_1  # conditions of proceed for route S1-N2 (R3)
+        CO_R7 = VALID and WP_w1_2 and WP_g2_1 and WL_w2_1 and WL_g4_1 and (not D_w1) and CL_S1 and V_N2_1  # conditions of proceed for route S1-N2 (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S1) and (not CAN_S1) and WL_w1_3 and WL_w5_5 and WL_g8_2  # route S1-N8 becomes locked (R3)
-        CO_R8 = VALID and WP_w1_3 and WP_w5_5 and WP_g8_2 and (not D_w1)  # conditions of proceed for route S1-N8 (R3)
+        CO_R8 = VALID and WP_w1_3 and WP_w5_5 and WP_g8_2 and (not D_w1) and CL_S1  # conditions of proceed for route S1-N8 (R3)
         LK_R9 = A_R9 and (not B_R9) and VALID and (not X_SA) and (not CAN_SA) and WL_w0_1 and WL_w1_2 and WL_g2_1  # route SA-S1 becomes locked (R3)
-        CO_R9 = VALID and WP_w0_1 and WL_w1_2 and WL_g2_1 and (not D_w0) and V_S1_1  # conditions of proceed for route SA-S1 (R3)
+        CO_R9 = VALID and WP_w0_1 and WL_w1_2 and WL_g2_1 and (not D_w0) and CL_SA and V_S1_1  # conditions of proceed for route SA-S1 (R3)
         LK_R10 = A_R10 and (not B_R10) and VALID and (not X_SA) and (not CAN_SA) and WL_w0_1 and WL_w1_3 and WL_w5_5 and WL_g8_2  # route SA-S1.o2 becomes locked (R3)
-        CO_R10 = VALID and WP_w0_1 and WL_w1_3 and WL_w5_5 and WL_g8_2 and (not D_w0) and V_S1_2  # conditions of proceed for route SA-S1.o2 (R3)
+        CO_R10 = VALID and WP_w0_1 and WL_w1_3 and WL_w5_5 and WL_g8_2 and (not D_w0) and CL_SA and V_S1_2  # conditions of proceed for route SA-S1.o2 (R3)
         NU_g2_1 = VALID and F_g2 and (not D_g2) and (not U_g2) and L_g2_1 and OCC_g2 and OCC_w1 and (V_S1_1 or U_w1) and (V_S1_1 or L_w1_2)  # a train comes into g2 at g2|w1@1.normal (R9)
         NU_g4_1 = VALID and F_g4 and (not D_g4) and (not U_g4) and L_g4_1 and OCC_g4 and OCC_w2 and (V_N2_1 or U_w2) and (V_N2_1 or L_w2_1 or L_w2_4)  # a train comes into g4 at g4|w2@2.toe (R9)
         NU_g5_2 = VALID and F_g5 and (not D_g5) and (not U_g5) and L_g5_2 and OCC_g5 and OCC_w6 and (V_F_1 or U_w6) and (V_F_1 or L_w6_1)  # a train comes into g5 at g5|w6@6.normal (R9)
@@ -950,34 +982,34 @@ class Controller:
         ST_Gs1 = self._timer('ST_Gs1', STI_Gs1, dt_ms)  # machine Gs1: time-out
         ST_LC1 = self._timer('ST_LC1', STI_LC1, dt_ms)  # machine LC1: time-out
         KP_R1 = (not NU_w6_1) and (not CD_F)  # route F-B stays set
-        PR_R1 = A_R1 and B_R1 and W_R1 and CO_R1 and KP_R1 and (not X_F) and (not CAN_F)  # proceed for route F-B (R3, R11)
+        PR_R1 = A_R1 and B_R1 and W_R1 and CO_R1 and KP_R1 and (not X_F) and (not CAN_F) and (S_R1 or RL_F)  # proceed for route F-B (R3, R11)
         LS_R1 = S_R1 and (not CO_R1)  # route F-B: a condition was lost; no reopening by itself (R14)
         KP_R2 = (not NU_w5_3) and (not CD_L5)  # route L5-N8 stays set
-        PR_R2 = A_R2 and B_R2 and W_R2 and CO_R2 and KP_R2 and (not X_L5) and (not CAN_L5)  # proceed for route L5-N8 (R3, R11)
+        PR_R2 = A_R2 and B_R2 and W_R2 and CO_R2 and KP_R2 and (not X_L5) and (not CAN_L5) and (S_R2 or RL_L5)  # proceed for route L5-N8 (R3, R11)
         LS_R2 = S_R2 and (not CO_R2)  # route L5-N8: a condition was lost; no reopening by itself (R14)
         KP_R3 = (not NU_w2_1) and (not CD_N2)  # route N2-F stays set
-        PR_R3 = A_R3 and B_R3 and W_R3 and CO_R3 and KP_R3 and (not X_N2) and (not CAN_N2)  # proceed for route N2-F (R3, R11)
+        PR_R3 = A_R3 and B_R3 and W_R3 and CO_R3 and KP_R3 and (not X_N2) and (not CAN_N2) and (S_R3 or RL_N2)  # proceed for route N2-F (R3, R11)
         LS_R3 = S_R3 and (not CO_R3)  # route N2-F: a condition was lost; no reopening by itself (R14)
         KP_R4 = (not NU_w2_1) and (not CD_N2)  # route N2-F.o2 stays set
-        PR_R4 = A_R4 and B_R4 and W_R4 and CO_R4 and KP_R4 and (not X_N2) and (not CAN_N2)  # proceed for route N2-F.o2 (R3, R11)
+        PR_R4 = A_R4 and B_R4 and W_R4 and CO_R4 and KP_R4 and (not X_N2) and (not CAN_N2) and (S_R4 or RL_N2)  # proceed for route N2-F.o2 (R3, R11)
         LS_R4 = S_R4 and (not CO_R4)  # route N2-F.o2: a condition was lost; no reopening by itself (R14)
         KP_R5 = (not NU_w2_3) and (not CD_N8)  # route N8-F stays set
-        PR_R5 = A_R5 and B_R5 and W_R5 and CO_R5 and KP_R5 and (not X_N8) and (not CAN_N8)  # proceed for route N8-F (R3, R11)
+        PR_R5 = A_R5 and B_R5 and W_R5 and CO_R5 and KP_R5 and (not X_N8) and (not CAN_N8) and (S_R5 or RL_N8)  # proceed for route N8-F (R3, R11)
         LS_R5 = S_R5 and (not CO_R5)  # route N8-F: a condition was lost; no reopening by itself (R14)
         KP_R6 = (not NU_w2_3) and (not CD_N8)  # route N8-F.o2 stays set
-        PR_R6 = A_R6 and B_R6 and W_R6 and CO_R6 and KP_R6 and (not X_N8) and (not CAN_N8)  # proceed for route N8-F.o2 (R3, R11)
+        PR_R6 = A_R6 and B_R6 and W_R6 and CO_R6 and KP_R6 and (not X_N8) and (not CAN_N8) and (S_R6 or RL_N8)  # proceed for route N8-F.o2 (R3, R11)
         LS_R6 = S_R6 and (not CO_R6)  # route N8-F.o2: a condition was lost; no reopening by itself (R14)
         KP_R7 = (not NU_w1_2) and (not CD_S1)  # route S1-N2 stays set
-        PR_R7 = A_R7 and B_R7 and W_R7 and CO_R7 and KP_R7 and (not X_S1) and (not CAN_S1)  # proceed for route S1-N2 (R3, R11)
+        PR_R7 = A_R7 and B_R7 and W_R7 and CO_R7 and KP_R7 and (not X_S1) and (not CAN_S1) and (S_R7 or RL_S1)  # proceed for route S1-N2 (R3, R11)
         LS_R7 = S_R7 and (not CO_R7)  # route S1-N2: a condition was lost; no reopening by itself (R14)
         KP_R8 = (not NU_w1_2) and (not CD_S1)  # route S1-N8 stays set
-        PR_R8 = A_R8 and B_R8 and W_R8 and CO_R8 and KP_R8 and (not X_S1) and (not CAN_S1)  # proceed for route S1-N8 (R3, R11)
+        PR_R8 = A_R8 and B_R8 and W_R8 and CO_R8 and KP_R8 and (not X_S1) and (not CAN_S1) and (S_R8 or RL_S1)  # proceed for route S1-N8 (R3, R11)
         LS_R8 = S_R8 and (not CO_R8)  # route S1-N8: a condition was lost; no reopening by itself (R14)
         KP_R9 = (not NU_w0_1) and (not CD_SA)  # route SA-S1 stays set
-        PR_R9 = A_R9 and B_R9 and W_R9 and CO_R9 and KP_R9 and (not X_SA) and (not CAN_SA)  # proceed for route SA-S1 (R3, R11)
+        PR_R9 = A_R9 and B_R9 and W_R9 and CO_R9 and KP_R9 and (not X_SA) and (not CAN_SA) and (S_R9 or RL_SA)  # proceed for route SA-S1 (R3, R11)
         LS_R9 = S_R9 and (not CO_R9)  # route SA-S1: a condition was lost; no reopening by itself (R14)
         KP_R10 = (not NU_w0_1) and (not CD_SA)  # route SA-S1.o2 stays set
-        PR_R10 = A_R10 and B_R10 and W_R10 and CO_R10 and KP_R10 and (not X_SA) and (not CAN_SA)  # proceed for route SA-S1.o2 (R3, R11)
+        PR_R10 = A_R10 and B_R10 and W_R10 and CO_R10 and KP_R10 and (not X_SA) and (not CAN_SA) and (S_R10 or RL_SA)  # proceed for route SA-S1.o2 (R3, R11)
         LS_R10 = S_R10 and (not CO_R10)  # route SA-S1.o2: a condition was lost; no reopening by itself (R14)
         N_CN_1 = GPN_1 or MAN_1 or HDN_1  # machine 1 commanded N
         N_CR_1 = GPR_1 or MAR_1 or HDR_1  # machine 1 commanded R
@@ -1151,11 +1183,11 @@ class Controller:
         N_VF_F = (VF_F or LK_R3 or LK_R4 or LK_R5 or LK_R6) and (V_F_1 or V_F_2)  # overlap of F firmly held
         N_VF_N2 = (VF_N2 or LK_R7) and V_N2_1  # overlap of N2 firmly held
         N_VF_S1 = (VF_S1 or LK_R9 or LK_R10) and (V_S1_1 or V_S1_2)  # overlap of S1 firmly held
-        N_C_F = PR_R1 and PR_R1  # F shows clear
-        N_C_N2 = (PR_R3 or PR_R4) and ((PR_R3 and PR_R1) or (PR_R4 and PR_R1))  # N2 shows clear
-        N_C_N8 = (PR_R5 or PR_R6) and ((PR_R5 and PR_R1) or (PR_R6 and PR_R1))  # N8 shows clear
-        N_C_S1 = (PR_R7 or PR_R8) and ((PR_R7 and (PR_R3 or PR_R4)) or (PR_R8 and (PR_R5 or PR_R6)))  # S1 shows clear
-        N_C_SA = (PR_R9 or PR_R10) and ((PR_R9 and (PR_R7 or PR_R8)) or (PR_R10 and (PR_R7 or PR_R8)))  # SA shows clear
+        N_C_F = PR_R1 and PR_R1 and GL_F  # F shows clear
+        N_C_N2 = (PR_R3 or PR_R4) and ((PR_R3 and PR_R1) or (PR_R4 and PR_R1)) and GL_N2  # N2 shows clear
+        N_C_N8 = (PR_R5 or PR_R6) and ((PR_R5 and PR_R1) or (PR_R6 and PR_R1)) and GL_N8  # N8 shows clear
+        N_C_S1 = (PR_R7 or PR_R8) and ((PR_R7 and (PR_R3 or PR_R4)) or (PR_R8 and (PR_R5 or PR_R6))) and GL_S1  # S1 shows clear
+        N_C_SA = (PR_R9 or PR_R10) and ((PR_R9 and (PR_R7 or PR_R8)) or (PR_R10 and (PR_R7 or PR_R8))) and GL_SA  # SA shows clear
         self.state = {
             'CN_1': bool(N_CN_1),
             'CR_1': bool(N_CR_1),

@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 7648b7ab91209fac82c04781a979aa19034b68903f06804eb254987634c806c8
-# claims 2e81d54eb65bd88639dca8b45602629fd86a631855474b7291e9d5b02766cee3
+# layout 50fb0d7d3479592028a75303b694e20e5f90b978ba2aef548c06e88455c94a19
+# claims 012ab74b7e2d8e8ecf5296c3547beabcb8feb8d2d37af229d1afe4d15d779ade
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -23,6 +23,7 @@ INPUTS = {
     'CAN_XT7': (0, 2),  # operator: cancel the route from XT7
     'CAN_XT9': (0, 2),  # operator: cancel the route from XT9
     'REQ': (0, 18),  # operator: set route number, 0 = none
+    'LREQ': (0, 18),  # operator on the spot: set route number, 0 = none
     'CLR_s10_xc4': (0, 2),  # section s10_xc4 reported clear
     'CLR_s11_xc5': (0, 2),  # section s11_xc5 reported clear
     'CLR_s1_wait': (0, 2),  # section s1_wait reported clear
@@ -416,6 +417,7 @@ class Controller:
         CAN_XT7 = read['CAN_XT7']
         CAN_XT9 = read['CAN_XT9']
         REQ = read['REQ']
+        LREQ = read['LREQ']
         CLR_s10_xc4 = read['CLR_s10_xc4']
         CLR_s11_xc5 = read['CLR_s11_xc5']
         CLR_s1_wait = read['CLR_s1_wait']
@@ -845,23 +847,23 @@ class Controller:
         WD_s9_4 = QR_P4 and (not TR_P4)  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: its points lie, nothing is foul of it
         WL_s9_4 = (not OCC_s9) and WD_s9_4  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: lies and is clear
         WP_s9_4 = WL_s9_4 and (not BLK_s9)  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: proceed may be shown over it (R3)
-        G_R1 = (REQ == 1) and VALID and WF_s2_1 and WF_s2_out_2  # grant of route XB-OUT (R6)
-        G_R2 = (REQ == 2) and VALID and WF_s2_2 and WF_s3_1 and WF_s4_xc1_2  # grant of route XB-XC1 (R6)
-        G_R3 = (REQ == 3) and VALID and WF_s2_2 and WF_s3_2 and WF_s6_1 and WF_s5_xc2_2  # grant of route XB-XC2 (R6)
-        G_R4 = (REQ == 4) and VALID and WF_s2_2 and WF_s3_2 and WF_s6_2  # grant of route XB-XI7 (R6)
-        G_R5 = (REQ == 5) and VALID and WF_s7_1 and WF_s8_xc3_2  # grant of route XI7-XC3 (R6)
-        G_R6 = (REQ == 6) and VALID and WF_s7_2  # grant of route XI7-XI9 (R6)
-        G_R7 = (REQ == 7) and VALID and WF_s9_3 and WF_s10_xc4_2  # grant of route XI9-XC4 (R6)
-        G_R8 = (REQ == 8) and VALID and WF_s9_4 and WF_s11_xc5_2  # grant of route XI9-XC5 (R6)
-        G_R9 = (REQ == 9) and VALID and WF_s3_3  # grant of route XL1-XT3 (R6)
-        G_R10 = (REQ == 10) and VALID and WF_s6_3 and WF_s3_4  # grant of route XL2-XT3 (R6)
-        G_R11 = (REQ == 11) and VALID and WF_s7_3  # grant of route XL3-XT7 (R6)
-        G_R12 = (REQ == 12) and VALID and WF_s9_1  # grant of route XL4-XT9 (R6)
-        G_R13 = (REQ == 13) and VALID and WF_s9_2  # grant of route XL5-XT9 (R6)
-        G_R14 = (REQ == 14) and VALID and WF_s2_3  # grant of route XO-W (R6)
-        G_R15 = (REQ == 15) and VALID and WF_s2_4  # grant of route XT3-W (R6)
-        G_R16 = (REQ == 16) and VALID and WF_s6_4 and WF_s3_4  # grant of route XT7-XT3 (R6)
-        G_R17 = (REQ == 17) and VALID and WF_s7_4  # grant of route XT9-XT7 (R6)
+        G_R1 = ((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and VALID and WF_s2_1 and WF_s2_out_2  # grant of route XB-OUT (R6)
+        G_R2 = ((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and VALID and WF_s2_2 and WF_s3_1 and WF_s4_xc1_2  # grant of route XB-XC1 (R6)
+        G_R3 = ((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and VALID and WF_s2_2 and WF_s3_2 and WF_s6_1 and WF_s5_xc2_2  # grant of route XB-XC2 (R6)
+        G_R4 = ((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and VALID and WF_s2_2 and WF_s3_2 and WF_s6_2  # grant of route XB-XI7 (R6)
+        G_R5 = ((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and VALID and WF_s7_1 and WF_s8_xc3_2  # grant of route XI7-XC3 (R6)
+        G_R6 = ((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) and VALID and WF_s7_2  # grant of route XI7-XI9 (R6)
+        G_R7 = ((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) and VALID and WF_s9_3 and WF_s10_xc4_2  # grant of route XI9-XC4 (R6)
+        G_R8 = ((LREQ == 8) or ((LREQ == 0) and (REQ == 8))) and VALID and WF_s9_4 and WF_s11_xc5_2  # grant of route XI9-XC5 (R6)
+        G_R9 = ((LREQ == 9) or ((LREQ == 0) and (REQ == 9))) and VALID and WF_s3_3  # grant of route XL1-XT3 (R6)
+        G_R10 = ((LREQ == 10) or ((LREQ == 0) and (REQ == 10))) and VALID and WF_s6_3 and WF_s3_4  # grant of route XL2-XT3 (R6)
+        G_R11 = ((LREQ == 11) or ((LREQ == 0) and (REQ == 11))) and VALID and WF_s7_3  # grant of route XL3-XT7 (R6)
+        G_R12 = ((LREQ == 12) or ((LREQ == 0) and (REQ == 12))) and VALID and WF_s9_1  # grant of route XL4-XT9 (R6)
+        G_R13 = ((LREQ == 13) or ((LREQ == 0) and (REQ == 13))) and VALID and WF_s9_2  # grant of route XL5-XT9 (R6)
+        G_R14 = ((LREQ == 14) or ((LREQ == 0) and (REQ == 14))) and VALID and WF_s2_3  # grant of route XO-W (R6)
+        G_R15 = ((LREQ == 15) or ((LREQ == 0) and (REQ == 15))) and VALID and WF_s2_4  # grant of route XT3-W (R6)
+        G_R16 = ((LREQ == 16) or ((LREQ == 0) and (REQ == 16))) and VALID and WF_s6_4 and WF_s3_4  # grant of route XT7-XT3 (R6)
+        G_R17 = ((LREQ == 17) or ((LREQ == 0) and (REQ == 17))) and VALID and WF_s7_4  # grant of route XT9-XT7 (R6)
         GW_s10_xc4_2 = G_R7  # s10_xc4 from s10_xc4|s9@P4.normal to XC4: granted
         GW_s11_xc5_2 = G_R8  # s11_xc5 from s11_xc5|s9@P4.reverse to XC5: granted
         GW_s2_1 = G_R1  # s2 from W to s2|s2_out@PS.reverse: granted
@@ -1179,87 +1181,87 @@ class Controller:
         N_TR_PS = (TH_PS and VALID and ((CN_PS and (not QN_PS) and (not GPR_PS) and (not MAR_PS)) or (CR_PS and (not QR_PS) and (not GPN_PS) and (not MAN_PS)))) or (TR_PS and (not (TC_PS and VALID and (not OCC_s2))))  # machine PS was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route XB-OUT active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route XB-OUT locked
-        N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_XB) and (not CAN_XB)  # route XB-OUT: proceed wanted
+        N_W_R1 = (W_R1 or LK_R1 or (((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and B_R1)) and (not LS_R1) and KP_R1 and (not X_XB) and (not CAN_XB)  # route XB-OUT: proceed wanted
         N_S_R1 = PR_R1  # route XB-OUT: proceed
         N_H_R1 = (H_R1 or PR_R1) and KP_R1  # route XB-OUT: signal has been open
         N_A_R2 = (A_R2 or G_R2) and KP_R2  # route XB-XC1 active
         N_B_R2 = (B_R2 or LK_R2) and KP_R2  # route XB-XC1 locked
-        N_W_R2 = (W_R2 or LK_R2 or ((REQ == 2) and B_R2)) and (not LS_R2) and KP_R2 and (not X_XB) and (not CAN_XB)  # route XB-XC1: proceed wanted
+        N_W_R2 = (W_R2 or LK_R2 or (((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and B_R2)) and (not LS_R2) and KP_R2 and (not X_XB) and (not CAN_XB)  # route XB-XC1: proceed wanted
         N_S_R2 = PR_R2  # route XB-XC1: proceed
         N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route XB-XC1: signal has been open
         N_A_R3 = (A_R3 or G_R3) and KP_R3  # route XB-XC2 active
         N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route XB-XC2 locked
-        N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_XB) and (not CAN_XB)  # route XB-XC2: proceed wanted
+        N_W_R3 = (W_R3 or LK_R3 or (((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and B_R3)) and (not LS_R3) and KP_R3 and (not X_XB) and (not CAN_XB)  # route XB-XC2: proceed wanted
         N_S_R3 = PR_R3  # route XB-XC2: proceed
         N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route XB-XC2: signal has been open
         N_A_R4 = (A_R4 or G_R4) and KP_R4  # route XB-XI7 active
         N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route XB-XI7 locked
-        N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_XB) and (not CAN_XB)  # route XB-XI7: proceed wanted
+        N_W_R4 = (W_R4 or LK_R4 or (((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and B_R4)) and (not LS_R4) and KP_R4 and (not X_XB) and (not CAN_XB)  # route XB-XI7: proceed wanted
         N_S_R4 = PR_R4  # route XB-XI7: proceed
         N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route XB-XI7: signal has been open
         N_A_R5 = (A_R5 or G_R5) and KP_R5  # route XI7-XC3 active
         N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route XI7-XC3 locked
-        N_W_R5 = (W_R5 or LK_R5 or ((REQ == 5) and B_R5)) and (not LS_R5) and KP_R5 and (not X_XI7) and (not CAN_XI7)  # route XI7-XC3: proceed wanted
+        N_W_R5 = (W_R5 or LK_R5 or (((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and B_R5)) and (not LS_R5) and KP_R5 and (not X_XI7) and (not CAN_XI7)  # route XI7-XC3: proceed wanted
         N_S_R5 = PR_R5  # route XI7-XC3: proceed
         N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route XI7-XC3: signal has been open
         N_A_R6 = (A_R6 or G_R6) and KP_R6  # route XI7-XI9 active
         N_B_R6 = (B_R6 or LK_R6) and KP_R6  # route XI7-XI9 locked
-        N_W_R6 = (W_R6 or LK_R6 or ((REQ == 6) and B_R6)) and (not LS_R6) and KP_R6 and (not X_XI7) and (not CAN_XI7)  # route XI7-XI9: proceed wanted
+        N_W_R6 = (W_R6 or LK_R6 or (((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) and B_R6)) and (not LS_R6) and KP_R6 and (not X_XI7) and (not CAN_XI7)  # route XI7-XI9: proceed wanted
         N_S_R6 = PR_R6  # route XI7-XI9: proceed
         N_H_R6 = (H_R6 or PR_R6) and KP_R6  # route XI7-XI9: signal has been open
         N_A_R7 = (A_R7 or G_R7) and KP_R7  # route XI9-XC4 active
         N_B_R7 = (B_R7 or LK_R7) and KP_R7  # route XI9-XC4 locked
-        N_W_R7 = (W_R7 or LK_R7 or ((REQ == 7) and B_R7)) and (not LS_R7) and KP_R7 and (not X_XI9) and (not CAN_XI9)  # route XI9-XC4: proceed wanted
+        N_W_R7 = (W_R7 or LK_R7 or (((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) and B_R7)) and (not LS_R7) and KP_R7 and (not X_XI9) and (not CAN_XI9)  # route XI9-XC4: proceed wanted
         N_S_R7 = PR_R7  # route XI9-XC4: proceed
         N_H_R7 = (H_R7 or PR_R7) and KP_R7  # route XI9-XC4: signal has been open
         N_A_R8 = (A_R8 or G_R8) and KP_R8  # route XI9-XC5 active
         N_B_R8 = (B_R8 or LK_R8) and KP_R8  # route XI9-XC5 locked
-        N_W_R8 = (W_R8 or LK_R8 or ((REQ == 8) and B_R8)) and (not LS_R8) and KP_R8 and (not X_XI9) and (not CAN_XI9)  # route XI9-XC5: proceed wanted
+        N_W_R8 = (W_R8 or LK_R8 or (((LREQ == 8) or ((LREQ == 0) and (REQ == 8))) and B_R8)) and (not LS_R8) and KP_R8 and (not X_XI9) and (not CAN_XI9)  # route XI9-XC5: proceed wanted
         N_S_R8 = PR_R8  # route XI9-XC5: proceed
         N_H_R8 = (H_R8 or PR_R8) and KP_R8  # route XI9-XC5: signal has been open
         N_A_R9 = (A_R9 or G_R9) and KP_R9  # route XL1-XT3 active
         N_B_R9 = (B_R9 or LK_R9) and KP_R9  # route XL1-XT3 locked
-        N_W_R9 = (W_R9 or LK_R9 or ((REQ == 9) and B_R9)) and (not LS_R9) and KP_R9 and (not X_XL1) and (not CAN_XL1)  # route XL1-XT3: proceed wanted
+        N_W_R9 = (W_R9 or LK_R9 or (((LREQ == 9) or ((LREQ == 0) and (REQ == 9))) and B_R9)) and (not LS_R9) and KP_R9 and (not X_XL1) and (not CAN_XL1)  # route XL1-XT3: proceed wanted
         N_S_R9 = PR_R9  # route XL1-XT3: proceed
         N_H_R9 = (H_R9 or PR_R9) and KP_R9  # route XL1-XT3: signal has been open
         N_A_R10 = (A_R10 or G_R10) and KP_R10  # route XL2-XT3 active
         N_B_R10 = (B_R10 or LK_R10) and KP_R10  # route XL2-XT3 locked
-        N_W_R10 = (W_R10 or LK_R10 or ((REQ == 10) and B_R10)) and (not LS_R10) and KP_R10 and (not X_XL2) and (not CAN_XL2)  # route XL2-XT3: proceed wanted
+        N_W_R10 = (W_R10 or LK_R10 or (((LREQ == 10) or ((LREQ == 0) and (REQ == 10))) and B_R10)) and (not LS_R10) and KP_R10 and (not X_XL2) and (not CAN_XL2)  # route XL2-XT3: proceed wanted
         N_S_R10 = PR_R10  # route XL2-XT3: proceed
         N_H_R10 = (H_R10 or PR_R10) and KP_R10  # route XL2-XT3: signal has been open
         N_A_R11 = (A_R11 or G_R11) and KP_R11  # route XL3-XT7 active
         N_B_R11 = (B_R11 or LK_R11) and KP_R11  # route XL3-XT7 locked
-        N_W_R11 = (W_R11 or LK_R11 or ((REQ == 11) and B_R11)) and (not LS_R11) and KP_R11 and (not X_XL3) and (not CAN_XL3)  # route XL3-XT7: proceed wanted
+        N_W_R11 = (W_R11 or LK_R11 or (((LREQ == 11) or ((LREQ == 0) and (REQ == 11))) and B_R11)) and (not LS_R11) and KP_R11 and (not X_XL3) and (not CAN_XL3)  # route XL3-XT7: proceed wanted
         N_S_R11 = PR_R11  # route XL3-XT7: proceed
         N_H_R11 = (H_R11 or PR_R11) and KP_R11  # route XL3-XT7: signal has been open
         N_A_R12 = (A_R12 or G_R12) and KP_R12  # route XL4-XT9 active
         N_B_R12 = (B_R12 or LK_R12) and KP_R12  # route XL4-XT9 locked
-        N_W_R12 = (W_R12 or LK_R12 or ((REQ == 12) and B_R12)) and (not LS_R12) and KP_R12 and (not X_XL4) and (not CAN_XL4)  # route XL4-XT9: proceed wanted
+        N_W_R12 = (W_R12 or LK_R12 or (((LREQ == 12) or ((LREQ == 0) and (REQ == 12))) and B_R12)) and (not LS_R12) and KP_R12 and (not X_XL4) and (not CAN_XL4)  # route XL4-XT9: proceed wanted
         N_S_R12 = PR_R12  # route XL4-XT9: proceed
         N_H_R12 = (H_R12 or PR_R12) and KP_R12  # route XL4-XT9: signal has been open
         N_A_R13 = (A_R13 or G_R13) and KP_R13  # route XL5-XT9 active
         N_B_R13 = (B_R13 or LK_R13) and KP_R13  # route XL5-XT9 locked
-        N_W_R13 = (W_R13 or LK_R13 or ((REQ == 13) and B_R13)) and (not LS_R13) and KP_R13 and (not X_XL5) and (not CAN_XL5)  # route XL5-XT9: proceed wanted
+        N_W_R13 = (W_R13 or LK_R13 or (((LREQ == 13) or ((LREQ == 0) and (REQ == 13))) and B_R13)) and (not LS_R13) and KP_R13 and (not X_XL5) and (not CAN_XL5)  # route XL5-XT9: proceed wanted
         N_S_R13 = PR_R13  # route XL5-XT9: proceed
         N_H_R13 = (H_R13 or PR_R13) and KP_R13  # route XL5-XT9: signal has been open
         N_A_R14 = (A_R14 or G_R14) and KP_R14  # route XO-W active
         N_B_R14 = (B_R14 or LK_R14) and KP_R14  # route XO-W locked
-        N_W_R14 = (W_R14 or LK_R14 or ((REQ == 14) and B_R14)) and (not LS_R14) and KP_R14 and (not X_XO) and (not CAN_XO)  # route XO-W: proceed wanted
+        N_W_R14 = (W_R14 or LK_R14 or (((LREQ == 14) or ((LREQ == 0) and (REQ == 14))) and B_R14)) and (not LS_R14) and KP_R14 and (not X_XO) and (not CAN_XO)  # route XO-W: proceed wanted
         N_S_R14 = PR_R14  # route XO-W: proceed
         N_H_R14 = (H_R14 or PR_R14) and KP_R14  # route XO-W: signal has been open
         N_A_R15 = (A_R15 or G_R15) and KP_R15  # route XT3-W active
         N_B_R15 = (B_R15 or LK_R15) and KP_R15  # route XT3-W locked
-        N_W_R15 = (W_R15 or LK_R15 or ((REQ == 15) and B_R15)) and (not LS_R15) and KP_R15 and (not X_XT3) and (not CAN_XT3)  # route XT3-W: proceed wanted
+        N_W_R15 = (W_R15 or LK_R15 or (((LREQ == 15) or ((LREQ == 0) and (REQ == 15))) and B_R15)) and (not LS_R15) and KP_R15 and (not X_XT3) and (not CAN_XT3)  # route XT3-W: proceed wanted
         N_S_R15 = PR_R15  # route XT3-W: proceed
         N_H_R15 = (H_R15 or PR_R15) and KP_R15  # route XT3-W: signal has been open
         N_A_R16 = (A_R16 or G_R16) and KP_R16  # route XT7-XT3 active
         N_B_R16 = (B_R16 or LK_R16) and KP_R16  # route XT7-XT3 locked
-        N_W_R16 = (W_R16 or LK_R16 or ((REQ == 16) and B_R16)) and (not LS_R16) and KP_R16 and (not X_XT7) and (not CAN_XT7)  # route XT7-XT3: proceed wanted
+        N_W_R16 = (W_R16 or LK_R16 or (((LREQ == 16) or ((LREQ == 0) and (REQ == 16))) and B_R16)) and (not LS_R16) and KP_R16 and (not X_XT7) and (not CAN_XT7)  # route XT7-XT3: proceed wanted
         N_S_R16 = PR_R16  # route XT7-XT3: proceed
         N_H_R16 = (H_R16 or PR_R16) and KP_R16  # route XT7-XT3: signal has been open
         N_A_R17 = (A_R17 or G_R17) and KP_R17  # route XT9-XT7 active
         N_B_R17 = (B_R17 or LK_R17) and KP_R17  # route XT9-XT7 locked
-        N_W_R17 = (W_R17 or LK_R17 or ((REQ == 17) and B_R17)) and (not LS_R17) and KP_R17 and (not X_XT9) and (not CAN_XT9)  # route XT9-XT7: proceed wanted
+        N_W_R17 = (W_R17 or LK_R17 or (((LREQ == 17) or ((LREQ == 0) and (REQ == 17))) and B_R17)) and (not LS_R17) and KP_R17 and (not X_XT9) and (not CAN_XT9)  # route XT9-XT7: proceed wanted
         N_S_R17 = PR_R17  # route XT9-XT7: proceed
         N_H_R17 = (H_R17 or PR_R17) and KP_R17  # route XT9-XT7: signal has been open
         N_X_XB = (X_XB or CAN_XB) and (A_R1 or A_R2 or A_R3 or A_R4) and (not CD_XB)  # XB: cancelling

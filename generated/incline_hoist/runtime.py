@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 4609e660ef1455c27dc034201d18eda7442c268b298457dfca783d2d842cd785
-# claims 07229de3ebdf2abd1523d43ab69aab32c6219ef0844dc2a53b24eb28a4a23193
+# layout 894e85f995d448935eb4998d0c0c199fc7bfbf0082721ed1dad336ab47dad389
+# claims fda6b19ecb8e95082539a7c98283ca64b168f322c4afe5fc67138497a6b4abde
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -23,6 +23,7 @@ INPUTS = {
     'E_NO_PERSON': (0, 2),  # external condition NO_PERSON: nobody on the incline
     'E_ROPE_ATTACHED': (0, 2),  # external condition ROPE_ATTACHED: rope attached
     'REQ': (0, 10),  # operator: set route number, 0 = none
+    'LREQ': (0, 10),  # operator on the spot: set route number, 0 = none
     'CLR_d1': (0, 2),  # section d1 reported clear
     'CLR_d2': (0, 2),  # section d2 reported clear
     'CLR_d3': (0, 2),  # section d3 reported clear
@@ -262,6 +263,7 @@ class Controller:
         E_NO_PERSON = read['E_NO_PERSON']
         E_ROPE_ATTACHED = read['E_ROPE_ATTACHED']
         REQ = read['REQ']
+        LREQ = read['LREQ']
         CLR_d1 = read['CLR_d1']
         CLR_d2 = read['CLR_d2']
         CLR_d3 = read['CLR_d3']
@@ -499,15 +501,15 @@ class Controller:
         WP_u2_4 = WL_u2_4 and (not BLK_u2)  # u2 from u2|u3_stub@PU.reverse to U: proceed may be shown over it (R3)
         WL_u3_stub_2 = (not OCC_u3_stub)  # u3_stub from u2|u3_stub@PU.reverse to UB: lies and is clear
         WP_u3_stub_2 = WL_u3_stub_2 and (not BLK_u3_stub)  # u3_stub from u2|u3_stub@PU.reverse to UB: proceed may be shown over it (R3)
-        G_R1 = (REQ == 1) and VALID and WF_d1_1 and WF_i2_1 and WF_i1_1  # grant of route XD2-XN1 (R6)
-        G_R2 = (REQ == 2) and VALID and WF_d1_2 and WF_i2_1 and WF_i1_1  # grant of route XD3-XN1 (R6)
-        G_R3 = (REQ == 3) and VALID and WF_d3_1  # grant of route XL-XD3 (R6)
-        G_R4 = (REQ == 4) and VALID and WF_d1_4 and WF_d3_2  # grant of route XM-L (R6)
-        G_R5 = (REQ == 5) and VALID and WF_d1_3 and WF_d2_2  # grant of route XM-LB (R6)
-        G_R6 = (REQ == 6) and VALID and WF_u2_3  # grant of route XN1-U (R6)
-        G_R7 = (REQ == 7) and VALID and WF_u2_2 and WF_u3_stub_2  # grant of route XU-UB (R6)
-        G_R8 = (REQ == 8) and VALID and WF_u2_1 and WF_i1_2 and WF_i2_2  # grant of route XU-XM (R6)
-        G_R9 = (REQ == 9) and VALID and WF_u2_4  # grant of route XU3-U (R6)
+        G_R1 = ((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and VALID and WF_d1_1 and WF_i2_1 and WF_i1_1  # grant of route XD2-XN1 (R6)
+        G_R2 = ((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and VALID and WF_d1_2 and WF_i2_1 and WF_i1_1  # grant of route XD3-XN1 (R6)
+        G_R3 = ((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and VALID and WF_d3_1  # grant of route XL-XD3 (R6)
+        G_R4 = ((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and VALID and WF_d1_4 and WF_d3_2  # grant of route XM-L (R6)
+        G_R5 = ((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and VALID and WF_d1_3 and WF_d2_2  # grant of route XM-LB (R6)
+        G_R6 = ((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) and VALID and WF_u2_3  # grant of route XN1-U (R6)
+        G_R7 = ((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) and VALID and WF_u2_2 and WF_u3_stub_2  # grant of route XU-UB (R6)
+        G_R8 = ((LREQ == 8) or ((LREQ == 0) and (REQ == 8))) and VALID and WF_u2_1 and WF_i1_2 and WF_i2_2  # grant of route XU-XM (R6)
+        G_R9 = ((LREQ == 9) or ((LREQ == 0) and (REQ == 9))) and VALID and WF_u2_4  # grant of route XU3-U (R6)
         GW_d1_1 = G_R1  # d1 from d1|d2@PD.normal to d1|i2@PD.toe: granted
         GW_d1_2 = G_R2  # d1 from d1|d3@PD.reverse to d1|i2@PD.toe: granted
         GW_d1_3 = G_R5  # d1 from d1|i2@PD.toe to d1|d2@PD.normal: granted
@@ -683,47 +685,47 @@ class Controller:
         N_TR_PU = (TH_PU and VALID and ((CN_PU and (not QN_PU) and (not GPR_PU) and (not MAR_PU)) or (CR_PU and (not QR_PU) and (not GPN_PU) and (not MAN_PU)))) or (TR_PU and (not (TC_PU and VALID and (not OCC_u2))))  # machine PU was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route XD2-XN1 active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route XD2-XN1 locked
-        N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_XD2) and (not CAN_XD2)  # route XD2-XN1: proceed wanted
+        N_W_R1 = (W_R1 or LK_R1 or (((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and B_R1)) and (not LS_R1) and KP_R1 and (not X_XD2) and (not CAN_XD2)  # route XD2-XN1: proceed wanted
         N_S_R1 = PR_R1  # route XD2-XN1: proceed
         N_H_R1 = (H_R1 or PR_R1) and KP_R1  # route XD2-XN1: signal has been open
         N_A_R2 = (A_R2 or G_R2) and KP_R2  # route XD3-XN1 active
         N_B_R2 = (B_R2 or LK_R2) and KP_R2  # route XD3-XN1 locked
-        N_W_R2 = (W_R2 or LK_R2 or ((REQ == 2) and B_R2)) and (not LS_R2) and KP_R2 and (not X_XD3) and (not CAN_XD3)  # route XD3-XN1: proceed wanted
+        N_W_R2 = (W_R2 or LK_R2 or (((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and B_R2)) and (not LS_R2) and KP_R2 and (not X_XD3) and (not CAN_XD3)  # route XD3-XN1: proceed wanted
         N_S_R2 = PR_R2  # route XD3-XN1: proceed
         N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route XD3-XN1: signal has been open
         N_A_R3 = (A_R3 or G_R3) and KP_R3  # route XL-XD3 active
         N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route XL-XD3 locked
-        N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_XL) and (not CAN_XL)  # route XL-XD3: proceed wanted
+        N_W_R3 = (W_R3 or LK_R3 or (((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and B_R3)) and (not LS_R3) and KP_R3 and (not X_XL) and (not CAN_XL)  # route XL-XD3: proceed wanted
         N_S_R3 = PR_R3  # route XL-XD3: proceed
         N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route XL-XD3: signal has been open
         N_A_R4 = (A_R4 or G_R4) and KP_R4  # route XM-L active
         N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route XM-L locked
-        N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_XM) and (not CAN_XM)  # route XM-L: proceed wanted
+        N_W_R4 = (W_R4 or LK_R4 or (((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and B_R4)) and (not LS_R4) and KP_R4 and (not X_XM) and (not CAN_XM)  # route XM-L: proceed wanted
         N_S_R4 = PR_R4  # route XM-L: proceed
         N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route XM-L: signal has been open
         N_A_R5 = (A_R5 or G_R5) and KP_R5  # route XM-LB active
         N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route XM-LB locked
-        N_W_R5 = (W_R5 or LK_R5 or ((REQ == 5) and B_R5)) and (not LS_R5) and KP_R5 and (not X_XM) and (not CAN_XM)  # route XM-LB: proceed wanted
+        N_W_R5 = (W_R5 or LK_R5 or (((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and B_R5)) and (not LS_R5) and KP_R5 and (not X_XM) and (not CAN_XM)  # route XM-LB: proceed wanted
         N_S_R5 = PR_R5  # route XM-LB: proceed
         N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route XM-LB: signal has been open
         N_A_R6 = (A_R6 or G_R6) and KP_R6  # route XN1-U active
         N_B_R6 = (B_R6 or LK_R6) and KP_R6  # route XN1-U locked
-        N_W_R6 = (W_R6 or LK_R6 or ((REQ == 6) and B_R6)) and (not LS_R6) and KP_R6 and (not X_XN1) and (not CAN_XN1)  # route XN1-U: proceed wanted
+        N_W_R6 = (W_R6 or LK_R6 or (((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) and B_R6)) and (not LS_R6) and KP_R6 and (not X_XN1) and (not CAN_XN1)  # route XN1-U: proceed wanted
         N_S_R6 = PR_R6  # route XN1-U: proceed
         N_H_R6 = (H_R6 or PR_R6) and KP_R6  # route XN1-U: signal has been open
         N_A_R7 = (A_R7 or G_R7) and KP_R7  # route XU-UB active
         N_B_R7 = (B_R7 or LK_R7) and KP_R7  # route XU-UB locked
-        N_W_R7 = (W_R7 or LK_R7 or ((REQ == 7) and B_R7)) and (not LS_R7) and KP_R7 and (not X_XU) and (not CAN_XU)  # route XU-UB: proceed wanted
+        N_W_R7 = (W_R7 or LK_R7 or (((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) and B_R7)) and (not LS_R7) and KP_R7 and (not X_XU) and (not CAN_XU)  # route XU-UB: proceed wanted
         N_S_R7 = PR_R7  # route XU-UB: proceed
         N_H_R7 = (H_R7 or PR_R7) and KP_R7  # route XU-UB: signal has been open
         N_A_R8 = (A_R8 or G_R8) and KP_R8  # route XU-XM active
         N_B_R8 = (B_R8 or LK_R8) and KP_R8  # route XU-XM locked
-        N_W_R8 = (W_R8 or LK_R8 or ((REQ == 8) and B_R8)) and (not LS_R8) and KP_R8 and (not X_XU) and (not CAN_XU)  # route XU-XM: proceed wanted
+        N_W_R8 = (W_R8 or LK_R8 or (((LREQ == 8) or ((LREQ == 0) and (REQ == 8))) and B_R8)) and (not LS_R8) and KP_R8 and (not X_XU) and (not CAN_XU)  # route XU-XM: proceed wanted
         N_S_R8 = PR_R8  # route XU-XM: proceed
         N_H_R8 = (H_R8 or PR_R8) and KP_R8  # route XU-XM: signal has been open
         N_A_R9 = (A_R9 or G_R9) and KP_R9  # route XU3-U active
         N_B_R9 = (B_R9 or LK_R9) and KP_R9  # route XU3-U locked
-        N_W_R9 = (W_R9 or LK_R9 or ((REQ == 9) and B_R9)) and (not LS_R9) and KP_R9 and (not X_XU3) and (not CAN_XU3)  # route XU3-U: proceed wanted
+        N_W_R9 = (W_R9 or LK_R9 or (((LREQ == 9) or ((LREQ == 0) and (REQ == 9))) and B_R9)) and (not LS_R9) and KP_R9 and (not X_XU3) and (not CAN_XU3)  # route XU3-U: proceed wanted
         N_S_R9 = PR_R9  # route XU3-U: proceed
         N_H_R9 = (H_R9 or PR_R9) and KP_R9  # route XU3-U: signal has been open
         N_X_XD2 = (X_XD2 or CAN_XD2) and A_R1 and (not CD_XD2)  # XD2: cancelling

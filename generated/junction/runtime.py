@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 16e70746ce10a1dcfb0285057fdccf585223ea6d09728a453e7020eb4ec84a0c
-# claims 92e1c59ff50eed91b1625bb89429114d6f60c246e023499cdb952890903791ad
+# layout cf6a8267e1af93585b1e59c7473a0d9faec31ac8e32a4ed7f7b02f003467cb8b
+# claims 80a46b537b117ddadfb47ec3cb85808185533e11b1c11f61878f2a789d062bc1
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

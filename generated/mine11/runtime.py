@@ -1,7 +1,7 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 3c40d13b4ee25033fea9a362c1611033a217622e615a350453adab1e076ec552
-# claims ba198c126f8e202d590153150dc29ab581be72405f3f2431daeca3bd7faf8601
+# layout 41a8fded2232c5dd653199a6d0ee496a569d4bc3491601a0272a9837bae63022
+# claims 9ecf08d96c6c5dc89aec54a127cd3df1f404a53831be7fab8d27f17022c911e1
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -18,6 +18,7 @@ INPUTS = {
     'CAN_X6': (0, 2),  # operator: cancel the route from X6
     'CAN_X7': (0, 2),  # operator: cancel the route from X7
     'REQ': (0, 10),  # operator: set route number, 0 = none
+    'LREQ': (0, 10),  # operator on the spot: set route number, 0 = none
     'VOY': (0, 3),  # operator: voyage number, 0 = none
     'CLR_ap_E': (0, 2),  # section ap_E reported clear
     'CLR_ap_W': (0, 2),  # section ap_W reported clear
@@ -313,6 +314,7 @@ class Controller:
         CAN_X6 = read['CAN_X6']
         CAN_X7 = read['CAN_X7']
         REQ = read['REQ']
+        LREQ = read['LREQ']
         VOY = read['VOY']
         CLR_ap_E = read['CLR_ap_E']
         CLR_ap_W = read['CLR_ap_W']
@@ -641,20 +643,37 @@ class Controller:
         WP_q9_1 = WL_q9_1 and (not BLK_q9)  # q9 from q11|q9@P2.normal to q7|q9@odd.2: proceed may be shown over it (R3)
         WL_q9_2 = (not OCC_q9)  # q9 from q7|q9@odd.2 to q11|q9@P2.normal: lies and is clear
         WP_q9_2 = WL_q9_2 and (not BLK_q9)  # q9 from q7|q9@odd.2 to q11|q9@P2.normal: proceed may be shown over it (R3)
-        RQ_R2 = (REQ == 2) or ((REQ == 0) and T_R2 and N_R2 and (not L_q1_2) and (not L_q2_3))  # route X1-X5 is asked for (R14, R18)
-        RQ_R3 = (REQ == 3) or ((REQ == 0) and T_R3 and N_R3 and (not L_q1_1) and (not L_q2_2))  # route X2-W is asked for (R14, R18)
-        RQ_R5 = (REQ == 5) or ((REQ == 0) and T_R5 and N_R5 and (not L_q11_3))  # route X4-X2 is asked for (R14, R18)
-        RQ_R7 = (REQ == 7) or ((REQ == 0) and T_R7 and N_R7 and (not L_q11_2))  # route X5-E is asked for (R14, R18)
-        RQ_R9 = (REQ == 9) or ((REQ == 0) and T_R9 and N_R9 and (not L_q1_2) and (not L_q2_3))  # route X7-X1 is asked for (R14, R18)
-        G_R1 = (REQ == 1) and VALID and WF_q2_1 and WF_q3_1  # grant of route X1-X3 (R6)
-        G_R2 = RQ_R2 and VALID and WF_q2_2 and WF_q4_1  # grant of route X1-X5 (R6)
-        G_R3 = RQ_R3 and VALID and WF_q3_2 and WF_q2_3 and WF_q1_2  # grant of route X2-W (R6)
-        G_R4 = (REQ == 4) and VALID and WF_q5_1 and WF_q7_1 and WF_q9_2 and WF_q11_4  # grant of route X3-E (R6)
-        G_R5 = RQ_R5 and VALID and WF_q11_2 and WF_q9_1 and WF_q7_2 and WF_q5_2  # grant of route X4-X2 (R6)
-        G_R6 = (REQ == 6) and VALID and WF_q11_1 and WF_q10_1  # grant of route X4-X6 (R6)
-        G_R7 = RQ_R7 and VALID and WF_q6_1 and WF_q8_2 and WF_q10_2 and WF_q11_3  # grant of route X5-E (R6)
-        G_R8 = (REQ == 8) and VALID and WF_q8_1 and WF_q6_2 and WF_q4_2 and WF_q2_4 and WF_q1_2  # grant of route X6-W (R6)
-        G_R9 = RQ_R9 and VALID and WF_q1_1  # grant of route X7-X1 (R6)
+        AD_R2 = VALID and WF_q2_2 and WF_q4_1  # route X1-X5 could be granted (R6)
+        AD_R3 = VALID and WF_q3_2 and WF_q2_3 and WF_q1_2  # route X2-W could be granted (R6)
+        AD_R5 = VALID and WF_q11_2 and WF_q9_1 and WF_q7_2 and WF_q5_2  # route X4-X2 could be granted (R6)
+        AD_R7 = VALID and WF_q6_1 and WF_q8_2 and WF_q10_2 and WF_q11_3  # route X5-E could be granted (R6)
+        AD_R9 = VALID and WF_q1_1  # route X7-X1 could be granted (R6)
+        NT_R2 = (N_R2 and (not L_q1_2) and (not L_q2_3))  # 
+        WT_R2 = NT_R2 and AD_R2  # route X1-X5 is noted and could be set
+        NT_R3 = (N_R3 and (not L_q1_1) and (not L_q2_2))  # 
+        WT_R3 = NT_R3 and AD_R3  # route X2-W is noted and could be set
+        NT_R5 = (N_R5 and (not L_q11_3))  # 
+        WT_R5 = NT_R5 and AD_R5  # route X4-X2 is noted and could be set
+        NT_R7 = (N_R7 and (not L_q11_2))  # 
+        WT_R7 = NT_R7 and AD_R7  # route X5-E is noted and could be set
+        NT_R9 = (N_R9 and (not L_q1_2) and (not L_q2_3))  # 
+        WT_R9 = NT_R9 and AD_R9  # route X7-X1 is noted and could be set
+        PC_1 = WT_R2 or WT_R7 or WT_R9  # a route of class 1 waits that could be set
+        PC_2 = WT_R3 or WT_R5  # a route of class 2 waits that could be set
+        RQ_R2 = ((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) or ((LREQ == 0) and (REQ == 0) and T_R2 and NT_R2)  # route X1-X5 is asked for (R14, R18)
+        RQ_R3 = ((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) or ((LREQ == 0) and (REQ == 0) and T_R3 and NT_R3 and (not PC_1))  # route X2-W is asked for (R14, R18)
+        RQ_R5 = ((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) or ((LREQ == 0) and (REQ == 0) and T_R5 and NT_R5 and (not PC_1))  # route X4-X2 is asked for (R14, R18)
+        RQ_R7 = ((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) or ((LREQ == 0) and (REQ == 0) and T_R7 and NT_R7)  # route X5-E is asked for (R14, R18)
+        RQ_R9 = ((LREQ == 9) or ((LREQ == 0) and (REQ == 9))) or ((LREQ == 0) and (REQ == 0) and T_R9 and NT_R9)  # route X7-X1 is asked for (R14, R18)
+        G_R1 = ((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and VALID and WF_q2_1 and WF_q3_1  # grant of route X1-X3 (R6)
+        G_R2 = RQ_R2 and AD_R2  # grant of route X1-X5 (R6)
+        G_R3 = RQ_R3 and AD_R3  # grant of route X2-W (R6)
+        G_R4 = ((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and VALID and WF_q5_1 and WF_q7_1 and WF_q9_2 and WF_q11_4  # grant of route X3-E (R6)
+        G_R5 = RQ_R5 and AD_R5  # grant of route X4-X2 (R6)
+        G_R6 = ((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) and VALID and WF_q11_1 and WF_q10_1  # grant of route X4-X6 (R6)
+        G_R7 = RQ_R7 and AD_R7  # grant of route X5-E (R6)
+        G_R8 = ((LREQ == 8) or ((LREQ == 0) and (REQ == 8))) and VALID and WF_q8_1 and WF_q6_2 and WF_q4_2 and WF_q2_4 and WF_q1_2  # grant of route X6-W (R6)
+        G_R9 = RQ_R9 and AD_R9  # grant of route X7-X1 (R6)
         GW_q1_1 = G_R9  # q1 from W to q1|q2@P1.toe: granted
         GW_q1_2 = G_R3 or G_R8  # q1 from q1|q2@P1.toe to W: granted
         GW_q10_1 = G_R6  # q10 from q10|q11@P2.reverse to q10|q8@even.2: granted
@@ -878,47 +897,47 @@ class Controller:
         N_TR_P2 = (TH_P2 and VALID and ((CN_P2 and (not QN_P2) and (not GPR_P2) and (not MAR_P2)) or (CR_P2 and (not QR_P2) and (not GPN_P2) and (not MAN_P2)))) or (TR_P2 and (not (TC_P2 and VALID and (not OCC_q11))))  # machine P2 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route X1-X3 active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route X1-X3 locked
-        N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_X1) and (not CAN_X1)  # route X1-X3: proceed wanted
+        N_W_R1 = (W_R1 or LK_R1 or (((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and B_R1)) and (not LS_R1) and KP_R1 and (not X_X1) and (not CAN_X1)  # route X1-X3: proceed wanted
         N_S_R1 = PR_R1  # route X1-X3: proceed
         N_H_R1 = (H_R1 or PR_R1) and KP_R1  # route X1-X3: signal has been open
         N_A_R2 = (A_R2 or G_R2) and KP_R2  # route X1-X5 active
         N_B_R2 = (B_R2 or LK_R2) and KP_R2  # route X1-X5 locked
-        N_W_R2 = (W_R2 or LK_R2 or ((REQ == 2) and B_R2)) and (not LS_R2) and KP_R2 and (not X_X1) and (not CAN_X1)  # route X1-X5: proceed wanted
+        N_W_R2 = (W_R2 or LK_R2 or (((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and B_R2)) and (not LS_R2) and KP_R2 and (not X_X1) and (not CAN_X1)  # route X1-X5: proceed wanted
         N_S_R2 = PR_R2  # route X1-X5: proceed
         N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route X1-X5: signal has been open
         N_A_R3 = (A_R3 or G_R3) and KP_R3  # route X2-W active
         N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route X2-W locked
-        N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_X2) and (not CAN_X2)  # route X2-W: proceed wanted
+        N_W_R3 = (W_R3 or LK_R3 or (((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and B_R3)) and (not LS_R3) and KP_R3 and (not X_X2) and (not CAN_X2)  # route X2-W: proceed wanted
         N_S_R3 = PR_R3  # route X2-W: proceed
         N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route X2-W: signal has been open
         N_A_R4 = (A_R4 or G_R4) and KP_R4  # route X3-E active
         N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route X3-E locked
-        N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_X3) and (not CAN_X3)  # route X3-E: proceed wanted
+        N_W_R4 = (W_R4 or LK_R4 or (((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and B_R4)) and (not LS_R4) and KP_R4 and (not X_X3) and (not CAN_X3)  # route X3-E: proceed wanted
         N_S_R4 = PR_R4  # route X3-E: proceed
         N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route X3-E: signal has been open
         N_A_R5 = (A_R5 or G_R5) and KP_R5  # route X4-X2 active
         N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route X4-X2 locked
-        N_W_R5 = (W_R5 or LK_R5 or ((REQ == 5) and B_R5)) and (not LS_R5) and KP_R5 and (not X_X4) and (not CAN_X4)  # route X4-X2: proceed wanted
+        N_W_R5 = (W_R5 or LK_R5 or (((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and B_R5)) and (not LS_R5) and KP_R5 and (not X_X4) and (not CAN_X4)  # route X4-X2: proceed wanted
         N_S_R5 = PR_R5  # route X4-X2: proceed
         N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route X4-X2: signal has been open
         N_A_R6 = (A_R6 or G_R6) and KP_R6  # route X4-X6 active
         N_B_R6 = (B_R6 or LK_R6) and KP_R6  # route X4-X6 locked
-        N_W_R6 = (W_R6 or LK_R6 or ((REQ == 6) and B_R6)) and (not LS_R6) and KP_R6 and (not X_X4) and (not CAN_X4)  # route X4-X6: proceed wanted
+        N_W_R6 = (W_R6 or LK_R6 or (((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) and B_R6)) and (not LS_R6) and KP_R6 and (not X_X4) and (not CAN_X4)  # route X4-X6: proceed wanted
         N_S_R6 = PR_R6  # route X4-X6: proceed
         N_H_R6 = (H_R6 or PR_R6) and KP_R6  # route X4-X6: signal has been open
         N_A_R7 = (A_R7 or G_R7) and KP_R7  # route X5-E active
         N_B_R7 = (B_R7 or LK_R7) and KP_R7  # route X5-E locked
-        N_W_R7 = (W_R7 or LK_R7 or ((REQ == 7) and B_R7)) and (not LS_R7) and KP_R7 and (not X_X5) and (not CAN_X5)  # route X5-E: proceed wanted
+        N_W_R7 = (W_R7 or LK_R7 or (((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) and B_R7)) and (not LS_R7) and KP_R7 and (not X_X5) and (not CAN_X5)  # route X5-E: proceed wanted
         N_S_R7 = PR_R7  # route X5-E: proceed
         N_H_R7 = (H_R7 or PR_R7) and KP_R7  # route X5-E: signal has been open
         N_A_R8 = (A_R8 or G_R8) and KP_R8  # route X6-W active
         N_B_R8 = (B_R8 or LK_R8) and KP_R8  # route X6-W locked
-        N_W_R8 = (W_R8 or LK_R8 or ((REQ == 8) and B_R8)) and (not LS_R8) and KP_R8 and (not X_X6) and (not CAN_X6)  # route X6-W: proceed wanted
+        N_W_R8 = (W_R8 or LK_R8 or (((LREQ == 8) or ((LREQ == 0) and (REQ == 8))) and B_R8)) and (not LS_R8) and KP_R8 and (not X_X6) and (not CAN_X6)  # route X6-W: proceed wanted
         N_S_R8 = PR_R8  # route X6-W: proceed
         N_H_R8 = (H_R8 or PR_R8) and KP_R8  # route X6-W: signal has been open
         N_A_R9 = (A_R9 or G_R9) and KP_R9  # route X7-X1 active
         N_B_R9 = (B_R9 or LK_R9) and KP_R9  # route X7-X1 locked
-        N_W_R9 = (W_R9 or LK_R9 or ((REQ == 9) and B_R9)) and (not LS_R9) and KP_R9 and (not X_X7) and (not CAN_X7)  # route X7-X1: proceed wanted
+        N_W_R9 = (W_R9 or LK_R9 or (((LREQ == 9) or ((LREQ == 0) and (REQ == 9))) and B_R9)) and (not LS_R9) and KP_R9 and (not X_X7) and (not CAN_X7)  # route X7-X1: proceed wanted
         N_S_R9 = PR_R9  # route X7-X1: proceed
         N_H_R9 = (H_R9 or PR_R9) and KP_R9  # route X7-X1: signal has been open
         N_X_X1 = (X_X1 or CAN_X1) and (A_R1 or A_R2) and (not CD_X1)  # X1: cancelling

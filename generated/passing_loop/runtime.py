@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout caa8966a2927a5011a7a5bdbbebd93f1c1a29e0007b7877f52e6342abcc42ada
-# claims a242e55bf832dc5c90d7290b4d2ec5bf019512616540f2498ef190541fd56d30
+# layout e07abe8671afcd30401d20dbff192cb9b6f1e0473d6350c4dfbc5078f5e141fe
+# claims 014fccba339865e05ab63ac898eb16ef13b2db113ab2f60cfa18c1851cea3c10
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

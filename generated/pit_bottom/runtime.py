@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 591b6b02c36641601b0f4871400a19e06fe90d6c67edb3956d554581835a7bd1
-# claims 3d3fd48966d3107f6c36e51e4867e3522d96b0bf1cad0b41eb33fdbca78e0cd6
+# layout 4a492de2114fe314da2f9ad39e0c1126b7a7422fbdde751e29908c5c84261cc5
+# claims 9f69b89dcdd7bdb25a3932ff6406a4776b7cc425438cb1e8e05a19c0a77f158a
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -25,6 +25,7 @@ INPUTS = {
     'E_PUSHER_HOME': (0, 2),  # external condition PUSHER_HOME: pusher home
     'E_TIP_HOME': (0, 2),  # external condition TIP_HOME: tippler home and clamp released
     'REQ': (0, 17),  # operator: set route number, 0 = none
+    'LREQ': (0, 17),  # operator on the spot: set route number, 0 = none
     'CLR_ap_E': (0, 2),  # section ap_E reported clear
     'CLR_ap_W': (0, 2),  # section ap_W reported clear
     'CLR_q1': (0, 2),  # section q1 reported clear
@@ -422,6 +423,7 @@ class Controller:
         E_PUSHER_HOME = read['E_PUSHER_HOME']
         E_TIP_HOME = read['E_TIP_HOME']
         REQ = read['REQ']
+        LREQ = read['LREQ']
         CLR_ap_E = read['CLR_ap_E']
         CLR_ap_W = read['CLR_ap_W']
         CLR_q1 = read['CLR_q1']
@@ -845,22 +847,22 @@ class Controller:
         WD_q9_4 = QR_P3 and (not TR_P3)  # q9 from q5_bypass1|q9@P3.toe to q11_material|q9@P3.reverse: its points lie, nothing is foul of it
         WL_q9_4 = (not OCC_q9) and WD_q9_4  # q9 from q5_bypass1|q9@P3.toe to q11_material|q9@P3.reverse: lies and is clear
         WP_q9_4 = WL_q9_4 and (not BLK_q9)  # q9 from q5_bypass1|q9@P3.toe to q11_material|q9@P3.reverse: proceed may be shown over it (R3)
-        G_R1 = (REQ == 1) and VALID and WF_q1_1  # grant of route S0-S1 (R6)
-        G_R2 = (REQ == 2) and VALID and WF_q2_1 and WF_q3_heavy_1  # grant of route S1-S2 (R6)
-        G_R3 = (REQ == 3) and VALID and WF_q2_2 and WF_q5_bypass1_1  # grant of route S1-S4 (R6)
-        G_R4 = (REQ == 4) and VALID and WF_q9_1 and WF_q5_bypass1_2  # grant of route S10-S11 (R6)
-        G_R5 = (REQ == 5) and VALID and WF_q2_4 and WF_q1_2  # grant of route S11-W (R6)
-        G_R6 = (REQ == 6) and VALID and WF_q4_tippler_1 and WF_q6_empty_1  # grant of route S2-S3 (R6)
-        G_R7 = (REQ == 7) and VALID and WF_q7_4 and WF_q12_3 and WF_q8_dep_2  # grant of route S3-E (R6)
-        G_R8 = (REQ == 8) and VALID and WF_q7_4 and WF_q12_2 and WF_q13_man_2  # grant of route S3-MAN (R6)
-        G_R9 = (REQ == 9) and VALID and WF_q9_4 and WF_q11_material_2  # grant of route S4-MAT (R6)
-        G_R10 = (REQ == 10) and VALID and WF_q9_3 and WF_q10_bypass2_2  # grant of route S4-S5 (R6)
-        G_R11 = (REQ == 11) and VALID and WF_q7_1 and WF_q12_3 and WF_q8_dep_2  # grant of route S5-E (R6)
-        G_R12 = (REQ == 12) and VALID and WF_q7_1 and WF_q12_2 and WF_q13_man_2  # grant of route S5-MAN (R6)
-        G_R13 = (REQ == 13) and VALID and WF_q9_2 and WF_q5_bypass1_2  # grant of route S6-S11 (R6)
-        G_R14 = (REQ == 14) and VALID and WF_q12_1 and WF_q7_2 and WF_q10_bypass2_1  # grant of route S7-S10 (R6)
-        G_R15 = (REQ == 15) and VALID and WF_q8_dep_1  # grant of route S8-S9 (R6)
-        G_R16 = (REQ == 16) and VALID and WF_q12_4 and WF_q7_2 and WF_q10_bypass2_1  # grant of route S9-S10 (R6)
+        G_R1 = ((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and VALID and WF_q1_1  # grant of route S0-S1 (R6)
+        G_R2 = ((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and VALID and WF_q2_1 and WF_q3_heavy_1  # grant of route S1-S2 (R6)
+        G_R3 = ((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and VALID and WF_q2_2 and WF_q5_bypass1_1  # grant of route S1-S4 (R6)
+        G_R4 = ((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and VALID and WF_q9_1 and WF_q5_bypass1_2  # grant of route S10-S11 (R6)
+        G_R5 = ((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and VALID and WF_q2_4 and WF_q1_2  # grant of route S11-W (R6)
+        G_R6 = ((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) and VALID and WF_q4_tippler_1 and WF_q6_empty_1  # grant of route S2-S3 (R6)
+        G_R7 = ((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) and VALID and WF_q7_4 and WF_q12_3 and WF_q8_dep_2  # grant of route S3-E (R6)
+        G_R8 = ((LREQ == 8) or ((LREQ == 0) and (REQ == 8))) and VALID and WF_q7_4 and WF_q12_2 and WF_q13_man_2  # grant of route S3-MAN (R6)
+        G_R9 = ((LREQ == 9) or ((LREQ == 0) and (REQ == 9))) and VALID and WF_q9_4 and WF_q11_material_2  # grant of route S4-MAT (R6)
+        G_R10 = ((LREQ == 10) or ((LREQ == 0) and (REQ == 10))) and VALID and WF_q9_3 and WF_q10_bypass2_2  # grant of route S4-S5 (R6)
+        G_R11 = ((LREQ == 11) or ((LREQ == 0) and (REQ == 11))) and VALID and WF_q7_1 and WF_q12_3 and WF_q8_dep_2  # grant of route S5-E (R6)
+        G_R12 = ((LREQ == 12) or ((LREQ == 0) and (REQ == 12))) and VALID and WF_q7_1 and WF_q12_2 and WF_q13_man_2  # grant of route S5-MAN (R6)
+        G_R13 = ((LREQ == 13) or ((LREQ == 0) and (REQ == 13))) and VALID and WF_q9_2 and WF_q5_bypass1_2  # grant of route S6-S11 (R6)
+        G_R14 = ((LREQ == 14) or ((LREQ == 0) and (REQ == 14))) and VALID and WF_q12_1 and WF_q7_2 and WF_q10_bypass2_1  # grant of route S7-S10 (R6)
+        G_R15 = ((LREQ == 15) or ((LREQ == 0) and (REQ == 15))) and VALID and WF_q8_dep_1  # grant of route S8-S9 (R6)
+        G_R16 = ((LREQ == 16) or ((LREQ == 0) and (REQ == 16))) and VALID and WF_q12_4 and WF_q7_2 and WF_q10_bypass2_1  # grant of route S9-S10 (R6)
         GW_q1_1 = G_R1  # q1 from W to q1|q2@P1.toe: granted
         GW_q1_2 = G_R5  # q1 from q1|q2@P1.toe to W: granted
         GW_q10_bypass2_1 = G_R14 or G_R16  # q10_bypass2 from q10_bypass2|q7@P2.reverse to q10_bypass2|q9@P3.normal: granted
@@ -1177,82 +1179,82 @@ class Controller:
         N_TR_P4 = (TH_P4 and VALID and ((CN_P4 and (not QN_P4) and (not GPR_P4) and (not MAR_P4)) or (CR_P4 and (not QR_P4) and (not GPN_P4) and (not MAN_P4)))) or (TR_P4 and (not (TC_P4 and VALID and (not OCC_q12))))  # machine P4 was trailed
         N_A_R1 = (A_R1 or G_R1) and KP_R1  # route S0-S1 active
         N_B_R1 = (B_R1 or LK_R1) and KP_R1  # route S0-S1 locked
-        N_W_R1 = (W_R1 or LK_R1 or ((REQ == 1) and B_R1)) and (not LS_R1) and KP_R1 and (not X_S0) and (not CAN_S0)  # route S0-S1: proceed wanted
+        N_W_R1 = (W_R1 or LK_R1 or (((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and B_R1)) and (not LS_R1) and KP_R1 and (not X_S0) and (not CAN_S0)  # route S0-S1: proceed wanted
         N_S_R1 = PR_R1  # route S0-S1: proceed
         N_H_R1 = (H_R1 or PR_R1) and KP_R1  # route S0-S1: signal has been open
         N_A_R2 = (A_R2 or G_R2) and KP_R2  # route S1-S2 active
         N_B_R2 = (B_R2 or LK_R2) and KP_R2  # route S1-S2 locked
-        N_W_R2 = (W_R2 or LK_R2 or ((REQ == 2) and B_R2)) and (not LS_R2) and KP_R2 and (not X_S1) and (not CAN_S1)  # route S1-S2: proceed wanted
+        N_W_R2 = (W_R2 or LK_R2 or (((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and B_R2)) and (not LS_R2) and KP_R2 and (not X_S1) and (not CAN_S1)  # route S1-S2: proceed wanted
         N_S_R2 = PR_R2  # route S1-S2: proceed
         N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route S1-S2: signal has been open
         N_A_R3 = (A_R3 or G_R3) and KP_R3  # route S1-S4 active
         N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route S1-S4 locked
-        N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_S1) and (not CAN_S1)  # route S1-S4: proceed wanted
+        N_W_R3 = (W_R3 or LK_R3 or (((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and B_R3)) and (not LS_R3) and KP_R3 and (not X_S1) and (not CAN_S1)  # route S1-S4: proceed wanted
         N_S_R3 = PR_R3  # route S1-S4: proceed
         N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route S1-S4: signal has been open
         N_A_R4 = (A_R4 or G_R4) and KP_R4  # route S10-S11 active
         N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route S10-S11 locked
-        N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_S10) and (not CAN_S10)  # route S10-S11: proceed wanted
+        N_W_R4 = (W_R4 or LK_R4 or (((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and B_R4)) and (not LS_R4) and KP_R4 and (not X_S10) and (not CAN_S10)  # route S10-S11: proceed wanted
         N_S_R4 = PR_R4  # route S10-S11: proceed
         N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route S10-S11: signal has been open
         N_A_R5 = (A_R5 or G_R5) and KP_R5  # route S11-W active
         N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route S11-W locked
-        N_W_R5 = (W_R5 or LK_R5 or ((REQ == 5) and B_R5)) and (not LS_R5) and KP_R5 and (not X_S11) and (not CAN_S11)  # route S11-W: proceed wanted
+        N_W_R5 = (W_R5 or LK_R5 or (((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and B_R5)) and (not LS_R5) and KP_R5 and (not X_S11) and (not CAN_S11)  # route S11-W: proceed wanted
         N_S_R5 = PR_R5  # route S11-W: proceed
         N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route S11-W: signal has been open
         N_A_R6 = (A_R6 or G_R6) and KP_R6  # route S2-S3 active
         N_B_R6 = (B_R6 or LK_R6) and KP_R6  # route S2-S3 locked
-        N_W_R6 = (W_R6 or LK_R6 or ((REQ == 6) and B_R6)) and (not LS_R6) and KP_R6 and (not X_S2) and (not CAN_S2)  # route S2-S3: proceed wanted
+        N_W_R6 = (W_R6 or LK_R6 or (((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) and B_R6)) and (not LS_R6) and KP_R6 and (not X_S2) and (not CAN_S2)  # route S2-S3: proceed wanted
         N_S_R6 = PR_R6  # route S2-S3: proceed
         N_H_R6 = (H_R6 or PR_R6) and KP_R6  # route S2-S3: signal has been open
         N_A_R7 = (A_R7 or G_R7) and KP_R7  # route S3-E active
         N_B_R7 = (B_R7 or LK_R7) and KP_R7  # route S3-E locked
-        N_W_R7 = (W_R7 or LK_R7 or ((REQ == 7) and B_R7)) and (not LS_R7) and KP_R7 and (not X_S3) and (not CAN_S3)  # route S3-E: proceed wanted
+        N_W_R7 = (W_R7 or LK_R7 or (((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) and B_R7)) and (not LS_R7) and KP_R7 and (not X_S3) and (not CAN_S3)  # route S3-E: proceed wanted
         N_S_R7 = PR_R7  # route S3-E: proceed
         N_H_R7 = (H_R7 or PR_R7) and KP_R7  # route S3-E: signal has been open
         N_A_R8 = (A_R8 or G_R8) and KP_R8  # route S3-MAN active
         N_B_R8 = (B_R8 or LK_R8) and KP_R8  # route S3-MAN locked
-        N_W_R8 = (W_R8 or LK_R8 or ((REQ == 8) and B_R8)) and (not LS_R8) and KP_R8 and (not X_S3) and (not CAN_S3)  # route S3-MAN: proceed wanted
+        N_W_R8 = (W_R8 or LK_R8 or (((LREQ == 8) or ((LREQ == 0) and (REQ == 8))) and B_R8)) and (not LS_R8) and KP_R8 and (not X_S3) and (not CAN_S3)  # route S3-MAN: proceed wanted
         N_S_R8 = PR_R8  # route S3-MAN: proceed
         N_H_R8 = (H_R8 or PR_R8) and KP_R8  # route S3-MAN: signal has been open
         N_A_R9 = (A_R9 or G_R9) and KP_R9  # route S4-MAT active
         N_B_R9 = (B_R9 or LK_R9) and KP_R9  # route S4-MAT locked
-        N_W_R9 = (W_R9 or LK_R9 or ((REQ == 9) and B_R9)) and (not LS_R9) and KP_R9 and (not X_S4) and (not CAN_S4)  # route S4-MAT: proceed wanted
+        N_W_R9 = (W_R9 or LK_R9 or (((LREQ == 9) or ((LREQ == 0) and (REQ == 9))) and B_R9)) and (not LS_R9) and KP_R9 and (not X_S4) and (not CAN_S4)  # route S4-MAT: proceed wanted
         N_S_R9 = PR_R9  # route S4-MAT: proceed
         N_H_R9 = (H_R9 or PR_R9) and KP_R9  # route S4-MAT: signal has been open
         N_A_R10 = (A_R10 or G_R10) and KP_R10  # route S4-S5 active
         N_B_R10 = (B_R10 or LK_R10) and KP_R10  # route S4-S5 locked
-        N_W_R10 = (W_R10 or LK_R10 or ((REQ == 10) and B_R10)) and (not LS_R10) and KP_R10 and (not X_S4) and (not CAN_S4)  # route S4-S5: proceed wanted
+        N_W_R10 = (W_R10 or LK_R10 or (((LREQ == 10) or ((LREQ == 0) and (REQ == 10))) and B_R10)) and (not LS_R10) and KP_R10 and (not X_S4) and (not CAN_S4)  # route S4-S5: proceed wanted
         N_S_R10 = PR_R10  # route S4-S5: proceed
         N_H_R10 = (H_R10 or PR_R10) and KP_R10  # route S4-S5: signal has been open
         N_A_R11 = (A_R11 or G_R11) and KP_R11  # route S5-E active
         N_B_R11 = (B_R11 or LK_R11) and KP_R11  # route S5-E locked
-        N_W_R11 = (W_R11 or LK_R11 or ((REQ == 11) and B_R11)) and (not LS_R11) and KP_R11 and (not X_S5) and (not CAN_S5)  # route S5-E: proceed wanted
+        N_W_R11 = (W_R11 or LK_R11 or (((LREQ == 11) or ((LREQ == 0) and (REQ == 11))) and B_R11)) and (not LS_R11) and KP_R11 and (not X_S5) and (not CAN_S5)  # route S5-E: proceed wanted
         N_S_R11 = PR_R11  # route S5-E: proceed
         N_H_R11 = (H_R11 or PR_R11) and KP_R11  # route S5-E: signal has been open
         N_A_R12 = (A_R12 or G_R12) and KP_R12  # route S5-MAN active
         N_B_R12 = (B_R12 or LK_R12) and KP_R12  # route S5-MAN locked
-        N_W_R12 = (W_R12 or LK_R12 or ((REQ == 12) and B_R12)) and (not LS_R12) and KP_R12 and (not X_S5) and (not CAN_S5)  # route S5-MAN: proceed wanted
+        N_W_R12 = (W_R12 or LK_R12 or (((LREQ == 12) or ((LREQ == 0) and (REQ == 12))) and B_R12)) and (not LS_R12) and KP_R12 and (not X_S5) and (not CAN_S5)  # route S5-MAN: proceed wanted
         N_S_R12 = PR_R12  # route S5-MAN: proceed
         N_H_R12 = (H_R12 or PR_R12) and KP_R12  # route S5-MAN: signal has been open
         N_A_R13 = (A_R13 or G_R13) and KP_R13  # route S6-S11 active
         N_B_R13 = (B_R13 or LK_R13) and KP_R13  # route S6-S11 locked
-        N_W_R13 = (W_R13 or LK_R13 or ((REQ == 13) and B_R13)) and (not LS_R13) and KP_R13 and (not X_S6) and (not CAN_S6)  # route S6-S11: proceed wanted
+        N_W_R13 = (W_R13 or LK_R13 or (((LREQ == 13) or ((LREQ == 0) and (REQ == 13))) and B_R13)) and (not LS_R13) and KP_R13 and (not X_S6) and (not CAN_S6)  # route S6-S11: proceed wanted
         N_S_R13 = PR_R13  # route S6-S11: proceed
         N_H_R13 = (H_R13 or PR_R13) and KP_R13  # route S6-S11: signal has been open
         N_A_R14 = (A_R14 or G_R14) and KP_R14  # route S7-S10 active
         N_B_R14 = (B_R14 or LK_R14) and KP_R14  # route S7-S10 locked
-        N_W_R14 = (W_R14 or LK_R14 or ((REQ == 14) and B_R14)) and (not LS_R14) and KP_R14 and (not X_S7) and (not CAN_S7)  # route S7-S10: proceed wanted
+        N_W_R14 = (W_R14 or LK_R14 or (((LREQ == 14) or ((LREQ == 0) and (REQ == 14))) and B_R14)) and (not LS_R14) and KP_R14 and (not X_S7) and (not CAN_S7)  # route S7-S10: proceed wanted
         N_S_R14 = PR_R14  # route S7-S10: proceed
         N_H_R14 = (H_R14 or PR_R14) and KP_R14  # route S7-S10: signal has been open
         N_A_R15 = (A_R15 or G_R15) and KP_R15  # route S8-S9 active
         N_B_R15 = (B_R15 or LK_R15) and KP_R15  # route S8-S9 locked
-        N_W_R15 = (W_R15 or LK_R15 or ((REQ == 15) and B_R15)) and (not LS_R15) and KP_R15 and (not X_S8) and (not CAN_S8)  # route S8-S9: proceed wanted
+        N_W_R15 = (W_R15 or LK_R15 or (((LREQ == 15) or ((LREQ == 0) and (REQ == 15))) and B_R15)) and (not LS_R15) and KP_R15 and (not X_S8) and (not CAN_S8)  # route S8-S9: proceed wanted
         N_S_R15 = PR_R15  # route S8-S9: proceed
         N_H_R15 = (H_R15 or PR_R15) and KP_R15  # route S8-S9: signal has been open
         N_A_R16 = (A_R16 or G_R16) and KP_R16  # route S9-S10 active
         N_B_R16 = (B_R16 or LK_R16) and KP_R16  # route S9-S10 locked
-        N_W_R16 = (W_R16 or LK_R16 or ((REQ == 16) and B_R16)) and (not LS_R16) and KP_R16 and (not X_S9) and (not CAN_S9)  # route S9-S10: proceed wanted
+        N_W_R16 = (W_R16 or LK_R16 or (((LREQ == 16) or ((LREQ == 0) and (REQ == 16))) and B_R16)) and (not LS_R16) and KP_R16 and (not X_S9) and (not CAN_S9)  # route S9-S10: proceed wanted
         N_S_R16 = PR_R16  # route S9-S10: proceed
         N_H_R16 = (H_R16 or PR_R16) and KP_R16  # route S9-S10: signal has been open
         N_X_S0 = (X_S0 or CAN_S0) and A_R1 and (not CD_S0)  # S0: cancelling

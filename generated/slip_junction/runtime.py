@@ -1,7 +1,7 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 572b44dac951374ff18541aeba69cd1f95bdc899468cb898c6e11857665de5c9
-# claims 0a42bba01de251348b8d84bafa1785d5c9f0c83d3130b5b6f8b8e1dda3f75d56
+# layout c044d3da0718c2465cc77076d5ad96f72e8dfc4052ce65178ca7fd0233e67935
+# claims 9ef20ba5a6bc4bea32f758533cc3d79edd1c02cb1c1080fc4b8049434a425926
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

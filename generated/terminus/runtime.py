@@ -1,7 +1,7 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout c0b88994fe54406059a40f8456d702786fd4bb9e5a06e0a504cc4fe4893d86de
-# claims 3e020295ee8d2af7b85138b27854f9dcfb0419bf1da3ca050df3083ff0cbc395
+# layout d523f8a0e265f2caef6ef4a2f9d993c65213f88d69391c4848fa83421ffac904
+# claims 31b33473a00be87784f0cfa33b6e7de5b7d8838e5f3fef132fe19d68e0a4dc5d
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

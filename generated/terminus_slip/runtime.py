@@ -1,7 +1,7 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 6e20d2d1d1fccc1f9245d69924e2144829e5a979d7cabbbad730c8c9c39bf06d
-# claims a68dccc99cfcde13f0e95fee7d50fa05d8d59bdab4271e7e24ab25109040d9d5
+# layout 366389fa1e061deb6a27fe347f035faf66bca6211de51e2d17150f22f03bd90b
+# claims 946b2ca6df8e7f27fd8b7e969ba61779ca787db4b1bc9aea9b79a6b0b9973f73
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

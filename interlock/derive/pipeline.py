@@ -13,7 +13,7 @@ from interlock.derive.conflicts import derive_hostile
 from interlock.derive.locking import derive_approach, derive_aspect, derive_block, derive_conditions, derive_release
 from interlock.derive.locks import derive_locks
 from interlock.derive.routes import Path, find_routes
-from interlock.derive.voyages import derive_automatic, derive_voyages
+from interlock.derive.voyages import derive_automatic, derive_priority, derive_voyages
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
@@ -77,7 +77,9 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
         for p in paths
     )
     voyages = derive_voyages(layout, rows, by_key, sink)
-    return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, derive_automatic(layout, rows, sink))
+    automatic = derive_automatic(layout, rows, sink)
+    order = derive_priority(layout, rows, voyages, automatic)
+    return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic, order)
 
 
 def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:

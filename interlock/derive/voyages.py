@@ -7,12 +7,12 @@ could block one another for ever; the rule that forbids it and the search that s
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
-from interlock.model.elements import NamedRoute, RouteId, SectionId, SignalId, Voyage
+from interlock.model.elements import Lane, NamedRoute, RouteId, SectionId, SignalId, Voyage
 from interlock.model.layout import Layout
 from interlock.table.rows import (
     Because,
@@ -41,6 +41,26 @@ def derive_automatic(layout: Layout, routes: tuple[RouteRow, ...], sink: Sink) -
     return tuple(dict.fromkeys(out))
 
 
+def priority(layout: Layout, sections: Collection[SectionId], forward: bool) -> int:
+    """Document A: an inclined lane first, for the danger of runaways; then the main direction, for fewer stops."""
+    inclined = any(s.lane is Lane.INCLINED and s.id in sections for s in layout.sections)
+    return 1 + 2 * (not inclined) + (not forward)
+
+
+def derive_priority(
+    layout: Layout, routes: tuple[RouteRow, ...], voyages: tuple[VoyageRow, ...], automatic: tuple[RouteId, ...]
+) -> tuple[tuple[RouteId, int], ...]:
+    """The best class of every noted route; empty where all wait in turn, or all are of one class."""
+    best: dict[RouteId, int] = {}
+    for r in routes:
+        own = [v.priority for v in voyages if r.id in v.routes]
+        if r.id in automatic:
+            own.append(priority(layout, r.section_ids, True))
+        if own:
+            best[r.id] = min(own)
+    return tuple(best.items()) if layout.principles.priorities and len(set(best.values())) > 1 else ()
+
+
 def _fits(n: NamedRoute, r: RouteRow) -> bool:
     return r.entry == n.entry and r.exit == n.exit and set(n.via) <= set(r.section_ids)
 
@@ -66,7 +86,8 @@ def derive_voyages(layout: Layout, routes: tuple[RouteRow, ...], locks: Locks, s
         order = "from the far end" if v.far_first else "section by section"
         why = Because("R18", f"{len(chains[v.name])} routes from {v.entry} to {v.exit}, opened {order}")
         ids = tuple(r.id for r in chains[v.name])
-        rows.append(VoyageRow(v.name, len(rows) + 1, ids, v.far_first, tuple(meetings), why))
+        rank = priority(layout, {s for r in chains[v.name] for s in r.section_ids}, v.forward)
+        rows.append(VoyageRow(v.name, len(rows) + 1, ids, v.far_first, rank, tuple(meetings), why))
     return tuple(rows)
 
 

@@ -228,7 +228,8 @@ def resolve_voyages(ctx: Context, wiring: Wiring) -> tuple[Voyage, ...]:
         _check_ends(ctx, wiring, spec, f"voyage {name}", ("voyages", name))
         shunt = spec.kind == "shunt"
         far = shunt if spec.order is None else spec.order == "far"
-        out.append(Voyage(name, SignalId(spec.from_), spec.to, tuple(map(SectionId, spec.via)), shunt, far))
+        via, forward = tuple(map(SectionId, spec.via)), spec.direction == "forward"
+        out.append(Voyage(name, SignalId(spec.from_), spec.to, via, shunt, far, forward))
     return tuple(sorted(out, key=lambda v: v.name))
 
 

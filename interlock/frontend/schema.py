@@ -26,7 +26,7 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
 from interlock.model.elements import BlockKind, SignalKind, TelegramForm, Work
 from interlock.model.overlap import overlap_length
-from interlock.model.principles import KNOBS, PROFILES, Caution, FlankChoice, Principles
+from interlock.model.principles import KNOBS, PROFILES, Caution, FlankChoice, Local, Principles
 
 NAME = re.compile(r"[A-Za-z0-9]+([_/-][A-Za-z0-9]+)*")
 MAX_NAME = 14
@@ -63,10 +63,17 @@ def _length(value: object) -> object:
 
 
 def _seconds(value: object) -> object:
+    x = _amount(value)
+    if x == 0:
+        raise PydanticCustomError("range", "{v} is out of range (0 to 86400)", {"v": value})
+    return x
+
+
+def _amount(value: object) -> float:
     if not isinstance(value, str):
         raise PydanticCustomError("number", "a number is expected")
     x = number(value)
-    if not math.isfinite(x) or not 0 < x <= 86_400:
+    if not math.isfinite(x) or not 0 <= x <= 86_400:
         raise PydanticCustomError("range", "{v} is out of range (0 to 86400)", {"v": value})
     return x
 
@@ -114,6 +121,7 @@ Seconds = Annotated[
     BeforeValidator(_seconds),
     WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": 86400}),
 ]
+Amount = Annotated[float, BeforeValidator(_amount), WithJsonSchema({"type": "number", "minimum": 0, "maximum": 86400})]
 End = Annotated[str, BeforeValidator(_text)]
 
 
@@ -286,6 +294,7 @@ class VoyageSpec(RouteSpec):
 
     kind: Annotated[Literal["main", "shunt"], _choice("kind of route", ("main", "shunt"))] = "main"
     order: Annotated[Literal["near", "far"] | None, _choice("order", ("near", "far"))] = None
+    direction: Annotated[Literal["forward", "reverse"], _choice("direction", ("forward", "reverse"))] = "forward"
 
 
 class WaiverSpec(_Part):
@@ -302,7 +311,7 @@ class PrinciplesSpec(_Part):
     approach_release_s: Seconds | None = None
     shunt_release_s: Seconds | None = None
     point_supervision_s: Seconds | None = None
-    point_start_gap_s: Seconds | None = None
+    point_start_gap_s: Amount | None = None
     fouling_m: Seconds | None = None
     clearance_m: Seconds | None = None
     leg_m: Seconds | None = None
@@ -312,8 +321,11 @@ class PrinciplesSpec(_Part):
     drive_points: YesNo | None = None
     lamp_proof: YesNo | None = None
     caution: Annotated[Caution | None, _choice("use of caution", tuple(Caution))] = None
-    overlap_m: Seconds | None = None
+    overlap_m: Amount | None = None
     overlap_release_s: Seconds | None = None
+    local_requests: Annotated[Local | None, _choice("order of local requests", tuple(Local))] = None
+    priorities: YesNo | None = None
+    priority_wait_s: Amount | None = None
 
     def override(self, base: Principles) -> Principles:
         """The profile's principles with these knobs."""
@@ -429,7 +441,7 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "sections": tuple(SectionSpec.model_fields),
     "conditions": tuple(ConditionSpec.model_fields),
     "routes": ("from", "to", "via"),
-    "voyages": ("from", "to", "via", "kind", "order"),
+    "voyages": ("from", "to", "via", "kind", "order", "direction"),
     "automatic": ("from", "to", "via"),
     "waive": tuple(WaiverSpec.model_fields),
 }

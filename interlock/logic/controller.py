@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
-from interlock.logic.expr import Expr, Substitution, conj, disj, evaluate, var, variables
+from interlock.logic.expr import Expr, Substitution, conj, disj, eq, evaluate, var, variables
 from interlock.model.elements import (
     ConditionId,
     MachineId,
@@ -128,12 +128,21 @@ class RouteSymbols:
     shown: str
 
 
+def asked_of(inputs: tuple[str, ...], number: int) -> Expr:
+    """A number (0: none) is asked for at one of some inputs, of which the first that asks is heard."""
+    if not number:
+        return conj(eq(x, 0) for x in inputs)
+    return disj(conj((*(eq(y, 0) for y in inputs[:i]), eq(x, number))) for i, x in enumerate(inputs))
+
+
 @dataclass(frozen=True)
 class Symbols:
     """What the variables of a controller mean; claims speak through these names alone."""
 
     valid: str
     request: str
+    local_request: str | None
+    local_first: bool
     voyage: str | None
     ring: tuple[str, ...]
     clear: Mapping[SectionId, str]
@@ -193,6 +202,13 @@ class Symbols:
     def signal(self, g: SignalId, shunt: bool = False) -> Expr:
         """Whether the controller shows proceed at a signal: to trains (call-on included), or to shunting movements."""
         return disj(var(r.proceed) for r in self.routes_from.get(g, ()) if r.shunt is shunt)
+
+    def asked(self, number: int) -> Expr:
+        """A route number (0: none) is asked for by hand, from the control centre or on the spot."""
+        if self.local_request is None:
+            return asked_of((self.request,), number)
+        order = (self.request, self.local_request)
+        return asked_of(order[::-1] if self.local_first else order, number)
 
     def opened(self, g: SignalId) -> Expr:
         """Whether a main aspect is shown at a signal: proceed to trains, other than by calling on."""

@@ -262,7 +262,10 @@ class NamedRoute:
 
 @dataclass(frozen=True)
 class Voyage:
-    """A chain of routes that one command sets (航程), asked for from the near end or, combined routes, from the far."""
+    """A chain of routes that one command sets (航程), asked for from the near end or, combined routes, from the far.
+
+    `forward`: in the main direction of transport (顺向).
+    """
 
     name: str
     entry: SignalId
@@ -270,6 +273,7 @@ class Voyage:
     via: tuple[SectionId, ...]
     shunt: bool
     far_first: bool
+    forward: bool = True
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,14 @@ class FlankChoice(StrEnum):
     SIGNAL = "signal"
 
 
+class Local(StrEnum):
+    """Requests from a place on the spot, beside those from the control centre (R14, document A)."""
+
+    NONE = "none"
+    FIRST = "first"
+    LAST = "last"
+
+
 class Caution(StrEnum):
     """When an open main signal shows caution instead of clear (R11)."""
 
@@ -54,6 +62,12 @@ class Principles:
         standing and its overlap is released (R4: 30 to 80 s).
     lamp_proof: whether the lamps of signals are reported (R11, Chinese practice): a signal opens only while its stop
         lamp is intact, shows caution while its clear lamp is not, and stop while no other lamp is left.
+    local_requests: whether routes are asked for on the spot too, and which of two requests in one scan is taken: the
+        local one `first`, or `last` (document A: its heading says remote, its reason says that the scene knows better;
+        local first is our reading).
+    priorities: whether noted routes (voyages, automatic working) that could be set wait for one another in an order:
+        transport over an inclined lane first, then the main direction (document A); otherwise in turn.
+    priority_wait_s: how long noted routes of a lower class may wait before they come first for once; 0 for ever.
     caution: when an open main signal shows caution instead of clear (R11): `never` (two aspects), `next` while the
         next main signal does not show proceed, or `turnout`, also into a track inside the layout over a reversed
         point (Chinese practice: one yellow, two yellows).
@@ -74,12 +88,17 @@ class Principles:
     overlap_m: float = 0.0
     overlap_release_s: float = 60.0
     lamp_proof: bool = False
+    local_requests: Local = Local.NONE
+    priorities: bool = False
+    priority_wait_s: float = 0.0
     caution: Caution = Caution.NEXT
 
 
 PROFILES: dict[str, Principles] = {
     "generic": Principles(),
-    "mine": Principles(approach_release_s=60.0, fouling_m=8.0, caution=Caution.NEVER),
+    "mine": Principles(
+        approach_release_s=60.0, fouling_m=8.0, caution=Caution.NEVER, local_requests=Local.FIRST, priorities=True
+    ),
     "uk": Principles(overlap_m=180.0, approach_release_s=120.0),
     "de": Principles(overlap_m=200.0, overlap_release_s=45.0, flank_space=True),
     "cn": Principles(

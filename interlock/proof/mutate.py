@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from interlock.logic.controller import Controller, Equation, StateVar
-from interlock.logic.expr import FALSE, TRUE, Substitution, conj, disj, eq, var
+from interlock.logic.expr import FALSE, TRUE, Substitution, conj, disj, var
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.invariants import Facts, claims
@@ -207,7 +207,7 @@ def _call_on_again(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]
     for r in c.symbols.routes:
         if r.call_on:
             old = next(e for e in c.next if e.name == r.want)
-            asked = conj((eq(c.symbols.request, r.number), var(r.locked)))
+            asked = conj((c.symbols.asked(r.number), var(r.locked)))
             terms = (replace(old.terms[0], expr=disj((old.terms[0].expr, asked))), *old.terms[1:])
             yield r.id, _with(c, old, replace(old, terms=terms))
 
@@ -223,7 +223,9 @@ def _call_on_trusted(layout: Layout, table: InterlockingTable) -> Iterator[Mutan
 
 KINDS: tuple[Kind, ...] = (
     Kind(
-        "hostile-not-excluded", "a route is granted over a section that another holds", without("WF G", "section free")
+        "hostile-not-excluded",
+        "a route is granted over a section that another holds",
+        without("WF G AD", "section free"),
     ),
     Kind("diamond-not-excluded", "the exclusion over a diamond or foul joint is missing", _exclusions),
     Kind("two-grants", "a route is granted without having been asked for, beside another", without("G", "requested")),
@@ -287,12 +289,12 @@ KINDS: tuple[Kind, ...] = (
     Kind(
         "berth-under-train",
         "a shunting movement is set into a berth to which a train runs",
-        without("G", "no train into the berth"),
+        without("G AD", "no train into the berth"),
     ),
     Kind(
         "berth-from-both-ends",
         "two shunting movements are set into one berth",
-        without("G", "no other movement into the berth"),
+        without("G AD", "no other movement into the berth"),
     ),
     Kind(
         "arrived-early", "a train counts as arrived before it is wholly in", without("AR", "wholly in", "rear released")

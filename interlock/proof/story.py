@@ -87,10 +87,9 @@ def _points(system: System, state: dict[str, int]) -> str:
 
 def _requests(system: System, inputs: dict[str, int]) -> list[str]:
     out = []
-    request = inputs.get(system.symbols.request, 0)
-    for r in system.symbols.routes:
-        if r.number == request:
-            out.append(f"the operator asks for route {r.id}")
+    for who, name in (("the operator", system.symbols.request), ("somebody on the spot", system.symbols.local_request)):
+        request = inputs.get(name, 0) if name else 0
+        out += [f"{who} asks for route {r.id}" for r in system.symbols.routes if r.number == request]
     voyage = inputs.get(system.symbols.voyage, 0) if system.symbols.voyage else 0
     if voyage:
         out.append(f"the operator asks for voyage {voyage}")

@@ -9,7 +9,7 @@ from __future__ import annotations
 from functools import cached_property
 
 from interlock.logic.controller import Controller, MalformedController
-from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, eq, implies, neg, var, variables
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, implies, neg, var, variables
 from interlock.logic.plant import Assumption, Plant, Wiring, build_plant
 from interlock.model.elements import NodeId, SectionId
 from interlock.model.layout import Layout
@@ -104,7 +104,7 @@ class System:
         out = {}
         for r in self.symbols.routes:
             closes = conj((var(r.proceed), neg(var(r.proceed + PRIME))))
-            asked = eq(self.symbols.request, r.number)
+            asked = self.symbols.asked(r.number)
             out[f"shut.R{r.number}"] = conj(
                 (disj((var(f"shut.R{r.number}"), closes)), var(r.active + PRIME), neg(asked))
             )

@@ -177,6 +177,7 @@ VOYAGE_COLUMNS: tuple[VoyageColumn, ...] = (
     VoyageColumn(
         "order", "Set from", "办理顺序", "Einstellung", lambda v: "far end" if v.far_first else "whichever can be"
     ),
+    VoyageColumn("priority", "Priority", "优先级", "Vorrang", lambda v: str(v.priority)),
     VoyageColumn("meets", "Meets head-on", "敌对航程", "Gegenfahrten", _meets),
     VoyageColumn("deadlocks", "Deadlocks", "死锁", "Verklemmungen", _stuck),
 )

@@ -336,12 +336,16 @@ class Meeting:
 
 @dataclass(frozen=True)
 class VoyageRow:
-    """A voyage: its routes in the order of travel, which of them are asked for first, and whom it meets."""
+    """A voyage: its routes in the order of travel, which of them are asked for first, and whom it meets.
+
+    priority: 1 inclined lane, main direction; 2 inclined, against it; 3 level, main direction; 4 level, against it.
+    """
 
     name: str
     number: int
     routes: tuple[RouteId, ...]
     far_first: bool
+    priority: int
     meetings: tuple[Meeting, ...]
     because: Because
 
@@ -356,6 +360,7 @@ class InterlockingTable:
     locks: tuple[TraversalRow, ...]
     voyages: tuple[VoyageRow, ...] = ()
     automatic: tuple[RouteId, ...] = ()
+    priority: tuple[tuple[RouteId, int], ...] = ()
 
     @cached_property
     def route(self) -> dict[RouteId, RouteRow]:

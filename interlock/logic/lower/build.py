@@ -8,6 +8,7 @@ from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, SectionId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
+from interlock.model.principles import Local
 from interlock.table.rows import InterlockingTable, RouteKind
 
 PASSES = (
@@ -20,6 +21,7 @@ PASSES = (
     points.movable,
     ways.availability,
     ways.detection,
+    routes.admissible,
     requests.offers,
     routes.grants,
     ways.granted,
@@ -61,7 +63,9 @@ def _symbols(d: Draft) -> Symbols:
 
     return Symbols(
         valid="VALID",
-        request="REQ",
+        request=requests.REQUEST,
+        local_request=requests.LOCAL if d.layout.principles.local_requests is not Local.NONE else None,
+        local_first=d.layout.principles.local_requests is Local.FIRST,
         voyage="VOY" if d.table.voyages else None,
         ring=tuple(f"T_R{r.number}" for r in d.noted),
         clear={s.id: f"CLR_{portable(s.id)}" for s in d.layout.sections if s.detected},

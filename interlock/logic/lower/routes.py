@@ -8,7 +8,7 @@ Who asks for a route is in `requests`.
 from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Term
-from interlock.logic.expr import FALSE, conj, disj, eq, neg, var
+from interlock.logic.expr import FALSE, conj, disj, neg, var
 from interlock.logic.lower import aspects, requests, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.portable import portable
@@ -55,14 +55,26 @@ def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
     return out
 
 
+def _needs(d: Draft, r: RouteRow) -> list[Term]:
+    """Everything that a route needs to be granted but that it is asked for."""
+    terms = [Term(var("VALID"), "inputs valid")]
+    for key in r.locked:
+        terms += ways.free_terms(d, r, key)
+    return [*terms, *ways.overlap_terms(d, r), *_berth_terms(d, r)]
+
+
+def admissible(d: Draft) -> None:
+    """Whether a route could be granted: only what could be set has priority over others (R14)."""
+    for r in d.noted if d.table.priority else ():
+        d.wire(f"AD_R{r.number}", Join.ALL, _needs(d, r), f"route {r.id}", f"route {r.id} could be granted (R6)")
+
+
 def grants(d: Draft) -> None:
     """A route is granted when everything it needs is free (R6, R3)."""
     for r in d.table.routes:
-        terms = [Term(requests.requested(d, r), "requested"), Term(var("VALID"), "inputs valid")]
-        for key in r.locked:
-            terms += ways.free_terms(d, r, key)
-        terms += ways.overlap_terms(d, r)
-        terms += _berth_terms(d, r)
+        known = d.table.priority and r.id in d.noted_ids
+        needs = [Term(var(f"AD_R{r.number}"), "could be granted")] if known else _needs(d, r)
+        terms = [Term(requests.requested(d, r), "requested"), *needs]
         d.wire(f"G_R{r.number}", Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} (R6)")
 
 
@@ -233,7 +245,7 @@ def keep(d: Draft) -> None:
             group,
         )
         # what calls a train on closes for good: nothing tells whether the train has passed
-        again = [conj((eq("REQ", k), var(f"B_R{k}")))] if r.kind is not RouteKind.CALL_ON else []
+        again = [conj((requests.asked(d, k), var(f"B_R{k}")))] if r.kind is not RouteKind.CALL_ON else []
         d.kept(
             f"W_R{k}",
             False,

@@ -35,8 +35,8 @@ CLAIMS: dict[str, str] = {
     "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
-    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is clear and the stop "
-    "lamps of the signals that protect it are intact.",
+    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is clear and the "
+    "stop lamps of the signals that protect it are intact.",
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is clear, lies and is detected.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
