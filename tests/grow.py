@@ -215,6 +215,9 @@ class Grown:
         for p in self.points:
             if "machine" not in self.points[p] and self.rng.random() < 0.06:
                 self.points[p]["work"] = "hand"
+        if sections and self.rng.random() < 0.15:
+            inside = self.rng.sample(sections, self.rng.randint(1, len(sections)))
+            out += ["zones:", f"  Z: {{sections: [{', '.join(inside)}], trains: {self.rng.choice([1, 2, 2, 3])}}}"]
         if self.main and self.rng.random() < 0.5:
             out.append("overlaps:")
             for g in self.rng.sample(self.main, max(1, len(self.main) // 2)):

@@ -1,7 +1,7 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 248839114547925641b4bafbb02dd52a21fcbac519ea4e45a5fb8bd9377e8c32
-# claims 2dfeb78d035090749f2134b56c13507a3f6fe5b90a2a3d8e61056461fae72fd7
+# layout 551ed25445b4d4ac57d897afcc9f566da51583b4399932af936b4ec598118afc
+# claims e1819391615dec4ce66eba08013c8661131d1ecfaa1f412d7a791ce0b879a5f1
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 92e13e7980b7d7544d54a1e842e1248ad6e723fec9e3ce46ea202163afe97d43
-# claims 26479433c0af743a3b43e91a86bf47e9ec27830971322219f328de39c7756cb0
+# layout 55f505774d21b696b6f5d5899129f7de112cf4008e114f0fe057e1f93e44691b
+# claims a12777d02fb84c1b55a220f5f3ed73983168a9150b968dd762d1e02cfa9f8899
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

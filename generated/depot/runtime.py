@@ -1,7 +1,7 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout a4cea2fc4d75ff65188384f123b325d3cf98fc307e52fecd8f5948aa56a5cb7b
-# claims 1da69cd9f51519d9d9754fdb7e35ae82397c384e1f1cbc3cf653b24d65344f03
+# layout 34e41e54521c3adee8bea03a750d77a2bf4abadad8ab84091ab984b0b77fecb9
+# claims 4f6d331ccf0777800526ce75c399ce41e8fbbe0387410cd07e1267f8e2323105
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout bc26086b8ffe2b0696c791e9e3515052e000109eb2cf04980302562a4af63a6f
-# claims d9ecced8468a7ad03a1aa5ec3abe77d6cd0b1eb6c624fdd0eaf0805cb43949d8
+# layout 19681cf2210d9e7e4af8663c8ba9fe50f617263d0515bebe83070455e424e70e
+# claims ccdd71544850a1e1be2450bd01e4e78ed1af73bd86fb88f9d25d27035e8f346e
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

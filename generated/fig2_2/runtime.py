@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 2e08ebfdb62aae048dbb91f0f300303eb08f8ab09ef03a01399f569c63bc6a13
-# claims 5088b7006449212a3b84074e435ecbc7d71c51d01ff61d298a3ace4678ca32dc
+# layout b31ae91e1f169e845eba88f73a361130866a46c3397fce4f85a9e45c90a33dcf
+# claims a60ff55634919baa2ec0ed4938d7a58530751f200b0f5b91ae899e1ffaa9ec6a
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 794acb71c6551ccbd4a08fa75c5d5cc6a3e56efb895196b1cd393f995165e505
-# claims e2f1bc442e9211a991520353c261ef52ed7324049d26d6cc9410e6656036953f
+# layout f16c0a8706283d49120507cae072ef150f9de5d733007c42f1d348a932fc8043
+# claims dcbecf14566e292f09cd4ec07e65e2bc5669b412865ef45a90efdfa732b1896b
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout aa714e0dcaad254fb5209ff56ed0b4df4234f57946172c8492669ad7c9d5977d
-# claims 75bb7873e3aa5f669b2cc1a07f0ffc3e6951b36f80cbb6e8abc248b1f82a66a4
+# layout 910e9bdcc514814c44363d0926f507704b25eb3a8bb0ba69e3a571457db46814
+# claims c188a853f54f1c327b72d830275e0a0e3803747fc252b49ebd2003d00262c5db
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

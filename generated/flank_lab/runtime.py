@@ -1,7 +1,7 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout f3c06922ed974980f1c38528fed59bbd96508e31018a9c29cbfb7a3b76af32a2
-# claims a006a19e3627bdf44527d0f1ef53ac55233c9e6acb79716e6e2f30adaa102810
+# layout 0269f4fb8c17dc1dfa1258a39b29daa045d34c824d7b87cba7f1d079eb63232e
+# claims 285566d87e0c3aee1d5c6f8eacf2b416882eec9620a51642e0cf9663804dbb28
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

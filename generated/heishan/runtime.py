@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 50fb0d7d3479592028a75303b694e20e5f90b978ba2aef548c06e88455c94a19
-# claims 012ab74b7e2d8e8ecf5296c3547beabcb8feb8d2d37af229d1afe4d15d779ade
+# layout b91fd347554d274051a98cd832c80dbddc695103371fc990c1e5788eb6cc867a
+# claims a4a25e62ed2fc26ce3f1b37357064805983de90a08bd942e8ecb60fda259cce8
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -290,6 +290,7 @@ STATE = {
     'U_s9': True,  # s9 used by a train (R9)
     'P_s9': False,  # s9: the train went on (R9)
     'D_s9': False,  # s9: detection is not relied on, inputs were lost or a train is called on
+    'ZF_INSIDE': True,  # zone INSIDE is full
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -379,6 +380,7 @@ OUTPUTS = {
     'YS_XT7': True,  # signal XT7: stop
     'YP_XT9': False,  # signal XT9: clear (green)
     'YS_XT9': True,  # signal XT9: stop
+    'YZ_INSIDE': True,  # indication: zone INSIDE is full
 }
 
 
@@ -681,6 +683,7 @@ class Controller:
         U_s9 = old['U_s9']
         P_s9 = old['P_s9']
         D_s9 = old['D_s9']
+        ZF_INSIDE = old['ZF_INSIDE']
         OCC_s10_xc4 = (not CLR_s10_xc4) or (not VALID)  # s10_xc4 counts as occupied
         OCC_s11_xc5 = (not CLR_s11_xc5) or (not VALID)  # s11_xc5 counts as occupied
         OCC_s1_wait = (not CLR_s1_wait) or (not VALID)  # s1_wait counts as occupied
@@ -847,10 +850,49 @@ class Controller:
         WD_s9_4 = QR_P4 and (not TR_P4)  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: its points lie, nothing is foul of it
         WL_s9_4 = (not OCC_s9) and WD_s9_4  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: lies and is clear
         WP_s9_4 = WL_s9_4 and (not BLK_s9)  # s9 from s7|s9@P3.normal to s11_xc5|s9@P4.reverse: proceed may be shown over it (R3)
+        ZB1_s10_xc4 = K_s10_xc4 or (L_s10_xc4_2 and (not (L_s9_3 and (not U_s10_xc4) and (not D_s10_xc4))))  # s10_xc4 counts in INSIDE
+        ZN1_1_1 = ZB1_s10_xc4  # 
+        ZB1_s11_xc5 = K_s11_xc5 or (L_s11_xc5_2 and (not (L_s9_4 and (not U_s11_xc5) and (not D_s11_xc5))))  # s11_xc5 counts in INSIDE
+        ZN1_2_1 = ZB1_s11_xc5 or ZN1_1_1  # 
+        ZN1_2_2 = (ZN1_1_1 and ZB1_s11_xc5)  # 
+        ZB1_s3 = K_s3 or L_s3_1 or L_s3_2 or L_s3_3 or (L_s3_4 and (not ((L_s6_3 or L_s6_4) and (not U_s3) and (not D_s3))))  # s3 counts in INSIDE
+        ZN1_3_1 = ZB1_s3 or ZN1_2_1  # 
+        ZN1_3_2 = (ZN1_2_1 and ZB1_s3) or ZN1_2_2  # 
+        ZN1_3_3 = (ZN1_2_2 and ZB1_s3)  # 
+        ZB1_s4_xc1 = K_s4_xc1 or (L_s4_xc1_2 and (not (L_s3_1 and (not U_s4_xc1) and (not D_s4_xc1))))  # s4_xc1 counts in INSIDE
+        ZN1_4_1 = ZB1_s4_xc1 or ZN1_3_1  # 
+        ZN1_4_2 = (ZN1_3_1 and ZB1_s4_xc1) or ZN1_3_2  # 
+        ZN1_4_3 = (ZN1_3_2 and ZB1_s4_xc1) or ZN1_3_3  # 
+        ZN1_4_4 = (ZN1_3_3 and ZB1_s4_xc1)  # 
+        ZB1_s5_xc2 = K_s5_xc2 or (L_s5_xc2_2 and (not (L_s6_1 and (not U_s5_xc2) and (not D_s5_xc2))))  # s5_xc2 counts in INSIDE
+        ZN1_5_1 = ZB1_s5_xc2 or ZN1_4_1  # 
+        ZN1_5_2 = (ZN1_4_1 and ZB1_s5_xc2) or ZN1_4_2  # 
+        ZN1_5_3 = (ZN1_4_2 and ZB1_s5_xc2) or ZN1_4_3  # 
+        ZN1_5_4 = (ZN1_4_3 and ZB1_s5_xc2) or ZN1_4_4  # 
+        ZB1_s6 = K_s6 or (L_s6_1 and (not (L_s3_2 and (not U_s6) and (not D_s6)))) or (L_s6_2 and (not (L_s3_2 and (not U_s6) and (not D_s6)))) or L_s6_3 or (L_s6_4 and (not ((L_s7_3 or L_s7_4) and (not U_s6) and (not D_s6))))  # s6 counts in INSIDE
+        ZN1_6_1 = ZB1_s6 or ZN1_5_1  # 
+        ZN1_6_2 = (ZN1_5_1 and ZB1_s6) or ZN1_5_2  # 
+        ZN1_6_3 = (ZN1_5_2 and ZB1_s6) or ZN1_5_3  # 
+        ZN1_6_4 = (ZN1_5_3 and ZB1_s6) or ZN1_5_4  # 
+        ZB1_s7 = K_s7 or (L_s7_1 and (not (L_s6_2 and (not U_s7) and (not D_s7)))) or (L_s7_2 and (not (L_s6_2 and (not U_s7) and (not D_s7)))) or L_s7_3 or (L_s7_4 and (not ((L_s9_1 or L_s9_2) and (not U_s7) and (not D_s7))))  # s7 counts in INSIDE
+        ZN1_7_1 = ZB1_s7 or ZN1_6_1  # 
+        ZN1_7_2 = (ZN1_6_1 and ZB1_s7) or ZN1_6_2  # 
+        ZN1_7_3 = (ZN1_6_2 and ZB1_s7) or ZN1_6_3  # 
+        ZN1_7_4 = (ZN1_6_3 and ZB1_s7) or ZN1_6_4  # 
+        ZB1_s8_xc3 = K_s8_xc3 or (L_s8_xc3_2 and (not (L_s7_1 and (not U_s8_xc3) and (not D_s8_xc3))))  # s8_xc3 counts in INSIDE
+        ZN1_8_1 = ZB1_s8_xc3 or ZN1_7_1  # 
+        ZN1_8_2 = (ZN1_7_1 and ZB1_s8_xc3) or ZN1_7_2  # 
+        ZN1_8_3 = (ZN1_7_2 and ZB1_s8_xc3) or ZN1_7_3  # 
+        ZN1_8_4 = (ZN1_7_3 and ZB1_s8_xc3) or ZN1_7_4  # 
+        ZB1_s9 = K_s9 or L_s9_1 or L_s9_2 or (L_s9_3 and (not (L_s7_2 and (not U_s9) and (not D_s9)))) or (L_s9_4 and (not (L_s7_2 and (not U_s9) and (not D_s9))))  # s9 counts in INSIDE
+        ZN1_9_1 = ZB1_s9 or ZN1_8_1  # 
+        ZN1_9_2 = (ZN1_8_1 and ZB1_s9) or ZN1_8_2  # 
+        ZN1_9_3 = (ZN1_8_2 and ZB1_s9) or ZN1_8_3  # 
+        ZN1_9_4 = (ZN1_8_3 and ZB1_s9) or ZN1_8_4  # 
         G_R1 = ((LREQ == 1) or ((LREQ == 0) and (REQ == 1))) and VALID and WF_s2_1 and WF_s2_out_2  # grant of route XB-OUT (R6)
-        G_R2 = ((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and VALID and WF_s2_2 and WF_s3_1 and WF_s4_xc1_2  # grant of route XB-XC1 (R6)
-        G_R3 = ((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and VALID and WF_s2_2 and WF_s3_2 and WF_s6_1 and WF_s5_xc2_2  # grant of route XB-XC2 (R6)
-        G_R4 = ((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and VALID and WF_s2_2 and WF_s3_2 and WF_s6_2  # grant of route XB-XI7 (R6)
+        G_R2 = ((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and VALID and WF_s2_2 and WF_s3_1 and WF_s4_xc1_2 and (not ZN1_9_4)  # grant of route XB-XC1 (R6)
+        G_R3 = ((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and VALID and WF_s2_2 and WF_s3_2 and WF_s6_1 and WF_s5_xc2_2 and (not ZN1_9_4)  # grant of route XB-XC2 (R6)
+        G_R4 = ((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and VALID and WF_s2_2 and WF_s3_2 and WF_s6_2 and (not ZN1_9_4)  # grant of route XB-XI7 (R6)
         G_R5 = ((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and VALID and WF_s7_1 and WF_s8_xc3_2  # grant of route XI7-XC3 (R6)
         G_R6 = ((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) and VALID and WF_s7_2  # grant of route XI7-XI9 (R6)
         G_R7 = ((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) and VALID and WF_s9_3 and WF_s10_xc4_2  # grant of route XI9-XC4 (R6)
@@ -1357,6 +1399,7 @@ class Controller:
         N_U_s9 = (U_s9 or NU_s9_1 or NU_s9_2 or NU_s9_3) and (not RLS_s9)  # s9 used by a train (R9)
         N_P_s9 = (P_s9 or (U_s9 and OCC_s9 and (NU_s10_xc4_2 or NU_s11_xc5_2 or NU_s7_3))) and (not RLS_s9)  # s9: the train went on (R9)
         N_D_s9 = (D_s9 or ((not VALID) and (L_s9_1 or L_s9_2 or L_s9_3 or L_s9_4))) and (not RLS_s9)  # s9: detection is not relied on, inputs were lost or a train is called on
+        N_ZF_INSIDE = ZN1_9_4  # zone INSIDE is full
         self.state = {
             'CN_P1': bool(N_CN_P1),
             'CR_P1': bool(N_CR_P1),
@@ -1561,6 +1604,7 @@ class Controller:
             'U_s9': bool(N_U_s9),
             'P_s9': bool(N_P_s9),
             'D_s9': bool(N_D_s9),
+            'ZF_INSIDE': bool(N_ZF_INSIDE),
         }
         CN_P1 = self.state['CN_P1']
         CR_P1 = self.state['CR_P1']
@@ -1765,6 +1809,7 @@ class Controller:
         U_s9 = self.state['U_s9']
         P_s9 = self.state['P_s9']
         D_s9 = self.state['D_s9']
+        ZF_INSIDE = self.state['ZF_INSIDE']
         return {
             'YN_P1': bool(CN_P1),
             'YR_P1': bool(CR_P1),
@@ -1821,4 +1866,5 @@ class Controller:
             'YS_XT7': bool((not S_R16)),
             'YP_XT9': bool(S_R17),
             'YS_XT9': bool((not S_R17)),
+            'YZ_INSIDE': bool(ZF_INSIDE),
         }

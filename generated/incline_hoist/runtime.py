@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 894e85f995d448935eb4998d0c0c199fc7bfbf0082721ed1dad336ab47dad389
-# claims fda6b19ecb8e95082539a7c98283ca64b168f322c4afe5fc67138497a6b4abde
+# layout 3e6cb541da6a61a7b839cc03d5be1a3b88ced3ed093bcee50227ff145ea7b3be
+# claims ef4d6898656e69b3eb3db24ea301c2fc150956477b438e1f41c823b120fae3cc
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

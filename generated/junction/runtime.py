@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout cf6a8267e1af93585b1e59c7473a0d9faec31ac8e32a4ed7f7b02f003467cb8b
-# claims 80a46b537b117ddadfb47ec3cb85808185533e11b1c11f61878f2a789d062bc1
+# layout f7e36a2850922dc534c13c6de58bfe61d5f1eafa273e95b05bc142bde55c7778
+# claims 0b0ba79108736c2ab33926b2440a1d0f4e6451c872b6e38e182aad9ebcaaf34b
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

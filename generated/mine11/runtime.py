@@ -1,7 +1,7 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 41a8fded2232c5dd653199a6d0ee496a569d4bc3491601a0272a9837bae63022
-# claims 9ecf08d96c6c5dc89aec54a127cd3df1f404a53831be7fab8d27f17022c911e1
+# layout 40ad892def08c7296f157a6a0a8af9640a06f98563866f4b3e1c5d049247f52a
+# claims c2c95c381f54b90f0d5a8084f0143f6d0158cacf865ebc9aaed41b6f3c657d97
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout e07abe8671afcd30401d20dbff192cb9b6f1e0473d6350c4dfbc5078f5e141fe
-# claims 014fccba339865e05ab63ac898eb16ef13b2db113ab2f60cfa18c1851cea3c10
+# layout 1aa022726d6fb570d831b0faa7dd8c9c67bf3a230b8d74be62907034d8f27b48
+# claims 489cb59a351acba19363220fb85f803299ffb156799c7d7326196f914ceafc40
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 4a492de2114fe314da2f9ad39e0c1126b7a7422fbdde751e29908c5c84261cc5
-# claims 9f69b89dcdd7bdb25a3932ff6406a4776b7cc425438cb1e8e05a19c0a77f158a
+# layout 1f63115760968e035c91c34cb841810d197e2b17555ff7703ef536b223ba9fdf
+# claims 321964ce46e8e4c1c0416e9f9b3e35c2a899fdfd586a087b72780501e7ab9328
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout c044d3da0718c2465cc77076d5ad96f72e8dfc4052ce65178ca7fd0233e67935
-# claims 9ef20ba5a6bc4bea32f758533cc3d79edd1c02cb1c1080fc4b8049434a425926
+# layout bef4d81f4f9db933c30590d0b43345ac4da30d53265e881bee01d5978d7228c2
+# claims 43696bb64182d33e04427ae802cc231fa0c0846c12a62c6736a5c14170ceb88d
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

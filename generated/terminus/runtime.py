@@ -1,7 +1,7 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout d523f8a0e265f2caef6ef4a2f9d993c65213f88d69391c4848fa83421ffac904
-# claims 31b33473a00be87784f0cfa33b6e7de5b7d8838e5f3fef132fe19d68e0a4dc5d
+# layout 00aecc8456faba831d087c6b99c270ac2afa484f98d8e9bd1a9c28027ffa945e
+# claims 36a6dc65c19111db7dc695ca4de83797d3b6efa9c29b788d4138f15f8d4d42a9
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 366389fa1e061deb6a27fe347f035faf66bca6211de51e2d17150f22f03bd90b
-# claims 946b2ca6df8e7f27fd8b7e969ba61779ca787db4b1bc9aea9b79a6b0b9973f73
+# layout 6b1b5716a6c9ea73539c19698fa39db2778236a1e0e738c8e81d91f1b49be63b
+# claims 01615a3ad25d107380e8f7d380a54bd8154a0d327f83c641972793bc0a7cdf54
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

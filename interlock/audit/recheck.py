@@ -152,6 +152,10 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
         yield Finding(r.id, "space", f"differs in {', '.join(odd)}")
     if (r.aspect.shows, r.aspect.next) != (shown := _aspect(layout, trip)):
         yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
+    over = [next(iter(rear), None), *trip.sections]
+    into = {z.id: sum(a not in z.sections and b in z.sections for a, b in pairwise(over)) for z in layout.zones}
+    if {c.zone: c.entries for c in r.zones} != {z: n for z, n in into.items() if n}:
+        yield Finding(r.id, "zones", f"leads into {', '.join(z for z, n in into.items() if n) or 'none'}")
     leaves = None if trip.shunt else trip.moves[-1].node
     needed = {
         c.id for c in layout.conditions if r.entry in c.signals or set(c.over) & set(trip.sections) or leaves in c.exits

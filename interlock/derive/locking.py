@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from interlock.derive.routes import Path
 from interlock.model.elements import Position, SignalId
 from interlock.model.layout import Layout
@@ -17,6 +19,7 @@ from interlock.table.rows import (
     ReleaseStep,
     RouteKind,
     Shows,
+    ZoneCell,
 )
 
 
@@ -93,6 +96,20 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
         return AspectCell(Shows.CAUTION, None, Because("R11", f"nothing is known beyond {path.exit}"))
     next_ = SignalId(path.exit)
     return AspectCell(Shows.NEXT, next_, Because("R11", f"{next_} is the next main signal"))
+
+
+def derive_zones(layout: Layout, path: Path) -> tuple[ZoneCell, ...]:
+    """The zones into which the route leads from outside (R17)."""
+    first = path.ways[0]
+    behind = topology(layout).beyond(first.section, path.entry_node)
+    over = [behind, *(t.section for t in path.ways)]
+    out = []
+    for z in layout.zones:
+        entries = sum(b in z.sections and a not in z.sections for a, b in pairwise(over))
+        if entries:
+            why = f"no more than {z.trains} trains in {z.id}: fewer when this route is set"
+            out.append(ZoneCell(z.id, entries, Because("R17", why)))
+    return tuple(out)
 
 
 def derive_conditions(layout: Layout, path: Path) -> tuple[ConditionCell, ...]:

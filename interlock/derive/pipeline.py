@@ -10,7 +10,14 @@ from dataclasses import replace
 from math import isinf
 
 from interlock.derive.conflicts import derive_hostile
-from interlock.derive.locking import derive_approach, derive_aspect, derive_block, derive_conditions, derive_release
+from interlock.derive.locking import (
+    derive_approach,
+    derive_aspect,
+    derive_block,
+    derive_conditions,
+    derive_release,
+    derive_zones,
+)
 from interlock.derive.locks import derive_locks
 from interlock.derive.routes import Path, find_routes
 from interlock.derive.voyages import derive_automatic, derive_priority, derive_voyages
@@ -69,6 +76,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             overlap=_overlap(layout, p),
             aspect=derive_aspect(layout, p),
             conditions=derive_conditions(layout, p),
+            zones=derive_zones(layout, p),
             block=derive_block(layout, p),
             approach=derive_approach(layout, p),
             release=derive_release(layout, p),

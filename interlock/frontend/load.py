@@ -28,6 +28,7 @@ from interlock.frontend.resolve import (
     resolve_signals,
     resolve_voyages,
     resolve_waivers,
+    resolve_zones,
 )
 from interlock.frontend.schema import validate
 from interlock.frontend.wiring import Wirer
@@ -108,6 +109,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     _check_sections(ctx, wiring)
     check_signal_names(ctx, wiring)
     conditions = resolve_conditions(ctx, wiring)
+    zones = resolve_zones(ctx, wiring)
     devices = resolve_devices(ctx, wiring)
     routes = resolve_routes(ctx, wiring)
     voyages = resolve_voyages(ctx, wiring)
@@ -152,6 +154,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         distants=distants,
         voyages=voyages,
         automatic=automatic,
+        zones=zones,
         substations=substations,
         addresses=resolve_addresses(ctx),
         telegram=data.telegram,

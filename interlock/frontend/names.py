@@ -25,6 +25,7 @@ def _declared(ctx: Context) -> list[tuple[str, str, Span]]:
         ("signal", f.signals),
         ("distant", f.distants),
         ("condition", f.conditions),
+        ("zone", f.zones),
     ):
         room = {"boundary": "boundaries"}.get(kind, kind.replace(" ", "_") + "s")
         found.extend((kind, n, ctx.at_key(room, n)) for n in names)

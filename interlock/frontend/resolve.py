@@ -31,6 +31,7 @@ from interlock.model.elements import (
     SignalKind,
     Voyage,
     Waiver,
+    Zone,
 )
 from interlock.model.principles import Principles
 
@@ -349,6 +350,21 @@ def resolve_overlaps(
         stated[name] = metres
     lengths = {g: stated.get(g, principles.overlap_m) for g in sorted(inside)}
     return tuple(Overlap(SignalId(g), x) for g, x in lengths.items() if x > 0)
+
+
+def resolve_zones(ctx: Context, wiring: Wiring) -> tuple[Zone, ...]:
+    """Zones with a maximum of trains."""
+    out = []
+    for name, spec in ctx.file.zones.items():
+        for i, s in enumerate(spec.sections):
+            if s not in wiring.sections:
+                at = ctx.at("zones", name, "sections", i)
+                ctx.add("IL2004", f"zone {name}: there is no section {s}", at, did_you_mean(s, wiring.sections))
+        if not spec.sections:
+            at = ctx.at_key("zones", name)
+            ctx.add("IL2004", f"zone {name} has no section", at, "name them: `sections: [s1, s2]`")
+        out.append(Zone(name, tuple(sorted({SectionId(s) for s in spec.sections})), spec.trains))
+    return tuple(sorted(out, key=lambda z: z.id))
 
 
 def resolve_waivers(ctx: Context) -> tuple[Waiver, ...]:

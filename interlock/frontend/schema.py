@@ -252,6 +252,20 @@ class ConditionSpec(_Part):
     exits: list[Name] = []
 
 
+def _trains(value: object) -> object:
+    x = _amount(value)
+    if x != int(x) or not 1 <= x <= 99:
+        raise PydanticCustomError("range", "{v} is out of range (1 to 99)", {"v": value})
+    return int(x)
+
+
+class ZoneSpec(_Part):
+    """Sections in which no more than so many trains may be."""
+
+    sections: list[Name]
+    trains: Annotated[int, BeforeValidator(_trains), WithJsonSchema({"type": "integer", "minimum": 1, "maximum": 99})]
+
+
 class OverlapSpec(_Part):
     """The overlap beyond a main signal: its length, or the speed and gradient from which the length follows."""
 
@@ -361,6 +375,7 @@ class LayoutFile(_Part):
     distants: dict[Name, DistantSpec] = {}
     sections: dict[Name, SectionSpec] = {}
     conditions: dict[Name, ConditionSpec] = {}
+    zones: dict[Name, ZoneSpec] = {}
     routes: dict[Name, RouteSpec] = {}
     voyages: dict[Name, VoyageSpec] = {}
     automatic: list[RouteSpec] = []
@@ -440,6 +455,7 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "exclude": ("from", "to", "via", "kind", "reason"),
     "sections": tuple(SectionSpec.model_fields),
     "conditions": tuple(ConditionSpec.model_fields),
+    "zones": tuple(ZoneSpec.model_fields),
     "routes": ("from", "to", "via"),
     "voyages": ("from", "to", "via", "kind", "order", "direction"),
     "automatic": ("from", "to", "via"),

@@ -242,6 +242,15 @@ class Condition:
 
 
 @dataclass(frozen=True)
+class Zone:
+    """Sections in which no more than a number of trains may be (R17)."""
+
+    id: str
+    sections: tuple[SectionId, ...]
+    trains: int
+
+
+@dataclass(frozen=True)
 class Waiver:
     """Flank protection that the author gives up for one leg of a point, with the reason."""
 

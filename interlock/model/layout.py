@@ -38,6 +38,7 @@ from interlock.model.elements import (
     Voyage,
     Waiver,
     Work,
+    Zone,
 )
 from interlock.model.principles import Principles
 
@@ -66,6 +67,7 @@ class Layout:
     distants: tuple[Distant, ...] = ()
     voyages: tuple[Voyage, ...] = ()
     automatic: tuple[NamedRoute, ...] = ()
+    zones: tuple[Zone, ...] = ()
     substations: tuple[Substation, ...] = ()
     addresses: tuple[tuple[str, str], ...] = ()
     telegram: TelegramForm = TelegramForm.NONE

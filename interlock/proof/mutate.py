@@ -68,7 +68,7 @@ def without(prefixes: str, *kinds: str) -> Callable[[Layout, InterlockingTable],
     def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         c = lower(layout, table)
         for e in (*c.equations, *c.next):
-            if e.name.split("_", 1)[0] not in prefixes.split():
+            if e.name.split("_", 1)[0].rstrip("0123456789") not in prefixes.split():
                 continue
             for i, t in enumerate(e.terms):
                 if t.kind in kinds and t.expr is not TRUE:
@@ -314,6 +314,8 @@ KINDS: tuple[Kind, ...] = (
         "proceed although something stands in the flank space, or a protecting signal is dark",
         without("WD", "flank space clear", "flank lamp intact"),
     ),
+    Kind("zone-not-checked", "a route into a full zone is granted", without("G AD", "zone not full")),
+    Kind("zone-miscounted", "a train in a zone does not count", without("ZB", "locked", "restart lock")),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),

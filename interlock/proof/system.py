@@ -10,8 +10,8 @@ from functools import cached_property
 
 from interlock.logic.controller import Controller, MalformedController
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, implies, neg, var, variables
-from interlock.logic.plant import Assumption, Plant, Wiring, build_plant
-from interlock.model.elements import NodeId, SectionId
+from interlock.logic.plant import Assumption, Plant, Wiring, across, build_plant, o
+from interlock.model.elements import NodeId, SectionId, Zone
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 
@@ -49,9 +49,12 @@ class System:
         self.plant: Plant = build_plant(layout, wiring(controller, layout), dropped)
         following = {e.name: e.expr for e in controller.next} | self.plant.next | self._ghosts()
         self.state: tuple[str, ...] = tuple(following)
+        self._after = Substitution({n: var(n + PRIME) for n in self.state})
         self.definitions: dict[str, Expr] = {e.name: e.expr for e in controller.equations}
         self.definitions |= self.plant.events.definitions
         self.definitions |= {n + PRIME: x for n, x in following.items()}
+        for z in layout.zones:
+            self.definitions |= self._zone(z)
         self.assumptions: list[Assumption] = list(self.plant.assumptions)
         for t in controller.timers:
             # an on-delay with a positive preset is true only while its input is true
@@ -62,7 +65,6 @@ class System:
                     implies(var(t.name), var(t.input)),
                 )
             )
-        self._after = Substitution({n: var(n + PRIME) for n in self.state})
         self._check_closed()
 
     def _check_closed(self) -> None:
@@ -111,6 +113,43 @@ class System:
         for s in self.topo.sections:
             came_in = disj(self.plant.events.get(f"head.{j}.{self._beyond(s, j)}", FALSE) for j in self.topo.ends[s])
             out[f"been.{s}"] = conj((disj((var(f"been.{s}"), came_in)), var(self.symbols.firm[s] + PRIME)))
+        return out
+
+    def zone_joints(self, z: Zone) -> list[tuple[SectionId, NodeId]]:
+        """Where trains come into a zone: each section of it with an end beyond which the zone does not lie."""
+        ends = [(s, j) for s in z.sections for j in self.topo.ends[s] if j not in self.layout.buffer_at]
+        return [(s, j) for s, j in ends if self.topo.beyond(s, j) not in z.sections]
+
+    def called_in(self, s: SectionId, j: NodeId) -> Expr:
+        """A section is locked for a train that comes in at j and has not come yet."""
+        ways = self.symbols.locks_of.get(s, [])
+        locked = disj(var(name) for n, name in ways if self.topo.traversals[s][n - 1].entry == j)
+        return conj((locked, neg(var(f"been.{s}"))))
+
+    def _zone(self, z: Zone) -> dict[str, Expr]:
+        """`zone.ID`: a train is called into a zone in this step, and with those that are in it or called into it there
+        are more than its maximum.
+
+        A train counts in the rearmost of its sections in the zone.
+        """
+        joints = self.zone_joints(z)
+        items: list[Expr] = []
+        for s in z.sections:
+            inner = [(j, r) for j in self.topo.ends[s] if (r := self.topo.beyond(s, j)) in z.sections]
+            rearmost = conj((o(s), *(neg(across(j, str(r))) for j, r in inner)))
+            items.append(disj((rearmost, *(self.called_in(s, j) for t, j in joints if t == s))))
+        called = [conj((self._after(self.called_in(s, j)), neg(self.called_in(s, j)))) for s, j in joints]
+        items += called
+        out: dict[str, Expr] = {}
+        before: list[Expr] = []
+        for i, x in enumerate(items, 1):
+            now: list[Expr] = []
+            for k in range(1, min(i, z.trains + 1) + 1):
+                more = x if k == 1 else conj((before[k - 2], x))
+                out[f"zone.{z.id}.{i}.{k}"] = disj((more, before[k - 1])) if k <= len(before) else more
+                now.append(var(f"zone.{z.id}.{i}.{k}"))
+            before = now
+        out[f"zone.{z.id}"] = conj((before[z.trains], disj(called))) if len(before) > z.trains else FALSE
         return out
 
     def _beyond(self, s: SectionId, j: NodeId) -> str:

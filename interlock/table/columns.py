@@ -134,6 +134,9 @@ COLUMNS: tuple[Column, ...] = (
         "Bedingungen",
         lambda r: [(c.condition, c.because) for c in r.conditions],
     ),
+    Column(
+        "zones", "Zone not full", "区域列车数限制", "Zone nicht voll", lambda r: [(z.zone, z.because) for z in r.zones]
+    ),
     Column("aspect", "Aspect", "信号机显示", "Signalbegriff", _aspect),
     Column(
         "block", "Line beyond clear", "闭塞条件", "Streckenblock", lambda r: [(c.section, c.because) for c in r.block]

@@ -166,6 +166,15 @@ class ConditionCell:
 
 
 @dataclass(frozen=True)
+class ZoneCell:
+    """A zone with a maximum of trains into which the route leads, and how often it comes in from outside."""
+
+    zone: str
+    entries: int
+    because: Because
+
+
+@dataclass(frozen=True)
 class BlockCell:
     """What must hold beyond a boundary: the approach section of the neighbour reported clear."""
 
@@ -291,6 +300,7 @@ class RouteRow:
     overlap: OverlapCell | None
     aspect: AspectCell
     conditions: tuple[ConditionCell, ...]
+    zones: tuple[ZoneCell, ...]
     block: tuple[BlockCell, ...]
     approach: ApproachCell
     release: tuple[ReleaseStep, ...]

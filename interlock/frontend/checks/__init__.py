@@ -7,5 +7,15 @@ from interlock.frontend.checks.foul import check_foul
 from interlock.frontend.checks.lanes import check_lanes
 from interlock.frontend.checks.machines import check_machines
 from interlock.frontend.checks.signals import check_signals
+from interlock.frontend.checks.zones import check_zones
 
-CHECKS = (check_connected, check_machines, check_boundaries, check_signals, check_detection, check_lanes, check_foul)
+CHECKS = (
+    check_connected,
+    check_machines,
+    check_boundaries,
+    check_signals,
+    check_detection,
+    check_lanes,
+    check_foul,
+    check_zones,
+)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from interlock.logic.controller import Controller, RouteSymbols, Symbols
-from interlock.logic.lower import aspects, overlaps, points, requests, routes, sections, ways
+from interlock.logic.lower import aspects, overlaps, points, requests, routes, sections, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, SectionId
 from interlock.model.layout import Layout
@@ -21,6 +21,7 @@ PASSES = (
     points.movable,
     ways.availability,
     ways.detection,
+    zones.count,
     routes.admissible,
     requests.offers,
     routes.grants,
@@ -40,6 +41,7 @@ PASSES = (
     overlaps.keep,
     aspects.keep,
     aspects.outputs,
+    zones.outputs,
 )
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, conj, disj, neg, var
-from interlock.logic.lower import aspects, requests, ways
+from interlock.logic.lower import aspects, requests, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.portable import portable
 from interlock.table.rows import RouteKind, RouteRow
@@ -60,7 +60,7 @@ def _needs(d: Draft, r: RouteRow) -> list[Term]:
     terms = [Term(var("VALID"), "inputs valid")]
     for key in r.locked:
         terms += ways.free_terms(d, r, key)
-    return [*terms, *ways.overlap_terms(d, r), *_berth_terms(d, r)]
+    return [*terms, *ways.overlap_terms(d, r), *_berth_terms(d, r), *zones.terms(d, r)]
 
 
 def admissible(d: Draft) -> None:

@@ -26,6 +26,8 @@ CLAIMS: dict[str, str] = {
     "T-POINT-MOVES": "No point moves under a train, and no train comes to a point that moves.",
     "T-ROAD": "No train is on a level crossing, bridge or other interlock that is not closed for it.",
     "T-FLANK": "While a train uses a point or diamond, no vehicle can roll into it from the flank.",
+    "T-ZONE": "A train comes into a zone only where it was called in, and is called in only while the trains in it or "
+    "called into it, this one too, are no more than the zone's maximum.",
     "S-OPPOSING": "No two signals that lead towards each other over the same track show proceed.",
     "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
     "S-CLEAR": "Proceed is shown only when every section of the path, as the points lie, is reported clear.",
@@ -107,6 +109,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         out.append(Claim(f"T-{h.id}", h.place, neg(h.expr), True))
     for name, place, expr, physical in (
         *((*x, x[0] == "T-FLANK") for x in _flank(f)),
+        *((*x, True) for x in _zones(f)),
         *((*x, False) for x in _flank_space(f)),
         *((*x, False) for x in _pairs(f)),
         *((*x, False) for x in _signals(f)),
@@ -189,6 +192,17 @@ def _flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 danger = exposed(f, edge, node, 0.0, clear_of, frozenset({node}))
                 yield "T-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, train)), neg(danger))
                 yield "S-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, shown)), neg(danger))
+
+
+def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    for z in f.layout.zones:
+        yield "T-ZONE", z.id, neg(var(f"zone.{z.id}"))
+        for s, j in f.system.zone_joints(z):
+            rear = f.topo.beyond(s, j)
+            boundary = f.layout.boundary_at.get(j)
+            where = rear or (boundary.approach if boundary and boundary.approach else f"outside.{j}")
+            comes = f.system.plant.events.get(f"head.{j}.{where}", FALSE)
+            yield "T-ZONE", f"{z.id} at {j}", implies(comes, f.system.called_in(s, j))
 
 
 def _flank_space(f: Facts) -> Iterator[tuple[str, str, Expr]]:

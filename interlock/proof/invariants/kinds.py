@@ -9,7 +9,7 @@ from typing import Any, Protocol
 from interlock.logic.controller import Symbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.plant import Plant
-from interlock.model.elements import NodeId, SectionId, Signal, SignalId
+from interlock.model.elements import NodeId, SectionId, Signal, SignalId, Zone
 from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology
@@ -48,6 +48,14 @@ class SystemView(Protocol):
 
     def after(self, x: Expr) -> Expr:
         """The expression one step later."""
+        ...
+
+    def zone_joints(self, z: Zone) -> list[tuple[SectionId, NodeId]]:
+        """Where trains come into a zone."""
+        ...
+
+    def called_in(self, s: SectionId, j: NodeId) -> Expr:
+        """A section is locked for a train that comes in at j and has not come yet."""
         ...
 
     def output(self, name: str) -> Expr:

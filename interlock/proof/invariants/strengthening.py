@@ -34,6 +34,10 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
             one = at_most_one(var(r.active) for r in f.sym.routes_from.get(g.id, ()))
             out.append(Invariant("G-ONE", g.id, one))
     out += overlap_invariants(f)
+    for s in sorted({s for z in f.layout.zones for s in z.sections}):
+        inside = conj((o(s), neg(rests(s)), neg(disj(_coming(f, s)))))
+        if f"img.{s}" in f.system.plant.state:
+            out.append(Invariant("Z-SEEN", s, implies(inside, image(s))))
     if f.sym.ring:
         out.append(Invariant("Q-RING", "requests", at_most_one(var(n) for n in f.sym.ring)))
     for r in f.sym.routes:
