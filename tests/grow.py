@@ -244,7 +244,12 @@ class Grown:
     def text(self) -> str:
         more = [*self.furnish(), *self.blind()]
         profile = self.rng.choice(["mine", "generic", "cn", "de"])
-        rules = ["", "", "principles: {flank_space: yes}", "principles: {flank_lamp: yes, lamp_proof: yes}"]
+        rules = [
+            "",
+            "",
+            "principles: {flank_space: yes, sensor_faults: yes}",
+            "principles: {flank_lamp: yes, lamp_proof: yes}",
+        ]
         out = ["interlock: 1", "name: grown", f"profile: {profile}", self.rng.choice(rules), "boundaries:"]
         out += [f"  {n}: {b}" for n, b in self.boundaries.items()]
         if self.buffers:

@@ -26,12 +26,14 @@ def faulty_inputs(system: System, rng: random.Random) -> dict[str, int]:
         out[rng.choice(sorted(system.symbols.clear.values()))] = 0
     if rng.random() < 0.02:
         out[rng.choice(sorted(system.symbols.detected.values()))] = 0
+    if rng.random() < 0.03 and system.symbols.healthy:
+        out[rng.choice(sorted(system.symbols.healthy.values()))] = 0
     if rng.random() < 0.003:
         out[system.symbols.valid] = 0
     return out
 
 
-@pytest.mark.parametrize("name", ["fig2_3_split", "passing_loop", "junction", "mine11"])
+@pytest.mark.parametrize("name", ["fig2_3_split", "passing_loop", "junction", "mine11", "pit_bottom"])
 def test_no_hazard_and_no_violated_claim(name: str) -> None:
     layout, _, controller = built(name)
     system = System(layout, controller)

@@ -38,6 +38,7 @@ ON = {
     "clear-lamp-not-lit": SHUNT,
     "clear-before-stop": OVERLAPS,
     "zone-not-checked": "heishan",
+    "fault-ignored": "pit_bottom",
     "zone-miscounted": "heishan",
     "flank-space-not-checked": "flank_lab",
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("call-on-")), "passing_loop"),

@@ -333,6 +333,7 @@ class PrinciplesSpec(_Part):
     flank_space: YesNo | None = None
     flank_lamp: YesNo | None = None
     drive_points: YesNo | None = None
+    sensor_faults: YesNo | None = None
     lamp_proof: YesNo | None = None
     caution: Annotated[Caution | None, _choice("use of caution", tuple(Caution))] = None
     overlap_m: Amount | None = None

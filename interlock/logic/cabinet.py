@@ -77,6 +77,8 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
     outputs = {o.name for o in controller.outputs}
     for s, name in sym.clear.items():
         yield name, "I", s
+    for s, name in sym.healthy.items():
+        yield name, "I", s
     for (m, _), name in sym.detected.items():
         yield name, "I", m
     for lamps in (sym.stop_lamp, sym.clear_lamp, sym.caution_lamp):

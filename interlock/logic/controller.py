@@ -146,6 +146,7 @@ class Symbols:
     voyage: str | None
     ring: tuple[str, ...]
     clear: Mapping[SectionId, str]
+    healthy: Mapping[SectionId, str]
     blocked: Mapping[SectionId, str]
     detected: Mapping[tuple[MachineId, Position], str]
     command: Mapping[tuple[MachineId, Position], str]

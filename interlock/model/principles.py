@@ -60,6 +60,8 @@ class Principles:
         180 m; Chinese main lines and mines none).
     overlap_release_s: time for which the section before the signal must have been occupied until the train counts as
         standing and its overlap is released (R4: 30 to 80 s).
+    sensor_faults: whether the substations report for every section that its detector is healthy (document B 2.1); one
+        that is not counts as occupied.
     lamp_proof: whether the lamps of signals are reported (R11, Chinese practice): a signal opens only while its stop
         lamp is intact, shows caution while its clear lamp is not, and stop while no other lamp is left.
     local_requests: whether routes are asked for on the spot too, and which of two requests in one scan is taken: the
@@ -87,6 +89,7 @@ class Principles:
     drive_points: bool = False
     overlap_m: float = 0.0
     overlap_release_s: float = 60.0
+    sensor_faults: bool = False
     lamp_proof: bool = False
     local_requests: Local = Local.NONE
     priorities: bool = False

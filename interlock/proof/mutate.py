@@ -284,6 +284,7 @@ KINDS: tuple[Kind, ...] = (
         without("MAN", "no grant in this scan"),
     ),
     Kind("wrong-direction", "a lock stands for the wrong direction of travel", _direction),
+    Kind("fault-ignored", "a faulty detector is believed", without("OCC", "detector faulty")),
     Kind("lost-input-ignored", "lost inputs do not read as occupied", without("OCC", "inputs lost")),
     Kind("validity-not-wired", "the health of the inputs is not looked at", _validity_not_wired),
     Kind(

@@ -96,7 +96,12 @@ def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: Z3Sat, 
     values = solver.values()
     shift = (depth - 1) * steps.size
     valid = system.symbols.valid
-    healthy = {valid, *system.symbols.clear.values(), *system.symbols.detected.values()}  # else a fault is told
+    healthy = {
+        valid,
+        *system.symbols.clear.values(),
+        *system.symbols.healthy.values(),
+        *system.symbols.detected.values(),
+    }  # else a fault is told
     kept: list[int] = [steps.bad + shift]
     for k in range(depth):
         lit = steps.inputs[valid] + k * steps.size

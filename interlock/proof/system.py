@@ -25,6 +25,7 @@ def wiring(controller: Controller, layout: Layout) -> Wiring:
         command={k: var(v) for k, v in s.command.items()},
         valid=s.valid,
         clear=s.clear,
+        healthy=s.healthy,
         detected=s.detected,
         approach_timer=s.approach_timer,
         overlap_timer=s.overlap_timer,

@@ -163,7 +163,7 @@ class Lanes:
         values[sym.valid] = m
         values |= dict.fromkeys(sym.blocked.values(), 0)
         lamps = (*sym.stop_lamp.values(), *sym.clear_lamp.values(), *sym.caution_lamp.values())
-        values |= dict.fromkeys((*sym.condition.values(), *lamps), m)
+        values |= dict.fromkeys((*sym.condition.values(), *sym.healthy.values(), *lamps), m)
         for lane, wish in wanted:
             for name, value in wish.inputs.items():
                 if name in self.sizes:

@@ -69,7 +69,7 @@ class Simulator:
             values[name] = 0
         sym = self.controller.symbols
         lamps = (*sym.stop_lamp.values(), *sym.clear_lamp.values(), *sym.caution_lamp.values())
-        for name in (*sym.condition.values(), *lamps):
+        for name in (*sym.condition.values(), *sym.healthy.values(), *lamps):
             values[name] = 1
         values |= inputs or {}
         self._run_timers(values)
@@ -82,7 +82,8 @@ class Simulator:
         valid = bool(values[self.controller.symbols.valid])
         self.state = {**self.state, **{k: int(v) for k, v in moved.items()}, **{k: int(v) for k, v in new.items()}}
         for s, name in self.controller.symbols.clear.items():
-            self.state[f"img.{s}"] = int(not (valid and values[name]))
+            healthy = s not in sym.healthy or values[sym.healthy[s]]
+            self.state[f"img.{s}"] = int(not (valid and values[name] and healthy))
 
     def missing(self, equation: str) -> list[str]:
         """The terms of an equation that were false in the last scan, in words."""

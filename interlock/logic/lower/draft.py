@@ -52,6 +52,12 @@ class Draft:
         return {s: tuple(ts) for s, ts in out.items()}
 
     @cached_property
+    def healthy(self) -> Mapping[SectionId, str]:
+        """The inputs that tell that a section's detector is healthy, where the principle asks for them."""
+        asked = self.layout.principles.sensor_faults
+        return {s.id: f"SH_{portable(s.id)}" for s in self.layout.sections if asked and s.detected}
+
+    @cached_property
     def lockable(self) -> tuple[SectionId, ...]:
         """Sections that some route or overlap locks."""
         return tuple(s for s in self.sections if self.locks_of[s])

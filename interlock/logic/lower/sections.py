@@ -23,11 +23,21 @@ def inputs(d: Draft) -> None:
         if s.id in d.layout.undetected:
             continue
         d.inputs.append(Input(f"CLR_{portable(s.id)}", f"section {s.id} reported clear"))
+    for s_, name in d.healthy.items():
+        d.inputs.append(Input(name, f"detector of {s_} healthy"))
     for s_ in d.sections:
         d.inputs.append(Input(f"REL_{portable(s_)}", f"operator: release section {s_} (hold until released)"))
     for s_ in d.lockable:
         d.inputs.append(Input(f"BLK_{portable(s_)}", f"operator: section {s_} is blocked", restrictive=1))
     d.inputs.append(Input("RELALL", "operator: release all clear sections after a restart"))
+
+
+def alarms(d: Draft) -> None:
+    """A detector that is not healthy raises an alarm (document B 2.1)."""
+    for s, name in d.healthy.items():
+        n = portable(s)
+        d.kept(f"FA_{n}", False, f"alarm: detector of {s} faulty", Join.ALL, (Term(neg(var(name)), "fault"),), "alarms")
+        d.outputs.append(Output(f"YF_{n}", var(f"FA_{n}"), False, f"alarm: detector of {s} faulty"))
 
 
 def image(d: Draft) -> None:
@@ -41,6 +51,7 @@ def image(d: Draft) -> None:
             Join.ANY,
             (
                 Term(neg(var(f"CLR_{n}")), "not reported clear"),
+                *([Term(neg(var(d.healthy[s.id])), "detector faulty")] if s.id in d.healthy else []),
                 Term(neg(var("VALID")), "inputs lost"),
             ),
             f"section {s.id}",

@@ -507,7 +507,9 @@ class PlantBuilder:
                 p.state[f"img.{s}"] = f"{s} was reported occupied"
                 p.next[f"img.{s}"] = neg(conj((var(name), valid)))
                 continue
-            reported = neg(var(name))
+            # a detector that is reported faulty may say anything: it counts as saying occupied
+            faulty = neg(var(self.w.healthy[s])) if s in self.w.healthy else FALSE
+            reported = disj((neg(var(name)), faulty))
             p.state[f"img.{s}"] = f"{s} was reported occupied"
             p.next[f"img.{s}"] = disj((reported, neg(valid)))
             p.initial.append(image(s))

@@ -19,6 +19,7 @@ class Wiring:
     command: Mapping[tuple[MachineId, Position], Expr]
     valid: str
     clear: Mapping[SectionId, str]
+    healthy: Mapping[SectionId, str]
     detected: Mapping[tuple[MachineId, Position], str]
     approach_timer: Mapping[SignalId, str]
     overlap_timer: Mapping[SignalId, str]

@@ -89,8 +89,11 @@ class Facts:
         return self._locks.get(s, [])
 
     def clear(self, s: str) -> Expr:
-        """Reported clear; never, without detection."""
-        return var(self.sym.clear[SectionId(s)]) if SectionId(s) in self.sym.clear else FALSE
+        """Reported clear by a healthy detector; never, without detection."""
+        if SectionId(s) not in self.sym.clear:
+            return FALSE
+        healthy = [var(self.sym.healthy[SectionId(s)])] if SectionId(s) in self.sym.healthy else []
+        return conj((var(self.sym.clear[SectionId(s)]), *healthy))
 
     def restart(self, s: str) -> Expr:
         """Restart lock."""
