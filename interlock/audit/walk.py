@@ -153,6 +153,20 @@ def overruns(layout: Layout, trip: Trip) -> list[Trip]:
     length = layout.overlap_of.get(g.id, 0.0) if g is not None else 0.0
     if g is None or trip.shunt or length <= 0:
         return [trip]
+    free = replace(trip, moves=(), sections=(), positions=())
+    joined = frozenset(
+        (a.node, layout.section_of(b.edge))
+        for path in _overruns(layout, g, free, length, frozenset(), checked=False)
+        for a, b in itertools.pairwise(path.over)
+        if layout.section_of(a.edge) != layout.section_of(b.edge)
+    )
+    return _overruns(layout, g, trip, length, joined, checked=True)
+
+
+def _overruns(
+    layout: Layout, g: Signal, trip: Trip, length: float, joined: frozenset[tuple[NodeId, SectionId]], checked: bool
+) -> list[Trip]:
+    """Long enough paths beyond the signal that do not end where another one goes on from section to section."""
     e = layout.edge[g.into]
     found: list[Trip] = []
     start = Move(g.into, e.b if e.a == g.node else e.a)
@@ -167,12 +181,15 @@ def overruns(layout: Layout, trip: Trip) -> list[Trip]:
         at_joint = ends or any(layout.section_of(m.edge) != section for m, _ in steps(layout, here))
         next_signal = [h for m, _ in steps(layout, here) if (h := signal_facing(layout, here.node, m.edge)) is not None]
         through = length == float("inf") and any(h.kind != "shunt" for h in next_signal)
-        if ends or (at_joint and (gone >= length or through)):
+        onward = {layout.section_of(m.edge) for m, _ in steps(layout, here)} - {section}
+        goes_on = any((here.node, s) in joined for s in onward)
+        if ends or (at_joint and (gone >= length or through) and not goes_on):
             wanted = dict(trip.positions)
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
-            clash = clash or any(p.work == "hand" and wanted.get(p.machine) == "R" for p in layout.points)
             over = {layout.section_of(m.edge) for m in moves}
-            clash = clash or bool(over & layout.undetected)
+            if checked:
+                clash = clash or any(p.work == "hand" and wanted.get(p.machine) == "R" for p in layout.points)
+                clash = clash or bool(over & layout.undetected)
             diamonds = [m.node for m in (*trip.moves, *moves) if m.node in layout.crossing_at]
             if not clash and not over & set(trip.sections) and len(diamonds) == len(set(diamonds)):
                 mine = tuple(sorted(dict(positions).items()))

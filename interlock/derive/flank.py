@@ -130,28 +130,30 @@ def _outward(
 def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[tuple[str, bool], str]:
     """What the principles ask of the flank space: sections to be clear (False), stop lamps to be intact (True).
 
-    Walks outward from the requester again and stops at the chosen providers.
+    Walks outward from the requester again and stops at the chosen providers; round a balloon loop it comes back the
+    other way, as a vehicle could.
     """
     found: dict[tuple[str, bool], str] = {}
     rules = layout.principles
-    todo: list[tuple[EdgeId, NodeId, float, frozenset[NodeId]]] = [(r.edge, r.node, 0.0, frozenset({r.node}))]
+    todo: list[tuple[EdgeId, NodeId, float]] = [(r.edge, r.node, 0.0)]
+    seen: set[tuple[EdgeId, NodeId]] = set()
     while todo:
-        edge, node, gone, seen = todo.pop()
+        edge, node, gone = todo.pop()
         e = layout.edge[edge]
-        if e.one_way and e.a == node:
+        if (edge, node) in seen or (e.one_way and e.a == node):
             continue
+        seen.add((edge, node))
         if rules.flank_space and e.section != r.section and e.section not in layout.undetected:
             found.setdefault((e.section, False), f"{e.section} lies between {r.name} and its protection")
         far = layout.far(edge, node)
         gone += e.length
-        if far in seen or far in layout.buffer_at or far in layout.boundary_at:
+        if far == r.node or far in layout.buffer_at or far in layout.boundary_at:
             continue
         signal = layout.signal_facing.get((far, edge))
         if signal is not None and gone >= r.clear_of:
             if rules.flank_lamp and rules.lamp_proof:
                 found.setdefault((signal.id, True), f"{signal.id} protects {r.name} only while its stop lamp is intact")
             continue
-        seen = seen | {far}
         point = layout.point_at.get(far)
         crossing = layout.crossing_at.get(far)
         if point is None:
@@ -164,7 +166,7 @@ def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[t
             onward = []
         else:
             onward = [point.toe]
-        todo += [(x, far, gone, seen) for x in onward]
+        todo += [(x, far, gone) for x in onward]
     return found
 
 

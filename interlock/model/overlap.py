@@ -7,9 +7,10 @@ track; one of infinite length, a successive route, also at the next main signal.
 from __future__ import annotations
 
 from functools import lru_cache
+from itertools import pairwise
 from math import isinf
 
-from interlock.model.elements import PointId, Position, SignalId
+from interlock.model.elements import NodeId, PointId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
 
@@ -24,10 +25,24 @@ def overlap_length(speed_kmh: float, falling_permille: float) -> float:
 
 @lru_cache(maxsize=8192)
 def overlap_paths(layout: Layout, signal: SignalId) -> tuple[tuple[Traversal, ...], ...]:
-    """Every alternative of a signal's overlap, as ways through sections in order; empty without overlap."""
-    length = layout.overlap_of.get(signal, 0.0)
-    if length <= 0:
+    """Every alternative of a signal's overlap, as ways through sections in order; empty without overlap.
+
+    Where two alternatives of different length come together, the one that is long enough goes on as far as the other:
+    nobody knows over which of them a train came that has overrun the signal.
+    """
+    if layout.overlap_of.get(signal, 0.0) <= 0:
         return ()
+    plain = [ways for ways in _search(layout, signal, frozenset()) if _agrees(layout, ways)]
+    steps = frozenset((a.section, a.exit, b.section) for ways in plain for a, b in pairwise(ways))
+    found = [ways for ways in _search(layout, signal, steps) if _agrees(layout, ways)]
+    return tuple(sorted(found, key=lambda ws: (_reversed(ws), [t.key for t in ws])))
+
+
+def _search(
+    layout: Layout, signal: SignalId, steps: frozenset[tuple[SectionId, NodeId, SectionId]]
+) -> list[tuple[Traversal, ...]]:
+    """Paths that are long enough and do not end where one of the steps goes on."""
+    length = layout.overlap_of[signal]
     g = layout.signal[signal]
     topo = topology(layout)
     found: list[tuple[Traversal, ...]] = []
@@ -38,13 +53,13 @@ def overlap_paths(layout: Layout, signal: SignalId) -> tuple[tuple[Traversal, ..
         ways, gone = todo.pop()
         last = ways[-1]
         onward = topo.beyond(last.section, last.exit)
-        if gone >= length or onward is None or (isinf(length) and (last.exit, onward) in topo.main_into):
-            if _agrees(layout, ways):
-                found.append(ways)
+        enough = gone >= length or (isinf(length) and (last.exit, onward) in topo.main_into)
+        if onward is None or (enough and (last.section, last.exit, onward) not in steps):
+            found.append(ways)
             continue
         if all(w.section != onward for w in ways):
             todo.extend(((*ways, t), gone + t.length) for t in topo.through(onward, last.exit))
-    return tuple(sorted(found, key=lambda ws: (_reversed(ws), [t.key for t in ws])))
+    return found
 
 
 def _agrees(layout: Layout, ways: tuple[Traversal, ...]) -> bool:

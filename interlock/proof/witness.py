@@ -167,7 +167,8 @@ def _drive(system: System, lane: Lane, r: RouteSymbols, failed: SectionId | None
     keep = set(layout.undetected) if leaves else {place, *layout.undetected}
     if failed is not None:  # and so does what lies beyond it
         keep |= {s for s, _ in r.ways[[s for s, _ in r.ways].index(failed) :]}
-    after = Wish((), {system.symbols.cancel[r.entry]: 1}) if r.call_on else NOTHING
+    by_hand = {i.name: 1 for i in system.controller.inputs if i.name.startswith("REL")}
+    after = Wish((), {system.symbols.cancel[r.entry]: 1, **by_hand}) if r.call_on else NOTHING
     near = {s: locks for s, locks in system.symbols.locked_by.items() if s not in keep}
     for _ in range(MAX_STEPS):
         near = {s: locks for s, locks in near.items() if lane.any_on(locks)}
