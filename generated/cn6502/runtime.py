@@ -1,6 +1,6 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 551ed25445b4d4ac57d897afcc9f566da51583b4399932af936b4ec598118afc
+# layout f9f2750048c456896387c3fba4d9f1fdaa5722f0e7d2145edf8551bcb43a1086
 # claims e1819391615dec4ce66eba08013c8661131d1ecfaa1f412d7a791ce0b879a5f1
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

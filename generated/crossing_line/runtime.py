@@ -1,6 +1,6 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 55f505774d21b696b6f5d5899129f7de112cf4008e114f0fe057e1f93e44691b
+# layout a60397ec15ab52104859e9b527b91b385b7137615d2c9c8e7a6f56653a045d83
 # claims a12777d02fb84c1b55a220f5f3ed73983168a9150b968dd762d1e02cfa9f8899
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 34e41e54521c3adee8bea03a750d77a2bf4abadad8ab84091ab984b0b77fecb9
+# layout 19585eea2db74fd0e08d09c404c2f512771232e874a97a3a2d4819fd559fa0ba
 # claims 4f6d331ccf0777800526ce75c399ce41e8fbbe0387410cd07e1267f8e2323105
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 19681cf2210d9e7e4af8663c8ba9fe50f617263d0515bebe83070455e424e70e
+# layout a15688b4099df9d4a3426a8def9c9105d09b7ed5a42e9de2778b9c4b733e45a8
 # claims ccdd71544850a1e1be2450bd01e4e78ed1af73bd86fb88f9d25d27035e8f346e
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

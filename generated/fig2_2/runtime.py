@@ -1,6 +1,6 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout b31ae91e1f169e845eba88f73a361130866a46c3397fce4f85a9e45c90a33dcf
+# layout 2533778ef13956b8eb1b674a28466794cc5d0370c8ba81f9ff75265056173c3f
 # claims a60ff55634919baa2ec0ed4938d7a58530751f200b0f5b91ae899e1ffaa9ec6a
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout f16c0a8706283d49120507cae072ef150f9de5d733007c42f1d348a932fc8043
+# layout 2b522af79a0912f53ef86bc52676a220f3625dffb2aa3ba69ac83ad6405e103a
 # claims dcbecf14566e292f09cd4ec07e65e2bc5669b412865ef45a90efdfa732b1896b
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

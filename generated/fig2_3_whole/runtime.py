@@ -1,6 +1,6 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 910e9bdcc514814c44363d0926f507704b25eb3a8bb0ba69e3a571457db46814
+# layout 5aa97b018697cff8511fde4c28c8384955d74bc98fb312e0efede0c12d999270
 # claims c188a853f54f1c327b72d830275e0a0e3803747fc252b49ebd2003d00262c5db
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

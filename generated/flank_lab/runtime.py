@@ -1,6 +1,6 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 0269f4fb8c17dc1dfa1258a39b29daa045d34c824d7b87cba7f1d079eb63232e
+# layout 46be8da29609c48c85e59103a414bf9ff69d0b0a1d908cd526f2e9b43b8c3712
 # claims 285566d87e0c3aee1d5c6f8eacf2b416882eec9620a51642e0cf9663804dbb28
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout b91fd347554d274051a98cd832c80dbddc695103371fc990c1e5788eb6cc867a
+# layout e3ce1642b8f71b954aa8934726650b0d97d6edd7b6a4b157375e90a59d006c98
 # claims a4a25e62ed2fc26ce3f1b37357064805983de90a08bd942e8ecb60fda259cce8
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 3e6cb541da6a61a7b839cc03d5be1a3b88ced3ed093bcee50227ff145ea7b3be
+# layout 1993f75804f76d7ad170c630698bf9ac32126a8eef51ca002259693caa3c7b80
 # claims ef4d6898656e69b3eb3db24ea301c2fc150956477b438e1f41c823b120fae3cc
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

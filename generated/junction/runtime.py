@@ -1,6 +1,6 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout f7e36a2850922dc534c13c6de58bfe61d5f1eafa273e95b05bc142bde55c7778
+# layout b85062dd2e10d0d62e4938f2045ee7d295e867835e5b728c48c80f22a114e2c9
 # claims 0b0ba79108736c2ab33926b2440a1d0f4e6451c872b6e38e182aad9ebcaaf34b
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 40ad892def08c7296f157a6a0a8af9640a06f98563866f4b3e1c5d049247f52a
+# layout cf9705f49404978e90d3bd727c2e158db328adc814f91739c7a38d4570d16958
 # claims c2c95c381f54b90f0d5a8084f0143f6d0158cacf865ebc9aaed41b6f3c657d97
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

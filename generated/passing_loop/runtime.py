@@ -1,6 +1,6 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 1aa022726d6fb570d831b0faa7dd8c9c67bf3a230b8d74be62907034d8f27b48
+# layout 14c969c0b79804f8cb5bf5b0d6b635b51ebe4eca8c17ddb783eb730127f74e35
 # claims 489cb59a351acba19363220fb85f803299ffb156799c7d7326196f914ceafc40
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 1f63115760968e035c91c34cb841810d197e2b17555ff7703ef536b223ba9fdf
+# layout da04d5ff3fed8bedab6b4b8166452bad6d40fd8a85d85a7dc5efcb5023fa2220
 # claims 321964ce46e8e4c1c0416e9f9b3e35c2a899fdfd586a087b72780501e7ab9328
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
@@ -41,6 +41,21 @@ INPUTS = {
     'CLR_q7': (0, 2),  # section q7 reported clear
     'CLR_q8_dep': (0, 2),  # section q8_dep reported clear
     'CLR_q9': (0, 2),  # section q9 reported clear
+    'SH_ap_E': (0, 2),  # detector of ap_E healthy
+    'SH_ap_W': (0, 2),  # detector of ap_W healthy
+    'SH_q1': (0, 2),  # detector of q1 healthy
+    'SH_q10_bypass2': (0, 2),  # detector of q10_bypass2 healthy
+    'SH_q11_material': (0, 2),  # detector of q11_material healthy
+    'SH_q12': (0, 2),  # detector of q12 healthy
+    'SH_q13_man': (0, 2),  # detector of q13_man healthy
+    'SH_q2': (0, 2),  # detector of q2 healthy
+    'SH_q3_heavy': (0, 2),  # detector of q3_heavy healthy
+    'SH_q4_tippler': (0, 2),  # detector of q4_tippler healthy
+    'SH_q5_bypass1': (0, 2),  # detector of q5_bypass1 healthy
+    'SH_q6_empty': (0, 2),  # detector of q6_empty healthy
+    'SH_q7': (0, 2),  # detector of q7 healthy
+    'SH_q8_dep': (0, 2),  # detector of q8_dep healthy
+    'SH_q9': (0, 2),  # detector of q9 healthy
     'REL_q1': (0, 2),  # operator: release section q1 (hold until released)
     'REL_q10_bypass2': (0, 2),  # operator: release section q10_bypass2 (hold until released)
     'REL_q11_material': (0, 2),  # operator: release section q11_material (hold until released)
@@ -295,6 +310,21 @@ STATE = {
     'U_q9': True,  # q9 used by a train (R9)
     'P_q9': False,  # q9: the train went on (R9)
     'D_q9': False,  # q9: detection is not relied on, inputs were lost or a train is called on
+    'FA_ap_E': False,  # alarm: detector of ap_E faulty
+    'FA_ap_W': False,  # alarm: detector of ap_W faulty
+    'FA_q1': False,  # alarm: detector of q1 faulty
+    'FA_q10_bypass2': False,  # alarm: detector of q10_bypass2 faulty
+    'FA_q11_material': False,  # alarm: detector of q11_material faulty
+    'FA_q12': False,  # alarm: detector of q12 faulty
+    'FA_q13_man': False,  # alarm: detector of q13_man faulty
+    'FA_q2': False,  # alarm: detector of q2 faulty
+    'FA_q3_heavy': False,  # alarm: detector of q3_heavy faulty
+    'FA_q4_tippler': False,  # alarm: detector of q4_tippler faulty
+    'FA_q5_bypass1': False,  # alarm: detector of q5_bypass1 faulty
+    'FA_q6_empty': False,  # alarm: detector of q6_empty faulty
+    'FA_q7': False,  # alarm: detector of q7 faulty
+    'FA_q8_dep': False,  # alarm: detector of q8_dep faulty
+    'FA_q9': False,  # alarm: detector of q9 faulty
 }
 # name: time in milliseconds, meaning
 TIMERS = {
@@ -359,6 +389,21 @@ OUTPUTS = {
     'YL_q7': True,  # indication: q7 is locked
     'YL_q8_dep': True,  # indication: q8_dep is locked
     'YL_q9': True,  # indication: q9 is locked
+    'YF_ap_E': False,  # alarm: detector of ap_E faulty
+    'YF_ap_W': False,  # alarm: detector of ap_W faulty
+    'YF_q1': False,  # alarm: detector of q1 faulty
+    'YF_q10_bypass2': False,  # alarm: detector of q10_bypass2 faulty
+    'YF_q11_material': False,  # alarm: detector of q11_material faulty
+    'YF_q12': False,  # alarm: detector of q12 faulty
+    'YF_q13_man': False,  # alarm: detector of q13_man faulty
+    'YF_q2': False,  # alarm: detector of q2 faulty
+    'YF_q3_heavy': False,  # alarm: detector of q3_heavy faulty
+    'YF_q4_tippler': False,  # alarm: detector of q4_tippler faulty
+    'YF_q5_bypass1': False,  # alarm: detector of q5_bypass1 faulty
+    'YF_q6_empty': False,  # alarm: detector of q6_empty faulty
+    'YF_q7': False,  # alarm: detector of q7 faulty
+    'YF_q8_dep': False,  # alarm: detector of q8_dep faulty
+    'YF_q9': False,  # alarm: detector of q9 faulty
     'YP_S0': False,  # signal S0: clear (green)
     'YS_S0': True,  # signal S0: stop
     'YP_S1': False,  # signal S1: clear (green)
@@ -439,6 +484,21 @@ class Controller:
         CLR_q7 = read['CLR_q7']
         CLR_q8_dep = read['CLR_q8_dep']
         CLR_q9 = read['CLR_q9']
+        SH_ap_E = read['SH_ap_E']
+        SH_ap_W = read['SH_ap_W']
+        SH_q1 = read['SH_q1']
+        SH_q10_bypass2 = read['SH_q10_bypass2']
+        SH_q11_material = read['SH_q11_material']
+        SH_q12 = read['SH_q12']
+        SH_q13_man = read['SH_q13_man']
+        SH_q2 = read['SH_q2']
+        SH_q3_heavy = read['SH_q3_heavy']
+        SH_q4_tippler = read['SH_q4_tippler']
+        SH_q5_bypass1 = read['SH_q5_bypass1']
+        SH_q6_empty = read['SH_q6_empty']
+        SH_q7 = read['SH_q7']
+        SH_q8_dep = read['SH_q8_dep']
+        SH_q9 = read['SH_q9']
         REL_q1 = read['REL_q1']
         REL_q10_bypass2 = read['REL_q10_bypass2']
         REL_q11_material = read['REL_q11_material']
@@ -690,21 +750,36 @@ class Controller:
         U_q9 = old['U_q9']
         P_q9 = old['P_q9']
         D_q9 = old['D_q9']
-        OCC_ap_E = (not CLR_ap_E) or (not VALID)  # ap_E counts as occupied
-        OCC_ap_W = (not CLR_ap_W) or (not VALID)  # ap_W counts as occupied
-        OCC_q1 = (not CLR_q1) or (not VALID)  # q1 counts as occupied
-        OCC_q10_bypass2 = (not CLR_q10_bypass2) or (not VALID)  # q10_bypass2 counts as occupied
-        OCC_q11_material = (not CLR_q11_material) or (not VALID)  # q11_material counts as occupied
-        OCC_q12 = (not CLR_q12) or (not VALID)  # q12 counts as occupied
-        OCC_q13_man = (not CLR_q13_man) or (not VALID)  # q13_man counts as occupied
-        OCC_q2 = (not CLR_q2) or (not VALID)  # q2 counts as occupied
-        OCC_q3_heavy = (not CLR_q3_heavy) or (not VALID)  # q3_heavy counts as occupied
-        OCC_q4_tippler = (not CLR_q4_tippler) or (not VALID)  # q4_tippler counts as occupied
-        OCC_q5_bypass1 = (not CLR_q5_bypass1) or (not VALID)  # q5_bypass1 counts as occupied
-        OCC_q6_empty = (not CLR_q6_empty) or (not VALID)  # q6_empty counts as occupied
-        OCC_q7 = (not CLR_q7) or (not VALID)  # q7 counts as occupied
-        OCC_q8_dep = (not CLR_q8_dep) or (not VALID)  # q8_dep counts as occupied
-        OCC_q9 = (not CLR_q9) or (not VALID)  # q9 counts as occupied
+        FA_ap_E = old['FA_ap_E']
+        FA_ap_W = old['FA_ap_W']
+        FA_q1 = old['FA_q1']
+        FA_q10_bypass2 = old['FA_q10_bypass2']
+        FA_q11_material = old['FA_q11_material']
+        FA_q12 = old['FA_q12']
+        FA_q13_man = old['FA_q13_man']
+        FA_q2 = old['FA_q2']
+        FA_q3_heavy = old['FA_q3_heavy']
+        FA_q4_tippler = old['FA_q4_tippler']
+        FA_q5_bypass1 = old['FA_q5_bypass1']
+        FA_q6_empty = old['FA_q6_empty']
+        FA_q7 = old['FA_q7']
+        FA_q8_dep = old['FA_q8_dep']
+        FA_q9 = old['FA_q9']
+        OCC_ap_E = (not CLR_ap_E) or (not SH_ap_E) or (not VALID)  # ap_E counts as occupied
+        OCC_ap_W = (not CLR_ap_W) or (not SH_ap_W) or (not VALID)  # ap_W counts as occupied
+        OCC_q1 = (not CLR_q1) or (not SH_q1) or (not VALID)  # q1 counts as occupied
+        OCC_q10_bypass2 = (not CLR_q10_bypass2) or (not SH_q10_bypass2) or (not VALID)  # q10_bypass2 counts as occupied
+        OCC_q11_material = (not CLR_q11_material) or (not SH_q11_material) or (not VALID)  # q11_material counts as occupied
+        OCC_q12 = (not CLR_q12) or (not SH_q12) or (not VALID)  # q12 counts as occupied
+        OCC_q13_man = (not CLR_q13_man) or (not SH_q13_man) or (not VALID)  # q13_man counts as occupied
+        OCC_q2 = (not CLR_q2) or (not SH_q2) or (not VALID)  # q2 counts as occupied
+        OCC_q3_heavy = (not CLR_q3_heavy) or (not SH_q3_heavy) or (not VALID)  # q3_heavy counts as occupied
+        OCC_q4_tippler = (not CLR_q4_tippler) or (not SH_q4_tippler) or (not VALID)  # q4_tippler counts as occupied
+        OCC_q5_bypass1 = (not CLR_q5_bypass1) or (not SH_q5_bypass1) or (not VALID)  # q5_bypass1 counts as occupied
+        OCC_q6_empty = (not CLR_q6_empty) or (not SH_q6_empty) or (not VALID)  # q6_empty counts as occupied
+        OCC_q7 = (not CLR_q7) or (not SH_q7) or (not VALID)  # q7 counts as occupied
+        OCC_q8_dep = (not CLR_q8_dep) or (not SH_q8_dep) or (not VALID)  # q8_dep counts as occupied
+        OCC_q9 = (not CLR_q9) or (not SH_q9) or (not VALID)  # q9 counts as occupied
         FREE_q1 = (not K_q1) and (not L_q1_1) and (not L_q1_2)  # q1 is not locked by anybody
         FREE_q10_bypass2 = (not K_q10_bypass2) and (not L_q10_bypass2_1) and (not L_q10_bypass2_2)  # q10_bypass2 is not locked by anybody
         FREE_q11_material = (not K_q11_material) and (not L_q11_material_2)  # q11_material is not locked by anybody
@@ -1361,6 +1436,21 @@ class Controller:
         N_U_q9 = (U_q9 or NU_q9_1 or NU_q9_2 or NU_q9_3) and (not RLS_q9)  # q9 used by a train (R9)
         N_P_q9 = (P_q9 or (U_q9 and OCC_q9 and (NU_q10_bypass2_2 or NU_q11_material_2 or NU_q5_bypass1_2))) and (not RLS_q9)  # q9: the train went on (R9)
         N_D_q9 = (D_q9 or ((not VALID) and (L_q9_1 or L_q9_2 or L_q9_3 or L_q9_4))) and (not RLS_q9)  # q9: detection is not relied on, inputs were lost or a train is called on
+        N_FA_ap_E = (not SH_ap_E)  # alarm: detector of ap_E faulty
+        N_FA_ap_W = (not SH_ap_W)  # alarm: detector of ap_W faulty
+        N_FA_q1 = (not SH_q1)  # alarm: detector of q1 faulty
+        N_FA_q10_bypass2 = (not SH_q10_bypass2)  # alarm: detector of q10_bypass2 faulty
+        N_FA_q11_material = (not SH_q11_material)  # alarm: detector of q11_material faulty
+        N_FA_q12 = (not SH_q12)  # alarm: detector of q12 faulty
+        N_FA_q13_man = (not SH_q13_man)  # alarm: detector of q13_man faulty
+        N_FA_q2 = (not SH_q2)  # alarm: detector of q2 faulty
+        N_FA_q3_heavy = (not SH_q3_heavy)  # alarm: detector of q3_heavy faulty
+        N_FA_q4_tippler = (not SH_q4_tippler)  # alarm: detector of q4_tippler faulty
+        N_FA_q5_bypass1 = (not SH_q5_bypass1)  # alarm: detector of q5_bypass1 faulty
+        N_FA_q6_empty = (not SH_q6_empty)  # alarm: detector of q6_empty faulty
+        N_FA_q7 = (not SH_q7)  # alarm: detector of q7 faulty
+        N_FA_q8_dep = (not SH_q8_dep)  # alarm: detector of q8_dep faulty
+        N_FA_q9 = (not SH_q9)  # alarm: detector of q9 faulty
         self.state = {
             'CN_P1': bool(N_CN_P1),
             'CR_P1': bool(N_CR_P1),
@@ -1566,6 +1656,21 @@ class Controller:
             'U_q9': bool(N_U_q9),
             'P_q9': bool(N_P_q9),
             'D_q9': bool(N_D_q9),
+            'FA_ap_E': bool(N_FA_ap_E),
+            'FA_ap_W': bool(N_FA_ap_W),
+            'FA_q1': bool(N_FA_q1),
+            'FA_q10_bypass2': bool(N_FA_q10_bypass2),
+            'FA_q11_material': bool(N_FA_q11_material),
+            'FA_q12': bool(N_FA_q12),
+            'FA_q13_man': bool(N_FA_q13_man),
+            'FA_q2': bool(N_FA_q2),
+            'FA_q3_heavy': bool(N_FA_q3_heavy),
+            'FA_q4_tippler': bool(N_FA_q4_tippler),
+            'FA_q5_bypass1': bool(N_FA_q5_bypass1),
+            'FA_q6_empty': bool(N_FA_q6_empty),
+            'FA_q7': bool(N_FA_q7),
+            'FA_q8_dep': bool(N_FA_q8_dep),
+            'FA_q9': bool(N_FA_q9),
         }
         CN_P1 = self.state['CN_P1']
         CR_P1 = self.state['CR_P1']
@@ -1771,6 +1876,21 @@ class Controller:
         U_q9 = self.state['U_q9']
         P_q9 = self.state['P_q9']
         D_q9 = self.state['D_q9']
+        FA_ap_E = self.state['FA_ap_E']
+        FA_ap_W = self.state['FA_ap_W']
+        FA_q1 = self.state['FA_q1']
+        FA_q10_bypass2 = self.state['FA_q10_bypass2']
+        FA_q11_material = self.state['FA_q11_material']
+        FA_q12 = self.state['FA_q12']
+        FA_q13_man = self.state['FA_q13_man']
+        FA_q2 = self.state['FA_q2']
+        FA_q3_heavy = self.state['FA_q3_heavy']
+        FA_q4_tippler = self.state['FA_q4_tippler']
+        FA_q5_bypass1 = self.state['FA_q5_bypass1']
+        FA_q6_empty = self.state['FA_q6_empty']
+        FA_q7 = self.state['FA_q7']
+        FA_q8_dep = self.state['FA_q8_dep']
+        FA_q9 = self.state['FA_q9']
         return {
             'YN_P1': bool(CN_P1),
             'YR_P1': bool(CR_P1),
@@ -1801,6 +1921,21 @@ class Controller:
             'YL_q7': bool(K_q7 or L_q7_1 or L_q7_2 or L_q7_4),
             'YL_q8_dep': bool(K_q8_dep or L_q8_dep_1 or L_q8_dep_2),
             'YL_q9': bool(K_q9 or L_q9_1 or L_q9_2 or L_q9_3 or L_q9_4),
+            'YF_ap_E': bool(FA_ap_E),
+            'YF_ap_W': bool(FA_ap_W),
+            'YF_q1': bool(FA_q1),
+            'YF_q10_bypass2': bool(FA_q10_bypass2),
+            'YF_q11_material': bool(FA_q11_material),
+            'YF_q12': bool(FA_q12),
+            'YF_q13_man': bool(FA_q13_man),
+            'YF_q2': bool(FA_q2),
+            'YF_q3_heavy': bool(FA_q3_heavy),
+            'YF_q4_tippler': bool(FA_q4_tippler),
+            'YF_q5_bypass1': bool(FA_q5_bypass1),
+            'YF_q6_empty': bool(FA_q6_empty),
+            'YF_q7': bool(FA_q7),
+            'YF_q8_dep': bool(FA_q8_dep),
+            'YF_q9': bool(FA_q9),
             'YP_S0': bool(S_R1),
             'YS_S0': bool((not S_R1)),
             'YP_S1': bool(S_R2 or S_R3),

@@ -1,6 +1,6 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout bef4d81f4f9db933c30590d0b43345ac4da30d53265e881bee01d5978d7228c2
+# layout 381a1fa800f2190cd229e879898a8c0cbc0b4074f330ae90b195aebb4c24e9c3
 # claims 43696bb64182d33e04427ae802cc231fa0c0846c12a62c6736a5c14170ceb88d
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

@@ -1,6 +1,6 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 00aecc8456faba831d087c6b99c270ac2afa484f98d8e9bd1a9c28027ffa945e
+# layout a646a99d20068ba4d5c28f8f5e0372f61a4b44061a940dd9a3b9fd7ea77f0ce8
 # claims 36a6dc65c19111db7dc695ca4de83797d3b6efa9c29b788d4138f15f8d4d42a9
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 

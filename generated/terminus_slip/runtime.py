@@ -1,6 +1,6 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 6b1b5716a6c9ea73539c19698fa39db2778236a1e0e738c8e81d91f1b49be63b
+# layout 769eb5b4f3af22a5cdf0617dc4d127ebbb8a4ebe3feb6c7cc3f7b44df8935bf6
 # claims 01615a3ad25d107380e8f7d380a54bd8154a0d327f83c641972793bc0a7cdf54
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
