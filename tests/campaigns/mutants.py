@@ -58,8 +58,8 @@ def main() -> int:
     print("# Mutants\n")
     print(
         f"`python -m tests.campaigns.mutants --sample {args.sample}` at commit {commit.stdout.strip()}, "
-        f"{platform.machine()}, 2 cores.  Layouts: {', '.join(p.split('/')[-1] for p in (*LAYOUTS, *MORE))}; of each kind up "
-        f"to {args.sample} evenly spread places on each.\n"
+        f"{platform.machine()}, 2 cores.  Layouts: {', '.join(p.split('/')[-1] for p in (*LAYOUTS, *MORE))}; "
+        f"of each kind up to {args.sample} evenly spread places on each.\n"
     )
     print(
         "*Movement*: a claim fails, and a run from the restart to harm was found.  *Strict*: a claim no longer "
