@@ -155,6 +155,17 @@ if BROWSER:
         if box is not None:  # A3 landscape in points
             assert abs(float(box[1]) - 1190.6) < 3 and abs(float(box[2]) - 841.9) < 3
 
+    def test_in_print_nothing_lies_over_anything_and_nothing_is_cut_off() -> None:
+        with opened(Path("generated/cn6502/index.html")) as page:
+            page.emulate_media(media="print")
+            boxes = page.evaluate(
+                "[...document.querySelectorAll('table')].map(t => [t.getBoundingClientRect().bottom, "
+                "t.closest('.scroll, section').getBoundingClientRect().bottom, t.getBoundingClientRect().right])"
+            )
+            assert len(boxes) > 4
+            for bottom, room, right in boxes:
+                assert bottom <= room + 1 and right <= 1500
+
     def test_names_are_no_wider_in_the_browser_than_the_plan_reckons() -> None:
         for name in ("cn6502", "pit_bottom", "depot"):
             with opened(Path(f"generated/{name}/plan.svg")) as page:

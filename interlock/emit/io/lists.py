@@ -54,6 +54,7 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
     hand = {p.machine for p in layout.points if p.work is Work.HAND}
     derailers = {p.machine for p in layout.points if p.derailer}
     motors = [m for m in layout.ends_of_machine if m not in hand]
+    kinds["call-on lamp"] = sum(g.call_on for g in layout.signals)
     kinds["distant signal"] = len(layout.distants)
     kinds["section with detection"] = sum(s.detected and not s.approach for s in layout.sections)
     kinds["approach section with detection"] = sum(s.detected and s.approach for s in layout.sections)
