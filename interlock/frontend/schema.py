@@ -253,10 +253,10 @@ class ConditionSpec(_Part):
 
 
 def _trains(value: object) -> object:
-    x = _amount(value)
-    if x != int(x) or not 1 <= x <= 99:
-        raise PydanticCustomError("range", "{v} is out of range (1 to 99)", {"v": value})
-    return int(x)
+    if not isinstance(value, str) or not re.fullmatch(r"\d{1,4}", value) or not 1 <= int(value) <= 99:
+        fix = "write how many trains may be there at once, for instance 4"
+        raise PydanticCustomError("range", "{v} is no number of trains (1 to 99)", {"v": value, "fix": fix})
+    return int(value)
 
 
 class ZoneSpec(_Part):
@@ -338,7 +338,7 @@ class PrinciplesSpec(_Part):
     caution: Annotated[Caution | None, _choice("use of caution", tuple(Caution))] = None
     overlap_m: Amount | None = None
     overlap_release_s: Seconds | None = None
-    local_requests: Annotated[Local | None, _choice("order of local requests", tuple(Local))] = None
+    local_requests: Annotated[Local | None, _choice("rule for local requests", tuple(Local))] = None
     priorities: YesNo | None = None
     priority_wait_s: Amount | None = None
 
@@ -350,7 +350,8 @@ class PrinciplesSpec(_Part):
 def _level(value: Any) -> int:
     text = str(value).strip()
     if not re.fullmatch(r"[+-]?\d{1,3}", text):
-        raise PydanticCustomError("number", "{v} is not a whole number", {"v": repr(text)})
+        fix = "write how many tracks above (or, with a minus, below) the longest run it lies: 1, -2"
+        raise PydanticCustomError("number", "{v} is not a whole number", {"v": repr(text), "fix": fix})
     return int(text)
 
 
@@ -521,7 +522,7 @@ def _report(root: Node, kind: str, loc: tuple[str | int, ...], text: str, ctx: d
             "see `interlock explain IL1012`",
         )
     else:
-        fix = _FIX.get(code, "")
+        fix = ctx.get("fix", _FIX.get(code, ""))
         if code == "IL1017":
             fix = did_you_mean(str(ctx.get("v", "")), ctx.get("known", ()))
         sink.add(code, f"{'.'.join(map(str, path))}: {text}", span_of(root, path, key=on_key), fix)
