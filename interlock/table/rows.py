@@ -317,6 +317,12 @@ class RouteRow:
         return frozenset(c.section for c in self.sections)
 
     @property
+    def requirements(self) -> tuple[str, ...]:
+        """What must hold besides sections, points and locks, in words: conditions, zones, lamps of the flank."""
+        lamps = (f"stop lamp of {c.name}" for c in self.space if c.lamp)
+        return (*(c.condition for c in self.conditions), *(f"{z.zone} not full" for z in self.zones), *lamps)
+
+    @property
     def locked(self) -> tuple[TraversalKey, ...]:
         """The ways that the route locks for itself alone: all but the berth."""
         return self.traversals[:-1] if self.berth is not None else self.traversals

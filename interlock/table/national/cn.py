@@ -18,7 +18,6 @@ from functools import cached_property
 
 from interlock.model.elements import (
     BlockKind,
-    ConditionId,
     MachineId,
     NodeId,
     Position,
@@ -301,6 +300,7 @@ class _Form:
                     out.append(f.section)
                 elif f.when[0] not in named:
                     out.append(f"<{_lying(*f.when)}>{f.section}")
+        out += [c.name for c in r.space if not c.lamp]
         return list(dict.fromkeys(out))
 
     def facing(self, r: RouteRow) -> tuple[str, str]:
@@ -316,9 +316,9 @@ class _Form:
         """The block of the line on which a train departs (BS: 闭塞)."""
         block = self.layout.boundary_at[self.way(r.traversals[-1]).exit].block if self.departing(r) else BlockKind.NONE
         parts = ["BS"] if block is BlockKind.SEMI_AUTOMATIC else []
-        return "、".join([*parts, *(c.condition for c in r.conditions if not self.is_block(c.condition))])
+        return "、".join([*parts, *(c for c in r.requirements if not self.is_block(c))])
 
-    def is_block(self, condition: ConditionId) -> bool:
+    def is_block(self, condition: str) -> bool:
         """Whether a condition is the block beyond a boundary, which is printed as BS or not at all."""
         return any(c.id == condition and c.exits for c in self.layout.conditions)
 

@@ -113,7 +113,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             ),
             f"{r.approach.section or 'immer'}, {r.approach.delay_s:g} s",
             ", ".join(h.route for h in r.hostile),
-            ", ".join(c.condition for c in r.conditions),
+            ", ".join(r.requirements),
         )
         for r in table.routes
         if r.kind is RouteKind.MAIN

@@ -51,10 +51,11 @@ class Reading:
         )
 
     def sections(self, r: RouteRow) -> list[str]:
-        """Sections to be clear: path, foul sections with their condition, overlap."""
+        """Sections to be clear: path, foul sections with their condition, overlap, flank space."""
         foul = [f.section if f.when is None else f"[{f.section} or {f.when[0]} {f.when[1].other}]" for f in r.foul]
         over = [s for s, _ in r.overlap.ways] if r.overlap else []
-        return [*(c.section for c in r.sections), *foul, *over]
+        space = [c.name for c in r.space if not c.lamp]
+        return list(dict.fromkeys([*(c.section for c in r.sections), *foul, *over, *space]))
 
     def facing(self, r: RouteRow) -> list[tuple[str, Position]]:
         """The points that the route passes facing, in order: they decide where it goes."""

@@ -70,7 +70,7 @@ def _route(x: Reading, names: dict[RouteId, str], r: RouteRow) -> tuple[str, ...
     rear = r.approach.section
     remarks = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
     remarks += [f"{p.machine} {x.layout.word(p.machine, p.position)}" for p in r.points if x.is_derailer(p.machine)]
-    remarks += [c.condition for c in r.conditions] + [f"{b.section} clear (line)" for b in r.block]
+    remarks += [*r.requirements] + [f"{b.section} clear (line)" for b in r.block]
     if r.berth is not None:
         remarks.append(f"{r.berth} may be occupied")
     flank = [c for c in r.flank if any(p.kind.value == "signal" for p in c.providers)]

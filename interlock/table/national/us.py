@@ -37,7 +37,7 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
     for r in table.routes:
         signals = sorted({table.route[h.route].entry for h in r.hostile if table.route[h.route].entry != r.entry})
         remarks = [f"{p.machine} closed" for p in r.points if p.machine in layout.device]
-        remarks += [c.condition for c in r.conditions]
+        remarks += [*r.requirements]
         if r.overlap is not None:
             remarks.append("overlap " + ", ".join(s for s, _ in r.overlap.ways))
         if r.berth is not None:
