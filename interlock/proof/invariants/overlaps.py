@@ -45,7 +45,7 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
             ]
             there = conj((o(s), rests(s), disj(firmly)))
             out.append(Invariant(f"O-OVER:{g}", s, implies(overran(g, s), there)))
-    for g in f.sym.overlap_firm:
+    for g in f.layout.overlap_of:
         out += _signal(f, g)
     for j, s, t, past in f.passed_joints():
         if f.berth(t) and not past and f.overlaps(t):
@@ -98,7 +98,7 @@ def _signal(f: Facts, g: SignalId) -> list[Invariant]:
     t = f.layout.section_of(f.layout.signal[g].into)
     b = f.topo.beyond(t, node)
     assert b is not None
-    firm = var(f.sym.overlap_firm[g])
+    firm = var(f.sym.overlap_firm[g]) if g in f.sym.overlap_firm else neg(TRUE)  # no train route leads to it
     options = [
         (var(name), conj(neg(o(s)) for s, _ in f.sym.overlap_ways[opt]))
         for opt, name in f.sym.overlap.items()

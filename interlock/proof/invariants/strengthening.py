@@ -257,7 +257,12 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
         if (j, t) in f.topo.signal_into:
             yield "X-LOCKED", implies(stands, f.locked_in(t, j))
         else:
-            yield "X-LOCKED", implies(conj((stands, neg(overrun(f, t)), neg(overrun(f, s)))), f.locked_out(s, j))
+            over = disj(
+                overran(g, t)
+                for (g, _), ways in f.sym.overlap_ways.items()
+                if f"over.{g}.{t}" in f.system.plant.state and any(a == t and f.way(a, n)[0] == j for a, n in ways)
+            )
+            yield "X-LOCKED", implies(conj((stands, neg(over), neg(overrun(f, s)))), f.locked_out(s, j))
     if t and not (f.berth(t) and (j, t) not in f.topo.signal_into):
         fresh = conj((f.locked_in(t, j), f.been(t), neg(f.used(t)), neg(f.stale(t))))
         yield "X-UNUSED", implies(fresh, conj((o(t), across(j, s))))
