@@ -68,7 +68,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3017": (_E, "a track without a section"),
     "IL3018": (_I, "a foul joint"),
     "IL3020": (_E, "a section without detection that is no siding"),
-    "IL3022": (_E, "an overlap leads into a zone"),
+    "IL3022": (_E, "trains in a zone cannot be counted"),
     "IL3021": (_I, "an inclined lane without a condition"),
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation

@@ -5,13 +5,10 @@ Input: the YAML tree.  Output: a `LayoutFile`, or diagnostics IL1009-IL1017.
 
 from __future__ import annotations
 
-import math
-import re
 from dataclasses import replace
 from typing import Annotated, Any, Literal
 
 from pydantic import (
-    AfterValidator,
     BaseModel,
     BeforeValidator,
     ConfigDict,
@@ -19,119 +16,29 @@ from pydantic import (
     ValidationError,
     WithJsonSchema,
 )
-from pydantic_core import PydanticCustomError
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
+from interlock.frontend.scalars import (
+    MAX_NAME,
+    Amount,
+    End,
+    Length,
+    Name,
+    Reason,
+    Seconds,
+    Text,
+    YesNo,
+    choice,
+    level,
+    number,
+    trains,
+    version,
+)
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
 from interlock.model.elements import BlockKind, SignalKind, TelegramForm, Work
 from interlock.model.overlap import overlap_length
 from interlock.model.principles import KNOBS, PROFILES, Caution, FlankChoice, Local, Principles
-
-NAME = re.compile(r"[A-Za-z0-9]+([_/-][A-Za-z0-9]+)*")
-MAX_NAME = 14
-MAX_LENGTH_M = 100_000.0
-_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)")
-
-
-def _name(value: object) -> object:
-    if not isinstance(value, str):
-        raise PydanticCustomError("shape", "a name is expected")
-    if not NAME.fullmatch(value):
-        raise PydanticCustomError(
-            "name", "'{v}' cannot be a name: use letters, digits and single _ - / between them", {"v": value}
-        )
-    if len(value) > MAX_NAME:
-        raise PydanticCustomError("name", "'{v}' is longer than {n} characters", {"v": value, "n": MAX_NAME})
-    return value
-
-
-def number(text: str) -> float:
-    """A finite number in plain decimal notation; raises PydanticCustomError otherwise."""
-    if not _NUMBER.fullmatch(text):
-        raise PydanticCustomError("number", "'{v}' is not a number", {"v": text})
-    return float(text)
-
-
-def _length(value: object) -> object:
-    if not isinstance(value, str):
-        raise PydanticCustomError("number", "a length in metres is expected")
-    x = number(value)
-    if not math.isfinite(x) or not 0 < x <= MAX_LENGTH_M:
-        raise PydanticCustomError("range", "{v} m is not a possible length", {"v": value})
-    return x
-
-
-def _seconds(value: object) -> object:
-    x = _amount(value)
-    if x == 0:
-        raise PydanticCustomError("range", "{v} is out of range (0 to 86400)", {"v": value})
-    return x
-
-
-def _amount(value: object) -> float:
-    if not isinstance(value, str):
-        raise PydanticCustomError("number", "a number is expected")
-    x = number(value)
-    if not math.isfinite(x) or not 0 <= x <= 86_400:
-        raise PydanticCustomError("range", "{v} is out of range (0 to 86400)", {"v": value})
-    return x
-
-
-def _text(value: object) -> object:
-    if not isinstance(value, str):
-        raise PydanticCustomError("shape", "a text is expected")
-    return value
-
-
-def _some_text(value: str) -> str:
-    if not value.strip():
-        raise PydanticCustomError("reason", "the reason is empty")
-    return value
-
-
-def _version(value: object) -> object:
-    if value != "1":
-        raise PydanticCustomError("version", "version {v} is not supported", {"v": str(value)})
-    return 1
-
-
-def _choice(kind: str, known: tuple[str, ...]) -> BeforeValidator:
-    def check(value: object) -> object:
-        if not isinstance(value, str):
-            raise PydanticCustomError("shape", "a text is expected")
-        if value not in known:
-            raise PydanticCustomError("choice", "'{v}' is not a {k}", {"v": value, "k": kind, "known": list(known)})
-        return value
-
-    return BeforeValidator(check)
-
-
-_NAME_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{NAME.pattern}$", "maxLength": MAX_NAME}
-Name = Annotated[str, BeforeValidator(_name), WithJsonSchema(_NAME_SCHEMA)]
-Text = Annotated[str, BeforeValidator(_text)]
-Reason = Annotated[str, BeforeValidator(_text), AfterValidator(_some_text)]
-Length = Annotated[
-    float,
-    BeforeValidator(_length),
-    WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": MAX_LENGTH_M}),
-]
-Seconds = Annotated[
-    float,
-    BeforeValidator(_seconds),
-    WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": 86400}),
-]
-Amount = Annotated[float, BeforeValidator(_amount), WithJsonSchema({"type": "number", "minimum": 0, "maximum": 86400})]
-End = Annotated[str, BeforeValidator(_text)]
-
-
-def _yes_no(value: object) -> object:
-    if value not in ("yes", "no", "true", "false"):
-        raise PydanticCustomError("choice", "'{v}' is neither yes nor no", {"v": str(value), "known": ["yes", "no"]})
-    return value in ("yes", "true")
-
-
-YesNo = Annotated[bool, BeforeValidator(_yes_no), WithJsonSchema({"type": ["boolean", "string"]})]
 
 
 class _Part(BaseModel):
@@ -142,9 +49,9 @@ class BoundarySpec(_Part):
     """Where trains come in or leave."""
 
     approach: Annotated[Text | None, Field(description="approach section outside: `name length`")] = None
-    trains: Annotated[Literal["both", "in", "out"], _choice("direction", ("both", "in", "out"))] = "both"
+    trains: Annotated[Literal["both", "in", "out"], choice("direction", ("both", "in", "out"))] = "both"
     label: Text = ""
-    block: Annotated[Literal["none", "semi-automatic", "automatic"], _choice("block", tuple(BlockKind))] = "none"
+    block: Annotated[Literal["none", "semi-automatic", "automatic"], choice("block", tuple(BlockKind))] = "none"
     button: Annotated[Text, Field(description="button that ends departure routes here, as printed")] = ""
     indicator: Annotated[YesNo, Field(description="departures this way have a route indicator")] = False
 
@@ -161,7 +68,7 @@ class PointSpec(_Part):
     fouling: Annotated[Length | None, Field(description="distance to the fouling point in metres")] = None
     work: Annotated[
         Literal["motor", "hand"],
-        _choice("kind of work", tuple(Work)),
+        choice("kind of work", tuple(Work)),
         Field(description="hand: worked on the spot; a key locks it in normal"),
     ] = "motor"
 
@@ -185,7 +92,7 @@ class SlipSpec(_Part):
 
     section: Name
     arms: Annotated[list[list[End]], Field(min_length=2, max_length=2)]
-    single: Annotated[Literal["1a-2b", "2a-1b"] | None, _choice("pair of ends", ("1a-2b", "2a-1b"))] = None
+    single: Annotated[Literal["1a-2b", "2a-1b"] | None, choice("pair of ends", ("1a-2b", "2a-1b"))] = None
     machines: list[Name] = []
     legs: Length | None = None
     fouling: Length | None = None
@@ -221,7 +128,7 @@ class SignalSpec(_Part):
     from_: Annotated[Name, Field(alias="from")]
     into: Name
     at: Annotated[Name | None, Field(description="a point next to the joint, if sections meet twice")] = None
-    kind: Annotated[Literal["main", "shunt", "combined"], _choice("kind of signal", _KINDS)] = "main"
+    kind: Annotated[Literal["main", "shunt", "combined"], choice("kind of signal", _KINDS)] = "main"
     call_on: Annotated[YesNo, Field(description="it can call trains on over sections reported occupied")] = False
 
 
@@ -234,11 +141,11 @@ class DistantSpec(_Part):
 class SectionSpec(_Part):
     """More about a section."""
 
-    lane: Annotated[Literal["level", "inclined"], _choice("lane", ("level", "inclined"))] = "level"
+    lane: Annotated[Literal["level", "inclined"], choice("lane", ("level", "inclined"))] = "level"
     detected: Annotated[YesNo, Field(description="no: a siding without detection, always taken as occupied")] = True
     one_way: Annotated[
         Literal["forward", "backward"] | None,
-        _choice("direction", ("forward", "backward")),
+        choice("direction", ("forward", "backward")),
         Field(description="only this way along the track as it is written"),
     ] = None
 
@@ -252,18 +159,11 @@ class ConditionSpec(_Part):
     exits: list[Name] = []
 
 
-def _trains(value: object) -> object:
-    if not isinstance(value, str) or not re.fullmatch(r"\d{1,4}", value) or not 1 <= int(value) <= 99:
-        fix = "write how many trains may be there at once, for instance 4"
-        raise PydanticCustomError("range", "{v} is no number of trains (1 to 99)", {"v": value, "fix": fix})
-    return int(value)
-
-
 class ZoneSpec(_Part):
     """Sections in which no more than so many trains may be."""
 
     sections: list[Name]
-    trains: Annotated[int, BeforeValidator(_trains), WithJsonSchema({"type": "integer", "minimum": 1, "maximum": 99})]
+    trains: Annotated[int, BeforeValidator(trains), WithJsonSchema({"type": "integer", "minimum": 1, "maximum": 99})]
 
 
 class OverlapSpec(_Part):
@@ -291,7 +191,7 @@ class ExcludeSpec(_Part):
     from_: Annotated[Name | None, Field(alias="from")] = None
     to: Name | None = None
     via: list[Name] = []
-    kind: Annotated[Literal["main", "shunt"] | None, _choice("kind of route", ("main", "shunt"))] = None
+    kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = None
     reason: Reason
 
 
@@ -306,9 +206,9 @@ class RouteSpec(_Part):
 class VoyageSpec(RouteSpec):
     """A chain of routes that one command sets."""
 
-    kind: Annotated[Literal["main", "shunt"], _choice("kind of route", ("main", "shunt"))] = "main"
-    order: Annotated[Literal["near", "far"] | None, _choice("order", ("near", "far"))] = None
-    direction: Annotated[Literal["forward", "reverse"], _choice("direction", ("forward", "reverse"))] = "forward"
+    kind: Annotated[Literal["main", "shunt"], choice("kind of route", ("main", "shunt"))] = "main"
+    order: Annotated[Literal["near", "far"] | None, choice("order", ("near", "far"))] = None
+    direction: Annotated[Literal["forward", "reverse"], choice("direction", ("forward", "reverse"))] = "forward"
 
 
 class WaiverSpec(_Part):
@@ -329,16 +229,16 @@ class PrinciplesSpec(_Part):
     fouling_m: Seconds | None = None
     clearance_m: Seconds | None = None
     leg_m: Seconds | None = None
-    flank_by: Annotated[FlankChoice | None, _choice("protection", tuple(FlankChoice))] = None
+    flank_by: Annotated[FlankChoice | None, choice("protection", tuple(FlankChoice))] = None
     flank_space: YesNo | None = None
     flank_lamp: YesNo | None = None
     drive_points: YesNo | None = None
     sensor_faults: YesNo | None = None
     lamp_proof: YesNo | None = None
-    caution: Annotated[Caution | None, _choice("use of caution", tuple(Caution))] = None
+    caution: Annotated[Caution | None, choice("use of caution", tuple(Caution))] = None
     overlap_m: Amount | None = None
     overlap_release_s: Seconds | None = None
-    local_requests: Annotated[Local | None, _choice("rule for local requests", tuple(Local))] = None
+    local_requests: Annotated[Local | None, choice("rule for local requests", tuple(Local))] = None
     priorities: YesNo | None = None
     priority_wait_s: Amount | None = None
 
@@ -347,21 +247,13 @@ class PrinciplesSpec(_Part):
         return replace(base, **{k: v for k in KNOBS if (v := getattr(self, k)) is not None})
 
 
-def _level(value: Any) -> int:
-    text = str(value).strip()
-    if not re.fullmatch(r"[+-]?\d{1,3}", text):
-        fix = "write how many tracks above (or, with a minus, below) the longest run it lies: 1, -2"
-        raise PydanticCustomError("number", "{v} is not a whole number", {"v": repr(text), "fix": fix})
-    return int(text)
-
-
 class LayoutFile(_Part):
     """A track layout for interlock."""
 
-    interlock: Annotated[int, BeforeValidator(_version), WithJsonSchema({"const": 1})]
+    interlock: Annotated[int, BeforeValidator(version), WithJsonSchema({"const": 1})]
     name: Name
     title: Text = ""
-    profile: Annotated[str, _choice("profile", tuple(PROFILES)), WithJsonSchema({"enum": list(PROFILES)})] = "generic"
+    profile: Annotated[str, choice("profile", tuple(PROFILES)), WithJsonSchema({"enum": list(PROFILES)})] = "generic"
     principles: PrinciplesSpec = PrinciplesSpec()
     boundaries: dict[Name, BoundarySpec] = {}
     buffers: list[Name] = []
@@ -388,10 +280,10 @@ class LayoutFile(_Part):
         dict[Name, list[Text]], Field(description="cabinets, each with the elements wired to it; one may be left empty")
     ] = {}
     drawing: Annotated[
-        dict[Name, Annotated[int, BeforeValidator(_level), WithJsonSchema({"type": "integer"})]],
+        dict[Name, Annotated[int, BeforeValidator(level), WithJsonSchema({"type": "integer"})]],
         Field(description="hints for the plan, section: tracks above (or, negative, below) the longest run"),
     ] = {}
-    telegram: Annotated[TelegramForm, _choice("telegram", tuple(TelegramForm))] = TelegramForm.NONE
+    telegram: Annotated[TelegramForm, choice("telegram", tuple(TelegramForm))] = TelegramForm.NONE
     addresses: Annotated[dict[Text, Text], Field(description="PLC variable: address, for instance `CLR_q1: I4.0`")] = {}
 
 

@@ -17,7 +17,7 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.parts import build_derailer, build_slip
 from interlock.frontend.ports import Port, Wiring
-from interlock.frontend.schema import MAX_LENGTH_M, MAX_NAME, NAME, number
+from interlock.frontend.scalars import MAX_LENGTH_M, MAX_NAME, NAME, number
 from interlock.model.elements import (
     BlockKind,
     Boundary,

@@ -57,7 +57,8 @@ def main() -> int:
             print(".", end="", file=sys.stderr, flush=True)
     print("# Mutants\n")
     print(
-        f"`python -m tests.campaigns.mutants --sample {args.sample} --seconds {args.seconds:g}` at commit {commit.stdout.strip()}, "
+        f"`python -m tests.campaigns.mutants --sample {args.sample} --seconds {args.seconds:g}` "
+        f"at commit {commit.stdout.strip()}, "
         f"{platform.machine()}, 2 cores.  Layouts: {', '.join(p.split('/')[-1] for p in (*LAYOUTS, *MORE))}; "
         f"of each kind up to {args.sample} evenly spread places on each.\n"
     )

@@ -1,4 +1,4 @@
-"""An overlap may not lead into a zone: an overrunning train would come in uncounted.  IL3022."""
+"""Trains in a zone must be countable: no overlap leads into it, and nothing is shunted in it.  IL3022."""
 
 from __future__ import annotations
 
@@ -11,9 +11,17 @@ from interlock.model.traversal import topology
 
 
 def check_zones(ctx: Context, layout: Layout) -> None:
-    """Report overlaps that lead into a zone from outside (R17)."""
+    """Report overlaps that lead into a zone from outside, and sections in which vehicles are shunted (R17)."""
     topo = topology(layout)
     for z in layout.zones:
+        for s in z.sections:
+            if s in topo.berths:
+                ctx.add(
+                    "IL3022",
+                    f"vehicles may be shunted in {s}: nobody can tell how many trains are in zone {z.id}",
+                    ctx.at_key("zones", z.id),
+                    f"leave {s} out of the zone, or the shunt signals out of it",
+                )
         for g in layout.signals:
             paths = overlap_paths(layout, g.id)
             before = topo.beyond(layout.section_of(g.into), g.node)
