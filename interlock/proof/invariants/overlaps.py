@@ -84,6 +84,13 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
         for other, whole, numbers in f.sym.excluded[s, n]:
             bad = against_of(f, other, whole, numbers)
             out.append(Invariant(f"O-EXCLUDES:{other}", f"{place}:{s}", implies(held, neg(bad))))
+    for s, n in ways:
+        entry = f.way(s, n)[0]
+        for j in f.topo.ends[s]:
+            rear = f.topo.beyond(s, j)
+            if j != entry and rear is not None:
+                alone = implies(held, neg(across(j, rear)))  # nobody comes in against it
+                out.append(Invariant(f"O-ACROSS:{j}", f"{place}:{s}", alone))
     for i, (s, n) in enumerate(ways[:-1]):
         j = f.way(s, n)[1]
         slides = conj((held, overran(g, s), neg(across(j, s))))
