@@ -14,7 +14,7 @@ from interlock.proof.translation import compare_st
 from interlock.st.lower import lower_st
 from interlock.st.printer import print_unit
 from tests.grow import grow
-from tests.layouts import grown
+from tests.layouts import built, grown
 
 REFUSABLE = {"IL4001", "IL4002", "IL4003", "IL4008", "IL3006", "IL3008", "IL3015", "IL3019", "IL3022"}
 
@@ -106,3 +106,11 @@ def test_voyages_and_automatic_working_on_random_layouts_are_proved(seed: int) -
     result = prove(System(layout, controller), Limits(search_s=10))
     assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
     assert compare_st(controller, print_unit(lower_st(controller, []))).proved
+
+
+@pytest.mark.parametrize("name", ["overlaps_join", "overlap_unused", "overlap_berth", "overlap_head", "balloon"])
+def test_layouts_on_which_random_growth_once_found_a_fault(name: str) -> None:
+    layout, table, controller = built(f"../tests/layouts_for_tests/{name}")
+    assert audit(layout, table) == ()
+    result = prove(System(layout, controller), Limits(search_s=5))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
