@@ -185,9 +185,9 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
     """The alternatives of a train route's overlap that its own path permits; (0, ()) where it needs none (R4)."""
     if f.kind is RouteKind.SHUNT or f.exit_kind is not ExitKind.SIGNAL:
         return [(0, ())]
-    options = overlap_paths(layout, SignalId(f.exit))
-    if not options:
+    if SignalId(f.exit) not in layout.overlap_of:
         return [(0, ())]
+    options = overlap_paths(layout, SignalId(f.exit))
     mine = {t.section for t in f.ways}
     fits = [
         (k, ways)
