@@ -249,6 +249,7 @@ class Grown:
             "",
             "principles: {flank_space: yes, sensor_faults: yes}",
             "principles: {flank_lamp: yes, lamp_proof: yes}",
+            "principles: {main_closes: whole-movement, shunt_closes: whole-movement}",
         ]
         out = ["interlock: 1", "name: grown", f"profile: {profile}", self.rng.choice(rules), "boundaries:"]
         out += [f"  {n}: {b}" for n, b in self.boundaries.items()]

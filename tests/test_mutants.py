@@ -25,6 +25,7 @@ FLANK = "../tests/layouts_for_tests/flank_point"
 SHUNT = "../tests/layouts_for_tests/shunt_yard"
 DEVICES = "../tests/layouts_for_tests/devices"
 OVERLAPS = "../tests/layouts_for_tests/overlaps"
+CLOSING = "../tests/layouts_for_tests/closing"
 # the layout on which a kind has mutants
 ON = {
     "way-not-available": "../tests/layouts_for_tests/foul_joint",
@@ -37,6 +38,7 @@ ON = {
     "lamp-not-lit": SHUNT,
     "clear-lamp-not-lit": SHUNT,
     "clear-before-stop": OVERLAPS,
+    **dict.fromkeys(("closes-late", "stays-open", "open-while-released", "passing-not-supervised"), CLOSING),
     "zone-not-checked": "heishan",
     "fault-ignored": "pit_bottom",
     "zone-miscounted": "heishan",
@@ -95,6 +97,7 @@ def _killers() -> dict[str, tuple[str, str]]:
         "S-CLEAR": (split, "section-not-checked"),
         "S-FLANK-SPACE": ("flank_lab", "flank-space-not-checked"),
         "T-ZONE": ("heishan", "zone-not-checked"),
+        "S-PASSING": (CLOSING, "stays-open"),
         "S-CALL-ON": ("passing_loop", "call-on-blind"),
         "S-DETECTED": (two, "detection-not-required"),
         "S-OVERLAP": (OVERLAPS, "overlap-not-checked"),

@@ -14,7 +14,7 @@ from interlock.model.layout import Layout
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import Facts, claims
-from interlock.proof.invariants.claims import SignalPath, lie, signal_paths
+from interlock.proof.invariants.paths import SignalPath, lie, signal_paths
 from interlock.proof.system import System
 from interlock.table.rows import InterlockingTable
 from tests.grow import grow

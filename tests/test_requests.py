@@ -358,3 +358,25 @@ def test_a_class_that_has_waited_long_enough_comes_first(wait: int, first: str) 
             assert found == {first}
             return
     raise AssertionError("neither is set")
+
+
+@pytest.mark.parametrize("whole", [False, True])
+def test_a_signal_returns_to_stop_with_the_first_axle_or_behind_the_whole_movement(whole: bool) -> None:
+    """Where the principle says so, X2 stays open until the train has left q1; X1 at the boundary never does."""
+    knob = "principles: {main_closes: whole-movement}\n" if whole else ""
+    sim = simulator(TWO.replace("boundaries:", f"{knob}boundaries:"))
+    steps(sim, 1, ("appear.wa",))
+    steps(sim, 4, REQ=number(sim, "X1-X2"))
+    steps(sim, 4, REQ=number(sim, "X2-X3"))
+    assert on(sim, "YP_X1") or on(sim, "YY_X1")
+    steps(sim, 1, ("accept.X1",))
+    steps(sim, 2, ("head.W.wa",))
+    assert on(sim, "YS_X1")
+    steps(sim, 2, ("tail.W.wa",))
+    steps(sim, 1, ("accept.X2",))
+    into = next(e for e in sim.possible() if e.startswith("head.") and e.endswith(".q1"))
+    assert on(sim, "YP_X2") or on(sim, "YY_X2")
+    steps(sim, 2, (into,))
+    assert on(sim, "YS_X2") is not whole
+    steps(sim, 3, (into.replace("head.", "tail."),))
+    assert on(sim, "YS_X2")

@@ -1,7 +1,7 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout f9f2750048c456896387c3fba4d9f1fdaa5722f0e7d2145edf8551bcb43a1086
-# claims e1819391615dec4ce66eba08013c8661131d1ecfaa1f412d7a791ce0b879a5f1
+# layout 0eb4133a449eb88d33408f979998a1b64c5c74be976dc0a2b552a005f7fa43ce
+# claims ea5f0089f6149e822a8767b4032a8df25f6d5c5a05bba7f71d8c7de0819eec86
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -218,36 +218,43 @@ STATE = {
     'A_R3': False,  # route D11-5G active
     'B_R3': False,  # route D11-5G locked
     'W_R3': False,  # route D11-5G: proceed wanted
+    'PA_R3': False,  # route D11-5G: open for the movement that passes D11
     'S_R3': False,  # route D11-5G: proceed
     'H_R3': False,  # route D11-5G: signal has been open
     'A_R4': False,  # route D11-D13 active
     'B_R4': False,  # route D11-D13 locked
     'W_R4': False,  # route D11-D13: proceed wanted
+    'PA_R4': False,  # route D11-D13: open for the movement that passes D11
     'S_R4': False,  # route D11-D13: proceed
     'H_R4': False,  # route D11-D13: signal has been open
     'A_R5': False,  # route D11-IIIG active
     'B_R5': False,  # route D11-IIIG locked
     'W_R5': False,  # route D11-IIIG: proceed wanted
+    'PA_R5': False,  # route D11-IIIG: open for the movement that passes D11
     'S_R5': False,  # route D11-IIIG: proceed
     'H_R5': False,  # route D11-IIIG: signal has been open
     'A_R6': False,  # route D13-4G active
     'B_R6': False,  # route D13-4G locked
     'W_R6': False,  # route D13-4G: proceed wanted
+    'PA_R6': False,  # route D13-4G: open for the movement that passes D13
     'S_R6': False,  # route D13-4G: proceed
     'H_R6': False,  # route D13-4G: signal has been open
     'A_R7': False,  # route D13-IG active
     'B_R7': False,  # route D13-IG locked
     'W_R7': False,  # route D13-IG: proceed wanted
+    'PA_R7': False,  # route D13-IG: open for the movement that passes D13
     'S_R7': False,  # route D13-IG: proceed
     'H_R7': False,  # route D13-IG: signal has been open
     'A_R8': False,  # route D13-IIG active
     'B_R8': False,  # route D13-IIG locked
     'W_R8': False,  # route D13-IIG: proceed wanted
+    'PA_R8': False,  # route D13-IIG: open for the movement that passes D13
     'S_R8': False,  # route D13-IIG: proceed
     'H_R8': False,  # route D13-IIG: signal has been open
     'A_R9': False,  # route D13-IIIG active
     'B_R9': False,  # route D13-IIIG locked
     'W_R9': False,  # route D13-IIIG: proceed wanted
+    'PA_R9': False,  # route D13-IIIG: open for the movement that passes D13
     'S_R9': False,  # route D13-IIIG: proceed
     'H_R9': False,  # route D13-IIIG: signal has been open
     'A_R10': False,  # route D15-4G active
@@ -288,26 +295,31 @@ STATE = {
     'A_R17': False,  # route D7-IAG active
     'B_R17': False,  # route D7-IAG locked
     'W_R17': False,  # route D7-IAG: proceed wanted
+    'PA_R17': False,  # route D7-IAG: open for the movement that passes D7
     'S_R17': False,  # route D7-IAG: proceed
     'H_R17': False,  # route D7-IAG: signal has been open
     'A_R18': False,  # route D7-IIAG active
     'B_R18': False,  # route D7-IIAG locked
     'W_R18': False,  # route D7-IIAG: proceed wanted
+    'PA_R18': False,  # route D7-IIAG: open for the movement that passes D7
     'S_R18': False,  # route D7-IIAG: proceed
     'H_R18': False,  # route D7-IIAG: signal has been open
     'A_R19': False,  # route D9-5G active
     'B_R19': False,  # route D9-5G locked
     'W_R19': False,  # route D9-5G: proceed wanted
+    'PA_R19': False,  # route D9-5G: open for the movement that passes D9
     'S_R19': False,  # route D9-5G: proceed
     'H_R19': False,  # route D9-5G: signal has been open
     'A_R20': False,  # route D9-D13 active
     'B_R20': False,  # route D9-D13 locked
     'W_R20': False,  # route D9-D13: proceed wanted
+    'PA_R20': False,  # route D9-D13: open for the movement that passes D9
     'S_R20': False,  # route D9-D13: proceed
     'H_R20': False,  # route D9-D13: signal has been open
     'A_R21': False,  # route D9-IIIG active
     'B_R21': False,  # route D9-IIIG locked
     'W_R21': False,  # route D9-IIIG: proceed wanted
+    'PA_R21': False,  # route D9-IIIG: open for the movement that passes D9
     'S_R21': False,  # route D9-IIIG: proceed
     'H_R21': False,  # route D9-IIIG: signal has been open
     'A_R22': False,  # route S4-BS active
@@ -1145,36 +1157,43 @@ class Controller:
         A_R3 = old['A_R3']
         B_R3 = old['B_R3']
         W_R3 = old['W_R3']
+        PA_R3 = old['PA_R3']
         S_R3 = old['S_R3']
         H_R3 = old['H_R3']
         A_R4 = old['A_R4']
         B_R4 = old['B_R4']
         W_R4 = old['W_R4']
+        PA_R4 = old['PA_R4']
         S_R4 = old['S_R4']
         H_R4 = old['H_R4']
         A_R5 = old['A_R5']
         B_R5 = old['B_R5']
         W_R5 = old['W_R5']
+        PA_R5 = old['PA_R5']
         S_R5 = old['S_R5']
         H_R5 = old['H_R5']
         A_R6 = old['A_R6']
         B_R6 = old['B_R6']
         W_R6 = old['W_R6']
+        PA_R6 = old['PA_R6']
         S_R6 = old['S_R6']
         H_R6 = old['H_R6']
         A_R7 = old['A_R7']
         B_R7 = old['B_R7']
         W_R7 = old['W_R7']
+        PA_R7 = old['PA_R7']
         S_R7 = old['S_R7']
         H_R7 = old['H_R7']
         A_R8 = old['A_R8']
         B_R8 = old['B_R8']
         W_R8 = old['W_R8']
+        PA_R8 = old['PA_R8']
         S_R8 = old['S_R8']
         H_R8 = old['H_R8']
         A_R9 = old['A_R9']
         B_R9 = old['B_R9']
         W_R9 = old['W_R9']
+        PA_R9 = old['PA_R9']
         S_R9 = old['S_R9']
         H_R9 = old['H_R9']
         A_R10 = old['A_R10']
@@ -1215,26 +1234,31 @@ class Controller:
         A_R17 = old['A_R17']
         B_R17 = old['B_R17']
         W_R17 = old['W_R17']
+        PA_R17 = old['PA_R17']
         S_R17 = old['S_R17']
         H_R17 = old['H_R17']
         A_R18 = old['A_R18']
         B_R18 = old['B_R18']
         W_R18 = old['W_R18']
+        PA_R18 = old['PA_R18']
         S_R18 = old['S_R18']
         H_R18 = old['H_R18']
         A_R19 = old['A_R19']
         B_R19 = old['B_R19']
         W_R19 = old['W_R19']
+        PA_R19 = old['PA_R19']
         S_R19 = old['S_R19']
         H_R19 = old['H_R19']
         A_R20 = old['A_R20']
         B_R20 = old['B_R20']
         W_R20 = old['W_R20']
+        PA_R20 = old['PA_R20']
         S_R20 = old['S_R20']
         H_R20 = old['H_R20']
         A_R21 = old['A_R21']
         B_R21 = old['B_R21']
         W_R21 = old['W_R21']
+        PA_R21 = old['PA_R21']
         S_R21 = old['S_R21']
         H_R21 = old['H_R21']
         A_R22 = old['A_R22']
@@ -2393,14 +2417,14 @@ class Controller:
         NU_IIG_1 = VALID and F_IIG and (not D_IIG) and (not U_IIG) and L_IIG_1 and OCC_IIG and OCC_19_27DG and U_19_27DG and (L_19_27DG_2 or L_19_27DG_4)  # a train comes into IIG at 19-27DG|IIG@tII.0 (R9)
         NU_IIIG_1 = VALID and F_IIIG and (not D_IIIG) and (not U_IIIG) and L_IIIG_1 and OCC_IIIG and OCC_25DG and U_25DG and (L_25DG_1 or L_25DG_2)  # a train comes into IIIG at 25DG|IIIG@tIII.0 (R9)
         ATI_D1 = X_D1 or ((not (A_R1 or A_R2)) and (L_1DG_3 or L_1DG_4) and (REL_1DG or (L_1DG_3 and (not M_1DG) and U_1DG and (not OCC_1DG))))  # D1 at stop, waiting for a train that may still come (R8)
-        ATI_D11 = X_D11 or ((not (A_R3 or A_R4 or A_R5)) and (L_11_13DG_3 or L_11_13DG_4) and REL_11_13DG)  # D11 at stop, waiting for a train that may still come (R8)
-        ATI_D13 = X_D13 or ((not (A_R6 or A_R7 or A_R8 or A_R9)) and (L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5) and (REL_17_23DG or (L_17_23DG_5 and (not M_17_23DG) and U_17_23DG and (not OCC_17_23DG))))  # D13 at stop, waiting for a train that may still come (R8)
+        ATI_D11 = X_D11 or ((not (A_R3 or A_R4 or A_R5)) and (not (PA_R3 or PA_R4 or PA_R5)) and (L_11_13DG_3 or L_11_13DG_4) and REL_11_13DG)  # D11 at stop, waiting for a train that may still come (R8)
+        ATI_D13 = X_D13 or ((not (A_R6 or A_R7 or A_R8 or A_R9)) and (not (PA_R6 or PA_R7 or PA_R8 or PA_R9)) and (L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5) and (REL_17_23DG or (L_17_23DG_5 and (not M_17_23DG) and U_17_23DG and (not OCC_17_23DG))))  # D13 at stop, waiting for a train that may still come (R8)
         ATI_D15 = X_D15 or ((not (A_R10 or A_R11)) and (L_19_27DG_1 or L_19_27DG_2) and (REL_19_27DG or (((L_19_27DG_1 and (not M_19_27DG)) or (L_19_27DG_2 and (not M_19_27DG))) and U_19_27DG and (not OCC_19_27DG))))  # D15 at stop, waiting for a train that may still come (R8)
         ATI_D17 = X_D17 or ((not (A_R12 or A_R13)) and L_17_23DG_6 and REL_17_23DG)  # D17 at stop, waiting for a train that may still come (R8)
         ATI_D3 = X_D3 or ((not (A_R14 or A_R15)) and (L_5DG_3 or L_5DG_4) and REL_5DG)  # D3 at stop, waiting for a train that may still come (R8)
         ATI_D5 = X_D5 or ((not A_R16) and L_1DG_1 and (REL_1DG or (L_1DG_1 and (not M_1DG) and U_1DG and (not OCC_1DG))))  # D5 at stop, waiting for a train that may still come (R8)
-        ATI_D7 = X_D7 or ((not (A_R17 or A_R18)) and (L_3DG_3 or L_3DG_4) and REL_3DG)  # D7 at stop, waiting for a train that may still come (R8)
-        ATI_D9 = X_D9 or ((not (A_R19 or A_R20 or A_R21)) and (L_9_15DG_5 or L_9_15DG_6) and REL_9_15DG)  # D9 at stop, waiting for a train that may still come (R8)
+        ATI_D7 = X_D7 or ((not (A_R17 or A_R18)) and (not (PA_R17 or PA_R18)) and (L_3DG_3 or L_3DG_4) and REL_3DG)  # D7 at stop, waiting for a train that may still come (R8)
+        ATI_D9 = X_D9 or ((not (A_R19 or A_R20 or A_R21)) and (not (PA_R19 or PA_R20 or PA_R21)) and (L_9_15DG_5 or L_9_15DG_6) and REL_9_15DG)  # D9 at stop, waiting for a train that may still come (R8)
         ATI_S4 = X_S4 or ((not (A_R22 or A_R23 or A_R24 or A_R25 or A_R26 or A_R27)) and (L_19_27DG_5 or L_19_27DG_6) and (REL_19_27DG or (L_19_27DG_5 and (not M_19_27DG) and U_19_27DG and (not OCC_19_27DG))))  # S4 at stop, waiting for a train that may still come (R8)
         ATI_S5 = X_S5 or ((not (A_R28 or A_R29 or A_R30 or A_R31)) and L_21DG_4 and REL_21DG)  # S5 at stop, waiting for a train that may still come (R8)
         ATI_SII = X_SII or ((not (A_R32 or A_R33 or A_R34 or A_R35 or A_R36 or A_R37)) and (L_19_27DG_7 or L_19_27DG_8) and (REL_19_27DG or (L_19_27DG_7 and (not M_19_27DG) and U_19_27DG and (not OCC_19_27DG))))  # SII at stop, waiting for a train that may still come (R8)
@@ -2440,9 +2464,9 @@ class Controller:
         EX_1_19WG = P_1_19WG  # a train in 1/19WG leaves over a boundary, or has passed on
         RTI_1_19WG = VALID and U_1_19WG and (not OCC_1_19WG) and (not (G_R1 or G_R25 or G_R35)) and (not (L_19_27DG_5 or L_19_27DG_7)) and (not L_1DG_3) and EX_1_19WG  # 1/19WG may be released behind the train (R9)
         EX_11_13DG = P_11_13DG  # a train in 11-13DG leaves over a boundary, or has passed on
-        RTI_11_13DG = VALID and U_11_13DG and (not OCC_11_13DG) and (not ((L_11_13DG_1 or L_11_13DG_2) and (L_21DG_3 or L_21DG_4))) and (not ((L_11_13DG_3 or L_11_13DG_4) and (L_7DG_3 or L_7DG_4) and M_11_13DG and M_7DG)) and (not (L_11_13DG_5 and L_9_15DG_5)) and (not (L_11_13DG_6 and L_9_15DG_3)) and EX_11_13DG  # 11-13DG may be released behind the train (R9)
+        RTI_11_13DG = VALID and U_11_13DG and (not OCC_11_13DG) and (not (PA_R3 or PA_R4 or PA_R5)) and (not ((L_11_13DG_1 or L_11_13DG_2) and (L_21DG_3 or L_21DG_4))) and (not ((L_11_13DG_3 or L_11_13DG_4) and (L_7DG_3 or L_7DG_4) and M_11_13DG and M_7DG)) and (not (L_11_13DG_5 and L_9_15DG_5)) and (not (L_11_13DG_6 and L_9_15DG_3)) and EX_11_13DG  # 11-13DG may be released behind the train (R9)
         EX_17_23DG = P_17_23DG or (L_17_23DG_5 and (not M_17_23DG) and OCC_IG and ((not OCC_9_15DG) or AT_D13))  # a train in 17-23DG leaves over a boundary, or has passed on
-        RTI_17_23DG = VALID and U_17_23DG and (not OCC_17_23DG) and (not (L_17_23DG_1 and (L_19_27DG_6 or L_19_27DG_8))) and (not (L_17_23DG_2 and L_25DG_3)) and (not ((L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5) and (L_9_15DG_2 or L_9_15DG_6) and M_17_23DG and M_9_15DG)) and EX_17_23DG  # 17-23DG may be released behind the train (R9)
+        RTI_17_23DG = VALID and U_17_23DG and (not OCC_17_23DG) and (not (PA_R6 or PA_R7 or PA_R8 or PA_R9)) and (not (L_17_23DG_1 and (L_19_27DG_6 or L_19_27DG_8))) and (not (L_17_23DG_2 and L_25DG_3)) and (not ((L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5) and (L_9_15DG_2 or L_9_15DG_6) and M_17_23DG and M_9_15DG)) and EX_17_23DG  # 17-23DG may be released behind the train (R9)
         EX_19_27DG = P_19_27DG or (L_19_27DG_1 and (not M_19_27DG) and OCC_4G and ((not OCC_1_19WG) or AT_D15)) or (L_19_27DG_2 and (not M_19_27DG) and OCC_IIG and ((not OCC_1_19WG) or AT_D15)) or (L_19_27DG_3 and (not M_19_27DG) and OCC_4G) or (L_19_27DG_4 and (not M_19_27DG) and OCC_IIG) or (L_19_27DG_5 and (not M_19_27DG) and OCC_1_19WG and ((not OCC_4G) or AT_S4)) or (L_19_27DG_7 and (not M_19_27DG) and OCC_1_19WG and ((not OCC_IIG) or AT_SII))  # a train in 19-27DG leaves over a boundary, or has passed on
         RTI_19_27DG = VALID and U_19_27DG and (not OCC_19_27DG) and (not ((L_19_27DG_1 or L_19_27DG_2) and L_1_19WG_2 and M_19_27DG and M_1_19WG)) and (not ((L_19_27DG_3 or L_19_27DG_4) and L_17_23DG_3)) and EX_19_27DG  # 19-27DG may be released behind the train (R9)
         EX_1DG = P_1DG or (L_1DG_1 and (not M_1DG) and OCC_IIAG and ((not OCC_1_19WG) or AT_D5)) or (L_1DG_2 and (not M_1DG) and OCC_IIAG) or (L_1DG_3 and (not M_1DG) and OCC_1_19WG and ((not OCC_IIAG) or AT_D1))  # a train in 1DG leaves over a boundary, or has passed on
@@ -2452,7 +2476,7 @@ class Controller:
         EX_25DG = P_25DG or (L_25DG_1 and (not M_25DG) and OCC_IIIG) or (L_25DG_2 and (not M_25DG) and OCC_IIIG)  # a train in 25DG leaves over a boundary, or has passed on
         RTI_25DG = VALID and U_25DG and (not OCC_25DG) and (not (L_25DG_1 and L_17_23DG_4)) and (not (L_25DG_2 and L_21DG_1)) and EX_25DG  # 25DG may be released behind the train (R9)
         EX_3DG = P_3DG  # a train in 3DG leaves over a boundary, or has passed on
-        RTI_3DG = VALID and U_3DG and (not OCC_3DG) and (not (L_3DG_1 and L_1DG_4)) and (not (L_3DG_2 and L_5DG_3)) and (not ((L_3DG_3 or L_3DG_4) and (L_9_15DG_1 or L_9_15DG_4) and M_3DG and M_9_15DG)) and EX_3DG  # 3DG may be released behind the train (R9)
+        RTI_3DG = VALID and U_3DG and (not OCC_3DG) and (not (PA_R17 or PA_R18)) and (not (L_3DG_1 and L_1DG_4)) and (not (L_3DG_2 and L_5DG_3)) and (not ((L_3DG_3 or L_3DG_4) and (L_9_15DG_1 or L_9_15DG_4) and M_3DG and M_9_15DG)) and EX_3DG  # 3DG may be released behind the train (R9)
         EX_4G = P_4G or L_4G_1  # a train in 4G leaves over a boundary, or has passed on
         RTI_4G = VALID and U_4G and (not OCC_4G) and (not (G_R6 or G_R10)) and (not (L_19_27DG_1 or L_19_27DG_3)) and EX_4G  # 4G may be released behind the train (R9)
         EX_5DG = P_5DG or (L_5DG_1 and (not M_5DG) and OCC_IAG) or (L_5DG_2 and (not M_5DG) and OCC_IAG)  # a train in 5DG leaves over a boundary, or has passed on
@@ -2462,7 +2486,7 @@ class Controller:
         EX_7DG = P_7DG or L_7DG_2  # a train in 7DG leaves over a boundary, or has passed on
         RTI_7DG = VALID and U_7DG and (not OCC_7DG) and (not ((L_7DG_1 or L_7DG_2) and (L_11_13DG_1 or L_11_13DG_6))) and (not (L_7DG_3 and L_5DG_4)) and EX_7DG  # 7DG may be released behind the train (R9)
         EX_9_15DG = P_9_15DG  # a train in 9-15DG leaves over a boundary, or has passed on
-        RTI_9_15DG = VALID and U_9_15DG and (not OCC_9_15DG) and (not (L_9_15DG_1 and L_11_13DG_2)) and (not (L_9_15DG_2 and L_11_13DG_4)) and (not ((L_9_15DG_3 or L_9_15DG_4) and (L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_6))) and (not ((L_9_15DG_5 or L_9_15DG_6) and (L_3DG_1 or L_3DG_2) and M_9_15DG and M_3DG)) and EX_9_15DG  # 9-15DG may be released behind the train (R9)
+        RTI_9_15DG = VALID and U_9_15DG and (not OCC_9_15DG) and (not (PA_R19 or PA_R20 or PA_R21)) and (not (L_9_15DG_1 and L_11_13DG_2)) and (not (L_9_15DG_2 and L_11_13DG_4)) and (not ((L_9_15DG_3 or L_9_15DG_4) and (L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_6))) and (not ((L_9_15DG_5 or L_9_15DG_6) and (L_3DG_1 or L_3DG_2) and M_9_15DG and M_3DG)) and EX_9_15DG  # 9-15DG may be released behind the train (R9)
         EX_IAG = P_IAG or L_IAG_1  # a train in IAG leaves over a boundary, or has passed on
         RTI_IAG = VALID and U_IAG and (not OCC_IAG) and (not (G_R13 or G_R17 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45)) and (not (L_5DG_1 or L_5DG_2)) and EX_IAG  # IAG may be released behind the train (R9)
         EX_IG = P_IG or L_IG_1  # a train in IG leaves over a boundary, or has passed on
@@ -2497,11 +2521,11 @@ class Controller:
         SR_1_19WG = VALID and (not OCC_1_19WG) and K_1_19WG and (REL_1_19WG or RELALL) and (not (G_R1 or G_R25 or G_R35)) and (not (L_19_27DG_5 or L_19_27DG_7)) and (not L_1DG_3)  # 1/19WG released after a restart (R16)
         RLS_1_19WG = RT_1_19WG or CA_1_19WG or HR_1_19WG or SR_1_19WG  # 1/19WG is released
         CA_11_13DG = VALID and (not OCC_11_13DG) and (not U_11_13DG) and (L_11_13DG_1 or L_11_13DG_2 or ((L_11_13DG_3 or L_11_13DG_4) and M_11_13DG) or L_11_13DG_5 or L_11_13DG_6) and (not ((L_11_13DG_1 or L_11_13DG_2) and (L_21DG_3 or L_21DG_4))) and (not ((L_11_13DG_3 or L_11_13DG_4) and (L_7DG_3 or L_7DG_4) and M_11_13DG and M_7DG)) and (not (L_11_13DG_5 and L_9_15DG_5)) and (not (L_11_13DG_6 and L_9_15DG_3))  # the lock before 11-13DG was withdrawn (R8)
-        HR_11_13DG = VALID and (not OCC_11_13DG) and (not ((L_11_13DG_1 or L_11_13DG_2) and (L_21DG_3 or L_21DG_4))) and (not ((L_11_13DG_3 or L_11_13DG_4) and (L_7DG_3 or L_7DG_4) and M_11_13DG and M_7DG)) and (not (L_11_13DG_5 and L_9_15DG_5)) and (not (L_11_13DG_6 and L_9_15DG_3)) and REL_11_13DG and (L_11_13DG_1 or L_11_13DG_2 or L_11_13DG_3 or L_11_13DG_4 or L_11_13DG_5 or L_11_13DG_6) and ((not (L_11_13DG_3 or L_11_13DG_4)) or ((not (A_R3 or A_R4 or A_R5)) and ((not OCC_7DG) or AT_D11)))  # 11-13DG released by hand (R8, section fault release)
+        HR_11_13DG = VALID and (not OCC_11_13DG) and (not (PA_R3 or PA_R4 or PA_R5)) and (not ((L_11_13DG_1 or L_11_13DG_2) and (L_21DG_3 or L_21DG_4))) and (not ((L_11_13DG_3 or L_11_13DG_4) and (L_7DG_3 or L_7DG_4) and M_11_13DG and M_7DG)) and (not (L_11_13DG_5 and L_9_15DG_5)) and (not (L_11_13DG_6 and L_9_15DG_3)) and REL_11_13DG and (L_11_13DG_1 or L_11_13DG_2 or L_11_13DG_3 or L_11_13DG_4 or L_11_13DG_5 or L_11_13DG_6) and ((not (L_11_13DG_3 or L_11_13DG_4)) or ((not (A_R3 or A_R4 or A_R5)) and ((not OCC_7DG) or AT_D11)))  # 11-13DG released by hand (R8, section fault release)
         SR_11_13DG = VALID and (not OCC_11_13DG) and K_11_13DG and (REL_11_13DG or RELALL)  # 11-13DG released after a restart (R16)
         RLS_11_13DG = RT_11_13DG or CA_11_13DG or CD_D11 or HR_11_13DG or SR_11_13DG  # 11-13DG is released
         CA_17_23DG = VALID and (not OCC_17_23DG) and (not U_17_23DG) and (L_17_23DG_1 or L_17_23DG_2 or ((L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5) and M_17_23DG) or (L_17_23DG_6 and M_17_23DG)) and (not (L_17_23DG_1 and (L_19_27DG_6 or L_19_27DG_8))) and (not (L_17_23DG_2 and L_25DG_3)) and (not ((L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5) and (L_9_15DG_2 or L_9_15DG_6) and M_17_23DG and M_9_15DG))  # the lock before 17-23DG was withdrawn (R8)
-        HR_17_23DG = VALID and (not OCC_17_23DG) and (not (L_17_23DG_1 and (L_19_27DG_6 or L_19_27DG_8))) and (not (L_17_23DG_2 and L_25DG_3)) and (not ((L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5) and (L_9_15DG_2 or L_9_15DG_6) and M_17_23DG and M_9_15DG)) and REL_17_23DG and (L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5 or L_17_23DG_6) and ((not (L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5)) or ((not (A_R6 or A_R7 or A_R8 or A_R9)) and ((not OCC_9_15DG) or AT_D13))) and ((not L_17_23DG_6) or ((not (A_R12 or A_R13)) and ((not OCC_IG) or AT_D17)))  # 17-23DG released by hand (R8, section fault release)
+        HR_17_23DG = VALID and (not OCC_17_23DG) and (not (PA_R6 or PA_R7 or PA_R8 or PA_R9)) and (not (L_17_23DG_1 and (L_19_27DG_6 or L_19_27DG_8))) and (not (L_17_23DG_2 and L_25DG_3)) and (not ((L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5) and (L_9_15DG_2 or L_9_15DG_6) and M_17_23DG and M_9_15DG)) and REL_17_23DG and (L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5 or L_17_23DG_6) and ((not (L_17_23DG_3 or L_17_23DG_4 or L_17_23DG_5)) or ((not (A_R6 or A_R7 or A_R8 or A_R9)) and ((not OCC_9_15DG) or AT_D13))) and ((not L_17_23DG_6) or ((not (A_R12 or A_R13)) and ((not OCC_IG) or AT_D17)))  # 17-23DG released by hand (R8, section fault release)
         SR_17_23DG = VALID and (not OCC_17_23DG) and K_17_23DG and (REL_17_23DG or RELALL)  # 17-23DG released after a restart (R16)
         RLS_17_23DG = RT_17_23DG or CA_17_23DG or CD_D13 or CD_D17 or HR_17_23DG or SR_17_23DG  # 17-23DG is released
         CA_19_27DG = VALID and (not OCC_19_27DG) and (not U_19_27DG) and (((L_19_27DG_1 or L_19_27DG_2) and M_19_27DG) or L_19_27DG_3 or L_19_27DG_4) and (not ((L_19_27DG_1 or L_19_27DG_2) and L_1_19WG_2 and M_19_27DG and M_1_19WG)) and (not ((L_19_27DG_3 or L_19_27DG_4) and L_17_23DG_3))  # the lock before 19-27DG was withdrawn (R8)
@@ -2521,7 +2545,7 @@ class Controller:
         SR_25DG = VALID and (not OCC_25DG) and K_25DG and (REL_25DG or RELALL)  # 25DG released after a restart (R16)
         RLS_25DG = RT_25DG or CA_25DG or CD_SIII or HR_25DG or SR_25DG  # 25DG is released
         CA_3DG = VALID and (not OCC_3DG) and (not U_3DG) and (L_3DG_1 or L_3DG_2 or ((L_3DG_3 or L_3DG_4) and M_3DG)) and (not (L_3DG_1 and L_1DG_4)) and (not (L_3DG_2 and L_5DG_3)) and (not ((L_3DG_3 or L_3DG_4) and (L_9_15DG_1 or L_9_15DG_4) and M_3DG and M_9_15DG))  # the lock before 3DG was withdrawn (R8)
-        HR_3DG = VALID and (not OCC_3DG) and (not (L_3DG_1 and L_1DG_4)) and (not (L_3DG_2 and L_5DG_3)) and (not ((L_3DG_3 or L_3DG_4) and (L_9_15DG_1 or L_9_15DG_4) and M_3DG and M_9_15DG)) and REL_3DG and (L_3DG_1 or L_3DG_2 or L_3DG_3 or L_3DG_4) and ((not (L_3DG_3 or L_3DG_4)) or ((not (A_R17 or A_R18)) and ((not OCC_9_15DG) or AT_D7)))  # 3DG released by hand (R8, section fault release)
+        HR_3DG = VALID and (not OCC_3DG) and (not (PA_R17 or PA_R18)) and (not (L_3DG_1 and L_1DG_4)) and (not (L_3DG_2 and L_5DG_3)) and (not ((L_3DG_3 or L_3DG_4) and (L_9_15DG_1 or L_9_15DG_4) and M_3DG and M_9_15DG)) and REL_3DG and (L_3DG_1 or L_3DG_2 or L_3DG_3 or L_3DG_4) and ((not (L_3DG_3 or L_3DG_4)) or ((not (A_R17 or A_R18)) and ((not OCC_9_15DG) or AT_D7)))  # 3DG released by hand (R8, section fault release)
         SR_3DG = VALID and (not OCC_3DG) and K_3DG and (REL_3DG or RELALL)  # 3DG released after a restart (R16)
         RLS_3DG = RT_3DG or CA_3DG or CD_D7 or HR_3DG or SR_3DG  # 3DG is released
         AR_4G = VALID and U_4G and (not (G_R6 or G_R10)) and (not (L_19_27DG_1 or L_19_27DG_3))  # a train has arrived in 4G, wholly (R2)
@@ -2543,7 +2567,7 @@ class Controller:
         SR_7DG = VALID and (not OCC_7DG) and K_7DG and (REL_7DG or RELALL)  # 7DG released after a restart (R16)
         RLS_7DG = RT_7DG or CA_7DG or CD_XD or HR_7DG or SR_7DG  # 7DG is released
         CA_9_15DG = VALID and (not OCC_9_15DG) and (not U_9_15DG) and (L_9_15DG_1 or L_9_15DG_2 or L_9_15DG_3 or L_9_15DG_4 or ((L_9_15DG_5 or L_9_15DG_6) and M_9_15DG)) and (not (L_9_15DG_1 and L_11_13DG_2)) and (not (L_9_15DG_2 and L_11_13DG_4)) and (not ((L_9_15DG_3 or L_9_15DG_4) and (L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_6))) and (not ((L_9_15DG_5 or L_9_15DG_6) and (L_3DG_1 or L_3DG_2) and M_9_15DG and M_3DG))  # the lock before 9-15DG was withdrawn (R8)
-        HR_9_15DG = VALID and (not OCC_9_15DG) and (not (L_9_15DG_1 and L_11_13DG_2)) and (not (L_9_15DG_2 and L_11_13DG_4)) and (not ((L_9_15DG_3 or L_9_15DG_4) and (L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_6))) and (not ((L_9_15DG_5 or L_9_15DG_6) and (L_3DG_1 or L_3DG_2) and M_9_15DG and M_3DG)) and REL_9_15DG and (L_9_15DG_1 or L_9_15DG_2 or L_9_15DG_3 or L_9_15DG_4 or L_9_15DG_5 or L_9_15DG_6) and ((not (L_9_15DG_5 or L_9_15DG_6)) or ((not (A_R19 or A_R20 or A_R21)) and ((not OCC_3DG) or AT_D9)))  # 9-15DG released by hand (R8, section fault release)
+        HR_9_15DG = VALID and (not OCC_9_15DG) and (not (PA_R19 or PA_R20 or PA_R21)) and (not (L_9_15DG_1 and L_11_13DG_2)) and (not (L_9_15DG_2 and L_11_13DG_4)) and (not ((L_9_15DG_3 or L_9_15DG_4) and (L_17_23DG_1 or L_17_23DG_2 or L_17_23DG_6))) and (not ((L_9_15DG_5 or L_9_15DG_6) and (L_3DG_1 or L_3DG_2) and M_9_15DG and M_3DG)) and REL_9_15DG and (L_9_15DG_1 or L_9_15DG_2 or L_9_15DG_3 or L_9_15DG_4 or L_9_15DG_5 or L_9_15DG_6) and ((not (L_9_15DG_5 or L_9_15DG_6)) or ((not (A_R19 or A_R20 or A_R21)) and ((not OCC_3DG) or AT_D9)))  # 9-15DG released by hand (R8, section fault release)
         SR_9_15DG = VALID and (not OCC_9_15DG) and K_9_15DG and (REL_9_15DG or RELALL)  # 9-15DG released after a restart (R16)
         RLS_9_15DG = RT_9_15DG or CA_9_15DG or CD_D9 or HR_9_15DG or SR_9_15DG  # 9-15DG is released
         AR_IAG = VALID and U_IAG and (not (G_R13 or G_R17 or G_R27 or G_R31 or G_R37 or G_R44 or G_R45)) and (not (L_5DG_1 or L_5DG_2)) and (not (L_IAG_2 and OCC_XJG)) and (not (L_IAG_2 and (L_5DG_3 or L_5DG_4) and M_5DG and M_IAG))  # a train has arrived in IAG, wholly (R2)
@@ -2948,36 +2972,43 @@ class Controller:
         N_A_R3 = (A_R3 or G_R3) and KP_R3  # route D11-5G active
         N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route D11-5G locked
         N_W_R3 = (W_R3 or LK_R3 or ((REQ == 3) and B_R3)) and (not LS_R3) and KP_R3 and (not X_D11) and (not CAN_D11)  # route D11-5G: proceed wanted
+        N_PA_R3 = (PA_R3 or (S_R3 and NU_11_13DG_2)) and VALID and (not CAN_D11) and OCC_7DG and OCC_11_13DG and WD_11_13DG_3 and (not BLK_11_13DG) and WD_21DG_2 and (not BLK_21DG) and (not BLK_5G) and (not D_11_13DG)  # route D11-5G: open for the movement that passes D11
         N_S_R3 = PR_R3  # route D11-5G: proceed
         N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route D11-5G: signal has been open
         N_A_R4 = (A_R4 or G_R4) and KP_R4  # route D11-D13 active
         N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route D11-D13 locked
         N_W_R4 = (W_R4 or LK_R4 or ((REQ == 4) and B_R4)) and (not LS_R4) and KP_R4 and (not X_D11) and (not CAN_D11)  # route D11-D13: proceed wanted
+        N_PA_R4 = (PA_R4 or (S_R4 and NU_11_13DG_2)) and VALID and (not CAN_D11) and OCC_7DG and OCC_11_13DG and WD_11_13DG_4 and (not BLK_11_13DG) and WD_9_15DG_2 and (not BLK_9_15DG) and (not D_11_13DG)  # route D11-D13: open for the movement that passes D11
         N_S_R4 = PR_R4  # route D11-D13: proceed
         N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route D11-D13: signal has been open
         N_A_R5 = (A_R5 or G_R5) and KP_R5  # route D11-IIIG active
         N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route D11-IIIG locked
         N_W_R5 = (W_R5 or LK_R5 or ((REQ == 5) and B_R5)) and (not LS_R5) and KP_R5 and (not X_D11) and (not CAN_D11)  # route D11-IIIG: proceed wanted
+        N_PA_R5 = (PA_R5 or (S_R5 and NU_11_13DG_2)) and VALID and (not CAN_D11) and OCC_7DG and OCC_11_13DG and WD_11_13DG_3 and (not BLK_11_13DG) and WD_21DG_1 and (not BLK_21DG) and WD_25DG_2 and (not BLK_25DG) and (not BLK_IIIG) and (not D_11_13DG)  # route D11-IIIG: open for the movement that passes D11
         N_S_R5 = PR_R5  # route D11-IIIG: proceed
         N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route D11-IIIG: signal has been open
         N_A_R6 = (A_R6 or G_R6) and KP_R6  # route D13-4G active
         N_B_R6 = (B_R6 or LK_R6) and KP_R6  # route D13-4G locked
         N_W_R6 = (W_R6 or LK_R6 or ((REQ == 6) and B_R6)) and (not LS_R6) and KP_R6 and (not X_D13) and (not CAN_D13)  # route D13-4G: proceed wanted
+        N_PA_R6 = (PA_R6 or (S_R6 and NU_17_23DG_3)) and VALID and (not CAN_D13) and OCC_9_15DG and OCC_17_23DG and WD_17_23DG_3 and (not BLK_17_23DG) and WD_19_27DG_3 and (not BLK_19_27DG) and (not BLK_4G) and (not D_17_23DG)  # route D13-4G: open for the movement that passes D13
         N_S_R6 = PR_R6  # route D13-4G: proceed
         N_H_R6 = (H_R6 or PR_R6) and KP_R6  # route D13-4G: signal has been open
         N_A_R7 = (A_R7 or G_R7) and KP_R7  # route D13-IG active
         N_B_R7 = (B_R7 or LK_R7) and KP_R7  # route D13-IG locked
         N_W_R7 = (W_R7 or LK_R7 or ((REQ == 7) and B_R7)) and (not LS_R7) and KP_R7 and (not X_D13) and (not CAN_D13)  # route D13-IG: proceed wanted
+        N_PA_R7 = (PA_R7 or (S_R7 and NU_17_23DG_3)) and VALID and (not CAN_D13) and OCC_9_15DG and OCC_17_23DG and WD_17_23DG_5 and (not BLK_17_23DG) and (not BLK_IG) and (not D_17_23DG)  # route D13-IG: open for the movement that passes D13
         N_S_R7 = PR_R7  # route D13-IG: proceed
         N_H_R7 = (H_R7 or PR_R7) and KP_R7  # route D13-IG: signal has been open
         N_A_R8 = (A_R8 or G_R8) and KP_R8  # route D13-IIG active
         N_B_R8 = (B_R8 or LK_R8) and KP_R8  # route D13-IIG locked
         N_W_R8 = (W_R8 or LK_R8 or ((REQ == 8) and B_R8)) and (not LS_R8) and KP_R8 and (not X_D13) and (not CAN_D13)  # route D13-IIG: proceed wanted
+        N_PA_R8 = (PA_R8 or (S_R8 and NU_17_23DG_3)) and VALID and (not CAN_D13) and OCC_9_15DG and OCC_17_23DG and WD_17_23DG_3 and (not BLK_17_23DG) and WD_19_27DG_4 and (not BLK_19_27DG) and (not BLK_IIG) and (not D_17_23DG)  # route D13-IIG: open for the movement that passes D13
         N_S_R8 = PR_R8  # route D13-IIG: proceed
         N_H_R8 = (H_R8 or PR_R8) and KP_R8  # route D13-IIG: signal has been open
         N_A_R9 = (A_R9 or G_R9) and KP_R9  # route D13-IIIG active
         N_B_R9 = (B_R9 or LK_R9) and KP_R9  # route D13-IIIG locked
         N_W_R9 = (W_R9 or LK_R9 or ((REQ == 9) and B_R9)) and (not LS_R9) and KP_R9 and (not X_D13) and (not CAN_D13)  # route D13-IIIG: proceed wanted
+        N_PA_R9 = (PA_R9 or (S_R9 and NU_17_23DG_3)) and VALID and (not CAN_D13) and OCC_9_15DG and OCC_17_23DG and WD_17_23DG_4 and (not BLK_17_23DG) and WD_25DG_1 and (not BLK_25DG) and (not BLK_IIIG) and (not D_17_23DG)  # route D13-IIIG: open for the movement that passes D13
         N_S_R9 = PR_R9  # route D13-IIIG: proceed
         N_H_R9 = (H_R9 or PR_R9) and KP_R9  # route D13-IIIG: signal has been open
         N_A_R10 = (A_R10 or G_R10) and KP_R10  # route D15-4G active
@@ -3018,26 +3049,31 @@ class Controller:
         N_A_R17 = (A_R17 or G_R17) and KP_R17  # route D7-IAG active
         N_B_R17 = (B_R17 or LK_R17) and KP_R17  # route D7-IAG locked
         N_W_R17 = (W_R17 or LK_R17 or ((REQ == 17) and B_R17)) and (not LS_R17) and KP_R17 and (not X_D7) and (not CAN_D7)  # route D7-IAG: proceed wanted
+        N_PA_R17 = (PA_R17 or (S_R17 and NU_3DG_3)) and VALID and (not CAN_D7) and OCC_9_15DG and OCC_3DG and WD_3DG_4 and (not BLK_3DG) and WD_5DG_1 and (not BLK_5DG) and (not BLK_IAG) and (not D_3DG)  # route D7-IAG: open for the movement that passes D7
         N_S_R17 = PR_R17  # route D7-IAG: proceed
         N_H_R17 = (H_R17 or PR_R17) and KP_R17  # route D7-IAG: signal has been open
         N_A_R18 = (A_R18 or G_R18) and KP_R18  # route D7-IIAG active
         N_B_R18 = (B_R18 or LK_R18) and KP_R18  # route D7-IIAG locked
         N_W_R18 = (W_R18 or LK_R18 or ((REQ == 18) and B_R18)) and (not LS_R18) and KP_R18 and (not X_D7) and (not CAN_D7)  # route D7-IIAG: proceed wanted
+        N_PA_R18 = (PA_R18 or (S_R18 and NU_3DG_3)) and VALID and (not CAN_D7) and OCC_9_15DG and OCC_3DG and WD_3DG_3 and (not BLK_3DG) and WD_1DG_2 and (not BLK_1DG) and (not BLK_IIAG) and (not D_3DG)  # route D7-IIAG: open for the movement that passes D7
         N_S_R18 = PR_R18  # route D7-IIAG: proceed
         N_H_R18 = (H_R18 or PR_R18) and KP_R18  # route D7-IIAG: signal has been open
         N_A_R19 = (A_R19 or G_R19) and KP_R19  # route D9-5G active
         N_B_R19 = (B_R19 or LK_R19) and KP_R19  # route D9-5G locked
         N_W_R19 = (W_R19 or LK_R19 or ((REQ == 19) and B_R19)) and (not LS_R19) and KP_R19 and (not X_D9) and (not CAN_D9)  # route D9-5G: proceed wanted
+        N_PA_R19 = (PA_R19 or (S_R19 and NU_9_15DG_4)) and VALID and (not CAN_D9) and OCC_3DG and OCC_9_15DG and WD_9_15DG_5 and (not BLK_9_15DG) and WD_11_13DG_5 and (not BLK_11_13DG) and WD_21DG_2 and (not BLK_21DG) and (not BLK_5G) and (not D_9_15DG)  # route D9-5G: open for the movement that passes D9
         N_S_R19 = PR_R19  # route D9-5G: proceed
         N_H_R19 = (H_R19 or PR_R19) and KP_R19  # route D9-5G: signal has been open
         N_A_R20 = (A_R20 or G_R20) and KP_R20  # route D9-D13 active
         N_B_R20 = (B_R20 or LK_R20) and KP_R20  # route D9-D13 locked
         N_W_R20 = (W_R20 or LK_R20 or ((REQ == 20) and B_R20)) and (not LS_R20) and KP_R20 and (not X_D9) and (not CAN_D9)  # route D9-D13: proceed wanted
+        N_PA_R20 = (PA_R20 or (S_R20 and NU_9_15DG_4)) and VALID and (not CAN_D9) and OCC_3DG and OCC_9_15DG and WD_9_15DG_6 and (not BLK_9_15DG) and (not D_9_15DG)  # route D9-D13: open for the movement that passes D9
         N_S_R20 = PR_R20  # route D9-D13: proceed
         N_H_R20 = (H_R20 or PR_R20) and KP_R20  # route D9-D13: signal has been open
         N_A_R21 = (A_R21 or G_R21) and KP_R21  # route D9-IIIG active
         N_B_R21 = (B_R21 or LK_R21) and KP_R21  # route D9-IIIG locked
         N_W_R21 = (W_R21 or LK_R21 or ((REQ == 21) and B_R21)) and (not LS_R21) and KP_R21 and (not X_D9) and (not CAN_D9)  # route D9-IIIG: proceed wanted
+        N_PA_R21 = (PA_R21 or (S_R21 and NU_9_15DG_4)) and VALID and (not CAN_D9) and OCC_3DG and OCC_9_15DG and WD_9_15DG_5 and (not BLK_9_15DG) and WD_11_13DG_5 and (not BLK_11_13DG) and WD_21DG_1 and (not BLK_21DG) and WD_25DG_2 and (not BLK_25DG) and (not BLK_IIIG) and (not D_9_15DG)  # route D9-IIIG: open for the movement that passes D9
         N_S_R21 = PR_R21  # route D9-IIIG: proceed
         N_H_R21 = (H_R21 or PR_R21) and KP_R21  # route D9-IIIG: signal has been open
         N_A_R22 = (A_R22 or G_R22) and KP_R22  # route S4-BS active
@@ -3568,36 +3604,43 @@ class Controller:
             'A_R3': bool(N_A_R3),
             'B_R3': bool(N_B_R3),
             'W_R3': bool(N_W_R3),
+            'PA_R3': bool(N_PA_R3),
             'S_R3': bool(N_S_R3),
             'H_R3': bool(N_H_R3),
             'A_R4': bool(N_A_R4),
             'B_R4': bool(N_B_R4),
             'W_R4': bool(N_W_R4),
+            'PA_R4': bool(N_PA_R4),
             'S_R4': bool(N_S_R4),
             'H_R4': bool(N_H_R4),
             'A_R5': bool(N_A_R5),
             'B_R5': bool(N_B_R5),
             'W_R5': bool(N_W_R5),
+            'PA_R5': bool(N_PA_R5),
             'S_R5': bool(N_S_R5),
             'H_R5': bool(N_H_R5),
             'A_R6': bool(N_A_R6),
             'B_R6': bool(N_B_R6),
             'W_R6': bool(N_W_R6),
+            'PA_R6': bool(N_PA_R6),
             'S_R6': bool(N_S_R6),
             'H_R6': bool(N_H_R6),
             'A_R7': bool(N_A_R7),
             'B_R7': bool(N_B_R7),
             'W_R7': bool(N_W_R7),
+            'PA_R7': bool(N_PA_R7),
             'S_R7': bool(N_S_R7),
             'H_R7': bool(N_H_R7),
             'A_R8': bool(N_A_R8),
             'B_R8': bool(N_B_R8),
             'W_R8': bool(N_W_R8),
+            'PA_R8': bool(N_PA_R8),
             'S_R8': bool(N_S_R8),
             'H_R8': bool(N_H_R8),
             'A_R9': bool(N_A_R9),
             'B_R9': bool(N_B_R9),
             'W_R9': bool(N_W_R9),
+            'PA_R9': bool(N_PA_R9),
             'S_R9': bool(N_S_R9),
             'H_R9': bool(N_H_R9),
             'A_R10': bool(N_A_R10),
@@ -3638,26 +3681,31 @@ class Controller:
             'A_R17': bool(N_A_R17),
             'B_R17': bool(N_B_R17),
             'W_R17': bool(N_W_R17),
+            'PA_R17': bool(N_PA_R17),
             'S_R17': bool(N_S_R17),
             'H_R17': bool(N_H_R17),
             'A_R18': bool(N_A_R18),
             'B_R18': bool(N_B_R18),
             'W_R18': bool(N_W_R18),
+            'PA_R18': bool(N_PA_R18),
             'S_R18': bool(N_S_R18),
             'H_R18': bool(N_H_R18),
             'A_R19': bool(N_A_R19),
             'B_R19': bool(N_B_R19),
             'W_R19': bool(N_W_R19),
+            'PA_R19': bool(N_PA_R19),
             'S_R19': bool(N_S_R19),
             'H_R19': bool(N_H_R19),
             'A_R20': bool(N_A_R20),
             'B_R20': bool(N_B_R20),
             'W_R20': bool(N_W_R20),
+            'PA_R20': bool(N_PA_R20),
             'S_R20': bool(N_S_R20),
             'H_R20': bool(N_H_R20),
             'A_R21': bool(N_A_R21),
             'B_R21': bool(N_B_R21),
             'W_R21': bool(N_W_R21),
+            'PA_R21': bool(N_PA_R21),
             'S_R21': bool(N_S_R21),
             'H_R21': bool(N_H_R21),
             'A_R22': bool(N_A_R22),
@@ -4188,36 +4236,43 @@ class Controller:
         A_R3 = self.state['A_R3']
         B_R3 = self.state['B_R3']
         W_R3 = self.state['W_R3']
+        PA_R3 = self.state['PA_R3']
         S_R3 = self.state['S_R3']
         H_R3 = self.state['H_R3']
         A_R4 = self.state['A_R4']
         B_R4 = self.state['B_R4']
         W_R4 = self.state['W_R4']
+        PA_R4 = self.state['PA_R4']
         S_R4 = self.state['S_R4']
         H_R4 = self.state['H_R4']
         A_R5 = self.state['A_R5']
         B_R5 = self.state['B_R5']
         W_R5 = self.state['W_R5']
+        PA_R5 = self.state['PA_R5']
         S_R5 = self.state['S_R5']
         H_R5 = self.state['H_R5']
         A_R6 = self.state['A_R6']
         B_R6 = self.state['B_R6']
         W_R6 = self.state['W_R6']
+        PA_R6 = self.state['PA_R6']
         S_R6 = self.state['S_R6']
         H_R6 = self.state['H_R6']
         A_R7 = self.state['A_R7']
         B_R7 = self.state['B_R7']
         W_R7 = self.state['W_R7']
+        PA_R7 = self.state['PA_R7']
         S_R7 = self.state['S_R7']
         H_R7 = self.state['H_R7']
         A_R8 = self.state['A_R8']
         B_R8 = self.state['B_R8']
         W_R8 = self.state['W_R8']
+        PA_R8 = self.state['PA_R8']
         S_R8 = self.state['S_R8']
         H_R8 = self.state['H_R8']
         A_R9 = self.state['A_R9']
         B_R9 = self.state['B_R9']
         W_R9 = self.state['W_R9']
+        PA_R9 = self.state['PA_R9']
         S_R9 = self.state['S_R9']
         H_R9 = self.state['H_R9']
         A_R10 = self.state['A_R10']
@@ -4258,26 +4313,31 @@ class Controller:
         A_R17 = self.state['A_R17']
         B_R17 = self.state['B_R17']
         W_R17 = self.state['W_R17']
+        PA_R17 = self.state['PA_R17']
         S_R17 = self.state['S_R17']
         H_R17 = self.state['H_R17']
         A_R18 = self.state['A_R18']
         B_R18 = self.state['B_R18']
         W_R18 = self.state['W_R18']
+        PA_R18 = self.state['PA_R18']
         S_R18 = self.state['S_R18']
         H_R18 = self.state['H_R18']
         A_R19 = self.state['A_R19']
         B_R19 = self.state['B_R19']
         W_R19 = self.state['W_R19']
+        PA_R19 = self.state['PA_R19']
         S_R19 = self.state['S_R19']
         H_R19 = self.state['H_R19']
         A_R20 = self.state['A_R20']
         B_R20 = self.state['B_R20']
         W_R20 = self.state['W_R20']
+        PA_R20 = self.state['PA_R20']
         S_R20 = self.state['S_R20']
         H_R20 = self.state['H_R20']
         A_R21 = self.state['A_R21']
         B_R21 = self.state['B_R21']
         W_R21 = self.state['W_R21']
+        PA_R21 = self.state['PA_R21']
         S_R21 = self.state['S_R21']
         H_R21 = self.state['H_R21']
         A_R22 = self.state['A_R22']
@@ -4798,10 +4858,10 @@ class Controller:
             'YL_IIIG': bool(K_IIIG or L_IIIG_1),
             'YW_D1': bool(S_R1 or S_R2),
             'YS_D1': bool((not (S_R1 or S_R2))),
-            'YW_D11': bool(S_R3 or S_R4 or S_R5),
-            'YS_D11': bool((not (S_R3 or S_R4 or S_R5))),
-            'YW_D13': bool(S_R6 or S_R7 or S_R8 or S_R9),
-            'YS_D13': bool((not (S_R6 or S_R7 or S_R8 or S_R9))),
+            'YW_D11': bool(S_R3 or S_R4 or S_R5 or PA_R3 or PA_R4 or PA_R5),
+            'YS_D11': bool((not (S_R3 or S_R4 or S_R5 or PA_R3 or PA_R4 or PA_R5))),
+            'YW_D13': bool(S_R6 or S_R7 or S_R8 or S_R9 or PA_R6 or PA_R7 or PA_R8 or PA_R9),
+            'YS_D13': bool((not (S_R6 or S_R7 or S_R8 or S_R9 or PA_R6 or PA_R7 or PA_R8 or PA_R9))),
             'YW_D15': bool(S_R10 or S_R11),
             'YS_D15': bool((not (S_R10 or S_R11))),
             'YW_D17': bool(S_R12 or S_R13),
@@ -4810,10 +4870,10 @@ class Controller:
             'YS_D3': bool((not (S_R14 or S_R15))),
             'YW_D5': bool(S_R16),
             'YS_D5': bool((not S_R16)),
-            'YW_D7': bool(S_R17 or S_R18),
-            'YS_D7': bool((not (S_R17 or S_R18))),
-            'YW_D9': bool(S_R19 or S_R20 or S_R21),
-            'YS_D9': bool((not (S_R19 or S_R20 or S_R21))),
+            'YW_D7': bool(S_R17 or S_R18 or PA_R17 or PA_R18),
+            'YS_D7': bool((not (S_R17 or S_R18 or PA_R17 or PA_R18))),
+            'YW_D9': bool(S_R19 or S_R20 or S_R21 or PA_R19 or PA_R20 or PA_R21),
+            'YS_D9': bool((not (S_R19 or S_R20 or S_R21 or PA_R19 or PA_R20 or PA_R21))),
             'YP_S4': bool(C_S4),
             'YY_S4': bool((S_R22 or S_R23 or S_R24) and (not C_S4)),
             'YW_S4': bool(S_R25 or S_R26 or S_R27),

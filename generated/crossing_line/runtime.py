@@ -1,7 +1,7 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout a60397ec15ab52104859e9b527b91b385b7137615d2c9c8e7a6f56653a045d83
-# claims a12777d02fb84c1b55a220f5f3ed73983168a9150b968dd762d1e02cfa9f8899
+# layout 945cea125204617d8602a8049e67c5bd762378f89ea1aadcee1498b8fd23f7fa
+# claims d2606dd6b580108c67fa55c3006862a4bf916ac626d98c0446913c2fa31ce71e
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 19585eea2db74fd0e08d09c404c2f512771232e874a97a3a2d4819fd559fa0ba
-# claims 4f6d331ccf0777800526ce75c399ce41e8fbbe0387410cd07e1267f8e2323105
+# layout 58bc0a536d85d773082abfb6c881cb0cac30a40e75ebbee1c619367e90ef99d5
+# claims 00d8979c66f795aa722d303cdc0cd8a516a7f7528702a0b3eb9a5abe6327f229
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout a15688b4099df9d4a3426a8def9c9105d09b7ed5a42e9de2778b9c4b733e45a8
-# claims ccdd71544850a1e1be2450bd01e4e78ed1af73bd86fb88f9d25d27035e8f346e
+# layout 40a4b6973a33fc5e0fb4ed2d5e242d8775b5f555c595c1092a80155903a340e7
+# claims a842b56422849ec3b49d1442909cd043160cbe509d7bf4ff383c902cb33dd88e
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 2533778ef13956b8eb1b674a28466794cc5d0370c8ba81f9ff75265056173c3f
-# claims a60ff55634919baa2ec0ed4938d7a58530751f200b0f5b91ae899e1ffaa9ec6a
+# layout e86d0fb6024b6f41c24cd735755278f645541643aacb7a63574a9734aeb9e2c0
+# claims 33a28126dee07e188860bd9fe1a334c0bfbbe9779e03909d535842e372ba9e95
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

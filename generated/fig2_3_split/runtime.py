@@ -1,7 +1,7 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 2b522af79a0912f53ef86bc52676a220f3625dffb2aa3ba69ac83ad6405e103a
-# claims dcbecf14566e292f09cd4ec07e65e2bc5669b412865ef45a90efdfa732b1896b
+# layout 72e237c0a23bfa57200cc9dfe19fea36f0073b8ac7415bfa9a98f143ce89f0c2
+# claims b7a909872fa0aa223384f117deb1f964c5a19be3f342673aa11dc854a8bfa5a5
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

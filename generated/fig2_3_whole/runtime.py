@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 5aa97b018697cff8511fde4c28c8384955d74bc98fb312e0efede0c12d999270
-# claims c188a853f54f1c327b72d830275e0a0e3803747fc252b49ebd2003d00262c5db
+# layout 79d4e4d40c0b332bbe65747ddc2aba28cbec181166b4befcb394828a4b3681a7
+# claims 030cfd1ef2d933e2d390ec5ce94165ae4d19eaf6333b0eddeb7ccb67cff6750f
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 46be8da29609c48c85e59103a414bf9ff69d0b0a1d908cd526f2e9b43b8c3712
-# claims 285566d87e0c3aee1d5c6f8eacf2b416882eec9620a51642e0cf9663804dbb28
+# layout 5bb96f40dd595314d70b8a4f311e927c34383eeb7995ed643545d77dd230652b
+# claims f44c22607bd55af1d5fe8742e54237ad38769f09256bac96aa77a7dca955a150
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout e3ce1642b8f71b954aa8934726650b0d97d6edd7b6a4b157375e90a59d006c98
-# claims a4a25e62ed2fc26ce3f1b37357064805983de90a08bd942e8ecb60fda259cce8
+# layout 3f769a5076453348034b96338266b2811ec5e77d680e6ba0f4ddb0f94e1ba99b
+# claims c73e29597f401ea1fb87feda4f6a1b3bcfd03b09a0363254e6d085421a2daa25
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

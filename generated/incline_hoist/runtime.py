@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 1993f75804f76d7ad170c630698bf9ac32126a8eef51ca002259693caa3c7b80
-# claims ef4d6898656e69b3eb3db24ea301c2fc150956477b438e1f41c823b120fae3cc
+# layout 318c7ff2044655f2f516d16ec5050e4ed97d341aecde383a75a3d8dbbd1d9130
+# claims f9be949ea46b9e1a4eb4a58518cc1063e98136df956103f798f0ce25b883a205
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

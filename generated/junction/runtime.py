@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout b85062dd2e10d0d62e4938f2045ee7d295e867835e5b728c48c80f22a114e2c9
-# claims 0b0ba79108736c2ab33926b2440a1d0f4e6451c872b6e38e182aad9ebcaaf34b
+# layout 2154afe87c3d6a3ecb5b4cfa642194f19d7212f830606e4775a908d8de40551c
+# claims 34f25582d8b095fe79876233c972569c6ee4eda3772d638acaa04c8df0fb62f1
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

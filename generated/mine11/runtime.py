@@ -1,7 +1,7 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout cf9705f49404978e90d3bd727c2e158db328adc814f91739c7a38d4570d16958
-# claims c2c95c381f54b90f0d5a8084f0143f6d0158cacf865ebc9aaed41b6f3c657d97
+# layout 871dd5d4aeaf89f250176efc420e4a409987dee3ad2159c7fb6b57998ca90a9a
+# claims 02a50f793ea342d0541488838ba26bc7e481049a960d0778a48efd20b0aaa5b4
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

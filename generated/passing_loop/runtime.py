@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 14c969c0b79804f8cb5bf5b0d6b635b51ebe4eca8c17ddb783eb730127f74e35
-# claims 489cb59a351acba19363220fb85f803299ffb156799c7d7326196f914ceafc40
+# layout f06fc3ef369c8dadb2c773623a135f007d150df522766d476999f08dc0950645
+# claims 223328e3455f7dd116a142849bba107bb5102a0a0a5a4aaf0b7ff7f6f79836de
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout da04d5ff3fed8bedab6b4b8166452bad6d40fd8a85d85a7dc5efcb5023fa2220
-# claims 321964ce46e8e4c1c0416e9f9b3e35c2a899fdfd586a087b72780501e7ab9328
+# layout afb1ca9eee9cd212d63200a6d93e811cb145f7f4bf9be6bdc190e5b454d85daf
+# claims 1da161500a8e0f2490128e7cdbb7359bb1a8254013aa01ab70d0d875f4366d2e
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -134,66 +134,79 @@ STATE = {
     'A_R2': False,  # route S1-S2 active
     'B_R2': False,  # route S1-S2 locked
     'W_R2': False,  # route S1-S2: proceed wanted
+    'PA_R2': False,  # route S1-S2: open for the movement that passes S1
     'S_R2': False,  # route S1-S2: proceed
     'H_R2': False,  # route S1-S2: signal has been open
     'A_R3': False,  # route S1-S4 active
     'B_R3': False,  # route S1-S4 locked
     'W_R3': False,  # route S1-S4: proceed wanted
+    'PA_R3': False,  # route S1-S4: open for the movement that passes S1
     'S_R3': False,  # route S1-S4: proceed
     'H_R3': False,  # route S1-S4: signal has been open
     'A_R4': False,  # route S10-S11 active
     'B_R4': False,  # route S10-S11 locked
     'W_R4': False,  # route S10-S11: proceed wanted
+    'PA_R4': False,  # route S10-S11: open for the movement that passes S10
     'S_R4': False,  # route S10-S11: proceed
     'H_R4': False,  # route S10-S11: signal has been open
     'A_R5': False,  # route S11-W active
     'B_R5': False,  # route S11-W locked
     'W_R5': False,  # route S11-W: proceed wanted
+    'PA_R5': False,  # route S11-W: open for the movement that passes S11
     'S_R5': False,  # route S11-W: proceed
     'H_R5': False,  # route S11-W: signal has been open
     'A_R6': False,  # route S2-S3 active
     'B_R6': False,  # route S2-S3 locked
     'W_R6': False,  # route S2-S3: proceed wanted
+    'PA_R6': False,  # route S2-S3: open for the movement that passes S2
     'S_R6': False,  # route S2-S3: proceed
     'H_R6': False,  # route S2-S3: signal has been open
     'A_R7': False,  # route S3-E active
     'B_R7': False,  # route S3-E locked
     'W_R7': False,  # route S3-E: proceed wanted
+    'PA_R7': False,  # route S3-E: open for the movement that passes S3
     'S_R7': False,  # route S3-E: proceed
     'H_R7': False,  # route S3-E: signal has been open
     'A_R8': False,  # route S3-MAN active
     'B_R8': False,  # route S3-MAN locked
     'W_R8': False,  # route S3-MAN: proceed wanted
+    'PA_R8': False,  # route S3-MAN: open for the movement that passes S3
     'S_R8': False,  # route S3-MAN: proceed
     'H_R8': False,  # route S3-MAN: signal has been open
     'A_R9': False,  # route S4-MAT active
     'B_R9': False,  # route S4-MAT locked
     'W_R9': False,  # route S4-MAT: proceed wanted
+    'PA_R9': False,  # route S4-MAT: open for the movement that passes S4
     'S_R9': False,  # route S4-MAT: proceed
     'H_R9': False,  # route S4-MAT: signal has been open
     'A_R10': False,  # route S4-S5 active
     'B_R10': False,  # route S4-S5 locked
     'W_R10': False,  # route S4-S5: proceed wanted
+    'PA_R10': False,  # route S4-S5: open for the movement that passes S4
     'S_R10': False,  # route S4-S5: proceed
     'H_R10': False,  # route S4-S5: signal has been open
     'A_R11': False,  # route S5-E active
     'B_R11': False,  # route S5-E locked
     'W_R11': False,  # route S5-E: proceed wanted
+    'PA_R11': False,  # route S5-E: open for the movement that passes S5
     'S_R11': False,  # route S5-E: proceed
     'H_R11': False,  # route S5-E: signal has been open
     'A_R12': False,  # route S5-MAN active
     'B_R12': False,  # route S5-MAN locked
     'W_R12': False,  # route S5-MAN: proceed wanted
+    'PA_R12': False,  # route S5-MAN: open for the movement that passes S5
     'S_R12': False,  # route S5-MAN: proceed
     'H_R12': False,  # route S5-MAN: signal has been open
     'A_R13': False,  # route S6-S11 active
     'B_R13': False,  # route S6-S11 locked
     'W_R13': False,  # route S6-S11: proceed wanted
+    'PA_R13': False,  # route S6-S11: open for the movement that passes S6
     'S_R13': False,  # route S6-S11: proceed
     'H_R13': False,  # route S6-S11: signal has been open
     'A_R14': False,  # route S7-S10 active
     'B_R14': False,  # route S7-S10 locked
     'W_R14': False,  # route S7-S10: proceed wanted
+    'PA_R14': False,  # route S7-S10: open for the movement that passes S7
     'S_R14': False,  # route S7-S10: proceed
     'H_R14': False,  # route S7-S10: signal has been open
     'A_R15': False,  # route S8-S9 active
@@ -204,6 +217,7 @@ STATE = {
     'A_R16': False,  # route S9-S10 active
     'B_R16': False,  # route S9-S10 locked
     'W_R16': False,  # route S9-S10: proceed wanted
+    'PA_R16': False,  # route S9-S10: open for the movement that passes S9
     'S_R16': False,  # route S9-S10: proceed
     'H_R16': False,  # route S9-S10: signal has been open
     'X_S0': False,  # S0: cancelling
@@ -574,66 +588,79 @@ class Controller:
         A_R2 = old['A_R2']
         B_R2 = old['B_R2']
         W_R2 = old['W_R2']
+        PA_R2 = old['PA_R2']
         S_R2 = old['S_R2']
         H_R2 = old['H_R2']
         A_R3 = old['A_R3']
         B_R3 = old['B_R3']
         W_R3 = old['W_R3']
+        PA_R3 = old['PA_R3']
         S_R3 = old['S_R3']
         H_R3 = old['H_R3']
         A_R4 = old['A_R4']
         B_R4 = old['B_R4']
         W_R4 = old['W_R4']
+        PA_R4 = old['PA_R4']
         S_R4 = old['S_R4']
         H_R4 = old['H_R4']
         A_R5 = old['A_R5']
         B_R5 = old['B_R5']
         W_R5 = old['W_R5']
+        PA_R5 = old['PA_R5']
         S_R5 = old['S_R5']
         H_R5 = old['H_R5']
         A_R6 = old['A_R6']
         B_R6 = old['B_R6']
         W_R6 = old['W_R6']
+        PA_R6 = old['PA_R6']
         S_R6 = old['S_R6']
         H_R6 = old['H_R6']
         A_R7 = old['A_R7']
         B_R7 = old['B_R7']
         W_R7 = old['W_R7']
+        PA_R7 = old['PA_R7']
         S_R7 = old['S_R7']
         H_R7 = old['H_R7']
         A_R8 = old['A_R8']
         B_R8 = old['B_R8']
         W_R8 = old['W_R8']
+        PA_R8 = old['PA_R8']
         S_R8 = old['S_R8']
         H_R8 = old['H_R8']
         A_R9 = old['A_R9']
         B_R9 = old['B_R9']
         W_R9 = old['W_R9']
+        PA_R9 = old['PA_R9']
         S_R9 = old['S_R9']
         H_R9 = old['H_R9']
         A_R10 = old['A_R10']
         B_R10 = old['B_R10']
         W_R10 = old['W_R10']
+        PA_R10 = old['PA_R10']
         S_R10 = old['S_R10']
         H_R10 = old['H_R10']
         A_R11 = old['A_R11']
         B_R11 = old['B_R11']
         W_R11 = old['W_R11']
+        PA_R11 = old['PA_R11']
         S_R11 = old['S_R11']
         H_R11 = old['H_R11']
         A_R12 = old['A_R12']
         B_R12 = old['B_R12']
         W_R12 = old['W_R12']
+        PA_R12 = old['PA_R12']
         S_R12 = old['S_R12']
         H_R12 = old['H_R12']
         A_R13 = old['A_R13']
         B_R13 = old['B_R13']
         W_R13 = old['W_R13']
+        PA_R13 = old['PA_R13']
         S_R13 = old['S_R13']
         H_R13 = old['H_R13']
         A_R14 = old['A_R14']
         B_R14 = old['B_R14']
         W_R14 = old['W_R14']
+        PA_R14 = old['PA_R14']
         S_R14 = old['S_R14']
         H_R14 = old['H_R14']
         A_R15 = old['A_R15']
@@ -644,6 +671,7 @@ class Controller:
         A_R16 = old['A_R16']
         B_R16 = old['B_R16']
         W_R16 = old['W_R16']
+        PA_R16 = old['PA_R16']
         S_R16 = old['S_R16']
         H_R16 = old['H_R16']
         X_S0 = old['X_S0']
@@ -1022,17 +1050,17 @@ class Controller:
         NU_q9_2 = VALID and F_q9 and (not D_q9) and (not U_q9) and L_q9_2 and OCC_q9 and OCC_q11_material  # a train comes into q9 at q11_material|q9@P3.reverse (R9)
         NU_q9_3 = VALID and F_q9 and (not D_q9) and (not U_q9) and (L_q9_3 or L_q9_4) and OCC_q9 and OCC_q5_bypass1  # a train comes into q9 at q5_bypass1|q9@P3.toe (R9)
         ATI_S0 = X_S0 or ((not A_R1) and L_q1_1 and REL_q1)  # S0 at stop, waiting for a train that may still come (R8)
-        ATI_S1 = X_S1 or ((not (A_R2 or A_R3)) and (L_q2_1 or L_q2_2) and REL_q2)  # S1 at stop, waiting for a train that may still come (R8)
-        ATI_S10 = X_S10 or ((not A_R4) and L_q9_1 and REL_q9)  # S10 at stop, waiting for a train that may still come (R8)
-        ATI_S11 = X_S11 or ((not A_R5) and L_q2_4 and REL_q2)  # S11 at stop, waiting for a train that may still come (R8)
-        ATI_S2 = X_S2 or ((not A_R6) and L_q4_tippler_1 and REL_q4_tippler)  # S2 at stop, waiting for a train that may still come (R8)
-        ATI_S3 = X_S3 or ((not (A_R7 or A_R8)) and L_q7_4 and REL_q7)  # S3 at stop, waiting for a train that may still come (R8)
-        ATI_S4 = X_S4 or ((not (A_R9 or A_R10)) and (L_q9_3 or L_q9_4) and REL_q9)  # S4 at stop, waiting for a train that may still come (R8)
-        ATI_S5 = X_S5 or ((not (A_R11 or A_R12)) and L_q7_1 and REL_q7)  # S5 at stop, waiting for a train that may still come (R8)
-        ATI_S6 = X_S6 or ((not A_R13) and L_q9_2 and REL_q9)  # S6 at stop, waiting for a train that may still come (R8)
-        ATI_S7 = X_S7 or ((not A_R14) and L_q12_1 and REL_q12)  # S7 at stop, waiting for a train that may still come (R8)
+        ATI_S1 = X_S1 or ((not (A_R2 or A_R3)) and (not (PA_R2 or PA_R3)) and (L_q2_1 or L_q2_2) and REL_q2)  # S1 at stop, waiting for a train that may still come (R8)
+        ATI_S10 = X_S10 or ((not A_R4) and (not PA_R4) and L_q9_1 and REL_q9)  # S10 at stop, waiting for a train that may still come (R8)
+        ATI_S11 = X_S11 or ((not A_R5) and (not PA_R5) and L_q2_4 and REL_q2)  # S11 at stop, waiting for a train that may still come (R8)
+        ATI_S2 = X_S2 or ((not A_R6) and (not PA_R6) and L_q4_tippler_1 and REL_q4_tippler)  # S2 at stop, waiting for a train that may still come (R8)
+        ATI_S3 = X_S3 or ((not (A_R7 or A_R8)) and (not (PA_R7 or PA_R8)) and L_q7_4 and REL_q7)  # S3 at stop, waiting for a train that may still come (R8)
+        ATI_S4 = X_S4 or ((not (A_R9 or A_R10)) and (not (PA_R9 or PA_R10)) and (L_q9_3 or L_q9_4) and REL_q9)  # S4 at stop, waiting for a train that may still come (R8)
+        ATI_S5 = X_S5 or ((not (A_R11 or A_R12)) and (not (PA_R11 or PA_R12)) and L_q7_1 and REL_q7)  # S5 at stop, waiting for a train that may still come (R8)
+        ATI_S6 = X_S6 or ((not A_R13) and (not PA_R13) and L_q9_2 and REL_q9)  # S6 at stop, waiting for a train that may still come (R8)
+        ATI_S7 = X_S7 or ((not A_R14) and (not PA_R14) and L_q12_1 and REL_q12)  # S7 at stop, waiting for a train that may still come (R8)
         ATI_S8 = X_S8 or ((not A_R15) and L_q8_dep_1 and REL_q8_dep)  # S8 at stop, waiting for a train that may still come (R8)
-        ATI_S9 = X_S9 or ((not A_R16) and L_q12_4 and REL_q12)  # S9 at stop, waiting for a train that may still come (R8)
+        ATI_S9 = X_S9 or ((not A_R16) and (not PA_R16) and L_q12_4 and REL_q12)  # S9 at stop, waiting for a train that may still come (R8)
         AT_S0 = self._timer('AT_S0', ATI_S0, dt_ms)  # S0: approach locking delay (R8)
         AT_S1 = self._timer('AT_S1', ATI_S1, dt_ms)  # S1: approach locking delay (R8)
         AT_S10 = self._timer('AT_S10', ATI_S10, dt_ms)  # S10: approach locking delay (R8)
@@ -1064,25 +1092,25 @@ class Controller:
         EX_q11_material = P_q11_material  # a train in q11_material leaves over a boundary, or has passed on
         RTI_q11_material = VALID and U_q11_material and (not OCC_q11_material) and (not (L_q11_material_2 and L_q9_4)) and EX_q11_material  # q11_material may be released behind the train (R9)
         EX_q12 = P_q12  # a train in q12 leaves over a boundary, or has passed on
-        RTI_q12 = VALID and U_q12 and (not OCC_q12) and (not ((L_q12_2 or L_q12_3) and (L_q7_1 or L_q7_4))) and EX_q12  # q12 may be released behind the train (R9)
+        RTI_q12 = VALID and U_q12 and (not OCC_q12) and (not (PA_R14 or PA_R16)) and (not ((L_q12_2 or L_q12_3) and (L_q7_1 or L_q7_4))) and EX_q12  # q12 may be released behind the train (R9)
         EX_q13_man = P_q13_man  # a train in q13_man leaves over a boundary, or has passed on
         RTI_q13_man = VALID and U_q13_man and (not OCC_q13_man) and (not (L_q13_man_2 and L_q12_2)) and EX_q13_man  # q13_man may be released behind the train (R9)
         EX_q2 = P_q2  # a train in q2 leaves over a boundary, or has passed on
-        RTI_q2 = VALID and U_q2 and (not OCC_q2) and EX_q2  # q2 may be released behind the train (R9)
+        RTI_q2 = VALID and U_q2 and (not OCC_q2) and (not (PA_R2 or PA_R3 or PA_R5)) and EX_q2  # q2 may be released behind the train (R9)
         EX_q3_heavy = P_q3_heavy  # a train in q3_heavy leaves over a boundary, or has passed on
         RTI_q3_heavy = VALID and U_q3_heavy and (not OCC_q3_heavy) and (not (L_q3_heavy_1 and L_q2_1)) and EX_q3_heavy  # q3_heavy may be released behind the train (R9)
         EX_q4_tippler = P_q4_tippler  # a train in q4_tippler leaves over a boundary, or has passed on
-        RTI_q4_tippler = VALID and U_q4_tippler and (not OCC_q4_tippler) and EX_q4_tippler  # q4_tippler may be released behind the train (R9)
+        RTI_q4_tippler = VALID and U_q4_tippler and (not OCC_q4_tippler) and (not PA_R6) and EX_q4_tippler  # q4_tippler may be released behind the train (R9)
         EX_q5_bypass1 = P_q5_bypass1  # a train in q5_bypass1 leaves over a boundary, or has passed on
         RTI_q5_bypass1 = VALID and U_q5_bypass1 and (not OCC_q5_bypass1) and (not (L_q5_bypass1_1 and L_q2_2)) and (not (L_q5_bypass1_2 and (L_q9_1 or L_q9_2))) and EX_q5_bypass1  # q5_bypass1 may be released behind the train (R9)
         EX_q6_empty = P_q6_empty  # a train in q6_empty leaves over a boundary, or has passed on
         RTI_q6_empty = VALID and U_q6_empty and (not OCC_q6_empty) and (not (L_q6_empty_1 and L_q4_tippler_1)) and EX_q6_empty  # q6_empty may be released behind the train (R9)
         EX_q7 = P_q7  # a train in q7 leaves over a boundary, or has passed on
-        RTI_q7 = VALID and U_q7 and (not OCC_q7) and (not (L_q7_2 and (L_q12_1 or L_q12_4))) and EX_q7  # q7 may be released behind the train (R9)
+        RTI_q7 = VALID and U_q7 and (not OCC_q7) and (not (PA_R11 or PA_R12 or PA_R7 or PA_R8)) and (not (L_q7_2 and (L_q12_1 or L_q12_4))) and EX_q7  # q7 may be released behind the train (R9)
         EX_q8_dep = P_q8_dep or L_q8_dep_2  # a train in q8_dep leaves over a boundary, or has passed on
         RTI_q8_dep = VALID and U_q8_dep and (not OCC_q8_dep) and (not (L_q8_dep_2 and L_q12_3)) and EX_q8_dep  # q8_dep may be released behind the train (R9)
         EX_q9 = P_q9  # a train in q9 leaves over a boundary, or has passed on
-        RTI_q9 = VALID and U_q9 and (not OCC_q9) and EX_q9  # q9 may be released behind the train (R9)
+        RTI_q9 = VALID and U_q9 and (not OCC_q9) and (not (PA_R4 or PA_R13 or PA_R9 or PA_R10)) and EX_q9  # q9 may be released behind the train (R9)
         RT_q1 = self._timer('RT_q1', RTI_q1, dt_ms)  # q1: release delay (R9)
         RT_q10_bypass2 = self._timer('RT_q10_bypass2', RTI_q10_bypass2, dt_ms)  # q10_bypass2: release delay (R9)
         RT_q11_material = self._timer('RT_q11_material', RTI_q11_material, dt_ms)  # q11_material: release delay (R9)
@@ -1109,7 +1137,7 @@ class Controller:
         SR_q11_material = VALID and (not OCC_q11_material) and K_q11_material and (REL_q11_material or RELALL)  # q11_material released after a restart (R16)
         RLS_q11_material = RT_q11_material or CA_q11_material or HR_q11_material or SR_q11_material  # q11_material is released
         CA_q12 = VALID and (not OCC_q12) and (not U_q12) and (L_q12_2 or L_q12_3) and (not ((L_q12_2 or L_q12_3) and (L_q7_1 or L_q7_4)))  # the lock before q12 was withdrawn (R8)
-        HR_q12 = VALID and (not OCC_q12) and (not ((L_q12_2 or L_q12_3) and (L_q7_1 or L_q7_4))) and REL_q12 and (L_q12_1 or L_q12_2 or L_q12_3 or L_q12_4) and ((not L_q12_1) or ((not A_R14) and ((not OCC_q13_man) or AT_S7))) and ((not L_q12_4) or ((not A_R16) and ((not OCC_q8_dep) or AT_S9)))  # q12 released by hand (R8, section fault release)
+        HR_q12 = VALID and (not OCC_q12) and (not (PA_R14 or PA_R16)) and (not ((L_q12_2 or L_q12_3) and (L_q7_1 or L_q7_4))) and REL_q12 and (L_q12_1 or L_q12_2 or L_q12_3 or L_q12_4) and ((not L_q12_1) or ((not A_R14) and ((not OCC_q13_man) or AT_S7))) and ((not L_q12_4) or ((not A_R16) and ((not OCC_q8_dep) or AT_S9)))  # q12 released by hand (R8, section fault release)
         SR_q12 = VALID and (not OCC_q12) and K_q12 and (REL_q12 or RELALL)  # q12 released after a restart (R16)
         RLS_q12 = RT_q12 or CA_q12 or CD_S7 or CD_S9 or HR_q12 or SR_q12  # q12 is released
         CA_q13_man = VALID and (not OCC_q13_man) and (not U_q13_man) and L_q13_man_2 and (not (L_q13_man_2 and L_q12_2))  # the lock before q13_man was withdrawn (R8)
@@ -1117,7 +1145,7 @@ class Controller:
         SR_q13_man = VALID and (not OCC_q13_man) and K_q13_man and (REL_q13_man or RELALL)  # q13_man released after a restart (R16)
         RLS_q13_man = RT_q13_man or CA_q13_man or HR_q13_man or SR_q13_man  # q13_man is released
         CA_q2 = VALID and (not OCC_q2) and (not U_q2) and False  # the lock before q2 was withdrawn (R8)
-        HR_q2 = VALID and (not OCC_q2) and REL_q2 and (L_q2_1 or L_q2_2 or L_q2_4) and ((not (L_q2_1 or L_q2_2)) or ((not (A_R2 or A_R3)) and ((not OCC_q1) or AT_S1))) and ((not L_q2_4) or ((not A_R5) and ((not OCC_q5_bypass1) or AT_S11)))  # q2 released by hand (R8, section fault release)
+        HR_q2 = VALID and (not OCC_q2) and (not (PA_R2 or PA_R3 or PA_R5)) and REL_q2 and (L_q2_1 or L_q2_2 or L_q2_4) and ((not (L_q2_1 or L_q2_2)) or ((not (A_R2 or A_R3)) and ((not OCC_q1) or AT_S1))) and ((not L_q2_4) or ((not A_R5) and ((not OCC_q5_bypass1) or AT_S11)))  # q2 released by hand (R8, section fault release)
         SR_q2 = VALID and (not OCC_q2) and K_q2 and (REL_q2 or RELALL)  # q2 released after a restart (R16)
         RLS_q2 = RT_q2 or CA_q2 or CD_S1 or CD_S11 or HR_q2 or SR_q2  # q2 is released
         CA_q3_heavy = VALID and (not OCC_q3_heavy) and (not U_q3_heavy) and L_q3_heavy_1 and (not (L_q3_heavy_1 and L_q2_1))  # the lock before q3_heavy was withdrawn (R8)
@@ -1125,7 +1153,7 @@ class Controller:
         SR_q3_heavy = VALID and (not OCC_q3_heavy) and K_q3_heavy and (REL_q3_heavy or RELALL)  # q3_heavy released after a restart (R16)
         RLS_q3_heavy = RT_q3_heavy or CA_q3_heavy or HR_q3_heavy or SR_q3_heavy  # q3_heavy is released
         CA_q4_tippler = VALID and (not OCC_q4_tippler) and (not U_q4_tippler) and False  # the lock before q4_tippler was withdrawn (R8)
-        HR_q4_tippler = VALID and (not OCC_q4_tippler) and REL_q4_tippler and L_q4_tippler_1 and ((not L_q4_tippler_1) or ((not A_R6) and ((not OCC_q3_heavy) or AT_S2)))  # q4_tippler released by hand (R8, section fault release)
+        HR_q4_tippler = VALID and (not OCC_q4_tippler) and (not PA_R6) and REL_q4_tippler and L_q4_tippler_1 and ((not L_q4_tippler_1) or ((not A_R6) and ((not OCC_q3_heavy) or AT_S2)))  # q4_tippler released by hand (R8, section fault release)
         SR_q4_tippler = VALID and (not OCC_q4_tippler) and K_q4_tippler and (REL_q4_tippler or RELALL)  # q4_tippler released after a restart (R16)
         RLS_q4_tippler = RT_q4_tippler or CA_q4_tippler or CD_S2 or HR_q4_tippler or SR_q4_tippler  # q4_tippler is released
         CA_q5_bypass1 = VALID and (not OCC_q5_bypass1) and (not U_q5_bypass1) and (L_q5_bypass1_1 or L_q5_bypass1_2) and (not (L_q5_bypass1_1 and L_q2_2)) and (not (L_q5_bypass1_2 and (L_q9_1 or L_q9_2)))  # the lock before q5_bypass1 was withdrawn (R8)
@@ -1137,7 +1165,7 @@ class Controller:
         SR_q6_empty = VALID and (not OCC_q6_empty) and K_q6_empty and (REL_q6_empty or RELALL)  # q6_empty released after a restart (R16)
         RLS_q6_empty = RT_q6_empty or CA_q6_empty or HR_q6_empty or SR_q6_empty  # q6_empty is released
         CA_q7 = VALID and (not OCC_q7) and (not U_q7) and L_q7_2 and (not (L_q7_2 and (L_q12_1 or L_q12_4)))  # the lock before q7 was withdrawn (R8)
-        HR_q7 = VALID and (not OCC_q7) and (not (L_q7_2 and (L_q12_1 or L_q12_4))) and REL_q7 and (L_q7_1 or L_q7_2 or L_q7_4) and ((not L_q7_1) or ((not (A_R11 or A_R12)) and ((not OCC_q10_bypass2) or AT_S5))) and ((not L_q7_4) or ((not (A_R7 or A_R8)) and ((not OCC_q6_empty) or AT_S3)))  # q7 released by hand (R8, section fault release)
+        HR_q7 = VALID and (not OCC_q7) and (not (PA_R11 or PA_R12 or PA_R7 or PA_R8)) and (not (L_q7_2 and (L_q12_1 or L_q12_4))) and REL_q7 and (L_q7_1 or L_q7_2 or L_q7_4) and ((not L_q7_1) or ((not (A_R11 or A_R12)) and ((not OCC_q10_bypass2) or AT_S5))) and ((not L_q7_4) or ((not (A_R7 or A_R8)) and ((not OCC_q6_empty) or AT_S3)))  # q7 released by hand (R8, section fault release)
         SR_q7 = VALID and (not OCC_q7) and K_q7 and (REL_q7 or RELALL)  # q7 released after a restart (R16)
         RLS_q7 = RT_q7 or CA_q7 or CD_S5 or CD_S3 or HR_q7 or SR_q7  # q7 is released
         CA_q8_dep = VALID and (not OCC_q8_dep) and (not U_q8_dep) and L_q8_dep_2 and (not (L_q8_dep_2 and L_q12_3))  # the lock before q8_dep was withdrawn (R8)
@@ -1145,7 +1173,7 @@ class Controller:
         SR_q8_dep = VALID and (not OCC_q8_dep) and K_q8_dep and (REL_q8_dep or RELALL)  # q8_dep released after a restart (R16)
         RLS_q8_dep = RT_q8_dep or CA_q8_dep or CD_S8 or HR_q8_dep or SR_q8_dep  # q8_dep is released
         CA_q9 = VALID and (not OCC_q9) and (not U_q9) and False  # the lock before q9 was withdrawn (R8)
-        HR_q9 = VALID and (not OCC_q9) and REL_q9 and (L_q9_1 or L_q9_2 or L_q9_3 or L_q9_4) and ((not L_q9_1) or ((not A_R4) and ((not OCC_q10_bypass2) or AT_S10))) and ((not L_q9_2) or ((not A_R13) and ((not OCC_q11_material) or AT_S6))) and ((not (L_q9_3 or L_q9_4)) or ((not (A_R9 or A_R10)) and ((not OCC_q5_bypass1) or AT_S4)))  # q9 released by hand (R8, section fault release)
+        HR_q9 = VALID and (not OCC_q9) and (not (PA_R4 or PA_R13 or PA_R9 or PA_R10)) and REL_q9 and (L_q9_1 or L_q9_2 or L_q9_3 or L_q9_4) and ((not L_q9_1) or ((not A_R4) and ((not OCC_q10_bypass2) or AT_S10))) and ((not L_q9_2) or ((not A_R13) and ((not OCC_q11_material) or AT_S6))) and ((not (L_q9_3 or L_q9_4)) or ((not (A_R9 or A_R10)) and ((not OCC_q5_bypass1) or AT_S4)))  # q9 released by hand (R8, section fault release)
         SR_q9 = VALID and (not OCC_q9) and K_q9 and (REL_q9 or RELALL)  # q9 released after a restart (R16)
         RLS_q9 = RT_q9 or CA_q9 or CD_S10 or CD_S6 or CD_S4 or HR_q9 or SR_q9  # q9 is released
         TG_P1 = (GW_q2_1 or GW_q2_2 or GW_q2_4)  # a grant touches machine P1 in this scan
@@ -1260,66 +1288,79 @@ class Controller:
         N_A_R2 = (A_R2 or G_R2) and KP_R2  # route S1-S2 active
         N_B_R2 = (B_R2 or LK_R2) and KP_R2  # route S1-S2 locked
         N_W_R2 = (W_R2 or LK_R2 or (((LREQ == 2) or ((LREQ == 0) and (REQ == 2))) and B_R2)) and (not LS_R2) and KP_R2 and (not X_S1) and (not CAN_S1)  # route S1-S2: proceed wanted
+        N_PA_R2 = (PA_R2 or (S_R2 and NU_q2_1)) and VALID and (not CAN_S1) and OCC_q1 and OCC_q2 and WD_q2_1 and (not BLK_q2) and (not BLK_q3_heavy) and (not D_q2)  # route S1-S2: open for the movement that passes S1
         N_S_R2 = PR_R2  # route S1-S2: proceed
         N_H_R2 = (H_R2 or PR_R2) and KP_R2  # route S1-S2: signal has been open
         N_A_R3 = (A_R3 or G_R3) and KP_R3  # route S1-S4 active
         N_B_R3 = (B_R3 or LK_R3) and KP_R3  # route S1-S4 locked
         N_W_R3 = (W_R3 or LK_R3 or (((LREQ == 3) or ((LREQ == 0) and (REQ == 3))) and B_R3)) and (not LS_R3) and KP_R3 and (not X_S1) and (not CAN_S1)  # route S1-S4: proceed wanted
+        N_PA_R3 = (PA_R3 or (S_R3 and NU_q2_1)) and VALID and (not CAN_S1) and OCC_q1 and OCC_q2 and WD_q2_2 and (not BLK_q2) and (not BLK_q5_bypass1) and (not D_q2)  # route S1-S4: open for the movement that passes S1
         N_S_R3 = PR_R3  # route S1-S4: proceed
         N_H_R3 = (H_R3 or PR_R3) and KP_R3  # route S1-S4: signal has been open
         N_A_R4 = (A_R4 or G_R4) and KP_R4  # route S10-S11 active
         N_B_R4 = (B_R4 or LK_R4) and KP_R4  # route S10-S11 locked
         N_W_R4 = (W_R4 or LK_R4 or (((LREQ == 4) or ((LREQ == 0) and (REQ == 4))) and B_R4)) and (not LS_R4) and KP_R4 and (not X_S10) and (not CAN_S10)  # route S10-S11: proceed wanted
+        N_PA_R4 = (PA_R4 or (S_R4 and NU_q9_1)) and VALID and (not CAN_S10) and OCC_q10_bypass2 and OCC_q9 and WD_q9_1 and (not BLK_q9) and (not BLK_q5_bypass1) and (not D_q9)  # route S10-S11: open for the movement that passes S10
         N_S_R4 = PR_R4  # route S10-S11: proceed
         N_H_R4 = (H_R4 or PR_R4) and KP_R4  # route S10-S11: signal has been open
         N_A_R5 = (A_R5 or G_R5) and KP_R5  # route S11-W active
         N_B_R5 = (B_R5 or LK_R5) and KP_R5  # route S11-W locked
         N_W_R5 = (W_R5 or LK_R5 or (((LREQ == 5) or ((LREQ == 0) and (REQ == 5))) and B_R5)) and (not LS_R5) and KP_R5 and (not X_S11) and (not CAN_S11)  # route S11-W: proceed wanted
+        N_PA_R5 = (PA_R5 or (S_R5 and NU_q2_3)) and VALID and (not CAN_S11) and OCC_q5_bypass1 and OCC_q2 and WD_q2_4 and (not BLK_q2) and (not BLK_q1) and (not OCC_ap_W) and (not D_q2)  # route S11-W: open for the movement that passes S11
         N_S_R5 = PR_R5  # route S11-W: proceed
         N_H_R5 = (H_R5 or PR_R5) and KP_R5  # route S11-W: signal has been open
         N_A_R6 = (A_R6 or G_R6) and KP_R6  # route S2-S3 active
         N_B_R6 = (B_R6 or LK_R6) and KP_R6  # route S2-S3 locked
         N_W_R6 = (W_R6 or LK_R6 or (((LREQ == 6) or ((LREQ == 0) and (REQ == 6))) and B_R6)) and (not LS_R6) and KP_R6 and (not X_S2) and (not CAN_S2)  # route S2-S3: proceed wanted
+        N_PA_R6 = (PA_R6 or (S_R6 and NU_q4_tippler_1)) and VALID and (not CAN_S2) and OCC_q3_heavy and OCC_q4_tippler and (not BLK_q4_tippler) and (not BLK_q6_empty) and E_PUSHER_HOME and E_TIP_HOME and (not D_q4_tippler)  # route S2-S3: open for the movement that passes S2
         N_S_R6 = PR_R6  # route S2-S3: proceed
         N_H_R6 = (H_R6 or PR_R6) and KP_R6  # route S2-S3: signal has been open
         N_A_R7 = (A_R7 or G_R7) and KP_R7  # route S3-E active
         N_B_R7 = (B_R7 or LK_R7) and KP_R7  # route S3-E locked
         N_W_R7 = (W_R7 or LK_R7 or (((LREQ == 7) or ((LREQ == 0) and (REQ == 7))) and B_R7)) and (not LS_R7) and KP_R7 and (not X_S3) and (not CAN_S3)  # route S3-E: proceed wanted
+        N_PA_R7 = (PA_R7 or (S_R7 and NU_q7_3)) and VALID and (not CAN_S3) and OCC_q6_empty and OCC_q7 and WD_q7_4 and (not BLK_q7) and WD_q12_3 and (not BLK_q12) and (not BLK_q8_dep) and (not OCC_ap_E) and (not D_q7)  # route S3-E: open for the movement that passes S3
         N_S_R7 = PR_R7  # route S3-E: proceed
         N_H_R7 = (H_R7 or PR_R7) and KP_R7  # route S3-E: signal has been open
         N_A_R8 = (A_R8 or G_R8) and KP_R8  # route S3-MAN active
         N_B_R8 = (B_R8 or LK_R8) and KP_R8  # route S3-MAN locked
         N_W_R8 = (W_R8 or LK_R8 or (((LREQ == 8) or ((LREQ == 0) and (REQ == 8))) and B_R8)) and (not LS_R8) and KP_R8 and (not X_S3) and (not CAN_S3)  # route S3-MAN: proceed wanted
+        N_PA_R8 = (PA_R8 or (S_R8 and NU_q7_3)) and VALID and (not CAN_S3) and OCC_q6_empty and OCC_q7 and WD_q7_4 and (not BLK_q7) and WD_q12_2 and (not BLK_q12) and (not BLK_q13_man) and (not D_q7)  # route S3-MAN: open for the movement that passes S3
         N_S_R8 = PR_R8  # route S3-MAN: proceed
         N_H_R8 = (H_R8 or PR_R8) and KP_R8  # route S3-MAN: signal has been open
         N_A_R9 = (A_R9 or G_R9) and KP_R9  # route S4-MAT active
         N_B_R9 = (B_R9 or LK_R9) and KP_R9  # route S4-MAT locked
         N_W_R9 = (W_R9 or LK_R9 or (((LREQ == 9) or ((LREQ == 0) and (REQ == 9))) and B_R9)) and (not LS_R9) and KP_R9 and (not X_S4) and (not CAN_S4)  # route S4-MAT: proceed wanted
+        N_PA_R9 = (PA_R9 or (S_R9 and NU_q9_3)) and VALID and (not CAN_S4) and OCC_q5_bypass1 and OCC_q9 and WD_q9_4 and (not BLK_q9) and (not BLK_q11_material) and (not D_q9)  # route S4-MAT: open for the movement that passes S4
         N_S_R9 = PR_R9  # route S4-MAT: proceed
         N_H_R9 = (H_R9 or PR_R9) and KP_R9  # route S4-MAT: signal has been open
         N_A_R10 = (A_R10 or G_R10) and KP_R10  # route S4-S5 active
         N_B_R10 = (B_R10 or LK_R10) and KP_R10  # route S4-S5 locked
         N_W_R10 = (W_R10 or LK_R10 or (((LREQ == 10) or ((LREQ == 0) and (REQ == 10))) and B_R10)) and (not LS_R10) and KP_R10 and (not X_S4) and (not CAN_S4)  # route S4-S5: proceed wanted
+        N_PA_R10 = (PA_R10 or (S_R10 and NU_q9_3)) and VALID and (not CAN_S4) and OCC_q5_bypass1 and OCC_q9 and WD_q9_3 and (not BLK_q9) and (not BLK_q10_bypass2) and (not D_q9)  # route S4-S5: open for the movement that passes S4
         N_S_R10 = PR_R10  # route S4-S5: proceed
         N_H_R10 = (H_R10 or PR_R10) and KP_R10  # route S4-S5: signal has been open
         N_A_R11 = (A_R11 or G_R11) and KP_R11  # route S5-E active
         N_B_R11 = (B_R11 or LK_R11) and KP_R11  # route S5-E locked
         N_W_R11 = (W_R11 or LK_R11 or (((LREQ == 11) or ((LREQ == 0) and (REQ == 11))) and B_R11)) and (not LS_R11) and KP_R11 and (not X_S5) and (not CAN_S5)  # route S5-E: proceed wanted
+        N_PA_R11 = (PA_R11 or (S_R11 and NU_q7_1)) and VALID and (not CAN_S5) and OCC_q10_bypass2 and OCC_q7 and WD_q7_1 and (not BLK_q7) and WD_q12_3 and (not BLK_q12) and (not BLK_q8_dep) and (not OCC_ap_E) and (not D_q7)  # route S5-E: open for the movement that passes S5
         N_S_R11 = PR_R11  # route S5-E: proceed
         N_H_R11 = (H_R11 or PR_R11) and KP_R11  # route S5-E: signal has been open
         N_A_R12 = (A_R12 or G_R12) and KP_R12  # route S5-MAN active
         N_B_R12 = (B_R12 or LK_R12) and KP_R12  # route S5-MAN locked
         N_W_R12 = (W_R12 or LK_R12 or (((LREQ == 12) or ((LREQ == 0) and (REQ == 12))) and B_R12)) and (not LS_R12) and KP_R12 and (not X_S5) and (not CAN_S5)  # route S5-MAN: proceed wanted
+        N_PA_R12 = (PA_R12 or (S_R12 and NU_q7_1)) and VALID and (not CAN_S5) and OCC_q10_bypass2 and OCC_q7 and WD_q7_1 and (not BLK_q7) and WD_q12_2 and (not BLK_q12) and (not BLK_q13_man) and (not D_q7)  # route S5-MAN: open for the movement that passes S5
         N_S_R12 = PR_R12  # route S5-MAN: proceed
         N_H_R12 = (H_R12 or PR_R12) and KP_R12  # route S5-MAN: signal has been open
         N_A_R13 = (A_R13 or G_R13) and KP_R13  # route S6-S11 active
         N_B_R13 = (B_R13 or LK_R13) and KP_R13  # route S6-S11 locked
         N_W_R13 = (W_R13 or LK_R13 or (((LREQ == 13) or ((LREQ == 0) and (REQ == 13))) and B_R13)) and (not LS_R13) and KP_R13 and (not X_S6) and (not CAN_S6)  # route S6-S11: proceed wanted
+        N_PA_R13 = (PA_R13 or (S_R13 and NU_q9_2)) and VALID and (not CAN_S6) and OCC_q11_material and OCC_q9 and WD_q9_2 and (not BLK_q9) and (not BLK_q5_bypass1) and (not D_q9)  # route S6-S11: open for the movement that passes S6
         N_S_R13 = PR_R13  # route S6-S11: proceed
         N_H_R13 = (H_R13 or PR_R13) and KP_R13  # route S6-S11: signal has been open
         N_A_R14 = (A_R14 or G_R14) and KP_R14  # route S7-S10 active
         N_B_R14 = (B_R14 or LK_R14) and KP_R14  # route S7-S10 locked
         N_W_R14 = (W_R14 or LK_R14 or (((LREQ == 14) or ((LREQ == 0) and (REQ == 14))) and B_R14)) and (not LS_R14) and KP_R14 and (not X_S7) and (not CAN_S7)  # route S7-S10: proceed wanted
+        N_PA_R14 = (PA_R14 or (S_R14 and NU_q12_1)) and VALID and (not CAN_S7) and OCC_q13_man and OCC_q12 and WD_q12_1 and (not BLK_q12) and WD_q7_2 and (not BLK_q7) and (not BLK_q10_bypass2) and (not D_q12)  # route S7-S10: open for the movement that passes S7
         N_S_R14 = PR_R14  # route S7-S10: proceed
         N_H_R14 = (H_R14 or PR_R14) and KP_R14  # route S7-S10: signal has been open
         N_A_R15 = (A_R15 or G_R15) and KP_R15  # route S8-S9 active
@@ -1330,6 +1371,7 @@ class Controller:
         N_A_R16 = (A_R16 or G_R16) and KP_R16  # route S9-S10 active
         N_B_R16 = (B_R16 or LK_R16) and KP_R16  # route S9-S10 locked
         N_W_R16 = (W_R16 or LK_R16 or (((LREQ == 16) or ((LREQ == 0) and (REQ == 16))) and B_R16)) and (not LS_R16) and KP_R16 and (not X_S9) and (not CAN_S9)  # route S9-S10: proceed wanted
+        N_PA_R16 = (PA_R16 or (S_R16 and NU_q12_3)) and VALID and (not CAN_S9) and OCC_q8_dep and OCC_q12 and WD_q12_4 and (not BLK_q12) and WD_q7_2 and (not BLK_q7) and (not BLK_q10_bypass2) and (not D_q12)  # route S9-S10: open for the movement that passes S9
         N_S_R16 = PR_R16  # route S9-S10: proceed
         N_H_R16 = (H_R16 or PR_R16) and KP_R16  # route S9-S10: signal has been open
         N_X_S0 = (X_S0 or CAN_S0) and A_R1 and (not CD_S0)  # S0: cancelling
@@ -1480,66 +1522,79 @@ class Controller:
             'A_R2': bool(N_A_R2),
             'B_R2': bool(N_B_R2),
             'W_R2': bool(N_W_R2),
+            'PA_R2': bool(N_PA_R2),
             'S_R2': bool(N_S_R2),
             'H_R2': bool(N_H_R2),
             'A_R3': bool(N_A_R3),
             'B_R3': bool(N_B_R3),
             'W_R3': bool(N_W_R3),
+            'PA_R3': bool(N_PA_R3),
             'S_R3': bool(N_S_R3),
             'H_R3': bool(N_H_R3),
             'A_R4': bool(N_A_R4),
             'B_R4': bool(N_B_R4),
             'W_R4': bool(N_W_R4),
+            'PA_R4': bool(N_PA_R4),
             'S_R4': bool(N_S_R4),
             'H_R4': bool(N_H_R4),
             'A_R5': bool(N_A_R5),
             'B_R5': bool(N_B_R5),
             'W_R5': bool(N_W_R5),
+            'PA_R5': bool(N_PA_R5),
             'S_R5': bool(N_S_R5),
             'H_R5': bool(N_H_R5),
             'A_R6': bool(N_A_R6),
             'B_R6': bool(N_B_R6),
             'W_R6': bool(N_W_R6),
+            'PA_R6': bool(N_PA_R6),
             'S_R6': bool(N_S_R6),
             'H_R6': bool(N_H_R6),
             'A_R7': bool(N_A_R7),
             'B_R7': bool(N_B_R7),
             'W_R7': bool(N_W_R7),
+            'PA_R7': bool(N_PA_R7),
             'S_R7': bool(N_S_R7),
             'H_R7': bool(N_H_R7),
             'A_R8': bool(N_A_R8),
             'B_R8': bool(N_B_R8),
             'W_R8': bool(N_W_R8),
+            'PA_R8': bool(N_PA_R8),
             'S_R8': bool(N_S_R8),
             'H_R8': bool(N_H_R8),
             'A_R9': bool(N_A_R9),
             'B_R9': bool(N_B_R9),
             'W_R9': bool(N_W_R9),
+            'PA_R9': bool(N_PA_R9),
             'S_R9': bool(N_S_R9),
             'H_R9': bool(N_H_R9),
             'A_R10': bool(N_A_R10),
             'B_R10': bool(N_B_R10),
             'W_R10': bool(N_W_R10),
+            'PA_R10': bool(N_PA_R10),
             'S_R10': bool(N_S_R10),
             'H_R10': bool(N_H_R10),
             'A_R11': bool(N_A_R11),
             'B_R11': bool(N_B_R11),
             'W_R11': bool(N_W_R11),
+            'PA_R11': bool(N_PA_R11),
             'S_R11': bool(N_S_R11),
             'H_R11': bool(N_H_R11),
             'A_R12': bool(N_A_R12),
             'B_R12': bool(N_B_R12),
             'W_R12': bool(N_W_R12),
+            'PA_R12': bool(N_PA_R12),
             'S_R12': bool(N_S_R12),
             'H_R12': bool(N_H_R12),
             'A_R13': bool(N_A_R13),
             'B_R13': bool(N_B_R13),
             'W_R13': bool(N_W_R13),
+            'PA_R13': bool(N_PA_R13),
             'S_R13': bool(N_S_R13),
             'H_R13': bool(N_H_R13),
             'A_R14': bool(N_A_R14),
             'B_R14': bool(N_B_R14),
             'W_R14': bool(N_W_R14),
+            'PA_R14': bool(N_PA_R14),
             'S_R14': bool(N_S_R14),
             'H_R14': bool(N_H_R14),
             'A_R15': bool(N_A_R15),
@@ -1550,6 +1605,7 @@ class Controller:
             'A_R16': bool(N_A_R16),
             'B_R16': bool(N_B_R16),
             'W_R16': bool(N_W_R16),
+            'PA_R16': bool(N_PA_R16),
             'S_R16': bool(N_S_R16),
             'H_R16': bool(N_H_R16),
             'X_S0': bool(N_X_S0),
@@ -1700,66 +1756,79 @@ class Controller:
         A_R2 = self.state['A_R2']
         B_R2 = self.state['B_R2']
         W_R2 = self.state['W_R2']
+        PA_R2 = self.state['PA_R2']
         S_R2 = self.state['S_R2']
         H_R2 = self.state['H_R2']
         A_R3 = self.state['A_R3']
         B_R3 = self.state['B_R3']
         W_R3 = self.state['W_R3']
+        PA_R3 = self.state['PA_R3']
         S_R3 = self.state['S_R3']
         H_R3 = self.state['H_R3']
         A_R4 = self.state['A_R4']
         B_R4 = self.state['B_R4']
         W_R4 = self.state['W_R4']
+        PA_R4 = self.state['PA_R4']
         S_R4 = self.state['S_R4']
         H_R4 = self.state['H_R4']
         A_R5 = self.state['A_R5']
         B_R5 = self.state['B_R5']
         W_R5 = self.state['W_R5']
+        PA_R5 = self.state['PA_R5']
         S_R5 = self.state['S_R5']
         H_R5 = self.state['H_R5']
         A_R6 = self.state['A_R6']
         B_R6 = self.state['B_R6']
         W_R6 = self.state['W_R6']
+        PA_R6 = self.state['PA_R6']
         S_R6 = self.state['S_R6']
         H_R6 = self.state['H_R6']
         A_R7 = self.state['A_R7']
         B_R7 = self.state['B_R7']
         W_R7 = self.state['W_R7']
+        PA_R7 = self.state['PA_R7']
         S_R7 = self.state['S_R7']
         H_R7 = self.state['H_R7']
         A_R8 = self.state['A_R8']
         B_R8 = self.state['B_R8']
         W_R8 = self.state['W_R8']
+        PA_R8 = self.state['PA_R8']
         S_R8 = self.state['S_R8']
         H_R8 = self.state['H_R8']
         A_R9 = self.state['A_R9']
         B_R9 = self.state['B_R9']
         W_R9 = self.state['W_R9']
+        PA_R9 = self.state['PA_R9']
         S_R9 = self.state['S_R9']
         H_R9 = self.state['H_R9']
         A_R10 = self.state['A_R10']
         B_R10 = self.state['B_R10']
         W_R10 = self.state['W_R10']
+        PA_R10 = self.state['PA_R10']
         S_R10 = self.state['S_R10']
         H_R10 = self.state['H_R10']
         A_R11 = self.state['A_R11']
         B_R11 = self.state['B_R11']
         W_R11 = self.state['W_R11']
+        PA_R11 = self.state['PA_R11']
         S_R11 = self.state['S_R11']
         H_R11 = self.state['H_R11']
         A_R12 = self.state['A_R12']
         B_R12 = self.state['B_R12']
         W_R12 = self.state['W_R12']
+        PA_R12 = self.state['PA_R12']
         S_R12 = self.state['S_R12']
         H_R12 = self.state['H_R12']
         A_R13 = self.state['A_R13']
         B_R13 = self.state['B_R13']
         W_R13 = self.state['W_R13']
+        PA_R13 = self.state['PA_R13']
         S_R13 = self.state['S_R13']
         H_R13 = self.state['H_R13']
         A_R14 = self.state['A_R14']
         B_R14 = self.state['B_R14']
         W_R14 = self.state['W_R14']
+        PA_R14 = self.state['PA_R14']
         S_R14 = self.state['S_R14']
         H_R14 = self.state['H_R14']
         A_R15 = self.state['A_R15']
@@ -1770,6 +1839,7 @@ class Controller:
         A_R16 = self.state['A_R16']
         B_R16 = self.state['B_R16']
         W_R16 = self.state['W_R16']
+        PA_R16 = self.state['PA_R16']
         S_R16 = self.state['S_R16']
         H_R16 = self.state['H_R16']
         X_S0 = self.state['X_S0']
@@ -1938,26 +2008,26 @@ class Controller:
             'YF_q9': bool(FA_q9),
             'YP_S0': bool(S_R1),
             'YS_S0': bool((not S_R1)),
-            'YP_S1': bool(S_R2 or S_R3),
-            'YS_S1': bool((not (S_R2 or S_R3))),
-            'YP_S10': bool(S_R4),
-            'YS_S10': bool((not S_R4)),
-            'YP_S11': bool(S_R5),
-            'YS_S11': bool((not S_R5)),
-            'YP_S2': bool(S_R6),
-            'YS_S2': bool((not S_R6)),
-            'YP_S3': bool(S_R7 or S_R8),
-            'YS_S3': bool((not (S_R7 or S_R8))),
-            'YP_S4': bool(S_R9 or S_R10),
-            'YS_S4': bool((not (S_R9 or S_R10))),
-            'YP_S5': bool(S_R11 or S_R12),
-            'YS_S5': bool((not (S_R11 or S_R12))),
-            'YP_S6': bool(S_R13),
-            'YS_S6': bool((not S_R13)),
-            'YP_S7': bool(S_R14),
-            'YS_S7': bool((not S_R14)),
+            'YP_S1': bool(S_R2 or S_R3 or PA_R2 or PA_R3),
+            'YS_S1': bool((not (S_R2 or S_R3 or PA_R2 or PA_R3))),
+            'YP_S10': bool(S_R4 or PA_R4),
+            'YS_S10': bool((not (S_R4 or PA_R4))),
+            'YP_S11': bool(S_R5 or PA_R5),
+            'YS_S11': bool((not (S_R5 or PA_R5))),
+            'YP_S2': bool(S_R6 or PA_R6),
+            'YS_S2': bool((not (S_R6 or PA_R6))),
+            'YP_S3': bool(S_R7 or S_R8 or PA_R7 or PA_R8),
+            'YS_S3': bool((not (S_R7 or S_R8 or PA_R7 or PA_R8))),
+            'YP_S4': bool(S_R9 or S_R10 or PA_R9 or PA_R10),
+            'YS_S4': bool((not (S_R9 or S_R10 or PA_R9 or PA_R10))),
+            'YP_S5': bool(S_R11 or S_R12 or PA_R11 or PA_R12),
+            'YS_S5': bool((not (S_R11 or S_R12 or PA_R11 or PA_R12))),
+            'YP_S6': bool(S_R13 or PA_R13),
+            'YS_S6': bool((not (S_R13 or PA_R13))),
+            'YP_S7': bool(S_R14 or PA_R14),
+            'YS_S7': bool((not (S_R14 or PA_R14))),
             'YP_S8': bool(S_R15),
             'YS_S8': bool((not S_R15)),
-            'YP_S9': bool(S_R16),
-            'YS_S9': bool((not S_R16)),
+            'YP_S9': bool(S_R16 or PA_R16),
+            'YS_S9': bool((not (S_R16 or PA_R16))),
         }

@@ -1,7 +1,7 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 381a1fa800f2190cd229e879898a8c0cbc0b4074f330ae90b195aebb4c24e9c3
-# claims 43696bb64182d33e04427ae802cc231fa0c0846c12a62c6736a5c14170ceb88d
+# layout 11d274f0627543f60f8609070570e6ebbbf701c4731bb7a9adfc746e9bbeb19c
+# claims 389313fc771132005e0300e0b868995014ec2f9dfc82167603ff63187446960f
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout a646a99d20068ba4d5c28f8f5e0372f61a4b44061a940dd9a3b9fd7ea77f0ce8
-# claims 36a6dc65c19111db7dc695ca4de83797d3b6efa9c29b788d4138f15f8d4d42a9
+# layout 73ab99c2215514fefe179e8e14b84d0bd3a22e6a140bfde4ef2acb0685ce4d45
+# claims 9780785f724c8c6758af452b88a25c9e06fedcbadb2394b53fd38a9dcc06bb22
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 769eb5b4f3af22a5cdf0617dc4d127ebbb8a4ebe3feb6c7cc3f7b44df8935bf6
-# claims 01615a3ad25d107380e8f7d380a54bd8154a0d327f83c641972793bc0a7cdf54
+# layout 2474c985fbb9a5fb3fbc81682ff041b9cf9c85667d82d13ec0a5293d488ec9a1
+# claims e6a4dae17d8dc632726d8302ae0ffe5837348fd83ec5b3b38ac508510d9dfb0f
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

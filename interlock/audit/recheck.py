@@ -152,6 +152,8 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
         yield Finding(r.id, "space", f"differs in {', '.join(odd)}")
     if (r.aspect.shows, r.aspect.next) != (shown := _aspect(layout, trip)):
         yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
+    if r.closing.whole != (left := _left_behind(layout, trip, rear)):
+        yield Finding(r.id, "closing", f"{r.entry} closes with {f'{left} clear' if left else 'the first axle'}")
     over = [next(iter(rear), None), *trip.sections]
     into = {z.id: sum(a not in z.sections and b in z.sections for a, b in pairwise(over)) for z in layout.zones}
     if {c.zone: c.entries for c in r.zones} != {z: n for z, n in into.items() if n}:
@@ -162,6 +164,16 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     }
     if {c.condition for c in r.conditions} != needed:
         yield Finding(r.id, "conditions", f"required are {', '.join(sorted(needed)) or 'none'}")
+
+
+def _left_behind(layout: Layout, trip: Trip, rear: set[SectionId]) -> SectionId | None:
+    """The section before the signal whose clearing closes it; None where the first axle does."""
+    rules = layout.principles
+    asked = rules.shunt_closes if trip.shunt else rules.main_closes
+    if trip.call_on or asked != "whole-movement" or not rear:
+        return None
+    (section,) = rear
+    return None if standing_place(layout, section) else section
 
 
 def _aspect(layout: Layout, trip: Trip) -> tuple[Shows, SignalId | None]:

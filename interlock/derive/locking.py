@@ -7,13 +7,14 @@ from itertools import pairwise
 from interlock.derive.routes import Path
 from interlock.model.elements import Position, SignalId
 from interlock.model.layout import Layout
-from interlock.model.principles import Caution
+from interlock.model.principles import Caution, Closes
 from interlock.model.traversal import topology
 from interlock.table.rows import (
     ApproachCell,
     AspectCell,
     Because,
     BlockCell,
+    ClosingCell,
     ConditionCell,
     ExitKind,
     ReleaseStep,
@@ -96,6 +97,29 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
         return AspectCell(Shows.CAUTION, None, Because("R11", f"nothing is known beyond {path.exit}"))
     next_ = SignalId(path.exit)
     return AspectCell(Shows.NEXT, next_, Because("R11", f"{next_} is the next main signal"))
+
+
+def derive_closing(layout: Layout, path: Path) -> ClosingCell:
+    """When the signal returns to stop behind a movement (R3).
+
+    It stays open for the whole movement only where nothing can follow meanwhile: behind a signal inside the layout,
+    before which one movement at most can stand.
+    """
+    rules, topo = layout.principles, topology(layout)
+    if path.kind is RouteKind.CALL_ON:
+        return ClosingCell(None, Because("R2", f"{path.entry} calls on once, to the first axle"))
+    wanted = rules.shunt_closes if path.kind is RouteKind.SHUNT else rules.main_closes
+    if wanted is Closes.FIRST_AXLE:
+        return ClosingCell(None, Because("R3", f"{path.entry} returns to stop with the first axle"))
+    rear = topo.beyond(path.ways[0].section, path.entry_node)
+    if rear is None:
+        return ClosingCell(
+            None, Because("R3", f"with the first axle: beyond {path.entry_node} another train may follow")
+        )
+    if rear in topo.berths:
+        return ClosingCell(None, Because("R3", f"with the first axle: vehicles that stand in {rear} could follow"))
+    why = f"{path.entry} returns to stop when the movement has left {rear}, or the first section beyond"
+    return ClosingCell(rear, Because("R3", why))
 
 
 def derive_zones(layout: Layout, path: Path) -> tuple[ZoneCell, ...]:

@@ -38,7 +38,7 @@ from interlock.frontend.scalars import (
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
 from interlock.model.elements import BlockKind, SignalKind, TelegramForm, Work
 from interlock.model.overlap import overlap_length
-from interlock.model.principles import KNOBS, PROFILES, Caution, FlankChoice, Local, Principles
+from interlock.model.principles import KNOBS, PROFILES, Caution, Closes, FlankChoice, Local, Principles
 
 
 class _Part(BaseModel):
@@ -241,6 +241,8 @@ class PrinciplesSpec(_Part):
     local_requests: Annotated[Local | None, choice("rule for local requests", tuple(Local))] = None
     priorities: YesNo | None = None
     priority_wait_s: Amount | None = None
+    main_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = None
+    shunt_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = None
 
     def override(self, base: Principles) -> Principles:
         """The profile's principles with these knobs."""

@@ -126,6 +126,12 @@ class RouteSymbols:
     want: str
     proceed: str
     shown: str
+    passing: str | None = None
+
+    @property
+    def open_while(self) -> tuple[str, ...]:
+        """The variables while which the signal is open for this route."""
+        return (self.proceed,) if self.passing is None else (self.proceed, self.passing)
 
 
 def asked_of(inputs: tuple[str, ...], number: int) -> Expr:
@@ -202,7 +208,12 @@ class Symbols:
 
     def signal(self, g: SignalId, shunt: bool = False) -> Expr:
         """Whether the controller shows proceed at a signal: to trains (call-on included), or to shunting movements."""
-        return disj(var(r.proceed) for r in self.routes_from.get(g, ()) if r.shunt is shunt)
+        return disj(var(name) for r in self.routes_from.get(g, ()) if r.shunt is shunt for name in r.open_while)
+
+    def passing(self, g: SignalId, shunt: bool = False) -> Expr:
+        """Whether a signal is still open for a movement that has begun to pass it."""
+        routes = self.routes_from.get(g, ())
+        return disj(var(r.passing) for r in routes if r.shunt is shunt and r.passing is not None)
 
     def asked(self, number: int) -> Expr:
         """A route number (0: none) is asked for by hand, from the control centre or on the spot."""
@@ -211,9 +222,9 @@ class Symbols:
         order = (self.request, self.local_request)
         return asked_of(order[::-1] if self.local_first else order, number)
 
-    def opened(self, g: SignalId) -> Expr:
-        """Whether a main aspect is shown at a signal: proceed to trains, other than by calling on."""
-        return disj(var(r.proceed) for r in self.routes_from.get(g, ()) if not r.shunt and not r.call_on)
+    def opens(self, g: SignalId, shunt: bool = False) -> Expr:
+        """Whether a signal is open for a movement before it, other than by calling a train on."""
+        return disj(var(r.proceed) for r in self.routes_from.get(g, ()) if r.shunt is shunt and not r.call_on)
 
     def called(self, g: SignalId) -> Expr:
         """Whether a signal calls a train on."""

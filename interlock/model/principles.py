@@ -32,6 +32,13 @@ class Caution(StrEnum):
     TURNOUT = "turnout"
 
 
+class Closes(StrEnum):
+    """When an open signal returns to stop behind a movement (R3)."""
+
+    FIRST_AXLE = "first-axle"
+    WHOLE = "whole-movement"
+
+
 @dataclass(frozen=True)
 class Principles:
     """Knobs of derivation and control.
@@ -70,6 +77,9 @@ class Principles:
     priorities: whether noted routes (voyages, automatic working) that could be set wait for one another in an order:
         transport over an inclined lane first, then the main direction (document A); otherwise in turn.
     priority_wait_s: how long noted routes of a lower class may wait before they come first for once; 0 for ever.
+    main_closes: whether a main signal returns to stop with the first axle (railway practice), or when the whole
+        movement has passed it (document B 2.1); where no second one can come from behind meanwhile (R3).
+    shunt_closes: the same for shunt signals (TB/T 3027: when the whole movement has passed).
     caution: when an open main signal shows caution instead of clear (R11): `never` (two aspects), `next` while the
         next main signal does not show proceed, or `turnout`, also into a track inside the layout over a reversed
         point (Chinese practice: one yellow, two yellows).
@@ -94,6 +104,8 @@ class Principles:
     local_requests: Local = Local.NONE
     priorities: bool = False
     priority_wait_s: float = 0.0
+    main_closes: Closes = Closes.FIRST_AXLE
+    shunt_closes: Closes = Closes.FIRST_AXLE
     caution: Caution = Caution.NEXT
 
 
@@ -105,7 +117,12 @@ PROFILES: dict[str, Principles] = {
     "uk": Principles(overlap_m=180.0, approach_release_s=120.0),
     "de": Principles(overlap_m=200.0, overlap_release_s=45.0, flank_space=True),
     "cn": Principles(
-        point_start_gap_s=0.5, flank_by=FlankChoice.SIGNAL, drive_points=True, lamp_proof=True, caution=Caution.TURNOUT
+        point_start_gap_s=0.5,
+        flank_by=FlankChoice.SIGNAL,
+        drive_points=True,
+        lamp_proof=True,
+        shunt_closes=Closes.WHOLE,
+        caution=Caution.TURNOUT,
     ),
 }
 

@@ -221,6 +221,16 @@ def _call_on_trusted(layout: Layout, table: InterlockingTable) -> Iterator[Mutan
             yield e.name, _with(c, e, replace(e, terms=terms))
 
 
+def _closes_late(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A signal stays open for the whole movement although another may follow: vehicles stand before it."""
+    passing = {r.entry for r in table.routes if r.closing.whole is not None}
+    for r in table.routes:
+        if r.kind is RouteKind.CALL_ON or r.entry in passing or r.approach.section is None:
+            continue
+        late = replace(r, closing=replace(r.closing, whole=r.approach.section))
+        yield r.id, lower(layout, replace(table, routes=tuple(late if x is r else x for x in table.routes)))
+
+
 KINDS: tuple[Kind, ...] = (
     Kind(
         "hostile-not-excluded",
@@ -256,6 +266,20 @@ KINDS: tuple[Kind, ...] = (
     Kind("proceed-before-lock", "proceed before the route is locked", without("PR", "locked")),
     Kind("signal-not-dropped", "proceed stays when a condition is lost", without("PR", "conditions")),
     Kind("signal-open-behind-train", "the signal is not closed by the train", without("PR", "stays")),
+    Kind("closes-late", "a signal stays open behind the first axle where another movement may follow", _closes_late),
+    Kind(
+        "stays-open",
+        "a signal that is open for the movement that passes it stays so",
+        without("PA", "still passing", "first section occupied"),
+    ),
+    Kind(
+        "open-while-released", "a signal is still open when its locks are released", without("RTI HR", "signal closed")
+    ),
+    Kind(
+        "passing-not-supervised",
+        "a signal stays open behind the first axle whatever happens",
+        without("PA", "path point detected", "way detected", "not cancelled", "inputs valid", "not blocked"),
+    ),
     Kind("cancel-not-obeyed", "proceed stays after a cancellation", without("PR", "not cancelled", "not cancelling")),
     Kind("cancel-with-train", "a route is cancelled while a train approaches", without("CD", "no train about to come")),
     Kind("cancel-occupied", "a route is cancelled with its first section occupied", without("CD", "section clear")),

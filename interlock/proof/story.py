@@ -104,9 +104,10 @@ def _requests(system: System, inputs: dict[str, int]) -> list[str]:
 def _changes(system: System, old: dict[str, int], new: dict[str, int]) -> list[str]:
     out = []
     for r in system.symbols.routes:
-        if new[r.proceed] and not old[r.proceed]:
+        now, before = (any(x[n] for n in r.open_while) for x in (new, old))
+        if now and not before:
             out.append(f"signal {r.entry} shows proceed for route {r.id}")
-        if old[r.proceed] and not new[r.proceed]:
+        if before and not now:
             out.append(f"signal {r.entry} returns to stop")
     for (m, x), name in system.symbols.command.items():
         if new[name] and not old[name]:

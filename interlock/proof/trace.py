@@ -23,7 +23,7 @@ def views(system: System) -> dict[str, list[list[str]]]:
     for s_, name in sym.restart.items():
         out[name] = [["section", s_, "restart"]]
     for r in sym.routes:
-        out[r.proceed] = [["signal", r.entry, "proceed"]]
+        out |= {name: [["signal", r.entry, "proceed"]] for name in r.open_while}
     for (m, x), _ in sym.command.items():
         ends = [["point", str(p.id), str(x)] for p in layout.ends_of_machine.get(m, ())]
         out[f"at.{m}.{x}"] = ends or [["device", str(m), str(x)]]

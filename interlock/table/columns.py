@@ -67,6 +67,11 @@ def _aspect(r: RouteRow) -> Reasons:
     return [(text, cell.because)]
 
 
+def _closing(r: RouteRow) -> Reasons:
+    whole = r.closing.whole
+    return [("first axle" if whole is None else f"{whole} clear", r.closing.because)]
+
+
 COLUMNS: tuple[Column, ...] = (
     Column("number", "No.", "进路号码", "Nr.", lambda r: [(str(r.number), r.because)]),
     Column("route", "Route", "进路", "Fahrstraße", lambda r: [(r.id, r.because)]),
@@ -138,6 +143,7 @@ COLUMNS: tuple[Column, ...] = (
         "zones", "Zone not full", "区域列车数限制", "Zone nicht voll", lambda r: [(z.zone, z.because) for z in r.zones]
     ),
     Column("aspect", "Aspect", "信号机显示", "Signalbegriff", _aspect),
+    Column("closing", "Signal closes", "信号关闭", "Signal fällt auf Halt", _closing),
     Column(
         "block", "Line beyond clear", "闭塞条件", "Streckenblock", lambda r: [(c.section, c.because) for c in r.block]
     ),

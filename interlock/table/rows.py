@@ -222,6 +222,14 @@ class ApproachCell:
 
 
 @dataclass(frozen=True)
+class ClosingCell:
+    """When the open signal returns to stop: with the first axle, or when the section before it is clear (R3)."""
+
+    whole: SectionId | None
+    because: Because
+
+
+@dataclass(frozen=True)
 class ReleaseStep:
     """One section's release: after which section, and which occupation proves the train has gone on."""
 
@@ -299,6 +307,7 @@ class RouteRow:
     hostile: tuple[Hostile, ...]
     overlap: OverlapCell | None
     aspect: AspectCell
+    closing: ClosingCell
     conditions: tuple[ConditionCell, ...]
     zones: tuple[ZoneCell, ...]
     block: tuple[BlockCell, ...]

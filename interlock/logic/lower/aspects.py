@@ -6,6 +6,8 @@ opens: clear only while the next main signal shows proceed, where the principle 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from interlock.logic.controller import Join, Output, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
@@ -53,8 +55,9 @@ def outputs(d: Draft) -> None:
         n, routes = portable(signal.id), d.routes_from[signal.id]
         if not routes:
             continue
-        mains = _opens(d, signal.id, "S")
-        shunts = disj(var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.SHUNT)
+        mains = disj((_opens(d, signal.id, "S"), *_passing(routes, RouteKind.MAIN)))
+        whites = [var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.SHUNT]
+        shunts = disj([*whites, *_passing(routes, RouteKind.SHUNT)])
         if signal.main:
             clear = _clear(d, signal.id)
             d.outputs.append(Output(f"YP_{n}", clear, False, f"signal {signal.id}: clear (green)"))
@@ -78,4 +81,11 @@ def outputs(d: Draft) -> None:
 def _clear(d: Draft, g: SignalId) -> Expr:
     if g not in d.open_for_trains:
         return disj(())
-    return var(f"C_{portable(g)}") if cautions(d) else _opens(d, g, "S")
+    if cautions(d):
+        return var(f"C_{portable(g)}")
+    return disj((_opens(d, g, "S"), *_passing(d.routes_from[g], RouteKind.MAIN)))
+
+
+def _passing(routes: Sequence[RouteRow], kind: RouteKind) -> list[Expr]:
+    """Open for the movement that passes: a main signal with three aspects shows caution."""
+    return [var(f"PA_R{r.number}") for r in routes if r.kind is kind and r.closing.whole is not None]

@@ -114,6 +114,7 @@ def _symbols(d: Draft) -> Symbols:
                 f"W_R{r.number}",
                 f"S_R{r.number}",
                 f"H_R{r.number}",
+                f"PA_R{r.number}" if r.closing.whole is not None else None,
             )
             for r in d.table.routes
         ),

@@ -247,6 +247,10 @@ class Draft:
         """A route from the signal is set and not yet used."""
         return disj(var(f"A_R{r.number}") for r in self.routes_from[g])
 
+    def passing_signal(self, g: SignalId) -> Expr:
+        """The signal is still open for a movement that has begun to pass it."""
+        return disj(var(f"PA_R{r.number}") for r in self.routes_from[g] if r.closing.whole is not None)
+
     def approach_clear(self, g: SignalId) -> Expr:
         """The approach section is reported clear."""
         return neg(self.occupied(self.rear(self.first_section(g), self.layout.signal[g].node)))

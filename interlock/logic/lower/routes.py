@@ -1,14 +1,15 @@
 """Routes and signals: request, locking, proceed, cancellation (R3, R8, R11, R14).
 
 Per route: A active, set and not yet entered; B locked, points detected; W wanted, the signal shall open; S proceed;
-H shown, the signal has been open.  Per signal: X cancelling.
+H shown, the signal has been open; PA the signal is still open for the movement that passes it.
+Per signal: X cancelling.
 Who asks for a route is in `requests`.
 """
 
 from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Term
-from interlock.logic.expr import FALSE, conj, disj, neg, var
+from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
 from interlock.logic.lower import aspects, requests, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.portable import portable
@@ -45,8 +46,9 @@ def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
         rear = d.topo.beyond(s, node)
         if node == entry:
             continue
-        if d.signal_at(s, node) is not None:
-            waits = disj((neg(var(f"U_{portable(s)}")), d.occupied(d.rear(s, node))))
+        g = d.signal_at(s, node)
+        if g is not None:
+            waits = disj((neg(var(f"U_{portable(s)}")), d.occupied(d.rear(s, node)), d.passing_signal(g)))
             coming = conj((d.locked_in(s, node), waits))
         else:
             coming = FALSE if rear is None else d.locked_out(rear, node)
@@ -83,7 +85,6 @@ def locking(d: Draft) -> None:
     for r in d.table.routes:
         g = portable(r.entry)
         group = f"route {r.id}"
-        first = portable(r.section_ids[0])
         d.wire(
             f"LK_R{r.number}",
             Join.ALL,
@@ -104,19 +105,23 @@ def locking(d: Draft) -> None:
             (
                 Term(var("VALID"), "inputs valid"),
                 *ways.proceed_terms(d, r),
-                *(Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions),
-                *(Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block),
-                *([] if r.kind is RouteKind.CALL_ON else [Term(neg(var(f"D_{first}")), "inputs never lost")]),
-                *aspects.lamp_terms(d, r),
-                *(
-                    [Term(d.overlap((r.overlap.signal, r.overlap.option)), "overlap held", r.overlap.because.text)]
-                    if r.overlap
-                    else []
-                ),
+                *_beside(d, r),
             ),
             group,
             f"conditions of proceed for route {r.id} (R3)",
         )
+
+
+def _beside(d: Draft, r: RouteRow) -> list[Term]:
+    """What proceed needs besides the ways themselves."""
+    terms = [Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions]
+    terms += [Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block]
+    if r.kind is not RouteKind.CALL_ON:
+        terms.append(Term(neg(var(f"D_{portable(r.section_ids[0])}")), "inputs never lost"))
+    terms += aspects.lamp_terms(d, r)
+    if r.overlap:
+        terms.append(Term(d.overlap((r.overlap.signal, r.overlap.option)), "overlap held", r.overlap.because.text))
+    return terms
 
 
 def cancellation(d: Draft) -> None:
@@ -135,6 +140,7 @@ def cancellation(d: Draft) -> None:
         waiting = conj(
             (
                 neg(d.any_active(g.id)),
+                neg(d.passing_signal(g.id)),
                 d.locked_in(first, g.node),
                 disj((var(f"REL_{f}"), conj((leaving, var(f"U_{f}"), neg(d.occupied(first)))))),
             )
@@ -183,19 +189,49 @@ def _lamp_terms(d: Draft, r: RouteRow) -> list[Term]:
     return [Term(proved, "stop lamp proved", f"stop lamp of {r.entry} intact before it opens")]
 
 
+def _entered(d: Draft, r: RouteRow) -> Expr:
+    """A train comes into the first section in this scan."""
+    first = r.section_ids[0]
+    return var(f"NU_{portable(first)}_{d.topo.ends[first].index(r.entry_node) + 1}")
+
+
+def _passing(d: Draft, r: RouteRow) -> None:
+    """The signal stays open until the whole movement has passed it (R3): where the table says so."""
+    g, whole, first = portable(r.entry), r.closing.whole, r.section_ids[0]
+    if whole is None:
+        return
+    name = f"PA_R{r.number}"
+    begins = conj((var(f"S_R{r.number}"), _entered(d, r)))
+    d.kept(
+        name,
+        False,
+        f"route {r.id}: open for the movement that passes {r.entry}",
+        Join.ALL,
+        (
+            Term(disj((var(name), begins)), "held or entered"),
+            Term(var("VALID"), "inputs valid"),
+            Term(neg(var(f"CAN_{g}")), "not cancelled"),
+            Term(d.occupied(whole), "still passing", f"{whole} occupied"),
+            Term(d.occupied(first), "first section occupied", f"{first} occupied"),
+            *ways.passing_terms(d, r),
+            *_beside(d, r),
+        ),
+        f"route {r.id}",
+    )
+
+
 def keep(d: Draft) -> None:
     """Next values of routes and signals."""
     for r in d.table.routes:
         k = r.number
         g = portable(r.entry)
         group = f"route {r.id}"
-        first = r.section_ids[0]
-        used = var(f"NU_{portable(first)}_{d.topo.ends[first].index(r.entry_node) + 1}")
+        used = _entered(d, r)
         d.wire(
             f"KP_R{k}",
             Join.ALL,
             (
-                Term(neg(used), "not entered", f"no train has entered {first}"),
+                Term(neg(used), "not entered", f"no train has entered {r.section_ids[0]}"),
                 Term(neg(var(f"CD_{g}")), "not cancelled"),
             ),
             group,
@@ -259,6 +295,7 @@ def keep(d: Draft) -> None:
             ),
             group,
         )
+        _passing(d, r)
         d.kept(f"S_R{k}", False, f"route {r.id}: proceed", Join.ALL, (Term(var(f"PR_R{k}"), "proceed"),), group)
         d.kept(
             f"H_R{k}",

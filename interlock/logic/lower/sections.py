@@ -124,6 +124,13 @@ def rear_free(d: Draft, s: SectionId) -> list[Term]:
     return out
 
 
+def _closed(d: Draft, s: SectionId) -> list[Term]:
+    """A signal that stays open while a movement passes it has closed (R3)."""
+    signals = [g for node in d.topo.ends[s] if (g := d.signal_at(s, node)) is not None]
+    open_ = disj(d.passing_signal(g) for g in signals)
+    return [] if open_ is FALSE else [Term(neg(open_), "signal closed", f"{' and '.join(signals)} closed")]
+
+
 def release(d: Draft) -> None:
     """All the ways in which a section is released; none of them while it counts as occupied."""
     valid = Term(var("VALID"), "inputs valid")
@@ -140,6 +147,7 @@ def release(d: Draft) -> None:
                 valid,
                 Term(var(f"U_{n}"), "was used"),
                 clear,
+                *_closed(d, s),
                 *rear,
                 Term(var(f"EX_{n}"), "went on"),
             ),
@@ -177,6 +185,7 @@ def release(d: Draft) -> None:
         by_hand = [
             valid,
             clear,
+            *_closed(d, s),
             *rear,
             Term(var(f"REL_{n}"), "by hand"),
             Term(disj(d.lock(*t.key) for t in d.locks_of[s]), "locked"),

@@ -202,6 +202,14 @@ def proceed_terms(d: Draft, r: RouteRow) -> list[Term]:
     return [*out, *_overlap_lies(r)]
 
 
+def passing_terms(d: Draft, r: RouteRow) -> list[Term]:
+    """Proceed may go on being shown to the movement that has begun to pass the signal."""
+    out = []
+    for k in r.traversals:
+        out += [*_detected(d, k), *not_blocked(k[0])]
+    return [*out, *_overlap_lies(r)]
+
+
 def _overlap_lies(r: RouteRow) -> list[Term]:
     return [x for key in (r.overlap.ways if r.overlap else ()) for x in _lying(key, "overlap lies")]
 

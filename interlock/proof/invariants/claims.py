@@ -5,18 +5,18 @@ Train level: T-...; signal level: S-...; locking level: L-...; points: P-....
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
-from itertools import pairwise
+from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
-from interlock.logic.plant import accepted, came, lamp, lies, o, rests, shunting
-from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
+from interlock.logic.plant import accepted, came, lies, o, rests, shunting
+from interlock.model.elements import MachineId, Position, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.overlap import overlap_paths
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal
+from interlock.proof.invariants.flank import flank, flank_space
 from interlock.proof.invariants.kinds import Claim, Facts
+from interlock.proof.invariants.paths import Shown, SignalPath, ground_of, lie, shown_over, signal_paths
 
 CLAIMS: dict[str, str] = {
     "T-COLLISION": "No train comes into a section in which another train stands, nor two at once.",
@@ -30,7 +30,10 @@ CLAIMS: dict[str, str] = {
     "called into it, this one too, are no more than the zone's maximum.",
     "S-OPPOSING": "No two signals that lead towards each other over the same track show proceed.",
     "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
-    "S-CLEAR": "Proceed is shown only when every section of the path, as the points lie, is reported clear.",
+    "S-CLEAR": "A signal opens, and stays open until a movement begins to pass it, only when every section of the "
+    "path, as the points lie, is reported clear.",
+    "S-PASSING": "A signal that stays open until the whole movement has passed does so only while the sections "
+    "before and beyond it are not reported clear, and no second movement can take it for itself.",
     "S-CALL-ON": "A train is called on only beside stop, once only, into a clear first section, and onto no track in "
     "which vehicles may stand unless it is clear.",
     "S-DETECTED": "Proceed is shown only when every point and device of the path is detected in that very scan.",
@@ -55,62 +58,15 @@ CLAIMS: dict[str, str] = {
 }
 
 
-@dataclass(frozen=True)
-class SignalPath:
-    """A path from a signal to the next, found on the layout by its own search."""
-
-    signal: SignalId
-    shunt: bool
-    ways: tuple[Traversal, ...]
-    berth: SectionId | None
-
-    @property
-    def kept_clear(self) -> tuple[Traversal, ...]:
-        """The ways in which nothing may stand: all but the berth of a shunting movement."""
-        return self.ways if self.berth is None else self.ways[:-1]
-
-
-def signal_paths(f: Facts, g: SignalId, shunt: bool = False) -> list[SignalPath]:
-    """Every path from a signal to the next one that the movement obeys, a boundary or a buffer.
-
-    A shunting movement obeys every signal, stops in the first berth, and does not leave over a boundary.
-    """
-    known = f.paths.get((g, shunt))
-    if known is None:
-        known = f.paths[g, shunt] = _search_paths(f, g, shunt)
-    return known
-
-
-def _search_paths(f: Facts, g: SignalId, shunt: bool) -> list[SignalPath]:
-    signal = f.layout.signal[g]
-    stops = f.topo.signal_into if shunt else f.topo.main_into
-    found: list[SignalPath] = []
-
-    def go(section: SectionId, entry: NodeId, ways: tuple[Traversal, ...]) -> None:
-        for t in f.topo.through(section, entry):
-            path = (*ways, t)
-            ahead = f.topo.beyond(section, t.exit)
-            stands = shunt and f.berth(section)
-            if ahead is None and shunt and not stands and t.exit in f.layout.boundary_at:
-                continue
-            if ahead is None or (t.exit, ahead) in stops or stands:
-                found.append(SignalPath(g, shunt, path, section if stands and len(path) > 1 else None))
-            elif all(w.section != ahead for w in path):
-                go(ahead, t.exit, path)
-
-    go(f.layout.section_of(signal.into), signal.node, ())
-    return found
-
-
 def claims(f: Facts) -> tuple[Claim, ...]:
     """Every instance of every claim."""
     out: list[Claim] = []
     for h in f.system.plant.hazards:
         out.append(Claim(f"T-{h.id}", h.place, neg(h.expr), True))
     for name, place, expr, physical in (
-        *((*x, x[0] == "T-FLANK") for x in _flank(f)),
+        *((*x, x[0] == "T-FLANK") for x in flank(f)),
         *((*x, True) for x in _zones(f)),
-        *((*x, False) for x in _flank_space(f)),
+        *((*x, False) for x in flank_space(f)),
         *((*x, False) for x in _pairs(f)),
         *((*x, False) for x in _signals(f)),
         *((*x, False) for x in _distants(f)),
@@ -121,77 +77,6 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         out.append(Claim(name, place, expr, physical))
     order = list(CLAIMS)
     return tuple(sorted(out, key=lambda c: (order.index(c.id), c.place)))
-
-
-def lie(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
-    """All points of a path really lie for it."""
-    return conj(lies(f.layout.point[p].machine, x) for t in ways for p, x in t.points)
-
-
-# --- flank ---------------------------------------------------------------------------------------
-
-
-def exposed(f: Facts, edge: EdgeId, node: NodeId, gone: float, clear_of: float, seen: frozenset[NodeId]) -> Expr:
-    """Whether a vehicle from beyond the next signal could roll along `edge` to `node`, as everything really lies."""
-    layout = f.layout
-    e = layout.edge[edge]
-    if e.one_way and e.a == node:
-        return FALSE
-    far = layout.far(edge, node)
-    gone += e.length
-    if far in seen or far in layout.buffer_at:
-        return FALSE
-    seen = seen | {far}
-    for g in f.signals_at.get(far, ()):
-        if g.into == edge and gone >= clear_of:
-            called = [x for k in f.functions(g.id) for x in (f.sym.signal(g.id, k), lamp(g.id, k), accepted(g.id, k))]
-            if not g.main:  # a train passes it on a lock that leads this way
-                called.append(conj((f.train(e.section), f.firm(e.section), f.locked_in(e.section, far))))
-            return disj(called)
-    boundary = layout.boundary_at.get(far)
-    if boundary is not None:
-        return FALSE if boundary.kind is BoundaryKind.OUT else neg(FALSE)
-    point = layout.point_at.get(far)
-    if point is not None:
-        position = point.position_of(edge)
-        if position is None:
-            return disj(exposed(f, leg, far, gone, clear_of, seen) for leg in (point.normal, point.reverse))
-        return conj((neg(lies(point.machine, position.other)), exposed(f, point.toe, far, gone, clear_of, seen)))
-    crossing = layout.crossing_at.get(far)
-    if crossing is not None:
-        onward = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
-    else:
-        onward = [x.id for x in layout.edges_at[far] if x.id != edge]
-    return disj(exposed(f, x, far, gone, clear_of, seen) for x in onward)
-
-
-def _flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    margin = f.layout.principles.clearance_m
-    over: dict[tuple[SectionId, int], dict[tuple[SignalId, bool], None]] = {}
-    for g in f.layout.signals:
-        for k in f.functions(g.id):
-            for path in signal_paths(f, g.id, k):
-                for t in path.ways:
-                    over.setdefault(t.key, {})[g.id, k] = None
-    for s in f.topo.sections:
-        for t in f.topo.traversals[s]:
-            if (s, t.number) not in f.sym.lock:
-                continue
-            places: list[tuple[str, NodeId, EdgeId, float]] = []
-            for pid, x in t.points:
-                p = f.layout.point[pid]
-                places.append((f"{pid}.{x.other}", p.node, p.leg(x.other), p.fouling + margin))
-            for cid, arm in t.crossings:
-                c = f.layout.crossing[cid]
-                for edge in c.arms[1 - arm]:
-                    places.append((f"{cid}.{edge}", c.node, edge, f.layout.principles.fouling_m + margin))
-            uses = conj((f.firm(s), f.lock(s, t.number)))
-            train = conj((o(s), neg(rests(s)), came(s, t.entry)))
-            shown = disj(f.sym.signal(g, k) for g, k in over.get(t.key, ()))
-            for name, node, edge, clear_of in places:
-                danger = exposed(f, edge, node, 0.0, clear_of, frozenset({node}))
-                yield "T-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, train)), neg(danger))
-                yield "S-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, shown)), neg(danger))
 
 
 def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -205,97 +90,7 @@ def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             yield "T-ZONE", f"{z.id} at {j}", implies(comes, f.system.called_in(s, j))
 
 
-def _flank_space(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    rules = f.layout.principles
-    if not rules.flank_space and not rules.flank_lamp:
-        return
-    ground = _ground(f)
-    waived = {(w.point, w.leg) for w in f.layout.waivers}
-    margin = rules.clearance_m
-    for s in f.topo.sections:
-        for t in f.topo.traversals[s]:
-            shown = disj(_shown_over(ground, [t]).values())
-            for pid, x in t.points:
-                p = f.layout.point[pid]
-                if (pid, x.other) not in waived:
-                    quiet = _quiet(f, s, p.leg(x.other), p.node, 0.0, p.fouling + margin, frozenset({p.node}))
-                    yield "S-FLANK-SPACE", f"{s}:{t.number}:{pid}", implies(f.system.after(shown), quiet)
-            for cid, arm in t.crossings:
-                c = f.layout.crossing[cid]
-                for edge in c.arms[1 - arm]:
-                    quiet = _quiet(f, s, edge, c.node, 0.0, rules.fouling_m + margin, frozenset({c.node}))
-                    yield "S-FLANK-SPACE", f"{s}:{t.number}:{cid}.{edge}", implies(f.system.after(shown), quiet)
-
-
-def _quiet(
-    f: Facts, own: SectionId, edge: EdgeId, node: NodeId, gone: float, clear_of: float, seen: frozenset[NodeId]
-) -> Expr:
-    """Nothing stands along `edge` up to what stops a vehicle, as everything really lies, and stop signals are lit."""
-    layout = f.layout
-    e = layout.edge[edge]
-    if e.one_way and e.a == node:
-        return TRUE
-    far = layout.far(edge, node)
-    gone += e.length
-    looked_at = layout.principles.flank_space and e.section != own and e.section not in layout.undetected
-    clear = f.clear(e.section) if looked_at else TRUE
-    if far in seen or far in layout.buffer_at or far in layout.boundary_at:
-        return clear
-    seen = seen | {far}
-    for g in f.signals_at.get(far, ()):
-        if g.into == edge and gone >= clear_of:
-            lit = layout.principles.flank_lamp and g.id in f.sym.stop_lamp
-            return conj((clear, var(f.sym.stop_lamp[g.id]))) if lit else clear
-    point, crossing = layout.point_at.get(far), layout.crossing_at.get(far)
-    if point is not None and point.position_of(edge) is not None:
-        position = point.position_of(edge)
-        assert position is not None
-        turned = f.system.after(lies(point.machine, position.other))
-        return conj((clear, disj((turned, _quiet(f, own, point.toe, far, gone, clear_of, seen)))))
-    if point is not None:
-        onward = [point.normal, point.reverse]
-    elif crossing is not None:
-        onward = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
-    else:
-        onward = [x.id for x in layout.edges_at[far] if x.id != edge]
-    return conj([clear, *(_quiet(f, own, x, far, gone, clear_of, seen) for x in onward)])
-
-
 # --- signals -------------------------------------------------------------------------------------
-
-
-Shown = tuple[SignalId, bool]
-
-
-@dataclass
-class Ground:
-    """Who shows proceed over which way, and past which signal."""
-
-    over: dict[tuple[SectionId, int], dict[Shown, list[Expr]]]
-    past: dict[SignalId, list[Expr]]
-
-
-def _ground(f: Facts) -> Ground:
-    ground = Ground({}, {})
-    for who in ((g.id, k) for g in f.layout.signals for k in f.functions(g.id)):
-        for path in signal_paths(f, *who):
-            there = conj((f.sym.signal(*who), lie(f, path.ways)))
-            for t in path.ways:
-                ground.over.setdefault(t.key, {}).setdefault(who, []).append(there)
-            for a, b in pairwise(path.ways):
-                passed = f.topo.signal_into.get((a.exit, b.section))
-                if passed is not None:
-                    ground.past.setdefault(passed, []).append(there)
-    return ground
-
-
-def _shown_over(ground: Ground, ways: Iterable[Traversal]) -> dict[Shown, Expr]:
-    """Each signal that shows proceed over one of the ways."""
-    found: dict[Shown, list[Expr]] = {}
-    for t in ways:
-        for who, there in ground.over.get(t.key, {}).items():
-            found.setdefault(who, []).extend(there)
-    return {who: disj(there) for who, there in found.items()}
 
 
 def _apart(a: dict[Shown, Expr], b: dict[Shown, Expr]) -> Expr:
@@ -313,10 +108,10 @@ def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     signal that the other passes; or they are of one signal for trains and for shunting movements.  So a claim for each
     section and for each signal says it of all pairs, and their number grows with the layout, not with its square.
     """
-    ground = _ground(f)
+    ground = ground_of(f)
     for s in f.topo.sections:
         ways = [t for t in f.topo.traversals[s] if t.key in ground.over]
-        shown = {t.key: disj(_shown_over(ground, [t]).values()) for t in ways}
+        shown = {t.key: disj(shown_over(ground, [t]).values()) for t in ways}
         bad: dict[str, list[Expr]] = {}
         for i, t in enumerate(ways):
             for x in ways[i + 1 :]:
@@ -330,16 +125,14 @@ def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield "S-HOSTILE", f"signal {g.id}", at_most_one(one)
     for c in f.layout.crossings:
         arms = [
-            _shown_over(
-                ground, (t for s in f.topo.sections for t in f.topo.traversals[s] if (c.id, arm) in t.crossings)
-            )
+            shown_over(ground, (t for s in f.topo.sections for t in f.topo.traversals[s] if (c.id, arm) in t.crossings))
             for arm in (0, 1)
         ]
         yield "S-HOSTILE", f"diamond {c.id}", _apart(*arms)
     for fj in f.fouls:
         section, beside = f.topo.traversals[fj.section], f.topo.traversals[fj.neighbour]
-        over = _shown_over(ground, (t for t in section if any(p == fj.point and x is not fj.leg for p, x in t.points)))
-        near = _shown_over(ground, (t for t in beside if fj.when is None or fj.node in (t.entry, t.exit)))
+        over = shown_over(ground, (t for t in section if any(p == fj.point and x is not fj.leg for p, x in t.points)))
+        near = shown_over(ground, (t for t in beside if fj.when is None or fj.node in (t.entry, t.exit)))
         yield "S-HOSTILE", f"joint {fj.section}/{fj.neighbour} foul of {fj.point}", _apart(over, near)
 
 
@@ -357,13 +150,17 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         paths = signal_paths(f, signal, shunt)
         yield "S-LOST-INPUT", who, implies(neg(valid), neg(shows))
         yield "S-LOCKED", who, implies(shows, after(disj(lie(f, p.ways) for p in paths)))
+        passing = after(f.sym.passing(signal, shunt))
+        if passing is not FALSE:
+            yield "S-PASSING", who, implies(passing, _still_passing(f, signal, shunt))
         if signal in f.sym.stop_lamp:
             opens = conj((shows, neg(f.sym.signal(signal, shunt))))
             yield "S-LAMP", who, implies(opens, var(f.sym.stop_lamp[signal]))
         if signal in f.sym.clear_lamp and not shunt:
             last = f.sym.caution_lamp.get(signal, f.sym.clear_lamp[signal])
             lit = implies(_clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
-            yield "S-LAMP", f"{who} proceed", conj((implies(after(f.sym.opened(signal)), var(last)), lit))
+            main = disj((after(f.sym.opens(signal)), passing))
+            yield "S-LAMP", f"{who} proceed", conj((implies(main, var(last)), lit))
         if signal in f.sym.cancelling:
             yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
         for k, path in enumerate(paths, 1):
@@ -371,7 +168,7 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             here = conj((shows, after(lie(f, path.ways))))
             if here is FALSE:
                 continue
-            opened = here if shunt else conj((after(f.sym.opened(signal)), after(lie(f, path.ways))))
+            opened = conj((after(f.sym.opens(signal, shunt)), after(lie(f, path.ways))))
             yield "S-CLEAR", place, implies(opened, conj(f.clear(t.section) for t in path.kept_clear))
             if f.layout.signal[signal].call_on and not shunt:
                 yield "S-CALL-ON", place, implies(conj((after(f.sym.called(signal)), here)), _may_call_on(f, path))
@@ -437,6 +234,17 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 yield "S-CONDITION", place, implies(here, conj(needed))
 
 
+def _still_passing(f: Facts, g: SignalId, shunt: bool) -> Expr:
+    """A signal stays open for one movement alone: it was open, that movement occupies the sections before and beyond
+    it, and none in rear of it may take the signal for itself."""
+    first, rear = f.layout.section_of(f.layout.signal[g].into), f.sym.approach_of[g]
+    assert rear is not None
+    occupied = [neg(f.clear(s)) for s in (first, rear) if s in f.sym.clear]
+    name = f"{'gos' if shunt else 'go'}.{g}"
+    second = conj((f.system.after(f.been(first)), f.system.after(var(name)))) if name in f.system.plant.state else FALSE
+    return conj([f.sym.signal(g, shunt), *occupied, neg(second)])
+
+
 def _clear_aspect(f: Facts, g: SignalId) -> Expr:
     """The signal will show clear, not caution."""
     return f.system.after(f.system.output(f.sym.clear_aspect[g])) if g in f.sym.clear_aspect else FALSE
@@ -450,7 +258,7 @@ def _allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
     turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
     if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
         return FALSE
-    return f.system.after(f.sym.opened(exit_))
+    return f.system.after(f.sym.opens(exit_))
 
 
 def _may_call_on(f: Facts, path: SignalPath) -> Expr:

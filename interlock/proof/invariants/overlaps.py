@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from interlock.logic.expr import TRUE, Expr, at_most_one, conj, disj, implies, neg, var
+from collections.abc import Iterator
+
+from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, across, came, lamp, lies, o, old_command, overran, rests, running, shunting
-from interlock.model.elements import SectionId, SignalId
+from interlock.model.elements import NodeId, SectionId, SignalId
 from interlock.proof.invariants.kinds import Facts, Invariant
 
 
@@ -51,11 +53,20 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
         if f.berth(t) and not past and f.overlaps(t):
             leads = conj((f.locked_out(s, j), neg(f.train(s))))
             out.append(Invariant("O-LEAD", f"{j}:{s}>{t}", implies(leads, neg(disj(f.overlaps(t))))))
+    for s in f.topo.sections:
         for g in f.layout.overlap_of:
-            if not past and f"over.{g}.{s}" in f.system.plant.state:
-                on = overran(g, t) if f"over.{g}.{t}" in f.system.plant.state else neg(TRUE)
-                out.append(Invariant(f"O-ON:{g}", f"{j}:{s}>{t}", implies(conj((across(j, s), overran(g, s))), on)))
+            if f"over.{g}.{s}" in f.system.plant.state:
+                out += [Invariant(f"O-ON:{g}", f"{j}:{s}", x) for j, x in _inside(f, g, s)]
     return out
+
+
+def _inside(f: Facts, g: SignalId, s: SectionId) -> Iterator[tuple[str, Expr]]:
+    """What has overrun a signal lies across a joint only into the next section of the overlap."""
+    for j in f.topo.ends[s]:
+        if f"x.{j}.{s}" in f.system.plant.state:
+            t = f.topo.beyond(s, j)
+            on = overran(g, t) if t is not None and f"over.{g}.{t}" in f.system.plant.state else FALSE
+            yield j, implies(conj((across(j, s), overran(g, s))), on)
 
 
 def _only_in(f: Facts, s: SectionId, n: int) -> list[Expr]:
@@ -99,6 +110,33 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
     return out
 
 
+def running_into(f: Facts, g: SignalId, s: SectionId) -> Expr:
+    """A train runs or comes to a signal, firmly, or runs on beyond it, so that it may overrun into a section."""
+    node = f.layout.signal[g].node
+    b = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), node)
+    assert b is not None
+    out = []
+    for opt, name in f.sym.overlap.items():
+        ways = f.sym.overlap_ways[opt] if opt[0] == g else ()
+        if any(a == s for a, _ in ways):
+            out += [conj((var(name), f.firm(b), x)) for n, _ in f.locks(b) for x in _towards(f, b, n, node)]
+        for i, (a, n) in enumerate(ways):
+            if any(c == s for c, _ in ways[i + 1 :]):
+                out.append(conj((var(name), overran(g, a), neg(across(f.way(a, n)[1], a)))))
+    return disj(out)
+
+
+def _towards(f: Facts, b: SectionId, n: int, node: NodeId) -> tuple[Expr, ...]:
+    """On a way through the section before a signal: a train runs there, or may still come."""
+    entry, exit_ = f.way(b, n)
+    if exit_ != node:
+        return ()
+    as_train = neg(shunting(b)) if f.shunts else TRUE
+    runs = conj((f.lock(b, n), o(b), running(b), came(b, entry), neg(rests(b)), neg(across(node, b)), as_train))
+    coming = conj((f.lock(b, n), f.train(b), neg(f.been(b)), _coming(f, b, entry)))
+    return runs, coming
+
+
 def _signal(f: Facts, g: SignalId) -> list[Invariant]:
     """A train that runs towards the signal, or may still come, finds an overlap."""
     node = f.layout.signal[g].node
@@ -113,14 +151,11 @@ def _signal(f: Facts, g: SignalId) -> list[Invariant]:
     ]
     ready = disj(conj((held, empty)) for held, empty in options)
     out = []
-    for n, x in f.locks(b):
-        entry, exit_ = f.way(b, n)
-        if exit_ != node:
+    for n, _ in f.locks(b):
+        if f.way(b, n)[1] != node:
             continue
-        as_train = neg(shunting(b)) if f.shunts else neg(disj(()))
-        runs = conj((x, o(b), running(b), came(b, entry), neg(rests(b)), neg(across(node, b)), as_train))
+        runs, coming = _towards(f, b, n, node)
         out.append(Invariant(f"O-RUNS:{n}", g, implies(runs, conj((firm, ready)))))
-        coming = conj((x, f.train(b), neg(f.been(b)), _coming(f, b, entry)))
         kept = disj(conj((held, implies(f.firm(b), conj((firm, empty))))) for held, empty in options)
         out.append(Invariant(f"O-COMES:{n}", g, implies(coming, kept)))
     return out
@@ -133,7 +168,10 @@ def _coming(f: Facts, b: SectionId, entry: str) -> Expr:
     if g is not None:
         active = [var(r.active) for r in f.sym.routes_from.get(g, ()) if not r.shunt]
         went = [accepted(g)] if f"go.{g}" in f.system.plant.state else []
-        return disj([*active, f.sym.signal(g), lamp(g), *went])
+        shown = disj((f.sym.signal(g), lamp(g)))
+        if f.sym.passing(g) is not FALSE:  # nobody comes after the one that passes
+            shown = disj((f.sym.opens(g), f.sym.called(g), conj((shown, o(f.sym.approach_of[g] or "")))))
+        return disj([*active, shown, *went])
     if rear is None:
         return disj(())
     on = [f.train(rear)] if (entry, b) in f.topo.signal_into else []

@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.controller import RouteSymbols
-from interlock.logic.expr import TRUE, Expr, at_most_one, conj, disj, implies, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, across, came, image, lamp, lies, o, old_command, overran, rests, shunting
 from interlock.model.elements import Position, SectionId, SignalId
 from interlock.proof.invariants.kinds import Facts, Invariant
-from interlock.proof.invariants.overlaps import against_of, overlap_invariants
+from interlock.proof.invariants.overlaps import against_of, overlap_invariants, running_into
 
 
 def strengthening(f: Facts) -> tuple[Invariant, ...]:
@@ -193,7 +193,7 @@ def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, 
                     x
                     for shunts in f.functions(g)
                     if f"{'gos' if shunts else 'go'}.{g}" in f.system.plant.state
-                    for x in (accepted(g, shunts), lamp(g, shunts))
+                    for x in (accepted(g, shunts), lamp(g, shunts), f.sym.passing(g, shunts))
                 )
                 yield f"J-SHUNT-ALONE:{k}", implies(conj((shunt, f.locked_in(t, k))), conj((f.used(t), neg(waiting))))
         yield "J-SHUNT-STALE", implies(conj((shunt, f.stale(s))), disj((f.restart(t), f.stale(t))))
@@ -281,8 +281,17 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     went = accepted(g, shunt)
     shown = disj((f.sym.signal(g, shunt), lamp(g, shunt)))
     kind = neg(f.train(t)) if shunt else f.train(t)
-    ready = conj((f.firm(t), f.locked_in(t, j), neg(f.passed(t)), kind))
-    yield f"{mark}-SHOWN", implies(shown, conj((ready, implies(f.been(t), conj((o(t), across(j, rear)))))))
+    locked = conj((f.firm(t), f.locked_in(t, j), kind))
+    ready = conj((locked, neg(f.passed(t))))
+    fresh = conj((ready, implies(f.been(t), conj((o(t), across(j, rear))))))
+    passing = f.sym.passing(g, shunt)
+    if passing is FALSE:
+        yield f"{mark}-SHOWN", implies(shown, fresh)
+    else:
+        nobody = conj((locked, disj((neg(o(rear)), across(j, rear), conj((neg(f.been(t)), neg(f.passed(t))))))))
+        yield f"{mark}-SHOWN", implies(shown, nobody)
+        new = disj(var(r.proceed) for r in f.sym.routes_from.get(SignalId(g), ()) if r.shunt is shunt)
+        yield f"{mark}-SHOWN-NEW", implies(new, conj((fresh, neg(image(t)))))
     yield f"{mark}-ACCEPTED", implies(went, conj((ready, neg(f.been(t)), neg(o(t)))))
     standing = [o(rear), neg(across(j, rear))]
     if rear in f.sym.restart and not f.berth(rear):
@@ -325,7 +334,29 @@ def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
     if f.shunts:
         kind = [neg(f.train(s)) if r.shunt else f.train(s) for s, _ in r.ways]
         yield "R-KIND", implies(active, conj(kind))
+    if r.passing is not None:
+        yield from _passing(f, r, r.passing)
     if r.overlap is not None:
         yield "R-OVERLAP", implies(active, var(f.sym.overlap[r.overlap]))
     if r.berth is not None:
         yield "R-BERTH", implies(active, conj((f.locked(r.berth[0]), neg(f.train(r.berth[0])))))
+
+
+def _passing(f: Facts, r: RouteSymbols, name: str) -> Iterator[tuple[str, Expr]]:
+    """The signal is open for the movement that passes it: everything is still locked, and nobody comes after it."""
+    first, rear = r.ways[0][0], f.sym.approach_of[r.entry]
+    assert rear is not None
+    passing = var(name)
+    kind = [neg(f.train(s)) if r.shunt else f.train(s) for s, _ in r.ways] if f.shunts else []
+    held = [x for s, n in r.ways for x in (f.lock(s, n), f.firm(s))]
+    yield "R-PASSING", implies(passing, conj([*held, *kind, f.used(first), image(first), image(rear)]))
+    if rear in f.sym.restart:
+        overran = conj((neg(f.firm(rear)), disj(f.overlaps(rear))))
+        yield "R-PASSING-LAST", implies(passing, disj((f.restart(rear), f.been(rear), overran)))
+    for h in f.layout.overlap_of:
+        if f"over.{h}.{rear}" in f.system.plant.state:
+            yield f"R-PASSING-ALONE:{h}", implies(passing, neg(running_into(f, h, rear)))
+    if r.overlap is not None:
+        yield "R-PASSING-OVERLAP", implies(passing, var(f.sym.overlap[r.overlap]))
+    if r.berth is not None:
+        yield "R-PASSING-BERTH", implies(passing, conj((f.locked(r.berth[0]), neg(f.train(r.berth[0])))))

@@ -71,6 +71,8 @@ def _route(x: Reading, names: dict[RouteId, str], r: RouteRow) -> tuple[str, ...
     remarks = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
     remarks += [f"{p.machine} {x.layout.word(p.machine, p.position)}" for p in r.points if x.is_derailer(p.machine)]
     remarks += [*r.requirements] + [f"{b.section} clear (line)" for b in r.block]
+    if r.closing.whole is not None:
+        remarks.append(f"replaced by last wheel: {r.closing.whole} clear")
     if r.berth is not None:
         remarks.append(f"{r.berth} may be occupied")
     flank = [c for c in r.flank if any(p.kind.value == "signal" for p in c.providers)]
