@@ -91,7 +91,7 @@ class Grown:
             kind = self.rng.choice(["both"] * 6 + ["out"] * 3 + ["in"])
             approach = f"approach: {self.name('ap')} 100, " if self.rng.random() < 0.8 else ""
             if self.rng.random() < 0.1:
-                approach += "block: automatic, "
+                approach += f"block: {'token' if kind == 'both' else 'automatic'}, "
             self.boundaries[name] = f"{{{approach}trains: {kind}}}"
             if kind != "out":
                 self.signals.append(f"  {self.name('X')}: {{from: {name}, into: {at.section}}}")

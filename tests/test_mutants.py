@@ -26,6 +26,7 @@ SHUNT = "../tests/layouts_for_tests/shunt_yard"
 DEVICES = "../tests/layouts_for_tests/devices"
 OVERLAPS = "../tests/layouts_for_tests/overlaps"
 CLOSING = "../tests/layouts_for_tests/closing"
+TOKEN = "../tests/layouts_for_tests/token"
 # the layout on which a kind has mutants
 ON = {
     "way-not-available": "../tests/layouts_for_tests/foul_joint",
@@ -39,6 +40,7 @@ ON = {
     "clear-lamp-not-lit": SHUNT,
     "clear-before-stop": OVERLAPS,
     **dict.fromkeys(("closes-late", "stays-open", "open-while-released", "passing-not-supervised"), CLOSING),
+    **dict.fromkeys((k.name for k in KINDS if k.name.startswith("direction-")), TOKEN),
     "zone-not-checked": "heishan",
     "fault-ignored": "pit_bottom",
     "zone-miscounted": "heishan",
@@ -92,6 +94,8 @@ def _killers() -> dict[str, tuple[str, str]]:
         "T-POINT-MOVES": (two, "point-missing"),
         "T-ROAD": (DEVICES, "device-missing"),
         "T-FLANK": (FLANK, "flank-missing"),
+        "T-LINE": (TOKEN, "direction-given-early"),
+        "S-DIRECTION": (TOKEN, "direction-not-checked"),
         "S-OPPOSING": (two, "hostile-not-excluded"),
         "S-HOSTILE": (SHUNT, "berth-under-train"),
         "S-CLEAR": (split, "section-not-checked"),

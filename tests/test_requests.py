@@ -380,3 +380,42 @@ def test_a_signal_returns_to_stop_with_the_first_axle_or_behind_the_whole_moveme
     assert on(sim, "YS_X2") is not whole
     steps(sim, 3, (into.replace("head.", "tail."),))
     assert on(sim, "YS_X2")
+
+
+class Stations:
+    """Two stations at the ends of one line: what each tells, the other reads some scans later."""
+
+    def __init__(self, delay: int) -> None:
+        self.west = simulator(TWO.replace("{approach: ea 300}", "{approach: ea 300, block: token}"))
+        self.east = simulator(TWO.replace("{approach: wa 300}", "{approach: wa 300, block: token}"))
+        self.ends = ((self.west, "E"), (self.east, "W"))
+        quiet = dict.fromkeys(("NR", "NG", "NH"), 0)
+        self.under_way = [[quiet] * delay for _ in self.ends]
+
+    def run(self, count: int, west: dict[str, int] | None = None, east: dict[str, int] | None = None) -> None:
+        """Scans of both, each in turn; the line is clear."""
+        for _ in range(count):
+            told = [{f"N{w}": int(on(sim, f"Y{w}_{end}")) for w in "RGH"} for sim, end in self.ends]
+            for k, (sim, end) in enumerate(self.ends):
+                self.under_way[k].append(told[1 - k])
+                telegram = {f"{name}_{end}": value for name, value in self.under_way[k].pop(0).items()}
+                steps(sim, 1, **telegram, **((west, east)[k] or {}))
+            assert not (self.west.is_on("BH_E") and self.east.is_on("BH_W"))
+
+
+@pytest.mark.parametrize("delay", [1, 4])
+def test_the_direction_changes_when_a_departure_is_set_and_never_has_two_owners(delay: int) -> None:
+    line = Stations(delay)
+    line.run(10)
+    assert not line.west.is_on("BH_E") and not line.east.is_on("BH_W")  # after a restart nobody has it
+    line.run(70, west={"TKN_E": 1})
+    assert line.west.is_on("BH_E")  # the special manual change
+    line.run(4, east={"REQ": number(line.east, "Y3-W")})
+    line.run(6 * delay + 10)
+    assert line.east.is_on("BH_W") and on(line.east, "YP_Y3") and not line.west.is_on("BH_E")
+    line.run(4, west={"REQ": number(line.west, "X3-E")})
+    line.run(6 * delay + 10)
+    assert line.east.is_on("BH_W") and on(line.west, "YS_X3")  # not while something is locked towards the line
+    line.run(2, east={"CAN_Y3": 1})
+    line.run(6 * delay + 10)
+    assert line.west.is_on("BH_E") and on(line.west, "YP_X3") and not line.east.is_on("BH_W")

@@ -1,7 +1,7 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 945cea125204617d8602a8049e67c5bd762378f89ea1aadcee1498b8fd23f7fa
-# claims d2606dd6b580108c67fa55c3006862a4bf916ac626d98c0446913c2fa31ce71e
+# layout 6f5a801f4cf6039e362f43e89d1d3bcc39c14a264bde48c2c8e954607431379d
+# claims 0a79a80f54280ec9da28bd2e42e7c1a7ea6c5aecf2b34499694330a4d889676d
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 58bc0a536d85d773082abfb6c881cb0cac30a40e75ebbee1c619367e90ef99d5
-# claims 00d8979c66f795aa722d303cdc0cd8a516a7f7528702a0b3eb9a5abe6327f229
+# layout 1da76c532de4ce02d5a71bf11598d8e2dbc642409cfd7fcbb99dcc329ba56098
+# claims cae3c39e9699a4c1059090e09f27380cf14b82224f78b2e7d903836a2098ad1e
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 40a4b6973a33fc5e0fb4ed2d5e242d8775b5f555c595c1092a80155903a340e7
-# claims a842b56422849ec3b49d1442909cd043160cbe509d7bf4ff383c902cb33dd88e
+# layout 5ca3da8e686c9a42ea69248a4d56398c480956d16eaffff7e561fd6c3b0e9570
+# claims 384855d194338be7d977505d972ee58bd6d5eba98d93c5eb8b80b8ab8a9f4eb1
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

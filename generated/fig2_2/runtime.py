@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout e86d0fb6024b6f41c24cd735755278f645541643aacb7a63574a9734aeb9e2c0
-# claims 33a28126dee07e188860bd9fe1a334c0bfbbe9779e03909d535842e372ba9e95
+# layout cafbfed622fcaaf9cfc2adcd1a07edc662d2ea69787ad08c6e8365c58439684a
+# claims c35ee8f0975c9a138f3a6312100738504f1e94caf80a647e71fde7ae1851307b
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

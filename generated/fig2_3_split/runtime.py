@@ -1,7 +1,7 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 72e237c0a23bfa57200cc9dfe19fea36f0073b8ac7415bfa9a98f143ce89f0c2
-# claims b7a909872fa0aa223384f117deb1f964c5a19be3f342673aa11dc854a8bfa5a5
+# layout 08f6cfbddacdd7587d82e06f7adbc254e3ab2463e8dba42f3e253e002447bbb3
+# claims 0387d024ab4e641e9c4320b8d19c710e72d2d763c28b63cc65b66454cb2b4c20
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

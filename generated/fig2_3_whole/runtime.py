@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 79d4e4d40c0b332bbe65747ddc2aba28cbec181166b4befcb394828a4b3681a7
-# claims 030cfd1ef2d933e2d390ec5ce94165ae4d19eaf6333b0eddeb7ccb67cff6750f
+# layout dfeaeaca71115ba177d00d1f9d5cce756ce1dbdb75c448ff83cecd0178b4b91e
+# claims e971844e4556735ef04482a25ec3a5a905da03ac4924fa28a0f74fd13b02f3d5
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

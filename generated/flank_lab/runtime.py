@@ -1,7 +1,7 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 5bb96f40dd595314d70b8a4f311e927c34383eeb7995ed643545d77dd230652b
-# claims f44c22607bd55af1d5fe8742e54237ad38769f09256bac96aa77a7dca955a150
+# layout 1211b26fc619ecf81794a49100dfbe2ccb61e29eaec4e59443f5c2fe582b0142
+# claims 561c5d8909275eba213b23688147b6dfac0cba1cf6d266b980801267477bf9a5
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

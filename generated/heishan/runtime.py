@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 3f769a5076453348034b96338266b2811ec5e77d680e6ba0f4ddb0f94e1ba99b
-# claims c73e29597f401ea1fb87feda4f6a1b3bcfd03b09a0363254e6d085421a2daa25
+# layout c9e10dabec1a7dde7b65448e224fa10af15e952cad4c35ccf306fd9d19e97c5b
+# claims 2e13946758afb4158df63feb1bd1c73bdad72005cddc89cd81e913c5bc7833ba
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

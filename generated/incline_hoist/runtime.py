@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 318c7ff2044655f2f516d16ec5050e4ed97d341aecde383a75a3d8dbbd1d9130
-# claims f9be949ea46b9e1a4eb4a58518cc1063e98136df956103f798f0ce25b883a205
+# layout acbe7909ccabd325fc0cf4bf35a8b0e5f563c53fd557b1b7a6fb84f590f33524
+# claims b0059fad91083ae1e7175a6fc49b3361d789e4abb3d95588dc6dd6d0a0ad6a14
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

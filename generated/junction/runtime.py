@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 2154afe87c3d6a3ecb5b4cfa642194f19d7212f830606e4775a908d8de40551c
-# claims 34f25582d8b095fe79876233c972569c6ee4eda3772d638acaa04c8df0fb62f1
+# layout 009428bb8a82eb448911826dc62b6a7c0af0544e3e544a559e39eb8877d2aa4d
+# claims 9465894673f381962d1ecbd1f0c5ef69329fc836c6db1d45d87098ba7dfa2c87
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

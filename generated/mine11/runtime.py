@@ -1,7 +1,7 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 871dd5d4aeaf89f250176efc420e4a409987dee3ad2159c7fb6b57998ca90a9a
-# claims 02a50f793ea342d0541488838ba26bc7e481049a960d0778a48efd20b0aaa5b4
+# layout dae306e6c03d5ad75c8868ab1da993f45933f478b993a49579262f956fe746a3
+# claims 9ce42d4c9113eb89cc6b58bb771c7e5caf38c703a8819e0b518a04106d219cfc
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout f06fc3ef369c8dadb2c773623a135f007d150df522766d476999f08dc0950645
-# claims 223328e3455f7dd116a142849bba107bb5102a0a0a5a4aaf0b7ff7f6f79836de
+# layout e4611c1f1bb87bb4f011589b3f223a8c94a6dafd1b796ed01f1c21cc37b6b1c4
+# claims b75fb88d756dd526710f3299e39a943c1b1154107dd5112a730e2b233b67e5bd
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -17,7 +17,6 @@ INPUTS = {
     'CAN_X1': (0, 2),  # operator: cancel the route from X1
     'CAN_X3': (0, 2),  # operator: cancel the route from X3
     'E_BF_E': (0, 2),  # external condition BF/E: block towards E free, direction ours
-    'E_BF_W': (0, 2),  # external condition BF/W: block towards W free, direction ours
     'REQ': (0, 13),  # operator: set route number, 0 = none
     'CLR_1DG': (0, 2),  # section 1DG reported clear
     'CLR_2DG': (0, 2),  # section 2DG reported clear
@@ -50,6 +49,11 @@ INPUTS = {
     'MN_2': (0, 2),  # operator: move machine 2 normal
     'MR_2': (0, 2),  # operator: move machine 2 reverse
     'TC_2': (0, 2),  # operator: machine 2 has been looked at after it was trailed
+    'NR_W': (0, 2),  # neighbour at W asks for the direction
+    'NG_W': (0, 2),  # neighbour at W gives the direction
+    'NH_W': (0, 2),  # neighbour at W has the direction
+    'LC_W': (0, 2),  # the whole line beyond W reported clear
+    'TKN_W': (0, 2),  # operator: take the direction at W (agreed by telephone; hold)
 }
 # name: value at a restart, meaning
 STATE = {
@@ -175,6 +179,9 @@ STATE = {
     'U_IIAG': True,  # IIAG used by a train (R9)
     'P_IIAG': False,  # IIAG: the train went on (R9)
     'D_IIAG': False,  # IIAG: detection is not relied on, inputs were lost or a train is called on
+    'BH_W': False,  # the direction at W is ours
+    'BG_W': False,  # the direction at W is given
+    'BN_W': False,  # the neighbour at W was seen not to give the direction
     'C_S': False,  # S shows clear
     'C_S1': False,  # S1 shows clear
     'C_S3': False,  # S3 shows clear
@@ -196,6 +203,7 @@ TIMERS = {
     'RT_IAG': 3000,  # IAG: release delay (R9)
     'RT_IG': 3000,  # IG: release delay (R9)
     'RT_IIAG': 3000,  # IIAG: release delay (R9)
+    'BT_W': 60000,  # W: special manual change (R12)
     'ST_1': 13000,  # machine 1: time-out
     'ST_2': 13000,  # machine 2: time-out
 }
@@ -215,6 +223,9 @@ OUTPUTS = {
     'YL_IAG': True,  # indication: IAG is locked
     'YL_IG': True,  # indication: IG is locked
     'YL_IIAG': True,  # indication: IIAG is locked
+    'YR_W': False,  # to the neighbour at W: direction asked for
+    'YG_W': False,  # to the neighbour at W: direction given
+    'YH_W': False,  # to the neighbour at W: direction is here
     'YP_S': False,  # signal S: clear (green)
     'YY_S': False,  # signal S: caution (yellow)
     'YO_S': False,  # signal S: call-on, beside stop
@@ -267,7 +278,6 @@ class Controller:
         CAN_X1 = read['CAN_X1']
         CAN_X3 = read['CAN_X3']
         E_BF_E = read['E_BF_E']
-        E_BF_W = read['E_BF_W']
         REQ = read['REQ']
         CLR_1DG = read['CLR_1DG']
         CLR_2DG = read['CLR_2DG']
@@ -300,6 +310,11 @@ class Controller:
         MN_2 = read['MN_2']
         MR_2 = read['MR_2']
         TC_2 = read['TC_2']
+        NR_W = read['NR_W']
+        NG_W = read['NG_W']
+        NH_W = read['NH_W']
+        LC_W = read['LC_W']
+        TKN_W = read['TKN_W']
         CN_1 = old['CN_1']
         CR_1 = old['CR_1']
         CN_2 = old['CN_2']
@@ -422,6 +437,9 @@ class Controller:
         U_IIAG = old['U_IIAG']
         P_IIAG = old['P_IIAG']
         D_IIAG = old['D_IIAG']
+        BH_W = old['BH_W']
+        BG_W = old['BG_W']
+        BN_W = old['BN_W']
         C_S = old['C_S']
         C_S1 = old['C_S1']
         C_S3 = old['C_S3']
@@ -553,9 +571,9 @@ class Controller:
         LK_R4 = A_R4 and (not B_R4) and VALID and (not X_S) and (not CAN_S) and WL_IIAG_2 and WD_2DG_3  # route S-S3.c becomes locked (R3)
         CO_R4 = VALID and WP_IIAG_2 and WD_2DG_3 and (not BLK_2DG) and (not BLK_3G)  # conditions of proceed for route S-S3.c (R3)
         LK_R5 = A_R5 and (not B_R5) and VALID and (not X_S1) and (not CAN_S1) and WL_1DG_4 and WL_IAG_1  # route S1-W becomes locked (R3)
-        CO_R5 = VALID and WP_1DG_4 and WP_IAG_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S1-W (R3)
+        CO_R5 = VALID and WP_1DG_4 and WP_IAG_1 and (not OCC_XJG) and BH_W and (not D_1DG)  # conditions of proceed for route S1-W (R3)
         LK_R6 = A_R6 and (not B_R6) and VALID and (not X_S3) and (not CAN_S3) and WL_1DG_1 and WL_IAG_1  # route S3-W becomes locked (R3)
-        CO_R6 = VALID and WP_1DG_1 and WP_IAG_1 and E_BF_W and (not OCC_XJG) and (not D_1DG)  # conditions of proceed for route S3-W (R3)
+        CO_R6 = VALID and WP_1DG_1 and WP_IAG_1 and (not OCC_XJG) and BH_W and (not D_1DG)  # conditions of proceed for route S3-W (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_1DG_3 and WL_IG_1  # route X-X1 becomes locked (R3)
         CO_R7 = VALID and WP_IAG_2 and WP_1DG_3 and WP_IG_1 and (not D_IAG)  # conditions of proceed for route X-X1 (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_X) and (not CAN_X) and WL_IAG_2 and WL_1DG_2 and WL_3G_1  # route X-X3 becomes locked (R3)
@@ -642,6 +660,10 @@ class Controller:
         HR_IIAG = VALID and (not OCC_IIAG) and (not (L_IIAG_1 and (L_2DG_1 or L_2DG_2))) and REL_IIAG and (L_IIAG_1 or L_IIAG_2) and ((not L_IIAG_2) or ((not (A_R1 or A_R2 or A_R3 or A_R4)) and ((not OCC_SJG) or AT_S)))  # IIAG released by hand (R8, section fault release)
         SR_IIAG = VALID and (not OCC_IIAG) and K_IIAG and (REL_IIAG or RELALL)  # IIAG released after a restart (R16)
         RLS_IIAG = RT_IIAG or CA_IIAG or CD_S or HR_IIAG or SR_IIAG  # IIAG is released
+        BTI_W = VALID and TKN_W and (not BH_W) and (not BG_W) and (not NG_W) and (not NH_W)  # direction at W: special manual change (R12)
+        BT_W = self._timer('BT_W', BTI_W, dt_ms)  # W: special manual change (R12)
+        BK_W = VALID and NG_W and (not BH_W) and (not BG_W)  # the direction at W is taken (R12)
+        BV_W = VALID and NR_W and BH_W and BN_W and LC_W and (not L_IAG_1)  # the direction at W is given to the neighbour (R12)
         TG_1 = (GW_1DG_1 or GW_1DG_2 or GW_1DG_3 or GW_1DG_4)  # a grant touches machine 1 in this scan
         GPN_1 = (GW_1DG_3 or GW_1DG_4)  # a grant needs 1 N
         MAN_1 = MN_1 and (not MR_1) and MOV_1 and (not TG_1)  # machine 1 moved N by hand
@@ -818,6 +840,9 @@ class Controller:
         N_U_IIAG = (U_IIAG or NU_IIAG_1 or NU_IIAG_2) and (not RLS_IIAG)  # IIAG used by a train (R9)
         N_P_IIAG = (P_IIAG or (U_IIAG and OCC_IIAG and NU_2DG_3)) and (not RLS_IIAG)  # IIAG: the train went on (R9)
         N_D_IIAG = (D_IIAG or ((not VALID) and (L_IIAG_1 or L_IIAG_2)) or G_R3 or G_R4) and (not RLS_IIAG)  # IIAG: detection is not relied on, inputs were lost or a train is called on
+        N_BH_W = (BH_W or BK_W or BT_W) and (not BV_W)  # the direction at W is ours
+        N_BG_W = (BG_W or BV_W) and (not (VALID and NH_W))  # the direction at W is given
+        N_BN_W = (BN_W or (VALID and (not NG_W))) and (not BK_W)  # the neighbour at W was seen not to give the direction
         N_C_S = (PR_R1 or PR_R2) and ((PR_R1 and PR_R5) or (PR_R2 and PR_R6))  # S shows clear
         N_C_S1 = PR_R5 and PR_R5  # S1 shows clear
         N_C_S3 = PR_R6 and PR_R6  # S3 shows clear
@@ -947,6 +972,9 @@ class Controller:
             'U_IIAG': bool(N_U_IIAG),
             'P_IIAG': bool(N_P_IIAG),
             'D_IIAG': bool(N_D_IIAG),
+            'BH_W': bool(N_BH_W),
+            'BG_W': bool(N_BG_W),
+            'BN_W': bool(N_BN_W),
             'C_S': bool(N_C_S),
             'C_S1': bool(N_C_S1),
             'C_S3': bool(N_C_S3),
@@ -1076,6 +1104,9 @@ class Controller:
         U_IIAG = self.state['U_IIAG']
         P_IIAG = self.state['P_IIAG']
         D_IIAG = self.state['D_IIAG']
+        BH_W = self.state['BH_W']
+        BG_W = self.state['BG_W']
+        BN_W = self.state['BN_W']
         C_S = self.state['C_S']
         C_S1 = self.state['C_S1']
         C_S3 = self.state['C_S3']
@@ -1097,6 +1128,9 @@ class Controller:
             'YL_IAG': bool(K_IAG or L_IAG_1 or L_IAG_2),
             'YL_IG': bool(K_IG or L_IG_1 or L_IG_2),
             'YL_IIAG': bool(K_IIAG or L_IIAG_1 or L_IIAG_2),
+            'YR_W': bool(L_IAG_1 and (not BH_W)),
+            'YG_W': bool(BG_W),
+            'YH_W': bool(BH_W),
             'YP_S': bool(C_S),
             'YY_S': bool((S_R1 or S_R2) and (not C_S)),
             'YO_S': bool(S_R3 or S_R4),

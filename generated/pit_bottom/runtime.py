@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout afb1ca9eee9cd212d63200a6d93e811cb145f7f4bf9be6bdc190e5b454d85daf
-# claims 1da161500a8e0f2490128e7cdbb7359bb1a8254013aa01ab70d0d875f4366d2e
+# layout 19eb152e89080748fb515f663c881c609cd1074cc8a8b63809d900ac6f26d0a5
+# claims 15ec82844acd38f837d89c400fe013cce71e495134a3abd68a9a78f7fd640dc7
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

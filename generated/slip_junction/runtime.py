@@ -1,7 +1,7 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 11d274f0627543f60f8609070570e6ebbbf701c4731bb7a9adfc746e9bbeb19c
-# claims 389313fc771132005e0300e0b868995014ec2f9dfc82167603ff63187446960f
+# layout df60d178be68f1756c213a4c038d1cc479f0263f9dd81ca4d4b2b5544bcdb3ce
+# claims 064a1a7269f3e7cc873de3ac530bf78d0f7408c5ad197ad6a37d48325d55c394
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 73ab99c2215514fefe179e8e14b84d0bd3a22e6a140bfde4ef2acb0685ce4d45
-# claims 9780785f724c8c6758af452b88a25c9e06fedcbadb2394b53fd38a9dcc06bb22
+# layout 378a12080bb37f91aafbef7d0cf2b7463cd26b9b0fdf18e127683e9c23aeee53
+# claims a2863f69a1b00d8555de202f4760b6820c6973d0cdfde79bd1b6d0b552310d9a
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

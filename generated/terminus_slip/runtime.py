@@ -1,7 +1,7 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 2474c985fbb9a5fb3fbc81682ff041b9cf9c85667d82d13ec0a5293d488ec9a1
-# claims e6a4dae17d8dc632726d8302ae0ffe5837348fd83ec5b3b38ac508510d9dfb0f
+# layout 2cdbfca3474a3f623d88813685c356784f8365e7a3c62a566e863ac81c5323b8
+# claims f1d722b560412053f645a31819b81191b245ab92f1c44e21025ae917530f4fdd
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -152,6 +152,9 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
         yield Finding(r.id, "space", f"differs in {', '.join(odd)}")
     if (r.aspect.shows, r.aspect.next) != (shown := _aspect(layout, trip)):
         yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
+    out = {b.node for b in layout.boundaries if b.block == "token" and b.node == trip.moves[-1].node and not trip.shunt}
+    if ({r.token.boundary} if r.token else set()) != out:
+        yield Finding(r.id, "token", f"the direction is needed at {', '.join(out) or 'no boundary'}")
     if r.closing.whole != (left := _left_behind(layout, trip, rear)):
         yield Finding(r.id, "closing", f"{r.entry} closes with {f'{left} clear' if left else 'the first axle'}")
     over = [next(iter(rear), None), *trip.sections]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from interlock.derive.routes import Path
-from interlock.model.elements import Position, SignalId
+from interlock.model.elements import BlockKind, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Caution, Closes
 from interlock.model.traversal import topology
@@ -20,6 +20,7 @@ from interlock.table.rows import (
     ReleaseStep,
     RouteKind,
     Shows,
+    TokenCell,
     ZoneCell,
 )
 
@@ -75,6 +76,17 @@ def derive_block(layout: Layout, path: Path) -> tuple[BlockCell, ...]:
     if boundary.approach is None:
         return ()
     return (BlockCell(boundary.approach, Because("R12", f"{boundary.approach} beyond {path.exit} must be clear")),)
+
+
+def derive_token(layout: Layout, path: Path) -> TokenCell | None:
+    """The direction of the line beyond must be ours, where a token tells it."""
+    if path.exit_kind is not ExitKind.BOUNDARY or path.kind is RouteKind.SHUNT:
+        return None
+    boundary = layout.boundary_at[path.ways[-1].exit]
+    if boundary.block is not BlockKind.TOKEN:
+        return None
+    why = f"the direction of the line beyond {boundary.node} is ours"
+    return TokenCell(boundary.node, Because("R12", why))
 
 
 def derive_aspect(layout: Layout, path: Path) -> AspectCell:

@@ -17,6 +17,7 @@ from interlock.derive.locking import (
     derive_closing,
     derive_conditions,
     derive_release,
+    derive_token,
     derive_zones,
 )
 from interlock.derive.locks import derive_locks
@@ -80,6 +81,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             conditions=derive_conditions(layout, p),
             zones=derive_zones(layout, p),
             block=derive_block(layout, p),
+            token=derive_token(layout, p),
             approach=derive_approach(layout, p),
             release=derive_release(layout, p),
             because=Because("R1", f"found from {p.entry} to {p.exit_kind} {p.exit}"),

@@ -47,6 +47,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2013": (_E, "a voyage that no chain of routes makes"),
     "IL2014": (_E, "a substation's elements are not clear"),
     "IL2016": (_E, "a signal that cannot call trains on"),
+    "IL2017": (_E, "a direction token where trains run one way"),
     "IL2015": (_E, "an address that cannot be"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),

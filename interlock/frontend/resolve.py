@@ -174,6 +174,15 @@ def resolve_conditions(ctx: Context, wiring: Wiring) -> tuple[Condition, ...]:
                 "say what requires it: `over: [sections]`, `signals: [signals]` or `exits: [boundaries]`",
             )
     for name, boundary in ctx.file.boundaries.items():
+        if boundary.block == "token":
+            if boundary.trains != "both":
+                ctx.add(
+                    "IL2017",
+                    f"{name} has a direction token, but trains run only one way there",
+                    ctx.at_key("boundaries", name),
+                    "write `trains: both`, or another block: `automatic` or `semi-automatic`",
+                )
+            continue
         if boundary.block != "none" and boundary.trains != "in":
             if block_condition(name) in ctx.file.conditions:
                 ctx.add(

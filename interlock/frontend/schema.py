@@ -51,7 +51,9 @@ class BoundarySpec(_Part):
     approach: Annotated[Text | None, Field(description="approach section outside: `name length`")] = None
     trains: Annotated[Literal["both", "in", "out"], choice("direction", ("both", "in", "out"))] = "both"
     label: Text = ""
-    block: Annotated[Literal["none", "semi-automatic", "automatic"], choice("block", tuple(BlockKind))] = "none"
+    block: Annotated[Literal["none", "semi-automatic", "automatic", "token"], choice("block", tuple(BlockKind))] = (
+        "none"
+    )
     button: Annotated[Text, Field(description="button that ends departure routes here, as printed")] = ""
     indicator: Annotated[YesNo, Field(description="departures this way have a route indicator")] = False
 
@@ -241,6 +243,7 @@ class PrinciplesSpec(_Part):
     local_requests: Annotated[Local | None, choice("rule for local requests", tuple(Local))] = None
     priorities: YesNo | None = None
     priority_wait_s: Amount | None = None
+    token_delay_s: Seconds | None = None
     main_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = None
     shunt_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = None
 

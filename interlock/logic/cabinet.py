@@ -86,6 +86,11 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
             yield name, "I", g
     for c, name in sym.condition.items():
         yield name, "I", c
+    for b, x_ in sym.token.items():
+        for name in (x_.asks, x_.gives, x_.has, x_.clear):
+            yield name, "I", b
+        for out in ("YR", "YG", "YH"):
+            yield f"{out}_{portable(b)}", "Q", b
     for m in layout.machines:
         for x in Position:
             yield f"Y{x}_{portable(m)}", "Q", m

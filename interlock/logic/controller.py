@@ -110,6 +110,22 @@ class Output:
 
 
 @dataclass(frozen=True)
+class BlockSymbols:
+    """Names of a line's direction token: the neighbour asks, gives, has; the line is clear; the manual change; the
+    token is here, is given, may be taken; the delay of the manual change."""
+
+    asks: str
+    gives: str
+    has: str
+    clear: str
+    manual: str
+    have: str
+    give: str
+    seen: str
+    timer: str
+
+
+@dataclass(frozen=True)
 class RouteSymbols:
     """Names of the variables of one route, and what it locks."""
 
@@ -179,6 +195,7 @@ class Symbols:
     overlap_ways: Mapping[tuple[SignalId, int], tuple[tuple[SectionId, int], ...]]
     overlap_firm: Mapping[SignalId, str]
     overlap_timer: Mapping[SignalId, str]
+    token: Mapping[NodeId, BlockSymbols]
     routes: tuple[RouteSymbols, ...]
     demands: Mapping[tuple[SectionId, int], tuple[tuple[MachineId, Position], ...]]
     excluded: Mapping[tuple[SectionId, int], tuple[tuple[SectionId, bool, tuple[int, ...]], ...]]

@@ -49,6 +49,7 @@ class BlockKind(StrEnum):
     NONE = "none"
     SEMI_AUTOMATIC = "semi-automatic"
     AUTOMATIC = "automatic"
+    TOKEN = "token"
 
 
 class Lane(StrEnum):

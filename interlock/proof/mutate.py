@@ -341,6 +341,18 @@ KINDS: tuple[Kind, ...] = (
     ),
     Kind("zone-not-checked", "a route into a full zone is granted", without("G AD", "zone not full")),
     Kind("zone-miscounted", "a train in a zone does not count", without("ZB", "locked", "restart lock")),
+    Kind("direction-not-checked", "proceed onto a line whose direction is not ours", without("CO", "direction ours")),
+    Kind(
+        "direction-given-early",
+        "the direction is given away while a train leaves, is on the line, or has not been given before",
+        without("BV", "line clear", "no departure"),
+    ),
+    Kind(
+        "direction-in-a-hurry",
+        "the direction is given before its last change is complete",
+        without("BV", "change complete"),
+    ),
+    Kind("direction-not-handed-over", "the direction stays here although it was given", without("BH", "not given")),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),

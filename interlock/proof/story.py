@@ -61,7 +61,8 @@ def tell(system: System, run: Run) -> Story:
             steps.append("; ".join(_capital(s) if k == 0 else s for k, s in enumerate(sentences)) + ".")
             after_step.append(min(i + 1, len(run.frames) - 1))
     last = run.frames[-1].state
-    where = ", ".join(s for s in trains if last[f"o.{s}"]) or "nowhere"
+    lines = [f"the line at {b}" for b in system.symbols.token if last[f"line.in.{b}"] or last[f"line.out.{b}"]]
+    where = ", ".join([*(s for s in trains if last[f"o.{s}"]), *lines]) or "nowhere"
     lying = _points(system, last)
     steps.append(f"Now trains stand in {where}{f'; {lying}' if lying else ''}.")
     if run.claim.id.endswith("-FLANK"):
@@ -109,6 +110,11 @@ def _changes(system: System, old: dict[str, int], new: dict[str, int]) -> list[s
             out.append(f"signal {r.entry} shows proceed for route {r.id}")
         if before and not now:
             out.append(f"signal {r.entry} returns to stop")
+    for b, token in system.symbols.token.items():
+        if new[token.have] and not old[token.have]:
+            out.append(f"the direction at {b} is ours")
+        if new[token.give] and not old[token.give]:
+            out.append(f"the direction at {b} is given to the neighbour")
     for (m, x), name in system.symbols.command.items():
         if new[name] and not old[name]:
             out.append(f"machine {m} is commanded {system.layout.word(m, x)}")

@@ -10,7 +10,7 @@ from functools import cached_property
 
 from interlock.logic.controller import Controller, MalformedController
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, implies, neg, var, variables
-from interlock.logic.plant import Assumption, Plant, Wiring, across, build_plant, o
+from interlock.logic.plant import Assumption, Plant, TokenWires, Wiring, across, build_plant, o
 from interlock.model.elements import NodeId, SectionId, Zone
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
@@ -29,6 +29,7 @@ def wiring(controller: Controller, layout: Layout) -> Wiring:
         detected=s.detected,
         approach_timer=s.approach_timer,
         overlap_timer=s.overlap_timer,
+        token={b: TokenWires(x.gives, x.has, x.clear, x.have, x.give, x.timer) for b, x in s.token.items()},
     )
 
 
@@ -71,6 +72,8 @@ class System:
     def _check_closed(self) -> None:
         """Nothing may read a variable that nobody defines: it would be a free choice by accident."""
         known = {*self.state, *self.inputs, *self.definitions}
+        if len(known) < len(self.state) + len(self.inputs) + len(self.definitions):
+            raise MalformedController("a name stands for two things in the system")
         parts = [
             *self.definitions.values(),
             *(h.expr for h in self.plant.hazards),

@@ -145,6 +145,9 @@ def _drive(system: System, lane: Lane, r: RouteSymbols, failed: SectionId | None
     signal = layout.signal[r.entry]
     if not (yield from _until(lane, r.active, Wish((), {system.symbols.request: r.number}), 2)):
         return "the request is refused: " + _not(lane, f"G_R{r.number}")
+    token = system.symbols.token.get(topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
+    if token is not None and not r.shunt and not lane.is_on(token.have):
+        yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
     if not (yield from _until(lane, r.proceed)):
         return "the signal does not open: " + _not(lane, f"LK_R{r.number}")
     go, accept = ("gos", "accepts") if r.shunt else ("go", "accept")

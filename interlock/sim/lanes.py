@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import reduce
+from operator import or_
 
 from interlock.logic.bits import compile_bits
 from interlock.logic.controller import Controller
@@ -76,7 +78,7 @@ class Lanes:
         self._rest = {i.name: i.restrictive for i in controller.inputs}
         self._moves = {f"?start.{m}.{x}": sym.command[m, x.other] for m, x in sym.command}
         self._arrivals = [c for c in plant.choices if c.startswith("?arrive.")]
-        self._move = compile_bits({n: e for n, e in flat.next.items() if n.startswith(("o.", "at."))})
+        self._move = compile_bits({n: e for n, e in flat.next.items() if n.startswith(("o.", "at.", "tel.", "line."))})
         self._timers = [
             (group, compile_bits({t.name: controller.expanded[t.input] for t in group}))
             for group in independent(controller)
@@ -164,6 +166,9 @@ class Lanes:
         values |= dict.fromkeys(sym.blocked.values(), 0)
         lamps = (*sym.stop_lamp.values(), *sym.clear_lamp.values(), *sym.caution_lamp.values())
         values |= dict.fromkeys((*sym.condition.values(), *sym.healthy.values(), *lamps), m)
+        for b, wire in sym.token.items():
+            values |= {wire.gives: moved[f"tel.gives.{b}"], wire.has: moved[f"tel.has.{b}"]}
+            values[wire.clear] = m ^ reduce(or_, (moved.get(n, 0) for n in self.plant.on_line(b)))
         for lane, wish in wanted:
             for name, value in wish.inputs.items():
                 if name in self.sizes:

@@ -71,6 +71,9 @@ class Simulator:
         lamps = (*sym.stop_lamp.values(), *sym.clear_lamp.values(), *sym.caution_lamp.values())
         for name in (*sym.condition.values(), *sym.healthy.values(), *lamps):
             values[name] = 1
+        for b, wire in sym.token.items():
+            values |= {wire.gives: int(moved[f"tel.gives.{b}"]), wire.has: int(moved[f"tel.has.{b}"])}
+            values[wire.clear] = int(not any(moved.get(n) for n in self.plant.on_line(b)))
         values |= inputs or {}
         self._run_timers(values)
         moved = self._move(values)  # again: what depends on timers that have run out

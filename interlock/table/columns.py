@@ -147,6 +147,13 @@ COLUMNS: tuple[Column, ...] = (
     Column(
         "block", "Line beyond clear", "闭塞条件", "Streckenblock", lambda r: [(c.section, c.because) for c in r.block]
     ),
+    Column(
+        "token",
+        "Direction token",
+        "运行方向",
+        "Erlaubnis",
+        lambda r: [] if r.token is None else [(r.token.boundary, r.token.because)],
+    ),
     Column("approach", "Approach locking", "接近锁闭", "Annäherungsverschluss", _approach),
     Column(
         "release",

@@ -175,6 +175,14 @@ class ZoneCell:
 
 
 @dataclass(frozen=True)
+class TokenCell:
+    """The direction token that must be here when a train leaves over a boundary (R12)."""
+
+    boundary: NodeId
+    because: Because
+
+
+@dataclass(frozen=True)
 class BlockCell:
     """What must hold beyond a boundary: the approach section of the neighbour reported clear."""
 
@@ -311,6 +319,7 @@ class RouteRow:
     conditions: tuple[ConditionCell, ...]
     zones: tuple[ZoneCell, ...]
     block: tuple[BlockCell, ...]
+    token: TokenCell | None
     approach: ApproachCell
     release: tuple[ReleaseStep, ...]
     because: Because
@@ -329,7 +338,8 @@ class RouteRow:
     def requirements(self) -> tuple[str, ...]:
         """What must hold besides sections, points and locks, in words: conditions, zones, lamps of the flank."""
         lamps = (f"stop lamp of {c.name}" for c in self.space if c.lamp)
-        return (*(c.condition for c in self.conditions), *(f"{z.zone} not full" for z in self.zones), *lamps)
+        token = () if self.token is None else (f"direction at {self.token.boundary}",)
+        return (*(c.condition for c in self.conditions), *token, *(f"{z.zone} not full" for z in self.zones), *lamps)
 
     @property
     def locked(self) -> tuple[TraversalKey, ...]:

@@ -15,6 +15,7 @@ from interlock.proof.system import System
 from tests.layouts import built
 
 OVERRUN = "../tests/layouts_for_tests/overrun"
+TOKEN = "../tests/layouts_for_tests/token"
 # assumption, layout, claim that fails without it
 CASES = (
     ("A-OBEY", "fig2_3_split", "T-COLLISION"),
@@ -28,6 +29,9 @@ CASES = (
     ("A-REVERSE", "fig2_3_split", "T-COLLISION"),
     ("A-LATE-OUTPUT", "fig2_2", "T-POINT-MOVES"),
     ("A-STAND", OVERRUN, "T-COLLISION"),
+    ("A-NEIGHBOUR", TOKEN, "T-LINE"),
+    ("A-AGREED", TOKEN, "T-LINE"),
+    ("A-LINE", TOKEN, "T-LINE"),
 )
 # assumptions without a switch, or without which no movement to harm is known
 OTHERS = {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from interlock.logic.controller import Controller, RouteSymbols, Symbols
-from interlock.logic.lower import aspects, overlaps, points, requests, routes, sections, ways, zones
+from interlock.logic.lower import aspects, block, overlaps, points, requests, routes, sections, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, SectionId
 from interlock.model.layout import Layout
@@ -16,6 +16,7 @@ PASSES = (
     requests.inputs,
     sections.inputs,
     points.inputs,
+    block.inputs,
     sections.image,
     points.detection,
     points.movable,
@@ -31,6 +32,7 @@ PASSES = (
     routes.cancellation,
     sections.release,
     overlaps.standing,
+    block.change,
     points.commands,
     points.supervision,
     points.trailing,
@@ -40,6 +42,7 @@ PASSES = (
     sections.keep,
     sections.alarms,
     overlaps.keep,
+    block.keep,
     aspects.keep,
     aspects.outputs,
     zones.outputs,
@@ -98,6 +101,7 @@ def _symbols(d: Draft) -> Symbols:
         overlap={o: f"V_{portable(o[0])}_{o[1]}" for o in d.overlaps},
         overlap_ways=dict(d.overlaps),
         overlap_firm={g: f"VF_{portable(g)}" for g in sorted({g for g, _ in d.overlaps})},
+        token=block.tokens(d),
         overlap_timer={g: f"OT_{portable(g)}" for g in sorted({g for g, _ in d.overlaps})},
         routes=tuple(
             RouteSymbols(

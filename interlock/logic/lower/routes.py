@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
-from interlock.logic.lower import aspects, requests, ways, zones
+from interlock.logic.lower import aspects, block, requests, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.portable import portable
 from interlock.table.rows import RouteKind, RouteRow
@@ -116,6 +116,7 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
     """What proceed needs besides the ways themselves."""
     terms = [Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions]
     terms += [Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block]
+    terms += block.terms(d, r)
     if r.kind is not RouteKind.CALL_ON:
         terms.append(Term(neg(var(f"D_{portable(r.section_ids[0])}")), "inputs never lost"))
     terms += aspects.lamp_terms(d, r)

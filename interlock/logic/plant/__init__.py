@@ -24,26 +24,35 @@ Layouts with overlaps:
     run.s     the train in s, before a signal with an overlap, has not yet come to a stand there
     over.g.s  what stands in s has overrun g; it may run on within the overlap, and moves then only when called
 
+Lines with a direction token (b a boundary):
+    line.out.b, line.in.b     a train is on the line beyond b, going out or coming in
+    token.has.b, .gives, .fresh   the neighbour: has the token, gives it, has seen it not given since he last took it
+    tel.has.b, tel.gives.b    what the last telegram from the neighbour says; saw.has.b, saw.gives.b the last to him
+
 In a *berth* (a plain section that is left over its joints only on a signal) vehicles may stand in any number: a
 shunting movement may come to them, each signal may call some of them, and some may stay behind.
 """
 
 from interlock.logic.plant.build import build_plant
-from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, Wiring
+from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, TokenWires, Wiring
 from interlock.logic.plant.words import (
     OUTSIDE,
     accepted,
     across,
     came,
+    has_token,
     image,
     lamp,
     lies,
+    line,
     o,
     old_command,
     overran,
     rests,
     running,
+    seen_by,
     shunting,
+    telegram,
 )
 
 __all__ = [
@@ -52,18 +61,23 @@ __all__ = [
     "Assumption",
     "Hazard",
     "Plant",
+    "TokenWires",
     "Wiring",
     "accepted",
     "across",
     "build_plant",
     "came",
+    "has_token",
     "image",
     "lamp",
     "lies",
+    "line",
     "o",
     "old_command",
     "overran",
     "rests",
     "running",
+    "seen_by",
     "shunting",
+    "telegram",
 ]

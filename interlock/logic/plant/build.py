@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
+from interlock.logic.plant.block import neighbour, on_the_line
 from interlock.logic.plant.hazards import hazards
 from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Plant, Wiring
 from interlock.logic.plant.words import (
@@ -15,6 +16,7 @@ from interlock.logic.plant.words import (
     image,
     lamp,
     lies,
+    line,
     o,
     old_command,
     overran,
@@ -52,8 +54,14 @@ class PlantBuilder:
     def build(self) -> Plant:
         """All parts in order."""
         self._points()
+        tokens = [b for b in self.layout.boundaries if b.node in self.w.token]
+        for b in tokens:
+            neighbour(self, b)
         self._movements()
         self._states()
+        for b in tokens:
+            s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
+            on_the_line(self, b, self.p.events.get(f"head.{b.node}.{s}", FALSE))
         self._images()
         self.p.hazards.extend(hazards(self))
         return self.p
@@ -180,8 +188,9 @@ class PlantBuilder:
                     self.choice(f"?tail.{b.node}.{outside}", f"its tail enters at {b.node}"),
                 )
             )
+            sent = line(b.node, "in") if b.node in self.w.token else TRUE
             self.p.events[f"appear.{outside}"] = conj(
-                (neg(o(outside)), self.choice(f"?appear.{outside}", f"a train comes to {b.node}"))
+                (neg(o(outside)), sent, self.choice(f"?appear.{outside}", f"a train comes to {b.node}"))
             )
             self._accept(g, conj((o(outside), scanned, free)))
         for g_ in self.layout.signals:

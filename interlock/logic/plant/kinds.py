@@ -7,7 +7,20 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, var, variables
-from interlock.model.elements import MachineId, Position, SectionId, SignalId
+from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
+
+
+@dataclass(frozen=True)
+class TokenWires:
+    """How a line's direction token ends on the controller: inputs that tell of the neighbour and the line, the state
+    that is told to the neighbour, the delay of the special manual change."""
+
+    gives: str
+    has: str
+    clear: str
+    have: str
+    give: str
+    timer: str
 
 
 @dataclass(frozen=True)
@@ -23,6 +36,7 @@ class Wiring:
     detected: Mapping[tuple[MachineId, Position], str]
     approach_timer: Mapping[SignalId, str]
     overlap_timer: Mapping[SignalId, str]
+    token: Mapping[NodeId, TokenWires]
 
 
 @dataclass(frozen=True)
@@ -68,7 +82,12 @@ class Plant:
     initial: list[Expr] = field(default_factory=list)
     assumptions: list[Assumption] = field(default_factory=list)
     hazards: list[Hazard] = field(default_factory=list)
+    waits: dict[NodeId, str] = field(default_factory=dict)
     events: Events = field(default_factory=Events)
+
+    def on_line(self, b: NodeId) -> tuple[str, ...]:
+        """The state variables that tell that a train is on the line beyond a boundary with a direction token."""
+        return (f"line.out.{b}", f"line.in.{b}", self.waits[b])
 
     @cached_property
     def flat(self) -> FlatPlant:
@@ -121,6 +140,11 @@ ASSUMPTIONS: dict[str, str] = {
     "its new direction.",
     "A-LATE-OUTPUT": "Signals and machines follow the outputs of the last scan or of the scan before, not older.",
     "A-BEYOND": "Beyond a boundary the neighbour protects trains; nothing is proved there.",
+    "A-NEIGHBOUR": "The neighbour at the other end of a line with a direction token follows the token's rules; its "
+    "telegrams come late or not at all, but whole and in order, and VALID is off while none comes.",
+    "A-AGREED": "The special manual change of direction is used only as agreed by telephone: the line is empty, the "
+    "neighbour has no direction, and no telegram that gives it is under way.",
+    "A-LINE": "A line is not reported clear while a train is on it before and after a step.",
     "A-STANDS": "A vehicle inside the layout that is not on a route stands still; others may roll in only from "
     "beyond the next stop signal, and a signal at stop stops them.",
 }

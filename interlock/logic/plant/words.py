@@ -66,3 +66,23 @@ def lamp(g: str, shunt: bool = False) -> Expr:
 def old_command(m: str, x: Position) -> Expr:
     """The command of the scan before the last."""
     return var(f"cmd.{m}.{x}")
+
+
+def has_token(b: str, what: str) -> Expr:
+    """The neighbour beyond a boundary: `has` the direction, `gives` it, or has seen it not given (`fresh`)."""
+    return var(f"token.{what}.{b}")
+
+
+def telegram(b: str, what: str) -> Expr:
+    """The last telegram from the neighbour: `has` or `gives`."""
+    return var(f"tel.{what}.{b}")
+
+
+def seen_by(b: str, what: str) -> Expr:
+    """The last telegram that reached the neighbour: we have (`has`) or give (`gives`) the direction."""
+    return var(f"saw.{what}.{b}")
+
+
+def line(b: str, way: str) -> Expr:
+    """A train is on the line beyond a boundary, going `out` or coming `in`."""
+    return var(f"line.{way}.{b}")

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
-from interlock.logic.plant import accepted, came, lies, o, rests, shunting
+from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
 from interlock.model.elements import MachineId, Position, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.overlap import overlap_paths
@@ -28,6 +28,7 @@ CLAIMS: dict[str, str] = {
     "T-FLANK": "While a train uses a point or diamond, no vehicle can roll into it from the flank.",
     "T-ZONE": "A train comes into a zone only where it was called in, and is called in only while the trains in it or "
     "called into it, this one too, are no more than the zone's maximum.",
+    "T-LINE": "On a line with a direction token no train leaves against one that is on the line or about to come in.",
     "S-OPPOSING": "No two signals that lead towards each other over the same track show proceed.",
     "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
     "S-CLEAR": "A signal opens, and stays open until a movement begins to pass it, only when every section of the "
@@ -44,6 +45,8 @@ CLAIMS: dict[str, str] = {
     "stop lamps of the signals that protect it are intact.",
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is clear, lies and is detected.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
+    "S-DIRECTION": "Proceed onto a line with a direction token is shown only while the direction is ours, and then the "
+    "neighbour has it not.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
     "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear.",
@@ -225,6 +228,9 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 or (not shunt and path.ways[-1].exit in c.exits)
             ]
             boundary = f.layout.boundary_at.get(path.ways[-1].exit)
+            if boundary is not None and boundary.node in f.sym.token and not shunt:
+                ours = conj((var(f.sym.token[boundary.node].have), neg(has_token(boundary.node, "has"))))
+                yield "S-DIRECTION", place, implies(here, after(ours))
             if boundary is not None and boundary.approach is not None and not shunt:
                 needed.append(f.clear(boundary.approach))
             for fj in f.fouls:

@@ -17,6 +17,11 @@ def against_of(f: Facts, other: SectionId, whole: bool, numbers: tuple[int, ...]
     return disj([f.restart(other), *(f.lock(other, k) for k in numbers), *f.overlaps(other, numbers)])
 
 
+def overrun(f: Facts, s: str) -> Expr:
+    """What stands in s has overrun a signal; FALSE where no overlap lies."""
+    return disj(overran(g, s) for g in f.layout.overlap_of if f"over.{g}.{s}" in f.system.plant.state)
+
+
 def overlap_invariants(f: Facts) -> list[Invariant]:
     """All of them, ordered by signal and section."""
     out: list[Invariant] = []

@@ -12,8 +12,9 @@ from interlock.logic.controller import RouteSymbols
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, across, came, image, lamp, lies, o, old_command, overran, rests, shunting
 from interlock.model.elements import Position, SectionId, SignalId
+from interlock.proof.invariants.block import token_invariants
 from interlock.proof.invariants.kinds import Facts, Invariant
-from interlock.proof.invariants.overlaps import against_of, overlap_invariants, running_into
+from interlock.proof.invariants.overlaps import against_of, overlap_invariants, overrun, running_into
 
 
 def strengthening(f: Facts) -> tuple[Invariant, ...]:
@@ -34,6 +35,7 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
             one = at_most_one(var(r.active) for r in f.sym.routes_from.get(g.id, ()))
             out.append(Invariant("G-ONE", g.id, one))
     out += overlap_invariants(f)
+    out += token_invariants(f)
     for s in sorted({s for z in f.layout.zones for s in z.sections}):
         inside = conj((o(s), neg(rests(s)), neg(disj(_coming(f, s)))))
         if f"img.{s}" in f.system.plant.state:
@@ -124,11 +126,6 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         if s in f.layout.sections_of_machine[m]:
             quiet = [implies(x, lies(m, p)) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))]
             yield f"S-QUIET:{m}", implies(f.restart(s), conj(quiet))
-
-
-def overrun(f: Facts, s: str) -> Expr:
-    """What stands in s has overrun a signal; FALSE where no overlap lies."""
-    return disj(overran(g, s) for g in f.layout.overlap_of if f"over.{g}.{s}" in f.system.plant.state)
 
 
 def _movement(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
@@ -288,8 +285,8 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     if passing is FALSE:
         yield f"{mark}-SHOWN", implies(shown, fresh)
     else:
-        nobody = conj((locked, disj((neg(o(rear)), across(j, rear), conj((neg(f.been(t)), neg(f.passed(t))))))))
-        yield f"{mark}-SHOWN", implies(shown, nobody)
+        alone = disj((neg(o(rear)), across(j, rear), conj((kind, neg(f.been(t)), neg(f.passed(t))))))
+        yield f"{mark}-SHOWN", implies(shown, conj((f.firm(t), f.locked_in(t, j), alone)))
         new = disj(var(r.proceed) for r in f.sym.routes_from.get(SignalId(g), ()) if r.shunt is shunt)
         yield f"{mark}-SHOWN-NEW", implies(new, conj((fresh, neg(image(t)))))
     yield f"{mark}-ACCEPTED", implies(went, conj((ready, neg(f.been(t)), neg(o(t)))))

@@ -1,0 +1,132 @@
+"""The line beyond a boundary with a direction token, and the neighbour at its other end (R12).
+
+The neighbour follows the same rules as the controller.  Each end sees the other by telegrams, which come late or not at
+all, but whole and in order: what it sees was told in some scan since the last telegram.  Trains run on the line; the
+neighbour sends them only while it has the token.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
+from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, Wiring
+from interlock.logic.plant.words import OUTSIDE, has_token, line, o, seen_by, telegram
+from interlock.model.elements import Boundary
+from interlock.model.layout import Layout
+
+
+class Beyond(Protocol):
+    """What the line needs of the plant in the making."""
+
+    layout: Layout
+    w: Wiring
+    p: Plant
+    dropped: frozenset[str]
+
+    def choice(self, name: str, text: str) -> Expr:
+        """A free choice of the world."""
+        ...
+
+
+def outside(b: Boundary) -> str:
+    """Where a train stands that is about to come in."""
+    return b.approach or f"{OUTSIDE}.{b.node}"
+
+
+def neighbour(x: Beyond, b: Boundary) -> None:
+    """What the neighbour does, and what happens on the line; before the trains move."""
+    p, n, wire = x.p, b.node, x.w.token[b.node]
+    has, gives, fresh = (has_token(n, w) for w in ("has", "gives", "fresh"))
+    empty = conj((neg(line(n, "out")), neg(line(n, "in")), neg(o(outside(b)))))
+    ours = disj((var(wire.have), var(wire.give)))
+    take = conj((seen_by(n, "gives"), fresh, neg(has), neg(gives)))
+    p.events[f"neighbour.takes.{n}"] = take
+    give = conj(
+        (
+            has,
+            fresh,
+            neg(line(n, "in")),
+            neg(o(outside(b))),
+            x.choice(f"?neighbour.gives.{n}", f"the neighbour at {n} gives the direction"),
+        )
+    )
+    p.events[f"neighbour.gives.{n}"] = give
+    lost = x.choice(f"?neighbour.lost.{n}", f"the neighbour at {n} is restarted")
+    p.events[f"neighbour.lost.{n}"] = lost
+    agreed = conj((empty, neg(ours), neg(has), neg(gives), neg(seen_by(n, "gives")), neg(telegram(n, "gives"))))
+    manual = conj(
+        (
+            agreed,
+            neg(var(wire.timer)),
+            neg(take),
+            x.choice(f"?neighbour.manual.{n}", f"the neighbour at {n} takes the direction, as agreed by telephone"),
+        )
+    )
+    p.events[f"neighbour.manual.{n}"] = manual
+    p.events[f"sends.{n}"] = conj((has, neg(give), x.choice(f"?sends.{n}", f"the neighbour at {n} sends a train")))
+    told = x.choice(f"?telegram.{n}", f"a telegram comes from the neighbour at {n}")
+    tells = x.choice(f"?tells.{n}", f"a telegram reaches the neighbour at {n}")
+    words = {"has": f"the neighbour at {n} has the direction", "gives": f"the neighbour at {n} gives the direction"}
+    for w in ("has", "gives"):
+        p.state[f"token.{w}.{n}"] = words[w]
+        p.state[f"tel.{w}.{n}"] = f"the last telegram from {n}: {words[w]}"
+        p.next[f"tel.{w}.{n}"] = disj((conj((told, has_token(n, w))), conj((neg(told), telegram(n, w)))))
+        p.state[f"saw.{w}.{n}"] = f"the last telegram that reached the neighbour at {n}: {w}"
+        own = var(wire.have if w == "has" else wire.give)
+        p.next[f"saw.{w}.{n}"] = disj((conj((tells, own)), conj((neg(tells), seen_by(n, w)))))
+    p.state[f"token.fresh.{n}"] = f"the neighbour at {n} has seen the direction not given"
+    p.next[f"token.has.{n}"] = conj((disj((has, take, manual)), neg(give), neg(lost)))
+    p.next[f"token.gives.{n}"] = conj((disj((gives, give)), neg(seen_by(n, "has")), neg(lost)))
+    p.next[f"token.fresh.{n}"] = conj((disj((fresh, neg(seen_by(n, "gives")))), neg(take), neg(lost)))
+    for name, w in ((wire.gives, "gives"), (wire.has, "has")):
+        same = disj((conj((var(name), p.next[f"tel.{w}.{n}"])), conj((neg(var(name)), neg(p.next[f"tel.{w}.{n}"])))))
+        _assume(x, "A-NEIGHBOUR", implies(var(x.w.valid), same))
+    alone = conj((empty, neg(has), neg(gives), neg(seen_by(n, "gives")), neg(take)))
+    _assume(x, "A-AGREED", implies(var(wire.timer), alone))
+    # at a restart the line and the neighbour are as the token's rules have left them
+    sent = disj((line(n, "in"), o(outside(b))))
+    p.initial += [
+        neg(conj((has, gives))),
+        neg(conj((seen_by(n, "has"), seen_by(n, "gives")))),
+        neg(conj((telegram(n, "has"), telegram(n, "gives")))),
+        implies(
+            line(n, "out"), neg(disj((has, gives, sent, telegram(n, "has"), telegram(n, "gives"), seen_by(n, "gives"))))
+        ),
+        implies(disj((gives, telegram(n, "gives"))), neg(sent)),
+        implies(disj((gives, telegram(n, "gives"))), neg(seen_by(n, "gives"))),
+        implies(telegram(n, "gives"), neg(has)),
+        implies(gives, fresh),
+        implies(conj((gives, disj((line(n, "out"), seen_by(n, "has"))))), telegram(n, "gives")),
+        implies(conj((fresh, seen_by(n, "gives"))), neg(disj((has, sent)))),
+        implies(conj((fresh, seen_by(n, "gives"))), neg(telegram(n, "has"))),
+    ]
+
+
+def on_the_line(x: Beyond, b: Boundary, leaves: Expr) -> None:
+    """Trains on the line, once it is known when a head goes out to it."""
+    p, n, wire = x.p, b.node, x.w.token[b.node]
+    arrives = x.choice(f"?arrived.{n}", f"the train on the line beyond {n} has arrived")
+    last = x.choice(f"?last.{n}", f"no further train is on the line to {n}")
+    appears = p.events.get(f"appear.{outside(b)}", FALSE)
+    p.waits[n] = f"o.{outside(b)}"
+    p.state[f"line.out.{n}"] = f"a train is on the line beyond {n}, going out"
+    p.next[f"line.out.{n}"] = disj((conj((line(n, "out"), neg(arrives))), leaves))
+    p.state[f"line.in.{n}"] = f"a train is on the line to {n}"
+    p.next[f"line.in.{n}"] = disj((conj((line(n, "in"), neg(conj((appears, last))))), p.events[f"sends.{n}"]))
+    there = [line(n, "out"), line(n, "in"), o(outside(b))]
+    still = [p.next[f"line.out.{n}"], p.next[f"line.in.{n}"], p.next[f"o.{outside(b)}"]]
+    stands = disj(conj(pair) for pair in zip(there, still, strict=True))
+    _assume(x, "A-LINE", implies(conj((var(x.w.valid), var(wire.clear))), neg(stands)))
+    head_on = disj(
+        (
+            conj((leaves, disj((line(n, "in"), o(outside(b)), p.events[f"sends.{n}"])))),
+            conj((p.events[f"sends.{n}"], line(n, "out"))),
+        )
+    )
+    p.hazards.append(Hazard("LINE", n, head_on))
+
+
+def _assume(x: Beyond, id_: str, expr: Expr) -> None:
+    if id_ not in x.dropped:
+        x.p.assumptions.append(Assumption(id_, ASSUMPTIONS[id_], expr))
