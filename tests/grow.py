@@ -222,7 +222,8 @@ class Grown:
             out.append("overlaps:")
             for g in self.rng.sample(self.main, max(1, len(self.main) // 2)):
                 far = self.rng.choice(["length: 5", "length: 30", "length: 60", "length: 150", "successive: yes"])
-                out.append(f"  {g}: {{{far}}}")
+                swing = ", swing: yes" if self.rng.random() < 0.4 else ""
+                out.append(f"  {g}: {{{far}{swing}}}")
         return out
 
     @property

@@ -419,3 +419,22 @@ def test_the_direction_changes_when_a_departure_is_set_and_never_has_two_owners(
     line.run(2, east={"CAN_Y3": 1})
     line.run(6 * delay + 10)
     assert line.west.is_on("BH_E") and on(line.west, "YP_X3") and not line.east.is_on("BH_W")
+
+
+def test_an_overlap_swings_until_a_train_is_close() -> None:
+    text = TWO.replace("distants:", "") + "overlaps:\n  X2: {length: 60, swing: yes}\n"
+    sim = simulator(text)
+    swing = sim.controller.symbols.swing_request["X2"]  # type: ignore[index]
+    steps(sim, 1, ("appear.wa",))
+    steps(sim, 4, REQ=number(sim, "X1-X2"))
+    assert sim.is_on("V_X2_1") and sim.is_on("CN_P1")
+    first = steps(sim, 1, REQ=swing)
+    assert "V_X2_2" in first[0] and "V_X2_1" not in first[0] and "VF_X2" not in first[0]
+    steps(sim, 4)
+    assert sim.is_on("VF_X2") and sim.is_on("at.P1.R") and on(sim, "YS_X1")  # it has turned; X1 opens when asked again
+    steps(sim, 2, REQ=number(sim, "X1-X2"))
+    assert not on(sim, "YS_X1")
+    steps(sim, 1, ("accept.X1",))
+    steps(sim, 2, ("head.W.wa",))
+    steps(sim, 4, REQ=swing)
+    assert sim.is_on("V_X2_2") and not sim.is_on("V_X2_1")  # a train is close

@@ -1,7 +1,7 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout e37f5b6a95c88a9709889c7a921f47c26b8b77aa025e63e5c1b55c01ba514ce8
-# claims a3e7d0d4b707f869c87d29945e5d9db6730403d326dda97122a2a40a41ce1ebd
+# claims 6b7840571aeb6f557423324f550827aaa23dbbd42b7159801e54620cb5707f81
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 6f5a801f4cf6039e362f43e89d1d3bcc39c14a264bde48c2c8e954607431379d
-# claims 0a79a80f54280ec9da28bd2e42e7c1a7ea6c5aecf2b34499694330a4d889676d
+# layout 9aa0f8139657e47772d567ec3e9cf14f185630a070740695c36b1f4238434def
+# claims 438a8aa18397890ad7e14011265a061bf6d16a3f26c5d08d3c76e08bff34f863
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

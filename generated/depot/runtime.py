@@ -1,7 +1,7 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 1da76c532de4ce02d5a71bf11598d8e2dbc642409cfd7fcbb99dcc329ba56098
-# claims cae3c39e9699a4c1059090e09f27380cf14b82224f78b2e7d903836a2098ad1e
+# claims fc64a7268b2e41ab994e0571b4fc40a85539248770f845bc6a4e4dfb5e9f10ba
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

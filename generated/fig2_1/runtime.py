@@ -1,7 +1,7 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 5ca3da8e686c9a42ea69248a4d56398c480956d16eaffff7e561fd6c3b0e9570
-# claims 384855d194338be7d977505d972ee58bd6d5eba98d93c5eb8b80b8ab8a9f4eb1
+# claims 1f68457a07d85a3054671e735dda1b629defa047ae577a98d56621437925573a
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout cafbfed622fcaaf9cfc2adcd1a07edc662d2ea69787ad08c6e8365c58439684a
-# claims c35ee8f0975c9a138f3a6312100738504f1e94caf80a647e71fde7ae1851307b
+# claims 1136c25c427e154810394272f4df932823cb249f4604f7673cc8dd7cdac5aa1f
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

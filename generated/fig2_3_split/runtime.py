@@ -1,7 +1,7 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 08f6cfbddacdd7587d82e06f7adbc254e3ab2463e8dba42f3e253e002447bbb3
-# claims 0387d024ab4e641e9c4320b8d19c710e72d2d763c28b63cc65b66454cb2b4c20
+# claims 28f17e826a4af86f044eed7f92763e195138f7a11d521315ab525221408d4150
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

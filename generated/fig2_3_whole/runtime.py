@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout dfeaeaca71115ba177d00d1f9d5cce756ce1dbdb75c448ff83cecd0178b4b91e
-# claims e971844e4556735ef04482a25ec3a5a905da03ac4924fa28a0f74fd13b02f3d5
+# claims 4e5e3f3c7032414dd9ff764af3fb5c7820edb571b1ebad6c023d5bf05ce8ebb3
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

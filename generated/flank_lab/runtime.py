@@ -1,7 +1,7 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 1211b26fc619ecf81794a49100dfbe2ccb61e29eaec4e59443f5c2fe582b0142
-# claims 561c5d8909275eba213b23688147b6dfac0cba1cf6d266b980801267477bf9a5
+# layout 8215313250c9ce0678d45a3de83bf38cf7d5b13c0e16e3746e45d60a4be2cf70
+# claims 023070903d7aa118a1d34ca1bc78a63af46abc53551731cffda05ef71fb23479
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -32,7 +32,7 @@ INPUTS = {
     'CL_S1': (0, 2),  # caution lamp of S1 intact, or not lit
     'GL_SA': (0, 2),  # clear lamp of SA intact, or not lit
     'CL_SA': (0, 2),  # caution lamp of SA intact, or not lit
-    'REQ': (0, 11),  # operator: set route number, 0 = none
+    'REQ': (0, 12),  # operator: set route number, 0 = none; 11 = swing the overlap of F
     'CLR_g2': (0, 2),  # section g2 reported clear
     'CLR_g4': (0, 2),  # section g4 reported clear
     'CLR_g5': (0, 2),  # section g5 reported clear
@@ -270,6 +270,7 @@ STATE = {
     'V_S1_1': False,  # overlap 1 of S1 held
     'V_S1_2': False,  # overlap 2 of S1 held
     'VF_F': False,  # overlap of F firmly held
+    'VS_F': False,  # the overlap of F swings
     'VF_N2': False,  # overlap of N2 firmly held
     'VF_S1': False,  # overlap of S1 firmly held
     'C_F': False,  # F shows clear
@@ -642,6 +643,7 @@ class Controller:
         V_S1_1 = old['V_S1_1']
         V_S1_2 = old['V_S1_2']
         VF_F = old['VF_F']
+        VS_F = old['VS_F']
         VF_N2 = old['VF_N2']
         VF_S1 = old['VF_S1']
         C_F = old['C_F']
@@ -764,6 +766,7 @@ class Controller:
         WP_w6_1 = WL_w6_1 and (not BLK_w6)  # w6 from g4|w6@6.toe to g5|w6@6.normal: proceed may be shown over it (R3)
         WD_w6_2 = QR_6 and (not TR_6) and (not OCC_g5)  # w6 from g4|w6@6.toe to g6|w6@6.reverse: its points lie, nothing is foul of it
         WL_w6_2 = (not OCC_w6) and WD_w6_2  # w6 from g4|w6@6.toe to g6|w6@6.reverse: lies and is clear
+        OL_F = (V_F_1 and WL_w6_1 and WL_g5_2) or (V_F_2 and WL_w6_2 and WL_g6_2)  # the overlap of F lies and is clear (R4)
         G_R1 = (REQ == 1) and VALID and ((not K_w6) and (not L_w6_1) and (not L_w6_2) and (not V_F_2)) and (not OCC_w6) and (not BLK_w6) and WA_w6_1 and ((not K_g5) and (not L_g5_2)) and (not OCC_g5) and (not BLK_g5)  # grant of route F-B (R6)
         G_R2 = (REQ == 2) and VALID and WF_w5_4 and WF_g8_2  # grant of route L5-N8 (R6)
         G_R3 = (REQ == 3) and VALID and ((not K_w2) and (not L_w2_1) and (not L_w2_4)) and (not OCC_w2) and (not BLK_w2) and WA_w2_1 and ((not K_g4) and (not L_g4_1)) and (not OCC_g4) and (not BLK_g4) and WA_g4_1 and OF_F_1  # grant of route N2-F (R6)
@@ -795,14 +798,14 @@ class Controller:
         CO_R1 = VALID and WP_w6_1 and WP_g5_2 and (not OCC_gb) and (not D_w6) and CL_F  # conditions of proceed for route F-B (R3)
         LK_R2 = A_R2 and (not B_R2) and VALID and (not X_L5) and (not CAN_L5) and WL_w5_4 and WL_g8_2  # route L5-N8 becomes locked (R3)
         CO_R2 = VALID and WP_w5_4 and WP_g8_2 and (not D_w5)  # conditions of proceed for route L5-N8 (R3)
-        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_N2) and (not CAN_N2) and WL_w2_1 and WL_g4_1 and WL_w6_1 and WL_g5_2  # route N2-F becomes locked (R3)
-        CO_R3 = VALID and WP_w2_1 and WP_g4_1 and WL_w6_1 and WL_g5_2 and (not D_w2) and CL_N2 and V_F_1  # conditions of proceed for route N2-F (R3)
-        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_N2) and (not CAN_N2) and WL_w2_1 and WL_g4_1 and WL_w6_2 and WL_g6_2  # route N2-F.o2 becomes locked (R3)
-        CO_R4 = VALID and WP_w2_1 and WP_g4_1 and WL_w6_2 and WL_g6_2 and (not D_w2) and CL_N2 and V_F_2  # conditions of proceed for route N2-F.o2 (R3)
-        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_N8) and (not CAN_N8) and WL_w2_4 and WL_g4_1 and WL_w6_1 and WL_g5_2  # route N8-F becomes locked (R3)
-        CO_R5 = VALID and WP_w2_4 and WP_g4_1 and WL_w6_1 and WL_g5_2 and (not D_w2) and CL_N8 and V_F_1  # conditions of proceed for route N8-F (R3)
-        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_N8) and (not CAN_N8) and WL_w2_4 and WL_g4_1 and WL_w6_2 and WL_g6_2  # route N8-F.o2 becomes locked (R3)
-        CO_R6 = VALID and WP_w2_4 and WP_g4_1 and WL_w6_2 and WL_g6_2 and (not D_w2) and CL_N8 and V_F_2  # conditions of proceed for route N8-F.o2 (R3)
+        LK_R3 = A_R3 and (not B_R3) and VALID and (not X_N2) and (not CAN_N2) and WL_w2_1 and WL_g4_1 and OL_F  # route N2-F becomes locked (R3)
+        CO_R3 = VALID and WP_w2_1 and WP_g4_1 and OL_F and (not D_w2) and CL_N2 and (V_F_1 or V_F_2)  # conditions of proceed for route N2-F (R3)
+        LK_R4 = A_R4 and (not B_R4) and VALID and (not X_N2) and (not CAN_N2) and WL_w2_1 and WL_g4_1 and OL_F  # route N2-F.o2 becomes locked (R3)
+        CO_R4 = VALID and WP_w2_1 and WP_g4_1 and OL_F and (not D_w2) and CL_N2 and (V_F_1 or V_F_2)  # conditions of proceed for route N2-F.o2 (R3)
+        LK_R5 = A_R5 and (not B_R5) and VALID and (not X_N8) and (not CAN_N8) and WL_w2_4 and WL_g4_1 and OL_F  # route N8-F becomes locked (R3)
+        CO_R5 = VALID and WP_w2_4 and WP_g4_1 and OL_F and (not D_w2) and CL_N8 and (V_F_1 or V_F_2)  # conditions of proceed for route N8-F (R3)
+        LK_R6 = A_R6 and (not B_R6) and VALID and (not X_N8) and (not CAN_N8) and WL_w2_4 and WL_g4_1 and OL_F  # route N8-F.o2 becomes locked (R3)
+        CO_R6 = VALID and WP_w2_4 and WP_g4_1 and OL_F and (not D_w2) and CL_N8 and (V_F_1 or V_F_2)  # conditions of proceed for route N8-F.o2 (R3)
         LK_R7 = A_R7 and (not B_R7) and VALID and (not X_S1) and (not CAN_S1) and WL_w1_2 and WL_g2_1 and WL_w2_1 and WL_g4_1  # route S1-N2 becomes locked (R3)
         CO_R7 = VALID and WP_w1_2 and WP_g2_1 and WL_w2_1 and WL_g4_1 and (not D_w1) and CL_S1 and V_N2_1  # conditions of proceed for route S1-N2 (R3)
         LK_R8 = A_R8 and (not B_R8) and VALID and (not X_S1) and (not CAN_S1) and WL_w1_3 and WL_w5_5 and WL_g8_2  # route S1-N8 becomes locked (R3)
@@ -927,6 +930,8 @@ class Controller:
         OR_F = (not L_g4_1) or OT_F  # the overlap of F is not needed any more (R4)
         OR_N2 = (not L_g2_1) or OT_N2  # the overlap of N2 is not needed any more (R4)
         OR_S1 = (not L_w0_1) or OT_S1  # the overlap of S1 is not needed any more (R4)
+        SW1_1 = VALID and (REQ == 11) and V_F_2 and VF_F and (not OR_F) and (not OCC_g4) and (not OCC_w6) and (not OCC_g5) and (not OCC_g6) and (not (L_w6_1 or L_w6_2)) and (not L_g5_2) and (not L_g6_2) and (not K_w6) and (not BLK_w6) and (CN_6 or (VALID and (not K_w6) and (not L_w6_1) and (not L_w6_2) and (not OCC_w6)) or (QN_6 and (not CN_6) and (not CR_6))) and (not TR_6) and (not OCC_g6) and (not K_g5) and (not BLK_g5)  # the overlap of F swings to 1 (R4)
+        SW1_2 = VALID and (REQ == 11) and V_F_1 and VF_F and (not OR_F) and (not OCC_g4) and (not SW1_1) and (not OCC_w6) and (not OCC_g5) and (not OCC_g6) and (not (L_w6_1 or L_w6_2)) and (not L_g5_2) and (not L_g6_2) and (not K_w6) and (not BLK_w6) and (CR_6 or (VALID and (not K_w6) and (not L_w6_1) and (not L_w6_2) and (not OCC_w6)) or (QR_6 and (not CN_6) and (not CR_6))) and (not TR_6) and (not OCC_g5) and (not K_g6) and (not BLK_g6)  # the overlap of F swings to 2 (R4)
         TG_1 = (GW_w1_2 or GO_S1_1 or GW_w1_3 or GO_S1_2 or GW_w5_4)  # a grant touches machine 1 in this scan
         GPN_1 = (GW_w1_2 or GO_S1_1 or GW_w5_4)  # a grant needs 1 N
         MAN_1 = MN_1 and (not MR_1) and MOV_1 and (not TG_1)  # machine 1 moved N by hand
@@ -948,10 +953,10 @@ class Controller:
         MAR_5 = MR_5 and (not MN_5) and MOV_5 and (not TG_5)  # machine 5 moved R by hand
         HDN_5 = CN_5 and (not GPR_5) and (not MAR_5)  # the command N stays
         HDR_5 = CR_5 and (not GPN_5) and (not MAN_5)  # the command R stays
-        TG_6 = (GW_w6_1 or GO_F_1 or GO_F_2)  # a grant touches machine 6 in this scan
-        GPN_6 = (GW_w6_1 or GO_F_1)  # a grant needs 6 N
+        TG_6 = (GW_w6_1 or GO_F_1 or SW1_1 or GO_F_2 or SW1_2)  # a grant touches machine 6 in this scan
+        GPN_6 = (GW_w6_1 or GO_F_1 or SW1_1)  # a grant needs 6 N
         MAN_6 = MN_6 and (not MR_6) and MOV_6 and (not TG_6)  # machine 6 moved N by hand
-        GPR_6 = GO_F_2  # a grant needs 6 R
+        GPR_6 = (GO_F_2 or SW1_2)  # a grant needs 6 R
         MAR_6 = MR_6 and (not MN_6) and MOV_6 and (not TG_6)  # machine 6 moved R by hand
         HDN_6 = CN_6 and (not GPR_6) and (not MAR_6)  # the command N stays
         HDR_6 = CR_6 and (not GPN_6) and (not MAN_6)  # the command R stays
@@ -1175,12 +1180,13 @@ class Controller:
         N_U_w6 = (U_w6 or NU_w6_1) and (not RLS_w6)  # w6 used by a train (R9)
         N_P_w6 = (P_w6 or (U_w6 and OCC_w6 and (NU_g5_2 or NU_g6_2))) and (not RLS_w6)  # w6: the train went on (R9)
         N_D_w6 = (D_w6 or ((not VALID) and (L_w6_1 or L_w6_2))) and (not RLS_w6)  # w6: detection is not relied on, inputs were lost or a train is called on
-        N_V_F_1 = GO_F_1 or (V_F_1 and (not (OR_F and (not OCC_w6) and (not OCC_g5))))  # overlap 1 of F held
-        N_V_F_2 = GO_F_2 or (V_F_2 and (not (OR_F and (not OCC_w6) and (not OCC_g6))))  # overlap 2 of F held
+        N_V_F_1 = (GO_F_1 or SW1_1) or (V_F_1 and (not (OR_F and (not OCC_w6) and (not OCC_g5))) and (not SW1_2))  # overlap 1 of F held
+        N_V_F_2 = (GO_F_2 or SW1_2) or (V_F_2 and (not (OR_F and (not OCC_w6) and (not OCC_g6))) and (not SW1_1))  # overlap 2 of F held
         N_V_N2_1 = GO_N2_1 or (V_N2_1 and (not (OR_N2 and (not OCC_w2) and (not OCC_g4))))  # overlap 1 of N2 held
         N_V_S1_1 = GO_S1_1 or (V_S1_1 and (not (OR_S1 and (not OCC_w1) and (not OCC_g2))))  # overlap 1 of S1 held
         N_V_S1_2 = GO_S1_2 or (V_S1_2 and (not (OR_S1 and (not OCC_w1) and (not OCC_w5) and (not OCC_g8))))  # overlap 2 of S1 held
-        N_VF_F = (VF_F or LK_R3 or LK_R4 or LK_R5 or LK_R6) and (V_F_1 or V_F_2)  # overlap of F firmly held
+        N_VF_F = (VF_F or (VS_F and OL_F) or LK_R3 or LK_R4 or LK_R5 or LK_R6) and (V_F_1 or V_F_2) and (not SW1_1) and (not SW1_2)  # overlap of F firmly held
+        N_VS_F = ((VS_F and (not OL_F)) or SW1_1 or SW1_2) and (V_F_1 or V_F_2)  # the overlap of F swings
         N_VF_N2 = (VF_N2 or LK_R7) and V_N2_1  # overlap of N2 firmly held
         N_VF_S1 = (VF_S1 or LK_R9 or LK_R10) and (V_S1_1 or V_S1_2)  # overlap of S1 firmly held
         N_C_F = PR_R1 and PR_R1 and GL_F  # F shows clear
@@ -1359,6 +1365,7 @@ class Controller:
             'V_S1_1': bool(N_V_S1_1),
             'V_S1_2': bool(N_V_S1_2),
             'VF_F': bool(N_VF_F),
+            'VS_F': bool(N_VS_F),
             'VF_N2': bool(N_VF_N2),
             'VF_S1': bool(N_VF_S1),
             'C_F': bool(N_C_F),
@@ -1537,6 +1544,7 @@ class Controller:
         V_S1_1 = self.state['V_S1_1']
         V_S1_2 = self.state['V_S1_2']
         VF_F = self.state['VF_F']
+        VS_F = self.state['VS_F']
         VF_N2 = self.state['VF_N2']
         VF_S1 = self.state['VF_S1']
         C_F = self.state['C_F']

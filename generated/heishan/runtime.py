@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout c9e10dabec1a7dde7b65448e224fa10af15e952cad4c35ccf306fd9d19e97c5b
-# claims 2e13946758afb4158df63feb1bd1c73bdad72005cddc89cd81e913c5bc7833ba
+# claims e79173ddb382f23e82e32bbc60bbcf3dfc826e815a5de26193ac5e6fbc3f8702
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

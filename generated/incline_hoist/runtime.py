@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout acbe7909ccabd325fc0cf4bf35a8b0e5f563c53fd557b1b7a6fb84f590f33524
-# claims b0059fad91083ae1e7175a6fc49b3361d789e4abb3d95588dc6dd6d0a0ad6a14
+# claims 8315dabea4b904edd244d45b58d17be247568b4ee8400bf3dd92182e550c4715
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 009428bb8a82eb448911826dc62b6a7c0af0544e3e544a559e39eb8877d2aa4d
-# claims 9465894673f381962d1ecbd1f0c5ef69329fc836c6db1d45d87098ba7dfa2c87
+# layout ba078db4a6ae3fca1d12d403b9d74fb9501d220b17fa280fb75f11b4150c8e72
+# claims 1035a333e7be8c510f756d5db75e74aeb7be7e949fa7ad6dd0e082c51fc615af
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

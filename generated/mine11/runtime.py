@@ -1,7 +1,7 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout dae306e6c03d5ad75c8868ab1da993f45933f478b993a49579262f956fe746a3
-# claims 9ce42d4c9113eb89cc6b58bb771c7e5caf38c703a8819e0b518a04106d219cfc
+# claims 3da94494c3c9c0fd1dffcf68439e5a42dc3d42d5f1083b0dd9b141fea06acd79
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout e4611c1f1bb87bb4f011589b3f223a8c94a6dafd1b796ed01f1c21cc37b6b1c4
-# claims b75fb88d756dd526710f3299e39a943c1b1154107dd5112a730e2b233b67e5bd
+# claims c65a098e3931ba36c3302b7ef093ead843ccb929f40f6175381a2c6b53b752d4
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

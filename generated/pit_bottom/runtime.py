@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 19eb152e89080748fb515f663c881c609cd1074cc8a8b63809d900ac6f26d0a5
-# claims 15ec82844acd38f837d89c400fe013cce71e495134a3abd68a9a78f7fd640dc7
+# claims 38454b76d62100d0ea02c744d9f9ee44020e1eb7bdeb022de0d9270e07ae9f26
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout df60d178be68f1756c213a4c038d1cc479f0263f9dd81ca4d4b2b5544bcdb3ce
-# claims 064a1a7269f3e7cc873de3ac530bf78d0f7408c5ad197ad6a37d48325d55c394
+# layout efe9b9119d8a9c62acc9fedfdbcbdcca0789e8badde8806b3e8f05d037325c49
+# claims 3b06be0cdc94a289c94eddb4511ad2a75412aa1e48203b6d6d5ac9d58379171c
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
 # layout 378a12080bb37f91aafbef7d0cf2b7463cd26b9b0fdf18e127683e9c23aeee53
-# claims a2863f69a1b00d8555de202f4760b6820c6973d0cdfde79bd1b6d0b552310d9a
+# claims 9174617720897da1719f0c31d8143fe068a28996a026e925a064a555f4b7bf3a
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

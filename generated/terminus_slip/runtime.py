@@ -1,7 +1,7 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 2cdbfca3474a3f623d88813685c356784f8365e7a3c62a566e863ac81c5323b8
-# claims f1d722b560412053f645a31819b81191b245ab92f1c44e21025ae917530f4fdd
+# layout 264551288056fa9be35b529f86dd280616c651d0c697fd6617cae3643e8258ae
+# claims aa5e7e81616d9e2d7da4d7f4bbb3babc1910baf86faa68ef1ddfc0a2b7cd4bb9
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -78,6 +78,11 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
         if row is None:
             raise BadCommand(f"there is no route {words[1]}")
         return {ready.controller.symbols.request: row.number}
+    if len(words) == 2 and words[0] == "swing":
+        number = next((k for g, k in ready.controller.symbols.swing_request.items() if g == words[1]), None)
+        if number is None:
+            raise BadCommand(f"the overlap of {words[1]} cannot swing")
+        return {ready.controller.symbols.request: number}
     if len(words) == 2 and words[0] == "voyage":
         voyage = next((v for v in ready.table.voyages if v.name == words[1]), None)
         if voyage is None:
@@ -94,7 +99,7 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
         name, _, value = words[0].partition("=")
         if name in inputs and value.isdigit() and int(value) < (inputs[name].size or 2):
             return {name: int(value)}
-    raise BadCommand("write set ROUTE, voyage NAME, cancel SIGNAL, release, or VARIABLE=VALUE")
+    raise BadCommand("write set ROUTE, swing SIGNAL, voyage NAME, cancel SIGNAL, release, or VARIABLE=VALUE")
 
 
 def run(

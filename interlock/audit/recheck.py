@@ -75,7 +75,24 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
             found += _row(layout, r, matched[r.id])
     found += _hostile(layout, table, matched)
     found += _voyages(layout, table, matched)
+    found += _swings(layout, table, matched)
     return tuple(found)
+
+
+def _swings(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
+    """The overlaps that may take each other's place: those that every way to the signal has."""
+    for g in (o.signal for o in layout.overlaps if o.swing):
+        rows = [r for r in table.routes if r.overlap is not None and r.overlap.signal == g and r.id in matched]
+        beyond: dict[tuple[object, ...], set[tuple[Move, ...]]] = {}
+        for r in rows:
+            t = matched[r.id]
+            beyond.setdefault((t.entry, t.call_on, t.moves), set()).add(t.over)
+        common = set.intersection(*beyond.values()) if beyond else set()
+        number = {matched[r.id].over: r.overlap.option for r in rows if r.overlap is not None}
+        for r in rows:
+            mine = {number[o] for o in common if len(common) > 1} - {r.overlap.option if r.overlap else 0}
+            if r.overlap is not None and set(r.overlap.swings) != mine:
+                yield Finding(r.id, "swings", f"the overlap may swing to {sorted(mine) or 'none'}")
 
 
 def _calls_on(layout: Layout, t: Trip) -> bool:

@@ -42,9 +42,9 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
 def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | None) -> None:
     """Prove LAYOUT, then run its runtime on Modbus TCP.
 
-    A line of input is a command for one cycle: set ROUTE, voyage NAME, cancel SIGNAL or release.  VARIABLE=VALUE (for
-    instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A standard computer is
-    no safety PLC: for trials, not for a railway.
+    A line of input is a command for one cycle: set ROUTE, swing SIGNAL, voyage NAME, cancel SIGNAL or release.
+    VARIABLE=VALUE (for instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A
+    standard computer is no safety PLC: for trials, not for a railway.
     """
     try:
         import pymodbus  # noqa: F401

@@ -51,6 +51,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     locks = derive_locks(layout, paths, sink)
     by_key = {t.key: t for t in locks}
     demands = {p.id: _demands(p, by_key, sink) for p in paths}
+    swinging = _swinging(layout, paths)
     hostile = derive_hostile(paths, by_key, demands)
     names = _names(layout, paths, sink)
     _notes(layout, paths, sink)
@@ -75,7 +76,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
             space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
             hostile=hostile[p.id],
-            overlap=_overlap(layout, p),
+            overlap=_overlap(layout, p, swinging),
             aspect=derive_aspect(layout, p),
             closing=derive_closing(layout, p),
             conditions=derive_conditions(layout, p),
@@ -131,7 +132,20 @@ def _demands(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink)
     return tuple(found.values())
 
 
-def _overlap(layout: Layout, path: Path) -> OverlapCell | None:
+def _swinging(layout: Layout, paths: tuple[Path, ...]) -> dict[SignalId, tuple[int, ...]]:
+    """The alternatives of each overlap that may swing: those that every path to its signal permits (R4)."""
+    common: dict[SignalId, dict[tuple[object, ...], set[int]]] = {}
+    swing = {o.signal for o in layout.overlaps if o.swing}
+    for p in paths:
+        g = SignalId(p.exit)
+        if p.overlap and g in swing:
+            way = (p.entry, p.kind, tuple(t.key for t in p.ways))
+            common.setdefault(g, {}).setdefault(way, set()).add(p.option)
+    found = {g: tuple(sorted(set.intersection(*ways.values()))) for g, ways in common.items()}
+    return {g: options for g, options in found.items() if len(options) > 1}
+
+
+def _overlap(layout: Layout, path: Path, swinging: Mapping[SignalId, tuple[int, ...]]) -> OverlapCell | None:
     if not path.overlap:
         return None
     metres = sum(t.length for t in path.overlap)
@@ -139,7 +153,8 @@ def _overlap(layout: Layout, path: Path) -> OverlapCell | None:
     why = Because("R4", f"a train may overrun {path.exit} over {over}: {metres:g} m to the next joint")
     if isinf(layout.overlap_of[SignalId(path.exit)]):
         why = Because("R2", f"successive route: a train that does not stop before {path.exit} runs on over {over}")
-    return OverlapCell(SignalId(path.exit), path.option, tuple(t.key for t in path.overlap), metres, why)
+    swings = tuple(k for k in swinging.get(SignalId(path.exit), ()) if k != path.option)
+    return OverlapCell(SignalId(path.exit), path.option, swings, tuple(t.key for t in path.overlap), metres, why)
 
 
 def _driven(layout: Layout, path: Path, demands: tuple[PointDemand, ...]) -> tuple[PointDemand, ...]:

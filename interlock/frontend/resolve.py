@@ -358,7 +358,8 @@ def resolve_overlaps(
             continue
         stated[name] = metres
     lengths = {g: stated.get(g, principles.overlap_m) for g in sorted(inside)}
-    return tuple(Overlap(SignalId(g), x) for g, x in lengths.items() if x > 0)
+    swing = {g for g in stated if ctx.file.overlaps[g].swing}
+    return tuple(Overlap(SignalId(g), x, g in swing) for g, x in lengths.items() if x > 0)
 
 
 def resolve_zones(ctx: Context, wiring: Wiring) -> tuple[Zone, ...]:

@@ -177,6 +177,9 @@ class OverlapSpec(_Part):
     successive: Annotated[YesNo, Field(description="as far as the next main signal, a boundary or the track's end")] = (
         False
     )
+    swing: Annotated[YesNo, Field(description="another alternative can be taken while a route leads to the signal")] = (
+        False
+    )
 
     def metres(self) -> float:
         """The length, infinite for a successive route; raises PydanticCustomError when a number is malformed."""

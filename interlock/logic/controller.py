@@ -195,6 +195,8 @@ class Symbols:
     overlap_ways: Mapping[tuple[SignalId, int], tuple[tuple[SectionId, int], ...]]
     overlap_firm: Mapping[SignalId, str]
     overlap_timer: Mapping[SignalId, str]
+    swings: Mapping[SignalId, str]
+    swing_request: Mapping[SignalId, int]
     token: Mapping[NodeId, BlockSymbols]
     routes: tuple[RouteSymbols, ...]
     demands: Mapping[tuple[SectionId, int], tuple[tuple[MachineId, Position], ...]]

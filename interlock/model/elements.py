@@ -288,13 +288,14 @@ class Voyage:
 
 @dataclass(frozen=True)
 class Overlap:
-    """The track beyond a signal that a train may overrun: metres needed.
+    """The track beyond a signal that a train may overrun: metres needed; whether its alternatives may change (swing).
 
     Infinite: a successive route (延续进路), to the next main signal, a boundary or the end of the track.
     """
 
     signal: SignalId
     length: float
+    swing: bool = False
 
     @property
     def text(self) -> str:

@@ -15,6 +15,7 @@ from interlock.logic.controller import Controller, Equation, StateVar
 from interlock.logic.expr import FALSE, TRUE, Substitution, conj, disj, var
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
+from interlock.model.portable import portable
 from interlock.proof.invariants import Facts, claims
 from interlock.proof.runner import Limits, inductive, open_claims
 from interlock.proof.search import search
@@ -231,6 +232,18 @@ def _closes_late(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         yield r.id, lower(layout, replace(table, routes=tuple(late if x is r else x for x in table.routes)))
 
 
+SWINGS = "SW"
+
+
+def _swung_at_once(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    for g in c.symbols.swings:
+        old = next(e for e in c.next if e.name == c.symbols.overlap_firm[g])
+        always = Substitution({f"OL_{portable(g)}": TRUE})
+        first = replace(old.terms[0], expr=always(old.terms[0].expr))
+        yield g, _with(c, old, replace(old, terms=(first, *old.terms[1:])))
+
+
 KINDS: tuple[Kind, ...] = (
     Kind(
         "hostile-not-excluded",
@@ -376,6 +389,13 @@ KINDS: tuple[Kind, ...] = (
         "the overlap's time runs before the train is wholly in",
         without("OTI", "wholly in", "rear released", "was used"),
     ),
+    Kind("swing-before-train", "an overlap swings while a train is close", without(SWINGS, "no train close")),
+    Kind(
+        "swing-into-held",
+        "an overlap swings to track that others hold or stand on",
+        without(SWINGS, "overlap free", "overlap clear", "not run over", "exclusion"),
+    ),
+    Kind("swing-at-once", "a swung overlap counts before it lies", _swung_at_once),
     Kind("overlap-taken", "a route is set over a section that is held as overlap", without("FREE", "no overlap")),
     Kind("proceed-on-lost-input", "proceed stays when inputs are lost", without("CO", "inputs valid")),
 )

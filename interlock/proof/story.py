@@ -91,6 +91,8 @@ def _requests(system: System, inputs: dict[str, int]) -> list[str]:
     for who, name in (("the operator", system.symbols.request), ("somebody on the spot", system.symbols.local_request)):
         request = inputs.get(name, 0) if name else 0
         out += [f"{who} asks for route {r.id}" for r in system.symbols.routes if r.number == request]
+        swings = [g for g, number in system.symbols.swing_request.items() if number == request]
+        out += [f"{who} asks for another overlap of {g}" for g in swings]
     voyage = inputs.get(system.symbols.voyage, 0) if system.symbols.voyage else 0
     if voyage:
         out.append(f"the operator asks for voyage {voyage}")

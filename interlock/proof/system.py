@@ -10,8 +10,8 @@ from functools import cached_property
 
 from interlock.logic.controller import Controller, MalformedController
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, implies, neg, var, variables
-from interlock.logic.plant import Assumption, Plant, TokenWires, Wiring, across, build_plant, o
-from interlock.model.elements import NodeId, SectionId, Zone
+from interlock.logic.plant import Assumption, Plant, TokenWires, Wiring, across, build_plant, lies, o, old_command
+from interlock.model.elements import NodeId, SectionId, SignalId, Zone
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 
@@ -29,8 +29,20 @@ def wiring(controller: Controller, layout: Layout) -> Wiring:
         detected=s.detected,
         approach_timer=s.approach_timer,
         overlap_timer=s.overlap_timer,
+        swings={g: _turning(controller, g) for g in s.swings},
         token={b: TokenWires(x.gives, x.has, x.clear, x.have, x.give, x.timer) for b, x in s.token.items()},
     )
+
+
+def _turning(controller: Controller, g: SignalId) -> Expr:
+    """The points of an overlap that swings have not all come to lie as it wants them."""
+    s = controller.symbols
+    settled = []
+    for option, name in s.overlap.items():
+        wanted = [d for way in s.overlap_ways[option] for d in s.demands[way]] if option[0] == g else []
+        if option[0] == g:
+            settled.append(conj((var(name), *(x for m, p in wanted for x in (lies(m, p), old_command(m, p))))))
+    return conj((var(s.swings[g]), neg(disj(settled))))
 
 
 PRIME = "'"

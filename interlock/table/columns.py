@@ -101,6 +101,13 @@ COLUMNS: tuple[Column, ...] = (
     Column("overlap", "Overlap", "保护区段", "Durchrutschweg", _overlap),
     Column("overlap_points", "Overlap points", "保护区段道岔", "Weichen im D-Weg", _points(Role.OVERLAP)),
     Column(
+        "swings",
+        "Overlap may swing to",
+        "保护区段可转换",
+        "D-Weg umstellbar auf",
+        lambda r: [] if r.overlap is None else [(f".o{k}", r.overlap.because) for k in r.overlap.swings],
+    ),
+    Column(
         "driven_points",
         "Driven points",
         "带动道岔",

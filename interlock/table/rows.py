@@ -192,10 +192,14 @@ class BlockCell:
 
 @dataclass(frozen=True)
 class OverlapCell:
-    """The overlap that a route locks beyond its exit signal: one alternative, as ways through sections (R4)."""
+    """The overlap that a route locks beyond its exit signal: one alternative, as ways through sections (R4).
+
+    `swings`: the alternatives that may take its place while the route is set, until a train is close.
+    """
 
     signal: SignalId
     option: int
+    swings: tuple[int, ...]
     ways: tuple[TraversalKey, ...]
     metres: float
     because: Because

@@ -16,6 +16,7 @@ from tests.layouts import built
 
 OVERRUN = "../tests/layouts_for_tests/overrun"
 TOKEN = "../tests/layouts_for_tests/token"
+SWING = "../tests/layouts_for_tests/swing"
 # assumption, layout, claim that fails without it
 CASES = (
     ("A-OBEY", "fig2_3_split", "T-COLLISION"),
@@ -29,6 +30,7 @@ CASES = (
     ("A-REVERSE", "fig2_3_split", "T-COLLISION"),
     ("A-LATE-OUTPUT", "fig2_2", "T-POINT-MOVES"),
     ("A-STAND", OVERRUN, "T-COLLISION"),
+    ("A-SWING", SWING, "T-POINT-MOVES"),
     ("A-NEIGHBOUR", TOKEN, "T-LINE"),
     ("A-AGREED", TOKEN, "T-LINE"),
     ("A-LINE", TOKEN, "T-LINE"),

@@ -22,6 +22,7 @@ PASSES = (
     points.movable,
     ways.availability,
     ways.detection,
+    ways.swung,
     zones.count,
     routes.admissible,
     requests.offers,
@@ -32,6 +33,7 @@ PASSES = (
     routes.cancellation,
     sections.release,
     overlaps.standing,
+    overlaps.swing,
     block.change,
     points.commands,
     points.supervision,
@@ -102,6 +104,8 @@ def _symbols(d: Draft) -> Symbols:
         overlap_ways=dict(d.overlaps),
         overlap_firm={g: f"VF_{portable(g)}" for g in sorted({g for g, _ in d.overlaps})},
         token=block.tokens(d),
+        swings={g: f"VS_{portable(g)}" for g in d.swinging},
+        swing_request={g: d.swing_number(g) for g in d.swinging},
         overlap_timer={g: f"OT_{portable(g)}" for g in sorted({g for g, _ in d.overlaps})},
         routes=tuple(
             RouteSymbols(

@@ -116,6 +116,21 @@ class Draft:
         return dict(sorted(cells.items()))
 
     @cached_property
+    def swinging(self) -> Mapping[SignalId, tuple[int, ...]]:
+        """The signals with overlaps that may swing, and the alternatives that may be taken."""
+        cells = [r.overlap for r in self.table.routes if r.overlap is not None and r.overlap.swings]
+        return {c.signal: tuple(sorted({c.option, *c.swings})) for c in sorted(cells, key=lambda c: c.signal)}
+
+    def swing_number(self, g: SignalId) -> int:
+        """The number by which an operator asks that the overlap of a signal swings: after those of the routes."""
+        return len(self.table.routes) + 1 + list(self.swinging).index(g)
+
+    @cached_property
+    def requests(self) -> int:
+        """How many values a request has: none, a route, an overlap that shall swing."""
+        return len(self.table.routes) + 1 + len(self.swinging)
+
+    @cached_property
     def _over_section(self) -> Mapping[SectionId, list[tuple[SignalId, int]]]:
         found: dict[SectionId, list[tuple[SignalId, int]]] = {}
         for o, ways in self.overlaps.items():
@@ -140,9 +155,9 @@ class Draft:
                     found.append(option)
         return found
 
-    def holding(self, way: TraversalKey) -> Expr:
-        """A way is held, by a route or as overlap."""
-        over = [o for o in self._over_section.get(way[0], ()) if way in self.overlaps[o]]
+    def holding(self, way: TraversalKey, but: SignalId | None = None) -> Expr:
+        """A way is held, by a route or as overlap (of another signal than one)."""
+        over = [o for o in self._over_section.get(way[0], ()) if way in self.overlaps[o] and o[0] != but]
         return disj([self.lock(*way), *map(self.overlap, over)])
 
     def before(self, g: SignalId) -> SectionId:

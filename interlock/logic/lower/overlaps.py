@@ -7,9 +7,10 @@ What an overlap must find free is in `routes`, with everything else that a grant
 from __future__ import annotations
 
 from interlock.logic.controller import Join, Term
-from interlock.logic.expr import conj, disj, neg, var
-from interlock.logic.lower import sections
+from interlock.logic.expr import Expr, conj, disj, neg, var
+from interlock.logic.lower import requests, sections, ways
 from interlock.logic.lower.draft import Draft
+from interlock.model.elements import SignalId
 from interlock.model.portable import portable
 
 
@@ -36,20 +37,53 @@ def standing(d: Draft) -> None:
         d.wire(f"OR_{n}", Join.ANY, terms, f"overlap {g}", f"the overlap of {g} is not needed any more (R4)")
 
 
+def swing(d: Draft) -> None:
+    """An overlap swings to another alternative when that is fully available and no train is close (R4)."""
+    for g, options in d.swinging.items():
+        b = d.before(g)
+        every = dict.fromkeys(s for (h, _), over in d.overlaps.items() if h == g for s, _ in over)
+        before: list[Expr] = []
+        for k in options:
+            others = disj(d.overlap(o) for o in d.overlaps if o[0] == g and o[1] != k)
+            terms = [
+                Term(var("VALID"), "inputs valid"),
+                Term(requests.asked(d, d.swing_number(g)), "requested"),
+                Term(others, "another held"),
+                Term(var(f"VF_{portable(g)}"), "firmly held"),
+                Term(neg(var(f"OR_{portable(g)}")), "still needed"),
+                Term(neg(d.occupied(b)), "no train close", f"{b} clear: no train is close"),
+                *(Term(neg(x), "first alternative") for x in before),
+                *(Term(neg(d.occupied(s)), "overlap clear", f"{s} clear: overlap") for s in every),
+                *(
+                    Term(neg(disj(d.lock(*t.key) for t in d.locks_of[s])), "not run over", f"no route over {s}")
+                    for s in every
+                ),
+                *(x for key in d.overlaps[g, k] for x in ways.swing_terms(d, g, key)),
+            ]
+            name = ways.swing_wire(d, g, k)
+            before.append(d.wire(name, Join.ALL, terms, f"overlap {g}", f"the overlap of {g} swings to {k} (R4)"))
+
+
+def _swings(d: Draft, g: SignalId, but: int | None = None) -> list[Expr]:
+    return [var(ways.swing_wire(d, g, k)) for k in d.swinging.get(g, ()) if k != but]
+
+
 def keep(d: Draft) -> None:
     """Next values of the overlaps."""
-    for o, ways in d.overlaps.items():
+    for o, over in d.overlaps.items():
         g, k = o
         n = portable(g)
-        clear = conj(neg(d.occupied(s)) for s, _ in ways)
-        stays = neg(conj((var(f"OR_{n}"), clear)))
+        clear = conj(neg(d.occupied(s)) for s, _ in over)
+        away = _swings(d, g, but=k)
+        stays = conj((neg(conj((var(f"OR_{n}"), clear))), *map(neg, away)))
+        to = [var(ways.swing_wire(d, g, k))] if k in d.swinging.get(g, ()) else []
         d.kept(
             f"V_{n}_{k}",
             False,
             f"overlap {k} of {g} held",
             Join.ANY,
             (
-                Term(var(f"GO_{n}_{k}"), "granted"),
+                Term(disj((var(f"GO_{n}_{k}"), *to)), "granted"),
                 Term(conj((d.overlap(o), stays)), "held", "until it is not needed and clear"),
             ),
             f"overlap {g}",
@@ -58,12 +92,31 @@ def keep(d: Draft) -> None:
         n = portable(g)
         users = [r for r in d.table.routes if r.overlap is not None and r.overlap.signal == g]
         any_ = disj(d.overlap(o) for o in d.overlaps if o[0] == g)
-        firm = disj((var(f"VF_{n}"), *(var(f"LK_R{r.number}") for r in users)))
+        swings = _swings(d, g)
+        turned = [conj((var(f"VS_{n}"), var(f"OL_{n}")))] if swings else []
+        firm = disj((var(f"VF_{n}"), *turned, *(var(f"LK_R{r.number}") for r in users)))
         d.kept(
             f"VF_{n}",
             False,
             f"overlap of {g} firmly held",
             Join.ALL,
-            (Term(firm, "held or locked"), Term(any_, "some overlap held")),
+            (
+                Term(firm, "held or locked"),
+                Term(any_, "some overlap held"),
+                *(Term(neg(x), "not swung", "it does not swing") for x in swings),
+            ),
             f"overlap {g}",
         )
+        if swings:
+            going = conj((var(f"VS_{n}"), neg(var(f"OL_{n}"))))
+            d.kept(
+                f"VS_{n}",
+                False,
+                f"the overlap of {g} swings",
+                Join.ALL,
+                (
+                    Term(disj((going, *swings)), "swings", "until the other alternative lies and is clear"),
+                    Term(any_, "some overlap held"),
+                ),
+                f"overlap {g}",
+            )

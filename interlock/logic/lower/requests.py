@@ -27,9 +27,11 @@ def asked(d: Draft, number: int) -> Expr:
 
 def inputs(d: Draft) -> None:
     """Route request, voyage, automatic working."""
-    d.inputs.append(Input("REQ", "operator: set route number, 0 = none", size=len(d.table.routes) + 1))
+    swings = "".join(f"; {d.swing_number(g)} = swing the overlap of {g}" for g in d.swinging)
+    d.inputs.append(Input(REQUEST, f"operator: set route number, 0 = none{swings}", size=d.requests))
     if d.layout.principles.local_requests is not Local.NONE:
-        d.inputs.append(Input(LOCAL, "operator on the spot: set route number, 0 = none", size=len(d.table.routes) + 1))
+        note = f"operator on the spot: set route number, 0 = none{swings}"
+        d.inputs.append(Input(LOCAL, note, size=d.requests))
     if d.table.voyages:
         d.inputs.append(Input("VOY", "operator: voyage number, 0 = none", size=len(d.table.voyages) + 1))
     for r in d.table.routes:

@@ -121,7 +121,9 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
         terms.append(Term(neg(var(f"D_{portable(r.section_ids[0])}")), "inputs never lost"))
     terms += aspects.lamp_terms(d, r)
     if r.overlap:
-        terms.append(Term(d.overlap((r.overlap.signal, r.overlap.option)), "overlap held", r.overlap.because.text))
+        some = {r.overlap.option, *r.overlap.swings}
+        options = disj(d.overlap(o) for o in d.overlaps if o[0] == r.overlap.signal and o[1] in some)
+        terms.append(Term(options, "overlap held", r.overlap.because.text))
     return terms
 
 

@@ -15,7 +15,7 @@ from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.portable import portable
-from interlock.table.rows import RouteKind, RouteRow, TraversalKey, TraversalRow
+from interlock.table.rows import Role, RouteKind, RouteRow, TraversalKey, TraversalRow
 
 
 def _named(prefix: str, key: TraversalKey) -> str:
@@ -186,7 +186,7 @@ def lying_terms(d: Draft, r: RouteRow) -> list[Term]:
     out = [x for k in r.locked for x in (_lying(k, "way lies") if k[0] in r.kept_clear else _detected(d, k))]
     if r.berth is not None:
         out += _detected(d, r.traversals[-1])
-    return [*out, *_overlap_lies(r)]
+    return [*out, *_some_overlap_lies(d, r)]
 
 
 def proceed_terms(d: Draft, r: RouteRow) -> list[Term]:
@@ -199,7 +199,7 @@ def proceed_terms(d: Draft, r: RouteRow) -> list[Term]:
             out += [*_detected(d, k), *not_blocked(k[0])]
     if r.berth is not None:
         out += [*_detected(d, r.traversals[-1]), *not_blocked(r.berth)]
-    return [*out, *_overlap_lies(r)]
+    return [*out, *_some_overlap_lies(d, r)]
 
 
 def passing_terms(d: Draft, r: RouteRow) -> list[Term]:
@@ -207,7 +207,26 @@ def passing_terms(d: Draft, r: RouteRow) -> list[Term]:
     out = []
     for k in r.traversals:
         out += [*_detected(d, k), *not_blocked(k[0])]
-    return [*out, *_overlap_lies(r)]
+    return [*out, *_some_overlap_lies(d, r)]
+
+
+def _some_overlap_lies(d: Draft, r: RouteRow) -> list[Term]:
+    """The overlap of the route, or the one to which it has swung."""
+    if r.overlap is None or not r.overlap.swings:
+        return _overlap_lies(r)
+    note = f"an overlap of {r.overlap.signal} lies and is clear"
+    return [Term(var(f"OL_{portable(r.overlap.signal)}"), "overlap lies", note)]
+
+
+def swung(d: Draft) -> None:
+    """For each signal whose overlap swings: the alternative that is held lies and is clear."""
+    for g in d.swinging:
+        terms = []
+        for (h, k), over in d.overlaps.items():
+            if h == g:
+                lies = conj(x.expr for key in over for x in _lying(key, "overlap lies"))
+                terms.append(Term(conj((d.overlap((g, k)), lies)), "overlap lies", f"overlap {k} of {g}"))
+        d.wire(f"OL_{portable(g)}", Join.ANY, terms, f"overlap {g}", f"the overlap of {g} lies and is clear (R4)")
 
 
 def _overlap_lies(r: RouteRow) -> list[Term]:
@@ -270,3 +289,44 @@ def _grants(d: Draft, key: TraversalKey) -> Iterator[Expr]:
     for (g, k), over in d.overlaps.items():
         if key in over:
             yield var(f"GO_{portable(g)}_{k}")
+            if k in d.swinging.get(g, ()):
+                yield var(swing_wire(d, g, k))
+
+
+def swing_wire(d: Draft, g: SignalId, option: int) -> str:
+    """The wire that tells that the overlap of a signal swings to an alternative in this scan."""
+    return f"SW{list(d.swinging).index(g) + 1}_{option}"
+
+
+def swing_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
+    """A way can be held as overlap instead of another alternative of the same signal (R4)."""
+    s, t = key[0], d.table.lock[key]
+    others = [neg(d.overlap(o)) for o in d.overlaps_over(s) if o[0] != g]
+    free = conj([neg(var(f"K_{portable(s)}")), *others])
+    terms = [Term(free, "overlap free", f"{s} free for another overlap of {g}"), *not_blocked(s)]
+    for ex in t.exclusions:
+        if ex.section in d.sections:
+            held: list[Expr] = [var(f"K_{portable(ex.section)}")]
+            if ex.whole:
+                held += [d.lock(*x.key) for x in d.locks_of[ex.section]]
+                held += [d.overlap(o) for o in d.overlaps_over(ex.section) if o[0] != g]
+            else:
+                held += [d.holding((ex.section, n), but=g) for n in ex.numbers]
+            terms.append(Term(neg(disj(held)), "exclusion", f"{ex.section}: {ex.because.text}"))
+    for p in t.points:
+        there = conj((d.detected(p.machine, p.position), *(neg(d.command(p.machine, y)) for y in Position)))
+        free = disj((d.command(p.machine, p.position), _may_swing(d, g, p.machine), there))
+        terms.append(Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}"))
+    return [*terms, *_trailed(d, t), *_foul(d, t), *_space(d, t)]
+
+
+def _may_swing(d: Draft, g: SignalId, m: MachineId) -> Expr:
+    """A machine that nobody holds but the overlap of one signal, and nothing stands over."""
+    terms: list[Expr] = [var("VALID")]
+    for s in d.sections_of(m):
+        terms += [neg(var(f"K_{portable(s)}")), *(neg(d.lock(*x.key)) for x in d.locks_of[s]), neg(d.occupied(s))]
+        terms += [neg(d.overlap(o)) for o in d.overlaps_over(s) if o[0] != g]
+    for t in d.table.locks:
+        if any(p.machine == m and p.role is Role.FLANK for p in t.points):
+            terms.append(neg(d.holding(t.key, but=g)))
+    return conj(terms)

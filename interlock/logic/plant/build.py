@@ -263,7 +263,8 @@ class PlantBuilder:
             timer = self.w.overlap_timer.get(g)
             stands = FALSE if timer is None or "A-STAND" in self.dropped else var(timer)
             as_train = neg(shunting(s)) if self.shunts else TRUE
-            fails = conj((running(s), neg(rests(s)), as_train, heading, neg(stands)))
+            turning = FALSE if "A-SWING" in self.dropped else self.w.swings.get(g, FALSE)
+            fails = conj((running(s), neg(rests(s)), as_train, heading, neg(stands), neg(turning)))
             out[g] = disj((out.get(g, FALSE), fails))
         return out
 

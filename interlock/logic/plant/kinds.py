@@ -36,6 +36,7 @@ class Wiring:
     detected: Mapping[tuple[MachineId, Position], str]
     approach_timer: Mapping[SignalId, str]
     overlap_timer: Mapping[SignalId, str]
+    swings: Mapping[SignalId, Expr]
     token: Mapping[NodeId, TokenWires]
 
 
@@ -122,6 +123,8 @@ ASSUMPTIONS: dict[str, str] = {
     "A-OVERRUN": "A train that fails to stop at a main signal with an overlap stops within the overlap, undivided, "
     "and is moved from there under local rules; it fails only while it is coming to a stand before that signal, and "
     "elsewhere no train passes a signal at stop.",
+    "A-SWING": "While the points of an overlap that swings turn, which begins only with the section before its signal "
+    "clear, no train overruns that signal: they have turned before one can have come so far.",
     "A-STAND": "When the overlap release time has run out, the train before the signal stands.",
     "A-SCAN": "A head leaves a section, and a tail leaves it, only after the occupation that it causes has been "
     "scanned (or while inputs are lost); a driver accepts a signal only from a scanned section in rear of it.",

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
-from interlock.model.elements import MachineId, Position, SignalId
+from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.overlap import overlap_paths
 from interlock.model.principles import Caution
@@ -56,7 +56,8 @@ CLAIMS: dict[str, str] = {
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
-    "P-LOCKED": "A point is commanded to move only when the sections of all its ends are unlocked and reported clear.",
+    "P-LOCKED": "A point is commanded to move only when the sections of all its ends are reported clear and unlocked, "
+    "or held by nothing but an overlap that may swing, with the section before its signal clear.",
     "P-START": "At a restart nothing is commanded, all signals show stop, and every section is locked.",
 }
 
@@ -339,6 +340,18 @@ def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         )
 
 
+def _held_fast(f: Facts, s: SectionId) -> Expr:
+    """Held otherwise than by an overlap that may swing now: the section before its signal is clear."""
+    held = [f.locked(s)]
+    for option, name in f.sym.overlap.items():
+        if any(t == s for t, _ in f.sym.overlap_ways[option]):
+            g = option[0]
+            before = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), f.layout.signal[g].node)
+            close = neg(f.clear(before)) if g in f.sym.swings and before is not None else TRUE
+            held.append(conj((var(name), close)))
+    return disj(held)
+
+
 def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     after = f.system.after
 
@@ -354,7 +367,7 @@ def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         )
         free = conj(
             [
-                *(neg(f.held(s)) for s in secs),
+                *(neg(_held_fast(f, s)) for s in secs),
                 *(f.clear(s) for s in secs),
                 var(f.sym.valid),
             ]

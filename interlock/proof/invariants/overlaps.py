@@ -45,7 +45,7 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
             ]
             out.append(Invariant(f"O-STAYS:{g}", s, implies(overran(g, s), neg(disj(calls)))))
             firmly = [
-                conj((var(name), var(f.sym.overlap_firm[g]), *_only_in(f, s, n)))
+                conj((var(name), firm_for(f, opt), *_only_in(f, s, n)))
                 for opt, name in f.sym.overlap.items()
                 for sec, n in f.sym.overlap_ways[opt]
                 if sec == s and opt[0] == g
@@ -78,7 +78,8 @@ def _only_in(f: Facts, s: SectionId, n: int) -> list[Expr]:
     """What is in s came in at the entry of the way, and does not stand across it outward."""
     entry = f.way(s, n)[0]
     out = f"x.{entry}.{s}" in f.system.plant.state
-    return [came(s, entry), *([neg(across(entry, s))] if out else [])]
+    others = [neg(came(s, j)) for j in f.topo.ends[s] if j != entry]
+    return [came(s, entry), *others, *([neg(across(entry, s))] if out else [])]
 
 
 def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invariant]:
@@ -111,8 +112,18 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
         j = f.way(s, n)[1]
         slides = conj((held, overran(g, s), neg(across(j, s))))
         empty = conj(neg(o(t)) for t, _ in ways[i + 1 :])
-        out.append(Invariant("O-SLIDE", f"{place}:{s}", implies(slides, conj((firm, empty)))))
+        out.append(Invariant("O-SLIDE", f"{place}:{s}", implies(slides, conj((firm_for(f, option), empty)))))
     return out
+
+
+def firm_for(f: Facts, option: tuple[SignalId, int]) -> Expr:
+    """An overlap is held firmly: locked and detected, or swung and really come to lie."""
+    g = option[0]
+    firm = var(f.sym.overlap_firm[g])
+    if g not in f.sym.swings:
+        return firm
+    wanted = [d for way in f.sym.overlap_ways[option] for d in f.sym.demands[way]]
+    return disj((firm, conj((var(f.sym.swings[g]), *(x for m, p in wanted for x in (lies(m, p), old_command(m, p)))))))
 
 
 def running_into(f: Facts, g: SignalId, s: SectionId) -> Expr:
@@ -149,13 +160,16 @@ def _signal(f: Facts, g: SignalId) -> list[Invariant]:
     b = f.topo.beyond(t, node)
     assert b is not None
     firm = var(f.sym.overlap_firm[g]) if g in f.sym.overlap_firm else neg(TRUE)  # no train route leads to it
+    swings = var(f.sym.swings[g]) if g in f.sym.swings else FALSE
+    apart = [] if swings is FALSE else [Invariant("O-SWINGS", g, implies(swings, neg(firm)))]
+    firm = disj((firm, swings))
     options = [
         (var(name), conj(neg(o(s)) for s, _ in f.sym.overlap_ways[opt]))
         for opt, name in f.sym.overlap.items()
         if opt[0] == g
     ]
     ready = disj(conj((held, empty)) for held, empty in options)
-    out = []
+    out = apart
     for n, _ in f.locks(b):
         if f.way(b, n)[1] != node:
             continue

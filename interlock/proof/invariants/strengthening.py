@@ -31,8 +31,9 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
     for g in f.layout.signals:
         for k in f.functions(g.id):
             out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id, k)]
-        if g.call_on:  # its routes lock the same ways in two manners
-            one = at_most_one(var(r.active) for r in f.sym.routes_from.get(g.id, ()))
+        routes = f.sym.routes_from.get(g.id, ())
+        if g.call_on or any(r.overlap is not None and r.overlap[0] in f.sym.swings for r in routes):
+            one = at_most_one(var(r.active) for r in routes)  # they lock the same ways
             out.append(Invariant("G-ONE", g.id, one))
     out += overlap_invariants(f)
     out += token_invariants(f)
@@ -334,9 +335,16 @@ def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
     if r.passing is not None:
         yield from _passing(f, r, r.passing)
     if r.overlap is not None:
-        yield "R-OVERLAP", implies(active, var(f.sym.overlap[r.overlap]))
+        yield "R-OVERLAP", implies(active, _overlap_of(f, r.overlap))
     if r.berth is not None:
         yield "R-BERTH", implies(active, conj((f.locked(r.berth[0]), neg(f.train(r.berth[0])))))
+
+
+def _overlap_of(f: Facts, option: tuple[SignalId, int]) -> Expr:
+    """The overlap is held, or any other of the signal's where it may swing."""
+    if option[0] not in f.sym.swings:
+        return var(f.sym.overlap[option])
+    return disj(var(name) for o, name in f.sym.overlap.items() if o[0] == option[0])
 
 
 def _passing(f: Facts, r: RouteSymbols, name: str) -> Iterator[tuple[str, Expr]]:
@@ -354,6 +362,6 @@ def _passing(f: Facts, r: RouteSymbols, name: str) -> Iterator[tuple[str, Expr]]
         if f"over.{h}.{rear}" in f.system.plant.state:
             yield f"R-PASSING-ALONE:{h}", implies(passing, neg(running_into(f, h, rear)))
     if r.overlap is not None:
-        yield "R-PASSING-OVERLAP", implies(passing, var(f.sym.overlap[r.overlap]))
+        yield "R-PASSING-OVERLAP", implies(passing, _overlap_of(f, r.overlap))
     if r.berth is not None:
         yield "R-PASSING-BERTH", implies(passing, conj((f.locked(r.berth[0]), neg(f.train(r.berth[0])))))

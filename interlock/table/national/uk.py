@@ -75,6 +75,8 @@ def _route(x: Reading, names: dict[RouteId, str], r: RouteRow) -> tuple[str, ...
         remarks.append(f"replaced by last wheel: {r.closing.whole} clear")
     if r.berth is not None:
         remarks.append(f"{r.berth} may be occupied")
+    if r.overlap is not None and r.overlap.swings:
+        remarks.append(f"overlap may swing to {', '.join(f'o{k}' for k in r.overlap.swings)}")
     flank = [c for c in r.flank if any(p.kind.value == "signal" for p in c.providers)]
     stops = sorted({p.name for c in flank for p in c.providers if p.kind.value == "signal"})
     if stops:
