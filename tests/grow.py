@@ -215,6 +215,8 @@ class Grown:
         for p in self.points:
             if "machine" not in self.points[p] and self.rng.random() < 0.06:
                 self.points[p]["work"] = "hand"
+            elif self.rng.random() < 0.2:
+                self.points[p]["speed"] = self.rng.choice(["40", "80"])
         if sections and self.rng.random() < 0.15:
             inside = self.rng.sample(sections, self.rng.randint(1, len(sections)))
             out += ["zones:", f"  Z: {{sections: [{', '.join(inside)}], trains: {self.rng.choice([1, 2, 2, 3])}}}"]
@@ -250,6 +252,7 @@ class Grown:
             "",
             "principles: {flank_space: yes, sensor_faults: yes}",
             "principles: {flank_lamp: yes, lamp_proof: yes}",
+            "principles: {slow_below_kmh: 60, sensor_faults: yes}",
             "principles: {main_closes: whole-movement, shunt_closes: whole-movement}",
         ]
         out = ["interlock: 1", "name: grown", f"profile: {profile}", self.rng.choice(rules), "boundaries:"]

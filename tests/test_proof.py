@@ -28,11 +28,12 @@ def test_every_claim_is_proved_and_every_route_driven(name: str) -> None:
     assert result.proved
 
 
+@pytest.mark.parametrize("engine", ["z3", "cvc5"])
 @pytest.mark.parametrize("name", SHIPPED)
-def test_z3_comes_to_the_same_verdicts(name: str) -> None:
+def test_other_engines_come_to_the_same_verdicts(name: str, engine: str) -> None:
     layout, _, controller = built(name)
     system = System(layout, controller)
-    limits = Limits(engine="z3")
+    limits = Limits(engine=engine)
     kept, dropped, _ = inductive(system, limits)
     assert not dropped and not open_claims(system, kept, claims(Facts(system)), limits)
 

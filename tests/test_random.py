@@ -108,7 +108,9 @@ def test_voyages_and_automatic_working_on_random_layouts_are_proved(seed: int) -
     assert compare_st(controller, print_unit(lower_st(controller, []))).proved
 
 
-@pytest.mark.parametrize("name", ["overlaps_join", "overlap_unused", "overlap_berth", "overlap_head", "balloon"])
+@pytest.mark.parametrize(
+    "name", ["overlaps_join", "overlap_unused", "overlap_berth", "overlap_head", "balloon", "foul_beyond"]
+)
 def test_layouts_on_which_random_growth_once_found_a_fault(name: str) -> None:
     layout, table, controller = built(f"../tests/layouts_for_tests/{name}")
     assert audit(layout, table) == ()

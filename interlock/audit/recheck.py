@@ -172,6 +172,8 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     out = {b.node for b in layout.boundaries if b.block == "token" and b.node == trip.moves[-1].node and not trip.shunt}
     if ({r.token.boundary} if r.token else set()) != out:
         yield Finding(r.id, "token", f"the direction is needed at {', '.join(out) or 'no boundary'}")
+    if r.speed.kmh != (slowest := _slowest(layout, trip)):
+        yield Finding(r.id, "speed", f"the lowest speed along the path is {slowest}")
     if r.closing.whole != (left := _left_behind(layout, trip, rear)):
         yield Finding(r.id, "closing", f"{r.entry} closes with {f'{left} clear' if left else 'the first axle'}")
     over = [next(iter(rear), None), *trip.sections]
@@ -184,6 +186,14 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     }
     if {c.condition for c in r.conditions} != needed:
         yield Finding(r.id, "conditions", f"required are {', '.join(sorted(needed)) or 'none'}")
+
+
+def _slowest(layout: Layout, trip: Trip) -> int | None:
+    """The lowest speed stated along the trip: of its sections, and of points passed over their reverse leg."""
+    limits = [s.speed for s in layout.sections if s.id in trip.sections]
+    over = {m.edge for m in trip.moves}
+    limits += [p.speed for p in layout.points if p.reverse in over and p.toe in over]
+    return min((v for v in limits if v is not None), default=None)
 
 
 def _left_behind(layout: Layout, trip: Trip, rear: set[SectionId]) -> SectionId | None:
@@ -203,6 +213,9 @@ def _aspect(layout: Layout, trip: Trip) -> tuple[Shows, SignalId | None]:
         return Shows.CALL_ON, None
     if trip.shunt:
         return Shows.SHUNT, None
+    slowest = _slowest(layout, trip)
+    if rule is not Caution.NEVER and slowest is not None and slowest < layout.principles.slow_below_kmh:
+        return Shows.CAUTION, None
     last = trip.moves[-1]
     leaves = [b for b in layout.boundaries if b.node == last.node and (b.approach is not None or b.block != "none")]
     if rule is Caution.NEVER or leaves:
@@ -360,10 +373,11 @@ def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
             continue
         unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
         home = layout.section_of(point.toe)
-        for (edge, near), gone in distances(layout, a.node, unused).items():
+        needed = point.fouling + layout.principles.clearance_m
+        for (edge, near), gone in distances(layout, a.node, unused, needed).items():
             behind = {layout.section_of(e.id) for e in layout.edges_at[near] if e.id != edge}
             section = layout.section_of(edge)
-            if section in (home, *behind) or gone >= point.fouling + layout.principles.clearance_m:
+            if section in (home, *behind) or gone >= needed:
                 continue
             out.add((section, _way_out(layout, edge, near), near))
     return out

@@ -205,8 +205,8 @@ def _overruns(
     return found
 
 
-def distances(layout: Layout, node: NodeId, leg: EdgeId) -> dict[tuple[EdgeId, NodeId], float]:
-    """Metres from a point's node, out over one leg, to the near node of every edge up to the next point."""
+def distances(layout: Layout, node: NodeId, leg: EdgeId, limit: float) -> dict[tuple[EdgeId, NodeId], float]:
+    """Metres from a point's node, out over one leg, to the near node of every edge nearer than a limit."""
     out: dict[tuple[EdgeId, NodeId], float] = {}
     todo: list[tuple[EdgeId, NodeId, float]] = [(leg, node, 0.0)]
     while todo:
@@ -215,8 +215,9 @@ def distances(layout: Layout, node: NodeId, leg: EdgeId) -> dict[tuple[EdgeId, N
             continue
         out[edge, near] = gone
         far = layout.far(edge, near)
-        if far not in layout.point_at and far not in layout.crossing_at:
-            todo.extend((e.id, far, gone + layout.edge[edge].length) for e in layout.edges_at[far] if e.id != edge)
+        if far != node:
+            reached = gone + layout.edge[edge].length
+            todo.extend((m.edge, far, reached) for m, _ in steps(layout, Move(edge, far)) if reached < limit)
     return out
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import click
@@ -46,7 +47,7 @@ from interlock.proof.runner import Limits
     type=click.Choice(ENGINES),
     default=ENGINES[0],
     show_default=True,
-    help="What decides the obligations; Z3 is slower, and a second opinion.",
+    help="What decides the obligations; Z3 and cvc5 (extra `recheck`) are slower, and second opinions.",
 )
 @click.option(
     "--traces",
@@ -66,6 +67,8 @@ def command(
     form: str,
 ) -> None:
     """Prove every safety claim for every possible train movement."""
+    if engine == "cvc5" and find_spec("cvc5") is None:
+        raise click.UsageError("cvc5 needs the extra `recheck`: pip install 'interlock[recheck]'")
     limits = Limits(
         search_depth=search_depth, search_s=search_seconds, engine=engine, jobs=jobs if len(layouts) == 1 else 1
     )

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import inf
 
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId
 from interlock.model.layout import Layout
@@ -136,13 +137,13 @@ def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[t
     found: dict[tuple[str, bool], str] = {}
     rules = layout.principles
     todo: list[tuple[EdgeId, NodeId, float]] = [(r.edge, r.node, 0.0)]
-    seen: set[tuple[EdgeId, NodeId]] = set()
+    seen: dict[tuple[EdgeId, NodeId], float] = {}  # by the shortest way: there a signal counts least
     while todo:
         edge, node, gone = todo.pop()
         e = layout.edge[edge]
-        if (edge, node) in seen or (e.one_way and e.a == node):
+        if seen.get((edge, node), inf) <= gone or (e.one_way and e.a == node):
             continue
-        seen.add((edge, node))
+        seen[edge, node] = gone
         if rules.flank_space and e.section != r.section and e.section not in layout.undetected:
             found.setdefault((e.section, False), f"{e.section} lies between {r.name} and its protection")
         far = layout.far(edge, node)

@@ -8,7 +8,7 @@ from interlock.derive.routes import Path
 from interlock.model.elements import BlockKind, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Caution, Closes
-from interlock.model.traversal import topology
+from interlock.model.traversal import path_speed, topology
 from interlock.table.rows import (
     ApproachCell,
     AspectCell,
@@ -20,6 +20,7 @@ from interlock.table.rows import (
     ReleaseStep,
     RouteKind,
     Shows,
+    SpeedCell,
     TokenCell,
     ZoneCell,
 )
@@ -99,6 +100,9 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
         return AspectCell(Shows.SHUNT, None, Because("R11", f"{path.entry} calls a shunting movement"))
     if rule is Caution.NEVER:
         return AspectCell(Shows.CLEAR, None, Because("R11", "signals have two aspects"))
+    kmh = path_speed(layout, path.ways)
+    if kmh is not None and kmh < layout.principles.slow_below_kmh:
+        return AspectCell(Shows.CAUTION, None, Because("R11", f"{kmh} km/h along the path"))
     boundary = layout.boundary_at.get(path.ways[-1].exit)
     if boundary is not None and boundary.checked:
         return AspectCell(Shows.CLEAR, None, Because("R11", f"the line beyond {path.exit} is checked"))
@@ -109,6 +113,13 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
         return AspectCell(Shows.CAUTION, None, Because("R11", f"nothing is known beyond {path.exit}"))
     next_ = SignalId(path.exit)
     return AspectCell(Shows.NEXT, next_, Because("R11", f"{next_} is the next main signal"))
+
+
+def derive_speed(layout: Layout, path: Path) -> SpeedCell:
+    """The lowest speed that the layout states along the path (R11)."""
+    kmh = path_speed(layout, path.ways)
+    why = "the layout states no speed along the path" if kmh is None else f"{kmh} km/h is the lowest along the path"
+    return SpeedCell(kmh, Because("R11", why))
 
 
 def derive_closing(layout: Layout, path: Path) -> ClosingCell:

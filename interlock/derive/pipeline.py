@@ -17,6 +17,7 @@ from interlock.derive.locking import (
     derive_closing,
     derive_conditions,
     derive_release,
+    derive_speed,
     derive_token,
     derive_zones,
 )
@@ -79,6 +80,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             overlap=_overlap(layout, p, swinging),
             aspect=derive_aspect(layout, p),
             closing=derive_closing(layout, p),
+            speed=derive_speed(layout, p),
             conditions=derive_conditions(layout, p),
             zones=derive_zones(layout, p),
             block=derive_block(layout, p),

@@ -122,7 +122,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     if sink.has_errors:
         return None, source
     sections = [
-        Section(SectionId(s), False, Lane(data.sections[s].lane), data.sections[s].detected)
+        Section(SectionId(s), False, Lane(data.sections[s].lane), data.sections[s].detected, data.sections[s].speed)
         if s in data.sections
         else Section(SectionId(s))
         for s in wiring.sections

@@ -62,6 +62,15 @@ def _amount(value: object) -> float:
     return x
 
 
+def _speed(value: object) -> int:
+    if not isinstance(value, str):
+        raise PydanticCustomError("number", "a number is expected")
+    x = number(value)
+    if x != round(x) or not 5 <= x <= 400:
+        raise PydanticCustomError("range", "{v} is no speed (whole km/h, 5 to 400)", {"v": value})
+    return round(x)
+
+
 def _text(value: object) -> object:
     if not isinstance(value, str):
         raise PydanticCustomError("shape", "a text is expected")
@@ -109,6 +118,7 @@ Seconds = Annotated[
     WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": 86400}),
 ]
 Amount = Annotated[float, BeforeValidator(_amount), WithJsonSchema({"type": "number", "minimum": 0, "maximum": 86400})]
+Speed = Annotated[int, BeforeValidator(_speed), WithJsonSchema({"type": "integer", "minimum": 5, "maximum": 400})]
 End = Annotated[str, BeforeValidator(_text)]
 
 

@@ -27,6 +27,7 @@ from interlock.frontend.scalars import (
     Name,
     Reason,
     Seconds,
+    Speed,
     Text,
     YesNo,
     choice,
@@ -68,6 +69,7 @@ class PointSpec(_Part):
     machine: Annotated[Name | None, Field(description="machine, where one works two ends")] = None
     legs: Annotated[Length | None, Field(description="length of each of the three legs in metres")] = None
     fouling: Annotated[Length | None, Field(description="distance to the fouling point in metres")] = None
+    speed: Annotated[Speed | None, Field(description="km/h permitted over the reverse leg")] = None
     work: Annotated[
         Literal["motor", "hand"],
         choice("kind of work", tuple(Work)),
@@ -143,6 +145,7 @@ class DistantSpec(_Part):
 class SectionSpec(_Part):
     """More about a section."""
 
+    speed: Annotated[Speed | None, Field(description="km/h permitted in the section")] = None
     lane: Annotated[Literal["level", "inclined"], choice("lane", ("level", "inclined"))] = "level"
     detected: Annotated[YesNo, Field(description="no: a siding without detection, always taken as occupied")] = True
     one_way: Annotated[
@@ -247,6 +250,7 @@ class PrinciplesSpec(_Part):
     priorities: YesNo | None = None
     priority_wait_s: Amount | None = None
     token_delay_s: Seconds | None = None
+    slow_below_kmh: Amount | None = None
     main_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = None
     shunt_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = None
 

@@ -427,6 +427,7 @@ class Wirer:
                     legs["reverse"],
                     fouling,
                     Work(p.work),
+                    speed=p.speed,
                 )
             )
         for name, c in f.crossings.items():

@@ -98,6 +98,9 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
         for lamp in ("YS", "YY", "YP", "YW", "YO"):
             if f"{lamp}_{portable(signal.id)}" in outputs:
                 yield f"{lamp}_{portable(signal.id)}", "Q", signal.id
+        for (g, _), name in sym.speed_shown.items():
+            if g == signal.id:
+                yield name, "Q", g
     for distant in layout.distants:
         for lamp in ("YC", "YD"):
             yield f"{lamp}_{portable(distant.id)}", "Q", distant.id

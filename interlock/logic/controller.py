@@ -180,6 +180,7 @@ class Symbols:
     clear_aspect: Mapping[SignalId, str]
     stop_aspect: Mapping[SignalId, str]
     distant_clear: Mapping[SignalId, str]
+    speed_shown: Mapping[tuple[SignalId, int], str]
     restart: Mapping[SectionId, str]
     train: Mapping[SectionId, str]
     lock: Mapping[tuple[SectionId, int], str]

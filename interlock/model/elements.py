@@ -63,13 +63,15 @@ class Lane(StrEnum):
 class Section:
     """A section.  An approach section lies outside, in rear of an entry signal.
 
-    A siding without detection is a section all the same: it always counts as occupied.
+    A siding without detection is a section all the same: it always counts as occupied.  `speed`: km/h permitted in it,
+    where the layout states it.
     """
 
     id: SectionId
     approach: bool = False
     lane: Lane = Lane.LEVEL
     detected: bool = True
+    speed: int | None = None
 
 
 @dataclass(frozen=True)
@@ -96,6 +98,7 @@ class Point:
     """One end of a set of points: three edges at one node, worked by a machine.
 
     `fouling` is the distance from the node to the fouling point (警冲标 / Grenzzeichen) on either leg.
+    `speed`: km/h permitted over the reverse leg, where the layout states it.
     A derailer is a point whose normal leg leads off the rails: normal is on, reverse is off.
     """
 
@@ -108,6 +111,7 @@ class Point:
     fouling: float
     work: Work = Work.MOTOR
     derailer: bool = False
+    speed: int | None = None
 
     def leg(self, position: Position) -> EdgeId:
         """The edge to which the point leads in that position."""

@@ -47,12 +47,10 @@ def _along(
     home = layout.section_of(layout.point[point].toe)
     far = layout.far(edge, node)
     gone += layout.edge[edge].length
-    if gone >= needed or far in layout.point_at or far in layout.crossing_at:
+    if gone >= needed or far == layout.point[point].node:
         return []
     out = []
-    for e in layout.edges_at[far]:
-        if e.id == edge:
-            continue
+    for e in layout.onward(edge, far):
         if e.section not in (home, layout.section_of(edge)):
             when = _decider(layout, e.id, far)
             out.append(FoulJoint(point, leg, home, e.section, far, gone, needed, when))

@@ -183,6 +183,17 @@ class Layout:
             return "on" if normal else "off"
         return "normal" if normal else "reverse"
 
+    def onward(self, edge: EdgeId, node: NodeId) -> tuple[Edge, ...]:
+        """The edges onto which a vehicle can go on that comes over an edge to a node, whatever points do."""
+        point, crossing = self.point_at.get(node), self.crossing_at.get(node)
+        if point is not None:
+            ways: tuple[EdgeId, ...] = (point.normal, point.reverse) if edge == point.toe else (point.toe,)
+        elif crossing is not None:
+            ways = tuple(b if edge == a else a for a, b in crossing.arms if edge in (a, b))
+        else:
+            return tuple(e for e in self.edges_at[node] if e.id != edge)
+        return tuple(self.edge[x] for x in ways)
+
     def far(self, edge: EdgeId, node: NodeId) -> NodeId:
         """The other end of an edge."""
         e = self.edge[edge]

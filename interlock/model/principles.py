@@ -77,6 +77,8 @@ class Principles:
     priorities: whether noted routes (voyages, automatic working) that could be set wait for one another in an order:
         transport over an inclined lane first, then the main direction (document A); otherwise in turn.
     priority_wait_s: how long noted routes of a lower class may wait before they come first for once; 0 for ever.
+    slow_below_kmh: a main signal shows caution instead of clear for a route whose stated speed is lower (R11, by route
+        speed); 0 for never.
     token_delay_s: how long the operator must hold the special manual change of direction (R12; our choice).
     main_closes: whether a main signal returns to stop with the first axle (railway practice), or when the whole
         movement has passed it (document B 2.1); where no second one can come from behind meanwhile (R3).
@@ -105,6 +107,7 @@ class Principles:
     local_requests: Local = Local.NONE
     priorities: bool = False
     priority_wait_s: float = 0.0
+    slow_below_kmh: float = 0.0
     token_delay_s: float = 60.0
     main_closes: Closes = Closes.FIRST_AXLE
     shunt_closes: Closes = Closes.FIRST_AXLE

@@ -7,6 +7,7 @@ and the strengthening invariants all speak of traversals; the audit walks the ed
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -191,3 +192,11 @@ def onward_edges(layout: Layout, node: NodeId, arriving: EdgeId) -> tuple[EdgeId
 def topology(layout: Layout) -> Topology:
     """The topology of a layout (kept, since several rooms ask for it)."""
     return Topology(layout)
+
+
+def path_speed(layout: Layout, ways: Iterable[Traversal]) -> int | None:
+    """The lowest speed in km/h that the layout states along a path; None where it states none (R11)."""
+    sections = {s.id: s.speed for s in layout.sections}
+    found = [sections[t.section] for t in ways]
+    found += [layout.point[p].speed for t in ways for p, x in t.points if x is Position.REVERSE]
+    return min((v for v in found if v is not None), default=None)

@@ -232,6 +232,18 @@ def _closes_late(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         yield r.id, lower(layout, replace(table, routes=tuple(late if x is r else x for x in table.routes)))
 
 
+def _too_fast(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A route shows the speed of another one from the same signal."""
+    for r in table.routes:
+        others = {x.speed.kmh for x in table.routes if x.entry == r.entry and x.kind is r.kind is RouteKind.MAIN}
+        for kmh in sorted(v for v in others if v is not None and v > (r.speed.kmh or v)):
+            faster = replace(r, speed=replace(r.speed, kmh=kmh))
+            yield (
+                f"{r.id} at {kmh}",
+                lower(layout, replace(table, routes=tuple(faster if x is r else x for x in table.routes))),
+            )
+
+
 SWINGS = "SW"
 
 
@@ -366,6 +378,7 @@ KINDS: tuple[Kind, ...] = (
         without("BV", "change complete"),
     ),
     Kind("direction-not-handed-over", "the direction stays here although it was given", without("BH", "not given")),
+    Kind("speed-too-high", "a signal shows the speed of another route", _too_fast),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),

@@ -150,6 +150,13 @@ COLUMNS: tuple[Column, ...] = (
         "zones", "Zone not full", "区域列车数限制", "Zone nicht voll", lambda r: [(z.zone, z.because) for z in r.zones]
     ),
     Column("aspect", "Aspect", "信号机显示", "Signalbegriff", _aspect),
+    Column(
+        "speed",
+        "Speed (km/h)",
+        "允许速度 (km/h)",
+        "Geschwindigkeit (km/h)",
+        lambda r: [] if r.speed.kmh is None else [(str(r.speed.kmh), r.speed.because)],
+    ),
     Column("closing", "Signal closes", "信号关闭", "Signal fällt auf Halt", _closing),
     Column(
         "block", "Line beyond clear", "闭塞条件", "Streckenblock", lambda r: [(c.section, c.because) for c in r.block]

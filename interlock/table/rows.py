@@ -234,6 +234,14 @@ class ApproachCell:
 
 
 @dataclass(frozen=True)
+class SpeedCell:
+    """The lowest speed along the route in km/h, where the layout states any; shown to the driver (R11)."""
+
+    kmh: int | None
+    because: Because
+
+
+@dataclass(frozen=True)
 class ClosingCell:
     """When the open signal returns to stop: with the first axle, or when the section before it is clear (R3)."""
 
@@ -320,6 +328,7 @@ class RouteRow:
     overlap: OverlapCell | None
     aspect: AspectCell
     closing: ClosingCell
+    speed: SpeedCell
     conditions: tuple[ConditionCell, ...]
     zones: tuple[ZoneCell, ...]
     block: tuple[BlockCell, ...]

@@ -10,9 +10,10 @@ from interlock.model.layout import Layout
 def check_foul(ctx: Context, layout: Layout) -> None:
     """Report each foul joint; the derivation protects it."""
     for f in foul_joints(layout):
+        before = next((e.section for e in layout.edges_at[f.node] if e.section != f.neighbour), f.section)
         ctx.add(
             "IL3018",
-            f"the joint {f.section}|{f.neighbour} is foul of point {f.point}: it lies {f.distance:g} m "
+            f"the joint {before}|{f.neighbour} is foul of point {f.point}: it lies {f.distance:g} m "
             f"from the point, and {f.needed:g} m are needed",
             ctx.at_key("points", f.point),
             f"routes over the other leg of {f.point} will require {f.neighbour} clear"

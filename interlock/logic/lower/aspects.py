@@ -49,6 +49,12 @@ def keep(d: Draft) -> None:
         d.kept(f"C_{n}", False, f"{g} shows clear", Join.ALL, terms, f"signal {g}")
 
 
+def speeds(d: Draft, g: SignalId) -> dict[int, str]:
+    """The speeds that a signal can show, each with the name of its output."""
+    found = {r.speed.kmh for r in d.routes_from[g] if r.kind is RouteKind.MAIN and r.speed.kmh is not None}
+    return {kmh: f"YV{kmh}_{portable(g)}" for kmh in sorted(found)}
+
+
 def outputs(d: Draft) -> None:
     """The lamps of every signal: stop, caution, clear, shunt, call-on; what a distant signal shows."""
     for signal in d.layout.signals:
@@ -64,6 +70,10 @@ def outputs(d: Draft) -> None:
             if cautions(d):
                 caution = conj((mains, neg(clear)))
                 d.outputs.append(Output(f"YY_{n}", caution, False, f"signal {signal.id}: caution (yellow)"))
+        for kmh, name in speeds(d, signal.id).items():
+            over = [r for r in routes if r.kind is RouteKind.MAIN and r.speed.kmh == kmh]
+            shown = disj([*(var(f"S_R{r.number}") for r in over), *_passing(over, RouteKind.MAIN)])
+            d.outputs.append(Output(name, shown, False, f"signal {signal.id}: speed indicator {kmh} km/h"))
         if signal.shunt:
             d.outputs.append(Output(f"YW_{n}", shunts, False, f"signal {signal.id}: shunt (white)"))
         calls = [var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.CALL_ON]

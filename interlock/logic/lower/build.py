@@ -88,6 +88,7 @@ def _symbols(d: Draft) -> Symbols:
         caution_lamp={g: f"CL_{portable(g)}" for g in lit if aspects.cautions(d)},
         clear_aspect={g: f"YP_{portable(g)}" for g in d.open_for_trains},
         stop_aspect={g: f"YS_{portable(g)}" for g in signals},
+        speed_shown={(g, kmh): name for g in d.open_for_trains for kmh, name in aspects.speeds(d, g).items()},
         distant_clear={x.id: f"YD_{portable(x.id)}" for x in d.layout.distants},
         restart=each("K"),
         train=each("M") if d.shunting else {},

@@ -1,6 +1,7 @@
 """SAT engines behind one question: can the clauses hold together with some literals?
 
 MiniSat answers the many small questions of the induction; Z3 the searches, and on request (`--engine z3`) everything.
+cvc5 is a second opinion of other makers still (`--engine cvc5`, extra `recheck`).
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from typing import Protocol
 from interlock.proof.encode import Cnf
 from interlock.proof.engines.answer import Answer
 
-ENGINES = ("minisat", "z3")
+ENGINES = ("minisat", "z3", "cvc5")
 
 
 class Sat(Protocol):
@@ -27,6 +28,10 @@ def solver(engine: str, cnf: Cnf, timeout_ms: int) -> Sat:
         from interlock.proof.engines.z3_sat import Z3Sat
 
         return Z3Sat(cnf, timeout_ms)
+    if engine == "cvc5":
+        from interlock.proof.engines.cvc5_sat import Cvc5Sat
+
+        return Cvc5Sat(cnf, timeout_ms)
     from interlock.proof.engines.minisat import MiniSat
 
     return MiniSat(cnf)

@@ -13,7 +13,7 @@ from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.overlap import overlap_paths
 from interlock.model.principles import Caution
-from interlock.model.traversal import Traversal
+from interlock.model.traversal import Traversal, path_speed
 from interlock.proof.invariants.flank import flank, flank_space
 from interlock.proof.invariants.kinds import Claim, Facts
 from interlock.proof.invariants.paths import Shown, SignalPath, ground_of, lie, shown_over, signal_paths
@@ -50,6 +50,7 @@ CLAIMS: dict[str, str] = {
     "S-BLOCKED": "No proceed is shown over a blocked section.",
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
     "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear.",
+    "S-SPEED": "No signal shows a higher speed than its path permits, as the points lie.",
     "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, and shows nothing else "
     "than stop while no lamp for it is.",
     "S-AGAIN": "A signal that closed while its route stayed set opens again only after it was asked for again.",
@@ -193,6 +194,10 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                     ),
                 ),
             )
+            permitted = path_speed(f.layout, path.ways)
+            faster = [n for (g, v), n in f.sym.speed_shown.items() if g == signal and v > (permitted or v)]
+            if faster and not shunt:
+                yield "S-SPEED", place, implies(here, neg(after(disj(map(f.system.output, faster)))))
             machines = (f.layout.point[p].machine for t in path.ways for p, _ in t.points)
             trailed = [neg(var(f.sym.trailed[m])) for m in dict.fromkeys(machines) if m in f.sym.trailed]
             if trailed:
@@ -259,6 +264,9 @@ def _clear_aspect(f: Facts, g: SignalId) -> Expr:
 
 def _allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
     """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11)."""
+    kmh = path_speed(f.layout, path.ways)
+    if kmh is not None and kmh < f.layout.principles.slow_below_kmh:
+        return FALSE
     boundary = f.layout.boundary_at.get(path.ways[-1].exit)
     if boundary is not None and boundary.checked:
         return TRUE

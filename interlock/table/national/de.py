@@ -113,7 +113,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             ),
             f"{r.approach.section or 'immer'}, {r.approach.delay_s:g} s",
             ", ".join(h.route for h in r.hostile),
-            ", ".join(r.requirements),
+            ", ".join([*r.requirements, *([f"{r.speed.kmh} km/h"] if r.speed.kmh is not None else [])]),
         )
         for r in table.routes
         if r.kind is RouteKind.MAIN

@@ -1,0 +1,36 @@
+"""cvc5 as a propositional solver: an engine of other makers, for a second opinion (extra `recheck`)."""
+
+from __future__ import annotations
+
+import cvc5
+
+from interlock.proof.encode import Cnf
+from interlock.proof.engines.answer import Answer
+
+
+class Cvc5Sat:
+    """One solver over the clauses of a `Cnf`; queries are assumed literals."""
+
+    def __init__(self, cnf: Cnf, timeout_ms: int) -> None:
+        self._terms = cvc5.TermManager()
+        self._solver = cvc5.Solver(self._terms)
+        self._solver.setOption("incremental", "true")
+        self._solver.setOption("tlimit-per", str(timeout_ms))
+        self._solver.setLogic("QF_UF")
+        boolean = self._terms.getBooleanSort()
+        self._positive = [self._terms.mkConst(boolean, str(n)) for n in range(cnf.count + 1)]
+        self._negative = [self._terms.mkTerm(cvc5.Kind.NOT, x) for x in self._positive]
+        for clause in cnf.clauses:
+            literals = [self._literal(x) for x in dict.fromkeys(clause)]
+            whole = literals[0] if len(literals) == 1 else self._terms.mkTerm(cvc5.Kind.OR, *literals)
+            self._solver.assertFormula(whole)
+
+    def _literal(self, x: int) -> cvc5.Term:
+        return self._positive[x] if x > 0 else self._negative[-x]
+
+    def ask(self, *literals: int) -> Answer:
+        """Whether the clauses can hold together with the literals."""
+        found = self._solver.checkSatAssuming(*map(self._literal, literals))
+        if found.isUnsat():
+            return Answer.UNSAT
+        return Answer.SAT if found.isSat() else Answer.UNKNOWN
