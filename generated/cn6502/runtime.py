@@ -1,7 +1,7 @@
 # Interlocking cn6502, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout e37f5b6a95c88a9709889c7a921f47c26b8b77aa025e63e5c1b55c01ba514ce8
-# claims 6b7840571aeb6f557423324f550827aaa23dbbd42b7159801e54620cb5707f81
+# layout 2871a70ede7940f50d0c9070b1415d0eab8ebc66b78c8bd5070447154b81b612
+# claims 3df23f754f3a9fe0643131c9d6447a06df6873557b97fe8534e63167a1325d22
 """Interlocking cn6502: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking crossing_line, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 9aa0f8139657e47772d567ec3e9cf14f185630a070740695c36b1f4238434def
-# claims 438a8aa18397890ad7e14011265a061bf6d16a3f26c5d08d3c76e08bff34f863
+# layout ab7beca2f85ac198614f767581f5aad7aa275ef1defeef86dbd5d0cfc86b75ce
+# claims f2417952bcb882db2f991c709531d7d5b87fc3e71ef5dea5a83c284ef6f0f611
 """Interlocking crossing_line: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking depot, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 1da76c532de4ce02d5a71bf11598d8e2dbc642409cfd7fcbb99dcc329ba56098
-# claims fc64a7268b2e41ab994e0571b4fc40a85539248770f845bc6a4e4dfb5e9f10ba
+# layout a1dd5086f88a3c4e07e41bafac02e69ef9bc1f073b46421bb005360615e4d32b
+# claims 8d3ae8a5be50c71ed2d2889f35476e150419aec2e679020571266945d6212251
 """Interlocking depot: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_1, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 5ca3da8e686c9a42ea69248a4d56398c480956d16eaffff7e561fd6c3b0e9570
-# claims 1f68457a07d85a3054671e735dda1b629defa047ae577a98d56621437925573a
+# layout 1e28934bbc05ce7fcb81fed9aff74b1ed683d179bf097f6bba082f636e68cb9b
+# claims a835369bc458d9f2579f08809d2119a6b37d99611a483bf57ce9b41356d77df6
 """Interlocking fig2_1: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_2, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout cafbfed622fcaaf9cfc2adcd1a07edc662d2ea69787ad08c6e8365c58439684a
-# claims 1136c25c427e154810394272f4df932823cb249f4604f7673cc8dd7cdac5aa1f
+# layout f3d8c7d39b17f0679e55956ff692795c76659650750b638a67408f2f8a1eb4eb
+# claims 28fb77ba28fdf5760cc8dd55509bdbb56a16c50d3c1a2d1490233ff24a1a3c04
 """Interlocking fig2_2: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_3_split, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 08f6cfbddacdd7587d82e06f7adbc254e3ab2463e8dba42f3e253e002447bbb3
-# claims 28f17e826a4af86f044eed7f92763e195138f7a11d521315ab525221408d4150
+# layout ab5a2021d1eefacb9a1db08c740821b07ee7abb5479ab875e2ef7f12b300f180
+# claims 2b65eec6b318ce1d9c18e0f46a737067f6125024db77250c21db7e6ea4253e0c
 """Interlocking fig2_3_split: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking fig2_3_whole, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout dfeaeaca71115ba177d00d1f9d5cce756ce1dbdb75c448ff83cecd0178b4b91e
-# claims 4e5e3f3c7032414dd9ff764af3fb5c7820edb571b1ebad6c023d5bf05ce8ebb3
+# layout 3589f3b4f15624e2d7955ca104f194dc05e926516f34128dd071d86db8c8c1fb
+# claims c0f3f888eef56e7bd66ea1731f7827616ceb98febf62f0641ce634def82f3acf
 """Interlocking fig2_3_whole: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking flank_lab, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 8215313250c9ce0678d45a3de83bf38cf7d5b13c0e16e3746e45d60a4be2cf70
-# claims 023070903d7aa118a1d34ca1bc78a63af46abc53551731cffda05ef71fb23479
+# layout ac60195d1b90ba982d3a9576c321210e45e0af52550bab70e55ca0a8dd2a6d7c
+# claims 5c6b8e632397514d58b0bf3a3c8e391f9dc9842b4b9685abc50d681f5fe910b7
 """Interlocking flank_lab: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
@@ -351,12 +351,16 @@ OUTPUTS = {
     'YS_L5': True,  # signal L5: stop
     'YP_N2': False,  # signal N2: clear (green)
     'YY_N2': False,  # signal N2: caution (yellow)
+    'YV80_N2': False,  # signal N2: speed indicator 80 km/h
     'YS_N2': True,  # signal N2: stop
     'YP_N8': False,  # signal N8: clear (green)
     'YY_N8': False,  # signal N8: caution (yellow)
+    'YV40_N8': False,  # signal N8: speed indicator 40 km/h
     'YS_N8': True,  # signal N8: stop
     'YP_S1': False,  # signal S1: clear (green)
     'YY_S1': False,  # signal S1: caution (yellow)
+    'YV40_S1': False,  # signal S1: speed indicator 40 km/h
+    'YV80_S1': False,  # signal S1: speed indicator 80 km/h
     'YS_S1': True,  # signal S1: stop
     'YP_SA': False,  # signal SA: clear (green)
     'YY_SA': False,  # signal SA: caution (yellow)
@@ -1191,8 +1195,8 @@ class Controller:
         N_VF_S1 = (VF_S1 or LK_R9 or LK_R10) and (V_S1_1 or V_S1_2)  # overlap of S1 firmly held
         N_C_F = PR_R1 and PR_R1 and GL_F  # F shows clear
         N_C_N2 = (PR_R3 or PR_R4) and ((PR_R3 and PR_R1) or (PR_R4 and PR_R1)) and GL_N2  # N2 shows clear
-        N_C_N8 = (PR_R5 or PR_R6) and ((PR_R5 and PR_R1) or (PR_R6 and PR_R1)) and GL_N8  # N8 shows clear
-        N_C_S1 = (PR_R7 or PR_R8) and ((PR_R7 and (PR_R3 or PR_R4)) or (PR_R8 and (PR_R5 or PR_R6))) and GL_S1  # S1 shows clear
+        N_C_N8 = (PR_R5 or PR_R6) and False and GL_N8  # N8 shows clear
+        N_C_S1 = (PR_R7 or PR_R8) and (PR_R7 and (PR_R3 or PR_R4)) and GL_S1  # S1 shows clear
         N_C_SA = (PR_R9 or PR_R10) and ((PR_R9 and (PR_R7 or PR_R8)) or (PR_R10 and (PR_R7 or PR_R8))) and GL_SA  # SA shows clear
         self.state = {
             'CN_1': bool(N_CN_1),
@@ -1594,12 +1598,16 @@ class Controller:
             'YS_L5': bool((not S_R2)),
             'YP_N2': bool(C_N2),
             'YY_N2': bool((S_R3 or S_R4) and (not C_N2)),
+            'YV80_N2': bool(S_R3 or S_R4),
             'YS_N2': bool((not (S_R3 or S_R4))),
             'YP_N8': bool(C_N8),
             'YY_N8': bool((S_R5 or S_R6) and (not C_N8)),
+            'YV40_N8': bool(S_R5 or S_R6),
             'YS_N8': bool((not (S_R5 or S_R6))),
             'YP_S1': bool(C_S1),
             'YY_S1': bool((S_R7 or S_R8) and (not C_S1)),
+            'YV40_S1': bool(S_R8),
+            'YV80_S1': bool(S_R7),
             'YS_S1': bool((not (S_R7 or S_R8))),
             'YP_SA': bool(C_SA),
             'YY_SA': bool((S_R9 or S_R10) and (not C_SA)),

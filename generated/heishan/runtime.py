@@ -1,7 +1,7 @@
 # Interlocking heishan, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout c9e10dabec1a7dde7b65448e224fa10af15e952cad4c35ccf306fd9d19e97c5b
-# claims e79173ddb382f23e82e32bbc60bbcf3dfc826e815a5de26193ac5e6fbc3f8702
+# layout 8d47c81159a97984408d8de8ecbb9327a8f86e3b60375643c689bee0dacd036c
+# claims 27375a1958555b329801b8dc07f2d5d3d7b695dd0180501748565f3da5d9d92c
 """Interlocking heishan: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

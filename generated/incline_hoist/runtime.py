@@ -1,7 +1,7 @@
 # Interlocking incline_hoist, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout acbe7909ccabd325fc0cf4bf35a8b0e5f563c53fd557b1b7a6fb84f590f33524
-# claims 8315dabea4b904edd244d45b58d17be247568b4ee8400bf3dd92182e550c4715
+# layout 4332c5c9def9ae1b212caddcdb52d4cc461b5ae15ef1d81345a44f7c49380dd5
+# claims 5f9bcd711d29d7b22ca3d29ec19dce5eb89d48110150bf27a0c25809dc0dc0f2
 """Interlocking incline_hoist: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout ba078db4a6ae3fca1d12d403b9d74fb9501d220b17fa280fb75f11b4150c8e72
-# claims 1035a333e7be8c510f756d5db75e74aeb7be7e949fa7ad6dd0e082c51fc615af
+# layout c0d6e467e037e621008b849bd8c03cf9203309e9352df4cebbb8e1e0b7ae3871
+# claims 00363a26f4a90804fac1059817031a707361c2dad3af83bf1c2ff1f5fe3102b7
 """Interlocking junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking mine11, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout dae306e6c03d5ad75c8868ab1da993f45933f478b993a49579262f956fe746a3
-# claims 3da94494c3c9c0fd1dffcf68439e5a42dc3d42d5f1083b0dd9b141fea06acd79
+# layout c8959546ad8b3153313384257f05acc6d6ab6516d70f9c531bbeb73e9e2fb90c
+# claims f466c89ef9155015f1597011fa57c85e371e5b794c3390aa8d8b9887e8fe6df5
 """Interlocking mine11: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

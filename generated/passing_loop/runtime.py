@@ -1,7 +1,7 @@
 # Interlocking passing_loop, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout e4611c1f1bb87bb4f011589b3f223a8c94a6dafd1b796ed01f1c21cc37b6b1c4
-# claims c65a098e3931ba36c3302b7ef093ead843ccb929f40f6175381a2c6b53b752d4
+# layout c1587e4fd30475cf820a1df78f6f80d45f552b7a9270cd7265778147239f3ce7
+# claims 175fd49f3314a02e2a7b2b5b375eaf67e58dcbc177c6603996b90f3dad17d095
 """Interlocking passing_loop: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking pit_bottom, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 19eb152e89080748fb515f663c881c609cd1074cc8a8b63809d900ac6f26d0a5
-# claims 38454b76d62100d0ea02c744d9f9ee44020e1eb7bdeb022de0d9270e07ae9f26
+# layout 1b129065d8033943d393835f3f512a4303a8dafa214883bb628d605b48985f27
+# claims 8db25ba55a65210d63d1b7e4b4facae3008dc28f9d5c7fbdf0dca3f774de4454
 """Interlocking pit_bottom: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

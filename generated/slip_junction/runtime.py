@@ -1,7 +1,7 @@
 # Interlocking slip_junction, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout efe9b9119d8a9c62acc9fedfdbcbdcca0789e8badde8806b3e8f05d037325c49
-# claims 3b06be0cdc94a289c94eddb4511ad2a75412aa1e48203b6d6d5ac9d58379171c
+# layout ae8b90778b1b5deb9c15917108fd682e755bf21252f31ec3957b575445c837f9
+# claims 38114b333f3c5162cd598ee2e8142a206e0105f79fb17c050fdef27d2b790d58
 """Interlocking slip_junction: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking terminus, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 378a12080bb37f91aafbef7d0cf2b7463cd26b9b0fdf18e127683e9c23aeee53
-# claims 9174617720897da1719f0c31d8143fe068a28996a026e925a064a555f4b7bf3a
+# layout a52e9a9aa61a7f769da349b83051aedd2bfc702a2183e1f764149011ed48bad7
+# claims 6793e030736fde206141096caa1040da85b08c68b82ab29ce9c8eee05de03b6c
 """Interlocking terminus: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.

@@ -1,7 +1,7 @@
 # Interlocking terminus_slip, made by interlock 0.1.0. Standard program, not certified.
 # Not an F-program.
-# layout 264551288056fa9be35b529f86dd280616c651d0c697fd6617cae3643e8258ae
-# claims aa5e7e81616d9e2d7da4d7f4bbb3babc1910baf86faa68ef1ddfc0a2b7cd4bb9
+# layout d7ddfc0463358a19cc866d31335418ddbede036f0ed8a71ee1852645eb9d0f36
+# claims 9b4c2f4fe7c57845257ad80ea6bc8b8fe98b4db633bb04758872bbe78ec83522
 """Interlocking terminus_slip: call `Controller().scan(inputs, dt_ms)` once per cycle.
 
 Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.
