@@ -27,7 +27,16 @@ LAYOUTS = (
 MORE = {
     "layouts/heishan.yaml": ("zone-not-checked", "zone-miscounted"),
     "layouts/pit_bottom.yaml": ("fault-ignored",),
-    "layouts/flank_lab.yaml": ("flank-space-not-checked",),
+    "layouts/flank_lab.yaml": ("flank-space-not-checked", "swing-before-train", "swing-at-once"),
+    "tests/layouts_for_tests/closing.yaml": (
+        "closes-late",
+        "stays-open",
+        "open-while-released",
+        "passing-not-supervised",
+    ),
+    "tests/layouts_for_tests/token.yaml": tuple(k.name for k in KINDS if k.name.startswith("direction-")),
+    "tests/layouts_for_tests/swing.yaml": tuple(k.name for k in KINDS if k.name.startswith("swing-")),
+    "tests/layouts_for_tests/speeds.yaml": ("speed-too-high",),
 }
 
 
