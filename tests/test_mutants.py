@@ -7,6 +7,7 @@ import pytest
 from interlock.proof.invariants import CLAIMS
 from interlock.proof.mutate import KINDS, Fate, judge, run_mutants
 from interlock.proof.runner import Limits
+from interlock.proof.text_mutants import TEXT_KINDS, run_text_mutants
 from tests.layouts import built
 
 NO_SEARCH = Limits(search_depth=0)
@@ -144,3 +145,12 @@ def test_every_kind_makes_controllers_on_the_layouts_of_every_rule(name: str) ->
     layout, table, _ = built(name)
     made = {k.name: sum(1 for _ in k.make(layout, table)) for k in KINDS}
     assert sum(made.values()) > 100
+
+
+def test_every_kind_of_edit_of_the_texts_is_refuted_somewhere() -> None:
+    controller = built("fig2_2")[2]
+    outcomes = run_text_mutants(controller, 2)
+    assert {o.kind for o in outcomes if o.fate is Fate.REFUTED} >= set(TEXT_KINDS) - {"text-statements-exchanged"}
+    assert {o.fate for o in outcomes} == {Fate.REFUTED, Fate.SAME}
+    for o in outcomes:  # whatever keeps its meaning only moved statements or took the same operand twice
+        assert o.fate is Fate.REFUTED or "exchanged" in o.kind or "swapped" in o.kind, o

@@ -32,6 +32,8 @@ class Fate(StrEnum):
     KILLED = "killed by a train movement"
     STRICT = "killed, no movement found"
     REDUNDANT = "redundant"
+    REFUTED = "refuted as text"
+    SAME = "same meaning"
 
 
 @dataclass(frozen=True)

@@ -17,11 +17,11 @@ from dataclasses import dataclass
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Controller
 from interlock.proof.python_text import compare_runtime
+from interlock.proof.text_mutants import PYTHON_EDITS, ST_EDITS
 from interlock.proof.translation import compare_dialect
 from interlock.st.dialects import DIALECTS, Dialect, write_st
 from interlock.st.dialects.restart import RESTART
 from interlock.st.meaning import Execution, Numbers
-from tests.edits import PYTHON_EDITS, ST_EDITS
 from tests.layouts import built
 from tests.test_equal import random_inputs
 
@@ -47,9 +47,11 @@ def one_edit(controller: Controller, dialect: Dialect | None, rng: random.Random
     name = rng.choice(sorted(files))
     edits = PYTHON_EDITS if dialect is None else ST_EDITS
     kind = rng.choice(sorted(edits))
-    text = edits[kind](files[name], rng, dialect is None)
-    if text is None or text == files[name]:
+    places = edits[kind](files[name], dialect is None)
+    if not places:
         return None
+    place = rng.choice(places)
+    text = place.edited(files[name], rng.choice(place.instead))
     changed = {**files, name: text}
     if dialect is None:
         found = compare_runtime(controller, text)
