@@ -389,13 +389,14 @@ class Stations:
         self.west = simulator(TWO.replace("{approach: ea 300}", "{approach: ea 300, block: token}"))
         self.east = simulator(TWO.replace("{approach: wa 300}", "{approach: wa 300, block: token}"))
         self.ends = ((self.west, "E"), (self.east, "W"))
-        quiet = dict.fromkeys(("NR", "NG", "NH"), 0)
+        quiet = dict.fromkeys(("NR", "NG", "NN", "NH"), 0)
         self.under_way = [[quiet] * delay for _ in self.ends]
 
     def run(self, count: int, west: dict[str, int] | None = None, east: dict[str, int] | None = None) -> None:
         """Scans of both, each in turn; the line is clear."""
         for _ in range(count):
-            told = [{f"N{w}": int(on(sim, f"Y{w}_{end}")) for w in "RGH"} for sim, end in self.ends]
+            words = (("R", "A"), ("G", "G"), ("N", "N"), ("H", "H"))
+            told = [{f"N{w}": int(on(sim, f"YT{y}_{end}")) for w, y in words} for sim, end in self.ends]
             for k, (sim, end) in enumerate(self.ends):
                 self.under_way[k].append(told[1 - k])
                 telegram = {f"{name}_{end}": value for name, value in self.under_way[k].pop(0).items()}

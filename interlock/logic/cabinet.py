@@ -87,9 +87,9 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
     for c, name in sym.condition.items():
         yield name, "I", c
     for b, x_ in sym.token.items():
-        for name in (x_.asks, x_.gives, x_.has, x_.clear):
+        for name in (x_.asks, x_.gives, x_.keeps, x_.has, x_.clear):
             yield name, "I", b
-        for out in ("YR", "YG", "YH"):
+        for out in ("YTA", "YTG", "YTN", "YTH"):
             yield f"{out}_{portable(b)}", "Q", b
     for m in layout.machines:
         for x in Position:

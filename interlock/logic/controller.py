@@ -111,11 +111,12 @@ class Output:
 
 @dataclass(frozen=True)
 class BlockSymbols:
-    """Names of a line's direction token: the neighbour asks, gives, has; the line is clear; the manual change; the
-    token is here, is given, may be taken; the delay of the manual change."""
+    """Names of a line's direction token: the neighbour asks, gives, gives not, has; the line is clear; the manual
+    change; the token is here, is given, its last change is complete; the delay of the manual change."""
 
     asks: str
     gives: str
+    keeps: str
     has: str
     clear: str
     manual: str

@@ -30,7 +30,7 @@ def wiring(controller: Controller, layout: Layout) -> Wiring:
         approach_timer=s.approach_timer,
         overlap_timer=s.overlap_timer,
         swings={g: _turning(controller, g) for g in s.swings},
-        token={b: TokenWires(x.gives, x.has, x.clear, x.have, x.give, x.timer) for b, x in s.token.items()},
+        token={b: TokenWires(x.gives, x.keeps, x.has, x.clear, x.have, x.give, x.timer) for b, x in s.token.items()},
     )
 
 

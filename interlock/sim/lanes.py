@@ -168,6 +168,7 @@ class Lanes:
         values |= dict.fromkeys((*sym.condition.values(), *sym.healthy.values(), *lamps), m)
         for b, wire in sym.token.items():
             values |= {wire.gives: moved[f"tel.gives.{b}"], wire.has: moved[f"tel.has.{b}"]}
+            values[wire.keeps] = m ^ moved[f"tel.gives.{b}"]
             values[wire.clear] = m ^ reduce(or_, (moved.get(n, 0) for n in self.plant.on_line(b)))
         for lane, wish in wanted:
             for name, value in wish.inputs.items():

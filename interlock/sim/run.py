@@ -73,6 +73,7 @@ class Simulator:
             values[name] = 1
         for b, wire in sym.token.items():
             values |= {wire.gives: int(moved[f"tel.gives.{b}"]), wire.has: int(moved[f"tel.has.{b}"])}
+            values[wire.keeps] = int(not moved[f"tel.gives.{b}"])
             values[wire.clear] = int(not any(moved.get(n) for n in self.plant.on_line(b)))
         values |= inputs or {}
         self._run_timers(values)

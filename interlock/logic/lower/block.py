@@ -1,8 +1,9 @@
 """The direction token of a line beyond a boundary (R12): this interlocking has it, or the neighbour, or nobody.
 
-Per boundary: BH the token is here; BG it is given, until the neighbour says that he has it; BN since it was last taken
-the neighbour has been seen not to give it, so that the change is complete and the next may begin.  All three are off
-after a restart: then the neighbour gives the token, or the special manual change brings it back.
+Per boundary: BH the token is here; BG it is given, until the neighbour says that he has it; BY it is not given; BN
+since it was last taken the neighbour has told that he does not give it: the change is complete, the next may begin.
+After a restart the token is not here: the neighbour gives it, or the special manual change brings it back.  Each word
+of the telegram has a wire or bit of its own that may always read 0: that it is not given is told, not missed.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ def tokens(d: Draft) -> dict[NodeId, BlockSymbols]:
     out = {}
     for b in d.layout.boundaries:
         if b.block is BlockKind.TOKEN:
-            prefixes = ("NR", "NG", "NH", "LC", "TKN", "BH", "BG", "BN", "BT")
+            prefixes = ("NR", "NG", "NN", "NH", "LC", "TKN", "BH", "BG", "BN", "BT")
             out[b.node] = BlockSymbols(*(f"{p}_{portable(b.node)}" for p in prefixes))
     return out
 
@@ -30,6 +31,7 @@ def inputs(d: Draft) -> None:
     for b, x in tokens(d).items():
         d.inputs.append(Input(x.asks, f"neighbour at {b} asks for the direction"))
         d.inputs.append(Input(x.gives, f"neighbour at {b} gives the direction"))
+        d.inputs.append(Input(x.keeps, f"neighbour at {b} does not give the direction"))
         d.inputs.append(Input(x.has, f"neighbour at {b} has the direction"))
         d.inputs.append(Input(x.clear, f"the whole line beyond {b} reported clear"))
         d.inputs.append(Input(x.manual, f"operator: take the direction at {b} (agreed by telephone; hold)"))
@@ -110,16 +112,26 @@ def keep(d: Draft) -> None:
             ),
             group,
         )
-        off = conj((var("VALID"), neg(var(x.gives))))
+        kept = neg(disj((var(x.give), var(f"BV_{n}"))))
+        d.kept(
+            f"BY_{n}",
+            False,
+            f"the direction at {b} is not given",
+            Join.ANY,
+            (Term(kept, "kept"), Term(arrived, "arrived")),
+            group,
+        )
+        off = conj((var("VALID"), var(x.keeps)))
         d.kept(
             x.seen,
             False,
-            f"the neighbour at {b} was seen not to give the direction",
+            f"the neighbour at {b} told that he does not give the direction",
             Join.ALL,
             (Term(disj((var(x.seen), off)), "held or seen"), Term(neg(var(f"BK_{n}")), "not taken")),
             group,
         )
         asks = conj((_locked_out(d, b), neg(var(x.have))))
-        d.outputs.append(Output(f"YR_{n}", asks, False, f"to the neighbour at {b}: direction asked for"))
-        d.outputs.append(Output(f"YG_{n}", var(x.give), False, f"to the neighbour at {b}: direction given"))
-        d.outputs.append(Output(f"YH_{n}", var(x.have), False, f"to the neighbour at {b}: direction is here"))
+        d.outputs.append(Output(f"YTA_{n}", asks, False, f"to the neighbour at {b}: direction asked for"))
+        d.outputs.append(Output(f"YTG_{n}", var(x.give), False, f"to the neighbour at {b}: direction given"))
+        d.outputs.append(Output(f"YTN_{n}", var(f"BY_{n}"), False, f"to the neighbour at {b}: direction not given"))
+        d.outputs.append(Output(f"YTH_{n}", var(x.have), False, f"to the neighbour at {b}: direction is here"))

@@ -79,10 +79,15 @@ def neighbour(x: Beyond, b: Boundary) -> None:
     p.next[f"token.has.{n}"] = conj((disj((has, take, manual)), neg(give), neg(lost)))
     p.next[f"token.gives.{n}"] = conj((disj((gives, give)), neg(seen_by(n, "has")), neg(lost)))
     p.next[f"token.fresh.{n}"] = conj((disj((fresh, neg(seen_by(n, "gives")))), neg(take), neg(lost)))
-    for name, w in ((wire.gives, "gives"), (wire.has, "has")):
-        same = disj((conj((var(name), p.next[f"tel.{w}.{n}"])), conj((neg(var(name)), neg(p.next[f"tel.{w}.{n}"])))))
-        _assume(x, "A-NEIGHBOUR", implies(var(x.w.valid), same))
-    alone = conj((empty, neg(has), neg(gives), neg(seen_by(n, "gives")), neg(take)))
+    told_now = {w: p.next[f"tel.{w}.{n}"] for w in ("has", "gives")}
+    for name, true in (
+        (wire.gives, told_now["gives"]),
+        (wire.keeps, neg(told_now["gives"])),
+        (wire.has, told_now["has"]),
+    ):
+        _assume(x, "A-NEIGHBOUR", implies(conj((var(x.w.valid), var(name))), true))
+    stale = disj((telegram(n, "has"), telegram(n, "gives"), seen_by(n, "gives")))
+    alone = conj((empty, neg(has), neg(gives), neg(stale), neg(take)))
     _assume(x, "A-AGREED", implies(var(wire.timer), alone))
     # at a restart the line and the neighbour are as the token's rules have left them
     sent = disj((line(n, "in"), o(outside(b))))

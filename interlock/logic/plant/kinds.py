@@ -16,6 +16,7 @@ class TokenWires:
     that is told to the neighbour, the delay of the special manual change."""
 
     gives: str
+    keeps: str
     has: str
     clear: str
     have: str
@@ -143,10 +144,10 @@ ASSUMPTIONS: dict[str, str] = {
     "its new direction.",
     "A-LATE-OUTPUT": "Signals and machines follow the outputs of the last scan or of the scan before, not older.",
     "A-BEYOND": "Beyond a boundary the neighbour protects trains; nothing is proved there.",
-    "A-NEIGHBOUR": "The neighbour at the other end of a line with a direction token follows the token's rules; its "
-    "telegrams come late or not at all, but whole and in order, and VALID is off while none comes.",
+    "A-NEIGHBOUR": "The neighbour at the other end of a line with a direction token follows the token's rules; what he "
+    "tells comes late, or reads as nothing, but in order: no word arrives that the last telegram did not have.",
     "A-AGREED": "The special manual change of direction is used only as agreed by telephone: the line is empty, the "
-    "neighbour has no direction, and no telegram that gives it is under way.",
+    "neighbour has no direction, and no telegram that gives it, or that says he has it, is under way.",
     "A-LINE": "A line is not reported clear while a train is on it before and after a step.",
     "A-STANDS": "A vehicle inside the layout that is not on a route stands still; others may roll in only from "
     "beyond the next stop signal, and a signal at stop stops them.",
