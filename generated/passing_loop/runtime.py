@@ -51,6 +51,7 @@ INPUTS = {
     'TC_2': (0, 2),  # operator: machine 2 has been looked at after it was trailed
     'NR_W': (0, 2),  # neighbour at W asks for the direction
     'NG_W': (0, 2),  # neighbour at W gives the direction
+    'NN_W': (0, 2),  # neighbour at W does not give the direction
     'NH_W': (0, 2),  # neighbour at W has the direction
     'LC_W': (0, 2),  # the whole line beyond W reported clear
     'TKN_W': (0, 2),  # operator: take the direction at W (agreed by telephone; hold)
@@ -181,7 +182,8 @@ STATE = {
     'D_IIAG': False,  # IIAG: detection is not relied on, inputs were lost or a train is called on
     'BH_W': False,  # the direction at W is ours
     'BG_W': False,  # the direction at W is given
-    'BN_W': False,  # the neighbour at W was seen not to give the direction
+    'BY_W': False,  # the direction at W is not given
+    'BN_W': False,  # the neighbour at W told that he does not give the direction
     'C_S': False,  # S shows clear
     'C_S1': False,  # S1 shows clear
     'C_S3': False,  # S3 shows clear
@@ -223,9 +225,10 @@ OUTPUTS = {
     'YL_IAG': True,  # indication: IAG is locked
     'YL_IG': True,  # indication: IG is locked
     'YL_IIAG': True,  # indication: IIAG is locked
-    'YR_W': False,  # to the neighbour at W: direction asked for
-    'YG_W': False,  # to the neighbour at W: direction given
-    'YH_W': False,  # to the neighbour at W: direction is here
+    'YTA_W': False,  # to the neighbour at W: direction asked for
+    'YTG_W': False,  # to the neighbour at W: direction given
+    'YTN_W': False,  # to the neighbour at W: direction not given
+    'YTH_W': False,  # to the neighbour at W: direction is here
     'YP_S': False,  # signal S: clear (green)
     'YY_S': False,  # signal S: caution (yellow)
     'YO_S': False,  # signal S: call-on, beside stop
@@ -312,6 +315,7 @@ class Controller:
         TC_2 = read['TC_2']
         NR_W = read['NR_W']
         NG_W = read['NG_W']
+        NN_W = read['NN_W']
         NH_W = read['NH_W']
         LC_W = read['LC_W']
         TKN_W = read['TKN_W']
@@ -439,6 +443,7 @@ class Controller:
         D_IIAG = old['D_IIAG']
         BH_W = old['BH_W']
         BG_W = old['BG_W']
+        BY_W = old['BY_W']
         BN_W = old['BN_W']
         C_S = old['C_S']
         C_S1 = old['C_S1']
@@ -842,7 +847,8 @@ class Controller:
         N_D_IIAG = (D_IIAG or ((not VALID) and (L_IIAG_1 or L_IIAG_2)) or G_R3 or G_R4) and (not RLS_IIAG)  # IIAG: detection is not relied on, inputs were lost or a train is called on
         N_BH_W = (BH_W or BK_W or BT_W) and (not BV_W)  # the direction at W is ours
         N_BG_W = (BG_W or BV_W) and (not (VALID and NH_W))  # the direction at W is given
-        N_BN_W = (BN_W or (VALID and (not NG_W))) and (not BK_W)  # the neighbour at W was seen not to give the direction
+        N_BY_W = (not (BG_W or BV_W)) or (VALID and NH_W)  # the direction at W is not given
+        N_BN_W = (BN_W or (VALID and NN_W)) and (not BK_W)  # the neighbour at W told that he does not give the direction
         N_C_S = (PR_R1 or PR_R2) and ((PR_R1 and PR_R5) or (PR_R2 and PR_R6))  # S shows clear
         N_C_S1 = PR_R5 and PR_R5  # S1 shows clear
         N_C_S3 = PR_R6 and PR_R6  # S3 shows clear
@@ -974,6 +980,7 @@ class Controller:
             'D_IIAG': bool(N_D_IIAG),
             'BH_W': bool(N_BH_W),
             'BG_W': bool(N_BG_W),
+            'BY_W': bool(N_BY_W),
             'BN_W': bool(N_BN_W),
             'C_S': bool(N_C_S),
             'C_S1': bool(N_C_S1),
@@ -1106,6 +1113,7 @@ class Controller:
         D_IIAG = self.state['D_IIAG']
         BH_W = self.state['BH_W']
         BG_W = self.state['BG_W']
+        BY_W = self.state['BY_W']
         BN_W = self.state['BN_W']
         C_S = self.state['C_S']
         C_S1 = self.state['C_S1']
@@ -1128,9 +1136,10 @@ class Controller:
             'YL_IAG': bool(K_IAG or L_IAG_1 or L_IAG_2),
             'YL_IG': bool(K_IG or L_IG_1 or L_IG_2),
             'YL_IIAG': bool(K_IIAG or L_IIAG_1 or L_IIAG_2),
-            'YR_W': bool(L_IAG_1 and (not BH_W)),
-            'YG_W': bool(BG_W),
-            'YH_W': bool(BH_W),
+            'YTA_W': bool(L_IAG_1 and (not BH_W)),
+            'YTG_W': bool(BG_W),
+            'YTN_W': bool(BY_W),
+            'YTH_W': bool(BH_W),
             'YP_S': bool(C_S),
             'YY_S': bool((S_R1 or S_R2) and (not C_S)),
             'YO_S': bool(S_R3 or S_R4),
