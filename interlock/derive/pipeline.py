@@ -53,6 +53,10 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     by_key = {t.key: t for t in locks}
     demands = {p.id: _demands(p, by_key, sink) for p in paths}
     swinging = _swinging(layout, paths)
+    for o in layout.overlaps:
+        if o.swing and o.signal not in swinging:
+            text = f"the overlap of {o.signal} cannot swing: not every way to {o.signal} permits two alternatives of it"
+            sink.add("IL4009", text, None, f"remove `swing: yes` of {o.signal}, or give its overlap a second way")
     hostile = derive_hostile(paths, by_key, demands)
     names = _names(layout, paths, sink)
     _notes(layout, paths, sink)

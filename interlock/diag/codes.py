@@ -78,6 +78,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4003": (_E, "a signal from which no route leads"),
     "IL4004": (_I, "a route of more than three sections"),
     "IL4008": (_E, "a route without room for its overlap"),
+    "IL4009": (_W, "an overlap that was to swing and cannot"),
     "IL4005": (_I, "a path that meets itself was left out"),
     "IL4006": (_E, "a route that no train can drive"),
     "IL4007": (_E, "the audit disagrees with the derived table"),
