@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from interlock.audit import audit
-from interlock.audit.recheck import open_flanks
+from interlock.audit.flank import open_flanks
 from interlock.audit.walk import trips
 from interlock.logic.lower import lower
 from interlock.proof.runner import Limits, Verdict, prove

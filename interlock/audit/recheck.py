@@ -11,19 +11,16 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from interlock.audit.flank import flank_space, open_flanks, pairs
 from interlock.audit.walk import (
-    Frozen,
     Move,
     Trip,
     distances,
     overruns,
-    signal_distance,
-    signal_facing,
     standing_place,
-    steps,
     trips,
 )
-from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal, SignalId
+from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Caution
 from interlock.table.rows import InterlockingTable, RouteRow, Shows
@@ -51,13 +48,15 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
         for over in overruns(layout, t)
     ]
     mine += [replace(t, call_on=True) for t in mine if _calls_on(layout, t)]
+    between: dict[tuple[str, str], list[Trip]] = {}
+    for t in mine:
+        between.setdefault((t.entry, t.exit), []).append(t)
     for r in table.routes:
+        left = between.get((r.entry, r.exit), [])
         same = [
             t
-            for t in mine
-            if t.entry == r.entry
-            and t.exit == r.exit
-            and (t.shunt, t.call_on) == (r.kind == "shunt", r.kind == "call-on")
+            for t in left
+            if (t.shunt, t.call_on) == (r.kind == "shunt", r.kind == "call-on")
             and t.berth == r.berth
             and t.sections == r.section_ids
             and _path_positions(r) == dict(t.positions)
@@ -68,8 +67,11 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
             found.append(Finding(r.id, "route", f"the audit finds {len(same)} such paths"))
             continue
         matched[r.id] = same[0]
-        mine.remove(same[0])
-    found += [Finding(f"{t.entry}-{t.exit}", "route", f"not in the table: over {', '.join(t.sections)}") for t in mine]
+        left.remove(same[0])
+    unlisted = [t for those in between.values() for t in those]
+    found += [
+        Finding(f"{t.entry}-{t.exit}", "route", f"not in the table: over {', '.join(t.sections)}") for t in unlisted
+    ]
     for r in table.routes:
         if r.id in matched:
             found += _row(layout, r, matched[r.id])
@@ -162,7 +164,7 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     for place in open_flanks(layout, trip, frozen):
         if (place.point, place.leg) not in waived:
             yield Finding(r.id, "flank", f"a vehicle can reach {place.name}")
-    needed_clear, possible = _flank_space(layout, trip, frozen, waived)
+    needed_clear, possible = flank_space(layout, trip, frozen, waived)
     asked = {(c.name, c.lamp) for c in r.space}
     if not needed_clear <= asked <= possible:
         odd = sorted(name for name, _ in (needed_clear - asked) | (asked - possible))
@@ -237,137 +239,13 @@ def frozen_machines(r: RouteRow) -> set[MachineId]:
     return {p.machine for p in r.points}
 
 
-@dataclass(frozen=True)
-class Place:
-    """An unused leg of a point or an end of a crossed arm: entered over `edge` towards `node`."""
-
-    name: str
-    node: NodeId
-    edge: EdgeId
-    clear_of: float
-    point: str
-    leg: Position | None
-
-
-def _pairs(trip: Trip) -> Iterator[tuple[Move, Move]]:
-    """Each move with the one after it, on the path and on the overlap."""
-    yield from pairwise(trip.moves)
-    yield from pairwise(trip.over)
-
-
-def unused_places(layout: Layout, trip: Trip) -> list[Place]:
-    """Every place beside the path at which a vehicle could come in."""
-    out: list[Place] = []
-    margin = layout.principles.clearance_m
-    for a, b in _pairs(trip):
-        point = layout.point_at.get(a.node)
-        if point is not None:
-            unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
-            leg = Position.NORMAL if unused == point.normal else Position.REVERSE
-            out.append(Place(f"{point.id}.{leg}", a.node, unused, point.fouling + margin, point.id, leg))
-        crossing = layout.crossing_at.get(a.node)
-        if crossing is not None:
-            for arm in crossing.arms:
-                if a.edge not in arm:
-                    out += [
-                        Place(f"{crossing.id}/{e}", a.node, e, layout.principles.fouling_m + margin, "", None)
-                        for e in arm
-                    ]
-    return out
-
-
-def open_flanks(layout: Layout, trip: Trip, frozen: Frozen) -> list[Place]:
-    """Places that the area of some vehicle from outside touches."""
-    return [p for p in unused_places(layout, trip) if _reached(layout, p, frozen)]
-
-
-Space = set[tuple[str, bool]]
-"""Sections, and signals (True)."""
-
-
-def _flank_space(
-    layout: Layout, trip: Trip, frozen: Frozen, waived: Collection[tuple[str, Position | None]]
-) -> tuple[Space, Space]:
-    """What lies between the places and what stops vehicles: with the points as the route locks them, and at most."""
-    needed: Space = set()
-    possible: Space = set()
-    path = {m.edge for m in (*trip.moves, *trip.over)}
-    for place in unused_places(layout, trip):
-        own = {layout.section_of(e.id) for e in layout.edges_at[place.node] if e.id in path}
-        if (place.point, place.leg) not in waived:
-            needed |= _between(layout, place, own, frozen)
-        possible |= _between(layout, place, own, {})
-    return needed, possible
-
-
-def _between(layout: Layout, place: Place, own: Collection[SectionId], frozen: Frozen) -> Space:
-    """Backwards from a place over everything from which a vehicle could roll to it."""
-    rules = layout.principles
-    found: Space = set()
-    todo = [Move(place.edge, place.node)]
-    seen: set[Move] = set()
-    while todo:
-        here = todo.pop()
-        e = layout.edge[here.edge]
-        if here in seen or (e.one_way and here.node != e.b):
-            continue
-        seen.add(here)
-        if rules.flank_space and e.section not in own and e.section not in layout.undetected:
-            found.add((e.section, False))
-        rear = layout.far(here.edge, here.node)
-        if rear in (place.node, *layout.buffer_at, *layout.boundary_at):
-            continue
-        if _stops(layout, rear, here.edge, place):
-            g = signal_facing(layout, rear, here.edge)
-            if g is not None and rules.flank_lamp and rules.lamp_proof:
-                found.add((g.id, True))
-            continue
-        for x in layout.edges_at[rear]:
-            before = Move(x.id, rear)
-            if x.id != here.edge and any(m == here for m, _ in steps(layout, before, frozen)):
-                todo.append(before)
-    return found
-
-
-def _reached(layout: Layout, place: Place, frozen: Frozen) -> bool:
-    goal = Move(place.edge, place.node)
-    todo: list[Move] = []
-    for b in layout.boundaries:
-        if b.kind is BoundaryKind.OUT:
-            continue
-        e = layout.edges_at[b.node][0]
-        start = Move(e.id, e.b if e.a == b.node else e.a)
-        if not _stops(layout, b.node, e.id, place) and not (e.one_way and start.node != e.b):
-            todo.append(start)
-    seen: set[Move] = set()
-    while todo:
-        here = todo.pop()
-        if here in seen:
-            continue
-        seen.add(here)
-        if here == goal:
-            return True
-        if here.node == place.node:
-            continue  # over the path itself: that is a hostile movement, not a flank
-        todo.extend(m for m, _ in steps(layout, here, frozen) if not _stops(layout, here.node, m.edge, place))
-    return False
-
-
-def _stops(layout: Layout, node: NodeId, onto: EdgeId, place: Place) -> bool:
-    """Whether a signal at stop keeps a vehicle there, clear of the fouling point of the place."""
-    g = signal_facing(layout, node, onto)
-    if g is None:
-        return False
-    return signal_distance(layout, place.node, place.edge, g, place.clear_of) is None
-
-
 Foul = tuple[SectionId, tuple[MachineId, Position] | None, NodeId]
 
 
 def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
     """Sections that begin too near to a point of the path, on its unused leg, the point that leads there, and where."""
     out: set[Foul] = set()
-    for a, b in _pairs(trip):
+    for a, b in pairs(trip):
         point = layout.point_at.get(a.node)
         if point is None:
             continue

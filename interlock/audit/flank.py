@@ -1,0 +1,148 @@
+"""Flank by Hansen's area condition: freeze the points of a route and see what may roll to an unused leg."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import pairwise
+
+from interlock.audit.walk import Frozen, Move, Trip, signal_distance, signal_facing, steps
+from interlock.model.elements import BoundaryKind, EdgeId, NodeId, Position, SectionId
+from interlock.model.layout import Layout
+
+
+@dataclass(frozen=True)
+class Place:
+    """An unused leg of a point or an end of a crossed arm: entered over `edge` towards `node`."""
+
+    name: str
+    node: NodeId
+    edge: EdgeId
+    clear_of: float
+    point: str
+    leg: Position | None
+
+
+def pairs(trip: Trip) -> Iterator[tuple[Move, Move]]:
+    """Each move with the one after it, on the path and on the overlap."""
+    yield from pairwise(trip.moves)
+    yield from pairwise(trip.over)
+
+
+def unused_places(layout: Layout, trip: Trip) -> list[Place]:
+    """Every place beside the path at which a vehicle could come in."""
+    out: list[Place] = []
+    margin = layout.principles.clearance_m
+    for a, b in pairs(trip):
+        point = layout.point_at.get(a.node)
+        if point is not None:
+            unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
+            leg = Position.NORMAL if unused == point.normal else Position.REVERSE
+            out.append(Place(f"{point.id}.{leg}", a.node, unused, point.fouling + margin, point.id, leg))
+        crossing = layout.crossing_at.get(a.node)
+        if crossing is not None:
+            for arm in crossing.arms:
+                if a.edge not in arm:
+                    out += [
+                        Place(f"{crossing.id}/{e}", a.node, e, layout.principles.fouling_m + margin, "", None)
+                        for e in arm
+                    ]
+    return out
+
+
+def open_flanks(layout: Layout, trip: Trip, frozen: Frozen) -> list[Place]:
+    """Places that the area of some vehicle from outside touches."""
+    return [p for p in unused_places(layout, trip) if _reached(layout, p, frozen)]
+
+
+Space = set[tuple[str, bool]]
+"""Sections, and signals (True)."""
+
+
+def flank_space(
+    layout: Layout, trip: Trip, frozen: Frozen, waived: Collection[tuple[str, Position | None]]
+) -> tuple[Space, Space]:
+    """What lies between the places and what stops vehicles: with the points as the route locks them, and at most."""
+    needed: Space = set()
+    possible: Space = set()
+    path = {m.edge for m in (*trip.moves, *trip.over)}
+    for place in unused_places(layout, trip):
+        own = {layout.section_of(e.id) for e in layout.edges_at[place.node] if e.id in path}
+        if (place.point, place.leg) not in waived:
+            needed |= _outside(_between(layout, place, frozen), own)
+        possible |= _outside(_at_most(layout, place), own)
+    return needed, possible
+
+
+def _outside(space: Space, own: Collection[SectionId]) -> Space:
+    return {(what, signal) for what, signal in space if signal or what not in own}
+
+
+@lru_cache(maxsize=4096)
+def _at_most(layout: Layout, place: Place) -> Space:
+    """What lies behind a place, whichever way the points lie."""
+    return _between(layout, place, {})
+
+
+def _between(layout: Layout, place: Place, frozen: Frozen) -> Space:
+    """Backwards from a place over everything from which a vehicle could roll to it."""
+    rules = layout.principles
+    if not rules.flank_space and not (rules.flank_lamp and rules.lamp_proof):
+        return set()
+    found: Space = set()
+    todo = [Move(place.edge, place.node)]
+    seen: set[Move] = set()
+    while todo:
+        here = todo.pop()
+        e = layout.edge[here.edge]
+        if here in seen or (e.one_way and here.node != e.b):
+            continue
+        seen.add(here)
+        if rules.flank_space and e.section not in layout.undetected:
+            found.add((e.section, False))
+        rear = layout.far(here.edge, here.node)
+        if rear in (place.node, *layout.buffer_at, *layout.boundary_at):
+            continue
+        if _stops(layout, rear, here.edge, place):
+            g = signal_facing(layout, rear, here.edge)
+            if g is not None and rules.flank_lamp and rules.lamp_proof:
+                found.add((g.id, True))
+            continue
+        for x in layout.edges_at[rear]:
+            before = Move(x.id, rear)
+            if x.id != here.edge and any(m == here for m, _ in steps(layout, before, frozen)):
+                todo.append(before)
+    return found
+
+
+def _reached(layout: Layout, place: Place, frozen: Frozen) -> bool:
+    goal = Move(place.edge, place.node)
+    todo: list[Move] = []
+    for b in layout.boundaries:
+        if b.kind is BoundaryKind.OUT:
+            continue
+        e = layout.edges_at[b.node][0]
+        start = Move(e.id, e.b if e.a == b.node else e.a)
+        if not _stops(layout, b.node, e.id, place) and not (e.one_way and start.node != e.b):
+            todo.append(start)
+    seen: set[Move] = set()
+    while todo:
+        here = todo.pop()
+        if here in seen:
+            continue
+        seen.add(here)
+        if here == goal:
+            return True
+        if here.node == place.node:
+            continue  # over the path itself: that is a hostile movement, not a flank
+        todo.extend(m for m, _ in steps(layout, here, frozen) if not _stops(layout, here.node, m.edge, place))
+    return False
+
+
+def _stops(layout: Layout, node: NodeId, onto: EdgeId, place: Place) -> bool:
+    """Whether a signal at stop keeps a vehicle there, clear of the fouling point of the place."""
+    g = signal_facing(layout, node, onto)
+    if g is None:
+        return False
+    return signal_distance(layout, place.node, place.edge, g, place.clear_of) is None
