@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.frontend import Source, load
 from interlock.model.layout import Layout
 from interlock.table.rows import InterlockingTable
+
+if TYPE_CHECKING:
+    from interlock.audit import Finding
 
 
 @dataclass(frozen=True)
@@ -28,7 +33,12 @@ class Checked:
 
 def check_file(path: str) -> Checked:
     """Load and derive; audit the derived table."""
-    from interlock.audit import audit
+    derived = derive_file(path)
+    return audited(derived, second_opinion(derived))
+
+
+def derive_file(path: str) -> Checked:
+    """Load and derive, not yet audited."""
     from interlock.derive import derive
 
     sink = Sink()
@@ -36,18 +46,33 @@ def check_file(path: str) -> Checked:
     if layout is None:
         return Checked(path, source, sink.diagnostics)
     table = derive(layout, sink)
-    if not sink.has_errors:
-        for finding in audit(layout, table):
-            sink.add(
-                "IL4007",
-                f"route {finding.route}, {finding.column}: {finding.text}",
-                None,
-                "this is a defect of interlock; please report the layout",
-            )
     if layout.addresses and not sink.has_errors:
         _addresses(layout, table, source, sink)
     placed = tuple(_place(d, source, path) for d in sink.diagnostics)
     return Checked(path, source, placed, layout, table)
+
+
+def second_opinion(derived: Checked) -> tuple[Finding, ...]:
+    """What the audit sees differently."""
+    from interlock.audit import audit
+
+    if not derived.ok or derived.layout is None or derived.table is None:
+        return ()
+    return audit(derived.layout, derived.table)
+
+
+def audited(derived: Checked, findings: Sequence[Finding]) -> Checked:
+    """The same with the findings of the audit, each an error."""
+    sink = Sink()
+    for finding in findings:
+        sink.add(
+            "IL4007",
+            f"route {finding.route}, {finding.column}: {finding.text}",
+            None,
+            "this is a defect of interlock; please report the layout",
+        )
+    placed = tuple(_place(d, derived.source, derived.path) for d in sink.diagnostics)
+    return replace(derived, diagnostics=(*derived.diagnostics, *placed))
 
 
 def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: Sink) -> None:

@@ -11,8 +11,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from interlock import __version__
-from interlock.app.check import Checked, check_file
-from interlock.app.prove import Proved, claims_json, prove_checked
+from interlock.app.check import Checked, derive_file
+from interlock.app.prove import Proved, claims_json, prove_derived
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
 from interlock.emit.drawing import plan_svg
@@ -44,10 +44,10 @@ def build(
     dialects: Sequence[str] = (),
 ) -> tuple[Proved, dict[str, bytes]]:
     """All outputs of a layout in memory; empty when there are errors, no PLC text when something is open."""
-    checked = check_file(path)
+    proved, texts = prove_derived(derive_file(path), limits, progress, dialects)
+    checked = proved.checked
     if not checked.ok:
-        return Proved(checked), {}
-    proved, texts = prove_checked(checked, limits, progress, dialects)
+        return proved, {}
     files = _documents(checked, proved)
     if proved.green or unproved:
         files |= texts
@@ -69,7 +69,7 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
         "layout": layout.name,
         "layout_digest": layout.digest,
         "proved": proved.green,
-        "claims": claims_json(proof),
+        "claims": claims_json(proof.claims),
         "text": {t.file: "PROVED equal to the controller" if t.equal else "NOT EQUAL" for t in proved.texts},
         "assumptions": ASSUMPTIONS,
         "invariants": proof.invariants,
@@ -103,7 +103,7 @@ def _report(checked: Checked, proved: Proved, files: dict[str, bytes]) -> str:
         layout,
         table,
         files["plan.svg"].decode(),
-        claims_json(proof),
+        claims_json(proof.claims),
         [(t.file, t.equal) for t in proved.texts],
         ASSUMPTIONS,
         files,

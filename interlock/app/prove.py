@@ -6,40 +6,29 @@ import hashlib
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from interlock import __version__
-from interlock.app.check import Checked, check_file
+from interlock.app.check import Checked, audited, derive_file, second_opinion
+from interlock.app.texts import TextVerdict, writers
 from interlock.diag import Diagnostic, Severity
 from interlock.emit.drawing import plan_svg
-from interlock.emit.python.runtime import runtime_py
-from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
-from interlock.model.elements import TelegramForm
 from interlock.model.layout import Layout
-from interlock.proof.cabinet import compare_program
-from interlock.proof.python_text import compare_runtime
-from interlock.proof.runner import Limits, Progress, ProofResult, Verdict, prove, quiet
+from interlock.proof.invariants import Facts, claims
+from interlock.proof.pool import run
+from interlock.proof.runner import (
+    ClaimResult,
+    Limits,
+    Progress,
+    ProofResult,
+    Verdict,
+    if_proved,
+    prove_beside,
+    quiet,
+)
 from interlock.proof.system import System
-from interlock.proof.telegram import compare_telegram
 from interlock.proof.trace import itf
-from interlock.proof.translation import Difference, compare_dialect
-from interlock.st.dialects import DIALECTS, write_st
-from interlock.st.printer import print_unit
-from interlock.st.program import io_program
-from interlock.st.telegram import telegram_unit
-
-
-@dataclass(frozen=True)
-class TextVerdict:
-    """Whether an emitted text (a file, or a folder of files of one dialect) equals the controller."""
-
-    file: str
-    differences: tuple[Difference, ...]
-
-    @property
-    def equal(self) -> bool:
-        """Proved equal, output by output."""
-        return not self.differences
 
 
 @dataclass(frozen=True)
@@ -78,54 +67,40 @@ class Proved:
 
 def prove_file(path: str, limits: Limits | None = None, progress: Progress = quiet) -> Proved:
     """Check a file and prove its controller and the text that would be emitted."""
-    checked = check_file(path)
-    if not checked.ok:
-        return Proved(checked)
-    return prove_checked(checked, limits, progress)[0]
+    return prove_derived(derive_file(path), limits, progress)[0]
 
 
-def prove_checked(
-    checked: Checked, limits: Limits | None, progress: Progress, dialects: Sequence[str] = ()
+def prove_derived(
+    derived: Checked, limits: Limits | None, progress: Progress, dialects: Sequence[str] = ()
 ) -> tuple[Proved, dict[str, bytes]]:
-    """The proof of a checked layout, and its texts: the portable one, the runtime, and what other dialects are asked
-    for; each is read back and compared."""
-    assert checked.layout is not None and checked.table is not None
-    controller = lower(checked.layout, checked.table)
-    system = System(checked.layout, controller)
-    proof = prove(system, limits, progress)
-    header = _header(checked.layout, proof)
-    files: dict[str, bytes] = {}
-    verdicts = []
-    wanted = [d for d in DIALECTS if d.name == "iec" or d.name in dialects]
-    for n, dialect in enumerate(wanted):
-        progress("comparing the text", n, len(wanted) + 1)
-        written = write_st(controller, dialect, header)
-        found = compare_dialect(controller, dialect, written)
-        folder = f"st/{dialect.name}"
-        name = f"{folder}/{next(iter(written))}" if len(written) == 1 else folder
-        verdicts.append(TextVerdict(name, found.differences))
-        files |= {f"{folder}/{n}": text.encode() for n, text in written.items()}
-    sent = tuple(controller.symbols.trailed)  # the machines that are driven
-    allocation = allocate(checked.layout, controller)
-    mapping, place = print_unit(io_program(controller, allocation, header)), f"st/iec/{checked.layout.name}_io.st"
-    verdicts.append(TextVerdict(place, compare_program(controller, allocation, mapping)))
-    files[place] = mapping.encode()
-    if checked.layout.telegram is not TelegramForm.NONE and sent:
-        tagged = checked.layout.telegram is TelegramForm.TAGGED
-        unit = telegram_unit(checked.layout.name, sent, tagged, header)
-        text, place = print_unit(unit), f"st/iec/{checked.layout.name}_telegram.st"
-        verdicts.append(TextVerdict(place, compare_telegram(checked.layout.name, sent, tagged, text)))
-        files[place] = text.encode()
-    runtime = runtime_py(controller, header)
-    verdicts.append(TextVerdict("runtime.py", compare_runtime(controller, runtime).differences))
-    files["runtime.py"] = runtime.encode()
+    """The proof of a layout, and its texts: the portable one, the runtime, and what other dialects are asked for; each
+    is read back and compared.  The audit, the texts and the proof are done beside each other."""
+    if not derived.ok or derived.layout is None or derived.table is None:
+        return Proved(derived), {}
+    layout, limits = derived.layout, limits or Limits()
+    controller = lower(layout, derived.table)
+    system = System(layout, controller)
+    wanted = claims(Facts(system))
+    hoped = _header(layout, if_proved(wanted), True)
+    texts = writers(layout, controller, hoped, dialects)
+    proof, results = prove_beside(system, wanted, limits, progress, [*texts, partial(second_opinion, derived)])
+    *written, findings = results
+    checked = audited(derived, findings)
+    if not checked.ok:
+        return Proved(checked), {}
+    header = _header(layout, proof.claims, proof.proved)
+    if header != hoped:  # the texts tell what is proved
+        progress("comparing the text", 0, 1)
+        written = run(writers(layout, controller, header, dialects), limits.jobs)
+    verdicts = [verdict for verdict, _ in written]
+    files = {name: text for _, those in written for name, text in those.items()}
     notes = list(_notes(checked, proof))
     for t in verdicts:
         for d in t.differences:
             message = f"{t.file} and the controller differ at {d.name}: {d.text}"
             notes.append(Diagnostic("IL5001", Severity.ERROR, message))
     stories = [c.story for c in proof.claims if c.story is not None]
-    plan = plan_svg(checked.layout) if stories else ""
+    plan = plan_svg(layout) if stories else ""
     traces = tuple((s.claim, itf(system, s, plan)) for s in stories)
     return Proved(checked, proof, tuple(verdicts), traces, (), tuple(notes)), files
 
@@ -169,22 +144,22 @@ def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
     return out
 
 
-def _header(layout: Layout, proof: ProofResult) -> list[str]:
-    claims = json.dumps(claims_json(proof), sort_keys=True)
+def _header(layout: Layout, results: Sequence[ClaimResult], proved: bool) -> list[str]:
+    told = json.dumps(claims_json(results), sort_keys=True)
     head = [
         f"Interlocking {layout.name}, made by interlock {__version__}. Standard program, not certified.",
         "Not an F-program.",
         f"layout {layout.digest}",
-        f"claims {hashlib.sha256(claims.encode()).hexdigest()}",
+        f"claims {hashlib.sha256(told.encode()).hexdigest()}",
     ]
-    if not proof.proved:
+    if not proved:
         head.insert(0, "NOT PROVED: for study only, never for a railway")
     return head
 
 
-def claims_json(proof: ProofResult) -> list[dict[str, object]]:
+def claims_json(results: Sequence[ClaimResult]) -> list[dict[str, object]]:
     """Verdicts as data, without timings, so that the bytes are reproducible."""
     return [
         {"id": c.id, "verdict": str(c.verdict), "places": c.places, "open": list(c.open), "sentence": c.sentence}
-        for c in proof.claims
+        for c in results
     ]

@@ -6,8 +6,8 @@ import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
-from interlock.app.check import check_file
-from interlock.app.prove import Proved, prove_checked
+from interlock.app.check import derive_file
+from interlock.app.prove import Proved, prove_derived
 from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
 from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller
@@ -29,11 +29,9 @@ class Ready:
 
 def prepare(path: str, limits: Limits | None = None, progress: Progress = quiet) -> Ready:
     """Check, prove, and compare the runtime that is going to run."""
-    checked = check_file(path)
-    if not checked.ok or checked.layout is None or checked.table is None:
-        return Ready(Proved(checked))
-    proved, files = prove_checked(checked, limits, progress)
-    if not proved.green:
+    proved, files = prove_derived(derive_file(path), limits, progress)
+    checked = proved.checked
+    if not proved.green or checked.layout is None or checked.table is None:
         return Ready(proved)
     controller = lower(checked.layout, checked.table)
     allocation = allocate(checked.layout, controller)

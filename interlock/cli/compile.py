@@ -68,7 +68,8 @@ def command(
         results = []
         for p in layouts:
             with progress(p) as report:
-                results.append(compile_file(p, out, check, unproved, Limits(), report, tools))
+                limits = Limits(jobs=jobs if len(layouts) == 1 else 1)
+                results.append(compile_file(p, out, check, unproved, limits, report, tools))
     if form == "json":
         put_json([proof_body(r) for r in results])
     else:

@@ -6,16 +6,16 @@ variable with them.  Leaving facts out is sound: what follows from fewer facts f
 
 from __future__ import annotations
 
-import multiprocessing
 import time
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from functools import cached_property, partial
 
 from interlock.logic.expr import Expr, variables
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, Sat, solver
+from interlock.proof.pool import run
 from interlock.proof.system import System
 
 SMALL = 1500  # so many goals are asked of one solver
@@ -37,13 +37,34 @@ class Parts:
     def __init__(self, system: System, hypotheses: Sequence[Expr]) -> None:
         self.system = system
         self.facts = [*hypotheses, *(a.expr for a in system.assumptions)]
-        self.reads = [tuple(variables((x,))) for x in self.facts]
-        self.readers: dict[str, list[int]] = {}
+
+    @cached_property
+    def reads(self) -> list[tuple[str, ...]]:
+        """What each fact reads."""
+        return [tuple(variables((x,))) for x in self.facts]
+
+    @cached_property
+    def readers(self) -> dict[str, list[int]]:
+        """The facts by what they read."""
+        found: dict[str, list[int]] = {}
         for n, names in enumerate(self.reads):
             for v in names:
-                self.readers.setdefault(v, []).append(n)
-        self.position = {name: n for n, name in enumerate(system.definitions)}
-        self.inputs_of = {name: tuple(variables((x,))) for name, x in system.definitions.items()}
+                found.setdefault(v, []).append(n)
+        return found
+
+    @cached_property
+    def position(self) -> dict[str, int]:
+        """The definitions in order."""
+        return {name: n for n, name in enumerate(self.system.definitions)}
+
+    @cached_property
+    def inputs_of(self) -> dict[str, tuple[str, ...]]:
+        """What each definition reads."""
+        return {name: tuple(variables((x,))) for name, x in self.system.definitions.items()}
+
+    def prepare(self) -> None:
+        """Read everything once, so that processes inherit it."""
+        _ = self.readers, self.position, self.inputs_of
 
     def order(self, goals: Sequence[Expr]) -> list[int]:
         """The goals, those that share variables near each other."""
@@ -100,15 +121,87 @@ class Parts:
         return cnf, [cnf.literal(g) for g in goals]
 
     def decide(self, goals: Sequence[Expr], engine: str, query_ms: int, rings: int) -> list[Decision]:
-        """Which of the goals follow from the facts so many steps around."""
-        cnf, literals = self.cnf(goals, rings)
+        """Which of the goals follow from the facts so many steps around; 0 rings: from all facts."""
+        cnf, literals = self.cnf(goals, rings) if rings else self.whole(goals)
         sat = solver(engine, cnf, query_ms)
         return [_asked(sat, x) for x in literals]
 
+    def whole(self, goals: Sequence[Expr]) -> tuple[Cnf, list[int]]:
+        """All clauses, and the goals' literals."""
+        cnf = step_cnf(self.system)
+        for x in self.facts:
+            cnf.require(x)
+        return cnf, [cnf.literal(g) for g in goals]
+
 
 def _asked(sat: Sat, literal: int) -> Decision:
+    """What follows is a fact for the questions after it."""
     began = time.perf_counter()
-    return Decision(sat.ask(-literal) is Answer.UNSAT, time.perf_counter() - began)
+    follows = sat.ask(-literal) is Answer.UNSAT
+    if follows:
+        sat.learn(literal)
+    return Decision(follows, time.perf_counter() - began)
+
+
+Chunk = tuple[list[int], int]
+"""Numbers of goals that are asked of one solver, and the rings of facts around them."""
+
+
+class Inquiry:
+    """Which goals follow from the hypotheses, the assumptions and the definitions of the step.
+
+    Part by part; what a part leaves open is asked again with more facts around it, and at last with all of them.
+    """
+
+    def __init__(
+        self, system: System, hypotheses: Sequence[Expr], goals: Sequence[Expr], engine: str, query_ms: int, jobs: int
+    ) -> None:
+        self.parts = Parts(system, hypotheses)
+        self.goals = goals
+        self.engine, self.query_ms, self.jobs = engine, query_ms, jobs
+        self.found = [Decision(False, 0.0)] * len(goals)
+
+    def chunks(self, rings: int) -> list[Chunk]:
+        """What is still open, in chunks."""
+        left = [n for n, d in enumerate(self.found) if not d.follows]
+        if not rings:
+            return [(left, 0)] if left else []
+        self.parts.prepare()
+        order = [left[k] for k in self.parts.order([self.goals[n] for n in left])]
+        size = max(1, min(GOALS, -(-len(order) // self.jobs)))
+        return [(order[at : at + size], rings) for at in range(0, len(order), size)]
+
+    def first(self) -> list[Chunk]:
+        """The chunks to begin with: one of all goals where they are few."""
+        return self.chunks(0 if len(self.goals) <= SMALL else 1)
+
+    def ask(self, chunk: Chunk) -> list[Decision]:
+        """Decide the goals of a chunk."""
+        return self.parts.decide([self.goals[n] for n in chunk[0]], self.engine, self.query_ms, chunk[1])
+
+    def note(self, chunk: Chunk, answers: Sequence[Decision]) -> None:
+        """Keep the answers to a chunk."""
+        for n, answer in zip(chunk[0], answers, strict=True):
+            self.found[n] = answer
+
+    def finish(self, progress: Callable[[int, int], None]) -> list[Decision]:
+        """All answers: what the first chunks left open is asked again."""
+        for rings in (2, 0) if len(self.goals) > SMALL else ():
+            self.settle(self.chunks(rings), progress)
+        return self.found
+
+    def settle(self, chunks: Sequence[Chunk], progress: Callable[[int, int], None]) -> None:
+        """Decide chunks, beside each other."""
+        done = sum(d.follows for d in self.found)
+
+        def report(n: int) -> None:
+            nonlocal done
+            done += len(chunks[n][0])
+            progress(done, len(self.goals))
+
+        answers = run([partial(self.ask, c) for c in chunks], self.jobs, report)
+        for chunk, found in zip(chunks, answers, strict=True):
+            self.note(chunk, found)
 
 
 def decide(
@@ -120,38 +213,10 @@ def decide(
     jobs: int,
     progress: Callable[[int, int], None],
 ) -> list[Decision]:
-    """Which goals follow from the hypotheses, the assumptions and the definitions of the step.
-
-    Part by part; what a part leaves open is asked again with more facts around it, and at last with all of them.
-    """
-    proved = [Decision(False, 0.0)] * len(goals)
-    parts = Parts(system, hypotheses) if len(goals) > SMALL else None
-    for rings in (1, 2) if parts is not None else ():
-        left = [n for n, ok in enumerate(proved) if not ok.follows]
-        order = [left[k] for k in parts.order([goals[n] for n in left])]  # type: ignore[union-attr]
-        size = max(1, min(GOALS, -(-len(order) // jobs)))
-        chunks = [order[at : at + size] for at in range(0, len(order), size)]
-        calls = [(parts, [goals[n] for n in chunk], engine, query_ms, rings) for chunk in chunks]
-        done = len(goals) - len(left)
-        for chunk, found in zip(chunks, _run(calls, jobs), strict=True):
-            for n, ok in zip(chunk, found, strict=True):
-                proved[n] = ok
-            done += len(chunk)
-            progress(done, len(goals))
-    left = [n for n, ok in enumerate(proved) if not ok.follows]
-    if left:
-        cnf = step_cnf(system)
-        for x in hypotheses:
-            cnf.require(x)
-        for a in system.assumptions:
-            cnf.require(a.expr)
-        literals = [cnf.literal(goals[n]) for n in left]
-        sat = solver(engine, cnf, query_ms)
-        for k, (n, lit) in enumerate(zip(left, literals, strict=True)):
-            if k % 64 == 0:
-                progress(len(goals) - len(left) + k, len(goals))
-            proved[n] = _asked(sat, lit)
-    return proved
+    """Which goals follow; see `Inquiry`."""
+    inquiry = Inquiry(system, hypotheses, goals, engine, query_ms, jobs)
+    inquiry.settle(inquiry.first(), progress)
+    return inquiry.finish(progress)
 
 
 def step_cnf(system: System) -> Cnf:
@@ -160,24 +225,3 @@ def step_cnf(system: System) -> Cnf:
     for name, x in system.definitions.items():
         cnf.define(name, x)
     return cnf
-
-
-Call = tuple[Any, ...]
-_calls: list[Call] = []
-
-
-def _work(k: int) -> list[Decision]:
-    parts, goals, engine, query_ms, rings = _calls[k]
-    found: list[Decision] = parts.decide(goals, engine, query_ms, rings)
-    return found
-
-
-def _run(calls: list[Call], jobs: int) -> Iterator[list[Decision]]:
-    """The calls in order, on several processes where that is asked for; the children inherit them."""
-    global _calls
-    _calls = calls
-    if jobs < 2 or len(calls) < 2 or "fork" not in multiprocessing.get_all_start_methods():
-        yield from map(_work, range(len(calls)))
-        return
-    with multiprocessing.get_context("fork").Pool(min(jobs, len(calls))) as pool:
-        yield from pool.imap(_work, range(len(calls)))

@@ -10,15 +10,19 @@ Every solver answer other than UNSAT counts against the claim.
 from __future__ import annotations
 
 import time
+from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import partial
+from typing import Any
 
 from interlock.logic.expr import Expr, conj, neg, var
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import CLAIMS, Claim, Facts, Invariant, claims, strengthening
-from interlock.proof.parts import Decision, decide
+from interlock.proof.parts import Decision, Inquiry, decide
+from interlock.proof.pool import Task, run
 from interlock.proof.search import search
 from interlock.proof.story import Story, tell
 from interlock.proof.system import System
@@ -84,19 +88,38 @@ def quiet(stage: str, done: int, total: int) -> None:
 def inductive(system: System, limits: Limits, progress: Progress = quiet) -> tuple[list[Invariant], list[str], int]:
     """The strengthening invariants that hold at the restart and are kept by every step, the dropped ones, and the
     number of obligations decided."""
-    kept = list(strengthening(Facts(system)))
-    obligations = len(kept)
-    kept, dropped = _base(system, kept, limits)
+    found = list(strengthening(Facts(system)))
+    at_restart = _restart(system, found, limits)
+    kept, dropped, obligations = _keep(system, found, at_restart, None, limits, progress)
+    return kept, dropped, obligations + len(found)
+
+
+def _keep(
+    system: System,
+    kept: list[Invariant],
+    at_restart: Sequence[bool],
+    first: Sequence[bool] | None,
+    limits: Limits,
+    progress: Progress,
+) -> tuple[list[Invariant], list[str], int]:
+    """Drop what does not hold at the restart, then what a step does not keep, until all is kept.
+
+    `first`: which of all the invariants a step keeps if all of them hold before it, where that is known.
+    """
+    dropped = [f"{i.id} at {i.place} (at the restart)" for i, ok in zip(kept, at_restart, strict=True) if not ok]
+    obligations = 0
+    if dropped:
+        kept, first = [i for i, ok in zip(kept, at_restart, strict=True) if ok], None
     while True:
-        goals = [system.after(i.expr) for i in kept]
-        proved = _decide(system, kept, goals, limits, "invariants", progress)
+        if first is None:
+            goals = [system.after(i.expr) for i in kept]
+            first = [d.follows for d in _decide(system, kept, goals, limits, "invariants", progress)]
         obligations += len(kept)
-        failed = [i for i, d in zip(kept, proved, strict=True) if not d.follows]
+        failed = [i for i, ok in zip(kept, first, strict=True) if not ok]
         if not failed:
             return kept, dropped, obligations
         dropped += [f"{i.id} at {i.place}" for i in failed]
-        gone = set(map(id, failed))
-        kept = [i for i in kept if id(i) not in gone]
+        kept, first = [i for i, ok in zip(kept, first, strict=True) if ok], None
 
 
 def _decide(
@@ -104,72 +127,97 @@ def _decide(
 ) -> list[Decision]:
     """Which goals follow, in one step, from the invariants."""
     hypotheses = [i.expr for i in kept]
-
-    def report(done: int, total: int) -> None:
-        progress(stage, done, total)
-
-    return decide(system, hypotheses, goals, limits.engine, limits.query_ms, limits.jobs, report)
+    return decide(system, hypotheses, goals, limits.engine, limits.query_ms, limits.jobs, partial(progress, stage))
 
 
 def prove(system: System, limits: Limits | None = None, progress: Progress = quiet) -> ProofResult:
     """One verdict per claim."""
-    limits = limits or Limits()
+    return prove_beside(system, claims(Facts(system)), limits or Limits(), progress, ())[0]
+
+
+def prove_beside(
+    system: System, wanted: tuple[Claim, ...], limits: Limits, progress: Progress, beside: Sequence[Task]
+) -> tuple[ProofResult, list[Any]]:
+    """One verdict per claim, and the results of other work that is done beside the proof.
+
+    Invariants and claims are asked together, as if all invariants were kept; where one is not, the claims are asked
+    again with those that are.
+    """
     began = time.monotonic()
-    kept, dropped, obligations = inductive(system, limits, progress)
-    wanted = claims(Facts(system))
-    results = _claims(system, kept, wanted, limits, progress)
-    obligations += len(wanted) + 1
-    runs = witnesses(system)
-    results.append(_start(system, limits))
+    found = list(strengthening(Facts(system)))
+    goals = [*(system.after(i.expr) for i in found), *(c.expr for c in wanted)]
+    inquiry = Inquiry(system, [i.expr for i in found], goals, limits.engine, limits.query_ms, limits.jobs)
+    chunks = inquiry.first()
+    tasks: list[Task] = [*beside, partial(witnesses, system), *(partial(inquiry.ask, c) for c in chunks)]
+    tasks += [partial(_restart, system, found, limits), partial(_start, system, limits)]
+    done = 0
+
+    def report(n: int) -> None:
+        nonlocal done
+        at = n - len(beside) - 1
+        done += len(chunks[at][0]) if 0 <= at < len(chunks) else 0
+        progress("proving", done, len(goals))
+
+    results = run(tasks, limits.jobs, report)
+    others, (runs, *answers, at_restart, start) = results[: len(beside)], results[len(beside) :]
+    for chunk, those in zip(chunks, answers, strict=True):
+        inquiry.note(chunk, those)
+    decisions = inquiry.finish(partial(progress, "proving"))
+    steps = [d.follows for d in decisions[: len(found)]]
+    kept, dropped, obligations = _keep(system, found, at_restart, steps, limits, progress)
+    verdicts = decisions[len(found) :]
+    if dropped:
+        verdicts = _decide(system, kept, [c.expr for c in wanted], limits, "claims", progress)
+    claimed = [*_claims(system, wanted, verdicts, limits, progress), start]
     order = list(CLAIMS)
-    results.sort(key=lambda r: order.index(r.id))
-    return ProofResult(tuple(results), len(kept), tuple(dropped), obligations, runs, time.monotonic() - began)
+    claimed.sort(key=lambda r: order.index(r.id))
+    obligations += len(found) + len(wanted) + 1
+    seconds = time.monotonic() - began
+    return ProofResult(tuple(claimed), len(kept), tuple(dropped), obligations, runs, seconds), others
 
 
-def _base(system: System, invariants: list[Invariant], limits: Limits) -> tuple[list[Invariant], list[str]]:
+def _restart(system: System, invariants: Sequence[Invariant], limits: Limits) -> list[bool]:
+    """Which invariants hold at the restart."""
     cnf = Cnf()
     cnf.require(system.initial)
     goals = [cnf.literal(i.expr) for i in invariants]
     sat = solver(limits.engine, cnf, limits.query_ms)
     if sat.ask() is not Answer.SAT:
         raise RuntimeError("the restart states contradict each other")
-    kept, dropped = [], []
-    for inv, lit in zip(invariants, goals, strict=True):
-        if sat.ask(-lit) is Answer.UNSAT:
-            kept.append(inv)
-        else:
-            dropped.append(f"{inv.id} at {inv.place} (at the restart)")
-    return kept, dropped
+    return [sat.ask(-lit) is Answer.UNSAT for lit in goals]
 
 
 def open_claims(
     system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress = quiet
 ) -> dict[str, list[Claim]]:
     """The claims that do not follow from the invariants."""
-    return decided(system, kept, wanted, limits, progress)[0]
+    return _open(wanted, _decide(system, kept, [c.expr for c in wanted], limits, "claims", progress))
 
 
-def decided(
-    system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress
-) -> tuple[dict[str, list[Claim]], dict[str, float]]:
-    """The open claims by id, and the seconds spent on each id."""
-    open_: dict[str, list[Claim]] = {}
-    seconds: dict[str, float] = {}
-    found = _decide(system, kept, [c.expr for c in wanted], limits, "claims", progress)
-    for c, d in zip(wanted, found, strict=True):
-        seconds[c.id] = seconds.get(c.id, 0.0) + d.seconds
+def _open(wanted: Sequence[Claim], decisions: Sequence[Decision]) -> dict[str, list[Claim]]:
+    """The claims that do not follow, by id."""
+    found: dict[str, list[Claim]] = {}
+    for c, d in zip(wanted, decisions, strict=True):
         if not d.follows:
-            open_.setdefault(c.id, []).append(c)
-    return open_, seconds
+            found.setdefault(c.id, []).append(c)
+    return found
+
+
+def if_proved(wanted: Sequence[Claim]) -> tuple[ClaimResult, ...]:
+    """The results if every claim is proved."""
+    places = Counter(c.id for c in wanted) | Counter({"P-START": 1})
+    return tuple(ClaimResult(i, CLAIMS[i], Verdict.PROVED, places[i], (), 0.0) for i in CLAIMS)
 
 
 def _claims(
-    system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress
+    system: System, wanted: Sequence[Claim], decisions: Sequence[Decision], limits: Limits, progress: Progress
 ) -> list[ClaimResult]:
-    open_, seconds = decided(system, kept, wanted, limits, progress)
+    open_ = _open(wanted, decisions)
+    seconds: dict[str, float] = {}
     places: dict[str, int] = {}
-    for c in wanted:
+    for c, d in zip(wanted, decisions, strict=True):
         places[c.id] = places.get(c.id, 0) + 1
+        seconds[c.id] = seconds.get(c.id, 0.0) + d.seconds
     out = []
     for id_ in CLAIMS:
         if id_ == "P-START":

@@ -1,0 +1,77 @@
+"""The texts of a controller: written, read back, and compared with it; each a piece of work of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from interlock.emit.python.runtime import runtime_py
+from interlock.logic.cabinet import allocate
+from interlock.logic.controller import Controller
+from interlock.model.elements import TelegramForm
+from interlock.model.layout import Layout
+from interlock.proof.cabinet import compare_program
+from interlock.proof.python_text import compare_runtime
+from interlock.proof.telegram import compare_telegram
+from interlock.proof.translation import Difference, compare_dialect
+from interlock.st.dialects import DIALECTS, Dialect, write_st
+from interlock.st.printer import print_unit
+from interlock.st.program import io_program
+from interlock.st.telegram import telegram_unit
+
+
+@dataclass(frozen=True)
+class TextVerdict:
+    """Whether an emitted text (a file, or a folder of files of one dialect) equals the controller."""
+
+    file: str
+    differences: tuple[Difference, ...]
+
+    @property
+    def equal(self) -> bool:
+        """Proved equal, output by output."""
+        return not self.differences
+
+
+Written = tuple[TextVerdict, dict[str, bytes]]
+"""A verdict and the very files that it speaks of."""
+
+
+def writers(
+    layout: Layout, controller: Controller, header: list[str], dialects: Sequence[str]
+) -> list[Callable[[], Written]]:
+    """What writes and compares each text: the portable one, other dialects that are asked for, the mapping program,
+    the telegrams, and the runtime."""
+    wanted = [d for d in DIALECTS if d.name == "iec" or d.name in dialects]
+    out: list[Callable[[], Written]] = [partial(_structured_text, controller, d, header) for d in wanted]
+    out.append(partial(_mapping, layout, controller, header))
+    if layout.telegram is not TelegramForm.NONE and controller.symbols.trailed:
+        out.append(partial(_telegrams, layout, controller, header))
+    return [*out, partial(_runtime, controller, header)]
+
+
+def _structured_text(controller: Controller, dialect: Dialect, header: list[str]) -> Written:
+    written = write_st(controller, dialect, header)
+    found = compare_dialect(controller, dialect, written)
+    folder = f"st/{dialect.name}"
+    name = f"{folder}/{next(iter(written))}" if len(written) == 1 else folder
+    return TextVerdict(name, found.differences), {f"{folder}/{n}": text.encode() for n, text in written.items()}
+
+
+def _mapping(layout: Layout, controller: Controller, header: list[str]) -> Written:
+    allocation = allocate(layout, controller)
+    text, place = print_unit(io_program(controller, allocation, header)), f"st/iec/{layout.name}_io.st"
+    return TextVerdict(place, compare_program(controller, allocation, text)), {place: text.encode()}
+
+
+def _telegrams(layout: Layout, controller: Controller, header: list[str]) -> Written:
+    sent = tuple(controller.symbols.trailed)  # the machines that are driven
+    tagged = layout.telegram is TelegramForm.TAGGED
+    text, place = print_unit(telegram_unit(layout.name, sent, tagged, header)), f"st/iec/{layout.name}_telegram.st"
+    return TextVerdict(place, compare_telegram(layout.name, sent, tagged, text)), {place: text.encode()}
+
+
+def _runtime(controller: Controller, header: list[str]) -> Written:
+    text = runtime_py(controller, header)
+    return TextVerdict("runtime.py", compare_runtime(controller, text).differences), {"runtime.py": text.encode()}
