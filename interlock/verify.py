@@ -19,6 +19,7 @@ import json
 import lzma
 import sys
 from collections.abc import Iterable, Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -204,31 +205,37 @@ class Shape:
 
     def check(self) -> None:
         """The negated goal and the facts are contradictory."""
-        arity = len(leaves_of(read(self.goal)))
+        goal, arity, _ = form(self.goal)
         numbers = [n for _, leaves in self.facts for n in leaves]
         need(all(n > 0 for n in numbers), "a shape's leaf has no number")
         clauses: list[tuple[int, ...]] = []
         self._top = max([arity, *numbers])
-        clauses_of_goal = self._disjuncts(read(self.goal), tuple(range(1, arity + 1)), clauses)
+        clauses_of_goal = self._disjuncts(goal, tuple(range(1, arity + 1)), clauses)
         for c in clauses_of_goal:
             clauses.append((-c,))
         for text, leaves in self.facts:
-            need(len(leaves_of(read(text))) == len(leaves), "a shape's fact has a wrong number of leaves")
-            clauses.append(tuple(self._disjuncts(read(text), leaves, clauses)))
-        for lits, hints in self.steps:
-            self._follows(lits, hints, clauses)
-            clauses.append(lits)
+            fact, count, plain = form(text)
+            need(count == len(leaves), "a shape's fact has a wrong number of leaves")
+            if plain is not None:
+                lits = [leaves[n - 1] if n > 0 else -leaves[-n - 1] for n in plain]
+            else:
+                lits = self._disjuncts(fact, leaves, clauses)
+            clauses.append(tuple(dict.fromkeys(lits)))
+        for learned, hints in self.steps:
+            self._follows(learned, hints, clauses)
+            clauses.append(tuple(dict.fromkeys(learned)))
         need(bool(self.steps) and self.steps[-1][0] == (), "a shape's refutation does not end")
 
     @staticmethod
     def _follows(lits: tuple[int, ...], hints: tuple[int, ...], clauses: list[tuple[int, ...]]) -> None:
         false = set(lits)
+        need(min(hints, default=0) >= 0 and max(hints, default=-1) < len(clauses), "a hint names no clause")
         for h in hints:
-            need(0 <= h < len(clauses), "a hint names no clause")
-            left = [x for x in dict.fromkeys(clauses[h]) if x not in false]
+            left = [x for x in clauses[h] if x not in false]
             if not left:
                 return
-            need(len(left) == 1, "a hint is not unit")
+            if len(left) > 1:
+                raise Rejected("a hint is not unit")
             false.add(-left[0])
         raise Rejected("the hints do not lead to a contradiction")
 
@@ -241,18 +248,21 @@ class Shape:
         if x[0] == "v":
             return leaves[int(x[1]) - 1]
         if x[0] == "!":
-            return -self._literal(x[1], leaves, clauses)
+            inner = x[1]
+            return -leaves[int(inner[1]) - 1] if inner[0] == "v" else -self._literal(inner, leaves, clauses)
         need(x[0] in "&|", "a constant in a shape")
         args = [self._literal(a, leaves, clauses) for a in x[1]]
         self._top += 1
         sign = 1 if x[0] == "|" else -1
-        clauses.append((-sign * self._top, *(sign * a for a in args)))
+        clauses.append((-sign * self._top, *dict.fromkeys(sign * a for a in args)))
         clauses.extend((sign * self._top, -sign * a) for a in args)
         return self._top
 
 
-def leaves_of(x: Node) -> set[str]:
-    """The leaves of a pattern, which must be the numbers from 1."""
+@cache
+def form(text: str) -> tuple[Node, int, tuple[int, ...] | None]:
+    """A pattern, how many leaves it has (they must be numbered from 1), and its literals when it has nothing else."""
+    x = read(text)
     found: set[str] = set()
     todo = [x]
     while todo:
@@ -264,7 +274,9 @@ def leaves_of(x: Node) -> set[str]:
         elif y[0] in "&|":
             todo.extend(y[1])
     need(found == {str(n) for n in range(1, len(found) + 1)}, "a pattern's leaves are not numbered")
-    return found
+    parts = x[1] if x[0] == "|" else () if x == FALSE else (x,)
+    plain = [int(y[1]) if y[0] == "v" else -int(y[1][1]) if y[0] == "!" and y[1][0] == "v" else 0 for y in parts]
+    return x, len(found), tuple(plain) if all(plain) else None
 
 
 def shapes_and_goals(text: str) -> tuple[list[Shape], Iterator[list[int]], int]:
@@ -303,9 +315,11 @@ def instance(
     need(goal[0] == shape.goal and len(facts) == len(shape.facts), "a goal is no instance of its shape")
     names = dict(enumerate(goal[1], 1))
     for (text, leaves), (wanted, numbers) in zip(facts, shape.facts, strict=True):
-        need(text == wanted and len(leaves) == len(numbers), "a fact is no instance of its shape's")
+        if text != wanted or len(leaves) != len(numbers):
+            raise Rejected("a fact is no instance of its shape's")
         for n, name in zip(numbers, leaves, strict=True):
-            need(names.setdefault(n, name) == name, "a renaming contradicts itself")
+            if names.setdefault(n, name) != name:
+                raise Rejected("a renaming contradicts itself")
 
 
 # --- the whole -------------------------------------------------------------------------------------

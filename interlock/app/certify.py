@@ -15,6 +15,7 @@ from interlock.proof.invariants import Facts, claims, strengthening
 from interlock.proof.local.bundle import MANIFEST, NEEDED, PROOF, SYSTEM, manifest_text, proof_bytes, system_text
 from interlock.proof.local.engine import prove_locally
 from interlock.proof.local.facts import FactBase
+from interlock.proof.local.library import Library
 from interlock.proof.local.needed import needs, needs_text
 from interlock.proof.runner import Limits, Progress, quiet, start_claim
 from interlock.proof.system import System
@@ -61,30 +62,30 @@ def certify_file(
     base = FactBase(system, strengthening(facts), claims(facts), start_claim(system))
     target = proofs / layout.name
     texts = {SYSTEM: system_text(base).encode()}
-    if not check:
-        local = prove_locally(base, progress=lambda done, total: progress("obligations", done, total))
-        if local.open:
-            g = local.open[0]
-            note = Diagnostic("IL5002", Severity.ERROR, f"no certificate: {g.kind} of {g.source} is open", span)
-            return Certified(proved, notes=(note,))
-        texts[PROOF] = proof_bytes(local)
-        texts[NEEDED] = needs_text(needs(local, system.controller)).encode()
-        tied = {os.path.relpath(path, target): Path(path).read_bytes()}
-        tied |= {os.path.relpath(outputs / layout.name / n, target): data for n, data in emitted.items()}
-        manifest = manifest_text(layout.name, {**texts, **tied})
-        if not is_bundle(target):
-            note = Diagnostic("IL5004", Severity.ERROR, f"{target} exists and was not made by interlock", span)
-            return Certified(proved, notes=(note,))
-        write_folder(target, {**texts, MANIFEST: manifest.encode()})
-    try:
-        summary = verify(target)
-        current = (target / SYSTEM).read_bytes() == texts[SYSTEM]
-    except (Rejected, OSError, ValueError, KeyError) as error:
-        note = Diagnostic("IL5007", Severity.ERROR, f"{target}: {error}", span, f"run `interlock certify {path}`")
+    if not check and not is_bundle(target):
+        note = Diagnostic("IL5004", Severity.ERROR, f"{target} exists and was not made by interlock", span)
         return Certified(proved, notes=(note,))
-    if not current:
-        note = Diagnostic(
-            "IL5007", Severity.ERROR, f"{target}: another system", span, f"run `interlock certify {path}`"
-        )
-        return Certified(proved, notes=(note,))
-    return Certified(replace(proved), summary)
+    tied = {os.path.relpath(path, target): Path(path).read_bytes()}
+    tied |= {os.path.relpath(outputs / layout.name / n, target): data for n, data in emitted.items()}
+    error: Exception | None = None
+    # shapes that are known already are a hint: where a certificate with them is rejected, it is made without them
+    for library in (None,) if check else (Library.shipped(), Library()):
+        try:
+            if library is not None:
+                local = prove_locally(base, library, lambda done, total: progress("obligations", done, total))
+                if local.open:
+                    g = local.open[0]
+                    note = Diagnostic("IL5002", Severity.ERROR, f"no certificate: {g.kind} of {g.source} is open", span)
+                    return Certified(proved, notes=(note,))
+                texts[PROOF] = proof_bytes(local)
+                texts[NEEDED] = needs_text(needs(local, system.controller)).encode()
+                manifest = manifest_text(layout.name, {**texts, **tied})
+                write_folder(target, {**texts, MANIFEST: manifest.encode()})
+            summary = verify(target)
+            if (target / SYSTEM).read_bytes() != texts[SYSTEM]:
+                raise Rejected("another system")
+            return Certified(replace(proved), summary)
+        except (Rejected, OSError, ValueError, KeyError, IndexError) as found:
+            error = found
+    note = Diagnostic("IL5007", Severity.ERROR, f"{target}: {error}", span, f"run `interlock certify {path}`")
+    return Certified(proved, notes=(note,))

@@ -75,7 +75,7 @@ def _word(place: str) -> str:
 
 def proof_bytes(proof: LocalProof) -> bytes:
     """Shapes and obligations, compressed; raises ValueError when some goal is open."""
-    return lzma.compress(proof_text(proof).encode(), preset=6)
+    return lzma.compress(proof_text(proof).encode(), preset=2)
 
 
 def proof_text(proof: LocalProof) -> str:

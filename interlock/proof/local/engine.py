@@ -9,23 +9,26 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from pysat.solvers import Minisat22
 
 from interlock.logic.expr import Expr, Op
 from interlock.proof.encode import Cnf
 from interlock.proof.local.facts import Fact, FactBase, Goal, GoalKind
+from interlock.proof.local.library import Library
 from interlock.proof.local.refute import refutation
-from interlock.proof.local.shapes import Index, Library, Matcher, Pattern, Patterns, Shape, shape_of
+from interlock.proof.local.shapes import Index, Pattern, Patterns, Shape, shape_of
 
 
 @dataclass(frozen=True)
 class Obligation:
-    """A goal that is proved: the shape and the numbers of the facts in the shape's order."""
+    """A goal that is proved: the shape, the numbers of the facts in the shape's order, and how to find them again."""
 
     goal: Goal
     shape: Shape
     facts: tuple[int, ...]
+    hint: str
 
 
 @dataclass
@@ -44,32 +47,40 @@ class LocalProof:
 
 
 class Room:
-    """Facts of one kind in a solver, each behind a switch."""
+    """Facts of one kind, and a solver in which each stands behind a switch; it is filled when it is first asked."""
 
     def __init__(self, facts: Sequence[Fact], patterns: Patterns) -> None:
         self.facts = facts
         self.index = Index(facts, patterns)
-        self.matcher = Matcher(self.index)
         self.cnf = Cnf(values=False)
-        self.solver = Minisat22()
-        self.switches: list[int] = []
         self.fed = 0
-        for f in facts:
+
+    @cached_property
+    def solver(self) -> Minisat22:
+        """The solver."""
+        return Minisat22()
+
+    @cached_property
+    def number(self) -> dict[int, int]:
+        """The facts by their switches."""
+        found = {}
+        for n, f in enumerate(self.facts):
             switch = self.cnf.fresh()
-            self.switches.append(switch)
+            found[switch] = n
             lits = [self.cnf.literal(p) for p in _parts(f.clause)]
             self.cnf.clauses.append((-switch, *lits))
-        self.number = {switch: n for n, switch in enumerate(self.switches)}
+        return found
 
     def core(self, goal: Expr) -> list[int] | None:
         """Facts that together refute the negated goal, or None when all facts do not."""
+        number = self.number
         assumed = [-self.cnf.literal(p) for p in _parts(goal)]
         for c in self.cnf.clauses[self.fed :]:
             self.solver.add_clause(list(c))
         self.fed = len(self.cnf.clauses)
-        if self.solver.solve(assumptions=[*assumed, *self.switches]) is not False:
+        if self.solver.solve(assumptions=[*assumed, *number]) is not False:
             return None
-        found = [self.number[x] for x in self.solver.get_core() or () if x in self.number]
+        found = [number[x] for x in self.solver.get_core() or () if x in number]
         return self._smaller(goal, found)
 
     def _smaller(self, goal: Expr, core: list[int]) -> list[int]:
@@ -116,7 +127,7 @@ def prove_locally(
         if room is None:
             room = rooms[id(facts)] = Room(facts, patterns)
         pattern = patterns(goal.clause, goal.tag)
-        found = library.find(pattern, room.matcher)
+        found = library.find(pattern, room.index)
         if found is None:
             core = room.core(goal.clause)
             made = None if core is None else _new(pattern, core, room.index)
@@ -124,7 +135,8 @@ def prove_locally(
                 out.open.append(goal)
                 continue
             out.solved += 1
-            found = library.add(made[0]), made[1]
+            shape, hint = library.learn(made[0], pattern, made[1], room.index)
+            found = shape, made[1], hint
         out.obligations.append(Obligation(goal, *found))
     return out
 

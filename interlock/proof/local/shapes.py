@@ -9,9 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
+from zlib import crc32
 
 from interlock.logic.expr import Expr, Op
 from interlock.proof.local.facts import Fact
+
+ROUNDS, MASK = 2, (1 << 64) - 1
 
 Leaf = str
 """A variable's name, or `name=value` for a comparison."""
@@ -78,11 +82,6 @@ class Shape:
     steps: tuple[Step, ...] = ()
     number: int = field(default=-1, compare=False)
 
-    @property
-    def key(self) -> tuple[str, tuple[Part, ...]]:
-        """What makes two shapes the same."""
-        return self.goal, self.parts
-
 
 class Index:
     """The facts of a system, found by pattern, place in it and leaf."""
@@ -106,6 +105,25 @@ class Index:
     def all(self, text: str) -> Sequence[int]:
         """All facts of a pattern."""
         return self._by_text.get(text, ())
+
+    @cached_property
+    def _colours(self) -> dict[Leaf, int]:
+        """A number for each leaf that tells in what facts, and beside what, it stands; alike stands the same."""
+        colour: dict[Leaf, int] = {}
+        kinds = {text: crc32(text.encode()) for text in self._by_text}
+        for _ in range(ROUNDS):
+            following: dict[Leaf, int] = {}
+            for p in self.patterns:
+                here = hash((kinds[p.text], *[colour.get(x, 0) for x in p.leaves]))
+                for place, x in enumerate(p.leaves):
+                    following[x] = (following.get(x, 0) + hash((here, place))) & MASK
+            colour = following
+        return colour
+
+    def surroundings(self, goal: Pattern) -> str:
+        """What a goal's leaves are surrounded by: the same for goals that are likely to be of one shape."""
+        colours = self._colours
+        return f"{hash(tuple(colours.get(x, 0) for x in goal.leaves)) & MASK:x}"
 
 
 def shape_of(goal: Pattern, core: Sequence[int], index: Index) -> tuple[Shape, tuple[int, ...]]:
@@ -141,89 +159,3 @@ def shape_of(goal: Pattern, core: Sequence[int], index: Index) -> tuple[Shape, t
                 know(name)
         parts.append(Part(pattern.text, tuple(numbers[x] for x in pattern.leaves)))
     return Shape(goal.text, len(goal.leaves), tuple(parts)), tuple(order)
-
-
-class Matcher:
-    """Finds the facts that make a goal an instance of a shape."""
-
-    def __init__(self, index: Index) -> None:
-        self.index = index
-
-    def match(self, goal: Pattern, shape: Shape) -> tuple[int, ...] | None:
-        """The facts in the shape's order, or None."""
-        if goal.text != shape.goal:
-            return None
-        names: list[Leaf | None] = [*goal.leaves]
-        found: list[int] = []
-        self._left = 2 * len(shape.parts) + 8
-        return tuple(found) if self._extend(shape, 0, names, found) else None
-
-    def _extend(self, shape: Shape, i: int, names: list[Leaf | None], found: list[int]) -> bool:
-        if i == len(shape.parts):
-            return True
-        part = shape.parts[i]
-        best: Sequence[int] | None = None
-        for place, number in enumerate(part.leaves):
-            name = names[number] if number < len(names) else None
-            if name is not None:
-                some = self.index.find(part.text, place, name)
-                if not some:
-                    return False
-                if best is None or len(some) < len(best):
-                    best = some
-                    if len(best) == 1:
-                        break
-        if best is None:
-            best = self.index.all(part.text)
-        for n in best:
-            self._left -= 1
-            if self._left < 0:
-                return False
-            before = len(names)
-            if self._bind(part, self.index.patterns[n].leaves, names):
-                found.append(n)
-                if self._extend(shape, i + 1, names, found):
-                    return True
-                found.pop()
-            del names[before:]
-        return False
-
-    @staticmethod
-    def _bind(part: Part, leaves: tuple[Leaf, ...], names: list[Leaf | None]) -> bool:
-        """New numbers of a part come in order, so that they extend the list."""
-        for number, name in zip(part.leaves, leaves, strict=True):
-            if number < len(names):
-                if names[number] != name:
-                    return False
-            else:
-                names.append(name)
-        return True
-
-
-class Library:
-    """Shapes by the pattern of their goal; the one that matched last is tried first."""
-
-    def __init__(self) -> None:
-        self.by_goal: dict[str, list[Shape]] = {}
-        self.known: dict[tuple[str, tuple[Part, ...]], Shape] = {}
-
-    def add(self, shape: Shape) -> Shape:
-        """The library's own copy of a shape."""
-        known = self.known.get(shape.key)
-        if known is None:
-            known = self.known[shape.key] = shape
-            known.number = len(self.known) - 1
-            self.by_goal.setdefault(shape.goal, []).insert(0, shape)
-        return known
-
-    def find(self, goal: Pattern, matcher: Matcher) -> tuple[Shape, tuple[int, ...]] | None:
-        """A shape of which the goal is an instance, and the facts."""
-        shapes = self.by_goal.get(goal.text, [])
-        for i, shape in enumerate(shapes):
-            facts = matcher.match(goal, shape)
-            if facts is not None:
-                if i:
-                    del shapes[i]
-                    shapes.insert(0, shape)
-                return shape, facts
-        return None

@@ -1,0 +1,61 @@
+"""Make the library of shapes that ships with the package: `python -m tests.campaigns.shape_library [LAYOUT ...]`.
+
+Every shape that the certificates of the layouts (default: the shipped ones) use is kept; what no longer occurs is
+dropped.  The layouts are done on as many processes as `-j` says.
+"""
+
+from __future__ import annotations
+
+import argparse
+import lzma
+import time
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+from interlock.app.check import check_file
+from interlock.logic.lower import lower
+from interlock.proof.invariants import Facts, claims, strengthening
+from interlock.proof.local.engine import prove_locally
+from interlock.proof.local.facts import FactBase
+from interlock.proof.local.library import SHIPPED, Library
+from interlock.proof.local.shapes import Shape
+from interlock.proof.runner import start_claim
+from interlock.proof.system import System
+
+
+def used(path: str) -> tuple[str, list[tuple[Shape, str]], int, float]:
+    """The shapes of a layout's certificate with how to find them again, how many were new, and the seconds."""
+    checked = check_file(path)
+    assert checked.layout is not None and checked.table is not None, path
+    system = System(checked.layout, lower(checked.layout, checked.table))
+    facts = Facts(system)
+    base = FactBase(system, strengthening(facts), claims(facts), start_claim(system))
+    began = time.perf_counter()
+    proof = prove_locally(base, Library.shipped())
+    assert not proof.open, (path, proof.open[0])
+    found = list({(o.shape.number, o.hint): (o.shape, o.hint) for o in proof.obligations}.values())
+    return path, found, proof.solved, time.perf_counter() - began
+
+
+def main() -> None:
+    """Write the library."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("layouts", nargs="*", default=sorted(map(str, Path("layouts").glob("*.yaml"))))
+    parser.add_argument("-j", type=int, default=2)
+    given = parser.parse_args()
+    library = Library()
+    kept: dict[int, tuple[Shape, set[str]]] = {}
+    with ProcessPoolExecutor(given.j) as pool:
+        for path, found, new, seconds in pool.map(used, given.layouts):
+            for shape, hint in found:
+                mine = library.add(shape)
+                kept.setdefault(id(mine), (mine, set()))[1].add(hint)
+            print(f"{path}: {len({s.number for s, _ in found})} shapes, {new} of them new, {seconds:.1f} s", flush=True)
+    data = lzma.compress(library.text(list(kept.values())).encode(), preset=6)
+    SHIPPED.write_bytes(data)
+    goals = len({s.goal for s, _ in kept.values()})
+    print(f"{SHIPPED.name}: {len(kept)} shapes of {goals} goals, {len(data) / 2**20:.2f} MiB")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,94 @@
+"""The shipped shapes: each is refuted, they serve, and a spoiled file does no harm."""
+
+from __future__ import annotations
+
+import lzma
+import shutil
+from pathlib import Path
+
+import pytest
+
+from interlock.app.certify import certify_file
+from interlock.logic.lower import lower
+from interlock.proof.invariants import Facts, claims, strengthening
+from interlock.proof.local import library
+from interlock.proof.local.engine import LocalProof, prove_locally
+from interlock.proof.local.facts import FactBase
+from interlock.proof.local.library import SHIPPED, Library, read
+from interlock.proof.runner import start_claim
+from interlock.proof.system import System
+from interlock.verify import Shape
+from tests.layouts import built
+
+TEXT = lzma.decompress(SHIPPED.read_bytes()).decode()
+
+
+def local(name: str, known: Library) -> LocalProof:
+    layout, table, _ = built(name)
+    system = System(layout, lower(layout, table))
+    facts = Facts(system)
+    return prove_locally(FactBase(system, strengthening(facts), claims(facts), start_claim(system)), known)
+
+
+def test_every_shipped_shape_is_refuted_by_the_checker() -> None:
+    known = read(TEXT)
+    count = 0
+    for goal, lines in known.lines.items():
+        for line in lines:
+            facts, _, steps = line.partition("/")
+            shape = Shape(goal.split(":", 1)[1])
+            for word in facts.split():
+                number, _, leaves = word.partition(":")
+                pattern = known.patterns[int(number)].split(":", 1)[1]
+                shape.facts.append((pattern, tuple(int(n) + 1 for n in leaves.split(",") if n)))
+            for word in steps.split():
+                lits, _, hints = word.partition(":")
+                shape.steps.append((tuple(int(x) for x in lits.split(",") if x), tuple(map(int, hints.split(",")))))
+            shape.check()
+            count += 1
+    assert count > 10_000
+
+
+@pytest.mark.parametrize("name", ["mine11", "heishan", "terminus"])
+def test_the_shipped_shapes_serve_for_nearly_all_obligations(name: str) -> None:
+    proof = local(name, Library.shipped())
+    assert not proof.open and proof.solved <= 0.05 * len(proof.obligations), "python -m tests.campaigns.shape_library"
+
+
+def test_a_layout_that_is_new_finds_shapes_of_others() -> None:
+    alone, helped = local("../tests/layouts_for_tests/foul_joint", Library()), Library.shipped()
+    proof = local("../tests/layouts_for_tests/foul_joint", helped)
+    assert not proof.open and len(proof.obligations) == len(alone.obligations)
+    assert proof.solved < alone.solved / 2
+
+
+def spoiled(how: str) -> bytes:
+    """A library that lies, or is none."""
+    if how == "no shapes":
+        return b"nothing"
+    lines = TEXT.splitlines()
+    out = []
+    for line in lines:
+        head, _, steps = line.rpartition("/")
+        if line.startswith(("pattern", "interlock")) or not steps:
+            out.append(line)
+        elif how == "steps":  # the end of the refutation, as if it came by itself
+            out.append(f"{head}/:0")
+        else:  # every fact but the first is left out
+            where, facts = head.split("/")
+            out.append(f"{where.split()[0]} /{' '.join(facts.split()[:1])}/{steps}")
+    return lzma.compress(("\n".join(out) + "\n").encode(), preset=0)
+
+
+@pytest.mark.parametrize("how", ["no shapes", "steps", "facts"])
+def test_a_spoiled_library_is_not_believed(how: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "shapes.txt.xz"
+    file.write_bytes(spoiled(how))
+    monkeypatch.setattr(library, "SHIPPED", file)
+    library._shipped.cache_clear()
+    shutil.copytree("generated/fig2_2", tmp_path / "generated/fig2_2")
+    try:
+        found = certify_file("layouts/fig2_2.yaml", tmp_path / "generated", tmp_path / "proofs")
+    finally:
+        library._shipped.cache_clear()
+    assert found.ok, found.notes
