@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from itertools import islice
 from typing import NoReturn
 
 from interlock.st.ast import (
@@ -84,25 +85,25 @@ class _Reader:
         self.style = style
         self._attributes = _tokens(" ".join(style.attributes))
         self.tokens: list[str] = []
-        self.starts: list[int] = []
         self.at = 0
         self._names: dict[str, Name] = {}
         self._scan()
 
     def _scan(self) -> None:
-        end, tokens, starts = 0, self.tokens, self.starts
-        for m in _TOKEN.finditer(self.text):
-            if m.start() != end:
-                break
-            end = m.end()
-            token = m[1]
-            if token is not None:
-                tokens.append(token)
-                starts.append(m.start())
-        if end != len(self.text):
+        if _TOKEN.sub("", self.text):
+            end = 0
+            for m in _TOKEN.finditer(self.text):
+                if m.start() != end:
+                    break
+                end = m.end()
             raise NotInSubset(f"{self._place(end)}: {self.text[end : end + 10]!r} is not in the subset")
-        tokens.append(_END)
-        starts.append(len(self.text))
+        self.tokens = [token for token in _TOKEN.findall(self.text) if token]
+        self.tokens.append(_END)
+
+    def _start(self, number: int) -> int:
+        """Where a token stands in the text."""
+        starts = (m.start() for m in _TOKEN.finditer(self.text) if m[1] is not None)
+        return next(islice(starts, number, None), len(self.text))
 
     def _place(self, offset: int) -> str:
         before = self.text[:offset]
@@ -110,7 +111,7 @@ class _Reader:
 
     def _fail(self, wanted: str) -> NoReturn:
         found = self.tokens[self.at] or "the end"
-        raise NotInSubset(f"{self._place(self.starts[self.at])}: {wanted} is expected, here is {found}")
+        raise NotInSubset(f"{self._place(self._start(self.at))}: {wanted} is expected, here is {found}")
 
     def _take(self, token: str) -> None:
         if self.tokens[self.at] != token:

@@ -26,7 +26,9 @@ MAX_COLUMNS = 150
 def comment(text: str) -> str:
     """A comment that no name or note can end early."""
     clean = text.replace("(*", "( *").replace("*)", "* )")
-    return "(* " + "".join(c if 32 <= ord(c) < 127 else "?" for c in clean) + " *)"
+    if not (clean.isascii() and clean.isprintable()):
+        clean = "".join(c if 32 <= ord(c) < 127 else "?" for c in clean)
+    return f"(* {clean} *)"
 
 
 def print_unit(unit: Unit, style: Style = IEC) -> str:
