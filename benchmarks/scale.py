@@ -19,7 +19,7 @@ from pathlib import Path
 from interlock.app.init import line, yard
 
 TOP = Path(__file__).resolve().parent.parent
-SIZES = (("yard", 30), ("yard", 60), ("line", 62), ("line", 125), ("yard", 124))
+SIZES = (("yard", 30), ("yard", 60), ("line", 62), ("line", 125), ("yard", 124), ("line", 250))
 
 
 def run(path: Path) -> tuple[float, float, dict[str, object]]:
@@ -39,7 +39,7 @@ def run(path: Path) -> tuple[float, float, dict[str, object]]:
 def main() -> None:
     """Print the page."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--most", type=int, default=1200, help="stop at layouts with more routes than this")
+    parser.add_argument("--most", type=int, default=2500, help="stop at layouts with more routes than this")
     given = parser.parse_args()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=TOP, capture_output=True, text=True).stdout
     print(f"# Scale\n\n`python -m benchmarks.scale` at commit {commit.strip()}, x86_64, 2 cores.\n")
