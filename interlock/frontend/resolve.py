@@ -62,16 +62,17 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
     """Signals at their joints."""
     at = _edges_at(wiring)
     special = {p.node for p in wiring.points} | {c.node for c in wiring.crossings}
+    leading: dict[str, list[tuple[NodeId, Edge]]] = {}
+    for node, edges in sorted(at.items()):
+        for e in edges if node not in special else ():
+            leading.setdefault(e.section, []).append((node, e))
     taken: dict[tuple[NodeId, str], str] = {}
     signals: list[Signal] = []
     for name, spec in ctx.file.signals.items():
         places = [
             (node, into)
-            for node, edges in sorted(at.items())
-            if node not in special
-            for into in edges
-            if into.section == spec.into
-            and (node == spec.from_ or any(e.section == spec.from_ and e.section != into.section for e in edges))
+            for node, into in leading.get(spec.into, ())
+            if node == spec.from_ or any(e.section == spec.from_ and e.section != into.section for e in at[node])
         ]
         if spec.at is not None:
             places = [(n, e) for n, e in places if _near(wiring, at, n, spec.at)]

@@ -46,27 +46,31 @@ class Expr:
         return disj((self, other))
 
 
-_interned: dict[tuple[object, ...], Expr] = {}
 FALSE = Expr(Op.FALSE)
 TRUE = Expr(Op.TRUE)
 
-
-def _make(op: Op, args: tuple[Expr, ...] = (), name: str = "", value: int = 0) -> Expr:
-    key: tuple[object, ...] = (op, name, value, *map(id, args))
-    found = _interned.get(key)
-    if found is None:
-        found = _interned[key] = Expr(op, args, name, value)
-    return found
+# equal expressions are one object, so that the operands themselves are the key
+_vars: dict[str, Expr] = {}
+_values: dict[tuple[str, int], Expr] = {}
+_negations: dict[Expr, Expr] = {}
+_ands: dict[tuple[Expr, ...], Expr] = {}
+_ors: dict[tuple[Expr, ...], Expr] = {}
 
 
 def var(name: str) -> Expr:
     """A Boolean variable."""
-    return _make(Op.VAR, (), name)
+    found = _vars.get(name)
+    if found is None:
+        found = _vars[name] = Expr(Op.VAR, (), name)
+    return found
 
 
 def eq(name: str, value: int) -> Expr:
     """Whether the small-range variable has the value."""
-    return _make(Op.EQ, (), name, value)
+    found = _values.get((name, value))
+    if found is None:
+        found = _values[name, value] = Expr(Op.EQ, (), name, value)
+    return found
 
 
 def neg(x: Expr) -> Expr:
@@ -77,26 +81,36 @@ def neg(x: Expr) -> Expr:
         return TRUE
     if x.op is Op.NOT:
         return x.args[0]
-    return _make(Op.NOT, (x,))
+    found = _negations.get(x)
+    if found is None:
+        found = _negations[x] = Expr(Op.NOT, (x,))
+    return found
 
 
 def _nary(op: Op, unit: Expr, zero: Expr, xs: Iterable[Expr]) -> Expr:
-    flat: dict[int, Expr] = {}
+    flat: dict[Expr, None] = {}
     for x in xs:
         if x is zero:
             return zero
         if x is unit:
             continue
-        for y in x.args if x.op is op else (x,):
-            flat.setdefault(id(y), y)
-    for y in flat.values():
-        if y.op is Op.NOT and id(y.args[0]) in flat:
+        if x.op is op:
+            flat.update(dict.fromkeys(x.args))
+        else:
+            flat[x] = None
+    for y in flat:
+        if y.op is Op.NOT and y.args[0] in flat:
             return zero
     if not flat:
         return unit
     if len(flat) == 1:
-        return next(iter(flat.values()))
-    return _make(op, tuple(flat.values()))
+        return next(iter(flat))
+    args = tuple(flat)
+    table = _ands if op is Op.AND else _ors
+    found = table.get(args)
+    if found is None:
+        found = table[args] = Expr(op, args)
+    return found
 
 
 def conj(xs: Iterable[Expr]) -> Expr:

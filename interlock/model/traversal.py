@@ -196,7 +196,6 @@ def topology(layout: Layout) -> Topology:
 
 def path_speed(layout: Layout, ways: Iterable[Traversal]) -> int | None:
     """The lowest speed in km/h that the layout states along a path; None where it states none (R11)."""
-    sections = {s.id: s.speed for s in layout.sections}
-    found = [sections[t.section] for t in ways]
+    found = [layout.section[t.section].speed for t in ways]
     found += [layout.point[p].speed for t in ways for p, x in t.points if x is Position.REVERSE]
     return min((v for v in found if v is not None), default=None)

@@ -8,15 +8,16 @@ from __future__ import annotations
 
 import time
 from collections import deque
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property, partial
+from typing import Protocol
 
 from interlock.logic.expr import Expr, variables
+from interlock.logic.plant import Assumption
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, Sat, solver
 from interlock.proof.pool import run
-from interlock.proof.system import System
 
 SMALL = 1500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
@@ -31,10 +32,32 @@ class Decision:
     seconds: float
 
 
+class Theory(Protocol):
+    """What is known beside the hypotheses: a system, for questions about its steps."""
+
+    @property
+    def definitions(self) -> Mapping[str, Expr]:
+        """Names of a step by what they mean, each after those that it reads."""
+        ...
+
+    @property
+    def assumptions(self) -> Sequence[Assumption]:
+        """Facts of every step."""
+        ...
+
+
+@dataclass(frozen=True)
+class Start:
+    """Nothing: for questions about the restart."""
+
+    definitions: Mapping[str, Expr] = field(default_factory=dict)
+    assumptions: Sequence[Assumption] = ()
+
+
 class Parts:
     """The facts of a system, by the variables that they read."""
 
-    def __init__(self, system: System, hypotheses: Sequence[Expr]) -> None:
+    def __init__(self, system: Theory, hypotheses: Sequence[Expr]) -> None:
         self.system = system
         self.facts = [*hypotheses, *(a.expr for a in system.assumptions)]
 
@@ -154,7 +177,7 @@ class Inquiry:
     """
 
     def __init__(
-        self, system: System, hypotheses: Sequence[Expr], goals: Sequence[Expr], engine: str, query_ms: int, jobs: int
+        self, system: Theory, hypotheses: Sequence[Expr], goals: Sequence[Expr], engine: str, query_ms: int, jobs: int
     ) -> None:
         self.parts = Parts(system, hypotheses)
         self.goals = goals
@@ -205,7 +228,7 @@ class Inquiry:
 
 
 def decide(
-    system: System,
+    system: Theory,
     hypotheses: Sequence[Expr],
     goals: Sequence[Expr],
     engine: str,
@@ -219,7 +242,7 @@ def decide(
     return inquiry.finish(progress)
 
 
-def step_cnf(system: System) -> Cnf:
+def step_cnf(system: Theory) -> Cnf:
     """Clauses in which every name of a step has its meaning."""
     cnf = Cnf()
     for name, x in system.definitions.items():

@@ -17,11 +17,11 @@ from enum import StrEnum
 from functools import partial
 from typing import Any
 
-from interlock.logic.expr import Expr, conj, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, Op, Substitution, conj, neg, var
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import CLAIMS, Claim, Facts, Invariant, claims, strengthening
-from interlock.proof.parts import Decision, Inquiry, decide
+from interlock.proof.parts import Decision, Inquiry, Start, decide
 from interlock.proof.pool import Task, run
 from interlock.proof.search import search
 from interlock.proof.story import Story, tell
@@ -177,14 +177,34 @@ def prove_beside(
 
 
 def _restart(system: System, invariants: Sequence[Invariant], limits: Limits) -> list[bool]:
-    """Which invariants hold at the restart."""
+    """Which invariants hold at the restart.
+
+    Most of the state has one value there: it is put in, and what does not come out true is asked.
+    """
+    fixed: dict[str, Expr] = {}
+    others: list[Expr] = []
+    for x in system.initial_parts:
+        leaf, value = (x.args[0], FALSE) if x.op is Op.NOT else (x, TRUE)
+        if leaf.op is not Op.VAR:
+            others.append(x)
+        elif fixed.setdefault(leaf.name, value) is not value:
+            raise RuntimeError("the restart states contradict each other")
+    put = Substitution(fixed)
+    facts = [put(x) for x in others]
     cnf = Cnf()
-    cnf.require(system.initial)
-    goals = [cnf.literal(i.expr) for i in invariants]
-    sat = solver(limits.engine, cnf, limits.query_ms)
-    if sat.ask() is not Answer.SAT:
+    for x in facts:
+        cnf.require(x)
+    if solver(limits.engine, cnf, limits.query_ms).ask() is not Answer.SAT:
         raise RuntimeError("the restart states contradict each other")
-    return [sat.ask(-lit) is Answer.UNSAT for lit in goals]
+    goals = [put(i.expr) for i in invariants]
+    left = [n for n, x in enumerate(goals) if x is not TRUE]
+    found = decide(
+        Start(), facts, [goals[n] for n in left], limits.engine, limits.query_ms, 1, lambda done, total: None
+    )
+    holds = [True] * len(goals)
+    for n, d in zip(left, found, strict=True):
+        holds[n] = d.follows
+    return holds
 
 
 def open_claims(

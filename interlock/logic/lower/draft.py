@@ -72,6 +72,24 @@ class Draft:
         return {k: tuple(v) for k, v in out.items()}
 
     @cached_property
+    def routes_into(self) -> Mapping[SectionId, tuple[RouteRow, ...]]:
+        """The shunt routes that end in each berth."""
+        out: dict[SectionId, list[RouteRow]] = {}
+        for r in self.table.routes:
+            if r.berth is not None:
+                out.setdefault(r.berth, []).append(r)
+        return {k: tuple(v) for k, v in out.items()}
+
+    @cached_property
+    def routes_to(self) -> Mapping[tuple[SignalId, int], tuple[RouteRow, ...]]:
+        """The routes that hold each overlap."""
+        out: dict[tuple[SignalId, int], list[RouteRow]] = {}
+        for r in self.table.routes:
+            if r.overlap is not None:
+                out.setdefault((r.overlap.signal, r.overlap.option), []).append(r)
+        return {k: tuple(v) for k, v in out.items()}
+
+    @cached_property
     def routes_from(self) -> Mapping[SignalId, tuple[RouteRow, ...]]:
         """The routes of each signal."""
         out: dict[SignalId, list[RouteRow]] = {g.id: [] for g in self.layout.signals}

@@ -108,7 +108,7 @@ def three_point(d: Draft) -> None:
 
 def rear_free(d: Draft, s: SectionId) -> list[Term]:
     """No lock in rear still leads into the section, and none is granted in this scan."""
-    into = disj(var(f"G_R{r.number}") for r in d.table.routes if r.berth == s)
+    into = disj(var(f"G_R{r.number}") for r in d.routes_into.get(s, ()))
     out = [] if into is FALSE else [Term(neg(into), "nothing granted into it")]
     for node in d.topo.ends[s]:
         rear = d.topo.beyond(s, node)

@@ -255,7 +255,7 @@ def granted(d: Draft) -> None:
 
 def overlap_users(d: Draft, option: tuple[SignalId, int]) -> list[RouteRow]:
     """The routes that lock an overlap."""
-    return [r for r in d.table.routes if r.overlap is not None and (r.overlap.signal, r.overlap.option) == option]
+    return list(d.routes_to.get(option, ()))
 
 
 def grant_of(d: Draft, key: TraversalKey, berth: bool = False) -> Expr:
