@@ -1,4 +1,4 @@
-"""What certificates cost: `python -m benchmarks.certificates`, for the shipped layouts and some that no library knows.
+"""What certificates cost: `python -m benchmarks.certificates`, for the shipped layouts and two that the library lacks.
 
 In one process, one after the other: the whole proof from YAML to verdicts with its texts; what a certificate needs
 besides (facts, obligations, refutations, bytes); and its check by `interlock verify`.
@@ -66,7 +66,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         paths = sorted((TOP / "layouts").glob("*.yaml"))
-        for kind, size in (("yard", 4), ("line", 6)):
+        for kind, size in (("yard", 6), ("line", 12)):
             path = folder / f"{kind}{size}.yaml"
             path.write_text(line(size) if kind == "line" else yard(size))
             paths.append(path)

@@ -1,18 +1,20 @@
 """Make the library of shapes that ships with the package: `python -m tests.campaigns.shape_library [LAYOUT ...]`.
 
-Every shape that the certificates of the layouts (default: the shipped ones) use is kept; what no longer occurs is
-dropped.  The layouts are done on as many processes as `-j` says.
+Every shape that the certificates of the layouts use (default: the shipped ones, a line of stations and a yard) is kept;
+what no longer occurs is dropped.  The layouts are done on as many processes as `-j` says.
 """
 
 from __future__ import annotations
 
 import argparse
 import lzma
+import tempfile
 import time
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from interlock.app.check import check_file
+from interlock.app.init import line, yard
 from interlock.logic.lower import lower
 from interlock.proof.invariants import Facts, claims, strengthening
 from interlock.proof.local.engine import prove_locally
@@ -40,13 +42,23 @@ def used(path: str) -> tuple[str, list[tuple[Shape, str]], int, float]:
 def main() -> None:
     """Write the library."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("layouts", nargs="*", default=sorted(map(str, Path("layouts").glob("*.yaml"))))
+    parser.add_argument("layouts", nargs="*")
     parser.add_argument("-j", type=int, default=2)
     given = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in (("line6", line(6)), ("yard4", yard(4))):
+            Path(folder, f"{name}.yaml").write_text(text)
+        write(
+            given.layouts or sorted(map(str, [*Path("layouts").glob("*.yaml"), *Path(folder).glob("*.yaml")])), given.j
+        )
+
+
+def write(layouts: list[str], jobs: int) -> None:
+    """The library of what the layouts use."""
     library = Library()
     kept: dict[int, tuple[Shape, set[str]]] = {}
-    with ProcessPoolExecutor(given.j) as pool:
-        for path, found, new, seconds in pool.map(used, given.layouts):
+    with ProcessPoolExecutor(jobs) as pool:
+        for path, found, new, seconds in pool.map(used, layouts):
             for shape, hint in found:
                 mine = library.add(shape)
                 kept.setdefault(id(mine), (mine, set()))[1].add(hint)
