@@ -62,6 +62,13 @@ def test_a_layout_that_is_new_finds_shapes_of_others() -> None:
     assert proof.solved < alone.solved / 2
 
 
+def test_what_is_too_deep_to_be_looked_for_is_proved_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(library, "DEEP", 3)
+    proof = local("fig2_2", Library.shipped())
+    assert not proof.open and proof.solved > 0
+    assert all(len(o.facts) == len(o.shape.parts) for o in proof.obligations)
+
+
 def spoiled(how: str) -> bytes:
     """A library that lies, or is none."""
     if how == "no shapes":

@@ -20,6 +20,7 @@ from interlock.proof.local.shapes import Index, Leaf, Part, Pattern, Shape, Step
 SHIPPED = Path(__file__).parent / "shapes.txt.xz"
 HEAD = "interlock-shapes 1"
 NEAR, FAR = 4000, 400  # facts tried for one goal, in the same surroundings and in any
+DEEP = 600  # facts of a shape that is looked for; a larger one is proved anew
 
 
 class End:
@@ -230,6 +231,8 @@ class Search:
         """Where a shape ends, all of whose facts are found on the way from the node."""
         if node.end is not None:
             return node.end
+        if len(self.found) >= DEEP:
+            return None
         names = self.names
         for word, onward in reversed(node.onward.items()):  # what matched last stands last
             key, _, rank = word.partition("@")
