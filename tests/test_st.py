@@ -4,15 +4,24 @@ from __future__ import annotations
 
 import random
 import re
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 import tree_sitter
 import tree_sitter_iec61131_3_st
 
+from interlock.app.init import line
+from interlock.derive import derive
+from interlock.diag import Sink
+from interlock.frontend import load_text
+from interlock.logic.controller import Equation, Step
+from interlock.logic.lower import lower
 from interlock.proof.translation import compare_st
 from interlock.st.ast import Assign, Expression, Nary, Not
 from interlock.st.lower import MAX_OPERANDS, lower_st
+from interlock.st.order import by_place
 from interlock.st.parser import NotInSubset, parse_unit
 from interlock.st.printer import MAX_COLUMNS, comment, print_unit
 from tests.layouts import SHIPPED, built
@@ -89,6 +98,40 @@ def test_text_equals_controller(name: str) -> None:
     _, _, controller = built(name)
     result = compare_st(controller, text_of(name))
     assert result.proved and result.compared > 2 * len(controller.state)
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_equations_stand_place_by_place_and_after_what_they_read(name: str) -> None:
+    """What a block reads of other blocks is called before it, or kept from the last scan; places are not scattered."""
+    controller = built(name)[2]
+    following = {e.name: replace(e, name=f"N_{e.name}") for e in controller.next}
+    steps = by_place(controller.steps, following)
+    assert sorted(s.name for s in steps) == sorted(s.name for s in [*controller.steps, *following.values()])
+    known = {*(i.name for i in controller.inputs), *(s.name for s in controller.state)}
+    for s in steps:
+        assert known.issuperset(s.reads if isinstance(s, Equation) else (s.input,)), s.name
+        known.add(s.name)
+
+
+def test_blocks_of_one_place_declare_little_of_others() -> None:
+    """Cut kind by kind, as a controller lists them, the equations of a line would declare far more inputs."""
+    sink = Sink()
+    layout, _ = load_text("line.yaml", line(20), sink)
+    assert layout is not None
+    controller = lower(layout, derive(layout, sink))
+    following = {e.name: replace(e, name=f"N_{e.name}") for e in controller.next}
+    scattered = [*controller.steps, *following.values()]
+    assert declared(by_place(controller.steps, following)) < 0.7 * declared(scattered)
+
+
+def declared(steps: Sequence[Step]) -> int:
+    """Inputs of blocks of 50 equations each."""
+    equations = [s for s in steps if isinstance(s, Equation)]
+    count = 0
+    for at in range(0, len(equations), 50):
+        block = equations[at : at + 50]
+        count += len({n for e in block for n in e.reads} - {e.name for e in block})
+    return count
 
 
 def test_a_text_that_reads_what_a_later_equation_left_in_the_last_scan_is_refuted() -> None:

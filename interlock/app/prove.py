@@ -16,7 +16,7 @@ from interlock.emit.drawing import plan_svg
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.invariants import Facts, claims
-from interlock.proof.pool import run
+from interlock.proof.pool import Begun, run
 from interlock.proof.runner import (
     ClaimResult,
     Limits,
@@ -24,7 +24,7 @@ from interlock.proof.runner import (
     ProofResult,
     Verdict,
     if_proved,
-    prove_beside,
+    prove,
     quiet,
 )
 from interlock.proof.system import System
@@ -78,19 +78,21 @@ def prove_derived(
     if not derived.ok or derived.layout is None or derived.table is None:
         return Proved(derived), {}
     layout, limits = derived.layout, limits or Limits()
+    audit = Begun([partial(second_opinion, derived)], limits.jobs)
     controller = lower(layout, derived.table)
     system = System(layout, controller)
     wanted = claims(Facts(system))
     hoped = _header(layout, if_proved(wanted), True)
-    texts = writers(layout, controller, hoped, dialects)
-    proof, results = prove_beside(system, wanted, limits, progress, [*texts, partial(second_opinion, derived)])
-    *written, findings = results
+    texts = Begun(writers(layout, controller, hoped, dialects), limits.jobs)
+    proof = prove(system, limits, progress, wanted)
+    findings = audit.results()[0]
     checked = audited(derived, findings)
     if not checked.ok:
         return Proved(checked), {}
     header = _header(layout, proof.claims, proof.proved)
+    progress("comparing the text", 0, 1)
+    written = texts.results()
     if header != hoped:  # the texts tell what is proved
-        progress("comparing the text", 0, 1)
         written = run(writers(layout, controller, header, dialects), limits.jobs)
     verdicts = [verdict for verdict, _ in written]
     files = {name: text for _, those in written for name, text in those.items()}

@@ -57,11 +57,16 @@ class Equation:
     group: str
     note: str = ""
 
-    @property
+    @cached_property
     def expr(self) -> Expr:
         """The equation's right side."""
         join = conj if self.join is Join.ALL else disj
         return join(t.expr for t in self.terms)
+
+    @cached_property
+    def reads(self) -> tuple[str, ...]:
+        """The names in its terms, in order of appearance."""
+        return tuple(variables(t.expr for t in self.terms))
 
 
 @dataclass(frozen=True)
@@ -283,8 +288,7 @@ class Controller:
                 raise MalformedController(f"{name} is defined twice")
             defined.add(name)
         for step in self.steps:
-            used = variables((step.expr,)) if isinstance(step, Equation) else {step.input: None}
-            for name in used:
+            for name in step.reads if isinstance(step, Equation) else (step.input,):
                 if name not in defined:
                     raise MalformedController(f"{step.name} reads {name} before it is computed")
             if step.name in defined:
@@ -294,7 +298,7 @@ class Controller:
         if [e.name for e in self.next] != [s.name for s in self.state]:
             raise MalformedController("next-state equations and state variables differ")
         for e in self.next:
-            for name in variables((e.expr,)):
+            for name in e.reads:
                 if name not in defined:
                     raise MalformedController(f"the next value of {e.name} reads {name}, which is not defined")
         initial = {s.name: int(s.initial) for s in self.state}
@@ -318,8 +322,9 @@ class Controller:
     def expanded(self) -> dict[str, Expr]:
         """Every wire as an expression over inputs, old state and timer outputs alone."""
         known: dict[str, Expr] = {}
+        put = Substitution(known)  # a wire is known before it is read
         for e in self.equations:
-            known[e.name] = _expand(e.expr, known)
+            known[e.name] = put(e.expr)
         return known
 
     @cached_property
@@ -327,7 +332,3 @@ class Controller:
         """Every next value as an expression over inputs, old state and timer outputs alone."""
         sub = Substitution(self.expanded)
         return {e.name: sub(e.expr) for e in self.next}
-
-
-def _expand(x: Expr, known: dict[str, Expr]) -> Expr:
-    return Substitution({n: known[n] for n in variables((x,)) if n in known})(x)

@@ -200,18 +200,17 @@ class Substitution:
 def variables(roots: Iterable[Expr]) -> dict[str, None]:
     """Names of all variables below the roots, in order of appearance."""
     found: dict[str, None] = {}
-    done: set[int] = set()
+    done: set[Expr] = set()
     for root in roots:
         stack = [root]
         while stack:
             node = stack.pop()
-            if id(node) in done:
-                continue
-            done.add(id(node))
-            if node.op in (Op.VAR, Op.EQ):
+            if node.args:
+                if node not in done:
+                    done.add(node)
+                    stack.extend(node.args)
+            elif node.name:
                 found.setdefault(node.name)
-            else:
-                stack.extend(node.args)
     return found
 
 

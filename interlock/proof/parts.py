@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import time
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import Protocol
@@ -17,6 +17,7 @@ from interlock.logic.expr import Expr, variables
 from interlock.logic.plant import Assumption
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, Sat, solver
+from interlock.proof.onesided import OneSided
 from interlock.proof.pool import run
 
 SMALL = 1500  # so many goals are asked of one solver
@@ -76,18 +77,13 @@ class Parts:
         return found
 
     @cached_property
-    def position(self) -> dict[str, int]:
-        """The definitions in order."""
-        return {name: n for n, name in enumerate(self.system.definitions)}
-
-    @cached_property
     def inputs_of(self) -> dict[str, tuple[str, ...]]:
         """What each definition reads."""
         return {name: tuple(variables((x,))) for name, x in self.system.definitions.items()}
 
     def prepare(self) -> None:
         """Read everything once, so that processes inherit it."""
-        _ = self.readers, self.position, self.inputs_of
+        _ = self.readers, self.inputs_of
 
     def order(self, goals: Sequence[Expr]) -> list[int]:
         """The goals, those that share variables near each other."""
@@ -129,19 +125,14 @@ class Parts:
         seen: dict[str, None] = {}
         self.cone(list(variables(goals)), seen)
         facts: dict[int, None] = {}
-        for _ in range(rings):
+        for ring in range(rings):
+            if ring:
+                self.cone([v for n in facts for v in self.reads[n]], seen)
             for v in list(seen):
                 near = self.readers.get(v, ())
                 if len(near) <= 4 * HUB:
                     facts.update(dict.fromkeys(near))
-            self.cone([v for n in facts for v in self.reads[n]], seen)
-        cnf = Cnf()
-        definitions = self.system.definitions
-        for name in sorted((v for v in seen if v in self.position), key=self.position.__getitem__):
-            cnf.define(name, definitions[name])
-        for n in sorted(facts):
-            cnf.require(self.facts[n])
-        return cnf, [cnf.literal(g) for g in goals]
+        return self._clauses(sorted(facts), goals)
 
     def decide(self, goals: Sequence[Expr], engine: str, query_ms: int, rings: int) -> list[Decision]:
         """Which of the goals follow from the facts so many steps around; 0 rings: from all facts."""
@@ -151,10 +142,13 @@ class Parts:
 
     def whole(self, goals: Sequence[Expr]) -> tuple[Cnf, list[int]]:
         """All clauses, and the goals' literals."""
-        cnf = step_cnf(self.system)
-        for x in self.facts:
-            cnf.require(x)
-        return cnf, [cnf.literal(g) for g in goals]
+        return self._clauses(range(len(self.facts)), goals)
+
+    def _clauses(self, facts: Iterable[int], goals: Sequence[Expr]) -> tuple[Cnf, list[int]]:
+        cnf = OneSided(self.system.definitions)
+        for n in facts:
+            cnf.require(self.facts[n])
+        return cnf, [cnf.question(g) for g in goals]
 
 
 def _asked(sat: Sat, literal: int) -> Decision:
@@ -240,11 +234,3 @@ def decide(
     inquiry = Inquiry(system, hypotheses, goals, engine, query_ms, jobs)
     inquiry.settle(inquiry.first(), progress)
     return inquiry.finish(progress)
-
-
-def step_cnf(system: Theory) -> Cnf:
-    """Clauses in which every name of a step has its meaning."""
-    cnf = Cnf()
-    for name, x in system.definitions.items():
-        cnf.define(name, x)
-    return cnf

@@ -76,23 +76,23 @@ class _Reader:
             if target.id in RESERVED:
                 raise BadRuntime(f"line {s.lineno}: {target.id} is a name of the fixed part")
             self.values[target.id] = self._read(target.id, value)
-        elif ast.unparse(target) == "self.state" and isinstance(value, ast.Dict) and not self.after:
+        elif _dotted(target) == "self.state" and isinstance(value, ast.Dict) and not self.after:
             self.after = self._dictionary(value)
         else:
             raise BadRuntime(f"line {s.lineno}: {ast.unparse(target)} is assigned")
 
     def _read(self, name: str, x: ast.expr) -> Term:
         if isinstance(x, ast.Subscript) and isinstance(x.slice, ast.Constant):
-            where, key = ast.unparse(x.value), str(x.slice.value)
+            where, key = _dotted(x.value), str(x.slice.value)
             if where == "read" and key in self.sizes:
                 return Symbol(key) if self.sizes[key] else var(key)
             if where == "old" and key in self.state:
                 return var(key)
             if where == "self.state" and key in self.after:
                 return self.after[key]
-        if isinstance(x, ast.Call) and ast.unparse(x.func) == "self._timer" and len(x.args) == 3 and not x.keywords:
+        if isinstance(x, ast.Call) and _dotted(x.func) == "self._timer" and len(x.args) == 3 and not x.keywords:
             own, on, dt = x.args
-            if isinstance(own, ast.Constant) and own.value == name and ast.unparse(dt) == "dt_ms":
+            if isinstance(own, ast.Constant) and own.value == name and _dotted(dt) == "dt_ms":
                 preset = self.presets.get(name)
                 if type(preset) is int and name not in self.timers:
                     self.timers[name] = (self._value(on), preset)
@@ -102,7 +102,12 @@ class _Reader:
     def _dictionary(self, x: ast.Dict) -> dict[str, Term]:
         found: dict[str, Term] = {}
         for key, value in zip(x.keys, x.values, strict=True):
-            plain = isinstance(value, ast.Call) and ast.unparse(value.func) == "bool" and len(value.args) == 1
+            plain = (
+                isinstance(value, ast.Call)
+                and _dotted(value.func) == "bool"
+                and len(value.args) == 1
+                and not value.keywords
+            )
             if not isinstance(key, ast.Constant) or not plain or key.value in found:
                 raise BadRuntime(f"line {x.lineno}: an entry that is no truth value, or comes twice")
             assert isinstance(value, ast.Call)
@@ -127,6 +132,15 @@ class _Reader:
             if isinstance(symbol, Symbol) and isinstance(x.ops[0], ast.Eq) and number is not None:
                 return eq(symbol.name, number)
         raise BadRuntime(f"line {x.lineno}: {ast.unparse(x)} is not of the emitted shapes")
+
+
+def _dotted(x: ast.expr) -> str:
+    """A plain name, or an attribute of one; nothing of what is built otherwise."""
+    if isinstance(x, ast.Name):
+        return x.id
+    if isinstance(x, ast.Attribute) and isinstance(x.value, ast.Name):
+        return f"{x.value.id}.{x.attr}"
+    return ""
 
 
 def _is_docstring(x: ast.stmt) -> bool:

@@ -15,7 +15,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import partial
-from typing import Any
 
 from interlock.logic.expr import FALSE, TRUE, Expr, Op, Substitution, conj, neg, var
 from interlock.proof.encode import Cnf
@@ -130,36 +129,34 @@ def _decide(
     return decide(system, hypotheses, goals, limits.engine, limits.query_ms, limits.jobs, partial(progress, stage))
 
 
-def prove(system: System, limits: Limits | None = None, progress: Progress = quiet) -> ProofResult:
-    """One verdict per claim."""
-    return prove_beside(system, claims(Facts(system)), limits or Limits(), progress, ())[0]
-
-
-def prove_beside(
-    system: System, wanted: tuple[Claim, ...], limits: Limits, progress: Progress, beside: Sequence[Task]
-) -> tuple[ProofResult, list[Any]]:
-    """One verdict per claim, and the results of other work that is done beside the proof.
+def prove(
+    system: System,
+    limits: Limits | None = None,
+    progress: Progress = quiet,
+    wanted: tuple[Claim, ...] | None = None,
+) -> ProofResult:
+    """One verdict per claim; `wanted` if the claims are known already.
 
     Invariants and claims are asked together, as if all invariants were kept; where one is not, the claims are asked
     again with those that are.
     """
     began = time.monotonic()
+    limits = limits or Limits()
+    wanted = claims(Facts(system)) if wanted is None else wanted
     found = list(strengthening(Facts(system)))
     goals = [*(system.after(i.expr) for i in found), *(c.expr for c in wanted)]
     inquiry = Inquiry(system, [i.expr for i in found], goals, limits.engine, limits.query_ms, limits.jobs)
     chunks = inquiry.first()
-    tasks: list[Task] = [*beside, partial(witnesses, system), *(partial(inquiry.ask, c) for c in chunks)]
+    tasks: list[Task] = [partial(witnesses, system), *(partial(inquiry.ask, c) for c in chunks)]
     tasks += [partial(_restart, system, found, limits), partial(_start, system, limits)]
     done = 0
 
     def report(n: int) -> None:
         nonlocal done
-        at = n - len(beside) - 1
-        done += len(chunks[at][0]) if 0 <= at < len(chunks) else 0
+        done += len(chunks[n - 1][0]) if 0 < n <= len(chunks) else 0
         progress("proving", done, len(goals))
 
-    results = run(tasks, limits.jobs, report)
-    others, (runs, *answers, at_restart, start) = results[: len(beside)], results[len(beside) :]
+    runs, *answers, at_restart, start = run(tasks, limits.jobs, report)
     for chunk, those in zip(chunks, answers, strict=True):
         inquiry.note(chunk, those)
     decisions = inquiry.finish(partial(progress, "proving"))
@@ -172,8 +169,7 @@ def prove_beside(
     order = list(CLAIMS)
     claimed.sort(key=lambda r: order.index(r.id))
     obligations += len(found) + len(wanted) + 1
-    seconds = time.monotonic() - began
-    return ProofResult(tuple(claimed), len(kept), tuple(dropped), obligations, runs, seconds), others
+    return ProofResult(tuple(claimed), len(kept), tuple(dropped), obligations, runs, time.monotonic() - began)
 
 
 def _restart(system: System, invariants: Sequence[Invariant], limits: Limits) -> list[bool]:

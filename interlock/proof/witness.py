@@ -170,16 +170,17 @@ def _drive(system: System, lane: Lane, r: RouteSymbols, failed: SectionId | None
     keep = set(layout.undetected) if leaves else {place, *layout.undetected}
     if failed is not None:  # and so does what lies beyond it
         keep |= {s for s, _ in r.ways[[s for s, _ in r.ways].index(failed) :]}
-    by_hand = {i.name: 1 for i in system.controller.inputs if i.name.startswith("REL")}
-    after = Wish((), {system.symbols.cancel[r.entry]: 1, **by_hand}) if r.call_on else NOTHING
-    near = {s: locks for s, locks in system.symbols.locked_by.items() if s not in keep}
+    after = NOTHING
+    if r.call_on:
+        by_hand = {i.name: 1 for i in system.controller.inputs if i.name.startswith("REL")}
+        after = Wish((), {system.symbols.cancel[r.entry]: 1, **by_hand})
     for _ in range(MAX_STEPS):
-        near = {s: locks for s, locks in near.items() if lane.any_on(locks)}
-        if not near:
+        locked = [s for s in lane.held() if s not in keep]
+        if not locked:
             break
         yield after
     else:
-        return f"{', '.join(near)} stay locked behind the train"
+        return f"{', '.join(locked)} stay locked behind the train"
     troubles = lane.troubles()
     return f"the run meets {', '.join(troubles)}" if troubles else None
 

@@ -35,7 +35,7 @@ class Lane:
     """One run's view of the railway."""
 
     def __init__(self, lanes: Lanes, number: int) -> None:
-        self.lanes = lanes
+        self.lanes, self.number = lanes, number
         self.bit = 1 << number
         self.count = 0
 
@@ -43,9 +43,9 @@ class Lane:
         """A state variable."""
         return bool(self.lanes.state[name] & self.bit)
 
-    def any_on(self, names: tuple[str, ...]) -> bool:
-        """Whether one of some state variables is on; asked by many runs of the same names."""
-        return bool(self.lanes.joined(names) & self.bit)
+    def held(self) -> list[str]:
+        """The sections that are locked, however."""
+        return self.lanes.held.get(self.number, [])
 
     def troubles(self) -> list[str]:
         """Hazards and broken assumptions so far."""
@@ -90,7 +90,7 @@ class Lanes:
         self.state: dict[str, int] = {}
         self.last: dict[str, int] = {}
         self.troubles: dict[str, int] = {}
-        self._joined: dict[tuple[str, ...], int] = {}
+        self._held: dict[int, list[str]] | None = None
 
     def run(
         self, starts: Sequence[Mapping[str, int]], drivers: Sequence[Callable[[Lane], Driver]]
@@ -107,7 +107,7 @@ class Lanes:
                 bit = 1 << number
                 self.state[name] = self.state[name] | bit if value else self.state[name] & ~bit
         self.troubles = {}
-        self._joined.clear()
+        self._held = None
         self._running: dict[str, list[tuple[int, int]]] = {t.name: [] for t in self.controller.timers}
         self._clock = 0
         lanes = [Lane(self, n) for n in range(len(starts))]
@@ -127,15 +127,18 @@ class Lanes:
                 self._step([(lanes[n], wishes[n]) for n in active])
         return outcomes
 
-    def joined(self, names: tuple[str, ...]) -> int:
-        """The runs in which one of some state variables is on."""
-        known = self._joined.get(names)
-        if known is None:
-            known = 0
-            for n in names:
-                known |= self.state[n]
-            self._joined[names] = known
-        return known
+    @property
+    def held(self) -> dict[int, list[str]]:
+        """The locked sections of each run that has any; looked for once in a step, for all runs."""
+        if self._held is None:
+            self._held = {}
+            for section, locks in self.controller.symbols.locked_by.items():
+                runs = reduce(or_, (self.state[n] for n in locks))
+                while runs:
+                    lowest = runs & -runs
+                    self._held.setdefault(lowest.bit_length() - 1, []).append(section)
+                    runs ^= lowest
+        return self._held
 
     def _step(self, wanted: list[tuple[Lane, Wish]]) -> None:
         sym = self.controller.symbols
@@ -188,7 +191,7 @@ class Lanes:
                 self.troubles[name] = self.troubles.get(name, 0) | after[name]
         self.last = values
         self.state = {**self.state, **{n: after[n] for n in self._kept}}
-        self._joined.clear()
+        self._held = None
         self._clock += 1
 
     def _run_timers(self, values: dict[str, int]) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Timer
-from interlock.logic.expr import Expr, Op, variables
+from interlock.logic.expr import Expr, Op
 from interlock.model.portable import portable
 from interlock.st.ast import (
     Assign,
@@ -28,6 +28,7 @@ from interlock.st.ast import (
     Time,
     Unit,
 )
+from interlock.st.order import by_place
 
 MAX_OPERANDS = 10
 MAX_ROWS = 400  # the strictest guide found allows 500
@@ -38,8 +39,8 @@ def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS
     """The whole text of a controller as a tree; `rows`: of equations and declarations in a computing block."""
     prefix = f"IL_{portable(controller.name)}"
     ranges = {i.name for i in controller.inputs if i.size}
-    next_wires = [Equation(f"N_{e.name}", e.join, e.terms, e.group, f"next: {e.note}") for e in controller.next]
-    pieces = _cut([*controller.steps, *next_wires], rows)
+    following = {e.name: Equation(f"N_{e.name}", e.join, e.terms, e.group, f"next: {e.note}") for e in controller.next}
+    pieces = _cut(by_place(controller.steps, following), rows)
     blocks: list[Block] = []
     where: dict[str, Name] = {i.name: Name((i.name,)) for i in controller.inputs}
     body: list[Statement] = []
@@ -94,7 +95,7 @@ def _cut(steps: Sequence[Equation | Timer], most: int) -> list[list[Equation | T
     out: list[list[Equation | Timer]] = []
     rows, reads = 0, set[str]()
     for step in steps:
-        new = set(variables(t.expr for t in step.terms)) if isinstance(step, Equation) else {step.input}
+        new = set(step.reads if isinstance(step, Equation) else (step.input,))
         size = _rows(step) if isinstance(step, Equation) else 4
         if out and type(out[-1][0]) is type(step) and rows + size + len(reads | new) <= most:
             out[-1].append(step)
@@ -124,7 +125,7 @@ def _timing(name: str, timers: Sequence[Timer]) -> Block:
 
 def _computing(name: str, equations: Sequence[Equation], ranges: set[str]) -> Block:
     made = {e.name for e in equations}
-    reads = {n: None for e in equations for n in variables(t.expr for t in e.terms) if n not in made}
+    reads = {n: None for e in equations for n in e.reads if n not in made}
     where = {n: Name((n,)) for n in [*reads, *made]}
     extra: list[Declaration] = []
     body: list[Statement] = []

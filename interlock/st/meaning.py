@@ -139,24 +139,27 @@ class Execution(Generic[V]):
 
     def _value(self, inst: Instance[V], x: Expression) -> V:
         a = self.algebra
-        if isinstance(x, Bool | Int | Time):
-            return a.literal(x)
         if isinstance(x, Name):
-            if len(x.parts) == 2 and x.parts[0] in inst.inner:
-                inner = inst.inner[x.parts[0]]
-                if x.parts[1] not in inner.block.output_names:
-                    raise BadText(f"{inst.block.name}: {x} is no output")
-                return inner.values[x.parts[1]]
-            name = x.parts[0] if len(x.parts) == 1 else str(x)
-            if name in inst.values:
-                return inst.values[name]
-            raise BadText(f"{inst.block.name}: unknown name {x}")
+            found = inst.values.get(x.parts[0]) if len(x.parts) == 1 else None
+            return found if found is not None else self._named(inst, x)
         if isinstance(x, Not):
             return a.neg(self._value(inst, x.arg))
         if isinstance(x, Nary):
             return a.nary(x.op, [self._value(inst, y) for y in x.args])
-        assert isinstance(x, Compare)
-        return a.compare(x.op, self._value(inst, x.left), self._value(inst, x.right))
+        if isinstance(x, Compare):
+            return a.compare(x.op, self._value(inst, x.left), self._value(inst, x.right))
+        return a.literal(x)
+
+    def _named(self, inst: Instance[V], x: Name) -> V:
+        """The value of an output of an instance; or the name is unknown."""
+        if len(x.parts) == 2 and x.parts[0] in inst.inner:
+            inner = inst.inner[x.parts[0]]
+            if x.parts[1] not in inner.block.output_names:
+                raise BadText(f"{inst.block.name}: {x} is no output")
+            return inner.values[x.parts[1]]
+        if str(x) in inst.values:
+            return inst.values[str(x)]
+        raise BadText(f"{inst.block.name}: unknown name {x}")
 
 
 @dataclass

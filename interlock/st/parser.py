@@ -39,14 +39,15 @@ from interlock.st.style import IEC, Style
 
 _UNITS = {"ms": 1, "s": 1000, "m": 60_000, "h": 3_600_000}
 _TOKEN = re.compile(
-    r"""\s+ | \(\*(?:[^*]|\*(?!\)))*\*\)                       # space and comments
-    | ( %[IQ]X[0-9]+\.[0-7] | [Tt](?:[Ii][Mm][Ee])?\#[0-9]+(?:ms|s|m|h)\b
+    r"""(?: \s+ | \(\*[^*]*(?:\*(?!\))[^*]*)*\*\) )*                  # space and comments before it
+    ( %[IQ]X[0-9]+\.[0-7] | [Tt](?:[Ii][Mm][Ee])?\#[0-9]+(?:ms|s|m|h)\b
       | \#?[A-Za-z_][A-Za-z0-9_]* | [0-9]+(?:\.[0-9]+)?(?![A-Za-z0-9_]) | "[A-Za-z0-9_]+" | \{[^{}]*\}
-      | := | <> | <= | >= | [-+*/=<>();:.,\[\]&] )""",
-    re.VERBOSE,
+      | := | <> | <= | >= | [-+*/=<>();:.,\[\]&] | \Z | (?P<strange>.) )""",
+    re.VERBOSE | re.DOTALL,
 )
 _COMPARE = frozenset(("=", "<>", "<", ">", "<=", ">="))
-_OPERATORS = ("AND", "OR", "XOR", "NOT", "TRUE", "FALSE")
+_JOINING = ("AND", "OR", "XOR")
+_OPERATORS = (*_JOINING, "NOT", "TRUE", "FALSE")
 _DECLARING = ("VAR_INPUT", "VAR_OUTPUT", "VAR")
 _BLOCKS = ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK", "PROGRAM", "END_PROGRAM")
 _RESERVED = frozenset((*_DECLARING, *_BLOCKS, "AT", "END_VAR", "IF", "THEN", "ELSE", "END_IF", *_OPERATORS))
@@ -76,7 +77,7 @@ def parse_block(name: str, declarations: str, body: str) -> Block:
 
 
 def _tokens(text: str) -> list[str]:
-    return [m[1] for m in _TOKEN.finditer(text) if m[1] is not None]
+    return [token for token, _ in _TOKEN.findall(text) if token]
 
 
 class _Reader:
@@ -87,22 +88,20 @@ class _Reader:
         self.tokens: list[str] = []
         self.at = 0
         self._names: dict[str, Name] = {}
+        self._good: set[str] = set()
         self._scan()
 
     def _scan(self) -> None:
-        if _TOKEN.sub("", self.text):
-            end = 0
-            for m in _TOKEN.finditer(self.text):
-                if m.start() != end:
-                    break
-                end = m.end()
+        found = _TOKEN.findall(self.text)
+        if any(strange for _, strange in found):
+            end = next(m.start("strange") for m in _TOKEN.finditer(self.text) if m["strange"])
             raise NotInSubset(f"{self._place(end)}: {self.text[end : end + 10]!r} is not in the subset")
-        self.tokens = [token for token in _TOKEN.findall(self.text) if token]
+        self.tokens = [token for token, _ in found if token]
         self.tokens.append(_END)
 
     def _start(self, number: int) -> int:
         """Where a token stands in the text."""
-        starts = (m.start() for m in _TOKEN.finditer(self.text) if m[1] is not None)
+        starts = (m.start(1) for m in _TOKEN.finditer(self.text) if m[1])
         return next(islice(starts, number, None), len(self.text))
 
     def _place(self, offset: int) -> str:
@@ -128,8 +127,10 @@ class _Reader:
 
     def _name(self) -> str:
         token = self.tokens[self.at]
-        if not (token[:1].isalpha() or token[:1] == "_") or "#" in token or token.upper() in _RESERVED:
-            self._fail("a name")
+        if token not in self._good:
+            if not (token[:1].isalpha() or token[:1] == "_") or "#" in token or token.upper() in _RESERVED:
+                self._fail("a name")
+            self._good.add(token)
         self.at += 1
         return token
 
@@ -288,6 +289,17 @@ class _Reader:
         return Name(tuple(parts))
 
     def expression(self) -> Expression:
+        began, first = self.at, self._comparison()
+        op = self.tokens[self.at].upper()
+        if op not in _JOINING:
+            return first
+        args = [first]
+        while self.tokens[self.at].upper() == op:
+            self.at += 1
+            args.append(self._comparison())
+        if self.tokens[self.at].upper() not in _JOINING:
+            return Nary(op, tuple(args))
+        self.at = began  # several kinds without brackets between them
         return self._joined("OR", self._exclusive)
 
     def _exclusive(self) -> Expression:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, var, variables
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, var
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 
 
@@ -95,9 +95,9 @@ class Plant:
     def flat(self) -> FlatPlant:
         """Everything over state, choices and inputs alone, for a finished plant."""
         known: dict[str, Expr] = {}
+        flat = Substitution(known)  # an event is known before it is read
         for name, x in self.events.definitions.items():
-            known[name] = Substitution({n: known[n] for n in variables((x,)) if n in known})(x)
-        flat = Substitution(known)
+            known[name] = flat(x)
         return FlatPlant(
             {n: flat(x) for n, x in self.events.items()},
             {n: flat(x) for n, x in self.next.items()},

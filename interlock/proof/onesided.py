@@ -1,0 +1,112 @@
+"""Facts and questions as clauses that say of each part of an expression only what somebody asks of it.
+
+A node that is only ever used as true needs no clause that makes it true, and the other way round (Plaisted and
+Greenbaum, 1986): fewer clauses, and shorter chains for the solver.  What can hold together is the same as with
+definitions in both directions; the value of a node in a model means nothing, so that searches for a run use `Cnf`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from interlock.logic.expr import Expr, Op
+from interlock.proof.encode import Cnf
+
+_FORTH, _BACK, _BOTH = 1, 2, 3  # the literal implies the node; the node implies the literal
+
+
+class OneSided(Cnf):
+    """Clauses over names that have a meaning."""
+
+    def __init__(self, meaning: Mapping[str, Expr]) -> None:
+        """`meaning`: what names stand for; no name reads itself."""
+        super().__init__()
+        self._meaning = meaning
+        self._number: dict[Expr, int] = {}
+        self._said: dict[Expr, int] = {}
+
+    def require(self, x: Expr) -> None:
+        """Add the expression as a fact."""
+        if x.op is Op.AND:
+            for a in x.args:
+                self.require(a)
+            return
+        parts = x.args if x.op is Op.OR else (x,)
+        split = [a for a in parts if _all_of(a)]
+        if len(split) != 1:
+            self.clauses.append(tuple([self._said_of(a) for a in parts]))
+            return
+        rest = [self._said_of(a) for a in parts if a is not split[0]]
+        whole = split[0]
+        if whole.op is Op.AND:
+            self.clauses.extend([(self._said_of(a), *rest) for a in whole.args])
+        else:
+            self.clauses.extend([(-self._said_of(a, _BACK), *rest) for a in whole.args[0].args])
+
+    def question(self, x: Expr) -> int:
+        """The literal of an expression that may be asked about, and added as a fact afterwards."""
+        return self._said_of(x, _BOTH)
+
+    def _literal_of(self, x: Expr) -> int:
+        """The number of a node, nothing said of it."""
+        known = self._number.get(x)
+        if known is not None:
+            return known
+        op = x.op
+        if op is Op.VAR:
+            meaning = self._meaning.get(x.name)
+            n = self._literal_of(meaning) if meaning is not None else self.fresh()
+            self.names[x.name] = n
+        elif op is Op.NOT:
+            n = -self._literal_of(x.args[0])
+        elif op is Op.EQ:
+            n = self._value(x.name, x.value)
+        elif op is Op.TRUE or op is Op.FALSE:
+            n = self._true if op is Op.TRUE else -self._true
+        else:
+            self.count += 1
+            n = self.count
+        self._number[x] = n
+        return n
+
+    def _said_of(self, root: Expr, sides: int = _FORTH) -> int:
+        """The literal of an expression, with the clauses that say what it means."""
+        said, clauses, meaning, number = self._said, self.clauses, self._meaning, self._number
+        stack = [(root, sides)]
+        while stack:
+            x, side = stack.pop()
+            while True:
+                if x.op is Op.NOT:
+                    x = x.args[0]
+                    if side != _BOTH:
+                        side = _BOTH - side
+                elif x.op is Op.VAR and x.name in meaning:
+                    x = meaning[x.name]
+                else:
+                    break
+            if not x.args:
+                continue
+            before = said.get(x, 0)
+            side &= ~before
+            if not side:
+                continue
+            said[x] = before | side
+            n = number.get(x) or self._literal_of(x)
+            args = [number.get(a) or self._literal_of(a) for a in x.args]
+            if x.op is Op.AND:
+                if side & _FORTH:
+                    clauses.extend([(-n, a) for a in args])
+                if side & _BACK:
+                    clauses.append((n, *[-a for a in args]))
+            else:
+                if side & _FORTH:
+                    clauses.append((-n, *args))
+                if side & _BACK:
+                    clauses.extend([(n, -a) for a in args])
+            stack.extend([(a, side) for a in x.args])
+        return self._literal_of(root)
+
+
+def _all_of(x: Expr) -> bool:
+    """Whether it says several things at once."""
+    return x.op is Op.AND or (x.op is Op.NOT and x.args[0].op is Op.OR)

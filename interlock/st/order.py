@@ -1,0 +1,89 @@
+"""The order in which a text computes: what belongs to one place of the railway stands together.
+
+A controller lists its equations kind by kind.  In a text that is cut into blocks, each block would read something of
+every place, and declare it.  Here the equations are listed place by place, each after what it reads, and timers
+stand together.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping, Sequence
+
+from interlock.logic.controller import Equation, Step, Timer
+
+HUB = 60  # a group that is read by more groups than this says nothing about what lies together
+
+
+def by_place(steps: Sequence[Step], following: Mapping[str, Equation]) -> list[Step]:
+    """The steps of a scan and, by state variable, the equations of the next values, place by place.
+
+    Every step comes after those that it reads.  Timers stand after what they wait for and before what waits for them.
+    """
+    every: list[Step] = [*steps, *following.values()]
+    reads = {s.name: _reads(s) for s in every}
+    stage = _stages(every, reads)
+    group = {s.name: s.group for s in every if isinstance(s, Equation)}
+    place = _places(reads, group | {n: e.group for n, e in following.items()})
+    of = {s.name: s for s in every}
+    out: list[Step] = []
+    for k in range(max(stage.values(), default=0) + 1):
+        here = [s for s in every if stage[s.name] == k]
+        wires = [s for s in here if isinstance(s, Equation)]
+        done: dict[str, None] = {}
+        names = {e.name for e in wires}
+        for root in sorted(wires, key=lambda e: place[e.group]):
+            _after_inputs(root.name, reads, names, done)
+        out += [of[n] for n in done]
+        out += [s for s in here if isinstance(s, Timer)]
+    return out
+
+
+def _reads(s: Step) -> tuple[str, ...]:
+    return s.reads if isinstance(s, Equation) else (s.input,)
+
+
+def _stages(every: Sequence[Step], reads: dict[str, tuple[str, ...]]) -> dict[str, int]:
+    """How many timers stand one behind the other before each step; a timer closes the stage of what it waits for."""
+    stage: dict[str, int] = {}
+    timers = {s.name for s in every if isinstance(s, Timer)}
+    for s in every:
+        stage[s.name] = max((stage[n] + (n in timers) for n in reads[s.name] if n in stage), default=0)
+    return stage
+
+
+def _after_inputs(root: str, reads: dict[str, tuple[str, ...]], among: set[str], done: dict[str, None]) -> None:
+    """Add a step to those that are done, what it reads before it."""
+    stack = [root]
+    while stack:
+        name = stack[-1]
+        waiting = [n for n in reads[name] if n in among and n not in done] if name not in done else []
+        if waiting:
+            stack.extend(reversed(waiting))
+        else:
+            done.setdefault(stack.pop())
+
+
+def _places(reads: dict[str, tuple[str, ...]], group: dict[str, str]) -> dict[str, int]:
+    """Groups of equations by the order in which a walk over what reads each other comes to them.
+
+    `group`: of each equation, and of each state variable.
+    """
+    near: dict[str, dict[str, None]] = {g: {} for g in group.values()}
+    for name, read in reads.items():
+        here = group.get(name)
+        for n in read:
+            there = group.get(n, here)
+            if here is not None and there is not None and here != there:
+                near[here].setdefault(there)
+                near[there].setdefault(here)
+    place: dict[str, int] = {}
+    for start in near:
+        todo = deque([start])
+        while todo:
+            g = todo.popleft()
+            if g not in place:
+                place[g] = len(place)
+                if len(near[g]) <= HUB:
+                    todo.extend(near[g])
+    return place

@@ -1,0 +1,71 @@
+"""Expressions under every reader: truth tables, vectors of runs, clauses in both directions and in one."""
+
+from __future__ import annotations
+
+from itertools import product
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from interlock.logic.bits import compile_bits
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, evaluate, neg, var
+from interlock.proof.encode import Cnf
+from interlock.proof.engines import Answer, solver
+from interlock.proof.onesided import OneSided
+
+NAMES = ("a", "b", "c", "d")
+leaves = st.sampled_from([TRUE, FALSE, *(var(n) for n in NAMES)])
+expressions = st.recursive(
+    leaves,
+    lambda inner: st.one_of(
+        inner.map(neg), st.lists(inner, max_size=4).map(conj), st.lists(inner, max_size=4).map(disj)
+    ),
+)
+ROWS = list(product((0, 1), repeat=len(NAMES)))
+
+
+def holds(x: Expr, row: tuple[int, ...]) -> bool:
+    values = dict(zip(NAMES, row, strict=True))
+    return evaluate(x, values.__getitem__, {})
+
+
+@given(st.lists(expressions, min_size=1, max_size=5))
+def test_runs_side_by_side_are_runs_one_by_one(roots: list[Expr]) -> None:
+    """A bit for each row of the truth table; places of nodes are used again and again."""
+    run = compile_bits({str(n): x for n, x in enumerate(roots)})
+    mask = (1 << len(ROWS)) - 1
+    vectors = {name: sum(row[k] << n for n, row in enumerate(ROWS)) for k, name in enumerate(NAMES)}
+    for name, vector in run(vectors, mask).items():
+        assert [bool(vector >> n & 1) for n in range(len(ROWS))] == [holds(roots[int(name)], row) for row in ROWS]
+
+
+@settings(deadline=None)
+@given(st.dictionaries(st.sampled_from(("w1", "w2")), expressions), st.lists(expressions, max_size=3), expressions)
+def test_clauses_in_one_direction_answer_as_those_in_both(
+    meaning: dict[str, Expr], facts: list[Expr], asked: Expr
+) -> None:
+    """Facts and a question that also read names with a meaning: does the question follow from the facts?"""
+    facts = [*facts, *(disj((var(w), conj((var("a"), var("b"))))) for w in meaning)]
+    asked = disj((asked, conj(var(w) for w in meaning)))
+    rows = [row for row in ROWS if all(true_under(f, meaning, row) for f in facts)]
+    follows = all(true_under(asked, meaning, row) for row in rows)
+    whole, lean = Cnf(), OneSided(meaning)
+    for name, x in meaning.items():
+        whole.define(name, x)
+    for f in facts:
+        whole.require(f)
+        lean.require(f)
+    answers = []
+    for cnf, literal in ((whole, whole.literal(asked)), (lean, lean.question(asked))):
+        sat = solver("minisat", cnf, 1000)
+        answers.append(sat.ask(-literal) is Answer.UNSAT)
+        if answers[-1]:
+            sat.learn(literal)
+            assert (sat.ask() is Answer.SAT) == bool(rows), "what follows may be added"
+    assert answers == [follows, follows]
+
+
+def true_under(x: Expr, meaning: dict[str, Expr], row: tuple[int, ...]) -> bool:
+    values = dict(zip(NAMES, row, strict=True))
+    values |= {w: int(holds(m, row)) for w, m in meaning.items()}
+    return evaluate(x, values.__getitem__, {})
