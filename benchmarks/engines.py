@@ -39,10 +39,11 @@ from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer
 from interlock.proof.engines.z3_sat import Z3Sat
 from interlock.proof.invariants import Facts, claims, strengthening
+from interlock.proof.limits import Limits
 from interlock.proof.local.bundle import manifest_text, proof_bytes, system_text
 from interlock.proof.local.engine import prove_locally
 from interlock.proof.local.facts import FactBase
-from interlock.proof.runner import Limits, inductive, open_claims, start_claim
+from interlock.proof.runner import inductive, open_claims, start_claim
 from interlock.proof.system import PRIME, System
 from interlock.verify import verify
 

@@ -121,8 +121,9 @@ def test_a_foul_joint_keeps_the_siding_clear_for_the_main_line() -> None:
 
 def test_foul_joints_are_claimed_and_a_missing_exclusion_is_killed() -> None:
     from interlock.logic.lower import lower
+    from interlock.proof.limits import Limits
     from interlock.proof.mutate import Fate, run_mutants
-    from interlock.proof.runner import Limits, prove
+    from interlock.proof.runner import prove
     from interlock.proof.system import System
 
     checked = check_file("tests/layouts_for_tests/foul_joint.yaml")

@@ -11,7 +11,8 @@ from interlock.app.init import STARTER, line, yard
 from interlock.audit import audit
 from interlock.cli.init import command
 from interlock.logic.lower import lower
-from interlock.proof.runner import Limits, prove
+from interlock.proof.limits import Limits
+from interlock.proof.runner import prove
 from interlock.proof.system import System
 from tests.layouts import grown
 

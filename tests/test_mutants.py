@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from interlock.proof.invariants import CLAIMS
+from interlock.proof.limits import Limits
 from interlock.proof.mutate import KINDS, Fate, judge, run_mutants
-from interlock.proof.runner import Limits
 from interlock.proof.text_mutants import TEXT_KINDS, run_text_mutants
 from tests.layouts import built
 

@@ -8,7 +8,8 @@ import pytest
 
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.proof.invariants import CLAIMS, Facts, claims
-from interlock.proof.runner import Limits, Verdict, inductive, open_claims, prove
+from interlock.proof.limits import Limits
+from interlock.proof.runner import Verdict, inductive, open_claims, prove
 from interlock.proof.search import search
 from interlock.proof.system import System
 from tests.campaigns.assumptions import CASES, OTHERS, harm

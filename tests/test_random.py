@@ -8,7 +8,8 @@ from interlock.audit import audit
 from interlock.audit.flank import open_flanks
 from interlock.audit.walk import trips
 from interlock.logic.lower import lower
-from interlock.proof.runner import Limits, Verdict, prove
+from interlock.proof.limits import Limits
+from interlock.proof.runner import Verdict, prove
 from interlock.proof.system import System
 from interlock.proof.translation import compare_st
 from interlock.st.lower import lower_st

@@ -12,12 +12,13 @@ from interlock.diag import Diagnostic, Severity
 from interlock.emit.bundle import differences, is_bundle, write_folder
 from interlock.logic.lower import lower
 from interlock.proof.invariants import Facts, claims, strengthening
+from interlock.proof.limits import Limits
 from interlock.proof.local.bundle import MANIFEST, NEEDED, PROOF, SYSTEM, manifest_text, proof_bytes, system_text
 from interlock.proof.local.engine import prove_locally
 from interlock.proof.local.facts import FactBase
 from interlock.proof.local.library import Library
 from interlock.proof.local.needed import needs, needs_text
-from interlock.proof.runner import Limits, Progress, quiet, start_claim
+from interlock.proof.runner import Progress, quiet, start_claim
 from interlock.proof.system import System
 from interlock.verify import Rejected, verify
 

@@ -31,7 +31,8 @@ from interlock.frontend import load
 from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.logic.plant import ASSUMPTIONS
-from interlock.proof.runner import Limits, Progress, quiet
+from interlock.proof.limits import Limits
+from interlock.proof.runner import Progress, quiet
 from interlock.table.national import national_sheets
 
 

@@ -16,17 +16,9 @@ from interlock.emit.drawing import plan_svg
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.invariants import Facts, claims
+from interlock.proof.limits import Limits
 from interlock.proof.pool import Begun, run
-from interlock.proof.runner import (
-    ClaimResult,
-    Limits,
-    Progress,
-    ProofResult,
-    Verdict,
-    if_proved,
-    prove,
-    quiet,
-)
+from interlock.proof.runner import ClaimResult, Progress, ProofResult, Verdict, if_proved, prove, quiet
 from interlock.proof.system import System
 from interlock.proof.trace import itf
 

@@ -12,7 +12,8 @@ from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
 from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
-from interlock.proof.runner import Limits, Progress, quiet
+from interlock.proof.limits import Limits
+from interlock.proof.runner import Progress, quiet
 from interlock.table.rows import InterlockingTable
 
 

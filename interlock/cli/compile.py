@@ -20,7 +20,8 @@ from interlock.cli.common import (
     show,
     show_proof,
 )
-from interlock.proof.runner import Limits, quiet
+from interlock.proof.limits import Limits
+from interlock.proof.runner import quiet
 from interlock.st.dialects import DIALECTS
 
 

@@ -9,8 +9,8 @@ import click
 from interlock.app.check import check_file
 from interlock.cli.common import FINDINGS, OK, format_option, put_json, show
 from interlock.logic.lower import lower
+from interlock.proof.limits import Limits
 from interlock.proof.mutate import KINDS, Fate, Outcome, run_mutants
-from interlock.proof.runner import Limits
 from interlock.proof.text_mutants import TEXT_KINDS, run_text_mutants
 
 

@@ -21,8 +21,9 @@ from interlock.cli.common import (
     put_json,
     show_proof,
 )
+from interlock.proof.cache import Cache
 from interlock.proof.engines import ENGINES
-from interlock.proof.runner import Limits
+from interlock.proof.limits import Limits
 
 
 @click.command("prove")
@@ -56,6 +57,11 @@ from interlock.proof.runner import Limits
     show_default=True,
     help="Folder for a page that plays each counterexample, and its trace.",
 )
+@click.option(
+    "--cache",
+    type=click.Path(path_type=Path, file_okay=False),
+    help="Folder in which answered questions are kept for the next run; remove it whenever you like.",
+)
 @format_option
 def command(
     layouts: tuple[str, ...],
@@ -64,13 +70,18 @@ def command(
     search_seconds: float,
     engine: str,
     traces: Path,
+    cache: Path | None,
     form: str,
 ) -> None:
     """Prove every safety claim for every possible train movement."""
     if engine == "cvc5" and find_spec("cvc5") is None:
         raise click.UsageError("cvc5 needs the extra `recheck`: pip install 'interlock[recheck]'")
     limits = Limits(
-        search_depth=search_depth, search_s=search_seconds, engine=engine, jobs=jobs if len(layouts) == 1 else 1
+        search_depth=search_depth,
+        search_s=search_seconds,
+        engine=engine,
+        jobs=jobs if len(layouts) == 1 else 1,
+        cache=Cache(cache),
     )
     if jobs > 1 and len(layouts) > 1:
         results = run_many(prove_file, [(p, limits) for p in layouts], jobs)

@@ -6,7 +6,7 @@ positions, cross on a diamond, or foul each other.  The first class that applies
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from interlock.derive.routes import Path
@@ -31,8 +31,15 @@ def derive_hostile(
 ) -> dict[RouteId, tuple[Hostile, ...]]:
     """For every route, its hostile routes in order of number."""
     out: dict[RouteId, list[Hostile]] = {p.id: [] for p in paths}
-    needs = {p.id: Needs(_positions(demands[p.id], (Role.PATH,)), _positions(demands[p.id], _HELD)) for p in paths}
-    for i, j in sorted(_candidates(paths, locks, demands)):
+    needs = {
+        p.id: Needs(
+            {t.section: t for t in p.ways},
+            _positions(demands[p.id], (Role.PATH,)),
+            _positions(demands[p.id], _HELD),
+        )
+        for p in paths
+    }
+    for i, j in _candidates(paths, locks, demands):
         a, b = paths[i], paths[j]
         found = classify(a, b, locks, needs)
         if found is None:
@@ -48,8 +55,8 @@ def _candidates(
     paths: Sequence[Path],
     locks: Mapping[TraversalKey, TraversalRow],
     demands: Mapping[RouteId, Sequence[PointDemand]],
-) -> set[tuple[int, int]]:
-    """Pairs that meet in some resource: without a common one there is no conflict, and most pairs have none."""
+) -> Iterator[tuple[int, int]]:
+    """Pairs that meet in some resource, in order: without a common one there is no conflict, and most have none."""
     users: dict[tuple[str, str], list[int]] = {}
     for i, p in enumerate(paths):
         over = (*p.ways, *p.overlap)
@@ -57,7 +64,17 @@ def _candidates(
         uses |= {("section", e.section) for t in over for e in locks[t.key].exclusions}
         for resource in uses:
             users.setdefault(resource, []).append(i)
-    return {(i, j) for those in users.values() for k, i in enumerate(those) for j in those[k + 1 :]}
+    meets = [0] * len(paths)
+    for those in users.values():
+        together = sum(1 << i for i in those)
+        for i in those:
+            meets[i] |= together
+    for i, others in enumerate(meets):
+        left = others >> (i + 1) << (i + 1)
+        while left:
+            lowest = left & -left
+            yield i, lowest.bit_length() - 1
+            left ^= lowest
 
 
 _HELD = (Role.FLANK, Role.PATH, Role.OVERLAP)
@@ -69,8 +86,9 @@ def _positions(demands: Sequence[PointDemand], roles: tuple[Role, ...]) -> dict[
 
 @dataclass(frozen=True)
 class Needs:
-    """How machines lie for a route: those of its path, and all that it holds."""
+    """The ways of a route by section, and how machines lie for it: those of its path, and all that it holds."""
 
+    ways: Mapping[SectionId, Traversal]
     path: Mapping[MachineId, Position]
     held: Mapping[MachineId, Position]
 
@@ -85,7 +103,7 @@ def classify(
     for m, x in path_a.items():
         if path_b.get(m, x) is not x:
             return HostileClass.POINTS, f"machine {m} lies {x} for {a.id} and {path_b[m]} for {b.id}", "R6.1"
-    shared = _shared(a, b)
+    shared = _shared(a, needs[b.id].ways)
     if shared is not None:
         return shared
     for t in a.ways:
@@ -121,12 +139,10 @@ def _overlap(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tu
     return None
 
 
-def _shared(a: Path, b: Path) -> tuple[HostileClass, str, str] | None:
-    of_b: dict[SectionId, Traversal] = {t.section: t for t in b.ways}
+def _shared(a: Path, of_b: Mapping[SectionId, Traversal]) -> tuple[HostileClass, str, str] | None:
     common = [(t, of_b[t.section]) for t in a.ways if t.section in of_b]
     if not common:
         return None
-    names = ", ".join(t.section for t, _ in common)
     for t, o in common:
         if t.exit == o.entry or t.entry == o.exit:
             return HostileClass.OPPOSING, f"opposite directions in {t.section}", "R6.2"
@@ -136,4 +152,4 @@ def _shared(a: Path, b: Path) -> tuple[HostileClass, str, str] | None:
     for t, o in common:
         if t.exit != o.exit and t.entry != o.entry:
             return HostileClass.CROSSING, f"both pass {t.section}", "R6.4"
-    return HostileClass.FOLLOWING, f"share {names}", "R6.5"
+    return HostileClass.FOLLOWING, f"share {', '.join(t.section for t, _ in common)}", "R6.5"

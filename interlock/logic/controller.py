@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
-from interlock.logic.expr import Expr, Substitution, conj, disj, eq, evaluate, var, variables
+from interlock.logic.expr import FALSE, Expr, Substitution, conj, disj, eq, evaluate, var, variables
 from interlock.model.elements import (
     ConditionId,
     MachineId,
@@ -234,7 +234,14 @@ class Symbols:
 
     def signal(self, g: SignalId, shunt: bool = False) -> Expr:
         """Whether the controller shows proceed at a signal: to trains (call-on included), or to shunting movements."""
-        return disj(var(name) for r in self.routes_from.get(g, ()) if r.shunt is shunt for name in r.open_while)
+        return self._shown.get((g, shunt), FALSE)
+
+    @cached_property
+    def _shown(self) -> dict[tuple[SignalId, bool], Expr]:
+        open_: dict[tuple[SignalId, bool], list[Expr]] = {}
+        for r in self.routes:
+            open_.setdefault((r.entry, r.shunt), []).extend(var(name) for name in r.open_while)
+        return {who: disj(xs) for who, xs in open_.items()}
 
     def passing(self, g: SignalId, shunt: bool = False) -> Expr:
         """Whether a signal is still open for a movement that has begun to pass it."""

@@ -17,7 +17,8 @@ from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.proof.invariants import Facts, claims
-from interlock.proof.runner import Limits, inductive, open_claims
+from interlock.proof.limits import Limits
+from interlock.proof.runner import inductive, open_claims
 from interlock.proof.search import search
 from interlock.proof.story import tell
 from interlock.proof.system import System

@@ -17,6 +17,7 @@ from interlock.logic.expr import Expr, variables
 from interlock.logic.plant import Assumption
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, Sat, solver
+from interlock.proof.limits import Limits
 from interlock.proof.onesided import OneSided
 from interlock.proof.pool import run
 
@@ -93,6 +94,7 @@ class Parts:
             for v in names:
                 having.setdefault(v, []).append(n)
         done = [False] * len(goals)
+        seen: set[str] = set()
         out: list[int] = []
         for start in range(len(goals)):
             if done[start]:
@@ -104,7 +106,8 @@ class Parts:
                 out.append(n)
                 for v in reads[n]:
                     near = having[v]
-                    if len(near) <= HUB:
+                    if v not in seen and len(near) <= HUB:
+                        seen.add(v)
                         for m in near:
                             if not done[m]:
                                 done[m] = True
@@ -134,11 +137,20 @@ class Parts:
                     facts.update(dict.fromkeys(near))
         return self._clauses(sorted(facts), goals)
 
-    def decide(self, goals: Sequence[Expr], engine: str, query_ms: int, rings: int) -> list[Decision]:
+    def decide(self, goals: Sequence[Expr], limits: Limits, rings: int) -> list[Decision]:
         """Which of the goals follow from the facts so many steps around; 0 rings: from all facts."""
         cnf, literals = self.cnf(goals, rings) if rings else self.whole(goals)
-        sat = solver(engine, cnf, query_ms)
-        return [_asked(sat, x) for x in literals]
+        key = limits.cache.key(cnf, literals, limits.engine)
+        known = limits.cache.known(key, len(literals))
+        if all(known):
+            return [Decision(True, 0.0)] * len(literals)
+        sat = solver(limits.engine, cnf, limits.query_ms)
+        for x, follows in zip(literals, known, strict=True):
+            if follows:
+                sat.learn(x)
+        found = [Decision(True, 0.0) if yes else _asked(sat, x) for x, yes in zip(literals, known, strict=True)]
+        limits.cache.keep(key, [d.follows for d in found])
+        return found
 
     def whole(self, goals: Sequence[Expr]) -> tuple[Cnf, list[int]]:
         """All clauses, and the goals' literals."""
@@ -170,12 +182,10 @@ class Inquiry:
     Part by part; what a part leaves open is asked again with more facts around it, and at last with all of them.
     """
 
-    def __init__(
-        self, system: Theory, hypotheses: Sequence[Expr], goals: Sequence[Expr], engine: str, query_ms: int, jobs: int
-    ) -> None:
+    def __init__(self, system: Theory, hypotheses: Sequence[Expr], goals: Sequence[Expr], limits: Limits) -> None:
         self.parts = Parts(system, hypotheses)
         self.goals = goals
-        self.engine, self.query_ms, self.jobs = engine, query_ms, jobs
+        self.limits = limits
         self.found = [Decision(False, 0.0)] * len(goals)
 
     def chunks(self, rings: int) -> list[Chunk]:
@@ -185,7 +195,7 @@ class Inquiry:
             return [(left, 0)] if left else []
         self.parts.prepare()
         order = [left[k] for k in self.parts.order([self.goals[n] for n in left])]
-        size = max(1, min(GOALS, -(-len(order) // self.jobs)))
+        size = max(1, min(GOALS, -(-len(order) // self.limits.jobs)))
         return [(order[at : at + size], rings) for at in range(0, len(order), size)]
 
     def first(self) -> list[Chunk]:
@@ -194,7 +204,7 @@ class Inquiry:
 
     def ask(self, chunk: Chunk) -> list[Decision]:
         """Decide the goals of a chunk."""
-        return self.parts.decide([self.goals[n] for n in chunk[0]], self.engine, self.query_ms, chunk[1])
+        return self.parts.decide([self.goals[n] for n in chunk[0]], self.limits, chunk[1])
 
     def note(self, chunk: Chunk, answers: Sequence[Decision]) -> None:
         """Keep the answers to a chunk."""
@@ -216,7 +226,7 @@ class Inquiry:
             done += len(chunks[n][0])
             progress(done, len(self.goals))
 
-        answers = run([partial(self.ask, c) for c in chunks], self.jobs, report)
+        answers = run([partial(self.ask, c) for c in chunks], self.limits.jobs, report)
         for chunk, found in zip(chunks, answers, strict=True):
             self.note(chunk, found)
 
@@ -225,12 +235,10 @@ def decide(
     system: Theory,
     hypotheses: Sequence[Expr],
     goals: Sequence[Expr],
-    engine: str,
-    query_ms: int,
-    jobs: int,
+    limits: Limits,
     progress: Callable[[int, int], None],
 ) -> list[Decision]:
     """Which goals follow; see `Inquiry`."""
-    inquiry = Inquiry(system, hypotheses, goals, engine, query_ms, jobs)
+    inquiry = Inquiry(system, hypotheses, goals, limits)
     inquiry.settle(inquiry.first(), progress)
     return inquiry.finish(progress)

@@ -12,7 +12,7 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import partial
 
@@ -20,6 +20,7 @@ from interlock.logic.expr import FALSE, TRUE, Expr, Op, Substitution, conj, neg,
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import CLAIMS, Claim, Facts, Invariant, claims, strengthening
+from interlock.proof.limits import Limits
 from interlock.proof.parts import Decision, Inquiry, Start, decide
 from interlock.proof.pool import Task, run
 from interlock.proof.search import search
@@ -66,17 +67,6 @@ class ProofResult:
     def proved(self) -> bool:
         """Whether every claim is proved and every route has its witness."""
         return all(c.verdict is Verdict.PROVED for c in self.claims) and all(w.ok for w in self.witnesses)
-
-
-@dataclass(frozen=True)
-class Limits:
-    """How long to try."""
-
-    query_ms: int = 20_000
-    engine: str = "minisat"
-    jobs: int = 1
-    search_depth: int = 16
-    search_s: float = 60.0
 
 
 def quiet(stage: str, done: int, total: int) -> None:
@@ -126,7 +116,7 @@ def _decide(
 ) -> list[Decision]:
     """Which goals follow, in one step, from the invariants."""
     hypotheses = [i.expr for i in kept]
-    return decide(system, hypotheses, goals, limits.engine, limits.query_ms, limits.jobs, partial(progress, stage))
+    return decide(system, hypotheses, goals, limits, partial(progress, stage))
 
 
 def prove(
@@ -145,7 +135,7 @@ def prove(
     wanted = claims(Facts(system)) if wanted is None else wanted
     found = list(strengthening(Facts(system)))
     goals = [*(system.after(i.expr) for i in found), *(c.expr for c in wanted)]
-    inquiry = Inquiry(system, [i.expr for i in found], goals, limits.engine, limits.query_ms, limits.jobs)
+    inquiry = Inquiry(system, [i.expr for i in found], goals, limits)
     chunks = inquiry.first()
     tasks: list[Task] = [partial(witnesses, system), *(partial(inquiry.ask, c) for c in chunks)]
     tasks += [partial(_restart, system, found, limits), partial(_start, system, limits)]
@@ -194,9 +184,8 @@ def _restart(system: System, invariants: Sequence[Invariant], limits: Limits) ->
         raise RuntimeError("the restart states contradict each other")
     goals = [put(i.expr) for i in invariants]
     left = [n for n, x in enumerate(goals) if x is not TRUE]
-    found = decide(
-        Start(), facts, [goals[n] for n in left], limits.engine, limits.query_ms, 1, lambda done, total: None
-    )
+    asked = [goals[n] for n in left]
+    found = decide(Start(), facts, asked, replace(limits, jobs=1), lambda done, total: None)
     holds = [True] * len(goals)
     for n, d in zip(left, found, strict=True):
         holds[n] = d.follows

@@ -11,7 +11,8 @@ import time
 
 from interlock.audit import audit
 from interlock.logic.lower import lower
-from interlock.proof.runner import Limits, Verdict, prove
+from interlock.proof.limits import Limits
+from interlock.proof.runner import Verdict, prove
 from interlock.proof.system import System
 from interlock.proof.translation import compare_st
 from interlock.st.lower import lower_st
