@@ -7,8 +7,12 @@ from pathlib import Path
 import pytest
 
 from interlock.logic.plant import ASSUMPTIONS
+from interlock.model.elements import SectionId
+from interlock.model.traversal import Topology
 from interlock.proof.invariants import CLAIMS, Facts, claims
 from interlock.proof.limits import Limits
+from interlock.proof.near import walked
+from interlock.proof.parts import Parts
 from interlock.proof.runner import Verdict, inductive, open_claims, prove
 from interlock.proof.search import search
 from interlock.proof.system import System
@@ -98,3 +102,28 @@ def test_the_counterexample_replays_on_the_reference_interpreter() -> None:
     for name, x in system.definitions.items():
         last[name] = int(evaluate(x, last.__getitem__, {}))
     assert not evaluate(run.claim.expr, last.__getitem__, {})
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_questions_are_asked_place_by_place(name: str) -> None:
+    """Every question once; each section of the walk touches one before it, but where a part of the railway begins."""
+    layout, _, controller = built(name)
+    system = System(layout, controller)
+    topo = system.topo
+    seen: set[str] = set()
+    for s in walked(topo):
+        touches = {topo.beyond(s, j) for j in topo.ends[s]} - {None}
+        assert touches & seen or not touches & set(walked(topo)) or not _reached(topo, s) & seen
+        seen.add(s)
+    goals = [c.expr for c in claims(Facts(system))]
+    assert sorted(Parts(system, []).order(goals)) == list(range(len(goals)))
+
+
+def _reached(topo: Topology, start: str) -> set[str]:
+    found, todo = set[str](), [start]
+    while todo:
+        s = todo.pop()
+        if s not in found:
+            found.add(s)
+            todo += [t for j in topo.ends[SectionId(s)] if (t := topo.beyond(SectionId(s), j)) is not None]
+    return found

@@ -7,7 +7,7 @@ variable with them.  Leaving facts out is sound: what follows from fewer facts f
 from __future__ import annotations
 
 import time
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
@@ -47,6 +47,11 @@ class Theory(Protocol):
         """Facts of every step."""
         ...
 
+    @property
+    def places(self) -> Mapping[str, tuple[int, ...]]:
+        """Where variables belong: numbers, such that near ones lie together."""
+        ...
+
 
 @dataclass(frozen=True)
 class Start:
@@ -54,6 +59,7 @@ class Start:
 
     definitions: Mapping[str, Expr] = field(default_factory=dict)
     assumptions: Sequence[Assumption] = ()
+    places: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
 
 
 class Parts:
@@ -87,32 +93,17 @@ class Parts:
         _ = self.readers, self.inputs_of
 
     def order(self, goals: Sequence[Expr]) -> list[int]:
-        """The goals, those that share variables near each other."""
+        """The goals place by place, and in a place those that share variables near each other."""
         reads = [tuple(variables((g,))) for g in goals]
-        having: dict[str, list[int]] = {}
-        for n, names in enumerate(reads):
-            for v in names:
-                having.setdefault(v, []).append(n)
-        done = [False] * len(goals)
-        seen: set[str] = set()
-        out: list[int] = []
-        for start in range(len(goals)):
-            if done[start]:
-                continue
-            done[start] = True
-            todo = deque([start])
-            while todo:
-                n = todo.popleft()
-                out.append(n)
-                for v in reads[n]:
-                    near = having[v]
-                    if v not in seen and len(near) <= HUB:
-                        seen.add(v)
-                        for m in near:
-                            if not done[m]:
-                                done[m] = True
-                                todo.append(m)
-        return out
+        chain = _sharing(reads)
+        known = self.system.places
+        at = [_places(names, known) for names in reads]
+        crowd = Counter(p for those in at for p in those)
+        place = 0
+        key = [0] * len(goals)
+        for n in chain:  # what belongs nowhere follows what it shares a variable with
+            place = key[n] = min(at[n], key=lambda p: (crowd[p], p), default=place)
+        return sorted(chain, key=key.__getitem__)
 
     def cone(self, names: Sequence[str], seen: dict[str, None]) -> None:
         """Everything that the names depend on within the step."""
@@ -161,6 +152,40 @@ class Parts:
         for n in facts:
             cnf.require(self.facts[n])
         return cnf, [cnf.question(g) for g in goals]
+
+
+def _places(names: Sequence[str], known: Mapping[str, tuple[int, ...]]) -> set[int]:
+    """Where an expression over some variables may belong: to sections, or else where its routes run."""
+    where = [known[v] for v in names if v in known]
+    return {p[0] for p in where if len(p) == 1} or {q for p in where for q in p}
+
+
+def _sharing(reads: Sequence[tuple[str, ...]]) -> list[int]:
+    """Numbers of expressions, those that share variables near each other."""
+    having: dict[str, list[int]] = {}
+    for n, names in enumerate(reads):
+        for v in names:
+            having.setdefault(v, []).append(n)
+    done = [False] * len(reads)
+    seen: set[str] = set()
+    out: list[int] = []
+    for start in range(len(reads)):
+        if done[start]:
+            continue
+        done[start] = True
+        todo = deque([start])
+        while todo:
+            n = todo.popleft()
+            out.append(n)
+            for v in reads[n]:
+                near = having[v]
+                if v not in seen and len(near) <= HUB:
+                    seen.add(v)
+                    for m in near:
+                        if not done[m]:
+                            done[m] = True
+                            todo.append(m)
+    return out
 
 
 def _asked(sat: Sat, literal: int) -> Decision:

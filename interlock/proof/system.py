@@ -6,6 +6,7 @@ the free inputs of the step.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cached_property
 
 from interlock.logic.controller import Controller, MalformedController
@@ -14,6 +15,7 @@ from interlock.logic.plant import Assumption, Plant, TokenWires, Wiring, across,
 from interlock.model.elements import NodeId, SectionId, SignalId, Zone
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
+from interlock.proof.near import places
 
 
 def wiring(controller: Controller, layout: Layout) -> Wiring:
@@ -174,6 +176,11 @@ class System:
             return ahead
         b = self.layout.boundary_at.get(j)
         return (b.approach if b and b.approach else None) or f"outside.{j}"
+
+    @cached_property
+    def places(self) -> Mapping[str, tuple[int, ...]]:
+        """Variables by the numbers of the sections to which they belong."""
+        return places(self.topo, self.symbols, PRIME)
 
     def output(self, name: str) -> Expr:
         """An output of the controller, by name."""
