@@ -70,22 +70,22 @@ def prove_derived(
     if not derived.ok or derived.layout is None or derived.table is None:
         return Proved(derived), {}
     layout, limits = derived.layout, limits or Limits()
-    audit = Begun([partial(second_opinion, derived)], limits.jobs)
-    controller = lower(layout, derived.table)
-    system = System(layout, controller)
-    wanted = claims(Facts(system))
-    hoped = _header(layout, if_proved(wanted), True)
-    texts = Begun(writers(layout, controller, hoped, dialects), limits.jobs)
-    proof = prove(system, limits, progress, wanted)
-    findings = audit.results()[0]
-    checked = audited(derived, findings)
-    if not checked.ok:
-        return Proved(checked), {}
-    header = _header(layout, proof.claims, proof.proved)
-    progress("comparing the text", 0, 1)
-    written = texts.results()
-    if header != hoped:  # the texts tell what is proved
-        written = run(writers(layout, controller, header, dialects), limits.jobs)
+    with Begun([partial(second_opinion, derived)], limits.jobs) as audit:
+        controller = lower(layout, derived.table)
+        system = System(layout, controller)
+        wanted = claims(Facts(system))
+        hoped = _header(layout, if_proved(wanted), True)
+        with Begun(writers(layout, controller, hoped, dialects), limits.jobs) as texts:
+            proof = prove(system, limits, progress, wanted)
+            checked = audited(derived, audit.results()[0])
+            if not checked.ok:
+                return Proved(checked), {}
+            header = _header(layout, proof.claims, proof.proved)
+            progress("comparing the text", 0, 1)
+            if header == hoped:
+                written = texts.results()
+            else:  # the texts tell what is proved
+                written = run(writers(layout, controller, header, dialects), limits.jobs)
     verdicts = [verdict for verdict, _ in written]
     files = {name: text for _, those in written for name, text in those.items()}
     notes = list(_notes(checked, proof))

@@ -17,8 +17,8 @@ def _work(n: int) -> tuple[int, Any]:
 
 
 class Begun:
-    """Work that goes on in a process of its own beside what its owner does; without forks it is done when its results
-    are asked for."""
+    """Work that goes on in a process of its own beside what its owner does, until the end of a `with` block; without
+    forks it is done when its results are asked for."""
 
     def __init__(self, tasks: Sequence[Task], jobs: int) -> None:
         """`jobs`: one process only means no process beside it."""
@@ -34,9 +34,14 @@ class Begun:
         """The results in the order of the tasks."""
         if self._pool is None:
             return [task() for task in self._tasks]
-        try:
-            return [answer.get()[1] for answer in self._answers]
-        finally:
+        return [answer.get()[1] for answer in self._answers]
+
+    def __enter__(self) -> Begun:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        """What is not done yet is given up."""
+        if self._pool is not None:
             self._pool.terminate()
 
 
