@@ -92,3 +92,5 @@ def test_the_command_keeps_answers_where_it_is_told(tmp_path: Path) -> None:
         result = CliRunner().invoke(command, ["layouts/fig2_2.yaml", "--cache", str(tmp_path / "kept")])
         assert result.exit_code == 0 and "PROVED" in result.output
     assert list((tmp_path / "kept").iterdir())
+    (tmp_path / "file").touch()
+    assert CliRunner().invoke(command, ["layouts/fig2_2.yaml", "--cache", str(tmp_path / "file")]).exit_code == 2

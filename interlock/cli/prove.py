@@ -59,7 +59,7 @@ from interlock.proof.limits import Limits
 )
 @click.option(
     "--cache",
-    type=click.Path(path_type=Path, file_okay=False),
+    type=click.Path(path_type=Path, file_okay=False, writable=True),
     help="Folder in which answered questions are kept for the next run; remove it whenever you like.",
 )
 @format_option
