@@ -1,9 +1,9 @@
 """Questions that were answered before, in a folder (`interlock prove --cache`).
 
-What is kept is no verdict about a layout: a file says that some literals follow from some clauses, and its name is the
-digest of all these clauses and literals, and of the engine that was asked.  A question that has changed in any way has
-another name, so nothing can be out of date.  Each file ends with a digest of its content; one that is damaged is not
-believed: the question is asked again.  Only "follows" is kept.
+What is kept is no verdict about a layout: a file says which of some goals follow from some facts and definitions, and
+its name is the digest of all of these (`alike.py`: variables have numbers for names) and of the engine that was asked.
+A question that has changed in any other way has another name, so nothing can be out of date.  Each file ends with a
+digest of its content; one that is damaged is not believed: the question is asked again.  Only "follows" is kept.
 """
 
 from __future__ import annotations
@@ -11,14 +11,10 @@ from __future__ import annotations
 import hashlib
 import os
 import tempfile
-from array import array
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from itertools import chain
 from pathlib import Path
-
-from interlock.proof.encode import Cnf
 
 
 @dataclass(frozen=True)
@@ -27,16 +23,9 @@ class Cache:
 
     folder: Path | None = None
 
-    def key(self, cnf: Cnf, literals: Sequence[int], engine: str) -> str:
-        """The name of a question: which of the literals follow from the clauses."""
-        if self.folder is None:
-            return ""
-        sizes = array("q", map(len, cnf.clauses))
-        every = array("q", chain.from_iterable(cnf.clauses))
-        digest = hashlib.sha256(f"{engine} {cnf.count} {len(sizes)} {len(every)} {len(literals)}\n".encode())
-        for part in (sizes, every, array("q", literals)):
-            digest.update(part.tobytes())
-        return digest.hexdigest()
+    def key(self, form: Callable[[], str], engine: str) -> str:
+        """The name of a question of which only the names of its variables are left out."""
+        return hashlib.sha256(f"{engine} {form()}".encode()).hexdigest() if self.folder is not None else ""
 
     def known(self, key: str, count: int) -> list[bool]:
         """For each literal whether it is known to follow."""

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import time
 from collections import Counter, deque
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from typing import Protocol
 
 from interlock.logic.expr import Expr, variables
 from interlock.logic.plant import Assumption
+from interlock.proof.alike import Forms
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, Sat, solver
 from interlock.proof.limits import Limits
@@ -23,6 +24,7 @@ from interlock.proof.pool import run
 
 SMALL = 1500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
+NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
 HUB = 60  # a variable in more facts than this says nothing about what lies together
 
 
@@ -68,6 +70,7 @@ class Parts:
     def __init__(self, system: Theory, hypotheses: Sequence[Expr]) -> None:
         self.system = system
         self.facts = [*hypotheses, *(a.expr for a in system.assumptions)]
+        self.forms = Forms(system.definitions)
 
     @cached_property
     def reads(self) -> list[tuple[str, ...]]:
@@ -92,7 +95,7 @@ class Parts:
         """Read everything once, so that processes inherit it."""
         _ = self.readers, self.inputs_of
 
-    def order(self, goals: Sequence[Expr]) -> list[int]:
+    def places(self, goals: Sequence[Expr]) -> list[list[int]]:
         """The goals place by place, and in a place those that share variables near each other."""
         reads = [tuple(variables((g,))) for g in goals]
         chain = _sharing(reads)
@@ -100,12 +103,13 @@ class Parts:
         at = [_places(names, known) for names in reads]
         crowd = Counter(p for those in at for p in those)
         place = 0
-        key = [0] * len(goals)
+        found: dict[int, list[int]] = {}
         for n in chain:  # what belongs nowhere follows what it shares a variable with
-            place = key[n] = min(at[n], key=lambda p: (crowd[p], p), default=place)
-        return sorted(chain, key=key.__getitem__)
+            place = min(at[n], key=lambda p: (crowd[p], p), default=place)
+            found.setdefault(place, []).append(n)
+        return [found[p] for p in sorted(found)]
 
-    def cone(self, names: Sequence[str], seen: dict[str, None]) -> None:
+    def cone(self, names: Iterable[str], seen: dict[str, None]) -> None:
         """Everything that the names depend on within the step."""
         todo = list(names)
         while todo:
@@ -114,10 +118,8 @@ class Parts:
                 seen[v] = None
                 todo.extend(self.inputs_of.get(v, ()))
 
-    def cnf(self, goals: Sequence[Expr], rings: int) -> tuple[Cnf, list[int]]:
-        """Clauses of a part with facts so many steps around, and the goals' literals."""
-        seen: dict[str, None] = {}
-        self.cone(list(variables(goals)), seen)
+    def around(self, seen: dict[str, None], rings: int) -> list[int]:
+        """The facts so many steps around what is seen, which grows by what they depend on; 0 rings: all facts."""
         facts: dict[int, None] = {}
         for ring in range(rings):
             if ring:
@@ -126,15 +128,30 @@ class Parts:
                 near = self.readers.get(v, ())
                 if len(near) <= 4 * HUB:
                     facts.update(dict.fromkeys(near))
-        return self._clauses(sorted(facts), goals)
+        return sorted(facts) if rings else list(range(len(self.facts)))
+
+    def form(self, goals: Sequence[Expr], facts: Iterable[int]) -> str:
+        """What is left of a question when names are numbered."""
+        return self.forms.digest("interlock", (goals, [self.facts[n] for n in facts]))
+
+    def cnf(self, goals: Sequence[Expr], facts: Iterable[int]) -> tuple[Cnf, list[int]]:
+        """Clauses of some facts, and the goals' literals."""
+        cnf = OneSided(self.system.definitions)
+        for n in facts:
+            cnf.require(self.facts[n])
+        return cnf, [cnf.question(g) for g in goals]
 
     def decide(self, goals: Sequence[Expr], limits: Limits, rings: int) -> list[Decision]:
-        """Which of the goals follow from the facts so many steps around; 0 rings: from all facts."""
-        cnf, literals = self.cnf(goals, rings) if rings else self.whole(goals)
-        key = limits.cache.key(cnf, literals, limits.engine)
-        known = limits.cache.known(key, len(literals))
+        """Which of the goals follow from the facts so many steps around."""
+        seen: dict[str, None] = {}
+        if rings:
+            self.cone(variables(goals), seen)
+        facts = self.around(seen, rings)
+        key = limits.cache.key(lambda: self.form(goals, facts), limits.engine)
+        known = limits.cache.known(key, len(goals))
         if all(known):
-            return [Decision(True, 0.0)] * len(literals)
+            return [Decision(True, 0.0)] * len(goals)
+        cnf, literals = self.cnf(goals, facts)
         sat = solver(limits.engine, cnf, limits.query_ms)
         for x, follows in zip(literals, known, strict=True):
             if follows:
@@ -142,16 +159,6 @@ class Parts:
         found = [Decision(True, 0.0) if yes else _asked(sat, x) for x, yes in zip(literals, known, strict=True)]
         limits.cache.keep(key, [d.follows for d in found])
         return found
-
-    def whole(self, goals: Sequence[Expr]) -> tuple[Cnf, list[int]]:
-        """All clauses, and the goals' literals."""
-        return self._clauses(range(len(self.facts)), goals)
-
-    def _clauses(self, facts: Iterable[int], goals: Sequence[Expr]) -> tuple[Cnf, list[int]]:
-        cnf = OneSided(self.system.definitions)
-        for n in facts:
-            cnf.require(self.facts[n])
-        return cnf, [cnf.question(g) for g in goals]
 
 
 def _places(names: Sequence[str], known: Mapping[str, tuple[int, ...]]) -> set[int]:
@@ -197,8 +204,19 @@ def _asked(sat: Sat, literal: int) -> Decision:
     return Decision(follows, time.perf_counter() - began)
 
 
-Chunk = tuple[list[int], int]
-"""Numbers of goals that are asked of one solver, and the rings of facts around them."""
+@dataclass(frozen=True)
+class Question:
+    """Goals that are asked of one solver, by number, and the rings of facts around them.
+
+    `alike`: the goals of parts that are this one under other names, in the same order.
+    """
+
+    goals: Sequence[int]
+    rings: int
+    alike: Sequence[Sequence[int]] = ()
+
+    def __len__(self) -> int:
+        return len(self.goals) * (1 + len(self.alike))
 
 
 class Inquiry:
@@ -213,47 +231,76 @@ class Inquiry:
         self.limits = limits
         self.found = [Decision(False, 0.0)] * len(goals)
 
-    def chunks(self, rings: int) -> list[Chunk]:
-        """What is still open, in chunks."""
+    @cached_property
+    def places(self) -> list[list[int]]:
+        """The goals place by place."""
+        return self.parts.places(self.goals)
+
+    def questions(self, rings: int) -> list[Question]:
+        """What is still open, one question for all parts that are alike."""
         left = [n for n, d in enumerate(self.found) if not d.follows]
-        if not rings:
-            return [(left, 0)] if left else []
+        if not left or not rings:
+            return [Question(left, 0)] if left else []
         self.parts.prepare()
-        order = [left[k] for k in self.parts.order([self.goals[n] for n in left])]
-        size = max(1, min(GOALS, -(-len(order) // self.limits.jobs)))
-        return [(order[at : at + size], rings) for at in range(0, len(order), size)]
+        found: dict[str, list[list[int]]] = {}
+        for goals, seen in self._parts(max(1, min(GOALS, -(-len(left) // self.limits.jobs)))):
+            key = f"{len(found)}"  # a large part has no like
+            if len(seen) <= NEAR:
+                key = self.parts.form([self.goals[n] for n in goals], self.parts.around(seen, rings))
+            found.setdefault(key, []).append(goals)
+        return [Question(first, rings, alike) for first, *alike in found.values()]
 
-    def first(self) -> list[Chunk]:
-        """The chunks to begin with: one of all goals where they are few."""
-        return self.chunks(0 if len(self.goals) <= SMALL else 1)
+    def _parts(self, size: int) -> Iterator[tuple[list[int], dict[str, None]]]:
+        """The open goals of a place, or of several where they depend on much, and what they depend on."""
+        goals: list[int] = []
+        seen: dict[str, None] = {}
+        for place in self.places:
+            new = [n for n in place if not self.found[n].follows]
+            self.parts.cone(variables([self.goals[n] for n in new]), seen)
+            goals += new
+            while len(goals) >= size:
+                yield goals[:size], seen
+                goals = goals[size:]
+            if goals and len(seen) <= NEAR:
+                yield goals, seen
+                goals, seen = [], {}
+        if goals:
+            yield goals, seen
 
-    def ask(self, chunk: Chunk) -> list[Decision]:
-        """Decide the goals of a chunk."""
-        return self.parts.decide([self.goals[n] for n in chunk[0]], self.limits, chunk[1])
+    def first(self) -> list[Question]:
+        """The questions to begin with: one of all goals where they are few."""
+        return self.questions(0 if len(self.goals) <= SMALL else 1)
 
-    def note(self, chunk: Chunk, answers: Sequence[Decision]) -> None:
-        """Keep the answers to a chunk."""
-        for n, answer in zip(chunk[0], answers, strict=True):
+    def ask(self, question: Question) -> list[Decision]:
+        """Decide the goals of a question."""
+        return self.parts.decide([self.goals[n] for n in question.goals], self.limits, question.rings)
+
+    def note(self, question: Question, answers: Sequence[Decision]) -> None:
+        """Keep the answers to a question."""
+        for n, answer in zip(question.goals, answers, strict=True):
             self.found[n] = answer
+        for goals in question.alike:
+            for n, answer in zip(goals, answers, strict=True):
+                self.found[n] = replace(answer, seconds=0.0)
 
     def finish(self, progress: Callable[[int, int], None]) -> list[Decision]:
-        """All answers: what the first chunks left open is asked again."""
+        """All answers: what the first questions left open is asked again."""
         for rings in (2, 0) if len(self.goals) > SMALL else ():
-            self.settle(self.chunks(rings), progress)
+            self.settle(self.questions(rings), progress)
         return self.found
 
-    def settle(self, chunks: Sequence[Chunk], progress: Callable[[int, int], None]) -> None:
-        """Decide chunks, beside each other."""
+    def settle(self, questions: Sequence[Question], progress: Callable[[int, int], None]) -> None:
+        """Decide questions, beside each other."""
         done = sum(d.follows for d in self.found)
 
         def report(n: int) -> None:
             nonlocal done
-            done += len(chunks[n][0])
+            done += len(questions[n])
             progress(done, len(self.goals))
 
-        answers = run([partial(self.ask, c) for c in chunks], self.limits.jobs, report)
-        for chunk, found in zip(chunks, answers, strict=True):
-            self.note(chunk, found)
+        answers = run([partial(self.ask, q) for q in questions], self.limits.jobs, report)
+        for question, found in zip(questions, answers, strict=True):
+            self.note(question, found)
 
 
 def decide(

@@ -136,19 +136,19 @@ def prove(
     found = list(strengthening(Facts(system)))
     goals = [*(system.after(i.expr) for i in found), *(c.expr for c in wanted)]
     inquiry = Inquiry(system, [i.expr for i in found], goals, limits)
-    chunks = inquiry.first()
-    tasks: list[Task] = [partial(witnesses, system), *(partial(inquiry.ask, c) for c in chunks)]
+    questions = inquiry.first()
+    tasks: list[Task] = [partial(witnesses, system), *(partial(inquiry.ask, q) for q in questions)]
     tasks += [partial(_restart, system, found, limits), partial(_start, system, limits)]
     done = 0
 
     def report(n: int) -> None:
         nonlocal done
-        done += len(chunks[n - 1][0]) if 0 < n <= len(chunks) else 0
+        done += len(questions[n - 1]) if 0 < n <= len(questions) else 0
         progress("proving", done, len(goals))
 
     runs, *answers, at_restart, start = run(tasks, limits.jobs, report)
-    for chunk, those in zip(chunks, answers, strict=True):
-        inquiry.note(chunk, those)
+    for question, those in zip(questions, answers, strict=True):
+        inquiry.note(question, those)
     decisions = inquiry.finish(partial(progress, "proving"))
     steps = [d.follows for d in decisions[: len(found)]]
     kept, dropped, obligations = _keep(system, found, at_restart, steps, limits, progress)

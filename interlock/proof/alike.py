@@ -1,0 +1,90 @@
+"""Parts of a proof that are the same but for the names: stations of one kind along a line, or a layout seen before.
+
+A part is some lists of expressions, with the definitions of the names that they read, of those that these read, and so
+on.  Its *form* is what is left when names are numbered in order of appearance.  Of two parts of one form the one is the
+other under a renaming that keeps different names apart: what follows in the one follows in the other.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from array import array
+from collections.abc import Iterable, Mapping
+from itertools import chain, count
+
+from interlock.logic.expr import Expr, Op
+
+_VAR, _EQ, _NOT, _AND, _OR, _TRUE = Op.VAR, Op.EQ, Op.NOT, Op.AND, Op.OR, Op.TRUE
+KEPT = 100_000  # expressions whose form is remembered: parts that follow each other share most of theirs
+
+
+class Forms:
+    """Forms of parts over names that have a meaning."""
+
+    def __init__(self, meaning: Mapping[str, Expr]) -> None:
+        """`meaning`: what names stand for."""
+        self._meaning = meaning
+        self._of: dict[Expr, tuple[int, list[str]]] = {}
+        self._texts: dict[str, int] = {}
+        self._compared: dict[str, str] = {}
+
+    def digest(self, head: str, lists: Iterable[Iterable[Expr]]) -> str:
+        """The digest of the form of some lists of expressions, under a heading."""
+        if len(self._of) > KEPT:
+            self._of.clear()
+        sizes: list[int] = []
+        texts: list[int] = []
+        leaves: list[str] = []
+        for some in lists:
+            sizes.append(self._note(some, texts, leaves))
+        names = dict(zip(dict.fromkeys(leaves), count()))
+        meaning, told, fresh = self._meaning, [], list(names)
+        while new := [x for x in fresh if x in meaning]:
+            told += [names[x] for x in new]
+            before = len(leaves)
+            sizes.append(self._note([meaning[x] for x in new], texts, leaves))
+            fresh = [x for x in dict.fromkeys(leaves[before:]) if x not in names]
+            names.update(zip(fresh, count(len(names))))
+        every = list(self._texts)
+        kinds = dict(zip(dict.fromkeys(texts), count()))
+        digest = hashlib.sha256("\n".join([head, *(every[n] for n in kinds), ""]).encode())
+        group: dict[str, int] = {}
+        values = [(names[x], group.setdefault(self._compared[x], len(group))) for x in names if x in self._compared]
+        uses = map(names.__getitem__, leaves)
+        for numbers in (sizes, [kinds[n] for n in texts], [*uses], told, [*chain.from_iterable(values)]):
+            digest.update(array("q", [len(numbers), *numbers]).tobytes())
+        return digest.hexdigest()
+
+    def _note(self, some: Iterable[Expr], texts: list[int], leaves: list[str]) -> int:
+        """Add the expressions' texts and leaves; how many they are."""
+        of, before = self._of, len(texts)
+        for x in some:
+            number, those = of.get(x) or self._read(x)
+            texts.append(number)
+            leaves += those
+        return len(texts) - before
+
+    def _read(self, x: Expr) -> tuple[int, list[str]]:
+        leaves: list[str] = []
+        text = self._text(x, leaves)
+        found = self._of[x] = self._texts.setdefault(text, len(self._texts)), leaves
+        return found
+
+    def _text(self, x: Expr, leaves: list[str]) -> str:
+        """An expression with a `v` for each leaf, in an order in which it can be read again; adds the leaves."""
+        op = x.op
+        if op is _VAR:
+            leaves.append(x.name)
+            return "v"
+        if op is _NOT:
+            return "!" + self._text(x.args[0], leaves)
+        if op is _AND:
+            return "&" + "".join([self._text(a, leaves) for a in x.args]) + "."
+        if op is _OR:
+            return "|" + "".join([self._text(a, leaves) for a in x.args]) + "."
+        if op is _EQ:
+            leaf = f"{x.name}={x.value}"
+            self._compared[leaf] = x.name
+            leaves.append(leaf)
+            return "v"
+        return "T" if op is _TRUE else "F"

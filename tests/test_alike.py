@@ -1,0 +1,87 @@
+"""Parts of one form: a renaming finds them, any other difference parts them, and what is answered once is right."""
+
+from __future__ import annotations
+
+import pytest
+
+from interlock.app.init import line
+from interlock.logic.expr import Expr, disj, eq, implies, neg, var
+from interlock.logic.lower import lower
+from interlock.proof import parts
+from interlock.proof.alike import Forms
+from interlock.proof.invariants import Facts, claims, strengthening
+from interlock.proof.limits import Limits
+from interlock.proof.mutate import KINDS
+from interlock.proof.parts import Inquiry
+from interlock.proof.system import System
+from tests.layouts import grown
+
+A, B, C, X, Y, Z = (var(n) for n in "abcxyz")
+
+
+def form(*facts: Expr, head: str = "", **meaning: Expr) -> str:
+    return Forms(meaning).digest(head, [facts])
+
+
+def test_names_do_not_matter() -> None:
+    assert form(A & B, implies(A, C)) == form(X & Y, implies(X, Z))
+    assert form(A & B, b=implies(C, A)) == form(X & Y, y=implies(Z, X))
+    assert form(disj((eq("q", 1), A))) == form(disj((eq("r", 7), X)))
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        (form(A & B), form(A | B)),
+        (form(A & B), form(A & neg(B))),
+        (form(A, B), form(A & B)),
+        (form(A & B, A), form(A & B, B)),
+        (form(A & B, C), form(A & B, A)),
+        (form(A & B), form(A & B, b=C)),
+        (form(A & B, a=C), form(A & B, b=C)),
+        (form(A & B, b=C), form(A & B, b=A)),
+        (form(A & B, b=C, c=A), form(A & B, b=C)),
+        (form(eq("q", 1) | eq("q", 2)), form(eq("q", 1) | eq("r", 2))),
+        (form(eq("q", 1) | A), form(B | A)),
+        (form(A), form(A, head="another engine")),
+    ],
+)
+def test_everything_else_does(one: str, other: str) -> None:
+    assert one != other
+
+
+def test_which_list_an_expression_stands_in_matters() -> None:
+    forms = Forms({})
+    assert forms.digest("", [[A], [B, C]]) != forms.digest("", [[A, B], [C]])
+
+
+def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[list[bool], int]:
+    """Which goals follow in the end, and how many goals were put to a solver first."""
+    monkeypatch.setattr(parts, "NEAR", near)
+    monkeypatch.setattr(
+        parts, "HUB", 10
+    )  # what a long line has by itself: nothing is read by a few facts of all places
+    kept = list(strengthening(Facts(system)))
+    goals = [system.after(i.expr) for i in kept] + [c.expr for c in claims(Facts(system))]
+    inquiry = Inquiry(system, [i.expr for i in kept], goals, Limits())
+    first = inquiry.first()
+    assert sorted(n for q in first for those in (q.goals, *q.alike) for n in those) == list(range(len(goals)))
+    inquiry.settle(first, lambda done, total: None)
+    return [d.follows for d in inquiry.finish(lambda done, total: None)], sum(len(q.goals) for q in first)
+
+
+def test_a_weak_station_is_not_taken_for_its_sound_neighbours(monkeypatch: pytest.MonkeyPatch) -> None:
+    """On a line of stations of one kind most parts are asked once; where one station's controller is weakened, the same
+    goals fail as when nothing is taken for anything else."""
+    made = grown(line(12))
+    assert made is not None
+    layout, table, _ = made
+    follows, few = asked(System(layout, lower(layout, table)), monkeypatch, 3000)
+    assert all(follows) and few < 0.8 * len(follows)
+    for kind in ("section-not-checked",):
+        mutants = list(next(k for k in KINDS if k.name == kind).make(layout, table))
+        weak = System(layout, mutants[len(mutants) // 2][1])
+        alike, few = asked(weak, monkeypatch, 3000)
+        alone, every = asked(weak, monkeypatch, 0)
+        assert alike == alone and not all(alike), kind
+        assert few < every == len(alone)
