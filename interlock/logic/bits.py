@@ -2,45 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from interlock.logic.expr import Expr, Op, walk
+from interlock.logic.expr import Expr, Op
 
 _READ, _TRUE, _FALSE, _NOT, _AND, _OR = range(6)
 _KIND = {Op.VAR: _READ, Op.EQ: _READ, Op.TRUE: _TRUE, Op.FALSE: _FALSE, Op.NOT: _NOT, Op.AND: _AND, Op.OR: _OR}
 
 
-def compile_bits(roots: Mapping[str, Expr]) -> Callable[[Mapping[str, int], int], dict[str, int]]:
+def compile_bits(
+    roots: Mapping[str, Expr], meaning: Mapping[str, Expr] | None = None
+) -> Callable[[Mapping[str, int], int], dict[str, int]]:
     """A function from vectors of variables and the vector of all runs to vectors of the named roots.
 
-    A comparison `n = k` is read as a variable of the name `n=k`.  The nodes are computed one after the other (as Python
-    code they would take longer to compile than they take to run), and a node's place is given on after its last use, so
-    that few vectors are kept at a time.
+    `meaning`: names that stand for expressions; no name reads itself.  A comparison `n = k` is read as a variable of
+    the name `n=k`.  The nodes are computed one after the other (as Python code they would take longer to compile than
+    they take to run), and a node's place is given on after its last use, so that few vectors are kept at a time.
     """
-    nodes = list(walk(roots.values()))
-    last = {id(a): at for at, node in enumerate(nodes) for a in node.args}
-    kept = {id(x) for x in roots.values()}
-    place: dict[int, int] = {}
+    wires = meaning or {}
+    nodes, last = _in_order(roots.values(), wires)
+    kept = {_meant(x, wires) for x in roots.values()}
+    place: dict[Expr, int] = {}
     free: list[int] = []
     size = 0
     code: list[tuple[int, int, tuple[int, ...]]] = []
     reads: list[str] = []
-    for at, node in enumerate(nodes):
+    for at, (node, inner) in enumerate(nodes):
         kind = _KIND[node.op]
-        args: tuple[int, ...] = tuple([place[id(a)] for a in node.args])
+        args: tuple[int, ...] = tuple([place[a] for a in inner])
         if kind == _READ:
             args = (len(reads),)
             reads.append(node.name if node.op is Op.VAR else f"{node.name}={node.value}")
-        for a in node.args:
-            if last[id(a)] == at and id(a) not in kept:
-                free.append(place[id(a)])
+        for a in inner:
+            if last[a] == at and a not in kept:
+                free.append(place[a])
+                last[a] = -1
         if free:
             to = free.pop()
         else:
             to, size = size, size + 1
-        place[id(node)] = to
+        place[node] = to
         code.append((kind, to, args))
-    wanted = [(name, place[id(x)]) for name, x in roots.items()]
+    wanted = [(name, place[_meant(x, wires)]) for name, x in roots.items()]
 
     def run(values: Mapping[str, int], mask: int) -> dict[str, int]:
         v = [0] * size
@@ -65,3 +68,32 @@ def compile_bits(roots: Mapping[str, Expr]) -> Callable[[Mapping[str, int], int]
         return {name: mask if v[at] == mask else v[at] for name, at in wanted}
 
     return run
+
+
+def _meant(x: Expr, meaning: Mapping[str, Expr]) -> Expr:
+    """What a name stands for in the end."""
+    while x.op is Op.VAR and x.name in meaning:
+        x = meaning[x.name]
+    return x
+
+
+def _in_order(
+    roots: Iterable[Expr], meaning: Mapping[str, Expr]
+) -> tuple[list[tuple[Expr, Sequence[Expr]]], dict[Expr, int]]:
+    """Every node once with those that it reads, each after these, and by which node it is read last."""
+    nodes: list[tuple[Expr, Sequence[Expr]]] = []
+    last: dict[Expr, int] = {}
+    seen: set[Expr] = set()
+    for root in roots:
+        stack: list[tuple[Expr, Sequence[Expr] | None]] = [(_meant(root, meaning), None)]
+        while stack:
+            node, inner = stack.pop()
+            if inner is not None:
+                last.update(dict.fromkeys(inner, len(nodes)))
+                nodes.append((node, inner))
+            elif node not in seen:
+                seen.add(node)
+                inner = [_meant(a, meaning) if a.op is Op.VAR else a for a in node.args]
+                stack.append((node, inner))
+                stack.extend([(a, None) for a in reversed(inner) if a not in seen])
+    return nodes, last

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import partial
@@ -165,7 +165,7 @@ def prove(
 def _restart(system: System, invariants: Sequence[Invariant], limits: Limits) -> list[bool]:
     """Which invariants hold at the restart.
 
-    Most of the state has one value there: it is put in, and what does not come out true is asked.
+    Most of the state has one value there: what is not true by these values alone is asked.
     """
     fixed: dict[str, Expr] = {}
     others: list[Expr] = []
@@ -182,14 +182,27 @@ def _restart(system: System, invariants: Sequence[Invariant], limits: Limits) ->
         cnf.require(x)
     if solver(limits.engine, cnf, limits.query_ms).ask() is not Answer.SAT:
         raise RuntimeError("the restart states contradict each other")
-    goals = [put(i.expr) for i in invariants]
-    left = [n for n, x in enumerate(goals) if x is not TRUE]
-    asked = [goals[n] for n in left]
+    known = {name: x is TRUE for name, x in fixed.items()}
+    left = [n for n, i in enumerate(invariants) if not _true(i.expr, known)]
+    asked = [put(invariants[n].expr) for n in left]
     found = decide(Start(), facts, asked, replace(limits, jobs=1), lambda done, total: None)
-    holds = [True] * len(goals)
+    holds = [True] * len(invariants)
     for n, d in zip(left, found, strict=True):
         holds[n] = d.follows
     return holds
+
+
+def _true(x: Expr, known: Mapping[str, bool], wanted: bool = True) -> bool:
+    """Whether values of some variables make an expression come out as wanted, whatever the others are."""
+    op = x.op
+    if op is Op.VAR:
+        return known.get(x.name) is wanted
+    if op is Op.NOT:
+        return _true(x.args[0], known, not wanted)
+    if op is Op.AND or op is Op.OR:
+        enough = any if (op is Op.OR) is wanted else all
+        return enough(_true(a, known, wanted) for a in x.args)
+    return x is (TRUE if wanted else FALSE)
 
 
 def open_claims(

@@ -13,7 +13,7 @@ from operator import or_
 
 from interlock.logic.bits import compile_bits
 from interlock.logic.controller import Controller
-from interlock.logic.expr import Substitution, evaluate
+from interlock.logic.expr import Substitution, evaluate, var
 from interlock.logic.plant import Plant
 from interlock.sim.run import independent
 
@@ -72,21 +72,23 @@ class Lanes:
 
     def __init__(self, controller: Controller, plant: Plant, dt_ms: int = 1000) -> None:
         self.controller, self.plant, self.dt_ms = controller, plant, dt_ms
-        flat = plant.flat
+        meaning = {e.name: e.expr for e in controller.equations} | plant.events.definitions
         sym = controller.symbols
         self.sizes = {i.name: i.size for i in controller.inputs if i.size}
         self._rest = {i.name: i.restrictive for i in controller.inputs}
         self._moves = {f"?start.{m}.{x}": sym.command[m, x.other] for m, x in sym.command}
         self._arrivals = [c for c in plant.choices if c.startswith("?arrive.")]
-        self._move = compile_bits({n: e for n, e in flat.next.items() if n.startswith(("o.", "at.", "tel.", "line."))})
+        self._move = compile_bits(
+            {n: e for n, e in plant.next.items() if n.startswith(("o.", "at.", "tel.", "line."))}, meaning
+        )
         self._timers = [
-            (group, compile_bits({t.name: controller.expanded[t.input] for t in group}))
-            for group in independent(controller)
+            (group, compile_bits({t.name: var(t.input) for t in group}, meaning)) for group in independent(controller)
         ]
-        roots = flat.next | controller.next_state
-        rules = {f"{i} {x[0]}": x[1] for i, x in enumerate(flat.assumptions)}
-        self._kept, self._rules, self._hazards = tuple(roots), tuple(rules), tuple(n for n, _ in flat.hazards)
-        self._next = compile_bits(roots | rules | dict(flat.hazards))
+        roots = plant.next | {e.name: e.expr for e in controller.next}
+        rules = {f"{i} {a.id}": a.expr for i, a in enumerate(plant.assumptions)}
+        hazards = {f"{h.id} {h.place}": h.expr for h in plant.hazards}
+        self._kept, self._rules, self._hazards = tuple(roots), tuple(rules), tuple(hazards)
+        self._next = compile_bits(roots | rules | hazards, meaning)
         self.state: dict[str, int] = {}
         self.last: dict[str, int] = {}
         self.troubles: dict[str, int] = {}

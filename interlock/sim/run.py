@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from interlock.logic.compile import compile_exprs
-from interlock.logic.controller import Controller, Timer
-from interlock.logic.expr import Substitution, evaluate, variables
+from interlock.logic.controller import Controller, Equation, Timer
+from interlock.logic.expr import Substitution, evaluate
 from interlock.logic.plant import Plant
 
 
@@ -118,11 +118,16 @@ def independent(controller: Controller) -> list[list[Timer]]:
     """The timers in order, in groups of which no input reads a timer of the same group."""
     groups: list[list[Timer]] = []
     names: set[str] = set()
-    for t in controller.timers:
-        reads = set(variables((controller.expanded[t.input],)))
-        if not groups or reads & names:
-            groups.append([])
-            names = set()
-        groups[-1].append(t)
-        names.add(t.name)
+    over: dict[str, frozenset[str]] = {}  # the timers that a step waits for
+    for step in controller.steps:
+        reads = step.reads if isinstance(step, Equation) else (step.input,)
+        waits = frozenset().union(*(over[n] for n in reads if n in over))
+        over[step.name] = waits
+        if isinstance(step, Timer):
+            over[step.name] |= {step.name}
+            if not groups or waits & names:
+                groups.append([])
+                names = set()
+            groups[-1].append(step)
+            names.add(step.name)
     return groups
