@@ -7,6 +7,7 @@ import re
 
 import pytest
 
+from interlock.proof import python_text
 from interlock.proof.python_text import compare_runtime
 from interlock.proof.translation import compare_dialect
 from interlock.st.ast import Unit
@@ -43,6 +44,34 @@ def test_the_runtime_is_proved_from_its_syntax_tree(name: str) -> None:
     assert not compare_runtime(controller, text.replace("self.elapsed[name] = 0", "pass", 1)).proved
     assert not compare_runtime(controller, text + "\nprint(1)\n").proved
     assert not compare_runtime(controller, text.replace("if 0 <= value < size", "if 0 <= value", 1)).proved
+
+
+@pytest.mark.parametrize("size", [1, 300, 10**9])
+def test_a_runtime_read_in_pieces_is_what_python_reads_at_once(size: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever the pieces: nothing leaves the scan, and nothing that one piece opens is closed by another."""
+    from interlock.emit.python.runtime import runtime_py
+
+    monkeypatch.setattr(python_text, "PIECE", size)
+    _, _, controller = built("fig2_2")
+    text = runtime_py(controller, [])
+    assert compare_runtime(controller, text).proved
+    at = text.index("        LK_")
+    wrong = [
+        "    VALID = False\n",
+        "VALID = False\n",
+        "         VALID = False\n",
+        "        VALID = (\n",
+        '        VALID = """\n',
+        "        VALID = \\\n",
+        "        if VALID:\n            VALID = True\n",
+        "        return {}\n",
+        "    def scan(self, inputs, dt_ms):\n        return {}\n\n    def other(self):\n",
+    ]
+    for line in wrong:
+        assert not compare_runtime(controller, text[:at] + line + text[at:]).proved, line
+        assert not compare_runtime(controller, text + line).proved, line
+    quoted = text[:at] + '        """\n' + text[at:].replace("\n        return", '\n        """\n        return', 1)
+    assert not compare_runtime(controller, quoted).proved
 
 
 def test_edits_of_any_dialect_are_refuted_unless_they_change_nothing() -> None:

@@ -22,7 +22,7 @@ from interlock.proof.translation import compare_st
 from interlock.st.ast import Assign, Expression, Nary, Not
 from interlock.st.lower import MAX_OPERANDS, lower_st
 from interlock.st.order import by_place
-from interlock.st.parser import NotInSubset, parse_unit
+from interlock.st.parser import NotInSubset, parse_block, parse_unit
 from interlock.st.printer import MAX_COLUMNS, comment, print_unit
 from tests.layouts import SHIPPED, built
 
@@ -214,6 +214,25 @@ def test_edited_text_is_refuted_unless_the_edit_changes_nothing() -> None:
 def test_text_outside_the_subset_is_refused() -> None:
     with pytest.raises(NotInSubset, match="line 3"):
         parse_unit("FUNCTION_BLOCK A\nVAR X : BOOL; END_VAR\nFOR X := 1 TO 2 DO END_FOR;\nEND_FUNCTION_BLOCK\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        ("X;\nEND_FUNCTION_BLOCK\n", "line 5"),  # after a block, before another one
+        ("(* a comment\nEND_FUNCTION_BLOCK\n*)\n", "line 5"),  # a comment around what looks like an end
+        ("FUNCTION_BLOCK C\nA := (\nEND_FUNCTION_BLOCK\n", "line 7"),
+    ],
+)
+def test_what_stands_between_two_blocks_is_read(text: str, place: str) -> None:
+    block = "FUNCTION_BLOCK {}\nVAR A : BOOL; END_VAR\nA := A;\nEND_FUNCTION_BLOCK\n"
+    assert len(parse_unit(block.format("A") + "(* and *)\n" + block.format("B")).blocks) == 2
+    with pytest.raises(NotInSubset, match=place):
+        parse_unit(block.format("A") + text + block.format("B"))
+    with pytest.raises(NotInSubset):
+        parse_block("C", "VAR A : BOOL; END_VAR", f"A := A;\nEND_FUNCTION_BLOCK\n{text}")
+    with pytest.raises(NotInSubset):
+        parse_block("C", "VAR A : BOOL; END_VAR\nEND_FUNCTION_BLOCK\n", "A := A;")
 
 
 def test_a_comment_cannot_be_ended_by_a_name() -> None:

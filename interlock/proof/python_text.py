@@ -7,7 +7,8 @@ assignments of a few shapes.
 from __future__ import annotations
 
 import ast
-from collections.abc import Sequence
+import re
+from collections.abc import Iterator
 
 from interlock.emit.python.runtime import FIXED
 from interlock.logic.controller import Controller
@@ -39,13 +40,19 @@ def _names(fixed: str) -> frozenset[str]:
 RESERVED = _names(FIXED) | {"bool", "OUTPUTS", "Controller"}
 
 
+PIECE = 200_000  # characters that are read at a time
+_STATEMENT = re.compile(r"^ {8}(?=[A-Za-z_])", re.MULTILINE)
+
+
 class _Reader:
     def __init__(self, controller: Controller, text: str) -> None:
         self.values: dict[str, Term] = {}
         self.after: dict[str, Term] = {}
         self.timers: dict[str, tuple[Expr, int]] = {}
         self.sizes = {i.name: i.size for i in controller.inputs}
-        doc, *rest = ast.parse(text).body
+        head, fixed, self.own = text.partition(FIXED)
+        self.before = head.count("\n") + FIXED.count("\n")
+        doc, *rest = ast.parse(head + fixed).body
         if not _is_docstring(doc) or len(rest) != 5:
             raise BadRuntime("the parts of the module")
         tables = [_table(x, n) for x, n in zip(rest, ("INPUTS", "STATE", "TIMERS", "OUTPUTS"), strict=False)]
@@ -54,19 +61,43 @@ class _Reader:
             raise BadRuntime("INPUTS are not those of the controller")
         if self.restrictive != {o.name: o.restrictive for o in controller.outputs}:
             raise BadRuntime("OUTPUTS are not those of the controller")
-        self.body = _own_statements(rest[4])
+        if ast.dump(rest[4]) != ast.dump(ast.parse(FIXED).body[0]):
+            raise BadRuntime("the fixed part of the class is changed")
 
     def scan(self) -> Scan:
         """Initial and next state, outputs and timers."""
         base: dict[str, Term] = {n: TRUE if v is True else FALSE for n, v in self.state.items() if type(v) is bool}
-        *statements, last = self.body
-        for s in statements:
-            self._assign(s)
+        last: ast.stmt | None = None
+        for s in self._statements():
+            if last is not None:
+                self._assign(last)
+            last = s
         if not isinstance(last, ast.Return) or not isinstance(last.value, ast.Dict):
-            raise BadRuntime(f"line {last.lineno}: the outputs are returned at the end")
+            raise BadRuntime("the outputs are not returned at the end")
         if set(self.timers) != set(self.presets):
             raise BadRuntime("TIMERS are not those that run")
         return Scan(base, self.after, self._dictionary(last.value), self.timers)
+
+    def _statements(self) -> Iterator[ast.stmt]:
+        """What the scan does after the fixed part, read in pieces: the tree of a large text takes a gigabyte.
+
+        A piece begins with a statement of the scan's own depth.  As it is read whole as the body of one function, each
+        bracket and string in it ends in it, and no line leaves the function: pieces one after the other are read as
+        they would be together.
+        """
+        starts = [m.start() for m in _STATEMENT.finditer(self.own)]
+        if not starts or starts[0]:
+            raise BadRuntime("nothing follows the fixed part")
+        begin, line = 0, self.before
+        for end in (*starts[1:], len(self.own)):
+            if end - begin < PIECE and end < len(self.own):
+                continue
+            piece = self.own[begin:end]
+            function, *more = ast.parse("\n" * (line - 1) + "def scan():\n" + piece).body
+            if more or not isinstance(function, ast.FunctionDef):
+                raise BadRuntime(f"line {function.end_lineno}: the scan ends")
+            yield from function.body
+            begin, line = end, line + piece.count("\n")
 
     def _assign(self, s: ast.stmt) -> None:
         if not isinstance(s, ast.Assign) or len(s.targets) != 1:
@@ -154,17 +185,3 @@ def _table(x: ast.stmt, name: str) -> dict[str, object]:
             found: dict[str, object] = ast.literal_eval(x.value)
             return found
     raise BadRuntime(f"{name} is no table, or has a name twice")
-
-
-def _own_statements(x: ast.stmt) -> Sequence[ast.stmt]:
-    """The statements of the scan after the fixed part."""
-    fixed = ast.parse(FIXED).body[0]
-    assert isinstance(fixed, ast.ClassDef) and isinstance(fixed.body[-1], ast.FunctionDef)
-    if not isinstance(x, ast.ClassDef) or not x.body or not isinstance(x.body[-1], ast.FunctionDef):
-        raise BadRuntime("no class Controller with a scan")
-    scan, shared = x.body[-1], len(fixed.body[-1].body)
-    own = scan.body[shared:]
-    del scan.body[shared:]
-    if ast.dump(x) != ast.dump(fixed) or not own:
-        raise BadRuntime("the fixed part of the class is changed")
-    return own

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Name:
     """A variable, or an output of an instance: `x` or `inst.x`."""
 
@@ -19,35 +19,35 @@ class Name:
         return ".".join(self.parts)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Bool:
     """TRUE or FALSE."""
 
     value: bool
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Int:
     """An integer literal."""
 
     value: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Time:
     """A time literal in milliseconds."""
 
     ms: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Not:
     """NOT x."""
 
     arg: Expression
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Nary:
     """AND, OR or XOR of two or more; `notes` stand beside the operands as comments."""
 
@@ -56,7 +56,7 @@ class Nary:
     notes: tuple[str, ...] = field(default=(), compare=False)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Compare:
     """A comparison of two integers."""
 
@@ -68,7 +68,7 @@ class Compare:
 Expression = Name | Bool | Int | Time | Not | Nary | Compare
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Assign:
     """target := value."""
 
@@ -77,7 +77,7 @@ class Assign:
     note: str = field(default="", compare=False)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Call:
     """instance(param := value, ...)."""
 
@@ -86,7 +86,7 @@ class Call:
     note: str = field(default="", compare=False)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class If:
     """IF condition THEN ... ELSE ... END_IF."""
 
@@ -98,7 +98,7 @@ class If:
 Statement = Assign | Call | If
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Declaration:
     """One variable: name, type, initial value, comment, and in a program its address."""
 
@@ -132,7 +132,7 @@ class Block:
         return frozenset(d.name for d in self.outputs)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Unit:
     """A file: function blocks, callees first; the last one is the interlocking."""
 

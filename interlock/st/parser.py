@@ -45,6 +45,7 @@ _TOKEN = re.compile(
       | := | <> | <= | >= | [-+*/=<>();:.,\[\]&] | \Z | (?P<strange>.) )""",
     re.VERBOSE | re.DOTALL,
 )
+_CLOSED = re.compile(r"^END_(?:FUNCTION_BLOCK|PROGRAM)[ \t]*\n", re.MULTILINE)
 _COMPARE = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _JOINING = ("AND", "OR", "XOR")
 _OPERATORS = (*_JOINING, "NOT", "TRUE", "FALSE")
@@ -71,6 +72,7 @@ def parse_block(name: str, declarations: str, body: str) -> Block:
     head.end()
     rest = _Reader(body, IEC)
     statements = rest.body(_END)
+    rest.end()
     if any(d.address for part in parts for d in part):
         raise NotInSubset(f"{name}: an address in a function block")
     return Block(name, *parts, statements)
@@ -81,28 +83,35 @@ def _tokens(text: str) -> list[str]:
 
 
 class _Reader:
+    """Reads a text window by window, so that the tokens of one block are kept at a time."""
+
     def __init__(self, text: str, style: Style) -> None:
         self.text = text
         self.style = style
         self._attributes = _tokens(" ".join(style.attributes))
+        self._windows = [0, *(m.end() for m in _CLOSED.finditer(text)), len(text)]
         self.tokens: list[str] = []
         self.at = 0
         self._names: dict[str, Name] = {}
-        self._good: set[str] = set()
+        self._good: dict[str, str] = {}
         self._scan()
 
     def _scan(self) -> None:
-        found = _TOKEN.findall(self.text)
+        """Go on to the next window."""
+        self._window = self._windows[0], self._windows[1]
+        del self._windows[0]
+        found = _TOKEN.findall(self.text, *self._window)
         if any(strange for _, strange in found):
-            end = next(m.start("strange") for m in _TOKEN.finditer(self.text) if m["strange"])
-            raise NotInSubset(f"{self._place(end)}: {self.text[end : end + 10]!r} is not in the subset")
+            at = next(m.start("strange") for m in _TOKEN.finditer(self.text, *self._window) if m["strange"])
+            raise NotInSubset(f"{self._place(at)}: {self.text[at : at + 10]!r} is not in the subset")
         self.tokens = [token for token, _ in found if token]
         self.tokens.append(_END)
+        self.at = 0
 
     def _start(self, number: int) -> int:
-        """Where a token stands in the text."""
-        starts = (m.start(1) for m in _TOKEN.finditer(self.text) if m[1])
-        return next(islice(starts, number, None), len(self.text))
+        """Where a token of the window stands in the text."""
+        starts = (m.start(1) for m in _TOKEN.finditer(self.text, *self._window) if m[1])
+        return next(islice(starts, number, None), self._window[1])
 
     def _place(self, offset: int) -> str:
         before = self.text[:offset]
@@ -127,22 +136,34 @@ class _Reader:
 
     def _name(self) -> str:
         token = self.tokens[self.at]
-        if token not in self._good:
+        known = self._good.get(token)
+        if known is None:
             if not (token[:1].isalpha() or token[:1] == "_") or "#" in token or token.upper() in _RESERVED:
                 self._fail("a name")
-            self._good.add(token)
+            known = self._good[token] = token
         self.at += 1
-        return token
+        return known
 
     def end(self) -> None:
         """Nothing may follow."""
+        self._end_of_window()
+        if len(self._windows) > 1:
+            self._scan()
+            self._fail("the end")
+
+    def _end_of_window(self) -> None:
         if self.tokens[self.at]:
             self._fail("the end")
 
     def unit(self) -> Unit:
         blocks = []
-        while self._is("FUNCTION_BLOCK") or self._is("PROGRAM"):
-            blocks.append(self.block())
+        while True:
+            while self._is("FUNCTION_BLOCK") or self._is("PROGRAM"):
+                blocks.append(self.block())
+            if len(self._windows) == 1:
+                break
+            self._end_of_window()
+            self._scan()
         if not blocks:
             self._fail("FUNCTION_BLOCK")
         if self.style.instance:
