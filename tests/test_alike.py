@@ -12,7 +12,7 @@ from interlock.proof.alike import Forms
 from interlock.proof.invariants import Facts, claims, strengthening
 from interlock.proof.limits import Limits
 from interlock.proof.mutate import KINDS
-from interlock.proof.parts import Inquiry
+from interlock.proof.parts import Goal, Inquiry
 from interlock.proof.system import System
 from tests.layouts import grown
 
@@ -20,7 +20,7 @@ A, B, C, X, Y, Z = (var(n) for n in "abcxyz")
 
 
 def form(*facts: Expr, head: str = "", **meaning: Expr) -> str:
-    return Forms(meaning).digest(head, [facts])
+    return Forms(meaning).digest(head, [(facts, {})])
 
 
 def test_names_do_not_matter() -> None:
@@ -52,7 +52,14 @@ def test_everything_else_does(one: str, other: str) -> None:
 
 def test_which_list_an_expression_stands_in_matters() -> None:
     forms = Forms({})
-    assert forms.digest("", [[A], [B, C]]) != forms.digest("", [[A, B], [C]])
+    assert forms.digest("", [([A], {}), ([B, C], {})]) != forms.digest("", [([A, B], {}), ([C], {})])
+
+
+def test_a_name_may_stand_for_another_in_one_list() -> None:
+    forms = Forms({"a'": B})
+    later = [([A | C], {"a": "a'"}), ([A], {})]
+    assert forms.digest("", later) == forms.digest("", [([var("a'") | C], {}), ([A], {})])
+    assert forms.digest("", later) != forms.digest("", [([A | C], {}), ([A], {})])
 
 
 def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[list[bool], int]:
@@ -62,7 +69,7 @@ def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[l
         parts, "HUB", 10
     )  # what a long line has by itself: nothing is read by a few facts of all places
     kept = list(strengthening(Facts(system)))
-    goals = [system.after(i.expr) for i in kept] + [c.expr for c in claims(Facts(system))]
+    goals = [Goal(i.expr, later=True) for i in kept] + [Goal(c.expr) for c in claims(Facts(system))]
     inquiry = Inquiry(system, [i.expr for i in kept], goals, Limits())
     first = inquiry.first()
     assert sorted(n for q in first for those in (q.goals, *q.alike) for n in those) == list(range(len(goals)))

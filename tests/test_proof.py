@@ -13,7 +13,7 @@ from interlock.model.traversal import Topology
 from interlock.proof.invariants import CLAIMS, Facts, claims
 from interlock.proof.limits import Limits
 from interlock.proof.near import walked
-from interlock.proof.parts import Parts
+from interlock.proof.parts import Goal, Parts
 from interlock.proof.runner import Verdict, inductive, open_claims, prove
 from interlock.proof.search import search
 from interlock.proof.system import System
@@ -116,7 +116,7 @@ def test_questions_are_asked_place_by_place(name: str) -> None:
         touches = {topo.beyond(s, j) for j in topo.ends[s]} - {None}
         assert touches & seen or not _reached(topo, s) & seen
         seen.add(s)
-    goals = [c.expr for c in claims(Facts(system))]
+    goals = [Goal(c.expr) for c in claims(Facts(system))]
     assert sorted(chain.from_iterable(Parts(system, []).places(goals))) == list(range(len(goals)))
 
 

@@ -38,7 +38,7 @@ class Join(StrEnum):
     ANY = "any"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Term:
     """One operand with its reason; `kind` names the sort of condition, for comments and mutants."""
 
@@ -69,7 +69,7 @@ class Equation:
         return tuple(variables(t.expr for t in self.terms))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Timer:
     """On-delay: `name` becomes true when `input` has been true for `preset_ms` without a break."""
 
@@ -82,7 +82,7 @@ class Timer:
 Step = Equation | Timer
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Input:
     """A process or operator input; `size` 0 is Boolean, otherwise values 0 to size-1.
 
@@ -95,7 +95,7 @@ class Input:
     restrictive: int = 0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class StateVar:
     """A bit that is kept from scan to scan."""
 
@@ -104,7 +104,7 @@ class StateVar:
     note: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Output:
     """A process output or indication, computed from the new state; `restrictive` is its safe value."""
 

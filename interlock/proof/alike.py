@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import hashlib
 from array import array
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain, count
 
 from interlock.logic.expr import Expr, Op
 
 _VAR, _EQ, _NOT, _AND, _OR, _TRUE = Op.VAR, Op.EQ, Op.NOT, Op.AND, Op.OR, Op.TRUE
-KEPT = 100_000  # expressions whose form is remembered: parts that follow each other share most of theirs
+KEPT = 20_000  # expressions whose form is remembered: parts that follow each other share most of theirs
 
 
 class Forms:
@@ -28,15 +28,18 @@ class Forms:
         self._texts: dict[str, int] = {}
         self._compared: dict[str, str] = {}
 
-    def digest(self, head: str, lists: Iterable[Iterable[Expr]]) -> str:
-        """The digest of the form of some lists of expressions, under a heading."""
+    def digest(self, head: str, lists: Iterable[tuple[Sequence[Expr], Mapping[str, str]]]) -> str:
+        """The digest of the form of some lists of expressions, each with other names for some of what it reads."""
         if len(self._of) > KEPT:
             self._of.clear()
         sizes: list[int] = []
         texts: list[int] = []
         leaves: list[str] = []
-        for some in lists:
+        for some, renamed in lists:
+            before = len(leaves)
             sizes.append(self._note(some, texts, leaves))
+            if renamed:
+                leaves[before:] = [renamed.get(x, x) for x in leaves[before:]]
         names = dict(zip(dict.fromkeys(leaves), count()))
         meaning, told, fresh = self._meaning, [], list(names)
         while new := [x for x in fresh if x in meaning]:

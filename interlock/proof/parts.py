@@ -11,6 +11,7 @@ from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
+from itertools import chain
 from typing import Protocol
 
 from interlock.logic.expr import Expr, variables
@@ -28,12 +29,20 @@ NEAR = 3000  # a part of a place that depends on more names than this is joined 
 HUB = 60  # a variable in more facts than this says nothing about what lies together
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Decision:
     """Whether a goal follows, and the seconds that the question took."""
 
     follows: bool
     seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """What is to be shown: an expression about a step, or about the state one step later."""
+
+    expr: Expr
+    later: bool = False
 
 
 class Theory(Protocol):
@@ -54,6 +63,15 @@ class Theory(Protocol):
         """Where variables belong: numbers, such that near ones lie together."""
         ...
 
+    @property
+    def later(self) -> Mapping[str, str]:
+        """The names of next values by those of the state."""
+        ...
+
+    def after(self, x: Expr) -> Expr:
+        """The expression one step later."""
+        ...
+
 
 @dataclass(frozen=True)
 class Start:
@@ -62,6 +80,11 @@ class Start:
     definitions: Mapping[str, Expr] = field(default_factory=dict)
     assumptions: Sequence[Assumption] = ()
     places: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
+    later: Mapping[str, str] = field(default_factory=dict)
+
+    def after(self, x: Expr) -> Expr:
+        """There is no step."""
+        return x
 
 
 class Parts:
@@ -95,16 +118,21 @@ class Parts:
         """Read everything once, so that processes inherit it."""
         _ = self.readers, self.inputs_of
 
-    def places(self, goals: Sequence[Expr]) -> list[list[int]]:
+    def read_by(self, goal: Goal) -> tuple[str, ...]:
+        """What a goal reads."""
+        names = variables((goal.expr,))
+        return tuple([self.system.later.get(v, v) for v in names] if goal.later else names)
+
+    def places(self, goals: Sequence[Goal]) -> list[list[int]]:
         """The goals place by place, and in a place those that share variables near each other."""
-        reads = [tuple(variables((g,))) for g in goals]
-        chain = _sharing(reads)
+        reads = [self.read_by(g) for g in goals]
+        order = _sharing(reads)
         known = self.system.places
         at = [_places(names, known) for names in reads]
         crowd = Counter(p for those in at for p in those)
         place = 0
         found: dict[int, list[int]] = {}
-        for n in chain:  # what belongs nowhere follows what it shares a variable with
+        for n in order:  # what belongs nowhere follows what it shares a variable with
             place = min(at[n], key=lambda p: (crowd[p], p), default=place)
             found.setdefault(place, []).append(n)
         return [found[p] for p in sorted(found)]
@@ -130,22 +158,25 @@ class Parts:
                     facts.update(dict.fromkeys(near))
         return sorted(facts) if rings else list(range(len(self.facts)))
 
-    def form(self, goals: Sequence[Expr], facts: Iterable[int]) -> str:
+    def form(self, goals: Sequence[Goal], facts: Iterable[int]) -> str:
         """What is left of a question when names are numbered."""
-        return self.forms.digest("interlock", (goals, [self.facts[n] for n in facts]))
+        order = "".join("'" if g.later else "." for g in goals)
+        later = [g.expr for g in goals if g.later]
+        now = [g.expr for g in goals if not g.later]
+        return self.forms.digest(order, ((later, self.system.later), (now, {}), ([self.facts[n] for n in facts], {})))
 
-    def cnf(self, goals: Sequence[Expr], facts: Iterable[int]) -> tuple[Cnf, list[int]]:
+    def cnf(self, goals: Sequence[Goal], facts: Iterable[int]) -> tuple[Cnf, list[int]]:
         """Clauses of some facts, and the goals' literals."""
         cnf = OneSided(self.system.definitions)
         for n in facts:
             cnf.require(self.facts[n])
-        return cnf, [cnf.question(g) for g in goals]
+        return cnf, [cnf.question(self.system.after(g.expr) if g.later else g.expr) for g in goals]
 
-    def decide(self, goals: Sequence[Expr], limits: Limits, rings: int) -> list[Decision]:
+    def decide(self, goals: Sequence[Goal], limits: Limits, rings: int) -> list[Decision]:
         """Which of the goals follow from the facts so many steps around."""
         seen: dict[str, None] = {}
         if rings:
-            self.cone(variables(goals), seen)
+            self.cone(chain.from_iterable(map(self.read_by, goals)), seen)
         facts = self.around(seen, rings)
         key = limits.cache.key(lambda: self.form(goals, facts), limits.engine)
         known = limits.cache.known(key, len(goals))
@@ -225,7 +256,7 @@ class Inquiry:
     Part by part; what a part leaves open is asked again with more facts around it, and at last with all of them.
     """
 
-    def __init__(self, system: Theory, hypotheses: Sequence[Expr], goals: Sequence[Expr], limits: Limits) -> None:
+    def __init__(self, system: Theory, hypotheses: Sequence[Expr], goals: Sequence[Goal], limits: Limits) -> None:
         self.parts = Parts(system, hypotheses)
         self.goals = goals
         self.limits = limits
@@ -256,7 +287,7 @@ class Inquiry:
         seen: dict[str, None] = {}
         for place in self.places:
             new = [n for n in place if not self.found[n].follows]
-            self.parts.cone(variables([self.goals[n] for n in new]), seen)
+            self.parts.cone(chain.from_iterable(self.parts.read_by(self.goals[n]) for n in new), seen)
             goals += new
             while len(goals) >= size:
                 yield goals[:size], seen
@@ -306,7 +337,7 @@ class Inquiry:
 def decide(
     system: Theory,
     hypotheses: Sequence[Expr],
-    goals: Sequence[Expr],
+    goals: Sequence[Goal],
     limits: Limits,
     progress: Callable[[int, int], None],
 ) -> list[Decision]:

@@ -21,7 +21,7 @@ from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import CLAIMS, Claim, Facts, Invariant, claims, strengthening
 from interlock.proof.limits import Limits
-from interlock.proof.parts import Decision, Inquiry, Start, decide
+from interlock.proof.parts import Decision, Goal, Inquiry, Start, decide
 from interlock.proof.pool import Task, run
 from interlock.proof.search import search
 from interlock.proof.story import Story, tell
@@ -101,7 +101,7 @@ def _keep(
         kept, first = [i for i, ok in zip(kept, at_restart, strict=True) if ok], None
     while True:
         if first is None:
-            goals = [system.after(i.expr) for i in kept]
+            goals = [Goal(i.expr, later=True) for i in kept]
             first = [d.follows for d in _decide(system, kept, goals, limits, "invariants", progress)]
         obligations += len(kept)
         failed = [i for i, ok in zip(kept, first, strict=True) if not ok]
@@ -112,7 +112,7 @@ def _keep(
 
 
 def _decide(
-    system: System, kept: Sequence[Invariant], goals: Sequence[Expr], limits: Limits, stage: str, progress: Progress
+    system: System, kept: Sequence[Invariant], goals: Sequence[Goal], limits: Limits, stage: str, progress: Progress
 ) -> list[Decision]:
     """Which goals follow, in one step, from the invariants."""
     hypotheses = [i.expr for i in kept]
@@ -134,7 +134,7 @@ def prove(
     limits = limits or Limits()
     wanted = claims(Facts(system)) if wanted is None else wanted
     found = list(strengthening(Facts(system)))
-    goals = [*(system.after(i.expr) for i in found), *(c.expr for c in wanted)]
+    goals = [*(Goal(i.expr, later=True) for i in found), *(Goal(c.expr) for c in wanted)]
     inquiry = Inquiry(system, [i.expr for i in found], goals, limits)
     questions = inquiry.first()
     tasks: list[Task] = [partial(witnesses, system), *(partial(inquiry.ask, q) for q in questions)]
@@ -154,7 +154,7 @@ def prove(
     kept, dropped, obligations = _keep(system, found, at_restart, steps, limits, progress)
     verdicts = decisions[len(found) :]
     if dropped:
-        verdicts = _decide(system, kept, [c.expr for c in wanted], limits, "claims", progress)
+        verdicts = _decide(system, kept, [Goal(c.expr) for c in wanted], limits, "claims", progress)
     claimed = [*_claims(system, wanted, verdicts, limits, progress), start]
     order = list(CLAIMS)
     claimed.sort(key=lambda r: order.index(r.id))
@@ -184,7 +184,7 @@ def _restart(system: System, invariants: Sequence[Invariant], limits: Limits) ->
         raise RuntimeError("the restart states contradict each other")
     known = {name: x is TRUE for name, x in fixed.items()}
     left = [n for n, i in enumerate(invariants) if not _true(i.expr, known)]
-    asked = [put(invariants[n].expr) for n in left]
+    asked = [Goal(put(invariants[n].expr)) for n in left]
     found = decide(Start(), facts, asked, replace(limits, jobs=1), lambda done, total: None)
     holds = [True] * len(invariants)
     for n, d in zip(left, found, strict=True):
@@ -209,7 +209,7 @@ def open_claims(
     system: System, kept: list[Invariant], wanted: tuple[Claim, ...], limits: Limits, progress: Progress = quiet
 ) -> dict[str, list[Claim]]:
     """The claims that do not follow from the invariants."""
-    return _open(wanted, _decide(system, kept, [c.expr for c in wanted], limits, "claims", progress))
+    return _open(wanted, _decide(system, kept, [Goal(c.expr) for c in wanted], limits, "claims", progress))
 
 
 def _open(wanted: Sequence[Claim], decisions: Sequence[Decision]) -> dict[str, list[Claim]]:

@@ -65,7 +65,8 @@ class System:
         self.plant: Plant = build_plant(layout, wiring(controller, layout), dropped)
         following = {e.name: e.expr for e in controller.next} | self.plant.next | self._ghosts()
         self.state: tuple[str, ...] = tuple(following)
-        self._after = Substitution({n: var(n + PRIME) for n in self.state})
+        self.later = {n: n + PRIME for n in self.state}
+        self._after = Substitution({n: var(x) for n, x in self.later.items()})
         self.definitions: dict[str, Expr] = {e.name: e.expr for e in controller.equations}
         self.definitions |= self.plant.events.definitions
         self.definitions |= {n + PRIME: x for n, x in following.items()}

@@ -41,7 +41,7 @@ class Wiring:
     token: Mapping[NodeId, TokenWires]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Assumption:
     """A named sentence about the world, and what it says of one step."""
 
@@ -50,7 +50,7 @@ class Assumption:
     expr: Expr
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Hazard:
     """A bad event of one step; `expr` speaks of old state and choices."""
 

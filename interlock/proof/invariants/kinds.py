@@ -15,7 +15,7 @@ from interlock.model.layout import Layout
 from interlock.model.traversal import Topology
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Claim:
     """One instance of a claim: `expr` must hold in every step from a reachable state.
 
@@ -29,7 +29,7 @@ class Claim:
     physical: bool
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Invariant:
     """A strengthening invariant: holds initially and is kept by every step; proved, never assumed."""
 
