@@ -59,14 +59,15 @@ class Proved:
 
 def prove_file(path: str, limits: Limits | None = None, progress: Progress = quiet) -> Proved:
     """Check a file and prove its controller and the text that would be emitted."""
-    return prove_derived(derive_file(path), limits, progress)[0]
+    return prove_derived(derive_file(path), limits, progress, keep=False)[0]
 
 
 def prove_derived(
-    derived: Checked, limits: Limits | None, progress: Progress, dialects: Sequence[str] = ()
+    derived: Checked, limits: Limits | None, progress: Progress, dialects: Sequence[str] = (), keep: bool = True
 ) -> tuple[Proved, dict[str, bytes]]:
     """The proof of a layout, and its texts: the portable one, the runtime, and what other dialects are asked for; each
-    is read back and compared.  The audit, the texts and the proof are done beside each other."""
+    is read back and compared, and given back if `keep`.  The audit, the texts and the proof are done beside each other.
+    """
     if not derived.ok or derived.layout is None or derived.table is None:
         return Proved(derived), {}
     layout, limits = derived.layout, limits or Limits()
@@ -75,7 +76,7 @@ def prove_derived(
         system = System(layout, controller)
         wanted = claims(Facts(system))
         hoped = _header(layout, if_proved(wanted), True)
-        with Begun(writers(layout, controller, hoped, dialects), limits.jobs) as texts:
+        with Begun(writers(layout, controller, hoped, dialects, keep), limits.jobs) as texts:
             proof = prove(system, limits, progress, wanted)
             checked = audited(derived, audit.results()[0])
             if not checked.ok:
@@ -85,7 +86,7 @@ def prove_derived(
             if header == hoped:
                 written = texts.results()
             else:  # the texts tell what is proved
-                written = run(writers(layout, controller, header, dialects), limits.jobs)
+                written = run(writers(layout, controller, header, dialects, keep), limits.jobs)
     verdicts = [verdict for verdict, _ in written]
     files = {name: text for _, those in written for name, text in those.items()}
     notes = list(_notes(checked, proof))

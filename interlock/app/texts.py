@@ -39,16 +39,21 @@ Written = tuple[TextVerdict, dict[str, bytes]]
 
 
 def writers(
-    layout: Layout, controller: Controller, header: list[str], dialects: Sequence[str]
+    layout: Layout, controller: Controller, header: list[str], dialects: Sequence[str], keep: bool = True
 ) -> list[Callable[[], Written]]:
     """What writes and compares each text: the portable one, other dialects that are asked for, the mapping program,
-    the telegrams, and the runtime."""
+    the telegrams, and the runtime; `keep`: the files themselves are wanted too."""
     wanted = [d for d in DIALECTS if d.name == "iec" or d.name in dialects]
     out: list[Callable[[], Written]] = [partial(_structured_text, controller, d, header) for d in wanted]
     out.append(partial(_mapping, layout, controller, header))
     if layout.telegram is not TelegramForm.NONE and controller.symbols.trailed:
         out.append(partial(_telegrams, layout, controller, header))
-    return [*out, partial(_runtime, controller, header)]
+    out.append(partial(_runtime, controller, header))
+    return out if keep else [partial(_compared, task) for task in out]
+
+
+def _compared(task: Callable[[], Written]) -> Written:
+    return task()[0], {}
 
 
 def _structured_text(controller: Controller, dialect: Dialect, header: list[str]) -> Written:
