@@ -17,10 +17,12 @@ from interlock.derive import derive
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.controller import Equation, Step
+from interlock.logic.expr import var
 from interlock.logic.lower import lower
 from interlock.proof.translation import compare_st
 from interlock.st.ast import Assign, Expression, Nary, Not
 from interlock.st.lower import MAX_OPERANDS, lower_st
+from interlock.st.meaning import Symbols
 from interlock.st.order import by_place
 from interlock.st.parser import NotInSubset, parse_block, parse_unit
 from interlock.st.printer import MAX_COLUMNS, comment, print_unit
@@ -209,6 +211,26 @@ def test_edited_text_is_refuted_unless_the_edit_changes_nothing() -> None:
         except BadText:
             raise AssertionError(f"a text that cannot run was accepted ({kind})") from None
     assert refuted >= 40
+
+
+def test_a_wire_is_only_what_its_variable_holds_when_it_is_read() -> None:
+    """Written right and then otherwise, read before it is written, or taken by an input: each is another function."""
+    _, _, controller = built("fig2_2")
+    text = text_of("fig2_2")
+    assert compare_st(controller, text).proved
+    begin = text.index("  AVN_P1 := ")
+    end = text.index(" (* lies there since the restart *)", begin)
+    made, after = text[begin:end] + "\n", text[end:]
+    assert made.rstrip().endswith(";") and "AVN_P1" in after
+    assert compare_st(controller, text[:begin] + made + "  AVN_P1 := AVN_P1;\n" + after).proved
+    assert compare_st(controller, text[:begin] + made + made + after).proved
+    assert not compare_st(controller, text[:begin] + made + "  AVN_P1 := NOT AVN_P1;\n" + after).proved
+    assert not compare_st(controller, text[:begin] + made + "  AVN_P1 := FALSE;\n" + after).proved
+    reader = after.index("  WF_DP_1 := ")  # what it reads of the wire is now older than the wire
+    assert not compare_st(controller, text[:begin] + after[:reader] + made + after[reader:]).proved
+    same = Symbols(known={"N_A": (var("b") & var("c"), var("next A"))})
+    assert same.assigned("N_A", var("b") & var("c")) is var("next A")
+    assert same.assigned("N_A", var("b")) is var("b") and same.assigned("B", var("b") & var("c")) is var("b") & var("c")
 
 
 def test_text_outside_the_subset_is_refused() -> None:

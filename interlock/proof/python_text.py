@@ -13,8 +13,8 @@ from collections.abc import Iterator
 from interlock.emit.python.runtime import FIXED
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
-from interlock.proof.translation import Difference, Scan, Translation, compare_scan
-from interlock.st.meaning import Symbol, Term
+from interlock.proof.translation import Difference, Scan, Translation, compare_scan, wires
+from interlock.st.meaning import Symbol, Symbols, Term
 
 
 class BadRuntime(Exception):
@@ -49,6 +49,7 @@ class _Reader:
         self.values: dict[str, Term] = {}
         self.after: dict[str, Term] = {}
         self.timers: dict[str, tuple[Expr, int]] = {}
+        self.algebra = Symbols(known=wires(controller))
         self.sizes = {i.name: i.size for i in controller.inputs}
         head, fixed, self.own = text.partition(FIXED)
         self.before = head.count("\n") + FIXED.count("\n")
@@ -106,7 +107,7 @@ class _Reader:
         if isinstance(target, ast.Name):
             if target.id in RESERVED:
                 raise BadRuntime(f"line {s.lineno}: {target.id} is a name of the fixed part")
-            self.values[target.id] = self._read(target.id, value)
+            self.values[target.id] = self.algebra.assigned(target.id, self._read(target.id, value))
         elif _dotted(target) == "self.state" and isinstance(value, ast.Dict) and not self.after:
             self.after = self._dictionary(value)
         else:

@@ -3,6 +3,9 @@
 The text is parsed back by our own grammar and executed symbolically, from any values that its variables may have kept
 from the scan before; every state variable's initial and next value, every timer's input and preset, and every output
 must be the same function as in the controller.
+
+Where a variable of the text gets the very expression that the controller has for the wire of its name, the wire's name
+stands for it in what follows: by the order of the text, each name then stands for what the controller computes.
 """
 
 from __future__ import annotations
@@ -68,7 +71,7 @@ class Scan:
 
 
 def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting: bool = False) -> Scan:
-    algebra = Symbols(timer_names={f"TON_{t.name}": t.name for t in controller.timers})
+    algebra = Symbols(timer_names={f"TON_{t.name}": t.name for t in controller.timers}, known=wires(controller))
     run: Execution[Term] = Execution(unit, algebra)
     holders = _holders(run)
     base = {n: values[n] for n, values in holders.items()}
@@ -81,6 +84,21 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
     outputs = run.scan(inputs)
     after = {n: values[n] for n, values in _holders(run).items()}
     return Scan(base, after, outputs, dict(algebra.timers))
+
+
+def wires(controller: Controller) -> dict[str, tuple[Expr, Expr]]:
+    """By the names that they have in a text: the controller's wires and next values, and what stands for each."""
+    found = {f"N_{e.name}": (e.expr, _next(e.name)) for e in controller.next}
+    found |= {e.name: (e.expr, var(e.name)) for e in controller.equations}
+    other = {i.name for i in controller.inputs} | {t.name for t in controller.timers}
+    for name in other | {s.name for s in controller.state}:
+        found.pop(name, None)
+    return found
+
+
+def _next(state: str) -> Expr:
+    """The next value of a state variable, by a name that no text can have."""
+    return var(f"next {state}")
 
 
 def _forget(inst: Instance[Term]) -> None:
@@ -119,15 +137,16 @@ def compare_scan(controller: Controller, scan: Scan, query_ms: int) -> Translati
     """Compare what a text computes with the controller."""
     wrong: list[Difference] = []
     pairs: list[tuple[str, Expr, Expr]] = []
+    following = {e.name: _next(e.name) for e in controller.next}
     for s in controller.state:
         if scan.base.get(s.name) is not (TRUE if s.initial else FALSE):
             wrong.append(Difference(s.name, "another initial value"))
         mine = scan.after.get(s.name)
         if isinstance(mine, Expr):
-            pairs.append((s.name, mine, controller.next_state[s.name]))
+            pairs.append((s.name, mine, following[s.name]))
         else:
             wrong.append(Difference(s.name, "missing in the text"))
-    new = Substitution(controller.next_state)
+    new = Substitution(following)
     for o in controller.outputs:
         mine = scan.outputs.get(o.name)
         if isinstance(mine, Expr):
@@ -142,12 +161,22 @@ def compare_scan(controller: Controller, scan: Scan, query_ms: int) -> Translati
         if got is None or got[1] != t.preset_ms:
             wrong.append(Difference(t.name, "timer missing or another time"))
         else:
-            pairs.append((t.name, got[0], controller.expanded[t.input]))
+            pairs.append((t.name, got[0], var(t.input)))
     wrong.extend(Difference(n, "a timer that the controller lacks") for n in by_name)
-    open_ = [(n, a, b) for n, a, b in pairs if a is not b]
+    if other := [(n, a, b) for n, a, b in pairs if a is not b]:
+        wrong.extend(_different(controller, other, query_ms))
+    return Translation(len(pairs) + len(controller.state), tuple(wrong))
+
+
+def _different(controller: Controller, pairs: list[tuple[str, Expr, Expr]], query_ms: int) -> list[Difference]:
+    """Pairs of expressions that differ for some inputs and state, every wire's name written out."""
+    meaning = controller.expanded | {f"next {n}": x for n, x in controller.next_state.items()}
+    put = Substitution(meaning)
+    open_ = [(n, x, y) for n, a, b in pairs if (x := put(a)) is not (y := put(b))]
     cnf = Cnf()
     literals = [cnf.literal(iff(a, b)) for _, a, b in open_]
     solver = Z3Sat(cnf, query_ms)
+    wrong = []
     for (name, a, b), lit in zip(open_, literals, strict=True):
         answer = solver.ask(-lit)
         if answer is Answer.SAT:
@@ -156,11 +185,11 @@ def compare_scan(controller: Controller, scan: Scan, query_ms: int) -> Translati
             wrong.append(Difference(name, f"differs when {', '.join(seen[:12]) or 'everything is false'}"))
         elif answer is Answer.UNKNOWN:
             wrong.append(Difference(name, "could not be decided"))
-    return Translation(len(pairs) + len(controller.state), tuple(wrong))
+    return wrong
 
 
 def _names(a: Expr, b: Expr) -> set[str]:
     return set(variables((a, b)))
 
 
-__all__ = ["Difference", "Scan", "Translation", "compare_dialect", "compare_scan", "compare_st"]
+__all__ = ["Difference", "Scan", "Translation", "compare_dialect", "compare_scan", "compare_st", "wires"]

@@ -44,6 +44,7 @@ class Algebra(Protocol[V]):
     def compare(self, op: str, a: V, b: V) -> V: ...
     def choose(self, c: V, a: V, b: V) -> V: ...
     def timer(self, path: str, on: V, preset: V) -> V: ...
+    def assigned(self, name: str, x: V) -> V: ...
 
 
 @dataclass
@@ -104,9 +105,10 @@ class Execution(Generic[V]):
     def _run(self, inst: Instance[V], body: tuple[Statement, ...]) -> None:
         for s in body:
             if isinstance(s, Assign):
-                if len(s.target.parts) != 1 or s.target.parts[0] not in inst.values:
+                name = s.target.parts[0]
+                if len(s.target.parts) != 1 or name not in inst.values:
                     raise BadText(f"{inst.block.name}: cannot assign to {s.target}")
-                inst.values[s.target.parts[0]] = self._value(inst, s.value)
+                inst.values[name] = self.algebra.assigned(name, self._value(inst, s.value))
             elif isinstance(s, Call):
                 self._invoke(inst, s)
             else:
@@ -199,6 +201,10 @@ class Numbers:
         self.elapsed[path] = min(self.elapsed.get(path, 0) + self.dt_ms, preset)
         return int(self.elapsed[path] >= preset)
 
+    def assigned(self, name: str, x: int) -> int:
+        """What a variable holds after an assignment."""
+        return x
+
 
 @dataclass(frozen=True)
 class Constant:
@@ -219,10 +225,20 @@ Term = Expr | Constant | Symbol
 
 @dataclass
 class Symbols:
-    """Symbolic execution; `timers` collects input and preset of every timer by its name."""
+    """Symbolic execution; `timers` collects input and preset of every timer by its name.
+
+    `known`: by a variable's name an expression, and what stands for it in what follows once the variable got this very
+    expression, so that what is computed from it stays short.
+    """
 
     timers: dict[str, tuple[Expr, int]] = field(default_factory=dict)
     timer_names: dict[str, str] = field(default_factory=dict)
+    known: Mapping[str, tuple[Expr, Expr]] = field(default_factory=dict)
+
+    def assigned(self, name: str, x: Term) -> Term:
+        """What a variable holds after an assignment."""
+        found = self.known.get(name)
+        return found[1] if found is not None and found[0] is x else x
 
     def literal(self, x: Bool | Int | Time) -> Term:
         """Constants."""
