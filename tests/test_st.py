@@ -238,6 +238,14 @@ def test_text_outside_the_subset_is_refused() -> None:
         parse_unit("FUNCTION_BLOCK A\nVAR X : BOOL; END_VAR\nFOR X := 1 TO 2 DO END_FOR;\nEND_FUNCTION_BLOCK\n")
 
 
+def test_a_text_that_ends_anywhere_is_refused_with_a_place() -> None:
+    text = text_of("fig2_2")
+    whole = text.rstrip()
+    for end in range(whole.rindex("\nFUNCTION_BLOCK") + 3, len(whole), 17):
+        with pytest.raises(NotInSubset, match=r"line \d+, column \d+"):
+            parse_unit(whole[:end])
+
+
 @pytest.mark.parametrize(
     ("text", "place"),
     [

@@ -22,6 +22,9 @@ class Op(IntEnum):
     OR = 6
 
 
+_NOT = Op.NOT
+
+
 class Expr:
     """One node.  Build with the functions of this module, never directly."""
 
@@ -89,18 +92,22 @@ def neg(x: Expr) -> Expr:
 
 def _nary(op: Op, unit: Expr, zero: Expr, xs: Iterable[Expr]) -> Expr:
     flat: dict[Expr, None] = {}
+    inverse = False
     for x in xs:
-        if x is zero:
-            return zero
-        if x is unit:
-            continue
-        if x.op is op:
+        kind = x.op
+        if kind is op:
             flat.update(dict.fromkeys(x.args))
-        else:
+            inverse = True
+        elif kind > 1:
             flat[x] = None
-    for y in flat:
-        if y.op is Op.NOT and y.args[0] in flat:
+            if kind is _NOT:
+                inverse = True
+        elif x is zero:
             return zero
+    if inverse:
+        for y in flat:
+            if y.op is _NOT and y.args[0] in flat:
+                return zero
     if not flat:
         return unit
     if len(flat) == 1:

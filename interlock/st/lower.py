@@ -173,14 +173,16 @@ def _temp(extra: list[Declaration]) -> Name:
 
 def _short(x: Expr, where: dict[str, Name], extra: list[Declaration], out: list[Statement]) -> Expression:
     """An operand: at most two levels deep and ten wide, the rest in temporaries."""
-    if x.op is Op.NOT and x.args[0].op in (Op.AND, Op.OR):
+    if x.op is Op.VAR:
+        return where[x.name]
+    if x.op is Op.NOT:
         return Not(_short(x.args[0], where, extra, out))
-    if x.op not in (Op.AND, Op.OR):
+    if not x.args:
         return _expression(x, where)
     args: list[Expression] = []
     for a in x.args:
         inner = a.args[0] if a.op is Op.NOT else a
-        if inner.op in (Op.AND, Op.OR):
+        if inner.args:
             temp = _temp(extra)
             out.append(Assign(temp, _short(inner, where, extra, out)))
             args.append(Not(temp) if a.op is Op.NOT else temp)

@@ -147,7 +147,11 @@ class Execution(Generic[V]):
         if isinstance(x, Not):
             return a.neg(self._value(inst, x.arg))
         if isinstance(x, Nary):
-            return a.nary(x.op, [self._value(inst, y) for y in x.args])
+            args: list[V] = []
+            for y in x.args:
+                known = inst.values.get(y.parts[0]) if isinstance(y, Name) and len(y.parts) == 1 else None
+                args.append(known if known is not None else self._value(inst, y))
+            return a.nary(x.op, args)
         if isinstance(x, Compare):
             return a.compare(x.op, self._value(inst, x.left), self._value(inst, x.right))
         return a.literal(x)
@@ -257,7 +261,7 @@ class Symbols:
 
     def nary(self, op: str, xs: list[Term]) -> Term:
         """AND, OR, XOR."""
-        args = [self._bool(x) for x in xs]
+        args = [x if type(x) is Expr else self._bool(x) for x in xs]
         if op == "AND":
             return conj(args)
         if op == "OR":

@@ -38,13 +38,16 @@ from interlock.st.ast import (
 from interlock.st.style import IEC, Style
 
 _UNITS = {"ms": 1, "s": 1000, "m": 60_000, "h": 3_600_000}
+_GOOD = r"""
+    %[IQ]X[0-9]+\.[0-7] | [Tt](?:[Ii][Mm][Ee])?\#[0-9]+(?:ms|s|m|h)\b
+    | \#?[A-Za-z_][A-Za-z0-9_]* | [0-9]+(?:\.[0-9]+)?(?![A-Za-z0-9_]) | "[A-Za-z0-9_]+" | \{[^{}]*\}
+    | := | <> | <= | >= | [-+*/=<>();:.,\[\]&]"""
 _TOKEN = re.compile(
-    r"""(?: \s+ | \(\*[^*]*(?:\*(?!\))[^*]*)*\*\) )*                  # space and comments before it
-    ( %[IQ]X[0-9]+\.[0-7] | [Tt](?:[Ii][Mm][Ee])?\#[0-9]+(?:ms|s|m|h)\b
-      | \#?[A-Za-z_][A-Za-z0-9_]* | [0-9]+(?:\.[0-9]+)?(?![A-Za-z0-9_]) | "[A-Za-z0-9_]+" | \{[^{}]*\}
-      | := | <> | <= | >= | [-+*/=<>();:.,\[\]&] | \Z | (?P<strange>.) )""",
+    rf"""(?: \s+ | \(\*[^*]*(?:\*(?!\))[^*]*)*\*\) )*  # space and comments before it
+    ( {_GOOD} | \Z | .+ )                               # what is nothing of this is one token with all that follows""",
     re.VERBOSE | re.DOTALL,
 )
+_WELL = re.compile(_GOOD, re.VERBOSE)
 _CLOSED = re.compile(r"^END_(?:FUNCTION_BLOCK|PROGRAM)[ \t]*\n", re.MULTILINE)
 _COMPARE = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _JOINING = ("AND", "OR", "XOR")
@@ -52,6 +55,8 @@ _OPERATORS = (*_JOINING, "NOT", "TRUE", "FALSE")
 _DECLARING = ("VAR_INPUT", "VAR_OUTPUT", "VAR")
 _BLOCKS = ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK", "PROGRAM", "END_PROGRAM")
 _RESERVED = frozenset((*_DECLARING, *_BLOCKS, "AT", "END_VAR", "IF", "THEN", "ELSE", "END_IF", *_OPERATORS))
+_AFTER = frozenset((";", ",", ")", "AND", "OR"))
+_PLAIN = [":", "BOOL", ";"]
 _END = ""
 _Rule = Callable[[], Expression]
 
@@ -78,8 +83,12 @@ def parse_block(name: str, declarations: str, body: str) -> Block:
     return Block(name, *parts, statements)
 
 
-def _tokens(text: str) -> list[str]:
-    return [token for token, _ in _TOKEN.findall(text) if token]
+def _tokens(text: str, begin: int, end: int) -> list[str]:
+    """The tokens from one place to another, and the end of them."""
+    found: list[str] = _TOKEN.findall(text, begin, end)
+    while len(found) > 1 and not found[-2]:
+        del found[-1]
+    return found
 
 
 class _Reader:
@@ -88,11 +97,15 @@ class _Reader:
     def __init__(self, text: str, style: Style) -> None:
         self.text = text
         self.style = style
-        self._attributes = _tokens(" ".join(style.attributes))
+        marks = " ".join(style.attributes)
+        self._attributes = _tokens(marks, 0, len(marks))[:-1]
         self._windows = [0, *(m.end() for m in _CLOSED.finditer(text)), len(text)]
         self.tokens: list[str] = []
         self.at = 0
         self._names: dict[str, Name] = {}
+        self._variables: dict[str, Name] = {}
+        self._inverse: dict[str, Not] = {}
+        self._instances: dict[str, str] = {}
         self._good: dict[str, str] = {}
         self._scan()
 
@@ -100,12 +113,12 @@ class _Reader:
         """Go on to the next window."""
         self._window = self._windows[0], self._windows[1]
         del self._windows[0]
-        found = _TOKEN.findall(self.text, *self._window)
-        if any(strange for _, strange in found):
-            at = next(m.start("strange") for m in _TOKEN.finditer(self.text, *self._window) if m["strange"])
+        self.tokens = _tokens(self.text, *self._window)
+        last = self.tokens[-2] if len(self.tokens) > 1 else _END
+        if last and not _WELL.fullmatch(last):
+            at = self._start(len(self.tokens) - 2)
             raise NotInSubset(f"{self._place(at)}: {self.text[at : at + 10]!r} is not in the subset")
-        self.tokens = [token for token, _ in found if token]
-        self.tokens.append(_END)
+        self.tokens.append(_END)  # one may look at the token after this
         self.at = 0
 
     def _start(self, number: int) -> int:
@@ -211,6 +224,9 @@ class _Reader:
 
     def declaration(self) -> Declaration:
         name = self._name()
+        if self.tokens[self.at : self.at + 3] == _PLAIN:
+            self.at += 3
+            return Declaration(name, "BOOL")
         address = ""
         if self._is("AT"):
             address = self.tokens[self.at + 1]
@@ -310,18 +326,41 @@ class _Reader:
         return Name(tuple(parts))
 
     def expression(self) -> Expression:
-        began, first = self.at, self._comparison()
-        op = self.tokens[self.at].upper()
-        if op not in _JOINING:
-            return first
-        args = [first]
-        while self.tokens[self.at].upper() == op:
+        tokens, began, op = self.tokens, self.at, ""
+        args: list[Expression] = []
+        while True:
+            args.append(self._known() or self._comparison())
+            word = tokens[self.at]
+            if word != op or not op:
+                word = word.upper()
+                if word not in _JOINING:
+                    return Nary(op, tuple(args)) if op else args[0]
+                if op and word != op:
+                    self.at = began  # several kinds without brackets between them
+                    return self._joined("OR", self._exclusive)
+                op = word
             self.at += 1
-            args.append(self._comparison())
-        if self.tokens[self.at].upper() not in _JOINING:
-            return Nary(op, tuple(args))
-        self.at = began  # several kinds without brackets between them
-        return self._joined("OR", self._exclusive)
+
+    def _known(self) -> Expression | None:
+        """A name that was met before, negated or not, or an output of an instance: most of a text; or None."""
+        tokens, at = self.tokens, self.at
+        token, after = tokens[at], tokens[at + 1]
+        found: Expression | None
+        if token == "NOT":
+            found = self._inverse.get(after)
+            if found is None and after in self._variables:
+                found = self._inverse[after] = Not(self._variables[after])
+            at += 2
+        elif after == "." and token in self._instances and tokens[at + 2] in self._good:
+            found = Name((self._instances[token], tokens[at + 2]))
+            at += 3
+        else:
+            found = self._variables.get(token)
+            at += 1
+        if found is None or tokens[at] not in _AFTER:
+            return None
+        self.at = at
+        return found
 
     def _exclusive(self) -> Expression:
         return self._joined("XOR", self._all)
@@ -369,4 +408,9 @@ class _Reader:
             digits = token.split("#")[1]
             unit = digits.lstrip("0123456789")
             return Time(int(digits[: len(digits) - len(unit)]) * _UNITS[unit])
-        return self.qualified(self._variable())
+        name = self.qualified(self._variable())
+        if len(name.parts) == 1:
+            self._variables[token] = name
+        else:
+            self._instances[token] = name.parts[0]
+        return name
