@@ -94,11 +94,19 @@ class Parts:
         self.system = system
         self.facts = [*hypotheses, *(a.expr for a in system.assumptions)]
         self.forms = Forms(system.definitions)
+        self._names: dict[Expr, tuple[str, ...]] = {}
+
+    def names_in(self, x: Expr) -> tuple[str, ...]:
+        """What a fact or goal reads, looked up once."""
+        found = self._names.get(x)
+        if found is None:
+            found = self._names[x] = tuple(variables((x,)))
+        return found
 
     @cached_property
     def reads(self) -> list[tuple[str, ...]]:
         """What each fact reads."""
-        return [tuple(variables((x,))) for x in self.facts]
+        return [self.names_in(x) for x in self.facts]
 
     @cached_property
     def readers(self) -> dict[str, list[int]]:
@@ -120,8 +128,8 @@ class Parts:
 
     def read_by(self, goal: Goal) -> tuple[str, ...]:
         """What a goal reads."""
-        names = variables((goal.expr,))
-        return tuple([self.system.later.get(v, v) for v in names] if goal.later else names)
+        names, later = self.names_in(goal.expr), self.system.later
+        return tuple([later.get(v, v) for v in names]) if goal.later else names
 
     def places(self, goals: Sequence[Goal]) -> list[list[int]]:
         """The goals place by place, and in a place those that share variables near each other."""
