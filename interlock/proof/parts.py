@@ -25,6 +25,7 @@ from interlock.proof.pool import run
 
 SMALL = 1500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
+FEW = 800  # at first a part of fewer goals is joined with the next place: neighbours share what they depend on
 NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
 HUB = 60  # a variable in more facts than this says nothing about what lies together
 
@@ -282,25 +283,26 @@ class Inquiry:
             return [Question(left, 0)] if left else []
         self.parts.prepare()
         found: dict[str, list[list[int]]] = {}
-        for goals, seen in self._parts(max(1, min(GOALS, -(-len(left) // self.limits.jobs)))):
+        most = max(1, min(GOALS, -(-len(left) // self.limits.jobs)))
+        for goals, seen in self._parts(FEW if rings == 1 else 1, most):
             key = f"{len(found)}"  # a large part has no like
             if len(seen) <= NEAR:
                 key = self.parts.form([self.goals[n] for n in goals], self.parts.around(seen, rings))
             found.setdefault(key, []).append(goals)
         return [Question(first, rings, alike) for first, *alike in found.values()]
 
-    def _parts(self, size: int) -> Iterator[tuple[list[int], dict[str, None]]]:
-        """The open goals of a place, or of several where they depend on much, and what they depend on."""
+    def _parts(self, few: int, most: int) -> Iterator[tuple[list[int], dict[str, None]]]:
+        """The open goals of places that lie together, and what they depend on."""
         goals: list[int] = []
         seen: dict[str, None] = {}
         for place in self.places:
             new = [n for n in place if not self.found[n].follows]
             self.parts.cone(chain.from_iterable(self.parts.read_by(self.goals[n]) for n in new), seen)
             goals += new
-            while len(goals) >= size:
-                yield goals[:size], seen
-                goals = goals[size:]
-            if goals and len(seen) <= NEAR:
+            while len(goals) >= most:
+                yield goals[:most], seen
+                goals = goals[most:]
+            if len(goals) >= few and len(seen) <= NEAR:
                 yield goals, seen
                 goals, seen = [], {}
         if goals:
