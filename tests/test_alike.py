@@ -65,6 +65,7 @@ def test_a_name_may_stand_for_another_in_one_list() -> None:
 def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[list[bool], int]:
     """Which goals follow in the end, and how many goals were put to a solver first."""
     monkeypatch.setattr(parts, "NEAR", near)
+    monkeypatch.setattr(parts, "FEW", 1)
     monkeypatch.setattr(
         parts, "HUB", 10
     )  # what a long line has by itself: nothing is read by a few facts of all places

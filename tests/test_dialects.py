@@ -67,6 +67,8 @@ def test_a_runtime_read_in_pieces_is_what_python_reads_at_once(size: int, monkey
         "        return {}\n",
         "    def scan(self, inputs, dt_ms):\n        return {}\n\n    def other(self):\n",
     ]
+    (found,) = compare_runtime(controller, text[:at] + "        dt_ms = True\n" + text[at:]).differences
+    assert f"line {text[:at].count(chr(10)) + 1}: dt_ms" in found.text
     for line in wrong:
         assert not compare_runtime(controller, text[:at] + line + text[at:]).proved, line
         assert not compare_runtime(controller, text + line).proved, line

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import multiprocessing
 from collections.abc import Callable, Sequence
+from multiprocessing.context import ForkProcess
+from queue import Empty
 from typing import Any
 
 Task = Callable[[], Any]
@@ -17,32 +19,62 @@ def _work(n: int) -> tuple[int, Any]:
 
 
 class Begun:
-    """Work that goes on in a process of its own beside what its owner does, until the end of a `with` block; without
-    forks it is done when its results are asked for."""
+    """Work that goes on in a process of its own beside what its owner does, until the end of a `with` block; what is
+    not begun there when its results are asked for, and all of it without forks, its owner does."""
 
     def __init__(self, tasks: Sequence[Task], jobs: int) -> None:
         """`jobs`: one process only means no process beside it."""
-        global _tasks
-        self._tasks, self._pool, self._answers = tasks, None, []
+        self._tasks = tasks
+        self._process: ForkProcess | None = None
         if jobs > 1 and _forks():
-            _tasks = tasks
-            self._pool = multiprocessing.get_context("fork").Pool(1)
-            _tasks = ()
-            self._answers = [self._pool.apply_async(_work, (n,)) for n in range(len(tasks))]
+            fork = multiprocessing.get_context("fork")
+            self._next = fork.Value("i", 0)
+            self._answers = fork.Queue()
+            self._process = fork.Process(target=self._work, daemon=True)
+            self._process.start()
+
+    def _take(self) -> int | None:
+        """The number of the first task that nobody has begun."""
+        with self._next.get_lock():
+            n = self._next.value
+            self._next.value += 1
+        return n if n < len(self._tasks) else None
+
+    def _work(self) -> None:
+        while (n := self._take()) is not None:
+            try:
+                self._answers.put((n, self._tasks[n](), None))
+            except Exception as error:
+                self._answers.put((n, None, error))
 
     def results(self) -> list[Any]:
-        """The results in the order of the tasks."""
-        if self._pool is None:
+        """The results in the order of the tasks; raises what a task raised."""
+        if self._process is None:
             return [task() for task in self._tasks]
-        return [answer.get()[1] for answer in self._answers]
+        found: dict[int, Any] = {}
+        while (n := self._take()) is not None:
+            found[n] = self._tasks[n]()
+        while len(found) < len(self._tasks):
+            alive = self._process.is_alive()
+            try:
+                n, result, error = self._answers.get(timeout=1)
+            except Empty:
+                if alive:
+                    continue
+                raise RuntimeError("a process has ended before its work was done") from None
+            if error is not None:
+                raise error
+            found[n] = result
+        return [found[n] for n in range(len(self._tasks))]
 
     def __enter__(self) -> Begun:
         return self
 
     def __exit__(self, *error: object) -> None:
         """What is not done yet is given up."""
-        if self._pool is not None:
-            self._pool.terminate()
+        if self._process is not None:
+            self._process.terminate()
+            self._process.join()
 
 
 def _forks() -> bool:

@@ -68,16 +68,19 @@ class _Reader:
     def scan(self) -> Scan:
         """Initial and next state, outputs and timers."""
         base: dict[str, Term] = {n: TRUE if v is True else FALSE for n, v in self.state.items() if type(v) is bool}
-        last: ast.stmt | None = None
+        outputs: dict[str, Term] | None = None
         for s in self._statements():
-            if last is not None:
-                self._assign(last)
-            last = s
-        if not isinstance(last, ast.Return) or not isinstance(last.value, ast.Dict):
+            if outputs is not None:
+                raise BadRuntime(f"{self._line(s)}: something follows the outputs")
+            if isinstance(s, ast.Return) and isinstance(s.value, ast.Dict):
+                outputs = self._dictionary(s.value)
+            else:
+                self._assign(s)
+        if outputs is None:
             raise BadRuntime("the outputs are not returned at the end")
         if set(self.timers) != set(self.presets):
             raise BadRuntime("TIMERS are not those that run")
-        return Scan(base, self.after, self._dictionary(last.value), self.timers)
+        return Scan(base, self.after, outputs, self.timers)
 
     def _statements(self) -> Iterator[ast.stmt]:
         """What the scan does after the fixed part, read in pieces: the tree of a large text takes a gigabyte.
@@ -89,29 +92,36 @@ class _Reader:
         starts = [m.start() for m in _STATEMENT.finditer(self.own)]
         if not starts or starts[0]:
             raise BadRuntime("nothing follows the fixed part")
-        begin, line = 0, self.before
+        begin = 0
         for end in (*starts[1:], len(self.own)):
             if end - begin < PIECE and end < len(self.own):
                 continue
             piece = self.own[begin:end]
-            function, *more = ast.parse("\n" * (line - 1) + "def scan():\n" + piece).body
+            try:
+                function, *more = ast.parse("def scan():\n" + piece).body
+            except SyntaxError as error:
+                raise BadRuntime(f"line {self.before + (error.lineno or 1) - 1}: {error.msg}") from None
             if more or not isinstance(function, ast.FunctionDef):
-                raise BadRuntime(f"line {function.end_lineno}: the scan ends")
+                raise BadRuntime(f"{self._line(more[0] if more else function)}: the scan ends")
             yield from function.body
-            begin, line = end, line + piece.count("\n")
+            begin = end
+            self.before += piece.count("\n")
+
+    def _line(self, x: ast.stmt | ast.expr) -> str:
+        return f"line {self.before + x.lineno - 1}"
 
     def _assign(self, s: ast.stmt) -> None:
         if not isinstance(s, ast.Assign) or len(s.targets) != 1:
-            raise BadRuntime(f"line {s.lineno}: no assignment")
+            raise BadRuntime(f"{self._line(s)}: no assignment")
         target, value = s.targets[0], s.value
         if isinstance(target, ast.Name):
             if target.id in RESERVED:
-                raise BadRuntime(f"line {s.lineno}: {target.id} is a name of the fixed part")
+                raise BadRuntime(f"{self._line(s)}: {target.id} is a name of the fixed part")
             self.values[target.id] = self.algebra.assigned(target.id, self._read(target.id, value))
         elif _dotted(target) == "self.state" and isinstance(value, ast.Dict) and not self.after:
             self.after = self._dictionary(value)
         else:
-            raise BadRuntime(f"line {s.lineno}: {ast.unparse(target)} is assigned")
+            raise BadRuntime(f"{self._line(s)}: {ast.unparse(target)} is assigned")
 
     def _read(self, name: str, x: ast.expr) -> Term:
         if isinstance(x, ast.Subscript) and isinstance(x.slice, ast.Constant):
@@ -141,7 +151,7 @@ class _Reader:
                 and not value.keywords
             )
             if not isinstance(key, ast.Constant) or not plain or key.value in found:
-                raise BadRuntime(f"line {x.lineno}: an entry that is no truth value, or comes twice")
+                raise BadRuntime(f"{self._line(x)}: an entry that is no truth value, or comes twice")
             assert isinstance(value, ast.Call)
             found[str(key.value)] = self._value(value.args[0])
         return found
@@ -163,7 +173,7 @@ class _Reader:
             number = right.value if isinstance(right, ast.Constant) and type(right.value) is int else None
             if isinstance(symbol, Symbol) and isinstance(x.ops[0], ast.Eq) and number is not None:
                 return eq(symbol.name, number)
-        raise BadRuntime(f"line {x.lineno}: {ast.unparse(x)} is not of the emitted shapes")
+        raise BadRuntime(f"{self._line(x)}: {ast.unparse(x)} is not of the emitted shapes")
 
 
 def _dotted(x: ast.expr) -> str:
