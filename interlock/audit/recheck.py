@@ -154,8 +154,9 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
         yield Finding(r.id, "devices", f"to be closed are {', '.join(sorted(secured)) or 'none'}")
     beside = {
         p.machine: Position.NORMAL
-        for p in layout.points
-        if layout.section_of(p.toe) in trip.sections and p.machine not in frozen_machines(r)
+        for s in trip.sections
+        for p in layout.points_in.get(s, ())
+        if p.machine not in frozen_machines(r)
     }
     if {p.machine: p.position for p in r.driven} != (beside if layout.principles.drive_points else {}):
         yield Finding(r.id, "driven", f"beside the path lie {', '.join(sorted(beside)) or 'no points'}")
@@ -192,9 +193,10 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
 
 def _slowest(layout: Layout, trip: Trip) -> int | None:
     """The lowest speed stated along the trip: of its sections, and of points passed over their reverse leg."""
-    limits = [s.speed for s in layout.sections if s.id in trip.sections]
+    limits = [layout.speed_of[s] for s in trip.sections]
     over = {m.edge for m in trip.moves}
-    limits += [p.speed for p in layout.points if p.reverse in over and p.toe in over]
+    here = [p for s in trip.sections for p in layout.points_in.get(s, ())]
+    limits += [p.speed for p in here if p.reverse in over and p.toe in over]
     return min((v for v in limits if v is not None), default=None)
 
 
@@ -219,19 +221,21 @@ def _aspect(layout: Layout, trip: Trip) -> tuple[Shows, SignalId | None]:
     if rule is not Caution.NEVER and slowest is not None and slowest < layout.principles.slow_below_kmh:
         return Shows.CAUTION, None
     last = trip.moves[-1]
-    leaves = [b for b in layout.boundaries if b.node == last.node and (b.approach is not None or b.block != "none")]
-    if rule is Caution.NEVER or leaves:
+    out = layout.boundary_at.get(last.node)
+    if rule is Caution.NEVER or (out is not None and (out.approach is not None or out.block != "none")):
         return Shows.CLEAR, None
     if rule is Caution.TURNOUT and _reversed(layout, trip):
         return Shows.CAUTION, None
-    ahead = [g for g in layout.signals if g.node == last.node and g.into != last.edge and g.kind != "shunt"]
+    onward = [e.id for e in layout.edges_at[last.node] if e.id != last.edge]
+    facing = [layout.signal_facing.get((last.node, e)) for e in onward]
+    ahead = [g for g in facing if g is not None and g.kind != "shunt"]
     return (Shows.NEXT, ahead[0].id) if ahead else (Shows.CAUTION, None)
 
 
 def _reversed(layout: Layout, trip: Trip) -> bool:
     """Whether the trip passes some point over its reverse leg."""
-    legs = {p.reverse: p.node for p in layout.points}
-    return any(legs.get(e) == a.node for a, b in pairwise(trip.moves) for e in (a.edge, b.edge))
+    passed = [(layout.point_at.get(a.node), a.edge, b.edge) for a, b in pairwise(trip.moves)]
+    return any(p is not None and p.reverse in edges for p, *edges in passed)
 
 
 def frozen_machines(r: RouteRow) -> set[MachineId]:
@@ -266,11 +270,9 @@ def _way_out(layout: Layout, edge: EdgeId, near: NodeId) -> tuple[MachineId, Pos
     section = layout.section_of(edge)
     for _ in layout.edges:
         near = layout.far(edge, near)
-        for p in layout.points:
-            if p.node == near:
-                if edge == p.toe:
-                    return None
-                return p.machine, Position.NORMAL if edge == p.normal else Position.REVERSE
+        p = layout.point_at.get(near)
+        if p is not None:
+            return None if edge == p.toe else (p.machine, Position.NORMAL if edge == p.normal else Position.REVERSE)
         further = [e.id for e in layout.edges_at[near] if e.id != edge and e.section == section]
         if near in layout.crossing_at or len(further) != 1:
             return None

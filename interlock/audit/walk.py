@@ -75,16 +75,14 @@ def signal_facing(layout: Layout, node: NodeId, onto: EdgeId) -> Signal | None:
     return layout.signal_facing.get((node, onto))
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=1 << 16)
 def standing_place(layout: Layout, section: SectionId) -> bool:
     """Whether vehicles may stand in a section: plain track, and every way out over a joint has a signal, one of them
     for shunting."""
     kinds = []
     if any(section in d.over for d in layout.devices):
         return False
-    for e in layout.edges:
-        if e.section != section:
-            continue
+    for e in layout.edges_in.get(section, ()):
         for node in (e.a, e.b):
             if node in layout.point_at or node in layout.crossing_at:
                 return False
@@ -130,7 +128,7 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
             split = sum(1 for a, b in itertools.pairwise(runs) if a != b) + 1 != len(sections)
             wanted: dict[MachineId, Position] = {}
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
-            clash = clash or any(p.work == "hand" and wanted.get(p.machine) == "R" for p in layout.points)
+            clash = clash or any(wanted.get(m) == "R" for m in layout.by_hand)
             diamonds = [m.node for m in moves[:-1] if m.node in layout.crossing_at]
             if not split and not clash and len(diamonds) == len(set(diamonds)):
                 blind = [s for s in sections if s in layout.undetected]
@@ -188,7 +186,7 @@ def _overruns(
             clash = any(wanted.setdefault(m, x) is not x for m, x in positions)
             over = {layout.section_of(m.edge) for m in moves}
             if checked:
-                clash = clash or any(p.work == "hand" and wanted.get(p.machine) == "R" for p in layout.points)
+                clash = clash or any(wanted.get(m) == "R" for m in layout.by_hand)
                 clash = clash or bool(over & layout.undetected)
             diamonds = [m.node for m in (*trip.moves, *moves) if m.node in layout.crossing_at]
             if not clash and not over & set(trip.sections) and len(diamonds) == len(set(diamonds)):

@@ -105,6 +105,19 @@ class Layout:
         return {p.node: p for p in self.points}
 
     @cached_property
+    def points_in(self) -> dict[SectionId, tuple[Point, ...]]:
+        """The points of a section: those whose toe lies in it."""
+        found: dict[SectionId, list[Point]] = {}
+        for p in self.points:
+            found.setdefault(self.section_of(p.toe), []).append(p)
+        return {s: tuple(ps) for s, ps in found.items()}
+
+    @cached_property
+    def speed_of(self) -> dict[SectionId, int | None]:
+        """The speed stated for each section, in km/h."""
+        return {s.id: s.speed for s in self.sections}
+
+    @cached_property
     def crossing_at(self) -> dict[NodeId, Crossing]:
         """The crossing that lies at a node."""
         return {c.node: c for c in self.crossings}
@@ -127,6 +140,14 @@ class Layout:
             found.setdefault(e.a, []).append(e)
             found.setdefault(e.b, []).append(e)
         return {n: tuple(es) for n, es in found.items()}
+
+    @cached_property
+    def edges_in(self) -> dict[SectionId, tuple[Edge, ...]]:
+        """The edges of a section."""
+        found: dict[SectionId, list[Edge]] = {}
+        for e in self.edges:
+            found.setdefault(e.section, []).append(e)
+        return {s: tuple(es) for s, es in found.items()}
 
     @cached_property
     def ends_of_machine(self) -> dict[MachineId, tuple[Point, ...]]:

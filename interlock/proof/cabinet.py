@@ -49,9 +49,9 @@ def compare_program(controller: Controller, a: Allocation, text: str) -> tuple[D
             wrong.append(Difference(str(name), "is not as it should be"))
     if len(program.body) != len(steps):
         wrong.append(Difference("body", f"has {len(program.body)} statements, not {len(steps)}"))
-    start = {i.name: i.restrictive for i in controller.inputs}
+    start, wires = {i.name: i.restrictive for i in controller.inputs}, {*a.written, valid}
     for d in program.locals:
-        if d.name in a.written or d.name == valid:
+        if d.name in wires:
             value = getattr(d.initial, "value", None)
             if value is None or int(value) != start[d.name]:
                 wrong.append(Difference(d.name, "does not begin with its restrictive value"))

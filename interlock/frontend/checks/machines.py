@@ -8,6 +8,7 @@ from interlock.model.layout import Layout
 
 def check_machines(ctx: Context, layout: Layout) -> None:
     """Report machines with more than two ends, and machines that bear another point's name."""
+    named = {str(q) for q in layout.point}
     for machine, ends in sorted(layout.ends_of_machine.items()):
         if len(ends) > 2:
             ctx.add(
@@ -17,7 +18,7 @@ def check_machines(ctx: Context, layout: Layout) -> None:
                 "a machine works one end, or the two of a crossover",
             )
         for p in ends:
-            if str(machine) in {str(q) for q in layout.point} and str(machine) != str(p.id):
+            if str(machine) in named and str(machine) != str(p.id):
                 ctx.add(
                     "IL2002",
                     f"the machine of {p.id} bears the name of the point {machine}",

@@ -333,12 +333,11 @@ def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             g = f.topo.signal_into.get((j, s))
             for k in f.functions(g) if g is not None else ():
                 coming.append(conj((f.locked_in(s, j), after(accepted(SignalId(str(g)), k)))))
-        for j, a, b, past in f.passed_joints():
-            if b == s:
-                as_train = neg(shunting(a)) if past else TRUE
-                for n, x in f.locks(a):
-                    if f.way(a, n)[1] == j:
-                        coming.append(after(conj((o(a), came(a, f.way(a, n)[0]), x, neg(rests(a)), as_train))))
+        for j, a, past in f.passed_into(s):
+            as_train = neg(shunting(a)) if past else TRUE
+            for n, x in f.locks(a):
+                if f.way(a, n)[1] == j:
+                    coming.append(after(conj((o(a), came(a, f.way(a, n)[0]), x, neg(rests(a)), as_train))))
         yield "L-RELEASE", s, implies(gone, conj((valid, neg(after(o(s))), neg(disj(coming)))))
         yield "L-HELD", s, implies(o(s), held)
         yield (

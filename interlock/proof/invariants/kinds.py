@@ -207,5 +207,17 @@ class Facts:
         """Every (joint, from, to) over which locks go on: no signal governs the passage, or (True) only a shunt one."""
         return self._passed
 
+    @cached_property
+    def _into(self) -> dict[SectionId, list[tuple[NodeId, SectionId, bool]]]:
+        """See `passed_into`."""
+        found: dict[SectionId, list[tuple[NodeId, SectionId, bool]]] = {}
+        for j, a, b, past in self._passed:
+            found.setdefault(b, []).append((j, a, past))
+        return found
+
+    def passed_into(self, s: SectionId) -> list[tuple[NodeId, SectionId, bool]]:
+        """The (joint, from, past) of these that lead into a section."""
+        return self._into.get(s, [])
+
 
 __all__ = ["Claim", "Facts", "Invariant", "SystemView", "conj", "neg"]

@@ -144,7 +144,7 @@ def _movement(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
         yield "M-BERTH-HELD", implies(o(s), disj((f.locked(s), overrun(f, s))))
         yield "M-BERTH-MODE", implies(moving, neg(shunting(s)))
         yield "M-BERTH-EMPTY", implies(conj((o(s), f.any_lock(s))), disj((f.been(s), overrun(f, s))))
-        leads = [f.locked_out(a, j) for j, a, b, past in f.passed_joints() if b == s and not past]
+        leads = [f.locked_out(a, j) for j, a, past in f.passed_into(s) if not past]
         yield "M-BERTH-ONE", at_most_one(leads)
         fresh = conj((f.any_lock(s), f.been(s), neg(f.used(s)), neg(f.stale(s))))
         yield "M-BERTH-UNUSED", implies(fresh, conj((o(s), disj(_coming(f, s)))))
