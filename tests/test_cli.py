@@ -30,9 +30,25 @@ def test_help_names_every_verb_and_the_first_command() -> None:
         assert f"  {verb} " in done.stdout
 
 
+def test_nothing_said_is_lost_at_the_end(tmp_path: Path) -> None:
+    """The process ends at once; what it wrote is there, and its code tells what happened."""
+    for args, code, said in (
+        (["prove", "layouts/fig2_2.yaml", "--format", "json"], 0, '"text_equals_controller": true'),
+        (["check", str(tmp_path / "none.yaml")], 1, "none.yaml"),
+        (["prove"], 2, "Usage"),
+    ):
+        done = process(*args)
+        assert done.returncode == code and said in done.stdout + done.stderr
+    out = tmp_path / "out.json"
+    with out.open("w") as file:
+        args = [sys.executable, "-m", "interlock.cli.main", "prove", "layouts/passing_loop.yaml", "--format", "json"]
+        subprocess.run(args, stdout=file, check=True)
+    assert json.loads(out.read_text())[0]["text_equals_controller"] is True
+
+
 def test_help_loads_neither_solver_nor_schema() -> None:
-    code = "import sys; sys.argv=['interlock','--help']\nfrom interlock.cli.main import main\n"
-    code += "try: main()\nexcept SystemExit: pass\n"
+    code = "import sys; sys.argv=['interlock','--help']\nfrom interlock.cli.main import cli\n"
+    code += "try: cli()\nexcept SystemExit: pass\n"
     code += "print(sorted({'z3', 'pydantic', 'lark', 'rich', 'jinja2'} & set(sys.modules)))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip().endswith("[]")

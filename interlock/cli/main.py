@@ -78,8 +78,8 @@ def main() -> None:
     gc.disable()  # expressions are shared and live to the end: the collector would only walk them again and again
     try:
         cli(standalone_mode=True)
-    except SystemExit:
-        raise
+    except SystemExit as end:
+        _leave(end.code)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
@@ -93,6 +93,18 @@ def main() -> None:
             err=True,
         )
         sys.exit(70)
+
+
+def _leave(code: int | str | None) -> None:
+    """End at once: to take apart what a large layout has built would take seconds."""
+    if isinstance(code, str):
+        click.echo(code, err=True)
+    try:
+        sys.stdout.flush()
+        sys.stderr.flush()
+    except BrokenPipeError:
+        os._exit(1)
+    os._exit(code if isinstance(code, int) else int(code is not None))
 
 
 if __name__ == "__main__":

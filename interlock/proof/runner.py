@@ -167,14 +167,7 @@ def _restart(system: System, invariants: Sequence[Invariant], limits: Limits) ->
 
     Most of the state has one value there: what is not true by these values alone is asked.
     """
-    fixed: dict[str, Expr] = {}
-    others: list[Expr] = []
-    for x in system.initial_parts:
-        leaf, value = (x.args[0], FALSE) if x.op is Op.NOT else (x, TRUE)
-        if leaf.op is not Op.VAR:
-            others.append(x)
-        elif fixed.setdefault(leaf.name, value) is not value:
-            raise RuntimeError("the restart states contradict each other")
+    fixed, others = _at_restart(system)
     put = Substitution(fixed)
     facts = [put(x) for x in others]
     cnf = Cnf()
@@ -190,6 +183,19 @@ def _restart(system: System, invariants: Sequence[Invariant], limits: Limits) ->
     for n, d in zip(left, found, strict=True):
         holds[n] = d.follows
     return holds
+
+
+def _at_restart(system: System) -> tuple[dict[str, Expr], list[Expr]]:
+    """The variables that have one value at a restart, and what is known besides."""
+    fixed: dict[str, Expr] = {}
+    others: list[Expr] = []
+    for x in system.initial_parts:
+        leaf, value = (x.args[0], FALSE) if x.op is Op.NOT else (x, TRUE)
+        if leaf.op is not Op.VAR:
+            others.append(x)
+        elif fixed.setdefault(leaf.name, value) is not value:
+            raise RuntimeError("the restart states contradict each other")
+    return fixed, others
 
 
 def _true(x: Expr, known: Mapping[str, bool], wanted: bool = True) -> bool:
@@ -272,10 +278,13 @@ def start_claim(system: System) -> Expr:
 def _start(system: System, limits: Limits) -> ClaimResult:
     """The restart: nothing commanded, all signals at stop, every section locked."""
     began = time.monotonic()
-    cnf = Cnf()
-    cnf.require(system.initial)
-    lit = cnf.literal(start_claim(system))
-    ok = solver(limits.engine, cnf, limits.query_ms).ask(-lit) is Answer.UNSAT
+    wanted = start_claim(system)
+    ok = _true(wanted, {name: x is TRUE for name, x in _at_restart(system)[0].items()})
+    if not ok:
+        cnf = Cnf()
+        cnf.require(system.initial)
+        literal = cnf.literal(wanted)
+        ok = solver(limits.engine, cnf, limits.query_ms).ask(-literal) is Answer.UNSAT
     return ClaimResult(
         "P-START",
         CLAIMS["P-START"],
