@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import partial
 
@@ -71,22 +72,28 @@ def prove_derived(
     if not derived.ok or derived.layout is None or derived.table is None:
         return Proved(derived), {}
     layout, limits = derived.layout, limits or Limits()
-    with Begun([partial(second_opinion, derived)], limits.jobs) as audit:
+    with ExitStack() as beside:
+        audit = beside.enter_context(Begun([partial(second_opinion, derived)], limits.jobs))
         controller = lower(layout, derived.table)
+        if not keep:  # a text that is only compared need not tell what is proved, and can be begun now
+            texts = beside.enter_context(
+                Begun(writers(layout, controller, _origin(layout), dialects, keep), limits.jobs)
+            )
         system = System(layout, controller)
         wanted = claims(Facts(system))
         hoped = _header(layout, if_proved(wanted), True)
-        with Begun(writers(layout, controller, hoped, dialects, keep), limits.jobs) as texts:
-            proof = prove(system, limits, progress, wanted)
-            checked = audited(derived, audit.results()[0])
-            if not checked.ok:
-                return Proved(checked), {}
-            header = _header(layout, proof.claims, proof.proved)
-            progress("comparing the text", 0, 1)
-            if header == hoped:
-                written = texts.results()
-            else:  # the texts tell what is proved
-                written = run(writers(layout, controller, header, dialects, keep), limits.jobs)
+        if keep:
+            texts = beside.enter_context(Begun(writers(layout, controller, hoped, dialects, keep), limits.jobs))
+        proof = prove(system, limits, progress, wanted)
+        checked = audited(derived, audit.results()[0])
+        if not checked.ok:
+            return Proved(checked), {}
+        header = _header(layout, proof.claims, proof.proved)
+        progress("comparing the text", 0, 1)
+        if header == hoped or not keep:
+            written = texts.results()
+        else:
+            written = run(writers(layout, controller, header, dialects, keep), limits.jobs)
     verdicts = [verdict for verdict, _ in written]
     files = {name: text for _, those in written for name, text in those.items()}
     notes = list(_notes(checked, proof))
@@ -139,14 +146,17 @@ def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
     return out
 
 
-def _header(layout: Layout, results: Sequence[ClaimResult], proved: bool) -> list[str]:
-    told = json.dumps(claims_json(results), sort_keys=True)
-    head = [
+def _origin(layout: Layout) -> list[str]:
+    return [
         f"Interlocking {layout.name}, made by interlock {__version__}. Standard program, not certified.",
         "Not an F-program.",
         f"layout {layout.digest}",
-        f"claims {hashlib.sha256(told.encode()).hexdigest()}",
     ]
+
+
+def _header(layout: Layout, results: Sequence[ClaimResult], proved: bool) -> list[str]:
+    told = json.dumps(claims_json(results), sort_keys=True)
+    head = [*_origin(layout), f"claims {hashlib.sha256(told.encode()).hexdigest()}"]
     if not proved:
         head.insert(0, "NOT PROVED: for study only, never for a railway")
     return head

@@ -22,7 +22,7 @@ from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import CLAIMS, Claim, Facts, Invariant, claims, strengthening
 from interlock.proof.limits import Limits
 from interlock.proof.parts import Decision, Goal, Inquiry, Start, decide
-from interlock.proof.pool import Task, run
+from interlock.proof.pool import Begun, Task, run
 from interlock.proof.search import search
 from interlock.proof.story import Story, tell
 from interlock.proof.system import System
@@ -132,23 +132,25 @@ def prove(
     """
     began = time.monotonic()
     limits = limits or Limits()
-    wanted = claims(Facts(system)) if wanted is None else wanted
-    found = list(strengthening(Facts(system)))
-    goals = [*(Goal(i.expr, later=True) for i in found), *(Goal(c.expr) for c in wanted)]
-    inquiry = Inquiry(system, [i.expr for i in found], goals, limits)
-    questions = inquiry.first()
-    tasks: list[Task] = [partial(witnesses, system), *(partial(inquiry.ask, q) for q in questions)]
-    tasks += [partial(_restart, system, found, limits), partial(_start, system, limits)]
-    done = 0
+    with Begun([partial(witnesses, system)], limits.jobs) as driven:
+        wanted = claims(Facts(system)) if wanted is None else wanted
+        found = list(strengthening(Facts(system)))
+        goals = [*(Goal(i.expr, later=True) for i in found), *(Goal(c.expr) for c in wanted)]
+        inquiry = Inquiry(system, [i.expr for i in found], goals, limits)
+        questions = inquiry.first()
+        tasks: list[Task] = [partial(inquiry.ask, q) for q in questions]
+        tasks += [partial(_restart, system, found, limits), partial(_start, system, limits)]
+        done = 0
 
-    def report(n: int) -> None:
-        nonlocal done
-        done += len(questions[n - 1]) if 0 < n <= len(questions) else 0
-        progress("proving", done, len(goals))
+        def report(n: int) -> None:
+            nonlocal done
+            done += len(questions[n]) if n < len(questions) else 0
+            progress("proving", done, len(goals))
 
-    runs, *answers, at_restart, start = run(tasks, limits.jobs, report)
-    for question, those in zip(questions, answers, strict=True):
-        inquiry.note(question, those)
+        *answers, at_restart, start = run(tasks, limits.jobs, report)
+        for question, those in zip(questions, answers, strict=True):
+            inquiry.note(question, those)
+        runs = driven.results()[0]
     decisions = inquiry.finish(partial(progress, "proving"))
     steps = [d.follows for d in decisions[: len(found)]]
     kept, dropped, obligations = _keep(system, found, at_restart, steps, limits, progress)
