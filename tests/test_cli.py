@@ -39,6 +39,10 @@ def test_nothing_said_is_lost_at_the_end(tmp_path: Path) -> None:
     ):
         done = process(*args)
         assert done.returncode == code and said in done.stdout + done.stderr
+    with Path("/dev/full").open("w") as full:
+        args = [sys.executable, "-m", "interlock.cli.main", "prove", "layouts/fig2_2.yaml"]
+        lost = subprocess.run(args, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    assert lost.returncode != 0 and "Traceback" not in lost.stderr
     out = tmp_path / "out.json"
     with out.open("w") as file:
         args = [sys.executable, "-m", "interlock.cli.main", "prove", "layouts/passing_loop.yaml", "--format", "json"]

@@ -16,10 +16,10 @@ from interlock.app.init import line
 from interlock.derive import derive
 from interlock.diag import Sink
 from interlock.frontend import load_text
-from interlock.logic.controller import Equation, Step
-from interlock.logic.expr import var
+from interlock.logic.controller import Equation, Input, Step
+from interlock.logic.expr import FALSE, TRUE, Substitution, var
 from interlock.logic.lower import lower
-from interlock.proof.translation import compare_st
+from interlock.proof.translation import Scan, compare_scan, compare_st, wires
 from interlock.st.ast import Assign, Expression, Nary, Not
 from interlock.st.lower import MAX_OPERANDS, lower_st
 from interlock.st.meaning import Symbols
@@ -228,6 +228,20 @@ def test_a_wire_is_only_what_its_variable_holds_when_it_is_read() -> None:
     assert not compare_st(controller, text[:begin] + made + "  AVN_P1 := FALSE;\n" + after).proved
     reader = after.index("  WF_DP_1 := ")  # what it reads of the wire is now older than the wire
     assert not compare_st(controller, text[:begin] + after[:reader] + made + after[reader:]).proved
+    a = controller.next[0].name
+    shadowed = replace(
+        controller, inputs=(*controller.inputs, Input(f"N_{a}", "an input that bears a next value's name"))
+    )
+    assert f"N_{a}" in wires(controller) and f"N_{a}" not in wires(shadowed)
+    right = Scan(
+        {s.name: TRUE if s.initial else FALSE for s in controller.state},
+        dict(controller.next_state),
+        {o.name: Substitution(controller.next_state)(o.expr) for o in controller.outputs},
+        {t.name: (controller.expanded[t.input], t.preset_ms) for t in controller.timers},
+    )
+    assert compare_scan(controller, right, 20_000).proved
+    wrong = replace(right, after={**right.after, a: var(f"N_{a}")})
+    assert not compare_scan(controller, wrong, 20_000).proved
     same = Symbols(known={"N_A": (var("b") & var("c"), var("next A"))})
     assert same.assigned("N_A", var("b") & var("c")) is var("next A")
     assert same.assigned("N_A", var("b")) is var("b") and same.assigned("B", var("b") & var("c")) is var("b") & var("c")

@@ -102,7 +102,7 @@ def _leave(code: int | str | None) -> None:
     try:
         sys.stdout.flush()
         sys.stderr.flush()
-    except BrokenPipeError:
+    except OSError:  # nobody reads on, or there is no room: what was said did not arrive
         os._exit(1)
     os._exit(code if isinstance(code, int) else int(code is not None))
 

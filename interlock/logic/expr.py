@@ -98,7 +98,7 @@ def _nary(op: Op, unit: Expr, zero: Expr, xs: Iterable[Expr]) -> Expr:
         if kind is op:
             flat.update(dict.fromkeys(x.args))
             inverse = True
-        elif kind > 1:
+        elif kind > 1:  # no constant
             flat[x] = None
             if kind is _NOT:
                 inverse = True

@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field
 from functools import cached_property
+from typing import TypeVar
 
 from interlock.model.elements import (
     Boundary,
@@ -41,6 +42,9 @@ from interlock.model.elements import (
     Zone,
 )
 from interlock.model.principles import Principles
+
+K = TypeVar("K")
+V = TypeVar("V")
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,10 +111,7 @@ class Layout:
     @cached_property
     def points_in(self) -> dict[SectionId, tuple[Point, ...]]:
         """The points of a section: those whose toe lies in it."""
-        found: dict[SectionId, list[Point]] = {}
-        for p in self.points:
-            found.setdefault(self.section_of(p.toe), []).append(p)
-        return {s: tuple(ps) for s, ps in found.items()}
+        return _grouped((self.section_of(p.toe), p) for p in self.points)
 
     @cached_property
     def speed_of(self) -> dict[SectionId, int | None]:
@@ -135,27 +136,17 @@ class Layout:
     @cached_property
     def edges_at(self) -> dict[NodeId, tuple[Edge, ...]]:
         """The edges that end at a node."""
-        found: dict[NodeId, list[Edge]] = {}
-        for e in self.edges:
-            found.setdefault(e.a, []).append(e)
-            found.setdefault(e.b, []).append(e)
-        return {n: tuple(es) for n, es in found.items()}
+        return _grouped((n, e) for e in self.edges for n in (e.a, e.b))
 
     @cached_property
     def edges_in(self) -> dict[SectionId, tuple[Edge, ...]]:
         """The edges of a section."""
-        found: dict[SectionId, list[Edge]] = {}
-        for e in self.edges:
-            found.setdefault(e.section, []).append(e)
-        return {s: tuple(es) for s, es in found.items()}
+        return _grouped((e.section, e) for e in self.edges)
 
     @cached_property
     def ends_of_machine(self) -> dict[MachineId, tuple[Point, ...]]:
         """The point ends that one machine works."""
-        found: dict[MachineId, list[Point]] = {}
-        for p in self.points:
-            found.setdefault(p.machine, []).append(p)
-        return {m: tuple(ps) for m, ps in found.items()}
+        return _grouped((p.machine, p) for p in self.points)
 
     @cached_property
     def device(self) -> dict[MachineId, Device]:
@@ -232,3 +223,11 @@ class Layout:
     def to_text(self) -> str:
         """One readable, canonical text form."""
         return json.dumps(asdict(self), indent=1, sort_keys=True, ensure_ascii=False)
+
+
+def _grouped(pairs: Iterable[tuple[K, V]]) -> dict[K, tuple[V, ...]]:
+    """The second of each pair, by the first."""
+    found: dict[K, list[V]] = {}
+    for key, value in pairs:
+        found.setdefault(key, []).append(value)
+    return {key: tuple(values) for key, values in found.items()}
