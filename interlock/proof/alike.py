@@ -58,6 +58,11 @@ class Forms:
             digest.update(array("q", [len(numbers), *numbers]).tobytes())
         return digest.hexdigest()
 
+    def of(self, meaning: Mapping[str, Expr], *lists: Sequence[Expr]) -> str:
+        """The digest of the form of lists of expressions over names with another meaning."""
+        self._meaning = meaning
+        return self.digest("", [(some, {}) for some in lists])
+
     def _note(self, some: Iterable[Expr], texts: list[int], leaves: list[str]) -> int:
         """Add the expressions' texts and leaves; how many they are."""
         of, before = self._of, len(texts)

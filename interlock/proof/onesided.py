@@ -7,9 +7,9 @@ definitions in both directions; the value of a node in a model means nothing, so
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
-from interlock.logic.expr import Expr, Op
+from interlock.logic.expr import Expr, Op, neg
 from interlock.proof.encode import Cnf
 
 _FORTH, _BACK, _BOTH = 1, 2, 3  # the literal implies the node; the node implies the literal
@@ -24,6 +24,7 @@ class OneSided(Cnf):
         self._meaning = meaning
         self._number: dict[Expr, int] = {}
         self._said: dict[Expr, int] = {}
+        self._plain: dict[Expr, int] = {}  # literals of names that have no meaning
 
     def require(self, x: Expr) -> None:
         """Add the expression as a fact."""
@@ -31,7 +32,16 @@ class OneSided(Cnf):
             for a in x.args:
                 self.require(a)
             return
-        parts = x.args if x.op is Op.OR else (x,)
+        parts: Sequence[Expr] = (x,)
+        if x.op is Op.OR:
+            parts = x.args
+        elif x.op is Op.NOT and x.args[0].op is Op.AND:
+            parts = [neg(a) for a in x.args[0].args]
+        plain = self._plain
+        literals = [plain.get(a, 0) for a in parts]
+        if 0 not in literals:
+            self.clauses.append(tuple(literals))
+            return
         split = [a for a in parts if _all_of(a)]
         if len(split) != 1:
             self.clauses.append(tuple([self._said_of(a) for a in parts]))
@@ -71,6 +81,11 @@ class OneSided(Cnf):
 
     def _said_of(self, root: Expr, sides: int = _FORTH) -> int:
         """The literal of an expression, with the clauses that say what it means."""
+        leaf = root.args[0] if root.op is Op.NOT else root
+        if leaf.op is Op.VAR and leaf.name not in self._meaning:
+            n = self._number.get(leaf) or self._literal_of(leaf)
+            self._plain[root] = n = n if leaf is root else -n
+            return n
         said, clauses, meaning, number = self._said, self.clauses, self._meaning, self._number
         stack = [(root, sides)]
         while stack:

@@ -14,19 +14,22 @@ from functools import cached_property, partial
 from itertools import chain
 from typing import Protocol
 
-from interlock.logic.expr import Expr, variables
+from interlock.logic.expr import TRUE, Expr, variables
 from interlock.logic.plant import Assumption
 from interlock.proof.alike import Forms
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, Sat, solver
 from interlock.proof.limits import Limits
+from interlock.proof.looks import Look, Looks, Seen
 from interlock.proof.onesided import OneSided
 from interlock.proof.pool import run
+from interlock.proof.views import Placed
 
 SMALL = 1500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
 FEW = 800  # at first a part of fewer goals is joined with the next place: neighbours share what they depend on
 NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
+LARGE = 20_000  # goals of a part that depends on more names than this are first looked at one place at a time
 HUB = 60  # a variable in more facts than this says nothing about what lies together
 
 
@@ -46,31 +49,12 @@ class Goal:
     later: bool = False
 
 
-class Theory(Protocol):
+class Theory(Placed, Protocol):
     """What is known beside the hypotheses: a system, for questions about its steps."""
-
-    @property
-    def definitions(self) -> Mapping[str, Expr]:
-        """Names of a step by what they mean, each after those that it reads."""
-        ...
-
-    @property
-    def assumptions(self) -> Sequence[Assumption]:
-        """Facts of every step."""
-        ...
 
     @property
     def places(self) -> Mapping[str, tuple[int, ...]]:
         """Where variables belong: numbers, such that near ones lie together."""
-        ...
-
-    @property
-    def later(self) -> Mapping[str, str]:
-        """The names of next values by those of the state."""
-        ...
-
-    def after(self, x: Expr) -> Expr:
-        """The expression one step later."""
         ...
 
 
@@ -82,6 +66,10 @@ class Start:
     assumptions: Sequence[Assumption] = ()
     places: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
     later: Mapping[str, str] = field(default_factory=dict)
+    members: Mapping[str, tuple[str, int]] = field(default_factory=dict)
+    requests: Sequence[str] = ()
+    homes: Mapping[str, str] = field(default_factory=dict)
+    beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def after(self, x: Expr) -> Expr:
         """There is no step."""
@@ -93,6 +81,7 @@ class Parts:
 
     def __init__(self, system: Theory, hypotheses: Sequence[Expr]) -> None:
         self.system = system
+        self.hypotheses = hypotheses
         self.facts = [*hypotheses, *(a.expr for a in system.assumptions)]
         self.forms = Forms(system.definitions)
         self._names: dict[Expr, tuple[str, ...]] = {}
@@ -262,34 +251,59 @@ class Question:
 class Inquiry:
     """Which goals follow from the hypotheses, the assumptions and the definitions of the step.
 
-    Part by part; what a part leaves open is asked again with more facts around it, and at last with all of them.
+    Part by part; what a part leaves open is asked again with more facts around it, and at last with all of them.  The
+    goals of parts that are very large are looked at first, one place at a time.
+
+    A goal that is not about the state one step later may be shown with the hypotheses about that state, too: it counts
+    only if the step keeps all hypotheses.
     """
 
     def __init__(self, system: Theory, hypotheses: Sequence[Expr], goals: Sequence[Goal], limits: Limits) -> None:
         self.parts = Parts(system, hypotheses)
         self.goals = goals
         self.limits = limits
-        self.found = [Decision(False, 0.0)] * len(goals)
+        self.found = [Decision(g.expr is TRUE, 0.0) for g in goals]
+        self.looked: dict[int, None] = {}
+        self.unseen: set[int] = set()
+
+    @cached_property
+    def looks(self) -> Looks:
+        """How goals are looked at."""
+        return Looks(self.parts.system, self.parts.hypotheses, self.limits)
 
     @cached_property
     def places(self) -> list[list[int]]:
         """The goals place by place."""
         return self.parts.places(self.goals)
 
-    def questions(self, rings: int) -> list[Question]:
-        """What is still open, one question for all parts that are alike."""
+    def questions(self, rings: int, look: bool = False) -> list[Question | Look]:
+        """What is still open, one question for all parts that are alike; goals of very large parts are looked at."""
         left = [n for n, d in enumerate(self.found) if not d.follows]
         if not left or not rings:
             return [Question(left, 0)] if left else []
         self.parts.prepare()
         found: dict[str, list[list[int]]] = {}
+        wide: list[int] = []
         most = max(1, min(GOALS, -(-len(left) // self.limits.jobs)))
         for goals, seen in self._parts(FEW if rings == 1 else 1, most):
+            if look and len(seen) > LARGE:
+                wide += goals
+                continue
             key = f"{len(found)}"  # a large part has no like
             if len(seen) <= NEAR:
                 key = self.parts.form([self.goals[n] for n in goals], self.parts.around(seen, rings))
             found.setdefault(key, []).append(goals)
-        return [Question(first, rings, alike) for first, *alike in found.values()]
+        return [*self._looks(wide, 1), *(Question(first, rings, alike) for first, *alike in found.values())]
+
+    def _looks(self, wide: Sequence[int], rings: int) -> list[Look]:
+        """Looks at goals by number."""
+        after = self.parts.system.after
+        goals = [(n, self.goals[n]) for n in wide]
+        return (
+            self.looks.looks([(n, after(g.expr) if g.later else g.expr, g.later) for n, g in goals], rings)
+            if wide
+            else []
+        )
 
     def _parts(self, few: int, most: int) -> Iterator[tuple[list[int], dict[str, None]]]:
         """The open goals of places that lie together, and what they depend on."""
@@ -308,29 +322,50 @@ class Inquiry:
         if goals:
             yield goals, seen
 
-    def first(self) -> list[Question]:
+    def first(self) -> list[Question | Look]:
         """The questions to begin with: one of all goals where they are few."""
-        return self.questions(0 if len(self.goals) <= SMALL else 1)
+        return self.questions(0 if len(self.goals) <= SMALL else 1, look=True)
 
-    def ask(self, question: Question) -> list[Decision]:
-        """Decide the goals of a question."""
+    def ask(self, question: Question | Look) -> list[Decision] | Seen:
+        """Decide the goals of a question, or look at them."""
+        if isinstance(question, Look):
+            return self.looks.see(question)
         return self.parts.decide([self.goals[n] for n in question.goals], self.limits, question.rings)
 
-    def note(self, question: Question, answers: Sequence[Decision]) -> None:
-        """Keep the answers to a question."""
+    def note(self, question: Question | Look, answers: Sequence[Decision] | Seen) -> None:
+        """Keep the answers to a question; what looks show counts when they are all done."""
+        if isinstance(question, Look):
+            assert isinstance(answers, Seen)
+            self.looked |= dict.fromkeys(question.goals)
+            self.unseen.update(answers.open)
+            return
+        assert not isinstance(answers, Seen)
         for n, answer in zip(question.goals, answers, strict=True):
             self.found[n] = answer
         for goals in question.alike:
             for n, answer in zip(goals, answers, strict=True):
                 self.found[n] = replace(answer, seconds=0.0)
 
+    def _conclude(self) -> list[int]:
+        """What all looks have shown follows; what not."""
+        for n in self.looked:
+            if n not in self.unseen:
+                self.found[n] = Decision(True, 0.0)
+        left = [n for n in self.looked if n in self.unseen]
+        self.looked, self.unseen = {}, set()
+        return left
+
     def finish(self, progress: Callable[[int, int], None]) -> list[Decision]:
         """All answers: what the first questions left open is asked again."""
+        if self.looked:
+            self.settle(self._looks(self._conclude(), 2), progress)
+            self._conclude()
+            self.settle(self.questions(1), progress)
         for rings in (2, 0) if len(self.goals) > SMALL else ():
             self.settle(self.questions(rings), progress)
         return self.found
 
-    def settle(self, questions: Sequence[Question], progress: Callable[[int, int], None]) -> None:
+    def settle(self, questions: Sequence[Question | Look], progress: Callable[[int, int], None]) -> None:
         """Decide questions, beside each other."""
         done = sum(d.follows for d in self.found)
 

@@ -15,7 +15,7 @@ from interlock.logic.plant import Assumption, Plant, TokenWires, Wiring, across,
 from interlock.model.elements import NodeId, SectionId, SignalId, Zone
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
-from interlock.proof.near import places
+from interlock.proof.near import homes, places, routes_of
 
 
 def wiring(controller: Controller, layout: Layout) -> Wiring:
@@ -182,6 +182,33 @@ class System:
     def places(self) -> Mapping[str, tuple[int, ...]]:
         """Variables by the numbers of the sections to which they belong."""
         return places(self.topo, self.symbols, PRIME)
+
+    @cached_property
+    def members(self) -> Mapping[str, tuple[str, int]]:
+        """The variables of routes: what they mean, and the route's number."""
+        known = {*self.state, *self.definitions}
+        return {name: of for name, of in routes_of(self.controller, PRIME).items() if name in known}
+
+    @property
+    def requests(self) -> tuple[str, ...]:
+        """The inputs that have the numbers of routes for values."""
+        return tuple(x for x in (self.symbols.request, self.symbols.local_request) if x is not None)
+
+    @cached_property
+    def homes(self) -> Mapping[str, str]:
+        """The elements to which other variables belong."""
+        return homes(self.topo, self.controller, self.definitions, self.inputs, PRIME, self.members)
+
+    @cached_property
+    def beside(self) -> Mapping[str, tuple[str, ...]]:
+        """The sections of each machine, by the names of these elements."""
+        at = self.layout.sections_of_machine
+        found = {f"point {m}": tuple(f"section {s}" for s in at[m]) for m in self.layout.machines}
+        first = {g.id: self.layout.section_of(g.into) for g in self.layout.signals}
+        found |= {f"signal {g}": (f"section {s}",) for g, s in first.items()}
+        return found | {
+            f"overlap {g}": (f"section {ways[0][0]}",) for (g, _), ways in self.symbols.overlap_ways.items()
+        }
 
     def output(self, name: str) -> Expr:
         """An output of the controller, by name."""

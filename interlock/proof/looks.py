@@ -1,0 +1,96 @@
+"""Goals of a large system decided view by view: see `views.py`."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from interlock.logic.expr import Expr
+from interlock.proof.alike import Forms
+from interlock.proof.engines import Answer, solver
+from interlock.proof.limits import Limits
+from interlock.proof.onesided import OneSided
+from interlock.proof.scenes import scenes
+from interlock.proof.sight import view
+from interlock.proof.views import Placed, Scene, View, Views
+
+CHUNK = 60  # scenes that are looked at one after the other by one process
+
+
+@dataclass(frozen=True)
+class Look:
+    """Scenes, the goals that are in them, and how far around a view goes."""
+
+    scenes: Sequence[Scene]
+    goals: Sequence[int]
+    rings: int
+
+    def __len__(self) -> int:
+        return len(self.goals)
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """The goals that a look has left open, and the seconds that it took."""
+
+    open: tuple[int, ...]
+    seconds: float
+
+
+class Looks:
+    """Looks at goals, and what they show."""
+
+    def __init__(self, system: Placed, hypotheses: Sequence[Expr], limits: Limits) -> None:
+        """`hypotheses`: the invariants."""
+        self.views = Views(system, hypotheses)
+        self.limits = limits
+        self._forms = Forms({})
+        self._known: dict[str, list[bool]] = {}
+
+    def looks(self, goals: Iterable[tuple[int, Expr, bool]], rings: int) -> list[Look]:
+        """The goals, each with its number and whether it is a part of the induction, in so many looks; some are in
+        none."""
+        found = scenes(self.views, goals, rings)
+        return [
+            Look(some, tuple(dict.fromkeys(n for s in some for n in s.goals)), rings)
+            for some in (found[k : k + CHUNK] for k in range(0, len(found), CHUNK))
+        ]
+
+    def see(self, look: Look) -> Seen:
+        """What a look shows."""
+        began = time.perf_counter()
+        left: dict[int, None] = {}
+        for scene in look.scenes:
+            seen = view(self.views, scene, look.rings)
+            for (_, goals), follows in zip(seen.asked, self._decided(seen), strict=True):
+                if not follows:
+                    left |= dict.fromkeys(goals)
+        return Seen(tuple(left), time.perf_counter() - began)
+
+    def _decided(self, seen: View) -> list[bool]:
+        """What follows in a view; in one that is another but for names, the same."""
+        form = self._forms.of(seen.definitions, [x for x, _ in seen.asked], seen.facts)
+        found = self._known.get(form)
+        if found is None:
+            key = self.limits.cache.key(lambda: form, self.limits.engine)
+            found = self.limits.cache.known(key, len(seen.asked))
+            if not all(found):
+                found = self._asked(seen)
+                self.limits.cache.keep(key, found)
+            self._known[form] = found
+        return found
+
+    def _asked(self, seen: View) -> list[bool]:
+        cnf = OneSided(seen.definitions)
+        for x in seen.facts:
+            cnf.require(x)
+        literals = [cnf.question(x) for x, _ in seen.asked]
+        sat = solver(self.limits.engine, cnf, self.limits.query_ms)
+        found = []
+        for literal in literals:
+            follows = sat.ask(-literal) is Answer.UNSAT
+            if follows:
+                sat.learn(literal)
+            found.append(follows)
+        return found

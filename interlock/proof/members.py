@@ -1,0 +1,280 @@
+"""What a system says of each route, apart from what it says of places.
+
+Every route has the same variables (set, locked, proceed, ...), and the definitions of places read those of many routes.
+A variable of a route is named here by its *family*, what it means, and by its *member*, the route's number.  What is
+said of a member is taken apart into *traits*, expressions over names and families: a variable of the family implies
+what the trait says of the same member.  A trait is kept once, with all the members that have it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import IntEnum
+from typing import Protocol
+
+from interlock.logic.expr import Expr, Op, Substitution, disj, neg, rebuild, var
+from interlock.logic.plant import Assumption
+
+OF = "#"  # names of families in an expression begin with this, and no other names do
+VALUE = "="  # the families of comparisons end with this: different members are different values of one variable
+MANY = 64  # clauses of one expression
+
+Member = tuple[str, int]
+
+
+class Kind(IntEnum):
+    """Where a trait is from: a definition, an assumption, or an invariant."""
+
+    DEFINED = 0
+    ASSUMED = 1
+    KEPT = 2
+
+
+class Routed(Protocol):
+    """A system that tells which of its variables belong to routes."""
+
+    @property
+    def definitions(self) -> Mapping[str, Expr]:
+        """Names of a step by what they mean."""
+        ...
+
+    @property
+    def assumptions(self) -> Sequence[Assumption]:
+        """Facts of every step."""
+        ...
+
+    @property
+    def members(self) -> Mapping[str, Member]:
+        """Family and member of the variables of routes."""
+        ...
+
+    @property
+    def requests(self) -> Sequence[str]:
+        """Small-range variables that have the numbers of routes for values."""
+        ...
+
+
+@dataclass(eq=False, slots=True)
+class Trait:
+    """A variable of the family implies the expression, for each of the members.
+
+    families: those that it reads.  lifts: it reads them only as true, so that what holds of each of some members holds
+    of them all together.  spreads: what it says of them together is just what it says of one of them or another.
+    """
+
+    number: int
+    family: str
+    kind: Kind
+    expr: Expr
+    names: tuple[str, ...]
+    families: tuple[str, ...]
+    lifts: bool
+    spreads: bool
+    members: list[int] = field(default_factory=list)
+
+
+class Members:
+    """The definitions and facts of a system, sorted into those of routes and those of places."""
+
+    def __init__(self, system: Routed, hypotheses: Sequence[Expr]) -> None:
+        """`hypotheses`: the invariants; they hold before the step."""
+        self._member = system.members
+        self._numbers = {number for _, number in self._member.values()}
+        self._requests = frozenset(system.requests)
+        self._read: dict[Expr, tuple[tuple[str, ...], tuple[Member, ...]]] = {}
+        self._families: dict[Expr, tuple[str, ...]] = {}
+        self._traits: dict[tuple[str, Kind, Expr], Trait] = {}
+        self.defining: dict[Member, list[Trait] | None] = {}
+        """The traits that together are the definition of a member's variable; None where traits cannot tell it."""
+        self.telling: dict[Member, list[Trait]] = {}
+        """What facts say of a member's variable."""
+        self.meaning: dict[str, Expr] = {}
+        """The definitions of all other names."""
+        self.plain: list[tuple[Expr, Kind]] = []
+        """Facts that read no routes."""
+        self.mixed: list[tuple[Expr, Kind]] = []
+        """Facts that read several routes."""
+        same = self._same_names(system)
+        self._same = {self._member[name] for name in same}
+        self._put = Substitution({name: var(other) for name, other in same.items()})
+        for name, x in system.definitions.items():
+            member = self._member.get(name)
+            if member is None:
+                self.meaning[name] = self.named(x)
+            elif name in same:
+                continue
+            else:
+                meant = self.named(system.definitions[x.name] if x.op is Op.VAR and same.get(x.name) == name else x)
+                traits = [self._trait(member, Kind.DEFINED, a) for a in _all(meant)]
+                self.defining[member] = None if None in traits else [t for t in traits if t is not None]
+        for kind, facts in ((Kind.KEPT, hypotheses), (Kind.ASSUMED, [a.expr for a in system.assumptions])):
+            for x in facts:
+                for fact in _all(self.named(x)):
+                    self._sort(fact, kind)
+        self.traits = list(self._traits.values())
+
+    def _same_names(self, system: Routed) -> dict[str, str]:
+        """Variables of routes that others are defined to be, and these."""
+        found: dict[str, str] = {}
+        for name in self._member:
+            x = system.definitions.get(name)
+            if x is not None and x.op is Op.VAR and x.name in self._member and x.name in system.definitions:
+                found.setdefault(x.name, name)
+        return {name: other for name, other in found.items() if other not in found}
+
+    def named(self, x: Expr) -> Expr:
+        """The expression with one name for what has two."""
+        return x if self._same.isdisjoint(self.read(x)[1]) else self._put(x)
+
+    def read(self, x: Expr) -> tuple[tuple[str, ...], tuple[Member, ...]]:
+        """The names and the members that an expression reads."""
+        found = self._read.get(x)
+        if found is None:
+            names: dict[str, None] = {}
+            members: dict[Member, None] = {}
+            todo, done = [x], set()
+            while todo:
+                y = todo.pop()
+                if y.args:
+                    if y not in done:
+                        done.add(y)
+                        todo.extend(y.args)
+                elif y.name:
+                    of = self.of(y)
+                    if of is None:
+                        names[y.name] = None
+                    else:
+                        members[of] = None
+            found = self._read[x] = tuple(names), tuple(members)
+        return found
+
+    def families(self, x: Expr) -> tuple[str, ...]:
+        """The families that an expression over families reads."""
+        found = self._families.get(x)
+        if found is None:
+            found = self._families[x] = tuple(n[1:] for n in self.read(x)[0] if n[0] == OF)
+        return found
+
+    def of(self, x: Expr) -> Member | None:
+        """Family and member of a variable or comparison, if it belongs to a route."""
+        if x.op is Op.VAR:
+            return self._member.get(x.name)
+        numbered = x.op is Op.EQ and x.name in self._requests and x.value in self._numbers
+        return (x.name + VALUE, x.value) if numbered else None
+
+    def _sort(self, fact: Expr, kind: Kind) -> None:
+        """A fact of one member becomes traits."""
+        _, members = self.read(fact)
+        if not members:
+            self.plain.append((fact, kind))
+        elif len({number for _, number in members}) > 1:
+            self.mixed.append((fact, kind))
+        else:
+            for clause in clauses(fact):
+                self._tell(clause, kind)
+
+    def _tell(self, clause: Sequence[Expr], kind: Kind) -> None:
+        """A clause in which some variable of the member is false tells of that one; another is left out."""
+        for n, x in enumerate(clause):
+            member = self.of(x.args[0]) if x.op is Op.NOT else None
+            if member is not None:
+                trait = self._trait(member, kind, disj([*clause[:n], *clause[n + 1 :]]))
+                if trait is not None:
+                    self.telling.setdefault(member, []).append(trait)
+                return
+
+    def _trait(self, member: Member, kind: Kind, x: Expr) -> Trait | None:
+        """What is said of one member; None where it reads another one."""
+        family, number = member
+        expr = self.abstract(x, number)
+        if expr is None:
+            return None
+        trait = self._traits.get((family, kind, expr))
+        if trait is None:
+            names = self.read(expr)[0]
+            families = tuple(n[1:] for n in names if n[0] == OF)
+            spreads = not families or _any_of(expr)
+            trait = self._traits[family, kind, expr] = Trait(
+                len(self._traits),
+                family,
+                kind,
+                expr,
+                tuple(n for n in names if n[0] != OF),
+                families,
+                _positive(expr, True),
+                spreads,
+            )
+        trait.members.append(number)
+        return trait
+
+    def abstract(self, x: Expr, number: int) -> Expr | None:
+        """The expression over families instead of a member's variables; None where it reads another member."""
+        if x.args:
+            args = [self.abstract(a, number) for a in x.args]
+            return None if None in args else rebuild(x, tuple(a for a in args if a is not None))
+        member = self.of(x) if x.name else None
+        if member is None:
+            return x
+        return var(OF + member[0]) if member[1] == number else None
+
+    def pieces(self, goal: Expr) -> tuple[int, list[Expr]]:
+        """The only member that a goal reads, and expressions over families that together are the goal."""
+        _, members = self.read(goal)
+        number = members[0][1]
+        found = []
+        for fact in _all(goal):
+            for clause in clauses(fact):
+                piece = self.abstract(disj(clause), number)
+                assert piece is not None  # the goal reads no other member
+                found.append(piece)
+        return number, found
+
+
+def _all(x: Expr) -> tuple[Expr, ...]:
+    return x.args if x.op is Op.AND else (x,)
+
+
+def _parts(x: Expr) -> Sequence[Expr]:
+    """The parts of an expression that says several things at once; none of any other."""
+    if x.op is Op.AND:
+        return x.args
+    if x.op is Op.NOT and x.args[0].op is Op.OR:
+        return [neg(a) for a in x.args[0].args]
+    return ()
+
+
+def clauses(x: Expr) -> Iterator[list[Expr]]:
+    """Disjunctions that together are the expression; where they would be too many, some are not taken apart."""
+    todo, left = [[x]], MANY
+    while todo:
+        clause = [b for a in todo.pop() for b in _alternatives(a)]
+        n = next((n for n, a in enumerate(clause) if _parts(a)), None)
+        if n is None or left <= 0:
+            yield clause
+            continue
+        parts = _parts(clause[n])
+        left -= len(parts)
+        todo.extend([*clause[:n], p, *clause[n + 1 :]] for p in reversed(parts))
+
+
+def _alternatives(x: Expr) -> Sequence[Expr]:
+    if x.op is Op.OR:
+        return x.args
+    if x.op is Op.NOT and x.args[0].op is Op.AND:
+        return [neg(a) for a in x.args[0].args]
+    return (x,)
+
+
+def _positive(x: Expr, side: bool) -> bool:
+    """No family is read as false."""
+    if x.op is Op.NOT:
+        return _positive(x.args[0], not side)
+    if x.args:
+        return all(_positive(a, side) for a in x.args)
+    return side or x.name[:1] != OF
+
+
+def _any_of(x: Expr) -> bool:
+    """A disjunction of families."""
+    return all(a.op is Op.VAR and a.name[0] == OF for a in (x.args if x.op is Op.OR else (x,)))

@@ -1,0 +1,380 @@
+"""The making of one view: names and facts that are near, routes that a place cannot tell apart, what is known of them.
+
+See `views.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from interlock.logic.expr import FALSE, TRUE, Expr, Op, conj, disj, implies, neg, rebuild, var
+from interlock.proof.members import OF, VALUE, Kind, Member, Trait
+from interlock.proof.views import Group, Scene, View, Views, bits_of
+
+HUB = 60  # a name in more facts than this says nothing about what lies together
+
+
+def _variable(family: str, crowd: int) -> Expr:
+    return var(f"{OF}{crowd} {family}")
+
+
+def _of_crowd(x: Expr, crowd: int) -> Expr:
+    if x.args:
+        return rebuild(x, tuple(_of_crowd(a, crowd) for a in x.args))
+    return _variable(x.name[1:], crowd) if x.name[:1] == OF else x
+
+
+class _Sight:
+    """The making of one view."""
+
+    def __init__(self, views: Views, scene: Scene, rings: int) -> None:
+        self.views = views
+        self.members = views.members
+        self.scene = scene
+        self.rings = rings
+        self.seen: dict[str, None] = {}
+        """The names that are seen."""
+        self.free: set[str] = set()
+        """Those of them that are left undefined."""
+        self.families: dict[str, None] = {}
+        self.asked_families: set[str] = set()
+        self.asked_names: set[str] = set()
+        self.near: dict[str, None] = dict.fromkeys(scene.homes)
+        self.crowds: list[int] = []
+        """The crowds' members, as bits."""
+        self.alone: dict[int, int] = {}
+        """Crowds of one member that goals speak of, and all members that are like it: the rest is the crowd after."""
+        self.traits: dict[str, list[tuple[Trait, bool]]] = {}
+        """The traits that the view can tell, by their family: now, or after the step."""
+        self.whole: dict[str, int] = {}
+        """By family the members of which the view can tell the definition, all of it."""
+        self.definitions: dict[str, Expr] = {}
+        self.facts: list[Expr] = []
+        self.reached: dict[Member, None] = {}
+        self.nodes: dict[Expr, Group] = {}
+        self.done: dict[Expr, Expr] = {}
+
+    # --- which names ---------------------------------------------------------------------------
+
+    def look(self) -> None:
+        """Find the names near the goals."""
+        m, homes = self.members, self.views.homes
+        names: dict[str, None] = {}
+        families: dict[str, None] = {}
+        for _, x in self.scene.whole:
+            names |= dict.fromkeys(m.read(x)[0])
+            families |= dict.fromkeys(self.views.families_in(x))
+        for x, _ in self.scene.pieces:
+            for v in m.read(x)[0]:
+                if v[0] == OF:
+                    families[v[1:]] = None
+                else:
+                    names[v] = None
+        self.asked_families, self.asked_names = set(families), set(names)
+        self.near |= dict.fromkeys(homes[v] for v in names if v in homes)
+        self.reach(names, families, self.near)
+
+    def reach(self, names: Iterable[str], families: Iterable[str], near: Iterable[str]) -> None:
+        """See names, what they mean, and what families of which they speak say of the elements that are near."""
+        todo, fresh = list(names), list(families)
+        while todo or fresh:
+            while fresh:
+                f = fresh.pop()
+                if f not in self.families:
+                    self.families[f] = None
+                    for told, at in self.told(f):
+                        fresh.extend(told)
+                        for h in near:
+                            todo.extend(at.get((f, h), ()))
+            while todo:
+                v = todo.pop()
+                if v not in self.seen:
+                    self.seen[v] = None
+                    if self.hidden(v):
+                        self.free.add(v)
+                    else:
+                        todo.extend(self.views.reads.get(v, ()))
+                        meant = self.members.meaning.get(v)
+                        if meant is not None:
+                            fresh.extend(self.views.families_in(meant))
+
+    def told(self, family: str) -> Iterator[tuple[Iterable[str], Mapping[tuple[str, str], Iterable[str]]]]:
+        """The families that a family's traits read, and the names by element: now, and after the step."""
+        if not self.assumed(family):
+            yield self.views.families.get(family, ()), self.views.names_at
+        if self.scene.after:
+            yield self.views.families_kept.get(family, ()), self.views.names_kept
+
+    def assumed(self, family: str) -> bool:
+        """Only invariants tell of the family: its next values are not looked into."""
+        return self.scene.after and family in self.views.family_before and family not in self.asked_families
+
+    def hidden(self, v: str) -> bool:
+        """A name that is not looked into."""
+        if not self.scene.after:
+            return False
+        if self.views.before.get(v) in self.views.kept:
+            return True
+        return v not in self.asked_names and self.views.reads_routes(v)
+
+    # --- which facts ---------------------------------------------------------------------------
+
+    def around(self) -> dict[int, None]:
+        """Facts that speak of the names."""
+        found: dict[int, None] = {}
+        for v in self.seen:
+            at = self.views.facts_at.get(self.views.before.get(v, "") if self.scene.after else v, ())
+            if len(at) <= HUB:
+                found |= dict.fromkeys(at)
+        if self.scene.after:
+            return {n: None for n in found if self.members.plain[n][1] is Kind.KEPT}
+        return found
+
+    def widen(self) -> None:
+        """See the names of the facts too."""
+        later = self.views.system.later
+        for n in self.around():
+            names = self.members.read(self.members.plain[n][0])[0]
+            self.reach([later.get(v, v) for v in names] if self.scene.after else names, (), ())
+        near = {h: None for v in self.seen if (h := self.views.homes.get(v)) is not None}
+        families, self.families = self.families, {}
+        self.reach((), families, near)
+
+    def deepen(self, facts: Iterable[int]) -> None:
+        """See what names mean that stand in facts of which the view sees all else."""
+        m, homes = self.members, self.views.homes
+        near = {h for v in self.seen if (h := homes.get(v)) is not None}
+        for n in facts:
+            names = m.read(m.plain[n][0])[0]
+            if all(
+                v in self.seen or v in m.meaning or (v in self.views.system.later and homes.get(v) in near)
+                for v in names
+            ):
+                self.reach(names, (), ())
+
+    def collect(self) -> tuple[list[Expr], list[Expr]]:
+        """The facts of places, and those of several members."""
+        m, after = self.members, self.views.system.after
+        found = self.around()
+        if self.scene.after:
+            return [after(m.plain[n][0]) for n in found], []
+        self.deepen(found)
+        wide = {n: None for v in self.seen for n in self.views.wide_at.get(v, ())}
+        mixed = {n: None for v in self.seen if len(at := self.views.mixed_at.get(v, ())) <= HUB for n in at}
+        parts = [x for n in wide if (x := self.said(m.plain[n][0], True)) is not TRUE]
+        return [*(m.plain[n][0] for n in found), *parts], [m.mixed[n][0] for n in mixed]
+
+    def said(self, x: Expr, side: bool) -> Expr:
+        """What a fact says of the names that are seen."""
+        if x.op is Op.NOT:
+            return neg(self.said(x.args[0], not side))
+        if not x.args:
+            return x if x.name in self.seen else (TRUE if side else FALSE)
+        return rebuild(x, tuple(self.said(a, side) for a in x.args))
+
+    # --- crowds --------------------------------------------------------------------------------
+
+    def part(self, kept: Iterable[Expr]) -> None:
+        """Sort the members that are read into crowds."""
+        marks: list[int] = []
+        for x in kept:
+            for group in self.views.groups(x):
+                if group.node not in self.nodes:
+                    self.nodes[group.node] = group
+                    marks += [members for _, members in group.members]
+        spoken = 0
+        for _, by in self.scene.pieces:
+            some = sum(1 << i for i in by)
+            marks.append(some)
+            spoken |= some
+        every = 0
+        for some in marks:
+            every |= some
+        told = {t for t, then in self.telling() if not then}
+        fulls = list(self.views.full_at.get(None, ()))
+        fulls += [f for t in told for f in self.views.full_at.get(t, ()) if told.issuperset(f.named)]
+        for f in fulls:
+            self.whole[f.family] = self.whole.get(f.family, 0) | f.members
+        traits = [self.views.bits[t] for those in self.traits.values() for t, _ in those]
+        classes = [every] if every else []
+        for some in (*marks, *traits, *self.views.bare, *(f.members for f in fulls)):
+            if some & every and any(c & some and c & ~some for c in classes):
+                classes = [part for c in classes for part in (c & some, c & ~some) if part]
+        for members in classes:
+            if members & spoken:
+                first = members & -members
+                self.alone[len(self.crowds)] = members
+                self.crowds += [first, members ^ first]
+            else:
+                self.crowds.append(members)
+
+    def telling(self) -> list[tuple[Trait, bool]]:
+        """The traits of which all names are seen, now and after the step; kept by family."""
+        found: list[tuple[Trait, bool]] = []
+        hits: dict[Trait, int] = {}
+        views, after = self.views, self.scene.after
+        for v in self.seen:
+            for t in views.traits_at.get(v, ()):
+                if not after or t.kind is Kind.DEFINED:
+                    hits[t] = hits.get(t, 0) + 1
+                    if hits[t] == len(t.names):
+                        found.append((t, False))
+                        self.traits.setdefault(t.family, []).append((t, False))
+        hits = {}
+        for v in self.seen if after else ():
+            for t in views.traits_at.get(views.before.get(v, ""), ()):
+                if t in views.later_of:
+                    hits[t] = hits.get(t, 0) + 1
+                    if hits[t] == len(t.names):
+                        found.append((t, True))
+                        self.traits.setdefault(views.then[t.family], []).append((t, True))
+        return found
+
+    # --- the small system ----------------------------------------------------------------------
+
+    def variable(self, family: str, crowd: int) -> Expr:
+        """The variable of a crowd."""
+        self.reached[family, crowd] = None
+        return _variable(family, crowd)
+
+    def merged(self, root: Expr) -> Expr:
+        """An expression over crowds instead of members."""
+        return self._merge(root) if self.members.read(root)[1] else root
+
+    def _merge(self, x: Expr) -> Expr:
+        known = self.done.get(x)
+        if known is not None:
+            return known
+        group = self.nodes.get(x)
+        if group is None:
+            new = rebuild(x, tuple(self._merge(a) for a in x.args)) if x.args else x
+        else:
+            those = [
+                self.variable(family, c)
+                for family, members in group.members
+                for c, crowd in enumerate(self.crowds)
+                if crowd & members
+            ]
+            if x.op is Op.AND:
+                new = conj([*map(self._merge, group.rest), *map(neg, those)])
+            else:
+                new = disj([*map(self._merge, group.rest), *those])
+        self.done[x] = new
+        return new
+
+    def tell(self, family: str, crowd: int) -> None:
+        """What is known of a crowd's variable."""
+        members = self.crowds[crowd]
+        first = members & -members
+        i = first.bit_length() - 1
+        single = members == first
+        x = self.variable(family, crowd)
+        bits = self.views.bits
+        mine = [key for key in self.traits.get(family, ()) if bits[key[0]] & first]
+        if not self.assumed(family):
+            defining = self.members.defining.get((family, i)) or []
+            if self.whole.get(family, 0) & first and (single or self.spread(defining, i)):
+                self.definitions[x.name] = conj(self.of_crowd(t.expr, crowd) for t in defining)
+            else:
+                told = {t for t, then in mine if not then}
+                some = (t for t in defining if t in told or not t.names)
+                self.imply(x, (t.expr for t in some if single or t.lifts), crowd)
+        if not self.scene.after:
+            facts = [t for t in self.members.telling.get((family, i), ()) if not t.names]
+            facts += [t for t, _ in mine if t.kind is not Kind.DEFINED]
+            self.imply(x, (t.expr for t in facts if single or t.lifts), crowd)
+        elif family in self.views.family_before:
+            before = self.members.telling.get((self.views.family_before[family], i), ())
+            kept = [t for t in before if not t.names and t in self.views.later_of] + [t for t, then in mine if then]
+            self.imply(x, (self.views.later_of[t][0] for t in kept if single or t.lifts), crowd)
+
+    def spread(self, defining: Sequence[Trait], i: int) -> bool:
+        """The definition of a member is that of its crowd too: one trait of it differs from member to member at most,
+        and that one is a disjunction."""
+        varying = [t for t in defining if not all(self.common(f, i) for f in t.families)]
+        return all(t.spreads for t in defining) and len(varying) <= 1
+
+    def common(self, family: str, i: int) -> bool:
+        """The family is defined, and the same for all members of a crowd."""
+        defining = self.members.defining.get((family, i))
+        return bool(self.whole.get(family, 0) >> i & 1) and not any(t.families for t in defining or ())
+
+    def imply(self, x: Expr, exprs: Iterable[Expr], crowd: int) -> None:
+        """A crowd's variable implies what is said of its members."""
+        self.facts += [implies(x, self.of_crowd(e, crowd)) for e in exprs]
+
+    def of_crowd(self, x: Expr, crowd: int) -> Expr:
+        """An expression over families, of a crowd."""
+        for f in self.members.families(x):
+            self.reached[f, crowd] = None
+        known = self.views.of_crowd.get((x, crowd))
+        if known is None:
+            known = self.views.of_crowd[x, crowd] = _of_crowd(x, crowd)
+        return known
+
+    def view(self) -> View:
+        """All of it."""
+        self.look()
+        if self.rings > 2 or (self.rings == 2 and self.scene.after):
+            self.widen()
+        if self.rings == 2 and not self.scene.after:
+            near = {
+                h: None
+                for v in self.seen
+                if v in self.views.system.later and (h := self.views.homes.get(v)) is not None
+            }
+            for h in near:
+                self.seen |= dict.fromkeys(self.views.states_at.get(h, ()))
+        facts, mixed = self.collect()
+        meaning = self.members.meaning
+        defined = {v: meaning[v] for v in self.seen if v in meaning and v not in self.free}
+        self.part([*(x for _, x in self.scene.whole), *defined.values(), *mixed])
+        asked: list[tuple[Expr, tuple[int, ...]]] = [(self.merged(x), (n,)) for n, x in self.scene.whole]
+        for x, numbers in self.scene.pieces:
+            for crowd, those in self.alone.items():
+                if (those & -those).bit_length() - 1 in numbers:
+                    goals = {n: None for i in bits_of(those) for n in numbers[i]}
+                    asked.append((self.of_crowd(x, crowd), tuple(goals)))
+        self.definitions |= {v: self.merged(x) for v, x in defined.items()}
+        self.facts += [*facts, *map(self.merged, mixed)]
+        told: set[Member] = set()
+        while len(told) < len(self.reached):
+            for key in [k for k in self.reached if k not in told]:
+                told.add(key)
+                if key[0].endswith(VALUE):
+                    continue
+                self.tell(*key)
+        self.one_value()
+        self.keep_apart()
+        return View(self.definitions, self.facts, asked, self.crowds)
+
+    def one_value(self) -> None:
+        """Of the values of one variable no two are taken at once."""
+        some: dict[str, Expr] = {}
+        for family, crowd in sorted(self.reached, key=lambda k: k[1]):
+            if family.endswith(VALUE):
+                x = self.variable(family, crowd)
+                before = some.get(family, FALSE)
+                if before is not FALSE:
+                    self.facts.append(neg(conj((x, before))))
+                some[family] = disj((before, x))
+
+    def keep_apart(self) -> None:
+        """While the variable of a route that goals speak of is true, those of other crowds are false: where that is so
+        for all routes that are like it."""
+        for family, of in self.views.apart.items():
+            reached = [c for f, c in self.reached if f == family]
+            for crowd, those in self.alone.items():
+                if crowd not in reached:
+                    continue
+                others = -1
+                for i in bits_of(those):
+                    others &= of.get(i, 0) | 1 << i
+                false = [self.variable(family, c) for c in reached if c != crowd and self.crowds[c] & ~others == 0]
+                if false:
+                    self.facts.append(neg(conj((self.variable(family, crowd), disj(false)))))
+
+
+def view(views: Views, scene: Scene, rings: int = 1) -> View:
+    """What is seen of a scene.  rings: how far around its goals, 1 or 2."""
+    return _Sight(views, scene, rings).view()

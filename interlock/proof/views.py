@@ -1,0 +1,301 @@
+"""What one place sees of a large system, and nothing of what it cannot tell apart.
+
+A *view* is a small system that follows from the large one.  It keeps the definitions near some goals, and the facts
+around them.  Routes are merged: those that stand in the same disjunctions of what is kept, and of which the large
+system says the same as far as the view's names go, are one *crowd*.  A variable of a crowd is true if that variable of
+one of its routes is.  This is sound for any choice of names, as every line of a view holds in the large system with
+crowds read like that:
+
+- a disjunction over routes is the disjunction over their crowds;
+- what a variable of each route implies, its crowd's variable implies, if the routes' variables stand in it only as
+  true;
+- a definition (A or B) and C, with A and B of the route and C the same for all, is the definition of the crowd's;
+- of the values that a variable has in the routes of different crowds, it has one at most;
+- what is left out, and definitions that are, make a view say less.
+
+A goal that speaks of one route is asked for one route of a crowd, which is then a crowd of its own beside the rest: the
+view of any other route of it is the same but for the number.  How large a view is does not depend on how many routes
+there are, but on how many ways there are to pass by.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from interlock.logic.expr import Expr, Op, rebuild, var
+from interlock.proof.members import OF, Kind, Members, Routed, Trait
+
+WIDE = 30  # of a fact that reads more names than this, a view takes what it says of the view's names
+
+
+class Placed(Routed, Protocol):
+    """A system that tells where its names belong."""
+
+    @property
+    def later(self) -> Mapping[str, str]:
+        """The names of next values by those of the state."""
+        ...
+
+    @property
+    def homes(self) -> Mapping[str, str]:
+        """The element of the railway to which a name belongs, if to one."""
+        ...
+
+    @property
+    def beside(self) -> Mapping[str, tuple[str, ...]]:
+        """The elements of which another is a part: the sections of a machine."""
+        ...
+
+    def after(self, x: Expr) -> Expr:
+        """The expression one step later."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """Goals that are looked at together.
+
+    whole: goals by number.  pieces: an expression over families, and for each member of which it is to hold the goals
+    that it is a part of.  homes: elements that are near.  after: the goals are no part of the induction, and what it
+    keeps may be used for the state after the step too; next values that it speaks of are not looked into.
+    """
+
+    homes: tuple[str, ...]
+    whole: tuple[tuple[int, Expr], ...] = ()
+    pieces: tuple[tuple[Expr, Mapping[int, tuple[int, ...]]], ...] = ()
+    after: bool = False
+
+    @property
+    def goals(self) -> Iterator[int]:
+        """The goals by number; one of many pieces more than once."""
+        yield from (n for n, _ in self.whole)
+        yield from (n for _, by in self.pieces for those in by.values() for n in those)
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """A small system, and what is asked of it: expressions, and the goals that need each.
+
+    crowds: their members, as bits; a crowd's variable is named by its number and its family.
+    """
+
+    definitions: Mapping[str, Expr]
+    facts: Sequence[Expr]
+    asked: Sequence[tuple[Expr, tuple[int, ...]]]
+    crowds: Sequence[int]
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Members that a node reads, by family and as bits, and its other operands.
+
+    A disjunction of members and others, a conjunction of members that are false and others, or a member alone.
+    """
+
+    node: Expr
+    rest: tuple[Expr, ...]
+    members: tuple[tuple[str, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Full:
+    """Members of which the definition has just these traits with names."""
+
+    family: str
+    named: tuple[Trait, ...]
+    members: int
+
+
+class Views:
+    """The views of a system."""
+
+    def __init__(self, system: Placed, hypotheses: Sequence[Expr]) -> None:
+        """`hypotheses`: the invariants; they hold before the step."""
+        self.members = m = Members(system, hypotheses)
+        self.system = system
+        self.homes = system.homes
+        self.before = {then: now for now, then in system.later.items()}
+        self.family_before = {
+            of[0]: system.members[now][0]
+            for then, of in system.members.items()
+            if (now := self.before.get(then, "")) in system.members
+        }
+        self.then = {before: family for family, before in self.family_before.items()}
+        self.reads = {name: m.read(x)[0] for name, x in m.meaning.items()}
+        self.facts_at: dict[str, list[int]] = {}
+        self.wide_at: dict[str, list[int]] = {}
+        self.mixed_at: dict[str, list[int]] = {}
+        for n, (x, _) in enumerate(m.plain):
+            names = m.read(x)[0]
+            _note(self.facts_at if len(names) <= WIDE else self.wide_at, names, n)
+            if len(names) == 2 and x.op is Op.OR:
+                self._timer(x)
+        for n, (x, _) in enumerate(m.mixed):
+            _note(self.mixed_at, m.read(x)[0], n)
+        self.kept = {v for x, kind in m.plain if kind is Kind.KEPT for v in m.read(x)[0]}
+        """Names of which invariants speak."""
+        self.states_at: dict[str, list[str]] = {}
+        for v in system.later:
+            if v in self.homes:
+                self.states_at.setdefault(self.homes[v], []).append(v)
+        self.traits_at: dict[str, list[Trait]] = {}
+        self.families: dict[str, dict[str, None]] = {}
+        """Those that a family's traits read."""
+        self.families_kept: dict[str, dict[str, None]] = {}
+        self.names_at: dict[tuple[str, str], dict[str, None]] = {}
+        """The names at an element that a family's traits read."""
+        self.names_kept: dict[tuple[str, str], dict[str, None]] = {}
+        self.later_of: dict[Trait, tuple[Expr, tuple[str, ...]]] = {}
+        for t in m.traits:
+            self._enter(t)
+        self._groups: dict[Expr, list[Group]] = {}
+        self.of_crowd: dict[tuple[Expr, int], Expr] = {}
+        """Expressions over families, by crowds: what views have in common."""
+        bits = {t: sum(1 << i for i in t.members) for t in m.traits}
+        self.bits = bits
+        """The members of a trait, as bits."""
+        self.full_at: dict[Trait | None, list[Full]] = {}
+        """Definitions of members that a view may see as a whole, by one of their traits with names."""
+        full: dict[tuple[str, tuple[Trait, ...]], int] = {}
+        bare: dict[int, list[tuple[str, tuple[int, ...], bool]]] = {}
+        for (family, number), defining in m.defining.items():
+            if defining is not None:
+                named = tuple(t for t in defining if t.names)
+                full[family, named] = full.get((family, named), 0) | 1 << number
+            unnamed = tuple(t.number for t in defining or () if not t.names)
+            bare.setdefault(number, []).append((family, unnamed, defining is None))
+        for (family, number), telling in m.telling.items():
+            bare.setdefault(number, []).append((family, tuple(t.number for t in telling if not t.names), False))
+        for (family, named), members in full.items():
+            self.full_at.setdefault(named[-1] if named else None, []).append(Full(family, named, members))
+        self.apart = _apart(m, bits)
+        """By family and member: the members, as bits, of which the variable is false while the member's is true."""
+        kinds: dict[tuple[object, ...], int] = {}
+        for number, of in bare.items():
+            kinds[tuple(of)] = kinds.get(tuple(of), 0) | 1 << number
+        self.bare = list(kinds.values())
+        """Members of which the same is said without names."""
+
+    def _timer(self, x: Expr) -> None:
+        """An on-delay timer reads its input."""
+        a, b = x.args
+        if a.op is Op.NOT and a.args[0].op is Op.VAR and b.op is Op.VAR and b.name in self.members.meaning:
+            timer = a.args[0].name
+            if timer not in self.members.meaning and timer not in self.system.later:
+                self.reads[timer] = (b.name,)
+
+    def _enter(self, t: Trait) -> None:
+        """Note what a trait reads, now and, if it is an invariant's, after the step."""
+        for v in t.names:
+            self.traits_at.setdefault(v, []).append(t)
+            home = self.homes.get(v)
+            if home is not None:
+                self.names_at.setdefault((t.family, home), {})[v] = None
+        self.families.setdefault(t.family, {}).update(dict.fromkeys(t.families))
+        if t.kind is not Kind.KEPT:
+            return
+        later = self.system.later
+        then = self.then
+        if any(v not in later for v in t.names) or any(f not in then for f in (t.family, *t.families)):
+            return
+        put = {v: later[v] for v in t.names} | {OF + f: OF + then[f] for f in t.families}
+        family = then[t.family]
+        names = tuple(later[v] for v in t.names)
+        self.later_of[t] = _renamed(t.expr, put), names
+        for v in names:
+            home = self.homes.get(v)
+            if home is not None:
+                self.names_kept.setdefault((family, home), {})[v] = None
+        self.families_kept.setdefault(family, {}).update(dict.fromkeys(then[f] for f in t.families))
+
+    def families_in(self, x: Expr) -> tuple[str, ...]:
+        """The families that an expression reads."""
+        return tuple(dict.fromkeys(f for f, _ in self.members.read(x)[1]))
+
+    def reads_routes(self, name: str) -> bool:
+        """The definition of the name reads routes."""
+        meant = self.members.meaning.get(name)
+        return meant is not None and bool(self.members.read(meant)[1])
+
+    def groups(self, root: Expr) -> list[Group]:
+        """The nodes below an expression that read members."""
+        found = self._groups.get(root)
+        if found is None:
+            found = self._groups[root] = []
+            if self.members.read(root)[1]:
+                todo, done = [root], set()
+                while todo:
+                    x = todo.pop()
+                    if x not in done:
+                        done.add(x)
+                        group = self._group(x)
+                        todo.extend(group.rest)
+                        if group.members:
+                            found.append(group)
+        return found
+
+    def _group(self, x: Expr) -> Group:
+        if not x.args:
+            of = self.members.of(x) if x.name else None
+            return Group(x, (), () if of is None else ((of[0], 1 << of[1]),))
+        rest: list[Expr] = []
+        members: dict[str, int] = {}
+        for a in x.args:
+            y = a.args[0] if x.op is Op.AND and a.op is Op.NOT else a
+            of = None
+            if not y.args and y.name and (y is not a or x.op is Op.OR):
+                of = self.members.of(y)
+            if of is None:
+                rest.append(a)
+            else:
+                members[of[0]] = members.get(of[0], 0) | 1 << of[1]
+        return Group(x, tuple(rest), tuple(members.items()))
+
+
+def _apart(m: Members, bits: Mapping[Trait, int]) -> dict[str, dict[int, int]]:
+    """What follows from the invariants alone: two routes each imply a name, and not both names are true."""
+    against: dict[str, set[str]] = {}
+    for x, kind in m.plain:
+        if kind is Kind.KEPT and x.op is Op.NOT and x.args[0].op is Op.AND and len(x.args[0].args) == 2:
+            left, right = (
+                [y.name for y in (a.args if a.op is Op.OR else (a,)) if y.op is Op.VAR] for a in x.args[0].args
+            )
+            for a in left:
+                against.setdefault(a, set()).update(right)
+            for b in right:
+                against.setdefault(b, set()).update(left)
+    found: dict[str, dict[int, int]] = {}
+    implied: dict[str, dict[str, int]] = {}
+    for t in m.traits:
+        if t.kind is Kind.KEPT and t.expr.op is Op.VAR and t.names and t.expr.name in against:
+            implied.setdefault(t.family, {})[t.expr.name] = bits[t]
+    for family, names in implied.items():
+        of = found.setdefault(family, {})
+        for a, members in names.items():
+            others = 0
+            for b in against[a]:
+                others |= names.get(b, 0)
+            for i in bits_of(members):
+                of[i] = of.get(i, 0) | others
+    return found
+
+
+def bits_of(x: int) -> Iterator[int]:
+    """The numbers of the bits that are set, the lowest first."""
+    while x:
+        low = x & -x
+        yield low.bit_length() - 1
+        x ^= low
+
+
+def _note(at: dict[str, list[int]], names: Iterable[str], n: int) -> None:
+    for v in names:
+        at.setdefault(v, []).append(n)
+
+
+def _renamed(x: Expr, put: Mapping[str, str]) -> Expr:
+    if x.op is Op.VAR:
+        return var(put.get(x.name, x.name))
+    return rebuild(x, tuple(_renamed(a, put) for a in x.args)) if x.args else x

@@ -1,0 +1,148 @@
+"""What a view says holds in the large system, and with views no other claim is proved than without."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from interlock.app.init import yard
+from interlock.logic.controller import Controller
+from interlock.logic.expr import Expr, Substitution, disj, iff, var, variables
+from interlock.logic.lower import lower
+from interlock.model.layout import Layout
+from interlock.proof import parts
+from interlock.proof.encode import Cnf
+from interlock.proof.engines import Answer, solver
+from interlock.proof.invariants import Facts, claims, strengthening
+from interlock.proof.limits import Limits
+from interlock.proof.members import OF, Members
+from interlock.proof.mutate import KINDS
+from interlock.proof.runner import inductive, open_claims
+from interlock.proof.scenes import scenes
+from interlock.proof.sight import view
+from interlock.proof.system import System
+from interlock.proof.views import View, Views
+from interlock.table.rows import InterlockingTable
+from tests.layouts import built, grown
+
+SOME = (
+    "cancel-with-train",
+    "point-missing",
+    "overlap-not-held",
+    "release-out-of-order",
+    "section-not-checked",
+    "two-grants",
+)
+
+
+def small_yard(tracks: int) -> tuple[Layout, InterlockingTable, Controller]:
+    made = grown(yard(tracks))
+    assert made is not None
+    layout, table, _ = made
+    return layout, table, lower(layout, table)
+
+
+def views_of(system: System) -> tuple[Views, list[tuple[int, Expr, bool]], list[Expr]]:
+    """The views of a system, its goals, and its invariants."""
+    kept = [i.expr for i in strengthening(Facts(system))]
+    goals = [(system.after(x), True) for x in kept] + [(c.expr, False) for c in claims(Facts(system))]
+    return Views(system, kept), [(n, x, step) for n, (x, step) in enumerate(goals)], kept
+
+
+class Large:
+    """The large system, asked whether it says what a view says."""
+
+    def __init__(self, system: System, kept: list[Expr], after: bool) -> None:
+        self.system = system
+        self.of: dict[str, list[tuple[int, Expr]]] = {}
+        named = Members(system, [])
+        for name, (family, number) in system.members.items():
+            self.of.setdefault(family, []).append((number, named.named(var(name))))
+        for r in system.symbols.routes:
+            self.of.setdefault("REQ=", []).append((r.number, system.symbols.asked(r.number)))
+        cnf = Cnf()
+        for name, x in system.definitions.items():
+            cnf.define(name, x)
+        for x in [*kept, *(a.expr for a in system.assumptions), *(map(system.after, kept) if after else ())]:
+            cnf.require(x)
+        self.cnf = cnf
+
+    def wrong(self, seen: View) -> list[Expr]:
+        """What the view says and the large system does not."""
+        said = [*seen.facts, *(iff(var(name), x) for name, x in seen.definitions.items())]
+        crowds = {
+            name: disj(
+                x for number, x in self.of[name.split(" ")[1]] if seen.crowds[int(name[1:].split(" ")[0])] >> number & 1
+            )
+            for name in variables(said)
+            if name[0] == OF
+        }
+        put = Substitution(crowds)
+        asked = [put(x) for x in said]
+        literals = [self.cnf.literal(x) for x in asked]
+        sat = solver("minisat22", self.cnf, 60_000)
+        return [x for x, literal in zip(said, literals, strict=True) if sat.ask(-literal) is not Answer.UNSAT]
+
+
+@pytest.mark.parametrize("tracks", [4, 6])
+@pytest.mark.parametrize("rings", [1, 2])
+@pytest.mark.parametrize("after", [False, True])
+def test_what_a_view_says_holds_in_the_large_system(tracks: int, rings: int, after: bool) -> None:
+    layout, _, controller = small_yard(tracks)
+    system = System(layout, controller)
+    views, goals, kept = views_of(system)
+    large = Large(system, kept, after)
+    some = [s for s in scenes(views, goals, 1 if after else rings) if s.after is after]
+    assert some
+    for scene in random.Random(tracks).sample(some, min(12, len(some))):
+        seen = view(views, scene, rings)
+        assert seen.asked and seen.facts
+        assert large.wrong(seen) == []
+
+
+def open_goals(
+    system: System, monkeypatch: pytest.MonkeyPatch, large: int
+) -> tuple[list[str], dict[str, list[str]], int]:
+    """The invariants that are dropped, the claims that stay open, and how many goals a first look has shown."""
+    monkeypatch.setattr(parts, "SMALL", 0 if large == 0 else 10**9)
+    monkeypatch.setattr(parts, "LARGE", large)
+    shown = 0
+    conclude = parts.Inquiry._conclude
+
+    def counted(inquiry: parts.Inquiry) -> list[int]:
+        nonlocal shown
+        before, left = len(inquiry.looked), conclude(inquiry)
+        shown += before - len(left)
+        return left
+
+    monkeypatch.setattr(parts.Inquiry, "_conclude", counted)
+    kept, dropped, _ = inductive(system, Limits())
+    left = open_claims(system, kept, claims(Facts(system)), Limits())
+    monkeypatch.setattr(parts.Inquiry, "_conclude", conclude)
+    return sorted(dropped), {id_: [c.place for c in some] for id_, some in left.items()}, shown
+
+
+def weakened(kind: str, layout: Layout, table: InterlockingTable) -> Controller | None:
+    """The controller with one weakening of a kind, in the middle of the places where there is one."""
+    mutants = list(next(k for k in KINDS if k.name == kind).make(layout, table))
+    return mutants[len(mutants) // 2][1] if mutants else None
+
+
+@pytest.mark.parametrize("kind", ["", *SOME])
+def test_the_same_goals_fail_with_views(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    layout, table, controller = small_yard(4)
+    weak = weakened(kind, layout, table) if kind else controller
+    assert weak is not None
+    system = System(layout, weak)
+    dropped, left, shown = open_goals(system, monkeypatch, 0)
+    assert (dropped, left, 0) == open_goals(system, monkeypatch, 10**9)
+    assert bool(kind) == bool(dropped or left)
+    assert shown > 1000
+
+
+@pytest.mark.parametrize("name", ["depot", "mine11", "pit_bottom"])
+def test_the_same_goals_follow_with_views_in_a_shipped_layout(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    layout, _, controller = built(name)
+    dropped, left, shown = open_goals(System(layout, controller), monkeypatch, 0)
+    assert not dropped and not left and shown > 100
