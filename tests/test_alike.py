@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from interlock.app.init import line
-from interlock.logic.expr import Expr, disj, eq, implies, neg, var
+from interlock.logic.expr import TRUE, Expr, disj, eq, implies, neg, var
 from interlock.logic.lower import lower
 from interlock.proof import parts
 from interlock.proof.alike import Forms
@@ -73,7 +73,8 @@ def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[l
     goals = [Goal(i.expr, later=True) for i in kept] + [Goal(c.expr) for c in claims(Facts(system))]
     inquiry = Inquiry(system, [i.expr for i in kept], goals, Limits())
     first = inquiry.first()
-    assert sorted(n for q in first for those in (q.goals, *q.alike) for n in those) == list(range(len(goals)))
+    some = [n for n, g in enumerate(goals) if g.expr is not TRUE]
+    assert sorted(n for q in first for those in (q.goals, *q.alike) for n in those) == some
     inquiry.settle(first, lambda done, total: None)
     return [d.follows for d in inquiry.finish(lambda done, total: None)], sum(len(q.goals) for q in first)
 
@@ -92,4 +93,4 @@ def test_a_weak_station_is_not_taken_for_its_sound_neighbours(monkeypatch: pytes
         alike, few = asked(weak, monkeypatch, 3000)
         alone, every = asked(weak, monkeypatch, 0)
         assert alike == alone and not all(alike), kind
-        assert few < every == len(alone)
+        assert few < 0.8 * every < every <= len(alone)

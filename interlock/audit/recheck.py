@@ -320,32 +320,50 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
 
 def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
     grounds = [_ground(layout, r, matched[r.id]) for r in table.routes if r.id in matched]
-    listed = {(r.id, h.route) for r in table.routes for h in r.hostile}
-    meeting = _meeting(grounds)
     number = {g.row.id: i for i, g in enumerate(grounds)}
-    for x, y in sorted(listed):
-        if x in number and y in number:
-            meeting.add((min(number[x], number[y]), max(number[x], number[y])))
-    for i, j in sorted(meeting):
-        a, b = grounds[i], grounds[j]
-        why = _cannot_both(layout, a, b)
-        for x, y in ((a.row.id, b.row.id), (b.row.id, a.row.id)):
-            if why and (x, y) not in listed:
-                yield Finding(x, "hostile", f"{y} is hostile: {why[0]} {', '.join(sorted(why[1]))}")
-            if not why and (x, y) in listed:
-                yield Finding(x, "hostile", f"{y} is not hostile")
-
-
-def _meeting(grounds: list[_Ground]) -> set[tuple[int, int]]:
-    """The pairs that have anything in common: a signal, a section, a node, a machine."""
-    users: dict[tuple[str, str], list[int]] = {}
+    pairs = _meeting(grounds)
+    listed = [0] * len(grounds)
     for i, g in enumerate(grounds):
-        things = {("signal", g.entry)}
-        things |= {("section", s) for s in (*g.sections, *g.over, *(f[0] for f in g.foul))}
-        things |= {("node", n) for n in (*g.nodes, *g.over_nodes)} | {("machine", m) for m in g.positions}
-        for thing in things:
-            users.setdefault(thing, []).append(i)
-    return {(i, j) for those in users.values() for k, i in enumerate(those) for j in those[k + 1 :]}
+        for j in [number[h.route] for h in g.row.hostile if h.route in number]:
+            listed[i] |= 1 << j
+            pairs[j] |= 1 << i
+        pairs[i] |= listed[i]
+    for i, a in enumerate(grounds):
+        for j in _bits(pairs[i] >> (i + 1) << (i + 1)):
+            b = grounds[j]
+            why = _cannot_both(layout, a, b)
+            for x, y, told in ((a, b, listed[i] >> j & 1), (b, a, listed[j] >> i & 1)):
+                if why and not told:
+                    text = f"{y.row.id} is hostile: {why[0]} {', '.join(sorted(why[1]))}"
+                    yield Finding(x.row.id, "hostile", text)
+                if not why and told:
+                    yield Finding(x.row.id, "hostile", f"{y.row.id} is not hostile")
+
+
+def _meeting(grounds: list[_Ground]) -> list[int]:
+    """For each the others, as bits, that it has anything in common with: a signal, a section, a node, a machine."""
+    users: dict[tuple[str, str], int] = {}
+    things: list[set[tuple[str, str]]] = []
+    for i, g in enumerate(grounds):
+        of = {("signal", str(g.entry))}
+        of |= {("section", str(s)) for s in (*g.sections, *g.over, *(f[0] for f in g.foul))}
+        of |= {("node", str(n)) for n in (*g.nodes, *g.over_nodes)} | {("machine", str(m)) for m in g.positions}
+        things.append(of)
+        for thing in of:
+            users[thing] = users.get(thing, 0) | 1 << i
+    found = [0] * len(grounds)
+    for i, of in enumerate(things):
+        for thing in of:
+            found[i] |= users[thing]
+    return found
+
+
+def _bits(x: int) -> Iterator[int]:
+    """The numbers of the bits that are set, the lowest first."""
+    while x:
+        low = x & -x
+        yield low.bit_length() - 1
+        x ^= low
 
 
 def _same_way(layout: Layout, a: frozenset[Move], b: frozenset[Move], section: SectionId) -> bool:
