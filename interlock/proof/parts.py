@@ -29,7 +29,7 @@ SMALL = 1500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
 FEW = 800  # at first a part of fewer goals is joined with the next place: neighbours share what they depend on
 NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
-LARGE = 20_000  # goals of a part that depends on more names than this are first looked at one place at a time
+LARGE = 80_000  # goals of a part that depends on more names than this are first looked at one place at a time
 HUB = 60  # a variable in more facts than this says nothing about what lies together
 
 
@@ -372,7 +372,7 @@ class Inquiry:
         def report(n: int) -> None:
             nonlocal done
             done += len(questions[n])
-            progress(done, len(self.goals))
+            progress(min(done, len(self.goals)), len(self.goals))
 
         answers = run([partial(self.ask, q) for q in questions], self.limits.jobs, report)
         for question, found in zip(questions, answers, strict=True):

@@ -145,7 +145,7 @@ def prove(
         def report(n: int) -> None:
             nonlocal done
             done += len(questions[n]) if n < len(questions) else 0
-            progress("proving", done, len(goals))
+            progress("proving", min(done, len(goals)), len(goals))
 
         *answers, at_restart, start = run(tasks, limits.jobs, report)
         for question, those in zip(questions, answers, strict=True):

@@ -130,16 +130,6 @@ class _Sight:
             return {n: None for n in found if self.members.plain[n][1] is Kind.KEPT}
         return found
 
-    def widen(self) -> None:
-        """See the names of the facts too."""
-        later = self.views.system.later
-        for n in self.around():
-            names = self.members.read(self.members.plain[n][0])[0]
-            self.reach([later.get(v, v) for v in names] if self.scene.after else names, (), ())
-        near = {h: None for v in self.seen if (h := self.views.homes.get(v)) is not None}
-        families, self.families = self.families, {}
-        self.reach((), families, near)
-
     def deepen(self, facts: Iterable[int]) -> None:
         """See what names mean that stand in facts of which the view sees all else."""
         m, homes = self.members, self.views.homes
@@ -315,9 +305,7 @@ class _Sight:
     def view(self) -> View:
         """All of it."""
         self.look()
-        if self.rings > 2 or (self.rings == 2 and self.scene.after):
-            self.widen()
-        if self.rings == 2 and not self.scene.after:
+        if self.rings > 1 and not self.scene.after:
             near = {
                 h: None
                 for v in self.seen
@@ -376,5 +364,5 @@ class _Sight:
 
 
 def view(views: Views, scene: Scene, rings: int = 1) -> View:
-    """What is seen of a scene.  rings: how far around its goals, 1 or 2."""
+    """What is seen of a scene.  rings: 2 to see the whole state of the elements that are near, too."""
     return _Sight(views, scene, rings).view()
