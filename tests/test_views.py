@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import random
+from dataclasses import dataclass, field
 
 import pytest
 
 from interlock.app.init import yard
 from interlock.logic.controller import Controller
-from interlock.logic.expr import Expr, Substitution, disj, iff, var, variables
+from interlock.logic.expr import Expr, Substitution, conj, disj, iff, implies, var, variables
 from interlock.logic.lower import lower
+from interlock.logic.plant import Assumption
 from interlock.model.layout import Layout
 from interlock.proof import parts
 from interlock.proof.encode import Cnf
@@ -139,3 +141,20 @@ def test_the_same_goals_follow_with_views_in_a_shipped_layout(name: str, monkeyp
     layout, _, controller = built(name)
     dropped, left, shown = open_goals(System(layout, controller), monkeypatch, 0)
     assert not dropped and not left and shown > 100
+
+
+@dataclass
+class Told:
+    """A system of two routes."""
+
+    members: dict[str, tuple[str, int]]
+    definitions: dict[str, Expr] = field(default_factory=dict)
+    assumptions: tuple[Assumption, ...] = ()
+    requests: tuple[str, ...] = ()
+
+
+def test_what_is_said_twice_of_a_route_is_said_of_no_other() -> None:
+    fact = implies(var("A_R1"), var("x"))
+    told = Told({"A_R1": ("A_R", 1), "A_R2": ("A_R", 2)})
+    (trait,) = Members(told, [fact, conj((fact, var("y")))]).traits
+    assert (trait.expr, trait.members) == (var("x"), 1 << 1)

@@ -9,7 +9,7 @@ what the trait says of the same member.  A trait is kept once, with all the memb
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from enum import IntEnum
 from typing import Protocol
 
@@ -71,7 +71,8 @@ class Trait:
     families: tuple[str, ...]
     lifts: bool
     spreads: bool
-    members: list[int] = field(default_factory=list)
+    members: int = 0
+    """By number, as bits: one that is told the same twice counts once."""
 
 
 class Members:
@@ -205,7 +206,7 @@ class Members:
                 _positive(expr, True),
                 spreads,
             )
-        trait.members.append(number)
+        trait.members |= 1 << number
         return trait
 
     def abstract(self, x: Expr, number: int) -> Expr | None:

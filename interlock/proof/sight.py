@@ -185,7 +185,7 @@ class _Sight:
         fulls += [f for t in told for f in self.views.full_at.get(t, ()) if told.issuperset(f.named)]
         for f in fulls:
             self.whole[f.family] = self.whole.get(f.family, 0) | f.members
-        traits = [self.views.bits[t] for those in self.traits.values() for t, _ in those]
+        traits = [t.members for those in self.traits.values() for t, _ in those]
         classes = [every] if every else []
         for some in (*marks, *traits, *self.views.bare, *(f.members for f in fulls)):
             if some & every and any(c & some and c & ~some for c in classes):
@@ -259,8 +259,7 @@ class _Sight:
         i = first.bit_length() - 1
         single = members == first
         x = self.variable(family, crowd)
-        bits = self.views.bits
-        mine = [key for key in self.traits.get(family, ()) if bits[key[0]] & first]
+        mine = [key for key in self.traits.get(family, ()) if key[0].members & first]
         if not self.assumed(family):
             defining = self.members.defining.get((family, i)) or []
             if self.whole.get(family, 0) & first and (single or self.spread(defining, i)):

@@ -153,9 +153,6 @@ class Views:
         self._groups: dict[Expr, list[Group]] = {}
         self.of_crowd: dict[tuple[Expr, int], Expr] = {}
         """Expressions over families, by crowds: what views have in common."""
-        bits = {t: sum(1 << i for i in t.members) for t in m.traits}
-        self.bits = bits
-        """The members of a trait, as bits."""
         self.full_at: dict[Trait | None, list[Full]] = {}
         """Definitions of members that a view may see as a whole, by one of their traits with names."""
         full: dict[tuple[str, tuple[Trait, ...]], int] = {}
@@ -170,7 +167,7 @@ class Views:
             bare.setdefault(number, []).append((family, tuple(t.number for t in telling if not t.names), False))
         for (family, named), members in full.items():
             self.full_at.setdefault(named[-1] if named else None, []).append(Full(family, named, members))
-        self.apart = _apart(m, bits)
+        self.apart = _apart(m)
         """By family and member: the members, as bits, of which the variable is false while the member's is true."""
         kinds: dict[tuple[object, ...], int] = {}
         for number, of in bare.items():
@@ -254,7 +251,7 @@ class Views:
         return Group(x, tuple(rest), tuple(members.items()))
 
 
-def _apart(m: Members, bits: Mapping[Trait, int]) -> dict[str, dict[int, int]]:
+def _apart(m: Members) -> dict[str, dict[int, int]]:
     """What follows from the invariants alone: two routes each imply a name, and not both names are true."""
     against: dict[str, set[str]] = {}
     for x, kind in m.plain:
@@ -270,7 +267,7 @@ def _apart(m: Members, bits: Mapping[Trait, int]) -> dict[str, dict[int, int]]:
     implied: dict[str, dict[str, int]] = {}
     for t in m.traits:
         if t.kind is Kind.KEPT and t.expr.op is Op.VAR and t.names and t.expr.name in against:
-            implied.setdefault(t.family, {})[t.expr.name] = bits[t]
+            implied.setdefault(t.family, {})[t.expr.name] = t.members
     for family, names in implied.items():
         of = found.setdefault(family, {})
         for a, members in names.items():
