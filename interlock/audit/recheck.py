@@ -324,7 +324,7 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
     pairs = _meeting(grounds)
     listed = [0] * len(grounds)
     for i, g in enumerate(grounds):
-        for j in [number[h.route] for h in g.row.hostile if h.route in number]:
+        for j in [number[r] for r in g.row.hostile.routes if r in number]:
             listed[i] |= 1 << j
             pairs[j] |= 1 << i
         pairs[i] |= listed[i]

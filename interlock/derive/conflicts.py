@@ -8,14 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from interlock.derive.routes import Path
+from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position, RouteId, SectionId
 from interlock.model.traversal import Traversal
 from interlock.table.rows import (
     Because,
     Hostile,
     HostileClass,
+    HostileRoutes,
     PointDemand,
     Role,
     RouteKind,
@@ -24,57 +27,104 @@ from interlock.table.rows import (
 )
 
 
-def derive_hostile(
-    paths: Sequence[Path],
-    locks: Mapping[TraversalKey, TraversalRow],
-    demands: Mapping[RouteId, Sequence[PointDemand]],
-) -> dict[RouteId, tuple[Hostile, ...]]:
-    """For every route, its hostile routes in order of number."""
-    out: dict[RouteId, list[Hostile]] = {p.id: [] for p in paths}
-    needs = {
-        p.id: Needs(
-            {t.section: t for t in p.ways},
-            _positions(demands[p.id], (Role.PATH,)),
-            _positions(demands[p.id], _HELD),
-        )
-        for p in paths
-    }
-    for i, j in _candidates(paths, locks, demands):
-        a, b = paths[i], paths[j]
-        found = classify(a, b, locks, needs)
-        if found is None:
-            continue
+class Conflicts:
+    """Which routes are hostile, and why."""
+
+    def __init__(
+        self,
+        paths: Sequence[Path],
+        locks: Mapping[TraversalKey, TraversalRow],
+        demands: Mapping[RouteId, Sequence[PointDemand]],
+    ) -> None:
+        """Paths in order of number."""
+        self._locks = locks
+        self._path = {p.id: p for p in paths}
+        self._needs = {
+            p.id: Needs(
+                {t.section: t for t in p.ways},
+                _positions(demands[p.id], (Role.PATH,)),
+                _positions(demands[p.id], _HELD),
+            )
+            for p in paths
+        }
+        self._hostile: dict[RouteId, list[RouteId]] = {p.id: [] for p in paths}
+        for i, later in enumerate(_hostile(paths, locks, self._needs)):
+            a = paths[i]
+            for j in bits_of(later):
+                self._hostile[a.id].append(paths[j].id)
+                self._hostile[paths[j].id].append(a.id)
+
+    def of(self, path: Path) -> HostileRoutes:
+        """The hostile routes of a route."""
+        return HostileRoutes(tuple(self._hostile[path.id]), partial(self.tell, path.id))
+
+    def tell(self, one: RouteId, other: RouteId) -> Hostile:
+        """Class, witness and reason of a pair of hostile routes."""
+        a, b = sorted((self._path[one], self._path[other]), key=lambda p: p.number)
+        found = classify(a, b, self._locks, self._needs)
+        assert found is not None
         kind, witness, rule = found
-        for x, y in ((a, b), (b, a)):
-            out[x.id].append(Hostile(y.id, kind, witness, Because(rule, f"{x.id} and {y.id}: {kind}, {witness}")))
-    number = {p.id: p.number for p in paths}
-    return {r: tuple(sorted(hs, key=lambda h: number[h.route])) for r, hs in out.items()}
+        return Hostile(other, kind, witness, Because(rule, f"{one} and {other}: {kind}, {witness}"))
 
 
-def _candidates(
-    paths: Sequence[Path],
-    locks: Mapping[TraversalKey, TraversalRow],
-    demands: Mapping[RouteId, Sequence[PointDemand]],
-) -> Iterator[tuple[int, int]]:
-    """Pairs that meet in some resource, in order: without a common one there is no conflict, and most have none."""
-    users: dict[tuple[str, str], list[int]] = {}
-    for i, p in enumerate(paths):
-        over = (*p.ways, *p.overlap)
-        uses = {("section", t.section) for t in over} | {("machine", d.machine) for d in demands[p.id]}
-        uses |= {("section", e.section) for t in over for e in locks[t.key].exclusions}
-        for resource in uses:
-            users.setdefault(resource, []).append(i)
-    meets = [0] * len(paths)
-    for those in users.values():
-        together = sum(1 << i for i in those)
-        for i in those:
-            meets[i] |= together
-    for i, others in enumerate(meets):
-        left = others >> (i + 1) << (i + 1)
-        while left:
-            lowest = left & -left
-            yield i, lowest.bit_length() - 1
-            left ^= lowest
+def _hostile(
+    paths: Sequence[Path], locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
+) -> list[int]:
+    """For each route the later ones, as bits, that are hostile to it: those of which `classify` tells a class."""
+    users = _Users(paths, needs)
+    overlapping = [users.of_overlap(p, locks) for p in paths]
+    found = [users.of_path(p, locks, needs[p.id]) | over for p, over in zip(paths, overlapping, strict=True)]
+    for j, over in enumerate(overlapping):
+        for i in bits_of(over & (1 << j) - 1):
+            found[i] |= 1 << j
+    return [x >> (i + 1) << (i + 1) for i, x in enumerate(found)]
+
+
+class _Users:
+    """By what it uses, the routes that do, as bits."""
+
+    def __init__(self, paths: Sequence[Path], needs: Mapping[RouteId, Needs]) -> None:
+        by: dict[object, int] = {}
+        for i, p in enumerate(paths):
+            uses: list[object] = [("from", p.entry)]
+            uses += [("train from", p.entry)] if p.kind is RouteKind.MAIN else []
+            uses += [x for t in p.ways for x in (("path", t.section), ("path", t.key))]
+            uses += [x for t in p.overlap for x in (("overlap", t.section), ("overlap", t.key))]
+            uses += [("lies", m, x) for m, x in needs[p.id].path.items()]
+            uses += [("held", m, x) for m, x in needs[p.id].held.items()]
+            for use in uses:
+                by[use] = by.get(use, 0) | 1 << i
+        self._by = by
+
+    def _any(self, *uses: object) -> int:
+        found = 0
+        for use in uses:
+            found |= self._by.get(use, 0)
+        return found
+
+    def of_path(self, p: Path, locks: Mapping[TraversalKey, TraversalRow], needs: Needs) -> int:
+        """Those that are hostile to the path of a route that comes before them, and to how its points lie."""
+        found = self._any(("from", p.entry))
+        found |= self._any(*(("lies", m, x.other) for m, x in needs.path.items()))
+        found |= self._any(*(("held", m, x.other) for m, x in needs.held.items()))
+        found |= self._any(*(("path", t.section) for t in p.ways))
+        return found | self._any(*(("path", x) for t in p.ways for x in _excluded(locks[t.key])))
+
+    def of_overlap(self, p: Path, locks: Mapping[TraversalKey, TraversalRow]) -> int:
+        """Those that are hostile to the overlap of a route."""
+        found = 0
+        for t in p.overlap:
+            onward = self._any(("train from", p.exit)) & self._any(("path", t.key))
+            found |= self._any(("overlap", t.section)) | (self._any(("path", t.section)) & ~onward)
+            for x in _excluded(locks[t.key]):
+                found |= self._any(("path", x), ("overlap", x))
+        return found
+
+
+def _excluded(lock: TraversalRow) -> Iterator[object]:
+    """The sections and ways that a lock excludes."""
+    for ex in lock.exclusions:
+        yield from (ex.section,) if ex.whole else ((ex.section, number) for number in ex.numbers)
 
 
 _HELD = (Role.FLANK, Role.PATH, Role.OVERLAP)

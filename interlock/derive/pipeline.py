@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from math import isinf
 
-from interlock.derive.conflicts import derive_hostile
+from interlock.derive.conflicts import Conflicts
 from interlock.derive.locking import (
     derive_approach,
     derive_aspect,
@@ -57,7 +57,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
         if o.swing and o.signal not in swinging:
             text = f"the overlap of {o.signal} cannot swing: not every way to {o.signal} permits two alternatives of it"
             sink.add("IL4009", text, None, f"remove `swing: yes` of {o.signal}, or give its overlap a second way")
-    hostile = derive_hostile(paths, by_key, demands)
+    hostile = Conflicts(paths, by_key, demands)
     names = _names(layout, paths, sink)
     _notes(layout, paths, sink)
     rows = tuple(
@@ -80,7 +80,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             foul=_foul(p, by_key, sink),
             flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
             space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
-            hostile=hostile[p.id],
+            hostile=hostile.of(p),
             overlap=_overlap(layout, p, swinging),
             aspect=derive_aspect(layout, p),
             closing=derive_closing(layout, p),

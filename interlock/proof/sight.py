@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from interlock.logic.expr import FALSE, TRUE, Expr, Op, conj, disj, implies, neg, rebuild, var
+from interlock.model.bits import bits, bits_of
 from interlock.proof.members import OF, VALUE, Kind, Member, Trait
-from interlock.proof.views import Group, Scene, View, Views, bits_of
+from interlock.proof.views import Group, Scene, View, Views
 
 HUB = 60  # a name in more facts than this says nothing about what lies together
 
@@ -174,7 +175,7 @@ class _Sight:
                     marks += [members for _, members in group.members]
         spoken = 0
         for _, by in self.scene.pieces:
-            some = sum(1 << i for i in by)
+            some = bits(by)
             marks.append(some)
             spoken |= some
         every = 0

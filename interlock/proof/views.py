@@ -25,6 +25,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from interlock.logic.expr import Expr, Op, rebuild, var
+from interlock.model.bits import bits_of
 from interlock.proof.members import OF, Kind, Members, Routed, Trait
 
 WIDE = 30  # of a fact that reads more names than this, a view takes what it says of the view's names
@@ -277,14 +278,6 @@ def _apart(m: Members) -> dict[str, dict[int, int]]:
             for i in bits_of(members):
                 of[i] = of.get(i, 0) | others
     return found
-
-
-def bits_of(x: int) -> Iterator[int]:
-    """The numbers of the bits that are set, the lowest first."""
-    while x:
-        low = x & -x
-        yield low.bit_length() - 1
-        x ^= low
 
 
 def _note(at: dict[str, list[int]], names: Iterable[str], n: int) -> None:

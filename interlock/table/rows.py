@@ -6,9 +6,11 @@ Every derived cell carries `Because(rule, text)`.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
+from typing import overload
 
 from interlock.model.elements import (
     ConditionId,
@@ -155,6 +157,43 @@ class Hostile:
     kind: HostileClass
     witness: str
     because: Because
+
+
+class HostileRoutes(Sequence[Hostile]):
+    """The hostile routes of one route, in order of number.
+
+    Their number grows with the square of a yard, and most readers want no more than their ids: what makes each of them
+    hostile is told when it is asked for.
+    """
+
+    def __init__(self, routes: tuple[RouteId, ...], tell: Callable[[RouteId], Hostile]) -> None:
+        """`tell`: class, witness and reason of one of the routes."""
+        self.routes = routes
+        self._tell = tell
+
+    @cached_property
+    def _all(self) -> tuple[Hostile, ...]:
+        return tuple(map(self._tell, self.routes))
+
+    def __len__(self) -> int:
+        return len(self.routes)
+
+    @overload
+    def __getitem__(self, at: int) -> Hostile: ...
+    @overload
+    def __getitem__(self, at: slice) -> Sequence[Hostile]: ...
+    def __getitem__(self, at: int | slice) -> Hostile | Sequence[Hostile]:
+        return self._all[at]
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, HostileRoutes) and self._all == other._all
+
+    def __hash__(self) -> int:
+        return hash(self.routes)
+
+    def __deepcopy__(self, memo: object) -> HostileRoutes:
+        """Nothing of it changes."""
+        return self
 
 
 @dataclass(frozen=True)
@@ -324,7 +363,7 @@ class RouteRow:
     foul: tuple[FoulCell, ...]
     flank: tuple[FlankCell, ...]
     space: tuple[SpaceCell, ...]
-    hostile: tuple[Hostile, ...]
+    hostile: HostileRoutes
     overlap: OverlapCell | None
     aspect: AspectCell
     closing: ClosingCell

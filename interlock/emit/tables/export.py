@@ -21,6 +21,8 @@ from interlock.table.rows import SCHEMA_VERSION, InterlockingTable
 def table_json(table: InterlockingTable) -> str:
     """Canonical JSON with a versioned schema; every derived cell carries rule and text of its reason."""
     body = {"schema": f"interlock-table/{SCHEMA_VERSION}", **asdict(table)}
+    for row, r in zip(body["routes"], table.routes, strict=True):
+        row["hostile"] = [asdict(h) for h in r.hostile]
     return json.dumps(body, indent=1, ensure_ascii=False) + "\n"
 
 

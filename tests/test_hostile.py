@@ -1,0 +1,55 @@
+"""Which routes are hostile is found for all pairs at once; what makes a pair hostile, pair by pair: they agree."""
+
+from __future__ import annotations
+
+from itertools import combinations
+from pathlib import Path
+
+import pytest
+
+from interlock.app.init import line, yard
+from interlock.derive import pipeline
+from interlock.derive.conflicts import Conflicts, classify
+from tests.grow import grow
+from tests.layouts import SHIPPED, grown
+
+TEXTS = {
+    **{name: Path(f"layouts/{name}.yaml").read_text(encoding="utf-8") for name in SHIPPED},
+    "yard": yard(9),
+    "line": line(3),
+    **{f"seed {n}": grow(n) for n in range(40)},
+}
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_a_pair_is_hostile_if_something_makes_it_so(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[Conflicts] = []
+
+    class Kept(Conflicts):
+        def __init__(self, *given: object) -> None:
+            super().__init__(*given)  # type: ignore[arg-type]
+            self.given = given
+            made.append(self)
+
+    monkeypatch.setattr(pipeline, "Conflicts", Kept)
+    found = grown(TEXTS[name])
+    if found is None:
+        return  # refused by the front end
+    conflicts, table = made[0], found[1]
+    paths, locks, _ = conflicts.given  # type: ignore[attr-defined]
+    pairs = [(a.id, b.id) for a, b in combinations(paths, 2) if classify(a, b, locks, conflicts._needs) is not None]
+    listed = {r.id: r.hostile.routes for r in table.routes}
+    assert [(a.id, b.id) for a, b in combinations(paths, 2) if b.id in listed[a.id]] == pairs
+    assert all(a in listed[b] for a, b in pairs) and sum(map(len, listed.values())) == 2 * len(pairs)
+
+
+def test_hostile_routes_stand_in_order_and_tell_what_they_share() -> None:
+    found = grown(TEXTS["passing_loop"])
+    assert found is not None
+    table = found[1]
+    for r in table.routes:
+        assert [h.route for h in r.hostile] == list(r.hostile.routes)
+        assert [table.route[x].number for x in r.hostile.routes] == sorted(
+            table.route[x].number for x in r.hostile.routes
+        )
+        assert all(h.witness and h.because.text.startswith(f"{r.id} and {h.route}: ") for h in r.hostile)
