@@ -7,9 +7,13 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from interlock.app.init import yard
+from interlock.app.prove import Proved, prove_file
 from interlock.cli.prove import command
+from interlock.logic.expr import Op, eq, var
 from interlock.proof import parts
 from interlock.proof.cache import Cache
+from interlock.proof.contents import digest
 from interlock.proof.limits import Limits
 from interlock.proof.mutate import KINDS
 from interlock.proof.runner import ProofResult, Verdict, prove
@@ -85,6 +89,87 @@ def test_a_damaged_answer_is_not_believed(tmp_path: Path, solvers: list[str]) ->
     for kept in tmp_path.iterdir():
         kept.write_bytes(kept.read_bytes()[:-1])
     assert proved(tmp_path, system).proved and len(solvers) == 2 * asked
+
+
+def moved(text: str) -> str:
+    """A layout with one length changed, which no rule of it depends on."""
+    assert text.count("[W1, Wa1 300]") == 1
+    return text.replace("[W1, Wa1 300]", "[W1, Wa1 310]")
+
+
+@pytest.fixture
+def layout(tmp_path: Path) -> Path:
+    file = tmp_path / "yard.yaml"
+    file.write_text(yard(4))
+    return file
+
+
+def again(file: Path) -> Proved:
+    return prove_file(str(file), Limits(search_depth=12, cache=Cache(file.parent / "kept")))
+
+
+def test_a_change_that_changes_nothing_that_is_proved_asks_nothing(
+    layout: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = again(layout)
+    assert first.green and first.proof is not None and not first.proof.kept
+
+    def never(*given: object) -> None:
+        raise AssertionError("a question, a run or a text")
+
+    monkeypatch.setattr("interlock.app.prove.prove", never)
+    monkeypatch.setattr("interlock.app.prove.writers", never)
+    layout.write_text(moved(yard(4)))
+    second = again(layout)
+    assert second.green and second.proof is not None and second.proof.kept
+    assert told(second.proof) == told(first.proof) and second.texts == first.texts
+    assert second.proof.witnesses == first.proof.witnesses
+    assert (second.proof.invariants, second.proof.obligations) == (first.proof.invariants, first.proof.obligations)
+
+
+def test_another_controller_another_program_and_a_damaged_file_are_proved_anew(
+    layout: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def kept(result: Proved) -> bool:
+        assert result.green and result.proof is not None
+        return result.proof.kept
+
+    assert not kept(again(layout)) and kept(again(layout))
+    text = layout.read_text()
+    for before, after in (("overlap_release_s: 45", "overlap_release_s: 50"), ("name: yard4", "name: other")):
+        assert before in text
+        layout.write_text(text.replace(before, after))
+        assert not kept(again(layout)), after
+    layout.write_text(text)
+    monkeypatch.setattr("interlock.app.kept._program", lambda: "another")
+    assert not kept(again(layout)) and kept(again(layout))
+    for file in (layout.parent / "kept").iterdir():
+        body = file.read_bytes()
+        file.write_bytes(body[:20] + bytes([body[20] ^ 1]) + body[21:] if len(body) > 20 else body)
+    assert not kept(again(layout))
+
+
+def test_what_is_not_proved_is_not_kept(tmp_path: Path) -> None:
+    file = tmp_path / "refuted.yaml"
+    file.write_text(next(Path("layouts/refuted").glob("*.yaml")).read_text())
+    for _ in range(2):
+        result = again(file)
+        assert not result.green and result.proof is not None and not result.proof.kept
+
+
+def test_values_that_differ_have_other_digests() -> None:
+    a, b = var("a"), var("b")
+    values: list[object] = [
+        "a", a, ("a",), "ab", ("ab",), ("a", "b"), (("a",), "b"), ("a", ("b",)), {"a": "b"}, {"b": "a"},
+        1, "1", True, 1.0, None, (), a & b, a | b, b & a, ~a, (a, b), (a & b) | a, eq("a", 1), eq("a", 2), Op.AND, 5.5,
+        frozenset({"a"}), Limits(), Limits(jobs=2), "s1:a", ("s1:a", "b"),
+    ]  # fmt: skip
+    digests = [digest(x) for x in values]
+    assert len(set(digests)) == len(values)
+    assert digest(["a", "b"]) == digest(("a", "b")) != digest("a", "b")
+    assert digest(a & b, a | b) == digest(var("a") & var("b"), a | b)
+    with pytest.raises(TypeError):
+        digest(object())
 
 
 def test_the_command_keeps_answers_where_it_is_told(tmp_path: Path) -> None:

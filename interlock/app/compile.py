@@ -6,7 +6,7 @@ Nothing here prints.  PLC text is written only when everything is proved, or mar
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -198,11 +198,3 @@ def names_twice(paths: Sequence[str]) -> tuple[Diagnostic, ...]:
             fix = "rename one of them, or compile them into different folders with -o"
             found.append(Diagnostic("IL5004", Severity.ERROR, message, source.at("name"), fix))
     return tuple(found)
-
-
-def run_many(work: Callable[..., Proved], calls: Sequence[tuple[object, ...]], jobs: int) -> list[Proved]:
-    """Several layouts on several processes; the results are in the order of the calls."""
-    from concurrent.futures import ProcessPoolExecutor
-
-    with ProcessPoolExecutor(min(jobs, len(calls))) as pool:
-        return [f.result() for f in [pool.submit(work, *c) for c in calls]]

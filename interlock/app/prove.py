@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import partial
 
 from interlock import __version__
 from interlock.app.check import Checked, audited, derive_file, second_opinion
+from interlock.app.kept import Kept
 from interlock.app.texts import TextVerdict, writers
 from interlock.diag import Diagnostic, Severity
-from interlock.emit.drawing import plan_svg
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.invariants import Facts, claims
@@ -75,25 +75,38 @@ def prove_derived(
     with ExitStack() as beside:
         audit = beside.enter_context(Begun([partial(second_opinion, derived)], limits.jobs))
         controller = lower(layout, derived.table)
-        if not keep:  # a text that is only compared need not tell what is proved, and can be begun now
-            texts = beside.enter_context(
-                Begun(writers(layout, controller, _origin(layout), dialects, keep), limits.jobs)
-            )
+
+        def begin(head: list[str]) -> Begun:
+            return beside.enter_context(Begun(writers(layout.bare, controller, head, dialects, keep), limits.jobs))
+
+        kept = None
+        if limits.cache.folder is not None and not keep:
+            kept = beside.enter_context(Kept(limits, controller))
+        elif not keep:  # a text that is only compared needs no heading, and can be begun now
+            texts = begin([])
         system = System(layout, controller)
+        if kept is not None:
+            kept.about(system)
         wanted = claims(Facts(system))
-        hoped = _header(layout, if_proved(wanted), True)
-        if keep:
-            texts = beside.enter_context(Begun(writers(layout, controller, hoped, dialects, keep), limits.jobs))
+        good = kept.look(wanted) if kept is not None else None
+        if good is not None:
+            checked = audited(derived, audit.results()[0])
+            return Proved(checked, *(good if checked.ok else ())), {}
+        hoped = _header(layout, if_proved(wanted), True) if keep else []
+        if keep or kept is not None:
+            texts = begin(hoped)
         proof = prove(system, limits, progress, wanted)
         checked = audited(derived, audit.results()[0])
         if not checked.ok:
             return Proved(checked), {}
-        header = _header(layout, proof.claims, proof.proved)
+        header = _header(layout, proof.claims, proof.proved) if keep else []
         progress("comparing the text", 0, 1)
-        if header == hoped or not keep:
+        if header == hoped:
             written = texts.results()
         else:
-            written = run(writers(layout, controller, header, dialects, keep), limits.jobs)
+            written = run(writers(layout.bare, controller, header, dialects, keep), limits.jobs)
+        if kept is not None:
+            kept.keep(proof, tuple(verdict for verdict, _ in written))
     verdicts = [verdict for verdict, _ in written]
     files = {name: text for _, those in written for name, text in those.items()}
     notes = list(_notes(checked, proof))
@@ -101,10 +114,17 @@ def prove_derived(
         for d in t.differences:
             message = f"{t.file} and the controller differ at {d.name}: {d.text}"
             notes.append(Diagnostic("IL5001", Severity.ERROR, message))
+    return Proved(checked, proof, tuple(verdicts), _traces(system, proof), (), tuple(notes)), files
+
+
+def _traces(system: System, proof: ProofResult) -> tuple[tuple[str, str], ...]:
     stories = [c.story for c in proof.claims if c.story is not None]
-    plan = plan_svg(layout) if stories else ""
-    traces = tuple((s.claim, itf(system, s, plan)) for s in stories)
-    return Proved(checked, proof, tuple(verdicts), traces, (), tuple(notes)), files
+    if not stories:
+        return ()
+    from interlock.emit.drawing import plan_svg  # a proof needs no picture
+
+    plan = plan_svg(system.layout)
+    return tuple((s.claim, itf(system, s, plan)) for s in stories)
 
 
 def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
@@ -168,3 +188,11 @@ def claims_json(results: Sequence[ClaimResult]) -> list[dict[str, object]]:
         {"id": c.id, "verdict": str(c.verdict), "places": c.places, "open": list(c.open), "sentence": c.sentence}
         for c in results
     ]
+
+
+def run_many(work: Callable[..., Proved], calls: Sequence[tuple[object, ...]], jobs: int) -> list[Proved]:
+    """Several layouts on several processes; the results are in the order of the calls."""
+    from concurrent.futures import ProcessPoolExecutor
+
+    with ProcessPoolExecutor(min(jobs, len(calls))) as pool:
+        return [f.result() for f in [pool.submit(work, *c) for c in calls]]

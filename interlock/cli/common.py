@@ -125,6 +125,7 @@ def proof_body(p: Proved) -> dict[str, Any]:
             "text_equals_controller": p.text_equal,
             "texts": {t.file: t.equal for t in p.texts},
             "seconds": round(p.proof.seconds, 3),
+            "kept": p.proof.kept,
         }
     return body
 
@@ -165,4 +166,5 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
     click.echo(
         f"{p.checked.path}: {verdict}  {done}/{len(p.proof.claims)} claims, {routes} routes, {ok} driven by a witness, "
         f"text {'=' if p.text_equal else 'differs from'} controller, {p.proof.seconds:.1f} s"
+        f"{', all of it kept from an earlier run' if p.proof.kept else ''}"
     )

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import click
 
-from interlock.app.compile import compile_file, names_twice, run_many
+from interlock.app.compile import compile_file, names_twice
+from interlock.app.prove import run_many
 from interlock.cli.common import (
     FINDINGS,
     exit_code,

@@ -8,9 +8,7 @@ from pathlib import Path
 
 import click
 
-from interlock.app.compile import run_many
-from interlock.app.draw import write_traces
-from interlock.app.prove import prove_file
+from interlock.app.prove import Proved, prove_file, run_many
 from interlock.cli.common import (
     exit_code,
     format_option,
@@ -95,9 +93,16 @@ def command(
     else:
         for r in results:
             show_proof(r, form, verbose=True)
-            try:
-                for page in write_traces(r, traces):
-                    click.echo(f"  to play it: {page}")
-            except OSError as error:
-                click.echo(f"{traces}: {error.strerror}", err=True)
+            if r.traces:
+                _write_traces(r, traces)
     sys.exit(exit_code(results))
+
+
+def _write_traces(result: Proved, folder: Path) -> None:
+    from interlock.app.draw import write_traces  # pictures are for counterexamples alone
+
+    try:
+        for page in write_traces(result, folder):
+            click.echo(f"  to play it: {page}")
+    except OSError as error:
+        click.echo(f"{folder}: {error.strerror}", err=True)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from typing import TypeVar
 
@@ -214,6 +214,16 @@ class Layout:
     def section_of(self, edge: EdgeId) -> SectionId:
         """The section of an edge."""
         return self.edge[edge].section
+
+    @cached_property
+    def bare(self) -> Layout:
+        """The same railway without lengths."""
+        return replace(
+            self,
+            edges=tuple(replace(e, length=0.0) for e in self.edges),
+            points=tuple(replace(p, fouling=0.0) for p in self.points),
+            overlaps=tuple(replace(o, length=0.0) for o in self.overlaps),
+        )
 
     @cached_property
     def digest(self) -> str:

@@ -62,6 +62,8 @@ class ProofResult:
     obligations: int
     witnesses: tuple[Witness, ...]
     seconds: float
+    kept: bool = False
+    """The very same proof was made before, and is remembered."""
 
     @property
     def proved(self) -> bool:

@@ -11,10 +11,11 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from functools import partial
 
-from interlock.logic.controller import RouteSymbols
+from interlock.logic.controller import Controller, RouteSymbols, Symbols
+from interlock.logic.plant import Plant
 from interlock.model.elements import NodeId, Position, SectionId
 from interlock.model.layout import Layout
-from interlock.model.traversal import Topology
+from interlock.model.traversal import Topology, topology
 from interlock.proof.system import System
 from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Wish
 
@@ -31,22 +32,44 @@ class Witness:
     text: str
 
 
+@dataclass(frozen=True)
+class Railway:
+    """What runs are about: a controller, its plant, and the layout without lengths, which no run depends on."""
+
+    controller: Controller
+    plant: Plant
+    layout: Layout
+
+    @property
+    def symbols(self) -> Symbols:
+        """What the controller's variables mean."""
+        return self.controller.symbols
+
+    @property
+    def topo(self) -> Topology:
+        """Its ways and neighbours."""
+        return topology(self.layout)
+
+
 def witnesses(system: System) -> tuple[Witness, ...]:
     """A run for each route, all of them side by side.
 
     First with a train that has stood before the signal since the restart (into a berth a second time, with vehicles
     standing there); where that fails, with a train that came there under another route.
     """
-    routes = system.symbols.routes
-    lanes = Lanes(system.controller, system.plant)
-    first = _attempt(system, lanes, [(r, "", ()) for r in routes])
+    railway = Railway(system.controller, system.plant, system.layout.bare)
+    routes = railway.symbols.routes
+    lanes = Lanes(railway.controller, railway.plant)
+    first = _attempt(railway, lanes, [(r, "", ()) for r in routes])
     again = [r for r, (failure, _) in zip(routes, first, strict=True) if failure is None and r.berth is not None]
-    second = dict(zip((r.id for r in again), _attempt(system, lanes, [(r, _berth(r), ()) for r in again]), strict=True))
+    second = dict(
+        zip((r.id for r in again), _attempt(railway, lanes, [(r, _berth(r), ()) for r in again]), strict=True)
+    )
     failed = [r for r, (failure, _) in zip(routes, first, strict=True) if failure is not None]
     tries = [
-        (r, before) for r in failed for before in routes if (before.berth or before.ways[-1])[0] == _before(system, r)
+        (r, before) for r in failed for before in routes if (before.berth or before.ways[-1])[0] == _before(railway, r)
     ]
-    third = _attempt(system, lanes, [(before, "", (r,)) for r, before in tries])
+    third = _attempt(railway, lanes, [(before, "", (r,)) for r, before in tries])
     out = []
     for r, (failure, steps) in zip(routes, first, strict=True):
         came = [(b, n) for (x, b), (why, n) in zip(tries, third, strict=True) if x is r and why is None]
@@ -65,66 +88,66 @@ def _berth(r: RouteSymbols) -> str:
     return r.berth[0] if r.berth is not None else ""
 
 
-def _before(system: System, r: RouteSymbols) -> str:
-    return _rear(system.layout, system.topo, system.layout.signal[r.entry].node, r.ways[0][0])
+def _before(railway: Railway, r: RouteSymbols) -> str:
+    return _rear(railway.layout, railway.topo, railway.layout.signal[r.entry].node, r.ways[0][0])
 
 
 Run = tuple[RouteSymbols, str, tuple[RouteSymbols, ...]]
 """A route, a berth in which vehicles stand, and routes that the same train takes afterwards."""
 
 
-def _attempt(system: System, lanes: Lanes, runs: list[Run]) -> list[tuple[str | None, int]]:
+def _attempt(railway: Railway, lanes: Lanes, runs: list[Run]) -> list[tuple[str | None, int]]:
     """What went wrong in each run, or None, and the number of scans."""
-    starts = [_start(system, r, berth) for r, berth, _ in runs]
+    starts = [_start(railway, r, berth) for r, berth, _ in runs]
     drivable = [n for n, s in enumerate(starts) if not isinstance(s, str)]
     found = lanes.run(
-        [s for s in starts if not isinstance(s, str)], [partial(_journey, system, *runs[n]) for n in drivable]
+        [s for s in starts if not isinstance(s, str)], [partial(_journey, railway, *runs[n]) for n in drivable]
     )
     done = dict(zip(drivable, found, strict=True))
     return [done.get(n, (s if isinstance(s, str) else None, 0)) for n, s in enumerate(starts)]
 
 
-def _journey(system: System, r: RouteSymbols, berth: str, onward: tuple[RouteSymbols, ...], lane: Lane) -> Driver:
+def _journey(railway: Railway, r: RouteSymbols, berth: str, onward: tuple[RouteSymbols, ...], lane: Lane) -> Driver:
     """Release every clear section after the restart, then drive."""
     del berth
     for _ in range(2):
         yield Wish((), {"RELALL": 1})
-    failure = yield from _run(system, lane, r)
+    failure = yield from _run(railway, lane, r)
     for after in onward:
         if failure is None:
-            failure = yield from _run(system, lane, after, turning=_before(system, after))
+            failure = yield from _run(railway, lane, after, turning=_before(railway, after))
     return failure
 
 
-def _start(system: System, r: RouteSymbols, berth: str) -> dict[str, int] | str:
+def _start(railway: Railway, r: RouteSymbols, berth: str) -> dict[str, int] | str:
     """A restart with one train before the signal (and vehicles standing in a berth), or what is impossible."""
-    node = system.layout.signal[r.entry].node
-    state = _lying(system, r)
-    standing = _stand(system, _before(system, r), node)
+    node = railway.layout.signal[r.entry].node
+    state = _lying(railway, r)
+    standing = _stand(railway, _before(railway, r), node)
     if standing is None:
         return f"no train can stand before {r.entry}"
     if any(state.get(name, value) != value for name, value in standing.items()):
         return f"a train before {r.entry} stands on points that the route needs otherwise"
-    there = f"in.{berth}.{system.topo.ends[SectionId(berth)][0]}" if berth else ""
+    there = f"in.{berth}.{railway.topo.ends[SectionId(berth)][0]}" if berth else ""
     parked = {f"o.{berth}": 1, f"rest.{berth}": 1, there: 1} if berth else {}
     return state | standing | parked
 
 
-def _run(system: System, lane: Lane, r: RouteSymbols, turning: str = "") -> Driver:
+def _run(railway: Railway, lane: Lane, r: RouteSymbols, turning: str = "") -> Driver:
     """Set the route, drive it with the train before its signal, and wait for the release behind it."""
-    signal = system.layout.signal[r.entry]
+    signal = railway.layout.signal[r.entry]
     if turning:
-        turns = tuple(e for e in system.plant.events if e.startswith(f"turn.{turning}.{signal.node}."))
+        turns = tuple(e for e in railway.plant.events if e.startswith(f"turn.{turning}.{signal.node}."))
         yield Wish(turns)
-    if r.call_on and (failed := _failed_section(system, r)):
-        return (yield from _disturbed(_drive(system, lane, r, failed), {system.symbols.clear[failed]: 0}))
-    return (yield from _drive(system, lane, r))
+    if r.call_on and (failed := _failed_section(railway, r)):
+        return (yield from _disturbed(_drive(railway, lane, r, failed), {railway.symbols.clear[failed]: 0}))
+    return (yield from _drive(railway, lane, r))
 
 
-def _failed_section(system: System, r: RouteSymbols) -> SectionId | None:
+def _failed_section(railway: Railway, r: RouteSymbols) -> SectionId | None:
     """A section of a call-on route that may be reported occupied by mistake."""
-    topo = system.topo
-    return next((s for s, _ in r.ways[1:] if s not in topo.berths and s in system.symbols.clear), None)
+    topo = railway.topo
+    return next((s for s, _ in r.ways[1:] if s not in topo.berths and s in railway.symbols.clear), None)
 
 
 def _disturbed(run: Driver, inputs: dict[str, int]) -> Driver:
@@ -139,13 +162,13 @@ def _disturbed(run: Driver, inputs: dict[str, int]) -> Driver:
             return failure
 
 
-def _drive(system: System, lane: Lane, r: RouteSymbols, failed: SectionId | None = None) -> Driver:
+def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | None = None) -> Driver:
     """Drive a route; `failed` is reported occupied all the time and stays locked."""
-    layout, topo = system.layout, system.topo
+    layout, topo = railway.layout, railway.topo
     signal = layout.signal[r.entry]
-    if not (yield from _until(lane, r.active, Wish((), {system.symbols.request: r.number}), 2)):
+    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), 2)):
         return "the request is refused: " + _not(lane, f"G_R{r.number}")
-    token = system.symbols.token.get(topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
+    token = railway.symbols.token.get(topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
     if token is not None and not r.shunt and not lane.is_on(token.have):
         yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
     if not (yield from _until(lane, r.proceed)):
@@ -172,8 +195,8 @@ def _drive(system: System, lane: Lane, r: RouteSymbols, failed: SectionId | None
         keep |= {s for s, _ in r.ways[[s for s, _ in r.ways].index(failed) :]}
     after = NOTHING
     if r.call_on:
-        by_hand = {i.name: 1 for i in system.controller.inputs if i.name.startswith("REL")}
-        after = Wish((), {system.symbols.cancel[r.entry]: 1, **by_hand})
+        by_hand = {i.name: 1 for i in railway.controller.inputs if i.name.startswith("REL")}
+        after = Wish((), {railway.symbols.cancel[r.entry]: 1, **by_hand})
     for _ in range(MAX_STEPS):
         locked = [s for s in lane.held() if s not in keep]
         if not locked:
@@ -205,11 +228,11 @@ def _not(lane: Lane, equation: str) -> str:
     return "; ".join("not " + t for t in lane.missing(equation)) or "a condition came and went"
 
 
-def _lying(system: System, r: RouteSymbols) -> dict[str, int]:
+def _lying(railway: Railway, r: RouteSymbols) -> dict[str, int]:
     """Points as the route needs them, so that none has to move under the waiting train."""
     state: dict[str, int] = {}
     for way in r.ways:
-        for m, x in system.symbols.demands[way]:
+        for m, x in railway.symbols.demands[way]:
             state |= {f"at.{m}.N": int(x is Position.NORMAL), f"at.{m}.R": int(x is Position.REVERSE)}
     return state
 
@@ -223,15 +246,15 @@ def _rear(layout: Layout, topo: Topology, node: NodeId, first: SectionId) -> str
     return rear
 
 
-def _stand(system: System, rear: str, node: NodeId) -> dict[str, int] | None:
+def _stand(railway: Railway, rear: str, node: NodeId) -> dict[str, int] | None:
     """A railway with one train at rest before the signal, points lying for it."""
-    if rear not in system.topo.ends:
+    if rear not in railway.topo.ends:
         return {f"o.{rear}": 1}
-    for t in system.topo.traversals[SectionId(rear)]:
+    for t in railway.topo.traversals[SectionId(rear)]:
         if t.exit == node:
             state = {f"o.{rear}": 1, f"in.{rear}.{t.entry}": 1, f"rest.{rear}": 1}
             for p, x in t.points:
-                m = system.layout.point[p].machine
+                m = railway.layout.point[p].machine
                 state |= {f"at.{m}.N": int(x is Position.NORMAL), f"at.{m}.R": int(x is Position.REVERSE)}
             return state
     return None

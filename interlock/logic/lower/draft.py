@@ -166,11 +166,15 @@ class Draft:
 
     def overlaps_along(self, rear: SectionId, node: NodeId, section: SectionId) -> list[tuple[SignalId, int]]:
         """The overlap alternatives that lie over a joint, from one section on into the next."""
-        found = []
+        return [option for option, a in self._over_joints.get((rear, section), ()) if self.table.lock[a].exit == node]
+
+    @cached_property
+    def _over_joints(self) -> Mapping[tuple[SectionId, SectionId], list[tuple[tuple[SignalId, int], TraversalKey]]]:
+        """The overlap alternatives that lie over two sections, and over which way of the first."""
+        found: dict[tuple[SectionId, SectionId], list[tuple[tuple[SignalId, int], TraversalKey]]] = {}
         for option, ways in self.overlaps.items():
             for a, b in pairwise(ways):
-                if a[0] == rear and b[0] == section and self.table.lock[a].exit == node:
-                    found.append(option)
+                found.setdefault((a[0], b[0]), []).append((option, a))
         return found
 
     def holding(self, way: TraversalKey, but: SignalId | None = None) -> Expr:

@@ -417,18 +417,12 @@ class PlantBuilder:
             if s in self.before:
                 self._running(s, out, disj(enter.values()))
             if self.shunts:
-                turned = disj(
-                    p.events[f"turn.{s}.{a}.{b}"]
-                    for a in topo.ends[s]
-                    for b in topo.ends[s]
-                    if f"turn.{s}.{a}.{b}" in p.events
-                )
                 p.state[f"sh.{s}"] = f"the train in {s} shunts"
                 p.next[f"sh.{s}"] = disj(
                     (
                         conj((shunting(s), neg(disj(enter.values())))),
                         *(self.shunts_in(s, j) for j in topo.ends[s]),
-                        turned,
+                        self._turns(s),
                     )
                 )
             for j in topo.ends[s]:
@@ -489,15 +483,19 @@ class PlantBuilder:
                     p.next[shows] = disj((p.next[shows], conj((lamp(g.id, k), stuck))))
                 p.initial.append(neg(lamp(g.id, k)))
 
+    def _turns(self, s: SectionId) -> Expr:
+        """The train in a section changes direction."""
+        ends, events = self.topo.ends[s], self.p.events
+        return disj(events[e] for a in ends for b in ends if (e := f"turn.{s}.{a}.{b}") in events)
+
     def _running(self, s: SectionId, out: Expr, enters: Expr) -> None:
         """A train that came in runs until it stands, turns, or is gone."""
         topo, p = self.topo, self.p
         shunts = disj(self.shunts_in(s, j) for j in topo.ends[s]) if self.shunts else FALSE
-        turns = disj(x for e, x in p.events.items() if e.startswith(f"turn.{s}."))
         timers = [self.w.overlap_timer[g] for g in self.before[s] if g in self.w.overlap_timer]
         stands = FALSE if "A-STAND" in self.dropped else disj(map(var, timers))
         p.state[f"run.{s}"] = f"the train in {s} has not come to a stand"
-        still = conj((running(s), neg(out), neg(turns), neg(stands)))
+        still = conj((running(s), neg(out), neg(self._turns(s)), neg(stands)))
         p.next[f"run.{s}"] = conj((disj((still, enters)), neg(shunts)))
         p.initial.append(neg(running(s)))
 

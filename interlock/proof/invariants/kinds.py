@@ -80,6 +80,21 @@ class Facts:
             for s, n in self.sym.overlap_ways[option]:
                 self._overlaps.setdefault(s, []).append((n, var(name)))
 
+    @cached_property
+    def _overrun(self) -> dict[str, list[SignalId]]:
+        order = {g: n for n, g in enumerate(self.layout.overlap_of)}
+        found: dict[str, list[SignalId]] = {}
+        for head, *words in (name.split(".") for name in self.system.plant.state):
+            for n in range(1, len(words)) if head == "over" else ():
+                g, s = SignalId(".".join(words[:n])), ".".join(words[n:])
+                if g in order and s in self.topo.ends:
+                    found.setdefault(s, []).append(g)
+        return {s: sorted(those, key=order.__getitem__) for s, those in found.items()}
+
+    def overrun(self, s: str) -> list[SignalId]:
+        """The signals with an overlap that what stands in a section may have overrun."""
+        return self._overrun.get(s, [])
+
     def lock(self, s: str, n: int) -> Expr:
         """Locked for one way."""
         return var(self.sym.lock[SectionId(s), n])

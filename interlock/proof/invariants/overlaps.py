@@ -19,7 +19,7 @@ def against_of(f: Facts, other: SectionId, whole: bool, numbers: tuple[int, ...]
 
 def overrun(f: Facts, s: str) -> Expr:
     """What stands in s has overrun a signal; FALSE where no overlap lies."""
-    return disj(overran(g, s) for g in f.layout.overlap_of if f"over.{g}.{s}" in f.system.plant.state)
+    return disj(overran(g, s) for g in f.overrun(s))
 
 
 def overlap_invariants(f: Facts) -> list[Invariant]:
@@ -33,9 +33,7 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
             out.append(Invariant("O-ALONG", s, implies(conj((o(s), running(s), neg(rests(s)))), along)))
         if len(f.overlaps(s)) > 1:
             out.append(Invariant("O-ONE", s, at_most_one(f.overlaps(s))))
-        for g in f.layout.overlap_of:
-            if f"over.{g}.{s}" not in f.system.plant.state:
-                continue
+        for g in f.overrun(s):
             out.append(Invariant(f"O-BEEN:{g}", s, implies(conj((overran(g, s), f.firm(s))), f.been(s))))
             calls = [
                 accepted(h, k)
@@ -59,9 +57,8 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
             leads = conj((f.locked_out(s, j), neg(f.train(s))))
             out.append(Invariant("O-LEAD", f"{j}:{s}>{t}", implies(leads, neg(disj(f.overlaps(t))))))
     for s in f.topo.sections:
-        for g in f.layout.overlap_of:
-            if f"over.{g}.{s}" in f.system.plant.state:
-                out += [Invariant(f"O-ON:{g}", f"{j}:{s}", x) for j, x in _inside(f, g, s)]
+        for g in f.overrun(s):
+            out += [Invariant(f"O-ON:{g}", f"{j}:{s}", x) for j, x in _inside(f, g, s)]
     return out
 
 

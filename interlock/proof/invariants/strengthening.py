@@ -358,9 +358,8 @@ def _passing(f: Facts, r: RouteSymbols, name: str) -> Iterator[tuple[str, Expr]]
     if rear in f.sym.restart:
         overran = conj((neg(f.firm(rear)), disj(f.overlaps(rear))))
         yield "R-PASSING-LAST", implies(passing, disj((f.restart(rear), f.been(rear), overran)))
-    for h in f.layout.overlap_of:
-        if f"over.{h}.{rear}" in f.system.plant.state:
-            yield f"R-PASSING-ALONE:{h}", implies(passing, neg(running_into(f, h, rear)))
+    for h in f.overrun(rear):
+        yield f"R-PASSING-ALONE:{h}", implies(passing, neg(running_into(f, h, rear)))
     if r.overlap is not None:
         yield "R-PASSING-OVERLAP", implies(passing, _overlap_of(f, r.overlap))
     if r.berth is not None:
