@@ -17,7 +17,8 @@ def compile_bits(
 
     `meaning`: names that stand for expressions; no name reads itself.  A comparison `n = k` is read as a variable of
     the name `n=k`.  The nodes are computed one after the other (as Python code they would take longer to compile than
-    they take to run), and a node's place is given on after its last use, so that few vectors are kept at a time.
+    they take to run), and a node's place is given on after its last use, so that few vectors are kept at a time.  Most
+    of a railway is the same in all runs: a vector that is the very mask is not combined bit by bit.
     """
     wires = meaning or {}
     nodes, last = _in_order(roots.values(), wires)
@@ -51,17 +52,24 @@ def compile_bits(
             if kind == _AND:
                 x = mask
                 for a in args:
-                    x &= v[a]
-                    if not x:
-                        break
+                    y = v[a]
+                    if y is not mask:
+                        x = y if x is mask else x & y
+                        if not x:
+                            break
             elif kind == _OR:
                 x = 0
                 for a in args:
-                    x |= v[a]
+                    y = v[a]
+                    if y:
+                        x = x | y if x else y
+                        if x is mask:
+                            break
             elif kind == _READ:
                 x = values[reads[args[0]]]
             elif kind == _NOT:
-                x = mask ^ v[args[0]]
+                y = v[args[0]]
+                x = 0 if y is mask else mask ^ y if y else mask
             else:
                 x = mask if kind == _TRUE else 0
             v[to] = x

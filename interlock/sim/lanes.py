@@ -99,7 +99,7 @@ class Lanes:
     ) -> list[tuple[str | None, int]]:
         """Each driver's outcome and number of steps; what a start does not name is an empty railway, points normal."""
         self.mask = (1 << len(starts)) - 1
-        self.state = {s.name: self.mask * int(s.initial) for s in self.controller.state}
+        self.state = {s.name: self.mask if s.initial else 0 for s in self.controller.state}
         self.state |= dict.fromkeys(self.plant.next, 0)
         for name in self.plant.state:
             if name.startswith("img.") or (name.startswith("at.") and name.endswith(".N")):
@@ -152,7 +152,7 @@ class Lanes:
                 values |= {f"{i.name}={k}": 0 for k in range(i.size)}
                 values[f"{i.name}={i.restrictive}"] = m
             else:
-                values[i.name] = m * i.restrictive
+                values[i.name] = m if i.restrictive else 0
         values |= dict.fromkeys((t.name for t in self.controller.timers), 0)
         for choice, command in self._moves.items():
             values[choice] = self.state[command]
@@ -164,7 +164,8 @@ class Lanes:
                     values["?" + e] |= lane.bit
         moved = self._move(values, m)
         for s, name in sym.clear.items():
-            values[name] = m ^ moved.get(f"o.{s}", 0)
+            there = moved.get(f"o.{s}", 0)
+            values[name] = m ^ there if there else m
         for (machine, x), name in sym.detected.items():
             values[name] = moved[f"at.{machine}.{x}"]
         values[sym.valid] = m
