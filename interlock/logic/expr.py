@@ -216,8 +216,8 @@ def variables(roots: Iterable[Expr]) -> dict[str, None]:
                 if node not in done:
                     done.add(node)
                     stack.extend(node.args)
-            elif node.name:
-                found.setdefault(node.name)
+            elif name := node.name:
+                found[name] = None
     return found
 
 
