@@ -47,16 +47,12 @@ class Conflicts:
             )
             for p in paths
         }
-        self._hostile: dict[RouteId, list[RouteId]] = {p.id: [] for p in paths}
-        for i, later in enumerate(_hostile(paths, locks, self._needs)):
-            a = paths[i]
-            for j in bits_of(later):
-                self._hostile[a.id].append(paths[j].id)
-                self._hostile[paths[j].id].append(a.id)
+        self._ids = [p.id for p in paths]
+        self._hostile = dict(zip(self._ids, _hostile(paths, locks, self._needs), strict=True))
 
     def of(self, path: Path) -> HostileRoutes:
         """The hostile routes of a route."""
-        return HostileRoutes(tuple(self._hostile[path.id]), partial(self.tell, path.id))
+        return HostileRoutes(self._ids, self._hostile[path.id], partial(self.tell, path.id))
 
     def tell(self, one: RouteId, other: RouteId) -> Hostile:
         """Class, witness and reason of a pair of hostile routes."""
@@ -70,14 +66,16 @@ class Conflicts:
 def _hostile(
     paths: Sequence[Path], locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
 ) -> list[int]:
-    """For each route the later ones, as bits, that are hostile to it: those of which `classify` tells a class."""
+    """For each route the hostile ones, as bits: those pairs of which `classify` tells a class."""
     users = _Users(paths, needs)
-    overlapping = [users.of_overlap(p, locks) for p in paths]
-    found = [users.of_path(p, locks, needs[p.id]) | over for p, over in zip(paths, overlapping, strict=True)]
-    for j, over in enumerate(overlapping):
-        for i in bits_of(over & (1 << j) - 1):
-            found[i] |= 1 << j
-    return [x >> (i + 1) << (i + 1) for i, x in enumerate(found)]
+    both = [users.alike(p, needs[p.id]) & ~(1 << i) for i, p in enumerate(paths)]
+    found = list(both)
+    for i, p in enumerate(paths):  # what one of a pair says of the other, the first of what it excludes
+        told = users.of_overlap(p, locks) | users.excluded(p, locks) >> (i + 1) << (i + 1)
+        found[i] |= told & ~(1 << i)
+        for j in bits_of(told & ~both[i] & ~(1 << i)):
+            found[j] |= 1 << i
+    return found
 
 
 class _Users:
@@ -102,13 +100,16 @@ class _Users:
             found |= self._by.get(use, 0)
         return found
 
-    def of_path(self, p: Path, locks: Mapping[TraversalKey, TraversalRow], needs: Needs) -> int:
-        """Those that are hostile to the path of a route that comes before them, and to how its points lie."""
+    def alike(self, p: Path, needs: Needs) -> int:
+        """Those that share its entry or a section of its path, or want its points to lie otherwise."""
         found = self._any(("from", p.entry))
         found |= self._any(*(("lies", m, x.other) for m, x in needs.path.items()))
         found |= self._any(*(("held", m, x.other) for m, x in needs.held.items()))
-        found |= self._any(*(("path", t.section) for t in p.ways))
-        return found | self._any(*(("path", x) for t in p.ways for x in _excluded(locks[t.key])))
+        return found | self._any(*(("path", t.section) for t in p.ways))
+
+    def excluded(self, p: Path, locks: Mapping[TraversalKey, TraversalRow]) -> int:
+        """Those over ways that its path excludes."""
+        return self._any(*(("path", x) for t in p.ways for x in _excluded(locks[t.key])))
 
     def of_overlap(self, p: Path, locks: Mapping[TraversalKey, TraversalRow]) -> int:
         """Those that are hostile to the overlap of a route."""

@@ -10,7 +10,20 @@ from collections.abc import Mapping, Sequence
 
 from interlock.logic.controller import Controller, Symbols
 from interlock.logic.expr import Expr, variables
-from interlock.logic.plant import accepted, across, came, image, lamp, lies, o, old_command, overran, rests, running
+from interlock.logic.plant import (
+    accepted,
+    across,
+    came,
+    image,
+    lamp,
+    lies,
+    o,
+    old_command,
+    overran,
+    overrunning,
+    rests,
+    running,
+)
 from interlock.model.elements import Position, SectionId
 from interlock.model.traversal import Topology
 
@@ -78,7 +91,9 @@ def homes(
     found |= {x.name: f"point {m}" for m, _ in sym.command for p in Position for x in (lies(m, p), old_command(m, p))}
     found |= {name: f"section {s}" for s, name in sym.clear.items()}
     for s in topo.sections:
-        found |= {x.name: f"section {s}" for x in (image(s), running(s), *(overran(g, s) for g in sym.approach_of))}
+        found |= {x.name: f"section {s}" for x in (image(s), running(s))}
+    names = (name.removesuffix(prime) for name in definitions)
+    found |= {overran(g, s).name: f"section {s}" for g, s in overrunning(names, sym.approach_of, topo.ends)}
     for g in sym.approach_of:
         found |= {x.name: f"signal {g}" for k in (False, True) for x in (accepted(g, k), lamp(g, k))}
     readers: dict[str, set[str]] = {}

@@ -12,6 +12,7 @@ from enum import StrEnum
 from functools import cached_property
 from typing import overload
 
+from interlock.model.bits import bits_of
 from interlock.model.elements import (
     ConditionId,
     CrossingId,
@@ -166,17 +167,22 @@ class HostileRoutes(Sequence[Hostile]):
     hostile is told when it is asked for.
     """
 
-    def __init__(self, routes: tuple[RouteId, ...], tell: Callable[[RouteId], Hostile]) -> None:
-        """`tell`: class, witness and reason of one of the routes."""
-        self.routes = routes
+    def __init__(self, among: Sequence[RouteId], members: int, tell: Callable[[RouteId], Hostile]) -> None:
+        """Those of some routes whose bit is set; `tell`: class, witness and reason of one of them."""
+        self._among, self._members = among, members
         self._tell = tell
+
+    @cached_property
+    def routes(self) -> tuple[RouteId, ...]:
+        """Their ids."""
+        return tuple([self._among[n] for n in bits_of(self._members)])
 
     @cached_property
     def _all(self) -> tuple[Hostile, ...]:
         return tuple(map(self._tell, self.routes))
 
     def __len__(self) -> int:
-        return len(self.routes)
+        return self._members.bit_count()
 
     @overload
     def __getitem__(self, at: int) -> Hostile: ...

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Container, Iterable, Iterator
+
 from interlock.logic.expr import Expr, var
-from interlock.model.elements import Position
+from interlock.model.elements import Position, SectionId, SignalId
 
 OUTSIDE = "outside"
 
@@ -41,6 +43,17 @@ def running(s: str) -> Expr:
 def overran(g: str, s: str) -> Expr:
     """What stands in s has overrun signal g."""
     return var(f"over.{g}.{s}")
+
+
+def overrunning(
+    names: Iterable[str], signals: Container[str], sections: Container[str]
+) -> Iterator[tuple[SignalId, SectionId]]:
+    """Signal and section of those of some names that tell of an overrun."""
+    for head, *words in (name.split(".") for name in names):
+        for n in range(1, len(words)) if head == "over" else ():
+            g, s = ".".join(words[:n]), ".".join(words[n:])
+            if g in signals and s in sections:
+                yield SignalId(g), SectionId(s)
 
 
 def accepted(g: str, shunt: bool = False) -> Expr:

@@ -350,12 +350,10 @@ def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 def _held_fast(f: Facts, s: SectionId) -> Expr:
     """Held otherwise than by an overlap that swings away in this step, with the section before its signal clear."""
     held = [f.locked(s)]
-    for option, name in f.sym.overlap.items():
-        if any(t == s for t, _ in f.sym.overlap_ways[option]):
-            g = option[0]
-            before = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), f.layout.signal[g].node)
-            close = neg(f.clear(before)) if g in f.sym.swings and before is not None else TRUE
-            held.append(conj((var(name), disj((close, f.system.after(var(name)))))))
+    for (g, _), name in f.options(s).items():
+        before = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), f.layout.signal[g].node)
+        close = neg(f.clear(before)) if g in f.sym.swings and before is not None else TRUE
+        held.append(conj((var(name), disj((close, f.system.after(var(name)))))))
     return disj(held)
 
 

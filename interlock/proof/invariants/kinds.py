@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Protocol
 
 from interlock.logic.controller import Symbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
-from interlock.logic.plant import Plant
+from interlock.logic.plant import Plant, overrunning
 from interlock.model.elements import NodeId, SectionId, Signal, SignalId, Zone
 from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.layout import Layout
@@ -76,24 +77,27 @@ class Facts:
         for (sec, n), name in sorted(self.sym.lock.items()):
             self._locks.setdefault(sec, []).append((n, var(name)))
         self._overlaps: dict[str, list[tuple[int, Expr]]] = {}
+        self._options: dict[str, dict[tuple[SignalId, int], str]] = {}
         for option, name in self.sym.overlap.items():
             for s, n in self.sym.overlap_ways[option]:
                 self._overlaps.setdefault(s, []).append((n, var(name)))
+                self._options.setdefault(s, {})[option] = name
 
     @cached_property
     def _overrun(self) -> dict[str, list[SignalId]]:
         order = {g: n for n, g in enumerate(self.layout.overlap_of)}
         found: dict[str, list[SignalId]] = {}
-        for head, *words in (name.split(".") for name in self.system.plant.state):
-            for n in range(1, len(words)) if head == "over" else ():
-                g, s = SignalId(".".join(words[:n])), ".".join(words[n:])
-                if g in order and s in self.topo.ends:
-                    found.setdefault(s, []).append(g)
+        for g, s in overrunning(self.system.plant.state, order, self.topo.ends):
+            found.setdefault(s, []).append(g)
         return {s: sorted(those, key=order.__getitem__) for s, those in found.items()}
 
     def overrun(self, s: str) -> list[SignalId]:
         """The signals with an overlap that what stands in a section may have overrun."""
         return self._overrun.get(s, [])
+
+    def options(self, s: str) -> Mapping[tuple[SignalId, int], str]:
+        """The overlap alternatives that lie over a section, with their variables."""
+        return self._options.get(s, {})
 
     def lock(self, s: str, n: int) -> Expr:
         """Locked for one way."""
