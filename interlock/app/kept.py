@@ -14,7 +14,7 @@ import time
 from collections.abc import Callable
 from contextlib import ExitStack
 from functools import cache, partial
-from importlib.metadata import version
+from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import interlock
@@ -28,7 +28,7 @@ from interlock.proof.runner import ProofResult, if_proved
 from interlock.proof.system import System
 from interlock.proof.witness import Witness
 
-SOLVERS = ("python-sat", "z3-solver")
+SOLVERS = ("python-sat", "z3-solver", "cvc5")
 
 Good = tuple[ProofResult, tuple[TextVerdict, ...]]
 """A proof without a blemish, and texts that equal their controller."""
@@ -94,4 +94,11 @@ def _program() -> str:
     for file in sorted(top.rglob("*.py")):
         body = file.read_bytes()
         sources.update(f"{file.relative_to(top)} {len(body)}\n".encode() + body)
-    return " ".join([sources.hexdigest(), sys.version, *map(version, SOLVERS)])
+    return " ".join([sources.hexdigest(), sys.version, *map(_version, SOLVERS)])
+
+
+def _version(solver: str) -> str:
+    try:
+        return version(solver)
+    except PackageNotFoundError:  # cvc5 is an extra
+        return "none"

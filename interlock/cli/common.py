@@ -166,5 +166,5 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
     click.echo(
         f"{p.checked.path}: {verdict}  {done}/{len(p.proof.claims)} claims, {routes} routes, {ok} driven by a witness, "
         f"text {'=' if p.text_equal else 'differs from'} controller, {p.proof.seconds:.1f} s"
-        f"{', all of it kept from an earlier run' if p.proof.kept else ''}"
+        f"{', as an earlier run has proved it' if p.proof.kept else ''}"
     )
