@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
+from interlock.app import kept
 from interlock.app.init import yard
-from interlock.app.prove import Proved, prove_file
+from interlock.app.prove import prove_file
+from interlock.app.proved import Proved
 from interlock.cli.prove import command
-from interlock.logic.expr import Op, eq, var
+from interlock.model.contents import digest
+from interlock.model.elements import Position, SectionId
 from interlock.proof import parts
 from interlock.proof.cache import Cache
-from interlock.proof.contents import digest
 from interlock.proof.limits import Limits
 from interlock.proof.mutate import KINDS
-from interlock.proof.runner import ProofResult, Verdict, prove
+from interlock.proof.runner import prove
 from interlock.proof.system import System
+from interlock.proof.verdict import ProofResult, Verdict
+from interlock.table.rows import Because, ClearCell, FlankCell
 from tests.layouts import built
 
 
@@ -86,8 +91,8 @@ def test_a_damaged_answer_is_not_believed(tmp_path: Path, solvers: list[str]) ->
     system = System(layout, controller)
     proved(tmp_path, system)
     asked = len(solvers)
-    for kept in tmp_path.iterdir():
-        kept.write_bytes(kept.read_bytes()[:-1])
+    for file in tmp_path.iterdir():
+        file.write_bytes(file.read_bytes()[:-1])
     assert proved(tmp_path, system).proved and len(solvers) == 2 * asked
 
 
@@ -117,8 +122,8 @@ def test_a_change_that_changes_nothing_that_is_proved_asks_nothing(
     def never(*given: object) -> None:
         raise AssertionError("a question, a run or a text")
 
-    monkeypatch.setattr("interlock.app.prove.prove", never)
-    monkeypatch.setattr("interlock.app.prove.writers", never)
+    monkeypatch.setattr("interlock.app.making.prove", never)
+    monkeypatch.setattr("interlock.app.making.writers", never)
     layout.write_text(moved(yard(4)))
     second = again(layout)
     assert second.green and second.proof is not None and second.proof.kept
@@ -149,6 +154,20 @@ def test_another_controller_another_program_and_a_damaged_file_are_proved_anew(
     assert not kept(again(layout))
 
 
+@pytest.mark.parametrize("file", ["junction", "flank_lab", "depot", "cn6502"])
+def test_a_proof_is_named_by_the_lengths_that_matter(file: str) -> None:
+    """A metre far from everything changes nothing; a joint that fouls a point does."""
+    layout, table, _ = built(file)
+
+    def name(scale: float, foul: float = 1.0) -> str:
+        edges = tuple(replace(e, length=e.length * scale) for e in layout.edges)
+        points = tuple(replace(p, fouling=p.fouling * foul) for p in layout.points)
+        return kept.name(Limits(cache=Cache(Path("x"))), replace(layout, edges=edges, points=points), table)
+
+    assert name(1.0) == name(1.0 + 1e-9) != name(0.001)
+    assert name(1.0) != name(1.0, foul=100.0)
+
+
 def test_what_is_not_proved_is_not_kept(tmp_path: Path) -> None:
     file = tmp_path / "refuted.yaml"
     file.write_text(next(Path("layouts/refuted").glob("*.yaml")).read_text())
@@ -158,16 +177,15 @@ def test_what_is_not_proved_is_not_kept(tmp_path: Path) -> None:
 
 
 def test_values_that_differ_have_other_digests() -> None:
-    a, b = var("a"), var("b")
     values: list[object] = [
-        "a", a, ("a",), "ab", ("ab",), ("a", "b"), (("a",), "b"), ("a", ("b",)), {"a": "b"}, {"b": "a"},
-        1, "1", True, 1.0, None, (), a & b, a | b, b & a, ~a, (a, b), (a & b) | a, eq("a", 1), eq("a", 2), Op.AND, 5.5,
-        frozenset({"a"}), Limits(), Limits(jobs=2), "s1:a", ("s1:a", "b"),
+        "a", ("a",), "ab", ("ab",), ("a", "b"), (("a",), "b"), ("a", ("b",)), {"a": "b"}, {"b": "a"}, 1, "1", True, 1.0,
+        None, (), 5.5, frozenset({"a"}), Because("R1", "a"), Because("R1", "b"), ClearCell(SectionId("a"), Because("R1",
+        "a")), FlankCell("a", SectionId("b"), (), Because("R1", "a")), Limits(), Limits(jobs=2), "s1:a", ("s1:a", "b"),
     ]  # fmt: skip
     digests = [digest(x) for x in values]
     assert len(set(digests)) == len(values)
     assert digest(["a", "b"]) == digest(("a", "b")) != digest("a", "b")
-    assert digest(a & b, a | b) == digest(var("a") & var("b"), a | b)
+    assert digest(Position.NORMAL) == digest("N")
     with pytest.raises(TypeError):
         digest(object())
 

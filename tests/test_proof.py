@@ -14,9 +14,10 @@ from interlock.proof.invariants import CLAIMS, Facts, claims
 from interlock.proof.limits import Limits
 from interlock.proof.near import walked
 from interlock.proof.parts import Goal, Parts
-from interlock.proof.runner import Verdict, inductive, open_claims, prove
+from interlock.proof.runner import inductive, open_claims, prove
 from interlock.proof.search import search
 from interlock.proof.system import System
+from interlock.proof.verdict import Verdict
 from tests.campaigns.assumptions import CASES, OTHERS, harm
 from tests.layouts import SHIPPED, built
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from interlock.app.compile import build, finish
-from interlock.app.prove import Proved
+from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Severity
 from interlock.emit.bundle import differences, is_bundle, write_folder
 from interlock.logic.lower import lower
@@ -18,8 +18,9 @@ from interlock.proof.local.engine import prove_locally
 from interlock.proof.local.facts import FactBase
 from interlock.proof.local.library import Library
 from interlock.proof.local.needed import needs, needs_text
-from interlock.proof.runner import Progress, quiet, start_claim
+from interlock.proof.runner import start_claim
 from interlock.proof.system import System
+from interlock.proof.verdict import Progress, quiet
 from interlock.verify import Rejected, verify
 
 

@@ -12,7 +12,9 @@ from pathlib import Path
 
 from interlock import __version__
 from interlock.app.check import Checked, derive_file
-from interlock.app.prove import Proved, claims_json, prove_derived
+from interlock.app.making import claims_json
+from interlock.app.prove import prove_derived
+from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
 from interlock.emit.drawing import plan_svg
@@ -32,7 +34,7 @@ from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.proof.limits import Limits
-from interlock.proof.runner import Progress, quiet
+from interlock.proof.verdict import Progress, quiet
 from interlock.table.national import national_sheets
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from interlock.app.prove import Proved
+from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Sink
 from interlock.emit.drawing import place, plan_svg
 from interlock.emit.report import player_html

@@ -1,8 +1,9 @@
-"""Whole proofs that went well, kept for the next run under the digest of all that they are about.
+"""Whole proofs that went well, kept for the next run under the digest of all that they are made from.
 
-A change of a layout that changes neither its controller nor anything that is claimed of it asks for the same proof
-again.  The name of a kept file is the digest of this program, of the engine, and of everything that the proof, the
-witnesses and the comparison of the texts read: another proof has another name.  A file that is damaged is not believed.
+A proof is made from the table and the layout without lengths, and from what is `measured` of these: the controller, the
+plant, claims, invariants, witnesses and texts get nothing else.  The name of a kept proof is the digest of these
+values, of this program, and of the engine and what it runs on: another proof has another name.  A file that is damaged
+is not believed.
 """
 
 from __future__ import annotations
@@ -11,22 +12,19 @@ import hashlib
 import json
 import sys
 import time
-from collections.abc import Callable
-from contextlib import ExitStack
-from functools import cache, partial
+from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 import interlock
-from interlock.app.texts import TextVerdict
-from interlock.logic.controller import Controller
-from interlock.proof.contents import digest
-from interlock.proof.invariants import Claim, Facts, strengthening
+from interlock.app.proved import Proved, TextVerdict
+from interlock.model.contents import digest
+from interlock.model.layout import Layout
+from interlock.model.measured import measured
+from interlock.proof.cache import Cache
 from interlock.proof.limits import Limits
-from interlock.proof.pool import Begun
-from interlock.proof.runner import ProofResult, if_proved
-from interlock.proof.system import System
-from interlock.proof.witness import Witness
+from interlock.proof.verdict import ClaimResult, ProofResult, Verdict, Witness
+from interlock.table.rows import InterlockingTable
 
 SOLVERS = ("python-sat", "z3-solver", "cvc5")
 
@@ -34,56 +32,38 @@ Good = tuple[ProofResult, tuple[TextVerdict, ...]]
 """A proof without a blemish, and texts that equal their controller."""
 
 
-class Kept(ExitStack):
-    """One proof in the folder of `--cache`, until the end of a `with` block."""
-
-    def __init__(self, limits: Limits, controller: Controller) -> None:
-        """Begin to look for the name of the proof, beside what its owner does."""
-        super().__init__()
-        self._began = time.monotonic()
-        self._limits = limits
-        self._key = ""
-        self._digests: list[Begun] = []
-        self._begin(partial(digest, controller))
-
-    def _begin(self, *tasks: Callable[[], str]) -> None:
-        self._digests.append(self.enter_context(Begun(tasks, self._limits.jobs)))
-
-    def about(self, system: System) -> None:
-        """The system that is proved, and what carries its proof."""
-        self._begin(
-            partial(_invariants, system),
-            partial(digest, system.layout.bare, system.plant, system.definitions, system.initial_parts),
-        )
-
-    def look(self, claims: tuple[Claim, ...]) -> Good | None:
-        """The proof of the claims, if it is there."""
-        cache = self._limits.cache
-        form = " ".join([_program(), digest(claims), *(x for begun in self._digests for x in begun.results())])
-        self._key = cache.key(lambda: form, self._limits.engine)
-        body = cache.text(self._key)
-        if body is None:
-            return None
-        told = json.loads(body)
-        runs = tuple(Witness(route, True, steps, text) for route, steps, text in told["witnesses"])
-        seconds = time.monotonic() - self._began
-        proof = ProofResult(if_proved(claims), told["invariants"], (), told["obligations"], runs, seconds, kept=True)
-        return proof, tuple(TextVerdict(file, ()) for file in told["texts"])
-
-    def keep(self, proof: ProofResult, texts: tuple[TextVerdict, ...]) -> None:
-        """Keep the proof, if nothing is left to be said of it."""
-        if proof.proved and not proof.dropped and texts and all(t.equal for t in texts):
-            told = {
-                "invariants": proof.invariants,
-                "obligations": proof.obligations,
-                "witnesses": [[w.route, w.steps, w.text] for w in proof.witnesses],
-                "texts": [t.file for t in texts],
-            }
-            self._limits.cache.keep_text(self._key, json.dumps(told))
+def name(limits: Limits, layout: Layout, table: InterlockingTable) -> str:
+    """The name under which the proof of a layout and its table is kept."""
+    form = f"{_program()} {digest(layout.bare, measured(layout), table.bare)}"
+    return limits.cache.key(lambda: form, limits.engine)
 
 
-def _invariants(system: System) -> str:
-    return digest(strengthening(Facts(system)))
+def look(cache: Cache, key: str) -> Good | None:
+    """The proof of that name, if it is there."""
+    began = time.monotonic()
+    body = cache.text(key)
+    if body is None:
+        return None
+    told = json.loads(body)
+    claims = tuple(ClaimResult(id_, words, Verdict.PROVED, places, (), 0.0) for id_, words, places in told["claims"])
+    runs = tuple(Witness(route, True, steps, text) for route, steps, text in told["witnesses"])
+    seconds = time.monotonic() - began
+    proof = ProofResult(claims, told["invariants"], (), told["obligations"], runs, seconds, kept=True)
+    return proof, tuple(TextVerdict(file, ()) for file in told["texts"])
+
+
+def keep(cache: Cache, key: str, proved: Proved) -> None:
+    """Keep a proof, if nothing is left to be said of it."""
+    proof = proved.proof
+    if proof is not None and proved.green and not proof.dropped and not proved.notes:
+        told = {
+            "claims": [[c.id, c.sentence, c.places] for c in proof.claims],
+            "invariants": proof.invariants,
+            "obligations": proof.obligations,
+            "witnesses": [[w.route, w.steps, w.text] for w in proof.witnesses],
+            "texts": [t.file for t in proved.texts],
+        }
+        cache.keep_text(key, json.dumps(told))
 
 
 @cache

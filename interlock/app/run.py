@@ -7,13 +7,14 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from interlock.app.check import derive_file
-from interlock.app.prove import Proved, prove_derived
+from interlock.app.prove import prove_derived
+from interlock.app.proved import Proved
 from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
 from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.proof.limits import Limits
-from interlock.proof.runner import Progress, quiet
+from interlock.proof.verdict import Progress, quiet
 from interlock.table.rows import InterlockingTable
 
 

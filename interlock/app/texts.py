@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from functools import partial
 
+from interlock.app.proved import TextVerdict
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.cabinet import allocate
 from interlock.logic.controller import Controller
@@ -14,25 +14,11 @@ from interlock.model.layout import Layout
 from interlock.proof.cabinet import compare_program
 from interlock.proof.python_text import compare_runtime
 from interlock.proof.telegram import compare_telegram
-from interlock.proof.translation import Difference, compare_dialect
+from interlock.proof.translation import compare_dialect
 from interlock.st.dialects import DIALECTS, Dialect, write_st
 from interlock.st.printer import print_unit
 from interlock.st.program import io_program
 from interlock.st.telegram import telegram_unit
-
-
-@dataclass(frozen=True)
-class TextVerdict:
-    """Whether an emitted text (a file, or a folder of files of one dialect) equals the controller."""
-
-    file: str
-    differences: tuple[Difference, ...]
-
-    @property
-    def equal(self) -> bool:
-        """Proved equal, output by output."""
-        return not self.differences
-
 
 Written = tuple[TextVerdict, dict[str, bytes]]
 """A verdict and the very files that it speaks of."""

@@ -15,7 +15,7 @@ from interlock.diag import Diagnostic, Severity
 from interlock.diag import render as renderers
 
 if TYPE_CHECKING:
-    from interlock.app.prove import Proved
+    from interlock.app.proved import Proved
 
 OK, FINDINGS, NOT_PROVED = 0, 1, 3
 
@@ -165,6 +165,6 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
     routes = len(p.proof.witnesses)
     click.echo(
         f"{p.checked.path}: {verdict}  {done}/{len(p.proof.claims)} claims, {routes} routes, {ok} driven by a witness, "
-        f"text {'=' if p.text_equal else 'differs from'} controller, {p.proof.seconds:.1f} s"
-        f"{', as an earlier run has proved it' if p.proof.kept else ''}"
+        f"text {'=' if p.text_equal else 'differs from'} controller, "
+        f"{'as an earlier run has proved it' if p.proof.kept else f'{p.proof.seconds:.1f} s'}"
     )

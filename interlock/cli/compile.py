@@ -22,7 +22,7 @@ from interlock.cli.common import (
     show_proof,
 )
 from interlock.proof.limits import Limits
-from interlock.proof.runner import quiet
+from interlock.proof.verdict import quiet
 from interlock.st.dialects import DIALECTS
 
 

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import click
 
-from interlock.app.prove import Proved, prove_file, run_many
+from interlock.app.prove import prove_file, run_many
+from interlock.app.proved import Proved
 from interlock.cli.common import (
     exit_code,
     format_option,

@@ -114,6 +114,10 @@ class Topology:
         """The traversals of a section that start at an end."""
         return tuple(t for t in self.traversals[section] if t.entry == entry)
 
+    def paths(self, keys: Iterable[Iterable[tuple[SectionId, int]]]) -> tuple[tuple[Traversal, ...], ...]:
+        """Paths by the keys of their traversals."""
+        return tuple(tuple(self.traversals[s][n - 1] for s, n in ways) for ways in keys)
+
     def reversed(self, t: Traversal) -> Traversal | None:
         """The same way in the other direction, if trains may run it."""
         for other in self.traversals[t.section]:

@@ -11,9 +11,8 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from enum import StrEnum
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 
 from interlock.logic.expr import FALSE, TRUE, Expr, Op, Substitution, conj, neg, var
@@ -24,56 +23,10 @@ from interlock.proof.limits import Limits
 from interlock.proof.parts import Decision, Goal, Inquiry, Start, decide
 from interlock.proof.pool import Begun, Task, run
 from interlock.proof.search import search
-from interlock.proof.story import Story, tell
+from interlock.proof.story import tell
 from interlock.proof.system import System
-from interlock.proof.witness import Witness, witnesses
-
-Progress = Callable[[str, int, int], None]
-
-
-class Verdict(StrEnum):
-    """UNKNOWN is never green."""
-
-    PROVED = "PROVED"
-    REFUTED = "REFUTED"
-    UNKNOWN = "UNKNOWN"
-
-
-@dataclass(frozen=True)
-class ClaimResult:
-    """One claim over all its places."""
-
-    id: str
-    sentence: str
-    verdict: Verdict
-    places: int
-    open: tuple[str, ...]
-    seconds: float
-    story: Story | None = None
-
-
-@dataclass(frozen=True)
-class ProofResult:
-    """All claims, the invariants that carried them, and the witnesses."""
-
-    claims: tuple[ClaimResult, ...]
-    invariants: int
-    dropped: tuple[str, ...]
-    obligations: int
-    witnesses: tuple[Witness, ...]
-    seconds: float
-    kept: bool = False
-    """The very same proof was made before, and is remembered."""
-
-    @property
-    def proved(self) -> bool:
-        """Whether every claim is proved and every route has its witness."""
-        return all(c.verdict is Verdict.PROVED for c in self.claims) and all(w.ok for w in self.witnesses)
-
-
-def quiet(stage: str, done: int, total: int) -> None:
-    """A progress report that goes nowhere."""
-    del stage, done, total
+from interlock.proof.verdict import ClaimResult, Progress, ProofResult, Verdict, quiet
+from interlock.proof.witness import witnesses
 
 
 def inductive(system: System, limits: Limits, progress: Progress = quiet) -> tuple[list[Invariant], list[str], int]:

@@ -14,6 +14,7 @@ from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, im
 from interlock.logic.plant import Assumption, Plant, TokenWires, Wiring, across, build_plant, lies, o, old_command
 from interlock.model.elements import NodeId, SectionId, SignalId, Zone
 from interlock.model.layout import Layout
+from interlock.model.measured import measured
 from interlock.model.traversal import topology
 from interlock.proof.near import homes, places, routes_of
 
@@ -58,11 +59,13 @@ class System:
     """
 
     def __init__(self, layout: Layout, controller: Controller, dropped: frozenset[str] = frozenset()) -> None:
-        self.layout = layout
+        """`layout`: with its lengths, of which nothing but `measured` is kept."""
+        self.measured = measured(layout)
+        self.layout = layout = layout.bare
         self.controller = controller
         self.topo = topology(layout)
         self.symbols = controller.symbols
-        self.plant: Plant = build_plant(layout, wiring(controller, layout), dropped)
+        self.plant: Plant = build_plant(layout, self.measured, wiring(controller, layout), dropped)
         following = {e.name: e.expr for e in controller.next} | self.plant.next | self._ghosts()
         self.state: tuple[str, ...] = tuple(following)
         self.later = {n: n + PRIME for n in self.state}

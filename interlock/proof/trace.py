@@ -30,7 +30,7 @@ def views(system: System) -> dict[str, list[list[str]]]:
     return {n: v for n, v in out.items() if n in set(system.state)}
 
 
-def itf(system: System, story: Story, plan: str) -> str:
+def itf(system: System, story: Story, layout_digest: str, plan: str) -> str:
     """The trace of a story: one state for each of its steps."""
     names = list(system.state)
     states = []
@@ -43,7 +43,7 @@ def itf(system: System, story: Story, plan: str) -> str:
             "title": f"Counterexample to {story.claim} in {system.layout.name}",
             "claim": f"{story.claim} at {story.place}",
             "sentence": story.sentence,
-            "layout": system.layout.digest,
+            "layout": layout_digest,
             "plan": plan,
             "views": views(system),
         },

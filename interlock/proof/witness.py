@@ -17,24 +17,15 @@ from interlock.model.elements import NodeId, Position, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, topology
 from interlock.proof.system import System
+from interlock.proof.verdict import Witness
 from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Wish
 
 MAX_STEPS = 400
 
 
 @dataclass(frozen=True)
-class Witness:
-    """The outcome for one route: how far the run came, and how many scans it took."""
-
-    route: str
-    ok: bool
-    steps: int
-    text: str
-
-
-@dataclass(frozen=True)
 class Railway:
-    """What runs are about: a controller, its plant, and the layout without lengths, which no run depends on."""
+    """What runs are about: a controller, its plant, and the layout (without lengths)."""
 
     controller: Controller
     plant: Plant
@@ -57,7 +48,7 @@ def witnesses(system: System) -> tuple[Witness, ...]:
     First with a train that has stood before the signal since the restart (into a berth a second time, with vehicles
     standing there); where that fails, with a train that came there under another route.
     """
-    railway = Railway(system.controller, system.plant, system.layout.bare)
+    railway = Railway(system.controller, system.plant, system.layout)
     routes = railway.symbols.routes
     lanes = Lanes(railway.controller, railway.plant)
     first = _attempt(railway, lanes, [(r, "", ()) for r in routes])

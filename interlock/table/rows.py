@@ -7,7 +7,7 @@ Every derived cell carries `Because(rule, text)`.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cached_property
 from typing import overload
@@ -456,6 +456,11 @@ class InterlockingTable:
     priority: tuple[tuple[RouteId, int], ...] = ()
 
     @cached_property
+    def bare(self) -> InterlockingTable:
+        """The same table without lengths, and without the hostile routes, which follow from the rest."""
+        return replace(self, layout_digest="", routes=tuple([_bare(r) for r in self.routes]))
+
+    @cached_property
     def route(self) -> dict[RouteId, RouteRow]:
         """Routes by id."""
         return {r.id: r for r in self.routes}
@@ -464,3 +469,12 @@ class InterlockingTable:
     def lock(self) -> dict[TraversalKey, TraversalRow]:
         """Locks by section and number."""
         return {t.key: t for t in self.locks}
+
+
+def _bare(r: RouteRow) -> RouteRow:
+    overlap = None if r.overlap is None else replace(r.overlap, metres=0.0)
+    return replace(r, length=0.0, hostile=HostileRoutes((), 0, _no_reason), overlap=overlap)
+
+
+def _no_reason(route: RouteId) -> Hostile:
+    raise LookupError(f"a bare table does not tell why {route} is hostile")

@@ -52,8 +52,10 @@ PASSES = (
 
 
 def lower(layout: Layout, table: InterlockingTable) -> Controller:
-    """The controller of a table.  Raises `MalformedController` only for a defect of this package."""
-    d = Draft(layout, table)
+    """The controller of a table; lengths are not looked at.  Raises `MalformedController` only for a defect of this
+    package."""
+    layout = layout.bare
+    d = Draft(layout, table.bare)
     for add in PASSES:
         add(d)
     return Controller(

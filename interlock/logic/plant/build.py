@@ -26,20 +26,21 @@ from interlock.logic.plant.words import (
 )
 from interlock.model.elements import BoundaryKind, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
-from interlock.model.overlap import overlap_paths
+from interlock.model.measured import Measured
 from interlock.model.traversal import Traversal, topology
 
 
 class PlantBuilder:
     """Builds the plant of a layout."""
 
-    def __init__(self, layout: Layout, wiring: Wiring, dropped: frozenset[str] = frozenset()) -> None:
+    def __init__(self, layout: Layout, read: Measured, wiring: Wiring, dropped: frozenset[str]) -> None:
         self.layout = layout
+        self.fouls = read.fouls
         self.topo = topology(layout)
         self.w = wiring
         self.dropped = dropped
         self.shunts = any(g.shunt for g in layout.signals)
-        self.overlaps = {g.id: overlap_paths(layout, g.id) for g in layout.signals if overlap_paths(layout, g.id)}
+        self.overlaps = {g: self.topo.paths(ways) for g, ways in read.overlaps.items()}
         self.overlapped: dict[SectionId, list[SignalId]] = {}
         for g_, paths in self.overlaps.items():
             for s in dict.fromkeys(t.section for path in paths for t in path):
@@ -553,6 +554,6 @@ class PlantBuilder:
             self.p.assumptions.append(Assumption(id_, ASSUMPTIONS[id_], expr))
 
 
-def build_plant(layout: Layout, wiring: Wiring, dropped: frozenset[str] = frozenset()) -> Plant:
-    """The plant of a layout; `dropped` names assumptions to leave out (to show that they matter)."""
-    return PlantBuilder(layout, wiring, dropped).build()
+def build_plant(layout: Layout, read: Measured, wiring: Wiring, dropped: frozenset[str] = frozenset()) -> Plant:
+    """The plant of a layout without lengths, of which `read` tells; `dropped`: assumptions to leave out."""
+    return PlantBuilder(layout, read, wiring, dropped).build()

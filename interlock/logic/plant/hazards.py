@@ -8,7 +8,7 @@ from interlock.logic.expr import FALSE, Expr, at_most_one, conj, disj, neg
 from interlock.logic.plant.kinds import Hazard, Plant
 from interlock.logic.plant.words import came, lies, o, rests
 from interlock.model.elements import NodeId, Position, SectionId
-from interlock.model.foul import foul_joints
+from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal
 
@@ -17,6 +17,7 @@ class Railway(Protocol):
     """What the hazards see of the plant in the making: its events and who stands where."""
 
     layout: Layout
+    fouls: tuple[FoulJoint, ...]
     topo: Topology
     p: Plant
 
@@ -103,7 +104,7 @@ def hazards(b: Railway) -> list[Hazard]:
                     conj((sides[0][1], sides[1][1], neg(conj((rests(sides[0][0]), rests(sides[1][0])))))),
                 )
             )
-    for f in foul_joints(layout):
+    for f in b.fouls:
         crossing = disj(
             conj((came(f.section, t.entry), b.lie(t)))
             for t in topo.traversals[f.section]

@@ -11,7 +11,6 @@ from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, imp
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
-from interlock.model.overlap import overlap_paths
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
 from interlock.proof.invariants.flank import flank, flank_space
@@ -204,7 +203,7 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 yield "S-TRAILED", place, implies(here, conj(trailed))
             ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
             exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
-            over = () if exit_ is None or shunt else overlap_paths(f.layout, exit_)
+            over = () if exit_ is None or shunt else f.overlap_paths(exit_)
             if over:
                 yield "S-OVERLAP", place, implies(here, disj(_overlap(f, ways) for ways in over))
             if not shunt and f.layout.principles.caution is not Caution.NEVER:

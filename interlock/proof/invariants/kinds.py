@@ -10,10 +10,11 @@ from typing import Any, Protocol
 from interlock.logic.controller import Symbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.plant import Plant, overrunning
-from interlock.model.elements import NodeId, SectionId, Signal, SignalId, Zone
-from interlock.model.foul import FoulJoint, foul_joints
+from interlock.model.elements import EdgeId, NodeId, SectionId, Signal, SignalId, Zone
+from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
-from interlock.model.traversal import Topology
+from interlock.model.measured import Beyond, Measured
+from interlock.model.traversal import Topology, Traversal
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +44,7 @@ class SystemView(Protocol):
     """What invariants may see of the system."""
 
     layout: Layout
+    measured: Measured
     topo: Topology
     symbols: Symbols
     plant: Plant
@@ -207,10 +209,19 @@ class Facts:
         """The berths in which shunt routes end."""
         return frozenset(r.berth[0] for r in self.sym.routes if r.berth is not None)
 
-    @cached_property
+    @property
     def fouls(self) -> tuple[FoulJoint, ...]:
         """The foul joints of the layout."""
-        return tuple(foul_joints(self.layout))
+        return self.system.measured.fouls
+
+    def overlap_paths(self, g: SignalId) -> tuple[tuple[Traversal, ...], ...]:
+        """The alternatives of a signal's overlap; none without one."""
+        return self.topo.paths(self.system.measured.overlaps.get(g, ()))
+
+    @property
+    def beyond(self) -> Mapping[tuple[NodeId, EdgeId], Beyond]:
+        """What lies beyond the legs of points and the arms of crossings."""
+        return self.system.measured.beyond
 
     @cached_property
     def _passed(self) -> list[tuple[NodeId, SectionId, SectionId, bool]]:

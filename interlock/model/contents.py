@@ -1,18 +1,14 @@
 """The digest of all that some values say: equal digests, equal values.
 
-Values are plain data: texts, numbers, sequences, mappings in their order, sets, data classes, and expressions, which
-may share parts.
+Values are plain data: texts, numbers, sequences, mappings in their order, sets, and data classes.
 """
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, is_dataclass
-
-from interlock.logic.expr import Expr
-
-_OPS = "FTv=!&|"  # one letter for each operator, by number
+from operator import attrgetter
 
 
 def digest(*values: object) -> str:
@@ -27,18 +23,14 @@ class _Told:
 
     def __init__(self) -> None:
         self.parts: list[str] = []
-        self._nodes: dict[Expr, str] = {}
         self._fields: dict[type, Callable[[object], tuple[object, ...]]] = {}
 
     def tell(self, values: Iterable[object]) -> None:
         """Values one after the other, each with its kind and size."""
-        parts, nodes = self.parts, self._nodes
+        parts = self.parts
         for x in values:
-            kind = type(x)
-            if kind is str:
-                parts.append(f"s{len(x)}:{x}")  # type: ignore[arg-type]
-            elif kind is Expr:
-                parts.append(nodes.get(x) or self._node(x))  # type: ignore[arg-type, call-overload]
+            if type(x) is str:
+                parts.append(f"s{len(x)}:{x}")
             else:
                 self._other(x)
 
@@ -48,7 +40,9 @@ class _Told:
         if values is not None:
             self.parts.append(f"<{kind.__name__};")
             self.tell(values(x))
-        elif isinstance(x, (tuple, list)):
+        elif isinstance(x, str):
+            self.tell((str(x),))
+        elif isinstance(x, Sequence):
             self.parts.append(f"({len(x)};")
             self.tell(x)
         elif x is None or kind is bool or kind is float:
@@ -59,25 +53,16 @@ class _Told:
             self.parts.append(f"{{{len(x)};")
             self.tell(x)
             self.tell(x.values())
-        elif isinstance(x, str):
-            self.tell((str(x),))
         elif isinstance(x, (set, frozenset)):
             self.parts.append("/")
             self._other(sorted(x))
         elif is_dataclass(x):
-            names = [f.name for f in fields(x)]
-            self._fields[kind] = lambda x: tuple([getattr(x, name) for name in names])
+            self._fields[kind] = _getter([f.name for f in fields(x)])
             self._other(x)
         else:
             raise TypeError(f"no plain data: {kind.__name__}")
 
-    def _node(self, x: Expr) -> str:
-        """An expression by its number, after a line for each part that is new."""
-        nodes = self._nodes
-        args = "".join([nodes.get(a) or self._node(a) for a in x.args])
-        if x.name:
-            self.parts.append(f"{_OPS[x.op]}{x.value},{len(x.name)}:{x.name};")
-        else:
-            self.parts.append(f"{_OPS[x.op]}{args};")
-        told = nodes[x] = f"e{len(nodes)};"
-        return told
+
+def _getter(names: Sequence[str]) -> Callable[[object], tuple[object, ...]]:
+    get = attrgetter(*names)
+    return get if len(names) > 1 else lambda x: (get(x),)

@@ -1,0 +1,90 @@
+"""All that a proof reads of a railway's lengths: overlaps, foul joints, and what protects a flank.
+
+Everything else is made from the layout without lengths: two layouts that differ in lengths alone, and of which the same
+is told here, have the same plant, and the same is claimed of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
+from interlock.model.foul import FoulJoint, foul_joints
+from interlock.model.layout import Layout
+from interlock.model.overlap import overlap_paths
+
+
+@dataclass(frozen=True, slots=True)
+class Beyond:
+    """The track over one edge away from a point or a crossing, and what lies beyond it, up to what stops a vehicle.
+
+    one_way: no vehicle comes over the edge towards the place.  closed: a buffer, or where the search has been before.
+    signal: the next signal that a vehicle towards the place meets, far enough away to stand behind it.  boundary: the
+    kind of the boundary at the far end.  trailed: a machine, and where it must lie for a vehicle to come from `onward`.
+    """
+
+    section: SectionId
+    one_way: bool = False
+    closed: bool = False
+    signal: SignalId | None = None
+    boundary: BoundaryKind | None = None
+    trailed: tuple[MachineId, Position] | None = None
+    onward: tuple[Beyond, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """overlaps: for each signal that has one the alternatives, as ways through sections by number.  fouls: the foul
+    joints, without distances.  beyond: what lies over an edge away from a node, for legs of points and arms of
+    crossings."""
+
+    overlaps: Mapping[SignalId, tuple[tuple[tuple[SectionId, int], ...], ...]]
+    fouls: tuple[FoulJoint, ...]
+    beyond: Mapping[tuple[NodeId, EdgeId], Beyond]
+
+
+def measured(layout: Layout) -> Measured:
+    """What a proof reads of a layout's lengths."""
+    margin = layout.principles.clearance_m
+    starts = [(p.node, e, p.fouling + margin) for p in layout.points for e in (p.normal, p.reverse)]
+    starts += [
+        (c.node, e, layout.principles.fouling_m + margin) for c in layout.crossings for arm in c.arms for e in arm
+    ]
+    beyond = {
+        (node, edge): _beyond(layout, edge, node, 0.0, needed, frozenset({node})) for node, edge, needed in starts
+    }
+    overlaps = {
+        g.id: tuple(tuple(t.key for t in ways) for ways in paths)
+        for g in layout.signals
+        if (paths := overlap_paths(layout, g.id))
+    }
+    fouls = tuple(replace(f, distance=0.0, needed=0.0) for f in foul_joints(layout))
+    return Measured(overlaps, fouls, beyond)
+
+
+def _beyond(layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float, seen: frozenset[NodeId]) -> Beyond:
+    """`gone`: metres from the place to `node`; `needed`: how far away a vehicle must stand."""
+    e = layout.edge[edge]
+    if e.one_way and e.a == node:
+        return Beyond(e.section, one_way=True)
+    far = layout.far(edge, node)
+    gone += e.length
+    if far in seen or far in layout.buffer_at:
+        return Beyond(e.section, closed=True)
+    facing = layout.signal_facing.get((far, edge))
+    signal = facing.id if facing is not None and gone >= needed else None
+    boundary = layout.boundary_at.get(far)
+    if signal is not None or boundary is not None:
+        return Beyond(e.section, signal=signal, boundary=boundary.kind if boundary is not None else None)
+    point, crossing, trailed = layout.point_at.get(far), layout.crossing_at.get(far), None
+    if point is not None:
+        position = point.position_of(edge)
+        ways = [point.normal, point.reverse] if position is None else [point.toe]
+        trailed = None if position is None else (point.machine, position)
+    elif crossing is not None:
+        ways = [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
+    else:
+        ways = [x.id for x in layout.edges_at[far] if x.id != edge]
+    onward = tuple(_beyond(layout, x, far, gone, needed, seen | {far}) for x in ways)
+    return Beyond(e.section, trailed=trailed, onward=onward)
