@@ -19,7 +19,6 @@ import json
 import lzma
 import sys
 from collections.abc import Iterable, Iterator
-from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -148,15 +147,15 @@ class System:
                 continue
             need(kind in parts, f"unknown line {line[:60]}")
             parts[kind].append(rest.split(" ", words[kind] - 1))
-        names = [name for name, _ in parts["def"]]
+        defined = [(name, read(x)) for name, x in parts["def"]]
+        names = [name for name, _ in defined]
         need(len(set(names)) == len(names), "a name is defined twice")
         need({v + "'" for v in state} <= set(names), "a state variable has no next value")
         need(not set(names) & state, "a state variable is defined within the step")
-        self._no_cycles(parts["def"])
+        self._no_cycles(defined)
         invariants = [split(read(x)) for _, _, x in parts["inv"]]
         facts: list[Node] = []
-        for name, x in parts["def"]:
-            meaning = read(x)
+        for name, meaning in defined:
             facts += split(either((negate(("v", name)), meaning))) + split(either((negate(meaning), ("v", name))))
         facts += [c for _, x in parts["asm"] for c in split(read(x))]
         facts += [c for cs in invariants for c in cs]
@@ -179,15 +178,15 @@ class System:
     @staticmethod
     def _of(x: Node) -> tuple[str, tuple[str, ...]]:
         numbers: dict[str, int] = {}
-        return pattern(x, numbers), tuple(numbers)
+        return sys.intern(pattern(x, numbers)), tuple(numbers)
 
     @staticmethod
-    def _no_cycles(definitions: list[list[str]]) -> None:
+    def _no_cycles(definitions: list[tuple[str, Node]]) -> None:
         """A definition reads only what was defined before it: so every step has values for all names."""
         later = {name for name, _ in definitions}
         for name, x in definitions:
             numbers: dict[str, int] = {}
-            pattern(read(x), numbers)
+            pattern(x, numbers)
             need(not later & set(numbers), f"{name} is defined by what comes after it")
             later.discard(name)
 
@@ -195,39 +194,91 @@ class System:
 # --- shapes ----------------------------------------------------------------------------------------
 
 
-class Shape:
-    """A shape as read: the goal's pattern, facts with the numbers of their leaves, and the steps."""
+class Form:
+    """A pattern with its leaves numbered from 1, taken apart into clauses.
 
-    def __init__(self, goal: str) -> None:
-        self.goal = goal
-        self.facts: list[tuple[str, tuple[int, ...]]] = []
-        self.steps: list[tuple[tuple[int, ...], tuple[int, ...]]] = []
+    `defs`: for each conjunction (-1) or disjunction (1) within it, inner ones first, its operands; `lits`: what one of
+    which must hold.  Operands are numbers of leaves, and after these of the `defs`, negative when negated.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.text = sys.intern(text)
+        x = read(text)
+        found: set[str] = set()
+        todo = [x]
+        while todo:
+            y = todo.pop()
+            if y[0] == "v":
+                found.add(y[1])
+            elif y[0] == "!":
+                todo.append(y[1])
+            elif y[0] in "&|":
+                todo.extend(y[1])
+        self.arity = len(found)
+        need(found == {str(n) for n in range(1, self.arity + 1)}, "a pattern's leaves are not numbered")
+        self.defs: list[tuple[int, list[int]]] = []
+        self.lits = [self._number(y) for y in (() if x == FALSE else x[1] if x[0] == "|" else (x,))]
+
+    def _number(self, x: Node) -> int:
+        if x[0] == "v":
+            return int(x[1])
+        if x[0] == "!":
+            return -self._number(x[1])
+        need(x[0] in "&|", "a constant in a shape")
+        args = [self._number(y) for y in x[1]]
+        self.defs.append((1 if x[0] == "|" else -1, args))
+        return self.arity + len(self.defs)
+
+
+class Part:
+    """A fact of shapes: a form, and the shape's number for each of its leaves."""
+
+    __slots__ = ("clause", "form", "numbers", "text")
+
+    def __init__(self, form: Form, numbers: list[int]) -> None:
+        self.form, self.text, self.numbers = form, form.text, numbers
+        need(len(numbers) == form.arity and 0 not in numbers, "a shape's fact has a wrong number of leaves")
+        self.clause = None if form.defs else clause(form.lits, [0, *numbers])
+
+
+def clause(lits: Iterable[int], value: list[int]) -> tuple[int, ...]:
+    """The values of some literals, each once."""
+    return tuple(dict.fromkeys([value[x] if x > 0 else -value[-x] for x in lits]))
+
+
+class Shape:
+    """A shape as read: the goal, the facts, and the steps."""
+
+    def __init__(self, goal: Form, parts: list[Part]) -> None:
+        self.goal, self.parts = goal, parts
+        self.steps: list[tuple[list[int], list[int]]] = []
 
     def check(self) -> None:
         """The negated goal and the facts are contradictory."""
-        goal, arity, _ = form(self.goal)
-        numbers = [n for _, leaves in self.facts for n in leaves]
-        need(all(n > 0 for n in numbers), "a shape's leaf has no number")
-        clauses: list[tuple[int, ...]] = []
-        self._top = max([arity, *numbers])
-        clauses_of_goal = self._disjuncts(goal, tuple(range(1, arity + 1)), clauses)
-        for c in clauses_of_goal:
-            clauses.append((-c,))
-        for text, leaves in self.facts:
-            fact, count, plain = form(text)
-            need(count == len(leaves), "a shape's fact has a wrong number of leaves")
-            if plain is not None:
-                lits = [leaves[n - 1] if n > 0 else -leaves[-n - 1] for n in plain]
-            else:
-                lits = self._disjuncts(fact, leaves, clauses)
-            clauses.append(tuple(dict.fromkeys(lits)))
+        goal, clauses = self.goal, list[tuple[int, ...]]()
+        self._top = max([goal.arity, *[max(p.numbers) for p in self.parts if p.numbers]])
+        for x in self._clause(goal, range(1, goal.arity + 1), clauses):
+            clauses.append((-x,))
+        for p in self.parts:
+            clauses.append(p.clause if p.clause is not None else self._clause(p.form, p.numbers, clauses))
         for learned, hints in self.steps:
             self._follows(learned, hints, clauses)
             clauses.append(tuple(dict.fromkeys(learned)))
-        need(bool(self.steps) and self.steps[-1][0] == (), "a shape's refutation does not end")
+        need(bool(self.steps) and self.steps[-1][0] == [], "a shape's refutation does not end")
+
+    def _clause(self, f: Form, numbers: Iterable[int], clauses: list[tuple[int, ...]]) -> tuple[int, ...]:
+        """The clause of a form, after those that say what the conjunctions and disjunctions within it mean."""
+        value = [0, *numbers]
+        for sign, lits in f.defs:
+            args = [sign * x for x in clause(lits, value)]
+            self._top += 1
+            value.append(self._top)
+            clauses.append((-sign * self._top, *args))
+            clauses.extend([(sign * self._top, -x) for x in args])
+        return clause(f.lits, value)
 
     @staticmethod
-    def _follows(lits: tuple[int, ...], hints: tuple[int, ...], clauses: list[tuple[int, ...]]) -> None:
+    def _follows(lits: list[int], hints: list[int], clauses: list[tuple[int, ...]]) -> None:
         false = set(lits)
         need(min(hints, default=0) >= 0 and max(hints, default=-1) < len(clauses), "a hint names no clause")
         for h in hints:
@@ -239,68 +290,32 @@ class Shape:
             false.add(-left[0])
         raise Rejected("the hints do not lead to a contradiction")
 
-    def _disjuncts(self, x: Node, leaves: tuple[int, ...], clauses: list[tuple[int, ...]]) -> list[int]:
-        if x == FALSE:
-            return []
-        return [self._literal(a, leaves, clauses) for a in (x[1] if x[0] == "|" else (x,))]
-
-    def _literal(self, x: Node, leaves: tuple[int, ...], clauses: list[tuple[int, ...]]) -> int:
-        if x[0] == "v":
-            return leaves[int(x[1]) - 1]
-        if x[0] == "!":
-            inner = x[1]
-            return -leaves[int(inner[1]) - 1] if inner[0] == "v" else -self._literal(inner, leaves, clauses)
-        need(x[0] in "&|", "a constant in a shape")
-        args = [self._literal(a, leaves, clauses) for a in x[1]]
-        self._top += 1
-        sign = 1 if x[0] == "|" else -1
-        clauses.append((-sign * self._top, *dict.fromkeys(sign * a for a in args)))
-        clauses.extend((sign * self._top, -sign * a) for a in args)
-        return self._top
-
-
-@cache
-def form(text: str) -> tuple[Node, int, tuple[int, ...] | None]:
-    """A pattern, how many leaves it has (they must be numbered from 1), and its literals when it has nothing else."""
-    x = read(text)
-    found: set[str] = set()
-    todo = [x]
-    while todo:
-        y = todo.pop()
-        if y[0] == "v":
-            found.add(y[1])
-        elif y[0] == "!":
-            todo.append(y[1])
-        elif y[0] in "&|":
-            todo.extend(y[1])
-    need(found == {str(n) for n in range(1, len(found) + 1)}, "a pattern's leaves are not numbered")
-    parts = x[1] if x[0] == "|" else () if x == FALSE else (x,)
-    plain = [int(y[1]) if y[0] == "v" else -int(y[1][1]) if y[0] == "!" and y[1][0] == "v" else 0 for y in parts]
-    return x, len(found), tuple(plain) if all(plain) else None
-
 
 def shapes_and_goals(text: str) -> tuple[list[Shape], Iterator[list[int]], int]:
     """Shapes, and for each goal the number of its shape and those of the facts."""
     lines = text.split("\n")
-    need(lines[0] == "interlock-proof 1" and lines[-1] == "", "proof.txt is of another kind")
+    need(lines[0] == "interlock-proof 2" and lines[-1] == "", "proof.txt is of another kind")
+    forms: list[Form] = []
+    parts: list[Part] = []
     shapes: list[Shape] = []
-    patterns: list[str] = []
     for n, line in enumerate(lines[1:], 1):
         kind, _, rest = line.partition(" ")
         if kind == "pattern":
-            patterns.append(rest)
+            forms.append(Form(rest))
+            continue
+        numbers = list(map(int, rest.split()))
+        if kind == "step":
+            end = numbers.index(0)
+            shapes[-1].steps.append((numbers[:end], numbers[end + 1 :]))
+            continue
+        need("-" not in rest, "a number is negative")
+        if kind == "part":
+            parts.append(Part(forms[numbers[0]], numbers[1:]))
         elif kind == "shape":
-            shapes.append(Shape(patterns[int(rest)]))
-        elif kind == "fact":
-            which, *leaves = map(int, rest.split())
-            shapes[-1].facts.append((patterns[which], tuple(leaves)))
-        elif kind == "step":
-            numbers_ = list(map(int, rest.split()))
-            end = numbers_.index(0)
-            shapes[-1].steps.append((tuple(numbers_[:end]), tuple(numbers_[end + 1 :])))
+            shapes.append(Shape(forms[numbers[0]], [parts[k] for k in numbers[1:]]))
         elif kind == "goals":
-            need(int(rest) == len(lines) - n - 2, "proof.txt has a wrong number of goals")
-            return shapes, (list(map(int, x.split())) for x in lines[n + 1 : -1]), int(rest)
+            need(numbers == [len(lines) - n - 2], "proof.txt has a wrong number of goals")
+            return shapes, (list(map(int, x.split())) for x in lines[n + 1 : -1]), numbers[0]
         else:
             raise Rejected(f"unknown line {line[:60]}")
     raise Rejected("proof.txt has no goals")
@@ -312,12 +327,12 @@ def instance(
     facts: list[tuple[str, tuple[str, ...]]],
 ) -> None:
     """The goal and the facts are the shape's clauses under one renaming of its numbers."""
-    need(goal[0] == shape.goal and len(facts) == len(shape.facts), "a goal is no instance of its shape")
+    need(goal[0] == shape.goal.text and len(facts) == len(shape.parts), "a goal is no instance of its shape")
     names = dict(enumerate(goal[1], 1))
-    for (text, leaves), (wanted, numbers) in zip(facts, shape.facts, strict=True):
-        if text != wanted or len(leaves) != len(numbers):
+    for (text, leaves), part in zip(facts, shape.parts, strict=True):
+        if text != part.text:
             raise Rejected("a fact is no instance of its shape's")
-        for n, name in zip(numbers, leaves, strict=True):
+        for n, name in zip(part.numbers, leaves, strict=True):
             if names.setdefault(n, name) != name:
                 raise Rejected("a renaming contradicts itself")
 
@@ -351,7 +366,7 @@ def verify(folder: Path) -> str:
     need(count == len(system.goals), "not every goal has its proof")
     for (goal, step), numbers in zip(system.goals, chosen, strict=True):
         facts = system.steps if step else system.initial
-        need(all(0 <= n < len(facts) for n in numbers[1:]) and 0 <= numbers[0] < len(shapes), "a number is too large")
+        need(min(numbers) >= 0 and max(numbers[1:], default=0) < len(facts), "a number is out of its range")
         instance(shapes[numbers[0]], goal, [facts[n] for n in numbers[1:]])
     return (
         f"{sum(system.claims.values())} places of {len(system.claims)} claims, {system.invariants} invariants, "

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import lzma
 import shutil
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -17,7 +18,7 @@ from interlock.proof.local.facts import FactBase
 from interlock.proof.local.library import SHIPPED, Library, read
 from interlock.proof.runner import start_claim
 from interlock.proof.system import System
-from interlock.verify import Shape
+from interlock.verify import Form, Part, Shape
 from tests.layouts import built
 
 TEXT = lzma.decompress(SHIPPED.read_bytes()).decode()
@@ -32,18 +33,19 @@ def local(name: str, known: Library) -> LocalProof:
 
 def test_every_shipped_shape_is_refuted_by_the_checker() -> None:
     known = read(TEXT)
+    form = cache(Form)
     count = 0
     for goal, lines in known.lines.items():
         for line in lines:
             facts, _, steps = line.partition("/")
-            shape = Shape(goal.split(":", 1)[1])
+            shape = Shape(form(goal.split(":", 1)[1]), [])
             for word in facts.split():
                 number, _, leaves = word.partition(":")
                 pattern = known.patterns[int(number)].split(":", 1)[1]
-                shape.facts.append((pattern, tuple(int(n) + 1 for n in leaves.split(",") if n)))
+                shape.parts.append(Part(form(pattern), [int(n) + 1 for n in leaves.split(",") if n]))
             for word in steps.split():
                 lits, _, hints = word.partition(":")
-                shape.steps.append((tuple(int(x) for x in lits.split(",") if x), tuple(map(int, hints.split(",")))))
+                shape.steps.append(([int(x) for x in lits.split(",") if x], [*map(int, hints.split(","))]))
             shape.check()
             count += 1
     assert count > 10_000

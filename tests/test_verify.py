@@ -20,7 +20,7 @@ from interlock.proof.local.facts import FactBase, split
 from interlock.proof.mutate import KINDS
 from interlock.proof.runner import start_claim
 from interlock.proof.system import System
-from interlock.verify import Rejected, Shape, main, verify
+from interlock.verify import Form, Part, Rejected, Shape, main, verify
 from interlock.verify import System as Written
 from tests.layouts import SHIPPED, built
 
@@ -118,7 +118,7 @@ def test_a_system_that_was_changed_and_signed_again_is_rejected(
     assert tried >= 15 and rejected >= share * tried
 
 
-@pytest.mark.parametrize("kind", ["pattern", "shape", "fact", "step", "goals", ""])
+@pytest.mark.parametrize("kind", ["pattern", "part", "shape", "step", "goals", ""])
 def test_a_proof_without_one_of_its_lines_is_rejected(copy: Path, kind: str) -> None:
     lines = lzma.decompress((copy / "proof.txt.xz").read_bytes()).decode().splitlines()
     rng = random.Random(9)
@@ -131,13 +131,13 @@ def test_a_proof_without_one_of_its_lines_is_rejected(copy: Path, kind: str) -> 
 
 
 def test_a_satisfiable_shape_has_no_refutation() -> None:
-    shape = Shape("(| 1 2)")
-    shape.facts = [("(| 1 2)", (1, 3))]
-    shape.steps = [((), (0, 2))]
+    either = Form("(| 1 2)")
+    shape = Shape(either, [Part(either, [1, 3])])
+    shape.steps = [([], [0, 2])]
     with pytest.raises(Rejected):
         shape.check()
-    shape.facts = [("(| 1 2)", (1, 2))]
-    shape.steps = [((), (0, 1, 2))]
+    shape = Shape(either, [Part(either, [1, 2])])
+    shape.steps = [([], [0, 1, 2])]
     shape.check()
 
 

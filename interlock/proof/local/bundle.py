@@ -21,6 +21,7 @@ from interlock.logic.plant import ASSUMPTIONS
 from interlock.proof.invariants import CLAIMS
 from interlock.proof.local.engine import LocalProof
 from interlock.proof.local.facts import FactBase
+from interlock.proof.local.shapes import Part
 
 SYSTEM, PROOF, NEEDED, MANIFEST = "system.txt", "proof.txt.xz", "needed.txt", "manifest.json"
 
@@ -83,16 +84,17 @@ def proof_text(proof: LocalProof) -> str:
     if proof.open:
         raise ValueError("some goal is not proved")
     patterns: dict[str, int] = {}
+    parts: dict[Part, int] = {}
     shapes: list[str] = []
     numbers: dict[int, int] = {}
     for shape in proof.shapes:
         numbers[shape.number] = len(numbers)
-        shapes.append(f"shape {_pattern(shape.goal, patterns)}")
-        for p in shape.parts:
-            shapes.append(f"fact {' '.join(map(str, (_pattern(p.text, patterns), *(n + 1 for n in p.leaves))))}")
+        facts = [parts.setdefault(p, len(parts)) for p in shape.parts]
+        shapes.append(f"shape {' '.join(map(str, (_pattern(shape.goal, patterns), *facts)))}")
         for lits, hints in shape.steps:
             shapes.append(f"step {' '.join(map(str, (*lits, 0, *hints)))}")
-    lines = ["interlock-proof 1", *(f"pattern {x}" for x in patterns), *shapes]
+    told = [" ".join(map(str, (_pattern(p.text, patterns), *[n + 1 for n in p.leaves]))) for p in parts]
+    lines = ["interlock-proof 2", *(f"pattern {x}" for x in patterns), *(f"part {x}" for x in told), *shapes]
     lines.append(f"goals {len(proof.obligations)}")
     lines += [" ".join(map(str, (numbers[o.shape.number], *o.facts))) for o in proof.obligations]
     return "\n".join(lines) + "\n"
