@@ -76,7 +76,7 @@ def _word(place: str) -> str:
 
 def proof_bytes(proof: LocalProof) -> bytes:
     """Shapes and obligations, compressed; raises ValueError when some goal is open."""
-    return lzma.compress(proof_text(proof).encode(), preset=2)
+    return lzma.compress(proof_text(proof).encode(), preset=1)
 
 
 def proof_text(proof: LocalProof) -> str:

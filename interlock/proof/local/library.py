@@ -34,11 +34,17 @@ class End:
 
 
 class Node:
-    """What may follow: facts by their text in the file, and the shape that ends here."""
+    """What may follow a fact: other facts by their text in the file, and the shape that ends here.
 
-    __slots__ = ("end", "onward")
+    key, rank: the fact itself, and which of those that could stand there it was, where that is known.
+    """
 
-    def __init__(self) -> None:
+    __slots__ = ("end", "key", "onward", "part", "rank")
+
+    def __init__(self, word: str = "") -> None:
+        self.key, _, rank = word.partition("@")
+        self.rank = int(rank) if rank else 0
+        self.part: Part | None = None
         self.onward: dict[str, Node] = {}
         self.end: End | None = None
 
@@ -125,7 +131,7 @@ class Library:
         for key in keys:
             found = node.onward.get(key)
             if found is None:
-                found = node.onward[key] = Node()
+                found = node.onward[key] = Node(key)
             node = found
         return node
 
@@ -176,9 +182,10 @@ class Library:
             end = search.descend(self._root(goal.text, place))
             if end is not None:
                 if end.shape is None:
-                    parts = tuple(map(self.part, search.keys))
+                    parts = tuple(search.parts)
                     end.shape = self._numbered(Shape(goal.text, len(goal.leaves), parts, _steps(end.steps)))
-                near = self._near(goal, search.keys, search.ranks, index, end) if not place else ""
+                keys = [] if place else [*map(self._key, search.parts)]
+                near = "" if place else self._near(goal, keys, search.ranks, index, end)
                 return end.shape, tuple(search.found), near or _hint(place, search.ranks)
         return None
 
@@ -223,7 +230,7 @@ class Search:
         self.library, self.index = library, index
         self.names: list[Leaf] = [*goal.leaves]
         self.found: list[int] = []
-        self.keys: list[str] = []
+        self.parts: list[Part] = []
         self.ranks: list[int] = []
         self.left = tries
 
@@ -233,27 +240,29 @@ class Search:
             return node.end
         if len(self.found) >= DEEP:
             return None
-        names = self.names
+        names, patterns = self.names, self.index.patterns
         for word, onward in reversed(node.onward.items()):  # what matched last stands last
-            key, _, rank = word.partition("@")
-            part = self.library.part(key)
-            candidates = self._candidates(part)
+            part = onward.part
+            if part is None:
+                part = onward.part = self.library.part(onward.key)
+            candidates, rank = self._candidates(part), onward.rank
             order: Iterable[int] = range(len(candidates))
-            for k in chain((int(rank),), order) if rank and int(rank) < len(candidates) else order:
+            for k in chain((rank,), order) if 0 < rank < len(candidates) else order:
                 self.left -= 1
                 if self.left < 0:
                     return None
                 before = len(names)
-                if self._bind(part, self.index.patterns[candidates[k]].leaves):
+                if self._bind(part, patterns[candidates[k]].leaves):
                     self.found.append(candidates[k])
-                    self.keys.append(key)
+                    self.parts.append(part)
                     self.ranks.append(k)
                     end = self.descend(onward)
                     if end is not None:
-                        node.onward[word] = node.onward.pop(word)
+                        if len(node.onward) > 1:
+                            node.onward[word] = node.onward.pop(word)
                         return end
                     self.found.pop()
-                    self.keys.pop()
+                    self.parts.pop()
                     self.ranks.pop()
                 del names[before:]
         return None
@@ -267,14 +276,15 @@ class Search:
     def _candidates(self, part: Part) -> Sequence[int]:
         """The facts of a part's pattern that have some known leaf where the part has it, the fewest."""
         best: Sequence[int] | None = None
-        known = len(self.names)
+        names, at = self.names, self.index.places(part.text)
+        known = len(names) if at else 0
         for place, number in enumerate(part.leaves):
             if number < known:
-                some = self.index.find(part.text, place, self.names[number])
+                some = at[place].get(names[number], ())
                 if best is None or len(some) < len(best):
+                    if len(some) <= 1:
+                        return some
                     best = some
-                if len(best) <= 1:
-                    return best
         return self.index.all(part.text) if best is None else best
 
     def _bind(self, part: Part, leaves: tuple[Leaf, ...]) -> bool:

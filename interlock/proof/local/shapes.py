@@ -7,7 +7,7 @@ refutes it too, whether or not the renaming keeps different numbers apart.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from zlib import crc32
@@ -91,16 +91,21 @@ class Index:
         self._by_text: dict[str, list[int]] = {}
         for n, p in enumerate(self.patterns):
             self._by_text.setdefault(p.text, []).append(n)
-        self._at: dict[tuple[str, int], dict[Leaf, list[int]]] = {}
+        self._at: dict[str, Sequence[Mapping[Leaf, Sequence[int]]]] = {}
 
-    def find(self, text: str, place: int, name: Leaf) -> Sequence[int]:
-        """Facts of a pattern that have the leaf at a place."""
-        table = self._at.get((text, place))
-        if table is None:
-            table = self._at[text, place] = {}
-            for n in self._by_text.get(text, ()):
-                table.setdefault(self.patterns[n].leaves[place], []).append(n)
-        return table.get(name, ())
+    def places(self, text: str) -> Sequence[Mapping[Leaf, Sequence[int]]]:
+        """For each place in a pattern its facts by the leaf that they have there; none without facts."""
+        found = self._at.get(text)
+        if found is None:
+            found = self._at[text] = self._places(self._by_text.get(text, ()))
+        return found
+
+    def _places(self, facts: Sequence[int]) -> Sequence[Mapping[Leaf, Sequence[int]]]:
+        found: list[dict[Leaf, list[int]]] = [{} for _ in self.patterns[facts[0]].leaves] if facts else []
+        for n in facts:
+            for table, leaf in zip(found, self.patterns[n].leaves, strict=True):
+                table.setdefault(leaf, []).append(n)
+        return found
 
     def all(self, text: str) -> Sequence[int]:
         """All facts of a pattern."""
@@ -140,7 +145,7 @@ def shape_of(goal: Pattern, core: Sequence[int], index: Index) -> tuple[Shape, t
     def know(name: Leaf) -> None:
         for n, place in having.get(name, ()):
             if n in left:
-                count = len(index.find(index.patterns[n].text, place, name))
+                count = len(index.places(index.patterns[n].text)[place].get(name, ()))
                 alike[n] = min(count, alike.get(n, count))
 
     for name in goal.leaves:
