@@ -19,6 +19,7 @@ import json
 import lzma
 import sys
 from collections.abc import Iterable, Iterator
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -238,12 +239,12 @@ class Part:
     def __init__(self, form: Form, numbers: list[int]) -> None:
         self.form, self.text, self.numbers = form, form.text, numbers
         need(len(numbers) == form.arity and 0 not in numbers, "a shape's fact has a wrong number of leaves")
-        self.clause = None if form.defs else clause(form.lits, [0, *numbers])
+        self.clause = None if form.defs else frozenset(values(form.lits, [0, *numbers]))
 
 
-def clause(lits: Iterable[int], value: list[int]) -> tuple[int, ...]:
-    """The values of some literals, each once."""
-    return tuple(dict.fromkeys([value[x] if x > 0 else -value[-x] for x in lits]))
+def values(lits: Iterable[int], value: list[int]) -> list[int]:
+    """The values of some literals."""
+    return [value[x] if x > 0 else -value[-x] for x in lits]
 
 
 class Shape:
@@ -251,43 +252,46 @@ class Shape:
 
     def __init__(self, goal: Form, parts: list[Part]) -> None:
         self.goal, self.parts = goal, parts
+        self.texts = [goal.text, *[p.text for p in parts]]
+        self.numbers = [*range(1, goal.arity + 1), *chain.from_iterable([p.numbers for p in parts])]
         self.steps: list[tuple[list[int], list[int]]] = []
 
     def check(self) -> None:
         """The negated goal and the facts are contradictory."""
-        goal, clauses = self.goal, list[tuple[int, ...]]()
-        self._top = max([goal.arity, *[max(p.numbers) for p in self.parts if p.numbers]])
-        for x in self._clause(goal, range(1, goal.arity + 1), clauses):
-            clauses.append((-x,))
+        goal, clauses = self.goal, list[frozenset[int]]()
+        self._top = max(self.numbers, default=0)
+        for x in self._lits(goal, range(1, goal.arity + 1), clauses):
+            clauses.append(frozenset((-x,)))
         for p in self.parts:
-            clauses.append(p.clause if p.clause is not None else self._clause(p.form, p.numbers, clauses))
+            clauses.append(p.clause if p.clause is not None else frozenset(self._lits(p.form, p.numbers, clauses)))
         for learned, hints in self.steps:
             self._follows(learned, hints, clauses)
-            clauses.append(tuple(dict.fromkeys(learned)))
+            clauses.append(frozenset(learned))
         need(bool(self.steps) and self.steps[-1][0] == [], "a shape's refutation does not end")
 
-    def _clause(self, f: Form, numbers: Iterable[int], clauses: list[tuple[int, ...]]) -> tuple[int, ...]:
-        """The clause of a form, after those that say what the conjunctions and disjunctions within it mean."""
+    def _lits(self, f: Form, numbers: Iterable[int], clauses: list[frozenset[int]]) -> list[int]:
+        """The literals of a form, after clauses that say what the conjunctions and disjunctions within it mean."""
         value = [0, *numbers]
         for sign, lits in f.defs:
-            args = [sign * x for x in clause(lits, value)]
+            args = [sign * x for x in values(lits, value)]
             self._top += 1
             value.append(self._top)
-            clauses.append((-sign * self._top, *args))
-            clauses.extend([(sign * self._top, -x) for x in args])
-        return clause(f.lits, value)
+            clauses.append(frozenset((-sign * self._top, *args)))
+            clauses.extend([frozenset((sign * self._top, -x)) for x in args])
+        return values(f.lits, value)
 
     @staticmethod
-    def _follows(lits: list[int], hints: list[int], clauses: list[tuple[int, ...]]) -> None:
+    def _follows(lits: list[int], hints: list[int], clauses: list[frozenset[int]]) -> None:
         false = set(lits)
         need(min(hints, default=0) >= 0 and max(hints, default=-1) < len(clauses), "a hint names no clause")
         for h in hints:
-            left = [x for x in clauses[h] if x not in false]
+            left = clauses[h] - false
             if not left:
                 return
             if len(left) > 1:
                 raise Rejected("a hint is not unit")
-            false.add(-left[0])
+            for x in left:
+                false.add(-x)
         raise Rejected("the hints do not lead to a contradiction")
 
 
@@ -321,20 +325,12 @@ def shapes_and_goals(text: str) -> tuple[list[Shape], Iterator[list[int]], int]:
     raise Rejected("proof.txt has no goals")
 
 
-def instance(
-    shape: Shape,
-    goal: tuple[str, tuple[str, ...]],
-    facts: list[tuple[str, tuple[str, ...]]],
-) -> None:
-    """The goal and the facts are the shape's clauses under one renaming of its numbers."""
-    need(goal[0] == shape.goal.text and len(facts) == len(shape.parts), "a goal is no instance of its shape")
-    names = dict(enumerate(goal[1], 1))
-    for (text, leaves), part in zip(facts, shape.parts, strict=True):
-        if text != part.text:
-            raise Rejected("a fact is no instance of its shape's")
-        for n, name in zip(part.numbers, leaves, strict=True):
-            if names.setdefault(n, name) != name:
-                raise Rejected("a renaming contradicts itself")
+def instance(shape: Shape, said: list[tuple[str, tuple[str, ...]]]) -> None:
+    """A goal and its facts are the shape's clauses under one renaming of its numbers."""
+    need([text for text, _ in said] == shape.texts, "a goal and its facts are no instance of their shape")
+    leaves = list(chain.from_iterable([names for _, names in said]))
+    name = dict(zip(shape.numbers, leaves, strict=True))
+    need([name[n] for n in shape.numbers] == leaves, "a renaming contradicts itself")
 
 
 # --- the whole -------------------------------------------------------------------------------------
@@ -367,7 +363,7 @@ def verify(folder: Path) -> str:
     for (goal, step), numbers in zip(system.goals, chosen, strict=True):
         facts = system.steps if step else system.initial
         need(min(numbers) >= 0 and max(numbers[1:], default=0) < len(facts), "a number is out of its range")
-        instance(shapes[numbers[0]], goal, [facts[n] for n in numbers[1:]])
+        instance(shapes[numbers[0]], [goal, *[facts[n] for n in numbers[1:]]])
     return (
         f"{sum(system.claims.values())} places of {len(system.claims)} claims, {system.invariants} invariants, "
         f"{count} obligations in {len(shapes)} shapes, {len(files)} files"
