@@ -38,11 +38,12 @@ def test_every_shipped_shape_is_refuted_by_the_checker() -> None:
     for goal, lines in known.lines.items():
         for line in lines:
             facts, _, steps = line.partition("/")
-            shape = Shape(form(goal.split(":", 1)[1]), [])
+            parts = []
             for word in facts.split():
                 number, _, leaves = word.partition(":")
                 pattern = known.patterns[int(number)].split(":", 1)[1]
-                shape.parts.append(Part(form(pattern), [int(n) + 1 for n in leaves.split(",") if n]))
+                parts.append(Part(form(pattern), [int(n) + 1 for n in leaves.split(",") if n]))
+            shape = Shape(form(goal.split(":", 1)[1]), parts)
             for word in steps.split():
                 lits, _, hints = word.partition(":")
                 shape.steps.append(([int(x) for x in lits.split(",") if x], [*map(int, hints.split(","))]))
