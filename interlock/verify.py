@@ -295,6 +295,11 @@ class Shape:
         raise Rejected("the hints do not lead to a contradiction")
 
 
+def numbers_of(text: str) -> list[int]:
+    """Numbers with commas between them."""
+    return list(map(int, text.split(","))) if text else []
+
+
 def shapes_and_goals(text: str) -> tuple[list[Shape], Iterator[list[int]], int]:
     """Shapes, and for each goal the number of its shape and those of the facts."""
     lines = text.split("\n")
@@ -307,11 +312,11 @@ def shapes_and_goals(text: str) -> tuple[list[Shape], Iterator[list[int]], int]:
         if kind == "pattern":
             forms.append(Form(rest))
             continue
-        numbers = list(map(int, rest.split()))
-        if kind == "step":
-            end = numbers.index(0)
-            shapes[-1].steps.append((numbers[:end], numbers[end + 1 :]))
+        if kind == "steps":
+            words = [word.split(":") for word in rest.split(" ")]
+            shapes[-1].steps += [(numbers_of(lits), numbers_of(hints)) for lits, hints in words]
             continue
+        numbers = list(map(int, rest.split()))
         need("-" not in rest, "a number is negative")
         if kind == "part":
             parts.append(Part(forms[numbers[0]], numbers[1:]))

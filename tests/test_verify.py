@@ -118,7 +118,7 @@ def test_a_system_that_was_changed_and_signed_again_is_rejected(
     assert tried >= 15 and rejected >= share * tried
 
 
-@pytest.mark.parametrize("kind", ["pattern", "part", "shape", "step", "goals", ""])
+@pytest.mark.parametrize("kind", ["pattern", "part", "shape", "steps", "goals", ""])
 def test_a_proof_without_one_of_its_lines_is_rejected(copy: Path, kind: str) -> None:
     lines = lzma.decompress((copy / "proof.txt.xz").read_bytes()).decode().splitlines()
     rng = random.Random(9)

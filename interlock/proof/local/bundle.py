@@ -91,8 +91,7 @@ def proof_text(proof: LocalProof) -> str:
         numbers[shape.number] = len(numbers)
         facts = [parts.setdefault(p, len(parts)) for p in shape.parts]
         shapes.append(f"shape {' '.join(map(str, (_pattern(shape.goal, patterns), *facts)))}")
-        for lits, hints in shape.steps:
-            shapes.append(f"step {' '.join(map(str, (*lits, 0, *hints)))}")
+        shapes.append(f"steps {shape.steps}")
     told = [" ".join(map(str, (_pattern(p.text, patterns), *[n + 1 for n in p.leaves]))) for p in parts]
     lines = ["interlock-proof 2", *(f"pattern {x}" for x in patterns), *(f"part {x}" for x in told), *shapes]
     lines.append(f"goals {len(proof.obligations)}")

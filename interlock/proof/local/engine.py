@@ -147,7 +147,7 @@ def _new(goal: Pattern, core: Sequence[int], index: Index) -> tuple[Shape, tuple
     steps = refutation(shape)
     if steps is None:
         return None
-    shape.steps = steps
+    shape.steps = " ".join(f"{','.join(map(str, lits))}:{','.join(map(str, hints))}" for lits, hints in steps)
     return shape, order
 
 

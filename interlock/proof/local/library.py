@@ -15,7 +15,7 @@ from functools import cache
 from itertools import chain
 from pathlib import Path
 
-from interlock.proof.local.shapes import Index, Leaf, Part, Pattern, Shape, Step
+from interlock.proof.local.shapes import Index, Leaf, Part, Pattern, Shape
 
 SHIPPED = Path(__file__).parent / "shapes.txt.xz"
 HEAD = "interlock-shapes 1"
@@ -183,7 +183,7 @@ class Library:
             if end is not None:
                 if end.shape is None:
                     parts = tuple(search.parts)
-                    end.shape = self._numbered(Shape(goal.text, len(goal.leaves), parts, _steps(end.steps)))
+                    end.shape = self._numbered(Shape(goal.text, len(goal.leaves), parts, end.steps))
                 keys = [] if place else [*map(self._key, search.parts)]
                 near = "" if place else self._near(goal, keys, search.ranks, index, end)
                 return end.shape, tuple(search.found), near or _hint(place, search.ranks)
@@ -194,8 +194,7 @@ class Library:
         lines = []
         for s, around in shapes:
             facts = " ".join(map(self._key, s.parts))
-            steps = " ".join(f"{','.join(map(str, lits))}:{','.join(map(str, hints))}" for lits, hints in s.steps)
-            lines.append(f"{self._number(s.goal)} {' '.join(sorted(around))}/{facts}/{steps}")
+            lines.append(f"{self._number(s.goal)} {' '.join(sorted(around))}/{facts}/{s.steps}")
         return "\n".join([HEAD, *(f"pattern {p}" for p in self._patterns), *sorted(lines)]) + "\n"
 
 
@@ -213,14 +212,6 @@ def _hint(around: str, ranks: Sequence[int]) -> str:
 def _pair(text: str) -> tuple[int, int]:
     place, _, rank = text.partition("=")
     return int(place), int(rank)
-
-
-def _steps(text: str) -> tuple[Step, ...]:
-    found = []
-    for word in text.split():
-        lits, _, hints = word.partition(":")
-        found.append((tuple(map(int, lits.split(","))) if lits else (), tuple(map(int, hints.split(",")))))
-    return tuple(found)
 
 
 class Search:

@@ -74,12 +74,15 @@ class Part:
 
 @dataclass
 class Shape:
-    """A goal's pattern, facts and refutation; `number` tells it from the others of its library."""
+    """A goal's pattern, facts and refutation; `number` tells it from the others of its library.
+
+    steps: a word for each clause that follows, `literals:hints` with commas between numbers, as files have them.
+    """
 
     goal: str
     arity: int
     parts: tuple[Part, ...]
-    steps: tuple[Step, ...] = ()
+    steps: str = ""
     number: int = field(default=-1, compare=False)
 
 
