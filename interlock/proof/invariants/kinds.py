@@ -10,7 +10,7 @@ from typing import Any, Protocol
 from interlock.logic.controller import Symbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.plant import Plant, overrunning
-from interlock.model.elements import EdgeId, NodeId, SectionId, Signal, SignalId, Zone
+from interlock.model.elements import EdgeId, NodeId, SectionId, SignalId, Zone
 from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
 from interlock.model.measured import Beyond, Measured
@@ -195,14 +195,6 @@ class Facts:
         """The signal that governs leaving s at j."""
         ahead = self.topo.beyond(SectionId(s), NodeId(j))
         return None if ahead is None else self.topo.signal_into.get((NodeId(j), ahead))
-
-    @cached_property
-    def signals_at(self) -> dict[NodeId, list[Signal]]:
-        """The signals by the node at which they stand."""
-        found: dict[NodeId, list[Signal]] = {}
-        for g in self.layout.signals:
-            found.setdefault(g.node, []).append(g)
-        return found
 
     @cached_property
     def ends_of_shunts(self) -> frozenset[SectionId]:
