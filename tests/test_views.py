@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import pytest
@@ -23,6 +24,7 @@ from interlock.proof.mutate import KINDS
 from interlock.proof.runner import inductive, open_claims
 from interlock.proof.scenes import scenes
 from interlock.proof.sight import view
+from interlock.proof.states import States
 from interlock.proof.system import System
 from interlock.proof.views import View, Views
 from interlock.table.rows import InterlockingTable
@@ -38,11 +40,11 @@ def small_yard(tracks: int) -> tuple[Layout, InterlockingTable, Controller]:
     return layout, table, lower(layout, table)
 
 
-def views_of(system: System) -> tuple[Views, list[tuple[int, Expr, bool]], list[Expr]]:
-    """The views of a system, its goals, and its invariants."""
+def goals_of(system: System) -> tuple[list[tuple[int, Expr]], list[tuple[int, Expr]], list[Expr]]:
+    """The goals of the induction and the claims of a system, numbered, and its invariants."""
     kept = [i.expr for i in strengthening(Facts(system))]
-    goals = [(system.after(x), True) for x in kept] + [(c.expr, False) for c in claims(Facts(system))]
-    return Views(system, kept), [(n, x, step) for n, (x, step) in enumerate(goals)], kept
+    steps = [(n, system.after(x)) for n, x in enumerate(kept)]
+    return steps, [(len(kept) + n, c.expr) for n, c in enumerate(claims(Facts(system)))], kept
 
 
 class Large:
@@ -66,9 +68,13 @@ class Large:
     def wrong(self, seen: View) -> list[Expr]:
         """What the view says and the large system does not."""
         said = [*seen.facts, *(iff(var(name), x) for name, x in seen.definitions.items())]
+        return self.not_said(said, seen.crowds)
+
+    def not_said(self, said: Sequence[Expr], members: Sequence[int] = ()) -> list[Expr]:
+        """The expressions that do not follow, with crowds read as their members."""
         crowds = {
             name: disj(
-                x for number, x in self.of[name.split(" ")[1]] if seen.crowds[int(name[1:].split(" ")[0])] >> number & 1
+                x for number, x in self.of[name.split(" ")[1]] if members[int(name[1:].split(" ")[0])] >> number & 1
             )
             for name in variables(said)
             if name[0] == OF
@@ -82,18 +88,34 @@ class Large:
 
 @pytest.mark.parametrize("tracks", [4, 6])
 @pytest.mark.parametrize("rings", [1, 2])
-@pytest.mark.parametrize("after", [False, True])
-def test_what_a_view_says_holds_in_the_large_system(tracks: int, rings: int, after: bool) -> None:
+def test_what_a_view_says_holds_in_the_large_system(tracks: int, rings: int) -> None:
     layout, _, controller = small_yard(tracks)
     system = System(layout, controller)
-    views, goals, kept = views_of(system)
-    large = Large(system, kept, after)
-    some = [s for s in scenes(views, goals, 1 if after else rings) if s.after is after]
-    assert some
-    for scene in random.Random(tracks).sample(some, min(12, len(some))):
+    steps, claimed, kept = goals_of(system)
+    views, large = Views(system, kept), Large(system, kept, False)
+    some = scenes(views, [*steps, *claimed], rings)
+    for scene in random.Random(tracks).sample(some, min(24, len(some))):
         seen = view(views, scene, rings)
         assert seen.asked and seen.facts
         assert large.wrong(seen) == []
+
+
+@pytest.mark.parametrize("after", [False, True])
+def test_what_is_said_of_one_state_holds_in_the_large_system(after: bool) -> None:
+    layout, _, controller = small_yard(4)
+    system = System(layout, controller)
+    _, claimed, kept = goals_of(system)
+    states = States(system, kept, Limits())
+    questions, others = states.questions(claimed)
+    expr = dict(claimed)
+    (asked,) = (q for q in questions if q.after is after)
+    definitions, facts = states.told([expr[n] for n in asked.goals], after)
+    assert bool(definitions) is after and len(facts) >= len(kept)
+    assert Large(system, kept, after).not_said([*facts, *(iff(var(v), x) for v, x in definitions.items())]) == []
+    assert all(d.follows for d in states.decide([expr[n] for n in asked.goals], after))
+    assert others and not any(
+        d.follows for d in states.decide([conj((expr[n], var("no such name"))) for n in others], after)
+    )
 
 
 def open_goals(

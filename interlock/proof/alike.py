@@ -15,7 +15,7 @@ from itertools import chain, count
 from interlock.logic.expr import Expr, Op
 
 _VAR, _EQ, _NOT, _AND, _OR, _TRUE = Op.VAR, Op.EQ, Op.NOT, Op.AND, Op.OR, Op.TRUE
-KEPT = 20_000  # expressions whose form is remembered: parts that follow each other share most of theirs
+KEPT = 200_000  # expressions whose form is remembered: parts that follow each other share most of theirs
 
 
 class Forms:

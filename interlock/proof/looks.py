@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 from interlock.logic.expr import Expr
 from interlock.proof.alike import Forms
-from interlock.proof.engines import Answer, solver
+from interlock.proof.asking import decisions
+from interlock.proof.engines import solver
 from interlock.proof.limits import Limits
 from interlock.proof.onesided import OneSided
 from interlock.proof.scenes import scenes
@@ -48,9 +49,8 @@ class Looks:
         self._forms = Forms({})
         self._known: dict[str, list[bool]] = {}
 
-    def looks(self, goals: Iterable[tuple[int, Expr, bool]], rings: int) -> list[Look]:
-        """The goals, each with its number and whether it is a part of the induction, in so many looks; some are in
-        none."""
+    def looks(self, goals: Iterable[tuple[int, Expr]], rings: int) -> list[Look]:
+        """Numbered goals in so many looks; some are in none."""
         found = scenes(self.views, goals, rings)
         return [
             Look(some, tuple(dict.fromkeys(n for s in some for n in s.goals)), rings)
@@ -87,10 +87,4 @@ class Looks:
             cnf.require(x)
         literals = [cnf.question(x) for x, _ in seen.asked]
         sat = solver(self.limits.engine, cnf, self.limits.query_ms)
-        found = []
-        for literal in literals:
-            follows = sat.ask(-literal) is Answer.UNSAT
-            if follows:
-                sat.learn(literal)
-            found.append(follows)
-        return found
+        return [d.follows for d in decisions(sat, literals)]

@@ -6,7 +6,6 @@ variable with them.  Leaving facts out is sound: what follows from fewer facts f
 
 from __future__ import annotations
 
-import time
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -17,28 +16,22 @@ from typing import Protocol
 from interlock.logic.expr import TRUE, Expr, variables
 from interlock.logic.plant import Assumption
 from interlock.proof.alike import Forms
+from interlock.proof.asking import Decision, decisions
 from interlock.proof.encode import Cnf
-from interlock.proof.engines import Answer, Sat, solver
+from interlock.proof.engines import solver
 from interlock.proof.limits import Limits
 from interlock.proof.looks import Look, Looks, Seen
 from interlock.proof.onesided import OneSided
 from interlock.proof.pool import run
+from interlock.proof.states import OfState, States
 from interlock.proof.views import Placed
 
 SMALL = 1500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
 FEW = 800  # at first a part of fewer goals is joined with the next place: neighbours share what they depend on
 NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
-LARGE = 80_000  # goals of a part that depends on more names than this are first looked at one place at a time
+LARGE = 32_000  # goals of a part that depends on more names than this are first asked of one state, or of one place
 HUB = 60  # a variable in more facts than this says nothing about what lies together
-
-
-@dataclass(frozen=True, slots=True)
-class Decision:
-    """Whether a goal follows, and the seconds that the question took."""
-
-    follows: bool
-    seconds: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,11 +174,7 @@ class Parts:
         if all(known):
             return [Decision(True, 0.0)] * len(goals)
         cnf, literals = self.cnf(goals, facts)
-        sat = solver(limits.engine, cnf, limits.query_ms)
-        for x, follows in zip(literals, known, strict=True):
-            if follows:
-                sat.learn(x)
-        found = [Decision(True, 0.0) if yes else _asked(sat, x) for x, yes in zip(literals, known, strict=True)]
+        found = decisions(solver(limits.engine, cnf, limits.query_ms), literals, known)
         limits.cache.keep(key, [d.follows for d in found])
         return found
 
@@ -224,15 +213,6 @@ def _sharing(reads: Sequence[tuple[str, ...]]) -> list[int]:
     return out
 
 
-def _asked(sat: Sat, literal: int) -> Decision:
-    """What follows is a fact for the questions after it."""
-    began = time.perf_counter()
-    follows = sat.ask(-literal) is Answer.UNSAT
-    if follows:
-        sat.learn(literal)
-    return Decision(follows, time.perf_counter() - began)
-
-
 @dataclass(frozen=True)
 class Question:
     """Goals that are asked of one solver, by number, and the rings of facts around them.
@@ -248,11 +228,15 @@ class Question:
         return len(self.goals) * (1 + len(self.alike))
 
 
+Asked = Question | OfState | Look
+"""What is asked at once."""
+
+
 class Inquiry:
     """Which goals follow from the hypotheses, the assumptions and the definitions of the step.
 
     Part by part; what a part leaves open is asked again with more facts around it, and at last with all of them.  The
-    goals of parts that are very large are looked at first, one place at a time.
+    goals of parts that are very large are asked before of one state, or looked at one place at a time.
 
     A goal that is not about the state one step later may be shown with the hypotheses about that state, too: it counts
     only if the step keeps all hypotheses.
@@ -272,12 +256,18 @@ class Inquiry:
         return Looks(self.parts.system, self.parts.hypotheses, self.limits)
 
     @cached_property
+    def states(self) -> States:
+        """What is known of one state."""
+        return States(self.parts.system, self.parts.hypotheses, self.limits)
+
+    @cached_property
     def places(self) -> list[list[int]]:
         """The goals place by place."""
         return self.parts.places(self.goals)
 
-    def questions(self, rings: int, look: bool = False) -> list[Question | Look]:
-        """What is still open, one question for all parts that are alike; goals of very large parts are looked at."""
+    def questions(self, rings: int, large: int | None = None) -> list[Asked]:
+        """What is still open, one question for all parts that are alike; `large`: the goals of a part with more names
+        than that are asked of one state or looked at."""
         left = [n for n, d in enumerate(self.found) if not d.follows]
         if not left or not rings:
             return [Question(left, 0)] if left else []
@@ -286,24 +276,28 @@ class Inquiry:
         wide: list[int] = []
         most = max(1, min(GOALS, -(-len(left) // self.limits.jobs)))
         for goals, seen in self._parts(FEW if rings == 1 else 1, most):
-            if look and len(seen) > LARGE:
+            if large is not None and len(seen) > large:
                 wide += goals
                 continue
             key = f"{len(found)}"  # a large part has no like
             if len(seen) <= NEAR:
                 key = self.parts.form([self.goals[n] for n in goals], self.parts.around(seen, rings))
             found.setdefault(key, []).append(goals)
-        return [*self._looks(wide, 1), *(Question(first, rings, alike) for first, *alike in found.values())]
+        return [*self._wide(wide), *(Question(first, rings, alike) for first, *alike in found.values())]
+
+    def _wide(self, wide: Sequence[int]) -> list[Asked]:
+        """Claims about one state, and looks at all other goals."""
+        if not wide:
+            return []
+        claims = [(n, self.goals[n].expr) for n in wide if not self.goals[n].later]
+        of_states, others = self.states.questions(claims)
+        return [*of_states, *self._looks([*(n for n in wide if self.goals[n].later), *others], 1)]
 
     def _looks(self, wide: Sequence[int], rings: int) -> list[Look]:
         """Looks at goals by number."""
         after = self.parts.system.after
-        goals = [(n, self.goals[n]) for n in wide]
-        return (
-            self.looks.looks([(n, after(g.expr) if g.later else g.expr, g.later) for n, g in goals], rings)
-            if wide
-            else []
-        )
+        goals = [(n, self.goals[n]) for n in sorted(wide)]  # in one order everywhere, so that places are alike
+        return self.looks.looks([(n, after(g.expr) if g.later else g.expr) for n, g in goals], rings) if wide else []
 
     def _parts(self, few: int, most: int) -> Iterator[tuple[list[int], dict[str, None]]]:
         """The open goals of places that lie together, and what they depend on."""
@@ -322,17 +316,20 @@ class Inquiry:
         if goals:
             yield goals, seen
 
-    def first(self) -> list[Question | Look]:
+    def first(self) -> list[Asked]:
         """The questions to begin with: one of all goals where they are few."""
-        return self.questions(0 if len(self.goals) <= SMALL else 1, look=True)
+        return self.questions(0 if len(self.goals) <= SMALL else 1, LARGE)
 
-    def ask(self, question: Question | Look) -> list[Decision] | Seen:
+    def ask(self, question: Asked) -> list[Decision] | Seen:
         """Decide the goals of a question, or look at them."""
         if isinstance(question, Look):
             return self.looks.see(question)
-        return self.parts.decide([self.goals[n] for n in question.goals], self.limits, question.rings)
+        goals = [self.goals[n] for n in question.goals]
+        if isinstance(question, OfState):
+            return self.states.decide([g.expr for g in goals], question.after)
+        return self.parts.decide(goals, self.limits, question.rings)
 
-    def note(self, question: Question | Look, answers: Sequence[Decision] | Seen) -> None:
+    def note(self, question: Asked, answers: Sequence[Decision] | Seen) -> None:
         """Keep the answers to a question; what looks show counts when they are all done."""
         if isinstance(question, Look):
             assert isinstance(answers, Seen)
@@ -342,7 +339,7 @@ class Inquiry:
         assert not isinstance(answers, Seen)
         for n, answer in zip(question.goals, answers, strict=True):
             self.found[n] = answer
-        for goals in question.alike:
+        for goals in question.alike if isinstance(question, Question) else ():
             for n, answer in zip(goals, answers, strict=True):
                 self.found[n] = replace(answer, seconds=0.0)
 
@@ -365,7 +362,7 @@ class Inquiry:
             self.settle(self.questions(rings), progress)
         return self.found
 
-    def settle(self, questions: Sequence[Question | Look], progress: Callable[[int, int], None]) -> None:
+    def settle(self, questions: Sequence[Asked], progress: Callable[[int, int], None]) -> None:
         """Decide questions, beside each other."""
         done = sum(d.follows for d in self.found)
 

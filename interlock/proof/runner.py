@@ -16,11 +16,12 @@ from dataclasses import replace
 from functools import partial
 
 from interlock.logic.expr import FALSE, TRUE, Expr, Op, Substitution, conj, neg, var
+from interlock.proof.asking import Decision
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import CLAIMS, Claim, Facts, Invariant, claims, strengthening
 from interlock.proof.limits import Limits
-from interlock.proof.parts import Decision, Goal, Inquiry, Start, decide
+from interlock.proof.parts import Goal, Inquiry, Start, decide
 from interlock.proof.pool import Begun, Task, run
 from interlock.proof.search import search
 from interlock.proof.story import tell

@@ -5,7 +5,7 @@ See `views.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 
 from interlock.logic.expr import FALSE, TRUE, Expr, Op, conj, disj, implies, neg, rebuild, var
 from interlock.model.bits import bits, bits_of
@@ -35,18 +35,14 @@ class _Sight:
         self.rings = rings
         self.seen: dict[str, None] = {}
         """The names that are seen."""
-        self.free: set[str] = set()
-        """Those of them that are left undefined."""
         self.families: dict[str, None] = {}
-        self.asked_families: set[str] = set()
-        self.asked_names: set[str] = set()
         self.near: dict[str, None] = dict.fromkeys(scene.homes)
         self.crowds: list[int] = []
         """The crowds' members, as bits."""
         self.alone: dict[int, int] = {}
         """Crowds of one member that goals speak of, and all members that are like it: the rest is the crowd after."""
-        self.traits: dict[str, list[tuple[Trait, bool]]] = {}
-        """The traits that the view can tell, by their family: now, or after the step."""
+        self.traits: dict[str, list[Trait]] = {}
+        """The traits that the view can tell, by their family."""
         self.whole: dict[str, int] = {}
         """By family the members of which the view can tell the definition, all of it."""
         self.definitions: dict[str, Expr] = {}
@@ -71,52 +67,28 @@ class _Sight:
                     families[v[1:]] = None
                 else:
                     names[v] = None
-        self.asked_families, self.asked_names = set(families), set(names)
         self.near |= dict.fromkeys(homes[v] for v in names if v in homes)
         self.reach(names, families, self.near)
 
     def reach(self, names: Iterable[str], families: Iterable[str], near: Iterable[str]) -> None:
         """See names, what they mean, and what families of which they speak say of the elements that are near."""
-        todo, fresh = list(names), list(families)
+        todo, fresh, leads = list(names), list(families), self.views.leads
         while todo or fresh:
             while fresh:
                 f = fresh.pop()
                 if f not in self.families:
                     self.families[f] = None
-                    for told, at in self.told(f):
-                        fresh.extend(told)
-                        for h in near:
-                            todo.extend(at.get((f, h), ()))
+                    fresh.extend(self.views.families.get(f, ()))
+                    for h in near:
+                        todo.extend(self.views.names_at.get((f, h), ()))
             while todo:
                 v = todo.pop()
                 if v not in self.seen:
                     self.seen[v] = None
-                    if self.hidden(v):
-                        self.free.add(v)
-                    else:
-                        todo.extend(self.views.reads.get(v, ()))
-                        meant = self.members.meaning.get(v)
-                        if meant is not None:
-                            fresh.extend(self.views.families_in(meant))
-
-    def told(self, family: str) -> Iterator[tuple[Iterable[str], Mapping[tuple[str, str], Iterable[str]]]]:
-        """The families that a family's traits read, and the names by element: now, and after the step."""
-        if not self.assumed(family):
-            yield self.views.families.get(family, ()), self.views.names_at
-        if self.scene.after:
-            yield self.views.families_kept.get(family, ()), self.views.names_kept
-
-    def assumed(self, family: str) -> bool:
-        """Only invariants tell of the family: its next values are not looked into."""
-        return self.scene.after and family in self.views.family_before and family not in self.asked_families
-
-    def hidden(self, v: str) -> bool:
-        """A name that is not looked into."""
-        if not self.scene.after:
-            return False
-        if self.views.before.get(v) in self.views.kept:
-            return True
-        return v not in self.asked_names and self.views.reads_routes(v)
+                    if v in leads:
+                        reads, speaks_of = leads[v]
+                        todo += reads
+                        fresh += speaks_of
 
     # --- which facts ---------------------------------------------------------------------------
 
@@ -124,32 +96,32 @@ class _Sight:
         """Facts that speak of the names."""
         found: dict[int, None] = {}
         for v in self.seen:
-            at = self.views.facts_at.get(self.views.before.get(v, "") if self.scene.after else v, ())
+            at = self.views.facts_at.get(v, ())
             if len(at) <= HUB:
                 found |= dict.fromkeys(at)
-        if self.scene.after:
-            return {n: None for n in found if self.members.plain[n][1] is Kind.KEPT}
         return found
 
     def deepen(self, facts: Iterable[int]) -> None:
         """See what names mean that stand in facts of which the view sees all else."""
-        m, homes = self.members, self.views.homes
+        homes, next_to, plain = self.views.homes, self.views.next_to, self.members.plain
         near = {h for v in self.seen if (h := homes.get(v)) is not None}
+        seen, states = set(self.seen), self.views.state_homes
         for n in facts:
-            names = m.read(m.plain[n][0])[0]
-            if all(
-                v in self.seen or v in m.meaning or (v in self.views.system.later and homes.get(v) in near)
-                for v in names
-            ):
-                self.reach(names, (), ())
+            names = self.members.read(plain[n][0])[0]
+            if not seen.issuperset(names):
+                for v in next_to[n]:
+                    if v not in self.seen and states.get(v) not in near:
+                        break
+                else:
+                    self.reach(names, (), ())
 
     def collect(self) -> tuple[list[Expr], list[Expr]]:
         """The facts of places, and those of several members."""
-        m, after = self.members, self.views.system.after
+        m = self.members
         found = self.around()
-        if self.scene.after:
-            return [after(m.plain[n][0]) for n in found], []
         self.deepen(found)
+        seen = set(self.seen)
+        found = {n: None for n in found if seen.issuperset(m.read(m.plain[n][0])[0])}
         wide = {n: None for v in self.seen for n in self.views.wide_at.get(v, ())}
         mixed = {n: None for v in self.seen if len(at := self.views.mixed_at.get(v, ())) <= HUB for n in at}
         parts = [x for n in wide if (x := self.said(m.plain[n][0], True)) is not TRUE]
@@ -181,12 +153,12 @@ class _Sight:
         every = 0
         for some in marks:
             every |= some
-        told = {t for t, then in self.telling() if not then}
+        told = set(self.telling())
         fulls = list(self.views.full_at.get(None, ()))
         fulls += [f for t in told for f in self.views.full_at.get(t, ()) if told.issuperset(f.named)]
         for f in fulls:
             self.whole[f.family] = self.whole.get(f.family, 0) | f.members
-        traits = [t.members for those in self.traits.values() for t, _ in those]
+        traits = [t.members for those in self.traits.values() for t in those]
         classes = [every] if every else []
         for some in (*marks, *traits, *self.views.bare, *(f.members for f in fulls)):
             if some & every and any(c & some and c & ~some for c in classes):
@@ -199,26 +171,16 @@ class _Sight:
             else:
                 self.crowds.append(members)
 
-    def telling(self) -> list[tuple[Trait, bool]]:
-        """The traits of which all names are seen, now and after the step; kept by family."""
-        found: list[tuple[Trait, bool]] = []
+    def telling(self) -> list[Trait]:
+        """The traits of which all names are seen; kept by family."""
+        found: list[Trait] = []
         hits: dict[Trait, int] = {}
-        views, after = self.views, self.scene.after
         for v in self.seen:
-            for t in views.traits_at.get(v, ()):
-                if not after or t.kind is Kind.DEFINED:
-                    hits[t] = hits.get(t, 0) + 1
-                    if hits[t] == len(t.names):
-                        found.append((t, False))
-                        self.traits.setdefault(t.family, []).append((t, False))
-        hits = {}
-        for v in self.seen if after else ():
-            for t in views.traits_at.get(views.before.get(v, ""), ()):
-                if t in views.later_of:
-                    hits[t] = hits.get(t, 0) + 1
-                    if hits[t] == len(t.names):
-                        found.append((t, True))
-                        self.traits.setdefault(views.then[t.family], []).append((t, True))
+            for t in self.views.traits_at.get(v, ()):
+                hits[t] = hits.get(t, 0) + 1
+                if hits[t] == len(t.names):
+                    found.append(t)
+                    self.traits.setdefault(t.family, []).append(t)
         return found
 
     # --- the small system ----------------------------------------------------------------------
@@ -260,23 +222,16 @@ class _Sight:
         i = first.bit_length() - 1
         single = members == first
         x = self.variable(family, crowd)
-        mine = [key for key in self.traits.get(family, ()) if key[0].members & first]
-        if not self.assumed(family):
-            defining = self.members.defining.get((family, i)) or []
-            if self.whole.get(family, 0) & first and (single or self.spread(defining, i)):
-                self.definitions[x.name] = conj(self.of_crowd(t.expr, crowd) for t in defining)
-            else:
-                told = {t for t, then in mine if not then}
-                some = (t for t in defining if t in told or not t.names)
-                self.imply(x, (t.expr for t in some if single or t.lifts), crowd)
-        if not self.scene.after:
-            facts = [t for t in self.members.telling.get((family, i), ()) if not t.names]
-            facts += [t for t, _ in mine if t.kind is not Kind.DEFINED]
-            self.imply(x, (t.expr for t in facts if single or t.lifts), crowd)
-        elif family in self.views.family_before:
-            before = self.members.telling.get((self.views.family_before[family], i), ())
-            kept = [t for t in before if not t.names and t in self.views.later_of] + [t for t, then in mine if then]
-            self.imply(x, (self.views.later_of[t][0] for t in kept if single or t.lifts), crowd)
+        mine = [t for t in self.traits.get(family, ()) if t.members & first]
+        defining = self.members.defining.get((family, i)) or []
+        if self.whole.get(family, 0) & first and (single or self.spread(defining, i)):
+            self.definitions[x.name] = conj(self.of_crowd(t.expr, crowd) for t in defining)
+        else:
+            told = set(mine)
+            self.imply([t for t in defining if (t in told or not t.names) and (single or t.lifts)], crowd)
+        facts = [t for t in self.members.telling.get((family, i), ()) if not t.names]
+        facts += [t for t in mine if t.kind is not Kind.DEFINED]
+        self.imply([t for t in facts if single or t.lifts], crowd)
 
     def spread(self, defining: Sequence[Trait], i: int) -> bool:
         """The definition of a member is that of its crowd too: one trait of it differs from member to member at most,
@@ -289,9 +244,16 @@ class _Sight:
         defining = self.members.defining.get((family, i))
         return bool(self.whole.get(family, 0) >> i & 1) and not any(t.families for t in defining or ())
 
-    def imply(self, x: Expr, exprs: Iterable[Expr], crowd: int) -> None:
+    def imply(self, traits: Iterable[Trait], crowd: int) -> None:
         """A crowd's variable implies what is said of its members."""
-        self.facts += [implies(x, self.of_crowd(e, crowd)) for e in exprs]
+        known, reached = self.views.told, self.reached
+        for t in traits:
+            for f in t.families:
+                reached[f, crowd] = None
+            fact = known.get((t, crowd))
+            if fact is None:
+                fact = known[t, crowd] = implies(_variable(t.family, crowd), _of_crowd(t.expr, crowd))
+            self.facts.append(fact)
 
     def of_crowd(self, x: Expr, crowd: int) -> Expr:
         """An expression over families, of a crowd."""
@@ -305,7 +267,7 @@ class _Sight:
     def view(self) -> View:
         """All of it."""
         self.look()
-        if self.rings > 1 and not self.scene.after:
+        if self.rings > 1:
             near = {
                 h: None
                 for v in self.seen
@@ -315,7 +277,7 @@ class _Sight:
                 self.seen |= dict.fromkeys(self.views.states_at.get(h, ()))
         facts, mixed = self.collect()
         meaning = self.members.meaning
-        defined = {v: meaning[v] for v in self.seen if v in meaning and v not in self.free}
+        defined = {v: meaning[v] for v in self.seen if v in meaning}
         self.part([*(x for _, x in self.scene.whole), *defined.values(), *mixed])
         asked: list[tuple[Expr, tuple[int, ...]]] = [(self.merged(x), (n,)) for n, x in self.scene.whole]
         for x, numbers in self.scene.pieces:

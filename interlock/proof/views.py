@@ -24,9 +24,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from interlock.logic.expr import Expr, Op, rebuild, var
+from interlock.logic.expr import Expr, Op
 from interlock.model.bits import bits_of
-from interlock.proof.members import OF, Kind, Members, Routed, Trait
+from interlock.proof.members import Kind, Members, Routed, Trait
 
 WIDE = 30  # of a fact that reads more names than this, a view takes what it says of the view's names
 
@@ -59,14 +59,12 @@ class Scene:
     """Goals that are looked at together.
 
     whole: goals by number.  pieces: an expression over families, and for each member of which it is to hold the goals
-    that it is a part of.  homes: elements that are near.  after: the goals are no part of the induction, and what it
-    keeps may be used for the state after the step too; next values that it speaks of are not looked into.
+    that it is a part of.  homes: elements that are near.
     """
 
     homes: tuple[str, ...]
     whole: tuple[tuple[int, Expr], ...] = ()
     pieces: tuple[tuple[Expr, Mapping[int, tuple[int, ...]]], ...] = ()
-    after: bool = False
 
     @property
     def goals(self) -> Iterator[int]:
@@ -117,13 +115,6 @@ class Views:
         self.members = m = Members(system, hypotheses)
         self.system = system
         self.homes = system.homes
-        self.before = {then: now for now, then in system.later.items()}
-        self.family_before = {
-            of[0]: system.members[now][0]
-            for then, of in system.members.items()
-            if (now := self.before.get(then, "")) in system.members
-        }
-        self.then = {before: family for family, before in self.family_before.items()}
         self.reads = {name: m.read(x)[0] for name, x in m.meaning.items()}
         self.facts_at: dict[str, list[int]] = {}
         self.wide_at: dict[str, list[int]] = {}
@@ -133,10 +124,15 @@ class Views:
             _note(self.facts_at if len(names) <= WIDE else self.wide_at, names, n)
             if len(names) == 2 and x.op is Op.OR:
                 self._timer(x)
+        self.next_to = [tuple(v for v in m.read(x)[0] if v not in m.meaning) for x, _ in m.plain]
+        """What facts read that has no meaning: states and inputs."""
+        self.leads = {
+            v: (reads, self.families_in(m.meaning[v]) if v in m.meaning else ()) for v, reads in self.reads.items()
+        }
+        """What names read, and the families of which they speak."""
+        self.state_homes = {v: home for v in system.later if (home := self.homes.get(v)) is not None}
         for n, (x, _) in enumerate(m.mixed):
             _note(self.mixed_at, m.read(x)[0], n)
-        self.kept = {v for x, kind in m.plain if kind is Kind.KEPT for v in m.read(x)[0]}
-        """Names of which invariants speak."""
         self.states_at: dict[str, list[str]] = {}
         for v in system.later:
             if v in self.homes:
@@ -144,16 +140,15 @@ class Views:
         self.traits_at: dict[str, list[Trait]] = {}
         self.families: dict[str, dict[str, None]] = {}
         """Those that a family's traits read."""
-        self.families_kept: dict[str, dict[str, None]] = {}
         self.names_at: dict[tuple[str, str], dict[str, None]] = {}
         """The names at an element that a family's traits read."""
-        self.names_kept: dict[tuple[str, str], dict[str, None]] = {}
-        self.later_of: dict[Trait, tuple[Expr, tuple[str, ...]]] = {}
         for t in m.traits:
             self._enter(t)
         self._groups: dict[Expr, list[Group]] = {}
         self.of_crowd: dict[tuple[Expr, int], Expr] = {}
         """Expressions over families, by crowds: what views have in common."""
+        self.told: dict[tuple[Trait, int], Expr] = {}
+        """Facts about crowds, by trait."""
         self.full_at: dict[Trait | None, list[Full]] = {}
         """Definitions of members that a view may see as a whole, by one of their traits with names."""
         full: dict[tuple[str, tuple[Trait, ...]], int] = {}
@@ -185,37 +180,17 @@ class Views:
                 self.reads[timer] = (b.name,)
 
     def _enter(self, t: Trait) -> None:
-        """Note what a trait reads, now and, if it is an invariant's, after the step."""
+        """Note what a trait reads."""
         for v in t.names:
             self.traits_at.setdefault(v, []).append(t)
             home = self.homes.get(v)
             if home is not None:
                 self.names_at.setdefault((t.family, home), {})[v] = None
         self.families.setdefault(t.family, {}).update(dict.fromkeys(t.families))
-        if t.kind is not Kind.KEPT:
-            return
-        later = self.system.later
-        then = self.then
-        if any(v not in later for v in t.names) or any(f not in then for f in (t.family, *t.families)):
-            return
-        put = {v: later[v] for v in t.names} | {OF + f: OF + then[f] for f in t.families}
-        family = then[t.family]
-        names = tuple(later[v] for v in t.names)
-        self.later_of[t] = _renamed(t.expr, put), names
-        for v in names:
-            home = self.homes.get(v)
-            if home is not None:
-                self.names_kept.setdefault((family, home), {})[v] = None
-        self.families_kept.setdefault(family, {}).update(dict.fromkeys(then[f] for f in t.families))
 
     def families_in(self, x: Expr) -> tuple[str, ...]:
         """The families that an expression reads."""
         return tuple(dict.fromkeys(f for f, _ in self.members.read(x)[1]))
-
-    def reads_routes(self, name: str) -> bool:
-        """The definition of the name reads routes."""
-        meant = self.members.meaning.get(name)
-        return meant is not None and bool(self.members.read(meant)[1])
 
     def groups(self, root: Expr) -> list[Group]:
         """The nodes below an expression that read members."""
@@ -283,9 +258,3 @@ def _apart(m: Members) -> dict[str, dict[int, int]]:
 def _note(at: dict[str, list[int]], names: Iterable[str], n: int) -> None:
     for v in names:
         at.setdefault(v, []).append(n)
-
-
-def _renamed(x: Expr, put: Mapping[str, str]) -> Expr:
-    if x.op is Op.VAR:
-        return var(put.get(x.name, x.name))
-    return rebuild(x, tuple(_renamed(a, put) for a in x.args)) if x.args else x
