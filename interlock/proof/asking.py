@@ -17,24 +17,19 @@ class Decision:
     seconds: float
 
 
-def decisions(sat: Sat, literals: Sequence[int], known: Sequence[bool] = (), patience: int = 0) -> list[Decision]:
-    """Which literals follow; what follows is a fact for the questions after it.
+def decisions(
+    sat: Sat, denials: Sequence[Sequence[int]], known: Sequence[bool] = (), patience: int = 0
+) -> list[Decision]:
+    """Which goals follow, each by itself: those whose denial cannot be.
 
     known: those that need not be asked.  patience: when so many do not follow, the rest is left open.
     """
-    known = known or [False] * len(literals)
-    for x, follows in zip(literals, known, strict=True):
-        if follows:
-            sat.learn(x)
     found: list[Decision] = []
-    left = patience or len(literals)
-    for x, follows in zip(literals, known, strict=True):
+    left = patience or len(denials)
+    for denial, follows in zip(denials, known or [False] * len(denials), strict=True):
         began = time.perf_counter()
         if not follows and left > 0:
-            follows = sat.ask(-x) is Answer.UNSAT
-            if follows:
-                sat.learn(x)
-            else:
-                left -= 1
+            follows = sat.ask(*denial) is Answer.UNSAT
+            left -= not follows
         found.append(Decision(follows, time.perf_counter() - began))
     return found

@@ -85,6 +85,6 @@ class Looks:
         cnf = OneSided(seen.definitions)
         for x in seen.facts:
             cnf.require(x)
-        literals = [cnf.question(x) for x, _ in seen.asked]
+        denials = [cnf.denial(x) for x, _ in seen.asked]
         sat = solver(self.limits.engine, cnf, self.limits.query_ms)
-        return [d.follows for d in decisions(sat, literals)]
+        return [d.follows for d in decisions(sat, denials)]

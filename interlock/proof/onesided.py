@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from interlock.logic.expr import Expr, Op, neg
 from interlock.proof.encode import Cnf
 
-_FORTH, _BACK, _BOTH = 1, 2, 3  # the literal implies the node; the node implies the literal
+_FORTH, _BACK = 1, 2  # the literal implies the node; the node implies the literal
 
 
 class OneSided(Cnf):
@@ -53,9 +53,29 @@ class OneSided(Cnf):
         else:
             self.clauses.extend([(-self._said_of(a, _BACK), *rest) for a in whole.args[0].args])
 
-    def question(self, x: Expr) -> int:
-        """The literal of an expression that may be asked about, and added as a fact afterwards."""
-        return self._said_of(x, _BOTH)
+    def denial(self, x: Expr) -> list[int]:
+        """Literals that together imply that the expression is false: it follows if they cannot all be true.
+
+        What is false or true as a whole is so part by part, so that most expressions need no node of their own: a node
+        would be told by all that is said of its parts, in each question about something else.
+        """
+        found: dict[int, None] = {}
+        stack = [(x, False)]
+        while stack:
+            y, wanted = stack.pop()
+            while True:
+                if y.op is Op.NOT:
+                    y, wanted = y.args[0], not wanted
+                elif y.op is Op.VAR and y.name in self._meaning:
+                    y = self._meaning[y.name]
+                else:
+                    break
+            if y.op is (Op.AND if wanted else Op.OR):
+                stack.extend([(a, wanted) for a in y.args])
+            else:
+                n = self._said_of(y, _FORTH if wanted else _BACK)
+                found[n if wanted else -n] = None
+        return list(found)
 
     def _literal_of(self, x: Expr) -> int:
         """The number of a node, nothing said of it."""
@@ -93,8 +113,7 @@ class OneSided(Cnf):
             while True:
                 if x.op is Op.NOT:
                     x = x.args[0]
-                    if side != _BOTH:
-                        side = _BOTH - side
+                    side = _FORTH + _BACK - side
                 elif x.op is Op.VAR and x.name in meaning:
                     x = meaning[x.name]
                 else:

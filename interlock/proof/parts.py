@@ -156,12 +156,12 @@ class Parts:
         now = [g.expr for g in goals if not g.later]
         return self.forms.digest(order, ((later, self.system.later), (now, {}), ([self.facts[n] for n in facts], {})))
 
-    def cnf(self, goals: Sequence[Goal], facts: Iterable[int]) -> tuple[Cnf, list[int]]:
-        """Clauses of some facts, and the goals' literals."""
+    def cnf(self, goals: Sequence[Goal], facts: Iterable[int]) -> tuple[Cnf, list[list[int]]]:
+        """Clauses of some facts, and the literals that deny each goal."""
         cnf = OneSided(self.system.definitions)
         for n in facts:
             cnf.require(self.facts[n])
-        return cnf, [cnf.question(self.system.after(g.expr) if g.later else g.expr) for g in goals]
+        return cnf, [cnf.denial(self.system.after(g.expr) if g.later else g.expr) for g in goals]
 
     def decide(self, goals: Sequence[Goal], limits: Limits, rings: int) -> list[Decision]:
         """Which of the goals follow from the facts so many steps around."""
@@ -173,8 +173,8 @@ class Parts:
         known = limits.cache.known(key, len(goals))
         if all(known):
             return [Decision(True, 0.0)] * len(goals)
-        cnf, literals = self.cnf(goals, facts)
-        found = decisions(solver(limits.engine, cnf, limits.query_ms), literals, known)
+        cnf, denials = self.cnf(goals, facts)
+        found = decisions(solver(limits.engine, cnf, limits.query_ms), denials, known)
         limits.cache.keep(key, [d.follows for d in found])
         return found
 
@@ -289,7 +289,7 @@ class Inquiry:
         """Claims about one state, and looks at all other goals."""
         if not wide:
             return []
-        claims = [(n, self.goals[n].expr) for n in wide if not self.goals[n].later]
+        claims = [(n, self.goals[n].expr) for n in sorted(wide) if not self.goals[n].later]
         of_states, others = self.states.questions(claims)
         return [*of_states, *self._looks([*(n for n in wide if self.goals[n].later), *others], 1)]
 

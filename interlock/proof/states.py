@@ -88,8 +88,9 @@ class States:
         cnf = OneSided(definitions)
         for x in facts:
             cnf.require(x)
-        literals = [cnf.question(x) for x in goals]
-        found = decisions(solver(self.limits.engine, cnf, self.limits.query_ms), literals, known, PATIENCE)
+        denials = [cnf.denial(x) for x in goals]
+        sat = solver(self.limits.engine, cnf, self.limits.query_ms)
+        found = decisions(sat, denials, known, PATIENCE)
         self.limits.cache.keep(key, [d.follows for d in found])
         return found
 

@@ -21,10 +21,6 @@ class Sat(Protocol):
         """Whether the clauses can hold together with the literals."""
         ...
 
-    def learn(self, literal: int) -> None:
-        """A literal that the clauses imply."""
-        ...
-
 
 def solver(engine: str, cnf: Cnf, timeout_ms: int) -> Sat:
     """A solver of the named engine; each is loaded only when it is used."""

@@ -34,6 +34,3 @@ class Cvc5Sat:
         if found.isUnsat():
             return Answer.UNSAT
         return Answer.SAT if found.isSat() else Answer.UNKNOWN
-
-    def learn(self, literal: int) -> None:
-        """A literal that the clauses imply; cvc5 keeps its own."""

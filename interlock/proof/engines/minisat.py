@@ -21,7 +21,3 @@ class MiniSat:
         self._solver.conf_budget(CONFLICTS)
         found = self._solver.solve_limited(assumptions=list(literals))
         return Answer.UNKNOWN if found is None else Answer.SAT if found else Answer.UNSAT
-
-    def learn(self, literal: int) -> None:
-        """A literal that the clauses imply."""
-        self._solver.add_clause([literal])

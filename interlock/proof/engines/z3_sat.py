@@ -36,9 +36,6 @@ class Z3Sat:
             return Answer.UNSAT
         return Answer.SAT if found == z3.sat else Answer.UNKNOWN
 
-    def learn(self, literal: int) -> None:
-        """A literal that the clauses imply; Z3 keeps its own."""
-
     def values(self) -> dict[int, bool]:
         """Truth of the variable numbers after a SAT answer."""
         model = self._solver.model()
