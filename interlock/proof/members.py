@@ -259,12 +259,16 @@ def clauses(x: Expr) -> Iterator[list[Expr]]:
         todo.extend([*clause[:n], p, *clause[n + 1 :]] for p in reversed(parts))
 
 
-def _alternatives(x: Expr) -> Sequence[Expr]:
+def _alternatives(x: Expr) -> Iterator[Expr]:
+    """The parts of a disjunction, and of those of them that are one."""
     if x.op is Op.OR:
-        return x.args
-    if x.op is Op.NOT and x.args[0].op is Op.AND:
-        return [neg(a) for a in x.args[0].args]
-    return (x,)
+        for a in x.args:
+            yield from _alternatives(a)
+    elif x.op is Op.NOT and x.args[0].op is Op.AND:
+        for a in x.args[0].args:
+            yield from _alternatives(neg(a))
+    else:
+        yield x
 
 
 def _positive(x: Expr, side: bool) -> bool:

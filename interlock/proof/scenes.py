@@ -12,7 +12,8 @@ from interlock.proof.views import Scene, Views
 def scenes(views: Views, goals: Iterable[tuple[int, Expr]], rings: int) -> list[Scene]:
     """Scenes of numbered goals; a goal that reads many routes and nothing else is in none.
 
-    A goal is looked at from the element that it names first; with more rings, from the one that it names last.
+    A goal is looked at from the element that it names first, or last if it speaks of overlaps, which lie ahead; with more
+    rings the other way round.
     """
     whole: dict[str, list[tuple[int, Expr]]] = {}
     pieces: dict[tuple[str, ...], dict[Expr, dict[int, list[int]]]] = {}
@@ -26,7 +27,8 @@ def scenes(views: Views, goals: Iterable[tuple[int, Expr]], rings: int) -> list[
                 near = pieces.setdefault(_homes(views, part, number, rings), {})
                 near.setdefault(part, {}).setdefault(number, []).append(n)
         elif homes:
-            home = homes[-1] if rings == 1 else homes[0]
+            ahead = any(h.startswith("overlap ") for h in homes)
+            home = homes[0 if ahead is (rings == 1) else -1]
             home = views.system.beside.get(home, (home,))[0]
             whole.setdefault(home, []).append((n, x))
     found = [Scene((home,), tuple(those)) for home, those in whole.items()]
