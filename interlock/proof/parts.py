@@ -31,6 +31,7 @@ GOALS = 4000  # in a part: fewer would encode the same definitions more often
 FEW = 800  # at first a part of fewer goals is joined with the next place: neighbours share what they depend on
 NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
 LARGE = 32_000  # goals of a part that depends on more names than this are first asked of one state, or of one place
+SAMPLE, RUN = 16, 100  # so many runs of so many goals tell how much the goals of a system depend on
 HUB = 60  # a variable in more facts than this says nothing about what lies together
 
 
@@ -285,6 +286,17 @@ class Inquiry:
             found.setdefault(key, []).append(goals)
         return [*self._wide(wide), *(Question(first, rings, alike) for first, *alike in found.values())]
 
+    def _is_wide(self, goals: Sequence[int]) -> bool:
+        """Most goals of a large system, as far as some tell, depend on too much to lie in a part of their own."""
+        if len(self.parts.system.definitions) <= LARGE:
+            return False
+        sizes = []
+        for k in range(0, len(goals), max(1, len(goals) // SAMPLE)):
+            seen: dict[str, None] = {}
+            self.parts.cone(chain.from_iterable(self.parts.read_by(self.goals[n]) for n in goals[k : k + RUN]), seen)
+            sizes.append(len(seen))
+        return sorted(sizes)[len(sizes) // 2] > NEAR
+
     def _wide(self, wide: Sequence[int]) -> list[Asked]:
         """Claims about one state, and looks at all other goals."""
         if not wide:
@@ -318,6 +330,9 @@ class Inquiry:
 
     def first(self) -> list[Asked]:
         """The questions to begin with: one of all goals where they are few."""
+        left = [n for n, d in enumerate(self.found) if not d.follows]
+        if self._is_wide(left):
+            return self._wide(left)
         return self.questions(0 if len(self.goals) <= SMALL else 1, LARGE)
 
     def ask(self, question: Asked) -> list[Decision] | Seen:

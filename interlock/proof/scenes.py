@@ -12,8 +12,8 @@ from interlock.proof.views import Scene, Views
 def scenes(views: Views, goals: Iterable[tuple[int, Expr]], rings: int) -> list[Scene]:
     """Scenes of numbered goals; a goal that reads many routes and nothing else is in none.
 
-    A goal is looked at from the element that it names first, or last if it speaks of overlaps, which lie ahead; with more
-    rings the other way round.
+    A goal is looked at from the element that it names first, or last if it speaks of overlaps, which lie ahead; with
+    more rings the other way round.
     """
     whole: dict[str, list[tuple[int, Expr]]] = {}
     pieces: dict[tuple[str, ...], dict[Expr, dict[int, list[int]]]] = {}
