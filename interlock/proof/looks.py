@@ -52,10 +52,12 @@ class Looks:
     def looks(self, goals: Iterable[tuple[int, Expr]], rings: int) -> list[Look]:
         """Numbered goals in so many looks; some are in none."""
         found = scenes(self.views, goals, rings)
-        return [
+        looks = [
             Look(some, tuple(dict.fromkeys(n for s in some for n in s.goals)), rings)
             for some in (found[k : k + CHUNK] for k in range(0, len(found), CHUNK))
         ]
+        each = -(-len(looks) // self.limits.jobs)  # a process begins where no other has been: neighbours are alike
+        return [x for k in range(each) for x in looks[k::each]]
 
     def see(self, look: Look) -> Seen:
         """What a look shows."""

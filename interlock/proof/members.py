@@ -134,15 +134,15 @@ class Members:
         if found is None:
             names: dict[str, None] = {}
             members: dict[Member, None] = {}
-            todo, done = [x], set()
+            todo, done, member = [x], set(), self._member
             while todo:
                 y = todo.pop()
                 if y.args:
                     if y not in done:
                         done.add(y)
-                        todo.extend(y.args)
+                        todo += y.args
                 elif y.name:
-                    of = self.of(y)
+                    of = member.get(y.name) if y.op is Op.VAR else self.of(y)
                     if of is None:
                         names[y.name] = None
                     else:
