@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import random
+from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
 
 import pytest
 
 from interlock.app.init import line, yard
+from interlock.audit import audit
 from interlock.derive import pipeline
 from interlock.derive.conflicts import Conflicts, classify
+from interlock.model.bits import bits
+from interlock.model.elements import RouteId
+from interlock.table.rows import Hostile, HostileRoutes
 from tests.grow import grow
-from tests.layouts import SHIPPED, grown
+from tests.layouts import SHIPPED, built, grown
 
 TEXTS = {
     **{name: Path(f"layouts/{name}.yaml").read_text(encoding="utf-8") for name in SHIPPED},
@@ -53,3 +59,21 @@ def test_hostile_routes_stand_in_order_and_tell_what_they_share() -> None:
             table.route[x].number for x in r.hostile.routes
         )
         assert all(h.witness and h.because.text.startswith(f"{r.id} and {h.route}: ") for h in r.hostile)
+
+
+@pytest.mark.parametrize("name", ["cn6502", "pit_bottom"])
+def test_the_audit_finds_each_pair_that_is_missing_or_too_much(name: str) -> None:
+    layout, table, _ = built(name)
+    ids = [r.id for r in table.routes]
+    chance = random.Random(name)
+    for r, other in chance.sample([(r, x) for r in table.routes for x in ids if x != r.id], 40):
+        hostile = set(r.hostile.routes) ^ {other}
+        wrong = replace(r, hostile=HostileRoutes(ids, bits(n for n, x in enumerate(ids) if x in hostile), told))
+        findings = audit(layout, replace(table, routes=tuple(wrong if x is r else x for x in table.routes)))
+        (found,) = [x for x in findings if x.column == "hostile"]
+        assert found.route == r.id
+        assert found.text.startswith(f"{other} is {'not ' if other in hostile else ''}hostile")
+
+
+def told(other: RouteId) -> Hostile:
+    raise AssertionError(f"the audit does not ask what makes {other} hostile")

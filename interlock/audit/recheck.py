@@ -321,37 +321,53 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
 def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
     grounds = [_ground(layout, r, matched[r.id]) for r in table.routes if r.id in matched]
     number = {g.row.id: i for i, g in enumerate(grounds)}
-    pairs = _meeting(grounds)
+    pairs, certain = _meeting(grounds)
     listed = [0] * len(grounds)
+    lists = [bytearray(-(-len(grounds) // 8)) for _ in grounds]  # for each, as bits, those that list it
     for i, g in enumerate(grounds):
-        for j in [number[r] for r in g.row.hostile.routes if r in number]:
-            listed[i] |= 1 << j
-            pairs[j] |= 1 << i
-        pairs[i] |= listed[i]
+        mine = bytearray(-(-len(grounds) // 8))
+        for r in g.row.hostile.routes:
+            j = number.get(r)
+            if j is not None:
+                mine[j >> 3] |= 1 << (j & 7)
+                lists[j][i >> 3] |= 1 << (i & 7)
+        listed[i] = int.from_bytes(mine, "little")
     for i, a in enumerate(grounds):
-        for j in _bits(pairs[i] >> (i + 1) << (i + 1)):
+        told = int.from_bytes(lists[i], "little")
+        agreed = certain[i] & listed[i] & told
+        for j in _bits((pairs[i] | listed[i] | told) & ~agreed & -(1 << i + 1)):
             b = grounds[j]
             why = _cannot_both(layout, a, b)
-            for x, y, told in ((a, b, listed[i] >> j & 1), (b, a, listed[j] >> i & 1)):
-                if why and not told:
+            for x, y, says in ((a, b, listed[i] >> j & 1), (b, a, listed[j] >> i & 1)):
+                if why and not says:
                     text = f"{y.row.id} is hostile: {why[0]} {', '.join(sorted(why[1]))}"
                     yield Finding(x.row.id, "hostile", text)
-                if not why and told:
+                if not why and says:
                     yield Finding(x.row.id, "hostile", f"{y.row.id} is not hostile")
 
 
-def _meeting(grounds: list[_Ground]) -> list[int]:
-    """For each the others, as bits, that it has anything in common with: a signal, a section, a node, a machine."""
+def _meeting(grounds: list[_Ground]) -> tuple[list[int], list[int]]:
+    """For each the others, as bits, that it has anything in common with: a signal, a section, a node, a machine; and
+    those with which it can never be set, as both begin at one signal, or pass a section or a node."""
     users: dict[tuple[str, str], int] = {}
+    passed_by: dict[tuple[str, str], int] = {}
     things: list[set[tuple[str, str]]] = []
+    passed: list[set[tuple[str, str]]] = []
     for i, g in enumerate(grounds):
-        of = {("signal", str(g.entry))}
-        of |= {("section", str(s)) for s in (*g.sections, *g.over, *(f[0] for f in g.foul))}
-        of |= {("node", str(n)) for n in (*g.nodes, *g.over_nodes)} | {("machine", str(m)) for m in g.positions}
+        own = {("signal", str(g.entry))}
+        own |= {("section", str(s)) for s in g.sections} | {("node", str(n)) for n in g.nodes}
+        of = own | {("section", str(s)) for s in (*g.over, *(f[0] for f in g.foul))}
+        of |= {("node", str(n)) for n in g.over_nodes} | {("machine", str(m)) for m in g.positions}
+        passed.append(own)
         things.append(of)
-        for thing in of:
-            users[thing] = users.get(thing, 0) | 1 << i
-    found = [0] * len(grounds)
+        for table, some in ((users, of), (passed_by, own)):
+            for thing in some:
+                table[thing] = table.get(thing, 0) | 1 << i
+    return _all_users(things, users), _all_users(passed, passed_by)
+
+
+def _all_users(things: list[set[tuple[str, str]]], users: dict[tuple[str, str], int]) -> list[int]:
+    found = [0] * len(things)
     for i, of in enumerate(things):
         for thing in of:
             found[i] |= users[thing]

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import compress
+from typing import TypeVar
+
+T = TypeVar("T")
+_DIGITS = bytes.maketrans(b"01", b"\0\1")
 
 
 def bits(numbers: Iterable[int]) -> int:
@@ -19,3 +24,8 @@ def bits_of(x: int) -> Iterator[int]:
         low = x & -x
         yield low.bit_length() - 1
         x ^= low
+
+
+def chosen(x: int, among: Sequence[T]) -> Iterator[T]:
+    """Those of some things whose number is in a set; quicker than number by number where the set is not small."""
+    return compress(among, bin(x)[:1:-1].encode().translate(_DIGITS))

@@ -12,7 +12,7 @@ from enum import StrEnum
 from functools import cached_property
 from typing import overload
 
-from interlock.model.bits import bits_of
+from interlock.model.bits import chosen
 from interlock.model.elements import (
     ConditionId,
     CrossingId,
@@ -175,7 +175,7 @@ class HostileRoutes(Sequence[Hostile]):
     @cached_property
     def routes(self) -> tuple[RouteId, ...]:
         """Their ids."""
-        return tuple([self._among[n] for n in bits_of(self._members)])
+        return tuple(chosen(self._members, self._among))
 
     @cached_property
     def _all(self) -> tuple[Hostile, ...]:

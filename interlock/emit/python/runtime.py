@@ -29,7 +29,7 @@ def _equation(e: Equation, name: str) -> str:
 
 
 def _plain(text: str) -> str:
-    return "".join(c if c.isprintable() else "?" for c in text)
+    return text if text.isprintable() else "".join(c if c.isprintable() else "?" for c in text)
 
 
 FIXED = '''class Controller:
