@@ -10,7 +10,7 @@ import pytest
 
 from interlock.app.init import yard
 from interlock.logic.controller import Controller
-from interlock.logic.expr import Expr, Substitution, conj, disj, iff, implies, var, variables
+from interlock.logic.expr import Expr, Substitution, conj, disj, iff, implies, neg, var, variables
 from interlock.logic.lower import lower
 from interlock.logic.plant import Assumption
 from interlock.model.layout import Layout
@@ -180,3 +180,10 @@ def test_what_is_said_twice_of_a_route_is_said_of_no_other() -> None:
     told = Told({"A_R1": ("A_R", 1), "A_R2": ("A_R", 2)})
     (trait,) = Members(told, [fact, conj((fact, var("y")))]).traits
     assert (trait.expr, trait.members) == (var("x"), 1 << 1)
+
+
+def test_a_fact_that_is_a_disjunction_in_one_tells_all_of_its_parts() -> None:
+    told = Told({"A_R1": ("A_R", 1), "B_R1": ("B_R", 1)})
+    fact = disj((neg(conj((var("A_R1"), neg(var("B_R1"))))), neg(var("F"))))
+    (trait,) = Members(told, [fact]).traits
+    assert (trait.family, trait.expr) == ("A_R", disj((var("#B_R"), neg(var("F")))))
