@@ -103,11 +103,11 @@ class _Sight:
 
     def deepen(self, facts: Iterable[int]) -> None:
         """See what names mean that stand in facts of which the view sees all else."""
-        homes, next_to, plain = self.views.homes, self.views.next_to, self.members.plain
+        homes, next_to, names_of = self.views.homes, self.views.next_to, self.views.names_of
         near = {h for v in self.seen if (h := homes.get(v)) is not None}
         seen, states = set(self.seen), self.views.state_homes
         for n in facts:
-            names = self.members.read(plain[n][0])[0]
+            names = names_of[n]
             if not seen.issuperset(names):
                 for v in next_to[n]:
                     if v not in self.seen and states.get(v) not in near:
@@ -121,7 +121,7 @@ class _Sight:
         found = self.around()
         self.deepen(found)
         seen = set(self.seen)
-        found = {n: None for n in found if seen.issuperset(m.read(m.plain[n][0])[0])}
+        found = {n: None for n in found if seen.issuperset(self.views.names_of[n])}
         wide = {n: None for v in self.seen for n in self.views.wide_at.get(v, ())}
         mixed = {n: None for v in self.seen if len(at := self.views.mixed_at.get(v, ())) <= HUB for n in at}
         parts = [x for n in wide if (x := self.said(m.plain[n][0], True)) is not TRUE]

@@ -119,12 +119,14 @@ class Views:
         self.facts_at: dict[str, list[int]] = {}
         self.wide_at: dict[str, list[int]] = {}
         self.mixed_at: dict[str, list[int]] = {}
+        self.names_of = [m.read(x)[0] for x, _ in m.plain]
+        """What each fact about places reads."""
         for n, (x, _) in enumerate(m.plain):
-            names = m.read(x)[0]
+            names = self.names_of[n]
             _note(self.facts_at if len(names) <= WIDE else self.wide_at, names, n)
             if len(names) == 2 and x.op is Op.OR:
                 self._timer(x)
-        self.next_to = [tuple(v for v in m.read(x)[0] if v not in m.meaning) for x, _ in m.plain]
+        self.next_to = [tuple(v for v in names if v not in m.meaning) for names in self.names_of]
         """What facts read that has no meaning: states and inputs."""
         self.leads = {
             v: (reads, self.families_in(m.meaning[v]) if v in m.meaning else ()) for v, reads in self.reads.items()
