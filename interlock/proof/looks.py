@@ -25,7 +25,6 @@ class Look:
 
     scenes: Sequence[Scene]
     goals: Sequence[int]
-    rings: int
 
     def __len__(self) -> int:
         return len(self.goals)
@@ -49,11 +48,11 @@ class Looks:
         self._forms = Forms({})
         self._known: dict[str, list[bool]] = {}
 
-    def looks(self, goals: Iterable[tuple[int, Expr]], rings: int) -> list[Look]:
+    def looks(self, goals: Iterable[tuple[int, Expr]]) -> list[Look]:
         """Numbered goals in so many looks; some are in none."""
-        found = scenes(self.views, goals, rings)
+        found = scenes(self.views, goals)
         looks = [
-            Look(some, tuple(dict.fromkeys(n for s in some for n in s.goals)), rings)
+            Look(some, tuple(dict.fromkeys(n for s in some for n in s.goals)))
             for some in (found[k : k + CHUNK] for k in range(0, len(found), CHUNK))
         ]
         each = -(-len(looks) // self.limits.jobs)  # a process begins where no other has been: neighbours are alike
@@ -64,7 +63,7 @@ class Looks:
         began = time.perf_counter()
         left: dict[int, None] = {}
         for scene in look.scenes:
-            seen = view(self.views, scene, look.rings)
+            seen = view(self.views, scene)
             for (_, goals), follows in zip(seen.asked, self._decided(seen), strict=True):
                 if not follows:
                     left |= dict.fromkeys(goals)

@@ -303,13 +303,13 @@ class Inquiry:
             return []
         claims = [(n, self.goals[n].expr) for n in sorted(wide) if not self.goals[n].later]
         of_states, others = self.states.questions(claims)
-        return [*of_states, *self._looks([*(n for n in wide if self.goals[n].later), *others], 1)]
+        return [*of_states, *self._looks([*(n for n in wide if self.goals[n].later), *others])]
 
-    def _looks(self, wide: Sequence[int], rings: int) -> list[Look]:
+    def _looks(self, wide: Sequence[int]) -> list[Look]:
         """Looks at goals by number."""
         after = self.parts.system.after
         goals = [(n, self.goals[n]) for n in sorted(wide)]  # in one order everywhere, so that places are alike
-        return self.looks.looks([(n, after(g.expr) if g.later else g.expr) for n, g in goals], rings) if wide else []
+        return self.looks.looks([(n, after(g.expr) if g.later else g.expr) for n, g in goals]) if wide else []
 
     def _parts(self, few: int, most: int) -> Iterator[tuple[list[int], dict[str, None]]]:
         """The open goals of places that lie together, and what they depend on."""
@@ -358,19 +358,16 @@ class Inquiry:
             for n, answer in zip(goals, answers, strict=True):
                 self.found[n] = replace(answer, seconds=0.0)
 
-    def _conclude(self) -> list[int]:
-        """What all looks have shown follows; what not."""
+    def _conclude(self) -> None:
+        """What all looks have shown follows."""
         for n in self.looked:
             if n not in self.unseen:
                 self.found[n] = Decision(True, 0.0)
-        left = [n for n in self.looked if n in self.unseen]
         self.looked, self.unseen = {}, set()
-        return left
 
     def finish(self, progress: Callable[[int, int], None]) -> list[Decision]:
         """All answers: what the first questions left open is asked again."""
         if self.looked:
-            self.settle(self._looks(self._conclude(), 2), progress)
             self._conclude()
             self.settle(self.questions(1), progress)
         for rings in (2, 0) if len(self.goals) > SMALL else ():

@@ -9,11 +9,10 @@ from interlock.proof.members import OF
 from interlock.proof.views import Scene, Views
 
 
-def scenes(views: Views, goals: Iterable[tuple[int, Expr]], rings: int) -> list[Scene]:
+def scenes(views: Views, goals: Iterable[tuple[int, Expr]]) -> list[Scene]:
     """Scenes of numbered goals; a goal that reads many routes and nothing else is in none.
 
-    A goal is looked at from the element that it names first, or last if it speaks of overlaps, which lie ahead; with
-    more rings the other way round.
+    A goal is looked at from the element that it names first, or last if it speaks of overlaps, which lie ahead.
     """
     whole: dict[str, list[tuple[int, Expr]]] = {}
     pieces: dict[tuple[str, ...], dict[Expr, dict[int, list[int]]]] = {}
@@ -24,11 +23,11 @@ def scenes(views: Views, goals: Iterable[tuple[int, Expr]], rings: int) -> list[
         if len({number for _, number in members}) == 1:
             number, parts = views.members.pieces(x)
             for part in parts:
-                near = pieces.setdefault(_homes(views, part, number, rings), {})
+                near = pieces.setdefault(_homes(views, part, number), {})
                 near.setdefault(part, {}).setdefault(number, []).append(n)
         elif homes:
             ahead = any(h.startswith("overlap ") for h in homes)
-            home = homes[0 if ahead is (rings == 1) else -1]
+            home = homes[0 if ahead else -1]
             home = views.system.beside.get(home, (home,))[0]
             whole.setdefault(home, []).append((n, x))
     found = [Scene((home,), tuple(those)) for home, those in whole.items()]
@@ -38,9 +37,9 @@ def scenes(views: Views, goals: Iterable[tuple[int, Expr]], rings: int) -> list[
     return found
 
 
-def _homes(views: Views, piece: Expr, number: int, rings: int) -> tuple[str, ...]:
+def _homes(views: Views, piece: Expr, number: int) -> tuple[str, ...]:
     """The elements that a piece of a goal reads; where it reads none, those that the definitions of the route's
-    variables read in it; far around it, also those of which the facts about the route speak."""
+    variables read in it."""
     members = views.members
     read = members.read(piece)[0]
     names: list[str] = [v for v in read if v[0] != OF]
@@ -48,6 +47,4 @@ def _homes(views: Views, piece: Expr, number: int, rings: int) -> tuple[str, ...
         for f in read:
             for trait in (members.defining.get((f[1:], number)) if f[0] == OF else None) or ():
                 names += trait.names
-    if rings > 1:
-        names += [v for family in views.families for t in members.telling.get((family, number), ()) for v in t.names]
     return tuple(dict.fromkeys(views.homes[v] for v in names if v in views.homes))

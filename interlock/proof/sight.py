@@ -28,11 +28,10 @@ def _of_crowd(x: Expr, crowd: int) -> Expr:
 class _Sight:
     """The making of one view."""
 
-    def __init__(self, views: Views, scene: Scene, rings: int) -> None:
+    def __init__(self, views: Views, scene: Scene) -> None:
         self.views = views
         self.members = views.members
         self.scene = scene
-        self.rings = rings
         self.seen: dict[str, None] = {}
         """The names that are seen."""
         self.families: dict[str, None] = {}
@@ -267,14 +266,6 @@ class _Sight:
     def view(self) -> View:
         """All of it."""
         self.look()
-        if self.rings > 1:
-            near = {
-                h: None
-                for v in self.seen
-                if v in self.views.system.later and (h := self.views.homes.get(v)) is not None
-            }
-            for h in near:
-                self.seen |= dict.fromkeys(self.views.states_at.get(h, ()))
         facts, mixed = self.collect()
         meaning = self.members.meaning
         defined = {v: meaning[v] for v in self.seen if v in meaning}
@@ -325,6 +316,6 @@ class _Sight:
                     self.facts.append(neg(conj((self.variable(family, crowd), disj(false)))))
 
 
-def view(views: Views, scene: Scene, rings: int = 1) -> View:
-    """What is seen of a scene.  rings: 2 to see the whole state of the elements that are near, too."""
-    return _Sight(views, scene, rings).view()
+def view(views: Views, scene: Scene) -> View:
+    """What is seen of a scene."""
+    return _Sight(views, scene).view()

@@ -25,7 +25,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from interlock.logic.expr import Expr, Op
-from interlock.model.bits import bits_of
+from interlock.model.bits import bits, bits_of
 from interlock.proof.members import Kind, Members, Routed, Trait
 
 WIDE = 30  # of a fact that reads more names than this, a view takes what it says of the view's names
@@ -135,10 +135,6 @@ class Views:
         self.state_homes = {v: home for v in system.later if (home := self.homes.get(v)) is not None}
         for n, (x, _) in enumerate(m.mixed):
             _note(self.mixed_at, m.read(x)[0], n)
-        self.states_at: dict[str, list[str]] = {}
-        for v in system.later:
-            if v in self.homes:
-                self.states_at.setdefault(self.homes[v], []).append(v)
         self.traits_at: dict[str, list[Trait]] = {}
         self.families: dict[str, dict[str, None]] = {}
         """Those that a family's traits read."""
@@ -230,7 +226,7 @@ class Views:
 
 
 def _apart(m: Members) -> dict[str, dict[int, int]]:
-    """What follows from the invariants alone: two routes each imply a name, and not both names are true."""
+    """What the invariants say of two routes; or each of them implies a name, and not both names are true."""
     against: dict[str, set[str]] = {}
     for x, kind in m.plain:
         if kind is Kind.KEPT and x.op is Op.NOT and x.args[0].op is Op.AND and len(x.args[0].args) == 2:
@@ -242,6 +238,14 @@ def _apart(m: Members) -> dict[str, dict[int, int]]:
             for b in right:
                 against.setdefault(b, set()).update(left)
     found: dict[str, dict[int, int]] = {}
+    for x, kind in m.mixed:
+        sides = _exclusive(m, x) if kind is Kind.KEPT else None
+        if sides is not None:
+            family, some, rest = sides
+            among = found.setdefault(family, {})
+            for mine, theirs in ((some, rest), (rest, some)):
+                for i in bits_of(mine):
+                    among[i] = among.get(i, 0) | theirs
     implied: dict[str, dict[str, int]] = {}
     for t in m.traits:
         if t.kind is Kind.KEPT and t.expr.op is Op.VAR and t.names and t.expr.name in against:
@@ -255,6 +259,18 @@ def _apart(m: Members) -> dict[str, dict[int, int]]:
             for i in bits_of(members):
                 of[i] = of.get(i, 0) | others
     return found
+
+
+def _exclusive(m: Members, x: Expr) -> tuple[str, int, int] | None:
+    """A fact that of some members and others, as bits, not both have a variable of one family true."""
+    if x.op is not Op.NOT or x.args[0].op is not Op.AND or len(x.args[0].args) != 2:
+        return None
+    sides = [[m.of(y) for y in (a.args if a.op is Op.OR else (a,))] for a in x.args[0].args]
+    families = {"" if of is None else of[0] for side in sides for of in side}
+    if len(families) != 1 or "" in families:
+        return None
+    left, right = (bits(of[1] for of in side if of is not None) for side in sides)
+    return families.pop(), left, right
 
 
 def _note(at: dict[str, list[int]], names: Iterable[str], n: int) -> None:
