@@ -158,6 +158,20 @@ def test_the_same_goals_fail_with_views(kind: str, monkeypatch: pytest.MonkeyPat
     assert shown > 1000
 
 
+def test_the_same_goals_fail_where_all_of_a_layout_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    layout, table, _ = small_yard(4)
+    weak = weakened("section-not-checked", layout, table)
+    assert weak is not None
+    system = System(layout, weak)
+    in_parts = open_goals(system, monkeypatch, 10**9)
+    monkeypatch.setattr(parts, "NEAR", 0)  # no goal lies in a part of its own
+    dropped, left, shown = open_goals(system, monkeypatch, 0)
+    assert (dropped, left, 0) == in_parts
+    assert left and shown > 1000
+    wide = parts.Inquiry(system, [], [parts.Goal(c.expr) for c in claims(Facts(system))], Limits())
+    assert not any(isinstance(q, parts.Question) for q in wide.first())
+
+
 @pytest.mark.parametrize("name", ["depot", "mine11", "pit_bottom"])
 def test_the_same_goals_follow_with_views_in_a_shipped_layout(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     layout, _, controller = built(name)
