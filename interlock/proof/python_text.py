@@ -1,14 +1,16 @@
-"""What the generated Python runtime computes, read from its syntax tree: nothing is executed.
+"""What the generated Python runtime computes, read from its text: nothing is executed.
 
-The parts that all runtimes share must be word for word what the emitter calls fixed; the rest is a list of
-assignments of a few shapes.
+The parts that all runtimes share must be word for word what the emitter calls fixed, and its tables are read by
+Python's own grammar.  The rest is a list of assignments of a few shapes, one a line: a large layout has a hundred
+thousand, and their syntax tree took four times as long.  A line of any other shape is refused.
 """
 
 from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Sequence
+from keyword import iskeyword
 
 from interlock.emit.python.runtime import FIXED
 from interlock.logic.controller import Controller
@@ -40,8 +42,13 @@ def _names(fixed: str) -> frozenset[str]:
 RESERVED = _names(FIXED) | {"bool", "OUTPUTS", "Controller"}
 
 
-PIECE = 200_000  # characters that are read at a time
-_STATEMENT = re.compile(r"^ {8}(?=[A-Za-z_])", re.MULTILINE)
+_ASSIGNED = re.compile(r"^ {8}([A-Za-z_][A-Za-z0-9_]*) = ([^#\n]*?)(?:  #.*)?$")
+_ENTRY = re.compile(r"^ {12}'([A-Za-z_][A-Za-z0-9_]*)': bool\((.*)\),$")
+_TAKEN = re.compile(r"^(read|old|self\.state)\['([A-Za-z_][A-Za-z0-9_]*)'\]$")
+_TIMED = re.compile(r"^self\._timer\('([A-Za-z_][A-Za-z0-9_]*)', ([A-Za-z_][A-Za-z0-9_]*), dt_ms\)$")
+_TOKEN = re.compile(r"==|[()]|[A-Za-z0-9_]+")
+DEEP = 60  # brackets in brackets; Python itself reads 200
+_END = ""
 
 
 class _Reader:
@@ -51,7 +58,9 @@ class _Reader:
         self.timers: dict[str, tuple[Expr, int]] = {}
         self.algebra = Symbols(known=wires(controller))
         self.sizes = {i.name: i.size for i in controller.inputs}
-        head, fixed, self.own = text.partition(FIXED)
+        head, fixed, own = text.partition(FIXED)
+        self.lines = own.split("\n")  # and nowhere else: what Python takes for the end of a line is not printable
+        self.at = 0
         self.before = head.count("\n") + FIXED.count("\n")
         doc, *rest = ast.parse(head + fixed).body
         if not _is_docstring(doc) or len(rest) != 5:
@@ -66,123 +75,142 @@ class _Reader:
             raise BadRuntime("the fixed part of the class is changed")
 
     def scan(self) -> Scan:
-        """Initial and next state, outputs and timers."""
+        """Initial and next state, outputs and timers.
+
+        Line by line: what the scan does after the fixed part is one statement a line, of a few shapes, and two
+        dictionaries of one entry a line.  No line that is taken leaves a bracket or a string open, or has a character
+        at which Python would begin another.
+        """
         base: dict[str, Term] = {n: TRUE if v is True else FALSE for n, v in self.state.items() if type(v) is bool}
         outputs: dict[str, Term] | None = None
-        for s in self._statements():
+        lines = self.lines
+        for self.at, line in enumerate(lines if not "".join(lines).isprintable() else ()):
+            if not line.isprintable():
+                raise self._bad("a character that is not printable")
+        self.at = 0
+        while self.at < len(lines) - 1:
+            line = lines[self.at]
             if outputs is not None:
-                raise BadRuntime(f"{self._line(s)}: something follows the outputs")
-            if isinstance(s, ast.Return) and isinstance(s.value, ast.Dict):
-                outputs = self._dictionary(s.value)
+                raise self._bad("something follows the outputs")
+            if line == "        return {":
+                outputs = self._dictionary()
+            elif line == "        self.state = {" and not self.after:
+                self.after = self._dictionary()
             else:
-                self._assign(s)
-        if outputs is None:
-            raise BadRuntime("the outputs are not returned at the end")
+                self._assign(line)
+                self.at += 1
+        if lines[-1] or outputs is None:
+            raise self._bad("the outputs are not returned at the end")
         if set(self.timers) != set(self.presets):
             raise BadRuntime("TIMERS are not those that run")
         return Scan(base, self.after, outputs, self.timers)
 
-    def _statements(self) -> Iterator[ast.stmt]:
-        """What the scan does after the fixed part, read in pieces: the tree of a large text takes a gigabyte.
+    def _bad(self, what: str) -> BadRuntime:
+        return BadRuntime(f"line {self.before + self.at + 1}: {what}")
 
-        A piece begins with a statement of the scan's own depth.  As it is read whole as the body of one function, each
-        bracket and string in it ends in it, and no line leaves the function: pieces one after the other are read as
-        they would be together.
-        """
-        starts = [m.start() for m in _STATEMENT.finditer(self.own)]
-        if not starts or starts[0]:
-            raise BadRuntime("nothing follows the fixed part")
-        begin = 0
-        for end in (*starts[1:], len(self.own)):
-            if end - begin < PIECE and end < len(self.own):
-                continue
-            piece = self.own[begin:end]
-            try:
-                function, *more = ast.parse("def scan():\n" + piece).body
-            except SyntaxError as error:
-                raise BadRuntime(f"line {self.before + (error.lineno or 1) - 1}: {error.msg}") from None
-            if more or not isinstance(function, ast.FunctionDef):
-                raise BadRuntime(f"{self._line(more[0] if more else function)}: the scan ends")
-            yield from function.body
-            begin = end
-            self.before += piece.count("\n")
+    def _assign(self, line: str) -> None:
+        found = _ASSIGNED.match(line)
+        if found is None:
+            raise self._bad(f"{line.strip()[:60]!r} is no assignment as it is emitted")
+        name, text = found.groups()
+        if name in RESERVED or iskeyword(name):
+            raise self._bad(f"{name} is a name of the fixed part")
+        self.values[name] = self.algebra.assigned(name, self._read(name, text))
 
-    def _line(self, x: ast.stmt | ast.expr) -> str:
-        return f"line {self.before + x.lineno - 1}"
-
-    def _assign(self, s: ast.stmt) -> None:
-        if not isinstance(s, ast.Assign) or len(s.targets) != 1:
-            raise BadRuntime(f"{self._line(s)}: no assignment")
-        target, value = s.targets[0], s.value
-        if isinstance(target, ast.Name):
-            if target.id in RESERVED:
-                raise BadRuntime(f"{self._line(s)}: {target.id} is a name of the fixed part")
-            self.values[target.id] = self.algebra.assigned(target.id, self._read(target.id, value))
-        elif _dotted(target) == "self.state" and isinstance(value, ast.Dict) and not self.after:
-            self.after = self._dictionary(value)
-        else:
-            raise BadRuntime(f"{self._line(s)}: {ast.unparse(target)} is assigned")
-
-    def _read(self, name: str, x: ast.expr) -> Term:
-        if isinstance(x, ast.Subscript) and isinstance(x.slice, ast.Constant):
-            where, key = _dotted(x.value), str(x.slice.value)
+    def _read(self, name: str, text: str) -> Term:
+        if text[-1:] == "]" and (taken := _TAKEN.match(text)):
+            where, key = taken.groups()
             if where == "read" and key in self.sizes:
                 return Symbol(key) if self.sizes[key] else var(key)
             if where == "old" and key in self.state:
                 return var(key)
             if where == "self.state" and key in self.after:
                 return self.after[key]
-        if isinstance(x, ast.Call) and _dotted(x.func) == "self._timer" and len(x.args) == 3 and not x.keywords:
-            own, on, dt = x.args
-            if isinstance(own, ast.Constant) and own.value == name and _dotted(dt) == "dt_ms":
-                preset = self.presets.get(name)
-                if type(preset) is int and name not in self.timers:
-                    self.timers[name] = (self._value(on), preset)
-                    return var(name)
-        return self._value(x)
+        if text.startswith("self.") and (timed := _TIMED.match(text)):
+            own, on = timed.groups()
+            preset = self.presets.get(name)
+            if own == name and type(preset) is int and name not in self.timers:
+                self.timers[name] = (self._value(on), preset)
+                return var(name)
+        return self._value(text)
 
-    def _dictionary(self, x: ast.Dict) -> dict[str, Term]:
+    def _dictionary(self) -> dict[str, Term]:
+        """The entries from the next line on, and the bracket after them."""
         found: dict[str, Term] = {}
-        for key, value in zip(x.keys, x.values, strict=True):
-            plain = (
-                isinstance(value, ast.Call)
-                and _dotted(value.func) == "bool"
-                and len(value.args) == 1
-                and not value.keywords
-            )
-            if not isinstance(key, ast.Constant) or not plain or key.value in found:
-                raise BadRuntime(f"{self._line(x)}: an entry that is no truth value, or comes twice")
-            assert isinstance(value, ast.Call)
-            found[str(key.value)] = self._value(value.args[0])
-        return found
-
-    def _value(self, x: ast.expr) -> Expr:
-        if isinstance(x, ast.Constant) and type(x.value) is bool:
-            return TRUE if x.value else FALSE
-        if isinstance(x, ast.Name):
-            found = self.values.get(x.id)
-            if isinstance(found, Expr):
+        for line in self.lines[self.at + 1 :]:
+            self.at += 1
+            if line == "        }":
+                self.at += 1
                 return found
-        if isinstance(x, ast.UnaryOp) and isinstance(x.op, ast.Not):
-            return neg(self._value(x.operand))
-        if isinstance(x, ast.BoolOp):
-            join = conj if isinstance(x.op, ast.And) else disj
-            return join([self._value(v) for v in x.values])
-        if isinstance(x, ast.Compare) and isinstance(x.left, ast.Name) and len(x.ops) == 1:
-            symbol, right = self.values.get(x.left.id), x.comparators[0]
-            number = right.value if isinstance(right, ast.Constant) and type(right.value) is int else None
-            if isinstance(symbol, Symbol) and isinstance(x.ops[0], ast.Eq) and number is not None:
-                return eq(symbol.name, number)
-        raise BadRuntime(f"{self._line(x)}: {ast.unparse(x)} is not of the emitted shapes")
+            entry = _ENTRY.match(line)
+            if entry is None or entry[1] in found:
+                raise self._bad("an entry that is no truth value, or comes twice")
+            found[entry[1]] = self._value(entry[2])
+        raise self._bad("a dictionary does not end")
 
+    def _value(self, text: str) -> Expr:
+        """Most expressions join names, some of them negated, by one operator; others are read token by token."""
+        for word, join in ((" and ", conj), (" or ", disj)):
+            args: list[Expr] = []
+            for part in text.split(word):
+                x = self.values.get(part)
+                if not isinstance(x, Expr):
+                    x = self.values.get(part[5:-1]) if part[:5] == "(not " and part[-1] == ")" else None
+                    if not isinstance(x, Expr):
+                        break
+                    x = neg(x)
+                args.append(x)
+            else:
+                return join(args) if len(args) > 1 else args[0]
+        return self._told(text)
 
-def _dotted(x: ast.expr) -> str:
-    """A plain name, or an attribute of one; nothing of what is built otherwise."""
-    if isinstance(x, ast.Name):
-        return x.id
-    if isinstance(x, ast.Attribute) and isinstance(x.value, ast.Name):
-        return f"{x.value.id}.{x.attr}"
-    return ""
+    def _told(self, text: str) -> Expr:
+        """By Python's rules for names, truth values, `not`, `and`, `or`, and a name `==` a number."""
+        tokens = _TOKEN.findall(text)
+        if "".join(tokens) == text.replace(" ", ""):
+            tokens.append(_END)
+            found = self._either(tokens, 0, DEEP)
+            if found is not None and tokens[found[1]] == _END:
+                return found[0]
+        raise self._bad(f"{text[:60]!r} is not of the emitted shapes")
+
+    def _either(self, tokens: Sequence[str], at: int, deep: int) -> tuple[Expr, int] | None:
+        """Operands with `or` between them, from a token on, and the token after them."""
+        args: list[Expr] = []
+        while (found := self._both(tokens, at, deep)) is not None:
+            args.append(found[0])
+            at = found[1] + 1
+            if tokens[at - 1] != "or":
+                return args[0] if len(args) == 1 else disj(args), at - 1
+        return None
+
+    def _both(self, tokens: Sequence[str], at: int, deep: int) -> tuple[Expr, int] | None:
+        args: list[Expr] = []
+        while (found := self._operand(tokens, at, deep)) is not None:
+            args.append(found[0])
+            at = found[1] + 1
+            if tokens[at - 1] != "and":
+                return args[0] if len(args) == 1 else conj(args), at - 1
+        return None
+
+    def _operand(self, tokens: Sequence[str], at: int, deep: int) -> tuple[Expr, int] | None:
+        token = tokens[at]
+        if not deep:
+            return None
+        if token == "not":
+            found = self._operand(tokens, at + 1, deep - 1)
+            return (neg(found[0]), found[1]) if found is not None else None
+        if token == "(":
+            found = self._either(tokens, at + 1, deep - 1)
+            return (found[0], found[1] + 1) if found is not None and tokens[found[1]] == ")" else None
+        if token == "True" or token == "False":
+            return TRUE if token == "True" else FALSE, at + 1
+        held = self.values.get(token)
+        if isinstance(held, Symbol) and tokens[at + 1] == "==":
+            number = tokens[at + 2]
+            plain = number.isdigit() and str(int(number)) == number
+            return (eq(held.name, int(number)), at + 3) if plain else None
+        return (held, at + 1) if isinstance(held, Expr) else None
 
 
 def _is_docstring(x: ast.stmt) -> bool:

@@ -61,8 +61,8 @@ def one_edit(controller: Controller, dialect: Dialect | None, rng: random.Random
     if not found.proved:
         unread = any("cannot be read" in d.text for d in found.differences)
         return Edited(where, kind, "not in the subset" if unread else "refuted")
-    before, after = (_python(f) if dialect is None else _text(dialect, f) for f in (files, changed))
-    return Edited(where, kind, "same meaning" if _alike(controller, before, after, rng) else "MISSED")
+    before, after = (python(f) if dialect is None else _text(dialect, f) for f in (files, changed))
+    return Edited(where, kind, "same meaning" if alike(controller, before, after, rng) else "MISSED")
 
 
 Scan = Callable[[dict[str, int], int], dict[str, bool]]
@@ -79,14 +79,14 @@ def _text(dialect: Dialect, files: dict[str, str]) -> Scan:
     return scan
 
 
-def _python(files: dict[str, str]) -> Scan:
+def python(files: dict[str, str]) -> Scan:
     module = types.ModuleType("runtime")
     exec(compile(files["runtime.py"], "runtime.py", "exec"), module.__dict__)
     running: Scan = module.Controller().scan
     return running
 
 
-def _alike(controller: Controller, a: Scan, b: Scan, rng: random.Random, scans: int = 200) -> bool:
+def alike(controller: Controller, a: Scan, b: Scan, rng: random.Random, scans: int = 200) -> bool:
     for _ in range(scans):
         inputs, dt_ms = random_inputs(controller, rng), rng.choice((100, 1000, 20_000))
         if a(inputs, dt_ms) != b(inputs, dt_ms):
