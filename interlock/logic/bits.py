@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from interlock.logic.expr import Expr, Op
+from interlock.logic.expr import VAR, Expr, Op
 
 _READ, _TRUE, _FALSE, _NOT, _AND, _OR = range(6)
 _KIND = {Op.VAR: _READ, Op.EQ: _READ, Op.TRUE: _TRUE, Op.FALSE: _FALSE, Op.NOT: _NOT, Op.AND: _AND, Op.OR: _OR}
@@ -33,7 +33,7 @@ def compile_bits(
         args: tuple[int, ...] = tuple([place[a] for a in inner])
         if kind == _READ:
             args = (len(reads),)
-            reads.append(node.name if node.op is Op.VAR else f"{node.name}={node.value}")
+            reads.append(node.name if node.op is VAR else f"{node.name}={node.value}")
         for a in inner:
             if last[a] == at and a not in kept:
                 free.append(place[a])
@@ -80,7 +80,7 @@ def compile_bits(
 
 def _meant(x: Expr, meaning: Mapping[str, Expr]) -> Expr:
     """What a name stands for in the end."""
-    while x.op is Op.VAR and x.name in meaning:
+    while x.op is VAR and x.name in meaning:
         x = meaning[x.name]
     return x
 
@@ -101,7 +101,7 @@ def _in_order(
                 nodes.append((node, inner))
             elif node not in seen:
                 seen.add(node)
-                inner = [_meant(a, meaning) if a.op is Op.VAR else a for a in node.args]
+                inner = [_meant(a, meaning) if a.op is VAR else a for a in node.args]
                 stack.append((node, inner))
                 stack.extend([(a, None) for a in reversed(inner) if a not in seen])
     return nodes, last

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from interlock.logic.expr import Expr, Op, walk
+from interlock.logic.expr import AND, EQ, NOT, OR, TRUE, VAR, Expr, walk
 
 Values = Mapping[str, int]
 
@@ -28,18 +28,18 @@ def compile_exprs(roots: Mapping[str, Expr]) -> Callable[[Values], dict[str, boo
     for i, node in enumerate(walk(roots.values())):
         v = name_of[id(node)] = f"v{i}"
         args = [name_of[id(a)] for a in node.args]
-        if node.op is Op.VAR:
+        if node.op is VAR:
             right = f"bool(x[k[{key(node.name)}]])"
-        elif node.op is Op.EQ:
+        elif node.op is EQ:
             right = f"x[k[{key(node.name)}]] == {node.value}"
-        elif node.op is Op.NOT:
+        elif node.op is NOT:
             right = f"not {args[0]}"
-        elif node.op is Op.AND:
+        elif node.op is AND:
             right = " and ".join(args)
-        elif node.op is Op.OR:
+        elif node.op is OR:
             right = " or ".join(args)
         else:
-            right = str(node.op is Op.TRUE)
+            right = str(node is TRUE)
         lines.append(f"    {v} = {right}")
     result = ", ".join(name_of[id(e)] for e in roots.values())
     source = "def run(x, k):\n" + "\n".join(lines) + f"\n    return ({result}{',' if roots else ''})\n"

@@ -22,7 +22,7 @@ class Op(IntEnum):
     OR = 6
 
 
-_NOT = Op.NOT
+AND, EQ, NOT, OR, VAR = Op.AND, Op.EQ, Op.NOT, Op.OR, Op.VAR  # an attribute of an enumeration is slow to find
 
 
 class Expr:
@@ -64,7 +64,7 @@ def var(name: str) -> Expr:
     """A Boolean variable."""
     found = _vars.get(name)
     if found is None:
-        found = _vars[name] = Expr(Op.VAR, (), name)
+        found = _vars[name] = Expr(VAR, (), name)
     return found
 
 
@@ -72,7 +72,7 @@ def eq(name: str, value: int) -> Expr:
     """Whether the small-range variable has the value."""
     found = _values.get((name, value))
     if found is None:
-        found = _values[name, value] = Expr(Op.EQ, (), name, value)
+        found = _values[name, value] = Expr(EQ, (), name, value)
     return found
 
 
@@ -82,11 +82,11 @@ def neg(x: Expr) -> Expr:
         return FALSE
     if x is FALSE:
         return TRUE
-    if x.op is Op.NOT:
+    if x.op is NOT:
         return x.args[0]
     found = _negations.get(x)
     if found is None:
-        found = _negations[x] = Expr(Op.NOT, (x,))
+        found = _negations[x] = Expr(NOT, (x,))
     return found
 
 
@@ -100,20 +100,20 @@ def _nary(op: Op, unit: Expr, zero: Expr, xs: Iterable[Expr]) -> Expr:
             inverse = True
         elif kind > 1:  # no constant
             flat[x] = None
-            if kind is _NOT:
+            if kind is NOT:
                 inverse = True
         elif x is zero:
             return zero
     if inverse:
         for y in flat:
-            if y.op is _NOT and y.args[0] in flat:
+            if y.op is NOT and y.args[0] in flat:
                 return zero
     if not flat:
         return unit
     if len(flat) == 1:
         return next(iter(flat))
     args = tuple(flat)
-    table = _ands if op is Op.AND else _ors
+    table = _ands if op is AND else _ors
     found = table.get(args)
     if found is None:
         found = table[args] = Expr(op, args)
@@ -122,12 +122,12 @@ def _nary(op: Op, unit: Expr, zero: Expr, xs: Iterable[Expr]) -> Expr:
 
 def conj(xs: Iterable[Expr]) -> Expr:
     """AND of any number of operands; TRUE when there is none."""
-    return _nary(Op.AND, TRUE, FALSE, xs)
+    return _nary(AND, TRUE, FALSE, xs)
 
 
 def disj(xs: Iterable[Expr]) -> Expr:
     """OR of any number of operands; FALSE when there is none."""
-    return _nary(Op.OR, FALSE, TRUE, xs)
+    return _nary(OR, FALSE, TRUE, xs)
 
 
 def implies(a: Expr, b: Expr) -> Expr:
@@ -168,11 +168,11 @@ def walk(roots: Iterable[Expr]) -> Iterator[Expr]:
 
 def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
     """A node of the same kind over other operands."""
-    if node.op is Op.NOT:
+    if node.op is NOT:
         return neg(args[0])
-    if node.op is Op.AND:
+    if node.op is AND:
         return conj(args)
-    if node.op is Op.OR:
+    if node.op is OR:
         return disj(args)
     return node
 
@@ -194,7 +194,7 @@ class Substitution:
             if id(node) in done:
                 continue
             if not node.args:
-                new = self._mapping.get(node.name, node) if node.op is Op.VAR else node
+                new = self._mapping.get(node.name, node) if node.op is VAR else node
                 done[id(node)] = (node, new)
             elif ready:
                 done[id(node)] = (node, rebuild(node, tuple(done[id(a)][1] for a in node.args)))
@@ -228,35 +228,35 @@ def evaluate(root: Expr, value: Callable[[str], int], memo: dict[int, bool]) -> 
     for node in walk((root,)):
         if id(node) in memo:
             continue
-        if node.op is Op.VAR:
+        if node.op is VAR:
             memo[id(node)] = bool(value(node.name))
-        elif node.op is Op.EQ:
+        elif node.op is EQ:
             memo[id(node)] = value(node.name) == node.value
-        elif node.op is Op.NOT:
+        elif node.op is NOT:
             memo[id(node)] = not memo[id(node.args[0])]
-        elif node.op is Op.AND:
+        elif node.op is AND:
             memo[id(node)] = all(memo[id(a)] for a in node.args)
-        elif node.op is Op.OR:
+        elif node.op is OR:
             memo[id(node)] = any(memo[id(a)] for a in node.args)
         else:
-            memo[id(node)] = node.op is Op.TRUE
+            memo[id(node)] = node is TRUE
     return memo[id(root)]
 
 
 def text(x: Expr) -> str:
     """A readable form, for messages and golden tests."""
-    if x.op is Op.TRUE:
+    if x is TRUE:
         return "TRUE"
-    if x.op is Op.FALSE:
+    if x is FALSE:
         return "FALSE"
-    if x.op is Op.VAR:
+    if x.op is VAR:
         return x.name
-    if x.op is Op.EQ:
+    if x.op is EQ:
         return f"{x.name} = {x.value}"
-    if x.op is Op.NOT:
+    if x.op is NOT:
         return f"NOT {_inner(x.args[0])}"
-    return (" AND " if x.op is Op.AND else " OR ").join(_inner(a) for a in x.args)
+    return (" AND " if x.op is AND else " OR ").join(_inner(a) for a in x.args)
 
 
 def _inner(x: Expr) -> str:
-    return f"({text(x)})" if x.op in (Op.AND, Op.OR, Op.EQ) else text(x)
+    return f"({text(x)})" if x.op in (AND, OR, EQ) else text(x)

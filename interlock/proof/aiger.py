@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from interlock.logic.expr import Expr, Op, conj, neg, walk
+from interlock.logic.expr import AND, EQ, NOT, OR, TRUE, VAR, Expr, conj, neg, walk
 from interlock.proof.invariants import Claim
 from interlock.proof.system import PRIME, System
 
@@ -93,18 +93,18 @@ def aiger(system: System, claims: Sequence[Claim]) -> bytes:
         for node in walk((root,)):
             if id(node) in known:
                 continue
-            if node.op is Op.VAR:
+            if node.op is VAR:
                 lit = names[node.name]
-            elif node.op is Op.EQ:
+            elif node.op is EQ:
                 lit = c.all([b if node.value >> k & 1 else b ^ 1 for k, b in enumerate(bits[node.name])])
-            elif node.op is Op.NOT:
+            elif node.op is NOT:
                 lit = known[id(node.args[0])][1] ^ 1
-            elif node.op is Op.AND:
+            elif node.op is AND:
                 lit = c.all([known[id(a)][1] for a in node.args])
-            elif node.op is Op.OR:
+            elif node.op is OR:
                 lit = c.all([known[id(a)][1] ^ 1 for a in node.args]) ^ 1
             else:
-                lit = int(node.op is Op.TRUE)
+                lit = int(node is TRUE)
             known[id(node)] = (node, lit)
         return known[id(root)][1]
 

@@ -12,9 +12,8 @@ from array import array
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain, count
 
-from interlock.logic.expr import Expr, Op
+from interlock.logic.expr import AND, EQ, NOT, OR, TRUE, VAR, Expr
 
-_VAR, _EQ, _NOT, _AND, _OR, _TRUE = Op.VAR, Op.EQ, Op.NOT, Op.AND, Op.OR, Op.TRUE
 KEPT = 200_000  # expressions whose form is remembered: parts that follow each other share most of theirs
 
 
@@ -81,18 +80,18 @@ class Forms:
     def _text(self, x: Expr, leaves: list[str]) -> str:
         """An expression with a `v` for each leaf, in an order in which it can be read again; adds the leaves."""
         op = x.op
-        if op is _VAR:
+        if op is VAR:
             leaves.append(x.name)
             return "v"
-        if op is _NOT:
+        if op is NOT:
             return "!" + self._text(x.args[0], leaves)
-        if op is _AND:
+        if op is AND:
             return "&" + "".join([self._text(a, leaves) for a in x.args]) + "."
-        if op is _OR:
+        if op is OR:
             return "|" + "".join([self._text(a, leaves) for a in x.args]) + "."
-        if op is _EQ:
+        if op is EQ:
             leaf = f"{x.name}={x.value}"
             self._compared[leaf] = x.name
             leaves.append(leaf)
             return "v"
-        return "T" if op is _TRUE else "F"
+        return "T" if x is TRUE else "F"

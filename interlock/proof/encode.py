@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from interlock.logic.expr import Expr, Op
+from interlock.logic.expr import AND, EQ, FALSE, NOT, OR, TRUE, VAR, Expr
 
 
 class Cnf:
@@ -45,23 +45,23 @@ class Cnf:
                 stack.pop()
                 continue
             op = node.op
-            if op is Op.VAR:
+            if op is VAR:
                 lit = self.names.get(node.name, 0) or self._named(node.name)
-            elif op is Op.EQ:
+            elif op is EQ:
                 lit = self._value(node.name, node.value)
-            elif op is Op.TRUE:
+            elif node is TRUE:
                 lit = self._true
-            elif op is Op.FALSE:
+            elif node is FALSE:
                 lit = -self._true
             else:
                 waiting = [a for a in node.args if id(a) not in of]
                 if waiting:
                     stack.extend(reversed(waiting))
                     continue
-                if op is Op.NOT:
+                if op is NOT:
                     lit = -of[id(node.args[0])][1]
                 else:
-                    sign = 1 if op is Op.AND else -1
+                    sign = 1 if op is AND else -1
                     self.count += 1
                     lit = self.count
                     args = [sign * of[id(a)][1] for a in node.args]
@@ -104,10 +104,10 @@ class Cnf:
 
     def require(self, x: Expr) -> None:
         """Add the expression as a fact."""
-        if x.op is Op.AND:
+        if x.op is AND:
             for a in x.args:
                 self.require(a)
-        elif x.op is Op.OR:
+        elif x.op is OR:
             self.clauses.append(tuple(self.literal(a) for a in x.args))
         else:
             self.clauses.append((self.literal(x),))

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import Protocol
 
-from interlock.logic.expr import Expr, Op, Substitution, disj, neg, rebuild, var
+from interlock.logic.expr import AND, EQ, NOT, OR, VAR, Expr, Substitution, disj, neg, rebuild, var
 from interlock.logic.plant import Assumption
 
 OF = "#"  # names of families in an expression begin with this, and no other names do
@@ -106,7 +106,7 @@ class Members:
             elif name in same:
                 continue
             else:
-                meant = self.named(system.definitions[x.name] if x.op is Op.VAR and same.get(x.name) == name else x)
+                meant = self.named(system.definitions[x.name] if x.op is VAR and same.get(x.name) == name else x)
                 traits = [self._trait(member, Kind.DEFINED, a) for a in _all(meant)]
                 self.defining[member] = None if None in traits else [t for t in traits if t is not None]
         for kind, facts in ((Kind.KEPT, hypotheses), (Kind.ASSUMED, [a.expr for a in system.assumptions])):
@@ -120,7 +120,7 @@ class Members:
         found: dict[str, str] = {}
         for name in self._member:
             x = system.definitions.get(name)
-            if x is not None and x.op is Op.VAR and x.name in self._member and x.name in system.definitions:
+            if x is not None and x.op is VAR and x.name in self._member and x.name in system.definitions:
                 found.setdefault(x.name, name)
         return {name: other for name, other in found.items() if other not in found}
 
@@ -142,7 +142,7 @@ class Members:
                         done.add(y)
                         todo += y.args
                 elif y.name:
-                    of = member.get(y.name) if y.op is Op.VAR else self.of(y)
+                    of = member.get(y.name) if y.op is VAR else self.of(y)
                     if of is None:
                         names[y.name] = None
                     else:
@@ -159,9 +159,9 @@ class Members:
 
     def of(self, x: Expr) -> Member | None:
         """Family and member of a variable or comparison, if it belongs to a route."""
-        if x.op is Op.VAR:
+        if x.op is VAR:
             return self._member.get(x.name)
-        numbered = x.op is Op.EQ and x.name in self._requests and x.value in self._numbers
+        numbered = x.op is EQ and x.name in self._requests and x.value in self._numbers
         return (x.name + VALUE, x.value) if numbered else None
 
     def _sort(self, fact: Expr, kind: Kind) -> None:
@@ -178,7 +178,7 @@ class Members:
     def _tell(self, clause: Sequence[Expr], kind: Kind) -> None:
         """A clause in which some variable of the member is false tells of that one; another is left out."""
         for n, x in enumerate(clause):
-            member = self.of(x.args[0]) if x.op is Op.NOT else None
+            member = self.of(x.args[0]) if x.op is NOT else None
             if member is not None:
                 trait = self._trait(member, kind, disj([*clause[:n], *clause[n + 1 :]]))
                 if trait is not None:
@@ -233,14 +233,14 @@ class Members:
 
 
 def _all(x: Expr) -> tuple[Expr, ...]:
-    return x.args if x.op is Op.AND else (x,)
+    return x.args if x.op is AND else (x,)
 
 
 def _parts(x: Expr) -> Sequence[Expr]:
     """The parts of an expression that says several things at once; none of any other."""
-    if x.op is Op.AND:
+    if x.op is AND:
         return x.args
-    if x.op is Op.NOT and x.args[0].op is Op.OR:
+    if x.op is NOT and x.args[0].op is OR:
         return [neg(a) for a in x.args[0].args]
     return ()
 
@@ -261,10 +261,10 @@ def clauses(x: Expr) -> Iterator[list[Expr]]:
 
 def _alternatives(x: Expr) -> Iterator[Expr]:
     """The parts of a disjunction, and of those of them that are one."""
-    if x.op is Op.OR:
+    if x.op is OR:
         for a in x.args:
             yield from _alternatives(a)
-    elif x.op is Op.NOT and x.args[0].op is Op.AND:
+    elif x.op is NOT and x.args[0].op is AND:
         for a in x.args[0].args:
             yield from _alternatives(neg(a))
     else:
@@ -273,7 +273,7 @@ def _alternatives(x: Expr) -> Iterator[Expr]:
 
 def _positive(x: Expr, side: bool) -> bool:
     """No family is read as false."""
-    if x.op is Op.NOT:
+    if x.op is NOT:
         return _positive(x.args[0], not side)
     if x.args:
         return all(_positive(a, side) for a in x.args)
@@ -282,4 +282,4 @@ def _positive(x: Expr, side: bool) -> bool:
 
 def _any_of(x: Expr) -> bool:
     """A disjunction of families."""
-    return all(a.op is Op.VAR and a.name[0] == OF for a in (x.args if x.op is Op.OR else (x,)))
+    return all(a.op is VAR and a.name[0] == OF for a in (x.args if x.op is OR else (x,)))

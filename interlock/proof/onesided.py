@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from interlock.logic.expr import Expr, Op, neg
+from interlock.logic.expr import AND, EQ, FALSE, NOT, OR, TRUE, VAR, Expr, neg
 from interlock.proof.encode import Cnf
 
 _FORTH, _BACK = 1, 2  # the literal implies the node; the node implies the literal
@@ -28,14 +28,14 @@ class OneSided(Cnf):
 
     def require(self, x: Expr) -> None:
         """Add the expression as a fact."""
-        if x.op is Op.AND:
+        if x.op is AND:
             for a in x.args:
                 self.require(a)
             return
         parts: Sequence[Expr] = (x,)
-        if x.op is Op.OR:
+        if x.op is OR:
             parts = x.args
-        elif x.op is Op.NOT and x.args[0].op is Op.AND:
+        elif x.op is NOT and x.args[0].op is AND:
             parts = [neg(a) for a in x.args[0].args]
         plain = self._plain
         literals = [plain.get(a, 0) for a in parts]
@@ -48,7 +48,7 @@ class OneSided(Cnf):
             return
         rest = [self._said_of(a) for a in parts if a is not split[0]]
         whole = split[0]
-        if whole.op is Op.AND:
+        if whole.op is AND:
             self.clauses.extend([(self._said_of(a), *rest) for a in whole.args])
         else:
             self.clauses.extend([(-self._said_of(a, _BACK), *rest) for a in whole.args[0].args])
@@ -64,13 +64,13 @@ class OneSided(Cnf):
         while stack:
             y, wanted = stack.pop()
             while True:
-                if y.op is Op.NOT:
+                if y.op is NOT:
                     y, wanted = y.args[0], not wanted
-                elif y.op is Op.VAR and y.name in self._meaning:
+                elif y.op is VAR and y.name in self._meaning:
                     y = self._meaning[y.name]
                 else:
                     break
-            if y.op is (Op.AND if wanted else Op.OR):
+            if y.op is (AND if wanted else OR):
                 stack.extend([(a, wanted) for a in y.args])
             else:
                 n = self._said_of(y, _FORTH if wanted else _BACK)
@@ -83,16 +83,16 @@ class OneSided(Cnf):
         if known is not None:
             return known
         op = x.op
-        if op is Op.VAR:
+        if op is VAR:
             meaning = self._meaning.get(x.name)
             n = self._literal_of(meaning) if meaning is not None else self.fresh()
             self.names[x.name] = n
-        elif op is Op.NOT:
+        elif op is NOT:
             n = -self._literal_of(x.args[0])
-        elif op is Op.EQ:
+        elif op is EQ:
             n = self._value(x.name, x.value)
-        elif op is Op.TRUE or op is Op.FALSE:
-            n = self._true if op is Op.TRUE else -self._true
+        elif x is TRUE or x is FALSE:
+            n = self._true if x is TRUE else -self._true
         else:
             self.count += 1
             n = self.count
@@ -101,8 +101,8 @@ class OneSided(Cnf):
 
     def _said_of(self, root: Expr, sides: int = _FORTH) -> int:
         """The literal of an expression, with the clauses that say what it means."""
-        leaf = root.args[0] if root.op is Op.NOT else root
-        if leaf.op is Op.VAR and leaf.name not in self._meaning:
+        leaf = root.args[0] if root.op is NOT else root
+        if leaf.op is VAR and leaf.name not in self._meaning:
             n = self._number.get(leaf) or self._literal_of(leaf)
             self._plain[root] = n = n if leaf is root else -n
             return n
@@ -111,10 +111,10 @@ class OneSided(Cnf):
         while stack:
             x, side = stack.pop()
             while True:
-                if x.op is Op.NOT:
+                if x.op is NOT:
                     x = x.args[0]
                     side = _FORTH + _BACK - side
-                elif x.op is Op.VAR and x.name in meaning:
+                elif x.op is VAR and x.name in meaning:
                     x = meaning[x.name]
                 else:
                     break
@@ -127,7 +127,7 @@ class OneSided(Cnf):
             said[x] = before | side
             n = number.get(x) or self._literal_of(x)
             args = [number.get(a) or self._literal_of(a) for a in x.args]
-            if x.op is Op.AND:
+            if x.op is AND:
                 if side & _FORTH:
                     clauses.extend([(-n, a) for a in args])
                 if side & _BACK:
@@ -143,4 +143,4 @@ class OneSided(Cnf):
 
 def _all_of(x: Expr) -> bool:
     """Whether it says several things at once."""
-    return x.op is Op.AND or (x.op is Op.NOT and x.args[0].op is Op.OR)
+    return x.op is AND or (x.op is NOT and x.args[0].op is OR)

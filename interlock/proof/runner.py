@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
-from interlock.logic.expr import FALSE, TRUE, Expr, Op, Substitution, conj, neg, var
+from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, Substitution, conj, neg, var
 from interlock.proof.asking import Decision
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
@@ -148,8 +148,8 @@ def _at_restart(system: System) -> tuple[dict[str, Expr], list[Expr]]:
     fixed: dict[str, Expr] = {}
     others: list[Expr] = []
     for x in system.initial_parts:
-        leaf, value = (x.args[0], FALSE) if x.op is Op.NOT else (x, TRUE)
-        if leaf.op is not Op.VAR:
+        leaf, value = (x.args[0], FALSE) if x.op is NOT else (x, TRUE)
+        if leaf.op is not VAR:
             others.append(x)
         elif fixed.setdefault(leaf.name, value) is not value:
             raise RuntimeError("the restart states contradict each other")
@@ -159,12 +159,12 @@ def _at_restart(system: System) -> tuple[dict[str, Expr], list[Expr]]:
 def _true(x: Expr, known: Mapping[str, bool], wanted: bool = True) -> bool:
     """Whether values of some variables make an expression come out as wanted, whatever the others are."""
     op = x.op
-    if op is Op.VAR:
+    if op is VAR:
         return known.get(x.name) is wanted
-    if op is Op.NOT:
+    if op is NOT:
         return _true(x.args[0], known, not wanted)
-    if op is Op.AND or op is Op.OR:
-        enough = any if (op is Op.OR) is wanted else all
+    if op is AND or op is OR:
+        enough = any if (op is OR) is wanted else all
         return enough(_true(a, known, wanted) for a in x.args)
     return x is (TRUE if wanted else FALSE)
 

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from interlock.logic.expr import FALSE, TRUE, Expr, Op, conj, disj, implies, neg, rebuild, var
+from interlock.logic.expr import AND, FALSE, NOT, TRUE, Expr, conj, disj, implies, neg, rebuild, var
 from interlock.model.bits import bits, bits_of
 from interlock.proof.members import OF, VALUE, Kind, Member, Trait
 from interlock.proof.views import Group, Scene, View, Views
+
+_DEFINED = Kind.DEFINED
 
 HUB = 60  # a name in more facts than this says nothing about what lies together
 
@@ -128,7 +130,7 @@ class _Sight:
 
     def said(self, x: Expr, side: bool) -> Expr:
         """What a fact says of the names that are seen."""
-        if x.op is Op.NOT:
+        if x.op is NOT:
             return neg(self.said(x.args[0], not side))
         if not x.args:
             return x if x.name in self.seen else (TRUE if side else FALSE)
@@ -207,7 +209,7 @@ class _Sight:
                 for c, crowd in enumerate(self.crowds)
                 if crowd & members
             ]
-            if x.op is Op.AND:
+            if x.op is AND:
                 new = conj([*map(self._merge, group.rest), *map(neg, those)])
             else:
                 new = disj([*map(self._merge, group.rest), *those])
@@ -229,7 +231,7 @@ class _Sight:
             told = set(mine)
             self.imply([t for t in defining if (t in told or not t.names) and (single or t.lifts)], crowd)
         facts = [t for t in self.members.telling.get((family, i), ()) if not t.names]
-        facts += [t for t in mine if t.kind is not Kind.DEFINED]
+        facts += [t for t in mine if t.kind is not _DEFINED]
         self.imply([t for t in facts if single or t.lifts], crowd)
 
     def spread(self, defining: Sequence[Trait], i: int) -> bool:

@@ -24,9 +24,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from interlock.logic.expr import Expr, Op
+from interlock.logic.expr import AND, NOT, OR, VAR, Expr
 from interlock.model.bits import bits, bits_of
 from interlock.proof.members import Kind, Members, Routed, Trait
+
+_KEPT = Kind.KEPT
 
 WIDE = 30  # of a fact that reads more names than this, a view takes what it says of the view's names
 
@@ -124,7 +126,7 @@ class Views:
         for n, (x, _) in enumerate(m.plain):
             names = self.names_of[n]
             _note(self.facts_at if len(names) <= WIDE else self.wide_at, names, n)
-            if len(names) == 2 and x.op is Op.OR:
+            if len(names) == 2 and x.op is OR:
                 self._timer(x)
         self.next_to = [tuple(v for v in names if v not in m.meaning) for names in self.names_of]
         """What facts read that has no meaning: states and inputs."""
@@ -172,7 +174,7 @@ class Views:
     def _timer(self, x: Expr) -> None:
         """An on-delay timer reads its input."""
         a, b = x.args
-        if a.op is Op.NOT and a.args[0].op is Op.VAR and b.op is Op.VAR and b.name in self.members.meaning:
+        if a.op is NOT and a.args[0].op is VAR and b.op is VAR and b.name in self.members.meaning:
             timer = a.args[0].name
             if timer not in self.members.meaning and timer not in self.system.later:
                 self.reads[timer] = (b.name,)
@@ -214,9 +216,9 @@ class Views:
         rest: list[Expr] = []
         members: dict[str, int] = {}
         for a in x.args:
-            y = a.args[0] if x.op is Op.AND and a.op is Op.NOT else a
+            y = a.args[0] if x.op is AND and a.op is NOT else a
             of = None
-            if not y.args and y.name and (y is not a or x.op is Op.OR):
+            if not y.args and y.name and (y is not a or x.op is OR):
                 of = self.members.of(y)
             if of is None:
                 rest.append(a)
@@ -229,17 +231,15 @@ def _apart(m: Members) -> dict[str, dict[int, int]]:
     """What the invariants say of two routes; or each of them implies a name, and not both names are true."""
     against: dict[str, set[str]] = {}
     for x, kind in m.plain:
-        if kind is Kind.KEPT and x.op is Op.NOT and x.args[0].op is Op.AND and len(x.args[0].args) == 2:
-            left, right = (
-                [y.name for y in (a.args if a.op is Op.OR else (a,)) if y.op is Op.VAR] for a in x.args[0].args
-            )
+        if kind is _KEPT and x.op is NOT and x.args[0].op is AND and len(x.args[0].args) == 2:
+            left, right = ([y.name for y in (a.args if a.op is OR else (a,)) if y.op is VAR] for a in x.args[0].args)
             for a in left:
                 against.setdefault(a, set()).update(right)
             for b in right:
                 against.setdefault(b, set()).update(left)
     found: dict[str, dict[int, int]] = {}
     for x, kind in m.mixed:
-        sides = _exclusive(m, x) if kind is Kind.KEPT else None
+        sides = _exclusive(m, x) if kind is _KEPT else None
         if sides is not None:
             family, some, rest = sides
             among = found.setdefault(family, {})
@@ -248,7 +248,7 @@ def _apart(m: Members) -> dict[str, dict[int, int]]:
                     among[i] = among.get(i, 0) | theirs
     implied: dict[str, dict[str, int]] = {}
     for t in m.traits:
-        if t.kind is Kind.KEPT and t.expr.op is Op.VAR and t.names and t.expr.name in against:
+        if t.kind is _KEPT and t.expr.op is VAR and t.names and t.expr.name in against:
             implied.setdefault(t.family, {})[t.expr.name] = t.members
     for family, names in implied.items():
         of = found.setdefault(family, {})
@@ -263,9 +263,9 @@ def _apart(m: Members) -> dict[str, dict[int, int]]:
 
 def _exclusive(m: Members, x: Expr) -> tuple[str, int, int] | None:
     """A fact that of some members and others, as bits, not both have a variable of one family true."""
-    if x.op is not Op.NOT or x.args[0].op is not Op.AND or len(x.args[0].args) != 2:
+    if x.op is not NOT or x.args[0].op is not AND or len(x.args[0].args) != 2:
         return None
-    sides = [[m.of(y) for y in (a.args if a.op is Op.OR else (a,))] for a in x.args[0].args]
+    sides = [[m.of(y) for y in (a.args if a.op is OR else (a,))] for a in x.args[0].args]
     families = {"" if of is None else of[0] for side in sides for of in side}
     if len(families) != 1 or "" in families:
         return None

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Timer
-from interlock.logic.expr import Expr, Op
+from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
 from interlock.model.portable import portable
 from interlock.st.ast import (
     Assign,
@@ -148,7 +148,7 @@ def _equation(e: Equation, where: dict[str, Name], extra: list[Declaration]) -> 
     operands: list[tuple[Expression, str]] = []
     for t in e.terms:
         x = t.expr
-        if x.op in (Op.TRUE, Op.FALSE) and len(e.terms) > 1 and (x.op is Op.TRUE) == (e.join is Join.ALL):
+        if (x is TRUE or x is FALSE) and len(e.terms) > 1 and (x is TRUE) == (e.join is Join.ALL):
             continue
         operands.append((_short(x, where, extra, out), t.note or t.kind))
     if not operands:
@@ -173,22 +173,22 @@ def _temp(extra: list[Declaration]) -> Name:
 
 def _short(x: Expr, where: dict[str, Name], extra: list[Declaration], out: list[Statement]) -> Expression:
     """An operand: at most two levels deep and ten wide, the rest in temporaries."""
-    if x.op is Op.VAR:
+    if x.op is VAR:
         return where[x.name]
-    if x.op is Op.NOT:
+    if x.op is NOT:
         return Not(_short(x.args[0], where, extra, out))
     if not x.args:
         return _expression(x, where)
     args: list[Expression] = []
     for a in x.args:
-        inner = a.args[0] if a.op is Op.NOT else a
+        inner = a.args[0] if a.op is NOT else a
         if inner.args:
             temp = _temp(extra)
             out.append(Assign(temp, _short(inner, where, extra, out)))
-            args.append(Not(temp) if a.op is Op.NOT else temp)
+            args.append(Not(temp) if a.op is NOT else temp)
         else:
             args.append(_expression(a, where))
-    op = "AND" if x.op is Op.AND else "OR"
+    op = "AND" if x.op is AND else "OR"
     while len(args) > MAX_OPERANDS:
         temp = _temp(extra)
         out.append(Assign(temp, Nary(op, tuple(args[:MAX_OPERANDS]))))
@@ -197,16 +197,16 @@ def _short(x: Expr, where: dict[str, Name], extra: list[Declaration], out: list[
 
 
 def _expression(x: Expr, where: dict[str, Name]) -> Expression:
-    if x.op is Op.TRUE or x.op is Op.FALSE:
-        return Bool(x.op is Op.TRUE)
-    if x.op is Op.VAR:
+    if x is TRUE or x is FALSE:
+        return Bool(x is TRUE)
+    if x.op is VAR:
         return where[x.name]
-    if x.op is Op.EQ:
+    if x.op is EQ:
         return Compare("=", where[x.name], Int(x.value))
-    if x.op is Op.NOT:
+    if x.op is NOT:
         return Not(_expression(x.args[0], where))
     args = tuple(_expression(a, where) for a in x.args)
-    return Nary("AND" if x.op is Op.AND else "OR", args)
+    return Nary("AND" if x.op is AND else "OR", args)
 
 
 def _keeping(name: str, part: Sequence[StateVar]) -> Block:

@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from interlock.logic.controller import Controller, Equation, Join
-from interlock.logic.expr import Expr, Op
+from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
 
 
 def _code(x: Expr, outer: str = "") -> str:
-    if x.op is Op.TRUE or x.op is Op.FALSE:
-        return str(x.op is Op.TRUE)
-    if x.op is Op.VAR:
+    if x is TRUE or x is FALSE:
+        return str(x is TRUE)
+    if x.op is VAR:
         return x.name
-    if x.op is Op.EQ:
+    if x.op is EQ:
         return f"({x.name} == {x.value})"
-    if x.op is Op.NOT:
+    if x.op is NOT:
         return f"(not {_code(x.args[0], 'not')})"
-    op = " and " if x.op is Op.AND else " or "
+    op = " and " if x.op is AND else " or "
     body = op.join(_code(a, op) for a in x.args)
     return f"({body})" if outer else body
 

@@ -16,7 +16,7 @@ import lzma
 from collections.abc import Iterator, Mapping
 
 from interlock import __version__
-from interlock.logic.expr import Expr, Op
+from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.proof.invariants import CLAIMS
 from interlock.proof.local.engine import LocalProof
@@ -28,15 +28,15 @@ SYSTEM, PROOF, NEEDED, MANIFEST = "system.txt", "proof.txt.xz", "needed.txt", "m
 
 def text(x: Expr) -> str:
     """An expression with names."""
-    if x.op is Op.VAR:
+    if x.op is VAR:
         return x.name
-    if x.op is Op.EQ:
+    if x.op is EQ:
         return f"{x.name}={x.value}"
-    if x.op is Op.NOT:
+    if x.op is NOT:
         return f"!{text(x.args[0])}"
-    if x.op in (Op.TRUE, Op.FALSE):
-        return "T" if x.op is Op.TRUE else "F"
-    return f"({'&' if x.op is Op.AND else '|'} {' '.join(text(a) for a in x.args)})"
+    if x is TRUE or x is FALSE:
+        return "T" if x is TRUE else "F"
+    return f"({'&' if x.op is AND else '|'} {' '.join(text(a) for a in x.args)})"
 
 
 def system_text(base: FactBase) -> str:

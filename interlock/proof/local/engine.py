@@ -13,7 +13,7 @@ from functools import cached_property
 
 from pysat.solvers import Minisat22
 
-from interlock.logic.expr import Expr, Op
+from interlock.logic.expr import OR, Expr
 from interlock.proof.encode import Cnf
 from interlock.proof.local.facts import Fact, FactBase, Goal, GoalKind
 from interlock.proof.local.library import Library
@@ -107,7 +107,7 @@ class Room:
 
 
 def _parts(clause: Expr) -> tuple[Expr, ...]:
-    return clause.args if clause.op is Op.OR else (clause,)
+    return clause.args if clause.op is OR else (clause,)
 
 
 def prove_locally(

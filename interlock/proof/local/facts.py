@@ -17,7 +17,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from interlock.logic.expr import Expr, Op, disj, eq, implies, neg, var
+from interlock.logic.expr import AND, NOT, OR, TRUE, Expr, disj, eq, implies, neg, var
 from interlock.proof.invariants import Claim, Invariant
 from interlock.proof.system import System
 
@@ -30,20 +30,20 @@ def split(x: Expr) -> list[Expr]:
     together = _conjuncts(x)
     if together is not None:
         return [y for a in together for y in split(a)]
-    if x.op is Op.OR:
+    if x.op is OR:
         inner = [(i, c) for i, a in enumerate(x.args) if (c := _conjuncts(a)) is not None]
         if len(inner) == 1:
             i, those = inner[0]
             rest = x.args[:i] + x.args[i + 1 :]
             return [y for b in those for y in split(disj((*rest, b)))]
-    return [] if x.op is Op.TRUE else [x]
+    return [] if x is TRUE else [x]
 
 
 def _conjuncts(x: Expr) -> Sequence[Expr] | None:
     """The parts of a conjunction, or None."""
-    if x.op is Op.AND:
+    if x.op is AND:
         return x.args
-    if x.op is Op.NOT and x.args[0].op is Op.OR:
+    if x.op is NOT and x.args[0].op is OR:
         return [neg(a) for a in x.args[0].args]
     return None
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from zlib import crc32
 
-from interlock.logic.expr import Expr, Op
+from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
 from interlock.proof.local.facts import Fact
 
 ROUNDS, MASK = 2, (1 << 64) - 1
@@ -52,15 +52,15 @@ class Patterns:
 
 
 def _text(x: Expr, numbers: dict[Leaf, int], sign: str = "") -> str:
-    while x.op is Op.NOT:
+    while x.op is NOT:
         x, sign = x.args[0], "" if sign else "!"
-    if x.op is Op.VAR:
+    if x.op is VAR:
         return f"{sign}{numbers.setdefault(x.name, len(numbers) + 1)}"
-    if x.op is Op.EQ:
+    if x.op is EQ:
         return f"{sign}{numbers.setdefault(f'{x.name}={x.value}', len(numbers) + 1)}"
-    if x.op in (Op.TRUE, Op.FALSE):
-        return f"{sign}{'T' if x.op is Op.TRUE else 'F'}"
-    op = "&" if x.op is Op.AND else "|"
+    if x is TRUE or x is FALSE:
+        return f"{sign}{'T' if x is TRUE else 'F'}"
+    op = "&" if x.op is AND else "|"
     return f"{sign}({op} {' '.join(_text(a, numbers) for a in x.args)})"
 
 
