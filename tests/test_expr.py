@@ -7,7 +7,7 @@ from itertools import product
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from interlock.logic.bits import compile_bits
+from interlock.logic.bits import Bits
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, evaluate, neg, var
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
@@ -31,12 +31,34 @@ def holds(x: Expr, row: tuple[int, ...]) -> bool:
 
 @given(st.lists(expressions, min_size=1, max_size=5))
 def test_runs_side_by_side_are_runs_one_by_one(roots: list[Expr]) -> None:
-    """A bit for each row of the truth table; places of nodes are used again and again."""
-    run = compile_bits({str(n): x for n, x in enumerate(roots)})
+    """A bit for each row of the truth table."""
+    run = Bits({str(n): x for n, x in enumerate(roots)})
     mask = (1 << len(ROWS)) - 1
     vectors = {name: sum(row[k] << n for n, row in enumerate(ROWS)) for k, name in enumerate(NAMES)}
     for name, vector in run(vectors, mask).items():
         assert [bool(vector >> n & 1) for n in range(len(ROWS))] == [holds(roots[int(name)], row) for row in ROWS]
+
+
+@given(
+    st.lists(expressions, min_size=1, max_size=5),
+    st.lists(st.tuples(st.sampled_from(NAMES), st.integers(0, 7), st.booleans()), max_size=12),
+)
+def test_what_is_computed_where_something_has_changed_is_as_if_all_were(
+    roots: list[Expr], changes: list[tuple[str, int, bool]]
+) -> None:
+    named = {str(n): x for n, x in enumerate(roots)}
+    run, mask = Bits(named), 7
+    vectors, told = dict.fromkeys(NAMES, 0), dict(run(dict.fromkeys(NAMES, 0), mask))
+    assert run.changed == told
+    for name, vector, again in changes:
+        vectors = {**vectors, name: vector}
+        if again:
+            run.forget()
+        found = run(vectors, mask)
+        assert found == Bits(named)(vectors, mask)
+        assert again or run.changed == {n: x for n, x in found.items() if x != told[n]}
+        assert not again or run.changed == found
+        told = dict(found)
 
 
 @settings(deadline=None)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from operator import itemgetter
 
 from interlock.logic.expr import VAR, Expr, Op
 
@@ -10,45 +11,72 @@ _READ, _TRUE, _FALSE, _NOT, _AND, _OR = range(6)
 _KIND = {Op.VAR: _READ, Op.EQ: _READ, Op.TRUE: _TRUE, Op.FALSE: _FALSE, Op.NOT: _NOT, Op.AND: _AND, Op.OR: _OR}
 
 
-def compile_bits(
-    roots: Mapping[str, Expr], meaning: Mapping[str, Expr] | None = None
-) -> Callable[[Mapping[str, int], int], dict[str, int]]:
-    """A function from vectors of variables and the vector of all runs to vectors of the named roots.
+class Bits:
+    """Computes vectors of named expressions from vectors of the variables that they read.
 
-    `meaning`: names that stand for expressions; no name reads itself.  A comparison `n = k` is read as a variable of
-    the name `n=k`.  The nodes are computed one after the other (as Python code they would take longer to compile than
-    they take to run), and a node's place is given on after its last use, so that few vectors are kept at a time.  Most
+    A step changes little of a railway, also for a thousand runs: of the nodes of a yard's expressions an eighth has
+    something new to read.  The first call computes all, each other what reads something that has changed since.  Most
     of a railway is the same in all runs: a vector that is the very mask is not combined bit by bit.
     """
-    wires = meaning or {}
-    nodes, last = _in_order(roots.values(), wires)
-    kept = {_meant(x, wires) for x in roots.values()}
-    place: dict[Expr, int] = {}
-    free: list[int] = []
-    size = 0
-    code: list[tuple[int, int, tuple[int, ...]]] = []
-    reads: list[str] = []
-    for at, (node, inner) in enumerate(nodes):
-        kind = _KIND[node.op]
-        args: tuple[int, ...] = tuple([place[a] for a in inner])
-        if kind == _READ:
-            args = (len(reads),)
-            reads.append(node.name if node.op is VAR else f"{node.name}={node.value}")
-        for a in inner:
-            if last[a] == at and a not in kept:
-                free.append(place[a])
-                last[a] = -1
-        if free:
-            to = free.pop()
-        else:
-            to, size = size, size + 1
-        place[node] = to
-        code.append((kind, to, args))
-    wanted = [(name, place[_meant(x, wires)]) for name, x in roots.items()]
 
-    def run(values: Mapping[str, int], mask: int) -> dict[str, int]:
-        v = [0] * size
-        for kind, to, args in code:
+    def __init__(self, roots: Mapping[str, Expr], meaning: Mapping[str, Expr] | None = None) -> None:
+        """`meaning`: names that stand for expressions; no name reads itself."""
+        wires = meaning or {}
+        number: dict[Expr, int] = {}
+        self._code: list[tuple[int, tuple[int, ...]]] = []
+        reads: dict[str, int] = {}
+        readers: list[list[int]] = []
+        for at, (node, inner) in enumerate(_in_order(roots.values(), wires)):
+            number[node] = at
+            kind = _KIND[node.op]
+            args = tuple([number[a] for a in inner])
+            if kind == _READ:
+                reads[node.name if node.op is VAR else f"{node.name}={node.value}"] = at
+            for a in args:
+                readers[a].append(at)
+            readers.append([])
+            self._code.append((kind, args))
+        self._readers = [tuple(those) for those in readers]
+        self._names: dict[int, list[str]] = {}
+        """The roots' names, by node."""
+        for name, x in roots.items():
+            self._names.setdefault(number[_meant(x, wires)], []).append(name)
+        self._found: dict[str, int] = {}
+        self.changed: dict[str, int] = {}
+        """Those of the roots' vectors that the last call changed: all of them when it was the first."""
+        self._reads = [*reads.values()]
+        """The nodes of variables; a comparison `n = k` is read as a variable of the name `n=k`."""
+        self._read: Callable[[Mapping[str, int]], tuple[int, ...]] = _getter([*reads])
+        self._given: tuple[int, ...] = ()
+        self._vectors: list[int] = []
+        self._mask = -1
+
+    def forget(self) -> None:
+        """The next call is a first one."""
+        self._mask = -1
+
+    def __call__(self, values: Mapping[str, int], mask: int) -> Mapping[str, int]:
+        """The roots' vectors, until the next call; `mask`: the vector of all runs."""
+        due = bytearray(len(self._code))
+        before, self._given = self._given, self._read(values)
+        if mask != self._mask:
+            self._mask, self._vectors = mask, [-1] * len(self._code)
+            due = bytearray(b"\1") * len(self._code)
+            before = (-1,) * len(self._reads)
+            for at in self._reads:
+                due[at] = 0
+        v, code, readers, names = self._vectors, self._code, self._readers, self._names
+        self.changed = changed = {}
+        for at, x in [(at, x) for at, x, y in zip(self._reads, self._given, before, strict=True) if x is not y]:
+            if x != v[at]:
+                v[at] = x = x if x != mask else mask
+                for r in readers[at]:
+                    due[r] = 1
+                if at in names:
+                    changed.update(dict.fromkeys(names[at], x))
+        at = due.find(1)
+        while at >= 0:
+            kind, args = code[at]
             if kind == _AND:
                 x = mask
                 for a in args:
@@ -65,17 +93,27 @@ def compile_bits(
                         x = x | y if x else y
                         if x is mask:
                             break
-            elif kind == _READ:
-                x = values[reads[args[0]]]
             elif kind == _NOT:
                 y = v[args[0]]
                 x = 0 if y is mask else mask ^ y if y else mask
             else:
                 x = mask if kind == _TRUE else 0
-            v[to] = x
-        return {name: mask if v[at] == mask else v[at] for name, at in wanted}
+            if x != v[at]:
+                v[at] = x = x if x != mask else mask
+                for r in readers[at]:
+                    due[r] = 1
+                if at in names:
+                    changed.update(dict.fromkeys(names[at], x))
+            at = due.find(1, at + 1)
+        self._found.update(changed)
+        return self._found
 
-    return run
+
+def _getter(names: Sequence[str]) -> Callable[[Mapping[str, int]], tuple[int, ...]]:
+    """What a mapping has for names."""
+    if len(names) > 1:
+        return itemgetter(*names)
+    return lambda values: tuple([values[n] for n in names])
 
 
 def _meant(x: Expr, meaning: Mapping[str, Expr]) -> Expr:
@@ -85,23 +123,19 @@ def _meant(x: Expr, meaning: Mapping[str, Expr]) -> Expr:
     return x
 
 
-def _in_order(
-    roots: Iterable[Expr], meaning: Mapping[str, Expr]
-) -> tuple[list[tuple[Expr, Sequence[Expr]]], dict[Expr, int]]:
-    """Every node once with those that it reads, each after these, and by which node it is read last."""
+def _in_order(roots: Iterable[Expr], meaning: Mapping[str, Expr]) -> list[tuple[Expr, Sequence[Expr]]]:
+    """Every node once with those that it reads, each after these."""
     nodes: list[tuple[Expr, Sequence[Expr]]] = []
-    last: dict[Expr, int] = {}
     seen: set[Expr] = set()
     for root in roots:
         stack: list[tuple[Expr, Sequence[Expr] | None]] = [(_meant(root, meaning), None)]
         while stack:
             node, inner = stack.pop()
             if inner is not None:
-                last.update(dict.fromkeys(inner, len(nodes)))
                 nodes.append((node, inner))
             elif node not in seen:
                 seen.add(node)
                 inner = [_meant(a, meaning) if a.op is VAR else a for a in node.args]
                 stack.append((node, inner))
                 stack.extend([(a, None) for a in reversed(inner) if a not in seen])
-    return nodes, last
+    return nodes

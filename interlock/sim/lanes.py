@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from functools import reduce
 from operator import or_
 
-from interlock.logic.bits import compile_bits
+from interlock.logic.bits import Bits
 from interlock.logic.controller import Controller
 from interlock.logic.expr import Substitution, evaluate, var
 from interlock.logic.plant import Plant
@@ -78,17 +78,17 @@ class Lanes:
         self._rest = {i.name: i.restrictive for i in controller.inputs}
         self._moves = {f"?start.{m}.{x}": sym.command[m, x.other] for m, x in sym.command}
         self._arrivals = [c for c in plant.choices if c.startswith("?arrive.")]
-        self._move = compile_bits(
+        self._move = Bits(
             {n: e for n, e in plant.next.items() if n.startswith(("o.", "at.", "tel.", "line."))}, meaning
         )
         self._timers = [
-            (group, compile_bits({t.name: var(t.input) for t in group}, meaning)) for group in independent(controller)
+            (group, Bits({t.name: var(t.input) for t in group}, meaning)) for group in independent(controller)
         ]
         roots = plant.next | {e.name: e.expr for e in controller.next}
         rules = {f"{i} {a.id}": a.expr for i, a in enumerate(plant.assumptions)}
         hazards = {f"{h.id} {h.place}": h.expr for h in plant.hazards}
-        self._kept, self._rules, self._hazards = tuple(roots), tuple(rules), tuple(hazards)
-        self._next = compile_bits(roots | rules | hazards, meaning)
+        self._kept, self._rules, self._hazards = frozenset(roots), tuple(rules), tuple(hazards)
+        self._next = Bits(roots | rules | hazards, meaning)
         self.state: dict[str, int] = {}
         self.last: dict[str, int] = {}
         self.troubles: dict[str, int] = {}
@@ -99,6 +99,8 @@ class Lanes:
     ) -> list[tuple[str | None, int]]:
         """Each driver's outcome and number of steps; what a start does not name is an empty railway, points normal."""
         self.mask = (1 << len(starts)) - 1
+        for computed in (self._move, self._next, *(inputs for _, inputs in self._timers)):
+            computed.forget()
         self.state = {s.name: self.mask if s.initial else 0 for s in self.controller.state}
         self.state |= dict.fromkeys(self.plant.next, 0)
         for name in self.plant.state:
@@ -193,7 +195,7 @@ class Lanes:
             if after[name]:
                 self.troubles[name] = self.troubles.get(name, 0) | after[name]
         self.last = values
-        self.state = {**self.state, **{n: after[n] for n in self._kept}}
+        self.state.update({n: x for n, x in self._next.changed.items() if n in self._kept})
         self._held = None
         self._clock += 1
 
