@@ -16,7 +16,8 @@ class Name:
     parts: tuple[str, ...]
 
     def __str__(self) -> str:
-        return ".".join(self.parts)
+        parts = self.parts
+        return parts[0] if len(parts) == 1 else ".".join(parts)
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ equation of a scan sees the old state.  The main block calls them all in one fix
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
@@ -50,6 +50,7 @@ def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS
         for s in part:
             where[s.name] = Name((f"S{k:02d}", s.name))
     counts = {"B": 0, "T": 0}
+    named = _Named(ranges)
     for piece in pieces:
         letter = "T" if isinstance(piece[0], Timer) else "B"
         counts[letter] += 1
@@ -57,7 +58,7 @@ def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS
         timers = [x for x in piece if isinstance(x, Timer)]
         equations = [x for x in piece if isinstance(x, Equation)]
         name = f"{prefix}_{instance}"
-        block = _timing(name, timers) if timers else _computing(name, equations, ranges)
+        block = _timing(name, timers) if timers else _computing(name, equations, named)
         blocks.append(block)
         locals_.append(Declaration(instance, block.name, None, block.note))
         body.append(Call(instance, tuple((d.name, where[d.name]) for d in block.inputs)))
@@ -123,18 +124,30 @@ def _timing(name: str, timers: Sequence[Timer]) -> Block:
     )
 
 
-def _computing(name: str, equations: Sequence[Equation], ranges: set[str]) -> Block:
+class _Named(dict[str, tuple[Name, Declaration]]):
+    """How a block reads a variable, and how it declares it as an input: the same in all blocks."""
+
+    def __init__(self, ranges: Collection[str]) -> None:
+        super().__init__()
+        self._ranges = ranges
+
+    def __missing__(self, name: str) -> tuple[Name, Declaration]:
+        found = self[name] = Name((name,)), Declaration(name, "INT" if name in self._ranges else "BOOL")
+        return found
+
+
+def _computing(name: str, equations: Sequence[Equation], named: _Named) -> Block:
     made = {e.name for e in equations}
     reads = {n: None for e in equations for n in e.reads if n not in made}
-    where = {n: Name((n,)) for n in [*reads, *made]}
+    where = {n: named[n][0] for n in [*reads, *made]}
     extra: list[Declaration] = []
     body: list[Statement] = []
     for e in equations:
         body.extend(_equation(e, where, extra))
     return Block(
         name,
-        tuple(Declaration(n, "INT" if n in ranges else "BOOL") for n in reads),
-        tuple(Declaration(e.name, "BOOL", None, e.note) for e in equations),
+        tuple([named[n][1] for n in reads]),
+        tuple([Declaration(e.name, "BOOL", None, e.note) for e in equations]),
         tuple(extra),
         tuple(body),
         ", ".join(dict.fromkeys(e.group for e in equations))[:100],

@@ -70,11 +70,16 @@ class Execution(Generic[V]):
     def _instance(self, block: Block, path: str) -> Instance[V]:
         values: dict[str, V] = {}
         inner: dict[str, Instance[V]] = {}
-        seen: set[str] = set()
-        for d in (*block.inputs, *block.outputs, *block.locals):
-            if d.name.upper() in seen:
-                raise BadText(f"{block.name}: {d.name} is declared twice")
-            seen.add(d.name.upper())
+        declared = (*block.inputs, *block.outputs, *block.locals)
+        names = [d.name.upper() for d in declared]
+        if len(set(names)) < len(names):
+            twice = next(d.name for n, d in enumerate(declared) if names[n] in names[:n])
+            raise BadText(f"{block.name}: {twice} is declared twice")
+        off = self.algebra.literal(Bool(False))
+        for d in declared:
+            if d.type == "BOOL" and d.initial is None:
+                values[d.name] = off
+                continue
             kind = d.type.upper()
             if kind == "TON":
                 values[f"{d.name}.Q"] = self.algebra.literal(Bool(False))
@@ -148,9 +153,13 @@ class Execution(Generic[V]):
             return a.neg(self._value(inst, x.arg))
         if isinstance(x, Nary):
             args: list[V] = []
+            values = inst.values
             for y in x.args:
-                known = inst.values.get(y.parts[0]) if isinstance(y, Name) and len(y.parts) == 1 else None
-                args.append(known if known is not None else self._value(inst, y))
+                z = y.arg if isinstance(y, Not) else y
+                known = values.get(z.parts[0]) if isinstance(z, Name) and len(z.parts) == 1 else None
+                if known is None:
+                    known = self._value(inst, z)
+                args.append(known if z is y else a.neg(known))
             return a.nary(x.op, args)
         if isinstance(x, Compare):
             return a.compare(x.op, self._value(inst, x.left), self._value(inst, x.right))

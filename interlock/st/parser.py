@@ -107,6 +107,7 @@ class _Reader:
         self._inverse: dict[str, Not] = {}
         self._instances: dict[str, str] = {}
         self._good: dict[str, str] = {}
+        self._plain: dict[str, Declaration] = {}
         self._scan()
 
     def _scan(self) -> None:
@@ -217,7 +218,12 @@ class _Reader:
             part = parts[self.tokens[self.at].upper()]
             self.at += 1
             while not self._is("END_VAR"):
-                part.append(self.declaration())
+                known = self._plain.get(self.tokens[self.at])
+                if known is not None and self.tokens[self.at + 1 : self.at + 4] == _PLAIN:
+                    self.at += 4
+                    part.append(known)
+                else:
+                    part.append(self.declaration())
             self.at += 1
         inputs, outputs, locals_ = (tuple(parts[kind]) for kind in _DECLARING)
         return inputs, outputs, locals_
@@ -226,7 +232,8 @@ class _Reader:
         name = self._name()
         if self.tokens[self.at : self.at + 3] == _PLAIN:
             self.at += 3
-            return Declaration(name, "BOOL")
+            found = self._plain[name] = Declaration(name, "BOOL")
+            return found
         address = ""
         if self._is("AT"):
             address = self.tokens[self.at + 1]
@@ -274,6 +281,10 @@ class _Reader:
         return tuple(out)
 
     def statement(self) -> Statement:
+        known = self._good.get(self.tokens[self.at])
+        if known is not None and self.tokens[self.at + 1] == ":=" and not self.style.local:
+            self.at += 2
+            return self._assigned(self._single(known))
         if self._is("IF"):
             return self.branch()
         name = self._variable()
@@ -291,6 +302,9 @@ class _Reader:
             return Call(name, tuple(params))
         target = self.qualified(name)
         self._take(":=")
+        return self._assigned(target)
+
+    def _assigned(self, target: Name) -> Assign:
         value = self.expression()
         self._take(";")
         return Assign(target, value)
@@ -315,15 +329,18 @@ class _Reader:
     def qualified(self, first: str) -> Name:
         tokens = self.tokens
         if tokens[self.at] != ".":
-            found = self._names.get(first)
-            if found is None:
-                found = self._names[first] = Name((first,))
-            return found
+            return self._single(first)
         parts = [first]
         while tokens[self.at] == ".":
             self.at += 1
             parts.append(self._name())
         return Name(tuple(parts))
+
+    def _single(self, name: str) -> Name:
+        found = self._names.get(name)
+        if found is None:
+            found = self._names[name] = Name((name,))
+        return found
 
     def expression(self) -> Expression:
         tokens, began, op = self.tokens, self.at, ""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from interlock.st.ast import (
     Assign,
     Block,
@@ -23,6 +25,7 @@ from interlock.st.style import IEC, Style
 MAX_COLUMNS = 150
 
 
+@lru_cache(100_000)
 def comment(text: str) -> str:
     """A comment that no name or note can end early."""
     clean = text.replace("(*", "( *").replace("*)", "* )")
@@ -73,6 +76,8 @@ def body(b: Block, style: Style = IEC) -> list[str]:
 
 
 def _declaration(d: Declaration, style: Style) -> str:
+    if d.type == "BOOL" and d.initial is None and not d.address:
+        return _noted(f"  {d.name} : BOOL;", d.note)
     initial = f" := {_Body(IEC).expression(d.initial, 0)}" if d.initial is not None else ""
     note = ""
     if d.type == "TON":
@@ -122,9 +127,10 @@ class _Body:
             return [_noted(text, s.note)] if len(text) <= MAX_COLUMNS - 10 else _wrapped(text, s.note, indent)
         out = [indent + comment(s.note[: MAX_COLUMNS - 12])] if s.note else []
         last = len(s.value.args) - 1
+        lead, joint = f"{indent}{target} := ", f"{indent}  {s.value.op} "
         for i, (x, note) in enumerate(zip(s.value.args, s.value.notes, strict=True)):
-            lead = f"{indent}{target} := " if i == 0 else f"{indent}  {s.value.op} "
             text = f"{lead}{self.expression(x, 2)}{';' if i == last else ''}"
+            lead = joint
             if len(text) <= MAX_COLUMNS:
                 out.append(_noted(text, note))
             else:
@@ -149,15 +155,15 @@ class _Body:
     def expression(self, x: Expression, outer: int) -> str:
         """Text of an expression; `outer` is the binding strength of what surrounds it."""
         if isinstance(x, Name):
-            return self.local + str(x)
+            return f"{self.local}{x}"
+        if isinstance(x, Not):
+            return f"NOT {self.expression(x.arg, 3)}"
         if isinstance(x, Bool):
             return "TRUE" if x.value else "FALSE"
         if isinstance(x, Int):
             return str(x.value)
         if isinstance(x, Time):
             return f"T#{x.ms // 1000}s" if x.ms % 1000 == 0 else f"T#{x.ms}ms"
-        if isinstance(x, Not):
-            return f"NOT {self.expression(x.arg, 3)}"
         if isinstance(x, Compare):
             return f"({self.expression(x.left, 3)} {x.op} {self.expression(x.right, 3)})"
         text = f" {x.op} ".join(self.expression(a, _RANK[x.op] + 1) for a in x.args)
