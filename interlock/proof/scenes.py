@@ -30,11 +30,14 @@ def scenes(views: Views, goals: Iterable[tuple[int, Expr]]) -> list[Scene]:
             home = homes[0 if ahead else -1]
             home = views.system.beside.get(home, (home,))[0]
             whole.setdefault(home, []).append((n, x))
-    found = [Scene((home,), tuple(those)) for home, those in whole.items()]
-    for at, exprs in pieces.items():
-        each = tuple((x, {i: tuple(ns) for i, ns in by.items()}) for x, by in exprs.items())
-        found.append(Scene(at, pieces=each))
-    return found
+    found: list[Scene] = []
+    each = {
+        at: tuple((x, {i: tuple(ns) for i, ns in by.items()}) for x, by in exprs.items())
+        for at, exprs in pieces.items()
+    }
+    for home, those in whole.items():
+        found.append(Scene((home,), tuple(those), each.pop((home,), ())))
+    return [*found, *(Scene(at, pieces=those) for at, those in each.items())]
 
 
 def _homes(views: Views, piece: Expr, number: int) -> tuple[str, ...]:
