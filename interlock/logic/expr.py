@@ -90,10 +90,13 @@ def neg(x: Expr) -> Expr:
     return found
 
 
-def _nary(op: Op, unit: Expr, zero: Expr, xs: Iterable[Expr]) -> Expr:
+def _nary(op: Op, known: dict[tuple[Expr, ...], Expr], unit: Expr, zero: Expr, args: tuple[Expr, ...]) -> Expr:
+    found = known.get(args)  # the operands of a node as they are: most nodes are built many times
+    if found is not None:
+        return found
     flat: dict[Expr, None] = {}
     inverse = False
-    for x in xs:
+    for x in args:
         kind = x.op
         if kind is op:
             flat.update(dict.fromkeys(x.args))
@@ -113,21 +116,20 @@ def _nary(op: Op, unit: Expr, zero: Expr, xs: Iterable[Expr]) -> Expr:
     if len(flat) == 1:
         return next(iter(flat))
     args = tuple(flat)
-    table = _ands if op is AND else _ors
-    found = table.get(args)
+    found = known.get(args)
     if found is None:
-        found = table[args] = Expr(op, args)
+        found = known[args] = Expr(op, args)
     return found
 
 
 def conj(xs: Iterable[Expr]) -> Expr:
     """AND of any number of operands; TRUE when there is none."""
-    return _nary(AND, TRUE, FALSE, xs)
+    return _nary(AND, _ands, TRUE, FALSE, tuple(xs))
 
 
 def disj(xs: Iterable[Expr]) -> Expr:
     """OR of any number of operands; FALSE when there is none."""
-    return _nary(OR, FALSE, TRUE, xs)
+    return _nary(OR, _ors, FALSE, TRUE, tuple(xs))
 
 
 def implies(a: Expr, b: Expr) -> Expr:
@@ -182,26 +184,38 @@ class Substitution:
 
     def __init__(self, mapping: Mapping[str, Expr]) -> None:
         self._mapping = mapping
-        self._done: dict[int, tuple[Expr, Expr]] = {}
+        self._done: dict[Expr, Expr] = {}
 
     def __call__(self, root: Expr) -> Expr:
-        done = self._done
-        if id(root) in done:
-            return done[id(root)][1]
-        stack = [(root, False)]
+        done, mapping = self._done, self._mapping
+        if root in done:
+            return done[root]
+        if not root.args:
+            return mapping.get(root.name, root) if root.op is VAR else root
+        stack = [root]
         while stack:
-            node, ready = stack.pop()
-            if id(node) in done:
+            node = stack[-1]
+            if node in done:  # two that are done by now read it
+                stack.pop()
                 continue
-            if not node.args:
-                new = self._mapping.get(node.name, node) if node.op is VAR else node
-                done[id(node)] = (node, new)
-            elif ready:
-                done[id(node)] = (node, rebuild(node, tuple(done[id(a)][1] for a in node.args)))
-            else:
-                stack.append((node, True))
-                stack.extend((a, False) for a in node.args if id(a) not in done)
-        return done[id(root)][1]
+            new: list[Expr] = []
+            before = len(stack)
+            for a in node.args:
+                x = done.get(a)
+                if x is None:
+                    if a.args:
+                        stack.append(a)
+                        continue
+                    x = done[a] = mapping.get(a.name, a) if a.op is VAR else a
+                new.append(x)
+            if len(stack) == before:
+                done[node] = rebuild(node, tuple(new))
+                stack.pop()
+        return done[root]
+
+
+WIDE = 12
+_below: dict[Expr, dict[str, None]] = {}  # of nodes with more operands than that, which many expressions share
 
 
 def variables(roots: Iterable[Expr]) -> dict[str, None]:
@@ -209,16 +223,27 @@ def variables(roots: Iterable[Expr]) -> dict[str, None]:
     found: dict[str, None] = {}
     done: set[Expr] = set()
     for root in roots:
-        stack = [root]
-        while stack:
-            node = stack.pop()
-            if node.args:
-                if node not in done:
-                    done.add(node)
-                    stack.extend(node.args)
-            elif name := node.name:
-                found[name] = None
+        _gather([root], found, done)
     return found
+
+
+def _gather(stack: list[Expr], found: dict[str, None], done: set[Expr]) -> None:
+    while stack:
+        node = stack.pop()
+        args = node.args
+        if args:
+            if node not in done:
+                done.add(node)
+                if len(args) <= WIDE:
+                    stack += args
+                    continue
+                known = _below.get(node)
+                if known is None:
+                    known = _below[node] = {}
+                    _gather([*args], known, set())
+                found.update(known)
+        elif name := node.name:
+            found[name] = None
 
 
 def evaluate(root: Expr, value: Callable[[str], int], memo: dict[int, bool]) -> bool:

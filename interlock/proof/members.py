@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 from typing import Protocol
 
-from interlock.logic.expr import AND, EQ, NOT, OR, VAR, Expr, Substitution, disj, neg, rebuild, var
+from interlock.logic.expr import AND, EQ, NOT, OR, VAR, WIDE, Expr, Substitution, disj, neg, rebuild, var
 from interlock.logic.plant import Assumption
 
 OF = "#"  # names of families in an expression begin with this, and no other names do
@@ -138,8 +138,14 @@ class Members:
             while todo:
                 y = todo.pop()
                 if y.args:
-                    if y not in done:
-                        done.add(y)
+                    if y in done:
+                        continue
+                    done.add(y)
+                    if len(y.args) > WIDE and y is not x:
+                        inner, of_inner = self.read(y)  # many share it
+                        names |= dict.fromkeys(inner)
+                        members |= dict.fromkeys(of_inner)
+                    else:
                         todo += y.args
                 elif y.name:
                     of = member.get(y.name) if y.op is VAR else self.of(y)

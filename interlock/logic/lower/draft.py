@@ -134,6 +134,23 @@ class Draft:
         return dict(sorted(cells.items()))
 
     @cached_property
+    def overlaps_of(self) -> Mapping[SignalId, list[tuple[SignalId, int]]]:
+        """The overlap alternatives of each signal that has any."""
+        found: dict[SignalId, list[tuple[SignalId, int]]] = {}
+        for o in self.overlaps:
+            found.setdefault(o[0], []).append(o)
+        return found
+
+    @cached_property
+    def users_of(self) -> Mapping[SignalId, list[RouteRow]]:
+        """The routes with an overlap, by the signal of which it is."""
+        found: dict[SignalId, list[RouteRow]] = {}
+        for r in self.table.routes:
+            if r.overlap is not None:
+                found.setdefault(r.overlap.signal, []).append(r)
+        return found
+
+    @cached_property
     def swinging(self) -> Mapping[SignalId, tuple[int, ...]]:
         """The signals with overlaps that may swing, and the alternatives that may be taken."""
         cells = [r.overlap for r in self.table.routes if r.overlap is not None and r.overlap.swings]

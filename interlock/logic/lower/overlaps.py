@@ -41,10 +41,10 @@ def swing(d: Draft) -> None:
     """An overlap swings to another alternative when that is fully available and no train is close (R4)."""
     for g, options in d.swinging.items():
         b = d.before(g)
-        every = dict.fromkeys(s for (h, _), over in d.overlaps.items() if h == g for s, _ in over)
+        every = dict.fromkeys(s for o in d.overlaps_of[g] for s, _ in d.overlaps[o])
         before: list[Expr] = []
         for k in options:
-            others = disj(d.overlap(o) for o in d.overlaps if o[0] == g and o[1] != k)
+            others = disj(d.overlap(o) for o in d.overlaps_of[g] if o[1] != k)
             terms = [
                 Term(var("VALID"), "inputs valid"),
                 Term(requests.asked(d, d.swing_number(g)), "requested"),
@@ -90,8 +90,8 @@ def keep(d: Draft) -> None:
         )
     for g in sorted({g for g, _ in d.overlaps}):
         n = portable(g)
-        users = [r for r in d.table.routes if r.overlap is not None and r.overlap.signal == g]
-        any_ = disj(d.overlap(o) for o in d.overlaps if o[0] == g)
+        users = d.users_of[g]
+        any_ = disj(map(d.overlap, d.overlaps_of[g]))
         swings = _swings(d, g)
         turned = [conj((var(f"VS_{n}"), var(f"OL_{n}")))] if swings else []
         firm = disj((var(f"VF_{n}"), *turned, *(var(f"LK_R{r.number}") for r in users)))

@@ -122,7 +122,7 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
     terms += aspects.lamp_terms(d, r)
     if r.overlap:
         some = {r.overlap.option, *r.overlap.swings}
-        options = disj(d.overlap(o) for o in d.overlaps if o[0] == r.overlap.signal and o[1] in some)
+        options = disj(d.overlap(o) for o in d.overlaps_of[r.overlap.signal] if o[1] in some)
         terms.append(Term(options, "overlap held", r.overlap.because.text))
     return terms
 

@@ -222,10 +222,9 @@ def swung(d: Draft) -> None:
     """For each signal whose overlap swings: the alternative that is held lies and is clear."""
     for g in d.swinging:
         terms = []
-        for (h, k), over in d.overlaps.items():
-            if h == g:
-                lies = conj(x.expr for key in over for x in _lying(key, "overlap lies"))
-                terms.append(Term(conj((d.overlap((g, k)), lies)), "overlap lies", f"overlap {k} of {g}"))
+        for o in d.overlaps_of[g]:
+            lies = conj(x.expr for key in d.overlaps[o] for x in _lying(key, "overlap lies"))
+            terms.append(Term(conj((d.overlap(o), lies)), "overlap lies", f"overlap {o[1]} of {g}"))
         d.wire(f"OL_{portable(g)}", Join.ANY, terms, f"overlap {g}", f"the overlap of {g} lies and is clear (R4)")
 
 
@@ -286,8 +285,8 @@ def demands(d: Draft) -> tuple[Mapping[MachineId, Expr], Mapping[tuple[MachineId
 def _grants(d: Draft, key: TraversalKey) -> Iterator[Expr]:
     yield grant_of(d, key)
     yield grant_of(d, key, berth=True)
-    for (g, k), over in d.overlaps.items():
-        if key in over:
+    for g, k in d.overlaps_over(key[0]):
+        if key in d.overlaps[g, k]:
             yield var(f"GO_{portable(g)}_{k}")
             if k in d.swinging.get(g, ()):
                 yield var(swing_wire(d, g, k))
