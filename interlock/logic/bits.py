@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from operator import itemgetter
 
 from interlock.logic.expr import VAR, Expr, Op
@@ -23,20 +23,41 @@ class Bits:
         """`meaning`: names that stand for expressions; no name reads itself."""
         wires = meaning or {}
         number: dict[Expr, int] = {}
-        self._code: list[tuple[int, tuple[int, ...]]] = []
+        self._code: list[tuple[int, Sequence[int]]] = []
+        self._readers: list[list[int]] = []
         reads: dict[str, int] = {}
-        readers: list[list[int]] = []
-        for at, (node, inner) in enumerate(_in_order(roots.values(), wires)):
-            number[node] = at
+
+        def enter(node: Expr, args: Sequence[int]) -> int:
+            at = number[node] = len(self._code)
             kind = _KIND[node.op]
-            args = tuple([number[a] for a in inner])
             if kind == _READ:
                 reads[node.name if node.op is VAR else f"{node.name}={node.value}"] = at
             for a in args:
-                readers[a].append(at)
-            readers.append([])
+                self._readers[a].append(at)
+            self._readers.append([])
             self._code.append((kind, args))
-        self._readers = [tuple(those) for those in readers]
+            return at
+
+        for root in roots.values():
+            stack = [_meant(root, wires)]
+            while stack:  # each node after those that it reads
+                node = stack[-1]
+                if node in number:
+                    stack.pop()
+                    continue
+                args: list[int] = []
+                for a in node.args:
+                    x = _meant(a, wires) if a.op is VAR else a
+                    at = number.get(x)
+                    if at is not None:
+                        args.append(at)
+                    elif x.args:
+                        stack.append(x)
+                    else:
+                        args.append(enter(x, ()))
+                if len(args) == len(node.args):
+                    stack.pop()
+                    enter(node, args)
         self._names: dict[int, list[str]] = {}
         """The roots' names, by node."""
         for name, x in roots.items():
@@ -121,21 +142,3 @@ def _meant(x: Expr, meaning: Mapping[str, Expr]) -> Expr:
     while x.op is VAR and x.name in meaning:
         x = meaning[x.name]
     return x
-
-
-def _in_order(roots: Iterable[Expr], meaning: Mapping[str, Expr]) -> list[tuple[Expr, Sequence[Expr]]]:
-    """Every node once with those that it reads, each after these."""
-    nodes: list[tuple[Expr, Sequence[Expr]]] = []
-    seen: set[Expr] = set()
-    for root in roots:
-        stack: list[tuple[Expr, Sequence[Expr] | None]] = [(_meant(root, meaning), None)]
-        while stack:
-            node, inner = stack.pop()
-            if inner is not None:
-                nodes.append((node, inner))
-            elif node not in seen:
-                seen.add(node)
-                inner = [_meant(a, meaning) if a.op is VAR else a for a in node.args]
-                stack.append((node, inner))
-                stack.extend([(a, None) for a in reversed(inner) if a not in seen])
-    return nodes
