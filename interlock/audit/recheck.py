@@ -243,6 +243,8 @@ def frozen_machines(r: RouteRow) -> set[MachineId]:
     return {p.machine for p in r.points}
 
 
+_DIGITS = bytes.maketrans(b"\0\1", b"01")
+
 Foul = tuple[SectionId, tuple[MachineId, Position] | None, NodeId]
 
 
@@ -322,18 +324,15 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
     grounds = [_ground(layout, r, matched[r.id]) for r in table.routes if r.id in matched]
     number = {g.row.id: i for i, g in enumerate(grounds)}
     pairs, certain = _meeting(grounds)
-    listed = [0] * len(grounds)
-    lists = [bytearray(-(-len(grounds) // 8)) for _ in grounds]  # for each, as bits, those that list it
+    size = len(grounds)
+    lists, listed_by = bytearray(size * size), bytearray(size * size)  # row by row: whom it lists, and who lists it
     for i, g in enumerate(grounds):
-        mine = bytearray(-(-len(grounds) // 8))
-        for r in g.row.hostile.routes:
-            j = number.get(r)
+        for j in map(number.get, g.row.hostile.routes):
             if j is not None:
-                mine[j >> 3] |= 1 << (j & 7)
-                lists[j][i >> 3] |= 1 << (i & 7)
-        listed[i] = int.from_bytes(mine, "little")
+                lists[i * size + j] = listed_by[j * size + i] = 1
+    listed = [_number(lists, i, size) for i in range(size)]
     for i, a in enumerate(grounds):
-        told = int.from_bytes(lists[i], "little")
+        told = _number(listed_by, i, size)
         agreed = certain[i] & listed[i] & told
         for j in _bits((pairs[i] | listed[i] | told) & ~agreed & -(1 << i + 1)):
             b = grounds[j]
@@ -346,32 +345,51 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
                     yield Finding(x.row.id, "hostile", f"{y.row.id} is not hostile")
 
 
+Thing = tuple[str, str]
+"""What routes may have in common: its kind, and its id."""
+
+
 def _meeting(grounds: list[_Ground]) -> tuple[list[int], list[int]]:
-    """For each the others, as bits, that it has anything in common with: a signal, a section, a node, a machine; and
-    those with which it can never be set, as both begin at one signal, or pass a section or a node."""
-    users: dict[tuple[str, str], int] = {}
-    passed_by: dict[tuple[str, str], int] = {}
-    things: list[set[tuple[str, str]]] = []
-    passed: list[set[tuple[str, str]]] = []
-    for i, g in enumerate(grounds):
+    """For each the others, as bits, that it may clash with, as both read one signal, section or node, or one needs a
+    machine otherwise; and those with which it can never be set, as both begin at one signal, or pass a section or node.
+    """
+    passed: list[set[Thing]] = []
+    used: list[set[Thing]] = []
+    needed: list[set[Thing]] = []
+    barred: list[set[Thing]] = []
+    for g in grounds:
         own = {("signal", str(g.entry))}
         own |= {("section", str(s)) for s in g.sections} | {("node", str(n)) for n in g.nodes}
-        of = own | {("section", str(s)) for s in (*g.over, *(f[0] for f in g.foul))}
-        of |= {("node", str(n)) for n in g.over_nodes} | {("machine", str(m)) for m in g.positions}
         passed.append(own)
-        things.append(of)
-        for table, some in ((users, of), (passed_by, own)):
-            for thing in some:
-                table[thing] = table.get(thing, 0) | 1 << i
-    return _all_users(things, users), _all_users(passed, passed_by)
+        of = own | {("section", str(s)) for s in (*g.over, *(f[0] for f in g.foul))}
+        used.append(of | {("node", str(n)) for n in g.over_nodes})
+        needed.append({(str(p), str(m)) for m, p in g.positions.items()})
+        barred.append({(str(p.other), str(m)) for m, p in g.positions.items()})
+    turned = _all_users(barred, _users(needed))
+    return [a | b for a, b in zip(_all_users(used, _users(used)), turned, strict=True)], _all_users(
+        passed, _users(passed)
+    )
 
 
-def _all_users(things: list[set[tuple[str, str]]], users: dict[tuple[str, str], int]) -> list[int]:
+def _users(things: list[set[Thing]]) -> dict[Thing, int]:
+    found: dict[Thing, int] = {}
+    for i, of in enumerate(things):
+        for thing in of:
+            found[thing] = found.get(thing, 0) | 1 << i
+    return found
+
+
+def _all_users(things: list[set[Thing]], users: dict[Thing, int]) -> list[int]:
     found = [0] * len(things)
     for i, of in enumerate(things):
         for thing in of:
-            found[i] |= users[thing]
+            found[i] |= users.get(thing, 0)
     return found
+
+
+def _number(rows: bytearray, i: int, size: int) -> int:
+    """The bytes of a row that are 1, as bits."""
+    return int(rows[i * size : (i + 1) * size][::-1].translate(_DIGITS), 2)
 
 
 def _bits(x: int) -> Iterator[int]:
