@@ -79,6 +79,7 @@ class Parts:
         self.facts = [*hypotheses, *(a.expr for a in system.assumptions)]
         self.forms = Forms(system.definitions)
         self._names: dict[Expr, tuple[str, ...]] = {}
+        self._inputs: dict[str, tuple[str, ...]] = {}
 
     def names_in(self, x: Expr) -> tuple[str, ...]:
         """What a fact or goal reads, looked up once."""
@@ -101,14 +102,19 @@ class Parts:
                 found.setdefault(v, []).append(n)
         return found
 
-    @cached_property
-    def inputs_of(self) -> dict[str, tuple[str, ...]]:
-        """What each definition reads."""
-        return {name: tuple(variables((x,))) for name, x in self.system.definitions.items()}
+    def inputs_of(self, name: str) -> tuple[str, ...]:
+        """What a name's definition reads, looked up once; nothing if it has none."""
+        found = self._inputs.get(name)
+        if found is None:
+            x = self.system.definitions.get(name)
+            found = self._inputs[name] = () if x is None else tuple(variables((x,)))
+        return found
 
     def prepare(self) -> None:
         """Read everything once, so that processes inherit it."""
-        _ = self.readers, self.inputs_of
+        _ = self.readers
+        for name in self.system.definitions:
+            self.inputs_of(name)
 
     def read_by(self, goal: Goal) -> tuple[str, ...]:
         """What a goal reads."""
@@ -136,7 +142,7 @@ class Parts:
             v = todo.pop()
             if v not in seen:
                 seen[v] = None
-                todo.extend(self.inputs_of.get(v, ()))
+                todo += self.inputs_of(v)
 
     def around(self, seen: dict[str, None], rings: int) -> list[int]:
         """The facts so many steps around what is seen, which grows by what they depend on; 0 rings: all facts."""

@@ -48,10 +48,6 @@ class States:
         self.limits = limits
 
     @cached_property
-    def _next(self) -> frozenset[str]:
-        return frozenset(self.system.later.values())
-
-    @cached_property
     def _kept(self) -> frozenset[str]:
         """The next values of which invariants speak."""
         later = self.system.later
@@ -65,14 +61,14 @@ class States:
         before: list[int] = []
         after: list[int] = []
         others: list[int] = []
-        later, members = self.system.later, self.system.members
+        state = frozenset(self.system.later)
+        of_routes = frozenset(self.system.members)
+        now, following = of_routes & state, of_routes & frozenset(self.system.later.values())
         for n, x in goals:
-            names = tuple(variables((x,)))
-            if all(v in later for v in names):
+            names = variables((x,))
+            if state.issuperset(names):
                 before.append(n)
-            elif any(v in members and v in self._next for v in names) and not any(
-                v in members and v in later for v in names
-            ):
+            elif now.isdisjoint(names) and not following.isdisjoint(names):
                 after.append(n)
             else:
                 others.append(n)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 from interlock.st.ast import (
     Assign,
     Block,
@@ -25,13 +23,12 @@ from interlock.st.style import IEC, Style
 MAX_COLUMNS = 150
 
 
-@lru_cache(100_000)
 def comment(text: str) -> str:
     """A comment that no name or note can end early."""
-    clean = text.replace("(*", "( *").replace("*)", "* )")
-    if not (clean.isascii() and clean.isprintable()):
-        clean = "".join(c if 32 <= ord(c) < 127 else "?" for c in clean)
-    return f"(* {clean} *)"
+    if "*" in text or not (text.isascii() and text.isprintable()):
+        text = text.replace("(*", "( *").replace("*)", "* )")
+        text = "".join(c if 32 <= ord(c) < 127 else "?" for c in text)
+    return f"(* {text} *)"
 
 
 def print_unit(unit: Unit, style: Style = IEC) -> str:
