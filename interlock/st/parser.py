@@ -55,7 +55,8 @@ _OPERATORS = (*_JOINING, "NOT", "TRUE", "FALSE")
 _DECLARING = ("VAR_INPUT", "VAR_OUTPUT", "VAR")
 _BLOCKS = ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK", "PROGRAM", "END_PROGRAM")
 _RESERVED = frozenset((*_DECLARING, *_BLOCKS, "AT", "END_VAR", "IF", "THEN", "ELSE", "END_IF", *_OPERATORS))
-_AFTER = frozenset((";", ",", ")", "AND", "OR"))
+_ENDING = frozenset((";", ",", ")"))
+_AFTER = _ENDING | {"AND", "OR"}
 _PLAIN = [":", "BOOL", ";"]
 _END = ""
 _Rule = Callable[[], Expression]
@@ -345,8 +346,11 @@ class _Reader:
     def expression(self) -> Expression:
         tokens, began, op = self.tokens, self.at, ""
         args: list[Expression] = []
+        known = self._known()
+        if known is not None and tokens[self.at] in _ENDING:
+            return known
         while True:
-            args.append(self._known() or self._comparison())
+            args.append(known or self._comparison())
             word = tokens[self.at]
             if word != op or not op:
                 word = word.upper()
@@ -357,6 +361,7 @@ class _Reader:
                     return self._joined("OR", self._exclusive)
                 op = word
             self.at += 1
+            known = self._known()
 
     def _known(self) -> Expression | None:
         """A name that was met before, negated or not, or an output of an instance: most of a text; or None."""
