@@ -15,8 +15,8 @@ class Bits:
     """Computes vectors of named expressions from vectors of the variables that they read.
 
     A step changes little of a railway, also for a thousand runs: of the nodes of a yard's expressions an eighth has
-    something new to read.  The first call computes all, each other what reads something that has changed since.  Most
-    of a railway is the same in all runs: a vector that is the very mask is not combined bit by bit.
+    something new to read.  The first call computes all of them, a later one those that read something that has
+    changed.  Most of a railway is the same in all runs: a vector that is the very mask is not combined bit by bit.
     """
 
     def __init__(self, roots: Mapping[str, Expr], meaning: Mapping[str, Expr] | None = None) -> None:

@@ -2,7 +2,7 @@
 
 The parts that all runtimes share must be word for word what the emitter calls fixed, and its tables are read by
 Python's own grammar.  The rest is a list of assignments of a few shapes, one a line: a large layout has a hundred
-thousand, and their syntax tree took four times as long.  A line of any other shape is refused.
+thousand, and to read them by their syntax tree took twice as long.  A line of any other shape is refused.
 """
 
 from __future__ import annotations
