@@ -4,9 +4,10 @@ This file needs Python's standard library alone and no other file of the package
 
 1. compares the SHA-256 of every file that the manifest names, and of the manifest itself;
 2. builds the facts and the goals again from the system: a definition gives its halves, an invariant is a fact of the
-   old state and two goals (it holds at the restart; it holds after a step), a claim is a goal of every step;
+   old state and two goals (it holds at the restart; it holds after a step), a lemma or claim is a goal of every step;
 3. checks the refutation of every shape, clause by clause, by unit propagation along the given hints;
-4. checks that every goal, in order, is an instance of its shape, with facts of the right sort.
+4. checks that every goal, in order, is an instance of its shape, with facts of the right sort: for a goal of the step
+   all of the above, and the goals of the step that stand before it.
 
 Then, by induction over the steps, every claim holds in every step of every run of the written system.
 That the system is the railway and its controller is not checked here: read it, or derive it again.
@@ -18,7 +19,8 @@ import hashlib
 import json
 import lzma
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -105,15 +107,6 @@ def split(x: Node) -> list[Node]:
     return [] if x == TRUE else [x]
 
 
-def primed(x: Node, state: set[str]) -> Node:
-    """The expression one step later."""
-    if x[0] == "v":
-        return ("v", x[1] + "'") if x[1] in state else x
-    if x[0] == "!":
-        return ("!", primed(x[1], state))
-    return (x[0], tuple(primed(a, state) for a in x[1])) if x[0] in "&|" else x
-
-
 def pattern(x: Node, numbers: dict[str, int]) -> str:
     """The text of an expression with leaves numbered in order of appearance."""
     if x[0] == "v":
@@ -128,68 +121,104 @@ def pattern(x: Node, numbers: dict[str, int]) -> str:
 # --- the system ------------------------------------------------------------------------------------
 
 
+Clause = tuple[str, tuple[str, ...]]
+"""A fact or goal: its pattern and the leaves in order."""
+
+
+def words_of(text: str) -> tuple[str, list[str]]:
+    """An expression with its names numbered from 1 in order of appearance, and the names."""
+    numbers: dict[str, int] = {}
+    out: list[str] = []
+    for word in text.replace("(", " ( ").replace(")", " ) ").replace("! ", "!").split():
+        if word not in ("(", "!(", ")", "&", "|", "T", "F", "!T", "!F"):
+            name = word[1:] if word[0] == "!" else word
+            if name == "" or name[0] == "!":
+                raise Rejected(f"malformed expression {text[:60]}")
+            word = f"{word[: -len(name)]}{numbers.setdefault(name, len(numbers) + 1)}"
+        out.append(word)
+    return " ".join(out), list(numbers)
+
+
+@cache
+def numbered(text: str, defines: bool) -> list[tuple[str, list[int]]]:
+    """The clauses of an expression whose names are numbers, or of the definition of 0 by it: pattern and leaves."""
+    x, own = read(text), ("v", "0")
+    clauses = split(either((negate(own), x))) + split(either((negate(x), own))) if defines else split(x)
+    found = []
+    for c in clauses:
+        numbers: dict[str, int] = {}
+        found.append((sys.intern(pattern(c, numbers)), list(map(int, numbers))))
+    return found
+
+
+def clauses_of(text: str, later: Mapping[str, str] | None = None) -> list[Clause]:
+    """The clauses of an expression, one step later where that is given."""
+    words, names = words_of(text)
+    if later is not None:
+        names = [later.get(v, v) for v in names]
+        need(len(set(names)) == len(names), f"a state and its next value at once: {text[:60]}")
+    return [(form, tuple([names[n - 1] for n in leaves])) for form, leaves in numbered(words, False)]
+
+
+def halves(definitions: list[list[str]]) -> Iterator[Clause]:
+    """The clauses of definitions, each of which reads only what was defined before it: so a step has all values."""
+    left = {name for name, _ in definitions}
+    for name, meaning in definitions:
+        words, names = words_of(meaning)
+        need(left.isdisjoint(names), f"{name} is defined by what comes after it")
+        left.discard(name)
+        names.insert(0, name)
+        for form, leaves in numbered(words, True):
+            yield form, tuple([names[n] for n in leaves])
+
+
 class System:
-    """Facts and goals of a written system.  A fact or goal is its pattern and the leaves in order."""
+    """Facts and goals of a written system."""
 
     def __init__(self, text: str) -> None:
         lines = text.splitlines()
-        need(lines[:1] == ["interlock-system 1"], "system.txt is of another kind")
+        need(lines[:1] == ["interlock-system 2"], "system.txt is of another kind")
         self.claims: dict[str, int] = {}
-        state: set[str] = set()
-        parts: dict[str, list[list[str]]] = {k: [] for k in ("ini", "def", "asm", "inv", "val", "claim", "start")}
-        words = {"ini": 1, "def": 2, "asm": 2, "inv": 3, "val": 2, "claim": 3, "start": 1}
+        later: dict[str, str] = {}
+        parts: dict[str, list[list[str]]] = {k: [] for k in ("ini", "def", "asm", "val", "start")}
+        owed: list[tuple[str, str]] = []
+        words = {"ini": 1, "def": 2, "asm": 2, "inv": 3, "lemma": 1, "val": 2, "claim": 3, "start": 1}
         for line in lines[1:]:
             kind, _, rest = line.partition(" ")
             if kind in ("sentence", "assumed"):
                 continue
             if kind == "state":
-                need(rest not in state, f"{rest} is twice a state variable")
-                state.add(rest)
+                need(rest not in later, f"{rest} is twice a state variable")
+                later[rest] = rest + "'"
                 continue
-            need(kind in parts, f"unknown line {line[:60]}")
-            parts[kind].append(rest.split(" ", words[kind] - 1))
-        defined = [(name, read(x)) for name, x in parts["def"]]
-        names = [name for name, _ in defined]
+            need(kind in words, f"unknown line {line[:60]}")
+            said = rest.split(" ", words[kind] - 1)
+            if kind in parts:
+                parts[kind].append(said)
+            else:
+                owed.append((kind, said[-1]))
+                if kind == "claim":
+                    self.claims[said[0]] = self.claims.get(said[0], 0) + 1
+        names = [name for name, _ in parts["def"]]
         need(len(set(names)) == len(names), "a name is defined twice")
-        need({v + "'" for v in state} <= set(names), "a state variable has no next value")
-        need(not set(names) & state, "a state variable is defined within the step")
-        self._no_cycles(defined)
-        invariants = [split(read(x)) for _, _, x in parts["inv"]]
-        facts: list[Node] = []
-        for name, meaning in defined:
-            facts += split(either((negate(("v", name)), meaning))) + split(either((negate(meaning), ("v", name))))
-        facts += [c for _, x in parts["asm"] for c in split(read(x))]
-        facts += [c for cs in invariants for c in cs]
+        need(set(later.values()) <= set(names), "a state variable has no next value")
+        need(not set(names) & set(later), "a state variable is defined within the step")
+        self.steps = list(halves(parts["def"]))
+        self.steps += [c for _, x in parts["asm"] for c in clauses_of(x)]
+        invariants = [x for kind, x in owed if kind == "inv"]
+        base = [c for x in invariants for c in clauses_of(x)]
+        self.steps += base
         for name, size in parts["val"]:
-            values: list[Node] = [("!", ("v", f"{name}={k}")) for k in range(int(size))]
-            facts += [("|", (a, b)) for i, a in enumerate(values) for b in values[i + 1 :]]
-        self.steps = [self._of(f) for f in facts]
-        self.initial = [self._of(c) for (x,) in parts["ini"] for c in split(read(x))]
-        for text_, leaves in self.initial:
-            need(set(leaves) <= state, f"the initial condition {text_[:40]} speaks of more than the state")
-        base = [c for cs in invariants for c in cs]
-        goals = [(c, False) for c in base] + [(primed(c, state), True) for c in base]
-        for id_, _, x in parts["claim"]:
-            self.claims[id_] = self.claims.get(id_, 0) + 1
-            goals += [(c, True) for c in split(read(x))]
-        goals += [(c, False) for (x,) in parts["start"] for c in split(read(x))]
-        self.goals = [(self._of(c), step) for c, step in goals]
+            values = [f"{name}={k}" for k in range(int(size))]
+            self.steps += [(sys.intern("(| !1 !2)"), (a, b)) for i, a in enumerate(values) for b in values[i + 1 :]]
+        self.initial = [c for (x,) in parts["ini"] for c in clauses_of(x)]
+        for form, leaves in self.initial:
+            need(set(leaves) <= set(later), f"the initial condition {form[:40]} speaks of more than the state")
+        self.goals = [(c, False) for c in base]
+        for kind, x in owed:
+            self.goals += [(c, True) for c in clauses_of(x, later if kind == "inv" else None)]
+        self.goals += [(c, False) for (x,) in parts["start"] for c in clauses_of(x)]
         self.invariants = len(invariants)
-
-    @staticmethod
-    def _of(x: Node) -> tuple[str, tuple[str, ...]]:
-        numbers: dict[str, int] = {}
-        return sys.intern(pattern(x, numbers)), tuple(numbers)
-
-    @staticmethod
-    def _no_cycles(definitions: list[tuple[str, Node]]) -> None:
-        """A definition reads only what was defined before it: so every step has values for all names."""
-        later = {name for name, _ in definitions}
-        for name, x in definitions:
-            numbers: dict[str, int] = {}
-            pattern(x, numbers)
-            need(not later & set(numbers), f"{name} is defined by what comes after it")
-            later.discard(name)
 
 
 # --- shapes ----------------------------------------------------------------------------------------
@@ -303,7 +332,7 @@ def numbers_of(text: str) -> list[int]:
 def shapes_and_goals(text: str) -> tuple[list[Shape], Iterator[list[int]], int]:
     """Shapes, and for each goal the number of its shape and those of the facts."""
     lines = text.split("\n")
-    need(lines[0] == "interlock-proof 2" and lines[-1] == "", "proof.txt is of another kind")
+    need(lines[0] == "interlock-proof 3" and lines[-1] == "", "proof.txt is of another kind")
     forms: list[Form] = []
     parts: list[Part] = []
     shapes: list[Shape] = []
@@ -330,7 +359,7 @@ def shapes_and_goals(text: str) -> tuple[list[Shape], Iterator[list[int]], int]:
     raise Rejected("proof.txt has no goals")
 
 
-def instance(shape: Shape, said: list[tuple[str, tuple[str, ...]]]) -> None:
+def instance(shape: Shape, said: list[Clause]) -> None:
     """A goal and its facts are the shape's clauses under one renaming of its numbers."""
     need([text for text, _ in said] == shape.texts, "a goal and its facts are no instance of their shape")
     leaves = list(chain.from_iterable([names for _, names in said]))
@@ -369,6 +398,8 @@ def verify(folder: Path) -> str:
         facts = system.steps if step else system.initial
         need(min(numbers) >= 0 and max(numbers[1:], default=0) < len(facts), "a number is out of its range")
         instance(shapes[numbers[0]], [goal, *[facts[n] for n in numbers[1:]]])
+        if step:
+            facts.append(goal)
     return (
         f"{sum(system.claims.values())} places of {len(system.claims)} claims, {system.invariants} invariants, "
         f"{count} obligations in {len(shapes)} shapes, {len(files)} files"

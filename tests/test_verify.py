@@ -48,6 +48,7 @@ def test_the_checker_is_short_and_stands_alone() -> None:
     assert modules <= {
         "__future__",
         "collections.abc",
+        "functools",
         "itertools",
         "hashlib",
         "json",
@@ -142,9 +143,62 @@ def test_a_satisfiable_shape_has_no_refutation() -> None:
 
 
 def test_definitions_in_a_circle_are_rejected() -> None:
-    text = "interlock-system 1\nstate a\ndef w (| a v)\ndef v (& w a)\ndef a' w\n"
-    with pytest.raises(Rejected, match="comes after"):
-        Written(text)
+    for circle in ("def w (| a v)\ndef v (& w a)\ndef a' w\n", "def a' (| a a')\n"):
+        with pytest.raises(Rejected, match="comes after"):
+            Written(f"interlock-system 2\nstate a\n{circle}")
+
+
+@pytest.mark.parametrize("word", ["!", "!!a", "(& a !)", "a b", "(a b)", "(& a", "& a", "()", "(| )( a)"])
+def test_a_malformed_expression_is_rejected(word: str) -> None:
+    with pytest.raises(Rejected, match="malformed"):
+        Written(f"interlock-system 2\nstate a\ndef a' {word}\n")
+
+
+def test_an_invariant_that_speaks_of_a_state_and_its_next_value_is_rejected() -> None:
+    """One step later both would have one name, and the clause would say something else."""
+    with pytest.raises(Rejected, match="at once"):
+        Written("interlock-system 2\nstate a\ndef a' !a\ninv I p (| !a a')\n")
+
+
+TINY = """interlock-system 2
+state a
+ini a
+def a' a
+lemma (| !a a')
+inv I p a
+claim C p a'
+claim D p b
+claim D q b
+"""
+"""Facts of the step: 0 !a' or a, 1 a' or !a, 2 the invariant; from 3 on the lemma, the step, and the claims."""
+
+
+@pytest.mark.parametrize(
+    ("lemma", "step", "first", "second", "good"),
+    [
+        ("1 1", "2 3 2", "0 4", "", True),  # from the definition; from the lemma; from the step
+        ("1 1", "2 1 2", "0 4", "", True),
+        ("1 3", "2 3 2", "0 4", "", False),  # a lemma that rests on itself
+        ("1 1", "2 3 4", "0 4", "", False),  # a step that rests on itself
+        ("1 1", "2 3 5", "0 4", "", False),  # a step that rests on a claim
+        ("1 1", "2 3 2", "0 4", "0 6", False),  # a false claim that rests on itself
+        ("1 1", "2 3 2", "0 4", "0 7", False),  # and on another false claim, which rests on it
+        ("1 1", "2 3 2", "0 4", "0 -1", False),
+    ],
+)
+def test_a_goal_rests_only_on_what_is_proved_before_it(
+    copy: Path, lemma: str, step: str, first: str, second: str, good: bool
+) -> None:
+    system = TINY if second else "\n".join(x for x in TINY.splitlines() if " b" not in x) + "\n"
+    goals = ["0 0", lemma, step, first, *([second, "0 6"] if second else [])]
+    proof = ["interlock-proof 3", "pattern 1", "pattern (| !1 2)", "part 0 1", "part 1 1 2", "part 1 2 1", "part 0 2"]
+    for facts, steps in (("0 0", ":0,1"), ("1 1", ":0,1,2"), ("0 2 3", ":0,1,2")):
+        proof += [f"shape {facts}", f"steps {steps}"]
+    proof += [f"goals {len(goals)}", *goals]
+    (copy / "system.txt").write_text(system, encoding="utf-8")
+    (copy / "proof.txt.xz").write_bytes(lzma.compress(("\n".join(proof) + "\n").encode()))
+    signed(copy)
+    assert (main([str(copy)]) == 0) is good
 
 
 def test_splitting_says_the_same() -> None:

@@ -1,6 +1,6 @@
 """What is written for `interlock verify`: the system, the proof, and a manifest that ties them to every file.
 
-system.txt   definitions, assumptions, initial condition, invariants, claims with their sentences, one a line
+system.txt   definitions, assumptions, initial condition, invariants, lemmas, claims with their sentences, one a line
 proof.txt    the shapes with their refutations, then for every goal its shape and facts; compressed (.xz)
 needed.txt   which term of the controller each claim rests on
 manifest.json   SHA-256 of both, of the layout file and of every emitted file, and of the manifest itself
@@ -46,7 +46,7 @@ def system_text(base: FactBase) -> str:
 
 def _system(base: FactBase) -> Iterator[str]:
     system = base.system
-    yield "interlock-system 1"
+    yield "interlock-system 2"
     for claim in dict.fromkeys(c.id for c in base.claims):
         yield f"sentence {claim} {CLAIMS[claim]}"
     for name in dict.fromkeys(a.id for a in system.assumptions):
@@ -60,10 +60,15 @@ def _system(base: FactBase) -> Iterator[str]:
         yield f"def {name} {text(x)}"
     for a in system.assumptions:
         yield f"asm {a.id} {text(a.expr)}"
-    for i in base.invariants:
-        yield f"inv {_word(i.id)} {_word(i.place)} {text(i.expr)}"
     for name, size in system.sizes.items():
         yield f"val {name} {size}"
+    first, more = base.lemmas
+    for lemma in first:
+        yield f"lemma {text(lemma.clause)}"
+    for i in base.invariants:
+        yield f"inv {_word(i.id)} {_word(i.place)} {text(i.expr)}"
+    for lemma in more:
+        yield f"lemma {text(lemma.clause)}"
     for c in base.claims:
         yield f"claim {c.id} {_word(c.place)} {text(c.expr)}"
     if base.start is not None:
@@ -93,7 +98,7 @@ def proof_text(proof: LocalProof) -> str:
         shapes.append(f"shape {' '.join(map(str, (_pattern(shape.goal, patterns), *facts)))}")
         shapes.append(f"steps {shape.steps}")
     told = [" ".join(map(str, (_pattern(p.text, patterns), *[n + 1 for n in p.leaves]))) for p in parts]
-    lines = ["interlock-proof 2", *(f"pattern {x}" for x in patterns), *(f"part {x}" for x in told), *shapes]
+    lines = ["interlock-proof 3", *(f"pattern {x}" for x in patterns), *(f"part {x}" for x in told), *shapes]
     lines.append(f"goals {len(proof.obligations)}")
     lines += [" ".join(map(str, (numbers[o.shape.number], *o.facts))) for o in proof.obligations]
     return "\n".join(lines) + "\n"

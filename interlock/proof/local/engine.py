@@ -1,8 +1,9 @@
 """Decide every goal: as an instance of a known shape, or by a SAT solver that names the facts it needed.
 
-The facts stand in one solver, each behind a switch; a goal is asked with all switches on, and the switches in the
-core name the facts.  Facts that are not needed are taken out one by one; Z3 then decides the remaining clauses a second
-time, and the shape gets its refutation.
+The facts stand in one solver, each behind a switch; a goal is asked with switches on, and the switches in the core name
+the facts.  What is the least far from the goal is asked first: lemmas, then what else was proved of the step, then
+definitions and assumptions, and all.  Facts that are not needed are taken out one by one, and the shape gets its
+refutation.  A goal of the step that is proved is a fact from then on.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from pysat.solvers import Minisat22
 
 from interlock.logic.expr import OR, Expr
 from interlock.proof.encode import Cnf
-from interlock.proof.local.facts import Fact, FactBase, Goal, GoalKind
+from interlock.proof.local.facts import Fact, FactBase, Goal, GoalKind, Kind
 from interlock.proof.local.library import Library
 from interlock.proof.local.refute import refutation
 from interlock.proof.local.shapes import Index, Pattern, Patterns, Shape, shape_of
@@ -46,42 +47,61 @@ class LocalProof:
         return sorted({o.shape.number: o.shape for o in self.obligations}.values(), key=lambda s: s.number)
 
 
+TIERS = (
+    frozenset({Kind.LEMMA}),
+    frozenset({Kind.DONE}),
+    frozenset({Kind.DEFINITION, Kind.ASSUMPTION, Kind.VALUES}),
+    frozenset({Kind.INVARIANT, Kind.INITIAL}),
+)
+"""Facts by how far they are from a goal; a goal is asked of the first, of the first two, and so on."""
+
+
 class Room:
     """Facts of one kind, and a solver in which each stands behind a switch; it is filled when it is first asked."""
 
     def __init__(self, facts: Sequence[Fact], patterns: Patterns) -> None:
-        self.facts = facts
+        self.facts = list(facts)
         self.index = Index(facts, patterns)
         self.cnf = Cnf(values=False)
         self.fed = 0
+        self.number: dict[int, int] = {}
+        self.tiers = [[self.cnf.fresh()] for _ in TIERS]
 
     @cached_property
     def solver(self) -> Minisat22:
         """The solver."""
         return Minisat22()
 
-    @cached_property
-    def number(self) -> dict[int, int]:
-        """The facts by their switches."""
-        found = {}
-        for n, f in enumerate(self.facts):
-            switch = self.cnf.fresh()
-            found[switch] = n
-            lits = [self.cnf.literal(p) for p in _parts(f.clause)]
-            self.cnf.clauses.append((-switch, *lits))
-        return found
+    def add(self, goal: Goal, pattern: Pattern) -> None:
+        """A goal that is proved is a fact from now on."""
+        self.facts.append(goal.fact)
+        self.index.add(pattern)
 
-    def core(self, goal: Expr) -> list[int] | None:
-        """Facts that together refute the negated goal, or None when all facts do not."""
-        number = self.number
-        assumed = [-self.cnf.literal(p) for p in _parts(goal)]
+    def _feed(self) -> None:
+        """Give the solver all facts that it has not.  A tier has a switch for all its facts, and one for each."""
+        for n in range(len(self.number), len(self.facts)):
+            f = self.facts[n]
+            tier = next(those for those, kinds in zip(self.tiers, TIERS, strict=True) if f.kind in kinds)
+            switch = self.cnf.fresh()
+            self.number[switch] = n
+            tier.append(switch)
+            self.cnf.clauses += [(-tier[0], switch), (-switch, *[self.cnf.literal(p) for p in _parts(f.clause)])]
         for c in self.cnf.clauses[self.fed :]:
             self.solver.add_clause(list(c))
         self.fed = len(self.cnf.clauses)
-        if self.solver.solve(assumptions=[*assumed, *number]) is not False:
-            return None
-        found = [number[x] for x in self.solver.get_core() or () if x in number]
-        return self._smaller(goal, found)
+
+    def core(self, goal: Expr) -> list[int] | None:
+        """Facts that together refute the negated goal, or None when all facts do not."""
+        assumed = [-self.cnf.literal(p) for p in _parts(goal)]
+        self._feed()
+        for k in range(len(TIERS)):
+            tiers = self.tiers[: k + 1]
+            if len(tiers[-1]) > 1 and self.solver.solve(assumptions=[*assumed, *[t[0] for t in tiers]]) is False:
+                on = [switch for _, *switches in tiers for switch in switches]
+                if self.solver.solve(assumptions=[*assumed, *on]) is False:
+                    core = self.solver.get_core() or ()
+                    return self._smaller(goal, [self.number[x] for x in core if x in self.number])
+        return None
 
     def _smaller(self, goal: Expr, core: list[int]) -> list[int]:
         """Leave out fact after fact while the rest still refutes, in a small solver of their own."""
@@ -138,6 +158,8 @@ def prove_locally(
             shape, hint = library.learn(made[0], pattern, made[1], room.index)
             found = shape, made[1], hint
         out.obligations.append(Obligation(goal, *found))
+        if goal.of_step:
+            room.add(goal, pattern)
     return out
 
 

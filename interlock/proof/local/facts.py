@@ -5,10 +5,12 @@ A *clause* here is a disjunction whose parts are literals or small expressions. 
     def   one half of a definition: a wire, an event or a next value implies, or is implied by, a part of its meaning
     asm   a part of an assumption about the world, for one step
     inv   a part of an invariant, in the old state: every part is itself a goal of the induction
+    done  a goal of the step that was proved before
     ini   a part of the initial condition (for the base case alone)
     val   a small-range input has no two values at once
 
-Every fact is numbered in the order in which `interlock verify` builds it again from the written system.
+Every fact is numbered in the order in which `interlock verify` builds it again from the written system; goals of the
+step that are proved are numbered on from there, in their order, and are facts for what comes after them.
 """
 
 from __future__ import annotations
@@ -19,6 +21,7 @@ from enum import StrEnum
 
 from interlock.logic.expr import AND, NOT, OR, TRUE, Expr, disj, eq, implies, neg, var
 from interlock.proof.invariants import Claim, Invariant
+from interlock.proof.local.lemmas import Chains, before, shown
 from interlock.proof.system import System
 
 
@@ -61,6 +64,8 @@ class Kind(StrEnum):
     INVARIANT = "inv"
     INITIAL = "ini"
     VALUES = "val"
+    LEMMA = "lemma"
+    DONE = "done"
 
 
 @dataclass(frozen=True)
@@ -75,15 +80,21 @@ class Fact:
     def tag(self) -> str:
         """The sort of its source, without the name of an element."""
         if self.kind is Kind.DEFINITION:
-            return self.source.split("_" if "_" in self.source else ".")[0] + ("'" if self.source.endswith("'") else "")
+            return _sort(self.source)
         return f"{self.kind} {self.source.split(' ')[0].split(':')[0]}"
 
 
+def _sort(name: str) -> str:
+    """A variable's name without that of an element."""
+    return name.split("_" if "_" in name else ".")[0] + ("'" if name.endswith("'") else "")
+
+
 class GoalKind(StrEnum):
-    """What a goal is part of: the base case, the step, a claim, or the claim about the restart."""
+    """What a goal is part of: the base case, the step, a lemma, a claim, or the claim about the restart."""
 
     BASE = "base"
     STEP = "step"
+    LEMMA = "lemma"
     CLAIM = "claim"
     START = "start"
 
@@ -102,9 +113,22 @@ class Goal:
         """The sort of its source, without the name of an element."""
         return f"{self.kind} {self.source.split(':')[0]}"
 
+    @property
+    def of_step(self) -> bool:
+        """It is proved of every step, so that it is a fact for the goals after it."""
+        return self.kind not in (GoalKind.BASE, GoalKind.START)
+
+    @property
+    def fact(self) -> Fact:
+        """What it is for the goals after it."""
+        return Fact(Kind.LEMMA if self.kind is GoalKind.LEMMA else Kind.DONE, self.source, self.clause)
+
 
 class FactBase:
-    """All facts and goals of a system, its invariants and claims."""
+    """All facts and goals of a system, its invariants and claims.
+
+    lemmas: what is proved before the invariants' steps, and what between them and the claims.
+    """
 
     def __init__(
         self, system: System, invariants: Sequence[Invariant], claims: Sequence[Claim], start: Expr | None = None
@@ -118,23 +142,36 @@ class FactBase:
             self.steps += [Fact(Kind.DEFINITION, name, c) for c in halves(name, x)]
         for asm in system.assumptions:
             self.steps += [Fact(Kind.ASSUMPTION, asm.id, c) for c in split(asm.expr)]
-        for i in self.invariants:
-            self.steps += [Fact(Kind.INVARIANT, f"{i.id} {i.place}", c) for c in split(i.expr)]
+        self._parts = [split(i.expr) for i in self.invariants]
+        for i, those in zip(self.invariants, self._parts, strict=True):
+            self.steps += [Fact(Kind.INVARIANT, f"{i.id} {i.place}", c) for c in those]
         for name, size in system.sizes.items():
             for a in range(size):
                 self.steps += [
                     Fact(Kind.VALUES, name, disj((neg(eq(name, a)), neg(eq(name, b))))) for b in range(a + 1, size)
                 ]
         self.initial = [Fact(Kind.INITIAL, "", c) for x in system.initial_parts for c in split(x)]
+        self._next = [[system.after(c) for c in those] for those in self._parts]
+        known = Chains()
+        known.learn(f.clause for f in self.steps)
+        first = before(system, known)
+        known.learn(c for those in self._next for c in those)
+        self.lemmas = first, shown(system, known, [c.expr for c in self.claims])
 
     def goals(self) -> Iterator[Goal]:
-        """Every goal: base and step of each invariant, each claim, the restart."""
-        for n, i in enumerate(self.invariants):
-            for c in split(i.expr):
-                yield Goal(GoalKind.BASE, n, c, i.id)
-        for n, i in enumerate(self.invariants):
-            for c in split(i.expr):
-                yield Goal(GoalKind.STEP, n, self.system.after(c), i.id)
+        """Every goal: the base of each invariant; lemmas, the step of each invariant, more lemmas, and each claim, in
+        the order in which they may rest on each other; the restart."""
+        for n, those in enumerate(self._parts):
+            for c in those:
+                yield Goal(GoalKind.BASE, n, c, self.invariants[n].id)
+        first, more = self.lemmas
+        for n, lemma in enumerate(first):
+            yield Goal(GoalKind.LEMMA, n, lemma.clause, _sort(lemma.source))
+        for n, those in enumerate(self._next):
+            for c in those:
+                yield Goal(GoalKind.STEP, n, c, self.invariants[n].id)
+        for n, lemma in enumerate(more):
+            yield Goal(GoalKind.LEMMA, n, lemma.clause, _sort(lemma.source))
         for n, claim in enumerate(self.claims):
             for c in split(claim.expr):
                 yield Goal(GoalKind.CLAIM, n, c, claim.id)
@@ -143,5 +180,5 @@ class FactBase:
                 yield Goal(GoalKind.START, 0, c)
 
     def facts(self, kind: GoalKind) -> list[Fact]:
-        """The facts that goals of a kind may use."""
+        """The facts that goals of a kind may use from the first on."""
         return self.initial if kind in (GoalKind.BASE, GoalKind.START) else self.steps

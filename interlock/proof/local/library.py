@@ -49,6 +49,17 @@ class Node:
         self.end: End | None = None
 
 
+@dataclass(frozen=True, slots=True)
+class Way:
+    """How a shape was found in some surroundings: its facts, which of those that could stand there each was where it
+    was not the first, where it ends, and all of it in words."""
+
+    parts: Sequence[Part]
+    ranks: Mapping[int, int]
+    end: End
+    hint: str
+
+
 @dataclass(frozen=True)
 class Known:
     """A file of shapes, a line each: the patterns by number, the lines by goal, and by goal and surroundings."""
@@ -96,6 +107,7 @@ class Library:
         self._parts: dict[str, Part] = {}
         self._roots: dict[tuple[str, str], Node] = {}
         self._ends: dict[tuple[str, str], End] = {}
+        self._ways: dict[tuple[str, str], list[Way]] = {}
         self._used = 0
 
     @classmethod
@@ -122,7 +134,7 @@ class Library:
                 known = [(line, "") for line in self._known.lines.get(goal, ())]
             for line, ranks in known:
                 facts, _, steps = line.partition("/")
-                keys = _ranked(facts.split(), dict(map(_pair, ranks.split(","))) if ranks else {})
+                keys = _ranked(facts.split(), _told(ranks))
                 self._place(root, keys).end = self._ends.setdefault((goal, line), End(steps))
         return root
 
@@ -169,15 +181,42 @@ class Library:
         """Place a shape among those of a goal's surroundings; how to find it again."""
         around, told = index.surroundings(goal), {i: r for i, r in enumerate(ranks) if r}
         self._place(self._root(goal.text, around), _ranked(keys, told)).end = end
-        return _hint(around, ranks)
+        hint = _hint(around, ranks)
+        self._straight(goal.text, around).insert(0, Way([*map(self.part, keys)], told, end, hint))
+        return hint
 
     def _numbered(self, shape: Shape) -> Shape:
         shape.number, self._used = self._used, self._used + 1
         return shape
 
+    def _straight(self, goal: str, around: str) -> list[Way]:
+        """The ways that led to shapes in a goal's surroundings; what led there last comes first."""
+        found = self._ways.get((goal, around))
+        if found is None:
+            found = self._ways[goal, around] = []
+            known = self._parts
+            for line, ranks in self._known.near.get((goal, around), ()):
+                facts, _, steps = line.partition("/")
+                end = self._ends.setdefault((goal, line), End(steps))
+                hint = f"{around}:{ranks}" if ranks else around
+                parts = [known.get(key) or self.part(key) for key in facts.split()]
+                found.append(Way(parts, _told(ranks), end, hint))
+        return found
+
     def find(self, goal: Pattern, index: Index) -> tuple[Shape, tuple[int, ...], str] | None:
         """A shape of which the goal is an instance, the facts in its order, and how to find it again."""
-        for place, tries in ((index.surroundings(goal), NEAR), ("", FAR)):
+        around = index.surroundings(goal)
+        ways = self._straight(goal.text, around)
+        for n, way in enumerate(ways):
+            search = Search(self, index, goal, 0)
+            if search.along(way):
+                if n:
+                    ways.insert(0, ways.pop(n))
+                if way.end.shape is None:
+                    shape = Shape(goal.text, len(goal.leaves), tuple(way.parts), way.end.steps)
+                    way.end.shape = self._numbered(shape)
+                return way.end.shape, tuple(search.found), way.hint
+        for place, tries in ((around, NEAR), ("", FAR)):
             search = Search(self, index, goal, tries)
             end = search.descend(self._root(goal.text, place))
             if end is not None:
@@ -207,6 +246,11 @@ def _hint(around: str, ranks: Sequence[int]) -> str:
     """Surroundings, and the ranks that are not 0."""
     told = ",".join(f"{i}={r}" for i, r in enumerate(ranks) if r)
     return f"{around}:{told}" if told else around
+
+
+def _told(ranks: str) -> dict[int, int]:
+    """The ranks of a hint, by the place of the fact."""
+    return dict(map(_pair, ranks.split(","))) if ranks else {}
 
 
 def _pair(text: str) -> tuple[int, int]:
@@ -257,6 +301,36 @@ class Search:
                     self.ranks.pop()
                 del names[before:]
         return None
+
+    def along(self, way: Way) -> bool:
+        """Whether the facts are found as they were before: `_candidates` and `_bind` in one, as most goals end here."""
+        names, found, patterns, ranks = self.names, self.found, self.index.patterns, way.ranks
+        for n, part in enumerate(way.parts):
+            known, most = len(names), 0
+            some: Sequence[int] | None = None
+            for number, table in zip(part.leaves, self.index.places(part.text), strict=False):
+                if number < known:
+                    those = table.get(names[number])
+                    if those is None:
+                        return False
+                    if some is None or len(those) < most:
+                        some, most = those, len(those)
+                        if most == 1:
+                            break
+            if some is None:
+                some = self.index.all(part.text)
+            k = ranks.get(n, 0) if ranks else 0
+            if k >= len(some):
+                return False
+            for number, name in zip(part.leaves, patterns[some[k]].leaves, strict=True):
+                if number < known:
+                    if names[number] != name:
+                        return False
+                elif number == known:
+                    names.append(name)
+                    known += 1
+            found.append(some[k])
+        return True
 
     def follow(self, parts: Sequence[Part], facts: Sequence[int]) -> None:
         """Note the rank of each fact among those that could stand in its place."""

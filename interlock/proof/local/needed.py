@@ -1,6 +1,7 @@
 """What the proof rests on: for each claim, the terms of the controller and the assumptions that its proof used.
 
-A claim needs the facts of its own obligations and, with every invariant among them, those of the invariant's step.
+A claim needs the facts of its own obligations and, with every invariant among them, those of the invariant's step, and
+of whatever else was proved of the step.
 A term that no claim needs is not thereby superfluous: it may serve availability, or protect where a claim is silent.
 """
 
@@ -24,36 +25,44 @@ class Need:
     claims: tuple[str, ...]
 
 
-def claims_of_facts(proof: LocalProof) -> dict[int, set[str]]:
-    """For every fact of the step, the claims that rest on it."""
+def claims_of_facts(proof: LocalProof) -> dict[int, frozenset[str]]:
+    """For every fact of the step, the claims that rest on it.
+
+    A claim is a bit; what a goal that is proved, or an invariant's step, is needed for goes on to its facts, last goals
+    first, until nothing is new.
+    """
     base = proof.base
-    invariant_of: dict[int, int] = {}
-    at = 0
-    counts = [len(split(i.expr)) for i in base.invariants]
     first = next((n for n, f in enumerate(base.steps) if f.kind is Kind.INVARIANT), len(base.steps))
-    for n, count in enumerate(counts):
-        for _ in range(count):
-            invariant_of[first + at] = n
-            at += 1
-    uses: dict[int, set[int]] = {n: set() for n in range(len(base.invariants))}
-    wanted: dict[str, set[int]] = {}
-    for o in proof.obligations:
-        if o.goal.kind is GoalKind.STEP:
-            uses[o.goal.index] |= set(o.facts)
-        elif o.goal.kind is GoalKind.CLAIM:
-            wanted.setdefault(o.goal.source, set()).update(o.facts)
-    found: dict[int, set[str]] = {}
-    for claim, facts in wanted.items():
-        todo, done = list(facts), set[int]()
-        while todo:
-            f = todo.pop()
-            if f in done:
-                continue
-            done.add(f)
-            found.setdefault(f, set()).add(claim)
-            if f in invariant_of:
-                todo.extend(uses[invariant_of[f]] - done)
-    return found
+    steps = [o for o in proof.obligations if o.goal.of_step]
+    named = {c: 1 << k for k, c in enumerate(dict.fromkeys(c.id for c in base.claims))}
+    count = len(base.steps)
+    mask = [0] * (count + len(steps))
+    of_invariant: list[list[int]] = [[] for _ in base.invariants]
+    for n, o in enumerate(steps, count):
+        if o.goal.kind is GoalKind.CLAIM:
+            mask[n] = named[o.goal.source]
+        elif o.goal.kind is GoalKind.STEP:
+            of_invariant[o.goal.index].append(n)
+    told = [0] * len(mask)
+    while told[count:] != mask[count:]:
+        for n in range(len(mask) - 1, count - 1, -1):
+            bits = mask[n]
+            if bits != told[n]:
+                told[n] = bits
+                for f in steps[n - count].facts:
+                    mask[f] |= bits
+        at = first
+        for those in of_invariant:  # as facts they stand in the order in which their steps are goals
+            bits = 0
+            for _ in those:
+                bits |= mask[at]
+                at += 1
+            for n in those:
+                mask[n] |= bits
+    sets: dict[int, frozenset[str]] = {}
+    for bits in set(mask[:count]):
+        sets[bits] = frozenset(c for c, bit in named.items() if bits & bit)
+    return {n: sets[bits] for n, bits in enumerate(mask[:count]) if bits}
 
 
 def needs(proof: LocalProof, controller: Controller) -> tuple[Need, ...]:

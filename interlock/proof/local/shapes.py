@@ -94,17 +94,29 @@ class Index:
         self._by_text: dict[str, list[int]] = {}
         for n, p in enumerate(self.patterns):
             self._by_text.setdefault(p.text, []).append(n)
-        self._at: dict[str, Sequence[Mapping[Leaf, Sequence[int]]]] = {}
+        self._at: dict[str, list[dict[Leaf, list[int]]]] = {}
+        self._first = len(self.patterns)
+
+    def add(self, pattern: Pattern) -> None:
+        """One more fact, with the next number."""
+        n = len(self.patterns)
+        self.patterns.append(pattern)
+        self._by_text.setdefault(pattern.text, []).append(n)
+        for table, leaf in zip(self._at.get(pattern.text, ()), pattern.leaves, strict=False):
+            table.setdefault(leaf, []).append(n)
 
     def places(self, text: str) -> Sequence[Mapping[Leaf, Sequence[int]]]:
         """For each place in a pattern its facts by the leaf that they have there; none without facts."""
         found = self._at.get(text)
         if found is None:
-            found = self._at[text] = self._places(self._by_text.get(text, ()))
+            facts = self._by_text.get(text)
+            if facts is None:
+                return ()
+            found = self._at[text] = self._places(facts)
         return found
 
-    def _places(self, facts: Sequence[int]) -> Sequence[Mapping[Leaf, Sequence[int]]]:
-        found: list[dict[Leaf, list[int]]] = [{} for _ in self.patterns[facts[0]].leaves] if facts else []
+    def _places(self, facts: Sequence[int]) -> list[dict[Leaf, list[int]]]:
+        found: list[dict[Leaf, list[int]]] = [{} for _ in self.patterns[facts[0]].leaves]
         for n in facts:
             for table, leaf in zip(found, self.patterns[n].leaves, strict=True):
                 table.setdefault(leaf, []).append(n)
@@ -116,12 +128,13 @@ class Index:
 
     @cached_property
     def _colours(self) -> dict[Leaf, int]:
-        """A number for each leaf that tells in what facts, and beside what, it stands; alike stands the same."""
+        """A number for each leaf that tells in what of the first facts, and beside what, it stands; alike stands the
+        same."""
         colour: dict[Leaf, int] = {}
-        kinds = {text: crc32(text.encode()) for text in self._by_text}
+        kinds = {p.text: crc32(p.text.encode()) for p in self.patterns[: self._first]}
         for _ in range(ROUNDS):
             following: dict[Leaf, int] = {}
-            for p in self.patterns:
+            for p in self.patterns[: self._first]:
                 here = hash((kinds[p.text], *[colour.get(x, 0) for x in p.leaves]))
                 for place, x in enumerate(p.leaves):
                     following[x] = (following.get(x, 0) + hash((here, place))) & MASK
