@@ -56,6 +56,10 @@ TIERS = (
 """Facts by how far they are from a goal; a goal is asked of the first, of the first two, and so on."""
 
 
+PATIENCE = 1.4
+"""Propagations for each fact that is switched on, beyond which more facts are switched on."""
+
+
 class Room:
     """Facts of one kind, and a solver in which each stands behind a switch; it is filled when it is first asked."""
 
@@ -96,12 +100,20 @@ class Room:
         self._feed()
         for k in range(len(TIERS)):
             tiers = self.tiers[: k + 1]
-            if len(tiers[-1]) > 1 and self.solver.solve(assumptions=[*assumed, *[t[0] for t in tiers]]) is False:
+            if len(tiers[-1]) > 1 and self._contradicts([*assumed, *[t[0] for t in tiers]], tiers):
                 on = [switch for _, *switches in tiers for switch in switches]
                 if self.solver.solve(assumptions=[*assumed, *on]) is False:
                     core = self.solver.get_core() or ()
                     return self._smaller(goal, [self.number[x] for x in core if x in self.number])
         return None
+
+    def _contradicts(self, assumed: list[int], tiers: Sequence[Sequence[int]]) -> bool:
+        """Whether there is a contradiction; with some tiers alone it is looked for only a while, as to find out that
+        there is none takes a value for every variable."""
+        if len(tiers) == len(TIERS):
+            return self.solver.solve(assumptions=assumed) is False
+        self.solver.prop_budget(int(PATIENCE * sum(map(len, tiers))))
+        return self.solver.solve_limited(assumptions=assumed) is False
 
     def _smaller(self, goal: Expr, core: list[int]) -> list[int]:
         """Leave out fact after fact while the rest still refutes, in a small solver of their own."""
