@@ -94,16 +94,17 @@ def prove(
         goals = [*(Goal(i.expr, later=True) for i in found), *(Goal(c.expr) for c in wanted)]
         inquiry = Inquiry(system, [i.expr for i in found], goals, limits)
         questions = inquiry.first()
-        tasks: list[Task] = [partial(inquiry.ask, q) for q in questions]
-        tasks += [partial(_restart, system, found, limits), partial(_start, system, limits)]
+        tasks: list[Task] = [partial(_restart, system, found, limits), partial(_start, system, limits)]
+        first = len(tasks)  # the restart takes longer than the last questions
+        tasks += [partial(inquiry.ask, q) for q in questions]
         done = 0
 
         def report(n: int) -> None:
             nonlocal done
-            done += len(questions[n]) if n < len(questions) else 0
+            done += len(questions[n - first]) if n >= first else 0
             progress("proving", min(done, len(goals)), len(goals))
 
-        *answers, at_restart, start = run(tasks, limits.jobs, report)
+        at_restart, start, *answers = run(tasks, limits.jobs, report)
         for question, those in zip(questions, answers, strict=True):
             inquiry.note(question, those)
         runs = driven.results()[0]
