@@ -80,15 +80,21 @@ class Forms:
     def _text(self, x: Expr, leaves: list[str]) -> str:
         """An expression with a `v` for each leaf, in an order in which it can be read again; adds the leaves."""
         op = x.op
+        if op is AND or op is OR:
+            parts: list[str] = []
+            for a in x.args:  # most are variables, or denied ones
+                inner = a.args[0] if a.op is NOT else a
+                if inner.op is VAR:
+                    leaves.append(inner.name)
+                    parts.append("v" if inner is a else "!v")
+                else:
+                    parts.append(self._text(a, leaves))
+            return f"{'&' if op is AND else '|'}{''.join(parts)}."
         if op is VAR:
             leaves.append(x.name)
             return "v"
         if op is NOT:
             return "!" + self._text(x.args[0], leaves)
-        if op is AND:
-            return "&" + "".join([self._text(a, leaves) for a in x.args]) + "."
-        if op is OR:
-            return "|" + "".join([self._text(a, leaves) for a in x.args]) + "."
         if op is EQ:
             leaf = f"{x.name}={x.value}"
             self._compared[leaf] = x.name

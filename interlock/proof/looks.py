@@ -12,6 +12,7 @@ from interlock.proof.asking import decisions
 from interlock.proof.engines import solver
 from interlock.proof.limits import Limits
 from interlock.proof.onesided import OneSided
+from interlock.proof.pool import Board
 from interlock.proof.scenes import scenes
 from interlock.proof.sight import view
 from interlock.proof.views import Placed, Scene, View, Views
@@ -47,6 +48,8 @@ class Looks:
         self.limits = limits
         self._forms = Forms({})
         self._known: dict[str, list[bool]] = {}
+        self._shown = Board() if limits.jobs > 1 else None
+        """Forms in which all that is asked follows, whoever has asked."""
 
     def looks(self, goals: Iterable[tuple[int, Expr]]) -> list[Look]:
         """Numbered goals in so many looks; some are in none."""
@@ -73,6 +76,8 @@ class Looks:
         """What follows in a view; in one that is another but for names, the same."""
         form = self._forms.of(seen.definitions, [x for x, _ in seen.asked], seen.facts)
         found = self._known.get(form)
+        if found is None and self._shown is not None and bytes.fromhex(form) in self._shown:
+            found = self._known[form] = [True] * len(seen.asked)
         if found is None:
             key = self.limits.cache.key(lambda: form, self.limits.engine)
             found = self.limits.cache.known(key, len(seen.asked))
@@ -80,6 +85,8 @@ class Looks:
                 found = self._asked(seen)
                 self.limits.cache.keep(key, found)
             self._known[form] = found
+            if self._shown is not None and all(found):
+                self._shown.write(bytes.fromhex(form))
         return found
 
     def _asked(self, seen: View) -> list[bool]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import mmap
 import multiprocessing
 from collections.abc import Callable, Sequence
 from multiprocessing.context import ForkProcess
@@ -10,6 +11,8 @@ from typing import Any
 
 Task = Callable[[], Any]
 """A piece of work; its result can be pickled."""
+
+NOTE = 32  # bytes
 
 _tasks: Sequence[Task] = ()
 
@@ -75,6 +78,37 @@ class Begun:
         if self._process is not None:
             self._process.terminate()
             self._process.join()
+
+
+class Board:
+    """Notes of 32 bytes that processes share: each sees what another wrote, if both were begun after the board."""
+
+    def __init__(self, most: int = 4096) -> None:
+        """`most`: notes; what is written after that many is forgotten."""
+        self._most = most
+        self._notes = mmap.mmap(-1, NOTE * most)
+        fork = multiprocessing.get_context("fork" if _forks() else None)
+        self._count = fork.Value("i", 0)
+        self._read = 0
+        self._seen: set[bytes] = set()
+
+    def write(self, note: bytes) -> None:
+        """Tell all others."""
+        assert len(note) == NOTE
+        with self._count.get_lock():
+            n = self._count.value
+            if n < self._most:
+                self._notes[NOTE * n : NOTE * (n + 1)] = note
+                self._count.value += 1
+
+    def __contains__(self, note: object) -> bool:
+        """Whether it was written."""
+        with self._count.get_lock():
+            count = self._count.value
+        for n in range(self._read, count):
+            self._seen.add(self._notes[NOTE * n : NOTE * (n + 1)])
+        self._read = count
+        return note in self._seen
 
 
 def _forks() -> bool:
