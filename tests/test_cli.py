@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import json
+import os
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner, Result
 
+from interlock.app.init import yard
 from interlock.cli.main import VERBS, cli
 
 
@@ -263,3 +267,37 @@ def test_the_runtime_stands_alone(tmp_path: Path) -> None:
         check=False,
     )
     assert done.stdout.split() == ["True", "False", "True"], done.stderr
+
+
+@pytest.mark.parametrize(("given", "after"), [(("prove", "yard.yaml", "-j", "2"), 2), (("prove", "yard.yaml"), 6)])
+def test_an_interrupt_ends_all_processes_without_a_word_of_python(
+    given: tuple[str, ...], after: int, tmp_path: Path
+) -> None:
+    """In the midst of it: with texts and runs beside the proof, and in a solver."""
+    (tmp_path / "yard.yaml").write_text(yard(124), encoding="utf-8")
+    interrupted(given, after, tmp_path)
+
+
+def test_an_interrupt_ends_the_proofs_of_several_layouts(tmp_path: Path) -> None:
+    for n in range(4):
+        (tmp_path / f"y{n}.yaml").write_text(yard(60).replace("name: ", f"name: y{n}_"), encoding="utf-8")
+    interrupted(("prove", *sorted(p.name for p in tmp_path.iterdir()), "-j", "2"), 3, tmp_path)
+
+
+def interrupted(given: tuple[str, ...], after: int, folder: Path) -> None:
+    """Run a command, press Ctrl-C after some seconds, and see that nothing is left of it."""
+    program = [sys.executable, "-m", "interlock.cli.main", *given]
+    with subprocess.Popen(
+        program, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True, text=True
+    ) as running:
+        time.sleep(after)
+        os.killpg(running.pid, signal.SIGINT)
+        said, _ = running.communicate(timeout=30)
+    assert (running.returncode, said.split()) == (1, ["Aborted!"])
+    for _ in range(50):
+        try:
+            os.killpg(running.pid, 0)
+        except ProcessLookupError:
+            return
+        time.sleep(0.1)
+    raise AssertionError("a process is left")

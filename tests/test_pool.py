@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import multiprocessing
+import os
+import signal
+import time
+from functools import partial
 
 import pytest
 
@@ -42,5 +46,39 @@ def test_what_finds_no_room_is_forgotten() -> None:
         board.write(b"short")
 
 
-def test_results_stand_in_the_order_of_the_tasks() -> None:
-    assert run([lambda n=n: n * n for n in range(20)], 2) == [n * n for n in range(20)]  # type: ignore[misc]
+@pytest.mark.parametrize("jobs", [1, 2, 4])
+def test_results_stand_in_the_order_of_the_tasks_and_each_is_told_once(jobs: int) -> None:
+    told: list[int] = []
+
+    def task(n: int) -> int:
+        time.sleep(0.002 * (n % 3))
+        return n * n
+
+    assert run([partial(task, n) for n in range(20)], jobs, told.append) == [n * n for n in range(20)]
+    assert sorted(told) == list(range(20))
+    assert run([], jobs) == []
+
+
+@pytest.mark.parametrize("jobs", [1, 3])
+def test_what_a_task_raises_is_raised(jobs: int) -> None:
+    def task(n: int) -> int:
+        if n == 5:
+            raise ValueError("five")
+        return n
+
+    with pytest.raises(ValueError, match="five"):
+        run([partial(task, n) for n in range(9)], jobs)
+
+
+def test_a_process_that_is_killed_is_noticed() -> None:
+    """With what it had begun nobody is left who could do it."""
+    own = os.getpid()
+
+    def task(n: int) -> int:
+        if os.getpid() != own:
+            os.kill(os.getpid(), signal.SIGKILL)
+        time.sleep(0.05)
+        return n
+
+    with pytest.raises(RuntimeError, match="has ended before"):
+        run([partial(task, n) for n in range(6)], 2)

@@ -47,7 +47,7 @@ def make(
 
         def begin(head: list[str]) -> Begun:
             tasks = writers(layout.bare, controller, head, wanted.dialects, keep)
-            return beside.enter_context(Begun(tasks, limits.jobs))
+            return beside.enter_context(Begun(tasks, min(limits.jobs - 1, 1)))
 
         if not keep:  # a text that is only compared needs no heading, and can be begun now
             texts = begin([])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 
 from interlock.app import kept
@@ -27,7 +27,7 @@ def prove_derived(
     if not derived.ok or derived.layout is None or derived.table is None:
         return Proved(derived), {}
     layout, table, limits = derived.layout, derived.table, limits or Limits()
-    with Begun([partial(second_opinion, derived)], limits.jobs) as audit:
+    with Begun([partial(second_opinion, derived)], min(limits.jobs - 1, 1)) as audit:
         name = ""
         if limits.cache.folder is not None and not keep:
             name = kept.name(limits, layout, table)
@@ -42,11 +42,3 @@ def prove_derived(
     if name:
         kept.keep(limits.cache, name, proved)
     return proved, files
-
-
-def run_many(work: Callable[..., Proved], calls: Sequence[tuple[object, ...]], jobs: int) -> list[Proved]:
-    """Several layouts on several processes; the results are in the order of the calls."""
-    from concurrent.futures import ProcessPoolExecutor
-
-    with ProcessPoolExecutor(min(jobs, len(calls))) as pool:
-        return [f.result() for f in [pool.submit(work, *c) for c in calls]]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import sys
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import click
 
 from interlock.app.certify import certify_file
 from interlock.cli.common import FINDINGS, OK, jobs_option, layouts_argument, progress, show, show_proof
+from interlock.proof.pool import apart
 
 
 @click.command("certify")
@@ -35,8 +35,7 @@ def command(layouts: tuple[str, ...], outputs: Path, out: Path, jobs: int, check
     """Write a certificate of each layout's proof, tied to its outputs, for `interlock verify`."""
     calls = [(p, outputs, out, check) for p in layouts]
     if jobs > 1 and len(calls) > 1:
-        with ProcessPoolExecutor(min(jobs, len(calls))) as pool:
-            results = [f.result() for f in [pool.submit(certify_file, *c) for c in calls]]
+        results = apart(certify_file, calls, jobs)
     else:
         results = []
         for c in calls:

@@ -8,7 +8,6 @@ from pathlib import Path
 import click
 
 from interlock.app.compile import compile_file, names_twice
-from interlock.app.prove import run_many
 from interlock.cli.common import (
     FINDINGS,
     exit_code,
@@ -22,6 +21,7 @@ from interlock.cli.common import (
     show_proof,
 )
 from interlock.proof.limits import Limits
+from interlock.proof.pool import apart
 from interlock.proof.verdict import quiet
 from interlock.st.dialects import DIALECTS
 
@@ -65,7 +65,7 @@ def command(
         show(clashes, {}, form)
         sys.exit(FINDINGS)
     if jobs > 1 and len(layouts) > 1:
-        results = run_many(compile_file, [(p, out, check, unproved, Limits(), quiet, tools) for p in layouts], jobs)
+        results = apart(compile_file, [(p, out, check, unproved, Limits(), quiet, tools) for p in layouts], jobs)
     else:
         results = []
         for p in layouts:

@@ -84,6 +84,9 @@ def main() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
     except Exception as error:
+        if "keyboard interrupt" in str(error):  # what a solver says that was interrupted
+            click.echo("Aborted!", err=True)
+            _leave(1)
         if os.environ.get("INTERLOCK_DEBUG"):
             raise
         click.echo(

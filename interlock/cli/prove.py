@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from interlock.app.prove import prove_file, run_many
+from interlock.app.prove import prove_file
 from interlock.app.proved import Proved
 from interlock.cli.common import (
     exit_code,
@@ -23,6 +23,7 @@ from interlock.cli.common import (
 from interlock.proof.cache import Cache
 from interlock.proof.engines import ENGINES
 from interlock.proof.limits import Limits
+from interlock.proof.pool import apart
 
 
 @click.command("prove")
@@ -83,7 +84,7 @@ def command(
         cache=Cache(cache),
     )
     if jobs > 1 and len(layouts) > 1:
-        results = run_many(prove_file, [(p, limits) for p in layouts], jobs)
+        results = apart(prove_file, [(p, limits) for p in layouts], jobs)
     else:
         results = []
         for p in layouts:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import mmap
 import multiprocessing
+import signal
 from collections.abc import Callable, Sequence
 from multiprocessing.context import ForkProcess
 from queue import Empty
@@ -14,27 +15,27 @@ Task = Callable[[], Any]
 
 NOTE = 32  # bytes
 
-_tasks: Sequence[Task] = ()
 
-
-def _work(n: int) -> tuple[int, Any]:
-    return n, _tasks[n]()
+def undisturbed() -> None:
+    """An interrupt from the keyboard reaches all processes; it is for the first one, which ends the others."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 class Begun:
-    """Work that goes on in a process of its own beside what its owner does, until the end of a `with` block; what is
+    """Work that goes on in processes of their own beside what its owner does, until the end of a `with` block; what is
     not begun there when its results are asked for, and all of it without forks, its owner does."""
 
-    def __init__(self, tasks: Sequence[Task], jobs: int) -> None:
-        """`jobs`: one process only means no process beside it."""
+    def __init__(self, tasks: Sequence[Task], beside: int) -> None:
+        """`beside`: the number of processes.  They are forks: they inherit what the tasks read."""
         self._tasks = tasks
-        self._process: ForkProcess | None = None
-        if jobs > 1 and _forks():
+        self._processes: list[ForkProcess] = []
+        if beside > 0 and _forks():
             fork = multiprocessing.get_context("fork")
             self._next = fork.Value("i", 0)
             self._answers = fork.Queue()
-            self._process = fork.Process(target=self._work, daemon=True)
-            self._process.start()
+            self._processes = [fork.Process(target=self._work, daemon=True) for _ in range(beside)]
+            for process in self._processes:
+                process.start()
 
     def _take(self) -> int | None:
         """The number of the first task that nobody has begun."""
@@ -44,40 +45,55 @@ class Begun:
         return n if n < len(self._tasks) else None
 
     def _work(self) -> None:
+        undisturbed()
         while (n := self._take()) is not None:
             try:
                 self._answers.put((n, self._tasks[n](), None))
             except Exception as error:
                 self._answers.put((n, None, error))
 
-    def results(self) -> list[Any]:
-        """The results in the order of the tasks; raises what a task raised."""
-        if self._process is None:
-            return [task() for task in self._tasks]
+    def results(self, done: Callable[[int], None] = lambda n: None) -> list[Any]:
+        """The results in the order of the tasks; raises what a task raised.  `done` is told each one's number."""
         found: dict[int, Any] = {}
-        while (n := self._take()) is not None:
-            found[n] = self._tasks[n]()
-        while len(found) < len(self._tasks):
-            alive = self._process.is_alive()
-            try:
-                n, result, error = self._answers.get(timeout=1)
-            except Empty:
-                if alive:
-                    continue
-                raise RuntimeError("a process has ended before its work was done") from None
-            if error is not None:
-                raise error
+
+        def note(n: int, result: Any) -> None:
             found[n] = result
+            done(n)
+
+        if not self._processes:
+            for n, task in enumerate(self._tasks):
+                note(n, task())
+        else:
+            while (own := self._take()) is not None:
+                note(own, self._tasks[own]())
+                while len(found) < len(self._tasks) and self._told(note, wait=False):
+                    pass
+            while len(found) < len(self._tasks):
+                self._told(note, wait=True)
         return [found[n] for n in range(len(self._tasks))]
+
+    def _told(self, note: Callable[[int, Any], None], wait: bool) -> bool:
+        """Take an answer of the processes, if there is one."""
+        codes = [p.exitcode for p in self._processes]  # before the last look: all that a process has told is there
+        try:
+            n, result, error = self._answers.get(timeout=1) if wait else self._answers.get_nowait()
+        except Empty:
+            if None not in codes or any(codes):
+                raise RuntimeError("a process has ended before its work was done") from None
+            return False
+        if error is not None:
+            raise error
+        note(n, result)
+        return True
 
     def __enter__(self) -> Begun:
         return self
 
     def __exit__(self, *error: object) -> None:
         """What is not done yet is given up."""
-        if self._process is not None:
-            self._process.terminate()
-            self._process.join()
+        for process in self._processes:
+            process.terminate()
+            process.join()
 
 
 class Board:
@@ -118,19 +134,20 @@ def _forks() -> bool:
 def run(tasks: Sequence[Task], jobs: int, done: Callable[[int], None] = lambda n: None) -> list[Any]:
     """The results in the order of the tasks; long ones should come first.  `done` is told each one's number.
 
-    The processes are forks: they inherit what the tasks read.  Without forks, or for one job, the tasks run in turn.
+    One of the processes is this one.  Without forks, or for one job, the tasks run in turn.
     """
-    global _tasks
-    results: list[Any] = [None] * len(tasks)
-    if jobs < 2 or len(tasks) < 2 or not _forks():
-        for n, task in enumerate(tasks):
-            results[n] = task()
-            done(n)
-        return results
-    _tasks = tasks
-    with multiprocessing.get_context("fork").Pool(min(jobs, len(tasks))) as pool:
-        for n, result in pool.imap_unordered(_work, range(len(tasks))):
-            results[n] = result
-            done(n)
-    _tasks = ()
-    return results
+    with Begun(tasks, min(jobs, len(tasks)) - 1) as begun:
+        return begun.results(done)
+
+
+def apart(work: Callable[..., Any], calls: Sequence[tuple[object, ...]], jobs: int) -> list[Any]:
+    """Calls that share nothing, on processes of their own; the results are in the order of the calls."""
+    from concurrent.futures import ProcessPoolExecutor
+
+    with ProcessPoolExecutor(min(jobs, len(calls)), initializer=undisturbed) as pool:
+        try:
+            return [f.result() for f in [pool.submit(work, *c) for c in calls]]
+        except KeyboardInterrupt:
+            for process in multiprocessing.active_children():
+                process.terminate()
+            raise

@@ -88,7 +88,7 @@ def prove(
     """
     began = time.monotonic()
     limits = limits or Limits()
-    with Begun([partial(witnesses, system)], limits.jobs) as driven:
+    with Begun([partial(witnesses, system)], min(limits.jobs - 1, 1)) as driven:
         wanted = claims(Facts(system)) if wanted is None else wanted
         found = list(strengthening(Facts(system)))
         goals = [*(Goal(i.expr, later=True) for i in found), *(Goal(c.expr) for c in wanted)]
