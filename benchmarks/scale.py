@@ -1,7 +1,8 @@
 """The whole of `interlock prove`, from YAML to verdicts, on growing yards and lines: `python -m benchmarks.scale`.
 
 Each run is a process of its own with two processes for the induction (`-j 2`), witnesses and comparison of the texts
-included; the growth exponent is that of the seconds between two sizes of one kind.
+included; the growth exponent is that of the seconds between two sizes of one kind.  How quick the machine is at that
+time, a loop tells that is the same before each run.
 """
 
 from __future__ import annotations
@@ -31,9 +32,22 @@ SIZES = (
 )
 
 
+LOOPS: list[float] = []
+"""Seconds of the loop, before each run."""
+
+
+def loop() -> float:
+    """Seconds that five million additions take."""
+    began, x = time.perf_counter(), 0
+    for i in range(5_000_000):
+        x += i
+    return time.perf_counter() - began
+
+
 def run(path: Path, *more: str) -> tuple[float, float, dict[str, object]]:
     """Seconds, GiB at most, and what `prove` said."""
     args = [sys.executable, "-m", "interlock.cli.main", "prove", str(path), "-j", "2", "--format", "json", *more]
+    LOOPS.append(loop())
     began = time.perf_counter()
     with tempfile.TemporaryFile() as out:
         child = subprocess.Popen(args, cwd=TOP, stdout=out)
@@ -80,6 +94,9 @@ def main() -> None:
                 flush=True,
             )
         second_run(Path(folder), min(124, given.most // 8))
+    middle = sorted(LOOPS)[len(LOOPS) // 2]
+    print(f"\nA loop of five million additions before each run: {min(LOOPS):.2f} to {max(LOOPS):.2f} s, half of them")
+    print(f"under {middle:.2f} s.")
 
 
 CHANGES = (
