@@ -117,8 +117,8 @@ def by_k_induction(system: System) -> str:
             cnf.clauses.append((at(good, i) if i < k else -at(good, i),))
             if i:
                 for n, lit in now.items():
-                    a, b = at(lit, i), at(then[n], i - 1)
-                    cnf.clauses += [(-a, b), (a, -b)]
+                    here, came = at(lit, i), at(then[n], i - 1)
+                    cnf.clauses += [(-here, came), (here, -came)]
         if Z3Sat(cnf, 600_000).ask() is Answer.UNSAT:
             return f"inductive at k = {k} (base not asked)"
     return "not inductive up to k = 4"
