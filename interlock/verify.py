@@ -156,7 +156,6 @@ def clauses_of(text: str, later: Mapping[str, str] | None = None) -> list[Clause
     words, names = words_of(text)
     if later is not None:
         names = [later.get(v, v) for v in names]
-        need(len(set(names)) == len(names), f"a state and its next value at once: {text[:60]}")
     return [(form, tuple([names[n - 1] for n in leaves])) for form, leaves in numbered(words, False)]
 
 
@@ -193,6 +192,7 @@ class System:
                 continue
             need(kind in words, f"unknown line {line[:60]}")
             said = rest.split(" ", words[kind] - 1)
+            need(len(said) == words[kind], f"a line without all its words: {line[:60]}")
             if kind in parts:
                 parts[kind].append(said)
             else:
@@ -207,9 +207,12 @@ class System:
         self.steps += [c for _, x in parts["asm"] for c in clauses_of(x)]
         invariants = [x for kind, x in owed if kind == "inv"]
         base = [c for x in invariants for c in clauses_of(x)]
+        for form, leaves in base:  # else the input of one step would be taken for that of the next
+            need(set(leaves) <= set(later), f"the invariant {form[:40]} speaks of more than the state")
         self.steps += base
         for name, size in parts["val"]:
             values = [f"{name}={k}" for k in range(int(size))]
+            need({*names, *later}.isdisjoint(values), f"{name} is no input, and so may have two values")
             self.steps += [(sys.intern("(| !1 !2)"), (a, b)) for i, a in enumerate(values) for b in values[i + 1 :]]
         self.initial = [c for (x,) in parts["ini"] for c in clauses_of(x)]
         for form, leaves in self.initial:

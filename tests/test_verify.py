@@ -154,10 +154,23 @@ def test_a_malformed_expression_is_rejected(word: str) -> None:
         Written(f"interlock-system 2\nstate a\ndef a' {word}\n")
 
 
-def test_an_invariant_that_speaks_of_a_state_and_its_next_value_is_rejected() -> None:
-    """One step later both would have one name, and the clause would say something else."""
-    with pytest.raises(Rejected, match="at once"):
-        Written("interlock-system 2\nstate a\ndef a' !a\ninv I p (| !a a')\n")
+@pytest.mark.parametrize("invariant", ["(| a u)", "(| !a a')", "(| a w)", "(| a u=1)"])
+def test_an_invariant_that_speaks_of_more_than_the_state_is_rejected(invariant: str) -> None:
+    """The induction would take what is given in one step for what is given in the next."""
+    with pytest.raises(Rejected, match="more than the state"):
+        Written(f"interlock-system 2\nstate a\ndef w u\ndef a' !a\ninv I p {invariant}\n")
+
+
+@pytest.mark.parametrize("line", ["inv I a", "claim C a", "asm A", "def w", "val r"])
+def test_a_line_without_all_its_words_is_rejected(line: str) -> None:
+    with pytest.raises(Rejected, match="without all its words"):
+        Written(f"interlock-system 2\nstate a\ndef a' a\n{line}\n")
+
+
+def test_values_of_what_is_computed_exclude_nothing() -> None:
+    """That it has one value at a time would have to be proved."""
+    with pytest.raises(Rejected, match="is no input"):
+        Written("interlock-system 2\nstate a\ndef r=1 a\ndef r=2 a\ndef a' a\nval r 3\n")
 
 
 TINY = """interlock-system 2
