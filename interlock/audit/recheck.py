@@ -325,14 +325,14 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
     number = {g.row.id: i for i, g in enumerate(grounds)}
     pairs, certain = _meeting(grounds)
     size = len(grounds)
-    lists, listed_by = bytearray(size * size), bytearray(size * size)  # row by row: whom it lists, and who lists it
+    lists = bytearray(size * size)  # row by row whom it lists, column by column who lists it
     for i, g in enumerate(grounds):
         for j in map(number.get, g.row.hostile.routes):
             if j is not None:
-                lists[i * size + j] = listed_by[j * size + i] = 1
-    listed = [_number(lists, i, size) for i in range(size)]
+                lists[i * size + j] = 1
+    listed = [_number(lists[i * size : (i + 1) * size]) for i in range(size)]
     for i, a in enumerate(grounds):
-        told = _number(listed_by, i, size)
+        told = _number(lists[i::size])
         agreed = certain[i] & listed[i] & told
         for j in _bits((pairs[i] | listed[i] | told) & ~agreed & -(1 << i + 1)):
             b = grounds[j]
@@ -387,9 +387,9 @@ def _all_users(things: list[set[Thing]], users: dict[Thing, int]) -> list[int]:
     return found
 
 
-def _number(rows: bytearray, i: int, size: int) -> int:
+def _number(row: bytearray) -> int:
     """The bytes of a row that are 1, as bits."""
-    return int(rows[i * size : (i + 1) * size][::-1].translate(_DIGITS), 2)
+    return int(row[::-1].translate(_DIGITS), 2)
 
 
 def _bits(x: int) -> Iterator[int]:

@@ -36,13 +36,13 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
         for t in (*path.ways, *path.overlap):
             used[t.key] = t
             over.setdefault(t.key, []).append(path)
+    demands = {p.id: machine_positions(layout, (*p.ways, *p.overlap)) or {} for p in paths}
     fouls = foul_joints(layout)
     missing: dict[str, list[str]] = {}
     rows = []
     for key, t in sorted(used.items()):
         own = machine_positions(layout, (t,)) or {}
-        routes = [machine_positions(layout, (*p.ways, *p.overlap)) or {} for p in over[key]]
-        cells, unprotected = protect(layout, t, own, routes)
+        cells, unprotected = protect(layout, t, own, [demands[p.id] for p in over[key]])
         for r in unprotected:
             missing.setdefault(r.name, []).extend(p.id for p in over[key])
         rows.append(replace(_row(layout, t, cells, used, fouls), space=_space(layout, t, cells)))
