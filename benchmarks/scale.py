@@ -11,6 +11,7 @@ import argparse
 import json
 import math
 import os
+import platform
 import subprocess
 import sys
 import tempfile
@@ -65,7 +66,8 @@ def main() -> None:
     parser.add_argument("--most", type=int, default=20_000, help="leave out layouts of more routes than this, about")
     given = parser.parse_args()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=TOP, capture_output=True, text=True).stdout
-    print(f"# Scale\n\n`python -m benchmarks.scale` at commit {commit.strip()}, x86_64, 2 cores.\n")
+    kind = f"{platform.machine()}, {os.cpu_count()} cores, {platform.python_implementation()} {platform.python_version()}"
+    print(f"# Scale\n\n`python -m benchmarks.scale` at commit {commit.strip()}, {kind}.\n")
     print(
         "| layout | routes | seconds | GiB, largest process | claims | places | text = controller | growth exponent |"
     )
