@@ -66,7 +66,9 @@ def main() -> None:
     parser.add_argument("--most", type=int, default=20_000, help="leave out layouts of more routes than this, about")
     given = parser.parse_args()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=TOP, capture_output=True, text=True).stdout
-    kind = f"{platform.machine()}, {os.cpu_count()} cores, {platform.python_implementation()} {platform.python_version()}"
+    kind = (
+        f"{platform.machine()}, {os.cpu_count()} cores, {platform.python_implementation()} {platform.python_version()}"
+    )
     print(f"# Scale\n\n`python -m benchmarks.scale` at commit {commit.strip()}, {kind}.\n")
     print(
         "| layout | routes | seconds | GiB, largest process | claims | places | text = controller | growth exponent |"
