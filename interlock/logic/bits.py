@@ -17,90 +17,108 @@ class Bits:
     A step changes little of a railway, also for a thousand runs: of the nodes of a yard's expressions an eighth has
     something new to read.  The first call computes all of them, a later one those that read something that has
     changed.  Most of a railway is the same in all runs: a vector that is the very mask is not combined bit by bit.
+
+    What is computed may come in stages: what a later stage reads may depend on what an earlier one has computed.
     """
 
-    def __init__(self, roots: Mapping[str, Expr], meaning: Mapping[str, Expr] | None = None) -> None:
-        """`meaning`: names that stand for expressions; no name reads itself."""
+    def __init__(self, *stages: Mapping[str, Expr], meaning: Mapping[str, Expr] | None = None) -> None:
+        """`stages`: the roots of each; one name means one expression.  `meaning`: names that stand for expressions; no
+        name reads itself."""
         wires = meaning or {}
         number: dict[Expr, int] = {}
-        self._code: list[tuple[int, Sequence[int]]] = []
-        self._readers: list[list[int]] = []
+        self._kinds = kinds = bytearray()
+        self._args: list[tuple[int, ...]] = []
+        readers: list[list[int]] = []
         reads: dict[str, int] = {}
 
-        def enter(node: Expr, args: Sequence[int]) -> int:
-            at = number[node] = len(self._code)
+        def enter(node: Expr, args: tuple[int, ...]) -> int:
+            at = number[node] = len(kinds)
             kind = _KIND[node.op]
             if kind == _READ:
                 reads[node.name if node.op is VAR else f"{node.name}={node.value}"] = at
             for a in args:
-                self._readers[a].append(at)
-            self._readers.append([])
-            self._code.append((kind, args))
+                readers[a].append(at)
+            readers.append([])
+            kinds.append(kind)
+            self._args.append(args)
             return at
 
-        for root in roots.values():
-            stack = [_meant(root, wires)]
-            while stack:  # each node after those that it reads
-                node = stack[-1]
-                if node in number:
-                    stack.pop()
-                    continue
-                args: list[int] = []
-                for a in node.args:
-                    x = _meant(a, wires) if a.op is VAR else a
-                    at = number.get(x)
-                    if at is not None:
-                        args.append(at)
-                    elif x.args:
-                        stack.append(x)
-                    else:
-                        args.append(enter(x, ()))
-                if len(args) == len(node.args):
-                    stack.pop()
-                    enter(node, args)
-        self._names: dict[int, list[str]] = {}
+        self._ends: list[int] = []
+        """The number of nodes of each stage and those before it."""
+        self._read: list[Callable[[Mapping[str, int]], tuple[int, ...]]] = []
+        """What is read by each stage and those before it; a comparison `n = k` is a variable of the name `n=k`."""
+        for roots in stages:
+            for root in roots.values():
+                stack = [_meant(root, wires)]
+                while stack:  # each node after those that it reads
+                    node = stack[-1]
+                    if node in number:
+                        stack.pop()
+                        continue
+                    args: list[int] = []
+                    for a in node.args:
+                        x = _meant(a, wires) if a.op is VAR else a
+                        at = number.get(x)
+                        if at is not None:
+                            args.append(at)
+                        elif x.args:
+                            stack.append(x)
+                        else:
+                            args.append(enter(x, ()))
+                    if len(args) == len(node.args):
+                        stack.pop()
+                        enter(node, tuple(args))
+            self._ends.append(len(kinds))
+            self._read.append(_getter([*reads]))
+        self._names: dict[int, dict[str, None]] = {}
         """The roots' names, by node."""
-        for name, x in roots.items():
-            self._names.setdefault(number[_meant(x, wires)], []).append(name)
+        for roots in stages:
+            for name, x in roots.items():
+                self._names.setdefault(number[_meant(x, wires)], {})[name] = None
+        self._readers: list[tuple[int, ...]] = [tuple(some) for some in readers]
+        self._reads = [*reads.values()]
+        """The nodes of variables."""
         self._found: dict[str, int] = {}
         self.changed: dict[str, int] = {}
-        """Those of the roots' vectors that the last call changed: all of them when it was the first."""
-        self._reads = [*reads.values()]
-        """The nodes of variables; a comparison `n = k` is read as a variable of the name `n=k`."""
-        self._read: Callable[[Mapping[str, int]], tuple[int, ...]] = _getter([*reads])
-        self._given: tuple[int, ...] = ()
+        """Those of the roots' vectors that have changed since the first stage began: all of them when it was the first
+        call."""
+        self._given: list[int] = []
         self._vectors: list[int] = []
+        self._due = bytearray()
         self._mask = -1
 
     def forget(self) -> None:
         """The next call is a first one."""
         self._mask = -1
 
-    def __call__(self, values: Mapping[str, int], mask: int) -> Mapping[str, int]:
-        """The roots' vectors, until the next call; `mask`: the vector of all runs."""
-        due = bytearray(len(self._code))
-        before, self._given = self._given, self._read(values)
+    def __call__(self, values: Mapping[str, int], mask: int, stage: int = 0) -> Mapping[str, int]:
+        """The roots' vectors, until the next call; `mask`: the vector of all runs.
+
+        Each step calls all stages in their order.
+        """
+        given = self._read[stage](values)
         if mask != self._mask:
-            self._mask, self._vectors = mask, [-1] * len(self._code)
-            due = bytearray(b"\1") * len(self._code)
-            before = (-1,) * len(self._reads)
+            self._mask, self._vectors = mask, [-1] * len(self._kinds)
+            self._given = [-1] * len(self._reads)
+            self._due = bytearray(b"\1") * len(self._kinds)
             for at in self._reads:
-                due[at] = 0
-        v, code, readers, names = self._vectors, self._code, self._readers, self._names
-        self.changed = changed = {}
-        for at, x in [(at, x) for at, x, y in zip(self._reads, self._given, before, strict=True) if x is not y]:
-            if x != v[at]:
-                v[at] = x = x if x != mask else mask
-                for r in readers[at]:
-                    due[r] = 1
-                if at in names:
-                    changed.update(dict.fromkeys(names[at], x))
-        at = due.find(1)
+                self._due[at] = 0
+        if not stage:
+            self.changed = {}
+        due, end = self._due, self._ends[stage]
+        new = {at: x for at, x, y in zip(self._reads, given, self._given, strict=False) if x is not y}
+        self._given[: len(given)] = given
+        for at in new:
+            due[at] = 1
+        v, kinds, args_of, readers, names = self._vectors, self._kinds, self._args, self._readers, self._names
+        changed = self.changed
+        at = due.find(1, 0, end)
         while at >= 0:
-            kind, args = code[at]
+            due[at] = 0
+            kind = kinds[at]
             if kind == _AND:
                 x = mask
-                for a in args:
+                for a in args_of[at]:
                     y = v[a]
                     if y is not mask:
                         x = y if x is mask else x & y
@@ -108,15 +126,17 @@ class Bits:
                             break
             elif kind == _OR:
                 x = 0
-                for a in args:
+                for a in args_of[at]:
                     y = v[a]
                     if y:
                         x = x | y if x else y
                         if x is mask:
                             break
             elif kind == _NOT:
-                y = v[args[0]]
+                y = v[args_of[at][0]]
                 x = 0 if y is mask else mask ^ y if y else mask
+            elif kind == _READ:
+                x = new[at]
             else:
                 x = mask if kind == _TRUE else 0
             if x != v[at]:
@@ -125,7 +145,7 @@ class Bits:
                     due[r] = 1
                 if at in names:
                     changed.update(dict.fromkeys(names[at], x))
-            at = due.find(1, at + 1)
+            at = due.find(1, at + 1, end)
         self._found.update(changed)
         return self._found
 

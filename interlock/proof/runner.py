@@ -22,7 +22,7 @@ from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import CLAIMS, Claim, Facts, Invariant, claims, strengthening
 from interlock.proof.limits import Limits
 from interlock.proof.parts import Goal, Inquiry, Start, decide
-from interlock.proof.pool import Begun, Task, run
+from interlock.proof.pool import Task, run
 from interlock.proof.search import search
 from interlock.proof.story import tell
 from interlock.proof.system import System
@@ -88,26 +88,25 @@ def prove(
     """
     began = time.monotonic()
     limits = limits or Limits()
-    with Begun([partial(witnesses, system)], min(limits.jobs - 1, 1)) as driven:
-        wanted = claims(Facts(system)) if wanted is None else wanted
-        found = list(strengthening(Facts(system)))
-        goals = [*(Goal(i.expr, later=True) for i in found), *(Goal(c.expr) for c in wanted)]
-        inquiry = Inquiry(system, [i.expr for i in found], goals, limits)
-        questions = inquiry.first()
-        tasks: list[Task] = [partial(_restart, system, found, limits), partial(_start, system, limits)]
-        first = len(tasks)  # the restart takes longer than the last questions
-        tasks += [partial(inquiry.ask, q) for q in questions]
-        done = 0
+    wanted = claims(Facts(system)) if wanted is None else wanted
+    found = list(strengthening(Facts(system)))
+    goals = [*(Goal(i.expr, later=True) for i in found), *(Goal(c.expr) for c in wanted)]
+    inquiry = Inquiry(system, [i.expr for i in found], goals, limits)
+    questions = inquiry.first()
+    tasks: list[Task] = [partial(witnesses, system), partial(_restart, system, found, limits)]
+    tasks.append(partial(_start, system, limits))
+    first = len(tasks)  # what comes before takes longer than the last questions
+    tasks += [partial(inquiry.ask, q) for q in questions]
+    done = 0
 
-        def report(n: int) -> None:
-            nonlocal done
-            done += len(questions[n - first]) if n >= first else 0
-            progress("proving", min(done, len(goals)), len(goals))
+    def report(n: int) -> None:
+        nonlocal done
+        done += len(questions[n - first]) if n >= first else 0
+        progress("proving", min(done, len(goals)), len(goals))
 
-        at_restart, start, *answers = run(tasks, limits.jobs, report)
-        for question, those in zip(questions, answers, strict=True):
-            inquiry.note(question, those)
-        runs = driven.results()[0]
+    runs, at_restart, start, *answers = run(tasks, limits.jobs, report)
+    for question, those in zip(questions, answers, strict=True):
+        inquiry.note(question, those)
     decisions = inquiry.finish(partial(progress, "proving"))
     steps = [d.follows for d in decisions[: len(found)]]
     kept, dropped, obligations = _keep(system, found, at_restart, steps, limits, progress)

@@ -78,17 +78,15 @@ class Lanes:
         self._rest = {i.name: i.restrictive for i in controller.inputs}
         self._moves = {f"?start.{m}.{x}": sym.command[m, x.other] for m, x in sym.command}
         self._arrivals = [c for c in plant.choices if c.startswith("?arrive.")]
-        self._move = Bits(
-            {n: e for n, e in plant.next.items() if n.startswith(("o.", "at.", "tel.", "line."))}, meaning
-        )
-        self._timers = [
-            (group, Bits({t.name: var(t.input) for t in group}, meaning)) for group in independent(controller)
-        ]
+        moves = {n: e for n, e in plant.next.items() if n.startswith(("o.", "at.", "tel.", "line."))}
+        self._timers = [*independent(controller)]
+        waits = [{t.name: var(t.input) for t in group} for group in self._timers]
         roots = plant.next | {e.name: e.expr for e in controller.next}
         rules = {f"{i} {a.id}": a.expr for i, a in enumerate(plant.assumptions)}
         hazards = {f"{h.id} {h.place}": h.expr for h in plant.hazards}
         self._kept, self._rules, self._hazards = frozenset(roots), tuple(rules), tuple(hazards)
-        self._next = Bits(roots | rules | hazards, meaning)
+        self._computed = Bits(moves, *waits, roots | rules | hazards, meaning=meaning)
+        """How the railway moves, what timers wait for, then all that is next."""
         self.state: dict[str, int] = {}
         self.last: dict[str, int] = {}
         self.troubles: dict[str, int] = {}
@@ -99,8 +97,7 @@ class Lanes:
     ) -> list[tuple[str | None, int]]:
         """Each driver's outcome and number of steps; what a start does not name is an empty railway, points normal."""
         self.mask = (1 << len(starts)) - 1
-        for computed in (self._move, self._next, *(inputs for _, inputs in self._timers)):
-            computed.forget()
+        self._computed.forget()
         self.state = {s.name: self.mask if s.initial else 0 for s in self.controller.state}
         self.state |= dict.fromkeys(self.plant.next, 0)
         for name in self.plant.state:
@@ -164,7 +161,7 @@ class Lanes:
             for e in wish.events:
                 if "?" + e in values:
                     values["?" + e] |= lane.bit
-        moved = self._move(values, m)
+        moved = self._computed(values, m)
         for s, name in sym.clear.items():
             there = moved.get(f"o.{s}", 0)
             values[name] = m ^ there if there else m
@@ -186,7 +183,7 @@ class Lanes:
                 else:
                     values[name] = values[name] | lane.bit if value else values[name] & ~lane.bit
         self._run_timers(values)
-        after = self._next(values, m)
+        after = self._computed(values, m, len(self._timers) + 1)
         for rule in self._rules:
             if after[rule] != m:
                 name = rule.split(" ", 1)[1]
@@ -195,13 +192,13 @@ class Lanes:
             if after[name]:
                 self.troubles[name] = self.troubles.get(name, 0) | after[name]
         self.last = values
-        self.state.update({n: x for n, x in self._next.changed.items() if n in self._kept})
+        self.state.update({n: x for n, x in self._computed.changed.items() if n in self._kept})
         self._held = None
         self._clock += 1
 
     def _run_timers(self, values: dict[str, int]) -> None:
-        for group, inputs in self._timers:
-            running = inputs(values, self.mask)
+        for stage, group in enumerate(self._timers, 1):
+            running = self._computed(values, self.mask, stage)
             for t in group:
                 on = running[t.name]
                 need = -(-t.preset_ms // self.dt_ms)
