@@ -81,15 +81,18 @@ class Forms:
         """An expression with a `v` for each leaf, in an order in which it can be read again; adds the leaves."""
         op = x.op
         if op is AND or op is OR:
-            parts: list[str] = []
+            text = "&" if op is AND else "|"
             for a in x.args:  # most are variables, or denied ones
-                inner = a.args[0] if a.op is NOT else a
-                if inner.op is VAR:
-                    leaves.append(inner.name)
-                    parts.append("v" if inner is a else "!v")
+                kind = a.op
+                if kind is VAR:
+                    leaves.append(a.name)
+                    text += "v"
+                elif kind is NOT and a.args[0].op is VAR:
+                    leaves.append(a.args[0].name)
+                    text += "!v"
                 else:
-                    parts.append(self._text(a, leaves))
-            return f"{'&' if op is AND else '|'}{''.join(parts)}."
+                    text += self._text(a, leaves)
+            return text + "."
         if op is VAR:
             leaves.append(x.name)
             return "v"

@@ -137,7 +137,17 @@ class Members:
             todo, done, member = [x], set(), self._member
             while todo:
                 y = todo.pop()
-                if y.args:
+                op = y.op
+                if op is NOT:
+                    y = y.args[0]
+                    op = y.op
+                if op is VAR:
+                    name = y.name
+                    if name in member:
+                        members[member[name]] = None
+                    else:
+                        names[name] = None
+                elif y.args:
                     if y in done:
                         continue
                     done.add(y)
@@ -148,7 +158,7 @@ class Members:
                     else:
                         todo += y.args
                 elif y.name:
-                    of = member.get(y.name) if y.op is VAR else self.of(y)
+                    of = self.of(y)
                     if of is None:
                         names[y.name] = None
                     else:

@@ -5,7 +5,9 @@ See `views.py`.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import chain
 
 from interlock.logic.expr import AND, FALSE, NOT, TRUE, Expr, conj, disj, implies, neg, rebuild, var
 from interlock.model.bits import bits, bits_of
@@ -14,7 +16,10 @@ from interlock.proof.views import Group, Scene, View, Views
 
 _DEFINED = Kind.DEFINED
 
-HUB = 60  # a name in more facts than this says nothing about what lies together
+
+def _at(where: Mapping[str, Sequence[int]], names: Iterable[str]) -> dict[int, None]:
+    """The numbers that stand at some names."""
+    return dict.fromkeys(chain.from_iterable(filter(None, map(where.get, names))))
 
 
 def _variable(family: str, crowd: int) -> Expr:
@@ -95,17 +100,12 @@ class _Sight:
 
     def around(self) -> dict[int, None]:
         """Facts that speak of the names."""
-        found: dict[int, None] = {}
-        for v in self.seen:
-            at = self.views.facts_at.get(v, ())
-            if len(at) <= HUB:
-                found |= dict.fromkeys(at)
-        return found
+        return _at(self.views.facts_at, self.seen)
 
     def deepen(self, facts: Iterable[int]) -> None:
         """See what names mean that stand in facts of which the view sees all else."""
         homes, next_to, names_of = self.views.homes, self.views.next_to, self.views.names_of
-        near = {h for v in self.seen if (h := homes.get(v)) is not None}
+        near = set(map(homes.get, self.seen)) - {None}
         seen, states = set(self.seen), self.views.state_homes
         for n in facts:
             names = names_of[n]
@@ -122,11 +122,11 @@ class _Sight:
         found = self.around()
         self.deepen(found)
         seen = set(self.seen)
-        found = {n: None for n in found if seen.issuperset(self.views.names_of[n])}
-        wide = {n: None for v in self.seen for n in self.views.wide_at.get(v, ())}
-        mixed = {n: None for v in self.seen if len(at := self.views.mixed_at.get(v, ())) <= HUB for n in at}
+        names_of = self.views.names_of
+        told = [m.plain[n][0] for n in found if seen.issuperset(names_of[n])]
+        wide, mixed = _at(self.views.wide_at, self.seen), _at(self.views.mixed_at, self.seen)
         parts = [x for n in wide if (x := self.said(m.plain[n][0], True)) is not TRUE]
-        return [*(m.plain[n][0] for n in found), *parts], [m.mixed[n][0] for n in mixed]
+        return [*told, *parts], [m.mixed[n][0] for n in mixed]
 
     def said(self, x: Expr, side: bool) -> Expr:
         """What a fact says of the names that are seen."""
@@ -161,8 +161,9 @@ class _Sight:
             self.whole[f.family] = self.whole.get(f.family, 0) | f.members
         traits = [t.members for those in self.traits.values() for t in those]
         classes = [every] if every else []
-        for some in (*marks, *traits, *self.views.bare, *(f.members for f in fulls)):
-            if some & every and any(c & some and c & ~some for c in classes):
+        cuts = dict.fromkeys([some & every for some in (*marks, *traits, *self.views.bare, *(f.members for f in fulls))])
+        for some in cuts:
+            if any([0 != c & some != c for c in classes]):
                 classes = [part for c in classes for part in (c & some, c & ~some) if part]
         for members in classes:
             if members & spoken:
@@ -174,14 +175,10 @@ class _Sight:
 
     def telling(self) -> list[Trait]:
         """The traits of which all names are seen; kept by family."""
-        found: list[Trait] = []
-        hits: dict[Trait, int] = {}
-        for v in self.seen:
-            for t in self.views.traits_at.get(v, ()):
-                hits[t] = hits.get(t, 0) + 1
-                if hits[t] == len(t.names):
-                    found.append(t)
-                    self.traits.setdefault(t.family, []).append(t)
+        hits = Counter(chain.from_iterable(filter(None, map(self.views.traits_at.get, self.seen))))
+        found = [t for t, n in hits.items() if n == len(t.names)]
+        for t in found:
+            self.traits.setdefault(t.family, []).append(t)
         return found
 
     # --- the small system ----------------------------------------------------------------------
@@ -201,7 +198,10 @@ class _Sight:
             return known
         group = self.nodes.get(x)
         if group is None:
-            new = rebuild(x, tuple(self._merge(a) for a in x.args)) if x.args else x
+            new = x
+            if x.args:
+                nodes, merge = self.nodes, self._merge
+                new = rebuild(x, tuple([merge(a) if a.args or a in nodes else a for a in x.args]))
         else:
             those = [
                 self.variable(family, c)
@@ -247,13 +247,13 @@ class _Sight:
 
     def imply(self, traits: Iterable[Trait], crowd: int) -> None:
         """A crowd's variable implies what is said of its members."""
-        known, reached = self.views.told, self.reached
+        known = self.views.told.setdefault(crowd, {})
         for t in traits:
             for f in t.families:
-                reached[f, crowd] = None
-            fact = known.get((t, crowd))
+                self.reached[f, crowd] = None
+            fact = known.get(t)
             if fact is None:
-                fact = known[t, crowd] = implies(_variable(t.family, crowd), _of_crowd(t.expr, crowd))
+                fact = known[t] = implies(_variable(t.family, crowd), _of_crowd(t.expr, crowd))
             self.facts.append(fact)
 
     def of_crowd(self, x: Expr, crowd: int) -> Expr:

@@ -31,6 +31,7 @@ from interlock.proof.members import Kind, Members, Routed, Trait
 _KEPT = Kind.KEPT
 
 WIDE = 30  # of a fact that reads more names than this, a view takes what it says of the view's names
+HUB = 60  # a name in more facts than this says nothing about what lies together
 
 
 class Placed(Routed, Protocol):
@@ -137,6 +138,9 @@ class Views:
         self.state_homes = {v: home for v in system.later if (home := self.homes.get(v)) is not None}
         for n, (x, _) in enumerate(m.mixed):
             _note(self.mixed_at, m.read(x)[0], n)
+        for at in (self.facts_at, self.mixed_at):
+            for v in [v for v, facts in at.items() if len(facts) > HUB]:
+                del at[v]
         self.traits_at: dict[str, list[Trait]] = {}
         self.families: dict[str, dict[str, None]] = {}
         """Those that a family's traits read."""
@@ -147,7 +151,7 @@ class Views:
         self._groups: dict[Expr, list[Group]] = {}
         self.of_crowd: dict[tuple[Expr, int], Expr] = {}
         """Expressions over families, by crowds: what views have in common."""
-        self.told: dict[tuple[Trait, int], Expr] = {}
+        self.told: dict[int, dict[Trait, Expr]] = {}
         """Facts about crowds, by trait."""
         self.full_at: dict[Trait | None, list[Full]] = {}
         """Definitions of members that a view may see as a whole, by one of their traits with names."""
