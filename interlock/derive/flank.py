@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from math import inf
 
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId
@@ -66,9 +67,30 @@ def requesters(layout: Layout, t: Traversal) -> tuple[Requester, ...]:
     return tuple(out)
 
 
-def options(layout: Layout, r: Requester) -> Iterator[tuple[Provider, ...]]:
-    """Every set of providers that protects a requester, preferred sets first."""
-    return _outward(layout, r, r.edge, r.node, 0.0, frozenset({r.node}))
+class Options:
+    """The sets of providers that protect requesters.  The preferred one is searched for once: all ways over a point and
+    all that run beside it ask for the same."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout = layout
+        self._preferred: dict[tuple[NodeId, EdgeId, float], tuple[Provider, ...] | None] = {}
+
+    def preferred(self, r: Requester) -> tuple[Provider, ...] | None:
+        """The preferred set, or None if nothing protects the requester."""
+        key = r.node, r.edge, r.clear_of
+        if key not in self._preferred:
+            self._preferred[key] = next(self._search(r), None)
+        return self._preferred[key]
+
+    def of(self, r: Requester) -> Iterator[tuple[Provider, ...]]:
+        """Every set, preferred ones first."""
+        first = self.preferred(r)
+        if first is not None:
+            yield first
+            yield from islice(self._search(r), 1, None)
+
+    def _search(self, r: Requester) -> Iterator[tuple[Provider, ...]]:
+        return _outward(self._layout, r, r.edge, r.node, 0.0, frozenset({r.node}))
 
 
 def _outward(
@@ -186,7 +208,7 @@ def consistent(a: Demands, b: Demands) -> bool:
 
 
 def protect(
-    layout: Layout, t: Traversal, own: Demands, routes: Sequence[Demands]
+    layout: Layout, t: Traversal, own: Demands, routes: Sequence[Demands], options: Options
 ) -> tuple[tuple[FlankCell, ...], tuple[Requester, ...]]:
     """The flank cells of one way through a section, and the requesters left unprotected.
 
@@ -197,10 +219,10 @@ def protect(
     open_: list[Requester] = []
     asked: list[Requester] = []
     for r in wanted:
-        (asked if next(options(layout, r), None) is not None else open_).append(r)
+        (asked if options.preferred(r) is not None else open_).append(r)
     unwaived = [r for r in asked if r.waiver is None]
     for search, others in ((asked, routes), (unwaived, routes), (asked, ())):
-        chosen = _choose(layout, search, 0, dict(own), others)
+        chosen = _choose(options, search, 0, dict(own), others)
         if chosen is not None:
             cells = [_cell(r, providers) for r, providers in zip(search, chosen, strict=True)]
             cells += [
@@ -218,15 +240,15 @@ def protect(
 
 
 def _choose(
-    layout: Layout, asked: Sequence[Requester], i: int, demands: dict[MachineId, Position], routes: Sequence[Demands]
+    options: Options, asked: Sequence[Requester], i: int, demands: dict[MachineId, Position], routes: Sequence[Demands]
 ) -> list[tuple[Provider, ...]] | None:
     if i == len(asked):
         return []
-    for option in options(layout, asked[i]):
+    for option in options.of(asked[i]):
         more = point_demands(option)
         if more is None or not consistent(more, demands) or any(not consistent(more, r) for r in routes):
             continue
-        rest = _choose(layout, asked, i + 1, {**demands, **more}, routes)
+        rest = _choose(options, asked, i + 1, {**demands, **more}, routes)
         if rest is not None:
             return [option, *rest]
     return None

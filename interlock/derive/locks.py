@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from interlock.derive.flank import point_demands, protect, requesters, space
+from interlock.derive.flank import Options, point_demands, protect, requesters, space
 from interlock.derive.routes import Path, machine_positions
 from interlock.diag import Sink
 from interlock.model.elements import Position, SectionId
@@ -37,12 +37,12 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
             used[t.key] = t
             over.setdefault(t.key, []).append(path)
     demands = {p.id: machine_positions(layout, (*p.ways, *p.overlap)) or {} for p in paths}
-    fouls = foul_joints(layout)
+    fouls, options = foul_joints(layout), Options(layout)
     missing: dict[str, list[str]] = {}
     rows = []
     for key, t in sorted(used.items()):
         own = machine_positions(layout, (t,)) or {}
-        cells, unprotected = protect(layout, t, own, [demands[p.id] for p in over[key]])
+        cells, unprotected = protect(layout, t, own, [demands[p.id] for p in over[key]], options)
         for r in unprotected:
             missing.setdefault(r.name, []).extend(p.id for p in over[key])
         rows.append(replace(_row(layout, t, cells, used, fouls), space=_space(layout, t, cells)))
