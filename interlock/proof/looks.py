@@ -66,11 +66,16 @@ class Looks:
         began = time.perf_counter()
         left: dict[int, None] = {}
         for scene in look.scenes:
-            seen = view(self.views, scene)
-            for (_, goals), follows in zip(seen.asked, self._decided(seen), strict=True):
-                if not follows:
-                    left |= dict.fromkeys(goals)
+            open_: dict[int, None] = {}
+            if any(h.startswith("overlap ") for h in scene.homes) or (open_ := self._open(scene, narrow=True)):
+                left |= self._open(scene.only(open_) if open_ else scene, narrow=False)
         return Seen(tuple(left), time.perf_counter() - began)
+
+    def _open(self, scene: Scene, narrow: bool) -> dict[int, None]:
+        """The goals of a scene that do not follow in its view."""
+        seen = view(self.views, scene, narrow)
+        decided = zip(seen.asked, self._decided(seen), strict=True)
+        return {n: None for (_, goals), follows in decided if not follows for n in goals}
 
     def _decided(self, seen: View) -> list[bool]:
         """What follows in a view; in one that is another but for names, the same."""

@@ -12,7 +12,7 @@ from interlock.proof.views import Scene, Views
 def scenes(views: Views, goals: Iterable[tuple[int, Expr]]) -> list[Scene]:
     """Scenes of numbered goals; a goal that reads many routes and nothing else is in none.
 
-    A goal is looked at from the element that it names first, or last if it speaks of overlaps, which lie ahead.
+    A goal is looked at from the element that it names first, or last if it speaks of an overlap that lies ahead of it.
     """
     whole: dict[str, list[tuple[int, Expr]]] = {}
     pieces: dict[tuple[str, ...], dict[Expr, dict[int, list[int]]]] = {}
@@ -26,9 +26,10 @@ def scenes(views: Views, goals: Iterable[tuple[int, Expr]]) -> list[Scene]:
                 near = pieces.setdefault(_homes(views, part, number), {})
                 near.setdefault(part, {}).setdefault(number, []).append(n)
         elif homes:
-            ahead = any(h.startswith("overlap ") for h in homes)
+            beside = views.system.beside
+            ahead = any(h.startswith("overlap ") and homes[-1] not in beside.get(h, ()) for h in homes)
             home = homes[0 if ahead else -1]
-            home = views.system.beside.get(home, (home,))[0]
+            home = beside.get(home, (home,))[0]
             whole.setdefault(home, []).append((n, x))
     found: list[Scene] = []
     each = {

@@ -35,8 +35,9 @@ def _of_crowd(x: Expr, crowd: int) -> Expr:
 class _Sight:
     """The making of one view."""
 
-    def __init__(self, views: Views, scene: Scene) -> None:
+    def __init__(self, views: Views, scene: Scene, narrow: bool) -> None:
         self.views = views
+        self.narrow = narrow
         self.members = views.members
         self.scene = scene
         self.seen: dict[str, None] = {}
@@ -77,8 +78,10 @@ class _Sight:
         self.reach(names, families, self.near)
 
     def reach(self, names: Iterable[str], families: Iterable[str], near: Iterable[str]) -> None:
-        """See names, what they mean, and what families of which they speak say of the elements that are near."""
+        """See names, what they mean, and what families of which they speak say of the elements that are near; a narrow
+        view does not see why something is as it is at an element that is not near."""
         todo, fresh, leads = list(names), list(families), self.views.leads
+        far, near_by = self.views.homes if self.narrow else {}, self.near
         while todo or fresh:
             while fresh:
                 f = fresh.pop()
@@ -91,7 +94,7 @@ class _Sight:
                 v = todo.pop()
                 if v not in self.seen:
                     self.seen[v] = None
-                    if v in leads:
+                    if v in leads and (v not in far or far[v] in near_by):
                         reads, speaks_of = leads[v]
                         todo += reads
                         fresh += speaks_of
@@ -174,9 +177,12 @@ class _Sight:
                 self.crowds.append(members)
 
     def telling(self) -> list[Trait]:
-        """The traits of which all names are seen; kept by family."""
+        """The traits of which all names are seen; kept by family.  Of what is not near, a narrow view tells none."""
         hits = Counter(chain.from_iterable(filter(None, map(self.views.traits_at.get, self.seen))))
         found = [t for t, n in hits.items() if n == len(t.names)]
+        if self.narrow:
+            homes = self.views.homes_of
+            found = [t for t in found if t not in homes or not homes[t].isdisjoint(self.near)]
         for t in found:
             self.traits.setdefault(t.family, []).append(t)
         return found
@@ -318,6 +324,6 @@ class _Sight:
                     self.facts.append(neg(conj((self.variable(family, crowd), disj(false)))))
 
 
-def view(views: Views, scene: Scene) -> View:
-    """What is seen of a scene."""
-    return _Sight(views, scene).view()
+def view(views: Views, scene: Scene, narrow: bool = False) -> View:
+    """What is seen of a scene; `narrow`: of the elements that the goals name, and of others only how they are."""
+    return _Sight(views, scene, narrow).view()

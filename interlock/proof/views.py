@@ -20,7 +20,7 @@ there are, but on how many ways there are to pass by.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -74,6 +74,15 @@ class Scene:
         """The goals by number; one of many pieces more than once."""
         yield from (n for n, _ in self.whole)
         yield from (n for _, by in self.pieces for those in by.values() for n in those)
+
+    def only(self, goals: Collection[int]) -> Scene:
+        """The scene of some of the goals."""
+        pieces = [
+            (x, {i: some for i, those in by.items() if (some := tuple(n for n in those if n in goals))})
+            for x, by in self.pieces
+        ]
+        whole = tuple((n, x) for n, x in self.whole if n in goals)
+        return Scene(self.homes, whole, tuple((x, by) for x, by in pieces if by))
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,6 +155,8 @@ class Views:
         """Those that a family's traits read."""
         self.names_at: dict[tuple[str, str], dict[str, None]] = {}
         """The names at an element that a family's traits read."""
+        self.homes_of: dict[Trait, frozenset[str]] = {}
+        """The elements of which a trait speaks, if all its names belong to some."""
         for t in m.traits:
             self._enter(t)
         self._groups: dict[Expr, list[Group]] = {}
@@ -190,6 +201,9 @@ class Views:
             home = self.homes.get(v)
             if home is not None:
                 self.names_at.setdefault((t.family, home), {})[v] = None
+        homes = [self.homes.get(v) for v in t.names]
+        if None not in homes:
+            self.homes_of[t] = frozenset(h for h in homes if h is not None)
         self.families.setdefault(t.family, {}).update(dict.fromkeys(t.families))
 
     def families_in(self, x: Expr) -> tuple[str, ...]:
