@@ -107,8 +107,9 @@ class Members:
                 continue
             else:
                 meant = self.named(system.definitions[x.name] if x.op is VAR and same.get(x.name) == name else x)
-                traits = [self._trait(member, Kind.DEFINED, a) for a in _all(meant)]
-                self.defining[member] = None if None in traits else [t for t in traits if t is not None]
+                parts = [self.abstract(a, member[1]) for a in _all(meant)]
+                traits = [self._trait(member, Kind.DEFINED, x) for x in parts if x is not None]
+                self.defining[member] = traits if len(traits) == len(parts) else None
         for kind, facts in ((Kind.KEPT, hypotheses), (Kind.ASSUMED, [a.expr for a in system.assumptions])):
             for x in facts:
                 for fact in _all(self.named(x)):
@@ -188,25 +189,24 @@ class Members:
         elif len({number for _, number in members}) > 1:
             self.mixed.append((fact, kind))
         else:
-            for clause in clauses(fact):
-                self._tell(clause, kind)
+            number = members[0][1]
+            whole = self.abstract(fact, number)
+            assert whole is not None  # the fact reads no other member
+            for clause in clauses(whole):
+                self._tell(clause, number, kind)
 
-    def _tell(self, clause: Sequence[Expr], kind: Kind) -> None:
+    def _tell(self, clause: Sequence[Expr], number: int, kind: Kind) -> None:
         """A clause in which some variable of the member is false tells of that one; another is left out."""
         for n, x in enumerate(clause):
-            member = self.of(x.args[0]) if x.op is NOT else None
-            if member is not None:
+            if x.op is NOT and x.args[0].name[:1] == OF:
+                member = x.args[0].name[1:], number
                 trait = self._trait(member, kind, disj([*clause[:n], *clause[n + 1 :]]))
-                if trait is not None:
-                    self.telling.setdefault(member, []).append(trait)
+                self.telling.setdefault(member, []).append(trait)
                 return
 
-    def _trait(self, member: Member, kind: Kind, x: Expr) -> Trait | None:
-        """What is said of one member; None where it reads another one."""
+    def _trait(self, member: Member, kind: Kind, expr: Expr) -> Trait:
+        """What is said of one member, over families."""
         family, number = member
-        expr = self.abstract(x, number)
-        if expr is None:
-            return None
         trait = self._traits.get((family, kind, expr))
         if trait is None:
             names = self.read(expr)[0]
@@ -228,8 +228,13 @@ class Members:
     def abstract(self, x: Expr, number: int) -> Expr | None:
         """The expression over families instead of a member's variables; None where it reads another member."""
         if x.args:
-            args = [self.abstract(a, number) for a in x.args]
-            return None if None in args else rebuild(x, tuple(a for a in args if a is not None))
+            args: list[Expr] = []
+            for a in x.args:
+                y = a if a.op is VAR and a.name not in self._member else self.abstract(a, number)
+                if y is None:
+                    return None
+                args.append(y)
+            return rebuild(x, tuple(args))
         member = self.of(x) if x.name else None
         if member is None:
             return x
@@ -239,13 +244,9 @@ class Members:
         """The only member that a goal reads, and expressions over families that together are the goal."""
         _, members = self.read(goal)
         number = members[0][1]
-        found = []
-        for fact in _all(goal):
-            for clause in clauses(fact):
-                piece = self.abstract(disj(clause), number)
-                assert piece is not None  # the goal reads no other member
-                found.append(piece)
-        return number, found
+        whole = self.abstract(goal, number)
+        assert whole is not None  # the goal reads no other member
+        return number, [disj(clause) for fact in _all(whole) for clause in clauses(fact)]
 
 
 def _all(x: Expr) -> tuple[Expr, ...]:
@@ -263,28 +264,25 @@ def _parts(x: Expr) -> Sequence[Expr]:
 
 def clauses(x: Expr) -> Iterator[list[Expr]]:
     """Disjunctions that together are the expression; where they would be too many, some are not taken apart."""
-    todo, left = [[x]], MANY
+    todo, left = [(_alternatives(x), 0)], MANY
     while todo:
-        clause = [b for a in todo.pop() for b in _alternatives(a)]
-        n = next((n for n, a in enumerate(clause) if _parts(a)), None)
-        if n is None or left <= 0:
+        clause, begin = todo.pop()
+        n = next((n for n in range(begin, len(clause)) if _parts(clause[n])), None) if left > 0 else None
+        if n is None:
             yield clause
             continue
-        parts = _parts(clause[n])
+        parts, before, behind = _parts(clause[n]), clause[:n], clause[n + 1 :]
         left -= len(parts)
-        todo.extend([*clause[:n], p, *clause[n + 1 :]] for p in reversed(parts))
+        todo.extend([([*before, *_alternatives(p), *behind], n) for p in reversed(parts)])
 
 
-def _alternatives(x: Expr) -> Iterator[Expr]:
+def _alternatives(x: Expr) -> list[Expr]:
     """The parts of a disjunction, and of those of them that are one."""
     if x.op is OR:
-        for a in x.args:
-            yield from _alternatives(a)
-    elif x.op is NOT and x.args[0].op is AND:
-        for a in x.args[0].args:
-            yield from _alternatives(neg(a))
-    else:
-        yield x
+        return [b for a in x.args for b in (_alternatives(a) if a.args else (a,))]
+    if x.op is NOT and x.args[0].op is AND:
+        return [b for a in x.args[0].args for b in _alternatives(neg(a))]
+    return [x]
 
 
 def _positive(x: Expr, side: bool) -> bool:

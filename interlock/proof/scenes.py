@@ -16,16 +16,21 @@ def scenes(views: Views, goals: Iterable[tuple[int, Expr]]) -> list[Scene]:
     """
     whole: dict[str, list[tuple[int, Expr]]] = {}
     pieces: dict[tuple[str, ...], dict[Expr, dict[int, list[int]]]] = {}
+    named: dict[Expr, tuple[str, ...]] = {}
     for n, goal in goals:
         x = views.members.named(goal)
         names, members = views.members.read(x)
-        homes = [views.homes[v] for v in names if v in views.homes]
         if len({number for _, number in members}) == 1:
             number, parts = views.members.pieces(x)
             for part in parts:
-                near = pieces.setdefault(_homes(views, part, number), {})
+                at = named.get(part)
+                if at is None:
+                    at = named[part] = _named(views, views.members.read(part)[0])
+                near = pieces.setdefault(at or _of_route(views, part, number), {})
                 near.setdefault(part, {}).setdefault(number, []).append(n)
-        elif homes:
+            continue
+        homes = [views.homes[v] for v in names if v in views.homes]
+        if homes:
             beside = views.system.beside
             ahead = any(h.startswith("overlap ") and homes[-1] not in beside.get(h, ()) for h in homes)
             home = homes[0 if ahead else -1]
@@ -41,14 +46,13 @@ def scenes(views: Views, goals: Iterable[tuple[int, Expr]]) -> list[Scene]:
     return [*found, *(Scene(at, pieces=those) for at, those in each.items())]
 
 
-def _homes(views: Views, piece: Expr, number: int) -> tuple[str, ...]:
-    """The elements that a piece of a goal reads; where it reads none, those that the definitions of the route's
-    variables read in it."""
-    members = views.members
-    read = members.read(piece)[0]
-    names: list[str] = [v for v in read if v[0] != OF]
-    if not any(v in views.homes for v in names):
-        for f in read:
-            for trait in (members.defining.get((f[1:], number)) if f[0] == OF else None) or ():
-                names += trait.names
+def _named(views: Views, names: Iterable[str]) -> tuple[str, ...]:
+    """The elements to which names belong."""
     return tuple(dict.fromkeys(views.homes[v] for v in names if v in views.homes))
+
+
+def _of_route(views: Views, piece: Expr, number: int) -> tuple[str, ...]:
+    """The elements that the definitions of the route's variables read in a piece of a goal that reads none itself."""
+    members = views.members
+    families = (f[1:] for f in members.read(piece)[0] if f[0] == OF)
+    return _named(views, (v for f in families for t in members.defining.get((f, number)) or () for v in t.names))

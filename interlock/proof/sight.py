@@ -164,9 +164,11 @@ class _Sight:
             self.whole[f.family] = self.whole.get(f.family, 0) | f.members
         traits = [t.members for those in self.traits.values() for t in those]
         classes = [every] if every else []
-        cuts = dict.fromkeys([some & every for some in (*marks, *traits, *self.views.bare, *(f.members for f in fulls))])
+        cuts = dict.fromkeys(
+            [some & every for some in (*marks, *traits, *self.views.bare, *(f.members for f in fulls))]
+        )
         for some in cuts:
-            if any([0 != c & some != c for c in classes]):
+            if any(0 != c & some != c for c in classes):
                 classes = [part for c in classes for part in (c & some, c & ~some) if part]
         for members in classes:
             if members & spoken:
