@@ -192,25 +192,23 @@ class Substitution:
             return done[root]
         if not root.args:
             return mapping.get(root.name, root) if root.op is VAR else root
-        stack = [root]
+        new: list[Expr] = []
+        stack = [(root, iter(root.args), new)]
         while stack:
-            node = stack[-1]
-            if node in done:  # two that are done by now read it
-                stack.pop()
-                continue
-            new: list[Expr] = []
-            before = len(stack)
-            for a in node.args:
+            node, left, new = stack[-1]
+            for a in left:
                 x = done.get(a)
                 if x is None:
                     if a.args:
-                        stack.append(a)
-                        continue
+                        stack.append((a, iter(a.args), []))
+                        break
                     x = done[a] = mapping.get(a.name, a) if a.op is VAR else a
                 new.append(x)
-            if len(stack) == before:
-                done[node] = rebuild(node, tuple(new))
+            else:
                 stack.pop()
+                done[node] = x = rebuild(node, tuple(new))
+                if stack:
+                    stack[-1][2].append(x)
         return done[root]
 
 

@@ -88,7 +88,7 @@ def _input(i: Input) -> Declaration:
 
 
 def _rows(e: Equation) -> int:
-    return 3 + len(e.terms) + sum(max(0, len(t.expr.args)) // 4 for t in e.terms)
+    return 3 + len(e.terms) + sum([len(t.expr.args) // 4 for t in e.terms])
 
 
 def _cut(steps: Sequence[Equation | Timer], most: int) -> list[list[Equation | Timer]]:
@@ -96,15 +96,17 @@ def _cut(steps: Sequence[Equation | Timer], most: int) -> list[list[Equation | T
     out: list[list[Equation | Timer]] = []
     rows, reads = 0, set[str]()
     for step in steps:
-        new = set(step.reads if isinstance(step, Equation) else (step.input,))
+        read = step.reads if isinstance(step, Equation) else (step.input,)
         size = _rows(step) if isinstance(step, Equation) else 4
-        if out and type(out[-1][0]) is type(step) and rows + size + len(reads | new) <= most:
-            out[-1].append(step)
-            rows += size
-            reads |= new
-        else:
-            out.append([step])
-            rows, reads = size, new
+        if out and type(out[-1][0]) is type(step):
+            new = set(read).difference(reads)
+            if rows + size + len(reads) + len(new) <= most:
+                out[-1].append(step)
+                rows += size
+                reads |= new
+                continue
+        out.append([step])
+        rows, reads = size, set(read)
     return out
 
 

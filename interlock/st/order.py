@@ -46,9 +46,12 @@ def _reads(s: Step) -> tuple[str, ...]:
 def _stages(every: Sequence[Step], reads: dict[str, tuple[str, ...]]) -> dict[str, int]:
     """How many timers stand one behind the other before each step; a timer closes the stage of what it waits for."""
     stage: dict[str, int] = {}
-    timers = {s.name for s in every if isinstance(s, Timer)}
+    behind: dict[str, int] = {}  # by a timer, or what stands behind one: the stage of what reads it
     for s in every:
-        stage[s.name] = max((stage[n] + (n in timers) for n in reads[s.name] if n in stage), default=0)
+        late = [behind[n] for n in reads[s.name] if n in behind]
+        stage[s.name] = k = max(late) if late else 0
+        if k or isinstance(s, Timer):
+            behind[s.name] = k + isinstance(s, Timer)
     return stage
 
 
