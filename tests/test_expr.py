@@ -61,6 +61,31 @@ def test_what_is_computed_where_something_has_changed_is_as_if_all_were(
         told = dict(found)
 
 
+@given(
+    st.lists(expressions, min_size=1, max_size=3),
+    st.lists(expressions, min_size=1, max_size=3),
+    st.lists(
+        st.tuples(st.lists(st.integers(0, 7), min_size=len(NAMES), max_size=len(NAMES)), st.booleans()), max_size=6
+    ),
+)
+def test_a_later_stage_computes_with_what_is_read_then(
+    first: list[Expr], last: list[Expr], steps: list[tuple[list[int], bool]]
+) -> None:
+    """What the first stage has computed is computed again where its variables have changed since."""
+    one, two = ({f"{letter}{n}": x for n, x in enumerate(some)} for letter, some in (("a", first), ("b", last)))
+    run, mask, before = Bits(one, two), 7, dict.fromkeys(NAMES, 0)
+    told: dict[str, int] = {}
+    for values, between in steps:
+        vectors = dict(zip(NAMES, values, strict=True))
+        early = before if between else vectors
+        found = run(early, mask)
+        assert {n: found[n] for n in one} == Bits(one)(early, mask)
+        found = run(vectors, mask, 1)
+        assert found == Bits(one | two)(vectors, mask)
+        assert {n: x for n, x in found.items() if x != told.get(n)}.items() <= run.changed.items()
+        before, told = vectors, dict(found)
+
+
 @settings(deadline=None)
 @given(st.dictionaries(st.sampled_from(("w1", "w2")), expressions), st.lists(expressions, max_size=3), expressions)
 def test_clauses_in_one_direction_answer_as_those_in_both(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import pytest
 
@@ -19,6 +19,7 @@ from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import Facts, claims, strengthening
 from interlock.proof.limits import Limits
+from interlock.proof.looks import Looks
 from interlock.proof.members import OF, Members
 from interlock.proof.mutate import KINDS
 from interlock.proof.runner import inductive, open_claims
@@ -26,7 +27,7 @@ from interlock.proof.scenes import scenes
 from interlock.proof.sight import view
 from interlock.proof.states import States
 from interlock.proof.system import System
-from interlock.proof.views import View, Views
+from interlock.proof.views import Scene, View, Views
 from interlock.table.rows import InterlockingTable
 from tests.layouts import built, grown
 
@@ -89,16 +90,68 @@ class Large:
 
 @pytest.mark.parametrize("tracks", [4, 6])
 @pytest.mark.parametrize("call_on", [False, True])
-def test_what_a_view_says_holds_in_the_large_system(tracks: int, call_on: bool) -> None:
+@pytest.mark.parametrize("narrow", [False, True])
+def test_what_a_view_says_holds_in_the_large_system(tracks: int, call_on: bool, narrow: bool) -> None:
     layout, _, controller = small_yard(tracks, call_on)
     system = System(layout, controller)
     steps, claimed, kept = goals_of(system)
     views, large = Views(system, kept), Large(system, kept, False)
     some = scenes(views, [*steps, *claimed])
     for scene in random.Random(tracks).sample(some, min(24, len(some))):
-        seen = view(views, scene)
+        seen = view(views, scene, narrow)
         assert seen.asked and seen.facts
         assert large.wrong(seen) == []
+
+
+def test_a_narrow_view_says_less_and_asks_the_same() -> None:
+    layout, _, controller = small_yard(6)
+    system = System(layout, controller)
+    steps, claimed, kept = goals_of(system)
+    views = Views(system, kept)
+    some = [s for s in scenes(views, [*steps, *claimed]) if s.homes and s.homes[0].startswith("section")]
+    sizes = []
+    for scene in some:
+        narrow, all_around = view(views, scene, narrow=True), view(views, scene)
+        assert {n for _, goals in narrow.asked for n in goals} == {n for _, goals in all_around.asked for n in goals}
+        of_places = {name for name in narrow.definitions if name[0] != OF}
+        assert of_places <= all_around.definitions.keys() and len(narrow.crowds) <= len(all_around.crowds)
+        sizes.append(len(narrow.facts) / len(all_around.facts))
+    assert sum(sizes) < 0.9 * len(sizes)
+
+
+def test_what_a_narrow_view_leaves_open_is_looked_at_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Here narrow views say nothing: all the same follows, from the views of all around."""
+    layout, _, controller = small_yard(4)
+    system = System(layout, controller)
+    steps, _, kept = goals_of(system)
+    again: set[int] = set()
+
+    def seen_of(views: Views, scene: Scene, narrow: bool) -> View:
+        seen = view(views, scene, narrow)
+        if narrow:
+            return replace(seen, facts=(), definitions={})
+        again.update(scene.goals)
+        return seen
+
+    looks = Looks(system, kept, Limits())
+    asked = looks.looks(steps)
+    assert not any(looks.see(look).open for look in asked)
+    monkeypatch.setattr("interlock.proof.looks.view", seen_of)
+    looks = Looks(system, kept, Limits())
+    assert not any(looks.see(look).open for look in asked)
+    goals = {n for look in asked for n in look.goals}
+    assert again <= goals and len(again) > 0.9 * len(goals)
+
+
+def test_what_does_not_follow_is_open_after_both_looks() -> None:
+    layout, _, controller = small_yard(4)
+    system = System(layout, controller)
+    steps, _, _ = goals_of(system)
+    looks = Looks(system, [], Limits())
+    asked = looks.looks(steps)
+    left = {n for look in asked for n in looks.see(look).open}
+    alone = {n for look in asked for scene in look.scenes for n in looks._open(scene, narrow=False)}
+    assert left == alone and len(left) > 100
 
 
 @pytest.mark.parametrize("after", [False, True])
