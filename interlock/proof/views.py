@@ -16,6 +16,10 @@ crowds read like that:
 A goal that speaks of one route is asked for one route of a crowd, which is then a crowd of its own beside the rest: the
 view of any other route of it is the same but for the number.  How large a view is does not depend on how many routes
 there are, but on how many ways there are to pass by.
+
+A *narrow* view sees why the elements that its goals name are as they are; of others it sees how they are, and not why,
+and of routes what they have to do with the former.  Nearly all goals follow in it; what does not is asked of the view
+of all around.
 """
 
 from __future__ import annotations
