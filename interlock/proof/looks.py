@@ -1,4 +1,4 @@
-"""Goals of a large system decided view by view: see `views.py`."""
+"""Goals of a large system decided view by view, first of what is near and then of all around: see `views.py`."""
 
 from __future__ import annotations
 
@@ -66,10 +66,20 @@ class Looks:
         began = time.perf_counter()
         left: dict[int, None] = {}
         for scene in look.scenes:
-            open_: dict[int, None] = {}
-            if any(h.startswith("overlap ") for h in scene.homes) or (open_ := self._open(scene, narrow=True)):
-                left |= self._open(scene.only(open_) if open_ else scene, narrow=False)
+            left |= self._left(scene)
         return Seen(tuple(left), time.perf_counter() - began)
+
+    def _left(self, scene: Scene) -> dict[int, None]:
+        """The goals of a scene that follow neither from what is near nor from all around.
+
+        An overlap lies elsewhere than the signal that holds it: what is near is not asked.
+        """
+        if not any(h.startswith("overlap ") for h in scene.homes):
+            open_ = self._open(scene, narrow=True)
+            if not open_:
+                return open_
+            scene = scene.only(open_)
+        return self._open(scene, narrow=False)
 
     def _open(self, scene: Scene, narrow: bool) -> dict[int, None]:
         """The goals of a scene that do not follow in its view."""
