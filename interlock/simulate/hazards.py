@@ -1,0 +1,155 @@
+"""What a bystander would call harm, found from positions in metres alone.
+
+Two vehicles in the same place or foul of each other; a vehicle that runs over a point which does not lie for it, over a
+derailer that is on, over a device that is not closed; rails that move under a vehicle, or ahead of one that was called
+over them; more trains in a zone than are allowed; trains against each other on a line with a direction token.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from interlock.model.layout import Layout
+from interlock.simulate.track import NONE, Track
+from interlock.simulate.train import Train
+
+if TYPE_CHECKING:
+    from interlock.simulate.world import World
+
+AHEAD_M = 4000.0
+"""How far ahead of a called train points are looked at."""
+
+
+@dataclass
+class Watch:
+    """Collects hazards, each told once for the same place and trains."""
+
+    layout: Layout
+    track: Track
+    found: list[str] = field(default_factory=list)
+    told: set[str] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        t, layout = self.track, self.layout
+        number = {str(e.id): i for i, e in enumerate(layout.edges)}
+        self.machine_nodes: list[list[frozenset[int]]] = [[] for _ in t.machines]
+        for p in layout.points:
+            legs = frozenset(number[str(x)] for x in (p.toe, p.normal, p.reverse))
+            self.machine_nodes[t.machines.index(str(p.machine))].append(legs)
+        section = {s: i for i, s in enumerate(t.sections)}
+        self.devices = [
+            (t.machines.index(str(d.id)), frozenset(section[str(s)] for s in d.over)) for d in layout.devices
+        ]
+        self.limits = [(z.id, z.trains, frozenset(section[str(s)] for s in z.sections)) for z in layout.zones]
+
+    def tell(self, clock: float, key: str, text: str) -> None:
+        """A hazard, once."""
+        if key not in self.told:
+            self.told.add(key)
+            self.found.append(f"{clock:.1f} s: {text}")
+
+    def trains(self, world: World) -> None:
+        """Vehicles in the same place or foul of each other, devices and zones under them."""
+        trains = world.trains
+        for i, a in enumerate(trains):
+            if not a.moved:
+                continue
+            for j, b in enumerate(trains):
+                if i == j or (b.moved and j < i):
+                    continue
+                if not a.edges.isdisjoint(b.edges):
+                    self._same(world, a, b)
+                fouled = (a.zones[0] & b.zones[1]) | (a.zones[1] & b.zones[0])
+                if fouled:
+                    name = self.track.names_of_zones[fouled.bit_length() - 1]
+                    text = f"trains {a.number} and {b.number} are foul of each other at {name}"
+                    self.tell(world.clock, f"foul {a.number} {b.number} {name}", text)
+            for m, over in self.devices:
+                if world.machines.position[m] != 1 and not over.isdisjoint(a.sections):
+                    name = self.track.machines[m]
+                    self.tell(world.clock, f"open {a.number} {name}", f"train {a.number} runs over {name}, not closed")
+        for name, most, inside in self.limits:
+            within = {t.origin for t in trains if not inside.isdisjoint(t.sections)}
+            if len(within) > most and any(t.moved and t.called for t in trains if t.origin in within):
+                self.tell(
+                    world.clock, f"zone {name} {sorted(within)}", f"{len(within)} trains in {name}, {most} allowed"
+                )
+
+    def _same(self, world: World, a: Train, b: Train) -> None:
+        stretches = self.track.stretches
+        for d in a.body:
+            if stretches[d].outside or d >> 1 not in b.edges:
+                continue
+            lo, hi = a.span(self.track, d)
+            for e in b.body:
+                if e >> 1 == d >> 1:
+                    low, high = b.span(self.track, e)
+                    if lo < high and low < hi:
+                        where = str(self.layout.edges[d >> 1].id)
+                        text = f"trains {a.number} and {b.number} collide on {where}"
+                        self.tell(world.clock, f"collide {a.number} {b.number}", text)
+
+    def under_train(self, world: World, machine: int) -> Train | None:
+        """A train that lies over one of a machine's points."""
+        for legs in self.machine_nodes[machine]:
+            for t in world.trains:
+                if len(t.edges & legs) > 1 and self._over(t, legs):
+                    return t
+        return None
+
+    def _over(self, t: Train, legs: frozenset[int]) -> bool:
+        return any(a >> 1 in legs and b >> 1 in legs for a, b in zip(t.body, t.body[1:], strict=False))
+
+    def machine_moves(self, world: World, machine: int) -> None:
+        """Rails begin to move: under a vehicle, or ahead of one that was called over them?"""
+        name = self.track.machines[machine]
+        under = self.under_train(world, machine)
+        if under is not None:
+            self.tell(world.clock, f"under {name} {under.number}", f"{name} moves under train {under.number}")
+        for t in world.trains:
+            if t.called and self._ahead(world, t, machine):
+                text = f"{name} moves ahead of train {t.number}, which was called over it"
+                self.tell(world.clock, f"ahead {name} {t.number}", text)
+
+    def _ahead(self, world: World, t: Train, machine: int) -> bool:
+        """Whether a called train meets the machine's points before the next signal that it obeys."""
+        s = self.track.stretches
+        d, gone = t.body[-1], -t.head
+        while gone < AHEAD_M:
+            gone += s[d].metres
+            if s[d].machine == machine:
+                return True
+            on = s[d].on
+            ends = s[d].facing
+            if ends is not None:
+                lies = world.machines.lies[s[d].machine]
+                if lies == NONE:
+                    return False
+                on = ends[lies]
+            if on == NONE or world.drivers.obeys(t, s[on].signal) or s[on].outside:
+                return False
+            d = on
+        return False
+
+    def starts(self, world: World, t: Train) -> None:
+        """A vehicle begins to move: do the rails under it lie, are devices under it closed?"""
+        s = self.track.stretches
+        for a, b in zip(t.body, t.body[1:], strict=False):
+            m = s[a].machine
+            if m == NONE:
+                continue
+            ends = s[a].facing
+            wanted = s[a].needs if ends is None else ends.index(b) if b in ends else NONE
+            if world.machines.lies[m] != wanted:
+                name = self.track.machines[m]
+                self.tell(world.clock, f"starts {t.number} {name}", f"train {t.number} starts over {name}, lying wrong")
+
+    def runs_over(self, world: World, t: Train, machine: int, text: str) -> None:
+        """A vehicle comes to a point that does not lie for it."""
+        name = self.track.machines[machine]
+        self.tell(world.clock, f"over {t.number} {name}", f"train {t.number} {text} {name}")
+
+    def derails(self, world: World, t: Train) -> None:
+        """A vehicle comes off the rails."""
+        self.tell(world.clock, f"derails {t.number}", f"train {t.number} runs off the rails")

@@ -1,0 +1,161 @@
+"""Who works the panel: somebody who plays at random, and somebody who wants an accident.
+
+Every input for the operator is in their hands: requests from the centre and on the spot, automatic working,
+cancelling, releasing, blocking, point keys, the confirmation after trailing.  The hand of the special manual change of
+direction alone is held only as agreed by telephone (A-AGREED).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from random import Random
+from typing import TYPE_CHECKING
+
+from interlock.model.portable import portable
+from interlock.simulate.track import NONE
+
+if TYPE_CHECKING:
+    from interlock.simulate.world import World
+
+NUMBERS = ("REQ", "LREQ")
+
+
+class Operator:
+    """Sets the operator's inputs before every scan.  `routes`: numbers of requests by entry signal, as a hint."""
+
+    def __init__(
+        self,
+        world: World,
+        inputs: Mapping[str, tuple[int, int]],
+        rng: Random,
+        routes: Mapping[str, tuple[int, ...]],
+        hostile: bool,
+    ) -> None:
+        self.world, self.rng, self.hostile = world, rng, hostile
+        self.sizes = {n: size for n, (_, size) in inputs.items()}
+        self.numbers = [n for n in NUMBERS if n in inputs]
+        self.cancels = [f"CAN_{portable(s)}" for s in world.track.signals]
+        self.cancels = [n if n in inputs else "" for n in self.cancels]
+        self.routes = [routes.get(s, ()) for s in world.track.signals]
+        self.releases = [n for n in inputs if n.startswith("REL_")]
+        self.blocks = [n for n in inputs if n.startswith("BLK_")]
+        self.keys = [n for n in inputs if n.startswith(("MN_", "MR_"))]
+        self.looked = [n for n in inputs if n.startswith("TC_")]
+        self.automatic = [n for n in inputs if n.startswith("AUTO_")]
+        self.prey, self.caught, self.reach = NONE, False, 50.0
+        self.held: dict[str, int] = {}
+        for n in self.blocks:
+            world.inputs[n] = 0
+
+    def hold(self, name: str, value: int, scans: int) -> None:
+        """Hold a button for some scans."""
+        if name:
+            self.world.inputs[name] = value
+            self.held[name] = scans
+
+    def act(self, outputs: Mapping[str, int]) -> None:
+        """Once before every scan; `outputs`: those of the last one, as lamps on the panel."""
+        rng, inputs = self.rng, self.world.inputs
+        for name, left in tuple(self.held.items()):
+            if left <= 0:
+                del self.held[name]
+                if name not in NUMBERS:
+                    inputs[name] = 0
+            else:
+                self.held[name] = left - 1
+        for name in self.numbers:
+            if name in self.held:
+                continue
+            if inputs[name]:
+                inputs[name] = 0  # let go: a request that is held is taken once
+            elif rng.random() < (0.5 if name == "REQ" else 0.05):
+                inputs[name] = self._wish(name)
+                self.held[name] = rng.choice((0, 0, 1, 3))
+        (self._harm if self.hostile else self._play)()
+        if not self.hostile or rng.random() < 0.5:
+            self._works(outputs)
+        for line in self.world.lines:
+            inputs[line.hand] = int(line.agreed() and (inputs[line.hand] or rng.random() < 0.05))
+
+    def _wish(self, name: str) -> int:
+        """A number to ask for: mostly a route before which a train waits."""
+        rng = self.rng
+        if self.hostile and name == "REQ" and rng.random() < 0.6:
+            number = self._lures()
+            if number:
+                return number
+        if rng.random() < 0.95:
+            waiting = [t.ahead for t in self.world.trains if t.ahead and not t.stuck]
+            if waiting:
+                signals = rng.choice(waiting)
+                numbers = self.routes[signals[0] if rng.random() < 0.6 else rng.choice(signals)]
+                if numbers:
+                    return rng.choice(numbers)
+        return rng.randrange(self.sizes[name])
+
+    def _lures(self) -> int:
+        """A train is called on past signal after signal, so that the last can be closed before it has come near."""
+        rng, trains = self.rng, self.world.trains
+        prey = next((t for t in trains if t.number == self.prey), None)
+        if prey is None or prey.stuck or len(prey.ahead) < 2 or self.caught:
+            run = [t for t in trains if t.called and t.speed > 1.0 and len(t.ahead) > 1 and t.number != self.prey]
+            self.prey, self.caught = (rng.choice(run).number if run else NONE), False
+            return 0
+        numbers = self.routes[prey.ahead[1] if rng.random() < 0.5 else prey.ahead[0]]
+        return rng.choice(numbers) if numbers else 0
+
+    def _springs(self) -> None:
+        """The signal after the next is cancelled under a train that was told that it is open."""
+        for t in self.world.trains:
+            if t.number == self.prey and t.announced and len(t.ahead) > 1 and not self.caught and t.gap < self.reach:
+                self.hold(self.cancels[t.ahead[1]], 1, 2)
+                self.caught, self.reach = True, self.rng.choice((5.0, 50.0, 200.0, 400.0))
+
+    def _some(self, names: list[str], chance: float, longest: int) -> None:
+        if names and self.rng.random() < chance:
+            self.hold(self.rng.choice(names), 1, self.rng.randrange(1, longest))
+
+    def _works(self, outputs: Mapping[str, int]) -> None:
+        """What a dispatcher does to keep traffic running: confirm, release, take back what nobody needs."""
+        rng = self.rng
+        what = rng.random()
+        if what < 0.01:
+            locked = [n for n in self.releases if outputs.get("YL_" + n[4:])]
+            if locked:
+                self.hold(rng.choice(locked), 1, rng.choice((5, 100, 600)))
+        elif what < 0.03:
+            for name in self.looked:
+                if outputs.get("YT_" + name[3:]):
+                    self.hold(name, 1, 2)
+        elif what < 0.05:
+            wanted = {g for t in self.world.trains if t.called or t.gap < 300.0 for g in t.ahead}
+            idle = [g for g in range(len(self.cancels)) if g not in wanted and self.cancels[g]]
+            for g in rng.sample(idle, min(3, len(idle))):
+                self.hold(self.cancels[g], 1, 1)
+
+    def _play(self) -> None:
+        self._some([n for n in self.cancels if n], 0.005, 4)
+        self._some(["RELALL"], 0.01, 20)
+        self._some(self.releases, 0.005, 400)
+        self._some(self.blocks, 0.0005, 200)
+        self._some(self.keys, 0.01, 6)
+        self._some(self.looked, 0.02, 3)
+        self._some(self.automatic, 0.002, 400)
+
+    def _harm(self) -> None:
+        rng = self.rng
+        self._springs()
+        for t in self.world.trains:
+            if t.target == NONE:
+                continue
+            close = t.accepted and t.gap < 300.0
+            if rng.random() < (0.01 if close else 0.002):
+                self.hold(self.cancels[rng.choice(t.ahead)], 1, rng.choice((1, 1, 2, 20, 400)))
+        self._some([n for n in self.cancels if n], 0.002, 4)
+        self.world.inputs["RELALL"] = 1
+        self._some(self.releases, 0.1, 1000)
+        self._some(self.blocks, 0.0005, 20)
+        for _ in range(3):
+            self._some(self.keys, 0.3, 8)
+        self._some(self.looked, 0.3, 3)
+        self._some(self.automatic, 0.002, 100)

@@ -1,0 +1,221 @@
+"""The railway that the runtime controls: machines, detection, lamps, trains that come and go, and what may go wrong.
+
+One step: the world runs for the time since the last scan under the outputs as shown, then the inputs are sampled.
+Outputs reach the ground at once or one scan late (A-LATE-OUTPUT).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from random import Random
+
+from interlock.model.elements import BlockKind, Work
+from interlock.model.layout import Layout
+from interlock.model.portable import portable
+from interlock.simulate.driver import Drivers
+from interlock.simulate.faults import Faults
+from interlock.simulate.hazards import Watch
+from interlock.simulate.neighbour import Neighbour
+from interlock.simulate.track import NONE, Track
+from interlock.simulate.train import Train
+
+
+class Machines:
+    """Points, devices and keys: position 0 or 1, or moving with seconds left; contacts may be lost."""
+
+    def __init__(self, layout: Layout, track: Track, rng: Random) -> None:
+        n = len(track.machines)
+        self.track, self.rng = track, rng
+        self.run_s = layout.principles.point_run_s
+        self.position = [rng.randrange(2) for _ in range(n)]
+        self.target = list(self.position)
+        self.left = [0.0] * n
+        self.names = [portable(m) for m in track.machines]
+        self.hand = [m in {str(p.machine) for p in layout.points if p.work is Work.HAND} for m in track.machines]
+        self.device = [m in {str(d.id) for d in layout.devices} for m in track.machines]
+        self.drives = [(f"YN_{n}", f"YR_{n}") for n in self.names]
+        self.contacts = [(f"DN_{n}", f"DR_{n}") for n in self.names]
+        self.lost: dict[int, tuple[float, int]] = {}
+        self.lies = list(self.position)
+        """How the rails lie, NONE while they move; of a hand-worked point its key tells only whether it may move."""
+        self.version = 0
+
+    def lay(self, m: int, position: int) -> None:
+        """The rails lie otherwise, or nowhere."""
+        if self.lies[m] != position:
+            self.lies[m] = position
+            self.version += 1
+
+    def run(self, dt: float, shown: Mapping[str, int]) -> list[int]:
+        """Move for a while; the machines whose rails began to move."""
+        started = []
+        for m, (normal, reverse) in enumerate(self.drives):
+            to = 0 if shown[normal] else 1 if shown[reverse] else NONE
+            if to == NONE and not self.left[m]:
+                continue
+            if to not in (NONE, self.target[m]):
+                self.target[m] = to
+                self.left[m] = self.run_s * self.rng.uniform(0.3, 1.0)
+                self.position[m] = NONE
+                if not self.hand[m]:
+                    started.append(m)
+                    self.lay(m, NONE)
+            elif self.left[m] and to != NONE:
+                self.left[m] = max(0.0, self.left[m] - dt)
+                if not self.left[m]:
+                    self.position[m] = self.target[m]
+                    self.lay(m, 0 if self.hand[m] and not self.position[m] else self._final(m))
+            if self.hand[m] and self.position[m] == 1 and self.rng.random() < 0.02:
+                started.append(m)
+                self.lay(m, self.rng.choice((0, 1, NONE)))
+            elif self.hand[m] and self.position[m] == NONE and self.target[m] == 0 and self.lies[m] != 0:
+                started.append(m)
+                self.lay(m, 0)  # turned back by hand before the key is locked
+        return started
+
+    def _final(self, m: int) -> int:
+        return self.lies[m] if self.hand[m] else self.position[m]
+
+    def report(self, inputs: dict[str, int]) -> None:
+        """Contacts as sampled."""
+        for m, (normal, reverse) in enumerate(self.contacts):
+            p = self.position[m]
+            inputs[normal], inputs[reverse] = int(p == 0), int(p == 1)
+        for m, (_, both) in self.lost.items():
+            inputs[self.contacts[m][0]] = inputs[self.contacts[m][1]] = both
+
+
+class World:
+    """Everything outside the controller."""
+
+    def __init__(
+        self, layout: Layout, track: Track, inputs: Mapping[str, tuple[int, int]], rng: Random, faults: Faults
+    ) -> None:
+        self.layout, self.track, self.rng, self.faults = layout, track, rng, faults
+        self.rules = layout.principles
+        self.inputs: dict[str, int] = {name: restrictive for name, (restrictive, _) in inputs.items()}
+        for name in self.inputs:
+            if name.startswith(("RL_", "GL_", "CL_", "E_", "SH_", "VALID")):
+                self.inputs[name] = 1
+        self.conditions = [n for n in self.inputs if n.startswith("E_")]
+        self.lamps = [n for n in self.inputs if n.startswith(("RL_", "GL_", "CL_"))]
+        self.clear = [f"CLR_{portable(s)}" for s in track.sections]
+        self.clear_wired = [n in self.inputs for n in self.clear]
+        self.machines = Machines(layout, track, rng)
+        self.trains: list[Train] = []
+        self.count = [0] * len(track.sections)
+        self.was = [0] * len(track.sections)
+        self.false: dict[int, float] = {}
+        self.shunt_lost: dict[int, float] = {}
+        self.out: dict[str, float] = {}
+        self.invalid = 0.0
+        self.clock = 0.0
+        self.watch = Watch(layout, track)
+        self.drivers = Drivers(self)
+        self.lines = [Neighbour(self, b) for b in track.beyond if b.block is BlockKind.TOKEN]
+        self.token_at = {n.line.name: n for n in self.lines}
+        self.most = max(3, min(10, len(track.sections) * 2 // 3))
+        self.numbers = 0
+        self.movements = 0
+        self.passed_at_stop: list[str] = []
+        for _ in range(rng.randrange(self.most)):
+            self.drivers.place()
+
+    def new_number(self) -> int:
+        """The number of a new train."""
+        self.numbers += 1
+        return self.numbers
+
+    def step(self, dt: float, shown: Mapping[str, int]) -> dict[str, int]:
+        """The world runs for `dt` seconds under the outputs as shown; the inputs as sampled then."""
+        self.clock += dt
+        for m in self.machines.run(dt, shown):
+            self.watch.machine_moves(self, m)
+        self.drivers.step(dt, shown)
+        self.watch.trains(self)
+        self._faults(dt)
+        self._detect(dt)
+        for line in self.lines:
+            line.step(shown)
+        return self.inputs
+
+    def power_cut(self) -> None:
+        """The controller has gone dark: whoever stands needs a new call; points may be cranked, devices open."""
+        for t in self.trains:
+            if t.speed == 0.0:
+                t.called = t.accepted = t.expects = False
+        self.machines.lost.clear()
+
+    def cranked(self) -> None:
+        """While everything stands without power points are cranked and devices open, but no point under a train."""
+        for m in range(len(self.machines.names)):
+            if self.rng.random() < 0.3 and not self.watch.under_train(self, m):
+                p = self.rng.randrange(2)
+                self.machines.position[m] = self.machines.target[m] = p
+                self.machines.left[m] = 0.0
+                self.machines.lay(m, p)
+
+    def _faults(self, dt: float) -> None:
+        rng, f = self.rng, self.faults
+        if rng.random() < f.false * dt * len(self.clear):
+            s = rng.randrange(len(self.clear))
+            if not self._beside_false(s):
+                self.false[s] = rng.choice((0.0, 1.0, 5.0, 30.0))
+        if rng.random() < f.contact * dt * len(self.machines.names) and self.machines.names:
+            m = rng.randrange(len(self.machines.names))
+            self.machines.lost[m] = (rng.choice((0.0, 1.0, 20.0)), rng.randrange(2))
+        for m, (left, both) in tuple(self.machines.lost.items()):
+            if left < 0:
+                del self.machines.lost[m]
+            else:
+                self.machines.lost[m] = (left - dt, both)
+        for names, rate in ((self.lamps, f.lamp), (self.conditions, f.condition)):
+            if names and rng.random() < rate * dt * len(names):
+                self.out[rng.choice(names)] = rng.choice((1.0, 10.0, 60.0))
+        for name, left in tuple(self.out.items()):
+            self.out[name] = left - dt
+            self.inputs[name] = 0
+            if left < 0:
+                del self.out[name]
+                self.inputs[name] = 1
+        if rng.random() < f.inputs * dt:
+            self.invalid = rng.choice((0.0, 1.0, 5.0))
+        self.inputs["VALID"] = int(self.invalid < 0)
+        self.invalid -= dt if self.invalid >= 0 else 0.0
+        if f.shunt and rng.random() < f.shunt * dt * len(self.clear):
+            self.shunt_lost[rng.randrange(len(self.clear))] = rng.uniform(0.0, f.shunt_s)
+
+    def _beside_false(self, s: int) -> bool:
+        return any(n in self.false for n in self.track.neighbours[s])
+
+    def _detect(self, dt: float) -> None:
+        """Sections as reported: late by a scan where a train has just come in or left, false where a fault says so."""
+        count = [0] * len(self.count)
+        for t in self.trains:
+            for s in t.sections:
+                count[s] += 1
+        rng, late = self.rng, self.faults.late
+        held: list[int] = []
+        for s, n in enumerate(count):
+            clear = not n
+            if clear != (not self.was[s]) and rng.random() < late:
+                if not clear:
+                    clear = True  # just entered
+                elif not self._beside_false(s) and not any(x in held for x in self.track.neighbours[s]):
+                    clear = False  # just left
+                    held.append(s)
+            elif n and s in self.shunt_lost:
+                clear = True
+            self.inputs[self.clear[s]] = int(clear) if self.clear_wired[s] else 0
+        for s, left in tuple(self.false.items()):
+            if not any(x in held for x in self.track.neighbours[s]):
+                self.inputs[self.clear[s]] = 0
+            self.false[s] = left - dt
+            if left < 0:
+                del self.false[s]
+        for s, left in tuple(self.shunt_lost.items()):
+            self.shunt_lost[s] = left - dt
+            if left < 0:
+                del self.shunt_lost[s]
+        self.was, self.count = count, count
+        self.machines.report(self.inputs)
