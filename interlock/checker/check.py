@@ -1,0 +1,81 @@
+"""A layout, the emitted text and a certificate together: what was compared, and what was not."""
+
+from __future__ import annotations
+
+import hashlib
+import lzma
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from interlock.checker import claims, controller, plant
+from interlock.checker.moves import World
+from interlock.checker.railway import Railway, Unread
+from interlock.checker.scan import execute
+from interlock.checker.written import written
+from interlock.verify import Rejected, check_files, need, verify
+
+
+@dataclass(frozen=True)
+class Checked:
+    """What was found equal, and what of the written system nobody compared: while there is any, nothing is VERIFIED."""
+
+    compared: tuple[str, ...]
+    left: tuple[str, ...]
+
+
+def check(layout: Path, folder: Path) -> Checked:
+    """Raises Rejected where the three do not agree, OSError where a file cannot be read."""
+    body = _body(layout)
+    named = str(body["name"])
+    files = check_files(folder)
+    own = hashlib.sha256(layout.read_bytes()).hexdigest()
+    need(own in files.values(), f"the certificate is of another layout: {layout} is none of its files")
+    proof = verify(folder)
+    w = written((folder / "system.txt").read_text("utf-8"))
+    text = _text(folder, files, named)
+    scan = execute(text.read_text("utf-8"), frozenset(w.state), w.definitions)
+    said = controller.compare(scan, w)
+    compared = [proof, f"{text.name} says the same: {said}"]
+    try:
+        world = World(Railway(body), w)
+    except Unread as unread:
+        return Checked(tuple(compared), (f"plant, assumptions and claims (the checker does not read {unread})",))
+    told, silent = claims.compare(world, w)
+    moves = plant.compare(world, w, scan)
+    claims.outputs_read(world, scan.outputs)
+    return Checked((*compared, told, moves), (f"the claims {', '.join(silent)}",) if silent else ())
+
+
+def _body(layout: Path) -> dict[str, Any]:
+    try:
+        body = yaml.safe_load(layout.read_text("utf-8"))
+    except yaml.YAMLError as e:
+        raise Rejected(f"{layout} is no YAML") from e
+    if not isinstance(body, dict) or not isinstance(body.get("name"), str):
+        raise Rejected(f"{layout} is no layout with a name")
+    return body
+
+
+def _text(folder: Path, files: dict[str, str], name: str) -> Path:
+    """The emitted Structured Text that the manifest names."""
+    found = [n for n in files if n.endswith(f"{name}/st/iec/{name}.st")]
+    need(len(found) == 1, f"the certificate names no Structured Text of {name}, or several")
+    return folder / found[0]
+
+
+def report(layout: Path, folder: Path) -> int:
+    """Say in words what was found; 0 VERIFIED, 1 REJECTED, 3 when something was not compared."""
+    try:
+        found = check(layout, folder)
+    except (Rejected, OSError, ValueError, KeyError, IndexError, TypeError, RecursionError, lzma.LZMAError) as e:
+        print(f"{layout} {folder}: REJECTED  {e if isinstance(e, Rejected) else f'{type(e).__name__}: {e}'}")
+        return 1
+    print(f"{layout} {folder}: {'VERIFIED' if not found.left else 'CHECKED'}")
+    for line in found.compared:
+        print(f"  {line}")
+    if found.left:
+        print(f"  not compared with the layout: {', '.join(found.left)}; so nothing is said to be verified of it")
+    return 3 if found.left else 0

@@ -1,0 +1,111 @@
+"""Formulas in one form, so that what differs in order, nesting or De Morgan's rule alone is equal.
+
+A formula is TRUE, FALSE, `("v", name)`, `("!", formula)`, or `("&", frozenset of formulas)`; a disjunction is the
+negation of a conjunction of negations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from functools import cache
+from typing import Any
+
+from interlock.verify import Rejected, need
+
+Formula = tuple[Any, ...]
+TRUE: Formula = ("T",)
+FALSE: Formula = ("F",)
+
+
+def leaf(name: str) -> Formula:
+    """A variable."""
+    return ("v", name)
+
+
+def no(x: Formula) -> Formula:
+    """NOT."""
+    return FALSE if x == TRUE else TRUE if x == FALSE else x[1] if x[0] == "!" else ("!", x)
+
+
+def every(xs: Iterable[Formula]) -> Formula:
+    """AND: flat, without order or repetition, FALSE when two operands contradict each other."""
+    flat: set[Formula] = set()
+    for x in xs:
+        if x == FALSE:
+            return FALSE
+        if x[0] == "&":
+            flat |= x[1]
+        elif x != TRUE:
+            flat.add(x)
+    if any(x[0] == "!" and x[1] in flat for x in flat):
+        return FALSE
+    return TRUE if not flat else next(iter(flat)) if len(flat) == 1 else ("&", frozenset(flat))
+
+
+def some(xs: Iterable[Formula]) -> Formula:
+    """OR."""
+    return no(every(no(x) for x in xs))
+
+
+def implies(a: Formula, b: Formula) -> Formula:
+    """If a, then b."""
+    return some((no(a), b))
+
+
+def same(a: Formula, b: Formula) -> Formula:
+    """Both or neither."""
+    return every((implies(a, b), implies(b, a)))
+
+
+def one_at_most(xs: Iterable[Formula]) -> Formula:
+    """No two of them."""
+    those = list(xs)
+    return every(no(every((a, b))) for i, a in enumerate(those) for b in those[i + 1 :])
+
+
+def names(x: Formula) -> Iterator[str]:
+    """The variables of a formula, with repetition."""
+    if x[0] == "v":
+        yield x[1]
+    elif x[0] == "!":
+        yield from names(x[1])
+    elif x[0] == "&":
+        for y in x[1]:
+            yield from names(y)
+
+
+def value(x: Formula, known: dict[str, bool]) -> bool | None:
+    """What a formula comes out as, if what is known settles it."""
+    if x[0] == "v":
+        return known.get(x[1])
+    if x[0] == "!":
+        inner = value(x[1], known)
+        return None if inner is None else not inner
+    if x[0] == "&":
+        found = [value(y, known) for y in x[1]]
+        return False if False in found else None if None in found else True
+    return bool(x == TRUE)
+
+
+@cache
+def read(text: str) -> Formula:
+    """A formula as the written system has it: `a`, `!a`, `(& a b)`, `(| a b)`, `T`, `F`."""
+    stack: list[tuple[str, bool, list[Formula]]] = [("", False, [])]
+    for word in text.replace("(", " ( ").replace(")", " ) ").replace("! ", "!").split():
+        if word in ("(", "!("):
+            stack.append(("", word == "!(", []))
+        elif word in ("&", "|") and len(stack) > 1 and not stack[-1][0] and not stack[-1][2]:
+            stack[-1] = (word, *stack[-1][1:])
+        elif word == ")":
+            need(len(stack) > 1 and stack[-1][0] != "", f"malformed formula {text[:60]}")
+            op, sign, args = stack.pop()
+            made = every(args) if op == "&" else some(args)
+            stack[-1][2].append(no(made) if sign else made)
+        else:
+            sign, name = word.startswith("!"), word.lstrip("!")
+            if not name or len(word) - len(name) > 1:
+                raise Rejected(f"malformed formula {text[:60]}")
+            x = TRUE if name == "T" else FALSE if name == "F" else leaf(name)
+            stack[-1][2].append(no(x) if sign else x)
+    need(len(stack) == 1 and len(stack[0][2]) == 1, f"malformed formula {text[:60]}")
+    return stack[0][2][0]

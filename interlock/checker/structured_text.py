@@ -1,0 +1,228 @@
+"""A reader of the emitted Structured Text (IEC 61131-3), of the subset that may stand in it and of nothing else.
+
+What it does not know it refuses: a statement that is skipped might change a meaning.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+from interlock.verify import Rejected, need
+
+TOKEN = re.compile(
+    r"\s+|\(\*.*?\*\)|(?P<time>T#[0-9a-z_]+)|(?P<number>[0-9]+)|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<sign>:=|[;:,().=])",
+    re.DOTALL,
+)
+UNITS = {"d": 86_400_000, "h": 3_600_000, "m": 60_000, "s": 1000, "ms": 1}
+KEYWORDS = frozenset(
+    {
+        "AND",
+        "OR",
+        "NOT",
+        "XOR",
+        "MOD",
+        "TRUE",
+        "FALSE",
+        "VAR",
+        "VAR_INPUT",
+        "VAR_OUTPUT",
+        "END_VAR",
+        "RETAIN",
+        "CONSTANT",
+    }
+    | {
+        "AT",
+        "FUNCTION_BLOCK",
+        "END_FUNCTION_BLOCK",
+        "IF",
+        "THEN",
+        "ELSE",
+        "ELSIF",
+        "END_IF",
+        "CASE",
+        "OF",
+        "FOR",
+        "WHILE",
+    }
+    | {"REPEAT", "RETURN", "EXIT"}
+)
+
+Expression = tuple[Any, ...]
+"""`("name", (word, ...))`, `("bool", value)`, `("int", value)`, `("time", ms)`, `("not", x)`, `("and"|"or", [x, ...])`,
+`("=", x, y)`."""
+
+
+@dataclass
+class Variable:
+    """A declared variable: its type and initial value."""
+
+    type: str
+    initial: Expression | None
+
+
+@dataclass
+class Block:
+    """A function block: inputs, outputs and locals in order, and what it does."""
+
+    name: str
+    parts: dict[str, dict[str, Variable]] = field(
+        default_factory=lambda: {"VAR_INPUT": {}, "VAR_OUTPUT": {}, "VAR": {}}
+    )
+    body: list[tuple[Any, ...]] = field(default_factory=list)
+    """`("assign", name, expression)` or `("call", instance, {argument: expression})`."""
+
+    @property
+    def inputs(self) -> dict[str, Variable]:
+        return self.parts["VAR_INPUT"]
+
+    @property
+    def outputs(self) -> dict[str, Variable]:
+        return self.parts["VAR_OUTPUT"]
+
+    @property
+    def locals(self) -> dict[str, Variable]:
+        return self.parts["VAR"]
+
+
+def milliseconds(text: str) -> int:
+    """A duration such as T#1m30s."""
+    parts = re.findall(r"([0-9]+)(ms|d|h|m|s)", text[2:])
+    need("".join(n + u for n, u in parts) == text[2:] and parts != [], f"malformed duration {text}")
+    return sum(int(n) * UNITS[u] for n, u in parts)
+
+
+class Reader:
+    """The tokens of a text, and what they say."""
+
+    def __init__(self, text: str) -> None:
+        self.tokens: list[tuple[str, str, int]] = []
+        at = line = 0
+        while at < len(text):
+            found = TOKEN.match(text, at)
+            if found is None:
+                raise Rejected(f"the text, line {line + 1}: {text[at : at + 20]!r} is not known here")
+            if found.lastgroup is not None:
+                self.tokens.append((found.lastgroup, found.group(), line + 1))
+            line += found.group().count("\n")
+            at = found.end()
+        self.tokens.append(("end", "", line + 1))
+        self.at = 0
+
+    def word(self) -> str:
+        """The next token's text."""
+        return self.tokens[self.at][1]
+
+    def take(self, *wanted: str) -> str:
+        """The next token, which must be one of these."""
+        kind, word, line = self.tokens[self.at]
+        need(kind != "end" and word in wanted, f"the text, line {line}: {' or '.join(wanted)} expected, not {word!r}")
+        self.at += 1
+        return word
+
+    def kind(self, wanted: str) -> str:
+        """The next token, which must be of a kind; keywords are no names."""
+        kind, word, line = self.tokens[self.at]
+        ok = kind == wanted and (kind != "name" or word.upper() not in KEYWORDS)
+        need(ok, f"the text, line {line}: a {wanted} expected, not {word!r}")
+        self.at += 1
+        return word
+
+    def unit(self) -> list[Block]:
+        """All function blocks, each with a name of its own."""
+        blocks = []
+        while self.tokens[self.at][0] != "end":
+            blocks.append(self.block())
+        named = [b.name.upper() for b in blocks]
+        need(blocks != [] and len(set(named)) == len(named), "the text has no function block, or two of one name")
+        return blocks
+
+    def block(self) -> Block:
+        """One function block."""
+        self.take("FUNCTION_BLOCK")
+        block = Block(self.kind("name"))
+        while self.word() in block.parts:
+            part = block.parts[self.take(*block.parts)]
+            while self.word() != "END_VAR":
+                name = self.kind("name")
+                taken = {n.upper() for p in block.parts.values() for n in p}
+                need(name.upper() not in taken, f"{block.name} declares {name} twice")
+                self.take(":")
+                type_ = self.kind("name")
+                part[name] = Variable(type_, self.initial())
+                self.take(";")
+            self.take("END_VAR")
+        while self.word() != "END_FUNCTION_BLOCK":
+            block.body.append(self.statement())
+        self.take("END_FUNCTION_BLOCK")
+        return block
+
+    def initial(self) -> Expression | None:
+        """The initial value of a declaration, if it has one."""
+        if self.word() != ":=":
+            return None
+        self.take(":=")
+        return self.primary()
+
+    def statement(self) -> tuple[Any, ...]:
+        """An assignment or a call."""
+        name = self.kind("name")
+        if self.take(":=", "(") == ":=":
+            value = self.expression()
+            self.take(";")
+            return ("assign", name, value)
+        given: dict[str, Expression] = {}
+        while self.word() != ")":
+            if given:
+                self.take(",")
+            argument = self.kind("name")
+            self.take(":=")
+            need(argument not in given, f"{argument} is given twice to {name}")
+            given[argument] = self.expression()
+        self.take(")")
+        self.take(";")
+        return ("call", name, given)
+
+    def expression(self) -> Expression:
+        """OR binds least."""
+        return self.joined("OR", lambda: self.joined("AND", self.negation))
+
+    def joined(self, word: str, inner: Any) -> Expression:
+        """Operands with one operator between them."""
+        found = [inner()]
+        while self.word() == word:
+            self.take(word)
+            found.append(inner())
+        return found[0] if len(found) == 1 else (word.lower(), found)
+
+    def negation(self) -> Expression:
+        """NOT binds more than AND; a comparison stands in brackets of its own."""
+        if self.word() == "NOT":
+            self.take("NOT")
+            return ("not", self.negation())
+        left = self.primary()
+        if self.word() == "=":
+            self.take("=")
+            return ("=", left, self.primary())
+        return left
+
+    def primary(self) -> Expression:
+        """A name, a constant, or an expression in brackets."""
+        kind, word, _ = self.tokens[self.at]
+        if word == "(":
+            self.take("(")
+            inner = self.expression()
+            self.take(")")
+            return inner
+        if word in ("TRUE", "FALSE"):
+            return ("bool", self.take("TRUE", "FALSE") == "TRUE")
+        if kind == "number":
+            return ("int", int(self.kind("number")))
+        if kind == "time":
+            return ("time", milliseconds(self.kind("time")))
+        parts = [self.kind("name")]
+        while self.word() == ".":
+            self.take(".")
+            parts.append(self.kind("name"))
+        return ("name", tuple(parts))

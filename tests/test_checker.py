@@ -1,0 +1,282 @@
+"""The second checker: accepts what belongs together, refuses what was forged, with the sentence that says why."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+import yaml
+
+from interlock.checker import claims, controller
+from interlock.checker.check import check, report
+from interlock.checker.moves import World
+from interlock.checker.railway import Railway
+from interlock.checker.scan import execute
+from interlock.checker.written import written
+from interlock.verify import Rejected
+from tests.certified import accepted, certified, forge_proof, signed
+from tests.layouts import SHIPPED
+
+FIG = Path("layouts/fig2_2.yaml")
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The certificate of a small layout, and all that it names, as they should be."""
+    top = tmp_path_factory.mktemp("made")
+    (top / "layouts").mkdir()
+    shutil.copy(FIG, top / "layouts")
+    certified(top / "layouts" / FIG.name, top)
+    return top
+
+
+@pytest.fixture
+def copy(made: Path, tmp_path: Path) -> Path:
+    """A copy of it, to be forged."""
+    shutil.copytree(made, tmp_path / "copy")
+    return tmp_path / "copy"
+
+
+def files(top: Path) -> tuple[Path, Path, Path]:
+    """Layout, certificate and text."""
+    return top / "layouts/fig2_2.yaml", top / "proofs/fig2_2", top / "generated/fig2_2/st/iec/fig2_2.st"
+
+
+def refused(top: Path) -> str:
+    """Why, after the digests were made to agree again; the certificate by itself is still accepted."""
+    layout, folder, _ = files(top)
+    signed(folder)
+    assert accepted(folder), "forged so badly that the refutations alone show it"
+    with pytest.raises(Rejected) as found:
+        check(layout, folder)
+    return str(found.value)
+
+
+def edit(file: Path, before: str, after: str) -> None:
+    text = file.read_text("utf-8")
+    assert text.count(before) >= 1, before
+    file.write_text(text.replace(before, after, 1), encoding="utf-8")
+
+
+def test_what_belongs_together_is_accepted(made: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    layout, folder, _ = files(made)
+    found = check(layout, folder)
+    assert "136 equations, 53 initial values, 6 timers" in found.compared[1]
+    assert report(layout, folder) == (3 if found.left else 0), "what was not compared is no success"
+    assert ("VERIFIED" in capsys.readouterr().out) is not bool(found.left)
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_text_says_what_its_written_system_says(name: str, tmp_path: Path) -> None:
+    """Line by line, read by nothing that wrote either of them."""
+    from interlock.app.texts import writers
+    from interlock.logic.lower import lower
+    from interlock.proof.invariants import Facts, strengthening
+    from interlock.proof.invariants import claims as claimed
+    from interlock.proof.local.bundle import system_text
+    from interlock.proof.local.facts import FactBase
+    from interlock.proof.runner import start_claim
+    from interlock.proof.system import System
+    from tests.layouts import built
+
+    layout, table, _ = built(name)
+    system = System(layout, lower(layout, table))
+    facts = Facts(system)
+    w = written(system_text(FactBase(system, strengthening(facts), claimed(facts), start_claim(system))))
+    texts = {
+        n: t
+        for _, those in (task() for task in writers(layout.bare, system.controller, [], (), True))
+        for n, t in those.items()
+    }
+    text = texts[f"st/iec/{name}.st"]
+    said = text.decode("utf-8") if isinstance(text, bytes) else text
+    scan = execute(said, frozenset(w.state), w.definitions)
+    assert f"{len(system.controller.timers)} timers" in controller.compare(scan, w)
+    assert set(scan.outputs) == {o.name for o in system.controller.outputs}
+
+
+EDITS = {
+    "an output": ("YP_X1 := S01.S_R1 OR S01.S_R2;", "YP_X1 := S01.S_R1;", "YP_X1"),
+    "outputs swapped": ("YN_P1 := S01.CN_P1;", "YN_P1 := S01.CR_P1;", "YN_P1"),
+    "a next value": ("N_K_DP := K_DP", "N_K_DP := NOT K_DP", "K_DP"),
+    "a wire": ("OCC_DP := NOT CLR_DP", "OCC_DP := CLR_DP", "OCC_DP"),
+    "an initial value": ("K_DP : BOOL := TRUE; (* DP: restart", "K_DP : BOOL := FALSE; (* DP: restart", "K_DP"),
+    "the start of an output": ("YS_X1 : BOOL := TRUE", "YS_X1 : BOOL := FALSE", "YS_X1"),
+    "a preset": ("(IN := RTI_DP, PT := T#3s)", "(IN := RTI_DP, PT := T#1ms)", "RT_DP has 1 ms in the text, 3000 ms"),
+    "the input of a timer": ("IN := ATI_X1,", "IN := ATI_X2,", "AT_X1 waits for ATI_X2"),
+    "what a block is given": ("CLR_DP := CLR_DP, VALID", "CLR_DP := VALID, VALID", "OCC_DP"),
+    "a statement twice": ("YN_P1 := S01.CN_P1;", "YN_P1 := S01.CN_P1; YN_P1 := FALSE;", "YN_P1 is written twice"),
+    "a statement that is not known": ("YN_P1 := S01.CN_P1;", "IF VALID THEN YN_P1 := TRUE; END_IF;", "expected"),
+    "a statement left out": ("YN_P1 := S01.CN_P1;", "", "YN_P1 is never written"),
+}
+
+
+@pytest.mark.parametrize("which", EDITS)
+def test_an_edit_of_the_text_is_refused_by_name(copy: Path, which: str) -> None:
+    before, after, why = EDITS[which]
+    edit(files(copy)[2], before, after)
+    assert why in refused(copy)
+
+
+def test_one_changed_output_equation(copy: Path) -> None:
+    """An alarm, of which no claim but an indication's speaks: with the written system changed accordingly."""
+    edit(files(copy)[2], "YP_X3 := S01.S_R4;", "YP_X3 := S01.S_R4 AND S01.F_DP;")
+    assert refused(copy) == "the text computes the next value of YP_X3 otherwise than the written system"
+
+
+def test_a_preset_that_only_the_written_system_has(copy: Path) -> None:
+    edit(files(copy)[1] / "system.txt", "timer RT_DP RTI_DP 3000", "timer RT_DP RTI_DP 9000")
+    assert "RT_DP has 3000 ms in the text, 9000 ms as written" in refused(copy)
+
+
+def test_another_layouts_certificate(made: Path) -> None:
+    with pytest.raises(Rejected, match="of another layout"):
+        check(Path("layouts/fig2_1.yaml"), files(made)[1])
+
+
+def test_a_wrong_controller_with_its_own_correct_certificate_beside_the_shipped_text(
+    copy: Path, tmp_path: Path
+) -> None:
+    """X1 asks for nothing beyond the layout's rules; a controller of a layout that is like it but for one signal is
+    proved, and its certificate is signed for this layout and this text."""
+    layout, folder, _ = files(copy)
+    other = tmp_path / "other" / "fig2_2.yaml"
+    other.parent.mkdir()
+    other.write_text(
+        layout.read_text("utf-8").replace("profile: mine", "profile: mine\nprinciples: {release_delay_s: 5}")
+    )
+    foreign = certified(other, other.parent)
+    for name in ("system.txt", "proof.txt.xz", "needed.txt"):
+        shutil.copy(foreign / name, folder / name)
+    assert "RT_DP has 3000 ms in the text, 5000 ms as written" in refused(copy)
+
+
+def lines(top: Path) -> tuple[Path, list[str]]:
+    file = files(top)[1] / "system.txt"
+    return file, file.read_text("utf-8").splitlines()
+
+
+def proved_again(top: Path, told: list[str]) -> None:
+    """The written system with other lines, and a proof of what it then says: by a forger who proves what he writes."""
+    folder = files(top)[1]
+    (folder / "system.txt").write_text("\n".join(told) + "\n", encoding="utf-8")
+    forge_proof(folder)
+
+
+def test_all_claims_T(copy: Path) -> None:
+    _, told = lines(copy)
+    proved_again(copy, [" ".join([*x.split(" ")[:3], "T"]) if x.startswith("claim ") else x for x in told])
+    assert "lacks what the specification asks" in refused(copy)
+
+
+def test_no_claims_at_all(copy: Path) -> None:
+    _, told = lines(copy)
+    proved_again(copy, [x for x in told if not x.startswith("claim ")])
+    assert "lacks what the specification asks" in refused(copy)
+
+
+def test_an_assumption_F(copy: Path) -> None:
+    """Nothing can happen, so that everything is proved: written as two clauses, which the prover can use."""
+    _, told = lines(copy)
+    at = next(n for n, x in enumerate(told) if x.startswith("asm A-TON"))
+    proved_again(copy, [*told[:at], "asm A-CONTACT (& VALID !VALID)", *told[at:]])
+    assert "the assumption A-CONTACT says more than the specification: FALSE" in refused(copy)
+
+
+def test_an_assumption_of_an_input(copy: Path) -> None:
+    """Under a name that the specification has not."""
+    _, told = lines(copy)
+    at = next(n for n, x in enumerate(told) if x.startswith("asm A-TON"))
+    proved_again(copy, [*told[:at], "asm A-WATCHFUL !CAN_X1", *told[at:]])
+    assert refused(copy) == "A-WATCHFUL is assumed, which the specification has not"
+
+
+def test_an_assumption_dropped_from_the_list(copy: Path) -> None:
+    """It is still assumed, but whoever reads the list does not learn of it."""
+    _, told = lines(copy)
+    proved_again(copy, [x for x in told if not x.startswith("assumed A-ONE-FALSE")])
+    assert refused(copy) == "A-ONE-FALSE is assumed, but not in the list of assumptions"
+
+
+def test_a_weaker_claim_under_the_old_sentence(copy: Path) -> None:
+    _, told = lines(copy)
+    before = "claim S-CLEAR X1:1 (| !(& YP_X1' at.P1.N') CLR_DP)"
+    assert before in told
+    proved_again(copy, [x.replace("CLR_DP)", "CLR_DP BLK_DP)") if x == before else x for x in told])
+    assert "the claim S-CLEAR lacks what the specification asks: (CLR_DP or not YP_X1' or not at.P1.N')" in refused(
+        copy
+    )
+
+
+def test_a_claim_under_another_sentence(copy: Path) -> None:
+    _, told = lines(copy)
+    proved_again(copy, [x.replace("No train comes", "Hardly a train comes") for x in told])
+    assert refused(copy) == "T-COLLISION has another sentence than the specification's"
+
+
+def test_an_invariant_assumed_instead_of_proved(copy: Path) -> None:
+    _, told = lines(copy)
+    at = next(n for n, x in enumerate(told) if x.startswith("asm A-TON"))
+    invariant = next(x for x in told if x.startswith("inv S-LIES:1:P1 "))
+    rest = [x for x in told if x != invariant]
+    proved_again(copy, [*rest[:at], f"asm A-CONTACT {invariant.split(' ', 3)[3]}", *rest[at:]])
+    assert "the assumption A-CONTACT says more than the specification" in refused(copy)
+
+
+@pytest.mark.parametrize("name", ["fig2_1", "fig2_3_split", "fig2_3_whole", "mine11", "incline_hoist"])
+def test_assumptions_and_claims_of_a_layout_are_those_of_the_specification(name: str, tmp_path: Path) -> None:
+    folder = certified(Path(f"layouts/{name}.yaml"), tmp_path)
+    found = check(Path(f"layouts/{name}.yaml"), folder)
+    assert "as specified" in found.compared[2]
+    assert found.left == (), "everything was compared"
+
+
+def test_a_layout_that_is_not_read_is_not_verified(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = certified(Path("layouts/junction.yaml"), tmp_path)
+    assert report(Path("layouts/junction.yaml"), folder) == 3
+    told = capsys.readouterr().out
+    assert "does not read crossings" in told and "VERIFIED" not in told
+
+
+@pytest.mark.parametrize("timer", ["RST", "AT_X1", "RT_DP", "ST_P1"])
+def test_a_delay_that_is_too_short_is_refused(made: Path, timer: str) -> None:
+    """Whatever the prover has compared: D-PRESET is T in the written system, and settled here anew."""
+    layout, folder, _ = files(made)
+    w = written((folder / "system.txt").read_text("utf-8"))
+    world = World(Railway(yaml.safe_load(layout.read_text("utf-8"))), w)
+    claims.compare(world, w)
+    source, preset = w.timers[timer]
+    w.timers[timer] = (source, preset - 1)
+    with pytest.raises(Rejected, match="D-PRESET lacks"):
+        claims.compare(world, w)
+
+
+def test_a_start_that_says_less_is_refused(copy: Path) -> None:
+    _, told = lines(copy)
+    proved_again(copy, [x.replace(" K_DP)", ")") if x.startswith("start ") else x for x in told])
+    assert "the claim P-START lacks" in refused(copy)
+
+
+WORLDS = {
+    "a train that never comes in": ("def head.C.SC (& o.SC", "def head.C.SC (& F o.SC", "head.C.SC is specified as"),
+    "a point that never moves": ("cmd.P1.R) ?start.P1.N)", "cmd.P1.R) F ?start.P1.N)", "start.P1.N is specified as"),
+    "points that lie right at the start": ("ini !go.X1", "ini at.P1.N\nini !go.X1", "narrower than specified: at.P1.N"),
+}
+
+
+@pytest.mark.parametrize("which", WORLDS)
+def test_a_tamer_world_is_refused(copy: Path, which: str) -> None:
+    before, after, why = WORLDS[which]
+    _, told = lines(copy)
+    text = "\n".join(told)
+    assert before in text
+    proved_again(copy, text.replace(before, after, 1).splitlines())
+    assert why in refused(copy)
+
+
+def test_verified_is_said_when_all_was_compared(made: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    layout, folder, _ = files(made)
+    assert report(layout, folder) == 0
+    told = capsys.readouterr().out
+    assert "VERIFIED" in told and "events and next values of the world" in told
