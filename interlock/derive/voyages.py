@@ -1,7 +1,7 @@
 """Voyages (航程): chains of routes that one command sets, and where two of them meet head-on (R18, document B 2.1).
 
-A voyage is given once and opened route by route.  Two voyages that run over the same sections in opposite directions
-could block one another for ever; the rule that forbids it and the search that shows it stand here.
+A voyage is given once and opened route by route, by an operator or by `interlock.dispatch`; the controller knows
+nothing of it.
 """
 
 from __future__ import annotations
@@ -29,36 +29,27 @@ Locks = Mapping[TraversalKey, TraversalRow]
 
 
 def derive_automatic(layout: Layout, routes: tuple[RouteRow, ...], sink: Sink) -> tuple[RouteId, ...]:
-    """The routes that may work automatically (R14: an explicit mode)."""
-    out = []
+    """The routes that may work automatically (R14: an explicit mode), in the order in which they are offered.
+
+    As the layout names them; where the principle `priorities` asks for it, the class of priority comes first.
+    """
+    out: list[RouteRow] = []
     for n in layout.automatic:
         fits = [r for r in routes if r.kind is RouteKind.MAIN and _fits(n, r)]
         if fits:
-            out.append(fits[0].id)
+            out.append(fits[0])
             continue
         ends = sorted({r.exit for r in routes if r.entry == n.entry})
         sink.add("IL2007", f"there is no train route from {n.entry} to {n.exit}", None, did_you_mean(n.exit, ends))
-    return tuple(dict.fromkeys(out))
+    if layout.principles.priorities:
+        out.sort(key=lambda r: priority(layout, r.section_ids, True))
+    return tuple(dict.fromkeys(r.id for r in out))
 
 
 def priority(layout: Layout, sections: Collection[SectionId], forward: bool) -> int:
     """Document A: an inclined lane first, for the danger of runaways; then the main direction, for fewer stops."""
     inclined = any(s.lane is Lane.INCLINED and s.id in sections for s in layout.sections)
     return 1 + 2 * (not inclined) + (not forward)
-
-
-def derive_priority(
-    layout: Layout, routes: tuple[RouteRow, ...], voyages: tuple[VoyageRow, ...], automatic: tuple[RouteId, ...]
-) -> tuple[tuple[RouteId, int], ...]:
-    """The best class of every noted route; empty where all wait in turn, or all are of one class."""
-    best: dict[RouteId, int] = {}
-    for r in routes:
-        own = [v.priority for v in voyages if r.id in v.routes]
-        if r.id in automatic:
-            own.append(priority(layout, r.section_ids, True))
-        if own:
-            best[r.id] = min(own)
-    return tuple(best.items()) if layout.principles.priorities and len(set(best.values())) > 1 else ()
 
 
 def _fits(n: NamedRoute, r: RouteRow) -> bool:
@@ -83,7 +74,7 @@ def derive_voyages(layout: Layout, routes: tuple[RouteRow, ...], locks: Locks, s
         if v.name not in chains:
             continue
         meetings = [m for w in chains if w != v.name for m in _meetings(ways[v.name], w, ways[w])]
-        order = "from the far end" if v.far_first else "section by section"
+        order = "from the far end" if v.far_first else "each before its train"
         why = Because("R18", f"{len(chains[v.name])} routes from {v.entry} to {v.exit}, opened {order}")
         ids = tuple(r.id for r in chains[v.name])
         rank = priority(layout, {s for r in chains[v.name] for s in r.section_ids}, v.forward)
@@ -127,50 +118,12 @@ def _chain(v: Voyage, routes: Sequence[RouteRow]) -> tuple[RouteRow, ...] | None
 def _meetings(mine: Sequence[TraversalRow], other: str, theirs: Sequence[TraversalRow]) -> Iterator[Meeting]:
     """The single lines that another voyage uses the other way round: common sections in a row, one of them opposed."""
     their = {t.section: t for t in theirs}
-    runs = [tuple(run) for common, run in groupby(mine, lambda t: t.section in their) if common]
-    singles = [run for run in runs if any(_opposed(t, their[t.section]) for t in run)]
-    path, back = [t.section for t in mine], [t.section for t in theirs]
-    lines = tuple(frozenset(t.section for t in run) for run in singles)
-    for run in singles:
-        sections = tuple(t.section for t in run)
-        states, stuck = deadlocks(path, back, ())
-        here = tuple(x for x in stuck if x[0] in sections or x[1] in sections)
-        left = [x for x in deadlocks(path, back, lines)[1] if x[0] in sections or x[1] in sections]
-        why = Because("R18", f"{other} runs over {', '.join(sections)} the other way")
-        yield Meeting(other, sections, states, here, len(left), why)
+    for common, run in groupby(mine, lambda t: t.section in their):
+        single = tuple(run)
+        if common and any(_opposed(t, their[t.section]) for t in single):
+            sections = tuple(t.section for t in single)
+            yield Meeting(other, sections, Because("R18", f"{other} runs over {', '.join(sections)} the other way"))
 
 
 def _opposed(t: TraversalRow, u: TraversalRow) -> bool:
     return t.entry == u.exit or t.exit == u.entry
-
-
-def deadlocks(
-    a: Sequence[SectionId], b: Sequence[SectionId], singles: Sequence[frozenset[SectionId]]
-) -> tuple[int, tuple[tuple[SectionId, SectionId], ...]]:
-    """The states that one train on each voyage can reach, and those in which neither can ever go on.
-
-    A train occupies one section after the other and is gone at the end; each of `singles` may be entered only while
-    the other train is not in it.
-    """
-    ways = ([None, *a, None], [None, *b, None])
-    seen = {(0, 0)}
-    todo = deque(seen)
-    stuck = []
-    while todo:
-        at = todo.popleft()
-        here = (ways[0][at[0]], ways[1][at[1]])
-        going = []
-        for me in (0, 1):
-            if at[me] + 1 == len(ways[me]):
-                continue
-            ahead, there = ways[me][at[me] + 1], here[1 - me]
-            against = any(ahead in x and here[me] not in x and there in x for x in singles)
-            if ahead is None or (ahead != there and not against):
-                going.append((at[0] + (me == 0), at[1] + (me == 1)))
-        if not going and here[0] is not None and here[1] is not None:
-            stuck.append((here[0], here[1]))
-        for state in going:
-            if state not in seen:
-                seen.add(state)
-                todo.append(state)
-    return len(seen), tuple(sorted(stuck))

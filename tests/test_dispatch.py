@@ -1,0 +1,198 @@
+"""Voyages carried out above the runtime: each route for the train that stands before it, and nothing else changed.
+
+The runtime is the emitted one; a train here is the section in which it stands, moved on by hand where its signal shows
+proceed.
+"""
+
+from __future__ import annotations
+
+import types
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from interlock.dispatch import Executor, voyages
+from interlock.emit.python.runtime import runtime_py
+from interlock.logic.controller import Controller
+from interlock.logic.lower import lower
+from interlock.proof.invariants import Facts, claims
+from interlock.proof.system import System
+from interlock.table.rows import InterlockingTable
+from tests.layouts import built, grown
+
+SCAN_MS = 200
+
+
+class Panel:
+    """A runtime among sections that are occupied by hand; machines arrive two scans after they are driven."""
+
+    def __init__(self, table: InterlockingTable, controller: Controller, **how: bool) -> None:
+        module = types.ModuleType("runtime")
+        exec(compile(runtime_py(controller, []), "runtime.py", "exec"), module.__dict__)
+        self.scan = module.Controller().scan
+        self.inputs: dict[str, int] = {n: restrictive for n, (restrictive, _) in module.INPUTS.items()}
+        well = ("CLR_", "GL_", "RL_", "CL_", "E_", "SH_", "VALID", "DN_")
+        self.inputs |= {n: int(n.startswith(well)) for n in self.inputs if not n.endswith("REQ")}
+        self.executor = Executor(voyages(table, controller.symbols), controller.symbols, **how)
+        self.shown: dict[str, int] = {}
+        self.table, self.asked = table, []  # type: tuple[InterlockingTable, list[int]]
+        self.driven: dict[str, tuple[int, int]] = {}
+        self.run(1, RELALL=0)
+        while any(self.shown[n] for n in self.shown if n.startswith("YL_")):
+            self.run(1, RELALL=1)
+
+    def run(self, scans: int, **inputs: int) -> None:
+        """So many scans."""
+        for _ in range(scans):
+            wanted = self.executor.step({**self.inputs, **self.shown}, SCAN_MS)
+            if wanted["REQ"] and wanted["REQ"] not in self.asked[-1:]:
+                self.asked.append(wanted["REQ"])
+            self.inputs |= wanted
+            self.shown = self.scan({**self.inputs, **inputs}, SCAN_MS)
+            for n, on in self.shown.items():
+                if on and n.startswith(("YN_", "YR_")):
+                    self._drive(n[3:], n[1])
+
+    def _drive(self, machine: str, to: str) -> None:
+        before, left = self.driven.get(machine, ("", 0))
+        left = left - 1 if before == to else 2
+        self.driven[machine] = (to, left)  # type: ignore[assignment]
+        for x in "NR":
+            self.inputs[f"D{x}_{machine}"] = int(x == to and left <= 0)
+
+    def stand(self, *sections: str) -> None:
+        """Exactly these sections are occupied."""
+        for n in self.inputs:
+            if n.startswith("CLR_"):
+                self.inputs[n] = int(n[4:] not in sections)
+
+    def drive(self, *sections: str) -> None:
+        """A train from the first of these to the last, never in more than two."""
+        for a, b in pairwise(sections):
+            for at in ((a, b), (b,)):
+                self.stand(*at)
+                self.run(20)
+
+    def opened(self) -> set[str]:
+        """The signals at proceed."""
+        return {n.split("_", 1)[1] for n, v in self.shown.items() if v and n.startswith(("YP_", "YY_", "YW_", "YO_"))}
+
+    def number(self, route: str) -> int:
+        """Its number."""
+        return next(r.number for r in self.table.routes if r.id == route)
+
+
+def panel(name: str, **how: bool) -> Panel:
+    _, table, controller = built(name)
+    return Panel(table, controller, **how)
+
+
+def test_each_route_of_a_voyage_is_opened_for_the_train_that_stands_before_it() -> None:
+    p = panel("mine11")
+    p.executor.begin("in")
+    p.run(20)
+    assert p.asked == [], "no train is there yet"
+    p.stand("ap_W")
+    p.run(20)
+    assert p.opened() == {"X7"} and p.asked == [p.number("X7-X1")]
+    p.stand("ap_W", "q1")
+    p.run(20)
+    assert p.opened() == {"X1"}, "the train has passed X7 and comes before X1"
+    p.drive("q1", "q2", "q4")
+    assert p.opened() == {"X5"} and len(p.asked) == 3
+    p.drive("q4", "q6", "q8", "q10", "q11", "ap_E", "")
+    assert p.executor.journeys == [] and p.executor.said[-1] == "voyage in is done"
+    assert len(p.asked) == 3, "each route was asked for once"
+
+
+def test_a_voyage_whose_route_is_taken_back_is_given_up() -> None:
+    p = panel("mine11")
+    p.executor.begin("in")
+    p.stand("ap_W")
+    p.run(20)
+    p.run(1, CAN_X7=1)
+    p.run(1200)
+    assert p.executor.journeys == [] and p.opened() == set() and len(p.asked) == 1
+
+
+def test_a_route_that_is_refused_is_asked_for_again() -> None:
+    p = panel("mine11")
+    p.executor.begin("in")
+    p.stand("ap_W", "q1")
+    p.run(100)
+    assert p.opened() == set() and p.executor.journeys
+    p.stand("ap_W")
+    p.run(40)
+    assert p.opened() == {"X7"}
+
+
+def test_a_request_by_hand_comes_first_and_the_same_train_is_no_second_one() -> None:
+    p = panel("mine11")
+    p.stand("ap_W", "ap_E")
+    p.executor.begin("in")
+    p.executor.ask(p.number("X4-X6"))
+    p.run(20)
+    assert p.asked == [p.number("X4-X6"), p.number("X7-X1")]
+    p.executor.begin("in")  # for a train that is not there yet
+    p.stand("ap_W", "q1")
+    p.run(60)
+    p.stand("q1", "q2")
+    p.run(60)
+    assert p.asked.count(p.number("X7-X1")) == 1
+    p.stand("q4")
+    p.run(60)
+    p.stand("q4", "ap_W")
+    p.run(60)
+    assert p.asked.count(p.number("X7-X1")) == 2
+
+
+def test_an_opposing_voyage_waits_outside_the_single_line() -> None:
+    p = panel("fig2_1")
+    p.executor.begin("V1")
+    p.executor.begin("V2")
+    p.stand("A", "H")
+    p.run(20)
+    p.stand("ap_I", "H")
+    p.run(60)
+    p.stand("A", "H")
+    p.run(60)
+    held = {n for n, v in p.shown.items() if v and n.startswith("YL_")}
+    assert "SV" in p.opened() and "SE" not in p.opened() and "YL_E" not in held
+
+
+def test_combined_shunt_routes_are_asked_for_from_the_far_end() -> None:
+    p = panel("cn6502")
+    voyage = p.executor.known["D1-IG"]
+    assert voyage.far_first and len(voyage.stages) > 1
+    p.executor.begin("D1-IG")
+    rear = voyage.stages[0].rear
+    assert rear is not None
+    p.stand(rear[4:])
+    p.run(200)
+    assert p.asked == [s.number for s in reversed(voyage.stages)]
+
+
+@pytest.mark.parametrize("name", ["mine11", "fig2_1", "cn6502"])
+def test_voyages_change_neither_controller_nor_proof(name: str) -> None:
+    text = Path(f"layouts/{name}.yaml").read_text(encoding="utf-8")
+    begin = text.index("\nvoyages:") + 1
+    rest = text[begin:].split("\n", 1)[1]
+    kept = rest[len("".join(f"{x}\n" for x in _block(rest))) :]
+    without, with_ = grown(text[:begin] + kept), grown(text)
+    assert without is not None and with_ is not None
+    assert with_[1].voyages and not without[1].voyages
+    one, two = (lower(x[0], x[1]) for x in (without, with_))
+    assert runtime_py(one, []) == runtime_py(two, [])
+    said = [claims(Facts(System(x[0], c))) for x, c in ((without, one), (with_, two))]
+    assert said[0] == said[1] and said[0]
+
+
+def _block(rest: str) -> list[str]:
+    """The indented lines at the beginning."""
+    found = []
+    for line in rest.split("\n"):
+        if not line.startswith(" "):
+            break
+        found.append(line)
+    return found
