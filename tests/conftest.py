@@ -3,11 +3,43 @@
 from __future__ import annotations
 
 import os
+import shutil
 from pathlib import Path
 
 import pytest
 
 TOP = Path(__file__).resolve().parent.parent
+LEFT = pytest.StashKey[int]()
+
+
+NEEDED = {"ABC": ("berkeley-abc", "abc"), "Chromium": ("chromium", "chromium-browser")}
+"""What tests of the group `external` need on the machine, and the names by which it is found."""
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """`--external` runs the tests that need ABC or Chromium, and those alone."""
+    parser.addoption("--external", action="store_true", help="run the tests that need ABC or Chromium, and no others")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """One group or the other; without a program of the group nothing of it begins."""
+    external = bool(config.getoption("--external"))
+    missing = [name for name, those in NEEDED.items() if not any(map(shutil.which, those))]
+    if external and missing:
+        raise pytest.UsageError(f"the group `external` needs {' and '.join(missing)}")
+    left = [x for x in items if ("external" in x.keywords) is not external]
+    items[:] = [x for x in items if ("external" in x.keywords) is external]
+    config.stash[LEFT] = 0 if external else len(left)
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """Say what was not run."""
+    left = config.stash.get(LEFT, 0)
+    if hasattr(config, "workerinput"):
+        return
+    if not config.getoption("--external"):
+        count = f"{left} tests" if left else "the tests"
+        terminalreporter.write_line(f"not run: {count} that need ABC or Chromium (`pytest --external` runs them)")
 
 
 @pytest.fixture(autouse=True)
@@ -15,3 +47,10 @@ def _at_the_top(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(TOP)
     monkeypatch.setenv("NO_COLOR", "1")
     os.environ.setdefault("PYTHONHASHSEED", "0")
+
+
+@pytest.fixture(autouse=True)
+def _configured_apart(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory) -> None:
+    """No test reads or writes the user's own settings."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path_factory.getbasetemp() / "config"))
+    monkeypatch.setenv("APPDATA", str(tmp_path_factory.getbasetemp() / "config"))

@@ -255,7 +255,12 @@ class Grown:
             "principles: {slow_below_kmh: 60, sensor_faults: yes}",
             "principles: {main_closes: whole-movement, shunt_closes: whole-movement}",
         ]
-        out = ["interlock: 1", "name: grown", f"profile: {profile}", self.rng.choice(rules), "boundaries:"]
+        rule = self.rng.choice(rules)
+        if any("swing: yes" in x for x in more):  # slow trains, or no overlap could swing in time
+            slow = "line_speed_kmh: 10, restart_delay_s: 36000, output_delay_s: 0.1"
+            slow += ", point_run_s: 0.1, point_supervision_s: 0.2"
+            rule = f"{rule[:-1]}, {slow}}}" if rule else f"principles: {{{slow}}}"
+        out = ["interlock: 1", "name: grown", f"profile: {profile}", rule, "boundaries:"]
         out += [f"  {n}: {b}" for n, b in self.boundaries.items()]
         if self.buffers:
             out.append(f"buffers: [{', '.join(self.buffers)}]")

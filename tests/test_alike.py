@@ -66,6 +66,7 @@ def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[l
     """Which goals follow in the end, and how many goals were put to a solver first."""
     monkeypatch.setattr(parts, "NEAR", near)
     monkeypatch.setattr(parts, "FEW", 1)
+    monkeypatch.setattr(parts, "LARGE", 10**9)  # parts only: no goal is looked at
     monkeypatch.setattr(
         parts, "HUB", 10
     )  # what a long line has by itself: nothing is read by a few facts of all places

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
+from interlock.app.compile import compile_file
 from interlock.app.init import yard
 from interlock.cli.main import cli
 from interlock.derive import derive
@@ -87,6 +88,15 @@ def test_a_trace_cannot_bring_a_script_along(traces: Path) -> None:
         player_html(json.dumps(trace))
 
 
+@pytest.fixture(scope="module")
+def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The outputs of three layouts, with their report pages."""
+    folder = tmp_path_factory.mktemp("reports")
+    for name in ("heishan", "cn6502", "mine11"):
+        assert compile_file(f"layouts/{name}.yaml", folder).green
+    return folder
+
+
 def large_report(folder: Path) -> tuple[Path, int]:
     """The report of a yard of a thousand routes, without its proof."""
     sink = Sink()
@@ -98,116 +108,127 @@ def large_report(folder: Path) -> tuple[Path, int]:
     return page, len(table.routes)
 
 
-if BROWSER:
-
-    @pytest.mark.parametrize("name", ["heishan", "cn6502", "mine11"])
-    def test_a_chosen_route_lights_up_on_plan_and_table(name: str) -> None:
-        with opened(Path(f"generated/{name}/index.html")) as page:
-            data = json.loads(page.inner_text("#data") or page.evaluate("document.getElementById('data').textContent"))
-            for i in (0, len(data["routes"]) // 2, len(data["routes"]) - 1):
-                r = data["routes"][i]
-                page.select_option("#route", r["id"])
-                lit = page.eval_on_selector_all("#plan .lit-path", "es => es.map(e => e.id)")
-                assert sorted(lit) == sorted(f"edge-{e}" for e in r["edges"])
-                over = page.eval_on_selector_all("#plan .lit-overlap", "es => es.map(e => e.id)")
-                assert sorted(over) == sorted({f"edge-{e}" for e in r["overlap"]})
-                assert page.locator("#routes tr.chosen").count() == 1
-                assert page.locator("#routes tr.hostile").count() == len(r["hostile"])
-                assert r["id"] in page.inner_text("#why")
-            page.keyboard.press("Escape")
-            assert page.locator("#plan .lit-path").count() == 0
-
-    def test_the_table_is_filtered_and_tells_reasons_and_works_by_keyboard() -> None:
-        with opened(Path("generated/cn6502/index.html")) as page:
-            everything = page.locator("#routes tr:visible").count()
-            page.select_option("#kind", "shunt")
-            shunts = page.locator("#routes tr:visible").count()
-            assert 0 < shunts < everything and f"{shunts} of {everything}" in page.inner_text("#shown")
-            page.select_option("#over", "5DG")
-            assert page.locator("#routes tr:visible").count() < shunts
-            page.select_option("#kind", "")
-            page.select_option("#over", "")
-            page.fill("#text", "nothing like this")
-            assert page.locator("#routes tr:visible").count() == 0
-            page.fill("#text", "")
-            page.locator("#routes button.why").nth(8).click()
-            assert re.match(r"R\d+", page.inner_text("#why"))
-            page.locator("#routes button[data-hostile]").first.click()
-            assert page.inner_text("#why").startswith("Hostile to")
-            page.locator("#routes tr").first.focus()
-            page.keyboard.press("ArrowDown")
-            page.keyboard.press("Enter")
+@pytest.mark.parametrize("name", ["heishan", "cn6502", "mine11"])
+@pytest.mark.external
+def test_a_chosen_route_lights_up_on_plan_and_table(reports: Path, name: str) -> None:
+    with opened(reports / name / "index.html") as page:
+        data = json.loads(page.inner_text("#data") or page.evaluate("document.getElementById('data').textContent"))
+        for i in (0, len(data["routes"]) // 2, len(data["routes"]) - 1):
+            r = data["routes"][i]
+            page.select_option("#route", r["id"])
+            lit = page.eval_on_selector_all("#plan .lit-path", "es => es.map(e => e.id)")
+            assert sorted(lit) == sorted(f"edge-{e}" for e in r["edges"])
+            over = page.eval_on_selector_all("#plan .lit-overlap", "es => es.map(e => e.id)")
+            assert sorted(over) == sorted({f"edge-{e}" for e in r["overlap"]})
             assert page.locator("#routes tr.chosen").count() == 1
-            assert page.evaluate("document.activeElement === document.querySelectorAll('#routes tr')[1]")
-            spot = page.evaluate(
-                "(() => { const e = document.querySelector('#section-IAG .track'); "
-                "e.scrollIntoView({ block: 'center' }); const b = e.getBoundingClientRect(); "
-                "return [b.x + b.width / 2, b.y + b.height / 2 + 4]; })()"
-            )
-            page.mouse.click(*spot)  # a finger's breadth beside the line will do
-            assert page.input_value("#over") == "IAG"
+            assert page.locator("#routes tr.hostile").count() == len(r["hostile"])
+            assert r["id"] in page.inner_text("#why")
+        page.keyboard.press("Escape")
+        assert page.locator("#plan .lit-path").count() == 0
 
-    def test_the_report_prints_on_a3(tmp_path_factory: pytest.TempPathFactory) -> None:
-        with opened(Path("generated/heishan/index.html")) as page:
-            data = page.pdf(prefer_css_page_size=True)
-        assert data.startswith(b"%PDF") and len(data) > 20_000
-        box = re.search(rb"/MediaBox\s*\[\s*0\s+0\s+([\d.]+)\s+([\d.]+)", data)
-        if box is not None:  # A3 landscape in points
-            assert abs(float(box[1]) - 1190.6) < 3 and abs(float(box[2]) - 841.9) < 3
 
-    def test_in_print_nothing_lies_over_anything_and_nothing_is_cut_off() -> None:
-        with opened(Path("generated/cn6502/index.html")) as page:
-            page.emulate_media(media="print")
+@pytest.mark.external
+def test_the_table_is_filtered_and_tells_reasons_and_works_by_keyboard(reports: Path) -> None:
+    with opened(reports / "cn6502" / "index.html") as page:
+        everything = page.locator("#routes tr:visible").count()
+        page.select_option("#kind", "shunt")
+        shunts = page.locator("#routes tr:visible").count()
+        assert 0 < shunts < everything and f"{shunts} of {everything}" in page.inner_text("#shown")
+        page.select_option("#over", "5DG")
+        assert page.locator("#routes tr:visible").count() < shunts
+        page.select_option("#kind", "")
+        page.select_option("#over", "")
+        page.fill("#text", "nothing like this")
+        assert page.locator("#routes tr:visible").count() == 0
+        page.fill("#text", "")
+        page.locator("#routes button.why").nth(8).click()
+        assert re.match(r"R\d+", page.inner_text("#why"))
+        page.locator("#routes button[data-hostile]").first.click()
+        assert page.inner_text("#why").startswith("Hostile to")
+        page.locator("#routes tr").first.focus()
+        page.keyboard.press("ArrowDown")
+        page.keyboard.press("Enter")
+        assert page.locator("#routes tr.chosen").count() == 1
+        assert page.evaluate("document.activeElement === document.querySelectorAll('#routes tr')[1]")
+        spot = page.evaluate(
+            "(() => { const e = document.querySelector('#section-IAG .track'); "
+            "e.scrollIntoView({ block: 'center' }); const b = e.getBoundingClientRect(); "
+            "return [b.x + b.width / 2, b.y + b.height / 2 + 4]; })()"
+        )
+        page.mouse.click(*spot)  # a finger's breadth beside the line will do
+        assert page.input_value("#over") == "IAG"
+
+
+@pytest.mark.external
+def test_the_report_prints_on_a3(reports: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
+    with opened(reports / "heishan" / "index.html") as page:
+        data = page.pdf(prefer_css_page_size=True)
+    assert data.startswith(b"%PDF") and len(data) > 20_000
+    box = re.search(rb"/MediaBox\s*\[\s*0\s+0\s+([\d.]+)\s+([\d.]+)", data)
+    if box is not None:  # A3 landscape in points
+        assert abs(float(box[1]) - 1190.6) < 3 and abs(float(box[2]) - 841.9) < 3
+
+
+@pytest.mark.external
+def test_in_print_nothing_lies_over_anything_and_nothing_is_cut_off(reports: Path) -> None:
+    with opened(reports / "cn6502" / "index.html") as page:
+        page.emulate_media(media="print")
+        boxes = page.evaluate(
+            "[...document.querySelectorAll('table')].map(t => [t.getBoundingClientRect().bottom, "
+            "t.closest('.scroll, section').getBoundingClientRect().bottom, t.getBoundingClientRect().right])"
+        )
+        assert len(boxes) > 4
+        for bottom, room, right in boxes:
+            assert bottom <= room + 1 and right <= 1500
+
+
+@pytest.mark.external
+def test_names_are_no_wider_in_the_browser_than_the_plan_reckons() -> None:
+    for name in ("cn6502", "pit_bottom", "depot"):
+        with opened(Path(f"generated/{name}/plan.svg")) as page:
             boxes = page.evaluate(
-                "[...document.querySelectorAll('table')].map(t => [t.getBoundingClientRect().bottom, "
-                "t.closest('.scroll, section').getBoundingClientRect().bottom, t.getBoundingClientRect().right])"
+                "[...document.querySelectorAll('text:not(.title)')].map(t => "
+                "{ const b = t.getBBox(); return [t.textContent, b.x, b.y, b.x + b.width, b.y + b.height]; })"
             )
-            assert len(boxes) > 4
-            for bottom, room, right in boxes:
-                assert bottom <= room + 1 and right <= 1500
+        for i, (s, *a) in enumerate(boxes):
+            for t, *b in boxes[i + 1 :]:
+                wide = min(a[2], b[2]) - max(a[0], b[0])
+                high = min(a[3], b[3]) - max(a[1], b[1])
+                assert wide <= 1.5 or high <= 4, (name, s, t)
 
-    def test_names_are_no_wider_in_the_browser_than_the_plan_reckons() -> None:
-        for name in ("cn6502", "pit_bottom", "depot"):
-            with opened(Path(f"generated/{name}/plan.svg")) as page:
-                boxes = page.evaluate(
-                    "[...document.querySelectorAll('text:not(.title)')].map(t => "
-                    "{ const b = t.getBBox(); return [t.textContent, b.x, b.y, b.x + b.width, b.y + b.height]; })"
-                )
-            for i, (s, *a) in enumerate(boxes):
-                for t, *b in boxes[i + 1 :]:
-                    wide = min(a[2], b[2]) - max(a[0], b[0])
-                    high = min(a[3], b[3]) - max(a[1], b[1])
-                    assert wide <= 1.5 or high <= 4, (name, s, t)
 
-    def test_a_counterexample_is_stepped_through(traces: Path) -> None:
-        for path in sorted(traces.glob("*.html")):
-            with opened(path) as page:
-                steps = page.locator("#steps li").count()
-                assert page.inner_text("#said").startswith(f"1 of {steps}: Restart")
-                seen_train = seen_proceed = False
-                for k in range(1, steps):
-                    page.click("#on")
-                    assert page.inner_text("#said").startswith(f"{k + 1} of {steps}")
-                    seen_train |= page.locator("#plan .train").count() > 0
-                    seen_proceed |= page.locator("#plan .signal[data-now~=proceed]").count() > 0
-                assert seen_proceed and (seen_train or "-S-" in path.name)
-                assert "This violates" in page.inner_text("#said")
-                page.keyboard.press("Home")
-                assert page.input_value("#slider") == "0"
-                page.keyboard.press("ArrowRight")
-                assert page.input_value("#slider") == "1"
-                page.locator("#steps li").last.click()
-                assert page.input_value("#slider") == str(steps - 1)
-
-    def test_a_yard_of_a_thousand_routes_stays_usable(tmp_path_factory: pytest.TempPathFactory) -> None:
-        path, count = large_report(tmp_path_factory.mktemp("large"))
-        assert count >= 1000 and path.stat().st_size < 40_000_000
+@pytest.mark.external
+def test_a_counterexample_is_stepped_through(traces: Path) -> None:
+    for path in sorted(traces.glob("*.html")):
         with opened(path) as page:
-            assert page.locator("#routes tr").count() == count
-            spent = page.evaluate(
-                "(() => { const t = performance.now(); const s = document.getElementById('route'); "
-                "s.selectedIndex = 500; s.dispatchEvent(new Event('change')); return performance.now() - t; })()"
-            )
-            assert spent < 2000
-            assert page.locator("#plan .lit-path").count() > 3
-            assert page.locator("canvas.heat").count() == 1
+            steps = page.locator("#steps li").count()
+            assert page.inner_text("#said").startswith(f"1 of {steps}: Restart")
+            seen_train = seen_proceed = False
+            for k in range(1, steps):
+                page.click("#on")
+                assert page.inner_text("#said").startswith(f"{k + 1} of {steps}")
+                seen_train |= page.locator("#plan .train").count() > 0
+                seen_proceed |= page.locator("#plan .signal[data-now~=proceed]").count() > 0
+            assert seen_proceed and (seen_train or "-S-" in path.name)
+            assert "This violates" in page.inner_text("#said")
+            page.keyboard.press("Home")
+            assert page.input_value("#slider") == "0"
+            page.keyboard.press("ArrowRight")
+            assert page.input_value("#slider") == "1"
+            page.locator("#steps li").last.click()
+            assert page.input_value("#slider") == str(steps - 1)
+
+
+@pytest.mark.external
+def test_a_yard_of_a_thousand_routes_stays_usable(tmp_path_factory: pytest.TempPathFactory) -> None:
+    path, count = large_report(tmp_path_factory.mktemp("large"))
+    assert count >= 1000 and path.stat().st_size < 40_000_000
+    with opened(path) as page:
+        assert page.locator("#routes tr").count() == count
+        spent = page.evaluate(
+            "(() => { const t = performance.now(); const s = document.getElementById('route'); "
+            "s.selectedIndex = 500; s.dispatchEvent(new Event('change')); return performance.now() - t; })()"
+        )
+        assert spent < 2000
+        assert page.locator("#plan .lit-path").count() > 3
+        assert page.locator("canvas.heat").count() == 1

@@ -16,7 +16,7 @@ from interlock.cli.prove import command
 from interlock.model.contents import digest
 from interlock.model.elements import Position, SectionId
 from interlock.proof import parts
-from interlock.proof.cache import Cache
+from interlock.proof.cache import Cache, key_file
 from interlock.proof.limits import Limits
 from interlock.proof.mutate import KINDS
 from interlock.proof.runner import prove
@@ -197,3 +197,23 @@ def test_the_command_keeps_answers_where_it_is_told(tmp_path: Path) -> None:
     assert list((tmp_path / "kept").iterdir())
     (tmp_path / "file").touch()
     assert CliRunner().invoke(command, ["layouts/fig2_2.yaml", "--cache", str(tmp_path / "file")]).exit_code == 2
+
+
+def test_the_key_is_the_users_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Made at first use, for this user alone, beside no answer; another user's answers are not believed, and with a key
+    that others can read nothing is kept or believed."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "mine"))
+    cache, name = Cache(tmp_path / "kept"), "a" * 64
+    cache.keep(name, [True])
+    key = key_file()
+    assert key.is_relative_to(tmp_path / "mine") and key.stat().st_mode & 0o777 == 0o600
+    assert cache.known(name, 1) == [True] and cache.foreign() == 0
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "another"))
+    assert cache.known(name, 1) == [False] and cache.foreign() == 1 and key_file() != key
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "open"))
+    key_file().parent.mkdir(parents=True)
+    key_file().write_bytes(key.read_bytes())
+    key_file().chmod(0o644)
+    assert cache.known(name, 1) == [False]
+    cache.keep("b" * 64, [True])
+    assert not (tmp_path / "kept" / ("b" * 64)).exists()

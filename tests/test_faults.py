@@ -21,7 +21,8 @@ def faulty_inputs(system: System, rng: random.Random) -> dict[str, int]:
     for i in system.controller.inputs:
         if i.note.startswith("operator:") and not i.size and not i.name.startswith("BLK_"):
             out[i.name] = int(rng.random() < (0.3 if i.name.startswith("REL") else 0.01))
-    out[system.symbols.request] = rng.randrange(len(system.symbols.routes) + 1)
+    if rng.random() < 0.5:  # and 0 between: a number counts on a change
+        out[system.symbols.request] = 1 + rng.randrange(len(system.symbols.routes))
     if rng.random() < 0.05:
         out[rng.choice(sorted(system.symbols.clear.values()))] = 0
     if rng.random() < 0.02:

@@ -27,7 +27,9 @@ TWO = """
 substations:
   west: [ap_W, q1, q2, P1, X7, X1]
   east: []
-"""
+principles: {restart_delay_s: 0.8, release_delay_s: 0.3, line_speed_kmh: 20000, braking_ms2: 50000,
+             reaction_s: 0.01, output_delay_s: 0.01}
+"""  # trains that stop so soon that the restart delay may be short
 
 
 @pytest.fixture(scope="module")
@@ -117,11 +119,18 @@ def until_valid(ready: Ready, plc: SoftPlc) -> None:
     raise AssertionError("never valid")
 
 
+def until_released(ready: Ready, plc: SoftPlc) -> None:
+    """Valid inputs, the restart delay over, everything released."""
+    until_valid(ready, plc)
+    for _ in range(10):
+        cycle(ready, plc)
+    cycle(ready, plc, line="release")
+
+
 def test_a_route_is_set_over_the_bus_and_closed_by_its_train(ready: Ready) -> None:
     with running(ready) as (plc, west, east):
-        until_valid(ready, plc)
+        until_released(ready, plc)
         assert west.lamp("YS_X7") and not west.lamp("YP_X7")
-        cycle(ready, plc, line="release")
         cycle(ready, plc, line="set X7-X1")
         for _ in range(4):
             result = cycle(ready, plc)
@@ -139,8 +148,7 @@ def test_a_route_is_set_over_the_bus_and_closed_by_its_train(ready: Ready) -> No
 
 def test_a_server_killed_in_mid_scan_puts_every_signal_to_stop_and_nothing_reopens(ready: Ready) -> None:
     with running(ready) as (plc, west, east):
-        until_valid(ready, plc)
-        cycle(ready, plc, line="release")
+        until_released(ready, plc)
         cycle(ready, plc, line="set X7-X1")
         for _ in range(4):
             cycle(ready, plc)
@@ -210,10 +218,15 @@ def test_the_watch_is_the_one_of_the_mapping_program() -> None:
 def test_what_the_operator_types(ready: Ready) -> None:
     assert operate(ready, "set j1") == operate(ready, "set X1-X5")
     assert operate(ready, "cancel X1") == {"CAN_X1": 1} and operate(ready, "BLK_q1=1") == {"BLK_q1": 1}
-    assert list(operate(ready, "voyage in")) == ["VOY"]
-    for line in ("set nonsense", "voyage nowhere", "cancel X99", "CLR_q1=1", "BLK_q1=2", "hello"):
+    for line in ("set nonsense", "voyage in", "cancel X99", "CLR_q1=1", "BLK_q1=2", "hello"):
         with pytest.raises(BadCommand):
             operate(ready, line)
+    operator = Operator(ready)
+    for line in ("voyage nowhere", "voyage in end", "voyage"):
+        with pytest.raises(BadCommand, match="voyages: in, out"):
+            operator.type(line)
+    operator.type("voyage in")
+    operator.type("voyage in end")
 
 
 def test_commands_are_for_one_cycle_and_values_stay(ready: Ready) -> None:
@@ -221,10 +234,11 @@ def test_commands_are_for_one_cycle_and_values_stay(ready: Ready) -> None:
     operator.type("BLK_q1=1")
     operator.type("set j1")
     request = next(iter(operate(ready, "set j1")))
-    first, second = operator.inputs(), operator.inputs()
+    quiet, heard = (Cycle({"VALID": 1}, {"YRQ": x}, True, ()) for x in (False, True))
+    first, second = operator.inputs(quiet, 100), operator.inputs(heard, 100)
     assert first["BLK_q1"] == 1 and first[request] and second["BLK_q1"] == 1 and second[request] == 0
     operator.type("BLK_q1=0")
-    assert operator.inputs()["BLK_q1"] == 0 and not operator.held
+    assert operator.inputs(quiet, 100)["BLK_q1"] == 0 and not operator.held
 
 
 def test_no_connection_is_told_not_thrown(ready: Ready) -> None:
@@ -241,8 +255,8 @@ def test_the_command_runs_proves_and_stops(ready: Ready) -> None:
     try:
         path = ready.proved.checked.path
         args = ["run", path, "--modbus", f"west=127.0.0.1:{west.port}", "--modbus", f"east=127.0.0.1:{east.port}"]
-        typed = "\n" * 12 + "release\nset X7-X1\nrubbish\n"  # a line a cycle
-        done = CliRunner().invoke(cli, [*args, "--cycles", "30", "--cycle", "40"], input=typed)
+        typed = "\n" * 30 + "release\nset X7-X1\nrubbish\n"  # a line a cycle
+        done = CliRunner().invoke(cli, [*args, "--cycles", "50", "--cycle", "40"], input=typed)
         assert done.exit_code == 0, done.output
         assert "PROVED" in done.output and "inputs valid" in done.output and "YP_X7 = 1" in done.output
         assert "write set ROUTE" in done.output and "the longest cycle took" in done.output

@@ -24,7 +24,7 @@ from interlock.st.dialects import BY_NAME, write_st
 from interlock.st.lint import lint
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.printer import print_unit
-from interlock.st.program import HEARTBEAT_MS, io_program, watch
+from interlock.st.program import CYCLE_MAX_MS, HEARTBEAT_MS, cycle, io_program, watch
 from tests.layouts import SHIPPED, built
 
 MINE = open("layouts/mine11.yaml", encoding="utf-8").read()  # noqa: SIM115
@@ -79,7 +79,7 @@ def test_substations_and_stated_addresses() -> None:
     assert max(west) < min(east)
     assert compare_program(controller, a, print_unit(io_program(controller, a, []))) == ()
     text = print_unit(io_program(controller, a, []))
-    assert "VALID := W_west.OK AND W_east.OK;" in text and "CLR_q1 AT %IX0.3 : BOOL;" in text
+    assert "VALID := CYC.OK AND W_west.OK AND W_east.OK;" in text and "CLR_q1 AT %IX0.3 : BOOL;" in text
 
 
 @pytest.mark.parametrize(
@@ -132,8 +132,12 @@ def test_the_mapping_program_is_proved_and_passes_our_checks(name: str) -> None:
     text = print_unit(unit)
     assert compare_program(controller, a, text) == ()
     core = BY_NAME["iec"].read(write_st(controller, BY_NAME["iec"], []))
-    whole = Unit((unit.blocks[0], *core.blocks, unit.blocks[1]))
-    assert {f.rule for f in lint(whole) if f.block != unit.blocks[0].name} <= {"ST-SIZE", "ST-USED", "ST-INIT"}
+    whole = Unit((*unit.blocks[:2], *core.blocks, unit.blocks[2]))
+    assert {f.rule for f in lint(whole) if f.block not in [b.name for b in unit.blocks[:2]]} <= {
+        "ST-SIZE",
+        "ST-USED",
+        "ST-INIT",
+    }
     assert all("is never used" in f.text for f in lint(whole) if f.rule == "ST-USED")
 
 
@@ -145,7 +149,9 @@ def test_a_changed_mapping_is_refuted() -> None:
         ("%IX0.3", "%IX0.4"),
         ("CLR_q1 := CLR_q1", "CLR_q1 := CLR_q2"),
         ("YN_P1 := RUN.YN_P1", "YN_P1 := RUN.YR_P1"),
-        ("VALID := W_main.OK", "VALID := TRUE"),
+        ("VALID := CYC.OK AND W_main.OK", "VALID := W_main.OK"),
+        ("INTERVAL := T#100ms", "INTERVAL := T#10s"),
+        ("TURN1 := TURN0", "TURN1 := TURN2"),
         ("  YS_X1 := RUN.YS_X1;\n", ""),
         ("BLK_q1 : BOOL := TRUE", "BLK_q1 : BOOL := FALSE"),
         ("T#1s", "T#100s"),
@@ -166,7 +172,7 @@ def test_cabinet_text_and_runtime_run_alike() -> None:
     core = BY_NAME["iec"].read(write_st(controller, BY_NAME["iec"], []))
     program = io_program(controller, a, [])
     numbers = Numbers(dt_ms=100)
-    run: Execution[int] = Execution(Unit((program.blocks[0], *core.blocks, program.blocks[1])), numbers)
+    run: Execution[int] = Execution(Unit((*program.blocks[:2], *core.blocks, program.blocks[2])), numbers)
     machine, rng = Machine(controller), random.Random(4)
     for k in range(400):
         inputs = {i.name: rng.randrange(i.size) if i.size else int(rng.random() < 0.8) for i in controller.inputs}
@@ -188,6 +194,14 @@ def test_a_heartbeat_that_stops_is_noticed_in_time_and_one_that_never_came_too()
     assert still == [1] * 9 + [0] * 11 or still == [1] * 10 + [0] * 10
     assert still.index(0) * 100 <= HEARTBEAT_MS
     assert run.scan({"HB": 0})["OK"] == 1
+
+
+def test_a_long_cycle_is_noticed_in_the_very_next_scan() -> None:
+    numbers, rng = Numbers(), random.Random(3)
+    run: Execution[int] = Execution(Unit((cycle("C"),)), numbers)
+    for k in range(500):
+        numbers.dt_ms = rng.choice((20, 100, CYCLE_MAX_MS - 1, CYCLE_MAX_MS, 3000))
+        assert run.scan({})["OK"] == int(k == 0 or numbers.dt_ms <= CYCLE_MAX_MS)
 
 
 def test_the_lists_say_the_same_as_the_allocation() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import lzma
-import shutil
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -11,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from interlock.app.certify import certify_file
+from interlock.app.compile import compile_file
 from interlock.logic.lower import lower
 from interlock.proof.invariants import Facts, claims, strengthening
 from interlock.proof.local import library
@@ -98,7 +98,7 @@ def test_a_spoiled_library_is_not_believed(how: str, tmp_path: Path, monkeypatch
     file.write_bytes(spoiled(how))
     monkeypatch.setattr(library, "SHIPPED", file)
     library._shipped.cache_clear()
-    shutil.copytree("generated/fig2_2", tmp_path / "generated/fig2_2")
+    compile_file("layouts/fig2_2.yaml", tmp_path / "generated")
     try:
         found = certify_file("layouts/fig2_2.yaml", tmp_path / "generated", tmp_path / "proofs")
     finally:

@@ -16,7 +16,6 @@ NO_SEARCH = Limits(search_depth=0)
 REDUNDANT = {
     "proceed-before-lock": "W is set only by the lock itself",
     "signal-open-behind-train": "the occupied section closes the signal as well",
-    "lost-input-ignored": "everything else looks at the inputs' health too",
     "proceed-on-lost-input": "sections read occupied when inputs are lost",
     "use-without-rear": "a train that is only reported is no danger behind the approach locking delay",
     "use-while-stale": "stale sections are released by hand",
@@ -33,6 +32,7 @@ SWING = "../tests/layouts_for_tests/swing"
 ON = {
     "way-not-available": "../tests/layouts_for_tests/foul_joint",
     "diamond-not-excluded": "junction",
+    "approach-one-section": "junction",
     "flank-missing": FLANK,
     "flank-wrong": FLANK,
     "withdraw-occupied": FLANK,
@@ -70,7 +70,7 @@ def test_each_kind_is_killed_somewhere(kind: str) -> None:
     assert outcomes and any(o.fate is not Fate.REDUNDANT for o in outcomes), outcomes
 
 
-@pytest.mark.parametrize("kind", ["lost-input-ignored", "proceed-on-lost-input", "proceed-before-lock"])
+@pytest.mark.parametrize("kind", ["proceed-on-lost-input", "proceed-before-lock"])
 def test_redundant_kinds_are_shown_redundant(kind: str) -> None:
     layout, table, _ = built("fig2_2")
     assert {o.fate for o in run_mutants(layout, table, 1, NO_SEARCH, only=(kind,))} == {Fate.REDUNDANT}
@@ -121,10 +121,19 @@ def _killers() -> dict[str, tuple[str, str]]:
         "S-SPEED": ("../tests/layouts_for_tests/speeds", "speed-too-high"),
         "S-LAMP": (SHUNT, "lamp-not-proved"),
         "S-CANCELLED": (two, "cancel-not-obeyed"),
+        "L-CLEAR": (two, "clear-not-counted"),
+        "L-APPROACH": ("junction", "approach-one-section"),
         "L-RELEASE": (two, "release-occupied"),
         "L-HELD": (two, "restart-release-occupied"),
         "P-LOCKED": (two, "point-free-while-locked"),
         "P-START": (two, "restart-unlocked"),
+        "S-STOP": (two, "stop-lamp-dark"),
+        "P-DRIVEN": (two, "machine-not-driven"),
+        "I-TOLD": (two, "indication-dark"),
+        "D-PRESET": (two, "delay-too-short"),
+        "S-REQUEST": (two, "number-held"),
+        "S-SET": (two, "set-while-occupied"),
+        "L-REASON": (two, "released-by-nobody"),
     }
 
 

@@ -30,7 +30,8 @@ def _share(f: Facts, a: SignalPath, b: SignalPath) -> bool:
         return True
     for over, beside in ((a, b), (b, a)):
         for fj in f.fouls:
-            passes = any(p == fj.point and x is not fj.leg for t in over.ways for p, x in t.points)
+            passes = any(p == fj.element and x is not fj.side for t in over.ways for p, x in t.points)
+            passes |= any(c == fj.element and arm != fj.side for t in over.ways for c, arm in t.crossings)
             touches = any(
                 t.section == fj.neighbour and (fj.when is None or fj.node in (t.entry, t.exit)) for t in beside.ways
             )

@@ -87,17 +87,21 @@ def test_claims_have_sentences_and_places() -> None:
 
 def test_the_counterexample_replays_on_the_reference_interpreter() -> None:
     from interlock.logic.eval import Machine
-    from interlock.logic.expr import evaluate
+    from interlock.logic.expr import conj, evaluate, neg, var
 
     layout, _, controller = built("refuted/wrong_waiver")
     system = System(layout, controller)
+    machine = Machine(controller)
+    for _ in range(2):
+        machine.scan({}, 100)
+    here = conj(var(n) if v else neg(var(n)) for n, v in machine.state.items())
+    system.__dict__["initial"] = conj((system.initial, here))
     run = search(system, [c for c in claims(Facts(system)) if c.id == "T-FLANK"], 12, 60)
     assert run is not None
-    machine = Machine(controller)
     for frame, following in zip(run.frames, run.frames[1:], strict=False):
         assert all(machine.state[s.name] == frame.state[s.name] for s in controller.state)
         for t in controller.timers:  # the run chose when delays are over: give the timer its time
-            machine.elapsed[t.name] = t.preset_ms if frame.inputs[t.name] else 0
+            machine.elapsed[t.name] = t.preset_ms if frame.inputs[t.name] else None
         machine.scan(frame.inputs, 0)
         assert all(machine.state[s.name] == following.state[s.name] for s in controller.state)
     last = {**run.frames[-1].state, **run.frames[-1].inputs}

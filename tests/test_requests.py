@@ -1,16 +1,13 @@
-"""Voyages, automatic working, aspects, trailed points, machines started in turn: what an operator sees of them."""
+"""Requests by hand, automatic working, aspects, trailed points, machines started in turn: what an operator sees."""
 
 from __future__ import annotations
 
-import itertools
-
 import pytest
 
-from interlock.derive.voyages import deadlocks
 from interlock.model.elements import MachineId, Position, SectionId
 from interlock.proof.system import System
 from interlock.sim.run import Simulator
-from tests.layouts import built, grown
+from tests.layouts import grown
 
 TWO = """
 interlock: 1
@@ -54,8 +51,14 @@ def simulator(text: str) -> Simulator:
 
 
 def steps(sim: Simulator, count: int, events: tuple[str, ...] = (), **inputs: int) -> list[set[str]]:
-    """The signals and states that are on after each step; machines run as they are commanded."""
+    """The signals and states that are on after each step; machines run as they are commanded.
+
+    Numbers count on a change: before the first step the panel lets go of the number that it held.
+    """
     seen = []
+    numbers = {x for x in ("REQ", "LREQ") if inputs.get(x) and sim.last.get(x)}
+    if numbers:
+        sim.step((), {k: v for k, v in inputs.items() if k not in numbers})
     for _ in range(count):
         moves = [e for e in sim.possible() if e.startswith("arrive.") or _leaves(sim, e)]
         sim.step((*events, *moves), inputs)
@@ -84,55 +87,6 @@ def on(sim: Simulator, output: str) -> bool:
 def number(sim: Simulator, route: str) -> int:
     """The number of a route."""
     return next(r.number for r in sim.controller.symbols.routes if r.id == route)
-
-
-def test_figure_2_1_has_54_states_and_three_deadlocks_and_the_rule_leaves_none() -> None:
-    one, two = [tuple(map(SectionId, w)) for w in ("ABCDEF", "HEDCBG")]
-    states, stuck = deadlocks(one, two, ())
-    assert states == 54 and stuck == (("B", "C"), ("C", "D"), ("D", "E"))
-    single = frozenset(map(SectionId, "BCDE"))
-    assert deadlocks(one, two, (single,))[1] == ()
-
-
-def test_a_voyage_is_given_once_and_its_routes_open_one_after_the_other() -> None:
-    sim = simulator(TWO + "voyages:\n  V: {from: X1, to: E, via: [q4]}\n")
-    ids = [f"A_R{number(sim, r)}" for r in ("X1-X2", "X2-X4", "X4-E")]
-    steps(sim, 1, VOY=1)
-    assert steps(sim, 10)[-1] >= {*ids, "YP_X1", "YP_X2", "YP_X4"}
-    assert not any(sim.is_on(f"N_{i[2:]}") for i in ids), "what was granted is no longer noted"
-
-
-def test_a_combined_route_is_set_from_its_far_end() -> None:
-    sim = simulator(TWO + "voyages:\n  V: {from: X1, to: E, order: far}\n")
-    ids = [f"A_R{number(sim, r)}" for r in ("X3-E", "X2-X3", "X1-X2")]
-    first = {}
-    steps(sim, 1, VOY=1)
-    for i, seen in enumerate(steps(sim, 12)):
-        for name in ids:
-            if name in seen:
-                first.setdefault(name, i)
-    assert list(first) == ids and len(set(first.values())) == 3
-
-
-def test_a_cancelled_signal_forgets_what_was_noted() -> None:
-    sim = simulator(TWO + "voyages:\n  V: {from: X1, to: E}\n")
-    steps(sim, 1, VOY=1, CAN_X3=1)
-    assert not sim.is_on(f"N_R{number(sim, 'X3-E')}") and "YP_X3" not in steps(sim, 10)[-1]
-
-
-def test_an_opposing_voyage_waits_outside_the_single_line() -> None:
-    layout, _, controller = built("fig2_1")
-    sim = Simulator(controller, System(layout, controller).plant)
-    sim.reset({f"at.{m}.N": 1 for m in layout.machines})
-    for _ in range(2):
-        sim.step((), {"RELALL": 1})
-    steps(sim, 1, VOY=1)
-    steps(sim, 8)
-    steps(sim, 1, VOY=2)
-    waits = f"R{number(sim, 'SE-SD')}"
-    assert all(f"N_{waits}" in seen and f"A_{waits}" not in seen for seen in steps(sim, 30)[5:])
-    steps(sim, 1, REQ=number(sim, "SE-SD"))
-    assert not sim.is_on(f"A_{waits}"), "here the locks themselves refuse it too"
 
 
 def test_an_automatic_route_is_set_again_after_every_train() -> None:
@@ -252,27 +206,6 @@ def test_what_does_not_exist_is_named(text: str, code: str) -> None:
     assert code in {d.code for d in sink.diagnostics}
 
 
-def test_two_opposing_voyages_asked_for_together_do_not_lock_each_other_out() -> None:
-    layout, table, controller = built("fig2_1")
-    for phase, (first, second) in itertools.product(range(8), ((1, 2), (2, 1))):
-        sim = Simulator(controller, System(layout, controller).plant)
-        sim.reset({f"at.{m}.N": 1 for m in layout.machines})
-        for _ in range(2):
-            sim.step((), {"RELALL": 1})
-        for _ in range(phase):  # whose turn it is when they are asked for
-            sim.step((), {})
-        sim.step((), {"VOY": first})
-        sim.step((), {"VOY": second})
-        over = [
-            {f"L_{s}_{n}" for r in v.routes for s, n in table.route[r].traversals if s in v.meetings[0].sections}
-            for v in table.voyages
-        ]
-        for seen in steps(sim, 40):
-            assert not (seen & over[0] and seen & over[1]), "both hold a part of the single line"
-        got = [all(sim.is_on(f"A_R{number(sim, r)}") for r in v.routes) for v in table.voyages]
-        assert sum(got) == 1, "the other waits outside"
-
-
 CALL = TWO.replace("X2: {from: q1, into: q2}", "X2: {from: q1, into: q2, call_on: yes}")
 
 
@@ -303,37 +236,33 @@ def test_no_call_on_with_the_first_section_occupied_or_over_a_locked_section() -
 
 
 BOTH = (
-    TWO.replace("name: two", "name: two\nprofile: mine\nprinciples: {approach_release_s: 1}")
-    + "sections: {q4: {lane: inclined}}\nvoyages:\n  level: {from: Y3, to: W}\n  steep: {from: X2, to: X4}\n"
+    TWO.replace("name: two", "name: two\nprofile: mine\nprinciples: {approach_release_s: 9, line_speed_kmh: 5}")
+    + "sections: {q4: {lane: inclined}}\nautomatic:\n  - {from: Y3, to: W}\n  - {from: X2, to: X4}\n"
 )
 
 
-def first_set(text: str, idle: int) -> str:
-    """Which of two routes that could both be set is set, when they are noted one after the other."""
+def first_set(text: str) -> str:
+    """Which of two automatic routes that could both be set is set, when both are switched on."""
     sim = simulator(text)
-    level, steep = (f"A_R{number(sim, r)}" for r in ("Y3-W", "X2-X4"))
-    steps(sim, 1, VOY=1, CLR_q2=0)
-    steps(sim, 1 + idle, CLR_q2=0)
-    steps(sim, 1, VOY=2, CLR_q2=0)
-    for _ in range(12):
-        (seen,) = steps(sim, 1)
-        for name, word in ((level, "level"), (steep, "steep")):
-            if name in seen:
-                return word
-    return "none"
+    numbers = {word: number(sim, r) for word, r in (("level", "Y3-W"), ("steep", "X2-X4"))}
+    switches = {f"AUTO_R{k}": 1 for k in numbers.values()}
+    (seen,) = steps(sim, 1, **switches)
+    found = [word for word, k in numbers.items() if f"A_R{k}" in seen]
+    assert len(found) == 1, "two hostile routes in one scan, or none"
+    return found[0]
 
 
-@pytest.mark.parametrize("idle", range(4))
-def test_an_inclined_lane_comes_first_then_the_main_direction(idle: int) -> None:
-    assert first_set(BOTH, idle) == "steep"
-    level = BOTH.replace("sections: {q4: {lane: inclined}}\n", "")
-    back = level.replace("steep: {from: X2, to: X4}", "steep: {from: X4, to: E, direction: reverse}")
-    assert first_set(back, idle) == "level"
+def test_of_automatic_routes_the_inclined_lane_comes_first_otherwise_the_one_named_first() -> None:
+    assert first_set(BOTH) == "steep"
+    assert first_set(BOTH.replace("line_speed_kmh: 5}", "line_speed_kmh: 5, priorities: no}")) == "level"
 
 
-def test_without_priorities_the_turn_decides() -> None:
-    plain = BOTH.replace("{approach_release_s: 1}", "{approach_release_s: 1, priorities: no}")
-    assert {first_set(plain, idle) for idle in range(4)} == {"level", "steep"}
+def test_an_automatic_route_waits_while_somebody_asks_by_hand() -> None:
+    sim = simulator(BOTH)
+    k, other = number(sim, "X2-X4"), number(sim, "X3-E")
+    (seen,) = steps(sim, 1, REQ=other, **{f"AUTO_R{k}": 1})
+    assert f"A_R{other}" in seen and f"A_R{k}" not in seen
+    assert f"A_R{k}" in steps(sim, 2, REQ=other, **{f"AUTO_R{k}": 1})[-1], "a number that is held asks once"
 
 
 @pytest.mark.parametrize(("rule", "winner"), [("first", "X2-X4"), ("last", "Y3-W")])
@@ -343,21 +272,6 @@ def test_of_a_local_and_a_remote_request_one_is_heard(rule: str, winner: str) ->
     steps(sim, 1, REQ=numbers["Y3-W"], LREQ=numbers["X2-X4"])
     (seen,) = steps(sim, 1)
     assert {r for r, n in numbers.items() if f"A_R{n}" in seen} == {winner}
-
-
-@pytest.mark.parametrize(("wait", "first"), [(0, "X2-X4"), (5, "Y3-W")])
-def test_a_class_that_has_waited_long_enough_comes_first(wait: int, first: str) -> None:
-    text = BOTH.replace("{approach_release_s: 1}", f"{{approach_release_s: 1, priority_wait_s: {wait}}}")
-    sim = simulator(text + "automatic:\n  - {from: X2, to: X4}\n")
-    steep, other = number(sim, "X2-X4"), number(sim, "X3-E")
-    steps(sim, 1, VOY=1, CLR_q2=0)
-    steps(sim, 10, REQ=other, CLR_q5=0, **{f"AUTO_R{steep}": 1})  # by hand, and in vain: the others wait
-    for seen in steps(sim, 4, **{f"AUTO_R{steep}": 1}):
-        found = {r for r in ("X2-X4", "Y3-W") if f"A_R{number(sim, r)}" in seen}
-        if found:
-            assert found == {first}
-            return
-    raise AssertionError("neither is set")
 
 
 @pytest.mark.parametrize("whole", [False, True])
@@ -423,7 +337,10 @@ def test_the_direction_changes_when_a_departure_is_set_and_never_has_two_owners(
 
 
 def test_an_overlap_swings_until_a_train_is_close() -> None:
-    text = TWO.replace("distants:", "") + "overlaps:\n  X2: {length: 60, swing: yes}\n"
+    text = (
+        TWO.replace("name: two", "name: two\nprinciples: {line_speed_kmh: 40}")
+        + "overlaps:\n  X2: {length: 60, swing: yes}\n"
+    )
     sim = simulator(text)
     swing = sim.controller.symbols.swing_request["X2"]  # type: ignore[index]
     steps(sim, 1, ("appear.wa",))

@@ -62,7 +62,7 @@ def test_a_timer_needs_its_input_without_a_break() -> None:
         False,
         False,
         False,
-        True,
+        False,
         True,
         False,
     ]

@@ -9,6 +9,7 @@ from pathlib import Path
 from interlock.app.compile import build, finish
 from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Severity
+from interlock.emit.bundle import MANIFEST as OUTPUTS
 from interlock.emit.bundle import differences, is_bundle, write_folder
 from interlock.logic.lower import lower
 from interlock.proof.invariants import Facts, claims, strengthening
@@ -68,7 +69,9 @@ def certify_file(
         note = Diagnostic("IL5004", Severity.ERROR, f"{target} exists and was not made by interlock", span)
         return Certified(proved, notes=(note,))
     tied = {os.path.relpath(path, target): Path(path).read_bytes()}
-    tied |= {os.path.relpath(outputs / layout.name / n, target): data for n, data in emitted.items()}
+    # the texts themselves, and the manifest, which ties every other output by its digest
+    own = {n: data for n, data in emitted.items() if n.startswith("st/") or n == OUTPUTS}
+    tied |= {os.path.relpath(outputs / layout.name / n, target): data for n, data in own.items()}
     error: Exception | None = None
     # shapes that are known already are a hint: where a certificate with them is rejected, it is made without them
     for library in (None,) if check else (Library.shipped(), Library()):

@@ -2,8 +2,8 @@
 
 A proof is made from the table and the layout without lengths, and from what is `measured` of these: the controller, the
 plant, claims, invariants, witnesses and texts get nothing else.  The name of a kept proof is the digest of these
-values, of this program, and of the engine and what it runs on: another proof has another name.  A file that is damaged
-is not believed.
+values, of this program, and of the engine and what it runs on: another proof has another name.  A file that is damaged,
+or that this user has not sealed (`proof/cache.py`), is not believed.
 """
 
 from __future__ import annotations

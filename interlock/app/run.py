@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass
 
 from interlock.app.check import derive_file
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
+from interlock.dispatch import Executor, voyages
 from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
 from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
+from interlock.model.layout import Layout
 from interlock.proof.limits import Limits
 from interlock.proof.verdict import Progress, quiet
 from interlock.table.rows import InterlockingTable
@@ -23,6 +25,7 @@ class Ready:
     """A proved layout, ready to run; everything but `proved` is None when it is not proved."""
 
     proved: Proved
+    layout: Layout | None = None
     table: InterlockingTable | None = None
     controller: Controller | None = None
     allocation: Allocation | None = None
@@ -37,7 +40,7 @@ def prepare(path: str, limits: Limits | None = None, progress: Progress = quiet)
         return Ready(proved)
     controller = lower(checked.layout, checked.table)
     allocation = allocate(checked.layout, controller)
-    return Ready(proved, checked.table, controller, allocation, files["runtime.py"].decode())
+    return Ready(proved, checked.layout, checked.table, controller, allocation, files["runtime.py"].decode())
 
 
 class BadCommand(Exception):
@@ -45,27 +48,57 @@ class BadCommand(Exception):
 
 
 class Operator:
-    """The operator's place: commands hold for one cycle, VARIABLE=VALUE until it is set to 0."""
+    """The operator's place: commands hold for one cycle, VARIABLE=VALUE until it is set to 0.
+
+    Routes are asked for by the executor, one after the other as the controller acknowledges them; it carries out
+    voyages.
+    """
 
     def __init__(self, ready: Ready) -> None:
+        assert ready.table is not None and ready.controller is not None and ready.layout is not None
         self._ready = ready
         self._once: dict[str, int] = {}
         self.held: dict[str, int] = {}
+        rules, symbols = ready.layout.principles, ready.controller.symbols
+        known = voyages(ready.table, symbols)
+        self.executor = Executor(known, symbols, rules.priorities, round(1000 * rules.priority_wait_s))
 
     def type(self, line: str) -> None:
         """Take one line of input.  Raises `BadCommand`."""
+        assert self._ready.controller is not None
+        words = line.split()
+        if words[:1] == ["voyage"]:
+            self._voyage(words[1:])
+            return
         found = operate(self._ready, line)
+        number = found.get(self._ready.controller.symbols.request)
         if "=" in line:
             self.held = {n: v for n, v in {**self.held, **found}.items() if v}
+        elif number is not None:
+            self.executor.ask(number)
         else:
             self._once |= found
 
-    def inputs(self) -> dict[str, int]:
-        """What the next cycle reads; commands are used up."""
+    def _voyage(self, words: list[str]) -> None:
+        if len(words) == 1 and words[0] in self.executor.known:
+            self.executor.begin(words[0])
+        elif len(words) != 2 or words[1] != "end" or not self.executor.end(words[0]):
+            known = ", ".join(self.executor.known) or "this layout names none"
+            raise BadCommand(f"write voyage NAME, or voyage NAME end for one under way; voyages: {known}")
+
+    def inputs(self, last: Cycle | None, dt_ms: int) -> dict[str, int]:
+        """What the next cycle reads, `dt_ms` milliseconds after the last; commands are used up."""
         assert self._ready.allocation is not None
-        found = dict.fromkeys(self._ready.allocation.written, 0) | self.held | self._once
+        seen = {} if last is None else {**last.inputs, **last.outputs}
+        asked = self.executor.step(seen, dt_ms)
+        found = dict.fromkeys(self._ready.allocation.written, 0) | asked | self.held | self._once
         self._once = {}
         return found
+
+    def news(self) -> list[str]:
+        """What became of the voyages since this was last asked."""
+        said, self.executor.said = self.executor.said, []
+        return said
 
 
 def operate(ready: Ready, line: str) -> dict[str, int]:
@@ -83,11 +116,6 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
         if number is None:
             raise BadCommand(f"the overlap of {words[1]} cannot swing")
         return {ready.controller.symbols.request: number}
-    if len(words) == 2 and words[0] == "voyage":
-        voyage = next((v for v in ready.table.voyages if v.name == words[1]), None)
-        if voyage is None:
-            raise BadCommand(f"there is no voyage {words[1]}")
-        return {str(ready.controller.symbols.voyage): voyage.number}
     if len(words) == 2 and words[0] == "cancel":
         name = next((n for g, n in ready.controller.symbols.cancel.items() if g == words[1]), None)
         if name is None:
@@ -97,9 +125,11 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
         return {"RELALL": 1}
     if len(words) == 1 and "=" in words[0]:
         name, _, value = words[0].partition("=")
-        if name in inputs and value.isdigit() and int(value) < (inputs[name].size or 2):
+        if name in inputs and value.isdigit() and int(value) < (inputs[name].size - 1 if inputs[name].size else 2):
             return {name: int(value)}
-    raise BadCommand("write set ROUTE, swing SIGNAL, voyage NAME, cancel SIGNAL, release, or VARIABLE=VALUE")
+    raise BadCommand(
+        "write set ROUTE, swing SIGNAL, voyage NAME, voyage NAME end, cancel SIGNAL, release, or VARIABLE=VALUE"
+    )
 
 
 def run(
@@ -107,18 +137,23 @@ def run(
     links: Mapping[str, Link],
     cycle_ms: int,
     cycles: int | None,
-    ask: Callable[[], Mapping[str, int]],
-) -> Iterator[tuple[Cycle, float]]:
-    """Cycles in their time, each with the seconds that it took; `ask` gives the inputs of the operator's place."""
+    ask: Callable[[Cycle | None, int], Mapping[str, int]],
+) -> Generator[tuple[Cycle, float], None, None]:
+    """Cycles in their time, each with the seconds that it took.
+
+    `ask` gives the inputs of the operator's place, from the cycle before and the milliseconds since it.  When the
+    generator is closed, or anything is thrown, every output is written restrictive.
+    """
     assert ready.controller is not None and ready.allocation is not None
     plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, links, ready.controller.symbols.valid)
     try:
         before = time.monotonic()
         done = 0
+        result: Cycle | None = None
         while cycles is None or done < cycles:
-            operator = ask()
             began = time.monotonic()
-            result = plc.cycle(operator, max(1, round((began - before) * 1000)) if done else cycle_ms)
+            passed = max(1, round((began - before) * 1000)) if done else cycle_ms
+            result = plc.cycle(ask(result, passed), passed)
             before = began
             done += 1
             took = time.monotonic() - began

@@ -11,11 +11,13 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from interlock.audit.approach import approach_sections
 from interlock.audit.flank import flank_space, open_flanks, pairs
 from interlock.audit.walk import (
     Move,
     Trip,
     distances,
+    left_standing,
     overruns,
     standing_place,
     trips,
@@ -144,6 +146,10 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     want = boundary.approach if boundary is not None else next(iter(rear), None)
     if r.approach.section != want:
         yield Finding(r.id, "approach", f"{want} lies in rear of {r.entry}")
+    come = approach_sections(layout, r.entry)
+    if frozenset(r.approach.sections) != (come or frozenset()):
+        where = f"a train may come from {', '.join(sorted(come))}" if come is not None else "it is always locked"
+        yield Finding(r.id, "approach", where)
     foul = foul_neighbours(layout, trip)
     if {(c.section, c.when) for c in r.foul} != {(s, w) for s, w, _ in foul}:
         told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w, _ in foul)
@@ -207,7 +213,7 @@ def _left_behind(layout: Layout, trip: Trip, rear: set[SectionId]) -> SectionId 
     if trip.call_on or asked != "whole-movement" or not rear:
         return None
     (section,) = rear
-    return None if standing_place(layout, section) else section
+    return None if left_standing(layout, section) else section
 
 
 def _aspect(layout: Layout, trip: Trip) -> tuple[Shows, SignalId | None]:
@@ -249,22 +255,31 @@ Foul = tuple[SectionId, tuple[MachineId, Position] | None, NodeId]
 
 
 def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
-    """Sections that begin too near to a point of the path, on its unused leg, the point that leads there, and where."""
+    """Sections that begin too near to a point of the path, on its unused leg, or to a diamond on its other arm; the
+    point that leads there, and where."""
     out: set[Foul] = set()
     for a, b in pairs(trip):
-        point = layout.point_at.get(a.node)
-        if point is None:
-            continue
-        unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
-        home = layout.section_of(point.toe)
-        needed = point.fouling + layout.principles.clearance_m
-        for (edge, near), gone in distances(layout, a.node, unused, needed).items():
-            behind = {layout.section_of(e.id) for e in layout.edges_at[near] if e.id != edge}
-            section = layout.section_of(edge)
-            if section in (home, *behind) or gone >= needed:
-                continue
-            out.add((section, _way_out(layout, edge, near), near))
+        for unused, own, needed in _beside(layout, a, b):
+            for (edge, near), gone in distances(layout, a.node, unused, needed).items():
+                behind = {layout.section_of(e.id) for e in layout.edges_at[near] if e.id != edge}
+                section = layout.section_of(edge)
+                if section not in own | behind and gone < needed:
+                    out.add((section, _way_out(layout, edge, near), near))
     return out
+
+
+def _beside(layout: Layout, a: Move, b: Move) -> Iterator[tuple[EdgeId, set[SectionId], float]]:
+    """The edges on which a vehicle near the node would stand in the way, the sections in which it would be seen
+    anyway, and how far it must stay away."""
+    point, margin = layout.point_at.get(a.node), layout.principles.clearance_m
+    if point is not None:
+        unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
+        yield unused, {layout.section_of(point.toe)}, point.fouling + margin
+    crossing = layout.crossing_at.get(a.node)
+    if crossing is not None:
+        here = {layout.section_of(a.edge)}
+        for e in next(arm for arm in crossing.arms if a.edge not in arm):
+            yield e, here | {layout.section_of(e)}, layout.principles.fouling_m + margin
 
 
 def _way_out(layout: Layout, edge: EdgeId, near: NodeId) -> tuple[MachineId, Position] | None:

@@ -77,11 +77,14 @@ def signal_facing(layout: Layout, node: NodeId, onto: EdgeId) -> Signal | None:
 
 @lru_cache(maxsize=1 << 16)
 def standing_place(layout: Layout, section: SectionId) -> bool:
-    """Whether vehicles may stand in a section: plain track, and every way out over a joint has a signal, one of them
+    """Whether shunting movements end in a section and may find vehicles there: none that a device lies over."""
+    return left_standing(layout, section) and not any(section in d.over for d in layout.devices)
+
+
+def left_standing(layout: Layout, section: SectionId) -> bool:
+    """Whether vehicles may be left in a section: plain track, and every way out over a joint has a signal, one of them
     for shunting."""
     kinds = []
-    if any(section in d.over for d in layout.devices):
-        return False
     for e in layout.edges_in.get(section, ()):
         for node in (e.a, e.b):
             if node in layout.point_at or node in layout.crossing_at:

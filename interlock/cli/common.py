@@ -16,6 +16,7 @@ from interlock.diag import render as renderers
 
 if TYPE_CHECKING:
     from interlock.app.proved import Proved
+    from interlock.proof.verdict import ClaimResult
 
 OK, FINDINGS, NOT_PROVED = 0, 1, 3
 
@@ -140,13 +141,12 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
     show([d for d in p.checked.diagnostics if d.severity is not Severity.INFO], sources, form)
     if p.proof is None:
         return
-    done = sum(c.verdict == "PROVED" for c in p.proof.claims)
     ok = sum(w.ok for w in p.proof.witnesses)
     if verbose or not (p.proof.proved and p.text_equal):
         for c in p.proof.claims:
             mark = click.style(f"{c.verdict:8}", fg=_COLOURS[c.verdict])
-            count = f"{c.places} place{'s' if c.places != 1 else ''}" if c.places else "nothing to claim"
-            click.echo(f"  {mark} {c.id:15} {count:>16}  {c.sentence}")
+            count = _number(c.places, "place") if c.places else "nothing to claim"
+            click.echo(f"  {mark if c.places else ' ' * 8} {c.id:15} {count:>16}  {c.sentence}")
         for t in p.texts:
             same = "PROVED  " if t.equal else "REFUTED "
             click.echo(f"  {click.style(same, fg=_COLOURS[same.strip()])} {t.file} = controller")
@@ -164,7 +164,25 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
         verdict = click.style("NOT SAFE", fg="red")
     routes = len(p.proof.witnesses)
     click.echo(
-        f"{p.checked.path}: {verdict}  {done}/{len(p.proof.claims)} claims, {routes} routes, {ok} driven by a witness, "
+        f"{p.checked.path}: {verdict}  {_claimed(p.proof.claims)}; {routes} routes, {ok} driven by a witness, "
         f"text {'=' if p.text_equal else 'differs from'} controller, "
         f"{'as an earlier run has proved it' if p.proof.kept else f'{p.proof.seconds:.1f} s'}"
     )
+
+
+def _claimed(claims: Sequence[ClaimResult]) -> str:
+    """What was claimed of this layout, at how many places, and how much of it is proved."""
+    said = [c for c in claims if c.places]
+    proved = sum(c.verdict == "PROVED" for c in said)
+    places, silent = sum(c.places for c in said), len(claims) - len(said)
+    found = "all proved" if proved == len(said) else f"{proved} of them proved everywhere"
+    counted = f"{_number(len(said), 'claim')} at {_number(places, 'place')}, {found}"
+    return (
+        f"{counted}; {_number(silent, 'claim')} {'has' if silent == 1 else 'have'} nothing to claim here"
+        if silent
+        else counted
+    )
+
+
+def _number(n: int, of: str) -> str:
+    return f"{n} {of}" if n == 1 else f"{n} {of}s"

@@ -60,7 +60,9 @@ from interlock.proof.pool import apart
 @click.option(
     "--cache",
     type=click.Path(path_type=Path, file_okay=False, writable=True),
-    help="Folder in which answered questions are kept for the next run; remove it whenever you like.",
+    help="Folder in which answered questions are kept for the next run; remove it whenever you like.  An answer is "
+    "believed if it is sealed with this user's own key (cache.key in the user's configuration folder for interlock), "
+    "made at first use: so it trusts you and whoever can read that file, nobody who can only write to the folder.",
 )
 @format_option
 def command(
@@ -73,7 +75,9 @@ def command(
     cache: Path | None,
     form: str,
 ) -> None:
-    """Prove every safety claim for every possible train movement."""
+    """Prove every safety claim about a layout, its controller and the text that would be emitted, for every train
+    movement that the named assumptions allow.
+    """
     if engine == "cvc5" and find_spec("cvc5") is None:
         raise click.UsageError("cvc5 needs the extra `recheck`: pip install 'interlock[recheck]'")
     limits = Limits(
@@ -83,6 +87,10 @@ def command(
         jobs=jobs if len(layouts) == 1 else 1,
         cache=Cache(cache),
     )
+    foreign = limits.cache.foreign()
+    if foreign:
+        told = "answer is" if foreign == 1 else "answers are"
+        click.echo(f"{cache}: {foreign} {told} not sealed with your key, and not believed: asked again", err=True)
     if jobs > 1 and len(layouts) > 1:
         results = apart(prove_file, [(p, limits) for p in layouts], jobs)
     else:

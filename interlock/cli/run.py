@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import gc
 import queue
+import signal
 import sys
 import threading
 from collections.abc import Mapping
+from contextlib import closing
 
 import click
 
 from interlock.app.run import BadCommand, Operator, Ready, prepare, run
 from interlock.cli.common import exit_code, progress, show_proof
 from interlock.field.modbus import ModbusLink
-from interlock.field.plc import Link
+from interlock.field.plc import Cycle, Link
 
 
 def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
@@ -34,6 +36,11 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
     return links
 
 
+def _end(number: int, frame: object) -> None:
+    """Asked to end: as by Ctrl-C, so that the outputs are written restrictive."""
+    raise KeyboardInterrupt
+
+
 @click.command("run")
 @click.argument("layout", type=click.Path())
 @click.option("--modbus", multiple=True, required=True, help="SUBSTATION=HOST:PORT[/DEVICE], one for each substation.")
@@ -42,7 +49,9 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
 def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | None) -> None:
     """Prove LAYOUT, then run its runtime on Modbus TCP.
 
-    A line of input is a command for one cycle: set ROUTE, swing SIGNAL, voyage NAME, cancel SIGNAL or release.
+    A line of input is a command for one cycle: set ROUTE, swing SIGNAL, cancel SIGNAL or release.
+    Voyage NAME opens the routes of a voyage one after the other, each when its train stands before it, until it is done
+    or voyage NAME end gives it up.
     VARIABLE=VALUE (for instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A
     standard computer is no safety PLC: for trials, not for a railway.
     """
@@ -67,7 +76,7 @@ def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | N
 
     operator = Operator(ready)
 
-    def ask() -> Mapping[str, int]:
+    def ask(last: Cycle | None, dt_ms: int) -> Mapping[str, int]:
         line = "" if typed.empty() else typed.get().strip()
         if line:
             try:
@@ -76,21 +85,29 @@ def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | N
                 click.echo(f"  {error}")
             if "=" in line:
                 click.echo(f"  held: {', '.join(f'{n}={v}' for n, v in sorted(operator.held.items())) or 'nothing'}")
-        return operator.inputs()
+        found = operator.inputs(last, dt_ms)
+        for news in operator.news():
+            click.echo(f"  {news}")
+        return found
 
+    for ending in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(ending, _end)
     before: dict[str, bool] = {}
     said: tuple[object, ...] = ()
     longest = 0.0
     try:
-        for result, took in run(ready, links, cycle_ms, cycles, ask):
-            longest = max(longest, took)
-            if (result.valid, result.lost) != said:
-                said = (result.valid, result.lost)
-                click.echo(f"inputs {'valid' if result.valid else 'NOT VALID'}{''.join(f'; {x}' for x in result.lost)}")
-            for name, value in result.outputs.items():
-                if before.get(name) is not value and (before or value):
-                    click.echo(f"  {name} = {int(value)}")
-            before = dict(result.outputs)
+        with closing(run(ready, links, cycle_ms, cycles, ask)) as cycles_run:
+            for result, took in cycles_run:
+                longest = max(longest, took)
+                if (result.valid, result.lost) != said:
+                    said = (result.valid, result.lost)
+                    lost = "".join(f"; {x}" for x in result.lost)
+                    click.echo(f"inputs {'valid' if result.valid else 'NOT VALID'}{lost}")
+                for name, value in result.outputs.items():
+                    if before.get(name) is not value and (before or value):
+                        click.echo(f"  {name} = {int(value)}")
+                before = dict(result.outputs)
     except KeyboardInterrupt:
         pass
+    click.echo("every output that could be reached is restrictive")
     click.echo(f"stopped; the longest cycle took {longest * 1000:.1f} ms of {cycle_ms} ms")

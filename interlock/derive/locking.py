@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from interlock.derive.routes import Path
+from interlock.model.approach import approach
 from interlock.model.elements import BlockKind, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Caution, Closes
@@ -33,13 +34,18 @@ def approach_delay(layout: Layout, signal: SignalId) -> float:
 
 
 def derive_approach(layout: Layout, path: Path) -> ApproachCell:
-    """The approach section and the delay of a cancellation while it is occupied."""
+    """From where a train may come, and the delay of a cancellation while one may."""
     delay = approach_delay(layout, path.entry)
-    boundary = layout.boundary_at.get(path.entry_node)
-    rear = boundary.approach if boundary is not None else topology(layout).beyond(path.ways[0].section, path.entry_node)
-    if rear is None:
-        return ApproachCell(None, delay, Because("R8", f"{path.entry} has no approach section: always approach locked"))
-    return ApproachCell(rear, delay, Because("R8", f"{rear} lies in rear of {path.entry}"))
+    found = approach(layout, path.entry)
+    if found.section is None:
+        why = f"{path.entry} has no approach section: always approach locked"
+    elif found.unseen:
+        why = f"{found.section} in rear of {path.entry} is shorter than the braking distance: always approach locked"
+    else:
+        rest = ", ".join(dict.fromkeys(found.sections()))
+        more = " within the braking distance, or told by a better aspect" if found.further else ""
+        why = f"{rest} in rear of {path.entry}{more}"
+    return ApproachCell(found, delay, Because("R8", why))
 
 
 def derive_release(layout: Layout, path: Path) -> tuple[ReleaseStep, ...]:
@@ -139,7 +145,7 @@ def derive_closing(layout: Layout, path: Path) -> ClosingCell:
         return ClosingCell(
             None, Because("R3", f"with the first axle: beyond {path.entry_node} another train may follow")
         )
-    if rear in topo.berths:
+    if rear in topo.standing:
         return ClosingCell(None, Because("R3", f"with the first axle: vehicles that stand in {rear} could follow"))
     why = f"{path.entry} returns to stop when the movement has left {rear}, or the first section beyond"
     return ClosingCell(rear, Because("R3", why))

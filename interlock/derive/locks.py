@@ -110,21 +110,15 @@ def _row(
     foul_cells: list[FoulCell] = []
     for f in fouls:
         unless = f", unless {f.when[0]} lies {f.when[1].other}" if f.when is not None else ""
-        why = Because("R7", f"the joint {f.section}|{f.neighbour} is foul of point {f.point}{unless}")
-        if any(p == f.point and x is not f.leg for p, x in t.points):
-            foul_cells.append(FoulCell(f.neighbour, f.point, f.when, why))
+        why = Because("R7", f"the joint {f.section}|{f.neighbour} is foul of {f.name}{unless}")
+        if f.fouls(t):
+            foul_cells.append(FoulCell(f.neighbour, f.section, f.when, why))
             touching = tuple(
                 sorted(n for (s, n), o in used.items() if s == f.neighbour and f.node in (o.entry, o.exit))
             )
             exclusions.append(Exclusion(f.neighbour, f.when is None, () if f.when is None else touching, why))
-        if f.neighbour == t.section and (f.when is None or f.node in (t.entry, t.exit)):
-            numbers = tuple(
-                sorted(
-                    n
-                    for (s, n), o in used.items()
-                    if s == f.section and any(p == f.point and x is not f.leg for p, x in o.points)
-                )
-            )
+        if f.touches(t):
+            numbers = tuple(sorted(n for (s, n), o in used.items() if s == f.section and f.fouls(o)))
             exclusions.append(Exclusion(f.section, False, numbers, why))
     return TraversalRow(
         t.section,

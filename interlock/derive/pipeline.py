@@ -23,7 +23,7 @@ from interlock.derive.locking import (
 )
 from interlock.derive.locks import derive_locks
 from interlock.derive.routes import Path, find_routes
-from interlock.derive.voyages import derive_automatic, derive_priority, derive_voyages
+from interlock.derive.voyages import derive_automatic, derive_voyages
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
@@ -97,8 +97,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     )
     voyages = derive_voyages(layout, rows, by_key, sink)
     automatic = derive_automatic(layout, rows, sink)
-    order = derive_priority(layout, rows, voyages, automatic)
-    return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic, order)
+    return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
 
 def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:

@@ -70,6 +70,9 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3018": (_I, "a foul joint"),
     "IL3020": (_E, "a section without detection that is no siding"),
     "IL3022": (_E, "trains in a zone cannot be counted"),
+    "IL3023": (_E, "a delay is shorter than the world needs"),
+    "IL3024": (_E, "an overlap cannot swing in time"),
+    "IL3025": (_I, "a road that is no berth, for what lies over it"),
     "IL3021": (_I, "an inclined lane without a condition"),
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation

@@ -58,10 +58,10 @@ class ModbusLink:
         return {n: int(bits[at]) for n, at in self._inputs.items()}
 
     def write(self, values: Mapping[str, bool], heartbeat: bool) -> None:
-        """All outputs of the substation, and our heartbeat after them."""
+        """All outputs of the substation, and our heartbeat after them; coils between them are not ours."""
         wanted = {at: values[n] for n, at in self._outputs.items()}
-        for first, count in _runs(wanted, 1900):
-            self._ask("write_coils", first, [wanted.get(first + k, False) for k in range(count)])
+        for first, count in _runs(wanted, 1900, gaps=False):
+            self._ask("write_coils", first, [wanted[first + k] for k in range(count)])
         self._ask("write_coil", self._beat, heartbeat)
 
     def close(self) -> None:
@@ -69,11 +69,11 @@ class ModbusLink:
         self._client.close()
 
 
-def _runs(places: Any, most: int) -> list[tuple[int, int]]:
-    """Ranges that cover the places, each with at most so many."""
+def _runs(places: Any, most: int, gaps: bool = True) -> list[tuple[int, int]]:
+    """Ranges that cover the places, each with at most so many; without `gaps` they cover nothing else."""
     out: list[tuple[int, int]] = []
     for at in sorted(places):
-        if out and at - out[-1][0] < most:
+        if out and at - out[-1][0] < most and (gaps or at == sum(out[-1])):
             out[-1] = (out[-1][0], at - out[-1][0] + 1)
         else:
             out.append((at, 1))

@@ -2,7 +2,8 @@
 
 A cycle: (1) read each substation; (2) the inputs are valid only if all of them answered and their heartbeats change;
 (3) one scan of the runtime; (4) write each substation, with a heartbeat of ours, so that it can let go of its outputs
-when we are gone.  What could not be read or written counts as lost, and lost inputs are not valid (R16).
+when we are gone.  A run that ends, however it ends, writes every output restrictive before it lets go.  What could not
+be read or written counts as lost, and lost inputs are not valid (R16).
 """
 
 from __future__ import annotations
@@ -13,9 +14,18 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from interlock.logic.cabinet import Allocation
+from interlock.logic.on_delay import on_delay
 from interlock.st.program import HEARTBEAT_MS
 
 Scan = Callable[[dict[str, int], int], dict[str, bool]]
+
+
+@dataclass(frozen=True)
+class Runtime:
+    """A generated runtime: its scan, and the restrictive value of every output."""
+
+    scan: Scan
+    restrictive: Mapping[str, bool]
 
 
 class LinkLost(Exception):
@@ -38,12 +48,11 @@ class Link(Protocol):
         ...
 
 
-def runtime_scan(text: str) -> Scan:
-    """The scan of a generated runtime, from its text."""
+def runtime_scan(text: str) -> Runtime:
+    """A generated runtime, from its text."""
     module = types.ModuleType("runtime")
     exec(compile(text, "runtime.py", "exec"), module.__dict__)
-    scan: Scan = module.Controller().scan
-    return scan
+    return Runtime(module.Controller().scan, dict(module.OUTPUTS))
 
 
 @dataclass
@@ -53,13 +62,12 @@ class Watch:
     alive: bool = False
     _last: int = 0
     _runs: bool = False
-    _still_ms: int = 0
+    _still_ms: int | None = None
 
     def step(self, heartbeat: int, dt_ms: int) -> bool:
         """One scan."""
         same = heartbeat == self._last
-        self._still_ms = min(self._still_ms + dt_ms, HEARTBEAT_MS) if same else 0
-        over = same and self._still_ms >= HEARTBEAT_MS
+        self._still_ms, over = on_delay(self._still_ms, same, HEARTBEAT_MS, dt_ms)
         self.alive = self._runs and not over and (self.alive or not same)
         self._last, self._runs = heartbeat, True
         return self.alive
@@ -67,8 +75,9 @@ class Watch:
 
 @dataclass(frozen=True)
 class Cycle:
-    """What a cycle did: the outputs, whether the inputs were valid, and what was lost in words."""
+    """What a cycle did: inputs as sampled, outputs, whether the inputs were valid, and what was lost in words."""
 
+    inputs: Mapping[str, int]
     outputs: Mapping[str, bool]
     valid: bool
     lost: tuple[str, ...]
@@ -78,14 +87,16 @@ class Cycle:
 class SoftPlc:
     """The runtime between its substations; `links` by substation, in the order in which they are polled."""
 
-    scan: Scan
+    runtime: Runtime
     allocation: Allocation
     links: Mapping[str, Link]
     valid_name: str = "VALID"
     watches: dict[str, Watch] = field(init=False)
     heartbeat: bool = field(default=False, init=False)
+    scan: Scan = field(init=False)
 
     def __post_init__(self) -> None:
+        self.scan = self.runtime.scan
         stations = [c.substation for c in self.allocation.heartbeats]
         if sorted(stations) != sorted(self.links):
             raise ValueError(f"links for {sorted(self.links)}, substations {sorted(stations)}")
@@ -107,23 +118,33 @@ class SoftPlc:
                 alive.append(False)
                 lost.append(f"{c.substation}: {error}")
         valid = all(alive)
-        outputs = self.scan({**inputs, self.valid_name: int(valid)}, dt_ms)
+        inputs[self.valid_name] = int(valid)
+        outputs = self.scan(inputs, dt_ms)
         self.heartbeat = not self.heartbeat
-        for c in self.allocation.heartbeats:
-            own = {
-                x.variable: outputs[x.variable]
-                for x in self.allocation.channels
-                if x.direction == "Q" and x.substation == c.substation
-            }
-            try:
-                self.links[c.substation].write(own, self.heartbeat)
-            except LinkLost as error:
-                self.watches[c.substation] = Watch()
-                if not any(x.startswith(f"{c.substation}:") for x in lost):
-                    lost.append(f"{c.substation}: {error}")
-        return Cycle(outputs, valid, tuple(lost))
+        for station, why in self._write(outputs).items():
+            self.watches[station] = Watch()
+            if not any(x.startswith(f"{station}:") for x in lost):
+                lost.append(f"{station}: {why}")
+        return Cycle(inputs, outputs, valid, tuple(lost))
 
-    def close(self) -> None:
-        """Let go of all substations."""
-        for link in self.links.values():
-            link.close()
+    def _write(self, outputs: Mapping[str, bool]) -> dict[str, str]:
+        """Write every substation its outputs; those that cannot be written, and why."""
+        lost: dict[str, str] = {}
+        for station, link in self.links.items():
+            wired = [x.variable for x in self.allocation.channels if x.direction == "Q" and x.substation == station]
+            try:
+                link.write({n: outputs[n] for n in wired}, self.heartbeat)
+            except LinkLost as error:
+                lost[station] = str(error)
+        return lost
+
+    def close(self) -> dict[str, str]:
+        """Write every output restrictive, with a heartbeat that changes no more, and let go of all substations.
+
+        Returns the substations that could not be written, and why: those have to let go by themselves.
+        """
+        try:
+            return self._write(self.runtime.restrictive)
+        finally:
+            for link in self.links.values():
+                link.close()

@@ -250,6 +250,14 @@ class PrinciplesSpec(_Part):
     priorities: YesNo | None = None
     priority_wait_s: Amount | None = None
     token_delay_s: Seconds | None = None
+    token_agreed_s: Seconds | None = None
+    line_speed_kmh: Seconds | None = None
+    shunt_speed_kmh: Seconds | None = None
+    braking_ms2: Seconds | None = None
+    reaction_s: Seconds | None = None
+    output_delay_s: Seconds | None = None
+    point_run_s: Seconds | None = None
+    restart_delay_s: Seconds | None = None
     slow_below_kmh: Amount | None = None
     main_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = None
     shunt_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = None

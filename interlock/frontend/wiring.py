@@ -93,6 +93,8 @@ class Wirer:
         self.out = Wiring()
         self.mate: dict[Port, tuple[Port, Span]] = {}
         self.tracks: dict[str, list[_Stretch]] = {}
+        self.lengths: dict[str, tuple[str, float]] = {}
+        """Approach section and its metres, by boundary."""
 
     def run(self) -> Wiring:
         """All steps; the graph is complete only when no error was reported."""
@@ -125,6 +127,7 @@ class Wirer:
                         "every boundary has an approach section of its own",
                     )
                 self.out.approaches[got[0]] = span
+                self.lengths[name] = got
 
     def _read_tracks(self) -> None:
         f = self.ctx.file
@@ -447,7 +450,7 @@ class Wirer:
                 arms.append((pair[0], pair[1]))
             self.out.crossings.append(Crossing(CrossingId(name), NodeId(name), (arms[0], arms[1])))
         for name, spec in f.boundaries.items():
-            approach = spec.approach.split()[0] if spec.approach else None
+            approach, metres = self.lengths.get(name, (None, 0.0))
             self.out.boundaries.append(
                 Boundary(
                     NodeId(name),
@@ -456,6 +459,7 @@ class Wirer:
                     BlockKind(spec.block),
                     spec.button,
                     spec.indicator,
+                    metres,
                 )
             )
         self.out.buffers.extend(Buffer(NodeId(name)) for name in f.buffers)

@@ -10,12 +10,12 @@ cycle), every output restrictive in the initial state.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
 
-from interlock.logic.expr import FALSE, Expr, Substitution, conj, disj, eq, evaluate, var, variables
+from interlock.logic.expr import FALSE, Expr, Substitution, conj, disj, eq, evaluate, neg, var, variables
 from interlock.model.elements import (
     ConditionId,
     MachineId,
@@ -84,15 +84,22 @@ Step = Equation | Timer
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """A process or operator input; `size` 0 is Boolean, otherwise values 0 to size-1.
+    """A process or operator input; `size` 0 is Boolean, otherwise a number from 0 to size-1.
 
-    `restrictive` is the value that permits least; a missing input takes it.
+    `restrictive` is the value that permits least; a missing input takes it.  The largest number stands for every number
+    that names nothing: the text, which compares a number with those that it knows, cannot tell them apart.
     """
 
     name: str
     note: str
     size: int = 0
     restrictive: int = 0
+
+    def read(self, given: int) -> int:
+        """What the controller takes a value for."""
+        if 0 <= given < max(self.size, 2):
+            return given
+        return self.size - 1 if self.size else self.restrictive
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +124,8 @@ class Output:
 @dataclass(frozen=True)
 class BlockSymbols:
     """Names of a line's direction token: the neighbour asks, gives, gives not, has; the line is clear; the manual
-    change; the token is here, is given, its last change is complete; the delay of the manual change."""
+    change; the token is here, is given, its last change is complete; the delay of the manual change; the outputs that
+    tell the neighbour (`asks`, `gives`, `keeps`, `has`)."""
 
     asks: str
     gives: str
@@ -129,6 +137,7 @@ class BlockSymbols:
     give: str
     seen: str
     timer: str
+    tells: Mapping[str, str] = field(default_factory=dict, kw_only=True)
 
 
 @dataclass(frozen=True)
@@ -156,11 +165,15 @@ class RouteSymbols:
         return (self.proceed,) if self.passing is None else (self.proceed, self.passing)
 
 
-def asked_of(inputs: tuple[str, ...], number: int) -> Expr:
-    """A number (0: none) is asked for at one of some inputs, of which the first that asks is heard."""
+def asked_of(inputs: tuple[str, ...], number: int, fresh: Mapping[str, str]) -> Expr:
+    """A number is newly asked for at one of some inputs, of which the first that asks is heard; 0: at none of them.
+
+    `fresh`: by input, the bit that tells that it read 0 in the last scan.  An input that holds its value asks once.
+    """
+    quiet = [disj((eq(x, 0), neg(var(fresh[x])))) for x in inputs]
     if not number:
-        return conj(eq(x, 0) for x in inputs)
-    return disj(conj((*(eq(y, 0) for y in inputs[:i]), eq(x, number))) for i, x in enumerate(inputs))
+        return conj(quiet)
+    return disj(conj((*quiet[:i], var(fresh[x]), eq(x, number))) for i, x in enumerate(inputs))
 
 
 @dataclass(frozen=True)
@@ -171,22 +184,36 @@ class Symbols:
     request: str
     local_request: str | None
     local_first: bool
-    voyage: str | None
-    ring: tuple[str, ...]
+    fresh: Mapping[str, str]
+    seen: Mapping[str, str]
+    automatic: Mapping[int, str]
     clear: Mapping[SectionId, str]
     healthy: Mapping[SectionId, str]
     blocked: Mapping[SectionId, str]
     detected: Mapping[tuple[MachineId, Position], str]
     command: Mapping[tuple[MachineId, Position], str]
+    by_hand: Mapping[tuple[MachineId, Position], str]
     trailed: Mapping[MachineId, str]
     condition: Mapping[ConditionId, str]
     stop_lamp: Mapping[SignalId, str]
     clear_lamp: Mapping[SignalId, str]
     caution_lamp: Mapping[SignalId, str]
+    drive: Mapping[tuple[MachineId, Position], str]
+    turn: Mapping[MachineId, str]
+    late_timer: Mapping[MachineId, str]
+    release_timer: Mapping[SectionId, str]
+    restart_timer: str
+    start_timer: str | None
     clear_aspect: Mapping[SignalId, str]
+    caution_aspect: Mapping[SignalId, str]
+    call_aspect: Mapping[SignalId, str]
+    shunt_aspect: Mapping[SignalId, str]
     stop_aspect: Mapping[SignalId, str]
     distant_clear: Mapping[SignalId, str]
+    distant_caution: Mapping[SignalId, str]
     speed_shown: Mapping[tuple[SignalId, int], str]
+    indication: Mapping[str, str]
+    zone_full: Mapping[str, str]
     restart: Mapping[SectionId, str]
     train: Mapping[SectionId, str]
     lock: Mapping[tuple[SectionId, int], str]
@@ -194,6 +221,8 @@ class Symbols:
     used: Mapping[SectionId, str]
     passed: Mapping[SectionId, str]
     stale: Mapping[SectionId, str]
+    release: Mapping[SectionId, str]
+    release_all: str
     cancel: Mapping[SignalId, str]
     cancelling: Mapping[SignalId, str]
     approach_timer: Mapping[SignalId, str]
@@ -232,12 +261,32 @@ class Symbols:
         """The variables that lock each section: restart lock and locks."""
         return {s: (k, *(name for _, name in self.locks_of.get(s, ()))) for s, k in self.restart.items()}
 
+    def proceed_lamps(self, g: SignalId, shunt: bool = False) -> tuple[str, ...]:
+        """The outputs that show proceed at a signal: to trains (call-on included), or to shunting movements."""
+        aspects = (self.shunt_aspect,) if shunt else (self.clear_aspect, self.caution_aspect, self.call_aspect)
+        return tuple(aspect[g] for aspect in aspects if g in aspect)
+
+    @property
+    def lamps(self) -> Iterator[str]:
+        """The outputs that are lit at signals and distants, stop lamps among them."""
+        for aspect in (self.clear_aspect, self.caution_aspect, self.call_aspect, self.shunt_aspect, self.stop_aspect):
+            yield from aspect.values()
+        yield from (*self.distant_clear.values(), *self.distant_caution.values())
+
+    def main_lamps(self, g: SignalId) -> tuple[str, ...]:
+        """The outputs that show clear or caution at a main signal."""
+        return tuple(aspect[g] for aspect in (self.clear_aspect, self.caution_aspect) if g in aspect)
+
     def signal(self, g: SignalId, shunt: bool = False) -> Expr:
-        """Whether the controller shows proceed at a signal: to trains (call-on included), or to shunting movements."""
-        return self._shown.get((g, shunt), FALSE)
+        """Whether a signal shows proceed, by its lamps: to trains (call-on included), or to shunting movements."""
+        return disj(var(name) for name in self.proceed_lamps(g, shunt))
+
+    def opened(self, g: SignalId, shunt: bool = False) -> Expr:
+        """Whether the controller has opened a signal for one of its routes: state, not yet a lamp."""
+        return self._opened.get((g, shunt), FALSE)
 
     @cached_property
-    def _shown(self) -> dict[tuple[SignalId, bool], Expr]:
+    def _opened(self) -> dict[tuple[SignalId, bool], Expr]:
         open_: dict[tuple[SignalId, bool], list[Expr]] = {}
         for r in self.routes:
             open_.setdefault((r.entry, r.shunt), []).extend(var(name) for name in r.open_while)
@@ -249,11 +298,11 @@ class Symbols:
         return disj(var(r.passing) for r in routes if r.shunt is shunt and r.passing is not None)
 
     def asked(self, number: int) -> Expr:
-        """A route number (0: none) is asked for by hand, from the control centre or on the spot."""
+        """A route number (0: none) is newly asked for by hand, from the control centre or on the spot."""
         if self.local_request is None:
-            return asked_of((self.request,), number)
+            return asked_of((self.request,), number, self.fresh)
         order = (self.request, self.local_request)
-        return asked_of(order[::-1] if self.local_first else order, number)
+        return asked_of(order[::-1] if self.local_first else order, number, self.fresh)
 
     def opens(self, g: SignalId, shunt: bool = False) -> Expr:
         """Whether a signal is open for a movement before it, other than by calling a train on."""
@@ -314,6 +363,12 @@ class Controller:
                 raise MalformedController(f"output {o.name} reads more than the new state")
             if evaluate(o.expr, initial.__getitem__, {}) != o.restrictive:
                 raise MalformedController(f"output {o.name} is not restrictive in the initial state")
+
+    def with_outputs(self, outputs: tuple[Output, ...]) -> Controller:
+        """The same controller with other outputs, restrictive at the restart or not: for weakenings."""
+        other = replace(self, outputs=())
+        object.__setattr__(other, "outputs", outputs)
+        return other
 
     @cached_property
     def timers(self) -> tuple[Timer, ...]:

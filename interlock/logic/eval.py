@@ -1,7 +1,8 @@
 """One scan, by definition: the reference interpreter of a controller.
 
-`Machine` follows the five steps of `logic.controller` literally.  Timers count the time that is given to each
-scan.  The Python runtime and the Structured Text are compared with it.
+`Machine` follows the five steps of `logic.controller` literally.  Timers are those of
+`logic.on_delay`, which also tells after how long a cycle the inputs count as lost.  The Python runtime and the
+Structured Text are compared with it.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from collections.abc import Mapping
 
 from interlock.logic.controller import Controller, Equation
 from interlock.logic.expr import evaluate
+from interlock.logic.on_delay import CYCLE_MAX_MS, on_delay
 
 
 class Machine:
@@ -18,7 +20,7 @@ class Machine:
     def __init__(self, controller: Controller) -> None:
         self.controller = controller
         self.state: dict[str, int] = {s.name: int(s.initial) for s in controller.state}
-        self.elapsed: dict[str, int] = {t.name: 0 for t in controller.timers}
+        self.elapsed: dict[str, int | None] = {t.name: None for t in controller.timers}
         self.wires: dict[str, int] = {}
 
     def scan(self, inputs: Mapping[str, int], dt_ms: int) -> dict[str, bool]:
@@ -26,17 +28,15 @@ class Machine:
         c = self.controller
         values: dict[str, int] = dict(self.state)
         for i in c.inputs:
-            given = int(inputs.get(i.name, i.restrictive))
-            values[i.name] = given if 0 <= given < max(i.size, 2) else i.restrictive
+            values[i.name] = i.read(int(inputs.get(i.name, i.restrictive)))
+        if dt_ms > CYCLE_MAX_MS:
+            values[c.symbols.valid] = 0
         for step in c.steps:
             if isinstance(step, Equation):
                 values[step.name] = int(evaluate(step.expr, values.__getitem__, {}))
-            elif values[step.input]:
-                self.elapsed[step.name] = min(self.elapsed[step.name] + dt_ms, step.preset_ms)
-                values[step.name] = int(self.elapsed[step.name] >= step.preset_ms)
             else:
-                self.elapsed[step.name] = 0
-                values[step.name] = 0
+                elapsed, over = on_delay(self.elapsed[step.name], bool(values[step.input]), step.preset_ms, dt_ms)
+                self.elapsed[step.name], values[step.name] = elapsed, int(over)
         memo: dict[int, bool] = {}
         new = {e.name: int(evaluate(e.expr, values.__getitem__, memo)) for e in c.next}
         self.wires = values

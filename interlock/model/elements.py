@@ -138,7 +138,7 @@ class Boundary:
     """Where trains come in or leave; `approach` is the section outside it, in rear of the entry signal.
 
     `button`: the name of the operator's button that ends departure routes here; `indicator`: departures this way are
-    shown by a route indicator (both only printed).
+    shown by a route indicator (both only printed).  `approach_m`: metres of the approach section.
     """
 
     node: NodeId
@@ -147,6 +147,7 @@ class Boundary:
     block: BlockKind = BlockKind.NONE
     button: str = ""
     indicator: bool = False
+    approach_m: float = 0.0
 
     @property
     def checked(self) -> bool:

@@ -1,27 +1,29 @@
 """Foul joints (侵限绝缘), computed from distances (R7).
 
-A joint on a leg of a point is foul when it lies nearer to the point than its fouling point plus the
-clearance: a vehicle that stands beyond the joint can still foul the other leg.
+A joint on a leg of a point, or on an arm of a diamond, is foul when it lies nearer to the point or diamond than the
+fouling point plus the clearance: a vehicle that stands beyond the joint can still foul the other leg or arm.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from interlock.model.elements import EdgeId, MachineId, NodeId, PointId, Position, SectionId
+from interlock.model.elements import CrossingId, EdgeId, MachineId, NodeId, PointId, Position, SectionId
 from interlock.model.layout import Layout
+from interlock.model.traversal import Traversal
 
 
 @dataclass(frozen=True)
 class FoulJoint:
-    """The neighbour section fouls routes over the *other* leg of the point.
+    """The neighbour section fouls ways over the *other* leg of a point, or the other arm of a diamond.
 
-    `when` is the point of the neighbour that leads vehicles to the joint in that position; detected in the other one,
-    no vehicle in the neighbour stands at the joint.  None: the neighbour fouls whatever points do.
+    side: the leg or arm beyond whose joint the neighbour lies.  section: where the ways run that it fouls.  `when` is
+    the point of the neighbour that leads vehicles to the joint in that position; detected in the other one, no vehicle
+    in the neighbour stands at the joint.  None: the neighbour fouls whatever points do.
     """
 
-    point: PointId
-    leg: Position
+    element: PointId | CrossingId
+    side: Position | int
     section: SectionId
     neighbour: SectionId
     node: NodeId
@@ -29,33 +31,65 @@ class FoulJoint:
     needed: float
     when: tuple[MachineId, Position] | None
 
+    @property
+    def name(self) -> str:
+        """The point or diamond, in words."""
+        return f"{'point' if isinstance(self.side, Position) else 'diamond'} {self.element}"
+
+    def fouls(self, t: Traversal) -> bool:
+        """A vehicle at the joint stands in the way."""
+        if isinstance(self.side, Position):
+            return any(p == self.element and x is not self.side for p, x in t.points)
+        return any(c == self.element and arm != self.side for c, arm in t.crossings)
+
+    def touches(self, t: Traversal) -> bool:
+        """A movement on the way comes to the joint; any way of the neighbour, where its points tell nothing."""
+        return t.section == self.neighbour and (self.when is None or self.node in (t.entry, t.exit))
+
 
 def foul_joints(layout: Layout) -> tuple[FoulJoint, ...]:
-    """Every foul joint, ordered by point and leg."""
-    found = []
+    """Every foul joint, ordered by point and leg, then by diamond and arm."""
+    found: list[FoulJoint] = []
+    margin = layout.principles.clearance_m
     for p in layout.points:
-        needed = p.fouling + layout.principles.clearance_m
+        home = layout.section_of(p.toe)
         for leg in Position:
-            found.extend(_along(layout, p.id, leg, p.leg(leg), p.node, 0.0, needed))
+            walk = _Walk(layout, p.id, leg, home, p.node, p.fouling + margin)
+            found += walk.along(p.leg(leg), p.node, 0.0, home)
+    for c in layout.crossings:
+        for arm, edges in enumerate(c.arms):
+            across = layout.section_of(c.arms[1 - arm][0])
+            walk = _Walk(layout, c.id, arm, across, c.node, layout.principles.fouling_m + margin)
+            for e in edges:
+                found += walk.along(e, c.node, 0.0, layout.section_of(e))
     return tuple(found)
 
 
-def _along(
-    layout: Layout, point: PointId, leg: Position, edge: EdgeId, node: NodeId, gone: float, needed: float
-) -> list[FoulJoint]:
-    """Walk out from the point until the distance needed is covered; collect joints nearer than it."""
-    home = layout.section_of(layout.point[point].toe)
-    far = layout.far(edge, node)
-    gone += layout.edge[edge].length
-    if gone >= needed or far == layout.point[point].node:
-        return []
-    out = []
-    for e in layout.onward(edge, far):
-        if e.section not in (home, layout.section_of(edge)):
-            when = _decider(layout, e.id, far)
-            out.append(FoulJoint(point, leg, home, e.section, far, gone, needed, when))
-        out.extend(_along(layout, point, leg, e.id, far, gone, needed))
-    return out
+@dataclass(frozen=True)
+class _Walk:
+    """A walk out from a point or diamond until the distance needed is covered; it collects joints nearer than it."""
+
+    layout: Layout
+    element: PointId | CrossingId
+    side: Position | int
+    section: SectionId
+    start: NodeId
+    needed: float
+
+    def along(self, edge: EdgeId, node: NodeId, gone: float, home: SectionId) -> list[FoulJoint]:
+        """`home`: the section in which the point or arm lies; within it and the fouled one there is no joint."""
+        layout = self.layout
+        far = layout.far(edge, node)
+        gone += layout.edge[edge].length
+        if gone >= self.needed or far == self.start:
+            return []
+        out = []
+        for e in layout.onward(edge, far):
+            if e.section not in (home, self.section, layout.section_of(edge)):
+                when = _decider(layout, e.id, far)
+                out.append(FoulJoint(self.element, self.side, self.section, e.section, far, gone, self.needed, when))
+            out.extend(self.along(e.id, far, gone, home))
+        return out
 
 
 def _decider(layout: Layout, edge: EdgeId, node: NodeId) -> tuple[MachineId, Position] | None:

@@ -223,6 +223,7 @@ class Layout:
             edges=tuple(replace(e, length=0.0) for e in self.edges),
             points=tuple(replace(p, fouling=0.0) for p in self.points),
             overlaps=tuple(replace(o, length=0.0) for o in self.overlaps),
+            boundaries=tuple(replace(b, approach_m=0.0) for b in self.boundaries),
         )
 
     @cached_property

@@ -1,4 +1,4 @@
-"""All that a proof reads of a railway's lengths: overlaps, foul joints, and what protects a flank.
+"""All that a proof reads of a railway's lengths: overlaps, foul joints, approaches, and what protects a flank.
 
 Everything else is made from the layout without lengths: two layouts that differ in lengths alone, and of which the same
 is told here, have the same plant, and the same is claimed of them.
@@ -9,9 +9,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from interlock.model.approach import Approach, approach
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.layout import Layout
+from interlock.model.needs import Needs, needs
 from interlock.model.overlap import overlap_paths
 
 
@@ -36,12 +38,14 @@ class Beyond:
 @dataclass(frozen=True, slots=True)
 class Measured:
     """overlaps: for each signal that has one the alternatives, as ways through sections by number.  fouls: the foul
-    joints, without distances.  beyond: what lies over an edge away from a node, for legs of points and arms of
-    crossings."""
+    joints, without distances.  needs: the times that the world needs.  beyond: what lies over an edge away from a node,
+    for legs of points and arms of crossings.  approaches: from where a train may come to each signal."""
 
     overlaps: Mapping[SignalId, tuple[tuple[tuple[SectionId, int], ...], ...]]
     fouls: tuple[FoulJoint, ...]
+    needs: Needs
     beyond: Mapping[tuple[NodeId, EdgeId], Beyond]
+    approaches: Mapping[SignalId, Approach]
 
 
 def measured(layout: Layout) -> Measured:
@@ -60,7 +64,8 @@ def measured(layout: Layout) -> Measured:
         if (paths := overlap_paths(layout, g.id))
     }
     fouls = tuple(replace(f, distance=0.0, needed=0.0) for f in foul_joints(layout))
-    return Measured(overlaps, fouls, beyond)
+    approaches = {g.id: approach(layout, g.id) for g in layout.signals}
+    return Measured(overlaps, fouls, needs(layout), beyond, approaches)
 
 
 def _beyond(layout: Layout, edge: EdgeId, node: NodeId, gone: float, needed: float, seen: frozenset[NodeId]) -> Beyond:

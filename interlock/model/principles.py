@@ -74,12 +74,23 @@ class Principles:
     local_requests: whether routes are asked for on the spot too, and which of two requests in one scan is taken: the
         local one `first`, or `last` (document A: its heading says remote, its reason says that the scene knows better;
         local first is our reading).
-    priorities: whether noted routes (voyages, automatic working) that could be set wait for one another in an order:
-        transport over an inclined lane first, then the main direction (document A); otherwise in turn.
-    priority_wait_s: how long noted routes of a lower class may wait before they come first for once; 0 for ever.
+    priorities: whether voyages, and automatic routes, are served in an order: transport over an inclined lane first,
+        then the main direction (document A); otherwise as they were commanded, or as the layout names them.
+    priority_wait_s: how long a voyage of a lower class may wait before it comes first for once; 0 for ever.
     slow_below_kmh: a main signal shows caution instead of clear for a route whose stated speed is lower (R11, by route
         speed); 0 for never.
     token_delay_s: how long the operator must hold the special manual change of direction (R12; our choice).
+    token_agreed_s: how long that hand must at least be held until what was under way on the telegraph and the line has
+        arrived, as agreed by telephone (our choice).
+    line_speed_kmh: highest speed of trains where a section states none (our choice).
+    shunt_speed_kmh: highest speed of shunting movements (our choice).
+    braking_ms2: braking of the worst train, in m/s^2 (our choice; `mine` stops from 20 km/h within the 40 m of the coal
+        rules).
+    reaction_s: time until a driver who sees stop applies the brake (our choice).
+    output_delay_s: time from a decision of the controller until the driver can see it (two scans; our choice).
+    point_run_s: time in which a point machine runs from one position to the other (our choice).
+    restart_delay_s: time after power-up before which no section is released: whatever ran at the power cut has come to
+        a stand (R16; our choice).
     main_closes: whether a main signal returns to stop with the first axle (railway practice), or when the whole
         movement has passed it (document B 2.1); where no second one can come from behind meanwhile (R3).
     shunt_closes: the same for shunt signals (TB/T 3027: when the whole movement has passed).
@@ -109,6 +120,14 @@ class Principles:
     priority_wait_s: float = 0.0
     slow_below_kmh: float = 0.0
     token_delay_s: float = 60.0
+    token_agreed_s: float = 30.0
+    line_speed_kmh: float = 80.0
+    shunt_speed_kmh: float = 40.0
+    braking_ms2: float = 0.6
+    reaction_s: float = 4.0
+    output_delay_s: float = 1.0
+    point_run_s: float = 6.0
+    restart_delay_s: float = 180.0
     main_closes: Closes = Closes.FIRST_AXLE
     shunt_closes: Closes = Closes.FIRST_AXLE
     caution: Caution = Caution.NEXT
@@ -117,7 +136,15 @@ class Principles:
 PROFILES: dict[str, Principles] = {
     "generic": Principles(),
     "mine": Principles(
-        approach_release_s=60.0, fouling_m=8.0, caution=Caution.NEVER, local_requests=Local.FIRST, priorities=True
+        approach_release_s=60.0,
+        fouling_m=8.0,
+        caution=Caution.NEVER,
+        local_requests=Local.FIRST,
+        priorities=True,
+        restart_delay_s=600.0,
+        line_speed_kmh=20.0,
+        shunt_speed_kmh=20.0,
+        braking_ms2=0.4,
     ),
     "uk": Principles(overlap_m=180.0, approach_release_s=120.0),
     "de": Principles(overlap_m=200.0, overlap_release_s=45.0, flank_space=True),

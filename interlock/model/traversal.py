@@ -71,7 +71,11 @@ class Topology:
         }
         self.main_into = {k: g for k, g in self.signal_into.items() if layout.signal[g].main}
         self.shunt_into = {k: g for k, g in self.signal_into.items() if layout.signal[g].shunt}
-        self.berths: frozenset[SectionId] = frozenset(s for s in self.sections if self._is_berth(s))
+        self.standing: frozenset[SectionId] = frozenset(s for s in self.sections if self._is_standing(s))
+        """Where vehicles may be left standing, so that a signal at the end is closed by the first axle (R2, R3)."""
+        under = {s for d in layout.devices for s in d.over}
+        self.berths: frozenset[SectionId] = self.standing - under
+        """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing."""
 
     def is_end(self, node: NodeId) -> bool:
         """Whether sections end at this node."""
@@ -86,14 +90,9 @@ class Topology:
         found = ((n, self.beyond(section, n)) for n in self.ends[section])
         return tuple(self.signal_into[n, o] for n, o in found if o is not None and (n, o) in self.signal_into)
 
-    def _is_berth(self, section: SectionId) -> bool:
-        """A plain section that is left over its joints only on a signal, one of them at least a shunt signal.
-
-        Shunting movements end there and may find vehicles standing (R2).
-        """
+    def _is_standing(self, section: SectionId) -> bool:
+        """A plain section that is left over its joints only on a signal, one of them at least a shunt signal."""
         if any(t.points or t.crossings for t in self.traversals[section]):
-            return False
-        if any(section in d.over for d in self.layout.devices):
             return False
         joints = [n for n in self.ends[section] if self.beyond(section, n) is not None]
         out = self.signals_out(section)

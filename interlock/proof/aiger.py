@@ -73,7 +73,7 @@ def aiger(system: System, claims: Sequence[Claim]) -> bytes:
         else:
             names[name] = lits[0]
             symbols.append(f"i{inputs - 1} {name}")
-    kept = {v.name: v.initial for v in system.controller.state}
+    kept = {x.args[0].name if x.op is NOT else x.name: x.op is VAR for x in system.initial_parts if _literal(x)}
     started: dict[str, int] = {}
     for name in system.state:
         if name not in kept:
@@ -128,6 +128,10 @@ def aiger(system: System, claims: Sequence[Claim]) -> bytes:
         gate += 2
     text = [*symbols, "o0 bad", "c", f"interlock {system.layout.name}", ""]
     return b"".join(out) + "\n".join(text).encode()
+
+
+def _literal(x: Expr) -> bool:
+    return x.op is VAR or (x.op is NOT and x.args[0].op is VAR)
 
 
 def _delta(n: int) -> bytes:

@@ -2,7 +2,7 @@
 
 The interlocking is proved for every value of its inputs, so nothing more is asked of the mapping than this: each input
 gets its own wire (or the operator's variable of its name), each wire to the outside gets its own output, no address
-twice, and VALID only while every substation's watch says that it is alive.
+twice, VALID only while no cycle was too long and every substation's watch says that it is alive, and one task.
 """
 
 from __future__ import annotations
@@ -13,20 +13,23 @@ from interlock.model.portable import portable
 from interlock.proof.translation import Difference
 from interlock.st.ast import Assign, Call, Expression, Name, Nary
 from interlock.st.parser import NotInSubset, parse_unit
-from interlock.st.program import watch
+from interlock.st.program import cycle, io_task, watch
 
 
 def compare_program(controller: Controller, a: Allocation, text: str) -> tuple[Difference, ...]:
     """What is wrong with a mapping program; empty when nothing is."""
     try:
-        blocks = parse_unit(text).blocks
+        unit = parse_unit(text)
     except NotInSubset as error:
         return (Difference("text", f"cannot be read: {error}"),)
     prefix = f"IL_{portable(controller.name)}"
-    if len(blocks) != 2 or blocks[0] != watch(f"{prefix}_WATCH") or blocks[1].kind != "PROGRAM":
-        return (Difference("text", "not a watch and a program as they are made"),)
-    program = blocks[1]
+    watches_of = (watch(f"{prefix}_WATCH"), cycle(f"{prefix}_CYCLE"))
+    *before, program = unit.blocks
+    if tuple(before) != watches_of or program.kind != "PROGRAM" or program.name != f"{prefix}_IO":
+        return (Difference("text", "not the watches and a program as they are made"),)
     wrong: list[Difference] = []
+    if unit.task != io_task(controller):
+        wrong.append(Difference("task", "does not run the program as it should"))
     wanted = {c.variable: c.located for c in (*a.heartbeats, *a.channels)}
     found = {d.name: d.address for d in program.locals if d.address}
     wrong += [Difference(n, f"has address {found.get(n)}, not {x}") for n, x in wanted.items() if found.get(n) != x]
@@ -35,12 +38,13 @@ def compare_program(controller: Controller, a: Allocation, text: str) -> tuple[D
         wrong.append(Difference("addresses", "one is given twice"))
     instances = {d.name: d.type for d in program.locals if d.type not in ("BOOL", "INT")}
     watches = {f"W_{portable(c.substation)}": c.variable for c in a.heartbeats}
-    if instances != {**dict.fromkeys(watches, f"{prefix}_WATCH"), "RUN": prefix}:
-        wrong.append(Difference("instances", "are not one watch for each substation and the interlocking"))
+    if instances != {**dict.fromkeys(watches, f"{prefix}_WATCH"), "CYC": f"{prefix}_CYCLE", "RUN": prefix}:
+        wrong.append(Difference("instances", "are not a watch for each substation and the cycle, and the interlocking"))
     valid = controller.symbols.valid
-    alive: tuple[Expression, ...] = tuple(Name((w, "OK")) for w in watches)
-    steps: list[Assign | Call] = [Call(w, (("HB", Name((hb,))),)) for w, hb in watches.items()]
-    steps.append(Assign(Name((valid,)), alive[0] if len(alive) == 1 else Nary("AND", alive)))
+    alive: tuple[Expression, ...] = (Name(("CYC", "OK")), *(Name((w, "OK")) for w in watches))
+    steps: list[Assign | Call] = [Call("CYC", ())]
+    steps += [Call(w, (("HB", Name((hb,))),)) for w, hb in watches.items()]
+    steps.append(Assign(Name((valid,)), Nary("AND", alive)))
     steps.append(Call("RUN", tuple((i.name, Name((i.name,))) for i in controller.inputs)))
     steps += [Assign(Name((o.name,)), Name(("RUN", o.name))) for o in controller.outputs]
     for mine, should in zip(program.body, steps, strict=False):

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
-from interlock.logic.controller import Controller, Equation, StateVar
-from interlock.logic.expr import FALSE, TRUE, Substitution, conj, disj, var
+from interlock.logic.controller import Controller, Equation, Join, StateVar, Term
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, var
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
@@ -25,6 +25,7 @@ from interlock.proof.system import System
 from interlock.table.rows import InterlockingTable, PointDemand, RouteKind, RouteRow, TraversalRow
 
 Mutant = tuple[str, Controller]
+Make = Callable[[Layout, InterlockingTable], Iterator[Mutant]]
 
 
 class Fate(StrEnum):
@@ -235,6 +236,17 @@ def _closes_late(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         yield r.id, lower(layout, replace(table, routes=tuple(late if x is r else x for x in table.routes)))
 
 
+def _short_approach(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """Cancelling looks at the section in rear alone, whatever the braking distance."""
+    for g in {r.entry: None for r in table.routes if r.approach.coming.further or r.approach.coming.unseen}:
+        rows = [r for r in table.routes if r.entry == g]
+        short = {
+            r.id: replace(r, approach=replace(r.approach, coming=replace(r.approach.coming, further=(), unseen=False)))
+            for r in rows
+        }
+        yield g, lower(layout, replace(table, routes=tuple(short.get(r.id, r) for r in table.routes)))
+
+
 def _too_fast(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """A route shows the speed of another one from the same signal."""
     for r in table.routes:
@@ -259,7 +271,60 @@ def _swung_at_once(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]
         yield g, _with(c, old, replace(old, terms=(first, *old.terms[1:])))
 
 
+def _outputs(change: Callable[[Controller], Iterator[tuple[str, str, Expr]]]) -> Make:
+    """One output shows something else."""
+
+    def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+        c = lower(layout, table)
+        for place, name, expr in change(c):
+            shown = tuple(replace(o, expr=expr) if o.name == name else o for o in c.outputs)
+            yield place, c.with_outputs(shown)
+
+    return make
+
+
+def _dark(c: Controller) -> Iterator[tuple[str, str, Expr]]:
+    for g, name in c.symbols.stop_aspect.items():
+        yield f"stop lamp of {g}", name, FALSE
+
+
+def _undriven(c: Controller) -> Iterator[tuple[str, str, Expr]]:
+    for (m, x), name in c.symbols.drive.items():
+        yield f"{m} {x}", name, FALSE
+
+
+def _untold(c: Controller) -> Iterator[tuple[str, str, Expr]]:
+    for what, name in c.symbols.indication.items():
+        yield what, name, FALSE
+
+
+def _short(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A delay of a millisecond less than is ordered."""
+    c = lower(layout, table)
+    for t in c.timers:
+        less = replace(t, preset_ms=t.preset_ms - 1)
+        yield t.name, replace(c, steps=tuple(less if s is t else s for s in c.steps))
+
+
+def _held_number(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A number that is held asks in every scan."""
+    c = lower(layout, table)
+    for x, fresh in c.symbols.fresh.items():
+        e = next(e for e in c.next if e.name == fresh)
+        always = replace(e, join=Join.ALL, terms=(Term(TRUE, "always"),))
+        yield x, _with(c, e, always)
+
+
 KINDS: tuple[Kind, ...] = (
+    Kind("stop-lamp-dark", "a stop lamp is never lit", _outputs(_dark)),
+    Kind("machine-not-driven", "a machine is never driven to a position", _outputs(_undriven)),
+    Kind("indication-dark", "an indication or alarm is never lit", _outputs(_untold)),
+    Kind("delay-too-short", "a delay is a millisecond shorter than ordered", _short),
+    Kind("number-held", "a route number that is held asks again and again", _held_number),
+    Kind(
+        "set-while-occupied", "a route is set over a section that is reported occupied", without("WF", "section clear")
+    ),
+    Kind("released-by-nobody", "a section is given back although nobody asks for it", without("HR", "by hand")),
     Kind(
         "hostile-not-excluded",
         "a route is granted over a section that another holds",
@@ -301,7 +366,7 @@ KINDS: tuple[Kind, ...] = (
         without("PA", "still passing", "first section occupied"),
     ),
     Kind(
-        "open-while-released", "a signal is still open when its locks are released", without("RTI HR", "signal closed")
+        "open-while-released", "a signal is still open when its locks are released", without("BT HR", "signal closed")
     ),
     Kind(
         "passing-not-supervised",
@@ -310,20 +375,22 @@ KINDS: tuple[Kind, ...] = (
     ),
     Kind("cancel-not-obeyed", "proceed stays after a cancellation", without("PR", "not cancelled", "not cancelling")),
     Kind("cancel-with-train", "a route is cancelled while a train approaches", without("CD", "no train about to come")),
-    Kind("cancel-occupied", "a route is cancelled with its first section occupied", without("CD", "section clear")),
-    Kind("release-occupied", "a section is released under a train", without("HR", "section clear")),
+    Kind("approach-one-section", "nothing further back than the section in rear is looked at", _short_approach),
+    Kind("cancel-occupied", "a route is cancelled with its first section occupied", without("CD", "long clear")),
+    Kind("release-occupied", "a section is released under a train", without("HR", "long clear")),
     Kind(
         "release-by-hand-early",
         "a section is released by hand before a train that may come",
         without("HR", "no train about to come"),
     ),
     Kind("release-out-of-order", "a section is released before the one in rear", without("HR", "rear released")),
-    Kind("withdraw-occupied", "a withdrawn lock goes under a train", without("CA", "section clear")),
+    Kind("withdraw-occupied", "a withdrawn lock goes under a train", without("CA", "long clear")),
     Kind("withdraw-early", "a withdrawn lock goes before the one in rear", without("CA", "rear released")),
-    Kind("release-one-early", "automatic release before the train has gone on", without("RTI", "went on")),
-    Kind("release-unused", "automatic release without the section having been used", without("RTI", "was used")),
-    Kind("release-under-train", "automatic release of an occupied section", without("RTI", "section clear")),
-    Kind("restart-release-occupied", "an occupied section is released after a restart", without("SR", "section clear")),
+    Kind("release-one-early", "automatic release before the train has gone on", without("BT", "went on")),
+    Kind("release-unused", "automatic release without the section having been used", without("BT", "was used")),
+    Kind("release-under-train", "automatic release of an occupied section", without("BT", "long clear")),
+    Kind("clear-not-counted", "the release delay runs in an occupied section", without("RTI", "section clear")),
+    Kind("restart-release-occupied", "an occupied section is released after a restart", without("SR", "long clear")),
     Kind("restart-unlocked", "a section is not locked at a restart", _not_locked_at_restart),
     Kind("use-without-rear", "a section counts as used although the rear is clear", without("NU", "rear occupied")),
     Kind("use-while-stale", "the three-point check goes on after inputs were lost", without("NU", "inputs never lost")),

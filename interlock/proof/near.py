@@ -96,6 +96,7 @@ def homes(
     found |= {overran(g, s).name: f"section {s}" for g, s in overrunning(names, sym.approach_of, topo.ends)}
     for g in sym.approach_of:
         found |= {x.name: f"signal {g}" for k in (False, True) for x in (accepted(g, k), lamp(g, k))}
+    found |= _clocks(sym)
     readers: dict[str, set[str]] = {}
     for name, x in definitions.items():
         home = found.get(name.removesuffix(prime))
@@ -107,3 +108,19 @@ def homes(
         if len(those) == 1:
             found.setdefault(name, next(iter(those)))
     return found | {name + prime: home for name, home in found.items()}
+
+
+def _clocks(sym: Symbols) -> dict[str, str]:
+    """Clocks of the world, what the proof remembers of timers beside them, and what outputs tell of an element."""
+    found: dict[str, str] = {}
+    for g, timer in sym.approach_timer.items():
+        found |= dict.fromkeys((f"long.stop.{g}", f"cov.{timer}", timer), f"signal {g}")
+        lamps = [*sym.proceed_lamps(g), *sym.proceed_lamps(g, shunt=True), sym.stop_aspect[g]]
+        found |= dict.fromkeys(lamps, f"signal {g}")
+    for g, timer in sym.overlap_timer.items():
+        home = f"section {sym.approach_of[g]}"
+        found |= dict.fromkeys((f"long.stand.{g}", f"cov.{timer}"), home)
+    found |= {name: f"point {m}" for (m, _), name in sym.drive.items()}
+    return found | {
+        name: f"section {what.split(' ', 1)[1]}" for what, name in sym.indication.items() if what[:7] == "locked "
+    }

@@ -30,7 +30,7 @@ SMALL = 1500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
 FEW = 800  # at first a part of fewer goals is joined with the next place: neighbours share what they depend on
 NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
-LARGE = 16_000  # goals of a part that depends on more names than this are first asked of one state, or of one place
+LARGE = 8000  # goals of a part that depends on more names than this are first asked of one state, or of one place
 SAMPLE, RUN = 16, 100  # so many runs of so many goals tell how much the goals of a system depend on
 HUB = 60  # a variable in more facts than this says nothing about what lies together
 
@@ -64,6 +64,7 @@ class Start:
     requests: Sequence[str] = ()
     homes: Mapping[str, str] = field(default_factory=dict)
     beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    lamps: frozenset[str] = frozenset()
 
     def after(self, x: Expr) -> Expr:
         """There is no step."""

@@ -16,6 +16,7 @@ from dataclasses import replace
 from functools import partial
 
 from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, Substitution, conj, neg, var
+from interlock.model.elements import Position
 from interlock.proof.asking import Decision
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
@@ -227,7 +228,10 @@ def _claims(
 def start_claim(system: System) -> Expr:
     """P-START: at the restart nothing is commanded, all signals show stop, every section is locked."""
     sym = system.symbols
-    out: list[Expr] = [neg(var(n)) for n in sym.command.values()]
+    devices = system.layout.device
+    commands = [*sym.command.items(), *sym.drive.items()]
+    out: list[Expr] = [neg(var(n)) for (m, x), n in commands if m not in devices or x is Position.NORMAL]
+    out += [var(n) for n in sym.stop_aspect.values()]
     out += [neg(sym.shows(g.id)) for g in system.layout.signals]
     out += [var(n) for n in sym.restart.values()]
     return conj(out)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass
 
-from interlock.logic.expr import Expr, evaluate, neg, var, variables
+from interlock.logic.expr import Expr, disj, eq, evaluate, neg, var, variables
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer
 from interlock.proof.engines.z3_sat import Z3Sat
@@ -45,6 +45,8 @@ class _Unrolled:
             self.template.require(a.expr)
         for name in variables(goals):
             self.template.literal(var(name))
+        for name, size in system.sizes.items():  # one of its values
+            self.template.require(disj(eq(name, k) for k in range(size)))
         self.now = {n: self.template.literal(var(n)) for n in system.state}
         self.then = {n: self.template.literal(var(n + PRIME)) for n in system.state}
         self.inputs = {n: self.template.literal(var(n)) for n in system.inputs if n not in system.sizes}

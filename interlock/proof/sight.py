@@ -126,6 +126,7 @@ class _Sight:
         self.deepen(found)
         seen = set(self.seen)
         names_of = self.views.names_of
+        found |= _at(self.views.alone_at, self.seen)
         told = [m.plain[n][0] for n in found if seen.issuperset(names_of[n])]
         wide, mixed = _at(self.views.wide_at, self.seen), _at(self.views.mixed_at, self.seen)
         parts = [x for n in wide if (x := self.said(m.plain[n][0], True)) is not TRUE]

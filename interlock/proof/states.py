@@ -56,14 +56,16 @@ class States:
     def questions(self, goals: Iterable[tuple[int, Expr]]) -> tuple[list[OfState], list[int]]:
         """Numbered goals that are no part of the induction: those about one state, and the others.
 
-        What is said of routes tells which: of their next values, or of all else before the step.
+        What is said of routes and lamps tells which: of their next values, or of all else before the step.
         """
         before: list[int] = []
         after: list[int] = []
         others: list[int] = []
         state = frozenset(self.system.later)
+        later = self.system.later
         of_routes = frozenset(self.system.members)
-        now, following = of_routes & state, of_routes & frozenset(self.system.later.values())
+        now = (of_routes & state) | self.system.lamps
+        following = (of_routes & frozenset(later.values())) | self._shown
         for n, x in goals:
             names = variables((x,))
             if state.issuperset(names):
@@ -75,6 +77,11 @@ class States:
         return [
             OfState(some[k : k + MOST], some is after) for some in (after, before) for k in range(0, len(some), MOST)
         ], others
+
+    @cached_property
+    def _shown(self) -> frozenset[str]:
+        """The next values of lamps."""
+        return frozenset(self.system.later[x] for x in self.system.lamps)
 
     def decide(self, goals: Sequence[Expr], after: bool) -> list[Decision]:
         """Which goals follow from the invariants before a step, or after it."""
@@ -101,7 +108,9 @@ class States:
         A signal is open for one route or another, and the points lie as for one of them.  A solver would have to try
         each of the others to see that it needs the points otherwise, as that comes in several steps.
         """
-        asked = [(v, n) for v in variables(goals) if (n := cnf.names.get(v, 0)) > 0]
+        named = variables(goals)
+        named |= variables(self.system.definitions[v] for v in named if v in self._shown)
+        asked = [(v, n) for v in named if (n := cnf.names.get(v, 0)) > 0]
         routes = [n for v, n in asked if v in self.system.members]
         places = {n for v, n in asked if v not in self.system.members}
         return implied(cnf.clauses, routes, places.intersection(*[chain.from_iterable(denials)]))
@@ -109,13 +118,15 @@ class States:
     def told(self, goals: Sequence[Expr], after: bool) -> tuple[Mapping[str, Expr], Sequence[Expr]]:
         """What is defined and known of one state.
 
-        After a step: not why a next value is what it is, unless a goal names it, and nothing of places that depends
-        on routes.
+        After a step: not why a next value is what it is, unless a goal names it or a lamp that shows it, and nothing
+        of places that depends on routes.
         """
         if not after:
             return {}, self.hypotheses
         system = self.system
         asked = dict.fromkeys(variables(goals))
+        lit = [system.definitions[v] for v in asked if v in self._shown]
+        asked |= dict.fromkeys(variables(lit))
         definitions: dict[str, Expr] = {}
         seen: set[str] = set()
         todo = list(asked)

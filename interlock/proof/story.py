@@ -93,9 +93,6 @@ def _requests(system: System, inputs: dict[str, int]) -> list[str]:
         out += [f"{who} asks for route {r.id}" for r in system.symbols.routes if r.number == request]
         swings = [g for g, number in system.symbols.swing_request.items() if number == request]
         out += [f"{who} asks for another overlap of {g}" for g in swings]
-    voyage = inputs.get(system.symbols.voyage, 0) if system.symbols.voyage else 0
-    if voyage:
-        out.append(f"the operator asks for voyage {voyage}")
     for i in system.controller.inputs:
         if i.note.startswith("operator:") and not i.size and inputs.get(i.name):
             out.append(i.note.replace("operator: ", "the operator: ").split(" (")[0])

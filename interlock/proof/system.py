@@ -10,13 +10,15 @@ from collections.abc import Mapping
 from functools import cached_property
 
 from interlock.logic.controller import Controller, MalformedController
-from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, implies, neg, var, variables
-from interlock.logic.plant import Assumption, Plant, TokenWires, Wiring, across, build_plant, lies, o, old_command
-from interlock.model.elements import NodeId, SectionId, SignalId, Zone
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, iff, implies, neg, var, variables
+from interlock.logic.plant import Assumption, Plant, TokenWires, Wiring, across, build_plant, o
+from interlock.model.elements import NodeId, SectionId, Zone
 from interlock.model.layout import Layout
 from interlock.model.measured import measured
 from interlock.model.traversal import topology
+from interlock.proof.clocks import arithmetic, history, ties
 from interlock.proof.near import homes, places, routes_of
+from interlock.proof.restart import kept_values
 
 
 def wiring(controller: Controller, layout: Layout) -> Wiring:
@@ -25,37 +27,29 @@ def wiring(controller: Controller, layout: Layout) -> Wiring:
     return Wiring(
         proceed={g.id: s.signal(g.id) for g in layout.signals},
         call={g.id: s.signal(g.id, shunt=True) for g in layout.signals},
-        command={k: var(v) for k, v in s.command.items()},
+        command={k: var(v) for k, v in s.drive.items()},
         valid=s.valid,
         clear=s.clear,
         healthy=s.healthy,
         detected=s.detected,
-        approach_timer=s.approach_timer,
-        overlap_timer=s.overlap_timer,
-        swings={g: _turning(controller, g) for g in s.swings},
-        token={b: TokenWires(x.gives, x.keeps, x.has, x.clear, x.have, x.give, x.timer) for b, x in s.token.items()},
+        stop={g: var(name) for g, name in s.stop_aspect.items()},
+        token={
+            b: TokenWires(x.gives, x.keeps, x.has, x.clear, x.tells["has"], x.tells["gives"], x.manual)
+            for b, x in s.token.items()
+        },
     )
 
 
-def _turning(controller: Controller, g: SignalId) -> Expr:
-    """The points of an overlap that swings have not all come to lie as it wants them."""
-    s = controller.symbols
-    settled = []
-    for option, name in s.overlap.items():
-        wanted = [d for way in s.overlap_ways[option] for d in s.demands[way]] if option[0] == g else []
-        if option[0] == g:
-            settled.append(conj((var(name), *(x for m, p in wanted for x in (lies(m, p), old_command(m, p))))))
-    return conj((var(s.swings[g]), neg(disj(settled))))
-
-
 PRIME = "'"
+SEEN = ("lamp.", "lamps.", "cmd.")  # what the plant remembers of outputs
 
 
 class System:
     """State, inputs, initial condition, definitions and assumptions of controller and plant together.
 
     A step is told by definitions: the controller's wires, the plant's events, and for each state variable `v` its
-    next value `v'`.  An expression about a step speaks of all of these names.
+    next value `v'`.  An expression about a step speaks of all of these names.  The controller's outputs are state too:
+    what the last scan has put on the terminals stays there until the next one, and the plant sees nothing else.
     """
 
     def __init__(self, layout: Layout, controller: Controller, dropped: frozenset[str] = frozenset()) -> None:
@@ -66,13 +60,17 @@ class System:
         self.topo = topology(layout)
         self.symbols = controller.symbols
         self.plant: Plant = build_plant(layout, self.measured, wiring(controller, layout), dropped)
+        self.ties = ties(controller, self.plant, self.measured.needs)
         following = {e.name: e.expr for e in controller.next} | self.plant.next | self._ghosts()
-        self.state: tuple[str, ...] = tuple(following)
+        following |= history(self.ties, self.plant.clocks)
+        shown = {x.name: x.expr for x in controller.outputs}
+        self.state: tuple[str, ...] = (*following, *shown)
         self.later = {n: n + PRIME for n in self.state}
         self._after = Substitution({n: var(x) for n, x in self.later.items()})
         self.definitions: dict[str, Expr] = {e.name: e.expr for e in controller.equations}
         self.definitions |= self.plant.events.definitions
         self.definitions |= {n + PRIME: x for n, x in following.items()}
+        self.definitions |= {n + PRIME: self._after(x) for n, x in shown.items()}
         for z in layout.zones:
             self.definitions |= self._zone(z)
         self.assumptions: list[Assumption] = list(self.plant.assumptions)
@@ -85,6 +83,7 @@ class System:
                     implies(var(t.name), var(t.input)),
                 )
             )
+        self.assumptions += arithmetic(self.ties, PRIME)
         self._check_closed()
 
     def _check_closed(self) -> None:
@@ -109,11 +108,18 @@ class System:
 
     @cached_property
     def initial_parts(self) -> list[Expr]:
-        """The same, one condition after the other."""
-        start = [var(s.name) if s.initial else neg(var(s.name)) for s in self.controller.state]
-        ghosts = [neg(var(f"been.{s}")) for s in self.topo.sections]
-        ghosts += [neg(var(f"shut.R{r.number}")) for r in self.symbols.routes]
-        return [*start, *ghosts, *self.plant.initial]
+        """The same, one condition after the other: what the restart delay keeps of the start, trains at a stand."""
+        start = {x.name: TRUE if x.initial else FALSE for x in self.controller.state}
+        start |= {x.name: TRUE if x.restrictive else FALSE for x in self.controller.outputs}
+        start |= dict.fromkeys((f"been.{s}" for s in self.topo.sections), FALSE)
+        start |= dict.fromkeys((f"shut.R{r.number}" for r in self.symbols.routes), FALSE)
+        start |= dict.fromkeys((t.covered for t in self.ties), TRUE)
+        start |= dict.fromkeys((n for n in self.plant.state if n.startswith(SEEN)), FALSE)
+        following = {self.later[n]: self.definitions[self.later[n]] for n in self.later if n in start}
+        kept = kept_values(self.controller, start, following, self.later)
+        known = [var(n) if start[n] is TRUE else neg(var(n)) for n in start if n in kept]
+        shown = [iff(var(x.name), x.expr) for x in self.controller.outputs if x.name not in kept]
+        return [*known, *shown, *self.plant.initial]
 
     def after(self, x: Expr) -> Expr:
         """The expression one step later."""
@@ -213,13 +219,20 @@ class System:
             f"overlap {g}": (f"section {ways[0][0]}",) for (g, _), ways in self.symbols.overlap_ways.items()
         }
 
-    def output(self, name: str) -> Expr:
-        """An output of the controller, by name."""
-        return self._outputs[name]
-
     @cached_property
-    def _outputs(self) -> dict[str, Expr]:
-        return {o.name: o.expr for o in self.controller.outputs}
+    def lamps(self) -> frozenset[str]:
+        """What signals show."""
+        return frozenset(self.symbols.lamps)
+
+    @property
+    def waits_for(self) -> Mapping[str, str]:
+        """What each timer waits for: the name of its input."""
+        return {t.name: t.input for t in self.controller.timers}
+
+    @property
+    def presets(self) -> Mapping[str, int]:
+        """The preset of every timer, in milliseconds."""
+        return {t.name: t.preset_ms for t in self.controller.timers}
 
     @cached_property
     def inputs(self) -> tuple[str, ...]:

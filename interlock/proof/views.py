@@ -56,6 +56,11 @@ class Placed(Routed, Protocol):
         """The elements of which another is a part: the sections of a machine."""
         ...
 
+    @property
+    def lamps(self) -> frozenset[str]:
+        """What signals show: names of the state."""
+        ...
+
     def after(self, x: Expr) -> Expr:
         """The expression one step later."""
         ...
@@ -134,12 +139,16 @@ class Views:
         self.reads = {name: m.read(x)[0] for name, x in m.meaning.items()}
         self.facts_at: dict[str, list[int]] = {}
         self.wide_at: dict[str, list[int]] = {}
+        self.alone_at: dict[str, list[int]] = {}
+        """Facts that speak of one name."""
         self.mixed_at: dict[str, list[int]] = {}
         self.names_of = [m.read(x)[0] for x, _ in m.plain]
         """What each fact about places reads."""
         for n, (x, _) in enumerate(m.plain):
             names = self.names_of[n]
             _note(self.facts_at if len(names) <= WIDE else self.wide_at, names, n)
+            if len(names) == 1:
+                _note(self.alone_at, names, n)
             if len(names) == 2 and x.op is OR:
                 self._timer(x)
         self.next_to = [tuple(v for v in names if v not in m.meaning) for names in self.names_of]

@@ -7,13 +7,13 @@ to safety proofs).
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from dataclasses import dataclass
 from functools import partial
 
 from interlock.logic.controller import Controller, RouteSymbols, Symbols
 from interlock.logic.plant import Plant
-from interlock.model.elements import NodeId, Position, SectionId
+from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, topology
 from interlock.proof.system import System
@@ -21,6 +21,7 @@ from interlock.proof.verdict import Witness
 from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Wish
 
 MAX_STEPS = 400
+FEEDERS = 3  # so many routes are tried, one after the other, over which a train may come to another
 
 
 @dataclass(frozen=True)
@@ -56,16 +57,14 @@ def witnesses(system: System) -> tuple[Witness, ...]:
     second = dict(
         zip((r.id for r in again), _attempt(railway, lanes, [(r, _berth(r), ()) for r in again]), strict=True)
     )
-    failed = [r for r, (failure, _) in zip(routes, first, strict=True) if failure is not None]
-    tries = [
-        (r, before) for r in failed for before in routes if (before.berth or before.ways[-1])[0] == _before(railway, r)
-    ]
-    third = _attempt(railway, lanes, [(before, "", (r,)) for r, before in tries])
+    came = _over_others(
+        railway, lanes, [r for r, (failure, _) in zip(routes, first, strict=True) if failure is not None]
+    )
     out = []
     for r, (failure, steps) in zip(routes, first, strict=True):
-        came = [(b, n) for (x, b), (why, n) in zip(tries, third, strict=True) if x is r and why is None]
-        if failure is not None and came:
-            out.append(Witness(r.id, True, came[0][1], f"set, driven and released, coming over {came[0][0].id}"))
+        if failure is not None and r.id in came:
+            over, n = came[r.id]
+            out.append(Witness(r.id, True, n, f"set, driven and released, coming over {' and '.join(over)}"))
         elif failure is not None:
             out.append(Witness(r.id, False, steps, failure))
         elif r.id in second and second[r.id][0] is not None:
@@ -73,6 +72,30 @@ def witnesses(system: System) -> tuple[Witness, ...]:
         else:
             out.append(Witness(r.id, True, steps + second.get(r.id, (None, 0))[1], "set, driven and released"))
     return tuple(out)
+
+
+def _over_others(
+    railway: Railway, lanes: Lanes, failed: Sequence[RouteSymbols]
+) -> dict[RouteId, tuple[list[RouteId], int]]:
+    """For routes that no train can take from a stand since the restart: the routes over which one comes to them, as few
+    as possible, and the number of scans."""
+    ends: dict[str, list[RouteSymbols]] = {}
+    for x in railway.symbols.routes:
+        ends.setdefault((x.berth or x.ways[-1])[0], []).append(x)
+    chains: list[tuple[RouteSymbols, ...]] = [(r,) for r in failed]
+    found: dict[RouteId, tuple[list[RouteId], int]] = {}
+    for _ in range(FEEDERS):
+        chains = [
+            (x, *chain)
+            for chain in chains
+            if chain[-1].id not in found
+            for x in ends.get(_before(railway, chain[0]), ())
+            if x not in chain
+        ]
+        for chain, (why, n) in zip(chains, _attempt(railway, lanes, [(c[0], "", c[1:]) for c in chains]), strict=True):
+            if why is None:
+                found.setdefault(chain[-1].id, ([x.id for x in chain[:-1]], n))
+    return found
 
 
 def _berth(r: RouteSymbols) -> str:
@@ -101,13 +124,21 @@ def _attempt(railway: Railway, lanes: Lanes, runs: list[Run]) -> list[tuple[str 
 def _journey(railway: Railway, r: RouteSymbols, berth: str, onward: tuple[RouteSymbols, ...], lane: Lane) -> Driver:
     """Release every clear section after the restart, then drive."""
     del berth
+    rear = _before(railway, r)
+    closing = dict.fromkeys(_closing(railway, rear), 1)
     for _ in range(2):
-        yield Wish((), {"RELALL": 1})
+        yield Wish((), {"RELALL": 1, **closing})
     failure = yield from _run(railway, lane, r)
     for after in onward:
         if failure is None:
             failure = yield from _run(railway, lane, after, turning=_before(railway, after))
     return failure
+
+
+def _closing(railway: Railway, section: str) -> list[str]:
+    """The inputs by which an operator closes the crossings and bridges over a section."""
+    over = [d.id for d in railway.layout.devices if section in d.over]
+    return [railway.symbols.by_hand[m, Position.REVERSE] for m in over]
 
 
 def _start(railway: Railway, r: RouteSymbols, berth: str) -> dict[str, int] | str:

@@ -76,12 +76,14 @@ class Lanes:
         sym = controller.symbols
         self.sizes = {i.name: i.size for i in controller.inputs if i.size}
         self._rest = {i.name: i.restrictive for i in controller.inputs}
-        self._moves = {f"?start.{m}.{x}": sym.command[m, x.other] for m, x in sym.command}
+        self._moves = {f"?start.{m}.{x}": sym.drive[m, x.other] for m, x in sym.drive}
         self._arrivals = [c for c in plant.choices if c.startswith("?arrive.")]
         moves = {n: e for n, e in plant.next.items() if n.startswith(("o.", "at.", "tel.", "line."))}
         self._timers = [*independent(controller)]
         waits = [{t.name: var(t.input) for t in group} for group in self._timers]
-        roots = plant.next | {e.name: e.expr for e in controller.next}
+        scan = {e.name: e.expr for e in controller.next}
+        shows = Substitution(scan)
+        roots = plant.next | scan | {x.name: shows(x.expr) for x in controller.outputs}
         rules = {f"{i} {a.id}": a.expr for i, a in enumerate(plant.assumptions)}
         hazards = {f"{h.id} {h.place}": h.expr for h in plant.hazards}
         self._kept, self._rules, self._hazards = frozenset(roots), tuple(rules), tuple(hazards)
@@ -99,6 +101,7 @@ class Lanes:
         self.mask = (1 << len(starts)) - 1
         self._computed.forget()
         self.state = {s.name: self.mask if s.initial else 0 for s in self.controller.state}
+        self.state |= {x.name: self.mask if x.restrictive else 0 for x in self.controller.outputs}
         self.state |= dict.fromkeys(self.plant.next, 0)
         for name in self.plant.state:
             if name.startswith("img.") or (name.startswith("at.") and name.endswith(".N")):
@@ -111,6 +114,12 @@ class Lanes:
         self._held = None
         self._running: dict[str, list[tuple[int, int]]] = {t.name: [] for t in self.controller.timers}
         self._clock = 0
+        self.state["PWR"] = self.mask
+        symbols = (
+            self.controller.symbols
+        )  # runs begin when the restart delay is over; what is clear then, long has been
+        for name in (symbols.restart_timer, *symbols.release_timer.values()):
+            self._running[name] = [(-max(t.preset_ms for t in self.controller.timers), self.mask)]
         lanes = [Lane(self, n) for n in range(len(starts))]
         runs: list[Driver] = [d(lane) for d, lane in zip(drivers, lanes, strict=True)]
         outcomes: list[tuple[str | None, int]] = [(None, 0)] * len(starts)
@@ -207,11 +216,11 @@ class Lanes:
                 over = 0
                 for began, lanes in going:
                     fresh &= ~lanes
-                    if self._clock - began + 1 >= need:
+                    if self._clock - began >= need:
                         over |= lanes
                 if fresh:
                     going.append((self._clock, fresh))
-                    if need <= 1:
+                    if need <= 0:
                         over |= fresh
                 self._running[t.name] = going
                 values[t.name] = over

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from interlock.logic.compile import compile_exprs
 from interlock.logic.controller import Controller, Equation, Timer
 from interlock.logic.expr import Substitution, evaluate
+from interlock.logic.on_delay import on_delay
 from interlock.logic.plant import Plant
 
 
@@ -25,7 +26,8 @@ class Simulator:
             (group, compile_exprs({t.name: controller.expanded[t.input] for t in group}))
             for group in independent(controller)
         ]
-        self._next = compile_exprs(controller.next_state)
+        shows = Substitution(controller.next_state)
+        self._next = compile_exprs(controller.next_state | {x.name: shows(x.expr) for x in controller.outputs})
         self._rules = compile_exprs({f"{i}": x for i, (_, x) in enumerate(flat.assumptions)})
         self._hazards = compile_exprs(dict(flat.hazards))
         self._choices = dict.fromkeys(plant.choices, 0)
@@ -34,12 +36,17 @@ class Simulator:
     def reset(self, plant_state: dict[str, int]) -> None:
         """Back to the restart, with the given plant state on top of an empty railway with all points normal."""
         self.state: dict[str, int] = {s.name: int(s.initial) for s in self.controller.state}
+        self.state |= {x.name: int(x.restrictive) for x in self.controller.outputs}
         self.state |= dict.fromkeys(self.plant.next, 0)
         for name in self.plant.state:
             if name.startswith("img.") or (name.startswith("at.") and name.endswith(".N")):
                 self.state[name] = 1
         self.state |= plant_state
-        self.elapsed = {t.name: 0 for t in self.controller.timers}
+        self.elapsed: dict[str, int | None] = {t.name: None for t in self.controller.timers}
+        self.state["PWR"] = 1  # runs begin when the restart delay is over
+        symbols = self.controller.symbols  # all that is clear then has been clear all the while
+        for name in (symbols.restart_timer, *symbols.release_timer.values()):
+            self.elapsed[name] = max(t.preset_ms for t in self.controller.timers)
         self.count = 0
         self.last: dict[str, int] = {}
         self.hazards: list[str] = []
@@ -100,18 +107,16 @@ class Simulator:
         """Events that could happen now."""
         values = dict(self.state) | dict.fromkeys(self.plant.choices, 1)
         values |= {t.name: self.last.get(t.name, 0) for t in self.controller.timers}
+        values |= {i.name: self.last.get(i.name, i.restrictive) for i in self.controller.inputs}
         return [e for e, ok in self._events(values).items() if ok]
 
     def _run_timers(self, values: dict[str, int]) -> None:
         for group, inputs in self._timers:
             running = inputs(values)
             for t in group:
-                if running[t.name]:
-                    self.elapsed[t.name] = min(self.elapsed[t.name] + self.dt_ms, t.preset_ms)
-                    values[t.name] = int(self.elapsed[t.name] >= t.preset_ms)
-                else:
-                    self.elapsed[t.name] = 0
-                    values[t.name] = 0
+                before = self.elapsed[t.name]
+                self.elapsed[t.name], over = on_delay(before, bool(running[t.name]), t.preset_ms, self.dt_ms)
+                values[t.name] = int(over)
 
 
 def independent(controller: Controller) -> list[list[Timer]]:

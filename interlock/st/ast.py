@@ -134,8 +134,21 @@ class Block:
 
 
 @dataclass(frozen=True, slots=True)
+class Task:
+    """A CONFIGURATION with one resource, in which one task runs an instance of a program at an interval in ms."""
+
+    configuration: str
+    resource: str
+    name: str
+    interval_ms: int
+    instance: str
+    program: str
+
+
+@dataclass(frozen=True, slots=True)
 class Unit:
-    """A file: function blocks, callees first; the last one is the interlocking."""
+    """A file: function blocks, callees first; the last one is the interlocking.  `task`: what runs a program."""
 
     blocks: tuple[Block, ...]
+    task: Task | None = field(default=None, kw_only=True)
     header: tuple[str, ...] = field(default=(), compare=False)

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Generic, Protocol, TypeVar
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
+from interlock.logic.on_delay import on_delay
 from interlock.st.ast import (
     Assign,
     Block,
@@ -182,7 +183,7 @@ class Numbers:
     """Execution: Booleans as 0 and 1, integers, and timers that count the time given to each scan."""
 
     dt_ms: int = 0
-    elapsed: dict[str, int] = field(default_factory=dict)
+    elapsed: dict[str, int | None] = field(default_factory=dict)
 
     def literal(self, x: Bool | Int | Time) -> int:
         """The value of a literal."""
@@ -208,11 +209,8 @@ class Numbers:
 
     def timer(self, path: str, on: int, preset: int) -> int:
         """On-delay."""
-        if not on:
-            self.elapsed[path] = 0
-            return 0
-        self.elapsed[path] = min(self.elapsed.get(path, 0) + self.dt_ms, preset)
-        return int(self.elapsed[path] >= preset)
+        self.elapsed[path], over = on_delay(self.elapsed.get(path), bool(on), preset, self.dt_ms)
+        return int(over)
 
     def assigned(self, name: str, x: int) -> int:
         """What a variable holds after an assignment."""

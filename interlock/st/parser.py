@@ -32,6 +32,7 @@ from interlock.st.ast import (
     Nary,
     Not,
     Statement,
+    Task,
     Time,
     Unit,
 )
@@ -181,13 +182,38 @@ class _Reader:
             self._scan()
         if not blocks:
             self._fail("FUNCTION_BLOCK")
+        task = self._task() if self._is("CONFIGURATION") else None
         if self.style.instance:
             main = blocks[-1].name
             wanted = ["DATA_BLOCK", self.style.block(self.style.instance + main), *self._attributes]
             for token in (*wanted, self.style.block(main), "BEGIN", "END_DATA_BLOCK"):
                 self._take(token)
         self.end()
-        return Unit(tuple(blocks))
+        return Unit(tuple(blocks), task=task)
+
+    def _task(self) -> Task:
+        """A configuration of the one form that is written."""
+        self.at += 1
+        configuration = self._name()
+        self._word("RESOURCE")
+        resource = self._name()
+        for token in ("ON", "PLC", "TASK"):
+            self._word(token)
+        name = self._name()
+        for token in ("(", "INTERVAL", ":="):
+            self._take(token)
+        interval = self.expression()
+        if not isinstance(interval, Time):
+            self._fail("a time")
+        for token in (",", "PRIORITY", ":=", "0", ")", ";", "PROGRAM"):
+            self._take(token)
+        instance = self._name()
+        for token in ("WITH", name, ":"):
+            self._take(token)
+        program = self._name()
+        for token in (";", "END_RESOURCE", "END_CONFIGURATION"):
+            self._take(token)
+        return Task(configuration, resource, name, interval.ms, instance, program)
 
     def _block_name(self) -> str:
         token = self.tokens[self.at]

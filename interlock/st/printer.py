@@ -15,6 +15,7 @@ from interlock.st.ast import (
     Nary,
     Not,
     Statement,
+    Task,
     Time,
     Unit,
 )
@@ -37,11 +38,25 @@ def print_unit(unit: Unit, style: Style = IEC) -> str:
     for block in unit.blocks:
         out.append("")
         out.extend(print_block(block, style))
+    if unit.task is not None:
+        out += ["", *_task(unit.task)]
     if style.instance:
         main = unit.blocks[-1].name
         out += ["", f"DATA_BLOCK {style.block(style.instance + main)}", *style.attributes]
         out += [style.block(main), "BEGIN", "END_DATA_BLOCK"]
     return "\n".join(out) + "\n"
+
+
+def _task(t: Task) -> list[str]:
+    """Says how often the program runs."""
+    return [
+        f"CONFIGURATION {t.configuration}",
+        f"  RESOURCE {t.resource} ON PLC",
+        f"    TASK {t.name}(INTERVAL := T#{t.interval_ms}ms, PRIORITY := 0);",
+        f"    PROGRAM {t.instance} WITH {t.name} : {t.program};",
+        "  END_RESOURCE",
+        "END_CONFIGURATION",
+    ]
 
 
 def print_block(b: Block, style: Style = IEC) -> list[str]:
@@ -61,7 +76,11 @@ def _begin(style: Style) -> list[str]:
 def declarations(b: Block, style: Style = IEC) -> list[str]:
     """The lines that declare a block's variables."""
     out: list[str] = []
-    for title, part in (("VAR_INPUT", b.inputs), ("VAR_OUTPUT", b.outputs), ("VAR", b.locals)):
+    # one VAR part may not mix variables with and without an address
+    located = tuple(d for d in b.locals if d.address)
+    plain = tuple(d for d in b.locals if not d.address)
+    parts = (("VAR_INPUT", b.inputs), ("VAR_OUTPUT", b.outputs), ("VAR", located), ("VAR", plain))
+    for title, part in parts:
         if part:
             out += [title, *(_declaration(d, style) for d in part), "END_VAR"]
     return out

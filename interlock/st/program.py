@@ -1,6 +1,6 @@
 """The mapping program: the only place with addresses.
 
-It watches the heartbeats, calls the interlocking once, and carries every wire to its variable and back.
+It watches the cycle and the heartbeats, calls the interlocking once, and carries every wire to its variable and back.
 """
 
 from __future__ import annotations
@@ -9,9 +9,11 @@ from collections.abc import Sequence
 
 from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
+from interlock.logic.on_delay import CYCLE_MAX_MS
 from interlock.model.portable import portable
-from interlock.st.ast import Assign, Block, Bool, Call, Declaration, Expression, Int, Name, Nary, Not, Time, Unit
+from interlock.st.ast import Assign, Block, Bool, Call, Declaration, Expression, Int, Name, Nary, Not, Task, Time, Unit
 
+CYCLE_MS = 100  # our choice
 HEARTBEAT_MS = 1000  # our choice: ten polls of 100 ms; document D asks for more than the ring's 50 ms
 
 
@@ -42,12 +44,53 @@ def watch(name: str) -> Block:
     )
 
 
+def cycle(name: str) -> Block:
+    """OK while no cycle takes too long: three timers in turn, each running from one scan to the next.
+
+    After a longer cycle nobody knows what happened meanwhile; its inputs count as lost, as in the Python runtime.
+    """
+    ok = Name(("OK",))
+    turns = tuple(Name((f"TURN{n}",)) for n in range(3))
+    runs = tuple(Name((f"RUN{n}",)) for n in range(3))
+    body: list[Assign | Call] = []
+    for n in range(3):
+        body.append(
+            Assign(runs[n], Nary("OR", (turns[n], turns[(n + 1) % 3])), f"from one scan of {turns[n]} to the next")
+        )
+        body.append(Call(f"LONG{n}", (("IN", runs[n]), ("PT", Time(CYCLE_MAX_MS + 1)))))
+    late = tuple(Nary("AND", (Name((f"LONG{n}", "Q")), turns[(n + 1) % 3])) for n in range(3))
+    body.append(Assign(ok, Not(Nary("OR", late)), "the last cycle was short enough"))
+    body.append(Assign(Name(("NEXT",)), turns[2]))
+    body += [Assign(turns[2], turns[1]), Assign(turns[1], turns[0]), Assign(turns[0], Name(("NEXT",)))]
+    first = (Bool(True), Bool(False), Bool(False))
+    return Block(
+        name,
+        (),
+        (Declaration("OK", "BOOL", Bool(False), "the last cycle was short enough"),),
+        (
+            *(Declaration(f"TURN{n}", "BOOL", first[n]) for n in range(3)),
+            *(Declaration(f"RUN{n}", "BOOL", Bool(False)) for n in range(3)),
+            Declaration("NEXT", "BOOL", Bool(False)),
+            *(Declaration(f"LONG{n}", "TON") for n in range(3)),
+        ),
+        tuple(body),
+        "watches the time between two scans",
+    )
+
+
+def io_task(controller: Controller) -> Task:
+    """The configuration that runs the mapping program."""
+    prefix = f"IL_{portable(controller.name)}"
+    names = [f"{prefix}_{x}" for x in ("CONF", "RES", "TASK")]
+    return Task(names[0], names[1], names[2], CYCLE_MS, f"{prefix}_MAIN", f"{prefix}_IO")
+
+
 def io_program(controller: Controller, a: Allocation, header: Sequence[str]) -> Unit:
     """The watch and the program; the interlocking itself stands in a file of its own."""
     prefix = f"IL_{portable(controller.name)}"
     sizes = {i.name: i for i in controller.inputs}
     notes = {o.name: o.note for o in controller.outputs}
-    guard = watch(f"{prefix}_WATCH")
+    guard, clock = watch(f"{prefix}_WATCH"), cycle(f"{prefix}_CYCLE")
     valid = controller.symbols.valid
     declared = [
         Declaration(c.variable, "BOOL", None, f"{c.substation}: {c.note}", c.located)
@@ -61,12 +104,14 @@ def io_program(controller: Controller, a: Allocation, header: Sequence[str]) -> 
     declared.append(Declaration(valid, "BOOL", Bool(False), sizes[valid].note))
     watches = [(c, f"W_{portable(c.substation)}") for c in a.heartbeats]
     declared += [Declaration(w, guard.name, None, f"watches substation {c.substation}") for c, w in watches]
+    declared.append(Declaration("CYC", clock.name, None, "watches the cycle"))
     declared.append(Declaration("RUN", prefix, None, "the interlocking"))
-    healthy: list[Expression] = [Name((w, "OK")) for _, w in watches]
-    body: list[Assign | Call] = [Call(w, (("HB", Name((c.variable,))),)) for c, w in watches]
-    body.append(Assign(Name((valid,)), healthy[0] if len(healthy) == 1 else Nary("AND", tuple(healthy))))
+    healthy: list[Expression] = [Name(("CYC", "OK")), *(Name((w, "OK")) for _, w in watches)]
+    body: list[Assign | Call] = [Call("CYC", ())]
+    body += [Call(w, (("HB", Name((c.variable,))),)) for c, w in watches]
+    body.append(Assign(Name((valid,)), Nary("AND", tuple(healthy))))
     body.append(Call("RUN", tuple((i.name, Name((i.name,))) for i in controller.inputs)))
     body += [Assign(Name((o.name,)), Name(("RUN", o.name))) for o in controller.outputs]
     note = "inputs, interlocking, outputs: run it in one task with a constant cycle"
     program = Block(f"{prefix}_IO", (), (), tuple(declared), tuple(body), note, "PROGRAM")
-    return Unit((guard, program), tuple(header))
+    return Unit((guard, clock, program), tuple(header), task=io_task(controller))

@@ -41,7 +41,7 @@ def _foul(c: FoulCell) -> str:
 
 
 def _approach(r: RouteRow) -> Reasons:
-    where = r.approach.section or "always"
+    where = ", ".join(r.approach.sections) or "always"
     return [(f"{where} ({r.approach.delay_s:g} s)", r.approach.because)]
 
 
@@ -194,20 +194,13 @@ def _meets(v: VoyageRow) -> str:
     return "; ".join(f"{m.voyage} in {', '.join(m.sections)}" for m in v.meetings)
 
 
-def _stuck(v: VoyageRow) -> str:
-    return "; ".join(
-        f"{m.voyage}: {len(m.deadlocks)} of {m.states} states without the rule, {m.left} with it" for m in v.meetings
-    )
-
-
 VOYAGE_COLUMNS: tuple[VoyageColumn, ...] = (
     VoyageColumn("number", "No.", "航程号", "Nr.", lambda v: str(v.number)),
     VoyageColumn("voyage", "Voyage", "航程", "Fahrt", lambda v: v.name),
     VoyageColumn("routes", "Routes", "进路", "Fahrstraßen", lambda v: ", ".join(v.routes)),
     VoyageColumn(
-        "order", "Set from", "办理顺序", "Einstellung", lambda v: "far end" if v.far_first else "whichever can be"
+        "order", "Set from", "办理顺序", "Einstellung", lambda v: "far end" if v.far_first else "before the train"
     ),
     VoyageColumn("priority", "Priority", "优先级", "Vorrang", lambda v: str(v.priority)),
     VoyageColumn("meets", "Meets head-on", "敌对航程", "Gegenfahrten", _meets),
-    VoyageColumn("deadlocks", "Deadlocks", "死锁", "Verklemmungen", _stuck),
 )

@@ -12,13 +12,13 @@ from enum import StrEnum
 from functools import cached_property
 from typing import overload
 
+from interlock.model.approach import Approach
 from interlock.model.bits import chosen
 from interlock.model.elements import (
     ConditionId,
     CrossingId,
     MachineId,
     NodeId,
-    PointId,
     Position,
     RouteId,
     SectionId,
@@ -103,11 +103,12 @@ class ClearCell:
 class FoulCell:
     """A section outside the path that must be clear and unlocked because of a foul joint (R7).
 
-    With `when`, only while that machine is not detected in the other position (lost detection counts as foul).
+    `of`: the section of the path that it fouls.  With `when`, only while that machine is not detected in the other
+    position (lost detection counts as foul).
     """
 
     section: SectionId
-    point: PointId
+    of: SectionId
     when: tuple[MachineId, Position] | None
     because: Because
 
@@ -271,11 +272,23 @@ class AspectCell:
 
 @dataclass(frozen=True)
 class ApproachCell:
-    """Approach locking: the section in rear of the signal (None: always approach locked) and the delay."""
+    """Approach locking: from where a train may come (nowhere detected: always approach locked) and the delay."""
 
-    section: SectionId | None
+    coming: Approach
     delay_s: float
     because: Because
+
+    @property
+    def section(self) -> SectionId | None:
+        """The section in rear of the signal, None without detection."""
+        return self.coming.section
+
+    @property
+    def sections(self) -> tuple[SectionId, ...]:
+        """Every section from which a train may come, the nearest first; none where the signal is always approach
+        locked."""
+        always = self.coming.section is None or self.coming.unseen
+        return () if always else tuple(dict.fromkeys(self.coming.sections()))
 
 
 @dataclass(frozen=True)
@@ -414,16 +427,11 @@ class RouteRow:
 class Meeting:
     """Two voyages over one single line in opposite directions (敌对航程).
 
-    `sections` in the order of the first voyage.  Counted over one train on each, section by section: the states that
-    can be reached, those in which both wait for ever, and how many of these are left under the voyage rule: into the
-    single line only while nothing is locked in it for the other voyage.
+    `sections` in the order of the first voyage.
     """
 
     voyage: str
     sections: tuple[SectionId, ...]
-    states: int
-    deadlocks: tuple[tuple[SectionId, SectionId], ...]
-    left: int
     because: Because
 
 
@@ -453,7 +461,7 @@ class InterlockingTable:
     locks: tuple[TraversalRow, ...]
     voyages: tuple[VoyageRow, ...] = ()
     automatic: tuple[RouteId, ...] = ()
-    priority: tuple[tuple[RouteId, int], ...] = ()
+    """The routes with a switch for automatic working, in the order in which they are offered."""
 
     @cached_property
     def bare(self) -> InterlockingTable:

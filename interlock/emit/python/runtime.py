@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from interlock.logic.controller import Controller, Equation, Join
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
+from interlock.logic.on_delay import CYCLE_MAX_MS
 
 
 def _code(x: Expr, outer: str = "") -> str:
@@ -32,26 +33,36 @@ def _plain(text: str) -> str:
     return text if text.isprintable() else "".join(c if c.isprintable() else "?" for c in text)
 
 
-FIXED = '''class Controller:
+FIXED = f'''class Controller:
     """A running controller; `state` and `elapsed` are all that it remembers."""
+
+    cycle_max_ms = {CYCLE_MAX_MS}
 
     def __init__(self):
         self.state = dict(STATE)
-        self.elapsed = dict.fromkeys(TIMERS, 0)
+        self.elapsed = dict.fromkeys(TIMERS)
 
     def _timer(self, name, on, dt_ms):
+        """An on-delay timer: in the scan in which `on` becomes true no time has passed yet."""
         if not on:
-            self.elapsed[name] = 0
+            self.elapsed[name] = None
             return False
-        self.elapsed[name] = min(self.elapsed[name] + dt_ms, TIMERS[name])
+        before = self.elapsed[name]
+        self.elapsed[name] = 0 if before is None else min(before + dt_ms, TIMERS[name])
         return self.elapsed[name] >= TIMERS[name]
 
     def scan(self, inputs, dt_ms):
-        """One scan, `dt_ms` milliseconds after the last; returns the outputs."""
-        read = {}
+        """One scan, `dt_ms` milliseconds after the last; returns the outputs.
+
+        After a cycle longer than `cycle_max_ms` the inputs count as lost: nobody knows what happened meanwhile.
+        """
+        read = {{}}
         for name, (restrictive, size) in INPUTS.items():
             value = int(inputs.get(name, restrictive))
-            read[name] = value if 0 <= value < size else restrictive
+            impossible = size - 1 if size > 2 else restrictive  # a number that names nothing
+            read[name] = value if 0 <= value < size else impossible
+        if dt_ms > self.cycle_max_ms:
+            read['VALID'] = 0
         old = self.state
 '''
 """What every runtime has in common, up to the first line that depends on the controller."""

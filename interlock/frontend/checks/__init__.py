@@ -2,11 +2,13 @@
 
 from interlock.frontend.checks.boundaries import check_boundaries
 from interlock.frontend.checks.connected import check_connected
+from interlock.frontend.checks.delays import check_delays
 from interlock.frontend.checks.detection import check_detection
 from interlock.frontend.checks.foul import check_foul
 from interlock.frontend.checks.lanes import check_lanes
 from interlock.frontend.checks.machines import check_machines
 from interlock.frontend.checks.signals import check_signals
+from interlock.frontend.checks.standing import check_standing
 from interlock.frontend.checks.zones import check_zones
 
 CHECKS = (
@@ -15,7 +17,9 @@ CHECKS = (
     check_boundaries,
     check_signals,
     check_detection,
+    check_standing,
     check_lanes,
     check_foul,
     check_zones,
+    check_delays,
 )

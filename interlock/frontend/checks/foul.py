@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from interlock.frontend.context import Context
+from interlock.model.elements import Position
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
 
@@ -10,12 +11,13 @@ from interlock.model.layout import Layout
 def check_foul(ctx: Context, layout: Layout) -> None:
     """Report each foul joint; the derivation protects it."""
     for f in foul_joints(layout):
+        kind, side = ("points", "leg") if isinstance(f.side, Position) else ("crossings", "arm")
         before = next((e.section for e in layout.edges_at[f.node] if e.section != f.neighbour), f.section)
         ctx.add(
             "IL3018",
-            f"the joint {before}|{f.neighbour} is foul of point {f.point}: it lies {f.distance:g} m "
-            f"from the point, and {f.needed:g} m are needed",
-            ctx.at_key("points", f.point),
-            f"routes over the other leg of {f.point} will require {f.neighbour} clear"
+            f"the joint {before}|{f.neighbour} is foul of {f.name}: it lies {f.distance:g} m "
+            f"from the {kind[:-1]}, and {f.needed:g} m are needed",
+            ctx.at_key(kind, f.element),
+            f"routes over the other {side} of {f.element} will require {f.neighbour} clear"
             + (f" unless {f.when[0]} is detected {f.when[1].other}" if f.when is not None else ""),
         )

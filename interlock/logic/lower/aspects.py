@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from interlock.logic.controller import Join, Output, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
-from interlock.model.elements import SignalId
+from interlock.model.elements import Signal, SignalId
 from interlock.model.portable import portable
 from interlock.model.principles import Caution
 from interlock.table.rows import RouteKind, RouteRow, Shows
@@ -47,6 +47,24 @@ def keep(d: Draft) -> None:
         if d.layout.principles.lamp_proof:
             terms.append(Term(var(f"GL_{n}"), "clear lamp intact", f"clear lamp of {g} intact"))
         d.kept(f"C_{n}", False, f"{g} shows clear", Join.ALL, terms, f"signal {g}")
+
+
+def lamps(d: Draft) -> dict[str, dict[SignalId, str]]:
+    """The outputs of each signal's lamps, as `Symbols` names them."""
+    signals = [g for g in d.layout.signals if d.routes_from[g.id]]
+    calls = [g for g in signals if any(r.kind is RouteKind.CALL_ON for r in d.routes_from[g.id])]
+
+    def each(prefix: str, shown_by: Sequence[Signal]) -> dict[SignalId, str]:
+        return {g.id: f"{prefix}_{portable(g.id)}" for g in shown_by}
+
+    mains = [g for g in signals if g.main]
+    return {
+        "clear_aspect": each("YP", mains),
+        "caution_aspect": each("YY", mains if cautions(d) else []),
+        "call_aspect": each("YO", calls),
+        "shunt_aspect": each("YW", [g for g in signals if g.shunt]),
+        "stop_aspect": each("YS", signals),
+    }
 
 
 def speeds(d: Draft, g: SignalId) -> dict[int, str]:

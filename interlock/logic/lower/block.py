@@ -22,7 +22,9 @@ def tokens(d: Draft) -> dict[NodeId, BlockSymbols]:
     for b in d.layout.boundaries:
         if b.block is BlockKind.TOKEN:
             prefixes = ("NR", "NG", "NN", "NH", "LC", "TKN", "BH", "BG", "BN", "BT")
-            out[b.node] = BlockSymbols(*(f"{p}_{portable(b.node)}" for p in prefixes))
+            words = {"asks": "YTA", "gives": "YTG", "keeps": "YTN", "has": "YTH"}
+            tells = {word: f"{p}_{portable(b.node)}" for word, p in words.items()}
+            out[b.node] = BlockSymbols(*(f"{p}_{portable(b.node)}" for p in prefixes), tells=tells)
     return out
 
 
@@ -50,6 +52,7 @@ def change(d: Draft) -> None:
         manual = [
             valid,
             Term(var(x.manual), "operator"),
+            Term(var("RST"), "restart delay over"),
             *absent,
             Term(neg(var(x.gives)), "neighbour does not give it"),
             Term(neg(var(x.has)), "neighbour has it not"),
@@ -60,6 +63,7 @@ def change(d: Draft) -> None:
     for b, x in tokens(d).items():
         take = [
             valid,
+            Term(var("RST"), "restart delay over"),
             Term(var(x.gives), "given"),
             Term(neg(var(x.have)), "not here"),
             Term(neg(var(x.give)), "not given away"),
@@ -121,7 +125,7 @@ def keep(d: Draft) -> None:
             (Term(kept, "kept"), Term(arrived, "arrived")),
             group,
         )
-        off = conj((var("VALID"), var(x.keeps)))
+        off = conj((var("VALID"), var("RST"), var(x.keeps)))
         d.kept(
             x.seen,
             False,

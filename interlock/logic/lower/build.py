@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from interlock.logic.controller import Controller, RouteSymbols, Symbols
+from interlock.logic.controller import Controller, RouteSymbols, Symbols, Timer
+from interlock.logic.expr import TRUE
 from interlock.logic.lower import aspects, block, overlaps, points, requests, routes, sections, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, SectionId
@@ -17,15 +18,16 @@ PASSES = (
     sections.inputs,
     points.inputs,
     block.inputs,
+    sections.restart_delay,
     sections.image,
+    sections.clear_time,
+    routes.approaches,
     points.detection,
     points.movable,
     ways.availability,
     ways.detection,
     ways.swung,
     zones.count,
-    routes.admissible,
-    requests.offers,
     routes.grants,
     ways.granted,
     routes.locking,
@@ -63,41 +65,61 @@ def lower(layout: Layout, table: InterlockingTable) -> Controller:
     )
 
 
+def _indications(d: Draft) -> dict[str, str]:
+    """What tells an operator something: the output by what it is about (`locked S`, `late M`, ...)."""
+    found = {f"locked {s}": f"YL_{portable(s)}" for s in d.sections}
+    found |= {f"faulty {s}": f"YF_{portable(s)}" for s in d.healthy}
+    found |= {f"late {m}": f"YA_{portable(m)}" for m in d.machines}
+    found |= {f"trailed {m}": f"YT_{portable(m)}" for m in d.powered}
+    return found | {f"full {z.id}": f"YZ_{portable(z.id)}" for z in d.layout.zones}
+
+
 def _symbols(d: Draft) -> Symbols:
-    sections = d.sections
     signals = [g.id for g in d.layout.signals if d.routes_from[g.id]]
     lit = d.open_for_trains if d.layout.principles.lamp_proof else []
 
     def each(prefix: str) -> dict[SectionId, str]:
-        return {s: f"{prefix}_{portable(s)}" for s in sections}
+        return {s: f"{prefix}_{portable(s)}" for s in d.sections}
 
     return Symbols(
         valid="VALID",
         request=requests.REQUEST,
         local_request=requests.LOCAL if d.layout.principles.local_requests is not Local.NONE else None,
         local_first=d.layout.principles.local_requests is Local.FIRST,
-        voyage="VOY" if d.table.voyages else None,
-        ring=tuple(f"T_R{r.number}" for r in d.noted),
+        fresh={x: requests.FRESH[x] for x in requests.inputs_of(d)},
+        seen={x: requests.SEEN[x] for x in requests.inputs_of(d)},
+        automatic={r.number: requests.switch(r) for r in d.automatic},
         clear={s.id: f"CLR_{portable(s.id)}" for s in d.layout.sections if s.detected},
         healthy=d.healthy,
         blocked={s: f"BLK_{portable(s)}" for s in d.lockable},
         detected={(m, x): f"D{x}_{portable(m)}" for m in d.machines for x in Position},
         command={(m, x): f"C{x}_{portable(m)}" for m in d.machines for x in Position},
+        by_hand={(m, x): f"M{x}_{portable(m)}" for m in d.machines for x in Position},
         trailed={m: f"TR_{portable(m)}" for m in d.powered},
         condition={c.id: f"E_{portable(c.id)}" for c in d.layout.conditions},
         stop_lamp={g.id: f"RL_{portable(g.id)}" for g in d.layout.signals} if d.layout.principles.lamp_proof else {},
         clear_lamp={g: f"GL_{portable(g)}" for g in lit},
         caution_lamp={g: f"CL_{portable(g)}" for g in lit if aspects.cautions(d)},
-        clear_aspect={g: f"YP_{portable(g)}" for g in d.open_for_trains},
-        stop_aspect={g: f"YS_{portable(g)}" for g in signals},
+        drive={(m, x): f"Y{x}_{portable(m)}" for m in d.machines for x in Position},
+        turn={m: f"Z_{portable(m)}" for m in d.machines if d.started(m) is not TRUE},
+        late_timer={m: f"ST_{portable(m)}" for m in d.machines},
+        release_timer=each("RT"),
+        restart_timer=sections.RESTART_DELAY,
+        start_timer="SGT" if any(isinstance(s, Timer) and s.name == "SGT" for s in d.steps) else None,
+        **aspects.lamps(d),
         speed_shown={(g, kmh): name for g in d.open_for_trains for kmh, name in aspects.speeds(d, g).items()},
         distant_clear={x.id: f"YD_{portable(x.id)}" for x in d.layout.distants},
+        distant_caution={x.id: f"YC_{portable(x.id)}" for x in d.layout.distants},
+        indication=_indications(d),
+        zone_full={z.id: f"ZF_{portable(z.id)}" for z in d.layout.zones},
         restart=each("K"),
         train=each("M") if d.shunting else {},
         lock={t.key: f"L_{portable(t.section)}_{t.number}" for t in d.table.locks},
         firm=each("F"),
         used=each("U"),
         passed=each("P"),
+        release={s: f"REL_{portable(s)}" for s in d.sections},
+        release_all="RELALL",
         stale=each("D"),
         cancel={g: f"CAN_{portable(g)}" for g in signals},
         cancelling={g: f"X_{portable(g)}" for g in signals},

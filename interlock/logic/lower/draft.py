@@ -11,7 +11,8 @@ from itertools import pairwise
 
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
-from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, SignalId
+from interlock.model.approach import Approach
+from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.model.traversal import Topology, topology
@@ -98,14 +99,9 @@ class Draft:
         return {g: tuple(v) for g, v in out.items()}
 
     @cached_property
-    def noted_ids(self) -> frozenset[RouteId]:
-        """The routes that can be asked for otherwise than by hand: by a voyage, or automatically."""
-        return frozenset({*self.table.automatic, *(r for v in self.table.voyages for r in v.routes)})
-
-    @cached_property
-    def noted(self) -> tuple[RouteRow, ...]:
-        """The same as rows, in order."""
-        return tuple(r for r in self.table.routes if r.id in self.noted_ids)
+    def automatic(self) -> tuple[RouteRow, ...]:
+        """The routes with a switch for automatic working, in the order in which they are offered (R14)."""
+        return tuple(self.table.route[r] for r in self.table.automatic)
 
     @cached_property
     def open_for_trains(self) -> dict[SignalId, None]:
@@ -162,8 +158,8 @@ class Draft:
 
     @cached_property
     def requests(self) -> int:
-        """How many values a request has: none, a route, an overlap that shall swing."""
-        return len(self.table.routes) + 1 + len(self.swinging)
+        """How many values a request has: none, a route, an overlap that shall swing, any number else."""
+        return len(self.table.routes) + len(self.swinging) + 2
 
     @cached_property
     def _over_section(self) -> Mapping[SectionId, list[tuple[SignalId, int]]]:
@@ -305,9 +301,18 @@ class Draft:
         """The signal is still open for a movement that has begun to pass it."""
         return disj(var(f"PA_R{r.number}") for r in self.routes_from[g] if r.closing.whole is not None)
 
+    def coming(self, x: Approach) -> Expr:
+        """A train may be on its way from there: where it may stand or run, or over a way that is locked for it."""
+        if x.section is None or x.unseen:
+            return TRUE
+        known = self.table.lock
+        further = (conj((self.lock(x.section, n), self.coming(y))) for n, y in x.further if (x.section, n) in known)
+        return disj((self.occupied(x.section), *further))
+
     def approach_clear(self, g: SignalId) -> Expr:
-        """The approach section is reported clear."""
-        return neg(self.occupied(self.rear(self.first_section(g), self.layout.signal[g].node)))
+        """No train can be on its way to the signal."""
+        found = self.routes_from[g][0].approach.coming
+        return var(f"AC_{portable(g)}") if found.further else neg(self.coming(found))
 
     def approach_safe(self, g: SignalId) -> Expr:
         """No train can be about to pass the signal: approach clear, or the delay has run out."""

@@ -69,10 +69,12 @@ def movable(d: Draft) -> None:
             terms.append(Term(neg(held), "flank not held", f"nobody needs {m} {x} as flank protection"))
         d.wire(f"MOV_{n}", Join.ALL, terms, f"point {m}", f"machine {m} is free to move (R10)")
         for x in Position:
+            closes = [Term(TRUE, "closes", "it can always be closed")] if _closing(d, m, x) else []
             d.wire(
                 f"AV{x}_{n}",
                 Join.ANY,
                 (
+                    *closes,
                     Term(d.command(m, x), "commanded"),
                     Term(var(f"MOV_{n}"), "free to move"),
                     Term(
@@ -83,6 +85,11 @@ def movable(d: Draft) -> None:
                 f"point {m}",
                 f"machine {m} can be demanded {x}",
             )
+
+
+def _closing(d: Draft, m: MachineId, x: Position) -> bool:
+    """To close a level crossing, a bridge or another device is always permitted: it opens nothing for a train (R13)."""
+    return m in d.layout.device and x is Position.REVERSE
 
 
 def commands(d: Draft) -> None:
@@ -108,8 +115,14 @@ def commands(d: Draft) -> None:
                 (
                     Term(var(f"M{x}_{n}"), "by hand"),
                     Term(neg(var(f"M{x.other}_{n}")), "not both by hand"),
-                    Term(var(f"MOV_{n}"), "point free by hand"),
-                    Term(neg(touched), "no grant in this scan"),
+                    *(
+                        []
+                        if _closing(d, m, x)
+                        else [
+                            Term(var(f"MOV_{n}"), "point free by hand"),
+                            Term(neg(touched), "no grant in this scan"),
+                        ]
+                    ),
                 ),
                 f"point {m}",
                 f"machine {m} moved {x} by hand",
@@ -169,6 +182,12 @@ def supervision(d: Draft) -> None:
         d.outputs.append(Output(f"YA_{n}", var(f"AL_{n}"), False, f"alarm: machine {m} not detected in time"))
 
 
+def _anew(d: Draft, m: MachineId) -> Expr:
+    """A machine is commanded to where it was not commanded before: a key that is held commands once."""
+    n = portable(m)
+    return disj(conj((disj((var(f"GP{x}_{n}"), var(f"MA{x}_{n}"))), neg(d.command(m, x)))) for x in Position)
+
+
 def trailing(d: Draft) -> None:
     """Detection lost without a command: run through from the wrong side; locked until looked at (R10).
 
@@ -183,13 +202,12 @@ def trailing(d: Draft) -> None:
         )
         trailed = conj((var(f"TH_{n}"), var("VALID"), lost))
         seen = conj([var(f"TC_{n}"), var("VALID"), *(neg(d.occupied(s)) for s in d.sections_of(m))])
-        turned = neg(disj(var(f"{w}{x}_{n}") for w in ("GP", "MA") for x in Position))
         d.kept(
             f"TH_{n}",
             False,
             f"machine {m} was detected where it is commanded",
             Join.ALL,
-            (Term(right, "detected"), Term(turned, "no new command")),
+            (Term(right, "detected"), Term(neg(_anew(d, m)), "no new command")),
             group,
         )
         d.kept(
@@ -235,7 +253,7 @@ def starting(d: Draft) -> None:
             (
                 Term(disj((var(f"Z_{n}"), turn)), "started"),
                 Term(var(f"STI_{n}"), "not there yet"),
-                Term(neg(disj(var(f"{w}{x}_{n}") for w in ("GP", "MA") for x in Position)), "no new command"),
+                Term(neg(_anew(d, m)), "no new command"),
             ),
             "starts",
         )

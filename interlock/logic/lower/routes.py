@@ -10,8 +10,9 @@ from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
-from interlock.logic.lower import aspects, block, requests, ways, zones
+from interlock.logic.lower import aspects, block, requests, sections, ways, zones
 from interlock.logic.lower.draft import Draft
+from interlock.model.elements import Position
 from interlock.model.portable import portable
 from interlock.table.rows import RouteKind, RouteRow
 
@@ -62,21 +63,14 @@ def _needs(d: Draft, r: RouteRow) -> list[Term]:
     terms = [Term(var("VALID"), "inputs valid")]
     for key in r.locked:
         terms += ways.free_terms(d, r, key)
-    return [*terms, *ways.overlap_terms(d, r), *_berth_terms(d, r), *zones.terms(d, r)]
-
-
-def admissible(d: Draft) -> None:
-    """Whether a route could be granted: only what could be set has priority over others (R14)."""
-    for r in d.noted if d.table.priority else ():
-        d.wire(f"AD_R{r.number}", Join.ALL, _needs(d, r), f"route {r.id}", f"route {r.id} could be granted (R6)")
+    return [*terms, *_rear_terms(d, r), *ways.overlap_terms(d, r), *_berth_terms(d, r), *zones.terms(d, r)]
 
 
 def grants(d: Draft) -> None:
-    """A route is granted when everything it needs is free (R6, R3)."""
-    for r in d.table.routes:
-        known = d.table.priority and r.id in d.noted_ids
-        needs = [Term(var(f"AD_R{r.number}"), "could be granted")] if known else _needs(d, r)
-        terms = [Term(requests.requested(d, r), "requested"), *needs]
+    """A route is granted when everything it needs is free (R6, R3); automatic ones in the order of their classes."""
+    by_hand = [r for r in d.table.routes if r not in d.automatic]
+    for r in [*d.automatic, *by_hand]:
+        terms = [Term(requests.requested(d, r), "requested"), *_needs(d, r)]
         d.wire(f"G_R{r.number}", Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} (R6)")
 
 
@@ -112,9 +106,32 @@ def locking(d: Draft) -> None:
         )
 
 
+def _rear_terms(d: Draft, r: RouteRow) -> list[Term]:
+    """No train is called from a section in which it may have stood since the restart on points that lie anyhow, or on
+    a crossing or bridge that is open (R9, R16): such a train is moved under local rules."""
+    rear = d.topo.beyond(r.section_ids[0], r.entry_node)
+    if rear is None:
+        return []
+    released = neg(var(f"K_{portable(rear)}"))
+    out = []
+    if any(t.points or t.crossings for t in d.topo.traversals[rear]):
+        out.append(Term(released, "rear released", f"{rear}, with points or a diamond, is released after the restart"))
+    for device in d.layout.devices:
+        if rear in device.over:
+            closed = d.detected(device.id, Position.REVERSE)
+            out.append(Term(disj((released, closed)), "rear device closed", f"{device.id} over {rear} is closed"))
+    beyond = {d.topo.beyond(rear, node) for node in d.topo.ends[rear] if node != r.entry_node}
+    foul = {t.section for t in d.table.locks for c in t.foul if c.section == rear}
+    for other in sorted({*(s for s in beyond if s is not None), *foul}):
+        alone = disj((released, neg(var(f"K_{portable(other)}")), neg(d.occupied(other))))
+        out.append(Term(alone, "stands alone", f"nothing stands across from {other}, or foul of it, since the restart"))
+    return out
+
+
 def _beside(d: Draft, r: RouteRow) -> list[Term]:
     """What proceed needs besides the ways themselves."""
-    terms = [Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions]
+    terms = _rear_terms(d, r)
+    terms += [Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions]
     terms += [Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block]
     terms += block.terms(d, r)
     if r.kind is not RouteKind.CALL_ON:
@@ -125,6 +142,14 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
         options = disj(d.overlap(o) for o in d.overlaps_of[r.overlap.signal] if o[1] in some)
         terms.append(Term(options, "overlap held", r.overlap.because.text))
     return terms
+
+
+def approaches(d: Draft) -> None:
+    """Whether a train may be on its way to a signal, where more than one section tells (R8)."""
+    for g in d.layout.signals:
+        if d.routes_from[g.id] and (x := d.routes_from[g.id][0].approach.coming).further:
+            nobody = (Term(neg(d.coming(x)), "nobody comes", "nothing in the approach, nor called into it"),)
+            d.wire(f"AC_{portable(g.id)}", Join.ALL, nobody, f"signal {g.id}", f"no train is on its way to {g.id} (R8)")
 
 
 def cancellation(d: Draft) -> None:
@@ -172,7 +197,7 @@ def cancellation(d: Draft) -> None:
                 Term(var(f"X_{n}"), "cancelling"),
                 Term(d.any_active(g.id), "active"),
                 Term(var("VALID"), "inputs valid"),
-                Term(neg(d.occupied(first)), "section clear", f"{first} clear"),
+                sections.long_clear(first),
                 Term(
                     disj((d.approach_safe(g.id), neg(seen))),
                     "no train about to come",

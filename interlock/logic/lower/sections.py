@@ -131,37 +131,50 @@ def _closed(d: Draft, s: SectionId) -> list[Term]:
     return [] if open_ is FALSE else [Term(neg(open_), "signal closed", f"{' and '.join(signals)} closed")]
 
 
+RESTART_DELAY = "RST"
+
+
+def restart_delay(d: Draft) -> None:
+    """After power-up nothing is released until whatever still ran has had time to come to a stand (R16)."""
+    on = (Term(TRUE, "running", "since the first scan"),)
+    d.kept("PWR", False, "the controller has run a scan since power-up", Join.ALL, on, "restart")
+    d.wire("RSTI", Join.ALL, (Term(var("PWR"), "running"),), "restart", "the restart delay runs (R16)")
+    d.timer(RESTART_DELAY, "RSTI", d.layout.principles.restart_delay_s, "the restart delay is over (R16)")
+
+
+def clear_time(d: Draft) -> None:
+    """How long a section has been reported clear without a break: a single clear reading releases nothing (R8, R9)."""
+    for s in d.sections:
+        clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
+        d.wire(f"RTI_{portable(s)}", Join.ALL, (clear,), f"section {s}", f"{s} is reported clear")
+    for s in d.sections:
+        n = portable(s)
+        d.timer(f"RT_{n}", f"RTI_{n}", d.layout.principles.release_delay_s, f"{s}: release delay (R8, R9)")
+
+
+def long_clear(s: SectionId) -> Term:
+    """The section has been clear, inputs valid, for the release delay."""
+    return Term(var(f"RT_{portable(s)}"), "long clear", f"{s} clear without a break for the release delay")
+
+
 def release(d: Draft) -> None:
-    """All the ways in which a section is released; none of them while it counts as occupied."""
+    """All the ways in which a section is released; none of them before it has been clear for the release delay."""
     valid = Term(var("VALID"), "inputs valid")
     for s in d.sections:
         n = portable(s)
         group = f"section {s}"
-        clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
+        clear = long_clear(s)
         rear = rear_free(d, s)
         d.wire(f"EX_{n}", Join.ANY, _exits(d, s), group, f"a train in {s} leaves over a boundary, or has passed on")
-        d.wire(
-            f"RTI_{n}",
-            Join.ALL,
-            (
-                valid,
-                Term(var(f"U_{n}"), "was used"),
-                clear,
-                *_closed(d, s),
-                *rear,
-                Term(var(f"EX_{n}"), "went on"),
-            ),
-            group,
-            f"{s} may be released behind the train (R9)",
+        behind = (
+            valid,
+            Term(var(f"U_{n}"), "was used"),
+            clear,
+            *_closed(d, s),
+            *rear,
+            Term(var(f"EX_{n}"), "went on"),
         )
-    for s in d.sections:
-        n = portable(s)
-        d.timer(f"RT_{n}", f"RTI_{n}", d.layout.principles.release_delay_s, f"{s}: release delay (R9)")
-    for s in d.sections:
-        n = portable(s)
-        group = f"section {s}"
-        clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
-        rear = rear_free(d, s)
+        d.wire(f"BT_{n}", Join.ALL, behind, group, f"{s} is released behind the train (R9)")
         unsignalled = disj(
             conj((d.locked_in(s, node), *([d.train(s)] if d.signal_at(s, node) is not None else [])))
             for node in d.topo.ends[s]
@@ -213,6 +226,7 @@ def release(d: Draft) -> None:
                 valid,
                 clear,
                 Term(var(f"K_{n}"), "restart lock"),
+                Term(var(RESTART_DELAY), "restart delay over"),
                 Term(disj((var(f"REL_{n}"), var("RELALL"))), "operator"),
                 *(rear if s in d.berths else ()),
             ),
@@ -223,7 +237,7 @@ def release(d: Draft) -> None:
             f"RLS_{n}",
             Join.ANY,
             (
-                Term(var(f"RT_{n}"), "behind the train"),
+                Term(var(f"BT_{n}"), "behind the train"),
                 Term(var(f"CA_{n}"), "withdrawn"),
                 *cancelled,
                 Term(var(f"HR_{n}"), "by hand"),

@@ -28,6 +28,10 @@ class Beyond(Protocol):
         """A free choice of the world."""
         ...
 
+    def clock(self, name: str, hold: Expr, text: str) -> Expr:
+        """A clock of the world."""
+        ...
+
 
 def outside(b: Boundary) -> str:
     """Where a train stands that is about to come in."""
@@ -55,10 +59,13 @@ def neighbour(x: Beyond, b: Boundary) -> None:
     lost = x.choice(f"?neighbour.lost.{n}", f"the neighbour at {n} is restarted")
     p.events[f"neighbour.lost.{n}"] = lost
     agreed = conj((empty, neg(ours), neg(has), neg(gives), neg(seen_by(n, "gives")), neg(telegram(n, "gives"))))
+    held = x.clock(
+        f"agreed.{n}", conj((var(x.w.valid), var(wire.manual))), f"the hand at {n} is held as long as agreed"
+    )
     manual = conj(
         (
             agreed,
-            neg(var(wire.timer)),
+            neg(held),
             neg(take),
             x.choice(f"?neighbour.manual.{n}", f"the neighbour at {n} takes the direction, as agreed by telephone"),
         )
@@ -88,7 +95,7 @@ def neighbour(x: Beyond, b: Boundary) -> None:
         _assume(x, "A-NEIGHBOUR", implies(conj((var(x.w.valid), var(name))), true))
     stale = disj((telegram(n, "has"), telegram(n, "gives"), seen_by(n, "gives")))
     alone = conj((empty, neg(has), neg(gives), neg(stale), neg(take)))
-    _assume(x, "A-AGREED", implies(var(wire.timer), alone))
+    _assume(x, "A-AGREED", implies(held, alone))
     # at a restart the line and the neighbour are as the token's rules have left them
     sent = disj((line(n, "in"), o(outside(b))))
     p.initial += [

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import pairwise
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
 from interlock.logic.plant.block import neighbour, on_the_line
 from interlock.logic.plant.hazards import hazards
+from interlock.logic.plant.images import images
 from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Plant, Wiring
+from interlock.logic.plant.machines import machines
 from interlock.logic.plant.words import (
     OUTSIDE,
     accepted,
@@ -23,8 +26,9 @@ from interlock.logic.plant.words import (
     rests,
     running,
     shunting,
+    was_called,
 )
-from interlock.model.elements import BoundaryKind, NodeId, Position, SectionId, SignalId
+from interlock.model.elements import BoundaryKind, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.measured import Measured
 from interlock.model.traversal import Traversal, topology
@@ -36,6 +40,7 @@ class PlantBuilder:
     def __init__(self, layout: Layout, read: Measured, wiring: Wiring, dropped: frozenset[str]) -> None:
         self.layout = layout
         self.fouls = read.fouls
+        self.in_time = read.needs.swings
         self.topo = topology(layout)
         self.w = wiring
         self.dropped = dropped
@@ -54,7 +59,7 @@ class PlantBuilder:
 
     def build(self) -> Plant:
         """All parts in order."""
-        self._points()
+        machines(self)
         tokens = [b for b in self.layout.boundaries if b.node in self.w.token]
         for b in tokens:
             neighbour(self, b)
@@ -63,7 +68,7 @@ class PlantBuilder:
         for b in tokens:
             s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
             on_the_line(self, b, self.p.events.get(f"head.{b.node}.{s}", FALSE))
-        self._images()
+        images(self)
         self.p.hazards.extend(hazards(self))
         return self.p
 
@@ -81,10 +86,27 @@ class PlantBuilder:
         """The train in s is heading to its end b, as the points lie."""
         return disj(conj((came(s, a), self.lie(t))) for a in self.topo.ends[s] for t in self.ways(s, a, b))
 
+    def _stood(self, s: SectionId, b: NodeId) -> Expr:
+        """A train has stood in s since the restart, so that it could go to b, whatever lies under it."""
+        return conj((rests(s), disj(came(s, a) for a in self.topo.ends[s] if self.ways(s, a, b))))
+
     def choice(self, name: str, text: str) -> Expr:
         """A free choice of the world."""
         self.p.choices[name] = text
         return var(name)
+
+    def clock(self, name: str, hold: Expr, text: str) -> Expr:
+        """A clock of the world: what tells, in this step, that `hold` has held without a break for long enough.
+
+        How long that is the model does not say: from the moment at which `hold` begins to be true the world may choose
+        when, and once chosen it stays so while `hold` lasts.  Every real duration is one of these choices.
+        """
+        long = f"long.{name}"
+        self.p.clocks[long] = hold
+        self.p.state[long] = text
+        over = conj((hold, disj((var(long), self.choice(f"?{long}", text)))))
+        self.p.next[long] = over
+        return over
 
     def rear(self, g: SignalId) -> tuple[NodeId, SectionId, SectionId | None]:
         """Joint, section beyond and section in rear (None: outside without detection) of a signal."""
@@ -103,6 +125,15 @@ class PlantBuilder:
         """A driver may see proceed: shown in the last scan, or in the one before (A-LATE-OUTPUT)."""
         return disj((self.shown(g, shunt), lamp(g, shunt)))
 
+    def calls(self, s: SectionId) -> Iterator[tuple[NodeId, Expr]]:
+        """For each signal that governs leaving s: its joint, and whether somebody has accepted it."""
+        for g in self.topo.signals_out(s):
+            yield self.layout.signal[g].node, disj(accepted(g, k) for k in self.functions(g))
+
+    def called(self, s: SectionId) -> Expr:
+        """What stands in s has accepted a signal."""
+        return disj(x for _, x in self.calls(s))
+
     def functions(self, g: SignalId) -> list[bool]:
         """Whom a signal speaks to: False for trains, True for shunting movements."""
         signal = self.layout.signal[g]
@@ -111,40 +142,6 @@ class PlantBuilder:
     def berth(self, s: str) -> bool:
         """Vehicles may stand there in any number."""
         return s in self.topo.berths
-
-    # --- points --------------------------------------------------------------------------------
-
-    def _points(self) -> None:
-        for m in self.layout.machines:
-            starts = {}
-            for x in Position:
-                self.p.state[f"at.{m}.{x}"] = f"machine {m} lies {self.layout.word(m, x)}"
-                self.p.state[f"cmd.{m}.{x}"] = f"machine {m} was commanded {self.layout.word(m, x)}"
-                self.p.next[f"cmd.{m}.{x}"] = self.w.command[m, x]
-                self.p.initial.append(neg(old_command(m, x)))
-                away = disj((self.w.command[m, x.other], old_command(m, x.other)))
-                if "A-POINT" in self.dropped:
-                    away = TRUE
-                starts[x] = conj(
-                    (
-                        lies(m, x),
-                        away,
-                        self.choice(f"?start.{m}.{x}", f"{m} starts to leave its position: {self.layout.word(m, x)}"),
-                    )
-                )
-                self.p.events[f"start.{m}.{x}"] = starts[x]
-            moving = conj(neg(lies(m, x)) for x in Position)
-            for x in Position:
-                may = disj((self.w.command[m, x], old_command(m, x)))
-                if m in self.layout.by_hand:
-                    may = TRUE  # whoever has the key turns it as he likes, once it is released
-                arrives = conj((moving, may, self.choice(f"?arrive.{m}.{x}", f"{m} arrives: {self.layout.word(m, x)}")))
-                # both commands may be pending in one step: normal wins, so that it never lies both ways
-                if x is Position.REVERSE:
-                    arrives = conj((arrives, neg(self.p.events[f"arrive.{m}.N"])))
-                self.p.events[f"arrive.{m}.{x}"] = arrives
-                self.p.next[f"at.{m}.{x}"] = disj((conj((lies(m, x), neg(starts[x]))), arrives))
-            self.p.initial.append(at_most_one(lies(m, x) for x in Position))
 
     # --- movements -----------------------------------------------------------------------------
 
@@ -201,7 +198,7 @@ class PlantBuilder:
             ready = conj(
                 (
                     o(rear),
-                    TRUE if self.berth(rear) else self.heading(rear, node),
+                    TRUE if self.berth(rear) else disj((self._stood(rear, node), self.heading(rear, node))),
                     neg(across(node, rear)) if "A-HEADWAY" not in self.dropped else TRUE,
                     neg(across(node, first)),
                     neg(self.astray(rear)),  # what has overrun a signal is moved under local rules
@@ -261,18 +258,44 @@ class PlantBuilder:
             if any(a.section == s and a.exit == j and b.section == ahead for a, b in steps):
                 out[h] = conj((overran(h, s), rests(s), heading))
         if g is not None and g in self.overlaps:
-            timer = self.w.overlap_timer.get(g)
-            stands = FALSE if timer is None or "A-STAND" in self.dropped else var(timer)
             as_train = neg(shunting(s)) if self.shunts else TRUE
-            turning = FALSE if "A-SWING" in self.dropped else self.w.swings.get(g, FALSE)
-            fails = conj((running(s), neg(rests(s)), as_train, heading, neg(stands), neg(turning)))
-            out[g] = disj((out.get(g, FALSE), fails))
+            turning = FALSE if "A-SWING" in self.dropped else disj(self._turning(g))
+            fails = conj((running(s), neg(rests(s)), as_train, heading, neg(turning)))
+            self.p.events[f"fails.{g}"] = fails
+            out[g] = disj((out.get(g, FALSE), self.p.events[f"fails.{g}"]))
         return out
+
+    def _turning(self, g: SignalId) -> list[Expr]:
+        """For each machine of an overlap that swings: it turns since before a train was reported before the signal."""
+        if g not in self.in_time:
+            return []
+        over = [t for path in self.overlaps[g] for t in path]
+        machines = [self.layout.point[p].machine for t in over for p, _ in t.points]
+        machines += [MachineId(d.id) for d in self.layout.devices if any(t.section in d.over for t in over)]
+        return [var(f"turns.{g}.{m}") for m in dict.fromkeys(machines)]
+
+    def _turns_since(self, g: SignalId, s: SectionId) -> None:
+        """Which machines of an overlap were driven away before a train came into the section before its signal."""
+        for x in self._turning(g):
+            m = MachineId(x.name.removeprefix(f"turns.{g}."))
+            towards = [Position.REVERSE] if m in self.layout.device else list(Position)  # a device: it closes
+            away = disj(conj((self.w.command[m, p], disj((neg(lies(m, p)), old_command(m, p.other))))) for p in towards)
+            self.p.state[x.name] = f"machine {m} turns since before a train was reported in {s}"
+            self.p.next[x.name] = conj((away, disj((x, neg(o(s)), neg(image(s))))))
+            self.p.initial.append(neg(x))
 
     def overruns_in(self, g: SignalId, s: SectionId) -> Expr:
         """A train that has overrun g comes into s in this step."""
         ends = [j for j in self.topo.ends[s] if j not in self.layout.buffer_at]
         return disj(self.p.events.get(f"overruns.{g}.{j}.{self._other_side(s, j)}", FALSE) for j in ends)
+
+    def _overrun_over(self, s: SectionId, j: NodeId) -> Expr:
+        """What comes into s at j in this step has overrun a signal."""
+        return disj(
+            self.p.events.get(f"overruns.{g}.{j}.{self._other_side(s, j)}", FALSE)
+            for g in self.overlapped.get(s, ())
+            if j not in self.layout.buffer_at
+        )
 
     def astray(self, s: SectionId) -> Expr:
         """What stands in s has overrun some signal."""
@@ -407,6 +430,10 @@ class PlantBuilder:
             else:
                 p.next[f"rest.{s}"] = conj((rests(s), neg(out)))
             p.next[f"o.{s}"] = disj((conj((o(s), neg(out))), *enter.values()))
+            if any(s in d.over for d in self.layout.devices):
+                p.state[f"called.{s}"] = f"the train in {s} has been called"
+                p.next[f"called.{s}"] = conj((disj((was_called(s), self.called(s))), neg(out)))
+                p.initial.append(neg(was_called(s)))
             p.initial.append(iff(rests(s), o(s)))
             if s in self.overlapped:
                 for h in self.overlapped[s]:
@@ -458,7 +485,8 @@ class PlantBuilder:
             p.next[f"x.{b.node}.{outside}"] = disj(
                 (conj((across(b.node, outside), neg(left))), p.events[f"head.{b.node}.{outside}"])
             )
-            p.initial.append(neg(across(b.node, outside)))
+            s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
+            p.initial.append(implies(across(b.node, outside), conj((o(outside), o(s), came(s, b.node)))))
         for g in self.layout.signals:
             node, _, rear = self.rear(g.id)
             behind = rear or f"{OUTSIDE}.{node}"
@@ -482,7 +510,6 @@ class PlantBuilder:
                 if "A-LATE-OUTPUT" in self.dropped:
                     stuck = self.choice(f"?stuck{'s' if k else ''}.{g.id}", f"{g.id} goes on showing {what}")
                     p.next[shows] = disj((p.next[shows], conj((lamp(g.id, k), stuck))))
-                p.initial.append(neg(lamp(g.id, k)))
 
     def _turns(self, s: SectionId) -> Expr:
         """The train in a section changes direction."""
@@ -493,63 +520,28 @@ class PlantBuilder:
         """A train that came in runs until it stands, turns, or is gone."""
         topo, p = self.topo, self.p
         shunts = disj(self.shunts_in(s, j) for j in topo.ends[s]) if self.shunts else FALSE
-        timers = [self.w.overlap_timer[g] for g in self.before[s] if g in self.w.overlap_timer]
-        stands = FALSE if "A-STAND" in self.dropped else disj(map(var, timers))
+        stands: Expr = FALSE
+        for g in self.before[s]:
+            j = self.layout.signal[g].node
+            comes = [
+                conj((self.comes_in(s, k), neg(self.shunts_in(s, k)), neg(self._overrun_over(s, k))))
+                for k in topo.ends[s]
+                if k != j
+            ]
+            long = self.clock(f"stand.{g}", neg(disj(comes)), f"the train before {g} has had time to come to a stand")
+            if "A-STAND" not in self.dropped:
+                stands = disj((stands, long))
+                first = self.p.events.get(f"fails.{g}", FALSE)
+                over = self.p.events.get(f"overruns.{g}.{j}.{s}", FALSE)
+                self.assume("A-STAND", implies(long, neg(conj((over, first)))))
+            self._turns_since(g, s)
         p.state[f"run.{s}"] = f"the train in {s} has not come to a stand"
         still = conj((running(s), neg(out), neg(self._turns(s)), neg(stands)))
         p.next[f"run.{s}"] = conj((disj((still, enters)), neg(shunts)))
         p.initial.append(neg(running(s)))
 
-    # --- what the inputs show ------------------------------------------------------------------
-
-    def _images(self) -> None:
-        p, topo = self.p, self.topo
-        valid = var(self.w.valid)
-        false_: dict[str, Expr] = {}
-        for blind in sorted(self.layout.undetected):  # always taken as occupied
-            p.state[f"img.{blind}"] = f"{blind} has no detection"
-            p.next[f"img.{blind}"] = TRUE
-            p.initial.append(image(blind))
-        for s, name in self.w.clear.items():
-            if f"o.{s}" not in p.state:
-                # an approach section beyond an outgoing boundary holds no train of this model
-                p.state[f"img.{s}"] = f"{s} was reported occupied"
-                p.next[f"img.{s}"] = neg(conj((var(name), valid)))
-                continue
-            # a detector that is reported faulty may say anything: it counts as saying occupied
-            faulty = neg(var(self.w.healthy[s])) if s in self.w.healthy else FALSE
-            reported = disj((neg(var(name)), faulty))
-            p.state[f"img.{s}"] = f"{s} was reported occupied"
-            p.next[f"img.{s}"] = disj((reported, neg(valid)))
-            p.initial.append(image(s))
-            self._assume(
-                "A-DETECT",
-                implies(conj((o(s), p.next[f"o.{s}"], valid)), reported),
-            )
-            false_[s] = conj((reported, neg(o(s)), neg(p.next[f"o.{s}"]), valid))
-        pairs = [(a, b) for _, a, b in topo.joints()] + [
-            (b.approach, self.layout.section_of(self.layout.edges_at[b.node][0].id))
-            for b in self.layout.boundaries
-            if b.approach is not None
-        ]
-        for a, b_ in pairs:
-            if a in false_ and b_ in false_:
-                self._assume(
-                    "A-ONE-FALSE",
-                    neg(conj((false_[a], false_[b_]))),
-                )
-        for (m, x), name in self.w.detected.items():
-            self._assume(
-                "A-CONTACT",
-                implies(conj((valid, var(name))), p.next[f"at.{m}.{x}"]),
-            )
-        for g, name in self.w.approach_timer.items():
-            for k in self.functions(g):
-                go = f"{'gos' if k else 'go'}.{g}"
-                if go in p.next:
-                    self._assume("A-TIMER", implies(var(name), conj((neg(accepted(g, k)), neg(p.next[go])))))
-
-    def _assume(self, id_: str, expr: Expr) -> None:
+    def assume(self, id_: str, expr: Expr) -> None:
+        """The world does so, unless the assumption is dropped."""
         if id_ not in self.dropped:
             self.p.assumptions.append(Assumption(id_, ASSUMPTIONS[id_], expr))
 

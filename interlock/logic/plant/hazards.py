@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Protocol
 
 from interlock.logic.expr import FALSE, Expr, at_most_one, conj, disj, neg
 from interlock.logic.plant.kinds import Hazard, Plant
-from interlock.logic.plant.words import came, lies, o, rests
+from interlock.logic.plant.words import came, lies, o, rests, was_called
 from interlock.model.elements import NodeId, Position, SectionId
 from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
@@ -45,6 +46,18 @@ class Railway(Protocol):
         """What stands in s has overrun some signal."""
         ...
 
+    def called(self, s: SectionId) -> Expr:
+        """What stands in s has accepted a signal."""
+        ...
+
+    def heading(self, s: SectionId, b: NodeId) -> Expr:
+        """The train in s is heading to its end b, as the points lie."""
+        ...
+
+    def calls(self, s: SectionId) -> Iterator[tuple[NodeId, Expr]]:
+        """For each signal that governs leaving s: its joint, and whether somebody has accepted it."""
+        ...
+
     def berth(self, s: str) -> bool:
         """Vehicles may stand there in any number."""
         ...
@@ -62,6 +75,10 @@ def hazards(b: Railway) -> list[Hazard]:
         for j in topo.ends[s]:
             good = disj(b.lie(t) for t in b.ways(s, j))
             wrong.append(conj((o(s), neg(rests(s)), came(s, j), neg(good))))
+        for j, called in b.calls(s) if not b.berth(s) else ():  # one that stood there is called, whatever lies under it
+            wrong.append(conj((o(s), rests(s), called, neg(b.heading(s, j)))))
+        for j in topo.ends[s]:
+            good = disj(b.lie(t) for t in b.ways(s, j))
             if b.ways(s, j):
                 wrong.append(conj((b.comes_in(s, j), neg(good))))
         out.append(Hazard("DERAIL", s, disj(wrong)))
@@ -80,7 +97,8 @@ def hazards(b: Railway) -> list[Hazard]:
         closed = lies(d.id, Position.REVERSE)
         for s_ in d.over:
             entering = disj(b.comes_in(s_, j) for j in topo.ends[s_])
-            there = disj((conj((o(s_), neg(rests(s_)))), entering))
+            moves = disj((neg(rests(s_)), b.called(s_), was_called(s_)))
+            there = disj((conj((o(s_), moves)), entering))
             out.append(Hazard("ROAD", f"{d.id}/{s_}", conj((there, neg(closed)))))
     for c in layout.crossings:
         sides = []
@@ -101,15 +119,11 @@ def hazards(b: Railway) -> list[Hazard]:
                 Hazard(
                     "DIAMOND",
                     c.id,
-                    conj((sides[0][1], sides[1][1], neg(conj((rests(sides[0][0]), rests(sides[1][0])))))),
+                    conj((sides[0][1], sides[1][1], neg(conj(_still(b, s) for s, _ in sides)))),
                 )
             )
     for f in b.fouls:
-        crossing = disj(
-            conj((came(f.section, t.entry), b.lie(t)))
-            for t in topo.traversals[f.section]
-            if any(q == f.point and x is not f.leg for q, x in t.points)
-        )
+        crossing = disj(conj((came(f.section, t.entry), b.lie(t))) for t in topo.traversals[f.section] if f.fouls(t))
         near = disj(
             (
                 standing(b, f.neighbour),
@@ -124,10 +138,23 @@ def hazards(b: Railway) -> list[Hazard]:
             Hazard(
                 "FOUL",
                 f"{f.section}/{f.neighbour}",
-                conj((o(f.section), crossing, o(f.neighbour), near, neg(conj((rests(f.section), rests(f.neighbour)))))),
+                conj(
+                    (
+                        o(f.section),
+                        crossing,
+                        o(f.neighbour),
+                        near,
+                        neg(conj((_still(b, f.section), _still(b, f.neighbour)))),
+                    )
+                ),
             )
         )
     return out
+
+
+def _still(b: Railway, s: SectionId) -> Expr:
+    """What is in s has stood there since the restart, and nobody has called it."""
+    return conj((rests(s), neg(b.called(s))))
 
 
 def standing(b: Railway, s: SectionId) -> Expr:

@@ -12,8 +12,8 @@ from interlock.model.elements import MachineId, NodeId, Position, SectionId, Sig
 
 @dataclass(frozen=True)
 class TokenWires:
-    """How a line's direction token ends on the controller: inputs that tell of the neighbour and the line, the state
-    that is told to the neighbour, the delay of the special manual change."""
+    """How a line's direction token ends on the controller: inputs that tell of the neighbour and the line, the outputs
+    that tell the neighbour, the operator's hand on the special manual change."""
 
     gives: str
     keeps: str
@@ -21,12 +21,12 @@ class TokenWires:
     clear: str
     have: str
     give: str
-    timer: str
+    manual: str
 
 
 @dataclass(frozen=True)
 class Wiring:
-    """The only way in which the plant sees a controller: names of its signals, commands and inputs."""
+    """All that the plant sees of a controller, its terminals.  proceed, call, stop: lamps; command: drives."""
 
     proceed: Mapping[SignalId, Expr]
     call: Mapping[SignalId, Expr]
@@ -35,9 +35,7 @@ class Wiring:
     clear: Mapping[SectionId, str]
     healthy: Mapping[SectionId, str]
     detected: Mapping[tuple[MachineId, Position], str]
-    approach_timer: Mapping[SignalId, str]
-    overlap_timer: Mapping[SignalId, str]
-    swings: Mapping[SignalId, Expr]
+    stop: Mapping[SignalId, Expr]
     token: Mapping[NodeId, TokenWires]
 
 
@@ -85,6 +83,8 @@ class Plant:
     assumptions: list[Assumption] = field(default_factory=list)
     hazards: list[Hazard] = field(default_factory=list)
     waits: dict[NodeId, str] = field(default_factory=dict)
+    clocks: dict[str, Expr] = field(default_factory=dict)
+    """Clocks of the world, by state variable: what must hold without a break; true when it has held long enough."""
     events: Events = field(default_factory=Events)
 
     def on_line(self, b: NodeId) -> tuple[str, ...]:
@@ -124,9 +124,10 @@ ASSUMPTIONS: dict[str, str] = {
     "A-OVERRUN": "A train that fails to stop at a main signal with an overlap stops within the overlap, undivided, "
     "and is moved from there under local rules; it fails only while it is coming to a stand before that signal, and "
     "elsewhere no train passes a signal at stop.",
-    "A-SWING": "While the points of an overlap that swings turn, which begins only with the section before its signal "
-    "clear, no train overruns that signal: they have turned before one can have come so far.",
-    "A-STAND": "When the overlap release time has run out, the train before the signal stands.",
+    "A-SWING": "A train does not overrun a signal while points of its overlap still turn that were driven away "
+    "before it was reported in the section before the signal: they have turned before one can have come so far.",
+    "A-STAND": "When no train has come into the section before a signal for the time that one needs to come to a stand "
+    "there, the train in it stands.",
     "A-SCAN": "A head leaves a section, and a tail leaves it, only after the occupation that it causes has been "
     "scanned (or while inputs are lost); a driver accepts a signal only from a scanned section in rear of it.",
     "A-HEADWAY": "No second train accepts a signal in the very scan in which the tail of the first passes it.",
@@ -136,8 +137,8 @@ ASSUMPTIONS: dict[str, str] = {
     "A-CONTACT": "A point is never reported in a position in which it does not lie; a missing report is always "
     "possible.",
     "A-POINT": "A point moves only when commanded, at most one scan late.",
-    "A-TIMER": "When the approach locking delay has run out with the signal at stop, the train before it has "
-    "passed it or stands.",
+    "A-TIMER": "When a signal has shown stop without a break for the time that a train needs to come to a stand from "
+    "the highest speed there, the train before it has passed it or stands.",
     "A-RESTART": "At a restart trains stand anywhere, points lie anyhow; a train moves again only when a signal "
     "calls it (others are moved under local rules before their section is released).",
     "A-REVERSE": "A train changes direction only at a standstill, wholly within one section, where a signal governs "
@@ -146,8 +147,9 @@ ASSUMPTIONS: dict[str, str] = {
     "A-BEYOND": "Beyond a boundary the neighbour protects trains; nothing is proved there.",
     "A-NEIGHBOUR": "The neighbour at the other end of a line with a direction token follows the token's rules; what he "
     "tells comes late, or reads as nothing, but in order: no word arrives that the last telegram did not have.",
-    "A-AGREED": "The special manual change of direction is used only as agreed by telephone: the line is empty, the "
-    "neighbour has no direction, and no telegram that gives it, or that says he has it, is under way.",
+    "A-AGREED": "The hand of the special manual change of direction is held for the agreed time only as agreed by "
+    "telephone: the line is empty, the neighbour has no direction, and no telegram that gives it, or that says he has "
+    "it, is under way.",
     "A-LINE": "A line is not reported clear while a train is on it before and after a step.",
     "A-STANDS": "A vehicle inside the layout that is not on a route stands still; others may roll in only from "
     "beyond the next stop signal, and a signal at stop stops them.",

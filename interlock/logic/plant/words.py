@@ -30,6 +30,11 @@ def rests(s: str) -> Expr:
     return var(f"rest.{s}")
 
 
+def was_called(s: str) -> Expr:
+    """What has stood in s since the restart has been called by a signal, and has not left wholly."""
+    return var(f"called.{s}")
+
+
 def shunting(s: str) -> Expr:
     """The train in s moves as a shunting movement."""
     return var(f"sh.{s}")

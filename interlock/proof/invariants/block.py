@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from interlock.logic.expr import Expr, conj, disj, implies, neg, var
+from interlock.logic.expr import Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, lamp, line, o, rests, seen_by, telegram
 from interlock.model.elements import NodeId
 from interlock.proof.invariants.kinds import Facts, Invariant
@@ -24,6 +24,7 @@ def _one_token(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
     sent = disj((line(b, "in"), o(boundary.approach or f"outside.{b}")))
     leaving = line(b, "out")
     return [
+        ("K-TELLS", conj((iff(var(x.tells["has"]), here), iff(var(x.tells["gives"]), given)))),
         ("K-HERE", implies(here, neg(disj((given, has, told_has, saw_gives, sent))))),
         ("K-GIVEN", implies(given, conj((ready, neg(disj((gives, told_gives, leaving))))))),
         ("K-READY", implies(conj((ready, told_gives)), neg(disj((here, has, told_has, saw_gives, sent, leaving))))),

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
+from interlock.model.approach import Approach
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.principles import Caution
@@ -16,6 +17,7 @@ from interlock.model.traversal import Traversal, path_speed
 from interlock.proof.invariants.flank import flank, flank_space
 from interlock.proof.invariants.kinds import Claim, Facts
 from interlock.proof.invariants.paths import Shown, SignalPath, ground_of, lie, shown_over, signal_paths
+from interlock.proof.invariants.terminals import terminals
 
 CLAIMS: dict[str, str] = {
     "T-COLLISION": "No train comes into a section in which another train stands, nor two at once.",
@@ -52,18 +54,41 @@ CLAIMS: dict[str, str] = {
     "S-SPEED": "No signal shows a higher speed than its path permits, as the points lie.",
     "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, and shows nothing else "
     "than stop while no lamp for it is.",
+    "S-STOP": "At every signal stop is lit exactly when no main or white lamp is; no two of these are lit at once, a "
+    "speed only beside a main lamp, and a distant signal shows either clear or caution.",
     "S-AGAIN": "A signal that closed while its route stayed set opens again only after it was asked for again.",
+    "S-REQUEST": "A route is set only in the scan in which its number comes after 0, or while its switch for automatic "
+    "working is on; a number that is held asks once.",
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
+    "S-SET": "A section is locked for a movement only when inputs are valid, it is not blocked or locked, and it is "
+    "reported clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
+    "L-REASON": "No lock ends without its reason: a train has used the section, the lock before it was withdrawn, its "
+    "signal was cancelled, or somebody releases it by hand; after a restart by hand, or behind a train that stood "
+    "there.",
+    "L-CLEAR": "No section is released, however it is, before it has been reported clear with valid inputs, without a "
+    "break, for the release delay.",
+    "L-APPROACH": "A route whose signal has been open is not given up before its train came, unless none can be on its "
+    "way: nothing within the braking distance and back to the first signal that announces this one, over ways that are "
+    "locked; or stop has been shown without a break for as long as a train needs to stand.  (Whether it has been open "
+    "is the controller's own bit, which is set with proceed and stays while the route does.)",
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
     "P-LOCKED": "A point is commanded to move only when the sections of all its ends are reported clear and unlocked, "
-    "or held by nothing but an overlap that may swing, with the section before its signal clear.",
-    "P-START": "At a restart nothing is commanded, all signals show stop, and every section is locked.",
+    "or held by nothing but an overlap that may swing, with the section before its signal clear.  (The command is the "
+    "controller's own bit; P-DRIVEN ties the drives to it.)  A level crossing or bridge may always be closed.",
+    "P-DRIVEN": "A machine is driven to where it is commanded, and never both ways: at once, or where machines start "
+    "one after the other, when its turn has come.",
+    "I-TOLD": "Every indication and alarm tells what is: a section is locked, a detector is faulty, a machine is not "
+    "where it was commanded or was trailed, a zone is full.",
+    "D-PRESET": "No delay is shorter than the principles order, nor than the world needs: by speeds, braking, reaction "
+    "and the delay of outputs, running times of machines, and what is agreed with the neighbour.",
+    "P-START": "When the restart delay is over, whatever happened meanwhile, nothing is commanded but crossings and "
+    "bridges to close, all signals show stop, and every section is locked.",
 }
 
 
 def claims(f: Facts) -> tuple[Claim, ...]:
-    """Every instance of every claim."""
+    """Every instance of every claim, but for places at which there is nothing to claim."""
     out: list[Claim] = []
     for h in f.system.plant.hazards:
         out.append(Claim(f"T-{h.id}", h.place, neg(h.expr), True))
@@ -73,14 +98,27 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         *((*x, False) for x in flank_space(f)),
         *((*x, False) for x in _pairs(f)),
         *((*x, False) for x in _signals(f)),
+        *((*x, False) for x in terminals(f)),
         *((*x, False) for x in _distants(f)),
         *((*x, False) for x in _again(f)),
+        *((*x, False) for x in _requests(f)),
+        *((*x, False) for x in _set(f)),
+        *((*x, False) for x in _reasons(f)),
+        *((*x, False) for x in _given_up(f)),
         *((*x, False) for x in _locks(f)),
         *((*x, False) for x in _points(f)),
     ):
         out.append(Claim(name, place, expr, physical))
     order = list(CLAIMS)
-    return tuple(sorted(out, key=lambda c: (order.index(c.id), c.place)))
+    return tuple(sorted((c for c in out if _says(c)), key=lambda c: (order.index(c.id), c.place)))
+
+
+def _says(c: Claim) -> bool:
+    """Whether something is claimed: an overlap without a signal before it, say, leaves nothing to be claimed of it.
+
+    A preset is compared with what it has to be when the claim is written, so that one that is long enough leaves T.
+    """
+    return c.expr is not TRUE or c.id == "D-PRESET"
 
 
 def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -135,9 +173,8 @@ def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield "S-HOSTILE", f"diamond {c.id}", _apart(*arms)
     for fj in f.fouls:
         section, beside = f.topo.traversals[fj.section], f.topo.traversals[fj.neighbour]
-        over = shown_over(ground, (t for t in section if any(p == fj.point and x is not fj.leg for p, x in t.points)))
-        near = shown_over(ground, (t for t in beside if fj.when is None or fj.node in (t.entry, t.exit)))
-        yield "S-HOSTILE", f"joint {fj.section}/{fj.neighbour} foul of {fj.point}", _apart(over, near)
+        over, near = shown_over(ground, filter(fj.fouls, section)), shown_over(ground, filter(fj.touches, beside))
+        yield "S-HOSTILE", f"joint {fj.section}/{fj.neighbour} foul of {fj.element}", _apart(over, near)
 
 
 def _who(g: SignalId, shunt: bool) -> str:
@@ -156,14 +193,15 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield "S-LOCKED", who, implies(shows, after(disj(lie(f, p.ways) for p in paths)))
         passing = after(f.sym.passing(signal, shunt))
         if passing is not FALSE:
-            yield "S-PASSING", who, implies(passing, _still_passing(f, signal, shunt))
+            alone = FALSE if f.sym.approach_of[signal] in f.topo.standing else _still_passing(f, signal, shunt)
+            yield "S-PASSING", who, implies(passing, alone)
         if signal in f.sym.stop_lamp:
             opens = conj((shows, neg(f.sym.signal(signal, shunt))))
             yield "S-LAMP", who, implies(opens, var(f.sym.stop_lamp[signal]))
         if signal in f.sym.clear_lamp and not shunt:
             last = f.sym.caution_lamp.get(signal, f.sym.clear_lamp[signal])
             lit = implies(_clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
-            main = disj((after(f.sym.opens(signal)), passing))
+            main = after(disj(map(var, f.sym.main_lamps(signal))))
             yield "S-LAMP", f"{who} proceed", conj((implies(main, var(last)), lit))
         if signal in f.sym.cancelling:
             yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
@@ -172,10 +210,14 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             here = conj((shows, after(lie(f, path.ways))))
             if here is FALSE:
                 continue
-            opened = conj((after(f.sym.opens(signal, shunt)), after(lie(f, path.ways))))
+            opened = conj((after(_open(f, signal, shunt)), after(lie(f, path.ways))))
             yield "S-CLEAR", place, implies(opened, conj(f.clear(t.section) for t in path.kept_clear))
             if f.layout.signal[signal].call_on and not shunt:
-                yield "S-CALL-ON", place, implies(conj((after(f.sym.called(signal)), here)), _may_call_on(f, path))
+                yield (
+                    "S-CALL-ON",
+                    place,
+                    implies(conj((after(var(f.sym.call_aspect[signal])), here)), _may_call_on(f, path)),
+                )
             yield (
                 "S-DETECTED",
                 place,
@@ -196,7 +238,7 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             permitted = path_speed(f.layout, path.ways)
             faster = [n for (g, v), n in f.sym.speed_shown.items() if g == signal and v > (permitted or v)]
             if faster and not shunt:
-                yield "S-SPEED", place, implies(here, neg(after(disj(map(f.system.output, faster)))))
+                yield "S-SPEED", place, implies(here, neg(after(disj(map(var, faster)))))
             machines = (f.layout.point[p].machine for t in path.ways for p, _ in t.points)
             trailed = [neg(var(f.sym.trailed[m])) for m in dict.fromkeys(machines) if m in f.sym.trailed]
             if trailed:
@@ -239,7 +281,7 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             if boundary is not None and boundary.approach is not None and not shunt:
                 needed.append(f.clear(boundary.approach))
             for fj in f.fouls:
-                if any(p == fj.point and x is not fj.leg for t in path.ways for p, x in t.points):
+                if any(map(fj.fouls, path.ways)):
                     needed.append(_not_foul(f, fj))
             if needed:
                 yield "S-CONDITION", place, implies(here, conj(needed))
@@ -256,9 +298,16 @@ def _still_passing(f: Facts, g: SignalId, shunt: bool) -> Expr:
     return conj([f.sym.signal(g, shunt), *occupied, neg(second)])
 
 
+def _open(f: Facts, g: SignalId, shunt: bool = False) -> Expr:
+    """The lamps show proceed to a movement before the signal: not by calling a train on, nor for one that already
+    passes it (which is the controller's own word; S-PASSING says when it may be given)."""
+    lamps = f.sym.proceed_lamps(g, True) if shunt else f.sym.main_lamps(g)
+    return conj((disj(map(var, lamps)), neg(f.sym.passing(g, shunt))))
+
+
 def _clear_aspect(f: Facts, g: SignalId) -> Expr:
     """The signal will show clear, not caution."""
-    return f.system.after(f.system.output(f.sym.clear_aspect[g])) if g in f.sym.clear_aspect else FALSE
+    return f.system.after(var(f.sym.clear_aspect[g])) if g in f.sym.clear_aspect else FALSE
 
 
 def _allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
@@ -272,14 +321,87 @@ def _allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
     turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
     if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
         return FALSE
-    return f.system.after(f.sym.opens(exit_))
+    return f.system.after(_open(f, exit_))
 
 
 def _may_call_on(f: Facts, path: SignalPath) -> Expr:
     """A train may be called on over a path: R2."""
-    stop = f.system.after(f.system.output(f.sym.stop_aspect[path.signal]))
+    stop = f.system.after(var(f.sym.stop_aspect[path.signal]))
     standing = [t.section for i, t in enumerate(path.ways) if i == 0 or t.section in f.topo.berths]
     return conj([stop, *map(f.clear, standing)])
+
+
+def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """`fresh` is the controller's own bit; what it may mean is claimed too."""
+    after, valid = f.system.after, var(f.sym.valid)
+    for x, fresh in f.sym.fresh.items():
+        yield "S-REQUEST", x, iff(after(var(fresh)), conj((valid, eq(x, 0))))
+        yield "S-REQUEST", f"{x} seen", iff(after(var(f.sym.seen[x])), neg(after(var(fresh))))
+    for r in f.sym.routes:
+        new = conj((after(var(r.active)), neg(var(r.active))))
+        switch = [var(f.sym.automatic[r.number])] if r.number in f.sym.automatic else []
+        yield "S-REQUEST", r.id, implies(new, disj((f.sym.asked(r.number), *switch)))
+
+
+def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """R6, way by way, in the scan in which it is locked."""
+    for (s, n), name in f.sym.lock.items():
+        new = conj((f.system.after(var(name)), neg(var(name))))
+        blocked = [neg(var(f.sym.blocked[s]))] if s in f.sym.blocked else []
+        occupied = any(r.call_on or r.berth == (s, n) for r in f.sym.routes_over.get((s, n), ()))
+        free = [] if occupied else [neg(f.locked(s)), *([f.clear(s)] if s in f.sym.clear else [])]
+        yield "S-SET", f"{s} {n}", implies(new, conj((var(f.sym.valid), *blocked, *free)))
+
+
+def _reasons(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """R8, R9, R16: why the locks of a section end.  `used` and `cancelling` are the controller's own bits."""
+    after = f.system.after
+    waits_for = f.system.waits_for
+    for s in f.topo.sections:
+        by_hand = var(f.sym.release[s])
+        freed = conj((f.restart(s), neg(after(f.restart(s)))))
+        yield "L-REASON", f"{s} after a restart", implies(freed, disj((by_hand, var(f.sym.release_all), f.passed(s))))
+        reasons = [f.used(s), by_hand]
+        for j in f.topo.ends[s]:
+            g = f.topo.signal_into.get((j, s))
+            rear = f.topo.beyond(s, j)
+            if g is not None:
+                reasons.append(var(f.sym.cancelling[SignalId(str(g))]))
+            if rear is not None and (j, s) not in f.topo.main_into:
+                leads = f.locked_out(rear, j)  # past a shunt signal only for a train
+                reasons.append(conj((f.locked_in(s, j), neg(conj((leads, f.train(rear))) if g is not None else leads))))
+        ended = conj((f.any_lock(s), neg(after(f.any_lock(s)))))
+        yield "L-REASON", s, implies(ended, disj(reasons))
+        timer = f.sym.release_timer[s]
+        yield "L-CLEAR", s, implies(disj((freed, ended)), var(timer))
+        yield "L-CLEAR", f"{s} timed", implies(var(waits_for[timer]), conj((var(f.sym.valid), f.clear(s))))
+
+
+def _coming(f: Facts, x: Approach) -> Expr:
+    """A train may be on its way from there."""
+    if x.section is None or x.unseen:
+        return TRUE
+    ways = ((f.sym.lock.get((x.section, n)), y) for n, y in x.further)
+    return disj((neg(f.clear(x.section)), *(conj((var(name), _coming(f, y))) for name, y in ways if name is not None)))
+
+
+def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """R8: comprehensive approach locking, over what is `measured`."""
+    after = f.system.after
+    for g, routes in f.sym.routes_from.items():
+        signal = f.layout.signal[g]
+        first = f.layout.section_of(signal.into)
+        from_g = f.locked_in(first, signal.node)
+        shown = disj(var(r.shown) for r in routes)
+        given_up = conj((from_g, neg(after(from_g)), neg(f.used(first)), shown))
+        long = f"long.stop.{g}"
+        stands = after(var(long)) if long in f.system.plant.clocks else FALSE
+        nobody = neg(_coming(f, f.system.measured.approaches[g]))
+        yield "L-APPROACH", g, implies(given_up, disj((nobody, stands)))
+        for r in routes:
+            set_, seen = after(var(r.active)), after(var(r.shown))
+            stays = disj((after(var(r.proceed)), conj((var(r.shown), set_))))
+            yield "L-APPROACH", f"{r.id} shown", implies(stays, seen)
 
 
 def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -292,7 +414,7 @@ def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for d in f.layout.distants:
-        shown = f.system.after(f.system.output(f.sym.distant_clear[d.id]))
+        shown = f.system.after(var(f.sym.distant_clear[d.id]))
         yield "S-ASPECT", d.id, implies(shown, _clear_aspect(f, d.of))
 
 
@@ -367,7 +489,9 @@ def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for m in f.layout.machines:
         secs = f.layout.sections_of_machine[m]
         changes = disj(
-            conj((neg(var(f.sym.command[m, x])), after(var(f.sym.command[m, x])), neg(stays(m, x)))) for x in Position
+            conj((neg(var(f.sym.command[m, x])), after(var(f.sym.command[m, x])), neg(stays(m, x))))
+            for x in Position
+            if m not in f.layout.device or x is Position.NORMAL
         )
         free = conj(
             [

@@ -9,12 +9,13 @@ from typing import Any, Protocol
 
 from interlock.logic.controller import Symbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
-from interlock.logic.plant import Plant, overrunning
-from interlock.model.elements import EdgeId, NodeId, SectionId, SignalId, Zone
+from interlock.logic.plant import Plant, lies, old_command, overrunning
+from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, SignalId, Zone
 from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
 from interlock.model.measured import Beyond, Measured
 from interlock.model.traversal import Topology, Traversal
+from interlock.proof.clocks import Tie
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +49,17 @@ class SystemView(Protocol):
     topo: Topology
     symbols: Symbols
     plant: Plant
+    ties: tuple[Tie, ...]
+
+    @property
+    def waits_for(self) -> Mapping[str, str]:
+        """What each timer waits for."""
+        ...
+
+    @property
+    def presets(self) -> Mapping[str, int]:
+        """The preset of every timer, in milliseconds."""
+        ...
 
     def after(self, x: Expr) -> Expr:
         """The expression one step later."""
@@ -59,10 +71,6 @@ class SystemView(Protocol):
 
     def called_in(self, s: SectionId, j: NodeId) -> Expr:
         """A section is locked for a train that comes in at j and has not come yet."""
-        ...
-
-    def output(self, name: str) -> Expr:
-        """An output of the controller, by name."""
         ...
 
 
@@ -166,6 +174,10 @@ class Facts:
         """Entry and exit of a way."""
         t = self.topo.traversals[SectionId(s)][n - 1]
         return t.entry, t.exit
+
+    def settled(self, m: MachineId, x: Position) -> Expr:
+        """The machine lies so, and no drive the other way can still reach it."""
+        return conj((lies(m, x), neg(old_command(m, x.other))))
 
     def locked_in(self, s: str, j: str) -> Expr:
         """Locked for a way in at j."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
-from interlock.logic.plant import accepted, across, came, lamp, lies, o, old_command, overran, rests, running, shunting
+from interlock.logic.plant import accepted, across, came, image, lamp, o, overran, rests, running, shunting
 from interlock.model.elements import NodeId, SectionId, SignalId
 from interlock.proof.invariants.kinds import Facts, Invariant
 
@@ -93,7 +93,7 @@ def _option(f: Facts, option: tuple[SignalId, int], held: Expr) -> list[Invarian
             out.append(Invariant("O-TRAIN", f"{place}:{s}", implies(held, neg(shunt))))
         for m, p in f.sym.demands[s, n]:
             out.append(Invariant(f"O-COMMAND:{m}", f"{place}:{s}", implies(held, var(f.sym.command[m, p]))))
-            sure = implies(conj((held, firm)), conj((lies(m, p), old_command(m, p))))
+            sure = implies(conj((held, firm)), f.settled(m, p))
             out.append(Invariant(f"O-LIES:{m}", f"{place}:{s}", sure))
         for other, whole, numbers in f.sym.excluded[s, n]:
             bad = against_of(f, other, whole, numbers)
@@ -120,7 +120,17 @@ def firm_for(f: Facts, option: tuple[SignalId, int]) -> Expr:
     if g not in f.sym.swings:
         return firm
     wanted = [d for way in f.sym.overlap_ways[option] for d in f.sym.demands[way]]
-    return disj((firm, conj((var(f.sym.swings[g]), *(x for m, p in wanted for x in (lies(m, p), old_command(m, p)))))))
+    return disj((firm, conj((var(f.sym.swings[g]), *(f.settled(m, p) for m, p in wanted)))))
+
+
+def turned(f: Facts, option: tuple[SignalId, int]) -> Expr:
+    """Every machine of an alternative to which an overlap swings lies, or still turns to it since before a train was
+    reported before the signal."""
+    g = option[0]
+    wanted = [d for way in f.sym.overlap_ways[option] for d in f.sym.demands[way]]
+    turns = [(m, p, f"turns.{g}.{m}") for m, p in wanted]
+    known = f.system.plant.state
+    return conj(disj((f.settled(m, p), var(t))) if t in known else f.settled(m, p) for m, p, t in turns)
 
 
 def running_into(f: Facts, g: SignalId, s: SectionId) -> Expr:
@@ -167,6 +177,10 @@ def _signal(f: Facts, g: SignalId) -> list[Invariant]:
     ]
     ready = disj(conj((held, empty)) for held, empty in options)
     out = apart
+    for option, name in f.sym.overlap.items() if swings is not FALSE else ():
+        if option[0] == g:
+            close = conj((swings, var(name), o(b), neg(rests(b)), image(b), running(b)))
+            out.append(Invariant(f"O-TURNS:{option[1]}", g, implies(close, turned(f, option))))
     for n, _ in f.locks(b):
         if f.way(b, n)[1] != node:
             continue

@@ -9,9 +9,22 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.controller import RouteSymbols
-from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
-from interlock.logic.plant import accepted, across, came, image, lamp, lies, o, old_command, overran, rests, shunting
-from interlock.model.elements import Position, SectionId, SignalId
+from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
+from interlock.logic.plant import (
+    accepted,
+    across,
+    came,
+    image,
+    lamp,
+    lies,
+    o,
+    old_command,
+    overran,
+    rests,
+    shunting,
+    was_called,
+)
+from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.proof.invariants.block import token_invariants
 from interlock.proof.invariants.kinds import Facts, Invariant
 from interlock.proof.invariants.overlaps import against_of, overlap_invariants, overrun, running_into
@@ -30,19 +43,23 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
         out += [Invariant(i, f"{joint}:{here}>{there}", x) for i, x in _crossing_joint(f, joint, here, there)]
     for g in f.layout.signals:
         for k in f.functions(g.id):
+            lit = iff(f.sym.signal(g.id, k), f.sym.opened(g.id, k))
+            out.append(Invariant("G-SHUNT-LIT" if k else "G-LIT", g.id, lit))
             out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id, k)]
+        if g.id in f.sym.stop_aspect:
+            lamps = [*f.sym.main_lamps(g.id), *f.sym.proceed_lamps(g.id, shunt=True)]
+            out.append(Invariant("G-STOP", g.id, iff(var(f.sym.stop_aspect[g.id]), neg(disj(map(var, lamps))))))
         routes = f.sym.routes_from.get(g.id, ())
         if g.call_on or any(r.overlap is not None and r.overlap[0] in f.sym.swings for r in routes):
             one = at_most_one(var(r.active) for r in routes)  # they lock the same ways
             out.append(Invariant("G-ONE", g.id, one))
+    out += [Invariant("C-COVERED", t.timer.name, var(t.covered)) for t in f.system.ties]
     out += overlap_invariants(f)
     out += token_invariants(f)
     for s in sorted({s for z in f.layout.zones for s in z.sections}):
         inside = conj((o(s), neg(rests(s)), neg(disj(_coming(f, s)))))
         if f"img.{s}" in f.system.plant.state:
             out.append(Invariant("Z-SEEN", s, implies(inside, image(s))))
-    if f.sym.ring:
-        out.append(Invariant("Q-RING", "requests", at_most_one(var(n) for n in f.sym.ring)))
     for r in f.sym.routes:
         out += [Invariant(i, r.id, x) for i, x in _route(f, r)]
     for m in f.layout.machines:
@@ -59,6 +76,9 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
                 ),
             )
         )
+        same = implies if m in f.sym.turn else iff
+        driven = conj(same(var(f.sym.drive[m, x]), var(f.sym.command[m, x])) for x in Position)
+        out.append(Invariant("P-DRIVEN", m, driven))
     return tuple(out)
 
 
@@ -117,15 +137,21 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
             yield f"S-UNUSED:{n}", neg(x)  # the way serves overlaps only
         for m, p in f.sym.demands[s, n]:
             yield f"S-COMMAND:{n}:{m}", implies(x, var(f.sym.command[m, p]))
-            yield f"S-LIES:{n}:{m}", implies(conj((x, f.firm(s))), conj((lies(m, p), old_command(m, p))))
+            yield f"S-LIES:{n}:{m}", implies(conj((x, f.firm(s))), f.settled(m, p))
         for other, whole, numbers in f.sym.excluded[s, n]:
             against = against_of(f, other, whole, numbers)
             yield f"S-EXCLUDES:{n}:{other}", implies(x, neg(against))
         train = f.train(s) if f.berth(s) else TRUE
         yield f"S-PASSED-BEEN:{n}", implies(conj((x, train, f.passed(s))), f.been(s))
+    if f"called.{s}" in f.system.plant.state:
+        closed = conj(f.settled(MachineId(d.id), Position.REVERSE) for d in f.layout.devices if s in d.over)
+        yield "S-CALLED", implies(was_called(s), conj((o(s), implies(rests(s), conj((f.restart(s), closed))))))
     for m in f.layout.machines:
         if s in f.layout.sections_of_machine[m]:
-            quiet = [implies(x, lies(m, p)) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))]
+            told = [(p, x) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))]
+            quiet = [implies(x, lies(m, p)) for p, x in told]
+            if m in f.layout.device:  # it may be closed, and nothing opens it
+                quiet = [neg(x) for p, x in told if p is Position.NORMAL]
             yield f"S-QUIET:{m}", implies(f.restart(s), conj(quiet))
 
 
@@ -218,6 +244,8 @@ def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, 
 
 def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Expr]]:
     """A train stands across a joint, from s to t (t may be outside, s may be an approach section)."""
+    if t and s in f.sym.restart and not f.berth(t):
+        yield "X-ASTRIDE", implies(conj((across(j, s), f.restart(t))), f.restart(s))
     yield "X-BOTH", implies(across(j, s), conj((o(s), conj((o(t), came(t, j))) if t else o(s))))
     if SectionId(s) in f.topo.ends:
         heading = disj(
@@ -303,12 +331,31 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     yield f"{mark}-TRAIN", implies(went, conj(standing))
     if f"img.{rear}" in f.system.plant.state:
         yield f"{mark}-REPORTED", implies(went, image(rear))
+    if rear in f.sym.restart:
+        yield f"{mark}-REAR", _from_rear(f, j, SectionId(rear), disj((shown, went)))
     routes = f.sym.routes_from.get(SignalId(g), [])
     active = disj(var(r.active) for r in routes)
     seen = disj(var(r.shown) for r in routes)
     yield f"{mark}-MEMORY", implies(conj((active, disj((went, lamp(g, shunt))))), seen)
     if routes:
         yield f"{mark}-CANCEL", implies(var(f.sym.cancelling[g]), neg(f.sym.signal(g, shunt)))
+
+
+def _from_rear(f: Facts, joint: str, rear: SectionId, called: Expr) -> Expr:
+    """A train is called from a section that is still locked since the restart only if it has no points, and its
+    crossings and bridges are closed, and stay so while the train leaves it, and nothing stands across its rear end."""
+    out = []
+    if any(t.points or t.crossings for t in f.topo.traversals[rear]):
+        out.append(implies(called, neg(f.restart(rear))))
+    stood = conj((f.restart(rear), called))
+    for d in f.layout.devices:
+        if rear in d.over:
+            out.append(implies(stood, f.settled(MachineId(d.id), Position.REVERSE)))
+    if not f.berth(rear):
+        behind = [across(k, t) for k in f.topo.ends[rear] if k != joint and (t := f.topo.beyond(rear, k)) is not None]
+        foul = [conj((f.restart(x.section), o(x.section))) for x in f.fouls if x.neighbour == rear]
+        out.append(implies(stood, neg(disj((*behind, *foul)))))
+    return conj(out)
 
 
 def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:

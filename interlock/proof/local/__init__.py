@@ -1,6 +1,6 @@
 """Proof by small obligations: one goal, the few facts that it needs, proved once for each shape.
 
-`facts` says what may be used, `lemmas` what is said once for many goals, `shapes` how equal obligations are told,
+`facts` says what may be used, `shapes` how equal obligations are told,
 `engine` how a goal is decided, `refute` how a shape gets its refutation, `bundle` what is written for
 `interlock verify`.
 """

@@ -1,6 +1,6 @@
 """What is written for `interlock verify`: the system, the proof, and a manifest that ties them to every file.
 
-system.txt   definitions, assumptions, initial condition, invariants, lemmas, claims with their sentences, one a line
+system.txt   definitions, assumptions, timers, initial condition, invariants, claims with their sentences, one a line
 proof.txt    the shapes with their refutations, then for every goal its shape and facts; compressed (.xz)
 needed.txt   which term of the controller each claim rests on
 manifest.json   SHA-256 of both, of the layout file and of every emitted file, and of the manifest itself
@@ -60,15 +60,12 @@ def _system(base: FactBase) -> Iterator[str]:
         yield f"def {name} {text(x)}"
     for a in system.assumptions:
         yield f"asm {a.id} {text(a.expr)}"
+    for t in system.controller.timers:
+        yield f"timer {t.name} {t.input} {t.preset_ms}"
     for name, size in system.sizes.items():
         yield f"val {name} {size}"
-    first, more = base.lemmas
-    for lemma in first:
-        yield f"lemma {text(lemma.clause)}"
     for i in base.invariants:
         yield f"inv {_word(i.id)} {_word(i.place)} {text(i.expr)}"
-    for lemma in more:
-        yield f"lemma {text(lemma.clause)}"
     for c in base.claims:
         yield f"claim {c.id} {_word(c.place)} {text(c.expr)}"
     if base.start is not None:

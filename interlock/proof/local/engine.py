@@ -1,7 +1,7 @@
 """Decide every goal: as an instance of a known shape, or by a SAT solver that names the facts it needed.
 
 The facts stand in one solver, each behind a switch; a goal is asked with switches on, and the switches in the core name
-the facts.  What is the least far from the goal is asked first: lemmas, then what else was proved of the step, then
+the facts.  What is the least far from the goal is asked first: what was proved of the step, then
 definitions and assumptions, and all.  Facts that are not needed are taken out one by one, and the shape gets its
 refutation.  A goal of the step that is proved is a fact from then on.
 """
@@ -48,7 +48,6 @@ class LocalProof:
 
 
 TIERS = (
-    frozenset({Kind.LEMMA}),
     frozenset({Kind.DONE}),
     frozenset({Kind.DEFINITION, Kind.ASSUMPTION, Kind.VALUES}),
     frozenset({Kind.INVARIANT, Kind.INITIAL}),

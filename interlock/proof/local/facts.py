@@ -21,7 +21,6 @@ from enum import StrEnum
 
 from interlock.logic.expr import AND, NOT, OR, TRUE, Expr, disj, eq, implies, neg, var
 from interlock.proof.invariants import Claim, Invariant
-from interlock.proof.local.lemmas import Chains, before, shown
 from interlock.proof.system import System
 
 
@@ -64,7 +63,6 @@ class Kind(StrEnum):
     INVARIANT = "inv"
     INITIAL = "ini"
     VALUES = "val"
-    LEMMA = "lemma"
     DONE = "done"
 
 
@@ -90,11 +88,10 @@ def _sort(name: str) -> str:
 
 
 class GoalKind(StrEnum):
-    """What a goal is part of: the base case, the step, a lemma, a claim, or the claim about the restart."""
+    """What a goal is part of: the base case, the step, a claim, or the claim about the restart."""
 
     BASE = "base"
     STEP = "step"
-    LEMMA = "lemma"
     CLAIM = "claim"
     START = "start"
 
@@ -121,14 +118,11 @@ class Goal:
     @property
     def fact(self) -> Fact:
         """What it is for the goals after it."""
-        return Fact(Kind.LEMMA if self.kind is GoalKind.LEMMA else Kind.DONE, self.source, self.clause)
+        return Fact(Kind.DONE, self.source, self.clause)
 
 
 class FactBase:
-    """All facts and goals of a system, its invariants and claims.
-
-    lemmas: what is proved before the invariants' steps, and what between them and the claims.
-    """
+    """All facts and goals of a system, its invariants and claims."""
 
     def __init__(
         self, system: System, invariants: Sequence[Invariant], claims: Sequence[Claim], start: Expr | None = None
@@ -152,26 +146,16 @@ class FactBase:
                 ]
         self.initial = [Fact(Kind.INITIAL, "", c) for x in system.initial_parts for c in split(x)]
         self._next = [[system.after(c) for c in those] for those in self._parts]
-        known = Chains()
-        known.learn(f.clause for f in self.steps)
-        first = before(system, known)
-        known.learn(c for those in self._next for c in those)
-        self.lemmas = first, shown(system, known, [c.expr for c in self.claims])
 
     def goals(self) -> Iterator[Goal]:
-        """Every goal: the base of each invariant; lemmas, the step of each invariant, more lemmas, and each claim, in
-        the order in which they may rest on each other; the restart."""
+        """Every goal: the base of each invariant, the step of each invariant, and each claim, in the order in which
+        they may rest on each other; the restart."""
         for n, those in enumerate(self._parts):
             for c in those:
                 yield Goal(GoalKind.BASE, n, c, self.invariants[n].id)
-        first, more = self.lemmas
-        for n, lemma in enumerate(first):
-            yield Goal(GoalKind.LEMMA, n, lemma.clause, _sort(lemma.source))
         for n, those in enumerate(self._next):
             for c in those:
                 yield Goal(GoalKind.STEP, n, c, self.invariants[n].id)
-        for n, lemma in enumerate(more):
-            yield Goal(GoalKind.LEMMA, n, lemma.clause, _sort(lemma.source))
         for n, claim in enumerate(self.claims):
             for c in split(claim.expr):
                 yield Goal(GoalKind.CLAIM, n, c, claim.id)

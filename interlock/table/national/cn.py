@@ -294,7 +294,7 @@ class _Form:
         foul = list(r.foul)
         for cell in r.sections:
             out.append(cell.section)
-            for f in [f for f in foul if self.layout.section_of(self.layout.point[f.point].toe) == cell.section]:
+            for f in [f for f in foul if f.of == cell.section]:
                 foul.remove(f)
                 if f.when is None:
                     out.append(f.section)

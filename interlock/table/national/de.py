@@ -111,7 +111,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             ", ".join(
                 f"{p.machine} {layout.word(p.machine, p.position)}" for p in r.points if x.is_derailer(p.machine)
             ),
-            f"{r.approach.section or 'immer'}, {r.approach.delay_s:g} s",
+            f"{', '.join(r.approach.sections) or 'immer'}, {r.approach.delay_s:g} s",
             ", ".join(h.route for h in r.hostile),
             ", ".join([*r.requirements, *([f"{r.speed.kmh} km/h"] if r.speed.kmh is not None else [])]),
         )

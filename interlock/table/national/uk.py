@@ -67,7 +67,7 @@ def route_table(layout: Layout, table: InterlockingTable) -> Sheet:
 
 def _route(x: Reading, names: dict[RouteId, str], r: RouteRow) -> tuple[str, ...]:
     seconds = x.layout.principles.overlap_release_s
-    rear = r.approach.section
+    rear = ", ".join(r.approach.sections)
     remarks = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
     remarks += [f"{p.machine} {x.layout.word(p.machine, p.position)}" for p in r.points if x.is_derailer(p.machine)]
     remarks += [*r.requirements] + [f"{b.section} clear (line)" for b in r.block]
@@ -93,8 +93,8 @@ def _route(x: Reading, names: dict[RouteId, str], r: RouteRow) -> tuple[str, ...
         ", ".join(x.sections(r)),
         ", ".join(s for s, _ in r.overlap.ways) if r.overlap else "",
         f"{r.traversals[-1][0]} occupied {seconds:g} s" if r.overlap else "",
-        f"when cleared, {rear} occupied" if rear is not None else "when cleared",
-        f"{rear} clear, or {r.approach.delay_s:g} s" if rear is not None else f"{r.approach.delay_s:g} s",
+        f"when cleared, {rear} occupied" if rear else "when cleared",
+        f"{rear} clear, or {r.approach.delay_s:g} s" if rear else f"{r.approach.delay_s:g} s",
         "; ".join(remarks),
     )
 

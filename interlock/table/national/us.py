@@ -52,7 +52,7 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
                 x.derailers(r),
                 ", ".join(signals),
                 ", ".join(x.sections(r)),
-                r.approach.section or "",
+                ", ".join(r.approach.sections),
                 f"{r.approach.delay_s:g}",
                 ", ".join(b.section for b in r.block) if r.exit_kind is ExitKind.BOUNDARY else "",
                 "; ".join(remarks),

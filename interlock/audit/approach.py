@@ -1,0 +1,69 @@
+"""From where a train may come to a signal, found again edge by edge (R8)."""
+
+from __future__ import annotations
+
+from interlock.model.elements import BoundaryKind, EdgeId, NodeId, SectionId, SignalId
+from interlock.model.layout import Layout
+from interlock.model.principles import Caution
+
+
+def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] | None:
+    """The sections of the approach; None where the signal is always approach locked."""
+    g, rules = layout.signal[signal], layout.principles
+    found: set[SectionId] = set()
+    announces = g.main and rules.caution is not Caution.NEVER
+
+    def stops(section: SectionId) -> float:
+        """Metres in which a train stands that runs as fast as it may here."""
+        row = layout.section.get(section)
+        kmh = float(row.speed) if row is not None and row.speed is not None else rules.line_speed_kmh
+        v = (kmh if g.main else min(kmh, rules.shunt_speed_kmh)) / 3.6
+        return v * (rules.output_delay_s + rules.reaction_s) + v**2 / (2 * rules.braking_ms2)
+
+    def back(edge: EdgeId, node: NodeId, run: float, stop: float, told: bool, been: frozenset[SectionId]) -> None:
+        """Away from the signal over an edge that ends at `node`: no train comes to it against a one-way track."""
+        e = layout.edge[edge]
+        if e.one_way and e.b != node:
+            return
+        found.add(e.section)
+        stop = max(stop, stops(e.section))
+        at, run = layout.far(edge, node), run + e.length
+        boundary = layout.boundary_at.get(at)
+        onward = _onward(layout, edge, at)
+        leaves = boundary is not None or any(layout.section_of(x) != e.section for x in onward)
+        if leaves:
+            told = told or any(s.node == at and s.into == edge and s.main for s in layout.signals)
+            if told and run >= stop:
+                return
+        if boundary is not None:
+            if boundary.approach is not None and boundary.kind is not BoundaryKind.OUT:
+                found.add(boundary.approach)
+            return
+        for x in onward:
+            s = layout.section_of(x)
+            if s == e.section or s not in been:
+                back(x, at, run, stop, told, been | {s})
+
+    boundary = layout.boundary_at.get(g.node)
+    if boundary is not None:
+        if boundary.approach is None or boundary.approach_m < stops(boundary.approach):
+            return None
+        return frozenset({boundary.approach})
+    first = layout.section_of(g.into)
+    behind = [e.id for e in layout.edges_at[g.node] if e.id != g.into]
+    if not behind:
+        return None
+    for edge in behind:
+        found.add(layout.section_of(edge))
+        back(edge, g.node, 0.0, 0.0, not announces, frozenset({first, layout.section_of(edge)}))
+    return frozenset(found)
+
+
+def _onward(layout: Layout, edge: EdgeId, node: NodeId) -> list[EdgeId]:
+    """The edges over which a train can have come to `node` that goes on over `edge`."""
+    point, crossing = layout.point_at.get(node), layout.crossing_at.get(node)
+    if point is not None:
+        return [point.toe] if edge in (point.normal, point.reverse) else [point.normal, point.reverse]
+    if crossing is not None:
+        return [b if edge == a else a for a, b in crossing.arms if edge in (a, b)]
+    return [x.id for x in layout.edges_at[node] if x.id != edge]

@@ -1,0 +1,45 @@
+"""Delays that are shorter than the world needs, overlaps that cannot swing in time (R4, R8, R16).  IL3023, IL3024."""
+
+from __future__ import annotations
+
+from interlock.frontend.context import Context
+from interlock.model.layout import Layout
+from interlock.model.needs import needs
+
+
+def check_delays(ctx: Context, layout: Layout) -> None:
+    """Compare what the principles order with what speeds, braking and reaction need; the claim D-PRESET does it too."""
+    rules, least = layout.principles, needs(layout)
+    why = f"{rules.output_delay_s:g} s until stop is seen, {rules.reaction_s:g} s of reaction, and braking"
+    trains = [least.stop[g.id] for g in layout.signals if g.main]
+    shunts = [least.shunt for g in layout.signals if g.shunt][:1]
+    overlapped = [least.stand[o.signal] for o in layout.overlaps if o.length]
+    tokens = [least.agreed for b in layout.boundaries if b.block == "token"]
+    ordered = (
+        ("approach_release_s", trains, f"until a train that saw proceed stands or has passed: {why}"),
+        ("shunt_release_s", shunts, f"until a shunting movement that saw proceed stands or has passed: {why}"),
+        ("overlap_release_s", overlapped, f"until a train before the signal stands: {why}"),
+        ("restart_delay_s", [least.restart], f"until whatever ran at a power cut stands at a signal at stop: {why}"),
+        ("point_supervision_s", [least.run] if layout.points else [], "for a machine to run"),
+        ("token_delay_s", tokens, "as agreed with the neighbour"),
+    )
+    for name, found, words in ordered:
+        own = float(getattr(rules, name))
+        need = max(found, default=0)
+        if round(own * 1000) < need:
+            at = ("principles", name) if getattr(ctx.file.principles, name) is not None else ("name",)
+            ctx.add(
+                "IL3023",
+                f"{name} is {own:g} s, and {need / 1000:.1f} s are needed {words}",
+                ctx.at_key(*at),
+                f"state `principles: {{{name}: {-(-need // 1000)}}}`, or the lower speeds that are run there",
+            )
+    for o in layout.overlaps:
+        if o.swing and o.signal not in least.swings:
+            ctx.add(
+                "IL3024",
+                f"the overlap of {o.signal} cannot swing: a train runs through the section before the signal in less "
+                f"than the {rules.output_delay_s + rules.point_supervision_s:g} s for which its points may turn",
+                ctx.at_key("overlaps", o.signal),
+                "give up `swing`, lower the `speed` of that section, or shorten `point_supervision_s`",
+            )

@@ -1,0 +1,23 @@
+"""Tell the author which road is no berth because something lies over it (R2).  IL3025."""
+
+from __future__ import annotations
+
+from interlock.frontend.context import Context
+from interlock.model.layout import Layout
+from interlock.model.traversal import topology
+
+
+def check_standing(ctx: Context, layout: Layout) -> None:
+    """Report each road in which vehicles could stand, were there no door, bridge or level crossing over it."""
+    topo = topology(layout)
+    for d in layout.devices:
+        kind = "level_crossings" if d.id in ctx.file.level_crossings else "interlocks"
+        for s in d.over:
+            if s in topo.standing - topo.berths:
+                ctx.add(
+                    "IL3025",
+                    f"{s} is no berth: {d.id} lies over it",
+                    ctx.at_key(kind, str(d.id)),
+                    f"shunting movements need {s} clear; give the part under {d.id} a section of its own "
+                    f"if vehicles shall stand beside it",
+                )

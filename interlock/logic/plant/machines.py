@@ -1,0 +1,59 @@
+"""Point machines and devices: they start when they are driven away, arrive when they are driven there (A-POINT)."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from interlock.logic.expr import TRUE, Expr, at_most_one, conj, disj, neg
+from interlock.logic.plant.kinds import Plant, Wiring
+from interlock.logic.plant.words import lies, old_command
+from interlock.model.elements import Position
+from interlock.model.layout import Layout
+from interlock.model.traversal import Topology
+
+
+class Making(Protocol):
+    """What this part needs of the plant in the making."""
+
+    layout: Layout
+    topo: Topology
+    w: Wiring
+    p: Plant
+    dropped: frozenset[str]
+
+    def choice(self, name: str, text: str) -> Expr:
+        """A free choice of the world."""
+        ...
+
+
+def machines(b: Making) -> None:
+    """State, events and next states of every machine."""
+    for m in b.layout.machines:
+        starts = {}
+        for x in Position:
+            b.p.state[f"at.{m}.{x}"] = f"machine {m} lies {b.layout.word(m, x)}"
+            b.p.state[f"cmd.{m}.{x}"] = f"machine {m} was commanded {b.layout.word(m, x)}"
+            b.p.next[f"cmd.{m}.{x}"] = b.w.command[m, x]
+            away = disj((b.w.command[m, x.other], old_command(m, x.other)))
+            if "A-POINT" in b.dropped:
+                away = TRUE
+            starts[x] = conj(
+                (
+                    lies(m, x),
+                    away,
+                    b.choice(f"?start.{m}.{x}", f"{m} starts to leave its position: {b.layout.word(m, x)}"),
+                )
+            )
+            b.p.events[f"start.{m}.{x}"] = starts[x]
+        moving = conj(neg(lies(m, x)) for x in Position)
+        for x in Position:
+            may = disj((b.w.command[m, x], old_command(m, x)))
+            if m in b.layout.by_hand:
+                may = TRUE  # whoever has the key turns it as he likes, once it is released
+            arrives = conj((moving, may, b.choice(f"?arrive.{m}.{x}", f"{m} arrives: {b.layout.word(m, x)}")))
+            # both commands may be pending in one step: normal wins, so that it never lies both ways
+            if x is Position.REVERSE:
+                arrives = conj((arrives, neg(b.p.events[f"arrive.{m}.N"])))
+            b.p.events[f"arrive.{m}.{x}"] = arrives
+            b.p.next[f"at.{m}.{x}"] = disj((conj((lies(m, x), neg(starts[x]))), arrives))
+        b.p.initial.append(at_most_one(lies(m, x) for x in Position))

@@ -1,0 +1,101 @@
+"""The times that the world needs, in milliseconds: what the presets of the controller's timers are compared with.
+
+A train that saw proceed when a signal went to stop has stood still or passed the signal after the output's delay, the
+driver's reaction and the time of a brake application from the highest speed there: v / b.  That holds whether it stops
+in rear of the signal or not, so it needs no length (R8).  The same time, counted from when a train is wholly in the
+section before a signal, brings it to a stand there (R4).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from interlock.model.elements import SectionId, SignalId
+from interlock.model.layout import Layout
+from interlock.model.principles import Principles
+from interlock.model.traversal import Traversal, topology
+
+
+@dataclass(frozen=True, slots=True)
+class Needs:
+    """Least times, in milliseconds.
+
+    stop: by signal, until a train before it has passed it or stands once stop is shown without a break.  shunt: the
+    same for shunting movements, anywhere.  stand: by signal, until a train wholly in the section before it stands.
+    agreed: how long the hand of the special manual change of direction is held, as agreed by telephone.
+    run: the running time of a point machine.  restart: until whatever ran at a power cut stands.  swings: the signals
+    with an overlap that swings of which a train cannot come through the section before them while the points of the
+    overlap turn, which may take until supervision ends.
+    """
+
+    stop: Mapping[SignalId, int]
+    shunt: int
+    stand: Mapping[SignalId, int]
+    agreed: int
+    run: int
+    restart: int
+    swings: frozenset[SignalId]
+
+
+def halt_ms(rules: Principles, kmh: float) -> int:
+    """From the command of stop until a train that runs at so many km/h stands: delay, reaction, braking."""
+    return round(1000 * (rules.output_delay_s + rules.reaction_s + kmh / 3.6 / rules.braking_ms2))
+
+
+def needs(layout: Layout) -> Needs:
+    """The least times of a layout, from its speeds and principles."""
+    rules = layout.principles
+
+    def speed(section: SectionId | None) -> float:
+        stated = layout.section[section].speed if section is not None and section in layout.section else None
+        return rules.line_speed_kmh if stated is None else float(stated)
+
+    before: dict[SignalId, SectionId | None] = {}
+    for g in layout.signals:
+        boundary = layout.boundary_at.get(g.node)
+        rear = [layout.section_of(e.id) for e in layout.edges_at[g.node] if e.id != g.into]
+        before[g.id] = boundary.approach if boundary is not None else (rear[0] if rear else None)
+    at = {g: halt_ms(rules, speed(s)) for g, s in before.items()}
+    return Needs(
+        stop=at,
+        shunt=halt_ms(rules, rules.shunt_speed_kmh),
+        stand=at,
+        agreed=round(1000 * rules.token_agreed_s),
+        run=round(1000 * rules.point_run_s),
+        restart=_restart(layout),
+        swings=frozenset(o.signal for o in layout.overlaps if o.swing and _turns_in_time(layout, o.signal, speed)),
+    )
+
+
+def _restart(layout: Layout) -> int:
+    """Until every train stands that ran at a power cut: all signals show stop, so that it runs to the next one it meets
+    at most, at half the highest speed at least, and brakes there."""
+    rules, topo = layout.principles, topology(layout)
+    known: dict[tuple[SectionId, int], float] = {}
+
+    def to_signal(t: Traversal) -> float:
+        """Metres over a way and on to the next main signal, a boundary, the end of the track, or round a loop."""
+        found = known.get(t.key)
+        if found is None:
+            known[t.key] = 0.0
+            ahead = topo.beyond(t.section, t.exit)
+            on = ahead is not None and (t.exit, ahead) not in topo.main_into
+            further = topo.through(ahead, t.exit) if on and ahead is not None else ()
+            own = sum(layout.edge[e].length for e in t.edges)
+            found = known[t.key] = own + max(map(to_signal, further), default=0.0)
+        return found
+
+    metres = max((to_signal(t) for s in topo.sections for t in topo.traversals[s]), default=0.0)
+    fastest = max([rules.line_speed_kmh, *(float(s.speed) for s in layout.sections if s.speed is not None)])
+    return halt_ms(rules, fastest) + round(1000 * metres / (rules.line_speed_kmh / 3.6 / 2))
+
+
+def _turns_in_time(layout: Layout, g: SignalId, speed: Callable[[SectionId], float]) -> bool:
+    """No train comes through the section before a signal while points that were driven before it came in turn."""
+    rules, signal, topo = layout.principles, layout.signal[g], topology(layout)
+    before = topo.beyond(layout.section_of(signal.into), signal.node)
+    ways = [] if before is None else [t for t in topo.traversals[before] if t.exit == signal.node]
+    metres = min((sum(layout.edge[e].length for e in t.edges) for t in ways), default=0.0)
+    turning = rules.output_delay_s + rules.point_supervision_s
+    return before is not None and metres / (speed(before) / 3.6) >= turning

@@ -1,0 +1,77 @@
+"""How the controller's timers and the clocks of the world go together.
+
+A clock of the world tells that something has held without a break for a time that the world needs (`Plant.clocks`).
+What is assumed of the world speaks of clocks, never of timers.  A timer says something of a clock only if, whenever its
+input was true, what the clock looks at held too (`cov.TIMER`, a history variable, proved to stay true), and if its
+preset is no shorter than the time that the world needs: two durations over the same scans.  Neither is assumed: a timer
+that is started by something else, or is too short, says nothing of the world, and what rests on it is not proved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from interlock.logic.controller import Controller, Timer
+from interlock.logic.expr import Expr, conj, disj, implies, neg, var
+from interlock.logic.plant import Assumption, Plant
+from interlock.model.elements import SignalId
+from interlock.model.needs import Needs
+
+
+@dataclass(frozen=True, slots=True)
+class Tie:
+    """A timer, the world clock for which it stands, and the time that the world needs, in milliseconds."""
+
+    timer: Timer
+    clock: str
+    need: int
+    ordered: int = 0
+
+    @property
+    def covered(self) -> str:
+        """The history variable: since the timer's input rose, what the clock looks at has held."""
+        return f"cov.{self.timer.name}"
+
+    @property
+    def enough(self) -> bool:
+        """The timer is no shorter than the world's need."""
+        return self.timer.preset_ms >= self.need
+
+
+def ties(controller: Controller, plant: Plant, needs: Needs) -> tuple[Tie, ...]:
+    """The timers that stand for a clock of the world."""
+    sym, timers = controller.symbols, {t.name: t for t in controller.timers}
+    found = []
+    for g, name in sym.approach_timer.items():
+        found.append((name, f"stop.{g}", approach_need(controller, needs, g)))
+    found += [(name, f"stand.{g}", needs.stand[g]) for g, name in sym.overlap_timer.items()]
+    found += [(x.timer, f"agreed.{b}", needs.agreed) for b, x in sym.token.items()]
+    return tuple(
+        Tie(timers[name], f"long.{clock}", need)
+        for name, clock, need in found
+        if name in timers and f"long.{clock}" in plant.clocks
+    )
+
+
+def approach_need(controller: Controller, needs: Needs, g: SignalId) -> int:
+    """How long stop must be shown at a signal until nobody passes it any more: trains, if any are sent from there."""
+    kinds = {r.shunt for r in controller.symbols.routes_from.get(g, ())}
+    return max([*([needs.stop[g]] if False in kinds else []), *([needs.shunt] if True in kinds else [])], default=0)
+
+
+def history(those: tuple[Tie, ...], clocks: Mapping[str, Expr]) -> dict[str, Expr]:
+    """Next values of the history variables."""
+    return {t.covered: disj((neg(var(t.timer.input)), conj((clocks[t.clock], var(t.covered))))) for t in those}
+
+
+def arithmetic(those: tuple[Tie, ...], prime: str) -> Iterator[Assumption]:
+    """A timer that has run out, and was covered all the while, has lasted as long as the world needs."""
+    for t in those:
+        if t.enough:
+            yield Assumption(
+                "A-CLOCK",
+                "A timer counts the same time as the world: if it has run for as long as the world needs while "
+                "something held without a break, then that has held for so long.",
+                implies(conj((var(t.timer.name), var(t.covered + prime))), var(t.clock + prime)),
+            )

@@ -1,0 +1,153 @@
+"""The point mutations of a controller: every equation, operand, output, timer and initial value, one change at a time.
+
+Of an equation, and of an output: it is true, false, or negated; each of its operands, however deep, is dropped or
+negated; it changes places with the next one of its family.  Of a timer: its input is true, false, negated, or that of
+the next timer; its preset is one millisecond, or half.  Of the state: each initial value is the other one.  A change
+that leaves an expression what it was is none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+
+from interlock.logic.controller import Controller, Equation, Join, StateVar, Step, Term, Timer
+from interlock.logic.expr import AND, FALSE, NOT, TRUE, Expr, conj, disj, neg, var
+
+
+@dataclass(frozen=True, slots=True)
+class Mutation:
+    """One change.
+
+    family: what kind of value is changed: where it is, and what the names of its kind begin with.  form: how it is
+    changed.  name: what is changed, and how.  make: the controller with the change; it raises MalformedController where
+    the changed controller would read a value before it is computed.
+    """
+
+    family: str
+    form: str
+    name: str
+    make: Callable[[], Controller]
+
+
+def mutations(c: Controller) -> Iterator[Mutation]:
+    """All of them, in the order of the controller."""
+    wires = {s.name: s.expr for s in c.steps if isinstance(s, Equation)}
+    for where, those in (("", wires), ("next ", {e.name: e.expr for e in c.next})):
+        for name, form, words, put in _of_values(those):
+            kind = f"{where}{family(name)}"
+            yield Mutation(kind, form, f"{where}{name} {words}", partial(_with, c, where != "", put))
+    for name, form, words, put in _of_values({o.name: o.expr for o in c.outputs}):
+        yield Mutation(f"output {family(name)}", form, f"{name} {words}", partial(_with_outputs, c, put))
+    yield from _of_timers(c)
+    for i, s in enumerate(c.state):
+        state = (*c.state[:i], replace(s, initial=not s.initial), *c.state[i + 1 :])
+        yield Mutation(
+            f"initial {family(s.name)}", "negated", f"initial {s.name} negated", partial(_with_state, c, state)
+        )
+
+
+def family(name: str) -> str:
+    """What the names of one kind begin with."""
+    return name.split("_", 1)[0].rstrip("0123456789")
+
+
+Change = tuple[str, str, str, Mapping[str, Expr]]
+"""The name that is changed, the form of the change, the change in words, and the changed values by name."""
+
+
+def _of_values(values: Mapping[str, Expr]) -> Iterator[Change]:
+    """The changes of named expressions."""
+    following = _following(list(values))
+    for name, x in values.items():
+        seen: set[Expr] = {x}
+        for form, words, new in (
+            ("true", "true", TRUE),
+            ("false", "false", FALSE),
+            ("negated", "negated", neg(x)),
+            *_operands(x),
+        ):
+            if new not in seen:
+                seen.add(new)
+                yield name, form, words, {name: new}
+        other = following.get(name)
+        if other is not None and values[other] is not x:
+            yield name, "exchanged", f"exchanged with {other}", {name: values[other], other: x}
+
+
+def _operands(x: Expr) -> Iterator[tuple[str, str, Expr]]:
+    """The expression without one of its operands, or with one negated, however deep."""
+    if x.op is NOT:
+        yield from ((form, words, neg(y)) for form, words, y in _operands(x.args[0]))
+        return
+    joined = conj if x.op is AND else disj
+    for i, a in enumerate(x.args):
+        before, behind = x.args[:i], x.args[i + 1 :]
+        yield "operand dropped", f"without {a}", joined((*before, *behind))
+        yield "operand negated", f"with {a} negated", joined((*before, neg(a), *behind))
+        yield from ((form, words, joined((*before, y, *behind))) for form, words, y in _operands(a))
+
+
+def _of_timers(c: Controller) -> Iterator[Mutation]:
+    timers = {t.name: t for t in c.timers}
+    following = _following(list(timers))
+    for t in c.timers:
+        kind = f"timer {family(t.name)}"
+        inputs = [("input true", TRUE), ("input false", FALSE), ("input negated", neg(var(t.input)))]
+        for form, x in inputs:
+            yield Mutation(kind, form, f"{t.name} {form}", partial(_with_input, c, t, x))
+        other = following.get(t.name)
+        if other is not None:
+            words = f"{t.name} with the input of {other}"
+            yield Mutation(kind, "input exchanged", words, partial(_with_input, c, t, var(timers[other].input)))
+        for form, preset in (("preset 1 ms", 1), ("preset halved", t.preset_ms // 2)):
+            if 0 < preset < t.preset_ms:
+                new = replace(t, preset_ms=preset)
+                yield Mutation(kind, form, f"{t.name} {form}", partial(_with_step, c, t, (new,)))
+
+
+def _following(names: Sequence[str]) -> dict[str, str]:
+    """The next name of the family, after each; after the last the first, if there are more; where a family has one
+    name only, the next name of all."""
+    families: dict[str, list[str]] = {}
+    for n in names:
+        families.setdefault(family(n), []).append(n)
+    found: dict[str, str] = {}
+    for i, n in enumerate(names):
+        those = families[family(n)]
+        ring = those if len(those) > 1 else names
+        k = those.index(n) if len(those) > 1 else i
+        other = ring[(k + 1) % len(ring)]
+        if other != n:
+            found[n] = other
+    return found
+
+
+def _new(e: Equation, x: Expr) -> Equation:
+    return replace(e, join=Join.ALL, terms=(Term(x, "changed"),))
+
+
+def _with(c: Controller, following: bool, put: Mapping[str, Expr]) -> Controller:
+    if following:
+        return replace(c, next=tuple(_new(e, put[e.name]) if e.name in put else e for e in c.next))
+    steps = (_new(s, put[s.name]) if isinstance(s, Equation) and s.name in put else s for s in c.steps)
+    return replace(c, steps=tuple(steps))
+
+
+def _with_outputs(c: Controller, put: Mapping[str, Expr]) -> Controller:
+    return c.with_outputs(tuple(replace(o, expr=put.get(o.name, o.expr)) for o in c.outputs))
+
+
+def _with_state(c: Controller, state: tuple[StateVar, ...]) -> Controller:
+    return replace(c, state=state, outputs=()).with_outputs(c.outputs)
+
+
+def _with_step(c: Controller, old: Step, new: tuple[Step, ...]) -> Controller:
+    return replace(c, steps=tuple(x for s in c.steps for x in (new if s is old else (s,))))
+
+
+def _with_input(c: Controller, t: Timer, x: Expr) -> Controller:
+    """A timer that reads another value: by a wire of its own."""
+    wire = Equation(f"{t.input}_{t.name}", Join.ALL, (Term(x, "changed"),), "changed")
+    return _with_step(c, t, (wire, replace(t, input=wire.name)))

@@ -1,0 +1,47 @@
+"""What a controller certainly is when the restart delay is over.
+
+From power-up until the restart delay is over the controller scans with any inputs, and trains that ran at the power cut
+may still run.  The start values that every such scan keeps, whatever is read, are what is known of the controller
+afterwards; nothing else is, and the induction begins there, with trains standing anywhere (A-RESTART).  The set is the
+greatest one that a scan keeps: values are dropped until none is lost (Kleene's three values: a value that is not
+determined by those that are kept counts as lost).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from interlock.logic.controller import Controller, Timer
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution
+
+
+def kept_values(
+    controller: Controller, start: Mapping[str, Expr], following: Mapping[str, Expr], later: Mapping[str, str]
+) -> frozenset[str]:
+    """The variables of `start` (constants by name) whose value every scan keeps while the restart delay runs.
+
+    `following`: the definitions of next values that are to be looked at, by `later[name]`, in an order in which each
+    reads only next values before it.
+    """
+    kept = dict(start)
+    while True:
+        known = dict(kept)
+        put = Substitution(known)
+        known[controller.symbols.restart_timer] = FALSE
+        for step in controller.steps:
+            if not isinstance(step, Timer):
+                _note(known, step.name, put(step.expr))
+            elif known.get(step.input) is FALSE:
+                known[step.name] = FALSE
+        for name, x in following.items():
+            _note(known, name, put(x))
+        lost = [name for name, value in kept.items() if known.get(later[name]) is not value]
+        if not lost:
+            return frozenset(kept)
+        for name in lost:
+            del kept[name]
+
+
+def _note(known: dict[str, Expr], name: str, value: Expr) -> None:
+    if value is TRUE or value is FALSE:
+        known[name] = value

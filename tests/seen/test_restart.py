@@ -1,0 +1,66 @@
+"""A restart with trains: no claim exempts them, nothing opens from what does not lie, time passes before a release."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from interlock.logic.controller import Controller, Equation
+from interlock.logic.eval import Machine
+from interlock.proof.limits import Limits
+from interlock.proof.runner import prove
+from interlock.proof.system import System
+from tests.layouts import built
+
+QUICK = Limits(search_depth=0, search_s=0.0)
+
+
+def without_terms(controller: Controller, *kinds: str) -> Controller:
+    """The controller as it was: without some kinds of terms."""
+    steps = tuple(
+        replace(s, terms=tuple(t for t in s.terms if t.kind not in kinds)) if isinstance(s, Equation) else s
+        for s in controller.steps
+    )
+    return replace(controller, steps=steps)
+
+
+@pytest.mark.parametrize("name", ["crossing_line", "depot", "heishan", "cn6502"])
+def test_a_signal_that_opens_over_what_a_standing_train_does_not_find_in_order_is_not_proved(name: str) -> None:
+    layout, _, controller = built(name)
+    old = without_terms(controller, "rear released", "rear device closed", "stands alone")
+    assert not prove(System(layout, old), QUICK).proved
+
+
+def run(machine: Machine, seconds: float, **inputs: int) -> dict[str, bool]:
+    out: dict[str, bool] = {}
+    clear = {i.name: 1 for i in machine.controller.inputs if i.name.startswith(("CLR_", "VALID", "DN_", "RL_", "GL_"))}
+    quiet = {i.name: 0 for i in machine.controller.inputs if i.name.startswith("BLK_")}
+    for _ in range(round(seconds * 2)):
+        out = machine.scan(clear | quiet | inputs, 500)
+    return out
+
+
+def test_a_crossing_can_be_closed_while_its_section_is_occupied() -> None:
+    _, _, controller = built("crossing_line")
+    machine = Machine(controller)
+    out = run(machine, 2, CLR_s2=0, DN_LC1=1)
+    assert not out["YR_LC1"]
+    out = run(machine, 1, CLR_s2=0, DN_LC1=1, MR_LC1=1)
+    assert out["YR_LC1"]
+
+
+def test_nothing_is_released_while_trains_that_ran_may_still_run() -> None:
+    """junction: a second after power-on no signal may open, whatever the operator does."""
+    _, _, controller = built("junction")
+    machine = Machine(controller)
+    delay = 180
+    for _ in range(4):
+        run(machine, 0.5, RELALL=1)
+        for r in controller.symbols.routes:
+            out = run(machine, 0.5, REQ=r.number)
+            assert not any(v for n, v in out.items() if n.startswith(("YP_", "YY_", "YO_", "YW_")))
+    out = run(machine, delay)
+    assert all(machine.state[k] for k in controller.symbols.restart.values())
+    run(machine, 1, RELALL=1)
+    assert not any(machine.state[k] for k in controller.symbols.restart.values())

@@ -1,0 +1,96 @@
+"""Controllers whose outputs are wrong are not proved: the world hangs on the terminals, not on the controller."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+
+from interlock.logic.controller import Controller
+from interlock.logic.expr import FALSE, TRUE, Expr, neg
+from interlock.proof.limits import Limits
+from interlock.proof.runner import prove
+from interlock.proof.system import System
+from tests.layouts import built
+
+Change = Callable[[dict[str, Expr]], dict[str, Expr]]
+QUICK = Limits(search_depth=0, search_s=0.0)
+
+
+def with_outputs(controller: Controller, change: Change) -> Controller:
+    """The controller with other outputs; those that are on at the restart would be found by the controller itself."""
+    new = change({o.name: o.expr for o in controller.outputs})
+    wrong = tuple(replace(o, expr=new[o.name]) for o in controller.outputs)
+    object.__setattr__(controller := replace(controller, outputs=()), "outputs", wrong)
+    return controller
+
+
+def proved(name: str, change: Change) -> bool:
+    layout, _, controller = built(name)
+    return prove(System(layout, with_outputs(controller, change)), QUICK).proved
+
+
+def swapped(a: str, b: str) -> Change:
+    return lambda old: old | {a: old[b], b: old[a]}
+
+
+def all_yellow(old: dict[str, Expr]) -> dict[str, Expr]:
+    """Every signal shows caution and its stop lamp is dark."""
+    return {n: TRUE if n.startswith("YY_") else FALSE if n.startswith("YS_") else x for n, x in old.items()}
+
+
+def driven_under_a_train(old: dict[str, Expr]) -> dict[str, Expr]:
+    """A machine is driven reverse whenever it is not driven normal."""
+    return old | {"YR_101": neg(old["YN_101"])}
+
+
+def telegrams_cut(old: dict[str, Expr]) -> dict[str, Expr]:
+    """The words to the neighbour never leave the cabinet."""
+    return {n: FALSE if n.startswith("YT") and n.endswith("_W") else x for n, x in old.items()}
+
+
+def dark_lamp(old: dict[str, Expr]) -> dict[str, Expr]:
+    return old | {"YS_S1": FALSE}
+
+
+def undriven(old: dict[str, Expr]) -> dict[str, Expr]:
+    return old | {"YN_101": FALSE}
+
+
+def never_told(old: dict[str, Expr]) -> dict[str, Expr]:
+    return old | {"YL_AC": FALSE}
+
+
+@pytest.mark.parametrize(
+    ("name", "change"),
+    [
+        pytest.param("junction", swapped("YN_101", "YR_101"), id="drives swapped"),
+        pytest.param("junction", swapped("YS_S1", "YP_S1"), id="lamps swapped"),
+        pytest.param("junction", driven_under_a_train, id="machine driven under a train"),
+        pytest.param("junction", all_yellow, id="all yellow, stop lamps dark"),
+        pytest.param("junction", dark_lamp, id="one stop lamp dark"),
+        pytest.param("junction", undriven, id="a machine that is never driven"),
+        pytest.param("junction", never_told, id="an indication that is never lit"),
+        pytest.param("passing_loop", telegrams_cut, id="telegrams to the neighbour cut"),
+    ],
+)
+def test_a_controller_with_wrong_outputs_is_not_proved(name: str, change: Change) -> None:
+    assert not proved(name, change)
+
+
+def test_the_outputs_as_they_are_are_proved() -> None:
+    assert proved("junction", lambda old: old)
+
+
+def test_every_output_is_read_by_the_plant_or_a_claim() -> None:
+    from interlock.logic.expr import variables
+    from interlock.proof.invariants import Facts, claims
+
+    for name in ("junction", "passing_loop", "pit_bottom", "heishan", "flank_lab"):
+        layout, _, controller = built(name)
+        system = System(layout, controller)
+        read = set(variables([*(c.expr for c in claims(Facts(system))), *system.plant.next.values()]))
+        read |= set(variables(system.plant.events.definitions.values()))
+        unread = [o.name for o in controller.outputs if not {o.name, o.name + "'"} & read]
+        assert not unread, (name, unread)
