@@ -62,9 +62,10 @@ def tell(system: System, run: Run) -> Story:
             after_step.append(min(i + 1, len(run.frames) - 1))
     last = run.frames[-1].state
     lines = [f"the line at {b}" for b in system.symbols.token if last[f"line.in.{b}"] or last[f"line.out.{b}"]]
-    where = ", ".join([*(s for s in trains if last[f"o.{s}"]), *lines]) or "nowhere"
+    where = ", ".join([*(s for s in trains if last[f"o.{s}"]), *lines])
     lying = _points(system, last)
-    steps.append(f"Now trains stand in {where}{f'; {lying}' if lying else ''}.")
+    now = f"Now trains stand in {where}" if where else "Now no train is inside"
+    steps.append(f"{now}{f'; {lying}' if lying else ''}.")
     if run.claim.id.endswith("-FLANK"):
         leg = run.claim.place.split(":", 2)[2]
         steps.append(f"Nothing keeps a vehicle away that rolls in over {leg}: no signal at stop, no point turned away.")

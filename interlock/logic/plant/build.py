@@ -443,8 +443,9 @@ class PlantBuilder:
             p.state[f"o.{s}"] = f"a train stands in {s}"
             parts: Expr = FALSE
             if not self.berth(s):
-                parts = self.choice(f"?part.{s}", f"the train parts, and its rear stays in {s}")
-                parts = conj((out, parts, neg(self.astray(s))))
+                chance = self.choice(f"?parts.{s}", f"the train parts, and its rear stays in {s}")
+                p.events[f"parts.{s}"] = conj((out, chance, neg(self.astray(s))))
+                parts = p.events[f"parts.{s}"]
                 out = conj((out, neg(parts)))
                 p.state[f"part.{s}"] = f"the rear part of a train has been left in {s}"
                 p.next[f"part.{s}"] = disj((conj((parted(s), neg(out))), parts))

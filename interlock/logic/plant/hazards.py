@@ -21,6 +21,11 @@ class Railway(Protocol):
     fouls: tuple[FoulJoint, ...]
     topo: Topology
     p: Plant
+    dropped: frozenset[str]
+
+    def choice(self, name: str, text: str) -> Expr:
+        """A free choice of the world."""
+        ...
 
     def lie(self, t: Traversal) -> Expr:
         """Every point on the way really lies for it."""
@@ -84,6 +89,12 @@ def hazards(b: Railway) -> list[Hazard]:
             good = disj(b.lie(t) for t in b.ways(s, j))
             if b.ways(s, j):
                 wrong.append(conj((b.comes_in(s, j), neg(good))))
+        if "A-BUFFER" in b.dropped:
+            for j in topo.ends[s]:
+                if j in layout.buffer_at:
+                    chance = b.choice(f"?through.{j}", f"the train in {s} runs through buffer {j}")
+                    p.events[f"through.{j}"] = conj((o(s), neg(rests(s)), b.heading(s, j), chance))
+                    wrong.append(p.events[f"through.{j}"])
         out.append(Hazard("DERAIL", s, disj(wrong)))
     for m, ends in sorted(layout.ends_of_machine.items()):
         starts = disj(p.events[f"start.{m}.{x}"] for x in Position)

@@ -141,6 +141,8 @@ ASSUMPTIONS: dict[str, str] = {
     "the highest speed there, the train before it has passed it or stands.",
     "A-RESTART": "At a restart trains stand anywhere, points lie anyhow; a train moves again only when a signal "
     "calls it (others are moved under local rules before their section is released).",
+    "A-TRAILED": "Vehicles that are moved under local rules do not run through points that lie against them.",
+    "A-BUFFER": "No train runs through a buffer: none stands where the track goes on.",
     "A-PARTED": "The rear part of a train that parts stays where it is until it is moved under local rules.",
     "A-REVERSE": "A train changes direction only at a standstill, wholly within one section, where a signal governs "
     "its new direction.",
