@@ -12,8 +12,10 @@ import yaml
 
 from interlock.checker import claims, controller, plant
 from interlock.checker.moves import World
-from interlock.checker.railway import Railway, Unread
+from interlock.checker.drawing import Unread, loaded
+from interlock.checker.railway import Railway
 from interlock.checker.scan import execute
+from interlock.checker.specification import Specification, shipped
 from interlock.checker.written import written
 from interlock.verify import Rejected, check_files, need, verify
 
@@ -26,8 +28,8 @@ class Checked:
     left: tuple[str, ...]
 
 
-def check(layout: Path, folder: Path) -> Checked:
-    """Raises Rejected where the three do not agree, OSError where a file cannot be read."""
+def check(layout: Path, folder: Path, spec: Specification | None = None) -> Checked:
+    """Against a specification, the shipped one if none is given.  Raises Rejected where the three do not agree, OSError where a file cannot be read."""
     body = _body(layout)
     named = str(body["name"])
     files = check_files(folder)
@@ -43,15 +45,17 @@ def check(layout: Path, folder: Path) -> Checked:
         world = World(Railway(body), w)
     except Unread as unread:
         return Checked(tuple(compared), (f"plant, assumptions and claims (the checker does not read {unread})",))
-    told, silent = claims.compare(world, w)
-    moves = plant.compare(world, w, scan)
-    claims.outputs_read(world, scan.outputs)
+    spec = shipped() if spec is None else spec
+    wanted = plant.define(world, spec)
+    told, silent = claims.compare(world, spec, w)
+    moves = plant.compare(world, spec, wanted, w, scan)
+    claims.outputs_read(world, spec, scan.outputs)
     return Checked((*compared, told, moves), (f"the claims {', '.join(silent)}",) if silent else ())
 
 
 def _body(layout: Path) -> dict[str, Any]:
     try:
-        body = yaml.safe_load(layout.read_text("utf-8"))
+        body = loaded(layout.read_text("utf-8"))
     except yaml.YAMLError as e:
         raise Rejected(f"{layout} is no YAML") from e
     if not isinstance(body, dict) or not isinstance(body.get("name"), str):

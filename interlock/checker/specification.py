@@ -1,0 +1,50 @@
+"""The specification as data: what is in the files of `interlock/spec`, read once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from interlock.checker.drawing import loaded
+from interlock.checker.schema import explained
+
+FOLDER = Path(__file__).parent.parent / "spec"
+
+Schemas = Sequence[Mapping[str, Any]]
+
+
+@dataclass(frozen=True)
+class Specification:
+    """words: those that the specification explains itself.  guards: the sentences of assumptions that are no formulas of
+    their own, but conditions of the world's events."""
+
+    words: Mapping[str, tuple[list[str], str]]
+    assumptions: Schemas
+    claims: Schemas
+    events: Schemas
+    next: Schemas
+    initial: Schemas
+    guards: Mapping[str, str]
+
+
+def read(claims: str, plant: str) -> Specification:
+    """A specification from its two texts."""
+    said, moves = loaded(claims), loaded(plant)
+    return Specification(
+        explained({**said["words"], **moves["words"]}),
+        said["assumptions"],
+        said["claims"],
+        moves["events"],
+        moves["next"],
+        moves["initial"],
+        moves["guards"],
+    )
+
+
+@cache
+def shipped() -> Specification:
+    """The specification that comes with the package."""
+    return read((FOLDER / "claims.yaml").read_text("utf-8"), (FOLDER / "plant.yaml").read_text("utf-8"))
