@@ -11,8 +11,8 @@ from typing import Any
 import yaml
 
 from interlock.checker import claims, controller, plant
-from interlock.checker.moves import World
 from interlock.checker.drawing import Unread, loaded
+from interlock.checker.moves import World
 from interlock.checker.railway import Railway
 from interlock.checker.scan import execute
 from interlock.checker.specification import Specification, shipped
@@ -29,7 +29,10 @@ class Checked:
 
 
 def check(layout: Path, folder: Path, spec: Specification | None = None) -> Checked:
-    """Against a specification, the shipped one if none is given.  Raises Rejected where the three do not agree, OSError where a file cannot be read."""
+    """Against a specification, the shipped one if none is given.
+
+    Raises Rejected where the three do not agree, OSError where a file cannot be read.
+    """
     body = _body(layout)
     named = str(body["name"])
     files = check_files(folder)
@@ -46,11 +49,13 @@ def check(layout: Path, folder: Path, spec: Specification | None = None) -> Chec
     except Unread as unread:
         return Checked(tuple(compared), (f"plant, assumptions and claims (the checker does not read {unread})",))
     spec = shipped() if spec is None else spec
-    wanted = plant.define(world, spec)
-    told, silent = claims.compare(world, spec, w)
-    moves = plant.compare(world, spec, wanted, w, scan)
-    claims.outputs_read(world, spec, scan.outputs)
-    return Checked((*compared, told, moves), (f"the claims {', '.join(silent)}",) if silent else ())
+    defined = plant.define(world, spec)
+    claimed = claims.asked(spec.claims, world)
+    told, silent = claims.compare(world, spec, claimed, w)
+    moves = plant.compare(world, spec, defined, w, scan)
+    claims.outputs_read(claimed, scan.outputs)
+    names = f"under the assumptions {', '.join(claims.assumed(world, spec))}"
+    return Checked((*compared, told, moves, names), (f"the claims {', '.join(silent)}",) if silent else ())
 
 
 def _body(layout: Path) -> dict[str, Any]:

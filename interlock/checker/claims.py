@@ -10,8 +10,8 @@ from collections.abc import Collection, Iterable, Mapping
 
 from interlock.checker.formula import FALSE, TRUE, Formula, clauses, every, names, no, some
 from interlock.checker.moves import World
-from interlock.checker.schema import instances
-from interlock.checker.specification import Schemas, Specification
+from interlock.checker.schema import instances, places
+from interlock.checker.specification import Schemas, Specification, under
 from interlock.checker.written import Written
 from interlock.verify import Rejected, need
 
@@ -28,27 +28,37 @@ def asked(schemas: Schemas, world: World) -> dict[str, set[Clause]]:
     return found
 
 
-def compare(world: World, spec: Specification, w: Written) -> tuple[str, list[str]]:
-    """What was compared, in words, and the names of claims that the specification has not."""
+def compare(world: World, spec: Specification, claims: Mapping[str, set[Clause]], w: Written) -> tuple[str, list[str]]:
+    """What was compared, in words, and the names of claims that the specification has not.  claims: what it asks."""
     _sentences(spec, w)
-    assumed = asked(spec.assumptions, world)
-    _assumptions(assumed, w)
-    claims = asked(spec.claims, world)
+    wanted_of_world = asked(spec.assumptions, world)
+    _assumptions(wanted_of_world, w)
     theirs: dict[str, set[Clause]] = {}
     for id_, _, x in w.claims:
         theirs.setdefault(id_, set()).update(clauses(x))
     theirs["P-START"] = set(clauses(every(w.start)))  # of the initial states, and so a line of its own
     for id_, wanted in claims.items():
         _lacks("claim", id_, wanted, theirs.get(id_, set()))
-    places = sum(map(len, claims.values()))
-    told = sum(map(len, assumed.values()))
-    said = f"{len([1 for x in claims.values() if x])} claims in {places} clauses, {told} assumptions as specified"
+    many = sum(map(len, claims.values()))
+    told = sum(map(len, wanted_of_world.values()))
+    said = f"{len([1 for x in claims.values() if x])} claims in {many} clauses, assumptions in {told}, as specified"
     return said, sorted(set(theirs) - set(claims))
 
 
-def outputs_read(world: World, spec: Specification, outputs: Iterable[str]) -> None:
+def assumed(world: World, spec: Specification) -> list[str]:
+    """The assumptions under which anything is said of this layout: those that are stated, and those that its world's
+    moves are subject to."""
+    found = {s["id"] for s in spec.assumptions if any(True for _ in instances(s, world))}
+    for s in [*spec.moves, *spec.claims]:
+        those = under(s)
+        if those and any(True for _ in places(s, world)):
+            found.update(those)
+    return sorted(found)
+
+
+def outputs_read(claims: Mapping[str, set[Clause]], outputs: Iterable[str]) -> None:
     """Everything at the terminals is the subject of some claim: else it could say anything."""
-    said = (x for those in asked(spec.claims, world).values() for c in those for x in c)
+    said = (x for those in claims.values() for c in those for x in c)
     read = {n.removesuffix("'") for x in said for n in names(x)}
     unread = sorted(set(outputs) - read)
     need(not unread, f"no claim speaks of the output {unread[0] if unread else ''}")
@@ -91,8 +101,8 @@ def _events(x: Formula, w: Written) -> Formula:
 
 def _lacks(kind: str, id_: str, wanted: set[Clause], found: set[Clause]) -> None:
     """Each clause that is wanted is there, or one that says more."""
-    for c in missing(wanted, found):
-        near = max(found - wanted, key=lambda x: len(x & c), default=None)
+    for c in sorted(missing(wanted, found), key=lambda c: words(some(c))):
+        near = max(found - wanted, key=lambda x: (len(x & c), words(some(x))), default=None)
         instead = "" if near is None else f"; it has {words(some(near))}"
         raise Rejected(f"the {kind} {id_} lacks what the specification asks: {words(some(c))}{instead}")
 

@@ -1,9 +1,9 @@
 """What a layout file draws: stretches of track between nodes, points, diamonds, and where the track ends.
 
-Read with PyYAML as plain text, and with nothing of the product's own reading.  A joint between sections a and b is named
-`a|b@` and the end of a track, point or crossing that lies there first in the alphabet, or the place on a track: only so
-can the names of a written system be compared.  A slip is two points toe to toe, or a diamond with a point on either arm;
-a derailer is a point whose normal leg leads off the rails.
+Read with PyYAML as plain text, and with nothing of the product's own reading.  A joint between sections a and b is
+named `a|b@` and the end of a track, point or crossing that lies there first in the alphabet, or the place on a track:
+only so can the names of a written system be compared.  A slip is two points toe to toe, or a diamond with a point on
+either arm; a derailer is a point whose normal leg leads off the rails.
 """
 
 from __future__ import annotations
@@ -17,12 +17,13 @@ import yaml
 
 from interlock.verify import Rejected, need
 
-KEYS = frozenset(
-    "interlock name title profile principles boundaries buffers traps tracks points crossings slips derailers "
-    "level_crossings interlocks signals distants sections conditions zones overlaps waive "
-    "routes voyages automatic substations addresses drawing telegram exclude".split()
-)
-"""The keys that are read; of the last line, only which routes work automatically says something of what is claimed."""
+_KEYS = """
+interlock name title profile principles boundaries buffers traps tracks points crossings slips derailers
+level_crossings interlocks signals distants sections conditions zones overlaps waive exclude automatic
+routes voyages substations addresses drawing telegram
+"""
+KEYS = frozenset(_KEYS.split())
+"""The keys that are known; those of the last line say nothing of what is claimed."""
 
 PRINCIPLES = Path(__file__).parent.parent / "spec" / "principles.yaml"
 
@@ -33,7 +34,7 @@ class Unread(Exception):
 
 def loaded(text: str) -> Any:
     """YAML with every scalar as the text that it is."""
-    return yaml.load(text, yaml.BaseLoader)  # noqa: S506 - nothing but text, lists and mappings
+    return yaml.load(text, yaml.BaseLoader)
 
 
 @dataclass(frozen=True)
@@ -106,8 +107,8 @@ class Drawing:
         return self.rules[name] in ("yes", "true")
 
     def onward(self, node: str, e: Edge) -> list[Edge]:
-        """Whereto a vehicle can go on that comes over an edge: over a point from the toe to either leg, from a leg to the
-        toe; over a diamond and a joint straight on."""
+        """Whereto a vehicle can go on that comes over an edge: over a point from the toe to either leg, from a leg to
+        the toe; over a diamond and a joint straight on."""
         point, diamond = self.points.get(node), self.diamonds.get(node)
         if point is not None:
             names = [point.normal, point.reverse] if e.name == point.toe else [point.toe]

@@ -1,4 +1,4 @@
-"""What follows from a layout's lengths and speeds: overlaps (R4), foul joints (R7), braking and the times that it takes."""
+"""What follows from a layout's lengths and speeds: overlaps (R4), foul joints (R7), approaches (R8), braking."""
 
 from __future__ import annotations
 
@@ -68,8 +68,8 @@ class Lengths:
         return found
 
     def _metres(self, told: dict[str, str] | None) -> float:
-        """As stated; or as German examples have it: 50, 100 or 200 m to 40, 60 km/h or above, 10 % more for each permille
-        falling, 5 % less for each rising."""
+        """As stated; or as German examples have it: 50, 100 or 200 m to 40, 60 km/h or above, 10 % more for each
+        permille falling, 5 % less for each rising."""
         if told is None:
             return self.d.rule("overlap_m")
         if told.get("successive") in ("yes", "true"):
@@ -152,9 +152,9 @@ class Lengths:
 
     def path_kmh(self, p: Path) -> float | None:
         """The lowest speed stated along a path: of its sections, and over reversed points."""
-        found = [v for w in p.ways if (v := (self.r.told.get(w.section) or {}).get("speed")) is not None]
-        found += [self.d.points[n].kmh for w in p.ways for n, d in w.points if d.position == "R"]  # type: ignore[misc]
-        return min((float(v) for v in found if v is not None), default=None)
+        told = [(self.r.told.get(w.section) or {}).get("speed") for w in p.ways]
+        over = [self.d.points[n].kmh for w in p.ways for n, d in w.points if d.position == "R"]
+        return min((float(v) for v in (*told, *over) if v is not None), default=None)
 
     def halt(self, kmh: float) -> int:
         """From the command of stop until a train stands: delay of outputs, reaction, braking."""
@@ -203,7 +203,7 @@ class Lengths:
     # --- from where a train may come to a signal (R8) ---
 
     def approach(self, g: Signal) -> Approach:
-        """Everything in rear of a signal back to the braking distance, and to the first main signal that announces it."""
+        """Everything in rear of a signal back to the braking distance, and to the first main signal announcing it."""
         announced = not g.main or self.d.rules["caution"] == "never"
         found = self._before(g, g.into, g.node, 0.0, 0.0, announced, frozenset({g.into}))
         return Approach(None) if found is None else found

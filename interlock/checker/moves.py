@@ -1,5 +1,5 @@
-"""What the words of the specification mean that tell how the world moves: heads, tails, drivers, points, reports, the line
-beyond a boundary with its neighbour; and which of its events there are at all."""
+"""What the words of the specification mean that tell how the world moves: heads, tails, drivers, points, reports, the
+line beyond a boundary with its neighbour; and which of its events there are at all."""
 
 from __future__ import annotations
 

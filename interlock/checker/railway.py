@@ -1,5 +1,7 @@
-"""The railway of a layout: sections with their ends and the ways through them, signals and the paths that they lead over,
-machines, berths.  Made from the drawing, in the field's terms."""
+"""The railway of a layout: sections with their ends and ways through them, signals with their paths, machines, berths.
+
+Made from the drawing, in the field's terms.
+"""
 
 from __future__ import annotations
 
@@ -283,3 +285,15 @@ class Railway:
                     yield from go(ahead, w.exit, ways)
 
         return go(c.signal.into, c.signal.node, ())
+
+    def excluded(self, c: Calling, p: Path) -> bool:
+        """The author does not want a route over this path."""
+        ahead = self.signal_into.get((p.last.exit, self.beyond(p.last.section, p.last.exit) or ""))
+        ends = {p.last.section, p.last.exit, *([ahead.name] if ahead is not None else [])}
+        return any(
+            x.get("from", c.name) == c.name
+            and x.get("to", p.last.exit) in ends
+            and set(x.get("via") or ()) <= {w.section for w in p.ways}
+            and x.get("kind") in (None, "shunt" if c.shunt else "main")
+            for x in self.body.get("exclude") or ()
+        )

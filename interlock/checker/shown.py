@@ -1,5 +1,5 @@
-"""What the words of the specification mean that tell who shows proceed over what, what is hostile, and what could roll in
-from a flank (R5, R6)."""
+"""What the words of the specification mean that tell who shows proceed over what, what is hostile, and what could roll
+in from a flank (R5, R6)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from interlock.checker.drawing import Diamond, Edge
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no, some
-from interlock.checker.railway import Calling, Signal, Way, safe
+from interlock.checker.railway import Calling, Path, Signal, Way, safe
 from interlock.checker.terminals import Terminals
 
 
@@ -36,11 +36,11 @@ class Flank:
 class Protection(Terminals):
     """Words of hostile signals and of flanks."""
 
-    def w_lies(self, x: object, position: str | None = None) -> Formula:
+    def w_lies(self, x: str | Way | Path, position: str | None = None) -> Formula:
         """A machine really lies so; all machines of a way or a path do."""
         if isinstance(x, str):
             return leaf(f"at.{x}.{position}")
-        ways = (x,) if isinstance(x, Way) else x.ways  # type: ignore[attr-defined]
+        ways = (x,) if isinstance(x, Way) else x.ways
         return every(leaf(f"at.{d.machine}.{d.position}") for w in ways for _, d in w.points)
 
     @cached_property
@@ -159,7 +159,7 @@ class Protection(Terminals):
         return [x for x in self.w_flanks(w) if not x.waived]
 
     def w_exposed(self, x: Flank) -> Formula:
-        """A vehicle could roll over a flank, from beyond the next signal that could hold it, as everything really lies."""
+        """A vehicle could roll over a flank, from beyond the next signal that could hold it, as everything lies."""
         return self._rolls(x.edge, x.node, 0.0, x.needed, frozenset({x.node}))
 
     def _rolls(self, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str]) -> Formula:
@@ -182,9 +182,8 @@ class Protection(Terminals):
 
     def _lets_pass(self, g: Signal) -> Formula:
         """It shows proceed, or did a scan ago, or somebody has accepted it; a train passes a shunt signal on a lock."""
-        found = [
-            x for c in self.r.callings(g) for x in (self.w_shows(c), leaf(f"{c.lamp}.{c.name}"), leaf(f"{c.go}.{c.name}"))
-        ]
+        found = [self.w_shows(c) for c in self.r.callings(g)]
+        found += [leaf(f"{x}.{g.name}") for c in self.r.callings(g) for x in (c.lamp, c.go)]
         if not g.main:
             locked = some(self.w_locked(w) for w in self.w_locked_from(g.into, g.node))
             found.append(every((self.w_for_train(g.into), self.w_firm(g.into), locked)))
@@ -196,7 +195,7 @@ class Protection(Terminals):
         return self.r.sections if d.asks("flank_space") or d.asks("flank_lamp") else []
 
     def w_quiet(self, own: str, x: Flank) -> Formula:
-        """Nothing stands along a flank up to what stops a vehicle, as everything really lies; stop lamps there are lit."""
+        """Nothing stands along a flank up to what stops a vehicle, as everything lies; stop lamps there are intact."""
         return self._silent(own, x.edge, x.node, 0.0, x.needed, frozenset({x.node}))
 
     def _silent(self, own: str, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str]) -> Formula:

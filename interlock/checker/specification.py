@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -18,8 +19,8 @@ Schemas = Sequence[Mapping[str, Any]]
 
 @dataclass(frozen=True)
 class Specification:
-    """words: those that the specification explains itself.  guards: the sentences of assumptions that are no formulas of
-    their own, but conditions of the world's events."""
+    """words: those that the specification explains itself.  guards: the sentences of assumptions that are no formulas
+    of their own, but conditions of the world's moves."""
 
     words: Mapping[str, tuple[list[str], str]]
     assumptions: Schemas
@@ -29,14 +30,31 @@ class Specification:
     initial: Schemas
     guards: Mapping[str, str]
 
+    @property
+    def moves(self) -> Schemas:
+        """What the world does, and how it begins."""
+        return [*self.events, *self.next, *self.initial]
+
+
+def under(schema: Mapping[str, str]) -> list[str]:
+    """The assumptions that a schema names."""
+    return re.findall(r"A-[A-Z-]+", f"{schema.get('free', '')} {schema.get('under', '')}")
+
+
+def _each(schemas: Sequence[Mapping[str, Any]]) -> Iterator[Mapping[str, Any]]:
+    """Schemas one by one: `also` says more under the same name."""
+    for s in schemas:
+        yield {k: v for k, v in s.items() if k != "also"}
+        yield from ({"id": s["id"], **more} for more in s.get("also", ()))
+
 
 def read(claims: str, plant: str) -> Specification:
     """A specification from its two texts."""
     said, moves = loaded(claims), loaded(plant)
     return Specification(
         explained({**said["words"], **moves["words"]}),
-        said["assumptions"],
-        said["claims"],
+        list(_each(said["assumptions"])),
+        list(_each(said["claims"])),
         moves["events"],
         moves["next"],
         moves["initial"],

@@ -5,10 +5,11 @@ from __future__ import annotations
 from functools import cached_property
 from typing import Any
 
+from interlock.checker.ahead import Ahead, Overlap
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, no, some
 from interlock.checker.lengths import Approach
 from interlock.checker.railway import Calling, Path, Signal, Way, safe
-from interlock.checker.words import Overlap, Topology, fact
+from interlock.checker.words import fact
 
 MAIN, CALL_ON, WHITE = ("YP", "YY"), ("YO",), ("YW",)
 """Outputs of clear and caution, of the call-on aspect beside stop, of the shunt aspect."""
@@ -17,7 +18,7 @@ REQUESTS = {"REQ": ("RQZ", "YRQ"), "LREQ": ("LRQZ", "YLRQ")}
 """For each input of numbers the bit that tells that 0 was read there, and the output that acknowledges a number."""
 
 
-class Terminals(Topology):
+class Terminals(Ahead):
     """Words at the terminals, and of the controller."""
 
     # --- what the controller reads ---
@@ -81,7 +82,7 @@ class Terminals(Topology):
         return leaf(lamp)
 
     def w_shows(self, c: Calling) -> Formula:
-        """Proceed to whom it speaks: to trains by main lamps or by calling on, to shunting movements by the white one."""
+        """Proceed to whom it speaks: trains by main lamps or by calling on, shunting movements by the white one."""
         return some(map(leaf, self.lamps(c.signal, WHITE if c.shunt else (*MAIN, *CALL_ON))))
 
     def w_opens(self, c: Calling) -> Formula:
@@ -288,7 +289,7 @@ class Terminals(Topology):
         for g in self.w_opening():
             for c in self.r.callings(g):
                 for p in self.r.paths(c):
-                    on = bool(self.lamps(g, CALL_ON)) and not c.shunt
+                    on = bool(self.lamps(g, CALL_ON)) and not c.shunt and not self.r.excluded(c, p)
                     taken |= {w for w in p.ways if on} | {w for w in p.ways[-1:] if p.berth}
         return [w for w in self.w_lockable(s) if w not in taken]
 
@@ -303,7 +304,8 @@ class Terminals(Topology):
 
     def w_asked(self, r: int) -> Formula:
         """The route's number comes after 0, and nothing comes at an input that is heard before."""
-        found, quiet = [], []
+        found: list[Formula] = []
+        quiet: list[Formula] = []
         for q in self.w_requests():
             found.append(every((*quiet, self.w_waits_for_number(q), leaf(f"{q}={r}"))))
             quiet.append(some((self.w_nothing_asked(q), no(self.w_waits_for_number(q)))))
@@ -340,8 +342,14 @@ class Terminals(Topology):
     def w_approach_timer(self, g: Signal) -> str:
         return f"AT_{g.safe}"
 
+    def w_approach_timers(self, g: Signal) -> list[str]:
+        return [self.w_approach_timer(g)]
+
     def w_standing_timer(self, g: Signal) -> str:
         return f"OT_{g.safe}"
+
+    def w_standing_timers(self, g: Signal) -> list[str]:
+        return [self.w_standing_timer(g)]
 
     def w_standing_timed(self) -> list[Signal]:
         """The signals whose overlap is released when a train stands."""
@@ -349,6 +357,9 @@ class Terminals(Topology):
 
     def w_hand_timer(self, b: str) -> str:
         return f"BT_{safe(b)}"
+
+    def w_hand_timers(self, b: str) -> list[str]:
+        return [self.w_hand_timer(b)]
 
     def w_restart_timer(self) -> str:
         return "RST"
@@ -379,9 +390,7 @@ class Terminals(Topology):
 
     def _kinds(self, g: Signal, trains: int, shunts: int) -> int:
         """The longer of two times, of those movements to which the signal opens."""
-        return max(
-            trains if self._routes_by(g, (*MAIN, *CALL_ON)) else 0, shunts if self._routes_by(g, WHITE) else 0
-        )
+        return max(trains if self._routes_by(g, (*MAIN, *CALL_ON)) else 0, shunts if self._routes_by(g, WHITE) else 0)
 
     def w_approach_release(self, g: Signal) -> int:
         return self._kinds(g, self.seconds("approach_release_s"), self.seconds("shunt_release_s"))
