@@ -28,34 +28,36 @@ class Checked:
     left: tuple[str, ...]
 
 
-def check(layout: Path, folder: Path, spec: Specification | None = None) -> Checked:
-    """Against a specification, the shipped one if none is given.
-
-    Raises Rejected where the three do not agree, OSError where a file cannot be read.
-    """
+def check(layout: Path, folder: Path) -> Checked:
+    """Raises Rejected where the three do not agree, OSError where a file cannot be read."""
     body = _body(layout)
-    named = str(body["name"])
     files = check_files(folder)
     own = hashlib.sha256(layout.read_bytes()).hexdigest()
     need(own in files.values(), f"the certificate is of another layout: {layout} is none of its files")
     proof = verify(folder)
-    w = written((folder / "system.txt").read_text("utf-8"))
-    text = _text(folder, files, named)
-    scan = execute(text.read_text("utf-8"), frozenset(w.state), w.definitions)
-    said = controller.compare(scan, w)
-    compared = [proof, f"{text.name} says the same: {said}"]
+    text = _text(folder, files, str(body["name"]))
+    system = (folder / "system.txt").read_text("utf-8")
+    found = agree(body, system, text.read_text("utf-8"), shipped())
+    return Checked((proof, *found.compared), found.left)
+
+
+def agree(body: dict[str, Any], system: str, text: str, spec: Specification) -> Checked:
+    """Layout, written system and Structured Text, whatever is proved of the system; raises Rejected where they do not
+    say the same."""
+    w = written(system)
+    scan = execute(text, frozenset(w.state), w.definitions)
+    said = f"{body['name']}.st says the same: {controller.compare(scan, w)}"
     try:
         world = World(Railway(body), w)
     except Unread as unread:
-        return Checked(tuple(compared), (f"plant, assumptions and claims (the checker does not read {unread})",))
-    spec = shipped() if spec is None else spec
+        return Checked((said,), (f"plant, assumptions and claims (the checker does not read {unread})",))
     defined = plant.define(world, spec)
     claimed = claims.asked(spec.claims, world)
     told, silent = claims.compare(world, spec, claimed, w)
     moves = plant.compare(world, spec, defined, w, scan)
     claims.outputs_read(claimed, scan.outputs)
     names = f"under the assumptions {', '.join(claims.assumed(world, spec))}"
-    return Checked((*compared, told, moves, names), (f"the claims {', '.join(silent)}",) if silent else ())
+    return Checked((said, told, moves, names), (f"the claims {', '.join(silent)}",) if silent else ())
 
 
 def _body(layout: Path) -> dict[str, Any]:

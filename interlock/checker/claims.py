@@ -13,7 +13,7 @@ from interlock.checker.moves import World
 from interlock.checker.schema import instances, places
 from interlock.checker.specification import Schemas, Specification, under
 from interlock.checker.written import Written
-from interlock.verify import Rejected, need
+from interlock.verify import need
 
 Clause = frozenset[Formula]
 
@@ -38,7 +38,7 @@ def compare(world: World, spec: Specification, claims: Mapping[str, set[Clause]]
         theirs.setdefault(id_, set()).update(clauses(x))
     theirs["P-START"] = set(clauses(every(w.start)))  # of the initial states, and so a line of its own
     for id_, wanted in claims.items():
-        _lacks("claim", id_, wanted, theirs.get(id_, set()))
+        _same("claim", id_, wanted, theirs.get(id_, set()))
     many = sum(map(len, claims.values()))
     told = sum(map(len, wanted_of_world.values()))
     said = f"{len([1 for x in claims.values() if x])} claims in {many} clauses, assumptions in {told}, as specified"
@@ -82,10 +82,7 @@ def _assumptions(wanted: Mapping[str, set[Clause]], w: Written) -> None:
     for id_, those in wanted.items():
         ours = {c for x in those for c in clauses(_events(some(x), w))}
         found = {c for x in theirs.get(id_, ()) for c in clauses(x)}
-        _lacks("assumption", id_, ours, found)
-        for x in theirs.get(id_, ()):
-            extra = missing(clauses(x), ours)
-            need(not extra, f"the assumption {id_} says more than the specification: {words(x)}")
+        _same("assumption", id_, ours, found)
 
 
 def _events(x: Formula, w: Written) -> Formula:
@@ -99,12 +96,13 @@ def _events(x: Formula, w: Written) -> Formula:
     return every(_events(y, w) for y in x[1]) if x[0] == "&" else x
 
 
-def _lacks(kind: str, id_: str, wanted: set[Clause], found: set[Clause]) -> None:
-    """Each clause that is wanted is there, or one that says more."""
-    for c in sorted(missing(wanted, found), key=lambda c: words(some(c))):
-        near = max(found - wanted, key=lambda x: (len(x & c), words(some(x))), default=None)
-        instead = "" if near is None else f"; it has {words(some(near))}"
-        raise Rejected(f"the {kind} {id_} lacks what the specification asks: {words(some(c))}{instead}")
+def _same(kind: str, id_: str, wanted: set[Clause], found: set[Clause]) -> None:
+    """Whatever the one says, the other says, or more; so neither is weaker."""
+    lacks = sorted(words(some(c)) for c in missing(wanted, found))
+    more = sorted(words(some(c)) for c in missing(found, wanted))
+    instead = f"; it has {more[0]}" if more else ""
+    need(not lacks, f"the {kind} {id_} lacks what the specification asks: {lacks[0] if lacks else ''}{instead}")
+    need(not more, f"the {kind} {id_} says more than the specification: {more[0] if more else ''}")
 
 
 def missing(wanted: Iterable[Clause], found: Collection[Clause]) -> list[Clause]:

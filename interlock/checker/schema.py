@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any, Protocol
 
-from interlock.checker.formula import Formula, every, implies, no, one_at_most, same, some
+from interlock.checker.formula import FALSE, Formula, every, implies, no, one_at_most, same, some
 from interlock.verify import Rejected, need
 
 TOKEN = re.compile(r"\s*(<->|->|[(),:']|[A-Za-z_][A-Za-z0-9_]*)")
@@ -187,8 +187,7 @@ def explained(words: Mapping[str, str]) -> dict[str, tuple[list[str], str]]:
 def instances(schema: Mapping[str, str], words: Words, at: Mapping[str, Any] | None = None) -> Iterator[Formula]:
     """What a schema says of a layout: a formula for each place at which there is something to say."""
     for names in places(schema, words, at):
-        if "when" not in schema or Sentence(schema["when"], words, names).term():
-            yield Sentence(schema["must"], words, names).formula()
+        yield Sentence(schema["must"], words, names).formula()
 
 
 def places(schema: Mapping[str, str], words: Words, at: Mapping[str, Any] | None = None) -> Iterator[dict[str, Any]]:
@@ -197,7 +196,8 @@ def places(schema: Mapping[str, str], words: Words, at: Mapping[str, Any] | None
 
     def go(rest: list[str], names: dict[str, Any]) -> Iterator[dict[str, Any]]:
         if not rest:
-            yield names
+            if "when" not in schema or Sentence(schema["when"], words, names).formula() != FALSE:
+                yield names
             return
         name, _, those = rest[0].partition(" in ")
         for x in Sentence(those, words, names).term():

@@ -10,6 +10,7 @@ from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, 
 from interlock.checker.lengths import Approach
 from interlock.checker.railway import Calling, Path, Signal, Way, safe
 from interlock.checker.words import fact
+from interlock.verify import need
 
 MAIN, CALL_ON, WHITE = ("YP", "YY"), ("YO",), ("YW",)
 """Outputs of clear and caution, of the call-on aspect beside stop, of the shunt aspect."""
@@ -252,6 +253,7 @@ class Terminals(Ahead):
         found: dict[str, dict[int, None]] = {}
         for g in self.w_opening():
             for lamp in self.lamps(g, (*MAIN, *CALL_ON, *WHITE)):
+                need(f"{lamp}'" in self.w.definitions, f"nothing says when {lamp} is lit")
                 read = {n.removesuffix("'") for n in names(self.w.definitions[f"{lamp}'"])}
                 found[lamp] = dict.fromkeys(int(n[3:]) for n in sorted(read) if n.startswith("S_R"))
         return found
@@ -331,6 +333,7 @@ class Terminals(Ahead):
         return leaf(t)
 
     def w_waits(self, t: str) -> Formula:
+        need(t in self.w.timers, f"there is no timer {t}")
         return leaf(self.w.timers[t][0])
 
     def w_release_timer(self, s: str) -> str:
