@@ -16,8 +16,8 @@ def command(given: tuple[str, ...]) -> None:
     """Check certificates (folders written by `certify`) again: digests, refutations, and that every claim is covered.
 
     That is said of the written system alone.  With LAYOUT before a FOLDER the emitted Structured Text is read and
-    compared with that system, too, by code that shares nothing with what made it; the exit code is 3 while something
-    has not been compared.
+    compared with that system, too, by code that shares nothing with what made it, and so are plant, assumptions and
+    claims with the specification for the layout; the exit code is 3 while something has not been compared.
     """
     files = [g for g in given if not Path(g).is_dir()]
     if not files:
