@@ -86,6 +86,10 @@ class World(Protection):
     def w_was_called(self, s: str) -> Formula:
         return leaf(f"called.{s}")
 
+    def w_was_parted(self, s: str) -> Formula:
+        """The rear part of a train that parted has been left in the section."""
+        return leaf(f"part.{s}")
+
     def w_turning(self, g: Signal, m: str) -> Formula:
         return leaf(f"turns.{g.name}.{m}")
 
@@ -145,6 +149,10 @@ class World(Protection):
 
     def w_turned_to(self, s: str, j: str) -> Formula:
         return self._turned(s, None, j)
+
+    def w_parts(self, s: str) -> Formula:
+        """The train parts, and its rear stays in the section."""
+        return self.event(f"parts.{s}")
 
     def w_left_behind(self, s: str) -> Formula:
         return leaf(f"?stay.{s}")
