@@ -63,8 +63,8 @@ CLAIMS: dict[str, str] = {
     "S-SET": "A section is locked for a movement only when inputs are valid, it is not blocked or locked, and it is "
     "reported clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
     "L-REASON": "No lock ends without its reason: a train has used the section, the lock before it was withdrawn, its "
-    "signal was cancelled, or somebody releases it by hand; after a restart by hand, or behind a train that stood "
-    "there.",
+    "signal was cancelled, or somebody releases it by hand, alone or with all that may have missed a train; after a "
+    "restart by hand, or behind a train that stood there.",
     "L-CLEAR": "No section is released, however it is, before it has been reported clear with valid inputs, without a "
     "break, for the release delay.",
     "L-APPROACH": "A route whose signal has been open is not given up before its train came, unless none can be on its "
@@ -361,7 +361,7 @@ def _reasons(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         by_hand = var(f.sym.release[s])
         freed = conj((f.restart(s), neg(after(f.restart(s)))))
         yield "L-REASON", f"{s} after a restart", implies(freed, disj((by_hand, var(f.sym.release_all), f.passed(s))))
-        reasons = [f.used(s), by_hand]
+        reasons = [f.used(s), by_hand, conj((var(f.sym.release_all), f.stale(s)))]
         for j in f.topo.ends[s]:
             g = f.topo.signal_into.get((j, s))
             rear = f.topo.beyond(s, j)
