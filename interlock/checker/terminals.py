@@ -223,7 +223,7 @@ class Terminals(Ahead):
         return leaf(f"U_{safe(s)}")
 
     def w_stale(self, s: str) -> Formula:
-        """Inputs were lost while the section was locked, so that a train may have been missed; or it is for calling on."""
+        """Inputs were lost while the section was locked, a train may have been missed; or it is for calling on."""
         return leaf(f"D_{safe(s)}")
 
     def w_passed(self, s: str) -> Formula:
