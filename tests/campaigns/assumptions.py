@@ -41,6 +41,8 @@ OTHERS = {
     "A-OVERRUN": "It widens what trains do; without it no train passes a signal at stop at all.",
     "A-SIGHT": "It says where the physics ends: shunting movements stop before standing vehicles.",
     "A-BEYOND": "It says where the physics ends: the neighbour's side of a boundary.",
+    "A-WHOLE": "It says where the physics ends: of a train that parts elsewhere the rear part is not followed.",
+    "A-BUFFER": "It says where the physics ends: no interlocking stops a train at the end of a track.",
     "A-STANDS": "It says where the physics ends: vehicles that stand do not roll away.",
 }
 

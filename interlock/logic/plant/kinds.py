@@ -151,6 +151,8 @@ ASSUMPTIONS: dict[str, str] = {
     "telephone: the line is empty, the neighbour has no direction, and no telegram that gives it, or that says he has "
     "it, is under way.",
     "A-LINE": "A line is not reported clear while a train is on it before and after a step.",
+    "A-WHOLE": "A train divides nowhere but in a berth; its tail follows its head.",
+    "A-BUFFER": "A train comes to a stand before the end of a track; nothing runs through a buffer stop.",
     "A-STANDS": "A vehicle inside the layout that is not on a route stands still; others may roll in only from "
     "beyond the next stop signal, and a signal at stop stops them.",
 }
