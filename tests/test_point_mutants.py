@@ -45,6 +45,20 @@ def test_no_mutant_of_an_output_or_of_a_preset_survives(judge: Judge) -> None:
     assert {m.name: v for m in some if (v := judge.judge(m)).fate is not Fate.CLAIM} == {}
 
 
+OWN_BITS = ("next TR_P1 false", "next TH_P1 false", "STI_P1 false", "STI_P1 true", "STI_P1 without NOT QN_P1")
+OWN_BITS += ("next TR_P1 without TH_P1 AND VALID AND", "NU_DP_1 without OCC_DP", "NU_DP_1 without OCC_SA")
+OWN_BITS += ("NU_DP_1 true", "next P_DP true", "next X_X1 true", "next X_X1 with CAN_X1 negated")
+
+
+@pytest.mark.parametrize("which", OWN_BITS)
+def test_the_controllers_own_bits_are_claimed_to_mean_what_claims_read_in_them(judge: Judge, which: str) -> None:
+    """A point that is never taken as trailed, an alarm that never waits, a section used without a train: no claim that
+    reads such a bit would notice, and no train."""
+    those = [m for m in mutations(judge.controller) if m.name.startswith(which)]
+    assert those, which
+    assert {judge.judge(m).fate for m in those} == {Fate.CLAIM}
+
+
 def test_most_mutants_are_noticed(verdicts: list[tuple[Mutation, Verdict]]) -> None:
     fates = Counter(v.fate for _, v in verdicts)
     assert all(fates[f] for f in (Fate.CLAIM, Fate.TRAIN, Fate.OPERATOR, Fate.EQUIVALENT))

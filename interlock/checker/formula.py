@@ -102,8 +102,11 @@ def _one(x: Formula, sign: bool) -> frozenset[frozenset[Formula]]:
 def _shortest(those: frozenset[frozenset[Formula]]) -> frozenset[frozenset[Formula]]:
     """Without clauses that contain another one."""
     kept: list[frozenset[Formula]] = []
+    shorter = 0  # how many of these are shorter than the clause at hand: only they can be part of it
     for c in sorted(those, key=len):
-        if not any(k <= c for k in kept):
+        while shorter < len(kept) and len(kept[shorter]) < len(c):
+            shorter += 1
+        if not any(k <= c for k in kept[:shorter]):
             kept.append(c)
     return frozenset(kept)
 

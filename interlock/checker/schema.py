@@ -56,7 +56,8 @@ class Sentence:
 
     def _take(self, *wanted: str) -> str:
         word = self.tokens[self.at]
-        need(not wanted or word in wanted, f"the specification says {word!r} for {wanted} in: {self.text}")
+        if wanted and word not in wanted:
+            raise Rejected(f"the specification says {word!r} for {wanted} in: {self.text}")
         self.at += 1
         return word
 
@@ -136,7 +137,8 @@ class Sentence:
 
     def _word(self) -> Any:
         name = self._take()
-        need(re.fullmatch(r"[A-Za-z_]\w*", name) is not None, f"the specification says {name!r} in: {self.text}")
+        if not name.isidentifier():
+            raise Rejected(f"the specification says {name!r} in: {self.text}")
         if name in self.names:
             return self.names[name]
         later = self.tokens[self.at] == "'"

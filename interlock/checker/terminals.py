@@ -58,6 +58,10 @@ class Terminals(Ahead):
     def w_cancel(self, g: Signal) -> Formula:
         return leaf(f"CAN_{g.safe}")
 
+    def w_looked_at(self, m: str) -> Formula:
+        """Somebody confirms that he has looked at a trailed point."""
+        return leaf(f"TC_{safe(m)}")
+
     def w_by_hand(self, s: str) -> Formula:
         return leaf(f"REL_{safe(s)}")
 
@@ -235,6 +239,10 @@ class Terminals(Ahead):
 
     def w_trailed(self, m: str) -> Formula:
         return leaf(f"TR_{safe(m)}")
+
+    def w_was_right(self, m: str) -> Formula:
+        """It was detected where it was commanded."""
+        return leaf(f"TH_{safe(m)}")
 
     def w_commanded(self, m: str, x: str) -> Formula:
         return leaf(f"C{x}_{safe(m)}")

@@ -122,6 +122,13 @@ class Topology:
     def w_joints_with_ways(self, s: str) -> list[str]:
         return [j for j in self.r.ends[s] if self.r.from_end(s, j)]
 
+    def w_lockable_ends(self, s: str) -> list[str]:
+        """The ends at which a way begins for which the section can be locked."""
+        return [j for j in self.r.ends[s] if self.w_locked_from(s, j)]
+
+    def w_rear_at(self, s: str, j: str) -> str:
+        return self.across_of(s, j)
+
     def w_other_ends(self, s: str, j: str) -> list[str]:
         return [k for k in self.r.ends[s] if k != j]
 

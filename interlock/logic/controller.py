@@ -194,6 +194,8 @@ class Symbols:
     command: Mapping[tuple[MachineId, Position], str]
     by_hand: Mapping[tuple[MachineId, Position], str]
     trailed: Mapping[MachineId, str]
+    seen_right: Mapping[MachineId, str]
+    looked_at: Mapping[MachineId, str]
     condition: Mapping[ConditionId, str]
     stop_lamp: Mapping[SignalId, str]
     clear_lamp: Mapping[SignalId, str]

@@ -96,6 +96,8 @@ def _symbols(d: Draft) -> Symbols:
         command={(m, x): f"C{x}_{portable(m)}" for m in d.machines for x in Position},
         by_hand={(m, x): f"M{x}_{portable(m)}" for m in d.machines for x in Position},
         trailed={m: f"TR_{portable(m)}" for m in d.powered},
+        seen_right={m: f"TH_{portable(m)}" for m in d.powered},
+        looked_at={m: f"TC_{portable(m)}" for m in d.powered},
         condition={c.id: f"E_{portable(c.id)}" for c in d.layout.conditions},
         stop_lamp={g.id: f"RL_{portable(g.id)}" for g in d.layout.signals} if d.layout.principles.lamp_proof else {},
         clear_lamp={g: f"GL_{portable(g)}" for g in lit},

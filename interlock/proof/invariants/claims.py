@@ -9,7 +9,6 @@ from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
-from interlock.model.approach import Approach
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.principles import Caution
@@ -17,6 +16,7 @@ from interlock.model.traversal import Traversal, path_speed
 from interlock.proof.invariants.flank import flank, flank_space
 from interlock.proof.invariants.kinds import Claim, Facts
 from interlock.proof.invariants.paths import Shown, SignalPath, ground_of, lie, shown_over, signal_paths
+from interlock.proof.invariants.reasons import reasons
 from interlock.proof.invariants.terminals import terminals
 
 CLAIMS: dict[str, str] = {
@@ -103,8 +103,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         *((*x, False) for x in _again(f)),
         *((*x, False) for x in _requests(f)),
         *((*x, False) for x in _set(f)),
-        *((*x, False) for x in _reasons(f)),
-        *((*x, False) for x in _given_up(f)),
+        *((*x, False) for x in reasons(f)),
         *((*x, False) for x in _locks(f)),
         *((*x, False) for x in _points(f)),
     ):
@@ -351,57 +350,6 @@ def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         occupied = any(r.call_on or r.berth == (s, n) for r in f.sym.routes_over.get((s, n), ()))
         free = [] if occupied else [neg(f.locked(s)), *([f.clear(s)] if s in f.sym.clear else [])]
         yield "S-SET", f"{s} {n}", implies(new, conj((var(f.sym.valid), *blocked, *free)))
-
-
-def _reasons(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    """R8, R9, R16: why the locks of a section end.  `used` and `cancelling` are the controller's own bits."""
-    after = f.system.after
-    waits_for = f.system.waits_for
-    for s in f.topo.sections:
-        by_hand = var(f.sym.release[s])
-        freed = conj((f.restart(s), neg(after(f.restart(s)))))
-        yield "L-REASON", f"{s} after a restart", implies(freed, disj((by_hand, var(f.sym.release_all), f.passed(s))))
-        reasons = [f.used(s), by_hand, conj((var(f.sym.release_all), f.stale(s)))]
-        for j in f.topo.ends[s]:
-            g = f.topo.signal_into.get((j, s))
-            rear = f.topo.beyond(s, j)
-            if g is not None:
-                reasons.append(var(f.sym.cancelling[SignalId(str(g))]))
-            if rear is not None and (j, s) not in f.topo.main_into:
-                leads = f.locked_out(rear, j)  # past a shunt signal only for a train
-                reasons.append(conj((f.locked_in(s, j), neg(conj((leads, f.train(rear))) if g is not None else leads))))
-        ended = conj((f.any_lock(s), neg(after(f.any_lock(s)))))
-        yield "L-REASON", s, implies(ended, disj(reasons))
-        timer = f.sym.release_timer[s]
-        yield "L-CLEAR", s, implies(disj((freed, ended)), var(timer))
-        yield "L-CLEAR", f"{s} timed", implies(var(waits_for[timer]), conj((var(f.sym.valid), f.clear(s))))
-
-
-def _coming(f: Facts, x: Approach) -> Expr:
-    """A train may be on its way from there."""
-    if x.section is None or x.unseen:
-        return TRUE
-    ways = ((f.sym.lock.get((x.section, n)), y) for n, y in x.further)
-    return disj((neg(f.clear(x.section)), *(conj((var(name), _coming(f, y))) for name, y in ways if name is not None)))
-
-
-def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    """R8: comprehensive approach locking, over what is `measured`."""
-    after = f.system.after
-    for g, routes in f.sym.routes_from.items():
-        signal = f.layout.signal[g]
-        first = f.layout.section_of(signal.into)
-        from_g = f.locked_in(first, signal.node)
-        shown = disj(var(r.shown) for r in routes)
-        given_up = conj((from_g, neg(after(from_g)), neg(f.used(first)), shown))
-        long = f"long.stop.{g}"
-        stands = after(var(long)) if long in f.system.plant.clocks else FALSE
-        nobody = neg(_coming(f, f.system.measured.approaches[g]))
-        yield "L-APPROACH", g, implies(given_up, disj((nobody, stands)))
-        for r in routes:
-            set_, seen = after(var(r.active)), after(var(r.shown))
-            stays = disj((after(var(r.proceed)), conj((var(r.shown), set_))))
-            yield "L-APPROACH", f"{r.id} shown", implies(stays, seen)
 
 
 def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
