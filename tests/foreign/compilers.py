@@ -77,7 +77,7 @@ class Matiec(Compiler):
         (folder / "wiring.h").write_text(_wiring_h(wiring, names), encoding="ascii")
         shutil.copy(HERE / "host_matiec.c", folder)
         units = [f"{task.configuration}.c", f"{task.resource}.c", "host_matiec.c"]
-        where = ["-I", self.folder / "lib" / "C", "-I", folder, "-I", HERE]
+        where: list[str | Path] = ["-I", self.folder / "lib" / "C", "-I", folder, "-I", HERE]
         _run(["gcc", UNOPTIMIZED, "-w", *where, *units, "-o", "program"], folder)
         return folder / "program"
 
@@ -98,7 +98,7 @@ class StrucPp(Compiler):
         }
         (folder / "wiring.h").write_text(_wiring_h(wiring, names), encoding="ascii")
         shutil.copy(HERE / "host_strucpp.cpp", folder)
-        where = ["-I", self.folder / "src" / "runtime" / "include", "-I", folder, "-I", HERE]
+        where: list[str | Path] = ["-I", self.folder / "src" / "runtime" / "include", "-I", folder, "-I", HERE]
         units = [*sorted(x.name for x in folder.glob("program*.cpp")), "host_strucpp.cpp"]
         _run(["g++", "-std=c++17", UNOPTIMIZED, "-w", *where, *units, "-o", "program"], folder)
         return folder / "program"

@@ -30,7 +30,8 @@ def _output_term(source: str) -> str:
 def _exchanged_wires(source: str) -> str:
     """The first two wires of %Q are exchanged."""
     first, second = re.findall(r"AT (%QX\d+\.\d)", source)[:2]
-    return source.replace(first, "%").replace(second, first).replace("AT % :", f"AT {second} :")
+    other = {first: second, second: first}
+    return re.sub(r"%QX\d+\.\d", lambda m: other.get(m[0], m[0]), source)
 
 
 def _long_cycle(source: str) -> str:

@@ -2,12 +2,12 @@
 
 The simulator says at times that the inputs are not valid; on the wires that is a substation whose heartbeat stands
 still.  Cycles are stalled more often than in the simulator's campaign, and by exactly the bound and one millisecond
-more; each power cut ends a segment.
+more; each power cut ends a segment.  A second recording has inputs at random, that no railway gives.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from random import Random
 from typing import Any
@@ -27,6 +27,8 @@ STILL_MS = (400, 900, 1000, 1100, 3000)
 """How long a heartbeat stands still, at times."""
 QUIET = Faults(inputs=0.0, stall=0.0, power=0.0)
 HARSH = replace(QUIET, inputs=0.003, power=0.003)
+OFTEN = {"DN_": 0.5, "DR_": 0.5, "BLK_": 0.03, "CAN_": 0.03}
+"""Of inputs at random: how often they are 1, by the beginning of their names; others nearly always."""
 STARTS_MS = (0, 1, 86_400_000, 31 * 86_400_000)
 """What the clock of the PLC may say at power-on: no timer depends on it."""
 
@@ -150,22 +152,46 @@ class _Life(Life):
         return super()._cycle(stopped)
 
 
-def record(railway: Railway, scans: int, seed: int) -> Recording:
-    """So many scans: a quiet railway and one with stalls, lost heartbeats and power cuts, each with a random and with a
-    hostile operator."""
+LIVES = ((False, False), (True, False), (False, True), (True, True))
+"""Railways that are recorded: whether the operator is hostile, and whether there are many stalls, heartbeats that are
+lost, and power cuts."""
+
+
+def record(railway: Railway, scans: int, seed: int, lives: Sequence[tuple[bool, bool]] = LIVES) -> Recording:
+    """So many scans, each life its share."""
     track = Track.of(railway.layout, railway.approaches)
     total = Outcome()
     segments: list[Segment] = []
     stalls = invalid = 0
-    for n, (hostile, harsh) in enumerate(((False, False), (True, False), (False, True), (True, True))):
+    for n, (hostile, harsh) in enumerate(lives):
         rng = Random(f"{seed} {n}")
         recorder = Recorder(railway, Random(f"wires {seed} {n}"))
         names: dict[str, Any] = {**load(railway.runtime), "Controller": recorder}
         faults = HARSH if harsh else QUIET
         life = _Life(railway.layout, track, names, rng, hostile, railway.routes, faults)
         life.stalled = STALLED if harsh else STALLED / 20
-        life.run(scans * (n + 1) // 4 - scans * n // 4, total, lambda _: False, None)
+        life.run(scans * (n + 1) // len(lives) - scans * n // len(lives), total, lambda _: False, None)
         segments += [s for s in recorder.segments if s.scans]
         stalls, invalid = stalls + recorder.stalls, invalid + recorder.invalid
     wiring = recorder.wiring
     return Recording(wiring, tuple(segments), total.trains, total.movements, stalls, total.power_cuts, invalid)
+
+
+def scramble(railway: Railway, scans: int, seed: int) -> Recording:
+    """So many scans with inputs at random, most as they were in the scan before; cycles about as long as the bound."""
+    rng, inputs = Random(f"scrambled {seed}"), railway.controller.inputs
+    recorder = Recorder(railway, rng)
+    cabinet, longest = recorder(), recorder.cycle_max_ms
+    values = {i.name: i.restrictive for i in inputs}
+    often = {i.name: next((c for p, c in OFTEN.items() if i.name.startswith(p)), 0.95) for i in inputs}
+    for _ in range(scans):
+        for i in inputs:
+            if i.size and rng.random() < 0.3:
+                values[i.name] = rng.randrange(i.size)
+            elif not i.size and rng.random() < 0.2:
+                values[i.name] = int(rng.random() < often[i.name])
+        values[railway.controller.symbols.valid] = int(rng.random() < 0.999)
+        cabinet.scan(
+            values, rng.choice((longest + 1, 3 * longest) if rng.random() < 0.02 else (100, 400, 900, longest))
+        )
+    return Recording(recorder.wiring, tuple(recorder.segments), 0, 0, recorder.stalls, 0, recorder.invalid)
