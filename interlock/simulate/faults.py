@@ -18,7 +18,8 @@ class Faults:
     inputs not valid.  stall: a cycle of more than a second.  power: the controller off, all that it remembers lost.
     divide: a train parts, its rear stays.  overrun: chance that a driver does not stop at a signal with an overlap.
     condition: an external condition not fulfilled.  shunt: a section with a train in it reads clear, for less than
-    `shunt_s`.
+    `shunt_s`.  sensor: a detector that is not healthy, and says so where that is wired; what it reports is anything.
+    trail: chance that a vehicle which is moved under local rules runs through points that it stands on.
     """
 
     late: float = 0.3
@@ -33,7 +34,9 @@ class Faults:
     condition: float = 0.0005
     shunt: float = 0.0
     shunt_s: float = 2.0
+    sensor: float = 0.0005
+    trail: float = 0.5
 
 
-NO_FAULTS = Faults(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)
+NO_FAULTS = Faults(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, sensor=0, trail=0)
 """Nothing goes wrong."""

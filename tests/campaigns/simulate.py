@@ -16,8 +16,6 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-import yaml
-
 from interlock.app.check import derive_file
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import MalformedController
@@ -37,7 +35,6 @@ class Case:
     layout: Layout
     runtime: str
     routes: dict[str, tuple[int, ...]]
-    approaches: dict[str, float]
 
     @staticmethod
     def of(path: str, weakening: str = "") -> Case:
@@ -55,18 +52,7 @@ class Case:
         routes: dict[str, tuple[int, ...]] = {}
         for r in found.table.routes:
             routes[str(r.entry)] = (*routes.get(str(r.entry), ()), r.number)
-        return Case(found.layout, text, routes, approaches(path))
-
-
-def approaches(path: str) -> dict[str, float]:
-    """Metres of the approach section at each boundary, as the file states them."""
-    told = yaml.load(Path(path).read_text(encoding="utf-8"), yaml.BaseLoader)
-    out: dict[str, float] = {}
-    for name, b in (told.get("boundaries") or {}).items():
-        words = str((b or {}).get("approach", "")).split()
-        if len(words) == 2:
-            out[str(name)] = float(words[1])
-    return out
+        return Case(found.layout, text, routes)
 
 
 def drive(case: Case, scans: int, seed: int, hostile: bool) -> Outcome:
@@ -78,7 +64,6 @@ def drive(case: Case, scans: int, seed: int, hostile: bool) -> Outcome:
         seed=seed,
         hostile=hostile,
         routes=case.routes,
-        approaches=case.approaches,
     )
 
 
