@@ -133,6 +133,7 @@ class Drivers:
         if t.gap > self.view * (t.clear_view if t.expects else 1.0):
             t.accepted = t.expects
             return
+        t.accepted = t.accepted or t.expects
         told = self.proceed(t, t.target, shown)
         if told is None:
             self._closed(t, dt)

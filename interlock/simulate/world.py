@@ -249,7 +249,9 @@ class World:
         self.inputs["VALID"] = int(self.invalid < 0)
         self.invalid -= dt if self.invalid >= 0 else 0.0
         if f.shunt and rng.random() < f.shunt * dt * len(self.clear):
-            self.shunt_lost[rng.randrange(len(self.clear))] = rng.uniform(0.0, f.shunt_s)
+            s = rng.randrange(len(self.clear))
+            if self.count[s] and s not in self.shunt_lost:
+                self.shunt_lost[s] = rng.uniform(0.0, f.shunt_s)
 
     def _beside_false(self, s: int) -> bool:
         return any(n in self.false for n in self.track.neighbours[s])
