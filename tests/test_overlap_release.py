@@ -14,7 +14,7 @@ def _runtime(path: str, **state: bool) -> tuple[Any, dict[str, int]]:
     controller = names["Controller"]()
     controller.state |= {n: False for n in controller.state if n.startswith("K_")} | state
     inputs = dict.fromkeys((n for n in names["INPUTS"] if n.startswith(("CLR_", "VALID", "RL_", "GL_", "CL_"))), 1)
-    return controller, inputs
+    return controller, inputs | dict.fromkeys((n for n in names["INPUTS"] if n.startswith("BLK_")), 0)
 
 
 def test_an_overlap_under_a_vehicle_is_not_given_up_on_a_single_clear_reading() -> None:
