@@ -63,7 +63,7 @@ class Called:
         def lacking(name: str) -> bool:
             return not now.get(name, 1) and not before.get(name, 1)
 
-        clear, caution, call, _, _ = w.drivers.lit[signal]
+        clear, caution, *_ = w.drivers.lit[signal]
         trusts = not t.shunting and bool(shown.get(clear) or shown.get(caution))
         wrong: list[str] = []
         if lacking("VALID"):

@@ -49,7 +49,7 @@ class Drivers:
         out = self.world.out
         green = shown.get(clear) and self.clear_out[signal] not in out
         yellow = shown.get(caution) and self.caution_out[signal] not in out
-        if (green or yellow or shown.get(white)) and shown.get(stop) or (shown.get(clear) and shown.get(caution)):
+        if ((green or yellow or shown.get(white)) and shown.get(stop)) or (shown.get(clear) and shown.get(caution)):
             self.world.watch.contradicts(self.world, signal)
         if green or yellow or shown.get(call):
             return False
@@ -190,9 +190,9 @@ class Drivers:
     def _fails(self, t: Train) -> None:
         """A driver fails to stop, within the overlap; not while points of it turn (A-OVERRUN, A-SWING)."""
         metres = min(self.overlap[t.target], 400.0)
-        if metres and t.gap < 60.0 and self.rng.random() < self.world.faults.overrun * 0.1:
-            if self.sight.rails_lie(t, t.gap + metres):
-                t.overruns = t.margin + metres * self.rng.uniform(0.05, 0.95)
+        near = metres and t.gap < 60.0 and self.rng.random() < self.world.faults.overrun * 0.1
+        if near and self.sight.rails_lie(t, t.gap + metres):
+            t.overruns = t.margin + metres * self.rng.uniform(0.05, 0.95)
 
     # --- standing --------------------------------------------------------------------------------
 

@@ -77,7 +77,7 @@ class Watch:
                 )
 
     def comes_in(self, world: World, t: Train, section: int) -> None:
-        """A head comes into a section in which another vehicle is, other than a shunting movement on sight in a berth."""
+        """A head comes into a section in which another vehicle is; a shunting movement may, on sight in a berth."""
         if t.shunting and section in self.track.berths:
             return
         for o in world.trains:
