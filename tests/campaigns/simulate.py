@@ -178,7 +178,7 @@ def _head(done: list[tuple[Work, Outcome]], seconds: float) -> list[str]:
     dirty = " with changes" if _git("status", "--porcelain", "--", "interlock", "layouts", "tests") else ""
     return [
         "# Trains in metres on the emitted runtimes\n",
-        f"Commit {_git('log', '-1', '--format=%h')}{dirty}, seeds {seeds[0]} to {seeds[-1]}, {platform.python_implementation()} "
+        f"Commit {_git('log', '-1', '--format=%h')}{dirty}, seeds {seeds[0]} to {seeds[-1]}, Python "
         f"{platform.python_version()}, {_processor()}, {os.cpu_count()} cores, {seconds / 60:.0f} minutes.\n",
         "`python -m tests.campaigns.simulate`: each layout's runtime, as it is written, in a world of trains with "
         "lengths, speeds and brakes, with faults, power cuts and two kinds of operators.  A movement is a signal "
