@@ -44,6 +44,11 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         timer = f.sym.release_timer[s]
         yield "L-CLEAR", s, implies(disj((freed, ended)), var(timer))
         yield "L-CLEAR", f"{s} timed", implies(var(waits_for[timer]), conj((var(f.sym.valid), f.clear(s))))
+    for (g, k), held in f.sym.overlap.items():
+        swings = [after(var(f.sym.swings[g]))] if g in f.sym.swings else []
+        over = [var(f.sym.release_timer[s]) for s, _ in f.sym.overlap_ways[g, k]]
+        given_up = conj((var(held), neg(after(var(held)))))
+        yield "L-CLEAR", f"overlap {k} of {g}", implies(given_up, disj((conj(over), *swings)))
 
 
 def _rear(f: Facts, s: SectionId, j: NodeId) -> SectionId | None:
