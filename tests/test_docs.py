@@ -25,7 +25,7 @@ def test_the_readmes_two_commands_are_single_lines() -> None:
 
 
 def test_the_readmes_layout_is_proved() -> None:
-    from interlock.derive import derive
+    from interlock.derivation import derive
     from interlock.logic.lower import lower
 
     text = README.split("```yaml\n")[1].split("```")[0]

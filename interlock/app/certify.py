@@ -11,6 +11,7 @@ from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Severity
 from interlock.emit.bundle import MANIFEST as OUTPUTS
 from interlock.emit.bundle import differences, is_bundle, write_folder
+from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.proof.invariants import Facts, claims, strengthening
 from interlock.proof.limits import Limits
@@ -39,6 +40,7 @@ class Certified:
         return bool(self.summary) and not self.notes
 
 
+@interning()
 def certify_file(
     path: str,
     outputs: Path,

@@ -31,6 +31,7 @@ from interlock.emit.tables.export import (
 from interlock.emit.tables.railml import railml_json
 from interlock.frontend import load
 from interlock.logic.cabinet import allocate
+from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.proof.limits import Limits
@@ -46,8 +47,20 @@ def build(
     progress: Progress = quiet,
     dialects: Sequence[str] = (),
 ) -> tuple[Proved, dict[str, bytes]]:
-    """All outputs of a layout in memory; empty when there are errors, no PLC text when something is open."""
-    proved, texts = prove_derived(derive_file(path), limits, progress, dialects)
+    """All outputs of a layout file in memory; empty when there are errors, no PLC text when something is open."""
+    return build_derived(derive_file(path), unproved=unproved, limits=limits, progress=progress, dialects=dialects)
+
+
+def build_derived(
+    derived: Checked,
+    *,
+    unproved: bool = False,
+    limits: Limits | None = None,
+    progress: Progress = quiet,
+    dialects: Sequence[str] = (),
+) -> tuple[Proved, dict[str, bytes]]:
+    """The same of a layout that is derived."""
+    proved, texts = prove_derived(derived, limits, progress, dialects)
     checked = proved.checked
     if not checked.ok:
         return proved, {}
@@ -65,8 +78,9 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
     layout, table, proof = checked.layout, checked.table, proved.proof
     assert layout is not None and table is not None and proof is not None
     plan = plan_svg(layout)
-    controller = lower(layout, table)
-    allocation = allocate(layout, controller)
+    with interning():
+        controller = lower(layout, table)
+        allocation = allocate(layout, controller)
     body = {
         "schema": "interlock-proof/1",
         "layout": layout.name,

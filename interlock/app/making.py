@@ -14,6 +14,7 @@ from interlock.app.proved import Proved
 from interlock.app.texts import writers
 from interlock.audit import Finding
 from interlock.diag import Diagnostic, Severity
+from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.invariants import Facts, claims
@@ -42,7 +43,7 @@ def make(
 ) -> tuple[Proved, dict[str, bytes]]:
     """Prove the controller of a layout's table beside its audit, and compare each text that is written with it."""
     limits, keep = wanted.limits, wanted.keep
-    with ExitStack() as beside:
+    with interning(), ExitStack() as beside:
         controller = lower(layout, table)
 
         def begin(head: list[str]) -> Begun:

@@ -15,7 +15,20 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
 
-from interlock.logic.expr import FALSE, Expr, Substitution, conj, disj, eq, evaluate, neg, var, variables
+from interlock.logic.expr import (
+    FALSE,
+    Expr,
+    Substitution,
+    UniqueTable,
+    conj,
+    current_table,
+    disj,
+    eq,
+    evaluate,
+    neg,
+    var,
+    variables,
+)
 from interlock.model.elements import (
     ConditionId,
     MachineId,
@@ -336,6 +349,8 @@ class Controller:
     next: tuple[Equation, ...]
     outputs: tuple[Output, ...]
     symbols: Symbols = field(repr=False)
+    nodes: UniqueTable = field(default_factory=current_table, repr=False, compare=False)
+    """The table with which its expressions are made, and others that are to be compared with them."""
 
     def __post_init__(self) -> None:
         defined: set[str] = set()

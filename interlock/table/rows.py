@@ -12,7 +12,6 @@ from enum import StrEnum
 from functools import cached_property
 from typing import overload
 
-from interlock.model.approach import Approach
 from interlock.model.bits import chosen
 from interlock.model.elements import (
     ConditionId,
@@ -24,6 +23,7 @@ from interlock.model.elements import (
     SectionId,
     SignalId,
 )
+from interlock.model.places import Approach
 
 SCHEMA_VERSION = 3
 TraversalKey = tuple[SectionId, int]

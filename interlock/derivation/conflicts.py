@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from interlock.derive.routes import Path
+from interlock.derivation.routes import Path
 from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position, RouteId, SectionId
 from interlock.model.traversal import Traversal
