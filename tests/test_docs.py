@@ -8,9 +8,7 @@ from pathlib import Path
 from interlock.app.check import check_file
 from interlock.diag import Sink
 from interlock.frontend import load_text
-from interlock.frontend.schema import LayoutFile
 from interlock.logic.plant import ASSUMPTIONS
-from interlock.model.principles import KNOBS, PROFILES
 from interlock.proof.invariants import CLAIMS
 from interlock.proof.runner import prove
 from interlock.proof.system import System
@@ -44,14 +42,6 @@ def test_the_proof_page_gives_every_assumption_in_its_words() -> None:
     page = Path("interlock/docs/proof.md").read_text("utf-8")
     for id_, sentence in ASSUMPTIONS.items():
         assert f"- **{id_}**: {sentence}" in page
-
-
-def test_the_language_page_names_every_key_knob_and_profile() -> None:
-    page = Path("interlock/docs/language.md").read_text("utf-8")
-    for name, field in LayoutFile.model_fields.items():
-        assert f"| `{field.alias or name}` |" in page
-    for word in (*KNOBS, *PROFILES):
-        assert f"`{word}`" in page
 
 
 def test_links_in_the_documents_lead_somewhere() -> None:

@@ -98,7 +98,7 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
         ],
     }
     return {
-        "table.json": table_json(table).encode(),
+        "table.json": table_json(layout, table).encode(),
         "table.csv": table_csv(table).encode(),
         "table.xlsx": table_xlsx(layout, table),
         "plan.svg": plan.encode(),
