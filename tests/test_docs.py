@@ -68,7 +68,7 @@ def test_no_module_is_long() -> None:
 
 
 def test_every_rule_that_a_cell_names_is_explained() -> None:
-    from interlock.app.why import explain
+    from interlock.app.explain import explain
     from interlock.table.columns import COLUMNS
     from tests.layouts import SHIPPED, built
 

@@ -6,6 +6,7 @@ Nothing here prints.  PLC text is written only when everything is proved, or mar
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -48,6 +49,7 @@ def build(
     dialects: Sequence[str] = (),
 ) -> tuple[Proved, dict[str, bytes]]:
     """All outputs of a layout file in memory; empty when there are errors, no PLC text when something is open."""
+    progress("deriving", 0, 0)
     return build_derived(derive_file(path), unproved=unproved, limits=limits, progress=progress, dialects=dialects)
 
 
@@ -64,6 +66,7 @@ def build_derived(
     checked = proved.checked
     if not checked.ok:
         return proved, {}
+    progress("writing tables and plan", 0, 0)
     files = _documents(checked, proved)
     if proved.green or unproved:
         files |= texts
@@ -147,10 +150,11 @@ def compile_file(
     check: bool = False,
     unproved: bool = False,
     limits: Limits | None = None,
-    progress: Progress = quiet,
     dialects: Sequence[str] = (),
+    progress: Progress = quiet,
 ) -> Proved:
     """Write the outputs of a layout (or compare them with what is there)."""
+    began = time.monotonic()
     proved, files = build(path, unproved=unproved, limits=limits, progress=progress, dialects=dialects)
     layout = proved.checked.layout
     if not files or layout is None:
@@ -197,7 +201,8 @@ def compile_file(
                 "everything must be PROVED first; `--unproved` writes them with a mark, for study",
             )
         )
-    return replace(proved, files=tuple(sorted(files)), notes=tuple(notes))
+    seconds = time.monotonic() - began
+    return replace(proved, files=tuple(sorted(files)), notes=tuple(notes), seconds=seconds)
 
 
 def names_twice(paths: Sequence[str]) -> tuple[Diagnostic, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import click
 
-from interlock.cli.common import put_json
+from interlock.cli.common import format_option, put_json
 
 
 @click.command("schema")
@@ -16,12 +16,15 @@ from interlock.cli.common import put_json
     show_default=True,
     help="The layout language (draft-07), table.json (2020-12), or every key of the language as Markdown.",
 )
-def command(what: str) -> None:
+@format_option
+def command(what: str, form: str) -> None:
     """Print the JSON Schema of the layout language, for completion in editors, or of table.json."""
     from interlock.emit.tables.schema import table_schema
     from interlock.frontend.published import json_schema, language_keys
 
-    if what == "keys":
+    if what == "keys" and form != "json":
         click.echo(language_keys(), nl=False)
+    elif what == "keys":
+        put_json({"markdown": language_keys()})
     else:
         put_json(json_schema() if what == "layout" else table_schema())
