@@ -171,6 +171,8 @@ class RouteSymbols:
     proceed: str
     shown: str
     passing: str | None = None
+    names: tuple[str, ...] = ()
+    """Names that the author gives to it, beside its id."""
 
     @property
     def open_while(self) -> tuple[str, ...]:
