@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from interlock.app.check import check_file
-from interlock.app.why import explain
+from interlock.app.explain import explain
 from interlock.diag import Severity, Sink
 from interlock.diag.codes import CODES
 from interlock.frontend import load, load_text

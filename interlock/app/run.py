@@ -13,6 +13,7 @@ from interlock.dispatch import Executor, voyages
 from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
 from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller
+from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.limits import Limits
@@ -38,8 +39,9 @@ def prepare(path: str, limits: Limits | None = None, progress: Progress = quiet)
     checked = proved.checked
     if not proved.green or checked.layout is None or checked.table is None:
         return Ready(proved)
-    controller = lower(checked.layout, checked.table)
-    allocation = allocate(checked.layout, controller)
+    with interning():
+        controller = lower(checked.layout, checked.table)
+        allocation = allocate(checked.layout, controller)
     return Ready(proved, checked.layout, checked.table, controller, allocation, files["runtime.py"].decode())
 
 

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import pairwise
 
 from interlock.audit.walk import Frozen, Move, Trip, signal_distance, signal_facing, steps
 from interlock.model.elements import BoundaryKind, EdgeId, NodeId, Position, SectionId
-from interlock.model.layout import Layout
+from interlock.model.layout import Layout, of_layout
 
 
 @dataclass(frozen=True)
@@ -79,7 +78,7 @@ def _outside(space: Space, own: Collection[SectionId]) -> Space:
     return {(what, signal) for what, signal in space if signal or what not in own}
 
 
-@lru_cache(maxsize=4096)
+@of_layout
 def _at_most(layout: Layout, place: Place) -> Space:
     """What lies behind a place, whichever way the points lie."""
     return _between(layout, place, {})

@@ -150,6 +150,7 @@ def _symbols(d: Draft) -> Symbols:
                 f"S_R{r.number}",
                 f"H_R{r.number}",
                 f"PA_R{r.number}" if r.closing.whole is not None else None,
+                r.names,
             )
             for r in d.table.routes
         ),

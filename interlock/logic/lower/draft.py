@@ -11,9 +11,9 @@ from itertools import pairwise
 
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
-from interlock.model.approach import Approach
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
+from interlock.model.places import Approach
 from interlock.model.portable import portable
 from interlock.model.traversal import Topology, topology
 from interlock.table.rows import InterlockingTable, RouteKind, RouteRow, TraversalKey, TraversalRow

@@ -11,6 +11,7 @@ from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq,
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
+from interlock.model.places import Approach
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
 from interlock.proof.invariants.flank import flank, flank_space

@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from math import isinf
 
-from interlock.derive.conflicts import Conflicts
-from interlock.derive.locking import (
+from interlock.derivation.conflicts import Conflicts
+from interlock.derivation.locking import (
     derive_approach,
     derive_aspect,
     derive_block,
@@ -21,9 +21,9 @@ from interlock.derive.locking import (
     derive_token,
     derive_zones,
 )
-from interlock.derive.locks import derive_locks
-from interlock.derive.routes import Path, find_routes
-from interlock.derive.voyages import derive_automatic, derive_voyages
+from interlock.derivation.locks import derive_locks
+from interlock.derivation.routes import Path, find_routes
+from interlock.derivation.voyages import derive_automatic, derive_voyages
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from interlock.derive.flank import Options, point_demands, protect, requesters, space
-from interlock.derive.routes import Path, machine_positions
+from interlock.derivation.flank import Options, point_demands, protect, requesters, space
+from interlock.derivation.routes import Path, machine_positions
 from interlock.diag import Sink
 from interlock.model.elements import Position, SectionId
 from interlock.model.foul import FoulJoint, foul_joints
