@@ -5,13 +5,16 @@ Only ways that some route uses become locks.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
-from interlock.derive.flank import Options, point_demands, protect, requesters, space
-from interlock.derive.routes import Path, machine_positions
+from interlock.derive.conflicts import set_apart
+from interlock.derive.flank import Options, Requester, cell, point_demands, requesters, space
+from interlock.derive.routes import Path
+from interlock.derive.settle import Place, Settlement, beside
+from interlock.derive.unsettled import report_flanks
 from interlock.diag import Sink
-from interlock.model.elements import Position, SectionId
+from interlock.model.elements import MachineId, Position
 from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal
@@ -21,49 +24,63 @@ from interlock.table.rows import (
     FlankCell,
     FoulCell,
     PointDemand,
+    Provider,
     ProviderKind,
     Role,
     SpaceCell,
+    TraversalKey,
     TraversalRow,
 )
 
+Locks = Mapping[TraversalKey, TraversalRow]
+
 
 def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[TraversalRow, ...]:
-    """Every lock, ordered by section and number; reports unprotected flanks (IL4001)."""
-    used: dict[tuple[SectionId, int], Traversal] = {}
-    over: dict[tuple[SectionId, int], list[Path]] = {}
-    for path in paths:
+    """Every lock, ordered by section and number; reports flanks that are unprotected (IL4001), that cannot be protected
+    without a contradiction (IL4002), or that have substitute protection (IL4010)."""
+    used: dict[TraversalKey, Traversal] = {}
+    over: dict[TraversalKey, int] = {}
+    for i, path in enumerate(paths):
         for t in (*path.ways, *path.overlap):
             used[t.key] = t
-            over.setdefault(t.key, []).append(path)
-    demands = {p.id: machine_positions(layout, (*p.ways, *p.overlap)) or {} for p in paths}
+            over[t.key] = over.get(t.key, 0) | 1 << i
     fouls, options = foul_joints(layout), Options(layout)
-    missing: dict[str, list[str]] = {}
+    bare = {key: _row(layout, t, (), used, fouls) for key, t in sorted(used.items())}
+    demands = {p.id: route_demands(p, bare) for p in paths}
+    hostile = set_apart(paths, bare, demands)
+    every = (1 << len(paths)) - 1
+    beside_ = {bits: beside(bits, hostile, every) for bits in {*over.values()}}
+    places = [Place(k, r, over[k], beside_[over[k]]) for k in bare for r in requesters(layout, used[k])]
+    asked = [p for p in places if options.preferred(p.requester) is not None]
+    needs = [{d.machine: d.position for d in demands[p.id]} for p in paths]
+    settled = Settlement(asked, needs, options)
+    cells: dict[TraversalKey, dict[Requester, tuple[Provider, ...]]] = {}
+    for at, option in settled.chosen.items():
+        cells.setdefault(asked[at].key, {})[asked[at].requester] = option
+    for p in places:
+        if p.requester.waiver is not None:
+            waived = (Provider(ProviderKind.WAIVED, p.requester.waiver),)
+            cells.setdefault(p.key, {}).setdefault(p.requester, waived)
     rows = []
     for key, t in sorted(used.items()):
-        own = machine_positions(layout, (t,)) or {}
-        cells, unprotected = protect(layout, t, own, [demands[p.id] for p in over[key]], options)
-        for r in unprotected:
-            missing.setdefault(r.name, []).extend(p.id for p in over[key])
-        rows.append(replace(_row(layout, t, cells, used, fouls), space=_space(layout, t, cells)))
-    for name, routes_ in sorted(missing.items()):
-        sink.add(
-            "IL4001",
-            f"nothing keeps vehicles away from {name}; routes {', '.join(sorted(set(routes_)))} pass there",
-            None,
-            f"add a signal or a protecting point, or waive it: `waive: [{{flank: {name}, reason: ...}}]`",
-        )
-    needed = {c.requester for r in rows for c in r.flank for p in c.providers if p.kind.value == "waived"}
-    for w in layout.waivers:
-        name = f"{w.point}.{'normal' if w.leg == 'N' else 'reverse'}"
-        if name not in needed:
-            sink.add(
-                "IL2008",
-                f"the waiver of {name} waives nothing: it is protected, or no route passes there",
-                None,
-                "remove the waiver",
-            )
+        mine = cells.get(key, {})
+        flank = tuple(cell(r, mine[r]) for r in requesters(layout, t) if r in mine)
+        rows.append(replace(_row(layout, t, flank, used, fouls), space=_space(layout, t, flank)))
+    report_flanks(layout, paths, places, settled, options, sink)
     return tuple(rows)
+
+
+def route_demands(path: Path, locks: Locks) -> tuple[PointDemand, ...]:
+    """How a route needs machines to lie: for its path first, then for its overlap and its flanks."""
+    found: dict[MachineId, PointDemand] = {}
+    demands = [d for t in path.ways for d in locks[t.key].points]
+    for t in path.overlap:
+        demands += [replace(d, role=Role.OVERLAP) if d.role is Role.PATH else d for d in locks[t.key].points]
+    for d in demands:
+        first = found.setdefault(d.machine, d)
+        if first.role is not d.role and d.role is Role.PATH:
+            found[d.machine] = d
+    return tuple(found.values())
 
 
 def _space(layout: Layout, t: Traversal, flank: tuple[FlankCell, ...]) -> tuple[SpaceCell, ...]:
@@ -81,7 +98,7 @@ def _row(
     layout: Layout,
     t: Traversal,
     flank: tuple[FlankCell, ...],
-    used: dict[tuple[SectionId, int], Traversal],
+    used: Mapping[TraversalKey, Traversal],
     fouls: tuple[FoulJoint, ...],
 ) -> TraversalRow:
     demands = {
@@ -94,9 +111,9 @@ def _row(
         )
         for p, x in t.points
     }
-    for cell in flank:
-        for machine, position in (point_demands(cell.providers) or {}).items():
-            demands.setdefault(machine, PointDemand(machine, position, Role.FLANK, t.section, cell.because))
+    for c in flank:
+        for machine, position in (point_demands(c.providers) or {}).items():
+            demands.setdefault(machine, PointDemand(machine, position, Role.FLANK, t.section, c.because))
     for device in layout.devices:
         if t.section in device.over:
             why = Because("R13", f"{device.kind} {device.id} lies over {t.section}")

@@ -1,12 +1,11 @@
 """The derivation as a visible order of steps.
 
-Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics IL4001-IL4005, IL2007, IL2008, IL3012.
+Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics IL4001-IL4005, IL4010, IL2007, IL2008, IL3012.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from math import isinf
 
 from interlock.derive.conflicts import Conflicts
@@ -21,7 +20,7 @@ from interlock.derive.locking import (
     derive_token,
     derive_zones,
 )
-from interlock.derive.locks import derive_locks
+from interlock.derive.locks import derive_locks, route_demands
 from interlock.derive.routes import Path, find_routes
 from interlock.derive.voyages import derive_automatic, derive_voyages
 from interlock.diag import Sink
@@ -51,7 +50,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     paths = find_routes(layout, sink)
     locks = derive_locks(layout, paths, sink)
     by_key = {t.key: t for t in locks}
-    demands = {p.id: _demands(p, by_key, sink) for p in paths}
+    demands = {p.id: route_demands(p, by_key) for p in paths}
     swinging = _swinging(layout, paths)
     for o in layout.overlaps:
         if o.swing and o.signal not in swinging:
@@ -115,26 +114,6 @@ def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:
         if t.section != path.berth:
             out.append(ClearCell(t.section, Because("R2" if path.kind is RouteKind.CALL_ON else "R3", why)))
     return tuple(out)
-
-
-def _demands(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) -> tuple[PointDemand, ...]:
-    found: dict[MachineId, PointDemand] = {}
-    demands = [d for t in path.ways for d in locks[t.key].points]
-    for t in path.overlap:
-        demands += [replace(d, role=Role.OVERLAP) if d.role is Role.PATH else d for d in locks[t.key].points]
-    for d in demands:
-        first = found.setdefault(d.machine, d)
-        if first.position is not d.position:
-            sink.add(
-                "IL4002",
-                f"route {path.id} demands machine {d.machine} in both positions: "
-                f"{first.because.text}; {d.because.text}",
-                None,
-                "give one of the two places another protection (a signal), or waive it with a reason",
-            )
-        elif first.role != d.role and d.role == "path":
-            found[d.machine] = d
-    return tuple(found.values())
 
 
 def _swinging(layout: Layout, paths: tuple[Path, ...]) -> dict[SignalId, tuple[int, ...]]:
