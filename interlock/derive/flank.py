@@ -210,12 +210,12 @@ def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[t
         gone += e.length
         signal = layout.signal_facing.get((far, edge))
         onward: Sequence[EdgeId] = ()
-        if far == r.node or far in layout.buffer_at or far in layout.boundary_at:
-            between(e.section)
-        elif signal is not None and gone >= r.clear_of:
+        if signal is not None and gone >= r.clear_of:
             between(e.section)
             if rules.flank_lamp and rules.lamp_proof:
                 found.setdefault((signal.id, True), f"{signal.id} protects {r.name} only while its stop lamp is intact")
+        elif far == r.node or far in layout.buffer_at or far in layout.boundary_at:
+            between(e.section)
         elif _turns_away(layout, far, edge, providers):
             if layout.section_of(layout.point_at[far].toe) != e.section:
                 between(e.section)

@@ -14,10 +14,11 @@ from interlock.derive.routes import Path
 from interlock.derive.settle import Place, Settlement, beside
 from interlock.derive.unsettled import report_flanks
 from interlock.diag import Sink
-from interlock.model.elements import MachineId, Position
+from interlock.model.bits import bits_of
+from interlock.model.elements import MachineId, Position, SectionId
 from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.layout import Layout
-from interlock.model.traversal import Traversal
+from interlock.model.traversal import Traversal, topology
 from interlock.table.rows import (
     Because,
     Exclusion,
@@ -61,13 +62,33 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
         if p.requester.waiver is not None:
             waived = (Provider(ProviderKind.WAIVED, p.requester.waiver),)
             cells.setdefault(p.key, {}).setdefault(p.requester, waived)
-    rows = []
-    for key, t in sorted(used.items()):
+    rows: dict[TraversalKey, TraversalRow] = {}
+    for key in bare:
         mine = cells.get(key, {})
-        flank = tuple(cell(r, mine[r]) for r in requesters(layout, t) if r in mine)
-        rows.append(replace(_row(layout, t, flank, used, fouls), space=_space(layout, t, flank)))
+        flank = tuple(cell(r, mine[r]) for r in requesters(layout, used[key]) if r in mine)
+        rows[key] = _row(layout, used[key], flank, used, fouls)
     report_flanks(layout, paths, places, settled, options, sink)
-    return tuple(rows)
+    if not any(_space(layout, used[key], row.flank, frozenset()) for key, row in rows.items()):
+        return tuple(rows.values())
+    hostile = set_apart(paths, rows, {p.id: route_demands(p, rows) for p in paths})
+    there, stands = [_taken(layout, p) for p in paths], [_standing(layout, p) for p in paths]
+    busy: dict[int, frozenset[SectionId]] = {}
+    for own in {*over.values()}:
+        others = beside(own, hostile, every) & ~own
+        where = [there[i] for i in bits_of(others)] + [stands[i] for i in bits_of(own)]
+        busy[own] = frozenset().union(*where)
+    return tuple(replace(row, space=_space(layout, used[key], row.flank, busy[over[key]])) for key, row in rows.items())
+
+
+def _taken(layout: Layout, path: Path) -> frozenset[SectionId]:
+    """The sections in which a train may be that runs a route, or is about to."""
+    return frozenset(t.section for t in path.ways) | _standing(layout, path)
+
+
+def _standing(layout: Layout, path: Path) -> frozenset[SectionId]:
+    """Where the train of a route stands before it, and where vehicles may stand at its end."""
+    rear = topology(layout).beyond(path.ways[0].section, path.entry_node)
+    return frozenset(s for s in (rear, path.berth) if s is not None)
 
 
 def route_demands(path: Path, locks: Locks) -> tuple[PointDemand, ...]:
@@ -83,15 +104,24 @@ def route_demands(path: Path, locks: Locks) -> tuple[PointDemand, ...]:
     return tuple(found.values())
 
 
-def _space(layout: Layout, t: Traversal, flank: tuple[FlankCell, ...]) -> tuple[SpaceCell, ...]:
-    """The flank space of every requester of a way that is protected, not waived."""
+def _space(
+    layout: Layout, t: Traversal, flank: tuple[FlankCell, ...], busy: frozenset[SectionId]
+) -> tuple[SpaceCell, ...]:
+    """The flank space of every requester of a way that is protected, not waived.
+
+    `busy`: where trains are that may run at the same time, each on a route of its own; they are not waited for.
+    """
     cells = {c.requester: c.providers for c in flank}
     found: dict[tuple[str, bool], str] = {}
     for r in requesters(layout, t):
         providers = cells.get(r.name, ())
         if r.name in cells and not any(p.kind is ProviderKind.WAIVED for p in providers):
             found = space(layout, r, providers) | found
-    return tuple(SpaceCell(name, lamp, Because("R5", why)) for (name, lamp), why in sorted(found.items()))
+    return tuple(
+        SpaceCell(name, lamp, Because("R5", why))
+        for (name, lamp), why in sorted(found.items())
+        if lamp or name not in busy
+    )
 
 
 def _row(

@@ -5,7 +5,7 @@ Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics IL4001-IL4005, I
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import isinf
 
 from interlock.derive.conflicts import Conflicts
@@ -76,7 +76,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             points=demands[p.id],
             driven=_driven(layout, p, demands[p.id]),
             sections=_clear(layout, p),
-            foul=_foul(p, by_key, sink),
+            foul=_foul(p, by_key),
             flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
             space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
             hostile=hostile.of(p),
@@ -94,6 +94,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
         )
         for p in paths
     )
+    _foul_themselves(rows, sink)
     voyages = derive_voyages(layout, rows, by_key, sink)
     automatic = derive_automatic(layout, rows, sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
@@ -155,18 +156,21 @@ def _driven(layout: Layout, path: Path, demands: tuple[PointDemand, ...]) -> tup
     return tuple(out.values())
 
 
-def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) -> tuple[FoulCell, ...]:
-    cells = tuple(dict.fromkeys(c for t in (*path.ways, *path.overlap) for c in locks[t.key].foul))
-    own = {t.section for t in path.ways}
-    for c in cells:
-        if c.section in own:
-            sink.add(
-                "IL4002",
-                f"route {path.id} fouls itself: {c.because.text}, and {c.section} is on its path",
-                None,
-                "move the joint out of the fouling point",
-            )
-    return cells
+def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tuple[FoulCell, ...]:
+    return tuple(dict.fromkeys(c for t in (*path.ways, *path.overlap) for c in locks[t.key].foul))
+
+
+def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:
+    """Joints that are foul of a route and begin a section of the very same."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for r in rows:
+        for c in r.foul:
+            if c.section in r.section_ids:
+                found.setdefault((c.because.text, c.section), []).append(r.id)
+    for (why, section), ids in found.items():
+        which = f"route{'s' if len(ids) > 1 else ''} {', '.join(ids)}"
+        text = f"{why}, and {section} is on the path of {which}"
+        sink.add("IL4002", text, None, "move the joint out of the fouling point, or exclude the route: `exclude:`")
 
 
 def _names(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[RouteId, tuple[str, ...]]:

@@ -13,9 +13,9 @@ from interlock.derive.routes import Path
 from interlock.derive.settle import Place, Settlement
 from interlock.diag import Sink
 from interlock.model.bits import chosen
-from interlock.model.elements import BoundaryKind, EdgeId, NodeId, Position, SectionId
+from interlock.model.elements import EdgeId, NodeId, Position, SignalId
 from interlock.model.layout import Layout
-from interlock.model.traversal import onward_edges, topology
+from interlock.model.traversal import onward_edges
 from interlock.table.rows import Provider
 
 NAMED = 8  # so many routes are named, of more the number is told
@@ -34,7 +34,7 @@ def report_flanks(
             "IL4001",
             f"nothing keeps vehicles away from {name}; {_routes(paths, over)} pass there",
             None,
-            _remedy(layout, r, "add a signal or a protecting point"),
+            _remedy(layout, r),
         )
     _impossible(layout, paths, settled, options, sink)
     _substitutes(paths, settled, options, sink)
@@ -74,7 +74,7 @@ def _impossible(layout: Layout, paths: Sequence[Path], settled: Settlement, opti
             "IL4002",
             f"{name} cannot be protected in {_routes(paths, over)}: {'; '.join(why) or 'all that could contradicts'}",
             None,
-            _remedy(layout, r, "give the place another protection"),
+            _remedy(layout, r),
         )
 
 
@@ -101,49 +101,36 @@ def _routes(paths: Sequence[Path], over: int) -> str:
     return f"route{'s' if len(names) > 1 else ''} {', '.join(names[:NAMED])}{more}"
 
 
-def _remedy(layout: Layout, r: Requester, advice: str) -> str:
-    """A signal that would do, if one can stand somewhere, and the key to write; legs of points may be waived."""
-    signals = _signals_for(layout, r)
-    if signals:
-        keys = ", ".join(f"NEW{n}: {{from: {a}, into: {b}}}" for n, (a, b) in enumerate(signals, start=1))
-        advice = f"add {'a signal' if len(signals) == 1 else 'signals'}: `signals: {{{keys}}}`"
-    if "." in r.name and r.name.split(".")[1] in ("normal", "reverse"):
-        advice += f", or waive it: `waive: [{{flank: {r.name}, reason: ...}}]`"
-    return advice
+def _remedy(layout: Layout, r: Requester) -> str:
+    """Which signals would do if they stood further away, and the keys to write; legs of points may be waived."""
+    near = _too_near(layout, r)
+    said = [f"{g} would do, but stands {gone:g} m away, and {r.clear_of:g} m are needed" for g, gone in near.items()]
+    advice = f"{'; '.join(said)}: lengthen the track between" if said else "add a signal or a protecting point"
+    point, _, leg = r.name.partition(".")
+    if leg not in ("normal", "reverse"):
+        return advice
+    if said:
+        advice += f", or state where the fouling point is: `points: {{{point}: {{fouling: ...}}}}`"
+    return f"{advice}, or waive it: `waive: [{{flank: {r.name}, reason: ...}}]`"
 
 
-def _signals_for(layout: Layout, r: Requester) -> list[tuple[SectionId, SectionId]]:
-    """Joints, as outer and inner section, at which signals would protect a requester: beyond plain track where that can
-    be, else at any joint clear of the fouling point; empty where none can stand."""
-    for plain in (True, False):
-        found = _joints(layout, r, plain, r.edge, r.node, 0.0, frozenset({r.node}))
-        if found is not None:
-            return list(dict.fromkeys(found))
-    return []
-
-
-def _joints(
-    layout: Layout, r: Requester, plain: bool, edge: EdgeId, node: NodeId, gone: float, seen: frozenset[NodeId]
-) -> list[tuple[SectionId, SectionId]] | None:
-    e, far = layout.edge[edge], layout.far(edge, node)
-    gone += e.length
-    facing = layout.signal_facing.get((far, edge))
-    if (e.one_way and e.a == node) or far in seen or far in layout.buffer_at:
-        return []
-    if facing is not None and gone >= r.clear_of:
-        return []
-    boundary = layout.boundary_at.get(far)
-    if boundary is not None:
-        return [] if boundary.kind is BoundaryKind.OUT else None
-    onward = onward_edges(layout, far, edge)
-    outer = [layout.section_of(x) for x in onward if layout.section_of(x) != e.section]
-    free = facing is None and far not in layout.point_at and far not in layout.crossing_at
-    if outer and free and gone >= r.clear_of and (not plain or _is_plain(layout, outer[0])):
-        return [(outer[0], e.section)]
-    parts = [_joints(layout, r, plain, x, far, gone, seen | {far}) for x in onward]
-    whole = [p for p in parts if p is not None]
-    return [j for p in whole for j in p] if len(whole) == len(parts) else None
-
-
-def _is_plain(layout: Layout, section: SectionId) -> bool:
-    return not any(t.points or t.crossings for t in topology(layout).traversals.get(section, ()))
+def _too_near(layout: Layout, r: Requester) -> dict[SignalId, float]:
+    """Signals that a vehicle towards a requester meets, none of them clear of the fouling point, in metres."""
+    found: dict[SignalId, float] = {}
+    todo: list[tuple[EdgeId, NodeId, float]] = [(r.edge, r.node, 0.0)]
+    seen: set[tuple[EdgeId, NodeId]] = set()
+    while todo:
+        edge, node, gone = todo.pop()
+        e, far = layout.edge[edge], layout.far(edge, node)
+        if (edge, node) in seen or (e.one_way and e.a == node):
+            continue
+        seen.add((edge, node))
+        gone += e.length
+        facing = layout.signal_facing.get((far, edge))
+        if facing is not None and gone >= r.clear_of:
+            continue
+        if facing is not None:
+            found[facing.id] = min(gone, found.get(facing.id, gone))
+        if far != r.node and far not in layout.boundary_at and far not in layout.buffer_at:
+            todo += [(x, far, gone) for x in onward_edges(layout, far, edge)]
+    return found

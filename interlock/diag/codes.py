@@ -77,7 +77,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation
     "IL4001": (_E, "flank protection is missing"),
-    "IL4002": (_E, "a flank that cannot be protected without a contradiction"),
+    "IL4002": (_E, "a place that stands against its own routes"),
     "IL4003": (_E, "a signal from which no route leads"),
     "IL4004": (_I, "a route of more than three sections"),
     "IL4008": (_E, "a route without room for its overlap"),
