@@ -13,11 +13,11 @@ one train at a time: it is driven while the other signal stays open, and the oth
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from functools import partial
-from itertools import pairwise, product
+from itertools import pairwise
 
 from interlock.logic.controller import RouteSymbols
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
@@ -46,6 +46,7 @@ from interlock.proof.witness import (
 from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Wish
 from interlock.table.rows import InterlockingTable
 
+BEFORE = "before that, "
 BATCH = 2048  # so many runs are carried out side by side
 
 
@@ -130,16 +131,13 @@ def availability(system: System, table: InterlockingTable) -> Availability:
     """Runs for every route and for every two routes that the table does not call hostile."""
     trial = Trial(system)
     pairs = list(compatible(system, table))
-    count = len(system.symbols.routes)
     planned = [(a, b, *trial.plan(a, b)) for a, b in pairs]
-    outcomes = iter(trial.outcomes([x for _, _, _, runs in planned for x in runs]))
-    results = []
-    for a, b, manner, runs in planned:
-        tried = [(x, next(outcomes)) for x in runs]
-        bad = next(((x, failure) for x, failure in tried if failure is not None), None)
-        results.append(PairResult(a.id, b.id, manner, len(runs), *((bad[1], bad[0]) if bad else ())))
-    hostile = count * (count - 1) // 2 - len(pairs)
-    return Availability(trial.opened(), tuple(results), hostile)
+    results = trial.results(planned)
+    unmet = [i for i, x in enumerate(results) if x.failed is not None and not trial.meet(x.failed)]
+    for i, x in zip(unmet, trial.results([trial.apart(*pairs[i]) for i in unmet]), strict=True):
+        results[i] = x
+    count = len(system.symbols.routes)
+    return Availability(trial.opened(), tuple(results), count * (count - 1) // 2 - len(pairs))
 
 
 def compatible(system: System, table: InterlockingTable) -> Iterator[tuple[RouteSymbols, RouteSymbols]]:
@@ -150,12 +148,20 @@ def compatible(system: System, table: InterlockingTable) -> Iterator[tuple[Route
         yield from ((a, b) for b in routes[i + 1 :] if b.id not in hostile)
 
 
+Plan = tuple[RouteSymbols, RouteSymbols, Manner, list[PairRun]]
+"""Two routes, how they are tried, and the runs."""
+
+
 @dataclass(frozen=True)
 class _Failure:
-    """What went wrong in a run, and whether both signals were open by then."""
+    """What went wrong in a run."""
 
     text: str
-    used: bool
+
+    @property
+    def coming(self) -> bool:
+        """It was about how trains came to be where they are: over other routes, or there since a restart."""
+        return self.text.startswith(BEFORE) or "the restart" in self.text
 
 
 class Trial:
@@ -166,6 +172,7 @@ class Trial:
         self.railway = Railway(system.controller, system.plant, system.layout)
         self._lanes = Lanes(self.railway.controller, self.railway.plant)
         self._comes = self._find_trains()
+        self._unmet: set[PairRun] = set()
         self._needs = {r.id: _needs_clear(system, self.railway, r) for r in system.symbols.routes}
 
     def _find_trains(self) -> dict[RouteId, list[tuple[RouteSymbols, ...]]]:
@@ -198,21 +205,33 @@ class Trial:
         railway = self.railway
         if any(self._full(z, a, b) for z in range(len(railway.layout.zones))):
             return Manner.ZONE, []
-        onward = [(x, y) for x, y in ((a, b), (b, a)) if _goes_on(railway, x, y)]
+        onward = [
+            (x, y)
+            for x, y in ((a, b), (b, a))
+            if _goes_on(railway, x, y) and _before(railway, x) not in self._needs[y.id]
+        ]
         if onward:
             return Manner.AFTER, [self._run(x, y, How.ONWARD) for x, y in onward]
         rear = {r.id: _before(railway, r) for r in (a, b)}
-        clash = rear[a.id] == rear[b.id] or self._standing(a, b) is None
-        alone = [
-            (x, y) for x, y in ((a, b), (b, a)) if rear[x.id] not in self._needs[y.id] and not self._on_points_of(x, y)
-        ]
-        if clash or len(alone) < 2:
-            runs = [self._run(x, y, How.ALONE) for x, y in alone]
-            return Manner.ALONE, runs or [self._run(a, b, How.GIVEN_BACK)]
+        if rear[a.id] == rear[b.id] or self._standing(a, b) is None or len(self._alone(a, b)) < 2:
+            return self.apart(a, b)[2:]
         return Manner.BESIDE, [
             self._run(a, b, How.THEN),
             self._run(b, a, How.THEN),
             self._run(a, b, How.TOGETHER),
+        ]
+
+    def apart(self, a: RouteSymbols, b: RouteSymbols) -> Plan:
+        """Runs of two routes with one train at a time."""
+        runs = [self._run(x, y, How.ALONE) for x, y in self._alone(a, b)]
+        return a, b, Manner.ALONE, runs or [self._run(a, b, How.GIVEN_BACK)]
+
+    def _alone(self, a: RouteSymbols, b: RouteSymbols) -> list[tuple[RouteSymbols, RouteSymbols]]:
+        """Those of two routes, first, whose train may stand before its signal while the other one is set."""
+        return [
+            (x, y)
+            for x, y in ((a, b), (b, a))
+            if _before(self.railway, x) not in self._needs[y.id] and not self._on_points_of(x, y)
         ]
 
     def _run(self, first: RouteSymbols, second: RouteSymbols, how: How, choice: tuple[int, int] = (0, 0)) -> PairRun:
@@ -225,8 +244,9 @@ class Trial:
 
     def otherwise(self, run: PairRun) -> list[PairRun]:
         """The same with trains that come before their signals in other ways."""
-        ways = [range(max(1, len(self._comes[r.id])) if r in run.trains else 1) for r in (run.first, run.second)]
-        return [self._run(run.first, run.second, run.how, choice) for choice in product(*ways) if choice != (0, 0)]
+        first, second = (max(1, len(self._comes[r.id])) if r in run.trains else 1 for r in (run.first, run.second))
+        choices = [(i, k) for i in range(first) for k in range(second) if i or k]
+        return [self._run(run.first, run.second, run.how, choice) for choice in choices]
 
     def _full(self, zone: int, a: RouteSymbols, b: RouteSymbols) -> bool:
         """Whether a zone does not admit the trains of both routes, where they stand or are called."""
@@ -253,33 +273,45 @@ class Trial:
         stands = self._standing(a) or {}
         return any(stands.get(name, value) != value for name, value in _lying(self.railway, b).items())
 
-    def outcomes(self, runs: Sequence[PairRun]) -> list[str | None]:
+    def results(self, planned: Sequence[Plan]) -> list[PairResult]:
+        """What becomes of pairs."""
+        outcomes = iter(self._outcomes([x for _, _, _, runs in planned for x in runs]))
+        found = []
+        for a, b, manner, runs in planned:
+            tried = [(x, next(outcomes)) for x in runs]
+            bad = next(((failure.text, x) for x, failure in tried if failure is not None), (None, None))
+            found.append(PairResult(a.id, b.id, manner, len(runs), *bad))
+        return found
+
+    def meet(self, run: PairRun) -> bool:
+        """Whether the trains of a run that failed can be where they have to be at the same time, however they come."""
+        return run not in self._unmet
+
+    def _outcomes(self, runs: Sequence[PairRun]) -> list[_Failure | None]:
         """What went wrong in each run, or None.
 
         A route may be refused because of how its train, or the other one, came to be where it is: one that stands there
         since a restart might stand astride a joint, one that comes later has to pass the other.  Then the run is tried
-        with trains that come otherwise; once both signals are open, nothing is tried again.
+        with trains that come otherwise.
         """
-        found = self._outcomes(runs)
+        found = self._once(runs)
         again = [
-            (i, x) for i, why in enumerate(found) if why is not None and not why.used for x in self.otherwise(runs[i])
+            (i, x) for i, why in enumerate(found) if why is not None and why.coming for x in self.otherwise(runs[i])
         ]
-        for (i, _), why in zip(again, self._outcomes([x for _, x in again]), strict=True):
+        for (i, _), why in zip(again, self._once([x for _, x in again]), strict=True):
             before = found[i]
-            if before is not None and not before.used:
+            if before is not None and before.coming:
                 found[i] = why
-        return [None if why is None else why.text for why in found]
+        self._unmet |= {x for x, why in zip(runs, found, strict=True) if why is not None and why.coming}
+        return found
 
-    def _outcomes(self, runs: Sequence[PairRun]) -> list[_Failure | None]:
+    def _once(self, runs: Sequence[PairRun]) -> list[_Failure | None]:
         found: list[_Failure | None] = []
         for at in range(0, len(runs), BATCH):
             some = runs[at : at + BATCH]
-            open_: set[int] = set()
-            drivers = [
-                partial(pair_run, self.system, self.railway, x, partial(open_.add, i)) for i, x in enumerate(some)
-            ]
+            drivers = [partial(pair_run, self.system, self.railway, x) for x in some]
             done = self._lanes.run([self.start(x) for x in some], drivers)
-            found += [None if text is None else _Failure(text, i in open_) for i, (text, _) in enumerate(done)]
+            found += [None if text is None else _Failure(text) for text, _ in done]
         return found
 
     def start(self, run: PairRun) -> dict[str, int]:
@@ -321,8 +353,12 @@ class Trial:
 
 
 def _goes_on(railway: Railway, a: RouteSymbols, b: RouteSymbols) -> bool:
-    """Whether a train at the end of one route stands before the other."""
-    return not _leaves(railway, a) and _end(railway, a)[0] == _before(railway, b)
+    """Whether a train at the end of one route stands before the other's signal, turned about or not."""
+    if _leaves(railway, a) or _end(railway, a)[0] != _before(railway, b):
+        return False
+    section, number = a.ways[-1] if a.berth is None else a.berth
+    t = railway.topo.traversals[section][number - 1]
+    return railway.layout.signal[b.entry].node in (t.entry, t.exit)
 
 
 def _needs_clear(system: System, railway: Railway, r: RouteSymbols) -> frozenset[str]:
@@ -340,25 +376,33 @@ def _needs_clear(system: System, railway: Railway, r: RouteSymbols) -> frozenset
 # --- runs ----------------------------------------------------------------------------------------
 
 
-def pair_run(system: System, railway: Railway, run: PairRun, opened: Callable[[], None], lane: Lane) -> Driver:
-    """Release after the restart, bring the trains before their signals, open both, drive, and see all free again.
-
-    `opened` is called when both signals are open.
-    """
+def pair_run(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
+    """Release after the restart, bring the trains before their signals, open both, drive, and see all free again."""
     yield from _settling(railway, [r for chain, r in zip(run.before, run.trains, strict=False) for r in (*chain, r)])
     for chain, last in zip(run.before, (run.first, run.second), strict=True):
+        if chain:
+            yield from _there(railway, lane, chain[0])
         for r, after in pairwise((*chain, last)):
             failure = (yield from _set(railway, lane, r)) or (yield from _travel(railway, lane, r))
             failure = failure or (yield from _freed(railway, lane, (r,), _stays(railway, r)))
             if failure is not None:
-                return f"before, over {r.id}: {failure}"
+                return f"{BEFORE}over {r.id}: {failure}"
             yield from _turn(railway, after)
-    failure = yield from _disturbed_for(railway, (run.first, run.second), _used(system, railway, run, opened, lane))
+    for r in run.trains:
+        yield from _there(railway, lane, r)
+    failure = yield from _disturbed_for(railway, (run.first, run.second), _used(system, railway, run, lane))
     troubles = lane.troubles()
     return failure or (f"the run meets {', '.join(troubles)}" if troubles else None)
 
 
-def _used(system: System, railway: Railway, run: PairRun, opened: Callable[[], None], lane: Lane) -> Driver:
+def _there(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
+    """Another train comes to a boundary where the one before has gone on."""
+    place = _before(railway, r)
+    if place not in railway.topo.ends and not lane.is_on(f"o.{place}"):
+        yield from _until(lane, f"o.{place}", Wish((f"appear.{place}",)))
+
+
+def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
     first, second = run.first, run.second
     for r in (first, second):
         failure = yield from _opens(railway, lane, r, opening.steps(system, r, lane.lanes.dt_ms))
@@ -368,7 +412,6 @@ def _used(system: System, railway: Railway, run: PairRun, opened: Callable[[], N
     for r in (first, second):
         if not _is_open(lane, r):
             return f"{r.id}: its signal closes when the other one is open"
-    opened()
     failure = yield from _driven(railway, run, lane)
     if failure is not None:
         return failure
