@@ -57,6 +57,7 @@ class Manner(StrEnum):
     AFTER = "one train for both"
     ALONE = "one train at a time"
     ZONE = "kept apart by a zone"
+    NONE = "no train can take one of them"
 
 
 class How(StrEnum):
@@ -203,6 +204,8 @@ class Trial:
     def plan(self, a: RouteSymbols, b: RouteSymbols) -> tuple[Manner, list[PairRun]]:
         """The manner in which two routes are tried, and the runs."""
         railway = self.railway
+        if not self._comes[a.id] or not self._comes[b.id]:
+            return Manner.NONE, []
         if any(self._full(z, a, b) for z in range(len(railway.layout.zones))):
             return Manner.ZONE, []
         onward = [
@@ -280,6 +283,8 @@ class Trial:
         for a, b, manner, runs in planned:
             tried = [(x, next(outcomes)) for x in runs]
             bad = next(((failure.text, x) for x, failure in tried if failure is not None), (None, None))
+            if manner is Manner.NONE:
+                bad = str(manner), None
             found.append(PairResult(a.id, b.id, manner, len(runs), *bad))
         return found
 
@@ -390,6 +395,8 @@ def pair_run(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driv
             yield from _turn(railway, after)
     for r in run.trains:
         yield from _there(railway, lane, r)
+        if not lane.is_on(f"o.{_before(railway, r)}"):
+            return f"{BEFORE}both trains have to begin in one place"
     failure = yield from _disturbed_for(railway, (run.first, run.second), _used(system, railway, run, lane))
     troubles = lane.troubles()
     return failure or (f"the run meets {', '.join(troubles)}" if troubles else None)
@@ -415,10 +422,8 @@ def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
     failure = yield from _driven(railway, run, lane)
     if failure is not None:
         return failure
-    there = [second] if run.how is How.ONWARD else run.trains
-    keep = set(railway.layout.undetected).union(*(_stays(railway, r) for r in there))
-    if run.how is How.ONWARD:
-        keep |= _stays(railway, first, gone=True)
+    there = (second,) if run.how is How.ONWARD else run.trains
+    keep = set(railway.layout.undetected).union(*(_stays(railway, r, r not in there) for r in (first, second)))
     left = [s for s, locks in railway.symbols.locked_by.items() if s not in keep and any(map(lane.is_on, locks))]
     return f"{', '.join(left)} stay locked in the end" if left else None
 
@@ -443,9 +448,8 @@ def _driven(railway: Railway, run: PairRun, lane: Lane) -> Driver:
     given_back = {How.ALONE: [second], How.GIVEN_BACK: [first, second]}.get(run.how, [])
     for r in given_back:
         yield Wish((), {railway.symbols.cancel[r.entry]: 1})
-    keep = set().union(
-        *(_stays(railway, r, run.how is How.ONWARD and r is first) for r in (first, second) if r not in given_back)
-    )
+    there = (second,) if run.how is How.ONWARD else run.trains
+    keep = set().union(*(_stays(railway, r, r not in there) for r in (first, second)))
     return (yield from _freed(railway, lane, (first, second), keep))
 
 
@@ -565,10 +569,10 @@ def _turn(railway: Railway, r: RouteSymbols) -> Generator[Wish, None, str | None
     return None
 
 
-def _stays(railway: Railway, r: RouteSymbols, gone: bool = False) -> set[SectionId]:
-    """Where a route's sections stay locked: under its train, unless that has gone on, and beyond a failed section."""
+def _stays(railway: Railway, r: RouteSymbols, empty: bool = False) -> set[SectionId]:
+    """Where a route's sections stay locked: under its train, unless none is there, and from a failed section on."""
     broken = _broken(railway, r)
-    return set() if gone and broken is None else _kept(railway, r, broken)
+    return set() if empty and broken is None else _kept(railway, r, broken)
 
 
 def _freed(railway: Railway, lane: Lane, routes: Sequence[RouteSymbols], keep: set[SectionId]) -> Driver:
@@ -577,7 +581,8 @@ def _freed(railway: Railway, lane: Lane, routes: Sequence[RouteSymbols], keep: s
     inputs: dict[str, int] = {}
     for r in routes:
         if r.call_on:
-            inputs |= {sym.cancel[r.entry]: 1, **{sym.release[s]: 1 for s, _ in r.ways if s in sym.release}}
+            over = [SectionId(_before(railway, r)), *(s for s, _ in r.ways)]
+            inputs |= {sym.cancel[r.entry]: 1, **{sym.release[s]: 1 for s in over if s in sym.release}}
     ways = [*(way for r in routes for way in r.ways), *(r.berth for r in routes if r.berth is not None)]
     mine = {s for s, _ in ways} | {SectionId(_before(railway, r)) for r in routes}
     locks = [(s, sym.locked_by[s]) for s in sorted(mine - keep - set(railway.layout.undetected)) if s in sym.locked_by]
