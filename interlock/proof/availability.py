@@ -22,6 +22,8 @@ from itertools import pairwise
 from interlock.logic.controller import RouteSymbols
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.proof import opening
+from interlock.proof.search import Frame
+from interlock.proof.story import Story, narrated
 from interlock.proof.system import System
 from interlock.proof.witness import (
     FEEDERS,
@@ -282,10 +284,9 @@ class Trial:
         found = []
         for a, b, manner, runs in planned:
             tried = [(x, next(outcomes)) for x in runs]
-            bad = next(((failure.text, x) for x, failure in tried if failure is not None), (None, None))
-            if manner is Manner.NONE:
-                bad = str(manner), None
-            found.append(PairResult(a.id, b.id, manner, len(runs), *bad))
+            failed, why = next(((x, failure.text) for x, failure in tried if failure is not None), (None, None))
+            why = str(manner) if manner is Manner.NONE else why
+            found.append(PairResult(a.id, b.id, manner, len(runs), why, failed))
         return found
 
     def meet(self, run: PairRun) -> bool:
@@ -318,6 +319,32 @@ class Trial:
             done = self._lanes.run([self.start(x) for x in some], drivers)
             found += [None if text is None else _Failure(text) for text, _ in done]
         return found
+
+    def story(self, result: PairResult) -> Story | None:
+        """The run that failed, for the player; None where nothing was tried."""
+        if result.failed is None or result.failure is None:
+            return None
+        failed, frames = result.failed, list[Frame]()
+
+        def recorded(lane: Lane) -> Driver:
+            run = pair_run(self.system, self.railway, failed, lane)
+            while True:
+                try:
+                    wish = next(run)
+                except StopIteration as end:
+                    failure: str | None = end.value
+                    return failure
+                yield wish
+                last = lane.lanes.last
+                state = {n: last.get(n, 0) for n in self.system.state}
+                frames.append(Frame(state, {n: _read(lane, n) for n in self.system.inputs}))
+
+        self._lanes.run([self.start(failed)], [recorded])
+        frames.append(Frame({n: self._lanes.state.get(n, 0) for n in self.system.state}, {}))
+        place = f"{result.first} and {result.second}"
+        sentence = "Two routes that are not hostile can be set, open, driven and released at the same time."
+        ending = [f"{failed.first.id} and {failed.second.id}, {failed.how}: {result.failure}."]
+        return narrated(self.system, frames, ("AVAILABILITY", place, sentence), ending)
 
     def start(self, run: PairRun) -> dict[str, int]:
         """The restart with the trains of a run, points lying for it where no train stands on them."""
@@ -355,6 +382,13 @@ class Trial:
             )
             for r in system.symbols.routes
         )
+
+
+def _read(lane: Lane, name: str) -> int:
+    """What an input or choice was in the last step of a single run."""
+    size = lane.lanes.sizes.get(name)
+    last = lane.lanes.last
+    return last.get(name, 0) if size is None else next((k for k in range(1, size) if last[f"{name}={k}"]), 0)
 
 
 def _goes_on(railway: Railway, a: RouteSymbols, b: RouteSymbols) -> bool:
