@@ -22,6 +22,7 @@ VERBS = {
     "check": "Report every problem of the layouts (fast, no proof).",
     "compile": "Derive the table, prove the controller, write all outputs.",
     "prove": "Prove every safety claim for every possible train movement.",
+    "availability": "Use every two routes together that are not hostile.",
     "certify": "Write the proof as files that can be checked again.",
     "verify": "Check certificates again, with nothing of what made them.",
     "run": "Run the proved runtime against inputs and outputs on Modbus TCP.",

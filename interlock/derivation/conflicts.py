@@ -39,14 +39,7 @@ class Conflicts:
         """Paths in order of number."""
         self._locks = locks
         self._path = {p.id: p for p in paths}
-        self._needs = {
-            p.id: Needs(
-                {t.section: t for t in p.ways},
-                _positions(demands[p.id], (Role.PATH,)),
-                _positions(demands[p.id], _HELD),
-            )
-            for p in paths
-        }
+        self._needs = _needs(paths, demands)
         self._ids = [p.id for p in paths]
         self._hostile = dict(zip(self._ids, _hostile(paths, locks, self._needs), strict=True))
 
@@ -61,6 +54,24 @@ class Conflicts:
         kind, witness, rule = found[0]
         kinds = tuple(dict.fromkeys(k for k, _, _ in found))
         return Hostile(other, kind, kinds, witness, Because(rule, f"{one} and {other}: {kind}, {witness}"))
+
+
+def set_apart(
+    paths: Sequence[Path], locks: Mapping[TraversalKey, TraversalRow], demands: Mapping[RouteId, Sequence[PointDemand]]
+) -> list[int]:
+    """For each route those that cannot be set together with it, as bits; paths in order of number."""
+    return _hostile(paths, locks, _needs(paths, demands))
+
+
+def _needs(paths: Sequence[Path], demands: Mapping[RouteId, Sequence[PointDemand]]) -> dict[RouteId, Needs]:
+    return {
+        p.id: Needs(
+            {t.section: t for t in p.ways},
+            _positions(demands[p.id], (Role.PATH,)),
+            _positions(demands[p.id], _HELD),
+        )
+        for p in paths
+    }
 
 
 def _hostile(

@@ -77,10 +77,11 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation
     "IL4001": (_E, "flank protection is missing"),
-    "IL4002": (_E, "a route that demands one machine in two positions"),
+    "IL4002": (_E, "a place that stands against its own routes"),
     "IL4003": (_E, "a signal from which no route leads"),
     "IL4004": (_I, "a route of more than three sections"),
     "IL4008": (_E, "a route without room for its overlap"),
+    "IL4010": (_I, "a flank with substitute protection"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),
     "IL4005": (_I, "a path that meets itself was left out"),
     "IL4006": (_E, "a route that no train can drive"),

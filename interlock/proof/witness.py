@@ -186,35 +186,12 @@ def _disturbed(run: Driver, inputs: dict[str, int]) -> Driver:
 
 def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | None = None) -> Driver:
     """Drive a route; `failed` is reported occupied all the time and stays locked."""
-    layout, topo = railway.layout, railway.topo
-    signal = layout.signal[r.entry]
-    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), 2)):
-        return "the request is refused: " + _not(lane, f"G_R{r.number}")
-    token = railway.symbols.token.get(topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
-    if token is not None and not r.shunt and not lane.is_on(token.have):
-        yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
-    if not (yield from _until(lane, r.proceed)):
-        return "the signal does not open: " + _not(lane, f"LK_R{r.number}")
-    go, accept = ("gos", "accepts") if r.shunt else ("go", "accept")
-    if not (yield from _until(lane, f"{go}.{r.entry}", Wish((f"{accept}.{r.entry}",)))):
-        return "no train can accept the signal"
-    place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
-    ways = r.ways if r.berth is None else (*r.ways, r.berth)
-    for section, number in ways:
-        if not (yield from _until(lane, f"o.{section}", Wish((f"head.{joint}.{place}",)))):
-            return f"the train cannot enter {section}"
-        if not (yield from _until_off(lane, f"x.{joint}.{place}", f"tail.{joint}.{place}")):
-            return f"the train's tail does not leave {place}"
-        place, joint = section, topo.traversals[section][number - 1].exit
-    leaves = joint in layout.boundary_at and not r.shunt
-    if leaves:
-        if not (yield from _until(lane, f"x.{joint}.{place}", Wish((f"head.{joint}.{place}",)))):
-            return f"the train cannot leave at {joint}"
-        if not (yield from _until_off(lane, f"o.{place}", f"tail.{joint}.{place}")):
-            return f"the train's tail does not leave {place}"
-    keep = set(layout.undetected) if leaves else {place, *layout.undetected}
-    if failed is not None:  # and so does what lies beyond it
-        keep |= {s for s, _ in r.ways[[s for s, _ in r.ways].index(failed) :]}
+    failure = yield from _set(railway, lane, r)
+    if failure is None:
+        failure = yield from _travel(railway, lane, r)
+    if failure is not None:
+        return failure
+    keep = _kept(railway, r, failed)
     after = NOTHING
     if r.call_on:
         by_hand = {i.name: 1 for i in railway.controller.inputs if i.name.startswith("REL")}
@@ -228,6 +205,59 @@ def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | No
         return f"{', '.join(locked)} stay locked behind the train"
     troubles = lane.troubles()
     return f"the run meets {', '.join(troubles)}" if troubles else None
+
+
+def _set(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
+    """Ask for a route until its signal is open, and for the direction of the line beyond where that has a token."""
+    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), 2)):
+        return "the request is refused: " + _not(lane, f"G_R{r.number}")
+    token = railway.symbols.token.get(railway.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
+    if token is not None and not r.shunt and not lane.is_on(token.have):
+        yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
+    if not (yield from _until(lane, r.proceed)):
+        return "the signal does not open: " + _not(lane, f"LK_R{r.number}")
+    return None
+
+
+def _travel(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
+    """Drive the train that stands before an open signal to the end of its route."""
+    layout, topo = railway.layout, railway.topo
+    signal = layout.signal[r.entry]
+    go, accept = ("gos", "accepts") if r.shunt else ("go", "accept")
+    if not (yield from _until(lane, f"{go}.{r.entry}", Wish((f"{accept}.{r.entry}",)))):
+        return "no train can accept the signal"
+    place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
+    for section, number in r.ways if r.berth is None else (*r.ways, r.berth):
+        if not (yield from _until(lane, f"o.{section}", Wish((f"head.{joint}.{place}",)))):
+            return f"the train cannot enter {section}"
+        if not (yield from _until_off(lane, f"x.{joint}.{place}", f"tail.{joint}.{place}")):
+            return f"the train's tail does not leave {place}"
+        place, joint = section, topo.traversals[section][number - 1].exit
+    if _leaves(railway, r):
+        if not (yield from _until(lane, f"x.{joint}.{place}", Wish((f"head.{joint}.{place}",)))):
+            return f"the train cannot leave at {joint}"
+        if not (yield from _until_off(lane, f"o.{place}", f"tail.{joint}.{place}")):
+            return f"the train's tail does not leave {place}"
+    return None
+
+
+def _end(railway: Railway, r: RouteSymbols) -> tuple[SectionId, NodeId]:
+    """The last section of a route, and its end there."""
+    section, number = r.ways[-1] if r.berth is None else r.berth
+    return section, railway.topo.traversals[section][number - 1].exit
+
+
+def _leaves(railway: Railway, r: RouteSymbols) -> bool:
+    """Whether a train leaves the layout at the end of a route."""
+    return _end(railway, r)[1] in railway.layout.boundary_at and not r.shunt
+
+
+def _kept(railway: Railway, r: RouteSymbols, failed: SectionId | None) -> set[SectionId]:
+    """Sections that stay locked behind the train: where it stands, and from one on that is reported occupied."""
+    last = set() if _leaves(railway, r) else {_end(railway, r)[0]}
+    if failed is not None:
+        last |= {s for s, _ in r.ways[[s for s, _ in r.ways].index(failed) :]}
+    return last | set(railway.layout.undetected)
 
 
 def _until(lane: Lane, wanted: str, wish: Wish = NOTHING, limit: int = 12) -> Generator[Wish, None, bool]:

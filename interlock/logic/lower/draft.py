@@ -315,5 +315,7 @@ class Draft:
         return var(f"AC_{portable(g)}") if found.further else neg(self.coming(found))
 
     def approach_safe(self, g: SignalId) -> Expr:
-        """No train can be about to pass the signal: approach clear, or the delay has run out."""
+        """No train can be about to pass the signal: approach clear, the delay has run out, or no route begins there."""
+        if not self.routes_from[g]:
+            return TRUE
         return disj((self.approach_clear(g), var(f"AT_{portable(g)}")))

@@ -211,7 +211,7 @@ def release(d: Draft) -> None:
         for node in d.topo.ends[s]:
             g = d.signal_at(s, node)
             locked = d.locked_in(s, node)
-            if g is None or locked is FALSE:
+            if g is None or locked is FALSE or not d.routes_from[g]:  # an overlap alone: nothing is locked for a train
                 continue
             safe = conj((neg(d.any_active(g)), d.approach_safe(g)))
             by_hand.append(

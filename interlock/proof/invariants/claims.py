@@ -11,10 +11,9 @@ from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq,
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
-from interlock.model.places import Approach
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
-from interlock.proof.invariants.flank import flank, flank_space
+from interlock.proof.invariants.flank import flank, flank_space, scissors
 from interlock.proof.invariants.kinds import Claim, Facts
 from interlock.proof.invariants.paths import Shown, SignalPath, ground_of, lie, shown_over, signal_paths
 from interlock.proof.invariants.reasons import reasons
@@ -28,6 +27,7 @@ CLAIMS: dict[str, str] = {
     "T-POINT-MOVES": "No point moves under a train, and no train comes to a point that moves.",
     "T-ROAD": "No train is on a level crossing, bridge or other interlock that is not closed for it.",
     "T-FLANK": "While a train uses a point or diamond, no vehicle can roll into it from the flank.",
+    "T-SCISSORS": "While a train uses one crossover of a scissors, the other one lies normal.",
     "T-ZONE": "A train comes into a zone only where it was called in, and is called in only while the trains in it or "
     "called into it, this one too, are no more than the zone's maximum.",
     "T-LINE": "On a line with a direction token no train leaves against one that is on the line or about to come in.",
@@ -43,8 +43,10 @@ CLAIMS: dict[str, str] = {
     "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
-    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is clear and the "
-    "stop lamps of the signals that protect it are intact.",
+    "S-SCISSORS": "Proceed is shown over one crossover of a scissors only while the other one lies normal.",
+    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is clear, but for "
+    "sections over which, or from which, another movement may be called meanwhile, and the stop lamps of the signals "
+    "that protect it are intact.",
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is clear, lies and is detected.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
     "S-DIRECTION": "Proceed onto a line with a direction token is shown only while the direction is ours, and then the "
@@ -95,6 +97,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         out.append(Claim(f"T-{h.id}", h.place, neg(h.expr), True))
     for name, place, expr, physical in (
         *((*x, x[0] == "T-FLANK") for x in flank(f)),
+        *((*x, x[0] == "T-SCISSORS") for x in scissors(f)),
         *((*x, True) for x in _zones(f)),
         *((*x, False) for x in flank_space(f)),
         *((*x, False) for x in _pairs(f)),

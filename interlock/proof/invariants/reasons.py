@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
 from interlock.model.approach import Approach
-from interlock.model.elements import NodeId, Position, SectionId, SignalId
+from interlock.model.elements import NodeId, Position, SectionId
 from interlock.proof.invariants.kinds import Facts
 
 
@@ -30,8 +30,8 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         for j in f.topo.ends[s]:
             g = f.topo.signal_into.get((j, s))
             rear = f.topo.beyond(s, j)
-            if g is not None:
-                reasons.append(var(f.sym.cancelling[SignalId(str(g))]))
+            if g is not None and g in f.sym.cancelling:
+                reasons.append(var(f.sym.cancelling[g]))
             if rear is not None and (j, s) not in f.topo.main_into:
                 leads = f.locked_out(rear, j)  # past a shunt signal only for a train
                 reasons.append(conj((f.locked_in(s, j), neg(conj((leads, f.train(rear))) if g is not None else leads))))
