@@ -1,10 +1,10 @@
 """Lengths of block sections from the traffic: formulas 3-1 to 3-9 of document B, and what they leave out.
 
-    3-1  n = W / (H T Y)     loaded trains a shift: tonnes a year, shifts a day, days a year, tonnes a train
-    3-2  N = n + men + waste                         trains a shift on the main line          3-3  the same on a branch
-    3-4  T = n t / 60                                hours a shift of the tippler             3-5  the same of a loading place
-    3-6  h = (T + 0.5) / N * 60             minutes between trains; 0.5 h: change of shift       3-8  on a branch
-    3-7  L = h V                                     metres: minutes times metres a minute                3-9  on a branch
+    3-1  n = W / (H T Y)           loaded trains a shift: tonnes a year, shifts a day, days a year, tonnes a train
+    3-2  N = n + men + waste       trains a shift on the main line; 3-3 on a branch
+    3-4  T = n t / 60              hours a shift of the tippler; 3-5 of a loading place
+    3-6  h = (T + 0.5) / N * 60    minutes between trains; 0.5 h: change of shift; 3-8 on a branch
+    3-7  L = h V                   metres: minutes times metres a minute; 3-9 on a branch
 
 The length is the longest that still lets the trains follow one another; two thirds of it are to be built, for
 over-production and special cases.  The formulas know no brakes.  The least length is ours: a train that reads stop at
