@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import product
+from itertools import pairwise, product
 from random import Random
 
 import pytest
@@ -14,7 +14,7 @@ from interlock.dispatch.plan.search import ORDERS, Planner, Verdict
 def line(name: str, *sections: str, out: bool = True) -> Draft:
     """A train that stands in the first section and runs over the others, out at the end if wanted."""
     d = Draft(name, sections[0])
-    for a, b in zip(sections, sections[1:], strict=False):
+    for a, b in pairwise(sections):
         d.moves[a] = [(f"to {b}", b, frozenset({b}), ())]
     for s in sections:
         d.holds[s] = frozenset({s})
@@ -61,7 +61,7 @@ def scattered(seed: int) -> Built:
         layers: list[list[tuple[int, str]]] = [[(0, start)]]
         for depth in range(1, rng.randrange(2, 5)):
             layers.append([(depth, s) for s in rng.sample(sections, rng.randrange(1, 3))])
-        for here, there in zip(layers, layers[1:], strict=False):
+        for here, there in pairwise(layers):
             for a, b in product(here, there):
                 into = ("Z",) if b[1] in zone and a[1] not in zone else ()
                 d.moves.setdefault(a, []).append((b[1], b, frozenset({b[1], rng.choice(sections)} - {a[1]}), into))

@@ -137,7 +137,7 @@ def _recent(data: Any) -> Instance:
 
 
 def _ordered(starts: Mapping[str, tuple[str, ...]], legs: Mapping[str, Mapping[str, Leg]]) -> Instance:
-    """The routes held at first from the rear to the head; those of which nothing is told for the train hold nobody up."""
+    """The routes held at first, from the rear to the head; one that is not the train's holds nobody up."""
     out = {}
     for t, at in starts.items():
         held = [r for r in at if r in legs[t]]
@@ -304,16 +304,17 @@ def main() -> int:
     worst = max(body, key=lambda r: float(r[-1]))
     agree = sum(r[3] == r[2] for r in body)
     silent = sum(r[3] == "none published" for r in body)
+    at = f" at {options.instances}" if options.instances else ""
     head = [
         "# Deadlock instances",
         "",
         f"`python -m tests.campaigns.deadlock FOLDER` at commit {commit.stdout.strip()}, {platform.machine()}, "
-        f"{processor()}, {os.cpu_count()} cores (one is used), Python {platform.python_version()}, on the instances of "
-        f"`luteberget/deadlockrail`{' at ' + options.instances if options.instances else ''}, none of which is kept here.",
+        f"{processor()}, {os.cpu_count()} cores (one is used), Python {platform.python_version()}, on the instances "
+        f"of `luteberget/deadlockrail`{at}, none of which is kept here.",
         "",
         f"{len(body)} instances: {agree} verdicts as published, {silent} published nowhere, "
-        f"{len(body) - agree - silent} otherwise.  Each plan was replayed by a reader of the instance that shares nothing "
-        f"with model and search.  Worst: {worst[0]}, {worst[-1]} s.",
+        f"{len(body) - agree - silent} otherwise.  Each plan was replayed by a reader of the instance that shares "
+        f"nothing with model and search.  Worst: {worst[0]}, {worst[-1]} s.",
         "",
         "| instance | trains | verdict | published | moves | shown by | states | seconds |",
         "|---|---|---|---|---|---|---|---|",

@@ -230,7 +230,7 @@ class Planner:
     def _moves(self, state: int) -> list[tuple[Move, ...]]:
         """The moves that are possible and not known to lead nowhere; those first that leave most ways open."""
         p = self.problem
-        found = []
+        found: list[tuple[bool, int, int, Move]] = []
         for mask in self._mask:
             for m in p.moves[state & mask]:
                 if m.target & self.dead or state & ~m.source & self.lost[m.target]:
