@@ -30,6 +30,8 @@ VERBS = {
     "draw": "Draw the track plan as SVG.",
     "play": "Make a page that plays a trace.",
     "why": "Print why each cell of a route's row is as it is.",
+    "dispatch": "Carry out commands on the controller with its plant; show plans and deadlocks.",
+    "blocks": "Lengths of block sections from the traffic, and the layout's own against them.",
     "explain": "Explain a diagnostic, rule, claim, assumption or principle.",
     "mutate": "Weaken table and controller on purpose; see which claim fails.",
     "schema": "Print the JSON Schema of the layout language, or of table.json.",

@@ -94,6 +94,14 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL5005": (_E, "an unknown route, column or code"),
     "IL5006": (_E, "nothing is written without a proof"),
     "IL5007": (_E, "a certificate that is not current"),
+    # 6: dispatch
+    "IL6001": (_E, "a file that is no dispatch file of this layout"),
+    "IL6002": (_E, "a dispatch file speaks of something that the layout does not have"),
+    "IL6003": (_E, "a dispatch file lacks what the command needs"),
+    "IL6004": (_E, "a command that makes no sense on this layout"),
+    "IL6005": (_E, "a command that no chain of routes carries out"),
+    "IL6006": (_E, "a plan that cannot be read, or is for another layout"),
+    "IL6007": (_E, "trains that cannot all be carried out"),
 }
 
 

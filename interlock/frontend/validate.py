@@ -97,21 +97,34 @@ def validate(root: Node, sink: Sink) -> schema.LayoutFile | None:
     try:
         return schema.LayoutFile.model_validate(plain(root), by_alias=True)
     except ValidationError as error:
-        for e in error.errors(include_url=False):
-            _report(root, e["type"], tuple(e["loc"]), e["msg"], e.get("ctx", {}), sink)
+        report_shape(root, error, _KEYS, sink)
         return None
 
 
-def _report(root: Node, kind: str, loc: tuple[str | int, ...], text: str, ctx: dict[str, Any], sink: Sink) -> None:
+def report_shape(root: Node, error: ValidationError, keys: dict[str, tuple[str, ...]], sink: Sink) -> None:
+    """Every error of shape as a diagnostic at its place; `keys`: the known keys of each room, "" for the file's."""
+    for e in error.errors(include_url=False):
+        _report(root, e["type"], tuple(e["loc"]), e["msg"], e.get("ctx", {}), keys, sink)
+
+
+def _report(
+    root: Node,
+    kind: str,
+    loc: tuple[str | int, ...],
+    text: str,
+    ctx: dict[str, Any],
+    keys: dict[str, tuple[str, ...]],
+    sink: Sink,
+) -> None:
     path = tuple(p for p in loc if p != "[key]" and not (isinstance(p, str) and p.startswith("function-")))
     on_key = "[key]" in loc
     code = _CODES.get(kind, "IL1012")
     room = str(path[0]) if len(path) > 1 else ""
     if kind == "missing":
-        span, where = span_of(root, path[:-1], key=True), ".".join(map(str, path[:-1])) or "the layout"
+        span, where = span_of(root, path[:-1], key=True), ".".join(map(str, path[:-1])) or "the file"
         sink.add(code, f"{where} lacks the key `{path[-1]}`", span, f"add `{path[-1]}: ...`")
     elif kind == "extra_forbidden":
-        known = _KEYS.get(room, ())
+        known = keys.get(room, ())
         sink.add(code, f"unknown key `{path[-1]}`", span_of(root, path, key=True), did_you_mean(str(path[-1]), known))
     elif code == "IL1012":
         got = _kind_at(root, path)
