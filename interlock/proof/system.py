@@ -86,6 +86,18 @@ class System:
         self.assumptions += arithmetic(self.ties, PRIME)
         self._check_closed()
 
+    def with_equations(self, controller: Controller) -> System:
+        """The same system under a controller that differs from this one in the right sides of equations alone.
+
+        Nothing else of a system depends on them: names, plant, assumptions and ties are shared.
+        """
+        other = System.__new__(System)
+        kept = {k: v for k, v in self.__dict__.items() if not isinstance(getattr(System, k, None), cached_property)}
+        changed = {e.name: e.expr for e in controller.equations}
+        changed |= {e.name + PRIME: e.expr for e in controller.next}
+        other.__dict__.update(kept, controller=controller, definitions=self.definitions | changed)
+        return other
+
     def _check_closed(self) -> None:
         """Nothing may read a variable that nobody defines: it would be a free choice by accident."""
         known = {*self.state, *self.inputs, *self.definitions}

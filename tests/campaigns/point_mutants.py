@@ -24,7 +24,8 @@ from interlock.app.init import yard
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
-from interlock.proof.mutation.judge import Fate, Lines, Verdict, judged
+from interlock.proof.mutation.judge import Fate, Verdict, judged
+from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.points import Mutation, mutations
 from interlock.proof.system import System
 from tests.layouts import SHIPPED, built, grown
