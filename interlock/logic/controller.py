@@ -194,6 +194,8 @@ class Symbols:
     command: Mapping[tuple[MachineId, Position], str]
     by_hand: Mapping[tuple[MachineId, Position], str]
     trailed: Mapping[MachineId, str]
+    was_detected: Mapping[MachineId, str]
+    looked_at: Mapping[MachineId, str]
     condition: Mapping[ConditionId, str]
     stop_lamp: Mapping[SignalId, str]
     clear_lamp: Mapping[SignalId, str]
@@ -202,6 +204,7 @@ class Symbols:
     turn: Mapping[MachineId, str]
     late_timer: Mapping[MachineId, str]
     release_timer: Mapping[SectionId, str]
+    running: str
     restart_timer: str
     start_timer: str | None
     clear_aspect: Mapping[SignalId, str]

@@ -140,7 +140,7 @@ def _trailed(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     yield NOTHING
     if lane.is_on(r.proceed):
         return f"it opens over the trailed {m}"
-    look = next(i.name for i in railway.controller.inputs if i.name == f"TC_{sym.trailed[m].split('_', 1)[1]}")
+    look = sym.looked_at[m]
     yield Wish((), {look: 1})
     yield NOTHING
     if lane.is_on(sym.trailed[m]):

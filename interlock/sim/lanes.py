@@ -72,9 +72,7 @@ class Lane:
 class Lanes:
     """The runs.  Compile once, then `run` batch after batch."""
 
-    def __init__(
-        self, controller: Controller, plant: Plant, dt_ms: int = 1000, record: Record | None = None
-    ) -> None:
+    def __init__(self, controller: Controller, plant: Plant, dt_ms: int = 1000, record: Record | None = None) -> None:
         """`record`: is given what each step computes of the controller."""
         self.controller, self.plant, self.dt_ms, self._record = controller, plant, dt_ms, record
         meaning = {e.name: e.expr for e in controller.equations} | plant.events.definitions

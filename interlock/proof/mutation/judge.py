@@ -12,11 +12,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cached_property
 
 from interlock.logic.controller import Controller, MalformedController
 from interlock.logic.expr import TRUE, Expr, variables
 from interlock.model.layout import Layout
-from interlock.proof.mutation.lines import Lines, changed_equations
+from interlock.proof.mutation.lines import Lines
+from interlock.proof.mutation.patterns import Patterns
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.runs import Runs
 from interlock.proof.mutation.same import Side, same
@@ -32,12 +34,16 @@ class Fate(StrEnum):
     REFUSED = "refused"
     """It reads a value before it is computed, or the system has a variable that nobody defines: no controller."""
     CLAIM = "a claim fails"
+    FUNCTION = "a function fails"
+    """What a rule orders does not happen any more, or without its reason (`proof.functions`)."""
     TRAIN = "a train notices"
     """A route that a train could use can no longer be set, driven and released."""
     OPERATOR = "an operator notices"
     """What an operator could do with a route does not work any more, or works where it must not."""
+    TEXT = "refuted as text"
+    """An emitted text that does not compute the proved controller (`proof.text_mutants`)."""
     EQUIVALENT = "equivalent"
-    """Whatever happens from power-up on, all outputs are the same."""
+    """Whatever happens from power-up on, all outputs are the same; of a text: it computes the same."""
     SURVIVES = "survives"
 
 
@@ -50,6 +56,7 @@ class Verdict:
 
 
 Named = list[tuple[str, Expr]]
+AtStart = tuple[Named, str]
 
 
 class Judge:
@@ -62,16 +69,25 @@ class Judge:
         self.lines = Lines.of(self.system)
         self.reads = {n: frozenset(variables((x,))) for n, x in self.lines.definitions.items()}
         self._renew()
-        self.runs = Runs(self.system)
+        facts = [*self.lines.assumptions, *(x for _, x in self.lines.invariants)]
+        self.patterns = Patterns(self.lines.definitions, facts, (*self.lines.claims, *self.lines.functions))
         kept = self._proved(self.lines, self.system)
         if isinstance(kept, str):
             raise ValueError(f"the controller itself is not proved: {kept}")
         self.side = Side(self.system, self.lines, kept)
 
+    @cached_property
+    def runs(self) -> Runs:
+        """The runs that work with the controller; few mutants come so far."""
+        return Runs(self.system)
+
     def _renew(self) -> None:
         self.step = Switched()
         self.start = Switched()
-        self._starts: dict[tuple[object, ...], Named | str] = {}
+        self.step.group([self.step.define(n, x) for n, x in self.lines.definitions.items()])
+        self.step.group([self.step.fact(x) for x in self.lines.assumptions])
+        self.step.group([self.step.fact(x) for _, x in self.lines.invariants])
+        self._starts: dict[tuple[object, ...], AtStart] = {}
         self.asked = 0
 
     def judge(self, mutation: Mutation) -> Verdict:
@@ -81,18 +97,21 @@ class Judge:
             self._renew()
         try:
             controller = mutation.make()
-            changed = changed_equations(self.controller, controller)
+            changed = self.system.changed(controller)
+            known = None if changed is None else self.patterns.broken(changed)
+            if known is not None:
+                return _failed(known)
             if changed is None:
                 system = System(self.layout, controller)
                 lines = Lines.of(system)
             else:
-                system = self.system.with_equations(controller)
+                system = self.system.under(controller, changed)
                 lines = self.lines.under(system)
         except MalformedController as e:
             return Verdict(Fate.REFUSED, str(e))
         kept = self._proved(lines, system)
         if isinstance(kept, str):
-            return Verdict(Fate.CLAIM, kept)
+            return _failed(kept)
         how = same(self.step, self.side, Side(system, lines, kept), self.reads)
         if how is not None:
             return Verdict(Fate.EQUIVALENT, how)
@@ -102,51 +121,65 @@ class Judge:
         return Verdict(Fate.SURVIVES)
 
     def _proved(self, lines: Lines, system: System) -> list[Expr] | str:
-        """The invariants that are kept, or a claim that does not follow from them."""
-        found = self._at_start(lines)
-        if isinstance(found, str):
-            return found
+        """The invariants that are kept, or a claim, or else a function, that does not follow from them."""
+        found, unmet = self._at_start(lines)
+        if unmet and not unmet.startswith("F-"):
+            return unmet
         kept, first = found, True
         s = self.step
         fixed = [s.define(n, x) for n, x in lines.definitions.items()] + [s.fact(x) for x in lines.assumptions]
         wrong = s.any_false((x for _, x in lines.claims if x is not TRUE), again=True)
+        undone = s.any_false((x for _, x in lines.functions), again=True)
         while True:
             known = [*fixed, *(s.fact(x) for _, x in kept)]
             model = s.model(*known, wrong)
             if model is not None:
-                return next(n for n, x in lines.claims if -s.cnf.literal(x) in model)
+                return self._seen(model, lines.claims, len(kept) == len(self.lines.invariants))
             after = [(i, system.after(i[1])) for i in kept]
             lost = s.any_false((x for _, x in after), again=first)
             model = s.model(*known, lost)
             s.off(lost)
             if model is None:
-                return [x for _, x in kept]
+                model = s.model(*known, undone)
+                if model is not None:
+                    return self._seen(model, lines.functions, len(kept) == len(self.lines.invariants))
+                return unmet or [x for _, x in kept]
             kept, first = [i for i, x in after if -s.cnf.literal(x) not in model], False
 
-    def _at_start(self, lines: Lines) -> Named | str:
-        """The invariants that hold at the restart; P-START where that does not."""
+    def _seen(self, model: set[int], wanted: Sequence[tuple[str, Expr]], all_kept: bool) -> str:
+        """What fails in a model; where all invariants hold in it, other mutants may fail there too."""
+        cnf = self.step.cnf
+        if all_kept:
+            known = self.step.cnf.known
+            self.patterns.add({str(x): cnf.literal(x) in model for x in self.patterns.leaves if known(x)})
+        return next(n for n, x in wanted if -cnf.literal(x) in model)
+
+    def _at_start(self, lines: Lines) -> AtStart:
+        """The invariants that hold at the restart, and what does not hold there though it must."""
         key = (lines.start, lines.invariants, lines.at_start)
         found = self._starts.get(key)
         if found is None:
             found = self._starts[key] = self._asked_at_start(lines)
         return found
 
-    def _asked_at_start(self, lines: Lines) -> Named | str:
+    def _asked_at_start(self, lines: Lines) -> AtStart:
         s = self.start
         known = [s.fact(x) for x in lines.start]
         if s.model(*known) is None:
-            return "the restart states contradict each other"
-        wrong = s.any_false((lines.at_start,), again=True)
-        if s.model(*known, wrong) is not None:
-            return "P-START"
+            return [], "the restart states contradict each other"
+        unmet = next((n for n, x in lines.at_start if s.model(*known, s.any_false((x,), again=True)) is not None), "")
         kept = list(lines.invariants)
         while True:
             lost = s.any_false((x for _, x in kept), again=len(kept) == len(lines.invariants))
             model = s.model(*known, lost)
             s.off(lost)
             if model is None:
-                return kept
+                return kept, unmet
             kept = [i for i in kept if -s.cnf.literal(i[1]) not in model]
+
+
+def _failed(what: str) -> Verdict:
+    return Verdict(Fate.FUNCTION if what.startswith("F-") else Fate.CLAIM, what)
 
 
 def judged(layout: Layout, controller: Controller, those: Sequence[Mutation]) -> list[Verdict]:

@@ -81,8 +81,9 @@ class Runs:
 
     def noticed(self, system: System, changed: Mapping[str, Expr] | None) -> tuple[bool, str] | None:
         """Whether a run does not work any more under a mutant, and which, and why: first trains (True), then
-        operators.  `changed`: its right sides that are others; None where more than that has changed."""
-        those = range(len(self.trials)) if changed is None else self.reached(changed)
+        operators.  `changed`: the definitions that are others; None where more than right sides has changed."""
+        every = changed is None or not changed.keys() <= self._equations.keys()
+        those = range(len(self.trials)) if changed is None or every else self.reached(changed)
         lanes = None
         for trains in (True, False):
             some = [self.trials[n] for n in those if (n < len(self.journeys)) is trains]

@@ -46,21 +46,34 @@ def same(s: Switched, one: Side, other: Side, reads: Mapping[str, frozenset[str]
     if set(other.lines.assumptions) - set(one.lines.assumptions) - set(_on_delays(other.controller)):
         return None
     starts = {x.name: x.initial for x in one.controller.state}
-    dropped = {
-        (a, b)
-        for x in other.controller.state
-        if x.initial is not starts[x.name]
-        for a, b in [(x.name, x.name + COPY) if starts[x.name] else (x.name + COPY, x.name)]
-    }
-    while True:
-        new = _lost(s, one, other, reads, dropped)
-        if new is None:
-            break
+    dropped: set[tuple[str, str]] = set()
+    others = {x.name for x in other.controller.state if x.initial is not starts[x.name]}
+    if others:
+        apart = {(a, b) for n in others for a, b in ((n, n + COPY), (n + COPY, n))}
+        first = ([*_first(one)], [*_first(other)])
+        while new := _lost(s, one, other, reads, apart, dropped, [first]):
+            dropped |= new
+    phases = [
+        ([*one.lines.assumptions, *one.invariants], [*other.lines.assumptions, *other.invariants]),
+        (_at_power_up(one), _at_power_up(other)),
+    ]
+    inside = _inside(one)
+    while all(a.removesuffix(COPY) in inside for a, _ in dropped):
+        new = _lost(s, one, other, reads, dropped, dropped, phases)
+        if not new:
+            return f"other only inside, in {len(dropped)} values" if dropped else "the same states and outputs"
         dropped |= new
-        free = {a.removesuffix(COPY) for a, _ in dropped}
-        if not free <= _inside(one):
-            return None
-    return f"other only inside, in {len(dropped)} values" if dropped else "the same states and outputs"
+    return None
+
+
+Phase = tuple[Sequence[Expr], Sequence[Expr]]
+"""What is known of the controller, and of the mutant, in a scan."""
+
+
+def _first(side: Side) -> Iterator[Expr]:
+    """What is known in the first scan after power-up."""
+    yield from (var(x.name) if x.initial else neg(var(x.name)) for x in side.controller.state)
+    yield from (neg(var(t.name)) for t in side.controller.timers)
 
 
 def _inside(one: Side) -> set[str]:
@@ -75,10 +88,19 @@ def _on_delays(c: Controller) -> Iterator[Expr]:
 
 
 def _lost(
-    s: Switched, one: Side, other: Side, reads: Mapping[str, frozenset[str]], dropped: set[tuple[str, str]]
-) -> set[tuple[str, str]] | None:
-    """Implications that a scan loses, in one of its two phases; None where all that are left are kept."""
-    free = {a.removesuffix(COPY) for a, _ in dropped}
+    s: Switched,
+    one: Side,
+    other: Side,
+    reads: Mapping[str, frozenset[str]],
+    before: set[tuple[str, str]],
+    dropped: set[tuple[str, str]],
+    phases: Sequence[Phase],
+) -> set[tuple[str, str]]:
+    """Implications that a scan in one of the phases loses, if there are any.
+
+    `before`: those that do not hold before the scan.  `dropped`: those of which nothing is asked after it.
+    """
+    free = {a.removesuffix(COPY) for a, _ in before}
     mine, its = one.lines.definitions, other.lines.definitions
     below: dict[str, None] = {}
     apart = set(free)
@@ -96,20 +118,18 @@ def _lost(
             if (a, b) not in dropped and goal is not TRUE:
                 goals[a, b] = goal
     if not goals:
-        return None
+        return set()
     known = [s.define(n, x) for n, x in mine.items()]
     known += [s.define(n + COPY, put(its[n])) for n in below]
     for n in free:
-        known += [s.fact(implies(var(a), var(b))) for a, b in ((n, n + COPY), (n + COPY, n)) if (a, b) not in dropped]
-    both = [*one.lines.assumptions, *map(put, other.lines.assumptions)]
-    both += [*one.invariants, *map(put, other.invariants)]
-    for facts in (both, [*_at_power_up(one), *map(put, _at_power_up(other))]):
+        known += [s.fact(implies(var(a), var(b))) for a, b in ((n, n + COPY), (n + COPY, n)) if (a, b) not in before]
+    for mine_too, its_too in phases:
         wrong = s.any_false(goals.values())
-        model = s.model(*known, *map(s.fact, dict.fromkeys(facts)), wrong)
+        model = s.model(*known, *map(s.fact, dict.fromkeys((*mine_too, *map(put, its_too)))), wrong)
         s.off(wrong)
         if model is not None:
             return {k for k, x in goals.items() if -s.cnf.literal(x) in model}
-    return None
+    return set()
 
 
 def _watched(one: Side, other: Side, below: Mapping[str, None]) -> dict[str, tuple[Expr, Expr]]:

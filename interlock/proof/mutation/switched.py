@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from pysat.solvers import Minisat22
 
 from interlock.logic.expr import Expr, var
 from interlock.proof.encode import Cnf
+
+GROUP = 50
 
 
 class Switched:
@@ -19,6 +21,7 @@ class Switched:
         self._given = 0
         self._lines: dict[tuple[str, Expr], int] = {}
         self._asked: dict[tuple[Expr, ...], int] = {}
+        self._groups: dict[int, list[int]] = {}
 
     def define(self, name: str, x: Expr) -> int:
         """The switch of: the name stands for the expression."""
@@ -64,12 +67,29 @@ class Switched:
         self.cnf.clauses.append((-some, *differ))
         return some
 
+    def group(self, switches: Sequence[int]) -> None:
+        """Lines that are mostly on together get switches in common: the solver has fewer to decide."""
+        for k in range(0, len(switches), GROUP):
+            those = list(dict.fromkeys(switches[k : k + GROUP]))
+            common = self.cnf.fresh()
+            self.cnf.clauses += [(-common, x) for x in those]
+            self._groups[common] = those
+
+    def _grouped(self, switches: Iterable[int]) -> list[int]:
+        """The same lines by as few switches as possible."""
+        left = dict.fromkeys(switches)
+        found = [common for common, those in self._groups.items() if all(x in left for x in those)]
+        for common in found:
+            for x in self._groups[common]:
+                left.pop(x, None)
+        return [*found, *left]
+
     def model(self, *switches: int) -> set[int] | None:
         """The literals of a model with the lines of these switches; None where there is none."""
         for c in self.cnf.clauses[self._given :]:
             self.solver.add_clause(list(c))
         self._given = len(self.cnf.clauses)
-        if not self.solver.solve(assumptions=list(switches)):
+        if not self.solver.solve(assumptions=self._grouped(switches)):
             return None
         return set(self.solver.get_model() or ())
 
