@@ -27,7 +27,7 @@ VERBS = {
     "play": "Make a page that plays a trace.",
     "why": "Print why each cell of a route's row is as it is.",
     "explain": "Explain a diagnostic code or a rule; without one, list all codes.",
-    "mutate": "Weaken table and controller on purpose; see which claim fails.",
+    "mutate": "Change table, controller and texts on purpose, one change at a time; see what notices.",
     "schema": "Print the JSON Schema of the layout language.",
 }
 

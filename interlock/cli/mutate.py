@@ -25,7 +25,7 @@ from interlock.proof.text_mutants import text_mutants
 from interlock.table.rows import InterlockingTable
 
 
-class _Shard(click.ParamType):
+class _Shard(click.ParamType[tuple[int, int]]):
     """`2/3`: the second of three."""
 
     name = "K/N"

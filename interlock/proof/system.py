@@ -110,7 +110,9 @@ class System:
         """The system of such a controller: nothing but `changed` depends on right sides."""
         other = System.__new__(System)
         kept = {k: v for k, v in self.__dict__.items() if not isinstance(getattr(System, k, None), cached_property)}
-        other.__dict__.update(kept, controller=controller, definitions=self.definitions | changed, _start=self._start)
+        other.__dict__.update(
+            kept, controller=controller, definitions={**self.definitions, **changed}, _start=self._start
+        )
         outputs = any(name.removesuffix(PRIME) in self._shown for name in changed)
         if not outputs and self._kept.unchanged(changed):
             other.__dict__.update(_kept=self._kept, initial_parts=self.initial_parts)

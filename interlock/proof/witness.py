@@ -18,7 +18,7 @@ from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, topology
 from interlock.proof.system import System
 from interlock.proof.verdict import Witness
-from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Wish
+from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Record, Wish
 
 MAX_STEPS = 400
 FEEDERS = 3  # so many routes are tried, one after the other, over which a train may come to another
@@ -51,6 +51,19 @@ class Trial:
     name: str
     start: Mapping[str, int]
     driver: Callable[[Lane], Driver]
+
+
+class Trials:
+    """Runs on one system."""
+
+    def __init__(self, system: System, record: Record | None = None) -> None:
+        """`record`: is given what each step computes of the controller."""
+        self._lanes = Lanes(system.controller, system.plant, record=record)
+
+    def run(self, trials: Sequence[Trial], first: bool = False) -> list[str | None]:
+        """What goes wrong in each, or None; `first`: nothing is done any more after the first that goes wrong."""
+        found = self._lanes.run([t.start for t in trials], [t.driver for t in trials], first)
+        return [failure for failure, _ in found]
 
 
 def witnesses(system: System) -> tuple[Witness, ...]:

@@ -51,14 +51,7 @@ class Campaign:
 
     def chosen(self, name: str) -> list[Mutation]:
         """The mutants of a layout that are judged."""
-        every = [m for m in self._every(name) if not self.families or m.family in self.families]
-        return every if self.names[name] else one_of_each(every)
-
-    def _every(self, name: str) -> Iterator[Mutation]:
-        layout, table, controller = self.made(name)
-        yield from mutations(controller)
-        if self.weakened:
-            yield from weakenings(layout, table, 0 if self.names[name] else 1)
+        return _chosen(self.made, name, self.names[name], self.families, self.weakened)
 
     def run(
         self, kept: Path | None = None, jobs: int = 1, shard: tuple[int, int] = (1, 1), report: Report | None = None
@@ -98,6 +91,14 @@ class Campaign:
 
 Report = Callable[[int, int], None]
 """Told how many of how many pieces are done."""
+
+
+@lru_cache(2)
+def _chosen(made: Made, name: str, full: bool, families: frozenset[str], weakened: bool) -> list[Mutation]:
+    layout, table, controller = made(name)
+    every = [*mutations(controller), *(weakenings(layout, table, 0 if full else 1) if weakened else ())]
+    some = [m for m in every if not families or m.family in families]
+    return some if full else one_of_each(some)
 
 
 @lru_cache(2)

@@ -7,13 +7,12 @@ Otherwise the runs in which it once had another value are.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from interlock.logic.expr import AND, NOT, OR, TRUE, VAR, Expr
 from interlock.proof.operations import operated
 from interlock.proof.system import PRIME, System
-from interlock.proof.witness import Trial, journeys
-from interlock.sim.lanes import Driver, Lane, Lanes
+from interlock.proof.witness import Trial, Trials, journeys
 
 
 class Runs:
@@ -26,8 +25,8 @@ class Runs:
         self._steps: list[Mapping[str, int]] = []
         self._going: list[int] = []
         self._vectors: dict[str, int] = {}
-        found = Lanes(system.controller, system.plant, record=self._record).run(*_both(self.trials))
-        if any(failure is not None for failure, _ in found):
+        found = Trials(system, self._record).run(self.trials)
+        if any(failure is not None for failure in found):
             raise RuntimeError("a run that works alone does not work beside others")
         self._mask = self._joined(self._going)
         self._equations = {e.name: e.expr for e in system.controller.equations}
@@ -84,17 +83,13 @@ class Runs:
         operators.  `changed`: the definitions that are others; None where more than right sides has changed."""
         every = changed is None or not changed.keys() <= self._equations.keys()
         those = range(len(self.trials)) if changed is None or every else self.reached(changed)
-        lanes = None
+        on = None
         for trains in (True, False):
             some = [self.trials[n] for n in those if (n < len(self.journeys)) is trains]
             if not some:
                 continue
-            lanes = lanes or Lanes(system.controller, system.plant)
-            for t, (failure, _) in zip(some, lanes.run(*_both(some), first=True), strict=True):
+            on = on or Trials(system)
+            for t, failure in zip(some, on.run(some, first=True), strict=True):
                 if failure is not None:
                     return trains, f"{t.name}: {failure}"
         return None
-
-
-def _both(trials: Sequence[Trial]) -> tuple[list[Mapping[str, int]], list[Callable[[Lane], Driver]]]:
-    return [t.start for t in trials], [t.driver for t in trials]
