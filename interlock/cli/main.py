@@ -33,7 +33,7 @@ VERBS = {
     "dispatch": "Carry out commands on the controller with its plant; show plans and deadlocks.",
     "blocks": "Lengths of block sections from the traffic, and the layout's own against them.",
     "explain": "Explain a diagnostic, rule, claim, assumption or principle.",
-    "mutate": "Weaken table and controller on purpose; see which claim fails.",
+    "mutate": "Change table, controller and texts on purpose, one change at a time; see what notices.",
     "schema": "Print the JSON Schema of the layout language, or of table.json.",
 }
 

@@ -219,6 +219,7 @@ class Symbols:
     turn: Mapping[MachineId, str]
     late_timer: Mapping[MachineId, str]
     release_timer: Mapping[SectionId, str]
+    running: str
     restart_timer: str
     start_timer: str | None
     clear_aspect: Mapping[SignalId, str]

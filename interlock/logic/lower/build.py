@@ -106,6 +106,7 @@ def _symbols(d: Draft) -> Symbols:
         turn={m: f"Z_{portable(m)}" for m in d.machines if d.started(m) is not TRUE},
         late_timer={m: f"ST_{portable(m)}" for m in d.machines},
         release_timer=each("RT"),
+        running="PWR",
         restart_timer=sections.RESTART_DELAY,
         start_timer="SGT" if any(isinstance(s, Timer) and s.name == "SGT" for s in d.steps) else None,
         **aspects.lamps(d),

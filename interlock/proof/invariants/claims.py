@@ -253,7 +253,7 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 yield "S-OVERLAP", place, implies(here, disj(_overlap(f, ways) for ways in over))
             if not shunt and f.layout.principles.caution is not Caution.NEVER:
                 clear = conj((_clear_aspect(f, signal), after(lie(f, path.ways))))
-                yield "S-ASPECT", place, implies(clear, _allows_clear(f, path, exit_))
+                yield "S-ASPECT", place, implies(clear, allows_clear(f, path, exit_))
             secured = [
                 conj((var(f.sym.detected[d.id, Position.REVERSE]), neg(var(f.sym.detected[d.id, Position.NORMAL]))))
                 for d in f.layout.devices
@@ -313,7 +313,7 @@ def _clear_aspect(f: Facts, g: SignalId) -> Expr:
     return f.system.after(var(f.sym.clear_aspect[g])) if g in f.sym.clear_aspect else FALSE
 
 
-def _allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
+def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
     """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11)."""
     kmh = path_speed(f.layout, path.ways)
     if kmh is not None and kmh < f.layout.principles.slow_below_kmh:

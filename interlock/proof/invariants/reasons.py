@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
-from interlock.model.approach import Approach
 from interlock.model.elements import NodeId, Position, SectionId
+from interlock.model.places import Approach
 from interlock.proof.invariants.kinds import Facts
 
 

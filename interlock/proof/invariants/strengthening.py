@@ -378,7 +378,7 @@ def _foul(f: Facts, s: SectionId) -> list[Expr]:
     return [conj((f.restart(x.section), o(x.section))) for x in f.fouls if x.neighbour == s]
 
 
-def _stays(f: Facts, s: SectionId) -> Expr:
+def _stays(f: Facts, s: str) -> Expr:
     """What stands in s does not move on: since the restart, or it was left there."""
     return rests(s) if f.berth(s) else disj((rests(s), parted(s)))
 
