@@ -198,7 +198,7 @@ class Trial:
         ):
             if failure is None:
                 found[r.id].append((x,))
-        by_id = {r.id: r for r in routes}
+        by_id: dict[str, RouteSymbols] = {r.id: r for r in routes}
         for name, (chain, _) in _over_others(self.railway, self._lanes, [r for r in routes if not found[r.id]]).items():
             found[name].append(tuple(by_id[x] for x in chain))
         return found
