@@ -272,6 +272,21 @@ WEAKENED = {
         "restart_ends(s) -> by_hand(s) or all_by_hand or passed(s)",
         "restart_ends(s) -> by_hand(s) or all_by_hand or passed(s) or valid",
     ),
+    "the other crossover lies anyhow": (
+        "terminus",
+        "shown_over'(w) -> lies'(m, N)",
+        "shown_over'(w) -> lies'(m, N) or valid",
+    ),
+    "an overlap goes at once": (
+        "junction",
+        "over(release_timer(s))) or swung'(o)",
+        "over(release_timer(s))) or swung'(o) or valid",
+    ),
+    "a train that stood does not part": (
+        "mine11",
+        'says: "tail_out(s) and not astray(s)"',
+        'says: "tail_out(s) and not astray(s) and not standing(s)"',
+    ),
     "a claim is left out": ("junction", "  - id: T-DIAMOND\n", "  - id: T-ELSEWHERE\n"),
 }
 
