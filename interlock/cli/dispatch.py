@@ -8,8 +8,8 @@ from pathlib import Path
 import click
 
 from interlock.app.dispatch import Dispatched, dispatch, replay_file
-from interlock.app.replay import to_text
-from interlock.cli.common import FINDINGS, NOT_PROVED, OK, format_option, put_json, show
+from interlock.app.replay import BadPlan, from_text, to_text
+from interlock.cli.common import FINDINGS, NOT_PROVED, OK, failed, force_option, format_option, put_json, show, told
 from interlock.diag import render
 from interlock.dispatch.plan.search import Verdict
 
@@ -25,6 +25,7 @@ from interlock.dispatch.plan.search import Verdict
 @click.option("--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them.")
 @click.option("--plan", type=click.Path(dir_okay=False), help="Write the completion plan.")
 @click.option("--replay", type=click.Path(dir_okay=False), help="Replay a plan file instead.")
+@force_option
 @format_option
 def command(
     layout: str,
@@ -37,6 +38,7 @@ def command(
     without_rule: bool,
     plan: str | None,
     replay: str | None,
+    force: bool,
     form: str,
 ) -> None:
     """Carry out commands on the controller with its plant.
@@ -59,16 +61,28 @@ def command(
         look_ahead=look_ahead,
     )
     if plan is not None and found.plan is not None:
+        target = Path(plan)
         try:
-            Path(plan).write_text(to_text(found.plan), encoding="utf-8")
+            if target.exists() and not force and not _is_plan(target):
+                failed(f"{plan} exists and is no completion plan; --force overwrites it", form)
+                sys.exit(FINDINGS)
+            target.write_text(to_text(found.plan), encoding="utf-8")
         except OSError as error:
-            click.echo(f"{plan}: {error.strerror}", err=True)
+            failed(told(error, target), form)
             sys.exit(FINDINGS)
     if form == "json":
         put_json(_body(found))
     else:
         _print(found, form)
     sys.exit(_code(found))
+
+
+def _is_plan(file: Path) -> bool:
+    try:
+        from_text(file.read_text("utf-8"))
+    except (BadPlan, UnicodeDecodeError):
+        return False
+    return True
 
 
 def _code(found: Dispatched) -> int:
