@@ -19,6 +19,7 @@ from interlock.dispatch.plan.explore import Explored, TooManyStates, explore
 from interlock.dispatch.plan.problem import Built, Move, build
 from interlock.dispatch.plan.railway import OUTSIDE, Errand, Journey, NoVoyage, Railway, TooManyPlaces
 from interlock.dispatch.plan.search import Answer, Planner, Verdict
+from interlock.dispatch.policy import Policy
 from interlock.logic.lower import lower
 from interlock.proof.system import System
 
@@ -137,6 +138,7 @@ def dispatch(
     exploring: bool = False,
     look_ahead: int = 1,
     file: str | None = None,
+    policy: str | None = None,
 ) -> Dispatched:
     """Carry out commands, or the orders of a dispatch file (by default that beside the layout), one for each train of
     the fleet; `timings`: run them so many times, each train `gap` scans later from run to run."""
@@ -176,16 +178,21 @@ def dispatch(
             found.shown = setting.shown(replay, layout.digest, found.explored.shortest)
     if timings:
         ground = Ground(layout, table, controller)
-        runs = [_run(setting.errands, k - timings // 2, gap) for k in range(timings)]
-        found.outcomes = ground.run(
-            runs, lambda: Dispatcher(ground.railway, controller.symbols, rule=rule, look_ahead=look_ahead)
-        )
+        runs = [_run(setting.errands, k - timings // 2, gap, commands) for k in range(timings)]
+        how = None if policy is None else Policy(policy)
+
+        def make() -> Dispatcher:
+            return Dispatcher(ground.railway, controller.symbols, rule=rule, look_ahead=look_ahead, policy=how)
+
+        found.outcomes = ground.run(runs, make)
     return found
 
 
-def _run(errands: Sequence[Errand], k: int, gap: int) -> list[Coming]:
+def _run(errands: Sequence[Errand], k: int, gap: int, voyages: Sequence[str]) -> list[Coming]:
     """The k-th timing: each train so many scans after the one before it, or before it where k is negative."""
-    return [Coming(e, 0, abs(k) * gap * (i if k >= 0 else len(errands) - 1 - i)) for i, e in enumerate(errands)]
+    named = [*voyages, *[""] * len(errands)]
+    due = [abs(k) * gap * (i if k >= 0 else len(errands) - 1 - i) for i in range(len(errands))]
+    return [Coming(e, 0, at, voyage=v) for e, at, v in zip(errands, due, named, strict=False)]
 
 
 def _setting(railway: Railway, commands: Sequence[str], length_m: float, sink: Sink) -> Setting | None:

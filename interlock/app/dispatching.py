@@ -38,6 +38,7 @@ class Coming:
     due: int = 0
     speed_m: float = 11.0
     priority: int = 0
+    voyage: str = ""
 
 
 @dataclass
@@ -153,7 +154,8 @@ class Ground:
             slept += DT_MS
             fresh = self.changed(lane, scan)
             while todo and todo[0].commanded <= scan:
-                dispatcher.carry_out(todo[0].errand, todo.pop(0).priority)
+                c = todo.pop(0)
+                dispatcher.carry_out(c.errand, c.priority, c.voyage)
                 fresh = True
             if fresh or any(inputs.values()) or slept >= SLEEP_MS:
                 inputs, slept = dispatcher.step(seen, slept), 0

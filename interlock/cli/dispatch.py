@@ -12,6 +12,9 @@ from interlock.app.replay import to_text
 from interlock.cli.common import FINDINGS, NOT_PROVED, OK, format_option, put_json, show
 from interlock.diag import render
 from interlock.dispatch.plan.search import Verdict
+from interlock.dispatch.policy import Policy
+
+POLICIES = [str(p) for p in Policy]
 
 
 @click.command("dispatch")
@@ -21,6 +24,7 @@ from interlock.dispatch.plan.search import Verdict
 @click.option("--timings", type=click.IntRange(0, 10_000), default=0, help="Run the commands so many times.")
 @click.option("--gap", type=click.IntRange(1, 1000), default=5, show_default=True, help="Scans from timing to timing.")
 @click.option("--look-ahead", type=click.IntRange(1, 50), default=1, show_default=True, help="Routes ahead of a train.")
+@click.option("--policy", type=click.Choice(POLICIES), help="Who goes first on a single line that two voyages share.")
 @click.option("--explore", "exploring", is_flag=True, help="Look at every state; tell the shortest deadlock.")
 @click.option("--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them.")
 @click.option("--plan", type=click.Path(dir_okay=False), help="Write the completion plan.")
@@ -34,6 +38,7 @@ def command(
     timings: int,
     gap: int,
     look_ahead: int,
+    policy: str | None,
     exploring: bool,
     without_rule: bool,
     plan: str | None,
@@ -58,6 +63,7 @@ def command(
         exploring=exploring,
         look_ahead=look_ahead,
         file=orders,
+        policy=policy,
     )
     if plan is not None and found.plan is not None:
         try:

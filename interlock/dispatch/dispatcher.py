@@ -21,6 +21,7 @@ from interlock.dispatch.panel import Indications, Stage, stages
 from interlock.dispatch.plan.problem import Built, Draft, Move, build
 from interlock.dispatch.plan.railway import Errand, Railway, Step
 from interlock.dispatch.plan.search import BUDGET, Answer, Planner, Verdict
+from interlock.dispatch.policy import Policy, enters, yields
 from interlock.dispatch.run import Run
 from interlock.logic.controller import Symbols
 from interlock.model.elements import Lane, MachineId, Position, SectionId, SignalId
@@ -49,6 +50,7 @@ class Dispatcher:
         priorities: bool = False,
         wait_ms: int = 0,
         rule: bool = True,
+        policy: Policy | None = None,
         budget: int = BUDGET,
     ) -> None:
         if look_ahead < 1:
@@ -56,7 +58,8 @@ class Dispatcher:
         self.railway, self.symbols = railway, symbols
         self.stages = stages(railway.table, symbols)
         self.look_ahead, self.priorities, self.wait_ms = look_ahead, priorities, wait_ms
-        self.rule, self.budget = rule, budget
+        self.rule, self.policy, self.budget = rule, policy, budget
+        self._started = 0
         self.runs: list[Run] = []
         self.pending: list[Run] = []
         """Commands kept until a plan exists with them, too; their trains are still outside."""
@@ -94,13 +97,16 @@ class Dispatcher:
         """Command a voyage of the layout.  Raises `KeyError` where there is none of that name."""
         if all(v.name != name for v in self.railway.table.voyages):
             raise KeyError(name)
-        return self.carry_out(*errand(self.railway, name, length_m))
+        return self.carry_out(*errand(self.railway, name, length_m), voyage=name)
 
-    def carry_out(self, order: Errand, priority: int = 0) -> Run:
-        """Command an errand.  Raises `NoVoyage` where no chain of routes makes it."""
+    def carry_out(self, order: Errand, priority: int = 0, voyage: str = "") -> Run:
+        """Command an errand; `voyage`: which of the layout's.  Raises `NoVoyage` where no chain of routes makes it."""
         taken = {r.name for r in (*self.runs, *self.pending)}
         name = next(n for n in (order.train, *(f"{order.train} {k}" for k in range(2, 10_000))) if n not in taken)
         run = Run(name, self.railway.draft(replace(order, train=name)), priority)
+        row = next((v for v in self.railway.table.voyages if v.name == voyage), None)
+        if row is not None:
+            run.voyage, run.lines = voyage, {m.voyage: frozenset(m.sections) for m in row.meetings}
         self.pending.append(run)
         self._built = None
         return run
@@ -258,6 +264,9 @@ class Dispatcher:
             run.granted.append(self.stages[r.id])
             run.places.append(run.place)
         run.place = step.after
+        if not run.started:
+            self._started += 1
+            run.started = self._started
 
     def _next(self, seen: Indications) -> None:
         """Begin to ask for a route, if one is to be set now."""
@@ -312,12 +321,38 @@ class Dispatcher:
             if (why := next((w for s in order if (w := s.hindered(seen))), "")) or (why := self._behind(run, move)):
                 run.reason = f"{first.route}: {why}"
                 continue
-            if self.rule and not self._safe(run, move):
+            if (why := self._waits(run, step, seen)) or (self.rule and not self._safe(run, move)):
+                run.reason = f"{first.route}: {why}" if why else run.reason
                 continue
             run.step = step
             run.asking = order[::-1] if self._far_first(run) else order
             return run.asking[0]
         return None
+
+    def _waits(self, run: Run, step: Step, seen: Indications) -> str:
+        """For whom a train waits before a single line, by the policy."""
+        if self.policy is None or self._planner is None:
+            return ""
+        order = {r.name: k for k, r in enumerate(self.runs)}
+        for other in self.runs:
+            line = run.lines.get(other.voyage)
+            if other is run or line is None or not enters(step, line) or other.uses(line) or other.past(line):
+                continue
+            first = self.stages[other.journey.steps[other.place][0].routes[0].id]
+            there = other.set_out or first.stands(seen)
+            if there and yields(self.policy, run, other, order) and self._passes(other, line):
+                return f"{other.name} goes first ({self.policy})"
+        return ""
+
+    def _passes(self, run: Run, line: frozenset[SectionId]) -> bool:
+        """A train could run over a line now, while all others stand."""
+        assert self._planner is not None and self._built is not None
+        beyond = 0
+        for place, bit in self._built.bits[self.runs.index(run)].items():
+            ahead = run.journey.steps[place]  # type: ignore[index]
+            if not any(enters(s, line) for s in ahead) and place is not run.place:
+                beyond |= bit
+        return self._planner.alone(self._state(), self._bit(run), beyond & ~self._bit(run)) is not None
 
     def _far_first(self, run: Run) -> bool:
         legs = run.journey.errand.legs
