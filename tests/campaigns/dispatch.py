@@ -250,8 +250,8 @@ def main() -> int:
     lines = [
         "# Dispatch",
         "",
-        f"`python -m tests.campaigns.dispatch --renamings {options.renamings} -j {options.jobs}` at commit {commit.stdout.strip()}, "
-        f"{platform.machine()}, {processor()}, {os.cpu_count()} cores, "
+        f"`python -m tests.campaigns.dispatch --renamings {options.renamings} -j {options.jobs}` "
+        f"at commit {commit.stdout.strip()}, {platform.machine()}, {processor()}, {os.cpu_count()} cores, "
         f"{options.jobs} processes, Python {platform.python_version()}.",
         "",
         "Trains run on the controller with its plant, by what lamps show, a scan every two seconds.  *Stuck*: runs in "
