@@ -227,7 +227,7 @@ class World:
                 self.false[s] = rng.choice((0.0, 1.0, 5.0, 30.0))
         if rng.random() < f.contact * dt * len(self.machines.names) and self.machines.names:
             m = rng.randrange(len(self.machines.names))
-            self.machines.lost[m] = (rng.choice((0.0, 1.0, 20.0)), rng.randrange(2))
+            self.machines.lost[m] = (rng.choice((0.0, 1.0, 20.0)), int(rng.random() < f.contradict))
         for m, (left, both) in tuple(self.machines.lost.items()):
             if left < 0:
                 del self.machines.lost[m]
