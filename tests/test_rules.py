@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from interlock.derive import derive
+from interlock.derivation import derive
 from interlock.diag import Severity, Sink
 from interlock.frontend import load_text
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS

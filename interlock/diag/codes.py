@@ -77,10 +77,11 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation
     "IL4001": (_E, "flank protection is missing"),
-    "IL4002": (_E, "a route that demands one machine in two positions"),
+    "IL4002": (_E, "a place that stands against its own routes"),
     "IL4003": (_E, "a signal from which no route leads"),
     "IL4004": (_I, "a route of more than three sections"),
     "IL4008": (_E, "a route without room for its overlap"),
+    "IL4010": (_I, "a flank with substitute protection"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),
     "IL4005": (_I, "a path that meets itself was left out"),
     "IL4006": (_E, "a route that no train can drive"),
@@ -93,6 +94,14 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL5005": (_E, "an unknown route, column or code"),
     "IL5006": (_E, "nothing is written without a proof"),
     "IL5007": (_E, "a certificate that is not current"),
+    # 6: dispatch
+    "IL6001": (_E, "a file that is no dispatch file of this layout"),
+    "IL6002": (_E, "a dispatch file speaks of something that the layout does not have"),
+    "IL6003": (_E, "a dispatch file lacks what the command needs"),
+    "IL6004": (_E, "a command that makes no sense on this layout"),
+    "IL6005": (_E, "a command that no chain of routes carries out"),
+    "IL6006": (_E, "a plan that cannot be read, or is for another layout"),
+    "IL6007": (_E, "trains that cannot all be carried out"),
 }
 
 

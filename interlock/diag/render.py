@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from interlock.diag.diagnostic import Diagnostic, Severity
 
 _MAX_LINE = 160
+
+Paint = Callable[[str, Severity], str]
+"""Colours a text."""
+
+
+def plain(text: str, severity: Severity) -> str:
+    """No colour."""
+    del severity
+    return text
 
 
 def _columns(text: str) -> int:
@@ -40,13 +49,17 @@ def _where(d: Diagnostic) -> str:
     return f"{d.span.file}:{d.span.line}:{d.span.column}: " if d.span and d.span.line else ""
 
 
-def full(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str]) -> str:
+def _label(d: Diagnostic, paint: Paint) -> str:
+    return paint(f"{d.severity}[{d.code}]", d.severity)
+
+
+def full(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str], paint: Paint = plain) -> str:
     """Every diagnostic with its line, caret and fix.  `sources` maps file name to text."""
     out: list[str] = []
     split: dict[str, list[str]] = {}
     for d in diagnostics:
         where = _where(d)
-        out.append(f"{where}{d.severity}[{d.code}]: {_printable(d.message)}")
+        out.append(f"{where}{_label(d, paint)}: {_printable(d.message)}")
         if d.span is not None:
             if d.span.file not in split:
                 split[d.span.file] = sources.get(d.span.file, "").split("\n")
@@ -57,13 +70,13 @@ def full(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str]) -> str:
     return "\n".join(out)
 
 
-def concise(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str]) -> str:
+def concise(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str], paint: Paint = plain) -> str:
     """One line for each diagnostic."""
     del sources
     rows = []
     for d in diagnostics:
         where = _where(d)
-        rows.append(f"{where}{d.severity}[{d.code}]: {_printable(d.message)}\n")
+        rows.append(f"{where}{_label(d, paint)}: {_printable(d.message)}\n")
     return "".join(rows)
 
 

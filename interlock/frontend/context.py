@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from interlock.diag import Sink, Span
-from interlock.frontend.schema import LayoutFile, span_of
+from interlock.frontend.schema import LayoutFile
+from interlock.frontend.validate import span_of
 from interlock.frontend.yaml_tree import Node
 
 

@@ -7,9 +7,10 @@ proved: the rest of the controller protects without that condition.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from functools import partial
 
 from interlock.logic.controller import Controller, Equation, Join, StateVar, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, var
@@ -18,6 +19,7 @@ from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.proof.invariants import Facts, claims
 from interlock.proof.limits import Limits
+from interlock.proof.mutation.points import Mutation
 from interlock.proof.runner import inductive, open_claims
 from interlock.proof.search import search
 from interlock.proof.story import tell
@@ -34,8 +36,6 @@ class Fate(StrEnum):
     KILLED = "killed by a train movement"
     STRICT = "killed, no movement found"
     REDUNDANT = "redundant"
-    REFUTED = "refuted as text"
-    SAME = "same meaning"
 
 
 @dataclass(frozen=True)
@@ -484,6 +484,21 @@ KINDS: tuple[Kind, ...] = (
 )
 
 
+def weakenings(layout: Layout, table: InterlockingTable, sample: int) -> Iterator[Mutation]:
+    """Up to `sample` evenly spread mutants of each kind (0: all), as mutations."""
+    for kind in KINDS:
+        for place, controller in _spread(list(kind.make(layout, table)), sample):
+            yield Mutation(f"weakened: {kind.name}", kind.name, place, partial(_made, controller))
+
+
+def _made(controller: Controller) -> Controller:
+    return controller
+
+
+def _spread(mutants: Sequence[Mutant], sample: int) -> Sequence[Mutant]:
+    return mutants[:: max(1, -(-len(mutants) // sample))] if sample else mutants
+
+
 def run_mutants(
     layout: Layout,
     table: InterlockingTable,
@@ -497,9 +512,7 @@ def run_mutants(
     for kind in KINDS:
         if only and kind.name not in only:
             continue
-        mutants = list(kind.make(layout, table))
-        step = max(1, -(-len(mutants) // sample)) if sample else 1
-        for place, controller in mutants[::step]:
+        for place, controller in _spread(list(kind.make(layout, table)), sample):
             outcome = judge(layout, kind.name, place, controller, limits)
             report(outcome)
             out.append(outcome)

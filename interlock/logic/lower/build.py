@@ -96,6 +96,8 @@ def _symbols(d: Draft) -> Symbols:
         command={(m, x): f"C{x}_{portable(m)}" for m in d.machines for x in Position},
         by_hand={(m, x): f"M{x}_{portable(m)}" for m in d.machines for x in Position},
         trailed={m: f"TR_{portable(m)}" for m in d.powered},
+        seen_right={m: f"TH_{portable(m)}" for m in d.powered},
+        looked_at={m: f"TC_{portable(m)}" for m in d.powered},
         condition={c.id: f"E_{portable(c.id)}" for c in d.layout.conditions},
         stop_lamp={g.id: f"RL_{portable(g.id)}" for g in d.layout.signals} if d.layout.principles.lamp_proof else {},
         clear_lamp={g: f"GL_{portable(g)}" for g in lit},
@@ -104,6 +106,7 @@ def _symbols(d: Draft) -> Symbols:
         turn={m: f"Z_{portable(m)}" for m in d.machines if d.started(m) is not TRUE},
         late_timer={m: f"ST_{portable(m)}" for m in d.machines},
         release_timer=each("RT"),
+        running="PWR",
         restart_timer=sections.RESTART_DELAY,
         start_timer="SGT" if any(isinstance(s, Timer) and s.name == "SGT" for s in d.steps) else None,
         **aspects.lamps(d),
@@ -148,6 +151,7 @@ def _symbols(d: Draft) -> Symbols:
                 f"S_R{r.number}",
                 f"H_R{r.number}",
                 f"PA_R{r.number}" if r.closing.whole is not None else None,
+                r.names,
             )
             for r in d.table.routes
         ),

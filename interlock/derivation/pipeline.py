@@ -1,16 +1,15 @@
 """The derivation as a visible order of steps.
 
-Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics IL4001-IL4005, IL2007, IL2008, IL3012.
+Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics IL4001-IL4005, IL4010, IL2007, IL2008, IL3012.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
 from math import isinf
 
-from interlock.derive.conflicts import Conflicts
-from interlock.derive.locking import (
+from interlock.derivation.conflicts import Conflicts
+from interlock.derivation.locking import (
     derive_approach,
     derive_aspect,
     derive_block,
@@ -21,9 +20,9 @@ from interlock.derive.locking import (
     derive_token,
     derive_zones,
 )
-from interlock.derive.locks import derive_locks
-from interlock.derive.routes import Path, find_routes
-from interlock.derive.voyages import derive_automatic, derive_voyages
+from interlock.derivation.locks import derive_locks, route_demands
+from interlock.derivation.routes import Path, find_routes
+from interlock.derivation.voyages import derive_automatic, derive_voyages
 from interlock.diag import Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
@@ -51,7 +50,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     paths = find_routes(layout, sink)
     locks = derive_locks(layout, paths, sink)
     by_key = {t.key: t for t in locks}
-    demands = {p.id: _demands(p, by_key, sink) for p in paths}
+    demands = {p.id: route_demands(p, by_key) for p in paths}
     swinging = _swinging(layout, paths)
     for o in layout.overlaps:
         if o.swing and o.signal not in swinging:
@@ -77,7 +76,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             points=demands[p.id],
             driven=_driven(layout, p, demands[p.id]),
             sections=_clear(layout, p),
-            foul=_foul(p, by_key, sink),
+            foul=_foul(p, by_key),
             flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
             space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
             hostile=hostile.of(p),
@@ -95,6 +94,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
         )
         for p in paths
     )
+    _foul_themselves(rows, sink)
     voyages = derive_voyages(layout, rows, by_key, sink)
     automatic = derive_automatic(layout, rows, sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
@@ -115,26 +115,6 @@ def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:
         if t.section != path.berth:
             out.append(ClearCell(t.section, Because("R2" if path.kind is RouteKind.CALL_ON else "R3", why)))
     return tuple(out)
-
-
-def _demands(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) -> tuple[PointDemand, ...]:
-    found: dict[MachineId, PointDemand] = {}
-    demands = [d for t in path.ways for d in locks[t.key].points]
-    for t in path.overlap:
-        demands += [replace(d, role=Role.OVERLAP) if d.role is Role.PATH else d for d in locks[t.key].points]
-    for d in demands:
-        first = found.setdefault(d.machine, d)
-        if first.position is not d.position:
-            sink.add(
-                "IL4002",
-                f"route {path.id} demands machine {d.machine} in both positions: "
-                f"{first.because.text}; {d.because.text}",
-                None,
-                "give one of the two places another protection (a signal), or waive it with a reason",
-            )
-        elif first.role != d.role and d.role == "path":
-            found[d.machine] = d
-    return tuple(found.values())
 
 
 def _swinging(layout: Layout, paths: tuple[Path, ...]) -> dict[SignalId, tuple[int, ...]]:
@@ -176,18 +156,21 @@ def _driven(layout: Layout, path: Path, demands: tuple[PointDemand, ...]) -> tup
     return tuple(out.values())
 
 
-def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) -> tuple[FoulCell, ...]:
-    cells = tuple(dict.fromkeys(c for t in (*path.ways, *path.overlap) for c in locks[t.key].foul))
-    own = {t.section for t in path.ways}
-    for c in cells:
-        if c.section in own:
-            sink.add(
-                "IL4002",
-                f"route {path.id} fouls itself: {c.because.text}, and {c.section} is on its path",
-                None,
-                "move the joint out of the fouling point",
-            )
-    return cells
+def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tuple[FoulCell, ...]:
+    return tuple(dict.fromkeys(c for t in (*path.ways, *path.overlap) for c in locks[t.key].foul))
+
+
+def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:
+    """Joints that are foul of a route and begin a section of the very same."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for r in rows:
+        for c in r.foul:
+            if c.section in r.section_ids:
+                found.setdefault((c.because.text, c.section), []).append(r.id)
+    for (why, section), ids in found.items():
+        which = f"route{'s' if len(ids) > 1 else ''} {', '.join(ids)}"
+        text = f"{why}, and {section} is on the path of {which}"
+        sink.add("IL4002", text, None, "move the joint out of the fouling point, or exclude the route: `exclude:`")
 
 
 def _names(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[RouteId, tuple[str, ...]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from interlock.derive.routes import Path
+from interlock.derivation.routes import Path
 from interlock.model.approach import approach
 from interlock.model.elements import BlockKind, Position, SignalId
 from interlock.model.layout import Layout

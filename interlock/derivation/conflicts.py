@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from interlock.derive.routes import Path
+from interlock.derivation.routes import Path
 from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position, RouteId, SectionId
 from interlock.model.traversal import Traversal
@@ -39,14 +39,7 @@ class Conflicts:
         """Paths in order of number."""
         self._locks = locks
         self._path = {p.id: p for p in paths}
-        self._needs = {
-            p.id: Needs(
-                {t.section: t for t in p.ways},
-                _positions(demands[p.id], (Role.PATH,)),
-                _positions(demands[p.id], _HELD),
-            )
-            for p in paths
-        }
+        self._needs = _needs(paths, demands)
         self._ids = [p.id for p in paths]
         self._hostile = dict(zip(self._ids, _hostile(paths, locks, self._needs), strict=True))
 
@@ -57,10 +50,28 @@ class Conflicts:
     def tell(self, one: RouteId, other: RouteId) -> Hostile:
         """Class, witness and reason of a pair of hostile routes."""
         a, b = sorted((self._path[one], self._path[other]), key=lambda p: p.number)
-        found = classify(a, b, self._locks, self._needs)
-        assert found is not None
-        kind, witness, rule = found
-        return Hostile(other, kind, witness, Because(rule, f"{one} and {other}: {kind}, {witness}"))
+        found = list(reasons(a, b, self._locks, self._needs))
+        kind, witness, rule = found[0]
+        kinds = tuple(dict.fromkeys(k for k, _, _ in found))
+        return Hostile(other, kind, kinds, witness, Because(rule, f"{one} and {other}: {kind}, {witness}"))
+
+
+def set_apart(
+    paths: Sequence[Path], locks: Mapping[TraversalKey, TraversalRow], demands: Mapping[RouteId, Sequence[PointDemand]]
+) -> list[int]:
+    """For each route those that cannot be set together with it, as bits; paths in order of number."""
+    return _hostile(paths, locks, _needs(paths, demands))
+
+
+def _needs(paths: Sequence[Path], demands: Mapping[RouteId, Sequence[PointDemand]]) -> dict[RouteId, Needs]:
+    return {
+        p.id: Needs(
+            {t.section: t for t in p.ways},
+            _positions(demands[p.id], (Role.PATH,)),
+            _positions(demands[p.id], _HELD),
+        )
+        for p in paths
+    }
 
 
 def _hostile(
@@ -144,37 +155,45 @@ class Needs:
     held: Mapping[MachineId, Position]
 
 
+Reason = tuple[HostileClass, str, str]
+"""Class, witness and rule."""
+
+
 def classify(
     a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
-) -> tuple[HostileClass, str, str] | None:
-    """Class, witness and rule of a hostile pair, or None when both may be set together."""
+) -> Reason | None:
+    """Class, witness and rule of a hostile pair, the first in the order of R6; None when both may be set together."""
+    return next(reasons(a, b, locks, needs), None)
+
+
+def reasons(
+    a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
+) -> Iterator[Reason]:
+    """All that makes a pair hostile, in the order in which a reason is named; a class may come more than once."""
     if a.entry == b.entry:
-        return HostileClass.SAME_ENTRY, f"both begin at {a.entry}", "R6.5"
+        yield HostileClass.SAME_ENTRY, f"both begin at {a.entry}", "R6.5"
     path_a, path_b = needs[a.id].path, needs[b.id].path
     for m, x in path_a.items():
         if path_b.get(m, x) is not x:
-            return HostileClass.POINTS, f"machine {m} lies {x} for {a.id} and {path_b[m]} for {b.id}", "R6.1"
-    shared = _shared(a, needs[b.id].ways)
-    if shared is not None:
-        return shared
+            yield HostileClass.POINTS, f"machine {m} lies {x} for {a.id} and {path_b[m]} for {b.id}", "R6.1"
+    yield from _shared(a, needs[b.id].ways)
     for t in a.ways:
         for ex in locks[t.key].exclusions:
             for o in b.ways:
                 if o.section == ex.section and (ex.whole or o.number in ex.numbers):
                     kind = HostileClass.CROSSING if ex.because.rule == "R6" else HostileClass.FOUL
                     rule = "R6.4" if kind is HostileClass.CROSSING else "R6.10"
-                    return kind, f"{t.section} and {o.section}: {ex.because.text}", rule
+                    yield kind, f"{t.section} and {o.section}: {ex.because.text}", rule
     overlap = _overlap(a, b, locks) or _overlap(b, a, locks)
     if overlap is not None:
-        return overlap
+        yield overlap
     all_a, all_b = needs[a.id].held, needs[b.id].held
     for m, x in all_a.items():
-        if all_b.get(m, x) is not x:
-            return HostileClass.FLANK, f"machine {m} must lie {x} for {a.id} and {all_b[m]} for {b.id}", "R6.9"
-    return None
+        if all_b.get(m, x) is not x and not (m in path_a and m in path_b):
+            yield HostileClass.FLANK, f"machine {m} must lie {x} for {a.id} and {all_b[m]} for {b.id}", "R6.9"
 
 
-def _overlap(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tuple[HostileClass, str, str] | None:
+def _overlap(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow]) -> Reason | None:
     """The overlap of a against the path and overlap of b; a route onward from a's exit may lie over the same ways."""
     for t in a.overlap:
         for o in b.overlap:
@@ -190,17 +209,26 @@ def _overlap(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tu
     return None
 
 
-def _shared(a: Path, of_b: Mapping[SectionId, Traversal]) -> tuple[HostileClass, str, str] | None:
-    common = [(t, of_b[t.section]) for t in a.ways if t.section in of_b]
-    if not common:
-        return None
-    for t, o in common:
-        if t.exit == o.entry or t.entry == o.exit:
-            return HostileClass.OPPOSING, f"opposite directions in {t.section}", "R6.2"
-    for t, o in common:
-        if t.exit == o.exit and t.entry != o.entry:
-            return HostileClass.CONVERGING, f"both lead out of {t.section} the same way", "R6.3"
-    for t, o in common:
-        if t.exit != o.exit and t.entry != o.entry:
-            return HostileClass.CROSSING, f"both pass {t.section}", "R6.4"
-    return HostileClass.FOLLOWING, f"share {', '.join(t.section for t, _ in common)}", "R6.5"
+def _shared(a: Path, of_b: Mapping[SectionId, Traversal]) -> Iterator[Reason]:
+    ways: dict[HostileClass, list[SectionId]] = {}
+    for t in a.ways:
+        if t.section in of_b:
+            ways.setdefault(_meeting(t, of_b[t.section]), []).append(t.section)
+    for kind, rule, told in (
+        (HostileClass.OPPOSING, "R6.2", "opposite directions in {}"),
+        (HostileClass.CONVERGING, "R6.3", "both lead out of {} the same way"),
+        (HostileClass.CROSSING, "R6.4", "both pass {}"),
+    ):
+        if kind in ways:
+            yield kind, told.format(ways[kind][0]), rule
+    if HostileClass.FOLLOWING in ways:
+        yield HostileClass.FOLLOWING, f"share {', '.join(ways[HostileClass.FOLLOWING])}", "R6.5"
+
+
+def _meeting(t: Traversal, o: Traversal) -> HostileClass:
+    """How two ways through one section meet."""
+    if t.exit == o.entry or t.entry == o.exit:
+        return HostileClass.OPPOSING
+    if t.entry == o.entry:
+        return HostileClass.FOLLOWING
+    return HostileClass.CONVERGING if t.exit == o.exit else HostileClass.CROSSING

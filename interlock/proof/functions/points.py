@@ -1,0 +1,39 @@
+"""Points and devices: commands, and what counts as trailed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.logic.expr import Expr, conj, disj, iff, implies, neg, var
+from interlock.model.elements import MachineId, Position
+from interlock.proof.functions.words import Words
+
+
+def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
+    """F-TRAILED and F-POINT."""
+    for m, name in w.sym.trailed.items():
+        there = disj(conj((w.commanded(m, x), w.detected(m, x))) for x in Position)
+        lost = disj(conj((w.commanded(m, x), neg(w.detected(m, x)))) for x in Position)
+        was, quiet, trailed = var(w.sym.seen_right[m]), neg(w.anew(m)), var(name)
+        seen = conj((var(w.sym.looked_at[m]), w.valid, *(neg(w.occupied(s)) for s in w.layout.sections_of_machine[m])))
+        new = conj((was, w.valid, lost, quiet))
+        yield "F-TRAILED", f"{m} detected", iff(w.after(was), conj((there, quiet)))
+        yield "F-TRAILED", m, iff(w.after(trailed), disj((new, conj((trailed, neg(seen))))))
+    for m in w.layout.machines:
+        yield from _commands(w, m)
+
+
+def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
+    nothing_set = conj(neg(w.set_now(r)) for r in w.sym.routes)
+    for x in Position:
+        command, other = w.commanded(m, x), w.commanded(m, x.other)
+        key, opposite = var(w.sym.by_hand[m, x]), var(w.sym.by_hand[m, x.other])
+        permitted = conj(()) if w.closing(m, x) else conj((w.movable(m), nothing_set))
+        turned = conj((key, neg(opposite), permitted))
+        yield "F-POINT", f"{m} {x} by hand", implies(turned, w.after(command))
+        yield "F-POINT", f"{m} {x} stays", implies(w.ends(command), w.after(other))
+        if m in w.layout.device and x is Position.NORMAL:
+            back = conj((w.movable(m), nothing_set, neg(opposite)))
+            yield "F-POINT", f"{m} returns", implies(back, w.after(command))
+        demanded = [w.set_now(r) for r in w.sym.routes for way in r.ways if (m, x) in w.sym.demands[way]]
+        yield "F-POINT", f"{m} {x} by a route", implies(disj(demanded), w.after(command))
