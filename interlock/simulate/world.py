@@ -140,6 +140,7 @@ class World:
         self.healthy = [f"SH_{portable(s)}" for s in track.sections]
         self.sensors = [i for i, n in enumerate(self.healthy) if n in self.inputs]
         self.sick: dict[int, float] = {}
+        self.wired = [n for n in self.clear if n in self.inputs]
         self.clear_wired = [n in self.inputs for n in self.clear]
         self.machines = Machines(layout, track, rng)
         self.trains: list[Train] = []
@@ -274,9 +275,10 @@ class World:
                     held.append(s)
             elif n and s in self.shunt_lost:
                 clear = True
-            self.inputs[self.clear[s]] = int(clear) if self.clear_wired[s] else 0
+            if self.clear_wired[s]:
+                self.inputs[self.clear[s]] = int(clear)
         for s, left in tuple(self.false.items()):
-            if not any(x in held for x in self.track.neighbours[s]):
+            if self.clear_wired[s] and not any(x in held for x in self.track.neighbours[s]):
                 self.inputs[self.clear[s]] = 0
             self.false[s] = left - dt
             if left < 0:
@@ -295,5 +297,5 @@ class World:
         self.was, self.count = count, count
         self.machines.report(self.inputs)
         if self.invalid >= 0:
-            for name in self.clear:
+            for name in self.wired:
                 self.inputs[name] = rng.randrange(2)  # what is read then says nothing
