@@ -20,8 +20,9 @@ class Faults:
     divide: a train parts, its rear stays.  overrun: chance that a driver does not stop at a signal with an overlap.
     condition: an external condition not fulfilled.  shunt: a section with a train in it reads clear, for `shunt_s` and
     the rest of two cycles at most.  sensor: a detector that is not healthy, and says so where that is wired; what it
-    reports then is anything.  trail: chance that a vehicle which is moved under local rules runs through points that
-    it stands on.  contradict: share of the faults of contacts in which both positions are reported, in place of none.
+    reports then is anything.  trail: chance that a vehicle which is moved under local rules runs through points of
+    the sections that it stood in.  contradict: share of the faults of contacts in which both positions are reported,
+    in place of none.
     """
 
     late: float = 0.3
