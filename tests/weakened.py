@@ -147,6 +147,13 @@ def _devices_closed(c: Controller) -> Controller:
     return _read_as(lambda _: {f"QR_{n}": TRUE for n in devices})(c)
 
 
+def _mirrored(c: Controller) -> Controller:
+    """Drives and contacts are exchanged.  Drives alone do no harm: the point is not detected where it is commanded."""
+    driven = _outputs(lambda n: {"YN": "YR", "YR": "YN"}[n[:2]] + n[2:] if n[:3] in ("YN_", "YR_") else None)(c)
+    contacts = [i.name for i in c.inputs if i.name.startswith(("DN_", "DR_"))]
+    return _read_as(lambda _: {n: var(f"D{'R' if n[1] == 'N' else 'N'}{n[2:]}") for n in contacts})(driven)
+
+
 def _overlap_ignored(c: Controller) -> Controller:
     """An overlap counts as in order, is granted whatever it finds, and held by nothing."""
     wires = _changed(c, lambda e: replace(e, terms=(Term(TRUE, "wrong"),)) if _is(e, "OL", "OF", "OR") else e)
@@ -181,10 +188,7 @@ WEAKENED: dict[str, tuple[str, Callable[[Controller], Controller]]] = {
     "points moved while locked": ("a machine always counts as free to move", _constant(TRUE, "MOV")),
     "cancel without delay": ("the approach locking delay is over at once", _presets("AT_", 0)),
     "signal not closed": ("a signal that shows proceed goes on showing it", _stays_open),
-    "drives swapped": (
-        "every machine is driven to the position that is not commanded",
-        _outputs(lambda n: {"YN": "YR", "YR": "YN"}[n[:2]] + n[2:] if n[:3] in ("YN_", "YR_") else None),
-    ),
+    "points wired the wrong way round": ("every machine is driven, and detected, the other way", _mirrored),
     "lamps swapped": ("every signal has the lamps of another one", _lamps_of_neighbours),
     "all signals clear": ("every signal shows clear and no stop", _shows({"YP": TRUE, "YY": FALSE, "YS": FALSE})),
     "stop beside proceed": ("stop stays lit at every signal", _shows({"YS": TRUE})),

@@ -138,7 +138,7 @@ class Called:
         if x in t.sections:
             return False
         clear = self.world.clear[x]
-        return all(count[x] and not (trusts and past[clear]) for past, count in self.world.past)
+        return all(count[x] and not (trusts and past.get(clear)) for past, count in self.world.past)
 
     def _overlap(self, t: Train, end: int) -> list[str]:
         """What stands in the overlap of the signal at the end, and which points of it were not detected."""

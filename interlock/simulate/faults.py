@@ -20,8 +20,9 @@ class Faults:
     divide: a train parts, its rear stays.  overrun: chance that a driver does not stop at a signal with an overlap.
     condition: an external condition not fulfilled.  shunt: a section with a train in it reads clear, for `shunt_s` and
     the rest of two cycles at most.  sensor: a detector that is not healthy, and says so where that is wired; what it
-    reports then is anything.  trail: chance that a vehicle which is moved under local rules runs through points that
-    it stands on.
+    reports then is anything.  trail: chance that a vehicle which is moved under local rules runs through points of
+    the sections that it stood in.  contradict: share of the faults of contacts in which both positions are reported,
+    in place of none.
     """
 
     late: float = 0.3
@@ -38,7 +39,8 @@ class Faults:
     shunt_s: float = 1.0
     sensor: float = 0.0005
     trail: float = 0.5
+    contradict: float = 0.5
 
 
-NO_FAULTS = Faults(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, sensor=0, trail=0)
+NO_FAULTS = Faults(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, sensor=0, trail=0, contradict=0)
 """Nothing goes wrong."""

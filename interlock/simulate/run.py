@@ -104,6 +104,8 @@ class Life:
             shown = new if shown is new or rng.random() < 0.7 else old
             inputs = world.step(dt, shown)
             self.operator.act(new)
+            if world.machines.damaged:
+                world.machines.mend(inputs, new)
             world.past.append((dict(inputs), world.count))
             old, new = new, self.controller.scan(inputs, round(1000 * dt))
             total.scans += 1

@@ -124,9 +124,8 @@ class Traffic:
         t.fouls(self.track)
 
     def taken_away(self, t: Train) -> None:
-        """It is moved under local rules, and may run through points that it stands on (挤岔, R10)."""
+        """It is moved under local rules, and may run through points of the sections that it stood in (挤岔, R10)."""
         self.world.trains.remove(t)
-        for d in t.body:
-            machine = self.track.stretches[d].machine
-            if machine != NONE and self.rng.random() < self.world.faults.trail:
-                self.world.run_through(machine)
+        for m in {x.machine for x in self.track.stretches if x.section in t.sections and x.machine != NONE}:
+            if self.rng.random() < self.world.faults.trail:
+                self.world.run_through(m)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Iterable, Mapping
+from math import ceil
 from random import Random
 
 from interlock.model.elements import BlockKind, Work
@@ -40,6 +41,7 @@ class Machines:
         self.drives = [(f"YN_{n}", f"YR_{n}") for n in self.names]
         self.contacts = [(f"DN_{n}", f"DR_{n}") for n in self.names]
         self.confirms = [f"TC_{n}" for n in self.names]
+        self.alarms = [f"YT_{n}" for n in self.names]
         self.lost: dict[int, tuple[float, int]] = {}
         self.driven: set[int] = set()
         """Machines that the controller has driven since its last restart: it knows where they belong."""
@@ -96,11 +98,10 @@ class Machines:
         self.damaged[m] = seconds
         self.lay(m, NONE)
 
-    def mend(self, dt: float, inputs: Mapping[str, int]) -> None:
-        """Whoever confirms that points were looked at has put them right."""
+    def mend(self, inputs: Mapping[str, int], shown: Mapping[str, int]) -> None:
+        """Whoever is told of trailed points, and confirms that they were looked at, has put them right."""
         for m in tuple(self.damaged):
-            self.damaged[m] -= dt
-            if inputs.get(self.confirms[m]):
+            if inputs.get(self.confirms[m]) and shown.get(self.alarms[m]):
                 del self.damaged[m]
                 self.lay(m, self.position[m])
 
@@ -139,7 +140,9 @@ class World:
         self.clear = [f"CLR_{portable(s)}" for s in track.sections]
         self.healthy = [f"SH_{portable(s)}" for s in track.sections]
         self.sensors = [i for i, n in enumerate(self.healthy) if n in self.inputs]
-        self.sick: dict[int, float] = {}
+        self.sick: dict[int, tuple[float, int | None]] = {}
+        """Detectors that are not healthy: for how long, and what they report, or None for anything."""
+        self.wired = [n for n in self.clear if n in self.inputs]
         self.clear_wired = [n in self.inputs for n in self.clear]
         self.machines = Machines(layout, track, rng)
         self.trains: list[Train] = []
@@ -149,6 +152,8 @@ class World:
         self.shunt_lost: dict[int, float] = {}
         self.out: dict[str, float] = {}
         self.invalid = 0.0
+        self.garbled: int | None = None
+        """What is read of sections while inputs are lost, or None for anything."""
         self.clock = 0.0
         self.watch = Watch(layout, track)
         self.past: deque[tuple[Mapping[str, int], list[int]]] = deque(maxlen=2)
@@ -175,22 +180,27 @@ class World:
 
     def step(self, dt: float, shown: Mapping[str, int]) -> dict[str, int]:
         """The world runs for `dt` seconds under the outputs as shown; the inputs as sampled then."""
+        parts = ceil(dt)
+        for _ in range(parts):  # drivers act at least once a second, however long a cycle is
+            self._runs(dt / parts, shown)
+        self._faults(dt)
+        self._detect(dt)
+        for line in self.lines:
+            line.step(shown)
+        return self.inputs
+
+    def _runs(self, dt: float, shown: Mapping[str, int]) -> None:
         self.clock += dt
         both: list[int] = []
         for m in self.machines.run(dt, shown, both):
             self.watch.machine_moves(self, m)
         for m in both:
             self.watch.both_ways(self, m)
-        if self.machines.damaged:
-            self.machines.mend(dt, self.inputs)
+        for m in self.machines.damaged:
+            self.machines.damaged[m] -= dt
         self.drivers.step(dt, shown)
         self.traffic.come(dt)
         self.watch.trains(self)
-        self._faults(dt)
-        self._detect(dt)
-        for line in self.lines:
-            line.step(shown)
-        return self.inputs
 
     def power_cut(self) -> None:
         """The controller has gone dark: whoever stands needs a new call; points may be cranked, devices open."""
@@ -227,7 +237,7 @@ class World:
                 self.false[s] = rng.choice((0.0, 1.0, 5.0, 30.0))
         if rng.random() < f.contact * dt * len(self.machines.names) and self.machines.names:
             m = rng.randrange(len(self.machines.names))
-            self.machines.lost[m] = (rng.choice((0.0, 1.0, 20.0)), rng.randrange(2))
+            self.machines.lost[m] = (rng.choice((0.0, 1.0, 20.0)), int(rng.random() < f.contradict))
         for m, (left, both) in tuple(self.machines.lost.items()):
             if left < 0:
                 del self.machines.lost[m]
@@ -243,9 +253,11 @@ class World:
                 del self.out[name]
                 self.inputs[name] = 1
         if rng.random() < f.inputs * dt:
-            self.invalid = rng.choice((0.0, 1.0, 5.0))
+            self.invalid, self.garbled = rng.choice((0.0, 1.0, 5.0, 20.0)), rng.choice((1, 1, 0, None))
         if self.sensors and rng.random() < f.sensor * dt * len(self.sensors):
-            self.sick[rng.choice(self.sensors)] = rng.choice((0.0, 2.0, 20.0))
+            held = [s for s in self.sensors if self.count[s]]
+            s = rng.choice(held if held and rng.random() < 0.5 else self.sensors)
+            self.sick[s] = rng.choice((0.0, 2.0, 20.0, 60.0)), rng.choice((1, 1, 0, None))
         self.inputs["VALID"] = int(self.invalid < 0)
         self.invalid -= dt if self.invalid >= 0 else 0.0
         if f.shunt and rng.random() < f.shunt * dt * len(self.clear):
@@ -274,9 +286,10 @@ class World:
                     held.append(s)
             elif n and s in self.shunt_lost:
                 clear = True
-            self.inputs[self.clear[s]] = int(clear) if self.clear_wired[s] else 0
+            if self.clear_wired[s]:
+                self.inputs[self.clear[s]] = int(clear)
         for s, left in tuple(self.false.items()):
-            if not any(x in held for x in self.track.neighbours[s]):
+            if self.clear_wired[s] and not any(x in held for x in self.track.neighbours[s]):
                 self.inputs[self.clear[s]] = 0
             self.false[s] = left - dt
             if left < 0:
@@ -285,15 +298,15 @@ class World:
             self.shunt_lost[s] = left - dt
             if left < 0:
                 del self.shunt_lost[s]
-        for s, left in tuple(self.sick.items()):
+        for s, (left, read) in tuple(self.sick.items()):
             self.inputs[self.healthy[s]] = int(left < 0)
             if left < 0:
                 del self.sick[s]
             else:
-                self.inputs[self.clear[s]] = rng.randrange(2)
-                self.sick[s] = left - dt
+                self.inputs[self.clear[s]] = rng.randrange(2) if read is None else read
+                self.sick[s] = left - dt, read
         self.was, self.count = count, count
         self.machines.report(self.inputs)
         if self.invalid >= 0:
-            for name in self.clear:
-                self.inputs[name] = rng.randrange(2)  # what is read then says nothing
+            for name in self.wired:
+                self.inputs[name] = rng.randrange(2) if self.garbled is None else self.garbled

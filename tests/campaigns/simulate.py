@@ -36,10 +36,10 @@ BOTH = (False, True)
 OPERATOR = {False: "random", True: "hostile"}
 
 WRONG_ON = ("mine11", "junction", "flank_lab", "depot", "passing_loop", "incline_hoist", "pit_bottom", "heishan")
-"""The layouts on which wrong controllers are driven, each class on the first four of them to which it applies."""
+"""The layouts on which wrong controllers are driven, each class on the first three of them to which it applies."""
 
 WRONG_SCANS = 12_000
-"""Scans for each of four seeds, or until harm is done."""
+"""Scans for each of six seeds, or until harm is done."""
 
 
 @dataclass(frozen=True)
@@ -111,14 +111,14 @@ def _harmed(kind: str) -> list[tuple[str, str]]:
     """The layouts on which a class of wrong controllers was driven, each with its first harm, if any."""
     found: list[tuple[str, str]] = []
     for name in WRONG_ON:
-        if len(found) == 4:
+        if len(found) == 3:
             break
         try:
             case = _case(f"layouts/{name}.yaml", kind)
         except ValueError:
             continue
         harm = ""
-        for seed in range(4):
+        for seed in range(6):
             outcome = drive(case, WRONG_SCANS, seed, seed % 2 == 0)
             if outcome.hazards:
                 harm = f"{outcome.hazards[0]} (seed {seed}, scan {outcome.scans})"
@@ -147,7 +147,7 @@ def main() -> int:
             refused.append(f"{Path(path).stem}: {error}")
     done: list[tuple[Work, Outcome]] = []
     with ProcessPoolExecutor(args.jobs) as pool:
-        harmed = dict(zip(WEAKENED, pool.map(_harmed, WEAKENED), strict=True))
+        harmed: dict[str, list[tuple[str, str]]] = {}
         seeds = count(1000 * args.seed)
         while not _enough(done, args.scans, args.movements):
             seed = next(seeds)
@@ -156,15 +156,30 @@ def main() -> int:
                 done.append((w, o))
                 for h in (*o.hazards, *o.passed_at_stop):
                     print(f"{Path(w[0]).stem}, seed {w[3]}, {OPERATOR[w[4]]}, scan {o.scans}: {h}", flush=True)
-            lines = [*_head(done, time.time() - began), *_table(paths, done)]
-            lines += [f"Not driven: {reason}.\n" for reason in refused]
-            text = "\n".join(lines + _weakenings(harmed)) + "\n"
-            if args.out:
-                Path(args.out).write_text(text, encoding="utf-8")
+            _write(args.out, time.time() - began, paths, done, refused, harmed)
+        harmed |= zip(WEAKENED, pool.map(_harmed, WEAKENED), strict=True)
+    text = _write(args.out, time.time() - began, paths, done, refused, harmed)
     print(text)
     missed = [k for k, found in harmed.items() if not any(h for _, h in found)]
     print(f"classes without harm: {', '.join(missed) or 'none'}; {time.time() - began:.0f} s")
     return 1 if missed or any(o.hazards or o.passed_at_stop for _, o in done) else 0
+
+
+def _write(
+    out: str,
+    seconds: float,
+    paths: list[str],
+    done: list[tuple[Work, Outcome]],
+    refused: list[str],
+    harmed: dict[str, list[tuple[str, str]]],
+) -> str:
+    """The page as far as the campaign has come."""
+    lines = [*_head(done, seconds), *_table(paths, done)]
+    lines += [f"Not driven: {reason}.\n" for reason in refused]
+    text = "\n".join(lines + _weakenings(harmed)) + "\n"
+    if out:
+        Path(out).write_text(text, encoding="utf-8")
+    return text
 
 
 def _enough(done: list[tuple[Work, Outcome]], scans: int, movements: int) -> bool:
