@@ -30,6 +30,7 @@ FUNCTIONS: dict[str, str] = {
     "F-SPEED": "A main signal shows the speed of the path for which it is open (R11).",
     "F-WANT": "A signal is wanted from when its route is locked, or asked for again, until a condition is lost while "
     "it is open, or it is cancelled (R14).",
+    "F-PASSING": "A signal that stays open until the whole movement has passed does so, unless a condition is lost.",
     "F-SHOWN": "A route remembers that its signal has been open, from then on and only from then on (R8).",
     "F-CANCEL": "A cancelled route is given up as soon as R8 permits, and until then it goes on being cancelled; "
     "otherwise only a train ends a route.",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from interlock.logic.expr import Expr, conj, disj, iff, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, neg, var
 from interlock.model.elements import Position, SignalId
 from interlock.proof.functions.words import Words
 
@@ -27,6 +27,12 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
         reasons[x.timer] = conj((w.valid, var(x.manual), var(sym.restart_timer), *absent))
     for name, reason in reasons.items():
         yield "F-DELAY", name, iff(var(f.system.waits_for[name]), reason)
+    rules, presets = w.layout.principles, f.system.presets
+    for g, name in sym.approach_timer.items():  # whatever routes it has today
+        signal = w.layout.signal[g]
+        trains = rules.approach_release_s if signal.main else 0.0
+        ordered = max(trains, rules.shunt_release_s if signal.shunt else 0.0)
+        yield "F-DELAY", f"{name} as its signal's kind", TRUE if presets[name] >= round(1000 * ordered) else FALSE
     yield "F-DELAY", f"{sym.restart_timer} goes on", w.after(var(sym.running))
 
 

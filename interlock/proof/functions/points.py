@@ -25,6 +25,9 @@ def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
 
 def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
     nothing_set = conj(neg(w.set_now(r)) for r in w.sym.routes)
+    no_overlap = conj(neg(w.rises(var(name))) for name in w.sym.overlap.values())
+    both = conj((nothing_set, no_overlap, *(var(w.sym.by_hand[m, x]) for x in Position)))
+    yield "F-POINT", f"{m} both by hand", implies(both, neg(w.anew(m)))
     for x in Position:
         command, other = w.commanded(m, x), w.commanded(m, x.other)
         key, opposite = var(w.sym.by_hand[m, x]), var(w.sym.by_hand[m, x.other])
@@ -35,5 +38,10 @@ def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
         if m in w.layout.device and x is Position.NORMAL:
             back = conj((w.movable(m), nothing_set, neg(opposite)))
             yield "F-POINT", f"{m} returns", implies(back, w.after(command))
-        demanded = [w.set_now(r) for r in w.sym.routes for way in r.ways if (m, x) in w.sym.demands[way]]
+        demanded = [
+            w.set_now(r)
+            for r in w.sym.routes
+            for way in (*r.ways, *(w.sym.overlap_ways[r.overlap] if r.overlap is not None else ()))
+            if (m, x) in w.sym.demands[way]
+        ]
         yield "F-POINT", f"{m} {x} by a route", implies(disj(demanded), w.after(command))

@@ -20,6 +20,7 @@ LIST = Path(__file__).with_name("survivors.yaml")
 
 def shape(name: str) -> str:
     """A mutation without the names of elements: what many mutants have in common."""
+    name = re.sub(r" \([0-9]+\)$", "", name)
     return re.sub(r"\b([A-Z]+)[0-9]*_[A-Za-z0-9_.]+", r"\1", re.sub(r"= [0-9]+", "= n", name))
 
 
