@@ -12,7 +12,7 @@ from interlock.cli.mutate import command
 from interlock.logic.controller import Equation
 from interlock.proof.limits import Limits
 from interlock.proof.mutation.campaign import Campaign, one_of_each
-from interlock.proof.mutation.judge import Fate, Judge, Verdict
+from interlock.proof.mutation.judge import LATER, Fate, Judge, Verdict
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.points import Mutation, mutations
 from interlock.proof.mutation.survivors import listed, off_the_list, shape
@@ -72,7 +72,10 @@ def test_each_listed_change_survives_and_has_its_reason(judge: Judge) -> None:
 
 def test_a_survivor_that_is_not_listed_is_a_finding(judge: Judge) -> None:
     m = next(mutations(judge.controller))
-    assert off_the_list([(m, Verdict(Fate.SURVIVES))]) == [m.name]
+    assert off_the_list([(m, Verdict(Fate.SURVIVES, LATER))]) == [m.name]
+    alive = next(x for x in mutations(judge.controller) if shape(x.name) in listed())
+    assert off_the_list([(alive, judge.judge(alive))]) == []
+    assert off_the_list([(alive, Verdict(Fate.SURVIVES))]) == [alive.name]
 
 
 def test_no_mutant_of_an_output_or_of_a_preset_survives(judge: Judge) -> None:

@@ -104,7 +104,8 @@ def table(found: dict[str, Verdicts]) -> Iterator[str]:
     part = 100 * left.total() / len(every)
     yield (
         f"{left.total()} of {len(every)} ({part:.2f} %), alike but for the names of elements.  With each of them a "
-        "solver has shown every claim and every function by induction.\n"
+        "solver has shown every claim and every function by induction, and that in every step after the restart delay, "
+        "from one state, outputs and next states are the same as the controller's.\n"
     )
     yield "| change | mutants | why nobody needs to notice it |\n|---|---|---|"
     for change, n in left.most_common():

@@ -21,12 +21,13 @@ from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.patterns import Patterns
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.runs import Runs
-from interlock.proof.mutation.same import Side, same
+from interlock.proof.mutation.same import Side, same, same_after_restart
 from interlock.proof.mutation.switched import Switched
 from interlock.proof.system import System
 
 RENEWED = 400  # after so many mutants a solver carries more lines that are off than lines that are on
 AT_ONCE = 40  # that one of so many goals is false is one question
+LATER = "the same in every step after the restart delay, from one state"
 
 
 class Fate(StrEnum):
@@ -110,13 +111,15 @@ class Judge:
         kept = self._proved(lines, system)
         if isinstance(kept, str):
             return _failed(kept)
-        how = same(self.step, self.side, Side(system, lines, kept), self.reads)
+        other = Side(system, lines, kept)
+        how = same(self.step, self.side, other, self.reads)
         if how is not None:
             return Verdict(Fate.EQUIVALENT, how)
         noticed = self.runs.noticed(system, changed)
         if noticed is not None:
             return Verdict(Fate.TRAIN if noticed[0] else Fate.OPERATOR, noticed[1])
-        return Verdict(Fate.SURVIVES)
+        later = same_after_restart(self.step, self.side, other, self.reads)
+        return Verdict(Fate.SURVIVES, LATER if later else "")
 
     def _proved(self, lines: Lines, system: System) -> list[Expr] | str:
         """The invariants that are kept, or a claim, or else a function, that does not follow from them."""
