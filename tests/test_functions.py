@@ -34,7 +34,8 @@ def test_every_controller_has_every_function(name: str) -> None:
 
 def test_each_function_is_asked_somewhere() -> None:
     found = {"F-START"}
-    for name in ("passing_loop", "heishan", "flank_lab", *(f"../tests/layouts_for_tests/{x}" for x in OTHERS)):
+    others = (f"../tests/layouts_for_tests/{x}" for x in OTHERS)
+    for name in ("passing_loop", "heishan", "flank_lab", "cn6502", *others):
         layout, _, controller = built(name)
         found |= {what for what, _, _ in functions(Facts(System(layout, controller)))}
     assert found == set(FUNCTIONS)
@@ -49,6 +50,7 @@ def test_each_function_is_asked_somewhere() -> None:
         ("fig2_2", "WA_DP_1", TRUE, "F-GRANT"),
         ("mine11", "TH_P1", FALSE, "F-TRAILED"),
         ("junction", "C_S1", FALSE, "F-CLEAR"),
+        ("crossing_line", "GPN_LC1", FALSE, "F-POINT"),
     ],
 )
 def test_a_function_tells_what_no_claim_asks(name: str, wire: str, value: Expr, function: str) -> None:

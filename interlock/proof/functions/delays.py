@@ -22,6 +22,8 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
         before = w.topo.beyond(w.first(g), node)
         assert before is not None
         reasons[name] = conj((w.wholly_in(before), f.locked_out(before, node), w.occupied(before)))
+    if sym.start_timer is not None and sym.started is not None:
+        reasons[sym.start_timer] = neg(var(sym.started))
     for x in sym.token.values():
         absent = [neg(var(name)) for name in (x.have, x.give, x.gives, x.has)]
         reasons[x.timer] = conj((w.valid, var(x.manual), var(sym.restart_timer), *absent))
@@ -56,6 +58,7 @@ def start(w: Words) -> Expr:
     for s in w.topo.sections:
         off += [f.any_lock(s), f.firm(s), f.passed(s), f.stale(s)]
     off += map(var, (*sym.train.values(), *sym.overlap.values(), *sym.overlap_firm.values(), *sym.swings.values()))
+    off += map(var, (*sym.turn.values(), *([sym.started] if sym.started is not None else [])))
     off += map(var, (*sym.trailed.values(), *sym.was_detected.values()))
     off += [var(name) for x in sym.token.values() for name in (x.have, x.give, x.seen)]
     on = [*(f.used(s) for s in w.topo.sections), *map(var, sym.zone_full.values())]

@@ -10,7 +10,7 @@ from interlock.proof.functions.words import Words
 
 
 def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
-    """F-TRAILED and F-POINT."""
+    """F-TRAILED, F-POINT and F-TURN."""
     for m, name in w.sym.trailed.items():
         there = disj(conj((w.commanded(m, x), w.detected(m, x))) for x in Position)
         lost = disj(conj((w.commanded(m, x), neg(w.detected(m, x)))) for x in Position)
@@ -21,6 +21,23 @@ def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
         yield "F-TRAILED", m, iff(w.after(trailed), disj((new, conj((trailed, neg(seen))))))
     for m in w.layout.machines:
         yield from _commands(w, m)
+    if w.sym.started is not None and w.sym.start_timer is not None:
+        yield from _starts(w, var(w.sym.started), var(w.sym.start_timer))
+
+
+def _starts(w: Words, last: Expr, gap: Expr) -> Iterator[tuple[str, str, Expr]]:
+    """`last`: a machine started in the last scan; `gap`: the time that must lie between two starts is over."""
+    before: list[Expr] = []
+    starting = []
+    for m, name in w.sym.turn.items():
+        runs = var(name)
+        missing = disj(conj((w.commanded(m, x), neg(w.detected(m, x)))) for x in Position)
+        waits = conj((missing, neg(runs)))
+        begins = conj((waits, gap, neg(disj(before))))
+        yield "F-TURN", m, iff(w.after(runs), conj((disj((runs, begins)), missing, neg(w.anew(m)))))
+        before.append(waits)
+        starting.append(begins)
+    yield "F-TURN", "last", iff(w.after(last), disj(starting))
 
 
 def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:

@@ -32,6 +32,9 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     yield "F-GRANT", r.id, implies(refused, disj(_refusing(w, r, True)))
     yield "F-GRANT", f"{r.id} set", implies(w.set_now(r), neg(disj(_refusing(w, r, False))))
     stays = after(active)
+    if r.berth is not None:
+        unlocked = conj((w.set_now(r), neg(w.f.held(r.berth[0]))))
+        yield "F-GRANT", f"{r.id} into its berth", implies(unlocked, after(w.f.lock(*r.berth)))
     setting = [active, neg(locked), w.valid, free, stays]
     ready, needed = (conj((*setting, *_lie(w, r, wide), w.overlap_lies(r, wide))) for wide in (True, False))
     yield "F-LOCK", r.id, conj((implies(ready, after(locked)), implies(w.rises(locked), needed)))
