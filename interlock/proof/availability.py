@@ -163,9 +163,8 @@ class Trial:
         ):
             if failure is None:
                 found[r.id].append((x,))
-        by_id: dict[str, RouteSymbols] = {r.id: r for r in routes}
         for name, (chain, _) in _over_others(self.railway, self._lanes, [r for r in routes if not found[r.id]]).items():
-            found[name].append(tuple(by_id[x] for x in chain))
+            found[name].append(chain[:-1])
         return found
 
     def plan(self, a: RouteSymbols, b: RouteSymbols) -> tuple[Manner, list[PairRun]]:
