@@ -80,6 +80,7 @@ class Machines:
             elif self.left[m] and to != NONE:
                 self.left[m] = max(0.0, self.left[m] - dt)
                 if not self.left[m]:
+                    self.damaged.pop(m, None)  # a full throw puts them right, too
                     self.position[m] = self.target[m]
                     self.lay(m, 0 if self.hand[m] and not self.position[m] else self._final(m))
             if self.hand[m] and self.position[m] == 1 and self.rng.random() < 0.02:
@@ -197,7 +198,7 @@ class World:
         for m in both:
             self.watch.both_ways(self, m)
         for m in self.machines.damaged:
-            self.machines.damaged[m] -= dt
+            self.machines.damaged[m] -= dt * self.inputs["VALID"]  # nobody could see what happens while inputs are lost
         self.drivers.step(dt, shown)
         self.traffic.come(dt)
         self.watch.trains(self)
@@ -212,8 +213,11 @@ class World:
 
     def run_through(self, m: int) -> None:
         """A vehicle runs through points under local rules, where no train is called over them."""
-        machines = self.machines
-        if m not in machines.driven or machines.hand[m] or machines.position[m] == NONE or m in machines.damaged:
+        machines, position = self.machines, self.machines.position[m]
+        if m not in machines.driven or machines.hand[m] or position == NONE or m in machines.damaged:
+            return
+        contact = machines.contacts[m][position]
+        if not all(past["VALID"] and past[contact] for past, _ in self.past):
             return
         if any((t.speed or t.accepted) and self.sight.meets(t, m, 1500.0) for t in self.trains):
             return
