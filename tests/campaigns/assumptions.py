@@ -27,7 +27,7 @@ CASES = (
     ("A-POINT", "fig2_2", "T-DERAIL"),
     ("A-TIMER", "fig2_2", "T-COLLISION"),
     ("A-PARTED", "fig2_3_split", "T-COLLISION"),
-    ("A-TRAILED", "terminus_slip", "T-FLANK"),
+    ("A-TRAILED", "junction", "T-FLANK"),
     ("A-BUFFER", "terminus", "T-DERAIL"),
     ("A-RESTART", "fig2_3_split", "T-COLLISION"),
     ("A-REVERSE", "fig2_3_split", "T-COLLISION"),
