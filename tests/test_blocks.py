@@ -121,5 +121,5 @@ def test_a_file_without_traffic_or_none_at_all(tmp_path: Path) -> None:
     file = tmp_path / "x.dispatch"
     file.write_text("# nothing\ndispatch: 1\nlayout: mine11\n")
     assert run("layouts/mine11.yaml", "--dispatch", str(file), "--format", "concise")[1].count("IL6003") == 1
-    code, text = run("layouts/heishan.yaml")
+    code, text = run("layouts/fig2_1.yaml")
     assert code == 1 and "IL1001" in text

@@ -15,7 +15,7 @@ import click
 import pytest
 from click.testing import CliRunner, Result
 
-from interlock.app.init import yard
+from interlock.app.init import STARTER, yard
 from interlock.cli import common
 from interlock.cli.main import VERBS, cli
 from interlock.diag.codes import CODES
@@ -255,9 +255,15 @@ JSON = (
     ("why", "{}/l.yaml", "nothing"),
     ("explain",),
     ("explain", "nothing"),
-    ("mutate", "{}/l.yaml", "--sample", "1", "--kind", "number-held"),
+    ("mutate", "{}/l.yaml", "--family", "initial RQZ"),
     ("mutate", "{}/bad.yaml"),
     ("schema",),
+    ("availability", "{}/l.yaml"),
+    ("availability", "{}/bad.yaml"),
+    ("dispatch", "{}/l.yaml", "1:X1>A"),
+    ("dispatch", "{}/bad.yaml", "1:W>E"),
+    ("blocks", "layouts/mine11.yaml"),
+    ("blocks", "{}/bad.yaml"),
 )
 
 
@@ -291,6 +297,11 @@ def test_what_interlock_has_not_written_stays(tmp_path: Path) -> None:
         assert run(verb, str(layout), "-o", str(target), "--force").exit_code == 0
         assert target.read_bytes() != edited
     assert run("init", "-o", str(layout)).exit_code == 1 and layout.read_bytes() == before
+    (tmp_path / "s.yaml").write_text(STARTER, "utf-8")
+    plan = ("dispatch", str(tmp_path / "s.yaml"), "1:W>E", "--plan", str(layout))
+    assert run(*plan).exit_code == 1 and layout.read_bytes() == before
+    plan = (*plan[:-1], str(tmp_path / "plan.json"))
+    assert run(*plan).exit_code == 0 and run(*plan).exit_code == 0
 
 
 def test_colour_is_for_terminals(monkeypatch: pytest.MonkeyPatch) -> None:

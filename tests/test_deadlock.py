@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from interlock.app.dispatching import Coming
 from interlock.app.replay import BadPlan, Plan, PlanTrain, Replay, from_text, to_text
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
@@ -16,6 +17,9 @@ from interlock.dispatch.plan.explore import TooManyStates, explore
 from interlock.dispatch.plan.problem import build
 from interlock.dispatch.plan.railway import NoVoyage
 from interlock.dispatch.plan.search import Planner, Verdict
+from interlock.dispatch.policy import Policy, yields
+from interlock.dispatch.run import Run
+from interlock.model.elements import SectionId
 from interlock.proof.system import System
 from tests.campaigns.dispatch import (
     LOOPS,
@@ -246,3 +250,47 @@ def test_a_dispatcher_sets_at_least_one_route_ahead() -> None:
         Dispatcher(ground.railway, ground.controller.symbols, look_ahead=0)
     far = case(MINE).run([[("1:W>E", 0, 0, 60.0)]], look_ahead=2)
     assert far.ahead == 2 and not far.stuck
+
+
+# --- figure 2-1 ----------------------------------------------------------------------------------
+
+
+def first_on_the_line(policy: Policy | None, offsets: tuple[int, ...]) -> list[str]:
+    """Voyages 1 and 2 of figure 2-1, the second so many scans later: which is set over the single line first."""
+    c = case("layouts/fig2_1.yaml")
+    ground = c.ground
+    runs = []
+    for x in offsets:
+        times = {"V1": max(0, -x), "V2": max(0, x)}
+        runs.append([Coming(errand(ground.railway, v, 60.0)[0], 0, t, voyage=v) for v, t in times.items()])
+    found = ground.run(runs, lambda: Dispatcher(ground.railway, ground.controller.symbols, policy=policy))
+    assert [o.stuck for o in found if o.stuck] == []
+    return [next(t for t, r in o.asked if r.split("-")[0] in ("SV", "SE")) for o in found]
+
+
+@pytest.mark.parametrize(
+    ("policy", "first"),
+    [
+        (None, ["V2", "V2", "V1", "V1", "V1"]),
+        (Policy.LITERAL, ["V2", "V2", "V2", "V1", "V1"]),
+        (Policy.FIRST_TO_REACH, ["V2", "V2", "V1", "V1", "V1"]),
+        (Policy.FIRST_TO_REQUEST, ["V2", "V2", "V1", "V1", "V1"]),
+    ],
+)
+def test_the_readings_of_the_books_rule(policy: Policy | None, first: list[str]) -> None:
+    assert first_on_the_line(policy, (-60, -10, 0, 10, 60)) == first
+
+
+def test_a_policy_asks_who_started_reached_and_was_commanded() -> None:
+    railway = case("layouts/fig2_1.yaml").ground.railway
+    runs = [Run(v, railway.draft(errand(railway, v, 60.0)[0])) for v in ("V1", "V2")]
+    for run, other in (runs, runs[::-1]):
+        run.voyage, run.lines = run.name, {other.name: frozenset({SectionId("C"), SectionId("D")})}
+    one, two = runs
+    order = {"V1": 0, "V2": 1}
+    assert yields(Policy.FIRST_TO_REQUEST, two, one, order) and not yields(Policy.FIRST_TO_REQUEST, one, two, order)
+    one.started, two.started = 1, 2
+    assert yields(Policy.LITERAL, one, two, order) and not yields(Policy.LITERAL, two, one, order)
+    assert not yields(Policy.FIRST_TO_REACH, two, one, order), "neither stands before the line"
+    one.place = one.journey.steps[one.place][0].after
+    assert yields(Policy.FIRST_TO_REACH, two, one, order) and not yields(Policy.FIRST_TO_REACH, one, two, order)

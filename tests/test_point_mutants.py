@@ -6,11 +6,13 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
+from interlock.cli.mutate import command
 from interlock.logic.controller import Equation
 from interlock.proof.limits import Limits
 from interlock.proof.mutation.campaign import Campaign, one_of_each
-from interlock.proof.mutation.judge import Fate, Judge, Verdict
+from interlock.proof.mutation.judge import LATER, Fate, Judge, Verdict
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.points import Mutation, mutations
 from interlock.proof.mutation.survivors import listed, off_the_list, shape
@@ -70,7 +72,10 @@ def test_each_listed_change_survives_and_has_its_reason(judge: Judge) -> None:
 
 def test_a_survivor_that_is_not_listed_is_a_finding(judge: Judge) -> None:
     m = next(mutations(judge.controller))
-    assert off_the_list([(m, Verdict(Fate.SURVIVES))]) == [m.name]
+    assert off_the_list([(m, Verdict(Fate.SURVIVES, LATER))]) == [m.name]
+    alive = next(x for x in mutations(judge.controller) if shape(x.name) in listed())
+    assert off_the_list([(alive, judge.judge(alive))]) == []
+    assert off_the_list([(alive, Verdict(Fate.SURVIVES))]) == [alive.name]
 
 
 def test_no_mutant_of_an_output_or_of_a_preset_survives(judge: Judge) -> None:
@@ -170,4 +175,22 @@ def test_a_campaign_goes_on_where_it_was_broken_off(tmp_path: Path) -> None:
     halves = [campaign.run(kept, shard=(k, 2))["fig2_2"] for k in (1, 2)]
     assert all(v is not None for _, v in halves[1]) and kept.read_text().count("\n") == len(halves[1])
     before = kept.read_text()
-    assert campaign.run(kept)["fig2_2"] == campaign.run(kept)["fig2_2"] and kept.read_text() == before
+    again = campaign.run(kept)["fig2_2"]
+    assert [(m.name, v) for m, v in again] == [(m.name, v) for m, v in halves[1]] and kept.read_text() == before
+
+
+def test_no_two_mutants_of_a_family_have_one_name() -> None:
+    names = Counter((m.family, m.name) for m in mutations(built("junction")[2]))
+    assert set(names.values()) == {1}
+
+
+def test_the_command_counts_by_family_and_fails_on_a_survivor_off_the_list(monkeypatch: pytest.MonkeyPatch) -> None:
+    some = ["timer RT", "output YN", "initial PWR", "weakened: point-wrong", "text-time"]
+    line = ["layouts/fig2_2.yaml", *(x for f in some for x in ("--family", f))]
+    done = CliRunner().invoke(command, line)
+    assert done.exit_code == 0, done.output
+    assert all(any(out.startswith(f + " ") for out in done.output.splitlines()) for f in some)
+    assert "1 survives" in done.output and "restart delay begins with the first scan" in done.output
+    monkeypatch.setattr("interlock.proof.mutation.survivors.listed", dict)
+    monkeypatch.setattr("interlock.cli.mutate.listed", dict)
+    assert "NOT ON THE LIST" in (alive := CliRunner().invoke(command, line)).output and alive.exit_code == 1

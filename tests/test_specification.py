@@ -166,7 +166,11 @@ WEAKENED = {
         "for: t in turning_ways",
         "for: t in turning_ways\n    when: berth(section(t))",
     ),
-    "a train comes where one stands": ("mine11", "not occupied(outside(b)) and (each t", "(each t"),
+    "a train comes where one stands": (
+        "mine11",
+        "(not occupied(outside(b)) or leaves(node(b), outside(b))) and (each t",
+        "(each t",
+    ),
     "a tail leaves before its train is out": (
         "mine11",
         "(each k in other_ends(s, j): not coming(s, k)) or berth(s)",
@@ -201,10 +205,10 @@ WEAKENED = {
         "he_is_ready(b) and",
     ),
     "telegrams are made up": ("passing_loop", "chance_telegram(b) and he(b, w) or", "chance_telegram(b) or"),
-    "whoever stands on a crossing is not called": (
+    "what hangs on a called train is not called": (
         "crossing_line",
-        "(was_called(s) or called_now(s)) and",
-        "was_called(s) and",
+        "(moves(s) or drawn(s)) and not gone(s)",
+        "moves(s) and not gone(s)",
     ),
     "neighbours may be falsely occupied at once": (
         "mine11",
@@ -271,6 +275,21 @@ WEAKENED = {
         "mine11",
         "restart_ends(s) -> by_hand(s) or all_by_hand or passed(s)",
         "restart_ends(s) -> by_hand(s) or all_by_hand or passed(s) or valid",
+    ),
+    "the other crossover lies anyhow": (
+        "terminus",
+        "shown_over'(w) -> lies'(m, N)",
+        "shown_over'(w) -> lies'(m, N) or valid",
+    ),
+    "an overlap goes at once": (
+        "junction",
+        "over(release_timer(s))) or swung'(o)",
+        "over(release_timer(s))) or swung'(o) or valid",
+    ),
+    "a train that stood does not part": (
+        "mine11",
+        'says: "tail_out(s) and not astray(s)"',
+        'says: "tail_out(s) and not astray(s) and not standing(s)"',
     ),
     "a claim is left out": ("junction", "  - id: T-DIAMOND\n", "  - id: T-ELSEWHERE\n"),
 }

@@ -13,10 +13,13 @@ from interlock.diag import Diagnostic, Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
+from interlock.dispatch.language import beside, load
+from interlock.dispatch.orders import Derivation, Derived
 from interlock.dispatch.plan.explore import Explored, TooManyStates, explore
 from interlock.dispatch.plan.problem import Built, Move, build
 from interlock.dispatch.plan.railway import OUTSIDE, Errand, Journey, NoVoyage, Railway, TooManyPlaces
 from interlock.dispatch.plan.search import Answer, Planner, Verdict
+from interlock.dispatch.policy import Policy
 from interlock.logic.lower import lower
 from interlock.proof.system import System
 
@@ -38,6 +41,8 @@ class Dispatched:
     """What became of the shortest deadlock on the controller."""
     outcomes: list[Outcome] = field(default_factory=list)
     rule: bool = True
+    derived: tuple[Derived, ...] = ()
+    texts: dict[str, str] = field(default_factory=dict)
 
     @property
     def ok(self) -> bool:
@@ -77,7 +82,8 @@ class Setting:
             own = [r for t, r in routes if t == e.train]
             last = self.railway.table.route[own[-1]] if own else None  # type: ignore[index]
             here = str(e.start[-1][0])
-            ends = here if last is None else GONE if last.exit_kind == "boundary" else str(last.section_ids[-1])
+            stays = (self.railway.approach.get(here) or f"outside.{here}") if e.start[-1][1] == OUTSIDE else here
+            ends = stays if last is None else GONE if last.exit_kind == "boundary" else str(last.section_ids[-1])
             outside = e.start[0][1] == OUTSIDE
             start = here if outside else tuple((str(s), n) for s, n in e.start)
             trains.append(PlanTrain(e.train, e.length_m, start, ends))
@@ -131,17 +137,25 @@ def dispatch(
     rule: bool = True,
     exploring: bool = False,
     look_ahead: int = 1,
+    file: str | None = None,
+    policy: str | None = None,
 ) -> Dispatched:
-    """Carry out commands; `timings`: run them so many times, each train `gap` scans later from run to run."""
+    """Carry out commands, or the orders of a dispatch file (by default that beside the layout), one for each train of
+    the fleet; `timings`: run them so many times, each train `gap` scans later from run to run."""
     checked = derive_file(path)
     if not checked.ok or checked.layout is None or checked.table is None:
         return Dispatched(checked, checked.diagnostics)
     layout, table, sink = checked.layout, checked.table, Sink()
     railway = Railway(table, layout)
-    setting = _setting(railway, commands, length_m, sink)
+    derived: tuple[Derived, ...] = ()
+    texts: dict[str, str] = {}
+    if commands:
+        setting = _setting(railway, commands, length_m, sink)
+    else:
+        setting, derived = _shift(railway, file or beside(path), sink, texts)
     if setting is None:
-        return Dispatched(checked, sink.diagnostics)
-    found = Dispatched(checked, (), setting.errands, rule=rule)
+        return Dispatched(checked, sink.diagnostics, texts=texts)
+    found = Dispatched(checked, (), setting.errands, rule=rule, derived=derived)
     controller = lower(layout, table)
     replay = Replay(layout, controller, System(layout, controller).plant)
     found.answer = Planner(setting.built.problem).solve(setting.built.start)
@@ -164,16 +178,21 @@ def dispatch(
             found.shown = setting.shown(replay, layout.digest, found.explored.shortest)
     if timings:
         ground = Ground(layout, table, controller)
-        runs = [_run(setting.errands, k - timings // 2, gap) for k in range(timings)]
-        found.outcomes = ground.run(
-            runs, lambda: Dispatcher(ground.railway, controller.symbols, rule=rule, look_ahead=look_ahead)
-        )
+        runs = [_run(setting.errands, k - timings // 2, gap, commands) for k in range(timings)]
+        how = None if policy is None else Policy(policy)
+
+        def make() -> Dispatcher:
+            return Dispatcher(ground.railway, controller.symbols, rule=rule, look_ahead=look_ahead, policy=how)
+
+        found.outcomes = ground.run(runs, make)
     return found
 
 
-def _run(errands: Sequence[Errand], k: int, gap: int) -> list[Coming]:
+def _run(errands: Sequence[Errand], k: int, gap: int, voyages: Sequence[str]) -> list[Coming]:
     """The k-th timing: each train so many scans after the one before it, or before it where k is negative."""
-    return [Coming(e, 0, abs(k) * gap * (i if k >= 0 else len(errands) - 1 - i)) for i, e in enumerate(errands)]
+    named = [*voyages, *[""] * len(errands)]
+    due = [abs(k) * gap * (i if k >= 0 else len(errands) - 1 - i) for i in range(len(errands))]
+    return [Coming(e, 0, at, voyage=v) for e, at, v in zip(errands, due, named, strict=False)]
 
 
 def _setting(railway: Railway, commands: Sequence[str], length_m: float, sink: Sink) -> Setting | None:
@@ -191,6 +210,23 @@ def _setting(railway: Railway, commands: Sequence[str], length_m: float, sink: S
         except (NoVoyage, TooManyPlaces) as error:
             sink.add("IL6005", f"{c}: {error}", None, "name another destination, or a place on the way")
     return None if sink.has_errors else Setting(railway, errands)
+
+
+def _shift(
+    railway: Railway, file: str, sink: Sink, texts: dict[str, str]
+) -> tuple[Setting | None, tuple[Derived, ...]]:
+    """The fleet of a dispatch file, each train with one order, in turn."""
+    orders = load(file, railway.layout, sink)
+    if orders is None:
+        return None, ()
+    texts[orders.name] = orders.text
+    derived = Derivation(railway, orders, sink).run()
+    if not sink.has_errors and not derived:
+        sink.add("IL6003", f"{file} has no orders", orders.root.span, "add `fleet`, `places` and `orders`")
+    if sink.has_errors:
+        return None, derived
+    errands = [derived[k % len(derived)].journeys[n].errand for k, n in enumerate(orders.file.fleet)]
+    return Setting(railway, errands), derived
 
 
 def replay_file(path: str, plan: str) -> tuple[Checked, tuple[Diagnostic, ...], Replayed | None]:

@@ -22,6 +22,9 @@ DT_MS = 2_000
 QUIET = 400
 """Scans in which no train moves after which all that have not come home stand for ever: longer than any delay."""
 
+SLEEP_MS = 10_000
+"""While the panel shows the same and nothing is asked, the dispatcher looks at it so often."""
+
 LONGEST = 20_000
 """Scans after which a run is given up (our choice)."""
 
@@ -35,6 +38,7 @@ class Coming:
     due: int = 0
     speed_m: float = 11.0
     priority: int = 0
+    voyage: str = ""
 
 
 @dataclass
@@ -91,6 +95,10 @@ class Ground:
         self.rails = Rails(layout)
         system = System(layout, self.controller)
         self.lanes = Lanes(self.controller, system.plant, DT_MS)
+        sym = self.controller.symbols
+        self._watched = [*sym.clear.values(), *sym.indication.values(), *sym.lamps, sym.seen[sym.request]]
+        self._before: dict[str, int] = {}
+        self._clock, self._changed = -1, 0
 
     def run(self, runs: Sequence[Sequence[Coming]], make: Callable[[], Dispatcher] | None = None) -> list[Outcome]:
         """Each set of commands on a railway of its own, from the restart on.  All trains come from outside, or stand in
@@ -112,6 +120,17 @@ class Ground:
         self.lanes.run(starts, [driver(c, o) for c, o in zip(runs, found, strict=True)])
         return found
 
+    def changed(self, lane: Lane, scan: int) -> bool:
+        """Whether a panel shows anything else than in the scan before; compared once for all runs."""
+        if scan != self._clock:
+            lanes = self.lanes
+            now = {n: lanes.state[n] if n in lanes.state else lanes.last[n] for n in self._watched}
+            self._changed = 0
+            for n, v in now.items():
+                self._changed |= v ^ self._before.get(n, ~v)
+            self._before, self._clock = now, scan
+        return bool(self._changed & lane.bit)
+
     def train(self, c: Coming) -> Train:
         """The train of a command."""
         train = Train(c.errand.train, c.errand.length_m, c.speed_m, due=c.due)
@@ -130,10 +149,16 @@ class Ground:
         yield Wish((), {"RELALL": 1})
         yield Wish((), {"RELALL": 1})
         seen, quiet, held = Seen(lane), 0, None
+        slept, inputs = 0, dict[str, int]()
         for scan in range(LONGEST):
+            slept += DT_MS
+            fresh = self.changed(lane, scan)
             while todo and todo[0].commanded <= scan:
-                dispatcher.carry_out(todo[0].errand, todo.pop(0).priority)
-            inputs = dispatcher.step(seen, DT_MS)
+                c = todo.pop(0)
+                dispatcher.carry_out(c.errand, c.priority, c.voyage)
+                fresh = True
+            if fresh or any(inputs.values()) or slept >= SLEEP_MS:
+                inputs, slept = dispatcher.step(seen, slept), 0
             if dispatcher.plan != held:
                 held = dispatcher.plan
                 outcome.plans.append((tuple(dispatcher.asked), held))

@@ -44,6 +44,9 @@ class Ahead(Topology):
         those = (o.signal for o in self.overlaps if any(w.section == s for w in o.path.ways))
         return list(dict.fromkeys(those))
 
+    def w_sections_under(self, o: Overlap) -> list[str]:
+        return [w.section for w in o.path.ways]
+
     def w_overlaps_held(self, s: str) -> list[Overlap]:
         return [o for o in self.overlaps if any(w.section == s for w in o.path.ways)]
 

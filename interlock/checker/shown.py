@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from interlock.checker.drawing import Diamond, Edge
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no, some
-from interlock.checker.railway import Calling, Path, Signal, Way, safe
+from interlock.checker.railway import Calling, Path, Signal, Way
 from interlock.checker.terminals import Terminals
 
 
@@ -166,8 +166,8 @@ class Protection(Terminals):
         far, gone = e.far(node), gone + e.length
         if (e.one_way and e.a == node) or far in seen or far in self.r.buffers:
             return FALSE
-        g = self.r.signal_into.get((far, e.section))
-        if g is not None and gone >= needed:
+        g = self._holding(e, far, gone, needed)
+        if g is not None:
             return self._lets_pass(g)
         if far in self.r.boundaries:
             return FALSE if self.r.boundaries[far].get("trains") == "out" else TRUE
@@ -195,22 +195,91 @@ class Protection(Terminals):
         return self.r.sections if d.asks("flank_space") or d.asks("flank_lamp") else []
 
     def w_quiet(self, own: str, x: Flank) -> Formula:
-        """Nothing stands along a flank up to what stops a vehicle, as everything lies; stop lamps there are intact."""
-        return self._silent(own, x.edge, x.node, 0.0, x.needed, frozenset({x.node}))
+        """Nothing stands along a flank up to what stops a vehicle, as everything lies; stop lamps there are intact.
 
-    def _silent(self, own: str, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str]) -> Formula:
-        d, far, gone = self.r.drawn, e.far(node), gone + e.length
+        Where another movement may be called meanwhile that does not use the section, a train stands on its own route.
+        """
+        beside = frozenset(s for s, those in self._movements.items() if any(own not in over for over in those))
+        looked_at = frozenset(self.r.sections) - {own, *self.r.undetected, *beside}
+        asked = looked_at if self.r.drawn.asks("flank_space") else frozenset()
+        return self._silent(asked, x.edge, x.node, 0.0, x.needed, frozenset({x.node}))
+
+    @cached_property
+    def _movements(self) -> dict[str, list[frozenset[str]]]:
+        """For each section the paths over it, as sections; none at all for what stands there before its path or at the
+        end of one."""
+        found: dict[str, list[frozenset[str]]] = {}
+        for c in (c for g in self.w_signals() for c in self.r.callings(g)):
+            rear = self.r.beyond(c.signal.into, c.signal.node)
+            for p in self.r.paths(c):
+                over = frozenset(w.section for w in p.ways)
+                for s in over:
+                    found.setdefault(s, []).append(over)
+                for s in [*([] if rear is None else [rear]), *self.w_berth_of(p)]:
+                    found.setdefault(s, []).append(frozenset())
+        return found
+
+    def _silent(
+        self, asked: frozenset[str], e: Edge, node: str, gone: float, needed: float, seen: frozenset[str]
+    ) -> Formula:
+        """asked: the sections that must be clear.  That of a point which turns vehicles away is no flank space."""
+        d, far = self.r.drawn, e.far(node)
         if e.one_way and e.a == node:
             return TRUE
-        looked_at = d.asks("flank_space") and e.section != own and e.section not in self.r.undetected
-        clear = self.w_clear(e.section) if looked_at else TRUE
+        clear = self.w_clear(e.section) if e.section in asked else TRUE
         if far in seen or far in self.r.buffers:
             return clear
-        g = self.r.signal_into.get((far, e.section))
-        if g is not None and gone >= needed:
-            lit = leaf(f"RL_{safe(g.name)}") if d.asks("flank_lamp") and d.asks("lamp_proof") else TRUE
-            return every((clear, lit)) if far not in self.r.boundaries else clear
+        g = self._holding(e, far, gone + e.length, needed)
+        if g is not None:
+            intact = d.asks("flank_lamp") and d.asks("lamp_proof")
+            return every((clear, leaf(f"RL_{g.safe}"))) if intact else clear
         if far in self.r.boundaries:
             return clear
-        onward = every(self._silent(own, x, far, gone, needed, seen | {far}) for x in d.onward(far, e))
-        return every((clear, some((onward, self.after(self._turned_away(e, far))))))
+        onward = (
+            self._silent(asked, x, far, gone + e.length, needed, seen | {far}) for x in self.r.drawn.onward(far, e)
+        )
+        return some((self._points_turn_away(e, node, gone, needed, seen), every((clear, *onward))))
+
+    def _points_turn_away(self, e: Edge, node: str, gone: float, needed: float, seen: frozenset[str]) -> Formula:
+        """Points of the very section turn a vehicle away, wherever it could come from."""
+        far = e.far(node)
+        if e.one_way and e.a == node:
+            return TRUE
+        held = self._holding(e, far, gone + e.length, needed) is not None
+        if far in seen or far in self.r.buffers or far in self.r.boundaries or held:
+            return FALSE
+        inside = every(
+            self._points_turn_away(x, far, gone + e.length, needed, seen | {far}) if x.section == e.section else FALSE
+            for x in self.r.drawn.onward(far, e)
+        )
+        return some((self.after(self._turned_away(e, far)), inside))
+
+    def _holding(self, e: Edge, node: str, gone: float, needed: float) -> Signal | None:
+        """The signal that holds a vehicle there, far enough away."""
+        g = self.r.signal_into.get((node, e.section))
+        return g if g is not None and gone >= needed else None
+
+    # --- scissors ---
+
+    def w_partners(self, w: Way) -> list[str]:
+        """The machines of the other crossover of a scissors on a way: plain track leads from both ends of the other arm
+        to the reverse leg of a point."""
+        found: list[str] = []
+        for name, arm in w.arms:
+            ends = [self._crossover_end(e, name) for e in self.r.drawn.diamonds[name].arms[1 - arm]]
+            found += [m for m in ends if m is not None] if None not in ends else []
+        return list(dict.fromkeys(found))
+
+    def _crossover_end(self, edge: str, node: str) -> str | None:
+        d, seen = self.r.drawn, {node}
+        e = d.edges[edge]
+        node = e.far(node)
+        while node not in d.points:
+            onward = [x for x in d.at[node] if x.name != e.name]
+            if node in seen or len(onward) != 1:
+                return None
+            seen.add(node)
+            e = onward[0]
+            node = e.far(node)
+        p = d.points[node]
+        return p.machine if p.reverse == e.name else None

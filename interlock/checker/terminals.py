@@ -206,6 +206,14 @@ class Terminals(Ahead):
     def w_locked_overlap(self, o: Overlap) -> Formula:
         return self.known(f"V_{o.signal.safe}_{o.number}")
 
+    def w_all_overlaps(self) -> list[Overlap]:
+        """Those that some route holds."""
+        return [o for o in self.overlaps if f"V_{o.signal.safe}_{o.number}" in self.state]
+
+    def w_swung(self, o: Overlap) -> Formula:
+        """The overlap of its signal swings in this scan."""
+        return self.known(f"VS_{o.signal.safe}")
+
     def w_near_train(self, o: Overlap) -> Formula:
         """The overlap may not swing now, or never: the section before its signal is not reported clear."""
         return no(self.w_clear(self.w_before_of(o.signal))) if f"VS_{o.signal.safe}" in self.state else TRUE

@@ -267,17 +267,14 @@ class Topology:
     def w_before(self, c: Calling) -> str:
         return self.w_before_of(c.signal)
 
-    def w_seen_before(self, c: Calling) -> list[str]:
-        """The section in rear, if it is detected at all."""
-        s = self.w_before(c)
-        return [] if s.startswith("outside.") else [s]
-
     def w_inside_before(self, c: Calling) -> list[str]:
         """The section in rear, where the signal stands inside the layout."""
         return [] if c.signal.node in self.r.boundaries else [self.w_before(c)]
 
     def w_rear_of(self, c: Calling) -> list[str]:
-        return self.w_seen_before(c)
+        """The section in rear, if it is detected at all."""
+        s = self.w_before(c)
+        return [] if s.startswith("outside.") else [s]
 
     def w_entering(self, s: str, j: str) -> list[Signal]:
         g = self.r.signal_into.get((j, s))
@@ -379,9 +376,6 @@ class Topology:
 
     def w_under(self, d: str) -> list[str]:
         return self.r.devices[d]
-
-    def w_under_devices(self) -> list[str]:
-        return sorted({s for over in self.r.devices.values() for s in over})
 
     def w_devices_over(self, p: Path) -> list[str]:
         return [d for d, over in self.r.devices.items() if any(w.section in over for w in p.ways)]

@@ -8,10 +8,13 @@ from pathlib import Path
 import click
 
 from interlock.app.dispatch import Dispatched, dispatch, replay_file
-from interlock.app.replay import to_text
-from interlock.cli.common import FINDINGS, NOT_PROVED, OK, format_option, put_json, show
+from interlock.app.replay import BadPlan, from_text, to_text
+from interlock.cli.common import FINDINGS, NOT_PROVED, OK, failed, force_option, format_option, put_json, show, told
 from interlock.diag import render
 from interlock.dispatch.plan.search import Verdict
+from interlock.dispatch.policy import Policy
+
+POLICIES = [str(p) for p in Policy]
 
 
 @click.command("dispatch")
@@ -21,10 +24,13 @@ from interlock.dispatch.plan.search import Verdict
 @click.option("--timings", type=click.IntRange(0, 10_000), default=0, help="Run the commands so many times.")
 @click.option("--gap", type=click.IntRange(1, 1000), default=5, show_default=True, help="Scans from timing to timing.")
 @click.option("--look-ahead", type=click.IntRange(1, 50), default=1, show_default=True, help="Routes ahead of a train.")
+@click.option("--policy", type=click.Choice(POLICIES), help="Who goes first on a single line that two voyages share.")
 @click.option("--explore", "exploring", is_flag=True, help="Look at every state; tell the shortest deadlock.")
 @click.option("--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them.")
 @click.option("--plan", type=click.Path(dir_okay=False), help="Write the completion plan.")
+@click.option("--orders", type=click.Path(), help="The dispatch file; by default LAYOUT with the ending .dispatch.")
 @click.option("--replay", type=click.Path(dir_okay=False), help="Replay a plan file instead.")
+@force_option
 @format_option
 def command(
     layout: str,
@@ -33,21 +39,22 @@ def command(
     timings: int,
     gap: int,
     look_ahead: int,
+    policy: str | None,
     exploring: bool,
     without_rule: bool,
     plan: str | None,
+    orders: str | None,
     replay: str | None,
+    force: bool,
     form: str,
 ) -> None:
-    """Carry out commands on the controller with its plant.
+    """Carry out commands on the controller with its plant; without any, the orders of the dispatch file.
 
     A COMMAND is the name of a voyage, or a number with origin and destinations: 12:W>E, 12:W>E+q4 (over q4),
     12:W>s8_xc3>OUT (there and back), 12:q9/X6>W (from where it stands before X6).
     """
     if replay is not None:
         sys.exit(_replay(layout, replay, form))
-    if not commands:
-        raise click.UsageError("say which commands, for instance 1:W>E")
     found = dispatch(
         layout,
         commands,
@@ -57,18 +64,32 @@ def command(
         rule=not without_rule,
         exploring=exploring,
         look_ahead=look_ahead,
+        file=orders,
+        policy=policy,
     )
     if plan is not None and found.plan is not None:
+        target = Path(plan)
         try:
-            Path(plan).write_text(to_text(found.plan), encoding="utf-8")
+            if target.exists() and not force and not _is_plan(target):
+                failed(f"{plan} exists and is no completion plan; --force overwrites it", form)
+                sys.exit(FINDINGS)
+            target.write_text(to_text(found.plan), encoding="utf-8")
         except OSError as error:
-            click.echo(f"{plan}: {error.strerror}", err=True)
+            failed(told(error, target), form)
             sys.exit(FINDINGS)
     if form == "json":
         put_json(_body(found))
     else:
         _print(found, form)
     sys.exit(_code(found))
+
+
+def _is_plan(file: Path) -> bool:
+    try:
+        from_text(file.read_text("utf-8"))
+    except (BadPlan, UnicodeDecodeError):
+        return False
+    return True
 
 
 def _code(found: Dispatched) -> int:
@@ -119,9 +140,12 @@ def _body(found: Dispatched) -> dict[str, object]:
 
 def _print(found: Dispatched, form: str) -> None:
     if not found.ok or found.answer is None:
-        show(found.diagnostics, {found.checked.source.file: found.checked.source.text}, form)
+        show(found.diagnostics, {found.checked.source.file: found.checked.source.text, **found.texts}, form)
         if found.answer is None:
             return
+    for d in found.derived:
+        ways = max(len(j.steps) for j in d.journeys.values())
+        click.echo(f"order {d.name}: {d.trains} trains from {d.order.from_} to {d.order.to}, {ways} places on the way")
     said = str(found.answer.verdict) if found.answer else ""
     if found.plan is not None and found.replayed is not None:
         click.echo(f"{click.style(said, fg='green')}  {len(found.plan.moves)} routes:")

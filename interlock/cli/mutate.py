@@ -20,7 +20,7 @@ from interlock.proof.mutate import judge as searched
 from interlock.proof.mutation.campaign import Campaign, Judged
 from interlock.proof.mutation.judge import Fate, Verdict
 from interlock.proof.mutation.points import Mutation
-from interlock.proof.mutation.survivors import listed, shape
+from interlock.proof.mutation.survivors import listed, off_the_list, shape
 from interlock.proof.text_mutants import text_mutants
 from interlock.table.rows import InterlockingTable
 
@@ -76,8 +76,7 @@ def command(
         put_json([_row(m, v) | ({"story": told[m.family]} if m.family in told else {}) for m, v in found if v])
     else:
         _print(found, told)
-    left = [m for m, v in found if v and v.fate is Fate.SURVIVES and shape(m.name) not in listed()]
-    sys.exit(FINDINGS if left else OK if all(v for _, v in found) else NOT_PROVED)
+    sys.exit(FINDINGS if off_the_list(found) else OK if all(v for _, v in found) else NOT_PROVED)
 
 
 @lru_cache(1)
@@ -119,7 +118,9 @@ def _print(found: list[Judged], told: dict[str, list[str]]) -> None:
             click.echo(f"    {n}. {step}" if n else f"    {step}")
     for m, v in found:
         if v and v.fate is Fate.SURVIVES:
-            click.echo(f"survives: {m.name}: {listed().get(shape(m.name), 'NOT ON THE LIST')}")
+            click.echo(
+                f"survives: {m.name}: {listed().get(shape(m.name), 'NOT ON THE LIST')}  ({v.why or 'no equivalence'})"
+            )
     total: Counter[Fate | None] = sum(fates.values(), Counter())
     words = ", ".join(f"{n} {fate or 'not judged yet'}" for fate, n in total.most_common())
     click.echo(f"{total.total()} mutants in {len(fates)} families: {words}")

@@ -72,12 +72,19 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
         return tuple(rows.values())
     hostile = set_apart(paths, rows, {p.id: route_demands(p, rows) for p in paths})
     there, stands = [_taken(layout, p) for p in paths], [_standing(layout, p) for p in paths]
-    busy: dict[int, frozenset[SectionId]] = {}
-    for own in {*over.values()}:
-        others = beside(own, hostile, every) & ~own
+    run_over: dict[TraversalKey, int] = {}  # by path: a train that has its overlap there comes from elsewhere
+    for i, path in enumerate(paths):
+        for t in path.ways:
+            run_over[t.key] = run_over.get(t.key, 0) | 1 << i
+    busy: dict[tuple[int, int], frozenset[SectionId]] = {}
+    for every_one, own in {(over[key], run_over.get(key, 0)) for key in rows}:
+        others = beside(every_one, hostile, every) & ~own
         where = [there[i] for i in bits_of(others)] + [stands[i] for i in bits_of(own)]
-        busy[own] = frozenset().union(*where)
-    return tuple(replace(row, space=_space(layout, used[key], row.flank, busy[over[key]])) for key, row in rows.items())
+        busy[every_one, own] = frozenset().union(*where)
+    return tuple(
+        replace(row, space=_space(layout, used[key], row.flank, busy[over[key], run_over.get(key, 0)]))
+        for key, row in rows.items()
+    )
 
 
 def _taken(layout: Layout, path: Path) -> frozenset[SectionId]:

@@ -13,7 +13,7 @@ from interlock.derivation.routes import Path
 from interlock.derivation.settle import Place, Settlement
 from interlock.diag import Sink
 from interlock.model.bits import chosen
-from interlock.model.elements import EdgeId, NodeId, Position, SignalId
+from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.traversal import onward_edges
 from interlock.table.rows import Provider
@@ -79,7 +79,7 @@ def _impossible(layout: Layout, paths: Sequence[Path], settled: Settlement, opti
 
 
 def _substitutes(paths: Sequence[Path], settled: Settlement, options: Options, sink: Sink) -> None:
-    found: dict[tuple[str, tuple[Provider, ...]], tuple[int, dict[str, None]]] = {}
+    found: dict[tuple[str, tuple[Provider, ...]], tuple[int, dict[tuple[MachineId, Position], int]]] = {}
     for at, option in settled.chosen.items():
         place = settled.places[at]
         usual = options.preferred(place.requester)
@@ -87,11 +87,16 @@ def _substitutes(paths: Sequence[Path], settled: Settlement, options: Options, s
             continue
         over, why = found.get((place.requester.name, option), (0, {}))
         for m, x in (point_demands(usual) or {}).items():
-            if (point_demands(option) or {}).get(m) is not x and (those := settled.wanting(at, m, x.other)):
-                why[f"{m} {x}, which would be usual, is wanted {x.other} by {_routes(paths, those)}"] = None
+            if (point_demands(option) or {}).get(m) is not x:
+                why[m, x] = why.get((m, x), 0) | settled.wanting(at, m, x.other)
         found[place.requester.name, option] = over | place.routes, why
     for (name, option), (over, why) in sorted(found.items(), key=lambda f: (f[0][0], f[1][0])):
-        because = "; ".join(why) or "another place needs what would be usual"
+        said = [
+            f"{m} {x}, which would be usual, is wanted {x.other} by {_routes(paths, those)}"
+            for (m, x), those in why.items()
+            if those
+        ]
+        because = "; ".join(said) or "another place needs what would be usual"
         sink.add("IL4010", f"{name} has substitute protection in {_routes(paths, over)}: {told(option)}; {because}")
 
 

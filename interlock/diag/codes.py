@@ -102,6 +102,9 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL6005": (_E, "a command that no chain of routes carries out"),
     "IL6006": (_E, "a plan that cannot be read, or is for another layout"),
     "IL6007": (_E, "trains that cannot all be carried out"),
+    "IL6008": (_E, "a place that no train can leave"),
+    "IL6009": (_E, "more trains than standing room"),
+    "IL6010": (_E, "a shift that cannot be done"),
 }
 
 

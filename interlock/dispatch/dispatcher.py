@@ -15,14 +15,16 @@ from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from interlock.dispatch.arbiter import Arbiter, Key, Request, Source, key
 from interlock.dispatch.commands import errand
 from interlock.dispatch.panel import Indications, Stage, stages
 from interlock.dispatch.plan.problem import Built, Draft, Move, build
 from interlock.dispatch.plan.railway import Errand, Railway, Step
 from interlock.dispatch.plan.search import BUDGET, Answer, Planner, Verdict
+from interlock.dispatch.policy import Policy, enters, yields
 from interlock.dispatch.run import Run
 from interlock.logic.controller import Symbols
-from interlock.model.elements import MachineId, Position, SectionId, SignalId
+from interlock.model.elements import Lane, MachineId, Position, SectionId, SignalId
 
 AGAIN_MS = 5_000
 """A route that was refused is asked for again after this time (our choice)."""
@@ -48,6 +50,7 @@ class Dispatcher:
         priorities: bool = False,
         wait_ms: int = 0,
         rule: bool = True,
+        policy: Policy | None = None,
         budget: int = BUDGET,
     ) -> None:
         if look_ahead < 1:
@@ -55,11 +58,17 @@ class Dispatcher:
         self.railway, self.symbols = railway, symbols
         self.stages = stages(railway.table, symbols)
         self.look_ahead, self.priorities, self.wait_ms = look_ahead, priorities, wait_ms
-        self.rule, self.budget = rule, budget
+        self.rule, self.policy, self.budget = rule, policy, budget
+        self._started = 0
         self.runs: list[Run] = []
         self.pending: list[Run] = []
         """Commands kept until a plan exists with them, too; their trains are still outside."""
-        self.by_hand: deque[int] = deque()
+        self.arbiter = Arbiter(wait_ms, AGAIN_MS)
+        """Routes asked for by people; runs compete with them."""
+        self.held: dict[str, str] = {}
+        """Trains for which nothing is asked, and why: their numbers are in doubt."""
+        self.other: deque[int] = deque()
+        """Numbers that are asked for by hand and are no routes: overlaps that are to swing."""
         self.said: list[str] = []
         self.asked: list[tuple[str, str]] = []
         """Train and route of every request that was granted, in order."""
@@ -88,13 +97,16 @@ class Dispatcher:
         """Command a voyage of the layout.  Raises `KeyError` where there is none of that name."""
         if all(v.name != name for v in self.railway.table.voyages):
             raise KeyError(name)
-        return self.carry_out(*errand(self.railway, name, length_m))
+        return self.carry_out(*errand(self.railway, name, length_m), voyage=name)
 
-    def carry_out(self, order: Errand, priority: int = 0) -> Run:
-        """Command an errand.  Raises `NoVoyage` where no chain of routes makes it."""
+    def carry_out(self, order: Errand, priority: int = 0, voyage: str = "") -> Run:
+        """Command an errand; `voyage`: which of the layout's.  Raises `NoVoyage` where no chain of routes makes it."""
         taken = {r.name for r in (*self.runs, *self.pending)}
         name = next(n for n in (order.train, *(f"{order.train} {k}" for k in range(2, 10_000))) if n not in taken)
         run = Run(name, self.railway.draft(replace(order, train=name)), priority)
+        row = next((v for v in self.railway.table.voyages if v.name == voyage), None)
+        if row is not None:
+            run.voyage, run.lines = voyage, {m.voyage: frozenset(m.sections) for m in row.meetings}
         self.pending.append(run)
         self._built = None
         return run
@@ -107,9 +119,14 @@ class Dispatcher:
         self.pending = [r for r in self.pending if r.name != name]
         return len(self.runs) + len(self.pending) < before
 
-    def ask(self, number: int) -> None:
-        """A route asked for by hand."""
-        self.by_hand.append(number)
+    def ask(self, number: int, source: Source = Source.HAND) -> None:
+        """A route (or the swing of an overlap) asked for by somebody; kept until it is granted.  Raises `Full`."""
+        row = next((r for r in self.railway.table.routes if r.number == number), None)
+        if row is None:
+            self.other.append(number)
+            return
+        lanes = {s.id for s in self.railway.layout.sections if s.lane is Lane.INCLINED}
+        self.arbiter.add(self.stages[row.id], source, self.priorities and not lanes.isdisjoint(row.section_ids))
 
     # --- one scan ------------------------------------------------------------------------------
 
@@ -123,6 +140,7 @@ class Dispatcher:
                 self._cancels[self.symbols.cancel[run.granted[run.at].entry]] = 1
         self._passing = {g: s for g, s in self._passing.items() if s.stands(seen)}
         self._look_round(seen, dt_ms)
+        self.arbiter.tick(seen, dt_ms)
         acknowledged = seen.get(self.symbols.seen[self.symbols.request], 0)
         if self._writes and acknowledged:
             self._answered(seen)
@@ -220,6 +238,7 @@ class Dispatcher:
     def _answered(self, seen: Indications) -> None:
         """The request was read: the route is set, or was refused."""
         self._writes = 0
+        self.arbiter.answered(seen)
         if self._for is None:
             return
         run, stage = self._for
@@ -245,27 +264,49 @@ class Dispatcher:
             run.granted.append(self.stages[r.id])
             run.places.append(run.place)
         run.place = step.after
+        if not run.started:
+            self._started += 1
+            run.started = self._started
 
     def _next(self, seen: Indications) -> None:
         """Begin to ask for a route, if one is to be set now."""
-        if self.by_hand:
-            self._writes = self.by_hand.popleft()
+        if self.other:
+            self._writes = self.other.popleft()
             return
         self._admit(seen)
         self._prepare()
-        for run in sorted(self.runs, key=self._rank):
-            if run.rest_ms or run.cancelling:
-                continue
-            stage = run.asking[0] if run.asking else self._wanted(run, seen)
-            if stage is not None and not (why := stage.hindered(seen)):
-                self._for, self._writes = (run, stage), stage.number
+        found: list[tuple[Key, Request | Run]] = [(r.key(self.wait_ms), r) for r in self.arbiter.waiting]
+        found += [(self._key(run, k), run) for k, run in enumerate(self.runs)]
+        for _, one in sorted(found, key=lambda x: x[0]):
+            if isinstance(one, Request):
+                if self.arbiter.may(one, seen):
+                    self._writes = self.arbiter.make(one).stage.number
+                    return
+            elif self._asks(one, seen):
                 return
-            if stage is not None:
-                run.reason = f"{stage.route}: {why}"
 
-    def _rank(self, run: Run) -> tuple[bool, int]:
-        aged = bool(self.wait_ms) and run.waited_ms >= self.wait_ms
-        return not aged, run.priority if self.priorities else 0
+    def _key(self, run: Run, k: int) -> Key:
+        """Where a run comes among the requests: its class of priority, then the order of the commands."""
+        rank = run.priority if self.priorities and run.priority else 4
+        waited = run.waited_ms if bool(self.wait_ms) and run.waited_ms >= self.wait_ms else 0
+        return key(Source.PLANNED, self.arbiter.numbers + k + 1, rank < 3, rank % 2 == 1, waited, self.wait_ms)
+
+    def _asks(self, run: Run, seen: Indications) -> bool:
+        """Begin to ask for what a run wants, if it may."""
+        if run.rest_ms or run.cancelling:
+            return False
+        if run.name in self.held:
+            run.reason = self.held[run.name]
+            return False
+        stage = run.asking[0] if run.asking else self._wanted(run, seen)
+        if stage is None:
+            return False
+        why = stage.hindered(seen)
+        if why:
+            run.reason = f"{stage.route}: {why}"
+            return False
+        self._for, self._writes = (run, stage), stage.number
+        return True
 
     def _wanted(self, run: Run, seen: Indications) -> Stage | None:
         """The first route of the step that a train takes next, if it may; sets `run.asking`."""
@@ -280,12 +321,38 @@ class Dispatcher:
             if (why := next((w for s in order if (w := s.hindered(seen))), "")) or (why := self._behind(run, move)):
                 run.reason = f"{first.route}: {why}"
                 continue
-            if self.rule and not self._safe(run, move):
+            if (why := self._waits(run, step, seen)) or (self.rule and not self._safe(run, move)):
+                run.reason = f"{first.route}: {why}" if why else run.reason
                 continue
             run.step = step
             run.asking = order[::-1] if self._far_first(run) else order
             return run.asking[0]
         return None
+
+    def _waits(self, run: Run, step: Step, seen: Indications) -> str:
+        """For whom a train waits before a single line, by the policy."""
+        if self.policy is None or self._planner is None:
+            return ""
+        order = {r.name: k for k, r in enumerate(self.runs)}
+        for other in self.runs:
+            line = run.lines.get(other.voyage)
+            if other is run or line is None or not enters(step, line) or other.uses(line) or other.past(line):
+                continue
+            first = self.stages[other.journey.steps[other.place][0].routes[0].id]
+            there = other.set_out or first.stands(seen)
+            if there and yields(self.policy, run, other, order) and self._passes(other, line):
+                return f"{other.name} goes first ({self.policy})"
+        return ""
+
+    def _passes(self, run: Run, line: frozenset[SectionId]) -> bool:
+        """A train could run over a line now, while all others stand."""
+        assert self._planner is not None and self._built is not None
+        beyond = 0
+        for place, bit in self._built.bits[self.runs.index(run)].items():
+            ahead = run.journey.steps[place]  # type: ignore[index]
+            if not any(enters(s, line) for s in ahead) and place is not run.place:
+                beyond |= bit
+        return self._planner.alone(self._state(), self._bit(run), beyond & ~self._bit(run)) is not None
 
     def _far_first(self, run: Run) -> bool:
         legs = run.journey.errand.legs

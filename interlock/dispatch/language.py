@@ -5,6 +5,7 @@ Input: a YAML text.  Output: a `DispatchFile`, or diagnostics IL1004-IL1019 (sha
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -21,6 +22,8 @@ from interlock.frontend.yaml_tree import Mapping, Node, parse
 from interlock.model.layout import Layout
 
 SUFFIX = ".dispatch"
+MOST_TRAINS = 200
+"""Locomotives of a fleet, trains of an order, trains at a place (our choice)."""
 
 
 class _Part(BaseModel):
@@ -74,18 +77,78 @@ class TrafficSpec(_Part):
     branches: dict[Name, LineSpec] = {}
 
 
+def _count(value: object) -> int:
+    if not isinstance(value, str) or not re.fullmatch(r"\d{1,4}", value) or not 1 <= int(value) <= MOST_TRAINS:
+        fix = f"write a whole number, 1 to {MOST_TRAINS}"
+        raise PydanticCustomError("range", "{v} is out of range", {"v": str(value), "fix": fix})
+    return int(value)
+
+
+Count = Annotated[int, BeforeValidator(_count)]
+Metres = Annotated[float, _between(0, 2000, "metres of a train")]
+Rate = Annotated[float, _between(0, 5, "m/s^2")]
+Seconds = Annotated[float, _between(0, 60, "seconds")]
+
+LEADS = ("hauled", "propelled")
+KINDS = ("loading", "tipping", "waiting", "crossing")
+
+
+class TrainSpec(_Part):
+    """A train, by its locomotive number: what it measures and how it runs."""
+
+    length: Metres
+    wagons: Count = 1
+    tonnes: Annotated[Tonnes, Field(description="tonnes that it carries")] = 60.0
+    speed: Kmh = 10.0
+    acceleration: Rate = 0.2
+    braking: Rate = 0.4
+    reaction: Seconds = 2.0
+    leads: Annotated[Literal["hauled", "propelled"], choice("kind of traction", LEADS)] = "hauled"
+    at: Annotated[Name, Field(description="the waiting place where it begins")]
+
+
+class PlaceSpec(_Part):
+    """Where trains are loaded, tipped, wait or cross: a section, or a boundary beyond which it lies."""
+
+    kind: Annotated[Literal["loading", "tipping", "waiting", "crossing"], choice("kind of place", KINDS)]
+    at: Annotated[Name, Field(description="section or boundary")]
+    minutes: Annotated[Minutes | None, Field(description="a train there, coupling included")] = None
+    capacity: Annotated[Count, Field(description="trains that may stand there")] = 1
+    ores: list[Name] = []
+
+
+class OrderSpec(_Part):
+    """What is to be brought: from a loading place to a tipping place, as trains or tonnes, within hours."""
+
+    from_: Annotated[Name, Field(alias="from")]
+    to: Name
+    trains: Count | None = None
+    tonnes: Tonnes | None = None
+    ore: Name | None = None
+    share: Annotated[float | None, _between(0, 1, "share of an ore in the blend")] = None
+    by: Annotated[Hours | None, Field(description="hours after the beginning of the shift")] = None
+    via: list[Name] = []
+
+
 class DispatchFile(_Part):
     """What is moved on a layout, by which trains."""
 
     dispatch: Annotated[int, BeforeValidator(version)]
     layout: Name
     title: Text = ""
+    shift_h: Hours = 8.0
     traffic: TrafficSpec | None = None
+    fleet: dict[Name, TrainSpec] = {}
+    places: dict[Name, PlaceSpec] = {}
+    orders: dict[Name, OrderSpec] = {}
 
 
 _KEYS: dict[str, tuple[str, ...]] = {
     "": tuple(DispatchFile.model_fields),
     "traffic": (*TrafficSpec.model_fields, *LineSpec.model_fields),
+    "fleet": tuple(TrainSpec.model_fields),
+    "places": tuple(PlaceSpec.model_fields),
+    "orders": tuple(f.alias or n for n, f in OrderSpec.model_fields.items()),
 }
 
 
@@ -140,7 +203,7 @@ def load_text(name: str, text: str, layout: Layout, sink: Sink) -> Orders | None
 def _typed(root: Node, sink: Sink) -> DispatchFile | None:
     content: Any = plain(root)
     try:
-        return DispatchFile.model_validate(content)
+        return DispatchFile.model_validate(content, by_alias=True)
     except ValidationError as error:
         report_shape(root, error, _KEYS, sink)
         return None

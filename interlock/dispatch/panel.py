@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from interlock.logic.controller import Symbols
 from interlock.model.elements import MachineId, RouteId, SectionId, SignalId
-from interlock.table.rows import InterlockingTable
+from interlock.table.rows import InterlockingTable, RouteKind
 
 Indications = Mapping[str, int]
 """Inputs as sampled and outputs as shown, by name."""
@@ -28,6 +28,8 @@ class Stage:
     berth: SectionId | None
     late: Mapping[MachineId, str]
     beyond: tuple[str, ...]
+    on_sight: bool = False
+    """A call-on: its sections may be reported occupied."""
 
     def stands(self, seen: Indications) -> bool:
         """A train is before the signal; where nothing detects it, the command says so."""
@@ -57,7 +59,7 @@ class Stage:
     def hindered(self, seen: Indications) -> str:
         """What is seen that keeps the route from being set; empty where nothing is."""
         for s, n in self.clear.items():
-            if s != self.berth and not seen.get(n, 0):
+            if s != self.berth and not self.on_sight and not seen.get(n, 0):
                 return f"{s} is not clear"
         for s, n in self.locked.items():
             if seen.get(n, 1):
@@ -89,6 +91,7 @@ def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
             sections=r.section_ids,
             berth=r.berth,
             late={m: symbols.indication[n] for m, n in late.items() if n in symbols.indication},
+            on_sight=r.kind is RouteKind.CALL_ON,
             beyond=tuple(symbols.clear[c.section] for c in r.block if c.section in symbols.clear),
         )
     return found

@@ -33,6 +33,11 @@ class Run:
     shut_ms: int = 0
     reason: str = ""
     caught: bool = False
+    lines: dict[str, frozenset[SectionId]] = field(default_factory=dict)
+    """By voyage that it meets: the single line that it shares with it."""
+    voyage: str = ""
+    started: int = 0
+    """In which place it began to run, among all; 0: not yet."""
 
     def __post_init__(self) -> None:
         self.place = self.journey.start
@@ -46,6 +51,11 @@ class Run:
     def ahead(self) -> int:
         """Routes set whose signals the train has not passed."""
         return len(self.granted) - self.at
+
+    @property
+    def set_out(self) -> bool:
+        """A route has been set for it."""
+        return bool(self.granted)
 
     @property
     def coming(self) -> bool:
@@ -63,6 +73,22 @@ class Run:
                 if approach is not None and self.at < 2:
                     found.add(approach)
         return found
+
+    def uses(self, line: frozenset[SectionId]) -> bool:
+        """It is on a line, or set to run over it."""
+        return any(not line.isdisjoint(s.sections) for s in self.granted[max(0, self.at - 1) :])
+
+    def past(self, line: frozenset[SectionId]) -> bool:
+        """It has run over a line and does not come to it any more."""
+        todo, seen = [self.place], {self.place}
+        while todo:
+            for step in self.journey.steps[todo.pop()]:
+                if any(not line.isdisjoint(r.section_ids) for r in step.routes):
+                    return False
+                if step.after not in seen:
+                    seen.add(step.after)
+                    todo.append(step.after)
+        return not self.uses(line)
 
     def through(self, seen: Indications) -> bool:
         """The train has passed all its signals and left all but the place where it may stay."""

@@ -217,6 +217,7 @@ class Symbols:
     caution_lamp: Mapping[SignalId, str]
     drive: Mapping[tuple[MachineId, Position], str]
     turn: Mapping[MachineId, str]
+    started: str | None
     late_timer: Mapping[MachineId, str]
     release_timer: Mapping[SectionId, str]
     running: str

@@ -7,10 +7,11 @@ proved: the rest of the controller protects without that condition.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import partial
+from itertools import islice
 
 from interlock.logic.controller import Controller, Equation, Join, StateVar, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, var
@@ -484,19 +485,15 @@ KINDS: tuple[Kind, ...] = (
 )
 
 
-def weakenings(layout: Layout, table: InterlockingTable, sample: int) -> Iterator[Mutation]:
-    """Up to `sample` evenly spread mutants of each kind (0: all), as mutations."""
+def weakenings(layout: Layout, table: InterlockingTable, every: bool) -> Iterator[Mutation]:
+    """The mutants of each kind as mutations: all of them, or the first of each kind."""
     for kind in KINDS:
-        for place, controller in _spread(list(kind.make(layout, table)), sample):
+        for place, controller in islice(kind.make(layout, table), None if every else 1):
             yield Mutation(f"weakened: {kind.name}", kind.name, place, partial(_made, controller))
 
 
 def _made(controller: Controller) -> Controller:
     return controller
-
-
-def _spread(mutants: Sequence[Mutant], sample: int) -> Sequence[Mutant]:
-    return mutants[:: max(1, -(-len(mutants) // sample))] if sample else mutants
 
 
 def run_mutants(
@@ -512,7 +509,9 @@ def run_mutants(
     for kind in KINDS:
         if only and kind.name not in only:
             continue
-        for place, controller in _spread(list(kind.make(layout, table)), sample):
+        mutants = list(kind.make(layout, table))
+        step = max(1, -(-len(mutants) // sample)) if sample else 1
+        for place, controller in mutants[::step]:
             outcome = judge(layout, kind.name, place, controller, limits)
             report(outcome)
             out.append(outcome)

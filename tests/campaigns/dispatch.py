@@ -1,6 +1,6 @@
 """Commands on the controller with its plant: how many trains stand for ever, with the rule and without it.
 
-    python -m tests.campaigns.dispatch [--renamings N] [-o proofs/dispatch.md]
+    python -m tests.campaigns.dispatch [--renamings N] [-j N] [-o proofs/dispatch.md]
 
 Every plan that the dispatcher held is replayed on the controller by `interlock.app.replay`, which knows nothing of the
 planner.  A renaming gives every signal, section, point, track and boundary another name; the requests must be the same
@@ -17,7 +17,9 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
+from functools import lru_cache
 from itertools import permutations
 from pathlib import Path
 from random import Random
@@ -188,48 +190,69 @@ def renamed(text: str, seed: int) -> tuple[str, dict[str, str]]:
     return head + "boundaries:" + rest, {n: o for o, n in to.items()}
 
 
-def renamings(path: str, number: int, command: Sequence[str], runs: list[list[Timed]]) -> tuple[int, int, int]:
-    """Under so many renamings: runs, runs in which a train stands for ever, runs with other requests than before."""
-    text = Path(path).read_text("utf-8")
-    first = Case(text).run(runs)
-    stuck = other = 0
-    for seed in range(number):
-        again, old = renamed(text, seed)
-        found = Case(again).run(runs)
-        stuck += found.stuck
-        for a, b in zip(first.outcomes, found.outcomes, strict=True):
-            back = tuple((t, "-".join(old.get(x, x) for x in r.split("-"))) for t, r in b.asked)
-            other += back != a.asked
-        print(f"  renaming {seed + 1} of {number}: {stuck} stuck, {other} otherwise", file=sys.stderr, flush=True)
-    return number * len(runs), stuck, other
+RENAMED = {
+    "mine11, the two voyages": (MINE, lambda: timings("in", "out")),
+    "two_loops, four trains in all orders": (LOOPS, lambda: orders(("E1", "E2", "W1", "W2"), 4, gaps=(10,))),
+}
+
+
+def renaming(what: str, seed: int) -> tuple[int, int, int]:
+    """Under one renaming: runs, runs in which a train stands for ever, runs with other requests than before."""
+    path, make = RENAMED[what]
+    text, runs = Path(path).read_text("utf-8"), make()
+    again, old = renamed(text, seed)
+    first, found = before(path), Case(again).run(runs)
+    other = 0
+    for a, b in zip(first.outcomes, found.outcomes, strict=True):
+        back = tuple((t, "-".join(old.get(x, x) for x in r.split("-"))) for t, r in b.asked)
+        other += back != a.asked
+    return len(runs), found.stuck, other
+
+
+@lru_cache
+def before(path: str) -> Found:
+    """The same runs under the first names."""
+    make = next(m for p, m in RENAMED.values() if p == path)
+    return Case(Path(path).read_text("utf-8")).run(make())
+
+
+def row(k: int) -> tuple[str, bool]:
+    """A case as a row of the table, and whether something is wrong with it."""
+    name, path, make = CASES[k]
+    runs, case = make(), Case(Path(path).read_text("utf-8"))
+    found, without = case.run(runs), case.run(runs, rule=False)
+    case.replay(runs, found)
+    hurt = ", ".join(sorted(found.troubles)) or "none"
+    text = (
+        f"| {name} | {found.runs} | {found.moves} | **{found.stuck}** | {without.stuck} | {found.refused} | "
+        f"{found.ahead} | {found.plans} | {len(found.wrong)} | {found.grant} | {hurt} |"
+    )
+    untold = [o for o in found.outcomes if o.stuck and not any("no plan exists" in x for x in o.said)]
+    return text, bool(found.wrong or found.troubles or untold or (found.stuck and name != UNANNOUNCED))
 
 
 def main() -> int:
     """Write the table; 1 when a train stands for ever with the rule, or a plan fails on the controller."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--renamings", type=int, default=100)
+    parser.add_argument("-j", "--jobs", type=int, default=2)
     parser.add_argument("-o", "--output", type=Path, default=Path("proofs/dispatch.md"))
     options = parser.parse_args()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
-    began, bad, body = time.monotonic(), False, []
-    for name, path, make in CASES:
-        runs, case = make(), Case(Path(path).read_text("utf-8"))
-        found, without = case.run(runs), case.run(runs, rule=False)
-        case.replay(runs, found)
-        hurt = ", ".join(sorted(found.troubles)) or "none"
-        body.append(
-            f"| {name} | {found.runs} | {found.moves} | **{found.stuck}** | {without.stuck} | {found.refused} | "
-            f"{found.ahead} | {found.plans} | {len(found.wrong)} | {found.grant} | {hurt} |"
-        )
-        print(body[-1], found.wrong[:2], file=sys.stderr, flush=True)
-        untold = [o for o in found.outcomes if o.stuck and not any("no plan exists" in x for x in o.said)]
-        bad |= bool(found.wrong or found.troubles or untold or (found.stuck and name != UNANNOUNCED))
+    began = time.monotonic()
+    seeds = [(what, k) for what in RENAMED for k in range(options.renamings)]
+    with ProcessPoolExecutor(options.jobs) as pool:
+        cases = [pool.submit(row, k) for k in range(len(CASES))]
+        others = [pool.submit(renaming, what, k) for what, k in seeds]
+        done = [x.result() for x in cases]
+        counted = [x.result() for x in others]
+    body, bad = [text for text, _ in done], any(wrong for _, wrong in done)
     lines = [
         "# Dispatch",
         "",
-        f"`python -m tests.campaigns.dispatch --renamings {options.renamings}` at commit {commit.stdout.strip()}, "
-        f"{platform.machine()}, {processor()}, {os.cpu_count()} cores (one is used), "
-        f"Python {platform.python_version()}.",
+        f"`python -m tests.campaigns.dispatch --renamings {options.renamings} -j {options.jobs}` "
+        f"at commit {commit.stdout.strip()}, {platform.machine()}, {processor()}, {os.cpu_count()} cores, "
+        f"{options.jobs} processes, Python {platform.python_version()}.",
         "",
         "Trains run on the controller with its plant, by what lamps show, a scan every two seconds.  *Stuck*: runs in "
         "which a train stands for ever, with the rule (a route is asked for only if a completion plan exists after it) "
@@ -243,17 +266,14 @@ def main() -> int:
         *body,
         "",
     ]
-    for name, path, runs in (
-        ("mine11, the two voyages", MINE, timings("in", "out")),
-        ("two_loops, four trains", LOOPS, orders(("E1", "E2", "W1", "W2"), 4, gaps=(10,))),
-    ):
-        if options.renamings:
-            total, stuck, other = renamings(path, options.renamings, (), runs)
-            lines.append(
-                f"{name}, under {options.renamings} random renamings of all signals, sections, points, tracks and "
-                f"boundaries: {total} runs, {stuck} stuck, {other} with other requests than under the first names.\n"
-            )
-            bad |= bool(stuck or other)
+    for what in RENAMED:
+        of = [c for (w, _), c in zip(seeds, counted, strict=True) if w == what]
+        total, stuck, other = (sum(c[i] for c in of) for i in range(3))
+        lines.append(
+            f"{what}, under {options.renamings} random renamings of all signals, sections, points, tracks and "
+            f"boundaries: {total} runs, {stuck} stuck, {other} with other requests than under the first names.\n"
+        )
+        bad |= bool(stuck or other)
     lines.append(f"All of it took {time.monotonic() - began:.0f} s.\n")
     options.output.write_text("\n".join(lines), encoding="utf-8")
     return 1 if bad else 0

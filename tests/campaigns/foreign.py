@@ -147,7 +147,12 @@ def _table(rows: Sequence[Row], compilers: Sequence[Compiler]) -> list[str]:
 
 def _schema(rows: Sequence[Row]) -> list[str]:
     files = [(r.name, name, why) for r in rows for name, why in r.schema]
-    lines = [f"{sum(not w for *_, w in files)} of {len(files)} PLCopen files fit the schema of TC6 2.01.", ""]
+    fit = sum(not why for *_, why in files)
+    lines = [
+        f"{fit} of {len(files)} PLCopen files fit the schema of TC6 2.01.  Those for CODESYS say version 2.00; they "
+        "are read under\nthe name space of 2.01, whose elements they use.",
+        "",
+    ]
     lines += ["| layout | file | against the schema |", "|---|---|---|"]
     return [*lines, *(f"| {n} | {f} | {w or 'fits'} |" for n, f, w in files), ""]
 

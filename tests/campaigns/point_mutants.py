@@ -58,6 +58,13 @@ def made(name: str) -> tuple[Layout, InterlockingTable, Controller]:
     return found[0], found[1], lower(found[0], found[1])
 
 
+def _processor() -> str:
+    """What the operating system calls the processor."""
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text("utf-8").splitlines() if info.exists() else []
+    return next((x.split(":", 1)[1].strip() for x in lines if x.startswith("model name")), platform.machine())
+
+
 def _row(name: str, those: Verdicts) -> str:
     count = Counter(v.fate for _, v in those)
     return f"| {name} | {len(those)} | {' | '.join(str(count[f]) for f in ORDER)} |"
@@ -69,7 +76,7 @@ def table(found: dict[str, Verdicts]) -> Iterator[str]:
     every = [x for those in found.values() for x in those]
     yield "# Point mutations\n"
     yield (
-        f"`python -m tests.campaigns.point_mutants` at commit {commit.stdout.strip()}, {platform.machine()}, "
+        f"`python -m tests.campaigns.point_mutants` at commit {commit.stdout.strip()}, {_processor()}, "
         f"{os.cpu_count()} cores.  Every "
         "equation, operand, output, timer and initial value is changed, one change at a time: true, false, negated, an "
         "operand dropped or negated however deep, exchanged with its neighbour; of timers the input and the preset.  "
@@ -104,7 +111,8 @@ def table(found: dict[str, Verdicts]) -> Iterator[str]:
     part = 100 * left.total() / len(every)
     yield (
         f"{left.total()} of {len(every)} ({part:.2f} %), alike but for the names of elements.  With each of them a "
-        "solver has shown every claim and every function by induction.\n"
+        "solver has shown every claim and every function by induction, and that in every step after the restart delay, "
+        "from one state, outputs and next states are the same as the controller's.\n"
     )
     yield "| change | mutants | why nobody needs to notice it |\n|---|---|---|"
     for change, n in left.most_common():

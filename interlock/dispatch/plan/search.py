@@ -200,12 +200,12 @@ class Planner:
         for mask in self._mask:
             here = state & mask
             if here and not here & p.gone:
-                way = self._alone(state, here, p.gone)
+                way = self.alone(state, here, p.gone)
                 if way:
                     return way
         return None
 
-    def _alone(self, state: int, here: int, goal: int) -> tuple[Move, ...] | None:
+    def alone(self, state: int, here: int, goal: int) -> tuple[Move, ...] | None:
         """The moves of one train to a goal while all others stand."""
         p = self.problem
         others = state & ~here

@@ -104,6 +104,7 @@ def _symbols(d: Draft) -> Symbols:
         caution_lamp={g: f"CL_{portable(g)}" for g in lit if aspects.cautions(d)},
         drive={(m, x): f"Y{x}_{portable(m)}" for m in d.machines for x in Position},
         turn={m: f"Z_{portable(m)}" for m in d.machines if d.started(m) is not TRUE},
+        started="SG" if any(isinstance(s, Timer) and s.name == "SGT" for s in d.steps) else None,
         late_timer={m: f"ST_{portable(m)}" for m in d.machines},
         release_timer=each("RT"),
         running="PWR",

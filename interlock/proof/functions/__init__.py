@@ -23,13 +23,15 @@ FUNCTIONS: dict[str, str] = {
     "F-DELAY": "Each delay counts exactly while what it waits for holds (R4, R8, R9, R10, R12, R16).",
     "F-START": "When the restart delay is over no route is set or remembered, and nothing is cancelled, granted as "
     "overlap, trailed or given to a neighbour.",
-    "F-GRANT": "A route that is newly asked for by hand is refused exactly for a reason that R6 names.",
+    "F-GRANT": "A route that is newly asked for by hand is refused exactly for a reason that R6 names; "
+    "a shunting movement locks its berth as it comes in, unless somebody has.",
     "F-LOCK": "A route is locked as soon as its ways and its overlap lie and are clear, and not before (R3).",
     "F-OPEN": "A signal whose route is locked and wanted stays at stop only for a reason that R3 names.",
     "F-CLEAR": "A main signal that is open shows clear wherever R11 allows it.",
     "F-SPEED": "A main signal shows the speed of the path for which it is open (R11).",
     "F-WANT": "A signal is wanted from when its route is locked, or asked for again, until a condition is lost while "
     "it is open, or it is cancelled (R14).",
+    "F-PASSING": "A signal that stays open until the whole movement has passed does so, unless a condition is lost.",
     "F-SHOWN": "A route remembers that its signal has been open, from then on and only from then on (R8).",
     "F-CANCEL": "A cancelled route is given up as soon as R8 permits, and until then it goes on being cancelled; "
     "otherwise only a train ends a route.",
@@ -44,6 +46,8 @@ FUNCTIONS: dict[str, str] = {
     "at (R10).",
     "F-POINT": "A machine is commanded exactly by a route, by hand where R10 permits it, or by what opens or closes by "
     "itself; a command stays until the other is given.",
+    "F-TURN": "Where machines start one after the other: one starts exactly when it waits, none before it waits, and "
+    "the gap since the last start is over; and runs until it is there or commanded anew (R10).",
     "F-OVERLAP": "An overlap is held exactly until no route leads to its signal or the train before it stands, and it "
     "is clear (R4).",
     "F-SWING": "An overlap swings to another alternative when that is asked for and R4 permits it.",

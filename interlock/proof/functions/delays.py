@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from interlock.logic.expr import Expr, conj, disj, iff, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, neg, var
 from interlock.model.elements import Position, SignalId
 from interlock.proof.functions.words import Words
 
@@ -22,11 +22,19 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
         before = w.topo.beyond(w.first(g), node)
         assert before is not None
         reasons[name] = conj((w.wholly_in(before), f.locked_out(before, node), w.occupied(before)))
+    if sym.start_timer is not None and sym.started is not None:
+        reasons[sym.start_timer] = neg(var(sym.started))
     for x in sym.token.values():
         absent = [neg(var(name)) for name in (x.have, x.give, x.gives, x.has)]
         reasons[x.timer] = conj((w.valid, var(x.manual), var(sym.restart_timer), *absent))
     for name, reason in reasons.items():
         yield "F-DELAY", name, iff(var(f.system.waits_for[name]), reason)
+    rules, presets = w.layout.principles, f.system.presets
+    for g, name in sym.approach_timer.items():  # whatever routes it has today
+        signal = w.layout.signal[g]
+        trains = rules.approach_release_s if signal.main else 0.0
+        ordered = max(trains, rules.shunt_release_s if signal.shunt else 0.0)
+        yield "F-DELAY", f"{name} as its signal's kind", TRUE if presets[name] >= round(1000 * ordered) else FALSE
     yield "F-DELAY", f"{sym.restart_timer} goes on", w.after(var(sym.running))
 
 
@@ -50,6 +58,7 @@ def start(w: Words) -> Expr:
     for s in w.topo.sections:
         off += [f.any_lock(s), f.firm(s), f.passed(s), f.stale(s)]
     off += map(var, (*sym.train.values(), *sym.overlap.values(), *sym.overlap_firm.values(), *sym.swings.values()))
+    off += map(var, (*sym.turn.values(), *([sym.started] if sym.started is not None else [])))
     off += map(var, (*sym.trailed.values(), *sym.seen_right.values()))
     off += [var(name) for x in sym.token.values() for name in (x.have, x.give, x.seen)]
     on = [*(f.used(s) for s in w.topo.sections), *map(var, sym.zone_full.values())]

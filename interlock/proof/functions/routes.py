@@ -32,6 +32,9 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     yield "F-GRANT", r.id, implies(refused, disj(_refusing(w, r, True)))
     yield "F-GRANT", f"{r.id} set", implies(w.set_now(r), neg(disj(_refusing(w, r, False))))
     stays = after(active)
+    if r.berth is not None:
+        unlocked = conj((w.set_now(r), neg(w.f.held(r.berth[0]))))
+        yield "F-GRANT", f"{r.id} into its berth", implies(unlocked, after(w.f.lock(*r.berth)))
     setting = [active, neg(locked), w.valid, free, stays]
     ready, needed = (conj((*setting, *_lie(w, r, wide), w.overlap_lies(r, wide))) for wide in (True, False))
     yield "F-LOCK", r.id, conj((implies(ready, after(locked)), implies(w.rises(locked), needed)))
@@ -56,11 +59,22 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     if speed is not None and (r.entry, speed) in sym.speed_shown and not r.shunt and not r.call_on:
         is_open = after(disj(map(var, r.open_while)))
         yield "F-SPEED", r.id, implies(is_open, after(var(sym.speed_shown[r.entry, speed])))
+    if r.passing is not None:
+        yield "F-PASSING", r.id, _passing(w, r, r.passing)
     yield "F-SHOWN", r.id, iff(after(shown), conj((stays, disj((shown, after(shows))))))
     first, number = r.ways[0]
     node = w.f.way(first, number)[0]
     ended = disj((w.given_up(r.entry), w.coming_in(first, node)))
     yield "F-CANCEL", f"{r.id} ends", iff(w.ends(active), conj((active, ended)))
+
+
+def _passing(w: Words, r: RouteSymbols, name: str) -> Expr:
+    """The signal stays open for the movement that has begun to pass it."""
+    first, n = r.ways[0]
+    node = w.f.way(first, n)[0]
+    begun = disj((var(name), conj((var(r.proceed), w.coming_in(first, node)))))
+    there = [w.occupied(first), w.occupied(w.sym.approach_of[r.entry]), neg(var(w.sym.cancel[r.entry]))]
+    return implies(conj((begun, *there, *_in_order(w, r, True, clear=False))), w.after(var(name)))
 
 
 def _may_show_clear(w: Words, r: RouteSymbols) -> Expr:
@@ -171,20 +185,21 @@ def _berth(w: Words, way: Way, wide: bool) -> Iterator[Expr]:
             yield f.locked_out(rear, j)
 
 
-def _lie(w: Words, r: RouteSymbols, wide: bool) -> Iterator[Expr]:
+def _lie(w: Words, r: RouteSymbols, wide: bool, kept_clear: bool = True) -> Iterator[Expr]:
     """The ways lie, and those that are kept clear are."""
-    clear = _kept_clear(w, r)
+    clear = _kept_clear(w, r) if kept_clear else []
     for s, n in (*r.ways, *([r.berth] if r.berth is not None else [])):
         yield w.lies(s, n, wide)
         if s in clear:
             yield neg(w.occupied(s))
 
 
-def _in_order(w: Words, r: RouteSymbols, wide: bool) -> Iterator[Expr]:
-    """The conditions of proceed, in every scan (R3); `wide`: with all that might count for the flank space."""
+def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iterator[Expr]:
+    """The conditions of proceed, in every scan (R3); `wide`: with all that might count for the flank space.  Behind the
+    first axle the path need not be `clear`."""
     f, sym = w.f, w.sym
     yield w.valid
-    yield from _lie(w, r, wide)
+    yield from _lie(w, r, wide, clear)
     yield w.overlap_lies(r, wide)
     for s, _ in (*r.ways, *([r.berth] if r.berth is not None else [])):
         yield neg(w.blocked(s))

@@ -66,7 +66,8 @@ def _releasing(w: Words, s: SectionId) -> Iterator[Expr]:
     long, rear, closed = w.long(s), w.rear_released(s), w.closed(s)
     yield conj((w.valid, f.used(s), long, closed, rear, disj((f.passed(s), *_left(w, s)))))  # R9
     inside = []
-    by_hand = [w.valid, long, closed, rear, var(sym.release[s]), f.any_lock(s)]
+    hand = disj((var(sym.release[s]), conj((var(sym.release_all), f.stale(s)))))
+    by_hand = [w.valid, long, closed, rear, hand, f.any_lock(s)]
     for j in w.topo.ends[s]:
         locked, g = f.locked_in(s, j), w.signal_at(s, j)
         if not w.main_at(s, j) and w.topo.beyond(s, j) is not None:

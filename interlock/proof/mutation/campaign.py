@@ -96,7 +96,7 @@ Report = Callable[[int, int], None]
 @lru_cache(2)
 def _chosen(made: Made, name: str, full: bool, families: frozenset[str], weakened: bool) -> list[Mutation]:
     layout, table, controller = made(name)
-    every = [*mutations(controller), *(weakenings(layout, table, 0 if full else 1) if weakened else ())]
+    every = [*mutations(controller), *(weakenings(layout, table, full) if weakened else ())]
     some = [m for m in every if not families or m.family in families]
     return some if full else one_of_each(some)
 

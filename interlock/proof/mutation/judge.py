@@ -21,11 +21,13 @@ from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.patterns import Patterns
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.runs import Runs
-from interlock.proof.mutation.same import Side, same
+from interlock.proof.mutation.same import Side, same, same_after_restart
 from interlock.proof.mutation.switched import Switched
 from interlock.proof.system import System
 
 RENEWED = 400  # after so many mutants a solver carries more lines that are off than lines that are on
+AT_ONCE = 40  # that one of so many goals is false is one question
+LATER = "the same in every step after the restart delay, from one state"
 
 
 class Fate(StrEnum):
@@ -92,9 +94,6 @@ class Judge:
 
     def judge(self, mutation: Mutation) -> Verdict:
         """The fate of one mutant."""
-        self.asked += 1
-        if self.asked > RENEWED:
-            self._renew()
         try:
             controller = mutation.make()
             changed = self.system.changed(controller)
@@ -112,39 +111,50 @@ class Judge:
         kept = self._proved(lines, system)
         if isinstance(kept, str):
             return _failed(kept)
-        how = same(self.step, self.side, Side(system, lines, kept), self.reads)
+        other = Side(system, lines, kept)
+        how = same(self.step, self.side, other, self.reads)
         if how is not None:
             return Verdict(Fate.EQUIVALENT, how)
         noticed = self.runs.noticed(system, changed)
         if noticed is not None:
             return Verdict(Fate.TRAIN if noticed[0] else Fate.OPERATOR, noticed[1])
-        return Verdict(Fate.SURVIVES)
+        later = same_after_restart(self.step, self.side, other, self.reads)
+        return Verdict(Fate.SURVIVES, LATER if later else "")
 
     def _proved(self, lines: Lines, system: System) -> list[Expr] | str:
         """The invariants that are kept, or a claim, or else a function, that does not follow from them."""
+        self.asked += 1
+        if self.asked > RENEWED:
+            self._renew()
         found, unmet = self._at_start(lines)
         if unmet and not unmet.startswith("F-"):
             return unmet
         kept, first = found, True
         s = self.step
         fixed = [s.define(n, x) for n, x in lines.definitions.items()] + [s.fact(x) for x in lines.assumptions]
-        wrong = s.any_false((x for _, x in lines.claims if x is not TRUE), again=True)
-        undone = s.any_false((x for _, x in lines.functions), again=True)
+        claimed = [c for c in lines.claims if c[1] is not TRUE]
         while True:
             known = [*fixed, *(s.fact(x) for _, x in kept)]
-            model = s.model(*known, wrong)
-            if model is not None:
-                return self._seen(model, lines.claims, len(kept) == len(self.lines.invariants))
-            after = [(i, system.after(i[1])) for i in kept]
-            lost = s.any_false((x for _, x in after), again=first)
-            model = s.model(*known, lost)
-            s.off(lost)
-            if model is None:
-                model = s.model(*known, undone)
+            for wanted in (claimed, lines.functions):
+                model = self._failing(known, [x for _, x in wanted])
                 if model is not None:
-                    return self._seen(model, lines.functions, len(kept) == len(self.lines.invariants))
+                    return self._seen(model, wanted, len(kept) == len(self.lines.invariants))
+            after = [(i, system.after(i[1])) for i in kept]
+            model = self._failing(known, [x for _, x in after], again=first)
+            if model is None:
                 return unmet or [x for _, x in kept]
             kept, first = [i for i, x in after if -s.cnf.literal(x) not in model], False
+
+    def _failing(self, known: Sequence[int], goals: Sequence[Expr], again: bool = True) -> set[int] | None:
+        """A model in which one of the goals is false, or None; some of them are asked at once."""
+        s = self.step
+        for k in range(0, len(goals), AT_ONCE):
+            question = s.any_false(goals[k : k + AT_ONCE], again)
+            model = s.model(*known, question)
+            s.off(question)
+            if model is not None:
+                return model
+        return None
 
     def _seen(self, model: set[int], wanted: Sequence[tuple[str, Expr]], all_kept: bool) -> str:
         """What fails in a model; where all invariants hold in it, other mutants may fail there too."""

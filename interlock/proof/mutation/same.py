@@ -66,6 +66,15 @@ def same(s: Switched, one: Side, other: Side, reads: Mapping[str, frozenset[str]
     return None
 
 
+def same_after_restart(s: Switched, one: Side, other: Side, reads: Mapping[str, frozenset[str]]) -> bool:
+    """Whether in every step after the restart delay, from one state, both come to the same state and outputs."""
+    timers = {t.name: t.preset_ms for t in one.controller.timers}
+    if {t.name: t.preset_ms for t in other.controller.timers} != timers:
+        return False
+    known = ([*one.lines.assumptions, *one.invariants], [*other.lines.assumptions, *other.invariants])
+    return not _lost(s, one, other, reads, set(), set(), [known])
+
+
 Phase = tuple[Sequence[Expr], Sequence[Expr]]
 """What is known of the controller, and of the mutant, in a scan."""
 

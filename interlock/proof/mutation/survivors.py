@@ -20,6 +20,7 @@ LIST = Path(__file__).with_name("survivors.yaml")
 
 def shape(name: str) -> str:
     """A mutation without the names of elements: what many mutants have in common."""
+    name = re.sub(r" \([0-9]+\)$", "", name)
     return re.sub(r"\b([A-Z]+)[0-9]*_[A-Za-z0-9_.]+", r"\1", re.sub(r"= [0-9]+", "= n", name))
 
 
@@ -31,6 +32,6 @@ def listed() -> Mapping[str, str]:
 
 
 def off_the_list(judged: Iterable[tuple[Mutation, Verdict | None]]) -> list[str]:
-    """The survivors that are not on the list."""
-    alive = (m.name for m, v in judged if v is not None and v.fate is Fate.SURVIVES)
-    return [name for name in alive if shape(name) not in listed()]
+    """The survivors that are not on the list, or without an equivalence that a solver has checked."""
+    alive = [(m.name, v) for m, v in judged if v is not None and v.fate is Fate.SURVIVES]
+    return [name for name, v in alive if shape(name) not in listed() or not v.why]

@@ -21,6 +21,7 @@ class Switched:
         self._given = 0
         self._lines: dict[tuple[str, Expr], int] = {}
         self._asked: dict[tuple[Expr, ...], int] = {}
+        self._again: set[int] = set()
         self._groups: dict[int, list[int]] = {}
 
     def define(self, name: str, x: Expr) -> int:
@@ -53,6 +54,7 @@ class Switched:
         self.cnf.clauses.append((-switch, *lits))
         if again:
             self._asked[key] = switch
+            self._again.add(switch)
         return switch
 
     def any_differs(self, pairs: Iterable[tuple[Expr, Expr]]) -> int:
@@ -95,5 +97,5 @@ class Switched:
 
     def off(self, switch: int) -> None:
         """A question that is asked no more, unless it was one to be asked again."""
-        if switch not in self._asked.values():
+        if switch not in self._again:
             self.cnf.clauses.append((-switch,))
