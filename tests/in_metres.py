@@ -7,13 +7,14 @@ that is seen in it was free to happen, every next value is the one specified, an
 Kept out of these runs, since the specification does not tell them so: a vehicle that is taken away on the spot (moved
 under local rules), a train that parts with its rear across a joint, contacts that report both positions at once, shunt
 lost for more than a scan, a cycle in which a train runs through a section.  A train on its way out over an approach
-section is a false report there (A-ONE-FALSE): such steps may have a second one beside it.
+section is a false report there (A-ONE-FALSE): such steps may have a second one beside it.  At a restart nobody stands
+across a joint of a section with points, on a leg for which they do not lie.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from math import inf
 from random import Random
@@ -35,9 +36,12 @@ from interlock.simulate.world import World
 from tests.campaigns.simulate import Case
 from tests.written import shipped
 
-FAULTS = replace(Faults(), stall=0, power=0, divide=0, shunt=0, trail=0, sensor=0, contradict=0, overrun=0)
+FAULTS = replace(
+    Faults(), stall=0, power=0, divide=0, shunt=0, trail=0, sensor=0, contradict=0, overrun=0, inputs=0.004
+)
 
 Values = dict[str, bool]
+Function = Callable[[Values], bool]
 Pair = tuple[str, str]
 Body = tuple[Pair, ...]
 """Sections under a train from tail to head, each with the end at which it came in; "" outside."""
@@ -63,6 +67,8 @@ class Step:
     stopped: Values
     stood: Values
     departing: frozenset[str]
+    histories: Values = field(default_factory=dict)
+    """What the specification remembers of the steps before, once they have been looked at."""
 
 
 class Specified:
@@ -75,34 +81,67 @@ class Specified:
         defined = plant.define(self.words, spec)
         self.next = {n[:-1]: x for n, x in defined.items() if n.endswith("'")}
         self.events = {n: x for n, x in defined.items() if not n.endswith("'")}
-        self.free = [n for n, x in self.events.items() if f"?{n}" in names(x)]
+        self.chosen = tuple(n for n, x in self.events.items() if f"?{n}" in names(x))
+        """Events that happen or do not, as the world likes; `free`: those of them that are looked at."""
+        self.free = list(self.chosen)
         self.assumptions = [
             (str(a["id"]), x) for a in spec.assumptions if a["id"] != "A-TON" for x in instances(a, self.words)
         ]
+        self.initial = [x for s in spec.initial for x in instances({**s, "must": s["says"]}, self.words)]
+        self._next = {n: function(x) for n, x in self.next.items()}
+        self._assumptions = [(n, function(x), frozenset(names(x))) for n, x in self.assumptions]
+        self._computed: dict[str, Function] = {}
         self.histories: Values = {}
 
-    def begin(self, first: Step) -> None:
-        """Histories, and what follows from the outputs and inputs of the scan before, at the beginning of a run."""
+    def other_than(self, spec: Specified) -> None:
+        """What is said otherwise than in another specification is all that is looked at: the rest is known to hold."""
+        self.free = [n for n in self.free if self.events[n] != spec.events.get(n)]
+        self._next = {n: f for n, f in self._next.items() if self.next[n] != spec.next.get(n)}
+        known = set(spec.assumptions)
+        those = zip(self.assumptions, self._assumptions, strict=True)
+        self._assumptions = [made for said, made in those if said not in known]
+        self.initial = [x for x in self.initial if x not in spec.initial]
+
+    def begin(self, first: Step) -> bool:
+        """Histories, and what follows from outputs and inputs of the scan before; whether a run may begin so."""
         self.histories = {n: n.startswith(("cov.", "img.")) for n in self.next if n not in first.before}
+        known = self._known(first, {})
+        return all(function(x)(known) for x in self.initial)
 
     def broken(self, step: Step) -> Iterator[str]:
         """What the specification does not allow in a step."""
-        free = {f"?{e}": self._seen(e, step) for e in self.free}
+        if step.histories:
+            self.histories = step.histories
+        step.histories = self.histories
+        free = {f"?{e}": self._seen(e, step) for e in self.chosen}
         free |= {f"?long.stop.{g}": x for g, x in step.stopped.items()}
         free |= {f"?long.stand.{g}": x for g, x in step.stood.items()}
-        known = _Known(self, step, self.histories, free)
+        known = self._known(step, free)
         for name in self.free:
-            if free[f"?{name}"] and not known(name):
+            if free[f"?{name}"] and not known[name]:
                 yield f"{name} was not free to happen"
-        after = {name: known.value(x) for name, x in self.next.items()}
+        after = {name: bool(f(known)) for name, f in self._next.items()}
         for name, value in after.items():
             if name in step.after and value != step.after[name]:
                 yield f"{name} is {step.after[name]}, specified as {value}"
-        known.after, known.memo = step.after | after, {}
-        for name, x in self.assumptions:
-            if not known.value(x) and not (name == "A-ONE-FALSE" and step.departing & set(names(x))):
+        known.update((f"{n}'", v) for n, v in (after | step.after).items())
+        for name, f, about in self._assumptions:
+            if not f(known) and not (name == "A-ONE-FALSE" and step.departing & about):
                 yield f"{name} does not hold"
-        self.histories = {n: after[n] for n in self.histories}
+        self.histories = {n: after.get(n, v) for n, v in self.histories.items()}
+
+    def _known(self, step: Step, free: Values) -> _Known:
+        values = {**step.outputs, **step.controller, **step.timers, **self.histories, **step.before, **free}
+        known = _Known(values)
+        known.specified, known.step = self, step
+        return known
+
+    def compute(self, name: str) -> Function:
+        """How an event or a definition of the written system is computed."""
+        found = self._computed.get(name)
+        if found is None:
+            found = self._computed[name] = function(self.events.get(name) or self.written.definitions[name])
+        return found
 
     def _seen(self, event: str, step: Step) -> bool:
         kind, _, rest = event.partition(".")
@@ -131,51 +170,45 @@ class Specified:
         return (g.node, self.words.w_before_of(g)) in step.heads
 
 
-class _Known:
-    """Values of names in a step: found where they are, or computed from what they are defined as."""
+class _Known(Values):
+    """Values of names in a step: given, or computed when they are asked for from what they are defined as."""
 
-    def __init__(self, specified: Specified, step: Step, histories: Values, free: Values) -> None:
-        self.specified, self.step, self.histories, self.free = specified, step, histories, free
-        self.memo: Values = {}
-        self.after: Values = {}
+    specified: Specified
+    step: Step
 
-    def __call__(self, name: str) -> bool:
-        found = self.memo.get(name)
-        if found is None:
-            found = self.memo[name] = self._find(name)
+    def __missing__(self, name: str) -> bool:
+        step = self.step
+        number, equal, value = name.partition("=")
+        if name in step.inputs:
+            found = bool(step.inputs[name])
+        elif equal:
+            found = step.inputs.get(number, 0) == int(value)
+        elif name.startswith("?"):
+            found = False
+        elif name[-1] == "'" and name[:-1] in step.controller_after:
+            found = step.controller_after[name[:-1]]
+        elif name[-1] == "'" and name[:-1] in step.outputs_after:
+            found = step.outputs_after[name[:-1]]
+        else:
+            found = self.specified.compute(name)(self)
+        self[name] = found
         return found
 
-    def _find(self, name: str) -> bool:
-        step, defined = self.step, self.specified.written.definitions
-        if name.endswith("'"):
-            plain = name[:-1]
-            for values in (self.after, step.controller_after, step.outputs_after):
-                if plain in values:
-                    return values[plain]
-            return self.value(defined[name])
-        if name in self.specified.events:
-            return self.value(self.specified.events[name])
-        if name.startswith("?"):
-            return self.free.get(name, False)
-        for values in (self.free, step.before, self.histories, step.timers, step.controller, step.outputs):
-            if name in values:
-                return values[name]
-        if "=" in name:
-            number, _, value = name.partition("=")
-            return step.inputs.get(number, 0) == int(value)
-        if name in step.inputs:
-            return bool(step.inputs[name])
-        return self.value(defined[name])
 
-    def value(self, x: Formula) -> bool:
-        """What a formula comes out as."""
-        if x[0] == "v":
-            return self(x[1])
-        if x[0] == "!":
-            return not self.value(x[1])
-        if x[0] == "&":
-            return all(self.value(y) for y in x[1])
-        return bool(x[0] == "T")
+def function(x: Formula) -> Function:
+    """A formula as a function of the values of its names."""
+    found: Function = eval(f"lambda k: {_text(x)}")
+    return found
+
+
+def _text(x: Formula) -> str:
+    if x[0] == "v":
+        return f"k[{x[1]!r}]"
+    if x[0] == "!":
+        return f"(not {_text(x[1])})"
+    if x[0] == "&":
+        return f"({' and '.join(_text(y) for y in sorted(x[1], key=str))})"
+    return str(x[0] == "T")
 
 
 class Reader:
@@ -264,8 +297,10 @@ class Reader:
     def begin(self, outputs: Mapping[str, int]) -> None:
         """The restart delay is over: whoever is inside stands."""
         inside = [t for t in self.world.trains if not self.track.stretches[t.body[0]].outside]
-        for t in [*(t for t in inside if t.target == NONE), *(t for t in inside if t.target != NONE)][:-1]:
-            self.world.trains.remove(t)  # moved under local rules before the restart
+        kept = next((t for t in inside if t.target != NONE and self._plain(t)), None)
+        for t in inside:
+            if t is not kept:
+                self.world.trains.remove(t)  # moved under local rules before the restart
         self.world.most = 4
         self.bodies = self.earlier = {t.number: self._body(t) for t in self.world.trains}
         self.stood = {n: {s for s, e in body if s and e} for n, body in self.bodies.items()}
@@ -284,6 +319,11 @@ class Reader:
             for d in t.body:
                 if d in self.goes_over and s[d].section != NONE:
                     yield self.world.clear[s[d].section]
+
+    def _plain(self, t: Train) -> bool:
+        """No points under a train that stands across a joint."""
+        pointed = {s.section for s in self.track.stretches if s.machine != NONE}
+        return len(t.sections) == 1 or pointed.isdisjoint(t.sections)
 
     def _keep(self, outputs: Mapping[str, int]) -> None:
         self.controller = {n: bool(v) for n, v in self.life.controller.state.items()}

@@ -146,6 +146,7 @@ def main() -> int:
         except (ValueError, LookupError, MalformedController) as error:
             refused.append(f"{Path(path).stem}: {error}")
     done: list[tuple[Work, Outcome]] = []
+    text = ""
     with ProcessPoolExecutor(args.jobs) as pool:
         harmed: dict[str, list[tuple[str, str]]] = {}
         seeds = count(1000 * args.seed)
@@ -156,9 +157,10 @@ def main() -> int:
                 done.append((w, o))
                 for h in (*o.hazards, *o.passed_at_stop):
                     print(f"{Path(w[0]).stem}, seed {w[3]}, {OPERATOR[w[4]]}, scan {o.scans}: {h}", flush=True)
-            _write(args.out, time.time() - began, paths, done, refused, harmed)
-        harmed |= zip(WEAKENED, pool.map(_harmed, WEAKENED), strict=True)
-    text = _write(args.out, time.time() - began, paths, done, refused, harmed)
+            text = _write(args.out, time.time() - began, paths, done, refused, harmed)
+            if not harmed:
+                harmed |= zip(WEAKENED, pool.map(_harmed, WEAKENED), strict=True)
+                text = _write(args.out, time.time() - began, paths, done, refused, harmed)
     print(text)
     missed = [k for k, found in harmed.items() if not any(h for _, h in found)]
     print(f"classes without harm: {', '.join(missed) or 'none'}; {time.time() - began:.0f} s")
