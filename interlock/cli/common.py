@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -45,8 +47,16 @@ def show(diagnostics: Iterable[Diagnostic], sources: dict[str, str], form: str) 
     if form == "concise":
         click.echo(renderers.concise(found, sources), nl=False)
         return
-    click.echo(renderers.full([d for d in found if d.severity is not Severity.INFO], sources), nl=False)
+    on_terminal = sys.stdout.isatty()
+    width = shutil.get_terminal_size().columns if on_terminal else None
+    paint = _painted if on_terminal and not os.environ.get("NO_COLOR") else renderers.bare
+    serious = [d for d in found if d.severity is not Severity.INFO]
+    click.echo(renderers.full(serious, sources, width, paint), nl=False)
     click.echo(renderers.concise([d for d in found if d.severity is Severity.INFO], sources), nl=False)
+
+
+def _painted(text: str, severity: Severity) -> str:
+    return click.style(text, fg={Severity.ERROR: "red", Severity.WARNING: "yellow"}.get(severity), bold=True)
 
 
 def put_json(body: Any) -> None:
@@ -105,7 +115,9 @@ def proof_body(p: Proved) -> dict[str, Any]:
     body: dict[str, Any] = {
         "file": p.checked.path,
         "ok": p.green,
-        "diagnostics": renderers.as_json([*p.checked.diagnostics, *p.notes]),
+        "diagnostics": renderers.as_json(
+            [*p.checked.diagnostics, *p.notes], {p.checked.source.file: p.checked.source.text}
+        ),
         "files": list(p.files),
     }
     if p.proof is not None:

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from interlock.derive.flank import Options, point_demands, protect, requesters, space
+from interlock.derive.flank import Options, Requester, point_demands, protect, requesters, space
 from interlock.derive.routes import Path, machine_positions
-from interlock.diag import Sink
+from interlock.diag import Element, Sink
 from interlock.model.elements import Position, SectionId
 from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.layout import Layout
@@ -38,20 +38,21 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
             over.setdefault(t.key, []).append(path)
     demands = {p.id: machine_positions(layout, (*p.ways, *p.overlap)) or {} for p in paths}
     fouls, options = foul_joints(layout), Options(layout)
-    missing: dict[str, list[str]] = {}
+    missing: dict[Requester, list[str]] = {}
     rows = []
     for key, t in sorted(used.items()):
         own = machine_positions(layout, (t,)) or {}
         cells, unprotected = protect(layout, t, own, [demands[p.id] for p in over[key]], options)
         for r in unprotected:
-            missing.setdefault(r.name, []).extend(p.id for p in over[key])
+            missing.setdefault(r, []).extend(p.id for p in over[key])
         rows.append(replace(_row(layout, t, cells, used, fouls), space=_space(layout, t, cells)))
-    for name, routes_ in sorted(missing.items()):
+    for r, routes_ in sorted(missing.items(), key=lambda x: x[0].name):
         sink.add(
             "IL4001",
-            f"nothing keeps vehicles away from {name}; routes {', '.join(sorted(set(routes_)))} pass there",
+            f"nothing keeps vehicles away from {r.name}; routes {', '.join(sorted(set(routes_)))} pass there",
             None,
-            f"add a signal or a protecting point, or waive it: `waive: [{{flank: {name}, reason: ...}}]`",
+            f"add a signal or a protecting point, or waive it: `waive: [{{flank: {r.name}, reason: ...}}]`",
+            about=Element("points" if r.node in layout.point_at else "crossings", r.node),
         )
     needed = {c.requester for r in rows for c in r.flank for p in c.providers if p.kind.value == "waived"}
     for w in layout.waivers:
@@ -62,6 +63,7 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
                 f"the waiver of {name} waives nothing: it is protected, or no route passes there",
                 None,
                 "remove the waiver",
+                about=Element("waive", name),
             )
     return tuple(rows)
 

@@ -24,7 +24,7 @@ from interlock.derive.locking import (
 from interlock.derive.locks import derive_locks
 from interlock.derive.routes import Path, find_routes
 from interlock.derive.voyages import derive_automatic, derive_voyages
-from interlock.diag import Sink
+from interlock.diag import Element, Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
 from interlock.model.layout import Layout
@@ -56,7 +56,13 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     for o in layout.overlaps:
         if o.swing and o.signal not in swinging:
             text = f"the overlap of {o.signal} cannot swing: not every way to {o.signal} permits two alternatives of it"
-            sink.add("IL4009", text, None, f"remove `swing: yes` of {o.signal}, or give its overlap a second way")
+            sink.add(
+                "IL4009",
+                text,
+                None,
+                f"remove `swing: yes` of {o.signal}, or give its overlap a second way",
+                about=Element("overlaps", o.signal),
+            )
     hostile = Conflicts(paths, by_key, demands)
     names = _names(layout, paths, sink)
     _notes(layout, paths, sink)
@@ -131,6 +137,7 @@ def _demands(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink)
                 f"{first.because.text}; {d.because.text}",
                 None,
                 "give one of the two places another protection (a signal), or waive it with a reason",
+                about=Element("signals", path.entry),
             )
         elif first.role != d.role and d.role == "path":
             found[d.machine] = d
@@ -186,6 +193,7 @@ def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow], sink: Sink) ->
                 f"route {path.id} fouls itself: {c.because.text}, and {c.section} is on its path",
                 None,
                 "move the joint out of the fouling point",
+                about=Element("signals", path.entry),
             )
     return cells
 
@@ -203,6 +211,7 @@ def _names(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[RouteId,
                 f"there is no route from {n.entry} to {n.exit} (named {n.name})",
                 None,
                 did_you_mean(n.exit, ends),
+                about=Element("routes", n.name),
             )
         else:
             out[fits[0].id] = (*out.get(fits[0].id, ()), n.name)
@@ -219,7 +228,8 @@ def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
     used |= {layout.section_of(e.id) for n in by_hand for e in layout.edges_at[n]}
     for s in layout.sections:
         if not s.approach and s.id not in used:
-            sink.add("IL3012", f"no route uses section {s.id}", None, "add a signal, or check the directions")
+            fix = "add a signal, or check the directions"
+            sink.add("IL3012", f"no route uses section {s.id}", None, fix, about=Element("sections", s.id))
     for p in paths:
         if layout.profile == "mine" and len(p.ways) > LONG_ROUTE:
             sink.add(
@@ -227,4 +237,7 @@ def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
                 f"route {p.id} has {len(p.ways)} sections; document B finds three usual",
                 None,
                 "an intermediate signal would let trains follow more closely",
+                about=Element("signals", p.entry),
+                cause="long",
+                note=f"{p.id}: {len(p.ways)}",
             )

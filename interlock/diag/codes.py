@@ -31,6 +31,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL1017": (_E, "an unknown choice"),
     "IL1018": (_E, "the file is nested too deeply"),
     "IL1019": (_E, "YAML tags are not part of the layout language"),
+    "IL1020": (_I, "more problems than are shown"),
     # 2: names and references
     "IL2001": (_E, "a reference to something that does not exist"),
     "IL2002": (_E, "a name is used for two things"),
@@ -82,7 +83,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4004": (_I, "a route of more than three sections"),
     "IL4008": (_E, "a route without room for its overlap"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),
-    "IL4005": (_I, "a path that meets itself was left out"),
+    "IL4005": (_I, "a path was left out that cannot be run"),
     "IL4006": (_E, "a route that no train can drive"),
     "IL4007": (_E, "the audit disagrees with the derived table"),
     # 5: proof and output

@@ -15,6 +15,7 @@ from interlock.frontend.cabinets import resolve_addresses, resolve_drawing, reso
 from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.names import check_names
+from interlock.frontend.places import Places
 from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import (
     check_signal_names,
@@ -105,6 +106,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     source = Source(file, text, ctx)
     principles = data.principles.override(PROFILES[data.profile])
     wiring = Wirer(ctx, principles).run()
+    sink.locate = Places(ctx, {**wiring.approaches, **wiring.sections})
     check_names(ctx, {**wiring.sections, **wiring.approaches})
     _check_sections(ctx, wiring)
     check_signal_names(ctx, wiring)

@@ -93,6 +93,9 @@ class Wirer:
         self.out = Wiring()
         self.mate: dict[Port, tuple[Port, Span]] = {}
         self.tracks: dict[str, list[_Stretch]] = {}
+        f = ctx.file
+        self._joinable = [*f.tracks, *f.points, *f.crossings, *f.slips, *f.derailers, *f.boundaries]
+        self._joinable += [*f.buffers, *f.traps]
         self.lengths: dict[str, tuple[str, float]] = {}
         """Approach section and its metres, by boundary."""
 
@@ -170,7 +173,7 @@ class Wirer:
                 "IL2005",
                 f"{name} is neither a boundary nor a buffer, and a section needs a length",
                 span,
-                did_you_mean(name, ends) or f"write `{name} 100`, or declare {name} under boundaries",
+                did_you_mean(name, ends, f"write `{name} 100`, or declare {name} under boundaries"),
             )
             return None
         if not (first or last):
@@ -270,14 +273,14 @@ class Wirer:
                     "IL2003",
                     f"the {kind} {name} has no end `{end}`",
                     span,
-                    did_you_mean(end, ends_) or "one of " + ", ".join(ends_),
+                    did_you_mean(end, ends_, "one of " + ", ".join(ends_)),
                 )
                 return None
         if name in f.boundaries or name in f.buffers or name in f.traps:
             self.ctx.add("IL2003", f"{name} has only one end", span, f"write `{name}`")
             return None
-        known = [*f.tracks, *f.points, *f.crossings, *f.slips, *f.derailers, *f.boundaries, *f.buffers, *f.traps]
-        self.ctx.add("IL2001", f"there is no track, point, boundary or buffer {name}", span, did_you_mean(name, known))
+        hint = did_you_mean(name, self._joinable)
+        self.ctx.add("IL2001", f"there is no track, point, boundary or buffer {name}", span, hint)
         return None
 
     def _join(self, a: Port, b: Port, span: Span) -> None:
@@ -349,10 +352,7 @@ class Wirer:
             )
         for i, name in enumerate(f.traps):
             wanted.append((Port("buffer", name), self.ctx.at("traps", i), "name it at the end of a track"))
-        if any(
-            d.code.startswith(("IL2001", "IL2003", "IL2005", "IL3001", "IL3002", "IL3004", "IL3017", "IL1"))
-            for d in self.ctx.sink.diagnostics
-        ):
+        if self.ctx.sink.has("IL2001", "IL2003", "IL2005", "IL3001", "IL3002", "IL3004", "IL3017", "IL1"):
             return  # what is missing may only be misspelt
         for port, span, fix in wanted:
             if port not in self.mate:
