@@ -111,7 +111,7 @@ def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
                     "nothing may be concluded; try `--search-depth` or report the layout",
                 )
             )
-    entry = {r.id: r.entry for r in checked.table.routes} if checked.table else {}
+    entry: dict[str, str] = {r.id: r.entry for r in checked.table.routes} if checked.table else {}
     for w in proof.witnesses:
         if not w.ok:
             out.append(

@@ -28,7 +28,7 @@ def bare(text: str, severity: Severity) -> str:
 
 
 def limited(diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """The first `LIMIT`, errors before warnings before notes, in the order of the source; how many are left out, last."""
+    """The first `LIMIT`, errors before warnings before notes, in the order of the source; last, how many are not."""
     found = list(diagnostics)
     chosen = sorted(sorted(range(len(found)), key=lambda i: _RANK[found[i].severity])[:LIMIT])
     shown = [found[i] for i in chosen]

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 from interlock.diag import Element, Sink, Span
 from interlock.diag.suggest import Suggestion
-from interlock.frontend.schema import LayoutFile, span_of
+from interlock.frontend.schema import LayoutFile
+from interlock.frontend.shapes import span_of
 from interlock.frontend.yaml_tree import Node
 
 

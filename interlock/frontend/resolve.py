@@ -13,6 +13,7 @@ from interlock.diag import Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
+from interlock.frontend.scalars import number_text
 from interlock.frontend.schema import RouteSpec
 from interlock.model.elements import (
     Condition,
@@ -50,17 +51,21 @@ def _edges_at(wiring: Wiring) -> dict[NodeId, list[Edge]]:
 def check_signal_names(ctx: Context, wiring: Wiring) -> None:
     """Report signals that name no section; runs even when the graph does not stand yet."""
     mentioned = {item.split()[0] for items in ctx.file.tracks.values() for item in items if item.strip()}
+    unread = [m for m in mentioned if m not in wiring.sections and m not in ctx.file.boundaries]
     sections = (wiring.sections.keys() | mentioned) - ctx.file.boundaries.keys()
     known = sections | ctx.file.boundaries.keys()
     for name, spec in ctx.file.signals.items():
         for key, value, names in (("from", spec.from_, known), ("into", spec.into, sections)):
             if value not in names:
                 span = ctx.at("signals", name, key)
+                if any(item.startswith(value) and number_text(item[len(value) :]) for item in unread):
+                    continue  # the item is reported: a space is missing in it
                 if value in wiring.approaches:
                     hint = "an entry signal stands at the boundary: write the boundary's name after `from`"
                     ctx.add("IL2004", f"signal {name}: {value} is the approach section, outside", span, hint)
                 else:
-                    _unknown(ctx, "section", value, span, names, f"signal {name}")
+                    kind = "section or boundary" if key == "from" else "section"
+                    _unknown(ctx, kind, value, span, names, f"signal {name}")
 
 
 def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
@@ -263,9 +268,9 @@ def _is_end(ctx: Context, wiring: Wiring, name: str) -> bool:
 
 def _unknown(ctx: Context, kind: str, name: str, span: Span, known: Collection[str], what: str) -> None:
     """Report a name that `what` refers to and nothing bears; one that is misspelt everywhere is one mistake."""
-    code = "IL2004" if kind == "section" else "IL2006"
+    code = "IL2004" if kind.startswith("section") else "IL2006"
     message = f"{what}: there is no {kind} {name}"
-    ctx.add(code, message, span, did_you_mean(name, known), cause=f"{kind} {name}", note=what)
+    ctx.add(code, message, span, did_you_mean(name, known), cause=name, note=what)
 
 
 def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:
