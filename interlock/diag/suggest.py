@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Collection
 from dataclasses import dataclass
+from functools import lru_cache
 
 _FEW = 12
 _MANY = 500
@@ -36,6 +37,11 @@ def did_you_mean(name: str, known: Collection[str], otherwise: str = "") -> Sugg
 
 def nearest(name: str, known: Collection[str]) -> str | None:
     """The known name that is most like a name, upper and lower case alike; None when none is near."""
+    return _nearest(name, known if isinstance(known, tuple) else tuple(known))
+
+
+@lru_cache(maxsize=256)
+def _nearest(name: str, known: tuple[str, ...]) -> str | None:
     lowered = {n.lower(): n for n in sorted(known)}
     own = name.strip().lower()
     if own in lowered:

@@ -93,7 +93,11 @@ def _unclosed_bracket(
         before, comment, rest = text.partition(" #")
         if comment and closing in rest:
             span = Span(file, mark.line + 1, mark.column + len(before) + 2, len(rest) + 1)
-            yield f"a comment reaches to the end of its line, beyond the `{closing}`", span, "put it behind the brackets"
+            yield (
+                f"a comment reaches to the end of its line, beyond the `{closing}`",
+                span,
+                "put it behind the brackets",
+            )
             return
         span = Span(file, mark.line + 1, mark.column + 1, len(text))
         yield f"`{sign}` is opened here and not closed before line {_line(error) + 1}", span, f"write `{text}{closing}`"

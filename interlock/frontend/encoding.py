@@ -8,7 +8,7 @@ from interlock.diag import Sink, Span
 
 _BOMS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\x00\x00\xfe\xff": "utf-32"}
 _NAMES = {"utf-16": "UTF-16", "utf-32": "UTF-32", "gb18030": "GBK", "cp1252": "Windows-1252 (Western European)"}
-_KINDS = {b"%PDF": "a PDF", b"PK\x03\x04": "a workbook or another zip file", b"\x89PNG": "a picture", b"AC10": "a drawing"}
+_KINDS = {b"%PDF": "a PDF", b"PK\x03\x04": "a workbook or another zip", b"\x89PNG": "a picture", b"AC10": "a drawing"}
 
 
 def decode(path: str, data: bytes, sink: Sink) -> tuple[str | None, str]:

@@ -11,7 +11,7 @@ from collections.abc import Sequence as Seq
 from typing import Any
 
 from interlock.diag import Sink, Span
-from interlock.diag.suggest import did_you_mean, nearest
+from interlock.diag.suggest import Suggestion, did_you_mean, nearest
 from interlock.frontend.scalars import MAX_NAME, number_fix, number_text
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
 
@@ -146,7 +146,7 @@ def _value(root: Node, kind: str, path: Loc, on_key: bool, text: str, ctx: Map[s
         sink.add(code, said, _shown(root, path, node), fix, cause=cause, note=where)
         return
     value = str(ctx.get("v", ""))
-    fix = ctx.get("fix", _FIX.get(code, ""))
+    fix: str | Suggestion = ctx.get("fix", _FIX.get(code, ""))
     if code == "IL1017":
         fix = did_you_mean(value, ctx.get("known", ()))
     cause = ctx.get("cause", "")
@@ -191,8 +191,8 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
         )
     if isinstance(node, Sequence):
         first = node.items[0] if node.items else node
-        name = first.items.get("name") if isinstance(first, Mapping) else None
-        shown = name[1].text if name is not None and isinstance(name[1], Scalar) else "name"
+        named = first.items.get("name") if isinstance(first, Mapping) else None
+        shown = named[1].text if named is not None and isinstance(named[1], Scalar) else "name"
         return f"write `{shown}: {{...}}` lines below `{key}`: the name of each before its values, no dashes"
     return f"write `{key}: {{key: value, ...}}`; `interlock explain IL1012` shows the shapes"
 

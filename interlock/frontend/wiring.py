@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from pydantic_core import PydanticCustomError
 
@@ -184,7 +184,7 @@ class Wirer:
         self.ctx.add(
             "IL1013",
             f"the length of {name}, '{length}', is not a number",
-            replace(span, column=max(1, span.column - len(length) + len(items[i].strip())), width=len(length)),
+            span._replace(column=max(1, span.column - len(length) + len(items[i].strip())), width=len(length)),
             number_fix(length),
             cause=slip_of(length),
             note=text,

@@ -6,7 +6,7 @@ The tree is built from parser events without recursion, so that no input can exh
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import yaml
 
@@ -84,7 +84,7 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
                     "write the value out; a layout is read by people from top to bottom",
                 )
                 return None
-            if isinstance(event, yaml.ScalarEvent | yaml.CollectionStartEvent):
+            if isinstance(event, (yaml.ScalarEvent, yaml.CollectionStartEvent)):
                 span = _span(file, event, lines)
                 if event.anchor:
                     sink.add(
@@ -139,7 +139,7 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
 def _close(node: Node, end: Span) -> None:
     """Let a list or mapping that is written in brackets on one line be marked as a whole."""
     if end.line == node.span.line and end.column > node.span.column:
-        node.span = replace(node.span, width=end.column + end.width - node.span.column)
+        node.span = node.span._replace(width=end.column + end.width - node.span.column)
 
 
 def _attach(stack: list[tuple[Node, Scalar | None]], node: Node, sink: Sink) -> bool:
