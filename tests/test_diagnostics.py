@@ -173,7 +173,9 @@ def test_a_mistake_has_a_screen_with_place_line_caret_and_fix(name: str) -> None
     assert shown == MISTAKES.joinpath(f"{name}.txt").read_text("utf-8")
     problems = shown.split("\n\n")
     for problem in problems:
-        assert re.match(rf"{name}\.yaml:\d+:\d+: error\[IL\d{{4}}\]: .+\n +\|\n +\d+ \| .+\n +\| +\^+\n", problem)
+        assert re.match(
+            rf"{name}\.yaml:\d+:\d+: (error|warning)\[IL\d{{4}}\]: .+\n +\|\n +\d+ \| .+\n +\| +\^+\n", problem
+        )
         assert re.search(r"^  fix: \S.+$", problem, re.MULTILINE)
     assert len(problems) == 1, "one mistake is said once"
 
@@ -187,7 +189,7 @@ def test_the_same_information_as_json(tmp_path: Path) -> None:
         path = MISTAKES / f"{name}.yaml"
         (one,) = json.loads(CliRunner().invoke(command, [str(path), "--format", "json"]).output)[0]["diagnostics"]
         shown = path.with_suffix(".txt").read_text("utf-8")
-        assert f":{one['line']}:{one['column']}: error[{one['code']}]: {one['message']}\n" in shown.replace("\r", "")
+        assert f":{one['line']}:{one['column']}: {one['severity']}[{one['code']}]: {one['message']}\n" in shown
         assert one["source"] and one["fix"] and one["width"] >= 1
         assert ("  also: " in shown) == bool(one["also"])
 

@@ -49,6 +49,8 @@ def derive_file(path: str) -> Checked:
     table = derive(layout, sink)
     if layout.addresses and not sink.has_errors:
         _addresses(layout, table, source, sink)
+    if not sink.has_errors:
+        source.check_allowed(sink)
     return Checked(path, source, sink.diagnostics, layout, table)
 
 

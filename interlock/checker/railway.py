@@ -30,9 +30,9 @@ READ = frozenset(
         "signals",
     }
     | {"sections", "conditions", "routes", "voyages", "automatic", "substations", "addresses", "drawing", "telegram"}
-    | {"exclude"}
+    | {"exclude", "allow"}
 )
-"""The keys that this reader understands; `routes` to `exclude` say nothing of the world."""
+"""The keys that this reader understands; `routes` to `allow` say nothing of the world."""
 
 
 class Unread(Exception):

@@ -22,6 +22,7 @@ from interlock.derive.locking import (
     derive_zones,
 )
 from interlock.derive.locks import derive_locks
+from interlock.derive.practice import check_practice
 from interlock.derive.routes import Path, find_routes
 from interlock.derive.voyages import derive_automatic, derive_voyages
 from interlock.diag import Element, Sink
@@ -103,6 +104,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     )
     voyages = derive_voyages(layout, rows, by_key, sink)
     automatic = derive_automatic(layout, rows, sink)
+    check_practice(layout, paths, sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
 

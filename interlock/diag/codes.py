@@ -50,6 +50,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2016": (_E, "a signal that cannot call trains on"),
     "IL2017": (_E, "a direction token where trains run one way"),
     "IL2015": (_E, "an address that cannot be"),
+    "IL2018": (_W, "an allowance that allows nothing"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),
     "IL3002": (_E, "one end is joined twice"),
@@ -86,6 +87,14 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4005": (_I, "a path was left out that cannot be run"),
     "IL4006": (_E, "a route that no train can drive"),
     "IL4007": (_E, "the audit disagrees with the derived table"),
+    # 6: usual practice, from which a layout may depart: `allow`, with a reason
+    "IL6001": (_W, "a signal that looks the wrong way"),
+    "IL6002": (_W, "a track between points without a starting signal"),
+    "IL6003": (_W, "a route that runs through a whole station"),
+    "IL6004": (_W, "a place that no train can reach or leave"),
+    "IL6005": (_W, "a length that is hardly meant"),
+    "IL6006": (_W, "an approach shorter than the braking distance"),
+    "IL6007": (_W, "a signal directly behind points"),
     # 5: proof and output
     "IL5001": (_E, "a claim is refuted"),
     "IL5002": (_E, "a claim could not be decided"),
@@ -95,6 +104,9 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL5006": (_E, "nothing is written without a proof"),
     "IL5007": (_E, "a certificate that is not current"),
 }
+
+LINTS: tuple[str, ...] = tuple(code for code in CODES if code.startswith("IL6"))
+"""The warnings of usual practice, which `allow` can take away."""
 
 
 def severity_of(code: str) -> Severity:

@@ -21,11 +21,14 @@ class Sink:
     """Collects diagnostics, so that a phase can report everything that it finds.
 
     `locate`: where an element stands in the source, once somebody knows.
+    `allowed`: warnings that are not wanted, by code and name of the element; those that would have come are `spared`.
     """
 
     def __init__(self) -> None:
         self._causes: dict[tuple[str, str], _Cause] = {}
         self.locate: Callable[[Element], Span] | None = None
+        self.allowed: frozenset[tuple[str, str]] = frozenset()
+        self.spared: set[tuple[str, str]] = set()
         self.has_errors = False
         """Whether anything found so far forbids going on."""
 
@@ -46,6 +49,9 @@ class Sink:
         Problems with one code and `cause` are one diagnostic with several places; where no cause is given, the message
         is.  `note` says of this place what a message about another one leaves out.
         """
+        if about is not None and (code, str(about.name)) in self.allowed:
+            self.spared.add((code, str(about.name)))
+            return
         of = self._causes.setdefault((code, cause or message), _Cause())
         of.found.setdefault((span, about, note), (message, fix))
         self.has_errors = self.has_errors or severity_of(code) is Severity.ERROR

@@ -50,6 +50,15 @@ class Source:
     text: str
     context: Context | None = None
 
+    def check_allowed(self, sink: Sink) -> None:
+        """Report what `allow` allows and nothing needs; all warnings have been given by now."""
+        for i, x in enumerate(self.context.file.allow if self.context else ()):
+            for k, name in enumerate(x.at):
+                if self.context is not None and (x.lint, name) not in sink.spared:
+                    text = f"{x.lint} would not be given at {name}: the allowance allows nothing"
+                    span, fix = self.context.at("allow", i, "at", k), "remove it, or correct the name"
+                    sink.add("IL2018", text, span, fix, cause=x.lint, note=name)
+
     def at(self, *path: str | int) -> Span:
         """The place of an element for diagnostics of later phases."""
         return self.context.at_key(*path) if self.context else Span(self.file, 1, 1)
@@ -95,6 +104,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         return None, Source(file, text)
     ctx = Context(data, root, sink)
     source = Source(file, text, ctx)
+    sink.allowed = frozenset((x.lint, name) for x in data.allow for name in x.at)
     principles = data.principles.override(PROFILES[data.profile])
     wiring = Wirer(ctx, principles).run()
     sink.locate = Places(ctx, {**wiring.approaches, **wiring.sections})

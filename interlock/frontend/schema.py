@@ -18,6 +18,7 @@ from pydantic import (
 )
 
 from interlock.diag import Sink
+from interlock.diag.codes import LINTS
 from interlock.frontend.scalars import (
     Amount,
     End,
@@ -225,6 +226,19 @@ class WaiverSpec(_Part):
     reason: Reason = ""
 
 
+class AllowSpec(_Part):
+    """Usual practice departed from on purpose: which warning is not to be given, at which elements, and why."""
+
+    lint: Annotated[
+        str,
+        choice("warning of usual practice", LINTS),
+        WithJsonSchema({"enum": list(LINTS)}),
+        Field(description="code"),
+    ]
+    at: Annotated[list[Name], Field(min_length=1, description="the elements: sections, signals, boundaries, points")]
+    reason: Reason
+
+
 class PrinciplesSpec(_Part):
     """Single knobs of the profile, overridden."""
 
@@ -295,6 +309,7 @@ class LayoutFile(_Part):
     exclude: list[ExcludeSpec] = []
     overlaps: dict[Name, OverlapSpec] = {}
     waive: list[WaiverSpec] = []
+    allow: list[AllowSpec] = []
     substations: Annotated[
         dict[Name, list[Text]], Field(description="cabinets, each with the elements wired to it; one may be left empty")
     ] = {}
@@ -357,6 +372,7 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "voyages": ("from", "to", "via", "kind", "order", "direction"),
     "automatic": ("from", "to", "via"),
     "waive": tuple(WaiverSpec.model_fields),
+    "allow": tuple(AllowSpec.model_fields),
 }
 
 

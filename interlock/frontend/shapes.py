@@ -42,7 +42,12 @@ _FIX = {
     "IL1014": "give a length above 0 and at most 100 km, or a time above 0 and at most a day",
     "IL1015": "this release reads `interlock: 1`",
     "IL1016": f"at most {MAX_NAME} ASCII letters and digits; put the full name into `title` or `label`",
-    "IL2009": "say why a vehicle can never roll from there",
+    "IL2009": "say why",
+}
+_REASON = {
+    "waive": "say why a vehicle can never roll from there",
+    "exclude": "say why there shall be no such route",
+    "allow": "say why it is meant so here",
 }
 
 
@@ -146,13 +151,15 @@ def _value(root: Node, kind: str, path: Loc, on_key: bool, text: str, ctx: Map[s
         sink.add(code, said, _shown(root, path, node), fix, cause=cause, note=where)
         return
     value = str(ctx.get("v", ""))
-    fix: str | Suggestion = ctx.get("fix", _FIX.get(code, ""))
+    advice: str | Suggestion = ctx.get("fix", _FIX.get(code, ""))
     if code == "IL1017":
-        fix = did_you_mean(value, ctx.get("known", ()))
+        advice = did_you_mean(value, ctx.get("known", ()))
+    elif code == "IL2009":
+        advice = _REASON.get(str(path[0]), advice)
     cause = ctx.get("cause", "")
     if code in ("IL1016", "IL1017") and value:  # one name or word that cannot be, wherever it is used
         cause = f"{text} {value}"
-    sink.add(code, f"{where}: {text}", span_of(root, path, key=on_key), fix, cause=cause, note=f"{where}: {value}")
+    sink.add(code, f"{where}: {text}", span_of(root, path, key=on_key), advice, cause=cause, note=f"{where}: {value}")
 
 
 def _shown(root: Node, path: Loc, node: Node) -> Span:
