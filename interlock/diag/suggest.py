@@ -27,11 +27,12 @@ class Suggestion:
         if self.otherwise:
             return self.otherwise
         names = sorted(set(self.known))
-        return f"known here: {', '.join(names)}" if 0 < len(names) <= _FEW else ""
+        more = f" and {len(names) - _FEW} more" if len(names) > _FEW else ""
+        return f"known here: {', '.join(names[:_FEW])}{more}" if names else "nothing of the kind is known here"
 
 
 def did_you_mean(name: str, known: Collection[str], otherwise: str = "") -> Suggestion:
-    """A sentence that proposes the nearest known name; else what to do `otherwise`, else the known ones when few."""
+    """A sentence that proposes the nearest known name; else what to do `otherwise`, else the known ones."""
     return Suggestion(name, known, otherwise)
 
 

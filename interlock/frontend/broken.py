@@ -34,7 +34,7 @@ def report_broken(
                 "indent with spaces, never with tabs",
             )
         return
-    for rule in (_wide, _unclosed_quote, _unclosed_bracket, _no_space, _apostrophe, _dash, _long_quote, _indent):
+    for rule in _RULES:
         for message, span, fix in rule(file, lines, error, quoted):
             sink.add("IL1004", f"broken YAML: {message}", span, fix)
             return
@@ -44,6 +44,17 @@ def report_broken(
     sink.add(
         "IL1004", f"broken YAML: {what}", span, "check the indentation, the colons and the brackets up to this place"
     )
+
+
+def report_control(file: str, lines: Sequence[str], what: str, sink: Sink) -> None:
+    """Report the first character that no text has."""
+    for i, line in enumerate(lines):
+        found = re.search(r"[^\t\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]", line)
+        if found is not None:
+            said = f"broken YAML: the character U+{ord(found[0]):04X} cannot stand in a text"
+            sink.add("IL1004", said, Span(file, i + 1, found.start() + 1), "remove it; is this a text file?")
+            return
+    sink.add("IL1004", f"broken YAML: {what}", Span(file, 1, 1), "save the file as plain UTF-8 text")
 
 
 def _line(error: yaml.MarkedYAMLError) -> int:
@@ -157,12 +168,83 @@ def _indent(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted
     own, theirs = _depth(lines[i]), _depth(lines[above])
     if own != theirs:
         span = Span(file, i + 1, 1, max(1, own))
-        yield (
-            f"the line is indented by {own}, the line above by {theirs}",
-            span,
-            f"indent it by {theirs}, or as what it belongs to",
-        )
+        further = "write above it the key to which it belongs" if own > theirs else "as what it belongs to"
+        yield f"the line is indented by {own}, the line above by {theirs}", span, f"indent it by {theirs}, or {further}"
+
+
+def _no_comma(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """`{from: q3 into: q5}`."""
+    mark = error.problem_mark
+    if mark is None or mark.line >= len(lines) or "expected ','" not in (error.problem or ""):
+        return
+    line = lines[mark.line]
+    found = re.search(r"([^\s,{\[]+)\s+([A-Za-z0-9_/-]+)$", line[: mark.column])
+    if found is not None and line[mark.column : mark.column + 1] == ":":
+        rest = re.split(r"[,}]", line[mark.column + 1 :])[0].strip()
+        span = Span(file, mark.line + 1, found.start(2) + 1, len(found[2]))
+        yield f"a comma is missing before `{found[2]}`", span, f"write `{found[1]}, {found[2]}: {rest}`"
+
+
+def _mismatch(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """A closing bracket that closes nothing, or another kind of bracket."""
+    mark, begun = error.problem_mark, error.context_mark
+    sign = lines[mark.line][mark.column : mark.column + 1] if mark is not None and mark.line < len(lines) else ""
+    if mark is None or sign not in ("]", "}"):
+        return
+    span = Span(file, mark.line + 1, mark.column + 1)
+    opened = lines[begun.line][begun.column : begun.column + 1] if begun is not None and begun.line < len(lines) else ""
+    if begun is not None and opened in ("[", "{") and {"[": "]", "{": "}"}[opened] != sign:
+        closing = {"[": "]", "{": "}"}[opened]
+        yield f"`{sign}` cannot close the `{opened}` of column {begun.column + 1}", span, f"write `{closing}`"
+    else:
+        yield f"`{sign}` closes nothing", span, "remove it, or open the bracket before it"
+
+
+def _no_colon(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """A line of which the parser expected that it is a key."""
+    mark = error.context_mark
+    if mark is None or "expected ':'" not in (error.problem or "") or mark.line >= len(lines):
+        return
+    text = lines[mark.line].split(" #")[0].strip()
+    if text and ":" not in text:
+        words = text.split(None, 1)
+        fix = f"write `{words[0]}: {words[1]}`" if len(words) > 1 else f"write `{words[0]}:`"
+        yield "a colon is missing in this line", Span(file, mark.line + 1, mark.column + 1, len(text)), fix
+
+
+def _two_colons(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """`X1: from: W, into: q1}`, `title: Halt: the new one`."""
+    mark = error.problem_mark
+    if mark is None or "mapping values are not allowed" not in (error.problem or "") or mark.line >= len(lines):
+        return
+    line = lines[mark.line]
+    found = re.match(r"\s*(?:- )?\s*([A-Za-z0-9_/-]+):\s+(.+)$", line.split(" #")[0].rstrip())
+    if found is None:
+        return
+    span = Span(file, mark.line + 1, found.start(2) + 1, len(found[2]))
+    values = found[2].strip("{} ")
+    if all(":" in part for part in values.split(",")) and re.match(r"[a-z_]+:\s", values) and values.count(":") > 1:
+        yield f"the values of `{found[1]}` stand without braces", span, f"write `{found[1]}: {{{values}}}`"
+    else:
+        yield "a colon inside a text ends the text", span, f'write `{found[1]}: "{found[2]}"`'
 
 
 def _depth(line: str) -> int:
     return len(line) - len(line.lstrip())
+
+
+_RULES = (
+    _wide,
+    _unclosed_quote,
+    _no_comma,
+    _mismatch,
+    _unclosed_bracket,
+    _no_space,
+    _apostrophe,
+    _dash,
+    _long_quote,
+    _no_colon,
+    _two_colons,
+    _indent,
+)
+"""In this order: the first that fits tells what is wrong."""

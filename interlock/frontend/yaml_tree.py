@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import yaml
 
 from interlock.diag import Sink, Span
-from interlock.frontend.broken import report_broken
+from interlock.frontend.broken import report_broken, report_control
 
 MAX_DEPTH = 12
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -123,12 +123,7 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
         report_broken(file, lines, error, quoted, sink)
         return None
     except yaml.YAMLError as error:
-        sink.add(
-            "IL1004",
-            f"broken YAML: {str(error).splitlines()[0]}",
-            Span(file, 1, 1),
-            "save the file as plain UTF-8 text",
-        )
+        report_control(file, lines, str(error).splitlines()[0], sink)
         return None
     if root is None or (isinstance(root, Scalar) and not root.text.strip()):
         sink.add("IL1007", "the file is empty", Span(file, 1, 1), "`interlock explain IL1007` shows a layout")
