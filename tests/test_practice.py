@@ -139,3 +139,26 @@ def test_an_allowance_changes_no_digest(tmp_path: Path) -> None:
     with_, without = checked(tmp_path, text), checked(tmp_path, text[: text.index("allow:")])
     assert with_.layout is not None and without.layout is not None
     assert with_.layout.digest == without.layout.digest
+
+
+RING = """interlock: 1
+name: ring
+profile: mine
+boundaries: {W: {approach: wa 300}}
+tracks:
+  west: [W, m1 200]
+  ring: [r1 300, r2 300]
+points:
+  P: {section: T, toe: west.end, normal: ring.start, reverse: ring.end}
+signals:
+  X1: {from: W, into: m1}
+  X2: {from: m1, into: T}
+  S1: {from: r2, into: T}
+  S2: {from: r1, into: T}
+"""
+
+
+def test_in_a_balloon_loop_both_ways_are_told_apart(tmp_path: Path) -> None:
+    """Both ends of its track are one set of points."""
+    assert lints(tmp_path, RING) == []
+    assert lints(tmp_path, RING.replace("S1: {from: r2, into: T}", "S1: {from: T, into: r2}")) == [("IL6001", "S1")]
