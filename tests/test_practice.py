@@ -62,7 +62,7 @@ def test_a_turned_signal_of_a_five_track_station_is_found_and_said_once(tmp_path
     right, wrong = f"{g}: {{from: g{k}, into: {throat}}}", f"{g}: {{from: {throat}, into: g{k}}}"
     assert right in text
     text = text.replace(right, wrong)
-    assert lints(tmp_path, text) == [("IL6001", g)]
+    assert lints(tmp_path, text) == [("IL7001", g)]
     done = checked(tmp_path, text).diagnostics[0]
     assert done.span is not None and text.splitlines()[done.span.line - 1].strip() == wrong
     assert right in done.fix
@@ -71,27 +71,27 @@ def test_a_turned_signal_of_a_five_track_station_is_found_and_said_once(tmp_path
 @pytest.mark.parametrize("k", range(1, 6))
 def test_a_missing_starting_signal_is_found_at_its_track(tmp_path: Path, k: int) -> None:
     text = station(5).replace(f"  S{k}: {{from: g{k}, into: w{min(k, 4)}}}\n", "")
-    assert lints(tmp_path, text) == [("IL6002", f"g{k}")]
+    assert lints(tmp_path, text) == [("IL7002", f"g{k}")]
 
 
 def test_the_same_at_five_tracks_is_one_warning_with_its_places(tmp_path: Path) -> None:
     text = "\n".join(x for x in station(5).splitlines() if not x.startswith("  S"))
     (one,) = [d for d in checked(tmp_path, text).diagnostics if d.code in LINTS]
-    assert one.code == "IL6002" and [p.note.split()[0] for p in one.also] == ["g2", "g3", "g4", "g5"]
+    assert one.code == "IL7002" and [p.note.split()[0] for p in one.also] == ["g2", "g3", "g4", "g5"]
 
 
 def test_a_station_without_signals_is_run_through(tmp_path: Path) -> None:
     text = "\n".join(x for x in station(3).splitlines() if not x.startswith(("  S", "  X1", "  X2", "  X3")))
     (one,) = [d for d in checked(tmp_path, text).diagnostics if d.code in LINTS]
-    assert one.code == "IL6003" and one.about is not None and one.about.name == "XW"
+    assert one.code == "IL7003" and one.about is not None and one.about.name == "XW"
     assert len(one.also) == 5  # three tracks, two directions
 
 
 def test_a_platform_that_trains_cannot_leave(tmp_path: Path) -> None:
     text = Path("layouts/terminus.yaml").read_text("utf-8")
-    assert lints(tmp_path, text.replace("  S12: {from: P2, into: T3}\n", "")) == [("IL6004", "P2")]
+    assert lints(tmp_path, text.replace("  S12: {from: P2, into: T3}\n", "")) == [("IL7004", "P2")]
     turned = text.replace("S12: {from: P2, into: T3}", "S12: {from: T3, into: P2}")
-    assert lints(tmp_path, turned) == [("IL6001", "S12")]
+    assert lints(tmp_path, turned) == [("IL7001", "S12")]
 
 
 @pytest.mark.parametrize(
@@ -107,12 +107,12 @@ def test_a_platform_that_trains_cannot_leave(tmp_path: Path) -> None:
 def test_lengths_that_are_hardly_meant(tmp_path: Path, old: str, new: str, where: str) -> None:
     text = STARTER.replace("name: starter\n", "name: starter\nprinciples: {restart_delay_s: 9000}\n")
     assert old in text
-    assert ("IL6005", where) in lints(tmp_path, text.replace(old, new))
+    assert ("IL7005", where) in lints(tmp_path, text.replace(old, new))
 
 
 def test_an_approach_is_measured_by_the_speed_and_the_braking_of_the_layout(tmp_path: Path) -> None:
     short = STARTER.replace("ap_W 600", "ap_W 100")
-    assert lints(tmp_path, short) == [("IL6006", "W")]
+    assert lints(tmp_path, short) == [("IL7006", "W")]
     slow = short.replace("name: starter\n", "name: starter\nprinciples: {line_speed_kmh: 30}\n")
     assert lints(tmp_path, slow) == []
     assert lints(tmp_path, short.replace("name: starter\n", "name: starter\nprofile: mine\n")) == []
@@ -120,7 +120,7 @@ def test_an_approach_is_measured_by_the_speed_and_the_braking_of_the_layout(tmp_
 
 def test_an_allowance_has_a_reason_and_an_effect(tmp_path: Path) -> None:
     short = STARTER.replace("ap_W 600", "ap_W 100")
-    allow = "allow:\n  - {lint: IL6006, at: [W], reason: trains come slowly out of the works}\n"
+    allow = "allow:\n  - {lint: IL7006, at: [W], reason: trains come slowly out of the works}\n"
     done = checked(tmp_path, short + allow)
     assert done.ok and done.diagnostics == ()
     (left,) = checked(tmp_path, STARTER + allow).diagnostics
@@ -128,7 +128,7 @@ def test_an_allowance_has_a_reason_and_an_effect(tmp_path: Path) -> None:
     for text, code in (
         (allow.replace(", reason: trains come slowly out of the works", ""), "IL1010"),
         (allow.replace("trains come slowly out of the works", "''"), "IL2009"),
-        (allow.replace("IL6006", "IL3012"), "IL1017"),
+        (allow.replace("IL7006", "IL3012"), "IL1017"),
         (allow.replace("at: [W]", "at: []"), "IL1012"),
     ):
         assert {d.code for d in checked(tmp_path, short + text).diagnostics} == {code}
@@ -161,4 +161,4 @@ signals:
 def test_in_a_balloon_loop_both_ways_are_told_apart(tmp_path: Path) -> None:
     """Both ends of its track are one set of points."""
     assert lints(tmp_path, RING) == []
-    assert lints(tmp_path, RING.replace("S1: {from: r2, into: T}", "S1: {from: T, into: r2}")) == [("IL6001", "S1")]
+    assert lints(tmp_path, RING.replace("S1: {from: r2, into: T}", "S1: {from: T, into: r2}")) == [("IL7001", "S1")]

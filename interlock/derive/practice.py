@@ -1,6 +1,6 @@
 """Usual practice that only routes show: starting signals, places without a way in or out, waiting on points.
 
-Warnings IL6002, IL6003, IL6004, IL6007.  A layout may depart from practice: `allow`, with a reason.
+Warnings IL7002, IL7003, IL7004, IL7007.  A layout may depart from practice: `allow`, with a reason.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
         if any(g.main for g in back):
             routes = _listed(p.id for p in those)
             sink.add(
-                "IL6002",
+                "IL7002",
                 f"the track {name} has no starting signal towards {end}: trains leave it there and pass on into the "
                 f"points ({routes})",
                 None,
@@ -75,7 +75,7 @@ def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
         elif not back and stretch.metres >= STATION_TRACK_M and _by_legs(found, stretch):
             for path in those:
                 sink.add(
-                    "IL6003",
+                    "IL7003",
                     f"route {path.id} runs through a whole station: past the track {name}, where no signal stands",
                     None,
                     f"add starting signals at both ends of {name}",
@@ -111,7 +111,7 @@ def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
     for b in layout.boundaries:
         if b.kind is not BoundaryKind.IN and str(b.node) not in backward and len(layout.boundaries) > 1:
             sink.add(
-                "IL6004",
+                "IL7004",
                 f"no route leads out at {b.node}, though trains may leave there",
                 None,
                 "add a signal that leads there, or say `trains: in`",
@@ -124,11 +124,11 @@ def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
         if begins and place not in reached:
             said = f"no train can reach {name}: no route from a boundary leads there"
             fix = "add a signal that leads there, or check the directions of those near it"
-            sink.add("IL6004", said, None, fix, about=Element("sections", str(name)), cause="reach", note=str(name))
+            sink.add("IL7004", said, None, fix, about=Element("sections", str(name)), cause="reach", note=str(name))
         elif leaves and place in backward and place not in left:
             said = f"no train can leave {name}: no route leads on from there to a boundary"
             fix = "add a signal out of it, or check the directions of those near it"
-            sink.add("IL6004", said, None, fix, about=Element("sections", str(name)), cause="leave", note=str(name))
+            sink.add("IL7004", said, None, fix, about=Element("sections", str(name)), cause="leave", note=str(name))
 
 
 def _place(found: Plains, node: NodeId, edge: EdgeId) -> str | int:
@@ -157,7 +157,7 @@ def _check_waiting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
             continue
         points, metres = behind
         sink.add(
-            "IL6007",
+            "IL7007",
             f"signal {g.id} stands {metres:g} m behind {points}: a train that waits before it stands on the points",
             None,
             "move it further on by a section as long as a train, or before the points",

@@ -88,13 +88,13 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4006": (_E, "a route that no train can drive"),
     "IL4007": (_E, "the audit disagrees with the derived table"),
     # 6: usual practice, from which a layout may depart: `allow`, with a reason
-    "IL6001": (_W, "a signal that looks the wrong way"),
-    "IL6002": (_W, "a track between points without a starting signal"),
-    "IL6003": (_W, "a route that runs through a whole station"),
-    "IL6004": (_W, "a place that no train can reach or leave"),
-    "IL6005": (_W, "a length that is hardly meant"),
-    "IL6006": (_W, "an approach shorter than the braking distance"),
-    "IL6007": (_W, "a signal directly behind points"),
+    "IL7001": (_W, "a signal that looks the wrong way"),
+    "IL7002": (_W, "a track between points without a starting signal"),
+    "IL7003": (_W, "a route that runs through a whole station"),
+    "IL7004": (_W, "a place that no train can reach or leave"),
+    "IL7005": (_W, "a length that is hardly meant"),
+    "IL7006": (_W, "an approach shorter than the braking distance"),
+    "IL7007": (_W, "a signal directly behind points"),
     # 5: proof and output
     "IL5001": (_E, "a claim is refuted"),
     "IL5002": (_E, "a claim could not be decided"),
@@ -105,7 +105,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL5007": (_E, "a certificate that is not current"),
 }
 
-LINTS: tuple[str, ...] = tuple(code for code in CODES if code.startswith("IL6"))
+LINTS: tuple[str, ...] = tuple(code for code in CODES if code.startswith("IL7"))
 """The warnings of usual practice, which `allow` can take away."""
 
 

@@ -1,4 +1,4 @@
-"""Approach sections that are shorter than the braking distance.  IL6006.
+"""Approach sections that are shorter than the braking distance.  IL7006.
 
 A driver who saw the entry signal open may be as far away as he brakes.  A train that has not reached the approach
 section counts as on its way nevertheless (R8), so nothing is unsafe: but every cancellation takes the full delay, and a
@@ -26,7 +26,7 @@ def check_approach(ctx: Context, layout: Layout) -> None:
         needed = braking_m(rules, kmh)
         if b.approach_m < needed:
             ctx.add(
-                "IL6006",
+                "IL7006",
                 f"the approach section {b.approach} is {b.approach_m:g} m long; a train needs {needed:.0f} m to stop "
                 f"from {kmh:g} km/h",
                 ctx.at("boundaries", b.node, "approach"),

@@ -1,4 +1,4 @@
-"""Main signals that look the wrong way.  IL6001.
+"""Main signals that look the wrong way.  IL7001.
 
 A signal stands before points and is read by trains that go over them.  One that is turned round is read by the trains
 that have just passed them: they wait on the points, and those out of the track beyond pass without a signal.
@@ -23,7 +23,7 @@ def check_facing(ctx: Context, layout: Layout) -> None:
             continue
         spec = ctx.file.signals[g.id]
         ctx.add(
-            "IL6001",
+            "IL7001",
             f"signal {g.id} looks the wrong way: it is read by trains that have just passed {behind[0]}, "
             f"and none is read by those that come out of {spec.into}",
             ctx.at_key("signals", g.id),

@@ -1,4 +1,4 @@
-"""Lengths that are hardly meant.  IL6005.
+"""Lengths that are hardly meant.  IL7005.
 
 A vehicle can stand over a section of less than 5 m and touch it with no axle, so that it is not detected; what is
 longer than 30 km is no section of a station or a block, but a slip of the point or of the unit.  (Our choice, both.)
@@ -24,7 +24,7 @@ def check_lengths(ctx: Context, layout: Layout) -> None:
         if not least <= metres <= most:
             what = f"shorter than {least:g} m" if metres < least else f"longer than {_distance(most)}"
             ctx.add(
-                "IL6005",
+                "IL7005",
                 f"{text} is {_distance(metres)} long, {what}",
                 at,
                 "lengths are metres, decimals follow a point: 0.6 km is 600",
