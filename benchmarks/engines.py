@@ -29,7 +29,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from interlock.app.init import line, yard
-from interlock.derive import derive
+from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.expr import Expr, Op, conj, neg, var, walk

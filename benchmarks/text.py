@@ -16,7 +16,7 @@ from pathlib import Path
 
 from interlock.app.check import check_file
 from interlock.app.init import yard
-from interlock.derive import derive
+from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.emit.python.runtime import runtime_py
 from interlock.field.plc import runtime_scan

@@ -20,7 +20,7 @@ import json
 import lzma
 import sys
 from collections.abc import Iterable, Iterator, Mapping
-from functools import cache
+from functools import lru_cache
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -139,7 +139,7 @@ def words_of(text: str) -> tuple[str, list[str]]:
     return " ".join(out), list(numbers)
 
 
-@cache
+@lru_cache(1 << 16)
 def numbered(text: str, defines: bool) -> list[tuple[str, list[int]]]:
     """The clauses of an expression whose names are numbers, or of the definition of 0 by it: pattern and leaves."""
     x, own = read(text), ("v", "0")
@@ -409,26 +409,41 @@ def verify(folder: Path) -> str:
     )
 
 
+ERRORS = (
+    Rejected,
+    OSError,
+    ValueError,
+    KeyError,
+    IndexError,
+    TypeError,
+    AttributeError,
+    RecursionError,
+    lzma.LZMAError,
+)
+"""What a certificate that is not one may raise."""
+
+
+def why(error: BaseException) -> str:
+    """Why a certificate is rejected."""
+    return str(error) if isinstance(error, Rejected) else f"{type(error).__name__}: {error}"
+
+
+def judge(folder: str) -> tuple[bool, str]:
+    """Whether a bundle is accepted, and its summary or the reason."""
+    try:
+        return True, verify(Path(folder))
+    except ERRORS as error:
+        return False, why(error)
+
+
 def main(folders: list[str]) -> int:
     """Verify bundles; 0 when all are accepted."""
-    bad = 0
+    good = 0
     for name in folders:
-        try:
-            print(f"{name}: ACCEPTED  {verify(Path(name))}")
-        except (
-            Rejected,
-            OSError,
-            ValueError,
-            KeyError,
-            IndexError,
-            TypeError,
-            AttributeError,
-            RecursionError,
-            lzma.LZMAError,
-        ) as e:
-            bad += 1
-            print(f"{name}: REJECTED  {e if isinstance(e, Rejected) else f'{type(e).__name__}: {e}'}")
-    return 1 if bad or not folders else 0
+        accepted, text = judge(name)
+        good += accepted
+        print(f"{name}: {'ACCEPTED' if accepted else 'REJECTED'}  {text}")
+    return 0 if good == len(folders) > 0 else 1
 
 
 if __name__ == "__main__":

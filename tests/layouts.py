@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from interlock.app.check import check_file
-from interlock.derive import derive
+from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.controller import Controller

@@ -6,6 +6,7 @@ Look at each changed screen before committing it.
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -14,7 +15,7 @@ MISTAKES = HERE / "mistakes"
 
 
 def screen(path: Path) -> str:
-    """What `interlock check` prints of a file, called in its folder."""
+    """What `interlock check` prints of a file, called in its folder, but for the time that it took."""
     import os
 
     from click.testing import CliRunner
@@ -24,7 +25,8 @@ def screen(path: Path) -> str:
     before = os.getcwd()
     os.chdir(path.parent)
     try:
-        return CliRunner().invoke(command, [path.name], catch_exceptions=False).output
+        shown = CliRunner().invoke(command, [path.name], catch_exceptions=False).stdout
+        return re.sub(r", \d+\.\d s$", "", shown, flags=re.MULTILINE)
     finally:
         os.chdir(before)
 

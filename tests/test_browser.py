@@ -16,7 +16,7 @@ from click.testing import CliRunner
 from interlock.app.compile import compile_file
 from interlock.app.init import yard
 from interlock.cli.main import cli
-from interlock.derive import derive
+from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.emit.drawing import plan_svg
 from interlock.emit.report import BadTrace, player_html, report_html

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from pathlib import Path
 
 import pytest
-import yaml
 
-from interlock.checker import claims, controller
-from interlock.checker.check import check, report
-from interlock.checker.moves import World
-from interlock.checker.railway import Railway
-from interlock.checker.scan import execute
+from interlock.checker.check import agree, check, report
+from interlock.checker.drawing import loaded
+from interlock.checker.specification import shipped
 from interlock.checker.written import written
 from interlock.verify import Rejected
 from tests.certified import accepted, certified, forge_proof, signed
-from tests.layouts import SHIPPED
 
 FIG = Path("layouts/fig2_2.yaml")
 
@@ -65,35 +62,6 @@ def test_what_belongs_together_is_accepted(made: Path, capsys: pytest.CaptureFix
     assert "136 equations, 53 initial values, 6 timers" in found.compared[1]
     assert report(layout, folder) == (3 if found.left else 0), "what was not compared is no success"
     assert ("VERIFIED" in capsys.readouterr().out) is not bool(found.left)
-
-
-@pytest.mark.parametrize("name", SHIPPED)
-def test_every_text_says_what_its_written_system_says(name: str, tmp_path: Path) -> None:
-    """Line by line, read by nothing that wrote either of them."""
-    from interlock.app.texts import writers
-    from interlock.logic.lower import lower
-    from interlock.proof.invariants import Facts, strengthening
-    from interlock.proof.invariants import claims as claimed
-    from interlock.proof.local.bundle import system_text
-    from interlock.proof.local.facts import FactBase
-    from interlock.proof.runner import start_claim
-    from interlock.proof.system import System
-    from tests.layouts import built
-
-    layout, table, _ = built(name)
-    system = System(layout, lower(layout, table))
-    facts = Facts(system)
-    w = written(system_text(FactBase(system, strengthening(facts), claimed(facts), start_claim(system))))
-    texts = {
-        n: t
-        for _, those in (task() for task in writers(layout.bare, system.controller, [], (), True))
-        for n, t in those.items()
-    }
-    text = texts[f"st/iec/{name}.st"]
-    said = text.decode("utf-8") if isinstance(text, bytes) else text
-    scan = execute(said, frozenset(w.state), w.definitions)
-    assert f"{len(system.controller.timers)} timers" in controller.compare(scan, w)
-    assert set(scan.outputs) == {o.name for o in system.controller.outputs}
 
 
 EDITS = {
@@ -224,32 +192,33 @@ def test_an_invariant_assumed_instead_of_proved(copy: Path) -> None:
     assert "the assumption A-CONTACT says more than the specification" in refused(copy)
 
 
-@pytest.mark.parametrize("name", ["fig2_1", "fig2_3_split", "fig2_3_whole", "mine11", "incline_hoist"])
-def test_assumptions_and_claims_of_a_layout_are_those_of_the_specification(name: str, tmp_path: Path) -> None:
-    folder = certified(Path(f"layouts/{name}.yaml"), tmp_path)
-    found = check(Path(f"layouts/{name}.yaml"), folder)
+def test_a_larger_layout_is_verified_with_its_certificate(tmp_path: Path) -> None:
+    layout = Path("layouts/junction.yaml")
+    found = check(layout, certified(layout, tmp_path))
     assert "as specified" in found.compared[2]
+    assert "A-OVERRUN" in found.compared[4], "conditions of the world's moves are listed, too"
     assert found.left == (), "everything was compared"
 
 
-def test_a_layout_that_is_not_read_is_not_verified(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    folder = certified(Path("layouts/junction.yaml"), tmp_path)
-    assert report(Path("layouts/junction.yaml"), folder) == 3
+def test_a_layout_with_something_unknown_is_not_verified(
+    made: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("interlock.checker.drawing.KEYS", frozenset({"interlock", "name", "title"}))
+    assert report(*files(made)[:2]) == 3
     told = capsys.readouterr().out
-    assert "does not read crossings" in told and "VERIFIED" not in told
+    assert "does not read boundaries, points" in told and "VERIFIED" not in told
 
 
 @pytest.mark.parametrize("timer", ["RST", "AT_X1", "RT_DP", "ST_P1"])
 def test_a_delay_that_is_too_short_is_refused(made: Path, timer: str) -> None:
     """Whatever the prover has compared: D-PRESET is T in the written system, and settled here anew."""
-    layout, folder, _ = files(made)
-    w = written((folder / "system.txt").read_text("utf-8"))
-    world = World(Railway(yaml.safe_load(layout.read_text("utf-8"))), w)
-    claims.compare(world, w)
-    source, preset = w.timers[timer]
-    w.timers[timer] = (source, preset - 1)
+    layout, folder, file = files(made)
+    system, text = (folder / "system.txt").read_text("utf-8"), file.read_text("utf-8")
+    source, preset = written(system).timers[timer]
+    shorter = re.sub(rf"(IN := {source}, PT := )T#\w+\)", rf"\1T#{preset - 1}ms)", text)
+    written_so = system.replace(f"timer {timer} {source} {preset}", f"timer {timer} {source} {preset - 1}")
     with pytest.raises(Rejected, match="D-PRESET lacks"):
-        claims.compare(world, w)
+        agree(loaded(layout.read_text("utf-8")), written_so, shorter, shipped())
 
 
 def test_a_start_that_says_less_is_refused(copy: Path) -> None:

@@ -12,10 +12,13 @@ from pathlib import Path
 
 import pytest
 
-from interlock.dispatch import Executor, voyages
+from interlock.dispatch import Dispatcher
+from interlock.dispatch.commands import errand
+from interlock.dispatch.plan.railway import Railway
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
+from interlock.model.layout import Layout
 from interlock.proof.invariants import Facts, claims
 from interlock.proof.system import System
 from interlock.table.rows import InterlockingTable
@@ -27,16 +30,17 @@ SCAN_MS = 200
 class Panel:
     """A runtime among sections that are occupied by hand; machines arrive two scans after they are driven."""
 
-    def __init__(self, table: InterlockingTable, controller: Controller, **how: bool) -> None:
+    def __init__(self, layout: Layout, table: InterlockingTable, controller: Controller) -> None:
         module = types.ModuleType("runtime")
         exec(compile(runtime_py(controller, []), "runtime.py", "exec"), module.__dict__)
         self.scan = module.Controller().scan
         self.inputs: dict[str, int] = {n: restrictive for n, (restrictive, _) in module.INPUTS.items()}
         well = ("CLR_", "GL_", "RL_", "CL_", "E_", "SH_", "VALID", "DN_")
         self.inputs |= {n: int(n.startswith(well)) for n in self.inputs if not n.endswith("REQ")}
-        self.executor = Executor(voyages(table, controller.symbols), controller.symbols, **how)
+        self.dispatcher = Dispatcher(Railway(table, layout), controller.symbols)
         self.shown: dict[str, int] = {}
         self.table, self.asked = table, []  # type: tuple[InterlockingTable, list[int]]
+        self.failing = ""
         self.driven: dict[str, tuple[int, int]] = {}
         self.run(1, RELALL=0)
         while any(self.shown[n] for n in self.shown if n.startswith("YL_")):
@@ -45,10 +49,12 @@ class Panel:
     def run(self, scans: int, **inputs: int) -> None:
         """So many scans."""
         for _ in range(scans):
-            wanted = self.executor.step({**self.inputs, **self.shown}, SCAN_MS)
+            wanted = self.dispatcher.step({**self.inputs, **self.shown}, SCAN_MS)
             if wanted["REQ"] and wanted["REQ"] not in self.asked[-1:]:
                 self.asked.append(wanted["REQ"])
             self.inputs |= wanted
+            if self.failing:
+                self.inputs |= {f"D{x}_{self.failing}": 0 for x in "NR"}
             self.shown = self.scan({**self.inputs, **inputs}, SCAN_MS)
             for n, on in self.shown.items():
                 if on and n.startswith(("YN_", "YR_")):
@@ -59,7 +65,7 @@ class Panel:
         left = left - 1 if before == to else 2
         self.driven[machine] = (to, left)  # type: ignore[assignment]
         for x in "NR":
-            self.inputs[f"D{x}_{machine}"] = int(x == to and left <= 0)
+            self.inputs[f"D{x}_{machine}"] = int(x == to and left <= 0 and machine != self.failing)
 
     def stand(self, *sections: str) -> None:
         """Exactly these sections are occupied."""
@@ -83,14 +89,13 @@ class Panel:
         return next(r.number for r in self.table.routes if r.id == route)
 
 
-def panel(name: str, **how: bool) -> Panel:
-    _, table, controller = built(name)
-    return Panel(table, controller, **how)
+def panel(name: str) -> Panel:
+    return Panel(*built(name))
 
 
 def test_each_route_of_a_voyage_is_opened_for_the_train_that_stands_before_it() -> None:
     p = panel("mine11")
-    p.executor.begin("in")
+    p.dispatcher.begin("in")
     p.run(20)
     assert p.asked == [], "no train is there yet"
     p.stand("ap_W")
@@ -102,26 +107,26 @@ def test_each_route_of_a_voyage_is_opened_for_the_train_that_stands_before_it() 
     p.drive("q1", "q2", "q4")
     assert p.opened() == {"X5"} and len(p.asked) == 3
     p.drive("q4", "q6", "q8", "q10", "q11", "ap_E", "")
-    assert p.executor.journeys == [] and p.executor.said[-1] == "voyage in is done"
+    assert p.dispatcher.runs == [] and p.dispatcher.said[-1] == "in is done"
     assert len(p.asked) == 3, "each route was asked for once"
 
 
 def test_a_voyage_whose_route_is_taken_back_is_given_up() -> None:
     p = panel("mine11")
-    p.executor.begin("in")
+    p.dispatcher.begin("in")
     p.stand("ap_W")
     p.run(20)
     p.run(1, CAN_X7=1)
     p.run(1200)
-    assert p.executor.journeys == [] and p.opened() == set() and len(p.asked) == 1
+    assert p.dispatcher.runs == [] and p.opened() == set() and len(p.asked) == 1
 
 
 def test_a_route_that_is_refused_is_asked_for_again() -> None:
     p = panel("mine11")
-    p.executor.begin("in")
+    p.dispatcher.begin("in")
     p.stand("ap_W", "q1")
     p.run(100)
-    assert p.opened() == set() and p.executor.journeys
+    assert p.opened() == set() and p.dispatcher.runs
     p.stand("ap_W")
     p.run(40)
     assert p.opened() == {"X7"}
@@ -130,11 +135,11 @@ def test_a_route_that_is_refused_is_asked_for_again() -> None:
 def test_a_request_by_hand_comes_first_and_the_same_train_is_no_second_one() -> None:
     p = panel("mine11")
     p.stand("ap_W", "ap_E")
-    p.executor.begin("in")
-    p.executor.ask(p.number("X4-X6"))
+    p.dispatcher.begin("in")
+    p.dispatcher.ask(p.number("X4-X6"))
     p.run(20)
     assert p.asked == [p.number("X4-X6"), p.number("X7-X1")]
-    p.executor.begin("in")  # for a train that is not there yet
+    p.dispatcher.begin("in")  # for a train that is not there yet
     p.stand("ap_W", "q1")
     p.run(60)
     p.stand("q1", "q2")
@@ -149,8 +154,8 @@ def test_a_request_by_hand_comes_first_and_the_same_train_is_no_second_one() -> 
 
 def test_an_opposing_voyage_waits_outside_the_single_line() -> None:
     p = panel("fig2_1")
-    p.executor.begin("V1")
-    p.executor.begin("V2")
+    p.dispatcher.begin("V1")
+    p.dispatcher.begin("V2")
     p.stand("A", "H")
     p.run(20)
     p.stand("ap_I", "H")
@@ -161,16 +166,46 @@ def test_an_opposing_voyage_waits_outside_the_single_line() -> None:
     assert "SV" in p.opened() and "SE" not in p.opened() and "YL_E" not in held
 
 
+def test_who_is_caught_by_a_train_without_a_command_is_named_and_goes_on_when_it_is_away() -> None:
+    p = panel("mine11")
+    p.stand("ap_W", "q4")
+    p.run(20)
+    p.dispatcher.begin("in")
+    p.run(60)
+    assert p.asked == [] and p.opened() == set()
+    assert p.dispatcher.said[-1] == "no plan exists: in cannot go on, with q4 in the way"
+    p.stand("ap_W")
+    p.run(60)
+    assert p.opened() == {"X7"}
+
+
+def test_a_point_that_fails_makes_another_plan() -> None:
+    p = panel("mine11")
+    order, _ = errand(p.dispatcher.railway, "7:W>E", 60.0)
+    p.dispatcher.carry_out(order)
+    p.failing = "P1"
+    p.stand("ap_W")
+    p.run(20)
+    p.drive("ap_W", "q1")
+    p.run(500)
+    taken_back = [x for x in p.dispatcher.said if "is taken back, since P1 is not detected" in x]
+    assert len(taken_back) == 1 and p.opened() == set()
+    assert p.dispatcher.said[-1] == "no plan exists: 7 cannot go on, with P1 in the way"
+    p.failing = ""
+    p.run(400)
+    assert p.opened() & {"X1"}
+
+
 def test_combined_shunt_routes_are_asked_for_from_the_far_end() -> None:
     p = panel("cn6502")
-    voyage = p.executor.known["D1-IG"]
-    assert voyage.far_first and len(voyage.stages) > 1
-    p.executor.begin("D1-IG")
-    rear = voyage.stages[0].rear
+    row = next(v for v in p.table.voyages if v.name == "D1-IG")
+    assert row.far_first and len(row.routes) > 1
+    p.dispatcher.begin("D1-IG")
+    rear = p.dispatcher.stages[row.routes[0]].rear
     assert rear is not None
     p.stand(rear[4:])
     p.run(200)
-    assert p.asked == [s.number for s in reversed(voyage.stages)]
+    assert p.asked == [p.number(r) for r in reversed(row.routes)]
 
 
 @pytest.mark.parametrize("name", ["mine11", "fig2_1", "cn6502"])

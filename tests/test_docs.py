@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import importlib
+import inspect
 import re
 from pathlib import Path
 
+import pytest
+
+import interlock
 from interlock.app.check import check_file
 from interlock.diag import Sink
 from interlock.frontend import load_text
-from interlock.frontend.schema import LayoutFile
 from interlock.logic.plant import ASSUMPTIONS
-from interlock.model.principles import KNOBS, PROFILES
 from interlock.proof.invariants import CLAIMS
 from interlock.proof.runner import prove
 from interlock.proof.system import System
@@ -25,7 +28,7 @@ def test_the_readmes_two_commands_are_single_lines() -> None:
 
 
 def test_the_readmes_layout_is_proved() -> None:
-    from interlock.derive import derive
+    from interlock.derivation import derive
     from interlock.logic.lower import lower
 
     text = README.split("```yaml\n")[1].split("```")[0]
@@ -46,16 +49,8 @@ def test_the_proof_page_gives_every_assumption_in_its_words() -> None:
         assert f"- **{id_}**: {sentence}" in page
 
 
-def test_the_language_page_names_every_key_knob_and_profile() -> None:
-    page = Path("interlock/docs/language.md").read_text("utf-8")
-    for name, field in LayoutFile.model_fields.items():
-        assert f"| `{field.alias or name}` |" in page
-    for word in (*KNOBS, *PROFILES):
-        assert f"`{word}`" in page
-
-
 def test_links_in_the_documents_lead_somewhere() -> None:
-    for page in [Path("README.md"), *Path("interlock/docs").glob("*.md"), *Path("proofs").glob("*.md")]:
+    for page in [*Path().glob("*.md"), *Path("interlock/docs").glob("*.md"), *Path("proofs").glob("*.md")]:
         for target in re.findall(r"\]\(([^)#:]+)\)", page.read_text("utf-8")):
             assert page.parent.joinpath(target).exists(), f"{page}: {target}"
 
@@ -78,7 +73,7 @@ def test_no_module_is_long() -> None:
 
 
 def test_every_rule_that_a_cell_names_is_explained() -> None:
-    from interlock.app.why import explain
+    from interlock.app.explain import explain
     from interlock.table.columns import COLUMNS
     from tests.layouts import SHIPPED, built
 
@@ -89,3 +84,33 @@ def test_every_rule_that_a_cell_names_is_explained() -> None:
     assert {"R1", "R5", "R6.1", "R8", "R9"} <= cited
     for rule in cited:
         assert explain(rule) is not None, rule
+
+
+def test_the_examples_of_the_library_page_run(capsys: pytest.CaptureFixture[str]) -> None:
+    page = Path("interlock/docs/library.md").read_text("utf-8")
+    names: dict[str, object] = {}
+    examples = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)
+    assert len(examples) >= 6
+    for text in examples:
+        exec(compile(text, "library.md", "exec"), names)
+    assert "R5" in capsys.readouterr().out
+
+
+def test_the_library_page_names_every_function() -> None:
+    page = Path("interlock/docs/library.md").read_text("utf-8")
+    for name in interlock.__all__:
+        value = getattr(interlock, name)
+        assert value is getattr(importlib.import_module("interlock.app.library"), name, value)
+        assert not inspect.isfunction(value) or f"`{name}(" in page, name
+
+
+def test_the_recipes_name_files_that_are_there() -> None:
+    page = Path("CONTRIBUTING.md").read_text("utf-8")
+    named = re.findall(r"`((?:interlock|tests)/[^`]+)`", page)
+    assert len(named) > 30 and [n for n in named if not Path(n).is_file()] == []
+    recipes = page.split("\n## ")[1:]
+    assert len(recipes) == 4 and "abstraction/" not in page
+    for word, recipe in zip(("speed", "speed", "scl300", "IL3024"), recipes, strict=True):
+        for file in re.findall(r"^\| `([^`]+)`", recipe, re.MULTILINE):
+            if not file.endswith((".yaml", "load.py", "wiring.py", "strengthening.py", "pipeline.py")):
+                assert re.search(word, Path(file).read_text("utf-8"), re.IGNORECASE), (word, file)

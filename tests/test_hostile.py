@@ -11,8 +11,8 @@ import pytest
 
 from interlock.app.init import line, yard
 from interlock.audit import audit
-from interlock.derive import pipeline
-from interlock.derive.conflicts import Conflicts, classify
+from interlock.derivation import pipeline
+from interlock.derivation.conflicts import Conflicts, classify
 from interlock.model.bits import bits
 from interlock.model.elements import RouteId
 from interlock.table.rows import Hostile, HostileRoutes

@@ -10,7 +10,7 @@ import re
 import openpyxl
 import pytest
 
-from interlock.derive import derive
+from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.emit.io import channels_csv, equipment_csv, tags_xlsx
 from interlock.frontend import load_text

@@ -195,7 +195,7 @@ def test_machines_start_one_after_the_other() -> None:
     ],
 )
 def test_what_does_not_exist_is_named(text: str, code: str) -> None:
-    from interlock.derive import derive
+    from interlock.derivation import derive
     from interlock.diag import Sink
     from interlock.frontend import load_text
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from interlock.derive import derive
+from interlock.derivation import derive
 from interlock.diag import Severity, Sink
 from interlock.diag.codes import LINTS
 from interlock.frontend import load_text

@@ -13,7 +13,7 @@ import tree_sitter
 import tree_sitter_iec61131_3_st
 
 from interlock.app.init import line
-from interlock.derive import derive
+from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.controller import Equation, Input, Step

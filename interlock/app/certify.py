@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -11,9 +12,9 @@ from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Severity
 from interlock.emit.bundle import MANIFEST as OUTPUTS
 from interlock.emit.bundle import differences, is_bundle, write_folder
+from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.proof.invariants import Facts, claims, strengthening
-from interlock.proof.limits import Limits
 from interlock.proof.local.bundle import MANIFEST, NEEDED, PROOF, SYSTEM, manifest_text, proof_bytes, system_text
 from interlock.proof.local.engine import prove_locally
 from interlock.proof.local.facts import FactBase
@@ -32,6 +33,8 @@ class Certified:
     proved: Proved
     summary: str = ""
     notes: tuple[Diagnostic, ...] = ()
+    seconds: float = 0.0
+    """What it took by the clock on the wall."""
 
     @property
     def ok(self) -> bool:
@@ -44,11 +47,16 @@ def certify_file(
     outputs: Path,
     proofs: Path,
     check: bool = False,
-    limits: Limits | None = None,
     progress: Progress = quiet,
 ) -> Certified:
     """Write (or check) the certificate of a layout whose outputs are current."""
-    proved, files = build(path, limits=limits, progress=progress)
+    began = time.monotonic()
+    return replace(_certified(path, outputs, proofs, check, progress), seconds=time.monotonic() - began)
+
+
+@interning()
+def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Progress) -> Certified:
+    proved, files = build(path, progress=progress)
     layout, table = proved.checked.layout, proved.checked.table
     if not proved.green or layout is None or table is None:
         return Certified(proved)
@@ -86,10 +94,11 @@ def certify_file(
                 texts[NEEDED] = needs_text(needs(local, system.controller)).encode()
                 manifest = manifest_text(layout.name, {**texts, **tied})
                 write_folder(target, {**texts, MANIFEST: manifest.encode()})
+            progress("verifying the certificate", 0, 0)
             summary = verify(target)
             if (target / SYSTEM).read_bytes() != texts[SYSTEM]:
                 raise Rejected("another system")
-            return Certified(replace(proved), summary)
+            return Certified(proved, summary)
         except (Rejected, OSError, ValueError, KeyError, IndexError) as found:
             error = found
     note = Diagnostic("IL5007", Severity.ERROR, f"{target}: {error}", span, f"run `interlock certify {path}`")

@@ -34,18 +34,21 @@ class Checked:
 
 def check_file(path: str) -> Checked:
     """Load and derive; audit the derived table."""
-    derived = derive_file(path)
-    return audited(derived, second_opinion(derived))
+    found = derive_file(path)
+    return audited(found, second_opinion(found))
 
 
 def derive_file(path: str) -> Checked:
     """Load and derive, not yet audited."""
-    from interlock.derive import derive
-
     sink = Sink()
     layout, source = load(path, sink)
-    if layout is None:
-        return Checked(path, source, sink.diagnostics)
+    return Checked(path, source, sink.diagnostics) if layout is None else derived(path, layout, source, sink)
+
+
+def derived(path: str, layout: Layout, source: Source, sink: Sink) -> Checked:
+    """Derive what was loaded, not yet audited; `sink` has what was found while it was."""
+    from interlock.derivation import derive
+
     table = derive(layout, sink)
     if layout.addresses and not sink.has_errors:
         _addresses(layout, table, source, sink)
@@ -54,37 +57,39 @@ def derive_file(path: str) -> Checked:
     return Checked(path, source, sink.diagnostics, layout, table)
 
 
-def second_opinion(derived: Checked) -> tuple[Finding, ...]:
+def second_opinion(checked: Checked) -> tuple[Finding, ...]:
     """What the audit sees differently."""
     from interlock.audit import audit
 
-    if not derived.ok or derived.layout is None or derived.table is None:
+    if not checked.ok or checked.layout is None or checked.table is None:
         return ()
-    return audit(derived.layout, derived.table)
+    return audit(checked.layout, checked.table)
 
 
-def audited(derived: Checked, findings: Sequence[Finding]) -> Checked:
+def audited(checked: Checked, findings: Sequence[Finding]) -> Checked:
     """The same with the findings of the audit, each an error."""
-    if derived.table is None:
-        return derived
+    if checked.table is None:
+        return checked
     sink = Sink()
     for finding in findings:
-        row = derived.table.route.get(RouteId(finding.route))
+        row = checked.table.route.get(RouteId(finding.route))
         sink.add(
             "IL4007",
             f"route {finding.route}, {finding.column}: {finding.text}",
-            derived.source.at("name") if row is None else derived.source.at("signals", row.entry),
+            checked.source.at("name") if row is None else checked.source.at("signals", row.entry),
             "this is a defect of interlock; please report the layout",
         )
-    return replace(derived, diagnostics=(*derived.diagnostics, *sink.diagnostics))
+    return replace(checked, diagnostics=(*checked.diagnostics, *sink.diagnostics))
 
 
 def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: Sink) -> None:
     from interlock.logic.cabinet import BadAddress, allocate
+    from interlock.logic.expr import interning
     from interlock.logic.lower import lower
 
     try:
-        allocate(layout, lower(layout, table))
+        with interning():
+            allocate(layout, lower(layout, table))
     except BadAddress as error:
         fix = "see io/channels.csv of a compiled layout for the variables with a wire"
         sink.add("IL2015", str(error), source.at("addresses", error.variable), fix)

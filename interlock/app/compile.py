@@ -6,6 +6,7 @@ Nothing here prints.  PLC text is written only when everything is proved, or mar
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -31,6 +32,7 @@ from interlock.emit.tables.export import (
 from interlock.emit.tables.railml import railml_json
 from interlock.frontend import load
 from interlock.logic.cabinet import allocate
+from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.proof.limits import Limits
@@ -46,11 +48,25 @@ def build(
     progress: Progress = quiet,
     dialects: Sequence[str] = (),
 ) -> tuple[Proved, dict[str, bytes]]:
-    """All outputs of a layout in memory; empty when there are errors, no PLC text when something is open."""
-    proved, texts = prove_derived(derive_file(path), limits, progress, dialects)
+    """All outputs of a layout file in memory; empty when there are errors, no PLC text when something is open."""
+    progress("deriving", 0, 0)
+    return build_derived(derive_file(path), unproved=unproved, limits=limits, progress=progress, dialects=dialects)
+
+
+def build_derived(
+    derived: Checked,
+    *,
+    unproved: bool = False,
+    limits: Limits | None = None,
+    progress: Progress = quiet,
+    dialects: Sequence[str] = (),
+) -> tuple[Proved, dict[str, bytes]]:
+    """The same of a layout that is derived."""
+    proved, texts = prove_derived(derived, limits, progress, dialects)
     checked = proved.checked
     if not checked.ok:
         return proved, {}
+    progress("writing tables and plan", 0, 0)
     files = _documents(checked, proved)
     if proved.green or unproved:
         files |= texts
@@ -65,8 +81,9 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
     layout, table, proof = checked.layout, checked.table, proved.proof
     assert layout is not None and table is not None and proof is not None
     plan = plan_svg(layout)
-    controller = lower(layout, table)
-    allocation = allocate(layout, controller)
+    with interning():
+        controller = lower(layout, table)
+        allocation = allocate(layout, controller)
     body = {
         "schema": "interlock-proof/1",
         "layout": layout.name,
@@ -84,7 +101,7 @@ def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
         ],
     }
     return {
-        "table.json": table_json(table).encode(),
+        "table.json": table_json(layout, table).encode(),
         "table.csv": table_csv(table).encode(),
         "table.xlsx": table_xlsx(layout, table),
         "plan.svg": plan.encode(),
@@ -133,10 +150,11 @@ def compile_file(
     check: bool = False,
     unproved: bool = False,
     limits: Limits | None = None,
-    progress: Progress = quiet,
     dialects: Sequence[str] = (),
+    progress: Progress = quiet,
 ) -> Proved:
     """Write the outputs of a layout (or compare them with what is there)."""
+    began = time.monotonic()
     proved, files = build(path, unproved=unproved, limits=limits, progress=progress, dialects=dialects)
     layout = proved.checked.layout
     if not files or layout is None:
@@ -183,7 +201,8 @@ def compile_file(
                 "everything must be PROVED first; `--unproved` writes them with a mark, for study",
             )
         )
-    return replace(proved, files=tuple(sorted(files)), notes=tuple(notes))
+    seconds = time.monotonic() - began
+    return replace(proved, files=tuple(sorted(files)), notes=tuple(notes), seconds=seconds)
 
 
 def names_twice(paths: Sequence[str]) -> tuple[Diagnostic, ...]:

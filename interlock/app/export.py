@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from interlock.app.check import Checked, check_file
+from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.proof.aiger import aiger
 from interlock.proof.invariants import Facts, claims
@@ -14,5 +15,6 @@ def aiger_file(path: str) -> tuple[Checked, bytes | None]:
     checked = check_file(path)
     if not checked.ok or checked.layout is None or checked.table is None:
         return checked, None
-    system = System(checked.layout, lower(checked.layout, checked.table))
-    return checked, aiger(system, claims(Facts(system)))
+    with interning():
+        system = System(checked.layout, lower(checked.layout, checked.table))
+        return checked, aiger(system, claims(Facts(system)))

@@ -14,6 +14,7 @@ from interlock.app.proved import Proved
 from interlock.app.texts import writers
 from interlock.audit import Finding
 from interlock.diag import Diagnostic, Severity
+from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.invariants import Facts, claims
@@ -42,7 +43,7 @@ def make(
 ) -> tuple[Proved, dict[str, bytes]]:
     """Prove the controller of a layout's table beside its audit, and compare each text that is written with it."""
     limits, keep = wanted.limits, wanted.keep
-    with ExitStack() as beside:
+    with interning(), ExitStack() as beside:
         controller = lower(layout, table)
 
         def begin(head: list[str]) -> Begun:
@@ -57,15 +58,21 @@ def make(
         if keep:
             texts = begin(hoped)
         proof = prove(system, limits, wanted.progress, claimed)
+        wanted.progress("auditing the table", 0, 0)
         checked = audited(derived, audit())
         if not checked.ok:
             return Proved(checked), {}
         header = _header(layout, proof.claims, proof.proved) if keep else []
-        wanted.progress("comparing the text", 0, 1)
-        if header == hoped:
-            written = texts.results()
-        else:
-            written = run(writers(layout.bare, controller, header, wanted.dialects, keep), limits.jobs)
+        tasks = writers(layout.bare, controller, header, wanted.dialects, keep)
+        count = 0
+
+        def compared(_: int) -> None:
+            nonlocal count
+            count += 1
+            wanted.progress("comparing the texts", count, len(tasks))
+
+        wanted.progress("comparing the texts", 0, len(tasks))
+        written = texts.results(compared) if header == hoped else run(tasks, limits.jobs, compared)
     verdicts = [verdict for verdict, _ in written]
     files = {name: text for _, those in written for name, text in those.items()}
     notes = list(_notes(checked, proof))

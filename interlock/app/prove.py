@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 
 from interlock.app import kept
@@ -15,7 +17,10 @@ from interlock.proof.verdict import Progress, quiet
 
 def prove_file(path: str, limits: Limits | None = None, progress: Progress = quiet) -> Proved:
     """Check a file and prove its controller and the text that would be emitted."""
-    return prove_derived(derive_file(path), limits, progress, keep=False)[0]
+    began = time.monotonic()
+    progress("deriving", 0, 0)
+    proved = prove_derived(derive_file(path), limits, progress, keep=False)[0]
+    return replace(proved, seconds=time.monotonic() - began)
 
 
 def prove_derived(

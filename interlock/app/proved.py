@@ -37,6 +37,8 @@ class Proved:
     """For each refuted claim its name and the ITF trace of its counterexample."""
     files: tuple[str, ...] = ()
     notes: tuple[Diagnostic, ...] = ()
+    seconds: float = 0.0
+    """What it took by the clock on the wall, from reading the file on."""
 
     @property
     def green(self) -> bool:

@@ -9,10 +9,12 @@ from dataclasses import dataclass
 from interlock.app.check import derive_file
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
-from interlock.dispatch import Executor, voyages
+from interlock.dispatch import Dispatcher
+from interlock.dispatch.plan.railway import NoVoyage, Railway, TooManyPlaces
 from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
 from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller
+from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.limits import Limits
@@ -38,8 +40,9 @@ def prepare(path: str, limits: Limits | None = None, progress: Progress = quiet)
     checked = proved.checked
     if not proved.green or checked.layout is None or checked.table is None:
         return Ready(proved)
-    controller = lower(checked.layout, checked.table)
-    allocation = allocate(checked.layout, controller)
+    with interning():
+        controller = lower(checked.layout, checked.table)
+        allocation = allocate(checked.layout, controller)
     return Ready(proved, checked.layout, checked.table, controller, allocation, files["runtime.py"].decode())
 
 
@@ -50,7 +53,7 @@ class BadCommand(Exception):
 class Operator:
     """The operator's place: commands hold for one cycle, VARIABLE=VALUE until it is set to 0.
 
-    Routes are asked for by the executor, one after the other as the controller acknowledges them; it carries out
+    Routes are asked for by the dispatcher, one after the other as the controller acknowledges them; it carries out
     voyages.
     """
 
@@ -60,8 +63,13 @@ class Operator:
         self._once: dict[str, int] = {}
         self.held: dict[str, int] = {}
         rules, symbols = ready.layout.principles, ready.controller.symbols
-        known = voyages(ready.table, symbols)
-        self.executor = Executor(known, symbols, rules.priorities, round(1000 * rules.priority_wait_s))
+        self.voyages = tuple(v.name for v in ready.table.voyages)
+        self.dispatcher = Dispatcher(
+            Railway(ready.table, ready.layout),
+            symbols,
+            priorities=rules.priorities,
+            wait_ms=round(1000 * rules.priority_wait_s),
+        )
 
     def type(self, line: str) -> None:
         """Take one line of input.  Raises `BadCommand`."""
@@ -75,29 +83,32 @@ class Operator:
         if "=" in line:
             self.held = {n: v for n, v in {**self.held, **found}.items() if v}
         elif number is not None:
-            self.executor.ask(number)
+            self.dispatcher.ask(number)
         else:
             self._once |= found
 
     def _voyage(self, words: list[str]) -> None:
-        if len(words) == 1 and words[0] in self.executor.known:
-            self.executor.begin(words[0])
-        elif len(words) != 2 or words[1] != "end" or not self.executor.end(words[0]):
-            known = ", ".join(self.executor.known) or "this layout names none"
+        if len(words) == 1 and words[0] in self.voyages:
+            try:
+                self.dispatcher.begin(words[0])
+            except (NoVoyage, TooManyPlaces) as error:
+                raise BadCommand(str(error)) from error
+        elif len(words) != 2 or words[1] != "end" or not self.dispatcher.end(words[0]):
+            known = ", ".join(self.voyages) or "this layout names none"
             raise BadCommand(f"write voyage NAME, or voyage NAME end for one under way; voyages: {known}")
 
     def inputs(self, last: Cycle | None, dt_ms: int) -> dict[str, int]:
         """What the next cycle reads, `dt_ms` milliseconds after the last; commands are used up."""
         assert self._ready.allocation is not None
         seen = {} if last is None else {**last.inputs, **last.outputs}
-        asked = self.executor.step(seen, dt_ms)
+        asked = self.dispatcher.step(seen, dt_ms)
         found = dict.fromkeys(self._ready.allocation.written, 0) | asked | self.held | self._once
         self._once = {}
         return found
 
     def news(self) -> list[str]:
         """What became of the voyages since this was last asked."""
-        said, self.executor.said = self.executor.said, []
+        said, self.dispatcher.said = self.dispatcher.said, []
         return said
 
 

@@ -1,10 +1,8 @@
-"""Why a cell is as it is, and what a diagnostic means."""
+"""Why a cell is as it is."""
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
-from importlib import resources
 
 from interlock.app.check import Checked, check_file
 from interlock.diag import Diagnostic, Severity
@@ -60,12 +58,3 @@ def why(path: str, route: str, column: str | None) -> tuple[Checked, tuple[Reaso
         )
     reasons = [Reason(c.en, item, b.rule, b.text) for c in picked for r in rows for item, b in c.items(r)]
     return checked, tuple(reasons), ()
-
-
-def explain(code: str) -> str | None:
-    """The page of a diagnostic code, or of a rule (R5, R6.2); None when there is neither."""
-    if re.fullmatch(r"[Rr]\d+(\.\d+)?", code):
-        rule = resources.files("interlock").joinpath(f"docs/rules/{code.upper().split('.')[0]}.md")
-        return rule.read_text("utf-8") if rule.is_file() else None
-    page = resources.files("interlock").joinpath(f"docs/codes/{code.upper()}.md")
-    return page.read_text("utf-8") if code.upper()[2:].isdigit() and page.is_file() else None

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import pairwise
 
 from interlock.audit.walk import Frozen, Move, Trip, signal_distance, signal_facing, steps
-from interlock.model.elements import BoundaryKind, EdgeId, NodeId, Position, SectionId
-from interlock.model.layout import Layout
+from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId
+from interlock.model.layout import Layout, of_layout
 
 
 @dataclass(frozen=True)
@@ -56,21 +55,61 @@ def open_flanks(layout: Layout, trip: Trip, frozen: Frozen) -> list[Place]:
     return [p for p in unused_places(layout, trip) if _reached(layout, p, frozen)]
 
 
+def crossovers_to_lie_normal(layout: Layout, trip: Trip) -> set[MachineId]:
+    """The machines of crossovers over which a trip runs on a diamond: points on both sides whose reverse legs lead
+    nowhere but to the arm that the trip does not use."""
+    found: set[MachineId] = set()
+    for a, b in pairs(trip):
+        crossing = layout.crossing_at.get(a.node)
+        for arm in crossing.arms if crossing is not None else ():
+            ends = [_reverse_of(layout, Move(e, layout.far(e, a.node))) for e in arm if e not in (a.edge, b.edge)]
+            found.update(m for m in ends if m is not None and None not in ends)
+    return found
+
+
+def _reverse_of(layout: Layout, move: Move) -> MachineId | None:
+    """The machine that a vehicle on plain track comes to next, if it comes over the reverse leg."""
+    for _ in range(len(layout.edges)):
+        point = layout.point_at.get(move.node)
+        if point is not None:
+            return point.machine if move.edge == point.reverse else None
+        further = [e for e in layout.edges_at[move.node] if e.id != move.edge]
+        if len(further) != 1:
+            return None
+        move = Move(further[0].id, layout.far(further[0].id, move.node))
+    return None
+
+
 Space = set[tuple[str, bool]]
 """Sections, and signals (True)."""
 
+Movements = Mapping[SectionId, Collection[frozenset[SectionId]]]
+"""For each section the sections of every trip that passes it; an empty set where one begins behind it, or vehicles
+stand at its end."""
+
 
 def flank_space(
-    layout: Layout, trip: Trip, frozen: Frozen, waived: Collection[tuple[str, Position | None]]
+    layout: Layout,
+    trip: Trip,
+    frozen: Frozen,
+    waived: Collection[tuple[str, Position | None]],
+    movements: Movements,
 ) -> tuple[Space, Space]:
-    """What lies between the places and what stops vehicles: with the points as the route locks them, and at most."""
+    """What lies between the places and what stops vehicles: with the points as the route locks them, and at most.
+
+    Not needed is a section in which another movement may be that does not pass the place.
+    """
     needed: Space = set()
     possible: Space = set()
     path = {m.edge for m in (*trip.moves, *trip.over)}
     for place in unused_places(layout, trip):
         own = {layout.section_of(e.id) for e in layout.edges_at[place.node] if e.id in path}
         if (place.point, place.leg) not in waived:
-            needed |= _outside(_between(layout, place, frozen), own)
+            needed |= {
+                (what, signal)
+                for what, signal in _outside(_between(layout, place, frozen), own)
+                if signal or all(own & over for over in movements.get(SectionId(what), ()))
+            }
         possible |= _outside(_at_most(layout, place), own)
     return needed, possible
 
@@ -79,14 +118,18 @@ def _outside(space: Space, own: Collection[SectionId]) -> Space:
     return {(what, signal) for what, signal in space if signal or what not in own}
 
 
-@lru_cache(maxsize=4096)
+@of_layout
 def _at_most(layout: Layout, place: Place) -> Space:
     """What lies behind a place, whichever way the points lie."""
     return _between(layout, place, {})
 
 
 def _between(layout: Layout, place: Place, frozen: Frozen) -> Space:
-    """Backwards from a place over everything from which a vehicle could roll to it."""
+    """Backwards from a place over everything from which a vehicle could roll to it.
+
+    A section counts if one could come into it from elsewhere, or from its end; not if it can come no further back than
+    to a point of this very section that is turned away.
+    """
     rules = layout.principles
     if not rules.flank_space and not (rules.flank_lamp and rules.lamp_proof):
         return set()
@@ -99,20 +142,20 @@ def _between(layout: Layout, place: Place, frozen: Frozen) -> Space:
         if here in seen or (e.one_way and here.node != e.b):
             continue
         seen.add(here)
-        if rules.flank_space and e.section not in layout.undetected:
-            found.add((e.section, False))
         rear = layout.far(here.edge, here.node)
-        if rear in (place.node, *layout.buffer_at, *layout.boundary_at):
-            continue
+        ended = rear in (place.node, *layout.buffer_at, *layout.boundary_at) or _stops(layout, rear, here.edge, place)
+        before = [Move(x.id, rear) for x in layout.edges_at[rear] if x.id != here.edge and not ended]
+        before = [m for m in before if any(x == here for x, _ in steps(layout, m, frozen))]
+        point = layout.point_at.get(rear)
+        turned = not ended and not before and point is not None and layout.section_of(point.toe) == e.section
+        inside = bool(before) and all(layout.section_of(m.edge) == e.section for m in before)
+        if rules.flank_space and e.section not in layout.undetected and not turned and not inside:
+            found.add((e.section, False))
         if _stops(layout, rear, here.edge, place):
             g = signal_facing(layout, rear, here.edge)
             if g is not None and rules.flank_lamp and rules.lamp_proof:
                 found.add((g.id, True))
-            continue
-        for x in layout.edges_at[rear]:
-            before = Move(x.id, rear)
-            if x.id != here.edge and any(m == here for m, _ in steps(layout, before, frozen)):
-                todo.append(before)
+        todo += before
     return found
 
 

@@ -7,12 +7,12 @@ area touches a leg or arm that the route does not use.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from interlock.audit.approach import approach_sections
-from interlock.audit.flank import flank_space, open_flanks, pairs
+from interlock.audit.flank import Movements, crossovers_to_lie_normal, flank_space, open_flanks, pairs
 from interlock.audit.walk import (
     Move,
     Trip,
@@ -74,9 +74,12 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     found += [
         Finding(f"{t.entry}-{t.exit}", "route", f"not in the table: over {', '.join(t.sections)}") for t in unlisted
     ]
+    movements = _movements(layout, matched.values())
     for r in table.routes:
         if r.id in matched:
             found += _row(layout, r, matched[r.id])
+            found += _flank(layout, r, matched[r.id], movements)
+    found += _in_the_way(layout, table, matched)
     found += _hostile(layout, table, matched)
     found += _voyages(layout, table, matched)
     found += _swings(layout, table, matched)
@@ -166,16 +169,6 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     }
     if {p.machine: p.position for p in r.driven} != (beside if layout.principles.drive_points else {}):
         yield Finding(r.id, "driven", f"beside the path lie {', '.join(sorted(beside)) or 'no points'}")
-    frozen = {p.machine: p.position for p in r.points}
-    waived = {(w.point, w.leg) for w in layout.waivers}
-    for place in open_flanks(layout, trip, frozen):
-        if (place.point, place.leg) not in waived:
-            yield Finding(r.id, "flank", f"a vehicle can reach {place.name}")
-    needed_clear, possible = flank_space(layout, trip, frozen, waived)
-    asked = {(c.name, c.lamp) for c in r.space}
-    if not needed_clear <= asked <= possible:
-        odd = sorted(name for name, _ in (needed_clear - asked) | (asked - possible))
-        yield Finding(r.id, "space", f"differs in {', '.join(odd)}")
     if (r.aspect.shows, r.aspect.next) != (shown := _aspect(layout, trip)):
         yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
     out = {b.node for b in layout.boundaries if b.block == "token" and b.node == trip.moves[-1].node and not trip.shunt}
@@ -195,6 +188,54 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     }
     if {c.condition for c in r.conditions} != needed:
         yield Finding(r.id, "conditions", f"required are {', '.join(sorted(needed)) or 'none'}")
+
+
+def _flank(layout: Layout, r: RouteRow, trip: Trip, movements: Movements) -> Iterator[Finding]:
+    frozen = {p.machine: p.position for p in r.points}
+    waived = {(w.point, w.leg) for w in layout.waivers}
+    for place in open_flanks(layout, trip, frozen):
+        if (place.point, place.leg) not in waived:
+            yield Finding(r.id, "flank", f"a vehicle can reach {place.name}")
+    for m in sorted(crossovers_to_lie_normal(layout, trip)):
+        if frozen.get(m) is not Position.NORMAL:
+            yield Finding(r.id, "flank", f"the crossover {m} of a scissors does not lie normal")
+    needed_clear, possible = flank_space(layout, trip, frozen, waived, movements)
+    asked = {(c.name, c.lamp) for c in r.space}
+    if not needed_clear <= asked <= possible:
+        odd = sorted(name for name, _ in (needed_clear - asked) | (asked - possible))
+        yield Finding(r.id, "space", f"differs in {', '.join(odd)}")
+
+
+def _rear(layout: Layout, trip: Trip) -> frozenset[SectionId]:
+    """The section before a trip's signal, if there is one."""
+    start = trip.moves[0]
+    near = layout.edges_at[layout.far(start.edge, start.node)]
+    return frozenset(e.section for e in near if e.id != start.edge)
+
+
+def _movements(layout: Layout, trips_: Iterable[Trip]) -> dict[SectionId, set[frozenset[SectionId]]]:
+    found: dict[SectionId, set[frozenset[SectionId]]] = {}
+    for t in trips_:
+        for section in t.sections:
+            found.setdefault(section, set()).add(frozenset(t.sections))
+        for section in _rear(layout, t) | ({t.berth} if t.berth is not None else frozenset()):
+            found.setdefault(section, set()).add(frozenset())
+    return found
+
+
+def _in_the_way(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
+    """No flank space lies where a train may be under a route that can be set at the same time, unless it is the one
+    that goes on from there."""
+    there: dict[SectionId, list[RouteRow]] = {}
+    for r in table.routes:
+        for section in {*matched[r.id].sections, *_rear(layout, matched[r.id])} if r.id in matched else ():
+            there.setdefault(section, []).append(r)
+    for r in table.routes:
+        hostile = {*r.hostile.routes} if r.space else set()
+        for c in r.space:
+            for other in there.get(SectionId(c.name), ()) if not c.lamp else ():
+                if other.id not in hostile and other is not r and other.entry != r.exit:
+                    yield Finding(r.id, "space", f"a train of {other.id} may be in {c.name}")
 
 
 def _slowest(layout: Layout, trip: Trip) -> int | None:

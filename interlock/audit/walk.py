@@ -9,10 +9,9 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
 
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal
-from interlock.model.layout import Layout
+from interlock.model.layout import Layout, of_layout
 
 Frozen = Mapping[MachineId, Position]
 
@@ -75,7 +74,7 @@ def signal_facing(layout: Layout, node: NodeId, onto: EdgeId) -> Signal | None:
     return layout.signal_facing.get((node, onto))
 
 
-@lru_cache(maxsize=1 << 16)
+@of_layout
 def standing_place(layout: Layout, section: SectionId) -> bool:
     """Whether shunting movements end in a section and may find vehicles there: none that a device lies over."""
     return left_standing(layout, section) and not any(section in d.over for d in layout.devices)

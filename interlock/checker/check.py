@@ -11,9 +11,11 @@ from typing import Any
 import yaml
 
 from interlock.checker import claims, controller, plant
+from interlock.checker.drawing import Unread, loaded
 from interlock.checker.moves import World
-from interlock.checker.railway import Railway, Unread
+from interlock.checker.railway import Railway
 from interlock.checker.scan import execute
+from interlock.checker.specification import Specification, shipped
 from interlock.checker.written import written
 from interlock.verify import Rejected, check_files, need, verify
 
@@ -29,29 +31,38 @@ class Checked:
 def check(layout: Path, folder: Path) -> Checked:
     """Raises Rejected where the three do not agree, OSError where a file cannot be read."""
     body = _body(layout)
-    named = str(body["name"])
     files = check_files(folder)
     own = hashlib.sha256(layout.read_bytes()).hexdigest()
     need(own in files.values(), f"the certificate is of another layout: {layout} is none of its files")
     proof = verify(folder)
-    w = written((folder / "system.txt").read_text("utf-8"))
-    text = _text(folder, files, named)
-    scan = execute(text.read_text("utf-8"), frozenset(w.state), w.definitions)
-    said = controller.compare(scan, w)
-    compared = [proof, f"{text.name} says the same: {said}"]
+    text = _text(folder, files, str(body["name"]))
+    system = (folder / "system.txt").read_text("utf-8")
+    found = agree(body, system, text.read_text("utf-8"), shipped())
+    return Checked((proof, *found.compared), found.left)
+
+
+def agree(body: dict[str, Any], system: str, text: str, spec: Specification) -> Checked:
+    """Layout, written system and Structured Text, whatever is proved of the system; raises Rejected where they do not
+    say the same."""
+    w = written(system)
+    scan = execute(text, frozenset(w.state), w.definitions)
+    said = f"{body['name']}.st says the same: {controller.compare(scan, w)}"
     try:
         world = World(Railway(body), w)
     except Unread as unread:
-        return Checked(tuple(compared), (f"plant, assumptions and claims (the checker does not read {unread})",))
-    told, silent = claims.compare(world, w)
-    moves = plant.compare(world, w, scan)
-    claims.outputs_read(world, scan.outputs)
-    return Checked((*compared, told, moves), (f"the claims {', '.join(silent)}",) if silent else ())
+        return Checked((said,), (f"plant, assumptions and claims (the checker does not read {unread})",))
+    defined = plant.define(world, spec)
+    claimed = claims.asked(spec.claims, world)
+    told, silent = claims.compare(world, spec, claimed, w)
+    moves = plant.compare(world, spec, defined, w, scan)
+    claims.outputs_read(claimed, scan.outputs)
+    names = f"under the assumptions {', '.join(claims.assumed(world, spec))}"
+    return Checked((said, told, moves, names), (f"the claims {', '.join(silent)}",) if silent else ())
 
 
 def _body(layout: Path) -> dict[str, Any]:
     try:
-        body = yaml.safe_load(layout.read_text("utf-8"))
+        body = loaded(layout.read_text("utf-8"))
     except yaml.YAMLError as e:
         raise Rejected(f"{layout} is no YAML") from e
     if not isinstance(body, dict) or not isinstance(body.get("name"), str):

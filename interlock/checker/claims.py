@@ -6,76 +6,73 @@ that the specification asks for and the system has not; an assumption that the s
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
-from typing import Any
+from collections.abc import Collection, Iterable, Mapping
 
-import yaml
-
-from interlock.checker.formula import FALSE, TRUE, Formula, every, names, no
+from interlock.checker.formula import FALSE, TRUE, Formula, clauses, every, names, no, some
 from interlock.checker.moves import World
-from interlock.checker.schema import instances
+from interlock.checker.schema import instances, places
+from interlock.checker.specification import Schemas, Specification, under
 from interlock.checker.written import Written
-from interlock.verify import Rejected, need
+from interlock.verify import need
 
-SPECIFICATION = Path(__file__).parent.parent / "spec" / "claims.yaml"
-
-
-def specification() -> Mapping[str, Sequence[Mapping[str, Any]]]:
-    """The schemas, as data."""
-    body: Mapping[str, Sequence[Mapping[str, Any]]] = yaml.safe_load(SPECIFICATION.read_text("utf-8"))
-    return body
+Clause = frozenset[Formula]
 
 
-def asked(schemas: Sequence[Mapping[str, Any]], world: World) -> dict[str, list[Formula]]:
-    """What the schemas say of a layout, by name; where nothing is to be said, nothing is."""
-    found: dict[str, list[Formula]] = {}
+def asked(schemas: Schemas, world: World) -> dict[str, set[Clause]]:
+    """What the schemas say of a layout, clause by clause, by name; where nothing is to be said, nothing is."""
+    found: dict[str, set[Clause]] = {}
     for s in schemas:
-        found.setdefault(s["id"], []).extend(x for x in instances(s, world) if x != TRUE)
+        of = found.setdefault(s["id"], set())
+        for x in instances(s, world):
+            of |= clauses(x)
     return found
 
 
-def compare(world: World, w: Written) -> tuple[str, list[str]]:
-    """What was compared, in words, and the names of claims that the specification has not."""
-    spec = specification()
+def compare(world: World, spec: Specification, claims: Mapping[str, set[Clause]], w: Written) -> tuple[str, list[str]]:
+    """What was compared, in words, and the names of claims that the specification has not.  claims: what it asks."""
     _sentences(spec, w)
-    assumed = asked(spec["assumptions"], world)
-    _assumptions(assumed, w)
-    claims = asked(spec["claims"], world)
-    theirs: dict[str, list[Formula]] = {}
+    wanted_of_world = asked(spec.assumptions, world)
+    _assumptions(wanted_of_world, w)
+    theirs: dict[str, set[Clause]] = {}
     for id_, _, x in w.claims:
-        theirs.setdefault(id_, []).append(x)
-    theirs["P-START"] = [every(w.start)]  # of the initial states, and so a line of its own
+        theirs.setdefault(id_, set()).update(clauses(x))
+    theirs["P-START"] = set(clauses(every(w.start)))  # of the initial states, and so a line of its own
     for id_, wanted in claims.items():
-        _equal("claim", id_, wanted, theirs.get(id_, []))
-    places = sum(map(len, claims.values()))
-    told = sum(map(len, assumed.values()))
-    said = f"{len([1 for x in claims.values() if x])} claims at {places} places, {told} assumptions as specified"
+        _same("claim", id_, wanted, theirs.get(id_, set()))
+    many = sum(map(len, claims.values()))
+    told = sum(map(len, wanted_of_world.values()))
+    said = f"{len([1 for x in claims.values() if x])} claims in {many} clauses, assumptions in {told}, as specified"
     return said, sorted(set(theirs) - set(claims))
 
 
-def outputs_read(world: World, outputs: Iterable[str]) -> None:
+def assumed(world: World, spec: Specification) -> list[str]:
+    """The assumptions under which anything is said of this layout: those that are stated, and those that its world's
+    moves are subject to."""
+    found = {s["id"] for s in spec.assumptions if any(True for _ in instances(s, world))}
+    for s in [*spec.moves, *spec.claims]:
+        those = under(s)
+        if those and any(True for _ in places(s, world)):
+            found.update(those)
+    return sorted(found)
+
+
+def outputs_read(claims: Mapping[str, set[Clause]], outputs: Iterable[str]) -> None:
     """Everything at the terminals is the subject of some claim: else it could say anything."""
-    read = {
-        n.removesuffix("'")
-        for those in asked(specification()["claims"], world).values()
-        for x in those
-        for n in names(x)
-    }
+    said = (x for those in claims.values() for c in those for x in c)
+    read = {n.removesuffix("'") for x in said for n in names(x)}
     unread = sorted(set(outputs) - read)
     need(not unread, f"no claim speaks of the output {unread[0] if unread else ''}")
 
 
-def _sentences(spec: Mapping[str, Sequence[Mapping[str, Any]]], w: Written) -> None:
+def _sentences(spec: Specification, w: Written) -> None:
     """Under each name the certificate has the specification's own sentence."""
-    for part, book in (("assumptions", w.assumed), ("claims", w.sentences)):
-        told = {s["id"]: s["sentence"] for s in spec[part] if "sentence" in s}
+    for schemas, book in ((spec.assumptions, w.assumed), (spec.claims, w.sentences)):
+        told = {s["id"]: s["sentence"] for s in schemas if "sentence" in s}
         for id_, sentence in told.items():
             need(book.get(id_, sentence) == sentence, f"{id_} has another sentence than the specification's")
 
 
-def _assumptions(wanted: Mapping[str, list[Formula]], w: Written) -> None:
+def _assumptions(wanted: Mapping[str, set[Clause]], w: Written) -> None:
     """What is assumed is what the specification lists, each under its name and in the list."""
     theirs: dict[str, list[Formula]] = {}
     for id_, x in w.assumptions:
@@ -83,7 +80,9 @@ def _assumptions(wanted: Mapping[str, list[Formula]], w: Written) -> None:
         need(id_ in w.assumed, f"{id_} is assumed, but not in the list of assumptions")
         theirs.setdefault(id_, []).append(_events(x, w))
     for id_, those in wanted.items():
-        _equal("assumption", id_, [_events(x, w) for x in those], theirs.get(id_, []))
+        ours = {c for x in those for c in clauses(_events(some(x), w))}
+        found = {c for x in theirs.get(id_, ()) for c in clauses(x)}
+        _same("assumption", id_, ours, found)
 
 
 def _events(x: Formula, w: Written) -> Formula:
@@ -97,16 +96,18 @@ def _events(x: Formula, w: Written) -> Formula:
     return every(_events(y, w) for y in x[1]) if x[0] == "&" else x
 
 
-def _equal(kind: str, id_: str, wanted: Sequence[Formula], found: Sequence[Formula]) -> None:
-    missing = Counter(wanted) - Counter(found)
-    if missing:
-        one = next(iter(missing))
-        other = next(iter(Counter(found) - Counter(wanted)), None)
-        instead = "" if other is None else f"; it has {words(other)}"
-        raise Rejected(f"the {kind} {id_} lacks what the specification asks: {words(one)}{instead}")
-    extra = [x for x in Counter(found) - Counter(wanted) if x != TRUE]
-    if extra and kind == "assumption":
-        raise Rejected(f"the assumption {id_} says more than the specification: {words(extra[0])}")
+def _same(kind: str, id_: str, wanted: set[Clause], found: set[Clause]) -> None:
+    """Whatever the one says, the other says, or more; so neither is weaker."""
+    lacks = sorted(words(some(c)) for c in missing(wanted, found))
+    more = sorted(words(some(c)) for c in missing(found, wanted))
+    instead = f"; it has {more[0]}" if more else ""
+    need(not lacks, f"the {kind} {id_} lacks what the specification asks: {lacks[0] if lacks else ''}{instead}")
+    need(not more, f"the {kind} {id_} says more than the specification: {more[0] if more else ''}")
+
+
+def missing(wanted: Iterable[Clause], found: Collection[Clause]) -> list[Clause]:
+    """The clauses that are not there, nor any that says more."""
+    return [c for c in wanted if c not in found and not any(x <= c for x in found)]
 
 
 def words(x: Formula, most: int = 160) -> str:

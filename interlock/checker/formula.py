@@ -63,6 +63,54 @@ def one_at_most(xs: Iterable[Formula]) -> Formula:
     return every(no(every((a, b))) for i, a in enumerate(those) for b in those[i + 1 :])
 
 
+CLAUSES = 4000
+"""A formula with more clauses is compared as it stands."""
+
+
+def clauses(x: Formula) -> frozenset[frozenset[Formula]]:
+    """The same as a conjunction of disjunctions, none of which follows from another alone.
+
+    So two formulas that say the same in another order, nesting or distribution have the same clauses.  An operand that
+    would make too many stays whole.
+    """
+    found = _clauses(x, True)
+    return frozenset({frozenset({x})}) if found is None else found
+
+
+@cache
+def _clauses(x: Formula, sign: bool) -> frozenset[frozenset[Formula]] | None:
+    if x[0] == "!":
+        return _clauses(x[1], not sign)
+    if x[0] != "&":
+        return frozenset() if (x == TRUE) is sign and x[0] != "v" else _one(x, sign)
+    if sign:
+        return _shortest(frozenset().union(*(clauses(y) for y in x[1])))
+    made: frozenset[frozenset[Formula]] = frozenset({frozenset()})
+    parts = [_clauses(y, False) for y in x[1]]
+    for those in sorted(parts, key=lambda p: CLAUSES if p is None else len(p)):
+        if those is None or len(made) * len(those) > CLAUSES:
+            return None
+        joined = (a | b for a in made for b in those)
+        made = _shortest(frozenset(c for c in joined if not any(no(y) in c for y in c)))
+    return made
+
+
+def _one(x: Formula, sign: bool) -> frozenset[frozenset[Formula]]:
+    return frozenset({frozenset() if x[0] in "TF" else frozenset({x if sign else no(x)})})
+
+
+def _shortest(those: frozenset[frozenset[Formula]]) -> frozenset[frozenset[Formula]]:
+    """Without clauses that contain another one."""
+    kept: list[frozenset[Formula]] = []
+    shorter = 0  # how many of these are shorter than the clause at hand: only they can be part of it
+    for c in sorted(those, key=len):
+        while shorter < len(kept) and len(kept[shorter]) < len(c):
+            shorter += 1
+        if not any(k <= c for k in kept[:shorter]):
+            kept.append(c)
+    return frozenset(kept)
+
+
 def names(x: Formula) -> Iterator[str]:
     """The variables of a formula, with repetition."""
     if x[0] == "v":

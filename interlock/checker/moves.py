@@ -1,177 +1,148 @@
-"""What the words of the specification mean that tell how the world moves: heads, tails, drivers, points, reports."""
+"""What the words of the specification mean that tell how the world moves: heads, tails, drivers, points, reports, the
+line beyond a boundary with its neighbour; and which of its events there are at all."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
-from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, no, some
-from interlock.checker.railway import Signal, Way
-from interlock.checker.words import Terms, safe
-
-REQUESTS = {"REQ": ("RQZ", "YRQ"), "LREQ": ("LRQZ", "YLRQ")}
-"""For each input of numbers the bit that tells that 0 was read there, and the output that acknowledges a number."""
+from interlock.checker.formula import FALSE, Formula, every, leaf, no, some
+from interlock.checker.railway import Calling, Signal, Way, safe
+from interlock.checker.shown import Protection
 
 
 @dataclass(frozen=True)
-class Entrance:
-    """A boundary over which trains come in: its node, the approach or what stands for it, and the first section."""
+class Count:
+    """A step in counting what is in a zone: of its first items so many."""
 
-    node: str
-    outside: str
-    inside: str
-    signal: Signal
+    zone: str
+    item: int
+    count: int
 
 
-class World(Terms):
-    """All words: those of the terms, and those of the world's steps."""
+@dataclass(frozen=True)
+class WayIn:
+    """A section of a zone and an end beyond which the zone does not lie."""
 
-    def w_true(self) -> Formula:
-        return TRUE
+    zone: str
+    section: str
+    joint: str
 
-    def w_other(self, x: str) -> str:
-        return "R" if x == "N" else "N"
 
-    def w_before(self, x: str | Signal) -> Any:
-        """Positions that come first where both would; the section or approach in rear of a signal."""
-        if isinstance(x, Signal):
-            if x.node in self.r.boundaries:
-                return self._entrance(x.node).outside
-            return self.r.beyond(x.into, x.node)
-        return ["N"] if x == "R" else []
+class World(Protection):
+    """All words: those of topology, of terminals, of protection, and those of the world's steps."""
 
-    def w_was_driven(self, m: str, x: str) -> Formula:
-        return leaf(f"cmd.{m}.{x}")
+    def __init__(self, *given: Any) -> None:
+        super().__init__(*given)
+        self.events: dict[str, Formula] = {}
+        """The world's events, as far as the specification has defined them; what can never happen is FALSE."""
 
-    def w_was_shown(self, g: Signal) -> Formula:
-        return leaf(f"lamp.{g.name}")
+    def event(self, name: str) -> Formula:
+        """An event by its name; FALSE where there is none, or where it can never happen."""
+        x = self.events.get(name, FALSE)
+        return x if x[0] in "TF" else leaf(name)
 
-    def w_arrives(self, m: str, x: str) -> Formula:
-        return leaf(f"arrive.{m}.{x}")
+    # --- who stands where ---
 
-    def w_open_ends(self, s: str) -> list[str]:
-        return [j for j in self.r.ends[s] if j not in self.r.buffers]
+    def w_occupied(self, s: str) -> Formula:
+        return leaf(f"o.{s}")
 
-    def w_other_ends(self, s: str, j: str) -> list[str]:
-        return [k for k in self.r.ends[s] if k != j]
+    def w_standing(self, s: str) -> Formula:
+        """What is in the section has stood there since the restart and was not called."""
+        return leaf(f"rest.{s}")
 
-    def w_beyond_end(self, s: str, j: str) -> list[str]:
-        o = self.r.beyond(s, j)
-        return [] if o is None else [o]
+    def w_came(self, s: str, j: str) -> Formula:
+        return leaf(f"in.{s}.{j}")
 
     def w_across(self, j: str, s: str) -> Formula:
         return leaf(f"x.{j}.{s}")
 
     def w_coming(self, s: str, j: str) -> Formula:
         """A train stands across an end on its way in, from the neighbour or from outside."""
-        sides = [o for o in [self.r.beyond(s, j)] if o is not None] or [
-            b.outside for b in self.entrances if b.node == j
-        ]
-        return some(self.w_across(j, o) for o in sides)
-
-    def w_scanned(self, s: str) -> Formula:
-        return leaf(f"img.{s}")
+        if j in self.r.buffers or (j in self.r.boundaries and (j, s) not in self.r.signal_into):
+            return FALSE
+        return self.w_across(j, self.across_of(s, j))
 
     def w_heading_to(self, s: str, j: str) -> Formula:
-        return some(every((self.w_came(s, w.entry), self.w_lies(w))) for w in self.r.ways[s] if w.exit == j)
-
-    def w_governing(self, s: str, j: str) -> list[Signal]:
-        g = self.r.signal_into.get((j, self.r.beyond(s, j) or ""))
-        return [] if g is None else [g]
-
-    def w_ungoverned(self, s: str, j: str) -> list[str]:
-        return [] if self.w_governing(s, j) else [j]
-
-    def w_goes(self, j: str, s: str) -> Formula:
-        return leaf(f"head.{j}.{s}")
-
-    def w_leaves(self, j: str, s: str) -> Formula:
-        return leaf(f"tail.{j}.{s}")
-
-    def w_left(self, s: str) -> Formula:
-        """A tail leaves the section."""
-        return some(self.w_leaves(j, s) for j in self.w_open_ends(s))
-
-    @cached_property
-    def entrances(self) -> list[Entrance]:
-        """The boundaries over which trains come in, on a signal."""
-        found = []
-        for b in self.r.boundaries:
-            inside = self.r.at[b][0].section
-            g = self.r.signal_into.get((b, inside))
-            if self._comes_from(b) and g is not None:
-                found.append(Entrance(b, self.r.approach.get(b) or f"outside.{b}", inside, g))
-        return found
-
-    def _entrance(self, node: str) -> Entrance:
-        return next(b for b in self.entrances if b.node == node)
-
-    def w_entrances(self) -> list[Entrance]:
-        return self.entrances
-
-    def w_outside(self, b: Entrance) -> str:
-        return b.outside
-
-    def w_node(self, b: Entrance) -> str:
-        return b.node
-
-    def w_inside(self, b: Entrance) -> str:
-        return b.inside
-
-    def w_entry_signal(self, b: Entrance) -> Signal:
-        return b.signal
-
-    def w_approach(self, b: Entrance) -> list[str]:
-        return [self.r.approach[b.node]] if b.node in self.r.approach else []
-
-    def w_appears(self, outside: str) -> Formula:
-        return leaf(f"appear.{outside}")
-
-    def w_joint_of(self, g: Signal) -> str:
-        return g.node
-
-    def w_first_of(self, g: Signal) -> str:
-        return g.into
-
-    def w_inner(self, g: Signal) -> list[Signal]:
-        return [] if g.node in self.r.boundaries else [g]
-
-    def w_seen_before(self, g: Signal) -> list[str]:
-        return self.w_approach(self._entrance(g.node)) if g.node in self.r.boundaries else [self.w_before(g)]
-
-    def w_seen(self, g: Signal) -> Formula:
-        return some((self.w_shows(g), self.w_was_shown(g)))
-
-    def w_stood_or_heading(self, g: Signal) -> Formula:
-        """What stands before a signal could go on over its joint: since the restart, whatever lies under it."""
-        s = self.w_before(g)
-        could = some(self.w_came(s, j) for j in self.r.ends[s] if any(w.exit == g.node for w in self.w_from(s, j)))
-        return some((every((self.w_standing(s), could)), self.w_heading(s, g)))
-
-    def w_accepts(self, g: Signal) -> Formula:
-        return leaf(f"accept.{g.name}")
-
-    def w_refuses(self, g: Signal) -> Formula:
-        return leaf(f"refuse.{g.name}")
-
-    def w_turns(self) -> list[Way]:
-        """Where a train that came in at an end may turn back, as if it had come in at another: once for each pair."""
-        found: dict[tuple[str, str, str], Way] = {}
-        for s in self.r.sections:
-            for w in self.r.ways[s]:
-                back = any(x.entry == w.exit and x.exit == w.entry for x in self.r.ways[s])
-                if back and w.entry != w.exit and self.w_governing(s, w.entry):
-                    found.setdefault((s, w.entry, w.exit), w)
-        return list(found.values())
+        """The train in a section heads for one of its ends, as the points lie."""
+        return some(every((self.w_came(s, w.entry), self.w_lies(w))) for w in self.w_leading_to(s, j))
 
     def w_lies_some(self, t: Way) -> Formula:
         """The points lie for some way with the same ends."""
         return some(self.w_lies(w) for w in self.r.ways[t.section] if (w.entry, w.exit) == (t.entry, t.exit))
 
+    def w_shunting(self, s: str) -> Formula:
+        return leaf(f"sh.{s}") if self.r.shunting else FALSE
+
+    def w_shunting_sections(self) -> list[str]:
+        return self.r.sections if self.r.shunting else []
+
+    def w_running(self, s: str) -> Formula:
+        return leaf(f"run.{s}")
+
+    def w_overran(self, h: Signal, s: str) -> Formula:
+        return leaf(f"over.{h.name}.{s}")
+
+    def w_was_called(self, s: str) -> Formula:
+        return leaf(f"called.{s}")
+
+    def w_was_parted(self, s: str) -> Formula:
+        """The rear part of a train that parted has been left in the section."""
+        return leaf(f"part.{s}")
+
+    def w_turning(self, g: Signal, m: str) -> Formula:
+        return leaf(f"turns.{g.name}.{m}")
+
+    def w_been(self, s: str) -> Formula:
+        return leaf(f"been.{s}")
+
+    def w_shut(self, r: int) -> Formula:
+        return leaf(f"shut.R{r}")
+
+    # --- heads and tails ---
+
+    def w_goes(self, j: str, s: str) -> Formula:
+        return self.event(f"head.{j}.{s}")
+
+    def w_leaves(self, j: str, s: str) -> Formula:
+        return self.event(f"tail.{j}.{s}")
+
+    def w_into(self, s: str, j: str) -> Formula:
+        """A head comes into a section at one of its ends."""
+        return FALSE if j in self.r.buffers else self.event(f"head.{j}.{self.across_of(s, j)}")
+
+    def w_shunts_into(self, s: str, j: str) -> Formula:
+        return FALSE if j in self.r.buffers else self.event(f"shunts.{j}.{self.across_of(s, j)}")
+
+    def w_overruns_into(self, h: Signal, s: str, j: str) -> Formula:
+        return FALSE if j in self.r.buffers else self.event(f"overruns.{h.name}.{j}.{self.across_of(s, j)}")
+
+    def w_overruns_at(self, h: Signal, s: str, j: str) -> Formula:
+        """What leaves a section there has overrun a signal."""
+        return self.event(f"overruns.{h.name}.{j}.{s}")
+
+    def w_comings(self, s: str) -> list[tuple[str, str]]:
+        """Where heads may come into a section: joint, and the section that they come from."""
+        return [(j, self.across_of(s, j)) for j in self.r.ends[s] if self.w_into(s, j) != FALSE]
+
+    def w_comes(self, c: tuple[str, str]) -> Formula:
+        return self.event(f"head.{c[0]}.{c[1]}")
+
+    def w_comes_shunting(self, c: tuple[str, str]) -> Formula:
+        return self.event(f"shunts.{c[0]}.{c[1]}")
+
+    def w_appears(self, outside: str) -> Formula:
+        return self.event(f"appear.{outside}")
+
+    def w_fails(self, g: Signal) -> Formula:
+        return self.event(f"fails.{g.name}")
+
     def _turned(self, s: str, a: str | None, b: str | None) -> Formula:
-        those = [t for t in self.w_turns() if t.section == s and a in (None, t.entry) and b in (None, t.exit)]
-        return some(leaf(f"turn.{s}.{t.entry}.{t.exit}") for t in those)
+        those = [t for t in self.w_turning_ways() if t.section == s and a in (None, t.entry) and b in (None, t.exit)]
+        return some(self.event(f"turn.{s}.{t.entry}.{t.exit}") for t in those)
+
+    def w_turns(self, s: str) -> Formula:
+        return self._turned(s, None, None)
 
     def w_turned_from(self, s: str, j: str) -> Formula:
         return self._turned(s, j, None)
@@ -179,94 +150,237 @@ class World(Terms):
     def w_turned_to(self, s: str, j: str) -> Formula:
         return self._turned(s, None, j)
 
-    def w_reported(self) -> list[str]:
-        """Sections and approaches that are reported."""
-        return [*self.r.sections, *self.r.approach.values()]
+    def w_parts(self, s: str) -> Formula:
+        """The train parts, and its rear stays in the section."""
+        return self.event(f"parts.{s}")
 
-    def w_stops_long(self, g: Signal) -> Formula:
+    def w_left_behind(self, s: str) -> Formula:
+        return leaf(f"?stay.{s}")
+
+    # --- drivers, points, reports ---
+
+    def w_seen(self, c: Calling) -> Formula:
+        return some((self.w_shows(c), self.w_was_shown(c)))
+
+    def w_was_shown(self, c: Calling) -> Formula:
+        return leaf(f"{c.lamp}.{c.name}")
+
+    def w_accepts(self, c: Calling) -> Formula:
+        return self.event(f"{c.accept}.{c.name}")
+
+    def w_accepted(self, c: Calling) -> Formula:
+        return leaf(f"{c.go}.{c.name}")
+
+    def w_refuses(self, c: Calling) -> Formula:
+        return self.event(f"refuse.{c.name}")
+
+    def w_starts(self, m: str, x: str) -> Formula:
+        """A machine begins to leave a position."""
+        return self.event(f"start.{m}.{x}")
+
+    def w_arrives(self, m: str, x: str) -> Formula:
+        return self.event(f"arrive.{m}.{x}")
+
+    def w_was_driven(self, m: str, x: str) -> Formula:
+        return leaf(f"cmd.{m}.{x}")
+
+    def w_scanned(self, s: str) -> Formula:
+        return leaf(f"img.{s}")
+
+    # --- clocks of the world, and what is remembered of the controller's delays ---
+
+    def w_stopped(self, g: Signal) -> Formula:
+        return leaf(f"long.stop.{g.name}")
+
+    def w_stood_long(self, g: Signal) -> Formula:
+        return leaf(f"long.stand.{g.name}")
+
+    def w_held_long(self, b: str) -> Formula:
+        return leaf(f"long.agreed.{b}")
+
+    def w_chance_stop(self, g: Signal) -> Formula:
         return leaf(f"?long.stop.{g.name}")
 
-    def w_clear_for_long(self, s: str) -> Formula:
-        """The section's release delay is over, a timer of the controller's."""
-        return leaf(f"RT_{safe(s)}")
+    def w_chance_stand(self, g: Signal) -> Formula:
+        return leaf(f"?long.stand.{g.name}")
 
-    def w_counts_as_clear(self, s: str) -> Formula:
-        """The section's release delay runs."""
-        return leaf(self.w.timers[f"RT_{safe(s)}"][0])
-
-    def w_lighting(self, g: Signal) -> list[int]:
-        """The routes whose proceed lights a lamp of the signal."""
-        lamps = [self.w.definitions[f"{lamp}'"] for lamp in self.w_lamps(g)]
-        return [r for r in self.w_routes() if any(f"S_R{r}'" in names(x) for x in lamps)]
-
-    def w_been_open(self, r: int) -> Formula:
-        """The route's signal has been open (the controller's own bit)."""
-        return leaf(f"H_R{r}")
-
-    def w_nobody_on_the_way(self, g: Signal) -> Formula:
-        """No train can be about to pass the signal: back to the braking distance nothing is reported, where a way on
-        from there is locked.  (Signals here have no caution, so that none announces another.)"""
-        return no(self._on_the_way(g.into, g.node, 0.0, 0.0, frozenset({g.into})))
-
-    def _on_the_way(self, ahead: str, node: str, gone: float, needed: float, seen: frozenset[str]) -> Formula:
-        if node in self.r.boundaries:
-            if len(seen) > 1 and self.r.boundaries[node].get("trains") == "out":
-                return FALSE
-            words = str(self.r.boundaries[node].get("approach", "")).split()
-            if len(words) != 2 or gone + float(words[1]) < max(needed, self._braking(words[0])):
-                return TRUE  # a train may always be on its way unseen
-            return no(self.w_clear(words[0]))
-        s = self.r.beyond(ahead, node)
-        if s is None or s in seen:
-            return TRUE if s is None and len(seen) == 1 else FALSE
-        needed = max(needed, self._braking(s))
-        metres = {e.name: e.length for e in self.r.edges}
-        found = [no(self.w_clear(s))]
-        for w in self.r.ways[s]:
-            run = gone + sum(metres[e] for e in w.edges)
-            if w.exit == node and run < needed and f"L_{safe(s)}_{w.number}" in self.state:
-                found.append(every((self.w_locked(w), self._on_the_way(s, w.entry, run, needed, seen | {s}))))
-        return some(found)
-
-    def _braking(self, section: str) -> float:
-        """Metres in which a train stands that runs as fast as it may."""
-        v = self._speed(section) / 3.6
-        wait = self._rule("output_delay_s") + self._rule("reaction_s")
-        return v * wait + v * v / (2 * self._rule("braking_ms2"))
+    def w_chance_held(self, b: str) -> Formula:
+        return leaf(f"?long.agreed.{b}")
 
     def w_cancelling(self, g: Signal) -> Formula:
-        """The controller's approach locking delay runs."""
-        return leaf(self.w.timers[f"AT_{safe(g.name)}"][0])
+        return self.w_waits(self.w_approach_timer(g))
 
-    def w_been(self, s: str) -> Formula:
-        return leaf(f"been.{s}")
+    def w_standing_runs(self, g: Signal) -> Formula:
+        return self.w_waits(self.w_standing_timer(g))
 
-    def w_set(self, r: int) -> Formula:
-        return leaf(f"A_R{r}")
+    def w_hand_runs(self, b: str) -> Formula:
+        return self.w_waits(self.w_hand_timer(b))
 
-    def w_asked(self, r: int) -> Formula:
-        """The route's number comes after 0: on the spot, or, if nothing comes there, from the control centre.
+    def w_covered(self, g: Signal) -> Formula:
+        return leaf(f"cov.{self.w_approach_timer(g)}")
 
-        `LRQZ` and `RQZ`: the scan before has read 0 there (the controller's own bits; S-AGAIN cannot do without).
-        """
-        local, nothing = every((leaf("LRQZ"), leaf(f"LREQ={r}"))), some((leaf("LREQ=0"), no(leaf("LRQZ"))))
-        return some((local, every((nothing, leaf("RQZ"), leaf(f"REQ={r}")))))
+    def w_stand_covered(self, g: Signal) -> Formula:
+        return leaf(f"cov.{self.w_standing_timer(g)}")
 
-    def w_automatic(self, r: int) -> Formula:
-        """The switch for automatic working of the route; a layout that names no automatic route has none."""
-        return leaf(f"AUTO_R{r}") if self.r.body.get("automatic") else FALSE
+    def w_hand_covered(self, b: str) -> Formula:
+        return leaf(f"cov.{self.w_hand_timer(b)}")
 
-    def w_requests(self) -> list[str]:
-        """The inputs at which routes are asked for by number."""
-        return list(self.w.ranges)
+    # --- zones: each train counts in the rearmost of its sections, and where it has been called in ---
 
-    def w_nothing_asked(self, q: str) -> Formula:
-        return leaf(f"{q}=0")
+    def w_zones(self) -> list[str]:
+        return list(self.r.body.get("zones") or {})
 
-    def w_waits_for_number(self, q: str) -> Formula:
-        """The scan before has read 0."""
-        return leaf(REQUESTS[q][0])
+    def _inside(self, z: str) -> list[str]:
+        return sorted(set(self.r.body["zones"][z]["sections"]))
 
-    def w_acknowledged(self, q: str) -> Formula:
-        """The output that tells that a number was read."""
-        return leaf(REQUESTS[q][1])
+    def w_ways_in(self, z: str) -> list[WayIn]:
+        inside = self._inside(z)
+        ends = [(s, j) for s in inside for j in self.w_open_ends(s)]
+        return [WayIn(z, s, j) for s, j in ends if self.r.beyond(s, j) not in inside]
+
+    def w_way_section(self, i: WayIn) -> str:
+        return i.section
+
+    def w_way_joint(self, i: WayIn) -> str:
+        return i.joint
+
+    def _items(self, z: str) -> list[Formula]:
+        """One for each train that may be there or has been called in, those called in this step last."""
+        inside, ways_in = self._inside(z), self.w_ways_in(z)
+        called = {i: self.w_called_in(i) for i in ways_in}
+        found = []
+        for s in inside:
+            rear = [(j, o) for j in self.r.ends[s] if (o := self.r.beyond(s, j)) in inside]
+            rearmost = every((self.w_occupied(s), *(no(self.w_across(j, str(o))) for j, o in rear)))
+            found.append(some((rearmost, *(called[i] for i in ways_in if i.section == s))))
+        return found + [every((self.after(called[i]), no(called[i]))) for i in ways_in]
+
+    def w_called_in(self, i: WayIn) -> Formula:
+        """A section is locked for a train that comes into a zone and has not come yet."""
+        locked = some(self.w_locked(w) for w in self.w_locked_from(i.section, i.joint))
+        return every((locked, no(self.w_been(i.section))))
+
+    def _most(self, z: str) -> int:
+        return int(self.r.body["zones"][z]["trains"])
+
+    def w_counts(self) -> list[Count]:
+        those = [(z, i) for z in self.w_zones() for i in range(1, len(self._items(z)) + 1)]
+        return [Count(z, i, k) for z, i in those for k in range(1, min(i, self._most(z) + 1) + 1)]
+
+    def w_counted(self, n: Count) -> Formula:
+        return self._items(n.zone)[n.item - 1]
+
+    def w_one_fewer_before(self, n: Count) -> Formula:
+        """Of the items before it one fewer."""
+        return leaf(f"zone.{n.zone}.{n.item - 1}.{n.count - 1}") if n.count > 1 else self.w_true()
+
+    def w_as_many_before(self, n: Count) -> Formula:
+        """Of the items before it as many already."""
+        return leaf(f"zone.{n.zone}.{n.item - 1}.{n.count}") if n.count < n.item else FALSE
+
+    def w_too_many(self, z: str) -> Formula:
+        most, items = self._most(z), len(self._items(z))
+        return leaf(f"zone.{z}.{items}.{most + 1}") if items > most else FALSE
+
+    def w_too_full(self, z: str) -> Formula:
+        return self.event(f"zone.{z}")
+
+    # --- a line with a direction token, and the neighbour at its other end (R12) ---
+
+    def w_has(self) -> str:
+        return "has"
+
+    def w_gives(self) -> str:
+        return "gives"
+
+    def w_tidings(self) -> list[str]:
+        """What either end tells the other: he has the direction, he gives it."""
+        return ["has", "gives"]
+
+    def w_he(self, b: str, word: str) -> Formula:
+        """The neighbour has the direction, or gives it."""
+        return leaf(f"token.{word}.{b}")
+
+    def w_he_is_ready(self, b: str) -> Formula:
+        """He has seen the direction not given since he last took it."""
+        return leaf(f"token.fresh.{b}")
+
+    def w_told(self, b: str, word: str) -> Formula:
+        """The last telegram from him said so."""
+        return leaf(f"tel.{word}.{b}")
+
+    def w_he_saw(self, b: str, word: str) -> Formula:
+        """The last telegram that reached him said so of us."""
+        return leaf(f"saw.{word}.{b}")
+
+    def w_we(self, b: str, word: str) -> Formula:
+        """Our words to him, at the terminals."""
+        return leaf(f"{'YTH' if word == 'has' else 'YTG'}_{safe(b)}")
+
+    def w_told_kept(self, b: str) -> Formula:
+        return leaf(f"YTN_{safe(b)}")
+
+    def w_told_asked(self, b: str) -> Formula:
+        return leaf(f"YTA_{safe(b)}")
+
+    def w_we_have(self, b: str) -> Formula:
+        """The controller's own bit."""
+        return leaf(f"BH_{safe(b)}")
+
+    def w_we_give(self, b: str) -> Formula:
+        return leaf(f"BG_{safe(b)}")
+
+    def w_reads_gives(self, b: str) -> Formula:
+        return leaf(f"NG_{safe(b)}")
+
+    def w_reads_keeps(self, b: str) -> Formula:
+        return leaf(f"NN_{safe(b)}")
+
+    def w_reads_has(self, b: str) -> Formula:
+        return leaf(f"NH_{safe(b)}")
+
+    def w_reads_clear(self, b: str) -> Formula:
+        return leaf(f"LC_{safe(b)}")
+
+    def w_hand_held(self, b: str) -> Formula:
+        return leaf(f"TKN_{safe(b)}")
+
+    def w_line_out(self, b: str) -> Formula:
+        return leaf(f"line.out.{b}")
+
+    def w_line_in(self, b: str) -> Formula:
+        return leaf(f"line.in.{b}")
+
+    def w_sent(self, b: str) -> Formula:
+        """A train of his is on the line, or before our entry signal."""
+        return some((self.w_line_in(b), self.w_occupied(self.outside(b))))
+
+    def w_departs(self, b: str) -> Formula:
+        return self.event(f"head.{b}.{self.r.drawn.at[b][0].section}")
+
+    def w_sends(self, b: str) -> Formula:
+        return self.event(f"sends.{b}")
+
+    def w_he_takes(self, b: str) -> Formula:
+        return self.event(f"neighbour.takes.{b}")
+
+    def w_takes_by_hand(self, b: str) -> Formula:
+        return self.event(f"neighbour.manual.{b}")
+
+    def w_he_gives_now(self, b: str) -> Formula:
+        return self.event(f"neighbour.gives.{b}")
+
+    def w_he_restarts(self, b: str) -> Formula:
+        return self.event(f"neighbour.lost.{b}")
+
+    def w_chance_telegram(self, b: str) -> Formula:
+        return leaf(f"?telegram.{b}")
+
+    def w_chance_tells(self, b: str) -> Formula:
+        return leaf(f"?tells.{b}")
+
+    def w_chance_arrived(self, b: str) -> Formula:
+        return leaf(f"?arrived.{b}")
+
+    def w_chance_last(self, b: str) -> Formula:
+        return leaf(f"?last.{b}")

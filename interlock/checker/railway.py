@@ -1,54 +1,18 @@
-"""What a layout file says: sections with their ends, ways through them, signals and the paths that they lead over.
+"""The railway of a layout: sections with their ends and ways through them, signals with their paths, machines, berths.
 
-Read with PyYAML and nothing of the product's own reading.  A joint between sections a and b is named `a|b@` and the end
-of a track, point or crossing that lies there first in the alphabet, or the place on a track: only so can the names of a
-written system be compared.
+Made from the drawing, in the field's terms.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from typing import Any
 
-from interlock.verify import Rejected, need
-
-READ = frozenset(
-    {
-        "interlock",
-        "name",
-        "title",
-        "profile",
-        "principles",
-        "boundaries",
-        "buffers",
-        "traps",
-        "tracks",
-        "points",
-        "signals",
-    }
-    | {"sections", "conditions", "routes", "voyages", "automatic", "substations", "addresses", "drawing", "telegram"}
-    | {"exclude", "allow"}
-)
-"""The keys that this reader understands; `routes` to `allow` say nothing of the world."""
-
-
-class Unread(Exception):
-    """The layout has something of which this reader knows nothing."""
-
-
-@dataclass(frozen=True)
-class Edge:
-    """A stretch of track between two nodes."""
-
-    name: str
-    a: str
-    b: str
-    section: str
-    length: float
-    one_way: bool
+from interlock.checker.drawing import Drawing, Edge, Unread, drawing
+from interlock.verify import need
 
 
 @dataclass(frozen=True)
@@ -65,244 +29,271 @@ class Demand:
 
 @dataclass(frozen=True)
 class Way:
-    """A way through a section from one end to another, numbered from 1 by its ends and edges."""
+    """A way through a section from one end to another, numbered from 1 by its ends and edges.
+
+    points: each point on it, and how it must lie.  arms: each diamond on it, and over which arm (0 or 1).
+    """
 
     section: str
     number: int
     entry: str
     exit: str
     points: tuple[tuple[str, Demand], ...]
+    arms: tuple[tuple[str, int], ...]
     edges: tuple[str, ...]
+    length: float
 
 
 @dataclass(frozen=True)
 class Signal:
-    """A main signal at a node, read by trains going into a section."""
+    """A signal at a node, read by trains going into a section."""
 
     name: str
     node: str
     into: str
+    kind: str = "main"
+    call_on: bool = False
+
+    @property
+    def main(self) -> bool:
+        """Trains obey it; they pass a shunt signal whatever it shows."""
+        return self.kind != "shunt"
+
+    @property
+    def shunt(self) -> bool:
+        """It calls shunting movements, too; these obey every signal."""
+        return self.kind != "main"
 
     @property
     def safe(self) -> str:
         """The name as part of a variable."""
-        return self.name.replace("-", "_").replace("/", "_")
+        return safe(self.name)
 
 
-Path = tuple[Way, ...]
+@dataclass(frozen=True)
+class Calling:
+    """What a signal shows to trains, or to shunting movements; `go`, `accept`, `lamp` begin the names of variables."""
+
+    signal: Signal
+    shunt: bool
+
+    @property
+    def name(self) -> str:
+        return self.signal.name
+
+    @property
+    def go(self) -> str:
+        return "gos" if self.shunt else "go"
+
+    @property
+    def accept(self) -> str:
+        return "accepts" if self.shunt else "accept"
+
+    @property
+    def lamp(self) -> str:
+        return "lamps" if self.shunt else "lamp"
 
 
-def _text(x: Any) -> str:
-    return str(x).strip()
+@dataclass(frozen=True)
+class Path:
+    """Ways one after the other; `berth`: a shunting movement ends in the last one, where vehicles may stand."""
+
+    ways: tuple[Way, ...]
+    berth: bool = False
+
+    @property
+    def last(self) -> Way:
+        return self.ways[-1]
+
+
+def safe(name: str) -> str:
+    """A layout's name as part of a variable."""
+    return name.replace("-", "_").replace("/", "_")
 
 
 class Railway:
     """A layout, read."""
 
-    def __init__(self, body: dict[str, Any]) -> None:
-        strange = sorted(set(body) - READ)
-        if strange:
-            raise Unread(", ".join(strange))
+    def __init__(self, body: Mapping[str, Any]) -> None:
         self.body = body
-        self.boundaries: dict[str, dict[str, Any]] = {k: v or {} for k, v in (body.get("boundaries") or {}).items()}
-        self.buffers = [_text(b) for b in (*(body.get("buffers") or ()), *(body.get("traps") or ()))]
-        self.points: dict[str, dict[str, Any]] = body.get("points") or {}
-        self.approach = {b: _text(v["approach"]).split()[0] for b, v in self.boundaries.items() if v.get("approach")}
-        self._limits()
-        self.tracks = self._tracks()
-        self.mates = self._mates()
-        self.edges = list(self._edges())
-        self.at: dict[str, list[Edge]] = {}
-        for e in self.edges:
+        self.drawn: Drawing = drawing(body)
+        d = self.drawn
+        self.boundaries, self.buffers, self.points = d.boundaries, d.buffers, d.points
+        self.approach = {b: v["approach"].split()[0] for b, v in self.boundaries.items() if v.get("approach")}
+        self.sections = sorted({e.section for e in d.edges.values()})
+        self.told: Mapping[str, Mapping[str, str]] = body.get("sections") or {}
+        self.undetected = sorted(s for s in self.sections if self._told(s, "detected") in ("no", "false"))
+        touch: dict[str, set[str]] = {}
+        for e in d.edges.values():
             for n in (e.a, e.b):
-                self.at.setdefault(n, []).append(e)
-        self.sections = sorted({e.section for e in self.edges})
-        self.ends = {
-            s: sorted({n for e in self.edges if e.section == s for n in (e.a, e.b) if self._end(n)})
-            for s in self.sections
-        }
+                touch.setdefault(n, set()).add(e.section)
+        self._touch = touch
+        self.ends = {s: sorted(n for n, those in touch.items() if s in those and self._end(n)) for s in self.sections}
         self.ways = {s: list(self._through(s)) for s in self.sections}
-        self.signals = {str(g): self._signal(str(g), v) for g, v in (body.get("signals") or {}).items()}
+        self.signals = {g: self._signal(g, v) for g, v in (body.get("signals") or {}).items()}
         self.signal_into = {(g.node, g.into): g for g in self.signals.values()}
+        self.main_into = {k: g for k, g in self.signal_into.items() if g.main}
+        self.shunting = any(g.shunt for g in self.signals.values())
+        self.devices = {
+            str(k): sorted(v["over"])
+            for part in ("level_crossings", "interlocks")
+            for k, v in (body.get(part) or {}).items()
+        }
+        self._limits()
 
     def _limits(self) -> None:
-        """What is read but means more than this reader knows."""
+        """What is read but could mean more than this reader knows."""
         for b, v in self.boundaries.items():
-            if (
-                v.get("block", "none") not in ("none", "semi-automatic", "automatic")
-                or v.get("block", "none") != "none"
-            ):
+            if v.get("block", "none") not in ("none", "semi-automatic", "automatic", "token"):
                 raise Unread(f"the block of boundary {b}")
         for g, v in (self.body.get("signals") or {}).items():
-            if set(v) - {"from", "into", "at"}:
-                raise Unread(f"what signal {g} is beside a main signal")
-        for p, v in self.points.items():
-            if v.get("work", "power") != "power" or v.get("machine"):
-                raise Unread(f"the work or machine of point {p}")
-        for s, v in (self.body.get("sections") or {}).items():
-            if set(v) - {"lane", "one_way", "speed"}:
-                raise Unread(f"what is said of section {s}")
-        known = {"approach_release_s", "shunt_release_s", "release_delay_s", "point_supervision_s", "local_requests"}
-        known |= {"restart_delay_s", "priorities", "priority_wait_s", "line_speed_kmh", "leg_m", "drive_points"}
-        strange = set(self.body.get("principles") or {}) - known
-        if strange or self.body.get("profile", "generic") not in ("mine",):
-            raise Unread(f"profile {self.body.get('profile', 'generic')} or principles {sorted(strange)}")
+            if set(v) - {"from", "into", "at", "kind", "call_on"}:
+                raise Unread(f"something of signal {g}")
+        for s, v in self.told.items():
+            if set(v) - {"lane", "one_way", "speed", "detected"}:
+                raise Unread(f"something of section {s}")
 
-    # --- the drawing ------------------------------------------------------------------------------
-
-    def _tracks(self) -> dict[str, tuple[str, list[tuple[str, float]], str]]:
-        found = {}
-        for name, items in (self.body.get("tracks") or {}).items():
-            words = [_text(x).split() for x in items]
-            first = words[0][0] if len(words[0]) == 1 else ""
-            last = words[-1][0] if len(words[-1]) == 1 else ""
-            found[str(name)] = (first, [(w[0], float(w[1])) for w in words if len(w) == 2], last)
-        return found
-
-    def _port(self, ref: str) -> str:
-        """`track.start` and the like; a boundary or buffer by its name."""
-        name = ref.strip()
-        if "." not in name:
-            need(name in self.boundaries or name in self.buffers, f"the layout knows no end {name}")
-        return name
-
-    def _mates(self) -> dict[str, str]:
-        found: dict[str, str] = {}
-
-        def join(a: str, b: str) -> None:
-            for x, y in ((a, b), (b, a)):
-                need(found.setdefault(x, y) == y, f"the layout joins {x} twice")
-
-        for t, (first, _, last) in self.tracks.items():
-            if first:
-                join(f"{t}.start", self._port(first))
-            if last:
-                join(f"{t}.end", self._port(last))
-        for p, v in self.points.items():
-            for end in ("toe", "normal", "reverse"):
-                if v.get(end) is not None:
-                    join(f"{p}.{end}", self._port(_text(v[end])))
-        return found
-
-    def _section_at(self, port: str) -> str:
-        name, _, end = port.partition(".")
-        if name in self.tracks:
-            return self.tracks[name][1][0 if end == "start" else -1][0]
-        return str(self.points[name]["section"])
-
-    def _node(self, port: str) -> str:
-        other = self.mates.get(port)
-        if other is None:
-            raise Rejected(f"the layout joins {port} to nothing")
-        for x in (port, other):
-            if x in self.boundaries or x in self.buffers:
-                return x
-        a, b = sorted((self._section_at(port), self._section_at(other)))
-        first, second = sorted((port, other))
-        return f"{a}|{b}@{first}" if a != b else f"{a}@{first}+{second}"
-
-    def _edges(self) -> Iterator[Edge]:
-        told = self.body.get("sections") or {}
-
-        def edge(name: str, a: str, b: str, length: float, section: str) -> Edge:
-            way = (told.get(section) or {}).get("one_way")
-            return Edge(name, *((b, a) if way == "backward" else (a, b)), section, length, way is not None)
-
-        for t, (_, parts, _) in self.tracks.items():
-            here = self._node(f"{t}.start")
-            for i, (section, metres) in enumerate(parts):
-                if i == len(parts) - 1:
-                    there = self._node(f"{t}.end")
-                elif parts[i + 1][0] == section:
-                    there = f"{section}+{t}.{i}"
-                else:
-                    a, b = sorted((section, parts[i + 1][0]))
-                    there = f"{a}|{b}@{t}.{i}"
-                yield edge(f"{t}.{i}", here, there, metres, section)
-                here = there
-        legs = float((self.body.get("principles") or {}).get("leg_m", 20))
-        for p, v in self.points.items():
-            for end in ("toe", "normal", "reverse"):
-                yield edge(
-                    f"{p}.{end}", str(p), self._node(f"{p}.{end}"), float(v.get("legs", legs)), str(v["section"])
-                )
+    def _told(self, section: str, key: str) -> str | None:
+        return (self.told.get(section) or {}).get(key)
 
     # --- sections -----------------------------------------------------------------------------------
 
     def _end(self, node: str) -> bool:
         if node in self.boundaries or node in self.buffers:
             return True
-        return node not in self.points and len({e.section for e in self.at[node]}) > 1
+        return node not in self.points and node not in self.drawn.diamonds and len(self._touch[node]) > 1
 
     def beyond(self, section: str, node: str) -> str | None:
         """The neighbour across an end."""
-        return next((e.section for e in self.at.get(node, ()) if e.section != section), None)
+        return next((s for s in sorted(self._touch.get(node, ())) if s != section), None)
 
     def _through(self, section: str) -> Iterator[Way]:
+        d = self.drawn
         found: list[tuple[str, str, tuple[str, ...]]] = []
 
-        def go(node: str, path: tuple[Edge, ...], start: str) -> None:
+        def go(node: str, path: tuple[Edge, ...], start: str, seen: frozenset[str]) -> None:
             e = path[-1]
-            if e.one_way and e.a != node:
+            there = e.far(node)
+            if (e.one_way and e.a != node) or there in d.off_rails:
                 return
-            there = e.b if e.a == node else e.a
             if self._end(there):
                 found.append((start, there, tuple(x.name for x in path)))
                 return
-            for onward in self._onward(there, e):
-                if onward.section == section and onward not in path:
-                    go(there, (*path, onward), start)
+            for onward in d.onward(there, e) if there not in seen else ():
+                if onward.section == section:
+                    go(there, (*path, onward), start, seen | {there})
 
         for start in self.ends[section]:
-            for e in self.at[start]:
+            for e in d.at[start]:
                 if e.section == section:
-                    go(start, (e,), start)
+                    go(start, (e,), start, frozenset({start}))
         for number, (a, b, names) in enumerate(sorted(found), 1):
-            yield Way(section, number, a, b, tuple(self._points(names)), names)
+            metres = sum(d.edges[n].length for n in names)
+            yield Way(section, number, a, b, *self._passed(a, names), names, metres)
 
-    def _onward(self, node: str, e: Edge) -> list[Edge]:
-        """Over a point from the toe to either leg, from a leg to the toe; else straight on."""
-        others = [x for x in self.at[node] if x is not e]
-        if node in self.points and e.name != f"{node}.toe":
-            return [x for x in others if x.name == f"{node}.toe"]
-        return others
-
-    def _points(self, names: tuple[str, ...]) -> Iterator[tuple[str, Demand]]:
+    def _passed(
+        self, node: str, names: tuple[str, ...]
+    ) -> tuple[tuple[tuple[str, Demand], ...], tuple[tuple[str, int], ...]]:
+        """The points and diamonds over which edges lead."""
+        d, points, arms = self.drawn, [], []
         for a, b in pairwise(names):
-            p = a.partition(".")[0]
-            if p in self.points and b.startswith(p + "."):
-                leg = b if a.endswith(".toe") else a
-                yield p, Demand(p, "N" if leg.endswith(".normal") else "R")
+            node = d.edges[a].far(node)
+            point, diamond = d.points.get(node), d.diamonds.get(node)
+            if point is not None:
+                x = point.position(b if a == point.toe else a)
+                need(x is not None, f"a way leads over point {node} from leg to leg")
+                points.append((node, Demand(point.machine, str(x))))
+            if diamond is not None:
+                arms.append((node, 0 if a in diamond.arms[0] else 1))
+        return tuple(points), tuple(arms)
+
+    def from_end(self, section: str, node: str) -> list[Way]:
+        """The ways through a section from one of its ends."""
+        return [w for w in self.ways[section] if w.entry == node]
+
+    def signals_out(self, s: str) -> list[Signal]:
+        """The signals that govern leaving a section over its joints."""
+        found = [self.signal_into.get((j, self.beyond(s, j) or "")) for j in self.ends[s]]
+        return [g for g in found if g is not None]
+
+    @cached_property
+    def standing(self) -> frozenset[str]:
+        """Plain sections that are left over their joints only on a signal, one of them a shunt signal."""
+
+        def stands(s: str) -> bool:
+            joints = [j for j in self.ends[s] if self.beyond(s, j) is not None]
+            out = self.signals_out(s)
+            plain = not any(w.points or w.arms for w in self.ways[s])
+            return plain and len(out) == len(joints) and any(g.shunt for g in out)
+
+        return frozenset(s for s in self.sections if stands(s))
+
+    @cached_property
+    def berths(self) -> frozenset[str]:
+        """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing."""
+        return self.standing - {s for over in self.devices.values() for s in over}
+
+    @cached_property
+    def machines(self) -> dict[str, list[str]]:
+        """Machines of points and devices, each with the sections of its ends, or over which it stands."""
+        found: dict[str, set[str]] = {d: set(over) for d, over in self.devices.items()}
+        for p in self.points.values():
+            found.setdefault(p.machine, set()).add(p.section)
+        return {m: sorted(found[m]) for m in sorted(found)}
 
     # --- signals ------------------------------------------------------------------------------------
 
-    def _signal(self, name: str, v: dict[str, Any]) -> Signal:
-        rear, into = _text(v["from"]), _text(v["into"])
-        if rear in self.boundaries:
-            return Signal(name, rear, into)
-        nodes = [n for n in self.ends[into] if self.beyond(into, n) == rear]
-        if len(nodes) > 1 and v.get("at"):
-            nodes = [n for n in nodes if _text(v["at"]) in n]
+    def _signal(self, name: str, v: Mapping[str, str]) -> Signal:
+        rear, into, kind = v["from"], v["into"], v.get("kind", "main")
+        nodes = [rear] if rear in self.boundaries else [n for n in self.ends[into] if self.beyond(into, n) == rear]
+        near = v.get("at")
+        if near:
+            p = self.points.get(near)
+            legs = set() if p is None else {p.toe, p.normal, p.reverse}
+            nodes = [n for n in nodes if any(e.name in legs for e in self.drawn.at[n])]
         need(len(nodes) == 1, f"signal {name} stands nowhere, or in two places")
-        return Signal(name, nodes[0], into)
+        need(kind in ("main", "shunt", "combined"), f"signal {name} is of an unknown kind")
+        return Signal(name, nodes[0], into, kind, v.get("call_on") in ("yes", "true"))
+
+    def callings(self, g: Signal) -> list[Calling]:
+        """Whom a signal speaks to."""
+        return [*([Calling(g, False)] if g.main else []), *([Calling(g, True)] if g.shunt else [])]
 
     @cached_property
-    def _paths(self) -> dict[str, list[Path]]:
-        return {g: list(self._search(s)) for g, s in self.signals.items()}
+    def _paths(self) -> dict[Calling, list[Path]]:
+        return {c: list(self._search(c)) for g in self.signals.values() for c in self.callings(g)}
 
-    def paths(self, g: str) -> list[Path]:
-        """Every path from a signal to the next one, a boundary or a buffer."""
-        return self._paths[g]
+    def paths(self, c: Calling) -> list[Path]:
+        """Every path to the next signal that the movement obeys, to a boundary or the end of the track.
 
-    def _search(self, g: Signal) -> Iterator[Path]:
-        def go(section: str, entry: str, path: Path) -> Iterator[Path]:
-            for w in self.ways[section]:
-                if w.entry != entry:
+        A shunting movement obeys every signal, ends in the first berth, and does not leave over a boundary.
+        """
+        return self._paths[c]
+
+    def _search(self, c: Calling) -> Iterator[Path]:
+        stops = self.signal_into if c.shunt else self.main_into
+
+        def go(section: str, entry: str, before: tuple[Way, ...]) -> Iterator[Path]:
+            for w in self.from_end(section, entry):
+                ways, ahead = (*before, w), self.beyond(section, w.exit)
+                berth = c.shunt and section in self.berths
+                if ahead is None and c.shunt and not berth and w.exit in self.boundaries:
                     continue
-                ahead = self.beyond(section, w.exit)
-                if ahead is None or (w.exit, ahead) in self.signal_into:
-                    yield (*path, w)
-                elif all(x.section != ahead for x in (*path, w)):
-                    yield from go(ahead, w.exit, (*path, w))
+                if ahead is None or (w.exit, ahead) in stops or berth:
+                    yield Path(ways, berth and len(ways) > 1)
+                elif all(x.section != ahead for x in ways):
+                    yield from go(ahead, w.exit, ways)
 
-        return go(g.into, g.node, ())
+        return go(c.signal.into, c.signal.node, ())
+
+    def excluded(self, c: Calling, p: Path) -> bool:
+        """The author does not want a route over this path."""
+        ahead = self.signal_into.get((p.last.exit, self.beyond(p.last.section, p.last.exit) or ""))
+        ends = {p.last.section, p.last.exit, *([ahead.name] if ahead is not None else [])}
+        return any(
+            x.get("from", c.name) == c.name
+            and x.get("to", p.last.exit) in ends
+            and set(x.get("via") or ()) <= {w.section for w in p.ways}
+            and x.get("kind") in (None, "shunt" if c.shunt else "main")
+            for x in self.body.get("exclude") or ()
+        )

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import cache
 from typing import Any, Protocol
 
-from interlock.checker.formula import Formula, every, implies, no, one_at_most, same, some
+from interlock.checker.formula import FALSE, Formula, every, implies, no, one_at_most, same, some
 from interlock.verify import Rejected, need
 
 TOKEN = re.compile(r"\s*(<->|->|[(),:']|[A-Za-z_][A-Za-z0-9_]*)")
@@ -27,12 +28,17 @@ class Words(Protocol):
         """The formula after the scan."""
         ...
 
+    @property
+    def meanings(self) -> Mapping[str, tuple[list[str], str]]:
+        """Words that the specification explains itself: names of what is given, and the sentence."""
+        ...
+
 
 class Sentence:
     """A sentence under some values for its names."""
 
     def __init__(self, text: str, words: Words, names: Mapping[str, Any]) -> None:
-        self.tokens = [*_tokens(text), ""]
+        self.tokens = _tokens(text)
         self.words, self.text, self.at = words, text, 0
         self.names = dict(names)
 
@@ -50,7 +56,8 @@ class Sentence:
 
     def _take(self, *wanted: str) -> str:
         word = self.tokens[self.at]
-        need(not wanted or word in wanted, f"the specification says {word!r} for {wanted} in: {self.text}")
+        if wanted and word not in wanted:
+            raise Rejected(f"the specification says {word!r} for {wanted} in: {self.text}")
         self.at += 1
         return word
 
@@ -130,7 +137,8 @@ class Sentence:
 
     def _word(self) -> Any:
         name = self._take()
-        need(re.fullmatch(r"[A-Za-z_]\w*", name) is not None, f"the specification says {name!r} in: {self.text}")
+        if not name.isidentifier():
+            raise Rejected(f"the specification says {name!r} in: {self.text}")
         if name in self.names:
             return self.names[name]
         later = self.tokens[self.at] == "'"
@@ -144,25 +152,44 @@ class Sentence:
                 if self.tokens[self.at] == ",":
                     self._take()
             self._take(")")
-        found = self.words.word(name)(*given)
+        found = self._meaning(name, given)
         return self.words.after(found) if later else found
 
+    def _meaning(self, name: str, given: list[Any]) -> Any:
+        explained = self.words.meanings.get(name)
+        if explained is None:
+            return self.words.word(name)(*given)
+        names, text = explained
+        need(len(names) == len(given), f"the specification's word {name} stands for {len(names)} things")
+        return Sentence(text, self.words, dict(zip(names, given, strict=True))).formula()
 
-def _tokens(text: str) -> Iterator[str]:
-    at = 0
+
+@cache
+def _tokens(text: str) -> list[str]:
+    """The tokens, and an empty one at the end."""
+    at, tokens = 0, []
     while text[at:].strip():
         found = TOKEN.match(text, at)
         if found is None:
             raise Rejected(f"the specification cannot be read: {text[at : at + 30]!r}")
-        yield found.group(1)
+        tokens.append(found.group(1))
         at = found.end()
+    return [*tokens, ""]
+
+
+def explained(words: Mapping[str, str]) -> dict[str, tuple[list[str], str]]:
+    """What a specification says of its own words: `word(a, b): sentence`."""
+    found = {}
+    for head, text in words.items():
+        name, _, rest = head.partition("(")
+        found[name] = [x.strip() for x in rest.rstrip(")").split(",") if x.strip()], text
+    return found
 
 
 def instances(schema: Mapping[str, str], words: Words, at: Mapping[str, Any] | None = None) -> Iterator[Formula]:
     """What a schema says of a layout: a formula for each place at which there is something to say."""
     for names in places(schema, words, at):
-        if "when" not in schema or Sentence(schema["when"], words, names).term():
-            yield Sentence(schema["must"], words, names).formula()
+        yield Sentence(schema["must"], words, names).formula()
 
 
 def places(schema: Mapping[str, str], words: Words, at: Mapping[str, Any] | None = None) -> Iterator[dict[str, Any]]:
@@ -171,7 +198,8 @@ def places(schema: Mapping[str, str], words: Words, at: Mapping[str, Any] | None
 
     def go(rest: list[str], names: dict[str, Any]) -> Iterator[dict[str, Any]]:
         if not rest:
-            yield names
+            if "when" not in schema or Sentence(schema["when"], words, names).formula() != FALSE:
+                yield names
             return
         name, _, those = rest[0].partition(" in ")
         for x in Sentence(those, words, names).term():

@@ -142,12 +142,13 @@ class Reader:
         """One function block."""
         self.take("FUNCTION_BLOCK")
         block = Block(self.kind("name"))
+        taken: set[str] = set()
         while self.word() in block.parts:
             part = block.parts[self.take(*block.parts)]
             while self.word() != "END_VAR":
                 name = self.kind("name")
-                taken = {n.upper() for p in block.parts.values() for n in p}
                 need(name.upper() not in taken, f"{block.name} declares {name} twice")
+                taken.add(name.upper())
                 self.take(":")
                 type_ = self.kind("name")
                 part[name] = Variable(type_, self.initial())

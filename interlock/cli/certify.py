@@ -7,9 +7,20 @@ from pathlib import Path
 
 import click
 
-from interlock.app.certify import certify_file
-from interlock.cli.common import FINDINGS, OK, jobs_option, layouts_argument, progress, show, show_proof
-from interlock.proof.pool import apart
+from interlock.app.certify import Certified, certify_file
+from interlock.cli.common import (
+    FINDINGS,
+    OK,
+    each,
+    exit_code,
+    format_option,
+    jobs_option,
+    layouts_argument,
+    put_json,
+    show,
+    show_proof,
+)
+from interlock.diag.render import as_json
 
 
 @click.command("certify")
@@ -31,22 +42,32 @@ from interlock.proof.pool import apart
 )
 @jobs_option
 @click.option("--check", is_flag=True, help="Write nothing; verify the certificates and tell whether they are current.")
-def command(layouts: tuple[str, ...], outputs: Path, out: Path, jobs: int, check: bool) -> None:
+@format_option
+def command(layouts: tuple[str, ...], outputs: Path, out: Path, jobs: int, check: bool, form: str) -> None:
     """Write a certificate of each layout's proof, tied to its outputs, for `interlock verify`."""
-    calls = [(p, outputs, out, check) for p in layouts]
-    if jobs > 1 and len(calls) > 1:
-        results = apart(certify_file, calls, jobs)
-    else:
-        results = []
-        for c in calls:
-            with progress(c[0]) as report:
-                results.append(certify_file(*c, progress=report))
-    for r in results:
+    results = each(certify_file, [(p, outputs, out, check) for p in layouts], jobs)
+    done = "CURRENT" if check else "CERTIFIED"
+    if form == "json":
+        put_json([_body(r, done) for r in results])
+    for r in results if form != "json" else ():
         if not r.proved.green:
-            show_proof(r.proved, "text", False)
+            show_proof(r.proved, form, False)
             continue
         source = r.proved.checked.source
-        show(r.notes, {source.file: source.text}, "text")
+        show(r.notes, {source.file: source.text}, form)
         if r.ok:
-            click.echo(f"{r.proved.checked.path}: {'CURRENT' if check else 'CERTIFIED'}  {r.summary}")
-    sys.exit(OK if all(r.ok for r in results) else FINDINGS)
+            click.echo(f"{r.proved.checked.path}: {click.style(done, fg='green')}  {r.summary}, {r.seconds:.1f} s")
+    open_or_wrong = exit_code([r.proved for r in results])
+    sys.exit(open_or_wrong or (OK if all(r.ok for r in results) else FINDINGS))
+
+
+def _body(r: Certified, done: str) -> dict[str, object]:
+    found = [*r.proved.checked.diagnostics, *r.proved.notes, *r.notes]
+    return {
+        "file": r.proved.checked.path,
+        "ok": r.ok,
+        "verdict": done if r.ok else None,
+        "text": r.summary,
+        "wall_seconds": round(r.seconds, 3),
+        "diagnostics": as_json(found),
+    }

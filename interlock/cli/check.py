@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import sys
+import time
 
 import click
 
 from interlock.app.check import check_file
-from interlock.cli.common import FINDINGS, OK, format_option, layouts_argument, put_json, show
+from interlock.cli.common import FINDINGS, OK, format_option, layouts_argument, progress, put_json, show, took
 from interlock.diag import render
 
 
@@ -16,7 +17,12 @@ from interlock.diag import render
 @format_option
 def command(layouts: tuple[str, ...], form: str) -> None:
     """Report every problem of the layouts with place, code and fix (fast, no proof)."""
-    results = [check_file(p) for p in layouts]
+    results = []
+    for p in layouts:
+        began = time.monotonic()
+        with progress(p) as report:
+            report("deriving", 0, 0)
+            results.append((check_file(p), took(began)))
     if form == "json":
         put_json(
             [
@@ -26,12 +32,12 @@ def command(layouts: tuple[str, ...], form: str) -> None:
                     "diagnostics": render.as_json(r.diagnostics, {r.source.file: r.source.text}),
                     "routes": len(r.table.routes) if r.table else None,
                 }
-                for r in results
+                for r, _ in results
             ]
         )
     else:
-        for r in results:
+        for r, time_taken in results:
             show(r.diagnostics, {r.source.file: r.source.text}, form)
             count = f", {len(r.table.routes)} routes" if r.ok and r.table else ""
-            click.echo(f"{r.path}: {render.summary(r.diagnostics) or 'no problems'}{count}")
-    sys.exit(OK if all(r.ok for r in results) else FINDINGS)
+            click.echo(f"{r.path}: {render.summary(r.diagnostics) or 'no problems'}{count}, {time_taken}")
+    sys.exit(OK if all(r.ok for r, _ in results) else FINDINGS)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from pathlib import Path
+from threading import Timer
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -41,27 +42,61 @@ jobs_option = click.option(
 )
 
 
+force_option = click.option("--force", is_flag=True, help="Overwrite a file that interlock has not written.")
+
+
 def show(diagnostics: Iterable[Diagnostic], sources: dict[str, str], form: str) -> None:
-    """Print diagnostics; notes of severity info take one line each."""
+    """Print diagnostics; notes of severity info take one line each.  As JSON they are all that is said."""
     found = list(diagnostics)
-    if form == "concise":
-        click.echo(renderers.concise(found, sources), nl=False)
+    if form == "json":
+        put_json(
+            {
+                "ok": not any(d.severity is Severity.ERROR for d in found),
+                "diagnostics": renderers.as_json(found, sources),
+            }
+        )
         return
-    on_terminal = sys.stdout.isatty()
-    width = shutil.get_terminal_size().columns if on_terminal else None
-    paint = _painted if on_terminal and not os.environ.get("NO_COLOR") else renderers.bare
+    if form == "concise":
+        click.echo(renderers.concise(found, sources, _painted), nl=False)
+        return
+    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
     serious = [d for d in found if d.severity is not Severity.INFO]
-    click.echo(renderers.full(serious, sources, width, paint), nl=False)
-    click.echo(renderers.concise([d for d in found if d.severity is Severity.INFO], sources), nl=False)
+    info = [d for d in found if d.severity is Severity.INFO]
+    click.echo(renderers.full(serious, sources, width, _painted), nl=False)
+    click.echo(renderers.concise(info, sources, _painted), nl=False)
+
+
+_SEVERITIES = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.INFO: "blue"}
 
 
 def _painted(text: str, severity: Severity) -> str:
-    return click.style(text, fg={Severity.ERROR: "red", Severity.WARNING: "yellow"}.get(severity), bold=True)
+    return click.style(text, fg=_SEVERITIES[severity], bold=True)
 
 
 def put_json(body: Any) -> None:
     """Print JSON."""
     click.echo(json.dumps(body, indent=2, ensure_ascii=False))
+
+
+def failed(message: str, form: str, code: str = "", fix: str = "") -> None:
+    """Say why a command could not do its work: on the error stream, or as JSON."""
+    if form == "json":
+        put_json({"ok": False, "error": message, "code": code or None, "fix": fix or None})
+        return
+    mark = click.style(f"error[{code}]" if code else "error", fg="red", bold=True)
+    click.echo(f"{mark}: {message}" + (f"\n  fix: {fix}" if fix else ""), err=True)
+
+
+def told(error: Exception, path: Path) -> str:
+    """An error in words."""
+    if isinstance(error, OSError):
+        return f"{path}: {error.strerror}"
+    return f"{path}: not UTF-8 text" if isinstance(error, UnicodeDecodeError) else str(error)
+
+
+def took(began: float) -> str:
+    """The time since then, by the clock on the wall."""
+    return f"{time.monotonic() - began:.1f} s"
 
 
 def exit_code(proofs: Sequence[Proved]) -> int:
@@ -73,38 +108,87 @@ def exit_code(proofs: Sequence[Proved]) -> int:
 
 @contextmanager
 def progress(label: str) -> Iterator[Callable[[str, int, int], None]]:
-    """A progress bar after one second, on a terminal only."""
-    if not sys.stderr.isatty():
-        yield lambda stage, done, total: None
-        return
-    began = time.monotonic()
-    bar: Any = None
-    task: Any = None
+    """What is being done: on a terminal a bar, after one second; elsewhere a line for each stage.
 
-    def report(stage: str, done: int, total: int) -> None:
-        nonlocal bar, task
-        if bar is None:
-            if time.monotonic() - began < 1:
-                return
-            from rich.console import Console
-            from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-            bar = Progress(
-                TextColumn("{task.description}"),
-                BarColumn(),
-                TimeElapsedColumn(),
-                console=Console(stderr=True),
-                transient=True,
-            )
-            bar.start()
-            task = bar.add_task(label, total=total)
-        bar.update(task, description=f"{label}: {stage}", completed=done, total=total)
-
+    A stage whose length nobody knows has a total of 0: its bar only moves.
+    """
+    shown = _Bar(label) if sys.stderr.isatty() else _Lines(label)
     try:
-        yield report
+        yield shown.report
     finally:
-        if bar is not None:
-            bar.stop()
+        shown.end()
+
+
+class _Lines:
+    def __init__(self, label: str) -> None:
+        self._label, self._stage = label, ""
+
+    def report(self, stage: str, done: int, total: int) -> None:
+        """A line when a stage begins."""
+        del done, total
+        if stage != self._stage:
+            self._stage = stage
+            click.echo(f"{self._label}: {stage}", err=True)
+
+    def end(self) -> None:
+        """Nothing is left to be said."""
+
+
+class _Bar:
+    def __init__(self, label: str) -> None:
+        self._label = label
+        self._now: tuple[str, int, int] = ("", 0, 0)
+        self._bar: Any = None
+        self._later = Timer(1, self._begin)
+        self._later.daemon = True
+        self._later.start()
+
+    def _begin(self) -> None:
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+        columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+        bar = Progress(*columns, console=Console(stderr=True), transient=True)
+        bar.add_task(self._label, total=None)
+        bar.start()
+        self._bar = bar
+        self.report(*self._now)
+
+    def report(self, stage: str, done: int, total: int) -> None:
+        """Where the work stands."""
+        self._now = (stage, done, total)
+        if self._bar is not None:
+            text = f"{self._label}: {stage}" if stage else self._label
+            self._bar.update(self._bar.task_ids[0], description=text, completed=done, total=total or None)
+
+    def end(self) -> None:
+        """Take it away."""
+        self._later.cancel()
+        self._later.join()
+        if self._bar is not None:
+            self._bar.stop()
+
+
+def each(work: Callable[..., Any], calls: Sequence[tuple[Any, ...]], jobs: int) -> list[Any]:
+    """Work on layouts, the first argument of each call: in turn, with a progress report as the last argument; or, with
+    more than one job, several beside each other."""
+    if jobs > 1 and len(calls) > 1:
+        from interlock.proof.pool import apart
+
+        done = 0
+        with progress("layouts") as report:
+
+            def note(n: int) -> None:
+                nonlocal done
+                done += 1
+                report(f"{done} of {len(calls)} done", done, len(calls))
+
+            return apart(work, calls, jobs, note)
+    results = []
+    for c in calls:
+        with progress(c[0]) as report:
+            results.append(work(*c, report))
+    return results
 
 
 _COLOURS = {"PROVED": "green", "REFUTED": "red", "UNKNOWN": "yellow"}
@@ -138,6 +222,7 @@ def proof_body(p: Proved) -> dict[str, Any]:
             "text_equals_controller": p.text_equal,
             "texts": {t.file: t.equal for t in p.texts},
             "seconds": round(p.proof.seconds, 3),
+            "wall_seconds": round(p.seconds, 3),
             "kept": p.proof.kept,
         }
     return body
@@ -178,7 +263,7 @@ def show_proof(p: Proved, form: str, verbose: bool) -> None:
     click.echo(
         f"{p.checked.path}: {verdict}  {_claimed(p.proof.claims)}; {routes} routes, {ok} driven by a witness, "
         f"text {'=' if p.text_equal else 'differs from'} controller, "
-        f"{'as an earlier run has proved it' if p.proof.kept else f'{p.proof.seconds:.1f} s'}"
+        f"{'as an earlier run has proved it, ' if p.proof.kept else ''}{p.seconds:.1f} s"
     )
 
 

@@ -10,19 +10,17 @@ import click
 from interlock.app.compile import compile_file, names_twice
 from interlock.cli.common import (
     FINDINGS,
+    each,
     exit_code,
     format_option,
     jobs_option,
     layouts_argument,
-    progress,
     proof_body,
     put_json,
     show,
     show_proof,
 )
 from interlock.proof.limits import Limits
-from interlock.proof.pool import apart
-from interlock.proof.verdict import quiet
 from interlock.st.dialects import DIALECTS
 
 
@@ -64,14 +62,8 @@ def command(
     if clashes:
         show(clashes, {}, form)
         sys.exit(FINDINGS)
-    if jobs > 1 and len(layouts) > 1:
-        results = apart(compile_file, [(p, out, check, unproved, Limits(), quiet, tools) for p in layouts], jobs)
-    else:
-        results = []
-        for p in layouts:
-            with progress(p) as report:
-                limits = Limits(jobs=jobs if len(layouts) == 1 else 1)
-                results.append(compile_file(p, out, check, unproved, limits, report, tools))
+    limits = Limits(jobs=jobs if len(layouts) == 1 else 1)
+    results = each(compile_file, [(p, out, check, unproved, limits, tools) for p in layouts], jobs)
     if form == "json":
         put_json([proof_body(r) for r in results])
     else:

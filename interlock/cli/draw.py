@@ -8,25 +8,31 @@ from pathlib import Path
 import click
 
 from interlock.app.draw import draw_file
-from interlock.cli.common import FINDINGS, OK, show
+from interlock.app.own import NotOurs, write_own
+from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, put_json, show, told
 
 
 @click.command("draw")
 @click.argument("layout", type=click.Path())
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="The file; else NAME.svg here.")
-def command(layout: str, output: Path | None) -> None:
+@force_option
+@format_option
+def command(layout: str, output: Path | None, force: bool, form: str) -> None:
     """Draw the track plan of LAYOUT as SVG, from its topology alone."""
     drawn = draw_file(layout)
     if drawn.svg is None:
-        show(drawn.diagnostics, {drawn.source.file: drawn.source.text}, "full")
+        show(drawn.diagnostics, {drawn.source.file: drawn.source.text}, form)
         sys.exit(FINDINGS)
     target = output or Path(Path(layout).stem + ".svg")
     try:
-        target.write_text(drawn.svg, "utf-8")
-    except OSError as error:
-        click.echo(f"{target}: {error.strerror}", err=True)
+        size = write_own(target, drawn.svg.encode(), Path(layout), force)
+    except (NotOurs, OSError) as error:
+        failed(told(error, target), form)
         sys.exit(FINDINGS)
-    for note in drawn.notes:
-        click.echo(f"note: {note}")
-    click.echo(f"{target}: {len(drawn.svg)} bytes")
+    if form == "json":
+        put_json({"ok": True, "file": str(target), "bytes": size, "notes": list(drawn.notes)})
+    else:
+        for note in drawn.notes:
+            click.echo(f"note: {note}")
+        click.echo(f"{target}: {size} bytes")
     sys.exit(OK)

@@ -1,4 +1,4 @@
-"""`interlock explain`: the page of a diagnostic code."""
+"""`interlock explain`: what a code means."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ import sys
 
 import click
 
-from interlock.app.why import explain
-from interlock.cli.common import FINDINGS, OK, format_option, put_json
-from interlock.diag.codes import CODES
+from interlock.app.explain import explain, topic, topics
+from interlock.cli.common import FINDINGS, OK, failed, format_option, put_json
 from interlock.diag.suggest import did_you_mean
 
 
@@ -16,21 +15,24 @@ from interlock.diag.suggest import did_you_mean
 @click.argument("code", required=False)
 @format_option
 def command(code: str | None, form: str) -> None:
-    """Explain a diagnostic code or a rule (R5); without one, list all codes."""
-    if form == "json":
-        wanted = [c for c in CODES if code is None or c == code.upper()]
-        if not wanted and code is not None and explain(code) is not None:
-            put_json([{"code": code.upper(), "severity": None, "title": "rule", "page": explain(code)}])
-            sys.exit(OK)
-        put_json([{"code": c, "severity": str(CODES[c][0]), "title": CODES[c][1], "page": explain(c)} for c in wanted])
-        sys.exit(OK if wanted else FINDINGS)
+    """Explain a diagnostic (IL4001), a rule (R5), a claim (T-COLLISION), an assumption (A-SCAN) or a principle
+    (release_delay_s); without a code, list all of them.
+    """
     if code is None:
-        for c, (severity, title) in CODES.items():
-            click.echo(f"{c}  {severity:8} {title}")
+        found = topics()
+        if form == "json":
+            put_json([{"code": t.code, "kind": t.kind, "severity": t.severity, "title": t.title} for t in found])
+        else:
+            for t in found:
+                click.echo(f"{t.code:22} {t.severity or t.kind:10} {t.title}")
         sys.exit(OK)
-    page = explain(code)
-    if page is None:
-        click.echo(f"error[IL5005]: there is no code {code}\n  fix: {did_you_mean(code.upper(), CODES)}", err=True)
+    one, page = topic(code), explain(code)
+    if one is None or page is None:
+        fix = did_you_mean(code, [t.code for t in topics()], "`interlock explain` lists all of them")
+        failed(f"there is no code {code}", form, code="IL5005", fix=str(fix))
         sys.exit(FINDINGS)
-    click.echo(page, nl=False)
+    if form == "json":
+        put_json([{"code": one.code, "kind": one.kind, "severity": one.severity, "title": one.title, "page": page}])
+    else:
+        click.echo(page, nl=False)
     sys.exit(OK)

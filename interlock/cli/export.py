@@ -8,24 +8,33 @@ from pathlib import Path
 import click
 
 from interlock.app.export import aiger_file
-from interlock.cli.common import FINDINGS, OK, show
+from interlock.app.own import NotOurs, write_own
+from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, put_json, show, told
 
 
 @click.command("export")
-@click.argument("layout", type=click.Path(exists=True))
-@click.option("--aiger", "form", flag_value="aiger", default="aiger", help="Binary AIGER (the default).")
+@click.argument("layout", type=click.Path())
+@click.option("--aiger", "engine", flag_value="aiger", default="aiger", help="Binary AIGER (the default).")
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), required=True, help="The file.")
-def command(layout: str, form: str, output: Path) -> None:
+@force_option
+@format_option
+def command(layout: str, engine: str, output: Path, force: bool, form: str) -> None:
     """Write controller, physics and claims as a circuit; its output is true when some claim is violated."""
-    del form
+    del engine
+    if output.suffix != ".aig":
+        raise click.UsageError(f"{output}: a circuit in binary AIGER is called NAME.aig")
     checked, data = aiger_file(layout)
     if data is None:
-        show(checked.diagnostics, {checked.source.file: checked.source.text}, "text")
+        show(checked.diagnostics, {checked.source.file: checked.source.text}, form)
         sys.exit(FINDINGS)
     try:
-        output.write_bytes(data)
-    except OSError as error:
-        click.echo(f"{output}: {error.strerror}", err=True)
+        size = write_own(output, data, Path(layout), force)
+    except (NotOurs, OSError) as error:
+        failed(told(error, output), form)
         sys.exit(FINDINGS)
-    click.echo(f"{output}: {data.split(maxsplit=6)[1].decode()} variables, {len(data)} bytes")
+    variables = int(data.split(maxsplit=6)[1])
+    if form == "json":
+        put_json({"ok": True, "file": str(output), "bytes": size, "variables": variables})
+    else:
+        click.echo(f"{output}: {variables} variables, {size} bytes")
     sys.exit(OK)

@@ -1,6 +1,6 @@
 """The entry point: picks a verb, and turns what goes wrong inside into exit code 70 instead of a traceback.
 
-Exit codes: 0 fine, 1 findings or refuted, 2 usage, 3 could not be proved, 70 internal error.
+Exit codes: 0 fine, 1 findings or refuted, 2 usage, 3 could not be proved, 70 internal error, 130 interrupted.
 """
 
 from __future__ import annotations
@@ -9,16 +9,20 @@ import gc
 import importlib
 import os
 import sys
+from typing import NoReturn
 
 import click
 
 from interlock import __version__
+
+INTERRUPTED = 130  # 128 and the number of the signal, as shells have it
 
 VERBS = {
     "init": "Write a layout to begin with, or a large one for trials.",
     "check": "Report every problem of the layouts (fast, no proof).",
     "compile": "Derive the table, prove the controller, write all outputs.",
     "prove": "Prove every safety claim for every possible train movement.",
+    "availability": "Use every two routes together that are not hostile.",
     "certify": "Write the proof as files that can be checked again.",
     "verify": "Check certificates again, with nothing of what made them.",
     "run": "Run the proved runtime against inputs and outputs on Modbus TCP.",
@@ -26,9 +30,11 @@ VERBS = {
     "draw": "Draw the track plan as SVG.",
     "play": "Make a page that plays a trace.",
     "why": "Print why each cell of a route's row is as it is.",
-    "explain": "Explain a diagnostic code or a rule; without one, list all codes.",
-    "mutate": "Weaken table and controller on purpose; see which claim fails.",
-    "schema": "Print the JSON Schema of the layout language.",
+    "dispatch": "Carry out commands on the controller with its plant; show plans and deadlocks.",
+    "blocks": "Lengths of block sections from the traffic, and the layout's own against them.",
+    "explain": "Explain a diagnostic, rule, claim, assumption or principle.",
+    "mutate": "Change table, controller and texts on purpose, one change at a time; see what notices.",
+    "schema": "Print the JSON Schema of the layout language, or of table.json.",
 }
 
 
@@ -66,27 +72,34 @@ class _Verbs(click.Group):
 
 @click.group(cls=_Verbs, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="interlock")
-def cli() -> None:
+@click.pass_context
+def cli(ctx: click.Context) -> None:
     """From a track layout to a proved interlocking table, Structured Text and a Python runtime.
 
     Start with: interlock compile layouts/mine11.yaml
     """
+    if os.environ.get("NO_COLOR"):
+        ctx.color = False
 
 
 def main() -> None:
     """Run the command line."""
-    gc.disable()  # expressions are shared and live to the end: the collector would only walk them again and again
+    gc.disable()  # what a command builds lives to its end, which is soon: the collector would only walk it
     try:
-        cli(standalone_mode=True)
+        code = cli(standalone_mode=False)
     except SystemExit as end:
         _leave(end.code)
+    except (click.Abort, KeyboardInterrupt):
+        _interrupted()
+    except click.ClickException as error:
+        error.show()
+        _leave(error.exit_code)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(1)
     except Exception as error:
         if "keyboard interrupt" in str(error):  # what a solver says that was interrupted
-            click.echo("Aborted!", err=True)
-            _leave(1)
+            _interrupted()
         if os.environ.get("INTERLOCK_DEBUG"):
             raise
         click.echo(
@@ -96,9 +109,16 @@ def main() -> None:
             err=True,
         )
         sys.exit(70)
+    else:
+        _leave(code if isinstance(code, int) else 0)
 
 
-def _leave(code: int | str | None) -> None:
+def _interrupted() -> NoReturn:
+    click.echo("interrupted", err=True)
+    _leave(INTERRUPTED)
+
+
+def _leave(code: int | str | None) -> NoReturn:
     """End at once: to take apart what a large layout has built would take seconds."""
     if isinstance(code, str):
         click.echo(code, err=True)

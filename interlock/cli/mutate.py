@@ -1,69 +1,126 @@
-"""`interlock mutate`: weaken table, controller and text on purpose and see which claim fails."""
+"""`interlock mutate`: change table, controller and text on purpose, one change at a time, and see what notices."""
 
 from __future__ import annotations
 
 import sys
+from collections import Counter
+from collections.abc import Iterable
+from functools import lru_cache
+from pathlib import Path
 
 import click
 
 from interlock.app.check import check_file
-from interlock.cli.common import FINDINGS, OK, format_option, put_json, show
+from interlock.cli.common import FINDINGS, NOT_PROVED, OK, format_option, jobs_option, put_json, show
+from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
+from interlock.model.layout import Layout
 from interlock.proof.limits import Limits
-from interlock.proof.mutate import KINDS, Fate, Outcome, run_mutants
-from interlock.proof.text_mutants import TEXT_KINDS, run_text_mutants
+from interlock.proof.mutate import judge as searched
+from interlock.proof.mutation.campaign import Campaign, Judged
+from interlock.proof.mutation.judge import Fate, Verdict
+from interlock.proof.mutation.points import Mutation
+from interlock.proof.mutation.survivors import listed, off_the_list, shape
+from interlock.proof.text_mutants import text_mutants
+from interlock.table.rows import InterlockingTable
+
+
+class _Shard(click.ParamType[tuple[int, int]]):
+    """`2/3`: the second of three."""
+
+    name = "K/N"
+
+    def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> tuple[int, int]:
+        if isinstance(value, tuple):
+            return value
+        k, _, n = str(value).partition("/")
+        if not (k.isdecimal() and n.isdecimal() and 1 <= int(k) <= int(n)):
+            self.fail(f"{value!r} is not K/N with 1 <= K <= N", param, ctx)
+        return int(k), int(n)
 
 
 @click.command("mutate")
 @click.argument("layout")
-@click.option(
-    "--sample",
-    type=click.IntRange(0, 100_000),
-    default=2,
-    show_default=True,
-    help="Mutants of each kind, evenly spread; 0 for all.",
-)
-@click.option(
-    "--kind", "kinds", multiple=True, type=click.Choice([*(k.name for k in KINDS), *TEXT_KINDS]), help="Only this kind."
-)
+@click.option("--all", "every", is_flag=True, help="Every mutant; otherwise the first of every form in every family.")
+@click.option("--family", "families", multiple=True, help="Only this family, as the table names it.")
+@click.option("--kept", type=click.Path(dir_okay=False, path_type=Path), help="Keep verdicts in this file, and go on.")
+@click.option("--shard", type=_Shard(), default=(1, 1), help="Judge only the K-th of N parts.")
+@click.option("--stories", is_flag=True, help="Search a movement to harm for one mutant of each family.")
 @click.option("--search-seconds", type=float, default=30.0, show_default=True)
-@click.option("--stories", is_flag=True, help="Tell the train movement of each killed mutant.")
+@jobs_option
 @format_option
-def command(layout: str, sample: int, kinds: tuple[str, ...], search_seconds: float, stories: bool, form: str) -> None:
-    """Seed single weakenings; each must fail a claim or be shown redundant, and no changed text may pass as equal."""
+def command(
+    layout: str,
+    every: bool,
+    families: tuple[str, ...],
+    kept: Path | None,
+    shard: tuple[int, int],
+    stories: bool,
+    search_seconds: float,
+    jobs: int,
+    form: str,
+) -> None:
+    """Change one thing at a time: equations, operands, outputs, timers, presets, initial values of the controller, the
+    table by named weakenings, and the emitted texts.  Claims, functions, trains or operators must notice, or a solver
+    show that nothing has changed; what survives otherwise must be on the published list."""
     checked = check_file(layout)
     if not checked.ok or checked.layout is None or checked.table is None:
         show(checked.diagnostics, {checked.source.file: checked.source.text}, form)
         sys.exit(FINDINGS)
-
-    def report(o: Outcome) -> None:
-        if form == "json":
-            return
-        click.echo(f"{o.kind:26} {o.fate:26} {' '.join(o.claims[:3]):42} {o.place}")
-        if stories:
-            for n, step in enumerate(o.story, 1):
-                click.echo(f"    {n}. {step}")
-
-    limits = Limits(search_depth=20, search_s=search_seconds)
-    outcomes: list[Outcome] = []
-    if not kinds or set(kinds) - set(TEXT_KINDS):
-        outcomes += run_mutants(checked.layout, checked.table, sample, limits, report, kinds)
-    if not kinds or set(kinds) & set(TEXT_KINDS):
-        outcomes += run_text_mutants(lower(checked.layout, checked.table), sample, report, kinds)
+    campaign = Campaign(_made, {layout: every}, frozenset(families), weakened=True)
+    found = campaign.run(kept, jobs, shard)[layout]
+    if shard[0] == 1:
+        found += [(m, v) for m, v in text_mutants(_made(layout)[2], 0 if every else 1) if _wanted(m, families)]
+    told = _stories(layout, found, search_seconds) if stories else {}
     if form == "json":
-        put_json(
-            [
-                {
-                    "kind": o.kind,
-                    "place": o.place,
-                    "fate": str(o.fate),
-                    "claims": list(o.claims),
-                    "story": list(o.story),
-                }
-                for o in outcomes
-            ]
-        )
+        put_json([_row(m, v) | ({"story": told[m.family]} if m.family in told else {}) for m, v in found if v])
     else:
-        counts = {f: sum(o.fate is f for o in outcomes) for f in Fate}
-        click.echo(", ".join(f"{n} {f}" for f, n in counts.items()))
-    sys.exit(OK)
+        _print(found, told)
+    sys.exit(FINDINGS if off_the_list(found) else OK if all(v for _, v in found) else NOT_PROVED)
+
+
+@lru_cache(1)
+def _made(path: str) -> tuple[Layout, InterlockingTable, Controller]:
+    checked = check_file(path)
+    assert checked.layout is not None and checked.table is not None
+    return checked.layout, checked.table, lower(checked.layout, checked.table)
+
+
+def _wanted(m: Mutation, families: tuple[str, ...]) -> bool:
+    return not families or m.family in families
+
+
+def _row(m: Mutation, v: Verdict) -> dict[str, object]:
+    return {"family": m.family, "form": m.form, "mutation": m.name, "fate": str(v.fate), "why": v.why}
+
+
+def _stories(layout: str, found: Iterable[Judged], seconds: float) -> dict[str, list[str]]:
+    """For each family a movement to harm with the first mutant that fails a claim, where one is found."""
+    told: dict[str, list[str]] = {}
+    tried = set()
+    for m, v in found:
+        if v and v.fate is Fate.CLAIM and m.family not in tried:
+            tried.add(m.family)
+            outcome = searched(_made(layout)[0], m.family, m.name, m.make(), Limits(search_depth=20, search_s=seconds))
+            if outcome.story:
+                told[m.family] = [f"{m.name}: {', '.join(outcome.claims[:3])}", *outcome.story]
+    return told
+
+
+def _print(found: list[Judged], told: dict[str, list[str]]) -> None:
+    fates: dict[str, Counter[Fate | None]] = {}
+    for m, v in found:
+        fates.setdefault(m.family, Counter())[v.fate if v else None] += 1
+    for family, count in fates.items():
+        words = ", ".join(f"{n} {fate or 'not judged yet'}" for fate, n in count.most_common())
+        click.echo(f"{family:34} {count.total():6}  {words}")
+        for n, step in enumerate(told.get(family, ())):
+            click.echo(f"    {n}. {step}" if n else f"    {step}")
+    for m, v in found:
+        if v and v.fate is Fate.SURVIVES:
+            click.echo(
+                f"survives: {m.name}: {listed().get(shape(m.name), 'NOT ON THE LIST')}  ({v.why or 'no equivalence'})"
+            )
+    total: Counter[Fate | None] = sum(fates.values(), Counter())
+    words = ", ".join(f"{n} {fate or 'not judged yet'}" for fate, n in total.most_common())
+    click.echo(f"{total.total()} mutants in {len(fates)} families: {words}")

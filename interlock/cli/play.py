@@ -7,7 +7,8 @@ from pathlib import Path
 
 import click
 
-from interlock.cli.common import FINDINGS, OK
+from interlock.app.own import NotOurs, write_own
+from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, put_json, told
 from interlock.emit.report import BadTrace, player_html
 
 
@@ -16,17 +17,23 @@ from interlock.emit.report import BadTrace, player_html
 @click.option(
     "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="The page; else beside the trace."
 )
-def command(trace: Path, output: Path | None) -> None:
+@force_option
+@format_option
+def command(trace: Path, output: Path | None, force: bool, form: str) -> None:
     """Make a page of an ITF TRACE, as `prove` and `compile` write them for refuted claims."""
     target = output or trace.with_name(trace.name.removesuffix(".json").removesuffix(".itf") + ".html")
     try:
         page = player_html(trace.read_text("utf-8"))
-        target.write_text(page, "utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        click.echo(f"{trace}: {getattr(error, 'strerror', None) or 'not UTF-8 text'}", err=True)
+    except (OSError, UnicodeDecodeError, BadTrace) as error:
+        failed(told(error, trace), form)
         sys.exit(FINDINGS)
-    except BadTrace as error:
-        click.echo(f"{trace}: {error}", err=True)
+    try:
+        size = write_own(target, page.encode(), trace, force)
+    except (NotOurs, OSError) as error:
+        failed(told(error, target), form)
         sys.exit(FINDINGS)
-    click.echo(f"{target}: open it in a browser")
+    if form == "json":
+        put_json({"ok": True, "file": str(target), "bytes": size})
+    else:
+        click.echo(f"{target}: open it in a browser")
     sys.exit(OK)

@@ -11,11 +11,11 @@ import click
 from interlock.app.prove import prove_file
 from interlock.app.proved import Proved
 from interlock.cli.common import (
+    each,
     exit_code,
     format_option,
     jobs_option,
     layouts_argument,
-    progress,
     proof_body,
     put_json,
     show_proof,
@@ -23,7 +23,6 @@ from interlock.cli.common import (
 from interlock.proof.cache import Cache
 from interlock.proof.engines import ENGINES
 from interlock.proof.limits import Limits
-from interlock.proof.pool import apart
 
 
 @click.command("prove")
@@ -91,28 +90,25 @@ def command(
     if foreign:
         told = "answer is" if foreign == 1 else "answers are"
         click.echo(f"{cache}: {foreign} {told} not sealed with your key, and not believed: asked again", err=True)
-    if jobs > 1 and len(layouts) > 1:
-        results = apart(prove_file, [(p, limits) for p in layouts], jobs)
-    else:
-        results = []
-        for p in layouts:
-            with progress(p) as report:
-                results.append(prove_file(p, limits, report))
+    results = each(prove_file, [(p, limits) for p in layouts], jobs)
     if form == "json":
-        put_json([proof_body(r) for r in results])
+        put_json([proof_body(r) | {"pages": _write_traces(r, traces)} for r in results])
     else:
         for r in results:
             show_proof(r, form, verbose=True)
-            if r.traces:
-                _write_traces(r, traces)
+            for page in _write_traces(r, traces):
+                click.echo(f"  to play it: {page}")
     sys.exit(exit_code(results))
 
 
-def _write_traces(result: Proved, folder: Path) -> None:
+def _write_traces(result: Proved, folder: Path) -> list[str]:
+    """The pages that play the counterexamples; that they cannot be written changes no verdict."""
+    if not result.traces:
+        return []
     from interlock.app.draw import write_traces  # pictures are for counterexamples alone
 
     try:
-        for page in write_traces(result, folder):
-            click.echo(f"  to play it: {page}")
+        return [str(page) for page in write_traces(result, folder)]
     except OSError as error:
         click.echo(f"{folder}: {error.strerror}", err=True)
+        return []

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import gc
+import json
 import queue
 import signal
 import sys
 import threading
 from collections.abc import Mapping
 from contextlib import closing
+from typing import Any
 
 import click
 
 from interlock.app.run import BadCommand, Operator, Ready, prepare, run
-from interlock.cli.common import exit_code, progress, show_proof
+from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
 from interlock.field.modbus import ModbusLink
 from interlock.field.plc import Cycle, Link
 
@@ -46,7 +48,8 @@ def _end(number: int, frame: object) -> None:
 @click.option("--modbus", multiple=True, required=True, help="SUBSTATION=HOST:PORT[/DEVICE], one for each substation.")
 @click.option("--cycle", "cycle_ms", type=click.IntRange(10, 1000), default=100, show_default=True, help="In ms.")
 @click.option("--cycles", type=click.IntRange(1), default=None, help="Stop after so many cycles (otherwise: Ctrl-C).")
-def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | None) -> None:
+@format_option
+def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | None, form: str) -> None:
     """Prove LAYOUT, then run its runtime on Modbus TCP.
 
     A line of input is a command for one cycle: set ROUTE, swing SIGNAL, cancel SIGNAL or release.
@@ -61,7 +64,11 @@ def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | N
         raise click.UsageError("Modbus needs the extra `field`: pip install 'interlock[field]'") from None
     with progress(layout) as report:
         ready = prepare(layout, None, report)
-    show_proof(ready.proved, "full", False)
+    say = _json if form == "json" else _text
+    if form == "json":
+        say(proof_body(ready.proved))
+    else:
+        show_proof(ready.proved, form, False)
     if ready.allocation is None:
         sys.exit(exit_code([ready.proved]))
     links = _links(ready, modbus)
@@ -82,12 +89,12 @@ def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | N
             try:
                 operator.type(line)
             except BadCommand as error:
-                click.echo(f"  {error}")
+                say({"refused": str(error)})
             if "=" in line:
-                click.echo(f"  held: {', '.join(f'{n}={v}' for n, v in sorted(operator.held.items())) or 'nothing'}")
+                say({"held": dict(sorted(operator.held.items()))})
         found = operator.inputs(last, dt_ms)
         for news in operator.news():
-            click.echo(f"  {news}")
+            say({"voyage": news})
         return found
 
     for ending in (signal.SIGTERM, signal.SIGHUP):
@@ -101,13 +108,33 @@ def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | N
                 longest = max(longest, took)
                 if (result.valid, result.lost) != said:
                     said = (result.valid, result.lost)
-                    lost = "".join(f"; {x}" for x in result.lost)
-                    click.echo(f"inputs {'valid' if result.valid else 'NOT VALID'}{lost}")
+                    say({"inputs": "valid" if result.valid else "NOT VALID", "lost": list(result.lost)})
                 for name, value in result.outputs.items():
                     if before.get(name) is not value and (before or value):
-                        click.echo(f"  {name} = {int(value)}")
+                        say({"output": name, "value": int(value)})
                 before = dict(result.outputs)
     except KeyboardInterrupt:
         pass
-    click.echo("every output that could be reached is restrictive")
-    click.echo(f"stopped; the longest cycle took {longest * 1000:.1f} ms of {cycle_ms} ms")
+    say(
+        {"stopped": "every output that could be reached is restrictive", "ms": round(longest * 1000, 1), "of": cycle_ms}
+    )
+
+
+def _json(event: dict[str, Any]) -> None:
+    """One event on one line."""
+    click.echo(json.dumps(event, ensure_ascii=False))
+
+
+def _text(event: dict[str, Any]) -> None:
+    """The same for people."""
+    match event:
+        case {"refused": text} | {"voyage": text}:
+            click.echo(f"  {text}")
+        case {"held": held}:
+            click.echo(f"  held: {', '.join(f'{n}={v}' for n, v in held.items()) or 'nothing'}")
+        case {"inputs": state, "lost": lost}:
+            click.echo(f"inputs {state}{''.join(f'; {x}' for x in lost)}")
+        case {"output": name, "value": value}:
+            click.echo(f"  {name} = {value}")
+        case {"stopped": text, "ms": longest, "of": cycle}:
+            click.echo(f"{text}\nstopped; the longest cycle took {longest} ms of {cycle} ms")

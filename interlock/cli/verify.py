@@ -3,27 +3,55 @@
 from __future__ import annotations
 
 import sys
+import time
 from pathlib import Path
 
 import click
 
-from interlock.verify import main
+from interlock.cli.common import FINDINGS, NOT_PROVED, OK, format_option, put_json, took
+from interlock.verify import ERRORS, judge, why
 
 
 @click.command("verify")
 @click.argument("given", nargs=-1, required=True, metavar="[LAYOUT] FOLDER...", type=click.Path(exists=True))
-def command(given: tuple[str, ...]) -> None:
+@format_option
+def command(given: tuple[str, ...], form: str) -> None:
     """Check certificates (folders written by `certify`) again: digests, refutations, and that every claim is covered.
 
     That is said of the written system alone.  With LAYOUT before a FOLDER the emitted Structured Text is read and
-    compared with that system, too, by code that shares nothing with what made it; the exit code is 3 while something
-    has not been compared.
+    compared with that system, too, by code that shares nothing with what made it, and so are plant, assumptions and
+    claims with the specification for the layout; the exit code is 3 while something has not been compared.
     """
     files = [g for g in given if not Path(g).is_dir()]
-    if not files:
-        sys.exit(main(list(given)))
-    if len(given) != 2 or files != [given[0]]:
+    if files and (len(given) != 2 or files != [given[0]]):
         raise click.UsageError("one layout, then the folder of its certificate")
-    from interlock.checker.check import report
+    if files:
+        sys.exit(_compare(Path(given[0]), Path(given[1]), form))
+    found = []
+    for folder in given:
+        began = time.monotonic()
+        accepted, text = judge(folder)
+        found.append({"folder": folder, "verdict": "ACCEPTED" if accepted else "REJECTED", "text": text})
+        if form != "json":
+            mark = click.style(found[-1]["verdict"], fg="green" if accepted else "red")
+            click.echo(f"{folder}: {mark}  {text}, {took(began)}")
+    if form == "json":
+        put_json(found)
+    sys.exit(OK if all(f["verdict"] == "ACCEPTED" for f in found) else FINDINGS)
 
-    sys.exit(report(Path(given[0]), Path(given[1])))
+
+def _compare(layout: Path, folder: Path, form: str) -> int:
+    """With the layout and the emitted text; 3 when something was not compared."""
+    from interlock.checker.check import check, report
+
+    if form != "json":
+        return report(layout, folder)
+    body: dict[str, object] = {"layout": str(layout), "folder": str(folder)}
+    try:
+        found = check(layout, folder)
+    except ERRORS as error:
+        put_json([{**body, "verdict": "REJECTED", "text": why(error)}])
+        return FINDINGS
+    verdict = "CHECKED" if found.left else "VERIFIED"
+    put_json([{**body, "verdict": verdict, "compared": list(found.compared), "not_compared": list(found.left)}])
+    return NOT_PROVED if found.left else OK

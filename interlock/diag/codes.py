@@ -79,22 +79,15 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation
     "IL4001": (_E, "flank protection is missing"),
-    "IL4002": (_E, "a route that demands one machine in two positions"),
+    "IL4002": (_E, "a place that stands against its own routes"),
     "IL4003": (_E, "a signal from which no route leads"),
     "IL4004": (_I, "a route of more than three sections"),
     "IL4008": (_E, "a route without room for its overlap"),
+    "IL4010": (_I, "a flank with substitute protection"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),
     "IL4005": (_I, "a path was left out that cannot be run"),
     "IL4006": (_E, "a route that no train can drive"),
     "IL4007": (_E, "the audit disagrees with the derived table"),
-    # 6: usual practice, from which a layout may depart: `allow`, with a reason
-    "IL7001": (_W, "a signal that looks the wrong way"),
-    "IL7002": (_W, "a track between points without a starting signal"),
-    "IL7003": (_W, "a route that runs through a whole station"),
-    "IL7004": (_W, "a place that no train can reach or leave"),
-    "IL7005": (_W, "a length that is hardly meant"),
-    "IL7006": (_W, "an approach shorter than the braking distance"),
-    "IL7007": (_W, "a signal directly behind points"),
     # 5: proof and output
     "IL5001": (_E, "a claim is refuted"),
     "IL5002": (_E, "a claim could not be decided"),
@@ -103,6 +96,25 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL5005": (_E, "an unknown route, column or code"),
     "IL5006": (_E, "nothing is written without a proof"),
     "IL5007": (_E, "a certificate that is not current"),
+    # 6: dispatch
+    "IL6001": (_E, "a file that is no dispatch file of this layout"),
+    "IL6002": (_E, "a dispatch file speaks of something that the layout does not have"),
+    "IL6003": (_E, "a dispatch file lacks what the command needs"),
+    "IL6004": (_E, "a command that makes no sense on this layout"),
+    "IL6005": (_E, "a command that no chain of routes carries out"),
+    "IL6006": (_E, "a plan that cannot be read, or is for another layout"),
+    "IL6007": (_E, "trains that cannot all be carried out"),
+    "IL6008": (_E, "a place that no train can leave"),
+    "IL6009": (_E, "more trains than standing room"),
+    "IL6010": (_E, "a shift that cannot be done"),
+    # 7: usual practice, from which a layout may depart: `allow`, with a reason
+    "IL7001": (_W, "a signal that looks the wrong way"),
+    "IL7002": (_W, "a track between points without a starting signal"),
+    "IL7003": (_W, "a route that runs through a whole station"),
+    "IL7004": (_W, "a place that no train can reach or leave"),
+    "IL7005": (_W, "a length that is hardly meant"),
+    "IL7006": (_W, "an approach shorter than the braking distance"),
+    "IL7007": (_W, "a signal directly behind points"),
 }
 
 LINTS: tuple[str, ...] = tuple(code for code in CODES if code.startswith("IL7"))

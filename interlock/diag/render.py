@@ -19,6 +19,7 @@ _MAX_LINE = 160
 _RANK = {Severity.ERROR: 0, Severity.WARNING: 1, Severity.INFO: 2}
 
 Paint = Callable[[str, Severity], str]
+"""Colours a text."""
 
 
 def bare(text: str, severity: Severity) -> str:
@@ -50,9 +51,9 @@ def full(
     lines = _Lines(sources)
     for d in limited(diagnostics):
         beyond = d.code == "IL1020"
-        head = f"{d.severity}[{d.code}]:"
+        head = f"{d.severity}[{d.code}]"
         where = "" if beyond else _where(d)
-        first, *further = _wrapped(f"{where}{head} {_printable(d.message)}", width, "  ")
+        first, *further = _wrapped(f"{where}{head}: {_printable(d.message)}", width, "  ")
         out.append(first.replace(head, paint(head, d.severity), 1))
         out.extend(further)
         if not beyond:
@@ -65,14 +66,15 @@ def full(
     return "\n".join(out)
 
 
-def concise(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str]) -> str:
+def concise(diagnostics: Iterable[Diagnostic], sources: Mapping[str, str], paint: Paint = bare) -> str:
     """One line for each diagnostic."""
     del sources
     rows = []
     for d in limited(diagnostics):
         where = "" if d.code == "IL1020" else _where(d)
         also = f" (also: {_places(d)})" if d.also else ""
-        rows.append(f"{where}{d.severity}[{d.code}]: {_printable(d.message)}{also}\n")
+        head = paint(f"{d.severity}[{d.code}]", d.severity)
+        rows.append(f"{where}{head}: {_printable(d.message)}{also}\n")
     return "".join(rows)
 
 

@@ -3,6 +3,6 @@
 No claim, no equation and no byte of a proof depends on anything here; contracts in pyproject.toml see to it.
 """
 
-from interlock.dispatch.executor import Executor, Stage, Voyage, voyages
+from interlock.dispatch.dispatcher import Dispatcher
 
-__all__ = ["Executor", "Stage", "Voyage", "voyages"]
+__all__ = ["Dispatcher"]

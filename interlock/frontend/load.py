@@ -32,7 +32,7 @@ from interlock.frontend.resolve import (
     resolve_waivers,
     resolve_zones,
 )
-from interlock.frontend.schema import validate
+from interlock.frontend.validate import validate
 from interlock.frontend.wiring import Wirer
 from interlock.frontend.yaml_tree import parse
 from interlock.model.elements import Lane, Section, SectionId

@@ -9,7 +9,7 @@ import math
 import re
 from typing import Annotated
 
-from pydantic import AfterValidator, BeforeValidator, WithJsonSchema
+from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 NAME = re.compile(r"[A-Za-z0-9]+([_/-][A-Za-z0-9]+)*")
@@ -122,6 +122,12 @@ def _amount(value: object) -> float:
     return x
 
 
+def _permille(value: object) -> object:
+    if not isinstance(value, str):
+        raise PydanticCustomError("number", "a number is expected")
+    return number(value)
+
+
 def _speed(value: object) -> int:
     if not isinstance(value, str):
         raise PydanticCustomError("number", "a number is expected")
@@ -163,10 +169,33 @@ def choice(kind: str, known: tuple[str, ...]) -> BeforeValidator:
     return BeforeValidator(check)
 
 
-_NAME_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{NAME.pattern}$", "maxLength": MAX_NAME}
+# JSON Schema sees what a YAML reader makes of a scalar: a name may look like a number, a text like anything
+_TEXT_SCHEMA = {"type": ["string", "number", "boolean", "null"]}
+_PLAIN = NAME.pattern.replace("(", "(?:")
+_NAME_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{_PLAIN}$", "maxLength": MAX_NAME}
+_ENDS = "start|end|toe|normal|reverse|1a|1b|2a|2b|outer|inner"
+_END_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^{_PLAIN}(?:\.(?:{_ENDS}))?$"}
+_LONG = r"(?:\d+(?:\.\d*)?|\.\d+)"
+
+_ITEM_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^{_PLAIN}(?: +\+?{_LONG})?$"}
+_APPROACH_SCHEMA = {"type": "string", "pattern": rf"^{_PLAIN} +\+?{_LONG}$"}
+PATTERNS = {
+    str(_NAME_SCHEMA["pattern"]): "name",
+    str(_END_SCHEMA["pattern"]): "end",
+    str(_ITEM_SCHEMA["pattern"]): "`NAME LENGTH`, or a boundary or buffer",
+    str(_APPROACH_SCHEMA["pattern"]): "`NAME LENGTH`",
+}
+"""What texts of these patterns are, in words."""
+
 Name = Annotated[str, BeforeValidator(_name), WithJsonSchema(_NAME_SCHEMA)]
-Text = Annotated[str, BeforeValidator(_text)]
-Reason = Annotated[str, BeforeValidator(_text), AfterValidator(_some_text)]
+Text = Annotated[str, BeforeValidator(_text), WithJsonSchema(_TEXT_SCHEMA)]
+Reason = Annotated[
+    str, BeforeValidator(_text), AfterValidator(_some_text), WithJsonSchema({**_TEXT_SCHEMA, "minLength": 1})
+]
+Item = Annotated[str, BeforeValidator(_text), WithJsonSchema(_ITEM_SCHEMA)]
+Approach = Annotated[str, BeforeValidator(_text), WithJsonSchema(_APPROACH_SCHEMA)]
+Metres = Annotated[str, BeforeValidator(_text), WithJsonSchema({"type": "number", "minimum": 0, "maximum": 2000})]
+Permille = Annotated[float, BeforeValidator(_permille), WithJsonSchema({"type": "number"})]
 Length = Annotated[
     float,
     BeforeValidator(_length),
@@ -179,7 +208,8 @@ Seconds = Annotated[
 ]
 Amount = Annotated[float, BeforeValidator(_amount), WithJsonSchema({"type": "number", "minimum": 0, "maximum": 86400})]
 Speed = Annotated[int, BeforeValidator(_speed), WithJsonSchema({"type": "integer", "minimum": 5, "maximum": 400})]
-End = Annotated[str, BeforeValidator(_text)]
+End = Annotated[str, BeforeValidator(_text), WithJsonSchema(_END_SCHEMA)]
+Pair = Annotated[list[End], Field(min_length=2, max_length=2)]
 
 
 def _yes_no(value: object) -> object:
@@ -188,10 +218,10 @@ def _yes_no(value: object) -> object:
     return value in ("yes", "true")
 
 
-YesNo = Annotated[bool, BeforeValidator(_yes_no), WithJsonSchema({"type": ["boolean", "string"]})]
+YesNo = Annotated[bool, BeforeValidator(_yes_no), WithJsonSchema({"enum": [True, False, "yes", "no", "true", "false"]})]
 
 
-def trains(value: object) -> object:
+def _trains(value: object) -> object:
     """A number of trains."""
     if not isinstance(value, str) or not re.fullmatch(r"\d{1,4}", value) or not 1 <= int(value) <= 99:
         fix = "write how many trains may be there at once, for instance 4"
@@ -199,10 +229,14 @@ def trains(value: object) -> object:
     return int(value)
 
 
-def level(value: object) -> int:
+def _level(value: object) -> int:
     """Tracks above or below the longest run."""
     text = str(value).strip()
     if not re.fullmatch(r"[+-]?\d{1,3}", text):
         fix = "write how many tracks above (or, with a minus, below) the longest run it lies: 1, -2"
         raise PydanticCustomError("number", "{v} is not a whole number", {"v": repr(text), "fix": fix})
     return int(text)
+
+
+Trains = Annotated[int, BeforeValidator(_trains), WithJsonSchema({"type": "integer", "minimum": 1, "maximum": 99})]
+Level = Annotated[int, BeforeValidator(_level), WithJsonSchema({"type": "integer", "minimum": -999, "maximum": 999})]

@@ -1,187 +1,211 @@
-"""The layout language: keys, shapes and types.  One definition for validation and JSON Schema.
+"""The layout language: keys, shapes, types and meanings.
 
-Input: the YAML tree.  Output: a `LayoutFile`, or diagnostics IL1009-IL1017.
+One definition for validation (`validate`), JSON Schema and language page (`published`).
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
+from enum import StrEnum
 from typing import Annotated, Any, Literal
 
-from pydantic import (
-    BaseModel,
-    BeforeValidator,
-    ConfigDict,
-    Field,
-    ValidationError,
-    WithJsonSchema,
-)
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
 
-from interlock.diag import Sink
 from interlock.diag.codes import LINTS
 from interlock.frontend.scalars import (
     Amount,
+    Approach,
     End,
+    Item,
     Length,
+    Level,
+    Metres,
     Name,
+    Pair,
+    Permille,
     Reason,
     Seconds,
     Speed,
     Text,
+    Trains,
     YesNo,
     choice,
-    level,
     number,
-    trains,
     version,
 )
-from interlock.frontend.shapes import report_shapes
-from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
 from interlock.model.elements import BlockKind, SignalKind, TelegramForm, Work
 from interlock.model.overlap import overlap_length
-from interlock.model.principles import KNOBS, PROFILES, Caution, Closes, FlankChoice, Local, Principles
+from interlock.model.principles import KNOBS, MEANING, PROFILES, Caution, Closes, FlankChoice, Local, Principles
 
 
 class _Part(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
+def key(text: str, default: Any = ..., *, name: str | None = None, least: int = 0, most: int = 0) -> Any:
+    """A key of the language: what it means (shown by editors and by the language page), and what it is without it.
+
+    `name`: how it is written, where Python forbids that; `least` and `most` entries of a list.
+    """
+    count: Any = {k: v for k, v in (("min_length", least), ("max_length", most)) if v}
+    return Field(default, description=text, alias=name, **count)
+
+
 class BoundarySpec(_Part):
     """Where trains come in or leave."""
 
-    approach: Annotated[Text | None, Field(description="approach section outside: `name length`")] = None
-    trains: Annotated[Literal["both", "in", "out"], choice("direction", ("both", "in", "out"))] = "both"
-    label: Text = ""
-    block: Annotated[Literal["none", "semi-automatic", "automatic", "token"], choice("block", tuple(BlockKind))] = (
-        "none"
+    approach: Approach | None = key(
+        "the approach section outside, in rear of the entry signal: `NAME LENGTH`; without it, none",
+        None,
     )
-    button: Annotated[Text, Field(description="button that ends departure routes here, as printed")] = ""
-    indicator: Annotated[YesNo, Field(description="departures this way have a route indicator")] = False
+    trains: Annotated[Literal["both", "in", "out"], choice("direction", ("both", "in", "out"))] = key(
+        "which way trains pass, seen from outside", "both"
+    )
+    label: Text = key("where the line leads, for plans and forms", "")
+    block: Annotated[Literal["none", "semi-automatic", "automatic", "token"], choice("block", tuple(BlockKind))] = key(
+        "how trains are kept apart on the line beyond (R12): with `semi-automatic` and `automatic` departures need the "
+        "block free and the direction ours, an input from the block; with `token` this interlocking exchanges the "
+        "direction with the neighbour",
+        "none",
+    )
+    button: Text = key("the button that ends departure routes here, as national forms print it", "")
+    indicator: YesNo = key("departures this way have a route indicator; printed in national forms", False)
 
 
 class PointSpec(_Part):
-    """A set of points; each end names what it is joined to (`track.start`, `point.toe`, a boundary)."""
+    """A set of points; each end names what it is joined to."""
 
-    section: Name
-    toe: End | None = None
-    normal: End | None = None
-    reverse: End | None = None
-    machine: Annotated[Name | None, Field(description="machine, where one works two ends")] = None
-    legs: Annotated[Length | None, Field(description="length of each of the three legs in metres")] = None
-    fouling: Annotated[Length | None, Field(description="distance to the fouling point in metres")] = None
-    speed: Annotated[Speed | None, Field(description="km/h permitted over the reverse leg")] = None
-    work: Annotated[
-        Literal["motor", "hand"],
-        choice("kind of work", tuple(Work)),
-        Field(description="hand: worked on the spot; a key locks it in normal"),
-    ] = "motor"
+    section: Name = key("the section in which it lies")
+    toe: End | None = key("what the toe is joined to; without it, what names this end", None)
+    normal: End | None = key("what the normal leg is joined to; without it, what names this end", None)
+    reverse: End | None = key("what the reverse leg is joined to; without it, what names this end", None)
+    machine: Name | None = key("the machine, where one works two ends; without it, a machine of its own name", None)
+    legs: Length | None = key("metres of each of the three legs; without it, the principle `leg_m`", None)
+    fouling: Length | None = key("metres to the fouling point; without it, the principle `fouling_m`", None)
+    speed: Speed | None = key("km/h permitted over the reverse leg; without it, none is stated (R11)", None)
+    work: Annotated[Literal["motor", "hand"], choice("kind of work", tuple(Work))] = key(
+        "`hand`: worked on the spot once its key is released; the key locks it in normal", "motor"
+    )
 
 
 class DerailerSpec(_Part):
-    """A derailer between two ends: `outer` is where vehicles stand that must not run off, `inner` what it protects."""
+    """A derailer between two ends; on is its normal position, off its reverse one."""
 
-    section: Name
-    outer: End | None = None
-    inner: End | None = None
-    legs: Length | None = None
+    section: Name = key("the section in which it lies")
+    outer: End | None = key(
+        "the side on which vehicles stand that must not run off; without it, what names this end", None
+    )
+    inner: End | None = key("the side that it protects; without it, what names this end", None)
+    legs: Length | None = key("metres of track to either side; without it, the principle `leg_m`", None)
 
 
 class SlipSpec(_Part):
-    """A slip: a diamond whose arms are also joined by slip rails.
+    """A slip: a diamond whose arms are also joined by slip rails."""
 
-    Arms are pairs of ends, `[1a, 1b]` and `[2a, 2b]`.  A double slip joins 1a to 2b and 2a to 1b; `single` names the
-    only pair that is joined.  Each side has a machine, `NAMEa` and `NAMEb` unless `machines` says otherwise; one name
-    for both sides means one machine.
-    """
-
-    section: Name
-    arms: Annotated[list[list[End]], Field(min_length=2, max_length=2)]
-    single: Annotated[Literal["1a-2b", "2a-1b"] | None, choice("pair of ends", ("1a-2b", "2a-1b"))] = None
-    machines: list[Name] = []
-    legs: Length | None = None
-    fouling: Length | None = None
+    section: Name = key("the section in which it lies")
+    arms: list[Pair] = key(
+        "two pairs of ends, joined to `1a`, `1b` and `2a`, `2b`; the slip rails join 1a to 2b and 2a to 1b",
+        least=2,
+        most=2,
+    )
+    single: Annotated[Literal["1a-2b", "2a-1b"] | None, choice("pair of ends", ("1a-2b", "2a-1b"))] = key(
+        "of a single slip: the only pair that slip rails join; without it, the slip is double", None
+    )
+    machines: list[Name] = key(
+        "the machines of its two sides, one name for both if they are one; without it, `NAMEa` and `NAMEb`", []
+    )
+    legs: Length | None = key("metres of each leg; without it, the principle `leg_m`", None)
+    fouling: Length | None = key("metres to the fouling point; without it, the principle `fouling_m`", None)
 
 
 class DeviceSpec(_Part):
-    """A level crossing, or a bridge, door or hoist, closed for every movement over the sections."""
+    """A level crossing, or a bridge, door or hoist, closed and locked for every movement over its sections."""
 
-    over: Annotated[list[Name], Field(min_length=1)]
-    text: Text = ""
+    over: list[Name] = key("the sections over which no train runs unless it is closed", least=1)
+    text: Text = key("what it is, for plans and forms", "")
 
 
 class ArmSpec(_Part):
     """One arm of a diamond crossing."""
 
-    section: Name
-    ends: Annotated[list[End], Field(min_length=2, max_length=2)]
+    section: Name = key("the section of the arm")
+    ends: Pair = key("what the arm's two ends are joined to: `1a`, `1b` of the first arm, `2a`, `2b` of the second")
 
 
 class CrossingSpec(_Part):
     """A diamond crossing of two arms."""
 
-    arms: Annotated[list[ArmSpec], Field(min_length=2, max_length=2)]
-    legs: Length | None = None
+    arms: list[ArmSpec] = key("its two arms", least=2, most=2)
+    legs: Length | None = key("metres of each of the four legs; without it, the principle `leg_m`", None)
 
 
 _KINDS = tuple(k.value for k in SignalKind)
 
 
 class SignalSpec(_Part):
-    """A signal at the joint between two sections, read by movements that go into `into`."""
+    """A signal at the joint between two sections, read by movements that go into the second."""
 
-    from_: Annotated[Name, Field(alias="from")]
-    into: Name
-    at: Annotated[Name | None, Field(description="a point next to the joint, if sections meet twice")] = None
-    kind: Annotated[Literal["main", "shunt", "combined"], choice("kind of signal", _KINDS)] = "main"
-    call_on: Annotated[YesNo, Field(description="it can call trains on over sections reported occupied")] = False
+    from_: Name = key("the section in rear of it, or, for an entry signal, the boundary", name="from")
+    into: Name = key("the section into which it leads")
+    at: Name | None = key("a point next to the joint; without it, the sections meet in one joint only", None)
+    kind: Annotated[Literal["main", "shunt", "combined"], choice("kind of signal", _KINDS)] = key(
+        "for trains, for shunting movements, or for both", "main"
+    )
+    call_on: YesNo = key(
+        "a main or combined signal that can call a train on over sections that are reported occupied", False
+    )
 
 
 class DistantSpec(_Part):
-    """A distant or repeating signal: what it announces."""
+    """A distant or repeating signal: clear only while its main signal shows clear."""
 
-    of: Name
+    of: Name = key("the main signal that it announces")
 
 
 class SectionSpec(_Part):
     """More about a section."""
 
-    speed: Annotated[Speed | None, Field(description="km/h permitted in the section")] = None
-    lane: Annotated[Literal["level", "inclined"], choice("lane", ("level", "inclined"))] = "level"
-    detected: Annotated[YesNo, Field(description="no: a siding without detection, always taken as occupied")] = True
-    one_way: Annotated[
-        Literal["forward", "backward"] | None,
-        choice("direction", ("forward", "backward")),
-        Field(description="only this way along the track as it is written"),
-    ] = None
+    speed: Speed | None = key("km/h permitted in it; without it, none is stated (R11)", None)
+    lane: Annotated[Literal["level", "inclined"], choice("lane", ("level", "inclined"))] = key(
+        "kind of line in a mine; an `inclined` one goes first among voyages", "level"
+    )
+    detected: YesNo = key("no: a siding without detection, which always counts as occupied", True)
+    one_way: Annotated[Literal["forward", "backward"] | None, choice("direction", ("forward", "backward"))] = key(
+        "the only way in which trains run, along the track as it is written; without it, both", None
+    )
 
 
 class ConditionSpec(_Part):
     """A named input from outside that routes require."""
 
-    text: Text = ""
-    over: list[Name] = []
-    signals: list[Name] = []
-    exits: list[Name] = []
+    text: Text = key("what it says, for plans and forms", "")
+    over: list[Name] = key("routes over one of these sections require it", [])
+    signals: list[Name] = key("routes from one of these signals require it", [])
+    exits: list[Name] = key("routes that leave over one of these boundaries require it", [])
 
 
 class ZoneSpec(_Part):
     """Sections in which no more than so many trains may be."""
 
-    sections: list[Name]
-    trains: Annotated[int, BeforeValidator(trains), WithJsonSchema({"type": "integer", "minimum": 1, "maximum": 99})]
+    sections: list[Name] = key("routes lead into them only while there is room")
+    trains: Trains = key("how many trains may be there at once")
 
 
 class OverlapSpec(_Part):
-    """The overlap beyond a main signal: its length, or the speed and gradient from which the length follows."""
+    """The overlap beyond a main signal inside the layout: `length`, or `speed` and `falling`, or `successive`."""
 
-    length: Annotated[Text | None, Field(description="metres; 0 for no overlap")] = None
-    speed: Annotated[Length | None, Field(description="km/h towards the signal")] = None
-    falling: Annotated[Text, Field(description="permille falling towards the signal; negative when it rises")] = "0"
-    successive: Annotated[YesNo, Field(description="as far as the next main signal, a boundary or the track's end")] = (
-        False
+    length: Metres | None = key(
+        "its length in metres, 0 for no overlap; without it, what `speed` or `successive` says", None
     )
-    swing: Annotated[YesNo, Field(description="another alternative can be taken while a route leads to the signal")] = (
-        False
+    speed: Length | None = key(
+        "km/h towards the signal, from which the length follows; without it, what `length` or `successive` says", None
+    )
+    falling: Permille = key("permille by which the track falls towards the signal; negative when it rises", 0.0)
+    successive: YesNo = key(
+        "a successive route (延续进路): as far as the next main signal, a boundary or the end", False
+    )
+    swing: YesNo = key(
+        "another alternative may take its place while a route leads to the signal, no train close", False
     )
 
     def metres(self) -> float:
@@ -190,90 +214,117 @@ class OverlapSpec(_Part):
             return float("inf")
         if self.length is not None:
             return number(self.length)
-        return overlap_length(self.speed or 0.0, number(self.falling))
+        return overlap_length(self.speed or 0.0, self.falling)
 
 
 class ExcludeSpec(_Part):
-    """Routes that shall not be: all that fit what is given; the reason says why."""
+    """Routes that shall not be: all that fit what is given."""
 
-    from_: Annotated[Name | None, Field(alias="from")] = None
-    to: Name | None = None
-    via: list[Name] = []
-    kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = None
-    reason: Reason
+    from_: Name | None = key("the signal at which they begin; without it, any", None, name="from")
+    to: Name | None = key("the signal, boundary, buffer or last section where they end; without it, any", None)
+    via: list[Name] = key("sections over which they lead", [])
+    kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
+        "train routes or shunt routes; without it, both", None
+    )
+    reason: Reason = key("why they shall not be; not empty")
 
 
 class RouteSpec(_Part):
-    """A name for a derived route."""
+    """One derived route."""
 
-    from_: Annotated[Name, Field(alias="from")]
-    to: Name
-    via: list[Name] = []
+    from_: Name = key("the signal at which it begins", name="from")
+    to: Name = key("the signal, boundary or buffer where it ends, or its last section")
+    via: list[Name] = key("sections over which it leads, where several routes join the two ends", [])
 
 
 class VoyageSpec(RouteSpec):
-    """A chain of routes that one command sets."""
+    """A chain of routes that one command opens, each for the train that stands before it (by `interlock run`; the
+    controller knows nothing of it)."""
 
-    kind: Annotated[Literal["main", "shunt"], choice("kind of route", ("main", "shunt"))] = "main"
-    order: Annotated[Literal["near", "far"] | None, choice("order", ("near", "far"))] = None
-    direction: Annotated[Literal["forward", "reverse"], choice("direction", ("forward", "reverse"))] = "forward"
+    kind: Annotated[Literal["main", "shunt"], choice("kind of route", ("main", "shunt"))] = key(
+        "a chain of train routes, or of shunt routes", "main"
+    )
+    order: Annotated[Literal["near", "far"] | None, choice("order", ("near", "far"))] = key(
+        "`near`: one route after the other; `far`: all of them from the far end while the train stands before the "
+        "first; without it, `far` for shunt routes",
+        None,
+    )
+    direction: Annotated[Literal["forward", "reverse"], choice("direction", ("forward", "reverse"))] = key(
+        "`reverse`: against the main direction of transport", "forward"
+    )
 
 
 class WaiverSpec(_Part):
     """Flank protection given up on purpose."""
 
-    flank: Annotated[Text, Field(description="leg of a point: `point.normal` or `point.reverse`")]
-    reason: Reason = ""
+    flank: Text = key("the leg of a point: `point.normal` or `point.reverse`")
+    reason: Reason | None = key(
+        "why a vehicle can never roll from there; not empty; without it, the waiver is refused", None
+    )
+
+
+def knob(name: str) -> Any:
+    """A key of `principles`: its meaning stands where the principle does, and its values in the profiles."""
+    told, values = MEANING[name], {profile: getattr(p, name) for profile, p in PROFILES.items()}
+    usual = values.pop("generic")
+    others = ", ".join(f"{profile} {_word(v)}" for profile, v in values.items() if v != usual)
+    text = f"{told}; without it, the profile's: {_word(usual)}" + (f" ({others})" if others else "")
+    return Field(None, description=text, json_schema_extra={"default": _plain(usual)})
+
+
+def _plain(x: Any) -> Any:
+    return str(x) if isinstance(x, StrEnum) else x
+
+
+def _word(x: Any) -> str:
+    return ("yes" if x else "no") if isinstance(x, bool) else f"{x:g}" if isinstance(x, float) else str(x)
 
 
 class AllowSpec(_Part):
     """Usual practice departed from on purpose: which warning is not to be given, at which elements, and why."""
 
-    lint: Annotated[
-        str,
-        choice("warning of usual practice", LINTS),
-        WithJsonSchema({"enum": list(LINTS)}),
-        Field(description="code"),
-    ]
-    at: Annotated[list[Name], Field(min_length=1, description="the elements: sections, signals, boundaries, points")]
-    reason: Reason
+    lint: Annotated[str, choice("warning of usual practice", LINTS), WithJsonSchema({"enum": list(LINTS)})] = key(
+        "code of the warning"
+    )
+    at: list[Name] = key("the elements at which it is not to be given: sections, signals, boundaries, points", least=1)
+    reason: Reason = key("why it is meant so here; not empty")
 
 
 class PrinciplesSpec(_Part):
     """Single knobs of the profile, overridden."""
 
-    release_delay_s: Seconds | None = None
-    approach_release_s: Seconds | None = None
-    shunt_release_s: Seconds | None = None
-    point_supervision_s: Seconds | None = None
-    point_start_gap_s: Amount | None = None
-    fouling_m: Seconds | None = None
-    clearance_m: Seconds | None = None
-    leg_m: Seconds | None = None
-    flank_by: Annotated[FlankChoice | None, choice("protection", tuple(FlankChoice))] = None
-    flank_space: YesNo | None = None
-    flank_lamp: YesNo | None = None
-    drive_points: YesNo | None = None
-    sensor_faults: YesNo | None = None
-    lamp_proof: YesNo | None = None
-    caution: Annotated[Caution | None, choice("use of caution", tuple(Caution))] = None
-    overlap_m: Amount | None = None
-    overlap_release_s: Seconds | None = None
-    local_requests: Annotated[Local | None, choice("rule for local requests", tuple(Local))] = None
-    priorities: YesNo | None = None
-    priority_wait_s: Amount | None = None
-    token_delay_s: Seconds | None = None
-    token_agreed_s: Seconds | None = None
-    line_speed_kmh: Seconds | None = None
-    shunt_speed_kmh: Seconds | None = None
-    braking_ms2: Seconds | None = None
-    reaction_s: Seconds | None = None
-    output_delay_s: Seconds | None = None
-    point_run_s: Seconds | None = None
-    restart_delay_s: Seconds | None = None
-    slow_below_kmh: Amount | None = None
-    main_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = None
-    shunt_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = None
+    release_delay_s: Seconds | None = knob("release_delay_s")
+    approach_release_s: Seconds | None = knob("approach_release_s")
+    shunt_release_s: Seconds | None = knob("shunt_release_s")
+    point_supervision_s: Seconds | None = knob("point_supervision_s")
+    point_start_gap_s: Amount | None = knob("point_start_gap_s")
+    fouling_m: Seconds | None = knob("fouling_m")
+    clearance_m: Seconds | None = knob("clearance_m")
+    leg_m: Seconds | None = knob("leg_m")
+    flank_by: Annotated[FlankChoice | None, choice("protection", tuple(FlankChoice))] = knob("flank_by")
+    flank_space: YesNo | None = knob("flank_space")
+    flank_lamp: YesNo | None = knob("flank_lamp")
+    drive_points: YesNo | None = knob("drive_points")
+    sensor_faults: YesNo | None = knob("sensor_faults")
+    lamp_proof: YesNo | None = knob("lamp_proof")
+    caution: Annotated[Caution | None, choice("use of caution", tuple(Caution))] = knob("caution")
+    overlap_m: Amount | None = knob("overlap_m")
+    overlap_release_s: Seconds | None = knob("overlap_release_s")
+    local_requests: Annotated[Local | None, choice("rule for local requests", tuple(Local))] = knob("local_requests")
+    priorities: YesNo | None = knob("priorities")
+    priority_wait_s: Amount | None = knob("priority_wait_s")
+    token_delay_s: Seconds | None = knob("token_delay_s")
+    token_agreed_s: Seconds | None = knob("token_agreed_s")
+    line_speed_kmh: Seconds | None = knob("line_speed_kmh")
+    shunt_speed_kmh: Seconds | None = knob("shunt_speed_kmh")
+    braking_ms2: Seconds | None = knob("braking_ms2")
+    reaction_s: Seconds | None = knob("reaction_s")
+    output_delay_s: Seconds | None = knob("output_delay_s")
+    point_run_s: Seconds | None = knob("point_run_s")
+    restart_delay_s: Seconds | None = knob("restart_delay_s")
+    slow_below_kmh: Amount | None = knob("slow_below_kmh")
+    main_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = knob("main_closes")
+    shunt_closes: Annotated[Closes | None, choice("closing of signals", tuple(Closes))] = knob("shunt_closes")
 
     def override(self, base: Principles) -> Principles:
         """The profile's principles with these knobs."""
@@ -283,119 +334,54 @@ class PrinciplesSpec(_Part):
 class LayoutFile(_Part):
     """A track layout for interlock."""
 
-    interlock: Annotated[int, BeforeValidator(version), WithJsonSchema({"const": 1})]
-    name: Name
-    title: Text = ""
-    profile: Annotated[str, choice("profile", tuple(PROFILES)), WithJsonSchema({"enum": list(PROFILES)})] = "generic"
-    principles: PrinciplesSpec = PrinciplesSpec()
-    boundaries: dict[Name, BoundarySpec] = {}
-    buffers: list[Name] = []
-    traps: list[Name] = []
-    tracks: dict[Name, list[Text]] = {}
-    points: dict[Name, PointSpec] = {}
-    crossings: dict[Name, CrossingSpec] = {}
-    slips: dict[Name, SlipSpec] = {}
-    derailers: dict[Name, DerailerSpec] = {}
-    level_crossings: dict[Name, DeviceSpec] = {}
-    interlocks: dict[Name, DeviceSpec] = {}
-    signals: dict[Name, SignalSpec] = {}
-    distants: dict[Name, DistantSpec] = {}
-    sections: dict[Name, SectionSpec] = {}
-    conditions: dict[Name, ConditionSpec] = {}
-    zones: dict[Name, ZoneSpec] = {}
-    routes: dict[Name, RouteSpec] = {}
-    voyages: dict[Name, VoyageSpec] = {}
-    automatic: list[RouteSpec] = []
-    exclude: list[ExcludeSpec] = []
-    overlaps: dict[Name, OverlapSpec] = {}
-    waive: list[WaiverSpec] = []
-    allow: list[AllowSpec] = []
-    substations: Annotated[
-        dict[Name, list[Text]], Field(description="cabinets, each with the elements wired to it; one may be left empty")
-    ] = {}
-    drawing: Annotated[
-        dict[Name, Annotated[int, BeforeValidator(level), WithJsonSchema({"type": "integer"})]],
-        Field(description="hints for the plan, section: tracks above (or, negative, below) the longest run"),
-    ] = {}
-    telegram: Annotated[TelegramForm, choice("telegram", tuple(TelegramForm))] = TelegramForm.NONE
-    addresses: Annotated[dict[Text, Text], Field(description="PLC variable: address, for instance `CLR_q1: I4.0`")] = {}
-
-
-def json_schema() -> dict[str, Any]:
-    """The JSON Schema (draft-07 subset) of the layout language, for completion in editors."""
-    schema = LayoutFile.model_json_schema(by_alias=True)
-    schema["$schema"] = "http://json-schema.org/draft-07/schema#"
-    schema["title"] = "interlock layout"
-    text = _rename_defs(schema)
-    assert isinstance(text, dict)
-    return text
-
-
-def _rename_defs(value: Any) -> Any:
-    """draft-07 keeps shared parts under `definitions`; pydantic writes `$defs`."""
-    if isinstance(value, dict):
-        return {("definitions" if k == "$defs" else k): _rename_defs(v) for k, v in value.items()}
-    if isinstance(value, list):
-        return [_rename_defs(v) for v in value]
-    if isinstance(value, str):
-        return value.replace("#/$defs/", "#/definitions/")
-    return value
-
-
-def plain(node: Node) -> Any:
-    """The tree as plain Python data; every scalar is text."""
-    if isinstance(node, Scalar):
-        return node.text
-    if isinstance(node, Sequence):
-        return [plain(n) for n in node.items]
-    return {k: plain(v) for k, (_, v) in node.items.items()}
-
-
-_KEYS: dict[str, tuple[str, ...]] = {
-    "": tuple(f.alias or n for n, f in LayoutFile.model_fields.items()),
-    "boundaries": tuple(BoundarySpec.model_fields),
-    "points": tuple(PointSpec.model_fields),
-    "crossings": (*CrossingSpec.model_fields, *ArmSpec.model_fields),
-    "slips": tuple(SlipSpec.model_fields),
-    "derailers": tuple(DerailerSpec.model_fields),
-    "level_crossings": tuple(DeviceSpec.model_fields),
-    "interlocks": tuple(DeviceSpec.model_fields),
-    "signals": ("from", "into", "at", "kind", "call_on"),
-    "distants": tuple(DistantSpec.model_fields),
-    "principles": KNOBS,
-    "overlaps": tuple(OverlapSpec.model_fields),
-    "exclude": ("from", "to", "via", "kind", "reason"),
-    "sections": tuple(SectionSpec.model_fields),
-    "conditions": tuple(ConditionSpec.model_fields),
-    "zones": tuple(ZoneSpec.model_fields),
-    "routes": ("from", "to", "via"),
-    "voyages": ("from", "to", "via", "kind", "order", "direction"),
-    "automatic": ("from", "to", "via"),
-    "waive": tuple(WaiverSpec.model_fields),
-    "allow": tuple(AllowSpec.model_fields),
-}
-
-
-def validate(root: Node, sink: Sink) -> LayoutFile | None:
-    """The file as typed data, or None with every shape error reported."""
-    if not isinstance(root, Mapping):
-        sink.add(
-            "IL1009",
-            "this is not a layout: a mapping of keys to values is expected",
-            root.span,
-            "a layout begins with `interlock: 1`",
-        )
-        return None
-    if "interlock" not in root.items and not ({"tracks", "signals"} & set(root.items)):
-        sink.add(
-            "IL1009",
-            "this is not a layout: the key `interlock` is missing",
-            root.span,
-            "a layout begins with `interlock: 1`",
-        )
-        return None
-    try:
-        return LayoutFile.model_validate(plain(root), by_alias=True)
-    except ValidationError as error:
-        report_shapes(root, error.errors(include_url=False, include_input=False), _KEYS, sink)
-        return None
+    interlock: Annotated[int, BeforeValidator(version), WithJsonSchema({"const": 1})] = key("version of the language")
+    name: Name = key("the layout's name: folder of its outputs, name of its PLC block")
+    title: Text = key("free text, printed on plans and forms", "")
+    profile: Annotated[str, choice("profile", tuple(PROFILES)), WithJsonSchema({"enum": list(PROFILES)})] = key(
+        "a named set of principles", "generic"
+    )
+    principles: PrinciplesSpec = key("single knobs of the profile, overridden", PrinciplesSpec())
+    boundaries: dict[Name, BoundarySpec] = key("where trains come in or leave", {})
+    buffers: list[Name] = key("names of track ends", [])
+    traps: list[Name] = key("track ends into which no route leads: sand drags, trap sidings", [])
+    tracks: dict[Name, list[Item]] = key(
+        "sections in order along a track, each with its length in metres: `[W, q1 400, q2 300]`; a boundary or buffer "
+        "may stand first or last",
+        {},
+    )
+    points: dict[Name, PointSpec] = key("sets of points", {})
+    crossings: dict[Name, CrossingSpec] = key("diamond crossings", {})
+    slips: dict[Name, SlipSpec] = key("single and double slips", {})
+    derailers: dict[Name, DerailerSpec] = key("derailers", {})
+    level_crossings: dict[Name, DeviceSpec] = key("level crossings, closed and locked for every movement", {})
+    interlocks: dict[Name, DeviceSpec] = key("the same for a bridge, a door, a hoist", {})
+    signals: dict[Name, SignalSpec] = key("signals, each at the joint between two sections", {})
+    distants: dict[Name, DistantSpec] = key("distant and repeating signals", {})
+    sections: dict[Name, SectionSpec] = key("more about single sections", {})
+    conditions: dict[Name, ConditionSpec] = key("inputs from outside that routes require", {})
+    zones: dict[Name, ZoneSpec] = key("sections in which no more than so many trains may be", {})
+    routes: dict[Name, RouteSpec] = key("names for derived routes", {})
+    voyages: dict[Name, VoyageSpec] = key("chains of routes that one command opens", {})
+    automatic: list[RouteSpec] = key("train routes that an operator's switch sets again after every train", [])
+    exclude: list[ExcludeSpec] = key("derived routes that shall not be", [])
+    overlaps: dict[Name, OverlapSpec] = key(
+        "overlaps beyond main signals inside the layout; without it, the principle `overlap_m`", {}
+    )
+    waive: list[WaiverSpec] = key("flank protection given up on purpose", [])
+    allow: list[AllowSpec] = key("warnings of usual practice that are not to be given; one too many is a warning", [])
+    substations: dict[Name, list[Name]] = key(
+        "cabinets, each with the elements wired to it; one list may be empty and takes the rest; without it, one "
+        "cabinet for all",
+        {},
+    )
+    drawing: dict[Name, Level] = key(
+        "on the plan the track with this section lies so many tracks above (or, negative, below) the longest run; wins "
+        "over what would be found",
+        {},
+    )
+    telegram: Annotated[TelegramForm, choice("telegram", tuple(TelegramForm))] = key(
+        "point commands go out as telegrams of document C; those of `tagged` bear their number", TelegramForm.NONE
+    )
+    addresses: dict[Text, Text] = key(
+        "PLC variables with their addresses, where these are not given in order: `CLR_q1: I4.0`", {}
+    )

@@ -1,4 +1,4 @@
-"""What the schema finds wrong, in the words of a layout's author: what is there, what is wanted, how it is written.
+"""What the schema finds wrong, in the words of the file's author: what is there, what is wanted, how it is written.
 
 Input: the errors of pydantic and the tree.  Output: diagnostics IL1010-IL1017, IL2009; a slip that is made in many
 places is one diagnostic, and what follows from a slip (a key that is missing because it is misspelt) is none.
@@ -7,8 +7,9 @@ places is one diagnostic, and what follows from a slip (a key that is missing be
 from __future__ import annotations
 
 from collections.abc import Mapping as Map
-from collections.abc import Sequence as Seq
 from typing import Any
+
+from pydantic import ValidationError
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import Suggestion, did_you_mean, nearest
@@ -67,8 +68,9 @@ def span_of(root: Node, path: Loc, *, key: bool = False) -> Span:
     return span
 
 
-def report_shapes(root: Node, errors: Seq[Any], keys: Map[str, tuple[str, ...]], sink: Sink) -> None:
-    """Report what pydantic found; `keys` are the known keys by room."""
+def report_shape(root: Node, error: ValidationError, keys: Map[str, tuple[str, ...]], sink: Sink) -> None:
+    """Every error of shape as a diagnostic at its place; `keys`: the known keys of each room, "" for the file's."""
+    errors = error.errors(include_url=False, include_input=False)
     paths = [(e, tuple(p for p in e["loc"] if not _inner(p))) for e in errors]
     misspelt: set[Loc] = set()
     for e, path in paths:
@@ -116,7 +118,7 @@ def _unknown_key(root: Node, path: Loc, known: tuple[str, ...], sink: Sink) -> s
 
 
 def _known_keys(path: Loc, known: tuple[str, ...]) -> str:
-    where = "a layout" if len(path) == 1 else f"an entry of `{path[0]}`"
+    where = "the file" if len(path) == 1 else f"an entry of `{path[0]}`"
     return f"the keys of {where}: {', '.join(known)}"
 
 
@@ -132,7 +134,7 @@ def _before(root: Node, path: Loc) -> tuple[str, Scalar] | None:
 
 
 def _missing(root: Node, path: Loc, sink: Sink) -> None:
-    where, key = ".".join(map(str, path[:-1])) or "the layout", str(path[-1])
+    where, key = ".".join(map(str, path[:-1])) or "the file", str(path[-1])
     fix = "add `interlock: 1` as the first line" if path == ("interlock",) else f"add `{key}: ...`"
     room = str(path[0]) if len(path) > 1 else ""
     span = span_of(root, path[:-1], key=True)

@@ -15,7 +15,20 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
 
-from interlock.logic.expr import FALSE, Expr, Substitution, conj, disj, eq, evaluate, neg, var, variables
+from interlock.logic.expr import (
+    FALSE,
+    Expr,
+    Substitution,
+    UniqueTable,
+    conj,
+    current_table,
+    disj,
+    eq,
+    evaluate,
+    neg,
+    var,
+    variables,
+)
 from interlock.model.elements import (
     ConditionId,
     MachineId,
@@ -158,6 +171,8 @@ class RouteSymbols:
     proceed: str
     shown: str
     passing: str | None = None
+    names: tuple[str, ...] = ()
+    """Names that the author gives to it, beside its id."""
 
     @property
     def open_while(self) -> tuple[str, ...]:
@@ -194,14 +209,18 @@ class Symbols:
     command: Mapping[tuple[MachineId, Position], str]
     by_hand: Mapping[tuple[MachineId, Position], str]
     trailed: Mapping[MachineId, str]
+    seen_right: Mapping[MachineId, str]
+    looked_at: Mapping[MachineId, str]
     condition: Mapping[ConditionId, str]
     stop_lamp: Mapping[SignalId, str]
     clear_lamp: Mapping[SignalId, str]
     caution_lamp: Mapping[SignalId, str]
     drive: Mapping[tuple[MachineId, Position], str]
     turn: Mapping[MachineId, str]
+    started: str | None
     late_timer: Mapping[MachineId, str]
     release_timer: Mapping[SectionId, str]
+    running: str
     restart_timer: str
     start_timer: str | None
     clear_aspect: Mapping[SignalId, str]
@@ -336,6 +355,8 @@ class Controller:
     next: tuple[Equation, ...]
     outputs: tuple[Output, ...]
     symbols: Symbols = field(repr=False)
+    nodes: UniqueTable = field(default_factory=current_table, repr=False, compare=False)
+    """The table with which its expressions are made, and others that are to be compared with them."""
 
     def __post_init__(self) -> None:
         defined: set[str] = set()

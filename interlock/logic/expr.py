@@ -2,12 +2,17 @@
 
 Atoms are Boolean variables and comparisons of a small-range variable with a constant.  There are no
 floats, no loops and no side effects; `And` and `Or` take any number of operands.
+
+What is equal is found in a unique table.  `interning` gives a piece of work (a layout that is lowered and proved) a
+table of its own, which ends with it, so that a process that proves one layout after the other does not grow.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from enum import IntEnum
+from threading import RLock
 
 
 class Op(IntEnum):
@@ -52,12 +57,64 @@ class Expr:
 FALSE = Expr(Op.FALSE)
 TRUE = Expr(Op.TRUE)
 
-# equal expressions are one object, so that the operands themselves are the key
-_vars: dict[str, Expr] = {}
-_values: dict[tuple[str, int], Expr] = {}
-_negations: dict[Expr, Expr] = {}
-_ands: dict[tuple[Expr, ...], Expr] = {}
-_ors: dict[tuple[Expr, ...], Expr] = {}
+
+class UniqueTable:
+    """The nodes of one piece of work; equal expressions are one object, so that the operands themselves are the key."""
+
+    __slots__ = ("ands", "below", "negations", "ors", "values", "vars")
+
+    def __init__(self) -> None:
+        self.vars: dict[str, Expr] = {}
+        self.values: dict[tuple[str, int], Expr] = {}
+        self.negations: dict[Expr, Expr] = {}
+        self.ands: dict[tuple[Expr, ...], Expr] = {}
+        self.ors: dict[tuple[Expr, ...], Expr] = {}
+        self.below: dict[Expr, dict[str, None]] = {}
+        """The variables below nodes with many operands, which many expressions share."""
+
+    def __len__(self) -> int:
+        """The number of nodes."""
+        return len(self.vars) + len(self.values) + len(self.negations) + len(self.ands) + len(self.ors)
+
+
+# the table in use, and its parts: names of this module, since they are looked up for each node
+_table: UniqueTable
+_vars: dict[str, Expr]
+_values: dict[tuple[str, int], Expr]
+_negations: dict[Expr, Expr]
+_ands: dict[tuple[Expr, ...], Expr]
+_ors: dict[tuple[Expr, ...], Expr]
+_below: dict[Expr, dict[str, None]]
+
+
+def _use(table: UniqueTable) -> None:
+    global _table, _vars, _values, _negations, _ands, _ors, _below
+    _table, _vars, _values, _negations = table, table.vars, table.values, table.negations
+    _ands, _ors, _below = table.ands, table.ors, table.below
+
+
+_use(UniqueTable())
+_turn = RLock()
+
+
+def current_table() -> UniqueTable:
+    """The table with which nodes are made now."""
+    return _table
+
+
+@contextmanager
+def interning(table: UniqueTable | None = None) -> Iterator[UniqueTable]:
+    """Make nodes with a table, a new one if none is given, to the end of a `with` block.
+
+    Threads take turns: another one that comes here waits for the end of the block.
+    """
+    with _turn:
+        before = _table
+        _use(UniqueTable() if table is None else table)
+        try:
+            yield _table
+        finally:
+            _use(before)
 
 
 def var(name: str) -> Expr:
@@ -212,8 +269,7 @@ class Substitution:
         return done[root]
 
 
-WIDE = 12
-_below: dict[Expr, dict[str, None]] = {}  # of nodes with more operands than that, which many expressions share
+WIDE = 12  # operands: from here on the variables below a node are remembered
 
 
 def variables(roots: Iterable[Expr]) -> dict[str, None]:

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass, field, replace
-from functools import cached_property
-from typing import TypeVar
+from collections.abc import Callable, Hashable, Iterable, Mapping
+from dataclasses import asdict, dataclass, field, fields, replace
+from functools import cached_property, wraps
+from typing import Any, TypeVar, TypeVarTuple
 
 from interlock.model.elements import (
     Boundary,
@@ -45,6 +45,7 @@ from interlock.model.principles import Principles
 
 K = TypeVar("K")
 V = TypeVar("V")
+Ts = TypeVarTuple("Ts")
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +78,15 @@ class Layout:
     telegram: TelegramForm = TelegramForm.NONE
     drawing: tuple[tuple[SectionId, int], ...] = ()
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The facts alone; what was found about them is found again elsewhere."""
+        return {f.name: getattr(self, f.name) for f in fields(self)}
+
+    @cached_property
+    def found(self) -> dict[Hashable, Any]:
+        """What functions `of_layout` have found about it."""
+        return {}
 
     @cached_property
     def edge(self) -> dict[EdgeId, Edge]:
@@ -234,6 +244,22 @@ class Layout:
     def to_text(self) -> str:
         """One readable, canonical text form."""
         return json.dumps(asdict(self), indent=1, sort_keys=True, ensure_ascii=False)
+
+
+def of_layout(f: Callable[[Layout, *Ts], V]) -> Callable[[Layout, *Ts], V]:
+    """A function of a layout and of values that can be hashed; it remembers in the layout what it has found about it,
+    for as long as the layout lives."""
+
+    @wraps(f)
+    def known(layout: Layout, *args: *Ts) -> V:
+        key = (f, args)
+        found = layout.found
+        if key not in found:
+            found[key] = f(layout, *args)
+        value: V = found[key]
+        return value
+
+    return known
 
 
 def _grouped(pairs: Iterable[tuple[K, V]]) -> dict[K, tuple[V, ...]]:

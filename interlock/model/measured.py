@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from interlock.model.approach import Approach, approach
+from interlock.model.approach import approach
 from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint, foul_joints
 from interlock.model.layout import Layout
 from interlock.model.needs import Needs, needs
 from interlock.model.overlap import overlap_paths
+from interlock.model.places import Approach
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,12 +6,11 @@ track; one of infinite length, a successive route, also at the next main signal.
 
 from __future__ import annotations
 
-from functools import lru_cache
 from itertools import pairwise
 from math import isinf
 
 from interlock.model.elements import NodeId, PointId, Position, SectionId, SignalId
-from interlock.model.layout import Layout
+from interlock.model.layout import Layout, of_layout
 from interlock.model.traversal import Traversal, topology
 
 
@@ -23,7 +22,7 @@ def overlap_length(speed_kmh: float, falling_permille: float) -> float:
     return base * max(0.0, 1.0 + share)
 
 
-@lru_cache(maxsize=8192)
+@of_layout
 def overlap_paths(layout: Layout, signal: SignalId) -> tuple[tuple[Traversal, ...], ...]:
     """Every alternative of a signal's overlap, as ways through sections in order; empty without overlap.
 

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 
-
-@lru_cache(100_000)
 def portable(name: str) -> str:
     """The name with `-` and `/` as `_`.  Names that become equal are reported by the front end."""
     return name.replace("-", "_").replace("/", "_")

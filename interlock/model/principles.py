@@ -1,6 +1,6 @@
 """The railway's policy knobs.  A profile is a named set; a layout may override single knobs.
 
-Every knob names its source.  Where no source gives a figure, the docstring says that it is our choice.
+Every knob names its source.  Where no source gives a figure, its meaning says that it is our choice.
 """
 
 from __future__ import annotations
@@ -41,63 +41,7 @@ class Closes(StrEnum):
 
 @dataclass(frozen=True)
 class Principles:
-    """Knobs of derivation and control.
-
-    release_delay_s: delay of sectional release after the three-point check (R9: 3 s).
-    approach_release_s: delay of a cancellation while the approach is occupied, for train routes
-        (R8: 180 s receiving and main-line departure; an Indian example has 120 s).  `mine` takes 60 s,
-        our choice for 8 km/h.
-    shunt_release_s: the same for shunt routes (R8: 30 s).
-    point_supervision_s: time after which a commanded point without detection raises an alarm (R10: 13 s).
-    point_start_gap_s: least time between the starts of two point machines, so that their currents do not add up (R10,
-        sequence start); 0 starts all at once.
-    fouling_m: distance from a point to its fouling point where the layout states none (our choice).
-    clearance_m: least distance from the fouling point to a joint that is not foul (R7: 3.5 m; 5 m on lines for
-        multiple units).
-    leg_m: length of the legs of a point where the layout states none (our choice).
-    flank_by: whether a flank is protected by turning a point or by a signal at stop, where both can (R5); in
-        either case a flank where nothing can come is asked for nothing.
-    flank_space: whether the track between a flank and what protects it must be reported clear (R5: Flankenschutzraum;
-        German practice unless a table says otherwise).
-    flank_lamp: whether a signal protects a flank only while its stop lamp is reported intact (R5: Lichtschutz); needs
-        `lamp_proof`.
-    drive_points: whether a route drives the other points of its sections to normal, so that parallel routes stay
-        possible (带动道岔).  A driven point is never a condition of proceed (R10).
-    overlap_m: metres of overlap beyond every main signal inside the layout where the layout states none (R4: UK
-        180 m; Chinese main lines and mines none).
-    overlap_release_s: time for which the section before the signal must have been occupied until the train counts as
-        standing and its overlap is released (R4: 30 to 80 s).
-    sensor_faults: whether the substations report for every section that its detector is healthy (document B 2.1); one
-        that is not counts as occupied.
-    lamp_proof: whether the lamps of signals are reported (R11, Chinese practice): a signal opens only while its stop
-        lamp is intact, shows caution while its clear lamp is not, and stop while no other lamp is left.
-    local_requests: whether routes are asked for on the spot too, and which of two requests in one scan is taken: the
-        local one `first`, or `last` (document A: its heading says remote, its reason says that the scene knows better;
-        local first is our reading).
-    priorities: whether voyages, and automatic routes, are served in an order: transport over an inclined lane first,
-        then the main direction (document A); otherwise as they were commanded, or as the layout names them.
-    priority_wait_s: how long a voyage of a lower class may wait before it comes first for once; 0 for ever.
-    slow_below_kmh: a main signal shows caution instead of clear for a route whose stated speed is lower (R11, by route
-        speed); 0 for never.
-    token_delay_s: how long the operator must hold the special manual change of direction (R12; our choice).
-    token_agreed_s: how long that hand must at least be held until what was under way on the telegraph and the line has
-        arrived, as agreed by telephone (our choice).
-    line_speed_kmh: highest speed of trains where a section states none (our choice).
-    shunt_speed_kmh: highest speed of shunting movements (our choice).
-    braking_ms2: braking of the worst train, in m/s^2 (our choice; `mine` stops from 20 km/h within the 40 m of the coal
-        rules).
-    reaction_s: time until a driver who sees stop applies the brake (our choice).
-    output_delay_s: time from a decision of the controller until the driver can see it (two scans; our choice).
-    point_run_s: time in which a point machine runs from one position to the other (our choice).
-    restart_delay_s: time after power-up before which no section is released: whatever ran at the power cut has come to
-        a stand (R16; our choice).
-    main_closes: whether a main signal returns to stop with the first axle (railway practice), or when the whole
-        movement has passed it (document B 2.1); where no second one can come from behind meanwhile (R3).
-    shunt_closes: the same for shunt signals (TB/T 3027: when the whole movement has passed).
-    caution: when an open main signal shows caution instead of clear (R11): `never` (two aspects), `next` while the
-        next main signal does not show proceed, or `turnout`, also into a track inside the layout over a reversed
-        point (Chinese practice: one yellow, two yellows).
-    """
+    """Knobs of derivation and control; `MEANING` tells what each of them means."""
 
     release_delay_s: float = 3.0
     approach_release_s: float = 180.0
@@ -132,6 +76,99 @@ class Principles:
     shunt_closes: Closes = Closes.FIRST_AXLE
     caution: Caution = Caution.NEXT
 
+
+MEANING: dict[str, str] = {
+    "release_delay_s": "delay of sectional release after the three-point check (R9: 3 s)",
+    "approach_release_s": (
+        "delay of a cancellation while the approach is occupied, for train routes (R8: 180 s receiving and "
+        "main-line departure; an Indian example has 120 s).  `mine` takes 60 s, our choice for 8 km/h"
+    ),
+    "shunt_release_s": "the same for shunt routes (R8: 30 s)",
+    "point_supervision_s": "time after which a commanded point without detection raises an alarm (R10: 13 s)",
+    "point_start_gap_s": (
+        "least time between the starts of two point machines, so that their currents do not add up (R10, sequence "
+        "start); 0 starts all at once"
+    ),
+    "fouling_m": "distance from a point to its fouling point where the layout states none (our choice)",
+    "clearance_m": (
+        "least distance from the fouling point to a joint that is not foul (R7: 3.5 m; 5 m on lines for multiple units)"
+    ),
+    "leg_m": "length of the legs of a point where the layout states none (our choice)",
+    "flank_by": (
+        "whether a flank is protected by turning a point or by a signal at stop, where both can (R5); in either "
+        "case a flank where nothing can come is asked for nothing"
+    ),
+    "flank_space": (
+        "whether the track between a flank and what protects it must be reported clear (R5: Flankenschutzraum; "
+        "German practice unless a table says otherwise)"
+    ),
+    "flank_lamp": (
+        "whether a signal protects a flank only while its stop lamp is reported intact (R5: Lichtschutz); needs "
+        "`lamp_proof`"
+    ),
+    "drive_points": (
+        "whether a route drives the other points of its sections to normal, so that parallel routes stay possible "
+        "(带动道岔).  A driven point is never a condition of proceed (R10)"
+    ),
+    "overlap_m": (
+        "metres of overlap beyond every main signal inside the layout where the layout states none (R4: UK 180 m; "
+        "Chinese main lines and mines none)"
+    ),
+    "overlap_release_s": (
+        "time for which the section before the signal must have been occupied until the train counts as standing "
+        "and its overlap is released (R4: 30 to 80 s)"
+    ),
+    "sensor_faults": (
+        "whether the substations report for every section that its detector is healthy (document B 2.1); one that "
+        "is not counts as occupied"
+    ),
+    "lamp_proof": (
+        "whether the lamps of signals are reported (R11, Chinese practice): a signal opens only while its stop lamp"
+        " is intact, shows caution while its clear lamp is not, and stop while no other lamp is left"
+    ),
+    "local_requests": (
+        "whether routes are asked for on the spot too, and which of two requests in one scan is taken: the local "
+        "one `first`, or `last` (document A: its heading says remote, its reason says that the scene knows better; "
+        "local first is our reading)"
+    ),
+    "priorities": (
+        "whether voyages, and automatic routes, are served in an order: transport over an inclined lane first, then"
+        " the main direction (document A); otherwise as they were commanded, or as the layout names them"
+    ),
+    "priority_wait_s": "how long a voyage of a lower class may wait before it comes first for once; 0 for ever",
+    "slow_below_kmh": (
+        "a main signal shows caution instead of clear for a route whose stated speed is lower (R11, by route "
+        "speed); 0 for never"
+    ),
+    "token_delay_s": "how long the operator must hold the special manual change of direction (R12; our choice)",
+    "token_agreed_s": (
+        "how long that hand must at least be held until what was under way on the telegraph and the line has "
+        "arrived, as agreed by telephone (our choice)"
+    ),
+    "line_speed_kmh": "highest speed of trains where a section states none (our choice)",
+    "shunt_speed_kmh": "highest speed of shunting movements (our choice)",
+    "braking_ms2": (
+        "braking of the worst train, in m/s^2 (our choice; `mine` stops from 20 km/h within the 40 m of the coal rules)"
+    ),
+    "reaction_s": "time until a driver who sees stop applies the brake (our choice)",
+    "output_delay_s": "time from a decision of the controller until the driver can see it (two scans; our choice)",
+    "point_run_s": "time in which a point machine runs from one position to the other (our choice)",
+    "restart_delay_s": (
+        "time after power-up before which no section is released: whatever ran at the power cut has come to a stand"
+        " (R16; our choice)"
+    ),
+    "main_closes": (
+        "whether a main signal returns to stop with the first axle (railway practice), or when the whole movement "
+        "has passed it (document B 2.1); where no second one can come from behind meanwhile (R3)"
+    ),
+    "shunt_closes": "the same for shunt signals (TB/T 3027: when the whole movement has passed)",
+    "caution": (
+        "when an open main signal shows caution instead of clear (R11): `never` (two aspects), `next` while the "
+        "next main signal does not show proceed, or `turnout`, also into a track inside the layout over a reversed "
+        "point (Chinese practice: one yellow, two yellows)"
+    ),
+}
+"""What each knob means, with its unit and source; the language page and editors show it."""
 
 PROFILES: dict[str, Principles] = {
     "generic": Principles(),

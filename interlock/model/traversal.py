@@ -9,7 +9,6 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import lru_cache
 
 from interlock.model.elements import (
     BufferKind,
@@ -21,7 +20,7 @@ from interlock.model.elements import (
     SectionId,
     SignalId,
 )
-from interlock.model.layout import Layout
+from interlock.model.layout import Layout, of_layout
 
 
 @dataclass(frozen=True)
@@ -191,7 +190,7 @@ def onward_edges(layout: Layout, node: NodeId, arriving: EdgeId) -> tuple[EdgeId
     return tuple(e.id for e in layout.edges_at[node] if e.id != arriving)
 
 
-@lru_cache(maxsize=64)
+@of_layout
 def topology(layout: Layout) -> Topology:
     """The topology of a layout (kept, since several rooms ask for it)."""
     return Topology(layout)

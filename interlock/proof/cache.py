@@ -21,7 +21,7 @@ import tempfile
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cache
+from functools import lru_cache
 from pathlib import Path
 
 KEY_BYTES = 32
@@ -96,7 +96,7 @@ def _sealed(key: str, body: str, seal: str) -> bool:
     return wanted is not None and hmac.compare_digest(wanted, seal)
 
 
-@cache
+@lru_cache(8)
 def _secret(file: Path) -> bytes | None:
     """The user's key, made at first use for this user alone; None where none can be had, so that nothing is kept.
 

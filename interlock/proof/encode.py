@@ -72,6 +72,10 @@ class Cnf:
             stack.pop()
         return of[id(root)][1]
 
+    def known(self, x: Expr) -> bool:
+        """Whether some clause may speak of the expression."""
+        return id(x) in self._of
+
     def define(self, name: str, x: Expr) -> None:
         """From now on the name stands for the expression; before it is used anywhere."""
         self.names[name] = self.literal(x)

@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from functools import partial
+from itertools import islice
 
 from interlock.logic.controller import Controller, Equation, Join, StateVar, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, var
@@ -18,6 +20,7 @@ from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.proof.invariants import Facts, claims
 from interlock.proof.limits import Limits
+from interlock.proof.mutation.points import Mutation
 from interlock.proof.runner import inductive, open_claims
 from interlock.proof.search import search
 from interlock.proof.story import tell
@@ -34,8 +37,6 @@ class Fate(StrEnum):
     KILLED = "killed by a train movement"
     STRICT = "killed, no movement found"
     REDUNDANT = "redundant"
-    REFUTED = "refuted as text"
-    SAME = "same meaning"
 
 
 @dataclass(frozen=True)
@@ -482,6 +483,17 @@ KINDS: tuple[Kind, ...] = (
     Kind("overlap-taken", "a route is set over a section that is held as overlap", without("FREE", "no overlap")),
     Kind("proceed-on-lost-input", "proceed stays when inputs are lost", without("CO", "inputs valid")),
 )
+
+
+def weakenings(layout: Layout, table: InterlockingTable, every: bool) -> Iterator[Mutation]:
+    """The mutants of each kind as mutations: all of them, or the first of each kind."""
+    for kind in KINDS:
+        for place, controller in islice(kind.make(layout, table), None if every else 1):
+            yield Mutation(f"weakened: {kind.name}", kind.name, place, partial(_made, controller))
+
+
+def _made(controller: Controller) -> Controller:
+    return controller
 
 
 def run_mutants(

@@ -9,14 +9,14 @@ behind the train (R8, R9); a section that is blocked, locked or reported occupie
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Iterator
 from functools import partial
 
 from interlock.logic.controller import RouteSymbols
 from interlock.logic.plant import lies
 from interlock.model.elements import Position, RouteId
 from interlock.proof.system import System
-from interlock.proof.witness import MAX_STEPS, Railway, _before, _closing, _rear, _start, _until, _until_off
+from interlock.proof.witness import MAX_STEPS, Railway, Trial, _before, _closing, _rear, _start, _until, _until_off
 from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Wish
 
 Part = Generator[Wish, None, str | None]
@@ -27,18 +27,45 @@ def operations(system: System) -> dict[RouteId, dict[str, str | None]]:
     """For each route that a train can take from a stand: by operation what went wrong, or None where it worked."""
     railway = Railway(system.controller, system.plant, system.layout)
     lanes = Lanes(railway.controller, railway.plant)
-    starts = [(r, s) for r in railway.symbols.routes if isinstance(s := _start(railway, r, ""), dict) and not r.call_on]
-
-    def tried(operation: Operation) -> list[str | None]:
-        runs = [partial(_after_restart, railway, r, operation) for r, _ in starts]
-        return [failure for failure, _ in lanes.run([s for _, s in starts], runs)]
-
-    starts = [x for x, failure in zip(starts, tried(_opened), strict=True) if failure is None]
-    found: dict[RouteId, dict[str, str | None]] = {r.id: {} for r, _ in starts}
-    for name, operation in OPERATIONS.items() if starts else ():
-        for (r, _), failure in zip(starts, tried(operation), strict=True):
-            found[r.id][name] = failure
+    found: dict[RouteId, dict[str, str | None]] = {}
+    for (r, name), failure in _tried(railway, lanes, _opening(railway, lanes)):
+        found.setdefault(r, {})[name] = failure
     return found
+
+
+def operated(system: System) -> list[Trial]:
+    """The runs by which operations work: those that went well."""
+    railway = Railway(system.controller, system.plant, system.layout)
+    lanes = Lanes(railway.controller, railway.plant)
+    starts = _opening(railway, lanes)
+    worked = {key for key, failure in _tried(railway, lanes, starts) if failure is None}
+    return [
+        Trial(f"{r.id}: {name}", start, partial(_after_restart, railway, r, operation))
+        for name, operation in OPERATIONS.items()
+        for r, start in starts
+        if (r.id, name) in worked
+    ]
+
+
+Starts = list[tuple[RouteSymbols, dict[str, int]]]
+"""Routes, each with a restart at which a train stands before its signal."""
+
+
+def _opening(railway: Railway, lanes: Lanes) -> Starts:
+    """The routes whose signal a train can be shown from a stand."""
+    routes = [r for r in railway.symbols.routes if not r.call_on]
+    starts = [(r, s) for r in routes if isinstance(s := _start(railway, r, ""), dict)]
+    runs = [partial(_after_restart, railway, r, _opened) for r, _ in starts]
+    tried = lanes.run([s for _, s in starts], runs)
+    return [x for x, (failure, _) in zip(starts, tried, strict=True) if failure is None]
+
+
+def _tried(railway: Railway, lanes: Lanes, starts: Starts) -> Iterator[tuple[tuple[RouteId, str], str | None]]:
+    """What went wrong with each route and operation, or None."""
+    for name, operation in OPERATIONS.items() if starts else ():
+        runs = [partial(_after_restart, railway, r, operation) for r, _ in starts]
+        for (r, _), (failure, _) in zip(starts, lanes.run([s for _, s in starts], runs), strict=True):
+            yield (r.id, name), failure
 
 
 def _after_restart(railway: Railway, r: RouteSymbols, operation: Operation, lane: Lane) -> Driver:
@@ -113,7 +140,7 @@ def _trailed(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
     yield NOTHING
     if lane.is_on(r.proceed):
         return f"it opens over the trailed {m}"
-    look = next(i.name for i in railway.controller.inputs if i.name == f"TC_{sym.trailed[m].split('_', 1)[1]}")
+    look = sym.looked_at[m]
     yield Wish((), {look: 1})
     yield NOTHING
     if lane.is_on(sym.trailed[m]):

@@ -140,13 +140,22 @@ def run(tasks: Sequence[Task], jobs: int, done: Callable[[int], None] = lambda n
         return begun.results(done)
 
 
-def apart(work: Callable[..., Any], calls: Sequence[tuple[object, ...]], jobs: int) -> list[Any]:
-    """Calls that share nothing, on processes of their own; the results are in the order of the calls."""
-    from concurrent.futures import ProcessPoolExecutor
+def apart(
+    work: Callable[..., Any],
+    calls: Sequence[tuple[object, ...]],
+    jobs: int,
+    done: Callable[[int], None] = lambda n: None,
+) -> list[Any]:
+    """Calls that share nothing, on processes of their own; the results are in the order of the calls.  `done` is told
+    each one's number."""
+    from concurrent.futures import ProcessPoolExecutor, as_completed
 
     with ProcessPoolExecutor(min(jobs, len(calls)), initializer=undisturbed) as pool:
         try:
-            return [f.result() for f in [pool.submit(work, *c) for c in calls]]
+            begun = {pool.submit(work, *c): n for n, c in enumerate(calls)}
+            for finished in as_completed(begun):
+                done(begun[finished])
+            return [f.result() for f in begun]
         except KeyboardInterrupt:
             for process in multiprocessing.active_children():
                 process.terminate()

@@ -12,7 +12,7 @@ import re
 from collections.abc import Sequence
 from keyword import iskeyword
 
-from interlock.emit.python.runtime import FIXED
+from interlock.emit.python.runtime import FIXED, route_numbers
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
 from interlock.proof.translation import Difference, Scan, Translation, compare_scan, wires
@@ -63,15 +63,17 @@ class _Reader:
         self.at = 0
         self.before = head.count("\n") + FIXED.count("\n")
         doc, *rest = ast.parse(head + fixed).body
-        if not _is_docstring(doc) or len(rest) != 5:
+        if not _is_docstring(doc) or len(rest) != 6:
             raise BadRuntime("the parts of the module")
-        tables = [_table(x, n) for x, n in zip(rest, ("INPUTS", "STATE", "TIMERS", "OUTPUTS"), strict=False)]
-        inputs, self.state, self.presets, self.restrictive = tables
+        tables = [_table(x, n) for x, n in zip(rest, ("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES"), strict=False)]
+        inputs, self.state, self.presets, self.restrictive, routes = tables
         if inputs != {i.name: (i.restrictive, i.size or 2) for i in controller.inputs}:
             raise BadRuntime("INPUTS are not those of the controller")
         if self.restrictive != {o.name: o.restrictive for o in controller.outputs}:
             raise BadRuntime("OUTPUTS are not those of the controller")
-        if ast.dump(rest[4]) != ast.dump(ast.parse(FIXED).body[0]):
+        if routes != route_numbers(controller):
+            raise BadRuntime("ROUTES are not those of the controller")
+        if ast.dump(rest[5]) != ast.dump(ast.parse(FIXED).body[0]):
             raise BadRuntime("the fixed part of the class is changed")
 
     def scan(self) -> Scan:

@@ -10,22 +10,43 @@ determined by those that are kept counts as lost).
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from interlock.logic.controller import Controller, Timer
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution
 
 
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """The variables whose start value every scan keeps, and what was known in each round in which they were found."""
+
+    names: frozenset[str]
+    rounds: tuple[Mapping[str, Expr], ...]
+
+    def unchanged(self, changed: Mapping[str, Expr]) -> bool:
+        """Whether the same is found where some names stand for other expressions: these have in each round the value
+        that was known, or none as before."""
+        for known in self.rounds:
+            put = Substitution(known)
+            for name, x in changed.items():
+                value = put(x)
+                if known.get(name) is not (value if value is TRUE or value is FALSE else None):
+                    return False
+        return True
+
+
 def kept_values(
     controller: Controller, start: Mapping[str, Expr], following: Mapping[str, Expr], later: Mapping[str, str]
-) -> frozenset[str]:
+) -> Kept:
     """The variables of `start` (constants by name) whose value every scan keeps while the restart delay runs.
 
     `following`: the definitions of next values that are to be looked at, by `later[name]`, in an order in which each
     reads only next values before it.
     """
-    kept = dict(start)
+    kept, rounds = dict(start), []
     while True:
         known = dict(kept)
+        rounds.append(known)
         put = Substitution(known)
         known[controller.symbols.restart_timer] = FALSE
         for step in controller.steps:
@@ -37,7 +58,7 @@ def kept_values(
             _note(known, name, put(x))
         lost = [name for name, value in kept.items() if known.get(later[name]) is not value]
         if not lost:
-            return frozenset(kept)
+            return Kept(frozenset(kept), tuple(rounds))
         for name in lost:
             del kept[name]
 

@@ -207,8 +207,8 @@ def _claims(
             continue
         verdict, story = Verdict.PROVED, None
         if id_ in open_:
-            progress(f"searching a counterexample to {id_}", 0, 1)
-            run = search(system, open_[id_], limits.search_depth, limits.search_s)
+            looking = partial(progress, f"searching a counterexample to {id_}")
+            run = search(system, open_[id_], limits.search_depth, limits.search_s, looking)
             verdict = Verdict.REFUTED if run is not None else Verdict.UNKNOWN
             story = tell(system, run) if run is not None else None
         out.append(

@@ -7,6 +7,7 @@ that can be left out is left out.
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from interlock.logic.expr import Expr, disj, eq, evaluate, neg, var, variables
@@ -73,13 +74,20 @@ class _Unrolled:
         return out
 
 
-def search(system: System, claims: list[Claim], max_depth: int, seconds: float) -> Run | None:
+def search(
+    system: System,
+    claims: list[Claim],
+    max_depth: int,
+    seconds: float,
+    progress: Callable[[int, int], None] = lambda done, total: None,
+) -> Run | None:
     """The shortest run that violates one of the claims, or None when none was found in depth and time."""
     if not claims:
         return None
     steps = _Unrolled(system, [c.expr for c in claims])
     end = time.monotonic() + seconds
     for depth in range(1, max_depth + 1):
+        progress(depth - 1, max_depth)
         left = end - time.monotonic()
         if left <= 0:
             return None

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from interlock.logic.expr import evaluate
 from interlock.model.elements import Position
 from interlock.proof.invariants import CLAIMS
-from interlock.proof.search import Run
+from interlock.proof.search import Frame, Run
 from interlock.proof.system import System
 
 
@@ -25,10 +26,22 @@ class Story:
 
 
 def tell(system: System, run: Run) -> Story:
-    """The run as sentences; frames with nothing to tell are joined to the next."""
+    """A violated claim as sentences."""
+    sentence = CLAIMS[run.claim.id]
+    ending = [f"This violates {run.claim.id} at {run.claim.place}: {sentence}"]
+    if run.claim.id.endswith("-FLANK"):
+        leg = run.claim.place.split(":", 2)[2]
+        ending.insert(
+            0, f"Nothing keeps a vehicle away that rolls in over {leg}: no signal at stop, no point turned away."
+        )
+    return narrated(system, run.frames, (run.claim.id, run.claim.place, sentence), ending)
+
+
+def narrated(system: System, frames: Sequence[Frame], claim: tuple[str, str, str], ending: Sequence[str]) -> Story:
+    """A run as sentences; frames with nothing to tell are joined to the next.  `claim`: its id, place and sentence."""
     steps: list[str] = []
     trains = [n[2:] for n in system.state if n.startswith("o.")]
-    first = run.frames[0].state
+    first = frames[0].state
     standing = [s for s in trains if first[f"o.{s}"]]
     lying = _points(system, first)
     steps.append(
@@ -39,7 +52,7 @@ def tell(system: System, run: Run) -> Story:
     )
     after_step = [0]
     raw: list[tuple[tuple[str, ...], tuple[str, ...]]] = []
-    for i, frame in enumerate(run.frames):
+    for i, frame in enumerate(frames):
         values = {**frame.state, **frame.inputs}
         memo: dict[int, bool] = {}
         events = [
@@ -48,7 +61,7 @@ def tell(system: System, run: Run) -> Story:
             if "?" + e in system.plant.choices and evaluate(x, lambda n, v=values: v.get(n, 0), memo)  # type: ignore[misc]
         ]
         asked = _requests(system, frame.inputs)
-        after = run.frames[i + 1].state if i + 1 < len(run.frames) else None
+        after = frames[i + 1].state if i + 1 < len(frames) else None
         shown = _changes(system, frame.state, after) if after is not None else []
         sentences = [*events, *asked, *shown]
         raw.append(
@@ -59,19 +72,16 @@ def tell(system: System, run: Run) -> Story:
         )
         if sentences:
             steps.append("; ".join(_capital(s) if k == 0 else s for k, s in enumerate(sentences)) + ".")
-            after_step.append(min(i + 1, len(run.frames) - 1))
-    last = run.frames[-1].state
+            after_step.append(min(i + 1, len(frames) - 1))
+    last = frames[-1].state
     lines = [f"the line at {b}" for b in system.symbols.token if last[f"line.in.{b}"] or last[f"line.out.{b}"]]
-    where = ", ".join([*(s for s in trains if last[f"o.{s}"]), *lines]) or "nowhere"
+    where = ", ".join([*(s for s in trains if last[f"o.{s}"]), *lines])
     lying = _points(system, last)
-    steps.append(f"Now trains stand in {where}{f'; {lying}' if lying else ''}.")
-    if run.claim.id.endswith("-FLANK"):
-        leg = run.claim.place.split(":", 2)[2]
-        steps.append(f"Nothing keeps a vehicle away that rolls in over {leg}: no signal at stop, no point turned away.")
-    sentence = CLAIMS[run.claim.id]
-    steps.append(f"This violates {run.claim.id} at {run.claim.place}: {sentence}")
-    after_step += [len(run.frames) - 1] * (len(steps) - len(after_step))
-    return Story(run.claim.id, run.claim.place, sentence, tuple(steps), tuple(raw), tuple(after_step))
+    now = f"Now trains stand in {where}" if where else "Now no train is inside"
+    steps.append(f"{now}{f'; {lying}' if lying else ''}.")
+    steps += ending
+    after_step += [len(frames) - 1] * (len(steps) - len(after_step))
+    return Story(*claim, tuple(steps), tuple(raw), tuple(after_step))
 
 
 def _capital(text: str) -> str:

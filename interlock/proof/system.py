@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cached_property
 
-from interlock.logic.controller import Controller, MalformedController
+from interlock.logic.controller import Controller, Equation, MalformedController
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, iff, implies, neg, var, variables
 from interlock.logic.plant import Assumption, Plant, TokenWires, Wiring, across, build_plant, o
 from interlock.model.elements import NodeId, SectionId, Zone
@@ -18,7 +18,7 @@ from interlock.model.measured import measured
 from interlock.model.traversal import topology
 from interlock.proof.clocks import arithmetic, history, ties
 from interlock.proof.near import homes, places, routes_of
-from interlock.proof.restart import kept_values
+from interlock.proof.restart import Kept, kept_values
 
 
 def wiring(controller: Controller, layout: Layout) -> Wiring:
@@ -86,6 +86,43 @@ class System:
         self.assumptions += arithmetic(self.ties, PRIME)
         self._check_closed()
 
+    def changed(self, controller: Controller) -> dict[str, Expr] | None:
+        """The definitions that are others under a controller that differs from this one in right sides of equations and
+        outputs alone; None where it differs in anything else."""
+        mine = self.controller
+        if controller.state is not mine.state or len(controller.steps) != len(mine.steps):
+            return None
+        found: dict[str, Expr] = {}
+        for old, new in zip(mine.steps, controller.steps, strict=True):
+            if new is not old:
+                if not isinstance(old, Equation) or not isinstance(new, Equation) or old.name != new.name:
+                    return None
+                found[new.name] = new.expr
+        found |= {e.name + PRIME: e.expr for old, e in zip(mine.next, controller.next, strict=True) if e is not old}
+        for shown, x in zip(mine.outputs, controller.outputs, strict=True):
+            if (shown.name, shown.restrictive) != (x.name, x.restrictive):
+                return None
+            if x.expr is not shown.expr:
+                found[x.name + PRIME] = self._after(x.expr)
+        return found
+
+    def under(self, controller: Controller, changed: Mapping[str, Expr]) -> System:
+        """The system of such a controller: nothing but `changed` depends on right sides."""
+        other = System.__new__(System)
+        kept = {k: v for k, v in self.__dict__.items() if not isinstance(getattr(System, k, None), cached_property)}
+        other.__dict__.update(
+            kept, controller=controller, definitions={**self.definitions, **changed}, _start=self._start
+        )
+        outputs = any(name.removesuffix(PRIME) in self._shown for name in changed)
+        if not outputs and self._kept.unchanged(changed):
+            other.__dict__.update(_kept=self._kept, initial_parts=self.initial_parts)
+        return other
+
+    @cached_property
+    def _shown(self) -> frozenset[str]:
+        """The names of outputs."""
+        return frozenset(x.name for x in self.controller.outputs)
+
     def _check_closed(self) -> None:
         """Nothing may read a variable that nobody defines: it would be a free choice by accident."""
         known = {*self.state, *self.inputs, *self.definitions}
@@ -109,17 +146,27 @@ class System:
     @cached_property
     def initial_parts(self) -> list[Expr]:
         """The same, one condition after the other: what the restart delay keeps of the start, trains at a stand."""
+        start, kept = self._start, self._kept.names
+        known = [var(n) if start[n] is TRUE else neg(var(n)) for n in start if n in kept]
+        shown = [iff(var(x.name), x.expr) for x in self.controller.outputs if x.name not in kept]
+        return [*known, *shown, *self.plant.initial]
+
+    @cached_property
+    def _start(self) -> dict[str, Expr]:
+        """What the controller, its outputs and what is remembered of them are at power-up."""
         start = {x.name: TRUE if x.initial else FALSE for x in self.controller.state}
         start |= {x.name: TRUE if x.restrictive else FALSE for x in self.controller.outputs}
         start |= dict.fromkeys((f"been.{s}" for s in self.topo.sections), FALSE)
         start |= dict.fromkeys((f"shut.R{r.number}" for r in self.symbols.routes), FALSE)
         start |= dict.fromkeys((t.covered for t in self.ties), TRUE)
         start |= dict.fromkeys((n for n in self.plant.state if n.startswith(SEEN)), FALSE)
-        following = {self.later[n]: self.definitions[self.later[n]] for n in self.later if n in start}
-        kept = kept_values(self.controller, start, following, self.later)
-        known = [var(n) if start[n] is TRUE else neg(var(n)) for n in start if n in kept]
-        shown = [iff(var(x.name), x.expr) for x in self.controller.outputs if x.name not in kept]
-        return [*known, *shown, *self.plant.initial]
+        return start
+
+    @cached_property
+    def _kept(self) -> Kept:
+        """What of that every scan keeps until the restart delay is over."""
+        following = {self.later[n]: self.definitions[self.later[n]] for n in self.later if n in self._start}
+        return kept_values(self.controller, self._start, following, self.later)
 
     def after(self, x: Expr) -> Expr:
         """The expression one step later."""

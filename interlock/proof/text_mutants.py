@@ -13,7 +13,8 @@ from dataclasses import dataclass
 
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Controller
-from interlock.proof.mutate import Fate, Outcome
+from interlock.proof.mutation.judge import Fate, Verdict
+from interlock.proof.mutation.points import Mutation
 from interlock.proof.python_text import compare_runtime
 from interlock.proof.translation import compare_dialect
 from interlock.st.dialects import DIALECTS, write_st
@@ -116,21 +117,13 @@ PYTHON_EDITS: dict[str, Edit] = {
 TEXT_KINDS: tuple[str, ...] = (*ST_EDITS, *PYTHON_EDITS)
 
 
-def run_text_mutants(
-    controller: Controller,
-    sample: int,
-    report: Callable[[Outcome], None] = lambda outcome: None,
-    only: tuple[str, ...] = (),
-) -> tuple[Outcome, ...]:
+def text_mutants(controller: Controller, sample: int) -> Iterator[tuple[Mutation, Verdict]]:
     """Up to `sample` evenly spread edits of each kind (0: all), in the portable text and in the Python runtime."""
     iec = next(d for d in DIALECTS if d.name == "iec")
     files = write_st(controller, iec, ["edited"])
     runtime = runtime_py(controller, ["edited"])
-    out = []
-    for name, edit in (*ST_EDITS.items(), *PYTHON_EDITS.items()):
-        if only and name not in only:
-            continue
-        python = name in PYTHON_EDITS
+    for kind, edit in (*ST_EDITS.items(), *PYTHON_EDITS.items()):
+        python = kind in PYTHON_EDITS
         texts = {"runtime.py": runtime} if python else files
         for file, place in _spread([(f, p) for f in sorted(texts) for p in edit(texts[f], python)], sample):
             changed = place.edited(texts[file], place.instead[0])
@@ -140,12 +133,9 @@ def run_text_mutants(
                 else compare_dialect(controller, iec, {**files, file: changed})
             )
             line = texts[file].count("\n", 0, place.start) + 1
-            differs = tuple(f"differs at {d.name}" for d in found.differences[:3])
-            fate = Fate.SAME if found.proved else Fate.REFUTED
-            outcome = Outcome(name, f"{file}:{line}", fate, () if found.proved else ("text = controller",), differs)
-            report(outcome)
-            out.append(outcome)
-    return tuple(out)
+            differs = ", ".join(f"differs at {d.name}" for d in found.differences[:3])
+            fate = Fate.EQUIVALENT if found.proved else Fate.TEXT
+            yield Mutation(kind, kind, f"{file}:{line}", lambda: controller), Verdict(fate, differs)
 
 
 def _spread(places: list[tuple[str, Place]], sample: int) -> Iterator[tuple[str, Place]]:

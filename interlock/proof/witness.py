@@ -7,7 +7,7 @@ to safety proofs).
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -18,7 +18,7 @@ from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, topology
 from interlock.proof.system import System
 from interlock.proof.verdict import Witness
-from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Wish
+from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Record, Wish
 
 MAX_STEPS = 400
 FEEDERS = 3  # so many routes are tried, one after the other, over which a train may come to another
@@ -43,13 +43,52 @@ class Railway:
         return topology(self.layout)
 
 
+@dataclass(frozen=True)
+class Trial:
+    """A run of one train or operator, from a restart: what it tries, and how; the same on every controller whose
+    variables mean the same."""
+
+    name: str
+    start: Mapping[str, int]
+    driver: Callable[[Lane], Driver]
+
+
+class Trials:
+    """Runs on one system."""
+
+    def __init__(self, system: System, record: Record | None = None) -> None:
+        """`record`: is given what each step computes of the controller."""
+        self._lanes = Lanes(system.controller, system.plant, record=record)
+
+    def run(self, trials: Sequence[Trial], first: bool = False) -> list[str | None]:
+        """What goes wrong in each, or None; `first`: nothing is done any more after the first that goes wrong."""
+        found = self._lanes.run([t.start for t in trials], [t.driver for t in trials], first)
+        return [failure for failure, _ in found]
+
+
 def witnesses(system: System) -> tuple[Witness, ...]:
     """A run for each route, all of them side by side.
 
     First with a train that has stood before the signal since the restart (into a berth a second time, with vehicles
     standing there); where that fails, with a train that came there under another route.
     """
+    return tuple(w for w, _ in _tried(Railway(system.controller, system.plant, system.layout)))
+
+
+def journeys(system: System) -> list[Trial]:
+    """The runs by which routes can be used: those that went well."""
     railway = Railway(system.controller, system.plant, system.layout)
+    found = []
+    for w, runs in _tried(railway):
+        for run in runs if w.ok else ():
+            start = _start(railway, run[0], run[1])
+            assert isinstance(start, dict)
+            found.append(Trial(w.route, start, partial(_journey, railway, *run)))
+    return found
+
+
+def _tried(railway: Railway) -> list[tuple[Witness, list[Run]]]:
+    """Each route's witness, and its runs."""
     routes = railway.symbols.routes
     lanes = Lanes(railway.controller, railway.plant)
     first = _attempt(railway, lanes, [(r, "", ()) for r in routes])
@@ -60,30 +99,35 @@ def witnesses(system: System) -> tuple[Witness, ...]:
     came = _over_others(
         railway, lanes, [r for r, (failure, _) in zip(routes, first, strict=True) if failure is not None]
     )
-    out = []
+    out: list[tuple[Witness, list[Run]]] = []
     for r, (failure, steps) in zip(routes, first, strict=True):
+        stand: Run = (r, "", ())
         if failure is not None and r.id in came:
-            over, n = came[r.id]
-            out.append(Witness(r.id, True, n, f"set, driven and released, coming over {' and '.join(over)}"))
+            chain, n = came[r.id]
+            over = " and ".join(x.id for x in chain[:-1])
+            text = f"set, driven and released, coming over {over}"
+            out.append((Witness(r.id, True, n, text), [(chain[0], "", chain[1:])]))
         elif failure is not None:
-            out.append(Witness(r.id, False, steps, failure))
+            out.append((Witness(r.id, False, steps, failure), [stand]))
         elif r.id in second and second[r.id][0] is not None:
-            out.append(Witness(r.id, False, steps, f"with vehicles standing in {_berth(r)}: {second[r.id][0]}"))
+            text = f"with vehicles standing in {_berth(r)}: {second[r.id][0]}"
+            out.append((Witness(r.id, False, steps, text), [stand]))
         else:
-            out.append(Witness(r.id, True, steps + second.get(r.id, (None, 0))[1], "set, driven and released"))
-    return tuple(out)
+            text, steps = "set, driven and released", steps + second.get(r.id, (None, 0))[1]
+            out.append((Witness(r.id, True, steps, text), [stand, *([(r, _berth(r), ())] if r.id in second else [])]))
+    return out
 
 
 def _over_others(
     railway: Railway, lanes: Lanes, failed: Sequence[RouteSymbols]
-) -> dict[RouteId, tuple[list[RouteId], int]]:
+) -> dict[RouteId, tuple[tuple[RouteSymbols, ...], int]]:
     """For routes that no train can take from a stand since the restart: the routes over which one comes to them, as few
-    as possible, and the number of scans."""
+    as possible, with the route itself, and the number of scans."""
     ends: dict[str, list[RouteSymbols]] = {}
     for x in railway.symbols.routes:
         ends.setdefault((x.berth or x.ways[-1])[0], []).append(x)
     chains: list[tuple[RouteSymbols, ...]] = [(r,) for r in failed]
-    found: dict[RouteId, tuple[list[RouteId], int]] = {}
+    found: dict[RouteId, tuple[tuple[RouteSymbols, ...], int]] = {}
     for _ in range(FEEDERS):
         chains = [
             (x, *chain)
@@ -94,7 +138,7 @@ def _over_others(
         ]
         for chain, (why, n) in zip(chains, _attempt(railway, lanes, [(c[0], "", c[1:]) for c in chains]), strict=True):
             if why is None:
-                found.setdefault(chain[-1].id, ([x.id for x in chain[:-1]], n))
+                found.setdefault(chain[-1].id, (chain, n))
     return found
 
 
@@ -186,35 +230,12 @@ def _disturbed(run: Driver, inputs: dict[str, int]) -> Driver:
 
 def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | None = None) -> Driver:
     """Drive a route; `failed` is reported occupied all the time and stays locked."""
-    layout, topo = railway.layout, railway.topo
-    signal = layout.signal[r.entry]
-    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), 2)):
-        return "the request is refused: " + _not(lane, f"G_R{r.number}")
-    token = railway.symbols.token.get(topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
-    if token is not None and not r.shunt and not lane.is_on(token.have):
-        yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
-    if not (yield from _until(lane, r.proceed)):
-        return "the signal does not open: " + _not(lane, f"LK_R{r.number}")
-    go, accept = ("gos", "accepts") if r.shunt else ("go", "accept")
-    if not (yield from _until(lane, f"{go}.{r.entry}", Wish((f"{accept}.{r.entry}",)))):
-        return "no train can accept the signal"
-    place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
-    ways = r.ways if r.berth is None else (*r.ways, r.berth)
-    for section, number in ways:
-        if not (yield from _until(lane, f"o.{section}", Wish((f"head.{joint}.{place}",)))):
-            return f"the train cannot enter {section}"
-        if not (yield from _until_off(lane, f"x.{joint}.{place}", f"tail.{joint}.{place}")):
-            return f"the train's tail does not leave {place}"
-        place, joint = section, topo.traversals[section][number - 1].exit
-    leaves = joint in layout.boundary_at and not r.shunt
-    if leaves:
-        if not (yield from _until(lane, f"x.{joint}.{place}", Wish((f"head.{joint}.{place}",)))):
-            return f"the train cannot leave at {joint}"
-        if not (yield from _until_off(lane, f"o.{place}", f"tail.{joint}.{place}")):
-            return f"the train's tail does not leave {place}"
-    keep = set(layout.undetected) if leaves else {place, *layout.undetected}
-    if failed is not None:  # and so does what lies beyond it
-        keep |= {s for s, _ in r.ways[[s for s, _ in r.ways].index(failed) :]}
+    failure = yield from _set(railway, lane, r)
+    if failure is None:
+        failure = yield from _travel(railway, lane, r)
+    if failure is not None:
+        return failure
+    keep = _kept(railway, r, failed)
     after = NOTHING
     if r.call_on:
         by_hand = {i.name: 1 for i in railway.controller.inputs if i.name.startswith("REL")}
@@ -228,6 +249,59 @@ def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | No
         return f"{', '.join(locked)} stay locked behind the train"
     troubles = lane.troubles()
     return f"the run meets {', '.join(troubles)}" if troubles else None
+
+
+def _set(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
+    """Ask for a route until its signal is open, and for the direction of the line beyond where that has a token."""
+    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), 2)):
+        return "the request is refused: " + _not(lane, f"G_R{r.number}")
+    token = railway.symbols.token.get(railway.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
+    if token is not None and not r.shunt and not lane.is_on(token.have):
+        yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
+    if not (yield from _until(lane, r.proceed)):
+        return "the signal does not open: " + _not(lane, f"LK_R{r.number}")
+    return None
+
+
+def _travel(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
+    """Drive the train that stands before an open signal to the end of its route."""
+    layout, topo = railway.layout, railway.topo
+    signal = layout.signal[r.entry]
+    go, accept = ("gos", "accepts") if r.shunt else ("go", "accept")
+    if not (yield from _until(lane, f"{go}.{r.entry}", Wish((f"{accept}.{r.entry}",)))):
+        return "no train can accept the signal"
+    place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
+    for section, number in r.ways if r.berth is None else (*r.ways, r.berth):
+        if not (yield from _until(lane, f"o.{section}", Wish((f"head.{joint}.{place}",)))):
+            return f"the train cannot enter {section}"
+        if not (yield from _until_off(lane, f"x.{joint}.{place}", f"tail.{joint}.{place}")):
+            return f"the train's tail does not leave {place}"
+        place, joint = section, topo.traversals[section][number - 1].exit
+    if _leaves(railway, r):
+        if not (yield from _until(lane, f"x.{joint}.{place}", Wish((f"head.{joint}.{place}",)))):
+            return f"the train cannot leave at {joint}"
+        if not (yield from _until_off(lane, f"o.{place}", f"tail.{joint}.{place}")):
+            return f"the train's tail does not leave {place}"
+    return None
+
+
+def _end(railway: Railway, r: RouteSymbols) -> tuple[SectionId, NodeId]:
+    """The last section of a route, and its end there."""
+    section, number = r.ways[-1] if r.berth is None else r.berth
+    return section, railway.topo.traversals[section][number - 1].exit
+
+
+def _leaves(railway: Railway, r: RouteSymbols) -> bool:
+    """Whether a train leaves the layout at the end of a route."""
+    return _end(railway, r)[1] in railway.layout.boundary_at and not r.shunt
+
+
+def _kept(railway: Railway, r: RouteSymbols, failed: SectionId | None) -> set[SectionId]:
+    """Sections that stay locked behind the train: where it stands, and from one on that is reported occupied."""
+    last = set() if _leaves(railway, r) else {_end(railway, r)[0]}
+    if failed is not None:
+        last |= {s for s, _ in r.ways[[s for s, _ in r.ways].index(failed) :]}
+    return last | set(railway.layout.undetected)
 
 
 def _until(lane: Lane, wanted: str, wish: Wish = NOTHING, limit: int = 12) -> Generator[Wish, None, bool]:

@@ -29,6 +29,8 @@ class Wish:
 NOTHING = Wish()
 Driver = Generator[Wish, None, str | None]
 """A run: yields wishes; returns None when it went well, or what went wrong."""
+Record = Callable[[Mapping[str, int], int], None]
+"""Told of each step: the vectors of inputs, old state, timers and wires, and that of the runs that are still going."""
 
 
 class Lane:
@@ -70,8 +72,9 @@ class Lane:
 class Lanes:
     """The runs.  Compile once, then `run` batch after batch."""
 
-    def __init__(self, controller: Controller, plant: Plant, dt_ms: int = 1000) -> None:
-        self.controller, self.plant, self.dt_ms = controller, plant, dt_ms
+    def __init__(self, controller: Controller, plant: Plant, dt_ms: int = 1000, record: Record | None = None) -> None:
+        """`record`: is given what each step computes of the controller."""
+        self.controller, self.plant, self.dt_ms, self._record = controller, plant, dt_ms, record
         meaning = {e.name: e.expr for e in controller.equations} | plant.events.definitions
         sym = controller.symbols
         self.sizes = {i.name: i.size for i in controller.inputs if i.size}
@@ -87,7 +90,8 @@ class Lanes:
         rules = {f"{i} {a.id}": a.expr for i, a in enumerate(plant.assumptions)}
         hazards = {f"{h.id} {h.place}": h.expr for h in plant.hazards}
         self._kept, self._rules, self._hazards = frozenset(roots), tuple(rules), tuple(hazards)
-        self._computed = Bits(moves, *waits, roots | rules | hazards, meaning=meaning)
+        self._wires = {e.name: e.expr for e in controller.equations} if record is not None else {}
+        self._computed = Bits(moves, *waits, roots | rules | hazards | self._wires, meaning=meaning)
         """How the railway moves, what timers wait for, then all that is next."""
         self.state: dict[str, int] = {}
         self.last: dict[str, int] = {}
@@ -95,9 +99,12 @@ class Lanes:
         self._held: dict[int, list[str]] | None = None
 
     def run(
-        self, starts: Sequence[Mapping[str, int]], drivers: Sequence[Callable[[Lane], Driver]]
+        self, starts: Sequence[Mapping[str, int]], drivers: Sequence[Callable[[Lane], Driver]], first: bool = False
     ) -> list[tuple[str | None, int]]:
-        """Each driver's outcome and number of steps; what a start does not name is an empty railway, points normal."""
+        """Each driver's outcome and number of steps; what a start does not name is an empty railway, points normal.
+
+        `first`: nothing is done any more after the first run that goes wrong.
+        """
         self.mask = (1 << len(starts)) - 1
         self._computed.forget()
         self.state = {s.name: self.mask if s.initial else 0 for s in self.controller.state}
@@ -133,6 +140,8 @@ class Lanes:
                     outcomes[n] = (end.value, lanes[n].count)
                     wishes.pop(n, None)
                     del active[n]
+                    if first and end.value is not None:
+                        return outcomes
             if active:
                 self._step([(lanes[n], wishes[n]) for n in active])
         return outcomes
@@ -193,6 +202,8 @@ class Lanes:
                     values[name] = values[name] | lane.bit if value else values[name] & ~lane.bit
         self._run_timers(values)
         after = self._computed(values, m, len(self._timers) + 1)
+        if self._record is not None:
+            self._record(values | {w: after[w] for w in self._wires}, sum(lane.bit for lane, _ in wanted))
         for rule in self._rules:
             if after[rule] != m:
                 name = rule.split(" ", 1)[1]

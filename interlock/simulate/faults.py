@@ -1,7 +1,8 @@
 """What goes wrong in the world, and how often; times in seconds, rates for each second and place.
 
-The rates are far above a railway's, so that faults meet.  What the documents exclude is off unless it is asked for: a
-loss of shunt under a standing train (A-DETECT), and false occupation of two neighbouring sections (A-ONE-FALSE).
+The rates are far above a railway's, so that faults meet.  Shunt is lost for less than the release delay (R15), for
+longer than the proof assumes (A-DETECT: one scan).  What no interlocking withstands is left out: two neighbouring
+sections that are falsely reported occupied (A-ONE-FALSE), contacts that lie (A-CONTACT), signals passed at stop.
 """
 
 from __future__ import annotations
@@ -17,8 +18,11 @@ class Faults:
     false: a clear section reported occupied.  contact: a point without detection.  lamp: a lamp out.  inputs: all
     inputs not valid.  stall: a cycle of more than a second.  power: the controller off, all that it remembers lost.
     divide: a train parts, its rear stays.  overrun: chance that a driver does not stop at a signal with an overlap.
-    condition: an external condition not fulfilled.  shunt: a section with a train in it reads clear, for less than
-    `shunt_s`.
+    condition: an external condition not fulfilled.  shunt: a section with a train in it reads clear, for `shunt_s` and
+    the rest of two cycles at most.  sensor: a detector that is not healthy, and says so where that is wired; what it
+    reports then is anything.  trail: chance that a vehicle which is moved under local rules runs through points of
+    the sections that it stood in.  contradict: share of the faults of contacts in which both positions are reported,
+    in place of none.
     """
 
     late: float = 0.3
@@ -31,9 +35,12 @@ class Faults:
     divide: float = 0.0005
     overrun: float = 0.1
     condition: float = 0.0005
-    shunt: float = 0.0
-    shunt_s: float = 2.0
+    shunt: float = 0.001
+    shunt_s: float = 1.0
+    sensor: float = 0.0005
+    trail: float = 0.5
+    contradict: float = 0.5
 
 
-NO_FAULTS = Faults(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)
+NO_FAULTS = Faults(0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, sensor=0, trail=0, contradict=0)
 """Nothing goes wrong."""

@@ -76,6 +76,25 @@ class Watch:
                     world.clock, f"zone {name} {sorted(within)}", f"{len(within)} trains in {name}, {most} allowed"
                 )
 
+    def comes_in(self, world: World, t: Train, section: int) -> None:
+        """A head comes into a section in which another vehicle is; a shunting movement may, on sight in a berth."""
+        if t.shunting and section in self.track.berths:
+            return
+        for o in world.trains:
+            if o is not t and section in o.sections:
+                text = f"train {t.number} comes into {self.track.sections[section]}, where train {o.number} is"
+                self.tell(world.clock, f"comes {t.number} {o.number} {section}", text)
+
+    def contradicts(self, world: World, signal: int) -> None:
+        """A signal shows two things at once."""
+        name = self.track.signals[signal]
+        self.tell(world.clock, f"lamps {name}", f"{name} shows contradicting lamps")
+
+    def both_ways(self, world: World, machine: int) -> None:
+        """A machine is driven both ways at once."""
+        name = self.track.machines[machine]
+        self.tell(world.clock, f"drives {name}", f"{name} is driven both ways at once")
+
     def _same(self, world: World, a: Train, b: Train) -> None:
         stretches = self.track.stretches
         for d in a.body:
@@ -127,7 +146,7 @@ class Watch:
                 if lies == NONE:
                     return False
                 on = ends[lies]
-            if on == NONE or world.drivers.obeys(t, s[on].signal) or s[on].outside:
+            if on == NONE or world.sight.obeys(t, s[on].signal) or s[on].outside:
                 return False
             d = on
         return False

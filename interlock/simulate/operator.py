@@ -70,7 +70,7 @@ class Operator:
                 inputs[name] = 0  # let go: a request that is held is taken once
             elif rng.random() < (0.5 if name == "REQ" else 0.05):
                 inputs[name] = self._wish(name)
-                self.held[name] = rng.choice((0, 0, 1, 3))
+                self.held[name] = rng.choice((0, 0, 1, 3)) if rng.random() < 0.998 else 400
         (self._harm if self.hostile else self._play)()
         if not self.hostile or rng.random() < 0.5:
             self._works(outputs)
@@ -119,15 +119,15 @@ class Operator:
         """What a dispatcher does to keep traffic running: confirm, release, take back what nobody needs."""
         rng = self.rng
         what = rng.random()
-        if what < 0.01:
-            locked = [n for n in self.releases if outputs.get("YL_" + n[4:])]
+        if what < 0.03:
+            locked = [n for n in self.releases if outputs.get("YL_" + n[4:]) and self.world.inputs.get("CLR_" + n[4:])]
             if locked:
                 self.hold(rng.choice(locked), 1, rng.choice((5, 100, 600)))
-        elif what < 0.03:
+        elif what < 0.05:
             for name in self.looked:
                 if outputs.get("YT_" + name[3:]):
                     self.hold(name, 1, 2)
-        elif what < 0.05:
+        elif what < 0.08:
             wanted = {g for t in self.world.trains if t.called or t.gap < 300.0 for g in t.ahead}
             idle = [g for g in range(len(self.cancels)) if g not in wanted and self.cancels[g]]
             for g in rng.sample(idle, min(3, len(idle))):

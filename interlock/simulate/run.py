@@ -45,14 +45,13 @@ def simulate(
     seed: int,
     hostile: bool,
     routes: Mapping[str, tuple[int, ...]] | None = None,
-    approaches: Mapping[str, float] | None = None,
     faults: Faults | None = None,
     life: int = LIFE,
     until: Callable[[Outcome], bool] = lambda o: bool(o.hazards),
     watch: Callable[[World, Mapping[str, int]], None] | None = None,
 ) -> Outcome:
     """Drive trains on a runtime for a number of scans, or until something is found."""
-    track = Track.of(layout, approaches or {})
+    track = Track.of(layout)
     names = load(runtime)
     total = Outcome()
     lives = 0
@@ -78,9 +77,9 @@ class Life:
     ) -> None:
         self.names, self.rng, self.faults = names, rng, faults
         self.restrictive: dict[str, int] = {n: int(v) for n, v in names["OUTPUTS"].items()}
-        self.world = World(layout, track, names["INPUTS"], rng, faults)
+        self.world = World(layout, track, names["INPUTS"], names["OUTPUTS"], rng, faults)
         self.operator = Operator(self.world, names["INPUTS"], rng, routes, hostile)
-        self.cycle = rng.choice((0.15, 0.3, 0.4, 0.45))
+        self.cycle = rng.choice((0.2, 0.4, 0.6, 0.8))
         self.controller = names["Controller"]()
         self.longest_s = float(names["Controller"].cycle_max_ms) / 1000
 
@@ -105,6 +104,9 @@ class Life:
             shown = new if shown is new or rng.random() < 0.7 else old
             inputs = world.step(dt, shown)
             self.operator.act(new)
+            if world.machines.damaged:
+                world.machines.mend(inputs, new)
+            world.past.append((dict(inputs), world.count))
             old, new = new, self.controller.scan(inputs, round(1000 * dt))
             total.scans += 1
             if watch is not None:
@@ -133,4 +135,5 @@ class Life:
             world.step(0.4, self.restrictive)
         if not any(t.speed for t in world.trains):
             world.cranked()
+        world.past.clear()
         self.controller = self.names["Controller"]()

@@ -7,7 +7,7 @@ happens beyond a boundary is the neighbour's (he never sends trains against each
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from interlock.model.elements import BlockKind, BoundaryKind, BufferKind, Position
@@ -60,6 +60,8 @@ class Track:
     sections: list[str] = field(default_factory=list)
     machines: list[str] = field(default_factory=list)
     signals: list[str] = field(default_factory=list)
+    begins: list[int] = field(default_factory=list)
+    """By signal: the stretch that begins at it, read by trains that go onto it."""
     beyond: list[Beyond] = field(default_factory=list)
     zones: dict[int, list[tuple[int, int, float, float]]] = field(default_factory=dict)
     """By edge: foul ground as (number of a point or diamond, side 0 or 1, from, to), metres from the edge's end a."""
@@ -68,8 +70,8 @@ class Track:
     berths: frozenset[int] = frozenset()
 
     @staticmethod
-    def of(layout: Layout, approaches: Mapping[str, float]) -> Track:
-        """The rails of a layout; `approaches`: metres of the approach section at each boundary (400 where unknown)."""
+    def of(layout: Layout) -> Track:
+        """The rails of a layout; an approach section whose length is not stated has 400 m."""
         t = Track(layout)
         t.sections = [str(s.id) for s in layout.sections]
         t.machines = [str(m) for m in layout.machines]
@@ -103,22 +105,22 @@ class Track:
                     s.derails = buffer.kind is BufferKind.DERAIL
                 elif node not in layout.boundary_at and onward:
                     s.on = out_of(onward[0].id, node)
-        for i, g in enumerate(layout.signals):
-            t.stretches[out_of(g.into, g.node)].signal = i
-        t._lines(approaches, section, out_of)
+        t.begins = [out_of(g.into, g.node) for g in layout.signals]
+        for i, d in enumerate(t.begins):
+            t.stretches[d].signal = i
+        t._lines(section, out_of)
         t._foul(number)
         t._near()
         t.berths = frozenset(section[str(s)] for s in topology(layout).berths)
         return t
 
-    def _lines(self, approaches: Mapping[str, float], section: Mapping[str, int], out_of: object) -> None:
-        assert callable(out_of)
+    def _lines(self, section: Mapping[str, int], out_of: Callable[[str, str], int]) -> None:
         for b in self.layout.boundaries:
             inside = self.layout.edges_at[b.node][0]
             begins = out_of(inside.id, b.node)
             ends = begins ^ 1
             here = section[str(b.approach)] if b.approach is not None and str(b.approach) in section else NONE
-            metres = approaches.get(str(b.node), 400.0)
+            metres = b.approach_m or 400.0
             line = Beyond(str(b.node), b.block, approach_m=metres if here != NONE else 0.0)
             if b.kind is not BoundaryKind.OUT:
                 rear = self._outside(LINE_M, NONE)

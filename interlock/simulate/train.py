@@ -30,6 +30,12 @@ class Train:
     """The signal ahead shows that the next one shows proceed."""
     committed: bool = False
     """The signal ahead closed when it was perhaps too late to stop in rear of it."""
+    late: bool = False
+    """So did the one after it, or what announces it."""
+    read: int = NONE
+    """The signal that it has last accepted by its lamps."""
+    clear_view: float = 1.0
+    """From which part of the braking distance a signal is seen that was announced as open."""
     further: tuple[float, ...] = ()
     """Metres from the next thing to stop for to those after it."""
     reads: float = 0.0
@@ -90,7 +96,8 @@ class Train:
         first = track.stretches[self.body[0]].metres
         self.body = [d ^ 1 for d in reversed(self.body)]
         self.head, self.tail = first - self.tail, last - self.head
-        self.called = self.accepted = self.expects = False
+        self.called = self.accepted = self.expects = self.committed = self.late = self.announced = False
+        self.read = NONE
         self.seen_at = -1
 
     def length(self, track: Track) -> float:

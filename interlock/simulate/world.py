@@ -6,17 +6,22 @@ Outputs reach the ground at once or one scan late (A-LATE-OUTPUT).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections import deque
+from collections.abc import Iterable, Mapping
+from math import ceil
 from random import Random
 
 from interlock.model.elements import BlockKind, Work
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
+from interlock.simulate.called import Called
 from interlock.simulate.driver import Drivers
 from interlock.simulate.faults import Faults
 from interlock.simulate.hazards import Watch
 from interlock.simulate.neighbour import Neighbour
+from interlock.simulate.sight import Sight
 from interlock.simulate.track import NONE, Track
+from interlock.simulate.traffic import Traffic
 from interlock.simulate.train import Train
 
 
@@ -35,24 +40,36 @@ class Machines:
         self.device = [m in {str(d.id) for d in layout.devices} for m in track.machines]
         self.drives = [(f"YN_{n}", f"YR_{n}") for n in self.names]
         self.contacts = [(f"DN_{n}", f"DR_{n}") for n in self.names]
+        self.confirms = [f"TC_{n}" for n in self.names]
+        self.alarms = [f"YT_{n}" for n in self.names]
         self.lost: dict[int, tuple[float, int]] = {}
+        self.driven: set[int] = set()
+        """Machines that the controller has driven since its last restart: it knows where they belong."""
+        self.damaged: dict[int, float] = {}
+        """Points that were run through, with the seconds until their contacts meet again; their rails lie nowhere."""
         self.lies = list(self.position)
         """How the rails lie, NONE while they move; of a hand-worked point its key tells only whether it may move."""
         self.version = 0
 
     def lay(self, m: int, position: int) -> None:
         """The rails lie otherwise, or nowhere."""
+        if m in self.damaged:
+            position = NONE
         if self.lies[m] != position:
             self.lies[m] = position
             self.version += 1
 
-    def run(self, dt: float, shown: Mapping[str, int]) -> list[int]:
-        """Move for a while; the machines whose rails began to move."""
+    def run(self, dt: float, shown: Mapping[str, int], both: list[int]) -> list[int]:
+        """Move for a while; the machines whose rails began to move, and in `both` those that are driven both ways."""
         started = []
         for m, (normal, reverse) in enumerate(self.drives):
+            if shown[normal] and shown[reverse]:
+                both.append(m)
             to = 0 if shown[normal] else 1 if shown[reverse] else NONE
             if to == NONE and not self.left[m]:
                 continue
+            if to != NONE:
+                self.driven.add(m)
             if to not in (NONE, self.target[m]):
                 self.target[m] = to
                 self.left[m] = self.run_s * self.rng.uniform(0.3, 1.0)
@@ -63,6 +80,7 @@ class Machines:
             elif self.left[m] and to != NONE:
                 self.left[m] = max(0.0, self.left[m] - dt)
                 if not self.left[m]:
+                    self.damaged.pop(m, None)  # a full throw puts them right, too
                     self.position[m] = self.target[m]
                     self.lay(m, 0 if self.hand[m] and not self.position[m] else self._final(m))
             if self.hand[m] and self.position[m] == 1 and self.rng.random() < 0.02:
@@ -76,11 +94,26 @@ class Machines:
     def _final(self, m: int) -> int:
         return self.lies[m] if self.hand[m] else self.position[m]
 
+    def damage(self, m: int, seconds: float) -> None:
+        """Points are run through: their rails are not to be trusted, their contacts open and meet again by and by."""
+        self.damaged[m] = seconds
+        self.lay(m, NONE)
+
+    def mend(self, inputs: Mapping[str, int], shown: Mapping[str, int]) -> None:
+        """Whoever is told of trailed points, and confirms that they were looked at, has put them right."""
+        for m in tuple(self.damaged):
+            if inputs.get(self.confirms[m]) and shown.get(self.alarms[m]):
+                del self.damaged[m]
+                self.lay(m, self.position[m])
+
     def report(self, inputs: dict[str, int]) -> None:
         """Contacts as sampled."""
         for m, (normal, reverse) in enumerate(self.contacts):
             p = self.position[m]
             inputs[normal], inputs[reverse] = int(p == 0), int(p == 1)
+        for m, left in self.damaged.items():
+            if left > 0.0:
+                inputs[self.contacts[m][0]] = inputs[self.contacts[m][1]] = 0
         for m, (_, both) in self.lost.items():
             inputs[self.contacts[m][0]] = inputs[self.contacts[m][1]] = both
 
@@ -89,7 +122,13 @@ class World:
     """Everything outside the controller."""
 
     def __init__(
-        self, layout: Layout, track: Track, inputs: Mapping[str, tuple[int, int]], rng: Random, faults: Faults
+        self,
+        layout: Layout,
+        track: Track,
+        inputs: Mapping[str, tuple[int, int]],
+        outputs: Iterable[str],
+        rng: Random,
+        faults: Faults,
     ) -> None:
         self.layout, self.track, self.rng, self.faults = layout, track, rng, faults
         self.rules = layout.principles
@@ -100,6 +139,11 @@ class World:
         self.conditions = [n for n in self.inputs if n.startswith("E_")]
         self.lamps = [n for n in self.inputs if n.startswith(("RL_", "GL_", "CL_"))]
         self.clear = [f"CLR_{portable(s)}" for s in track.sections]
+        self.healthy = [f"SH_{portable(s)}" for s in track.sections]
+        self.sensors = [i for i, n in enumerate(self.healthy) if n in self.inputs]
+        self.sick: dict[int, tuple[float, int | None]] = {}
+        """Detectors that are not healthy: for how long, and what they report, or None for anything."""
+        self.wired = [n for n in self.clear if n in self.inputs]
         self.clear_wired = [n in self.inputs for n in self.clear]
         self.machines = Machines(layout, track, rng)
         self.trains: list[Train] = []
@@ -109,9 +153,18 @@ class World:
         self.shunt_lost: dict[int, float] = {}
         self.out: dict[str, float] = {}
         self.invalid = 0.0
+        self.garbled: int | None = None
+        """What is read of sections while inputs are lost, or None for anything."""
         self.clock = 0.0
         self.watch = Watch(layout, track)
+        self.past: deque[tuple[Mapping[str, int], list[int]]] = deque(maxlen=2)
+        """Inputs as the last two scans read them, and how many vehicles were in each section then."""
+        kmh = sorted({int(n.split("_", 1)[0][2:]) for n in outputs if n.startswith("YV")})
+        self.speeds = [(v, [f"YV{v}_{portable(g)}" for g in track.signals]) for v in kmh]
+        self.sight = Sight(self)
         self.drivers = Drivers(self)
+        self.traffic = Traffic(self, self.drivers.fastest)
+        self.called = Called(self)
         self.lines = [Neighbour(self, b) for b in track.beyond if b.block is BlockKind.TOKEN]
         self.token_at = {n.line.name: n for n in self.lines}
         self.most = max(3, min(10, len(track.sections) * 2 // 3))
@@ -119,7 +172,7 @@ class World:
         self.movements = 0
         self.passed_at_stop: list[str] = []
         for _ in range(rng.randrange(self.most)):
-            self.drivers.place()
+            self.traffic.place()
 
     def new_number(self) -> int:
         """The number of a new train."""
@@ -128,16 +181,27 @@ class World:
 
     def step(self, dt: float, shown: Mapping[str, int]) -> dict[str, int]:
         """The world runs for `dt` seconds under the outputs as shown; the inputs as sampled then."""
-        self.clock += dt
-        for m in self.machines.run(dt, shown):
-            self.watch.machine_moves(self, m)
-        self.drivers.step(dt, shown)
-        self.watch.trains(self)
+        parts = ceil(dt)
+        for _ in range(parts):  # drivers act at least once a second, however long a cycle is
+            self._runs(dt / parts, shown)
         self._faults(dt)
         self._detect(dt)
         for line in self.lines:
             line.step(shown)
         return self.inputs
+
+    def _runs(self, dt: float, shown: Mapping[str, int]) -> None:
+        self.clock += dt
+        both: list[int] = []
+        for m in self.machines.run(dt, shown, both):
+            self.watch.machine_moves(self, m)
+        for m in both:
+            self.watch.both_ways(self, m)
+        for m in self.machines.damaged:
+            self.machines.damaged[m] -= dt * self.inputs["VALID"]  # nobody could see what happens while inputs are lost
+        self.drivers.step(dt, shown)
+        self.traffic.come(dt)
+        self.watch.trains(self)
 
     def power_cut(self) -> None:
         """The controller has gone dark: whoever stands needs a new call; points may be cranked, devices open."""
@@ -145,6 +209,20 @@ class World:
             if t.speed == 0.0:
                 t.called = t.accepted = t.expects = False
         self.machines.lost.clear()
+        self.machines.driven.clear()
+
+    def run_through(self, m: int) -> None:
+        """A vehicle runs through points under local rules, where no train is called over them."""
+        machines, position = self.machines, self.machines.position[m]
+        if m not in machines.driven or machines.hand[m] or position == NONE or m in machines.damaged:
+            return
+        contact = machines.contacts[m][position]
+        if not all(past["VALID"] and past[contact] for past, _ in self.past):
+            return
+        if any((t.speed or t.accepted) and self.sight.meets(t, m, 1500.0) for t in self.trains):
+            return
+        if self.watch.under_train(self, m) is None:
+            machines.damage(m, self.rng.uniform(6.0, 20.0))
 
     def cranked(self) -> None:
         """While everything stands without power points are cranked and devices open, but no point under a train."""
@@ -163,7 +241,7 @@ class World:
                 self.false[s] = rng.choice((0.0, 1.0, 5.0, 30.0))
         if rng.random() < f.contact * dt * len(self.machines.names) and self.machines.names:
             m = rng.randrange(len(self.machines.names))
-            self.machines.lost[m] = (rng.choice((0.0, 1.0, 20.0)), rng.randrange(2))
+            self.machines.lost[m] = (rng.choice((0.0, 1.0, 20.0)), int(rng.random() < f.contradict))
         for m, (left, both) in tuple(self.machines.lost.items()):
             if left < 0:
                 del self.machines.lost[m]
@@ -179,11 +257,17 @@ class World:
                 del self.out[name]
                 self.inputs[name] = 1
         if rng.random() < f.inputs * dt:
-            self.invalid = rng.choice((0.0, 1.0, 5.0))
+            self.invalid, self.garbled = rng.choice((0.0, 1.0, 5.0, 20.0)), rng.choice((1, 1, 0, None))
+        if self.sensors and rng.random() < f.sensor * dt * len(self.sensors):
+            held = [s for s in self.sensors if self.count[s]]
+            s = rng.choice(held if held and rng.random() < 0.5 else self.sensors)
+            self.sick[s] = rng.choice((0.0, 2.0, 20.0, 60.0)), rng.choice((1, 1, 0, None))
         self.inputs["VALID"] = int(self.invalid < 0)
         self.invalid -= dt if self.invalid >= 0 else 0.0
         if f.shunt and rng.random() < f.shunt * dt * len(self.clear):
-            self.shunt_lost[rng.randrange(len(self.clear))] = rng.uniform(0.0, f.shunt_s)
+            s = rng.randrange(len(self.clear))
+            if self.count[s] and s not in self.shunt_lost:
+                self.shunt_lost[s] = rng.uniform(0.0, f.shunt_s)
 
     def _beside_false(self, s: int) -> bool:
         return any(n in self.false for n in self.track.neighbours[s])
@@ -206,9 +290,10 @@ class World:
                     held.append(s)
             elif n and s in self.shunt_lost:
                 clear = True
-            self.inputs[self.clear[s]] = int(clear) if self.clear_wired[s] else 0
+            if self.clear_wired[s]:
+                self.inputs[self.clear[s]] = int(clear)
         for s, left in tuple(self.false.items()):
-            if not any(x in held for x in self.track.neighbours[s]):
+            if self.clear_wired[s] and not any(x in held for x in self.track.neighbours[s]):
                 self.inputs[self.clear[s]] = 0
             self.false[s] = left - dt
             if left < 0:
@@ -217,5 +302,15 @@ class World:
             self.shunt_lost[s] = left - dt
             if left < 0:
                 del self.shunt_lost[s]
+        for s, (left, read) in tuple(self.sick.items()):
+            self.inputs[self.healthy[s]] = int(left < 0)
+            if left < 0:
+                del self.sick[s]
+            else:
+                self.inputs[self.clear[s]] = rng.randrange(2) if read is None else read
+                self.sick[s] = left - dt, read
         self.was, self.count = count, count
         self.machines.report(self.inputs)
+        if self.invalid >= 0:
+            for name in self.wired:
+                self.inputs[name] = rng.randrange(2) if self.garbled is None else self.garbled

@@ -10,9 +10,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cached_property
-from typing import overload
+from typing import Any, overload
 
-from interlock.model.approach import Approach
 from interlock.model.bits import chosen
 from interlock.model.elements import (
     ConditionId,
@@ -24,8 +23,9 @@ from interlock.model.elements import (
     SectionId,
     SignalId,
 )
+from interlock.model.places import Approach
 
-SCHEMA_VERSION = 3
+SCHEMA_VERSION = 4
 TraversalKey = tuple[SectionId, int]
 
 
@@ -153,10 +153,11 @@ class HostileClass(StrEnum):
 
 @dataclass(frozen=True)
 class Hostile:
-    """A hostile route with class and the shared resource that shows it."""
+    """A hostile route: the first class that makes it so, with the shared resource that shows it, and every class."""
 
     route: RouteId
     kind: HostileClass
+    kinds: tuple[HostileClass, ...]
     witness: str
     because: Because
 
@@ -197,6 +198,11 @@ class HostileRoutes(Sequence[Hostile]):
 
     def __hash__(self) -> int:
         return hash(self.routes)
+
+    @classmethod
+    def __get_pydantic_core_schema__(cls, source: object, handler: Any) -> Any:
+        """For the published schema: a list of them."""
+        return handler.generate_schema(tuple[Hostile, ...])
 
     def __deepcopy__(self, memo: object) -> HostileRoutes:
         """Nothing of it changes."""

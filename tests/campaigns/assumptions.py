@@ -26,6 +26,9 @@ CASES = (
     ("A-CONTACT", "fig2_2", "T-DERAIL"),
     ("A-POINT", "fig2_2", "T-DERAIL"),
     ("A-TIMER", "fig2_2", "T-COLLISION"),
+    ("A-PARTED", "fig2_3_split", "T-COLLISION"),
+    ("A-TRAILED", "terminus_slip", "T-FLANK"),
+    ("A-BUFFER", "terminus", "T-DERAIL"),
     ("A-RESTART", "fig2_3_split", "T-COLLISION"),
     ("A-REVERSE", "fig2_3_split", "T-COLLISION"),
     ("A-LATE-OUTPUT", "fig2_2", "T-POINT-MOVES"),
@@ -38,7 +41,8 @@ CASES = (
 # assumptions without a switch, or without which no movement to harm is known
 OTHERS = {
     "A-SCAN": "Without it the invariants are not inductive; no movement to harm was found within 15 scans.",
-    "A-OVERRUN": "It widens what trains do; without it no train passes a signal at stop at all.",
+    "A-OVERRUN": "It widens what trains do; without it no train passes a signal at stop at all.  "
+    "Where there is no overlap, a train that passes a signal at stop does what A-OBEY excludes.",
     "A-SIGHT": "It says where the physics ends: shunting movements stop before standing vehicles.",
     "A-BEYOND": "It says where the physics ends: the neighbour's side of a boundary.",
     "A-STANDS": "It says where the physics ends: vehicles that stand do not roll away.",

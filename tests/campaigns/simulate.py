@@ -1,6 +1,6 @@
 """Trains in metres on the emitted runtimes: movements and hazards, with a random and a hostile operator.
 
-python -m tests.campaigns.simulate [--scans N] [-j N] [--seed N] [LAYOUT ...]
+python -m tests.campaigns.simulate [--scans N] [--movements N] [-j N] [--seed N] [LAYOUT ...]
 
 Without layouts: all of layouts/ (other cases are given by path).  Writes proofs/simulation.md; its exit code is 1 when
 there was a hazard on a layout as shipped, or a weakened class of controllers came to no harm.
@@ -9,14 +9,17 @@ there was a hazard on a layout as shipped, or a weakened class of controllers ca
 from __future__ import annotations
 
 import argparse
+import os
+import platform
+import subprocess
 import sys
 import time
+from collections.abc import Iterable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import count
 from pathlib import Path
-
-import yaml
 
 from interlock.app.check import derive_file
 from interlock.emit.python.runtime import runtime_py
@@ -26,8 +29,17 @@ from interlock.model.layout import Layout
 from interlock.simulate import Outcome, simulate
 from tests.weakened import WEAKENED
 
-SLICE = 50_000
-"""Scans of one piece of work."""
+SLICE = 20_000
+"""Scans of one piece of work: one railway, from one restart and from those in between."""
+
+BOTH = (False, True)
+OPERATOR = {False: "random", True: "hostile"}
+
+WRONG_ON = ("mine11", "junction", "flank_lab", "depot", "passing_loop", "incline_hoist", "pit_bottom", "heishan")
+"""The layouts on which wrong controllers are driven, each class on the first three of them to which it applies."""
+
+WRONG_SCANS = 12_000
+"""Scans for each of six seeds, or until harm is done."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +49,6 @@ class Case:
     layout: Layout
     runtime: str
     routes: dict[str, tuple[int, ...]]
-    approaches: dict[str, float]
 
     @staticmethod
     def of(path: str, weakening: str = "") -> Case:
@@ -55,18 +66,7 @@ class Case:
         routes: dict[str, tuple[int, ...]] = {}
         for r in found.table.routes:
             routes[str(r.entry)] = (*routes.get(str(r.entry), ()), r.number)
-        return Case(found.layout, text, routes, approaches(path))
-
-
-def approaches(path: str) -> dict[str, float]:
-    """Metres of the approach section at each boundary, as the file states them."""
-    told = yaml.load(Path(path).read_text(encoding="utf-8"), yaml.BaseLoader)
-    out: dict[str, float] = {}
-    for name, b in (told.get("boundaries") or {}).items():
-        words = str((b or {}).get("approach", "")).split()
-        if len(words) == 2:
-            out[str(name)] = float(words[1])
-    return out
+        return Case(found.layout, text, routes)
 
 
 def drive(case: Case, scans: int, seed: int, hostile: bool) -> Outcome:
@@ -78,11 +78,10 @@ def drive(case: Case, scans: int, seed: int, hostile: bool) -> Outcome:
         seed=seed,
         hostile=hostile,
         routes=case.routes,
-        approaches=case.approaches,
     )
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=40)
 def _case(path: str, weakening: str) -> Case:
     return Case.of(path, weakening)
 
@@ -95,15 +94,7 @@ def _work(work: Work) -> Outcome:
     return drive(_case(path, weakening), scans, seed, hostile)
 
 
-def _pieces(path: str, scans: int, seed: int) -> list[Work]:
-    found: list[Work] = []
-    for hostile in (False, True):
-        for n, begin in enumerate(range(0, scans, SLICE)):
-            found.append((path, "", min(SLICE, scans - begin), 1000 * seed + n, hostile))
-    return found
-
-
-def _sum(outcomes: list[Outcome]) -> Outcome:
+def _sum(outcomes: Iterable[Outcome]) -> Outcome:
     total = Outcome()
     for o in outcomes:
         total.scans += o.scans
@@ -116,11 +107,32 @@ def _sum(outcomes: list[Outcome]) -> Outcome:
     return total
 
 
+def _harmed(kind: str) -> list[tuple[str, str]]:
+    """The layouts on which a class of wrong controllers was driven, each with its first harm, if any."""
+    found: list[tuple[str, str]] = []
+    for name in WRONG_ON:
+        if len(found) == 3:
+            break
+        try:
+            case = _case(f"layouts/{name}.yaml", kind)
+        except ValueError:
+            continue
+        harm = ""
+        for seed in range(6):
+            outcome = drive(case, WRONG_SCANS, seed, seed % 2 == 0)
+            if outcome.hazards:
+                harm = f"{outcome.hazards[0]} (seed {seed}, scan {outcome.scans})"
+                break
+        found.append((name, harm))
+    return found
+
+
 def main() -> int:
     """Run the campaign."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("layouts", nargs="*", metavar="LAYOUT")
-    parser.add_argument("--scans", type=int, default=1_000_000, help="with each operator, over all layouts together")
+    parser.add_argument("--scans", type=int, default=1_000_000, help="at least, with each operator, over all layouts")
+    parser.add_argument("--movements", type=int, default=20_000, help="at least, with each operator, over all layouts")
     parser.add_argument("-j", "--jobs", type=int, default=1)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--out", default="proofs/simulation.md")
@@ -131,74 +143,102 @@ def main() -> int:
         try:
             _case(path, "")
             paths.append(path)
-        except (ValueError, MalformedController) as error:
+        except (ValueError, LookupError, MalformedController) as error:
             refused.append(f"{Path(path).stem}: {error}")
-    each = -(-args.scans // max(1, len(paths)))
-    work = [w for path in paths for w in _pieces(path, each, args.seed)]
-    weak: list[Work] = []
-    for kind in WEAKENED:
-        for path in paths[:6]:
-            weak += [(path, kind, 20_000, args.seed + n, bool(n)) for n in (0, 1)]
+    done: list[tuple[Work, Outcome]] = []
     with ProcessPoolExecutor(args.jobs) as pool:
-        outcomes = list(pool.map(_work, work))
-        harmed = list(pool.map(_harmed, weak))
-    lines = _table(paths, work, outcomes)
-    for reason in refused:
-        lines.append(f"Not driven: {reason}.\n")
-    lines += _weakenings(weak, harmed)
-    text = "\n".join(lines) + "\n"
-    if args.out:
-        Path(args.out).write_text(text, encoding="utf-8")
+        harmed: dict[str, list[tuple[str, str]]] = {}
+        seeds = count(1000 * args.seed)
+        while not _enough(done, args.scans, args.movements):
+            seed = next(seeds)
+            work: list[Work] = [(path, "", SLICE, seed, hostile) for path in paths for hostile in BOTH]
+            for w, o in zip(work, pool.map(_work, work), strict=True):
+                done.append((w, o))
+                for h in (*o.hazards, *o.passed_at_stop):
+                    print(f"{Path(w[0]).stem}, seed {w[3]}, {OPERATOR[w[4]]}, scan {o.scans}: {h}", flush=True)
+            _write(args.out, time.time() - began, paths, done, refused, harmed)
+        harmed |= zip(WEAKENED, pool.map(_harmed, WEAKENED), strict=True)
+    text = _write(args.out, time.time() - began, paths, done, refused, harmed)
     print(text)
-    bad = sum(len(o.hazards) + len(o.passed_at_stop) for o in outcomes)
-    missed = [k for k in WEAKENED if not any(h for w, h in zip(weak, harmed, strict=True) if w[1] == k)]
-    for w, o in zip(work, outcomes, strict=True):
-        for h in o.hazards:
-            print(f"{w}: {h}")
-    total = _sum(outcomes)
-    print(
-        f"{total.scans} scans, {total.movements} movements, {total.trains} trains, {len(total.hazards)} hazards; "
-        f"weakened classes without harm: {', '.join(missed) or 'none'}; {time.time() - began:.0f} s"
-    )
-    return 1 if bad or missed else 0
+    missed = [k for k, found in harmed.items() if not any(h for _, h in found)]
+    print(f"classes without harm: {', '.join(missed) or 'none'}; {time.time() - began:.0f} s")
+    return 1 if missed or any(o.hazards or o.passed_at_stop for _, o in done) else 0
 
 
-def _harmed(work: Work) -> str:
-    try:
-        found = _work(work)
-    except ValueError:
-        return ""
-    return f"{found.hazards[0]} (scan {found.scans})" if found.hazards else ""
+def _write(
+    out: str,
+    seconds: float,
+    paths: list[str],
+    done: list[tuple[Work, Outcome]],
+    refused: list[str],
+    harmed: dict[str, list[tuple[str, str]]],
+) -> str:
+    """The page as far as the campaign has come."""
+    lines = [*_head(done, seconds), *_table(paths, done)]
+    lines += [f"Not driven: {reason}.\n" for reason in refused]
+    text = "\n".join(lines + _weakenings(harmed)) + "\n"
+    if out:
+        Path(out).write_text(text, encoding="utf-8")
+    return text
 
 
-def _table(paths: list[str], work: list[Work], outcomes: list[Outcome]) -> list[str]:
-    lines = [
+def _enough(done: list[tuple[Work, Outcome]], scans: int, movements: int) -> bool:
+    """Whether each operator has had so many scans, and seen so many movements."""
+    totals = [_sum(o for w, o in done if w[4] is hostile) for hostile in BOTH]
+    return all(t.scans >= scans and t.movements >= movements for t in totals)
+
+
+def _head(done: list[tuple[Work, Outcome]], seconds: float) -> list[str]:
+    seeds = sorted({w[3] for w, _ in done})
+    dirty = " with changes" if _git("status", "--porcelain", "--", "interlock", "layouts", "tests") else ""
+    return [
         "# Trains in metres on the emitted runtimes\n",
+        f"Commit {_git('log', '-1', '--format=%h')}{dirty}, seeds {seeds[0]} to {seeds[-1]}, Python "
+        f"{platform.python_version()}, {_processor()}, {os.cpu_count()} cores, {seconds / 60:.0f} minutes.\n",
         "`python -m tests.campaigns.simulate`: each layout's runtime, as it is written, in a world of trains with "
         "lengths, speeds and brakes, with faults, power cuts and two kinds of operators.  A movement is a signal "
-        "passed at proceed; a hazard is harm seen from positions alone (`interlock/simulate/hazards.py`).\n",
+        "passed at proceed; a hazard is harm seen from positions in metres (`interlock/simulate/hazards.py`), or a "
+        "driver called over what is occupied, blocked, open or not detected (`interlock/simulate/called.py`).\n",
+    ]
+
+
+def _git(*words: str) -> str:
+    return subprocess.run(["git", *words], capture_output=True, text=True, check=True).stdout.strip()
+
+
+def _processor() -> str:
+    told = Path("/proc/cpuinfo")
+    lines = told.read_text(encoding="utf-8").splitlines() if told.exists() else []
+    return next((x.split(":", 1)[1].strip() for x in lines if x.startswith("model name")), platform.machine())
+
+
+def _table(paths: list[str], done: list[tuple[Work, Outcome]]) -> list[str]:
+    lines = [
         "| layout | operator | scans | hours | trains | movements | power cuts | hazards |",
         "|---|---|---:|---:|---:|---:|---:|---:|",
     ]
+
+    def line(name: str, hostile: bool, o: Outcome) -> str:
+        return (
+            f"| {name} | {OPERATOR[hostile]} | {o.scans:,} | {o.world_s / 3600:.0f} | {o.trains:,} | {o.movements:,} | "
+            f"{o.power_cuts} | {len(o.hazards)} |"
+        )
+
     for path in paths:
         for hostile in (False, True):
-            o = _sum([o for w, o in zip(work, outcomes, strict=True) if w[0] == path and w[4] is hostile])
-            lines.append(
-                f"| {Path(path).stem} | {'hostile' if hostile else 'random'} | {o.scans} | {o.world_s / 3600:.1f} | "
-                f"{o.trains} | {o.movements} | {o.power_cuts} | {len(o.hazards)} |"
-            )
-    o = _sum(outcomes)
-    hours = f"{o.world_s / 3600:.1f}"
-    lines.append(f"| all | | {o.scans} | {hours} | {o.trains} | {o.movements} | {o.power_cuts} | {len(o.hazards)} |\n")
-    return lines
+            total = _sum(o for w, o in done if w[0] == path and w[4] is hostile)
+            lines.append(line(Path(path).stem, hostile, total))
+    for hostile in (False, True):
+        lines.append(line("**all**", hostile, _sum(o for w, o in done if w[4] is hostile)))
+    return [*lines, ""]
 
 
-def _weakenings(weak: list[Work], harmed: list[str]) -> list[str]:
+def _weakenings(harmed: dict[str, list[tuple[str, str]]]) -> list[str]:
     lines = ["| controllers that are wrong as a class | harm on | first harm |", "|---|---:|---|"]
-    for kind, (text, _) in WEAKENED.items():
-        mine = [(w, h) for w, h in zip(weak, harmed, strict=True) if w[1] == kind and h]
-        first = f"{Path(mine[0][0][0]).stem}, {mine[0][1]}" if mine else "none"
-        lines.append(f"| {kind}: {text} | {len({w[0] for w, _ in mine})} layouts | {first} |")
+    for kind, found in harmed.items():
+        hits = [(n, h) for n, h in found if h]
+        first = f"{hits[0][0]}, {hits[0][1]}" if hits else "none"
+        lines.append(f"| {kind}: {WEAKENED[kind][0]} | {len(hits)} of {len(found)} | {first} |")
     return lines
 
 

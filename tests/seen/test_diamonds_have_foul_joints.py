@@ -14,7 +14,7 @@ NEAR = Path("layouts/junction.yaml").read_text("utf-8").replace("legs: 25", "leg
 
 
 def test_diamonds_have_foul_joints() -> None:
-    from interlock.derive import derive
+    from interlock.derivation import derive
 
     sink = Sink()
     layout, _ = load_text("junction.yaml", NEAR, sink)

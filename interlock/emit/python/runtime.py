@@ -33,6 +33,15 @@ def _plain(text: str) -> str:
     return text if text.isprintable() else "".join(c if c.isprintable() else "?" for c in text)
 
 
+def route_numbers(c: Controller) -> dict[str, int]:
+    """The number that asks for each route, by its id and by the names that the author gives to it."""
+    found = {str(r.id): r.number for r in c.symbols.routes}
+    for r in c.symbols.routes:
+        for name in r.names:
+            found.setdefault(name, r.number)
+    return found
+
+
 FIXED = f'''class Controller:
     """A running controller; `state` and `elapsed` are all that it remembers."""
 
@@ -51,14 +60,31 @@ FIXED = f'''class Controller:
         self.elapsed[name] = 0 if before is None else min(before + dt_ms, TIMERS[name])
         return self.elapsed[name] >= TIMERS[name]
 
+    @staticmethod
+    def request(route):
+        """What asks for a route by its name, for one scan: `scan({{**inputs, **request('X1-X3')}}, dt_ms)`."""
+        if route not in ROUTES:
+            raise ValueError(f'there is no route {{route}}; ROUTES has the names of all')
+        return {{'REQ': ROUTES[route]}}
+
     def scan(self, inputs, dt_ms):
         """One scan, `dt_ms` milliseconds after the last; returns the outputs.
 
         After a cycle longer than `cycle_max_ms` the inputs count as lost: nobody knows what happened meanwhile.
+        Raises ValueError for a name that is no input, and TypeError for a value that is no whole number or truth
+        value; nothing has changed then.
         """
+        unknown = inputs.keys() - INPUTS.keys()
+        if unknown:
+            raise ValueError(f'no inputs of this interlocking: {{sorted(map(str, unknown))}}')
+        if not dt_ms >= 0:
+            raise ValueError(f'dt_ms is {{dt_ms}}: no time since the last scan')
         read = {{}}
         for name, (restrictive, size) in INPUTS.items():
-            value = int(inputs.get(name, restrictive))
+            value = inputs.get(name, restrictive)
+            if not isinstance(value, int):
+                raise TypeError(f'input {{name}} is {{value!r}}: neither a whole number nor a truth value')
+            value = int(value)
             impossible = size - 1 if size > 2 else restrictive  # a number that names nothing
             read[name] = value if 0 <= value < size else impossible
         if dt_ms > self.cycle_max_ms:
@@ -75,7 +101,8 @@ def runtime_py(controller: Controller, header: Sequence[str]) -> str:
     lines += [
         f'"""Interlocking {c.name}: call `Controller().scan(inputs, dt_ms)` once per cycle.',
         "",
-        "Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.",
+        "Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.  ROUTES has the",
+        "number of each route by its name: `request(name)` asks for it.",
         '"""',
         "",
         "# name: (restrictive value, number of values), meaning",
@@ -93,6 +120,10 @@ def runtime_py(controller: Controller, header: Sequence[str]) -> str:
         "# name: restrictive value, meaning",
         "OUTPUTS = {",
         *(f"    {o.name!r}: {o.restrictive},  # {_plain(o.note)}" for o in c.outputs),
+        "}",
+        "# name of a route: the number that asks for it",
+        "ROUTES = {",
+        *(f"    {name!r}: {number}," for name, number in route_numbers(c).items()),
         "}",
         "",
         "",

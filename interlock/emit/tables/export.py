@@ -17,13 +17,19 @@ from interlock.table.matrix import Matrix, beyond_matrix, matrix
 from interlock.table.national import Sheet, national_sheets
 from interlock.table.rows import SCHEMA_VERSION, InterlockingTable
 
+SCHEMA = f"interlock-table/{SCHEMA_VERSION}"
 
-def table_json(table: InterlockingTable) -> str:
-    """Canonical JSON with a versioned schema; every derived cell carries rule and text of its reason."""
-    body = {"schema": f"interlock-table/{SCHEMA_VERSION}", **asdict(table)}
+TOPOLOGY = ("sections", "edges", "points", "crossings", "signals", "boundaries", "buffers", "devices")
+"""What a reader of the table needs of the layout: the graph in which its nodes, edges and sections are found."""
+
+
+def table_json(layout: Layout, table: InterlockingTable) -> str:
+    """Canonical JSON with a versioned schema (`schema.py`); every derived cell carries rule and text of its reason."""
+    topology = {kind: [asdict(x) for x in getattr(layout, kind)] for kind in TOPOLOGY}
+    body = {"schema": SCHEMA, **asdict(table), "topology": topology}
     for row, r in zip(body["routes"], table.routes, strict=True):
         row["hostile"] = [asdict(h) for h in r.hostile]
-    return json.dumps(body, indent=1, ensure_ascii=False) + "\n"
+    return json.dumps(body, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def table_csv(table: InterlockingTable) -> str:

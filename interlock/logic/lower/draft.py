@@ -11,9 +11,9 @@ from itertools import pairwise
 
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
-from interlock.model.approach import Approach
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
+from interlock.model.places import Approach
 from interlock.model.portable import portable
 from interlock.model.traversal import Topology, topology
 from interlock.table.rows import InterlockingTable, RouteKind, RouteRow, TraversalKey, TraversalRow
@@ -315,5 +315,7 @@ class Draft:
         return var(f"AC_{portable(g)}") if found.further else neg(self.coming(found))
 
     def approach_safe(self, g: SignalId) -> Expr:
-        """No train can be about to pass the signal: approach clear, or the delay has run out."""
+        """No train can be about to pass the signal: approach clear, the delay has run out, or no route begins there."""
+        if not self.routes_from[g]:
+            return TRUE
         return disj((self.approach_clear(g), var(f"AT_{portable(g)}")))

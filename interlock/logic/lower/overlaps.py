@@ -53,7 +53,7 @@ def swing(d: Draft) -> None:
                 Term(neg(var(f"OR_{portable(g)}")), "still needed"),
                 Term(neg(d.occupied(b)), "no train close", f"{b} clear: no train is close"),
                 *(Term(neg(x), "first alternative") for x in before),
-                *(Term(neg(d.occupied(s)), "overlap clear", f"{s} clear: overlap") for s in every),
+                *(Term(sections.long_clear(s).expr, "overlap clear", f"{s} long clear: overlap") for s in every),
                 *(
                     Term(neg(disj(d.lock(*t.key) for t in d.locks_of[s])), "not run over", f"no route over {s}")
                     for s in every
@@ -73,7 +73,7 @@ def keep(d: Draft) -> None:
     for o, over in d.overlaps.items():
         g, k = o
         n = portable(g)
-        clear = conj(neg(d.occupied(s)) for s, _ in over)
+        clear = conj(sections.long_clear(s).expr for s, _ in over)
         away = _swings(d, g, but=k)
         stays = conj((neg(conj((var(f"OR_{n}"), clear))), *map(neg, away)))
         to = [var(ways.swing_wire(d, g, k))] if k in d.swinging.get(g, ()) else []
@@ -84,7 +84,7 @@ def keep(d: Draft) -> None:
             Join.ANY,
             (
                 Term(disj((var(f"GO_{n}_{k}"), *to)), "granted"),
-                Term(conj((d.overlap(o), stays)), "held", "until it is not needed and clear"),
+                Term(conj((d.overlap(o), stays)), "held", "until it is not needed and clear without a break"),
             ),
             f"overlap {g}",
         )

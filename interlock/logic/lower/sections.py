@@ -29,7 +29,7 @@ def inputs(d: Draft) -> None:
         d.inputs.append(Input(f"REL_{portable(s_)}", f"operator: release section {s_} (hold until released)"))
     for s_ in d.lockable:
         d.inputs.append(Input(f"BLK_{portable(s_)}", f"operator: section {s_} is blocked", restrictive=1))
-    d.inputs.append(Input("RELALL", "operator: release all clear sections after a restart"))
+    d.inputs.append(Input("RELALL", "operator: release all clear sections after a restart or a loss of inputs"))
 
 
 def alarms(d: Draft) -> None:
@@ -200,14 +200,18 @@ def release(d: Draft) -> None:
             clear,
             *_closed(d, s),
             *rear,
-            Term(var(f"REL_{n}"), "by hand"),
+            Term(
+                disj((var(f"REL_{n}"), conj((var("RELALL"), var(f"D_{n}"))))),
+                "by hand",
+                f"{s} alone, or all sections in which a train may have been missed",
+            ),
             Term(disj(d.lock(*t.key) for t in d.locks_of[s]), "locked"),
         ]
         cancelled: list[Term] = []
         for node in d.topo.ends[s]:
             g = d.signal_at(s, node)
             locked = d.locked_in(s, node)
-            if g is None or locked is FALSE:
+            if g is None or locked is FALSE or not d.routes_from[g]:  # an overlap alone: nothing is locked for a train
                 continue
             safe = conj((neg(d.any_active(g)), d.approach_safe(g)))
             by_hand.append(

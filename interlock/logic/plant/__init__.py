@@ -11,7 +11,8 @@ State, by prefix (s a section, j an end of it, g a signal, m a machine):
     in.s.j    it came in at end j (after a reversal: it stands as if it had come in there)
     x.j.s     a train stands across end j, going out of s (head beyond, tail in s)
     rest.s    it has stood in s since the restart and moves only when a signal calls it
-    called.s  it has been called by a signal (only where a level crossing or bridge lies over s)
+    called.s  it has been called by a signal, or is part of a train that has
+    part.s    it is the rear part of a train that parted, and stays
     go.g      a train has accepted the proceed of g and will pass it
     at.m.N/R  the machine really lies normal / reverse; neither means it is moving
     img.s     s was reported occupied in the last scan
@@ -50,6 +51,7 @@ from interlock.logic.plant.words import (
     old_command,
     overran,
     overrunning,
+    parted,
     rests,
     running,
     seen_by,
@@ -79,6 +81,7 @@ __all__ = [
     "old_command",
     "overran",
     "overrunning",
+    "parted",
     "rests",
     "running",
     "seen_by",

@@ -23,6 +23,7 @@ from interlock.logic.plant.words import (
     o,
     old_command,
     overran,
+    parted,
     rests,
     running,
     shunting,
@@ -134,6 +135,22 @@ class PlantBuilder:
         """What stands in s has accepted a signal."""
         return disj(x for _, x in self.calls(s))
 
+    def moves(self, s: SectionId) -> Expr:
+        """What stands in s has been called by a signal, or is a part of a train that has."""
+        return disj((self.called(s), FALSE if self.berth(s) else was_called(s)))
+
+    def _drawn(self, s: SectionId) -> Iterator[Expr]:
+        """What stands in s stands across an end, too, and the part beyond it moves."""
+        for j in self.topo.ends[s]:
+            ahead = None if j in self.layout.buffer_at else self.topo.beyond(s, j)
+            if ahead is not None:
+                came_on = FALSE if self.berth(ahead) else neg(rests(ahead))  # in a berth others may have
+                yield conj((across(j, s), disj((came_on, self.moves(ahead)))))
+
+    def parted(self, s: SectionId) -> Expr:
+        """What stands in s is the rear part of a train that was left there; in a berth any vehicles may be."""
+        return FALSE if self.berth(s) else parted(s)
+
     def functions(self, g: SignalId) -> list[bool]:
         """Whom a signal speaks to: False for trains, True for shunting movements."""
         signal = self.layout.signal[g]
@@ -187,10 +204,12 @@ class PlantBuilder:
                 )
             )
             sent = line(b.node, "in") if b.node in self.w.token else TRUE
+            # none is there, or the tail of the one before is just coming in: so a train may follow close behind another
+            room = disj((neg(o(outside)), self.p.events[f"tail.{b.node}.{outside}"]))
             self.p.events[f"appear.{outside}"] = conj(
-                (neg(o(outside)), sent, self.choice(f"?appear.{outside}", f"a train comes to {b.node}"))
+                (room, sent, self.choice(f"?appear.{outside}", f"a train comes to {b.node}"))
             )
-            self._accept(g, conj((o(outside), scanned, free)))
+            self._accept(g, conj((o(outside), free)))
         for g_ in self.layout.signals:
             node, first, rear = self.rear(g_.id)
             if node in self.layout.boundary_at or rear is None:
@@ -202,7 +221,7 @@ class PlantBuilder:
                     neg(across(node, rear)) if "A-HEADWAY" not in self.dropped else TRUE,
                     neg(across(node, first)),
                     neg(self.astray(rear)),  # what has overrun a signal is moved under local rules
-                    image(rear) if "A-SCAN" not in self.dropped else TRUE,
+                    neg(self.parted(rear)),
                 )
             )
             self._accept(g_.id, ready)
@@ -225,6 +244,8 @@ class PlantBuilder:
         passes: Expr = FALSE  # without a signal to obey
         if g is None or not self.layout.signal[g].main:
             free = neg(rests(s)) if "A-RESTART" not in self.dropped else TRUE
+            if "A-PARTED" not in self.dropped:
+                free = conj((free, neg(self.parted(s))))
             obeys = g is not None or self.topo.beyond(s, j) is None
             as_train = neg(shunting(s)) if self.shunts and obeys else TRUE
             passes = conj((free, as_train, heading))
@@ -260,7 +281,7 @@ class PlantBuilder:
         if g is not None and g in self.overlaps:
             as_train = neg(shunting(s)) if self.shunts else TRUE
             turning = FALSE if "A-SWING" in self.dropped else disj(self._turning(g))
-            fails = conj((running(s), neg(rests(s)), as_train, heading, neg(turning)))
+            fails = conj((running(s), neg(rests(s)), neg(self.parted(s)), as_train, heading, neg(turning)))
             self.p.events[f"fails.{g}"] = fails
             out[g] = disj((out.get(g, FALSE), self.p.events[f"fails.{g}"]))
         return out
@@ -404,6 +425,7 @@ class PlantBuilder:
                         came(s, a),
                         there,
                         neg(rests(s)),
+                        neg(self.parted(s)),
                         alone,
                         image(s),
                         waiting,
@@ -419,6 +441,15 @@ class PlantBuilder:
             out = disj(p.events[f"tail.{j}.{s}"] for j in topo.ends[s] if j not in self.layout.buffer_at)
             enter = {j: self.comes_in(s, j) for j in topo.ends[s]}
             p.state[f"o.{s}"] = f"a train stands in {s}"
+            parts: Expr = FALSE
+            if not self.berth(s):
+                chance = self.choice(f"?parts.{s}", f"the train parts, and its rear stays in {s}")
+                p.events[f"parts.{s}"] = conj((out, chance, neg(self.astray(s))))
+                parts = p.events[f"parts.{s}"]
+                out = conj((out, neg(parts)))
+                p.state[f"part.{s}"] = f"the rear part of a train has been left in {s}"
+                p.next[f"part.{s}"] = disj((conj((parted(s), neg(out))), parts))
+                p.initial.append(neg(parted(s)))
             p.state[f"rest.{s}"] = f"the train in {s} has stood there since the restart"
             if self.berth(s):
                 stay = self._staying(s)
@@ -429,11 +460,10 @@ class PlantBuilder:
                 p.next[f"rest.{s}"] = disj((conj((rests(s), neg(out))), left, joined))
             else:
                 p.next[f"rest.{s}"] = conj((rests(s), neg(out)))
-            p.next[f"o.{s}"] = disj((conj((o(s), neg(out))), *enter.values()))
-            if any(s in d.over for d in self.layout.devices):
                 p.state[f"called.{s}"] = f"the train in {s} has been called"
-                p.next[f"called.{s}"] = conj((disj((was_called(s), self.called(s))), neg(out)))
+                p.next[f"called.{s}"] = conj((disj((self.moves(s), *self._drawn(s))), neg(out)))
                 p.initial.append(neg(was_called(s)))
+            p.next[f"o.{s}"] = disj((conj((o(s), neg(out))), *enter.values()))
             p.initial.append(iff(rests(s), o(s)))
             if s in self.overlapped:
                 for h in self.overlapped[s]:
@@ -443,7 +473,7 @@ class PlantBuilder:
                     p.next[f"rest.{s}"] = disj((p.next[f"rest.{s}"], came_over))
                     p.initial.append(neg(overran(h, s)))
             if s in self.before:
-                self._running(s, out, disj(enter.values()))
+                self._running(s, disj((out, parts)), disj(enter.values()))
             if self.shunts:
                 p.state[f"sh.{s}"] = f"the train in {s} shunts"
                 p.next[f"sh.{s}"] = disj(
@@ -517,7 +547,7 @@ class PlantBuilder:
         return disj(events[e] for a in ends for b in ends if (e := f"turn.{s}.{a}.{b}") in events)
 
     def _running(self, s: SectionId, out: Expr, enters: Expr) -> None:
-        """A train that came in runs until it stands, turns, or is gone."""
+        """A train that came in runs until it stands, turns, or is gone (`out`: or only its rear part is left)."""
         topo, p = self.topo, self.p
         shunts = disj(self.shunts_in(s, j) for j in topo.ends[s]) if self.shunts else FALSE
         stands: Expr = FALSE

@@ -7,7 +7,7 @@ from typing import Protocol
 
 from interlock.logic.expr import FALSE, Expr, at_most_one, conj, disj, neg
 from interlock.logic.plant.kinds import Hazard, Plant
-from interlock.logic.plant.words import came, lies, o, rests, was_called
+from interlock.logic.plant.words import came, lies, o, rests
 from interlock.model.elements import NodeId, Position, SectionId
 from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
@@ -21,6 +21,11 @@ class Railway(Protocol):
     fouls: tuple[FoulJoint, ...]
     topo: Topology
     p: Plant
+    dropped: frozenset[str]
+
+    def choice(self, name: str, text: str) -> Expr:
+        """A free choice of the world."""
+        ...
 
     def lie(self, t: Traversal) -> Expr:
         """Every point on the way really lies for it."""
@@ -46,8 +51,8 @@ class Railway(Protocol):
         """What stands in s has overrun some signal."""
         ...
 
-    def called(self, s: SectionId) -> Expr:
-        """What stands in s has accepted a signal."""
+    def moves(self, s: SectionId) -> Expr:
+        """What stands in s has been called by a signal, or is a part of a train that has."""
         ...
 
     def heading(self, s: SectionId, b: NodeId) -> Expr:
@@ -77,10 +82,19 @@ def hazards(b: Railway) -> list[Hazard]:
             wrong.append(conj((o(s), neg(rests(s)), came(s, j), neg(good))))
         for j, called in b.calls(s) if not b.berth(s) else ():  # one that stood there is called, whatever lies under it
             wrong.append(conj((o(s), rests(s), called, neg(b.heading(s, j)))))
+        if not b.berth(s):  # so does what lies under the whole of its train
+            good = disj(b.heading(s, j) for j in topo.ends[s])
+            wrong.append(conj((o(s), rests(s), b.moves(s), neg(good))))
         for j in topo.ends[s]:
             good = disj(b.lie(t) for t in b.ways(s, j))
             if b.ways(s, j):
                 wrong.append(conj((b.comes_in(s, j), neg(good))))
+        if "A-BUFFER" in b.dropped:
+            for j in topo.ends[s]:
+                if j in layout.buffer_at:
+                    chance = b.choice(f"?through.{j}", f"the train in {s} runs through buffer {j}")
+                    p.events[f"through.{j}"] = conj((o(s), neg(rests(s)), b.heading(s, j), chance))
+                    wrong.append(p.events[f"through.{j}"])
         out.append(Hazard("DERAIL", s, disj(wrong)))
     for m, ends in sorted(layout.ends_of_machine.items()):
         starts = disj(p.events[f"start.{m}.{x}"] for x in Position)
@@ -97,7 +111,7 @@ def hazards(b: Railway) -> list[Hazard]:
         closed = lies(d.id, Position.REVERSE)
         for s_ in d.over:
             entering = disj(b.comes_in(s_, j) for j in topo.ends[s_])
-            moves = disj((neg(rests(s_)), b.called(s_), was_called(s_)))
+            moves = disj((neg(rests(s_)), b.moves(s_)))
             there = disj((conj((o(s_), moves)), entering))
             out.append(Hazard("ROAD", f"{d.id}/{s_}", conj((there, neg(closed)))))
     for c in layout.crossings:
@@ -153,8 +167,8 @@ def hazards(b: Railway) -> list[Hazard]:
 
 
 def _still(b: Railway, s: SectionId) -> Expr:
-    """What is in s has stood there since the restart, and nobody has called it."""
-    return conj((rests(s), neg(b.called(s))))
+    """What is in s has stood there since the restart, and nobody has called it, nor a train of which it is part."""
+    return conj((rests(s), neg(b.moves(s))))
 
 
 def standing(b: Railway, s: SectionId) -> Expr:

@@ -129,7 +129,7 @@ ASSUMPTIONS: dict[str, str] = {
     "A-STAND": "When no train has come into the section before a signal for the time that one needs to come to a stand "
     "there, the train in it stands.",
     "A-SCAN": "A head leaves a section, and a tail leaves it, only after the occupation that it causes has been "
-    "scanned (or while inputs are lost); a driver accepts a signal only from a scanned section in rear of it.",
+    "scanned (or while inputs are lost).",
     "A-HEADWAY": "No second train accepts a signal in the very scan in which the tail of the first passes it.",
     "A-DETECT": "A train that stands in a section before and after a step is reported; one that just came in or "
     "left may be reported either way (no loss of shunt beyond one scan).",
@@ -141,6 +141,9 @@ ASSUMPTIONS: dict[str, str] = {
     "the highest speed there, the train before it has passed it or stands.",
     "A-RESTART": "At a restart trains stand anywhere, points lie anyhow; a train moves again only when a signal "
     "calls it (others are moved under local rules before their section is released).",
+    "A-TRAILED": "Vehicles that are moved under local rules do not run through points that lie against them.",
+    "A-BUFFER": "No train runs through a buffer: none stands where the track goes on.",
+    "A-PARTED": "The rear part of a train that parts stays where it is until it is moved under local rules.",
     "A-REVERSE": "A train changes direction only at a standstill, wholly within one section, where a signal governs "
     "its new direction.",
     "A-LATE-OUTPUT": "Signals and machines follow the outputs of the last scan or of the scan before, not older.",

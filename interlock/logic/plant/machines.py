@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from interlock.logic.expr import TRUE, Expr, at_most_one, conj, disj, neg
+from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, neg
 from interlock.logic.plant.kinds import Plant, Wiring
-from interlock.logic.plant.words import lies, old_command
-from interlock.model.elements import Position
+from interlock.logic.plant.words import lies, o, old_command, rests
+from interlock.model.elements import MachineId, Position
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology
 
@@ -24,6 +24,15 @@ class Making(Protocol):
     def choice(self, name: str, text: str) -> Expr:
         """A free choice of the world."""
         ...
+
+
+def trail(b: Making, m: MachineId) -> Expr:
+    """A vehicle that is moved under local rules runs through a point that lies against it."""
+    here = sorted({b.layout.section_of(e.toe) for e in b.layout.ends_of_machine.get(m, ())})
+    under = disj(conj((o(s), rests(s))) for s in here)
+    chance = b.choice(f"?trails.{m}", f"a vehicle that is moved under local rules runs through {m}")
+    b.p.events[f"trails.{m}"] = conj((under, chance))
+    return b.p.events[f"trails.{m}"]
 
 
 def machines(b: Making) -> None:
@@ -45,6 +54,7 @@ def machines(b: Making) -> None:
                 )
             )
             b.p.events[f"start.{m}.{x}"] = starts[x]
+        trailed = FALSE if "A-TRAILED" not in b.dropped else trail(b, m)
         moving = conj(neg(lies(m, x)) for x in Position)
         for x in Position:
             may = disj((b.w.command[m, x], old_command(m, x)))
@@ -55,5 +65,6 @@ def machines(b: Making) -> None:
             if x is Position.REVERSE:
                 arrives = conj((arrives, neg(b.p.events[f"arrive.{m}.N"])))
             b.p.events[f"arrive.{m}.{x}"] = arrives
-            b.p.next[f"at.{m}.{x}"] = disj((conj((lies(m, x), neg(starts[x]))), arrives))
+            forced = conj((trailed, lies(m, x.other)))
+            b.p.next[f"at.{m}.{x}"] = disj((conj((lies(m, x), neg(starts[x]), neg(trailed))), arrives, forced))
         b.p.initial.append(at_most_one(lies(m, x) for x in Position))

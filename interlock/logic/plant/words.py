@@ -35,6 +35,11 @@ def was_called(s: str) -> Expr:
     return var(f"called.{s}")
 
 
+def parted(s: str) -> Expr:
+    """The rear part of a train that parted has been left in s; it stands there until it is moved under local rules."""
+    return var(f"part.{s}")
+
+
 def shunting(s: str) -> Expr:
     """The train in s moves as a shunting movement."""
     return var(f"sh.{s}")

@@ -9,14 +9,14 @@ from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
-from interlock.model.approach import Approach
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
-from interlock.proof.invariants.flank import flank, flank_space
+from interlock.proof.invariants.flank import flank, flank_space, scissors
 from interlock.proof.invariants.kinds import Claim, Facts
 from interlock.proof.invariants.paths import Shown, SignalPath, ground_of, lie, shown_over, signal_paths
+from interlock.proof.invariants.reasons import reasons
 from interlock.proof.invariants.terminals import terminals
 
 CLAIMS: dict[str, str] = {
@@ -27,6 +27,7 @@ CLAIMS: dict[str, str] = {
     "T-POINT-MOVES": "No point moves under a train, and no train comes to a point that moves.",
     "T-ROAD": "No train is on a level crossing, bridge or other interlock that is not closed for it.",
     "T-FLANK": "While a train uses a point or diamond, no vehicle can roll into it from the flank.",
+    "T-SCISSORS": "While a train uses one crossover of a scissors, the other one lies normal.",
     "T-ZONE": "A train comes into a zone only where it was called in, and is called in only while the trains in it or "
     "called into it, this one too, are no more than the zone's maximum.",
     "T-LINE": "On a line with a direction token no train leaves against one that is on the line or about to come in.",
@@ -42,8 +43,10 @@ CLAIMS: dict[str, str] = {
     "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
-    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is clear and the "
-    "stop lamps of the signals that protect it are intact.",
+    "S-SCISSORS": "Proceed is shown over one crossover of a scissors only while the other one lies normal.",
+    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is clear, but for "
+    "sections over which, or from which, another movement may be called meanwhile, and the stop lamps of the signals "
+    "that protect it are intact.",
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is clear, lies and is detected.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
     "S-DIRECTION": "Proceed onto a line with a direction token is shown only while the direction is ours, and then the "
@@ -63,8 +66,8 @@ CLAIMS: dict[str, str] = {
     "S-SET": "A section is locked for a movement only when inputs are valid, it is not blocked or locked, and it is "
     "reported clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
     "L-REASON": "No lock ends without its reason: a train has used the section, the lock before it was withdrawn, its "
-    "signal was cancelled, or somebody releases it by hand; after a restart by hand, or behind a train that stood "
-    "there.",
+    "signal was cancelled, or somebody releases it by hand, alone or with all that may have missed a train; after a "
+    "restart by hand, or behind a train that stood there.",
     "L-CLEAR": "No section is released, however it is, before it has been reported clear with valid inputs, without a "
     "break, for the release delay.",
     "L-APPROACH": "A route whose signal has been open is not given up before its train came, unless none can be on its "
@@ -94,6 +97,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         out.append(Claim(f"T-{h.id}", h.place, neg(h.expr), True))
     for name, place, expr, physical in (
         *((*x, x[0] == "T-FLANK") for x in flank(f)),
+        *((*x, x[0] == "T-SCISSORS") for x in scissors(f)),
         *((*x, True) for x in _zones(f)),
         *((*x, False) for x in flank_space(f)),
         *((*x, False) for x in _pairs(f)),
@@ -103,8 +107,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         *((*x, False) for x in _again(f)),
         *((*x, False) for x in _requests(f)),
         *((*x, False) for x in _set(f)),
-        *((*x, False) for x in _reasons(f)),
-        *((*x, False) for x in _given_up(f)),
+        *((*x, False) for x in reasons(f)),
         *((*x, False) for x in _locks(f)),
         *((*x, False) for x in _points(f)),
     ):
@@ -250,7 +253,7 @@ def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 yield "S-OVERLAP", place, implies(here, disj(_overlap(f, ways) for ways in over))
             if not shunt and f.layout.principles.caution is not Caution.NEVER:
                 clear = conj((_clear_aspect(f, signal), after(lie(f, path.ways))))
-                yield "S-ASPECT", place, implies(clear, _allows_clear(f, path, exit_))
+                yield "S-ASPECT", place, implies(clear, allows_clear(f, path, exit_))
             secured = [
                 conj((var(f.sym.detected[d.id, Position.REVERSE]), neg(var(f.sym.detected[d.id, Position.NORMAL]))))
                 for d in f.layout.devices
@@ -310,7 +313,7 @@ def _clear_aspect(f: Facts, g: SignalId) -> Expr:
     return f.system.after(var(f.sym.clear_aspect[g])) if g in f.sym.clear_aspect else FALSE
 
 
-def _allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
+def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
     """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11)."""
     kmh = path_speed(f.layout, path.ways)
     if kmh is not None and kmh < f.layout.principles.slow_below_kmh:
@@ -351,57 +354,6 @@ def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         occupied = any(r.call_on or r.berth == (s, n) for r in f.sym.routes_over.get((s, n), ()))
         free = [] if occupied else [neg(f.locked(s)), *([f.clear(s)] if s in f.sym.clear else [])]
         yield "S-SET", f"{s} {n}", implies(new, conj((var(f.sym.valid), *blocked, *free)))
-
-
-def _reasons(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    """R8, R9, R16: why the locks of a section end.  `used` and `cancelling` are the controller's own bits."""
-    after = f.system.after
-    waits_for = f.system.waits_for
-    for s in f.topo.sections:
-        by_hand = var(f.sym.release[s])
-        freed = conj((f.restart(s), neg(after(f.restart(s)))))
-        yield "L-REASON", f"{s} after a restart", implies(freed, disj((by_hand, var(f.sym.release_all), f.passed(s))))
-        reasons = [f.used(s), by_hand]
-        for j in f.topo.ends[s]:
-            g = f.topo.signal_into.get((j, s))
-            rear = f.topo.beyond(s, j)
-            if g is not None:
-                reasons.append(var(f.sym.cancelling[SignalId(str(g))]))
-            if rear is not None and (j, s) not in f.topo.main_into:
-                leads = f.locked_out(rear, j)  # past a shunt signal only for a train
-                reasons.append(conj((f.locked_in(s, j), neg(conj((leads, f.train(rear))) if g is not None else leads))))
-        ended = conj((f.any_lock(s), neg(after(f.any_lock(s)))))
-        yield "L-REASON", s, implies(ended, disj(reasons))
-        timer = f.sym.release_timer[s]
-        yield "L-CLEAR", s, implies(disj((freed, ended)), var(timer))
-        yield "L-CLEAR", f"{s} timed", implies(var(waits_for[timer]), conj((var(f.sym.valid), f.clear(s))))
-
-
-def _coming(f: Facts, x: Approach) -> Expr:
-    """A train may be on its way from there."""
-    if x.section is None or x.unseen:
-        return TRUE
-    ways = ((f.sym.lock.get((x.section, n)), y) for n, y in x.further)
-    return disj((neg(f.clear(x.section)), *(conj((var(name), _coming(f, y))) for name, y in ways if name is not None)))
-
-
-def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
-    """R8: comprehensive approach locking, over what is `measured`."""
-    after = f.system.after
-    for g, routes in f.sym.routes_from.items():
-        signal = f.layout.signal[g]
-        first = f.layout.section_of(signal.into)
-        from_g = f.locked_in(first, signal.node)
-        shown = disj(var(r.shown) for r in routes)
-        given_up = conj((from_g, neg(after(from_g)), neg(f.used(first)), shown))
-        long = f"long.stop.{g}"
-        stands = after(var(long)) if long in f.system.plant.clocks else FALSE
-        nobody = neg(_coming(f, f.system.measured.approaches[g]))
-        yield "L-APPROACH", g, implies(given_up, disj((nobody, stands)))
-        for r in routes:
-            set_, seen = after(var(r.active)), after(var(r.shown))
-            stays = disj((after(var(r.proceed)), conj((var(r.shown), set_))))
-            yield "L-APPROACH", f"{r.id} shown", implies(stays, seen)
 
 
 def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:

@@ -124,6 +124,11 @@ class Facts:
         healthy = [var(self.sym.healthy[SectionId(s)])] if SectionId(s) in self.sym.healthy else []
         return conj((var(self.sym.clear[SectionId(s)]), *healthy))
 
+    def reported(self, m: MachineId, x: Position) -> Expr:
+        """A machine is detected in a position, by valid and unambiguous contacts."""
+        contact, opposite = var(self.sym.detected[m, x]), var(self.sym.detected[m, x.other])
+        return conj((var(self.sym.valid), contact, neg(opposite)))
+
     def restart(self, s: str) -> Expr:
         """Restart lock."""
         return var(self.sym.restart[SectionId(s)])

@@ -20,6 +20,7 @@ from interlock.logic.plant import (
     o,
     old_command,
     overran,
+    parted,
     rests,
     shunting,
     was_called,
@@ -143,9 +144,17 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
             yield f"S-EXCLUDES:{n}:{other}", implies(x, neg(against))
         train = f.train(s) if f.berth(s) else TRUE
         yield f"S-PASSED-BEEN:{n}", implies(conj((x, train, f.passed(s))), f.been(s))
-    if f"called.{s}" in f.system.plant.state:
-        closed = conj(f.settled(MachineId(d.id), Position.REVERSE) for d in f.layout.devices if s in d.over)
-        yield "S-CALLED", implies(was_called(s), conj((o(s), implies(rests(s), conj((f.restart(s), closed))))))
+    if not f.berth(s):
+        closed = [f.settled(MachineId(d.id), Position.REVERSE) for d in f.layout.devices if s in d.over]
+        alone = [neg(across(k, t)) for k in f.topo.ends[s] if (t := f.topo.beyond(s, k)) is not None]
+        plain = neg(disj(TRUE for t in f.topo.traversals[s] if t.points or t.crossings))
+        heading = disj(
+            conj((came(s, t.entry), conj(lies(f.layout.point[p].machine, x) for p, x in t.points)))
+            for t in f.topo.traversals[s]
+        )
+        stood = conj((f.restart(s), plain, heading, *closed, *alone, *(neg(x) for x in _foul(f, s))))
+        yield "S-CALLED", implies(was_called(s), conj((o(s), implies(rests(s), stood))))
+        yield "S-PARTED", implies(parted(s), o(s))
     for m in f.layout.machines:
         if s in f.layout.sections_of_machine[m]:
             told = [(p, x) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))]
@@ -238,12 +247,15 @@ def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, 
                 goes = conj((goes, neg(shunting(s))))
             yield (
                 f"J-AHEAD:{n}",
-                implies(conj((goes, o(s), came(s, a), neg(rests(s)), neg(across(j, s)))), neg(f.been(t))),
+                implies(conj((goes, o(s), came(s, a), neg(_stays(f, s)), neg(across(j, s)))), neg(f.been(t))),
             )
 
 
 def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Expr]]:
     """A train stands across a joint, from s to t (t may be outside, s may be an approach section)."""
+    if t and s in f.sym.restart and not f.berth(s):
+        unmoved = rests(t) if not f.berth(t) else f.restart(t)
+        yield "X-CALLED", implies(conj((across(j, s), rests(s), f.restart(s))), disj((unmoved, was_called(s))))
     if t and s in f.sym.restart and not f.berth(t):
         yield "X-ASTRIDE", implies(conj((across(j, s), f.restart(t))), f.restart(s))
     yield "X-BOTH", implies(across(j, s), conj((o(s), conj((o(t), came(t, j))) if t else o(s))))
@@ -314,7 +326,8 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     if passing is FALSE:
         yield f"{mark}-SHOWN", implies(shown, fresh)
     else:
-        alone = disj((neg(o(rear)), across(j, rear), conj((kind, neg(f.been(t)), neg(f.passed(t))))))
+        left = parted(rear) if rear in f.sym.restart and not f.berth(rear) else FALSE
+        alone = disj((neg(o(rear)), across(j, rear), left, conj((kind, neg(f.been(t)), neg(f.passed(t))))))
         yield f"{mark}-SHOWN", implies(shown, conj((f.firm(t), f.locked_in(t, j), alone)))
         new = disj(var(r.proceed) for r in f.sym.routes_from.get(SignalId(g), ()) if r.shunt is shunt)
         yield f"{mark}-SHOWN-NEW", implies(new, conj((fresh, neg(image(t)))))
@@ -351,11 +364,23 @@ def _from_rear(f: Facts, joint: str, rear: SectionId, called: Expr) -> Expr:
     for d in f.layout.devices:
         if rear in d.over:
             out.append(implies(stood, f.settled(MachineId(d.id), Position.REVERSE)))
-    if not f.berth(rear):
-        behind = [across(k, t) for k in f.topo.ends[rear] if k != joint and (t := f.topo.beyond(rear, k)) is not None]
-        foul = [conj((f.restart(x.section), o(x.section))) for x in f.fouls if x.neighbour == rear]
-        out.append(implies(stood, neg(disj((*behind, *foul)))))
+    behind = [
+        conj((across(k, t), f.restart(t))) if f.berth(rear) else across(k, t)
+        for k in f.topo.ends[rear]
+        if k != joint and (t := f.topo.beyond(rear, k)) is not None
+    ]
+    out.append(implies(stood, neg(disj((*behind, *_foul(f, rear))))))
     return conj(out)
+
+
+def _foul(f: Facts, s: SectionId) -> list[Expr]:
+    """Something has stood foul of a section since the restart."""
+    return [conj((f.restart(x.section), o(x.section))) for x in f.fouls if x.neighbour == s]
+
+
+def _stays(f: Facts, s: str) -> Expr:
+    """What stands in s does not move on: since the restart, or it was left there."""
+    return rests(s) if f.berth(s) else disj((rests(s), parted(s)))
 
 
 def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:

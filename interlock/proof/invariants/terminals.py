@@ -54,7 +54,10 @@ def _indications(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for s, healthy in f.sym.healthy.items():
         yield "I-TOLD", f"faulty {s}", iff(after(var(told[f"faulty {s}"])), neg(var(healthy)))
     for m in f.layout.machines:
-        yield "I-TOLD", f"late {m}", iff(after(var(told[f"late {m}"])), var(f.sym.late_timer[m]))
+        timer = f.sym.late_timer[m]
+        astray = disj(conj((var(f.sym.command[m, x]), neg(f.reported(m, x)))) for x in Position)
+        yield "I-TOLD", f"late {m}", iff(after(var(told[f"late {m}"])), var(timer))
+        yield "I-TOLD", f"late {m} timed", iff(var(f.system.waits_for[timer]), astray)
     for m, trailed in f.sym.trailed.items():
         yield "I-TOLD", f"trailed {m}", iff(after(var(told[f"trailed {m}"])), after(var(trailed)))
     for z, full in f.sym.zone_full.items():

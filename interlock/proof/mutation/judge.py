@@ -3,31 +3,31 @@
 Every definition, assumption, invariant and condition of the restart has a literal that switches it on.  For a mutant
 the changed ones are added and the old ones are left off: clauses that were learnt stay.  A mutant is proved as the
 controller is: invariants that are lost, at the restart or in a step, are dropped until none is lost any more, and the
-claims are asked with those that are left.  What no claim refuses is driven by trains; what trains do not notice is
-compared with the controller, state by state.
+claims are asked with those that are left.  What no claim refuses is compared with the controller, as far as its
+terminals show it; what may differ there is driven by trains and operators.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-
-from pysat.solvers import Minisat22
+from functools import cached_property
 
 from interlock.logic.controller import Controller, MalformedController
-from interlock.logic.expr import TRUE, Expr, Substitution, var, variables
+from interlock.logic.expr import TRUE, Expr, variables
 from interlock.model.layout import Layout
-from interlock.proof.encode import Cnf
-from interlock.proof.invariants import Facts, claims, strengthening
+from interlock.proof.mutation.lines import Lines
+from interlock.proof.mutation.patterns import Patterns
 from interlock.proof.mutation.points import Mutation
-from interlock.proof.operations import operations
-from interlock.proof.runner import start_claim
+from interlock.proof.mutation.runs import Runs
+from interlock.proof.mutation.same import Side, same, same_after_restart
+from interlock.proof.mutation.switched import Switched
 from interlock.proof.system import System
-from interlock.proof.witness import witnesses
 
 RENEWED = 400  # after so many mutants a solver carries more lines that are off than lines that are on
-COPY = "~"  # the mutant's values of a step, beside those of the controller
+AT_ONCE = 40  # that one of so many goals is false is one question
+LATER = "the same in every step after the restart delay, from one state"
 
 
 class Fate(StrEnum):
@@ -36,95 +36,29 @@ class Fate(StrEnum):
     REFUSED = "refused"
     """It reads a value before it is computed, or the system has a variable that nobody defines: no controller."""
     CLAIM = "a claim fails"
+    FUNCTION = "a function fails"
+    """What a rule orders does not happen any more, or without its reason (`proof.functions`)."""
     TRAIN = "a train notices"
     """A route that a train could use can no longer be set, driven and released."""
     OPERATOR = "an operator notices"
     """What an operator could do with a route does not work any more, or works where it must not."""
+    TEXT = "refuted as text"
+    """An emitted text that does not compute the proved controller (`proof.text_mutants`)."""
     EQUIVALENT = "equivalent"
-    """In every state that the invariants allow, the next state and all outputs are the same."""
+    """Whatever happens from power-up on, all outputs are the same; of a text: it computes the same."""
     SURVIVES = "survives"
 
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """A mutant's fate, and the claim that fails or the route that cannot be used any more."""
+    """A mutant's fate, and the claim that fails, the run that does not work any more, or in what way it is the same."""
 
     fate: Fate
     why: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Lines:
-    """What is said of a system."""
-
-    definitions: Mapping[str, Expr]
-    assumptions: tuple[Expr, ...]
-    invariants: tuple[tuple[str, Expr], ...]
-    claims: tuple[tuple[str, Expr], ...]
-    start: tuple[Expr, ...]
-    at_start: Expr
-
-    @staticmethod
-    def of(system: System) -> Lines:
-        """The lines of a system."""
-        facts = Facts(system)
-        return Lines(
-            system.definitions,
-            tuple(dict.fromkeys(a.expr for a in system.assumptions)),
-            tuple((f"{i.id} at {i.place}", i.expr) for i in strengthening(facts)),
-            tuple((f"{c.id} at {c.place}", c.expr) for c in claims(facts)),
-            tuple(dict.fromkeys(system.initial_parts)),
-            start_claim(system),
-        )
-
-
-class Switched:
-    """Clauses in one solver, with a literal that switches each line on."""
-
-    def __init__(self) -> None:
-        self.cnf = Cnf()
-        self.solver = Minisat22()
-        self._given = 0
-        self._lines: dict[tuple[str, Expr], int] = {}
-
-    def define(self, name: str, x: Expr) -> int:
-        """The switch of: the name stands for the expression."""
-        key = (name, x)
-        found = self._lines.get(key)
-        if found is None:
-            a, b = self.cnf.literal(var(name)), self.cnf.literal(x)
-            found = self._lines[key] = self.cnf.fresh()
-            self.cnf.clauses += [(-found, -a, b), (-found, a, -b)]
-        return found
-
-    def fact(self, x: Expr) -> int:
-        """The switch of: the expression is true."""
-        found = self._lines.get(("", x))
-        if found is None:
-            lit = self.cnf.literal(x)
-            found = self._lines["", x] = self.cnf.fresh()
-            self.cnf.clauses.append((-found, lit))
-        return found
-
-    def any_false(self, xs: Iterable[Expr]) -> int:
-        """The switch of: one of the expressions is false."""
-        lits = [-self.cnf.literal(x) for x in xs]
-        switch = self.cnf.fresh()
-        self.cnf.clauses.append((-switch, *lits))
-        return switch
-
-    def model(self, *switches: int) -> set[int] | None:
-        """The literals of a model with the lines of these switches; None where there is none."""
-        for c in self.cnf.clauses[self._given :]:
-            self.solver.add_clause(list(c))
-        self._given = len(self.cnf.clauses)
-        if not self.solver.solve(assumptions=list(switches)):
-            return None
-        return set(self.solver.get_model() or ())
-
-    def off(self, switch: int) -> None:
-        """A question that is asked no more."""
-        self.cnf.clauses.append((-switch,))
+Named = list[tuple[str, Expr]]
+AtStart = tuple[Named, str]
 
 
 class Judge:
@@ -135,118 +69,127 @@ class Judge:
         self.controller = controller
         self.system = System(layout, controller)
         self.lines = Lines.of(self.system)
+        self.reads = {n: frozenset(variables((x,))) for n, x in self.lines.definitions.items()}
         self._renew()
-        self.driven = {w.route for w in witnesses(self.system) if w.ok}
-        self.works = _worked(self.system)
-        if self._failing(self.lines, self.system) is not None:
-            raise ValueError("the controller itself is not proved")
+        facts = [*self.lines.assumptions, *(x for _, x in self.lines.invariants)]
+        self.patterns = Patterns(self.lines.definitions, facts, (*self.lines.claims, *self.lines.functions))
+        kept = self._proved(self.lines, self.system)
+        if isinstance(kept, str):
+            raise ValueError(f"the controller itself is not proved: {kept}")
+        self.side = Side(self.system, self.lines, kept)
+
+    @cached_property
+    def runs(self) -> Runs:
+        """The runs that work with the controller; few mutants come so far."""
+        return Runs(self.system)
 
     def _renew(self) -> None:
         self.step = Switched()
         self.start = Switched()
+        self.step.group([self.step.define(n, x) for n, x in self.lines.definitions.items()])
+        self.step.group([self.step.fact(x) for x in self.lines.assumptions])
+        self.step.group([self.step.fact(x) for _, x in self.lines.invariants])
+        self._starts: dict[tuple[object, ...], AtStart] = {}
         self.asked = 0
 
     def judge(self, mutation: Mutation) -> Verdict:
         """The fate of one mutant."""
+        try:
+            controller = mutation.make()
+            changed = self.system.changed(controller)
+            known = None if changed is None else self.patterns.broken(changed)
+            if known is not None:
+                return _failed(known)
+            if changed is None:
+                system = System(self.layout, controller)
+                lines = Lines.of(system)
+            else:
+                system = self.system.under(controller, changed)
+                lines = self.lines.under(system)
+        except MalformedController as e:
+            return Verdict(Fate.REFUSED, str(e))
+        kept = self._proved(lines, system)
+        if isinstance(kept, str):
+            return _failed(kept)
+        other = Side(system, lines, kept)
+        how = same(self.step, self.side, other, self.reads)
+        if how is not None:
+            return Verdict(Fate.EQUIVALENT, how)
+        noticed = self.runs.noticed(system, changed)
+        if noticed is not None:
+            return Verdict(Fate.TRAIN if noticed[0] else Fate.OPERATOR, noticed[1])
+        later = same_after_restart(self.step, self.side, other, self.reads)
+        return Verdict(Fate.SURVIVES, LATER if later else "")
+
+    def _proved(self, lines: Lines, system: System) -> list[Expr] | str:
+        """The invariants that are kept, or a claim, or else a function, that does not follow from them."""
         self.asked += 1
         if self.asked > RENEWED:
             self._renew()
-        try:
-            controller = mutation.make()
-            system = System(self.layout, controller)
-        except MalformedController as e:
-            return Verdict(Fate.REFUSED, str(e))
-        lines = Lines.of(system)
-        failing = self._failing(lines, system)
-        if failing is not None:
-            return Verdict(Fate.CLAIM, failing)
-        if self._same(lines, system):
-            return Verdict(Fate.EQUIVALENT)
-        for w in witnesses(system):
-            if w.route in self.driven and not w.ok:
-                return Verdict(Fate.TRAIN, f"{w.route}: {w.text}")
-        worked = _worked(system)
-        lost = next((x for x in self.works if x not in worked), None)
-        if lost is not None:
-            return Verdict(Fate.OPERATOR, f"{lost[0]}: {lost[1]}")
-        return Verdict(Fate.SURVIVES)
-
-    def _failing(self, lines: Lines, system: System) -> str | None:
-        """A claim that does not follow, or None where all are proved."""
-        kept = self._at_start(lines)
-        if isinstance(kept, str):
-            return kept
+        found, unmet = self._at_start(lines)
+        if unmet and not unmet.startswith("F-"):
+            return unmet
+        kept, first = found, True
         s = self.step
         fixed = [s.define(n, x) for n, x in lines.definitions.items()] + [s.fact(x) for x in lines.assumptions]
-        claimed = [x for _, x in lines.claims if x is not TRUE]
-        wrong = s.any_false(claimed)
+        claimed = [c for c in lines.claims if c[1] is not TRUE]
         while True:
             known = [*fixed, *(s.fact(x) for _, x in kept)]
-            model = s.model(*known, wrong)
-            if model is not None:
-                s.off(wrong)
-                return next(n for n, x in lines.claims if -s.cnf.literal(x) in model)
+            for wanted in (claimed, lines.functions):
+                model = self._failing(known, [x for _, x in wanted])
+                if model is not None:
+                    return self._seen(model, wanted, len(kept) == len(self.lines.invariants))
             after = [(i, system.after(i[1])) for i in kept]
-            lost = s.any_false(x for _, x in after)
-            model = s.model(*known, lost)
-            s.off(lost)
+            model = self._failing(known, [x for _, x in after], again=first)
             if model is None:
-                s.off(wrong)
-                return None
-            kept = [i for i, x in after if -s.cnf.literal(x) not in model]
+                return unmet or [x for _, x in kept]
+            kept, first = [i for i, x in after if -s.cnf.literal(x) not in model], False
 
-    def _at_start(self, lines: Lines) -> list[tuple[str, Expr]] | str:
-        """The invariants that hold at the restart; P-START where that does not."""
+    def _failing(self, known: Sequence[int], goals: Sequence[Expr], again: bool = True) -> set[int] | None:
+        """A model in which one of the goals is false, or None; some of them are asked at once."""
+        s = self.step
+        for k in range(0, len(goals), AT_ONCE):
+            question = s.any_false(goals[k : k + AT_ONCE], again)
+            model = s.model(*known, question)
+            s.off(question)
+            if model is not None:
+                return model
+        return None
+
+    def _seen(self, model: set[int], wanted: Sequence[tuple[str, Expr]], all_kept: bool) -> str:
+        """What fails in a model; where all invariants hold in it, other mutants may fail there too."""
+        cnf = self.step.cnf
+        if all_kept:
+            known = self.step.cnf.known
+            self.patterns.add({str(x): cnf.literal(x) in model for x in self.patterns.leaves if known(x)})
+        return next(n for n, x in wanted if -cnf.literal(x) in model)
+
+    def _at_start(self, lines: Lines) -> AtStart:
+        """The invariants that hold at the restart, and what does not hold there though it must."""
+        key = (lines.start, lines.invariants, lines.at_start)
+        found = self._starts.get(key)
+        if found is None:
+            found = self._starts[key] = self._asked_at_start(lines)
+        return found
+
+    def _asked_at_start(self, lines: Lines) -> AtStart:
         s = self.start
         known = [s.fact(x) for x in lines.start]
         if s.model(*known) is None:
-            return "the restart states contradict each other"
-        wrong = s.any_false((lines.at_start,))
-        model = s.model(*known, wrong)
-        s.off(wrong)
-        if model is not None:
-            return "P-START"
+            return [], "the restart states contradict each other"
+        unmet = next((n for n, x in lines.at_start if s.model(*known, s.any_false((x,), again=True)) is not None), "")
         kept = list(lines.invariants)
         while True:
-            lost = s.any_false(x for _, x in kept)
+            lost = s.any_false((x for _, x in kept), again=len(kept) == len(lines.invariants))
             model = s.model(*known, lost)
             s.off(lost)
             if model is None:
-                return kept
+                return kept, unmet
             kept = [i for i in kept if -s.cnf.literal(i[1]) not in model]
 
-    def _same(self, lines: Lines, system: System) -> bool:
-        """Whether the mutant does what the controller does, in all states that the invariants allow."""
-        mine = self.lines
-        if set(lines.start) != set(mine.start) or set(lines.assumptions) != set(mine.assumptions):
-            return False
-        changed = {n for n, x in lines.definitions.items() if mine.definitions.get(n) is not x}
-        below = set(changed)
-        for n, x in lines.definitions.items():  # in an order in which each reads only what is before it
-            if not below.isdisjoint(variables((x,))):
-                below.add(n)
-        put = Substitution({n: var(n + COPY) for n in below})
-        s = self.step
-        known = [s.define(n, x) for n, x in mine.definitions.items()]
-        known += [s.define(n + COPY, put(lines.definitions[n])) for n in below]
-        known += [s.fact(x) for x in mine.assumptions] + [s.fact(x) for _, x in mine.invariants]
-        seen = [n for n in system.later.values() if n in below]
-        differ = []
-        for n in seen:
-            a, b = s.cnf.literal(var(n)), s.cnf.literal(var(n + COPY))
-            d = s.cnf.fresh()
-            s.cnf.clauses += [(-d, a, b), (-d, -a, -b)]
-            differ.append(d)
-        some = s.cnf.fresh()
-        s.cnf.clauses.append((-some, *differ))
-        model = s.model(*known, some)
-        s.off(some)
-        return model is None
 
-
-def _worked(system: System) -> dict[tuple[str, str], None]:
-    """The routes and operations that work."""
-    return {(r, name): None for r, those in operations(system).items() for name, why in those.items() if why is None}
+def _failed(what: str) -> Verdict:
+    return Verdict(Fate.FUNCTION if what.startswith("F-") else Fate.CLAIM, what)
 
 
 def judged(layout: Layout, controller: Controller, those: Sequence[Mutation]) -> list[Verdict]:

@@ -8,6 +8,7 @@ that leaves an expression what it was is none.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -32,7 +33,15 @@ class Mutation:
 
 
 def mutations(c: Controller) -> Iterator[Mutation]:
-    """All of them, in the order of the controller."""
+    """All of them, in the order of the controller; no two of a family have one name."""
+    met: Counter[tuple[str, str]] = Counter()
+    for m in _all(c):
+        met[m.family, m.name] += 1
+        again = met[m.family, m.name]
+        yield m if again == 1 else replace(m, name=f"{m.name} ({again})")  # the same operand in another place
+
+
+def _all(c: Controller) -> Iterator[Mutation]:
     wires = {s.name: s.expr for s in c.steps if isinstance(s, Equation)}
     for where, those in (("", wires), ("next ", {e.name: e.expr for e in c.next})):
         for name, form, words, put in _of_values(those):

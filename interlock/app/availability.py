@@ -1,0 +1,64 @@
+"""Whether the routes of a layout that are not hostile can be used at the same time, and how soon each one opens."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from interlock.app.check import Checked, check_file
+from interlock.emit.drawing import plan_svg
+from interlock.emit.report import player_html
+from interlock.logic.lower import lower
+from interlock.proof.availability import Availability, PairResult, Trial, availability
+from interlock.proof.system import System
+from interlock.proof.trace import itf
+
+TRACES = 8  # so many pairs that failed get a page that plays them
+
+
+@dataclass(frozen=True)
+class Tried:
+    """A checked layout and what its runs showed (None when it has errors)."""
+
+    checked: Checked
+    system: System | None = None
+    found: Availability | None = None
+
+    @property
+    def shown(self) -> bool:
+        """Every route and every pair."""
+        return self.found is not None and self.found.shown
+
+
+def try_file(path: str) -> Tried:
+    """Check a file and carry out the runs of its controller."""
+    checked = check_file(path)
+    if not checked.ok or checked.layout is None or checked.table is None:
+        return Tried(checked)
+    system = System(checked.layout, lower(checked.layout, checked.table))
+    return Tried(checked, system, availability(system, checked.table))
+
+
+def write_stories(tried: Tried, folder: Path) -> list[Path]:
+    """A trace and a page that plays it for pairs that failed; the pages.  Raises OSError."""
+    if tried.system is None or tried.found is None or tried.checked.layout is None:
+        return []
+    failed = [p for p in tried.found.pairs if p.failed is not None][:TRACES]
+    if not failed:
+        return []
+    layout, trial = tried.checked.layout, Trial(tried.system)
+    plan, out = plan_svg(layout), []
+    folder.mkdir(parents=True, exist_ok=True)
+    for p in failed:
+        story = trial.story(p)
+        assert story is not None
+        trace = itf(tried.system, story, layout.digest, plan)
+        page = folder / f"{layout.name}-{_file(p)}.html"
+        page.with_suffix(".itf.json").write_text(trace, "utf-8")
+        page.write_text(player_html(trace), "utf-8")
+        out.append(page)
+    return out
+
+
+def _file(p: PairResult) -> str:
+    return "".join(c if c.isalnum() or c in "-_." else "_" for c in f"{p.first}+{p.second}")

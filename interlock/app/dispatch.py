@@ -1,0 +1,246 @@
+"""Commands to a layout: are there plans, which states lead nowhere, what becomes of the trains on the controller."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from interlock.app.check import Checked, derive_file
+from interlock.app.dispatching import Coming, Ground, Outcome
+from interlock.app.replay import GONE, BadPlan, Plan, PlanTrain, Replay, Replayed, from_text
+from interlock.diag import Diagnostic, Sink
+from interlock.diag.suggest import did_you_mean
+from interlock.dispatch import Dispatcher
+from interlock.dispatch.commands import BadOrder, errand
+from interlock.dispatch.language import beside, load
+from interlock.dispatch.orders import Derivation, Derived
+from interlock.dispatch.plan.explore import Explored, TooManyStates, explore
+from interlock.dispatch.plan.problem import Built, Move, build
+from interlock.dispatch.plan.railway import OUTSIDE, Errand, Journey, NoVoyage, Railway, TooManyPlaces
+from interlock.dispatch.plan.search import Answer, Planner, Verdict
+from interlock.dispatch.policy import Policy
+from interlock.logic.lower import lower
+from interlock.proof.system import System
+
+
+@dataclass
+class Dispatched:
+    """What was found, or the problems of layout and commands."""
+
+    checked: Checked
+    diagnostics: tuple[Diagnostic, ...] = ()
+    errands: tuple[Errand, ...] = ()
+    answer: Answer | None = None
+    plan: Plan | None = None
+    replayed: Replayed | None = None
+    caught: tuple[str, ...] = ()
+    explored: Explored | None = None
+    story: tuple[str, ...] = ()
+    shown: str = ""
+    """What became of the shortest deadlock on the controller."""
+    outcomes: list[Outcome] = field(default_factory=list)
+    rule: bool = True
+    derived: tuple[Derived, ...] = ()
+    texts: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def ok(self) -> bool:
+        """All commands made sense."""
+        return not self.diagnostics
+
+    @property
+    def stuck(self) -> int:
+        """Runs in which a train stands for ever."""
+        return sum(bool(o.stuck) for o in self.outcomes)
+
+
+class Setting:
+    """A layout's railway with the errands of some commands."""
+
+    def __init__(self, railway: Railway, errands: Sequence[Errand]) -> None:
+        self.railway, self.errands = railway, tuple(errands)
+        self.journeys: list[Journey] = [railway.draft(e) for e in errands]
+        before = [[e.train for e in errands[:k] if e.start == x.start] for k, x in enumerate(errands)]
+        nodes = [j.nodes(b) for j, b in zip(self.journeys, before, strict=True)]
+        self.built: Built = build(nodes, railway.zones)
+
+    def routes(self, moves: Sequence[Move]) -> tuple[tuple[str, str], ...]:
+        """Moves as train and route."""
+        found: list[tuple[str, str]] = []
+        for m in moves:
+            steps = self.journeys[m.train].steps
+            place = next(p for p, b in self.built.bits[m.train].items() if b == m.source)
+            found += [(self.errands[m.train].train, r.id) for r in steps[place][int(m.label)].routes]  # type: ignore[index]
+        return tuple(found)
+
+    def plan(self, digest: str, moves: Sequence[Move]) -> Plan:
+        """Moves as a plan that can be replayed."""
+        routes = self.routes(moves)
+        trains = []
+        for e in self.errands:
+            own = [r for t, r in routes if t == e.train]
+            last = self.railway.table.route[own[-1]] if own else None  # type: ignore[index]
+            here = str(e.start[-1][0])
+            stays = (self.railway.approach.get(here) or f"outside.{here}") if e.start[-1][1] == OUTSIDE else here
+            ends = stays if last is None else GONE if last.exit_kind == "boundary" else str(last.section_ids[-1])
+            outside = e.start[0][1] == OUTSIDE
+            start = here if outside else tuple((str(s), n) for s, n in e.start)
+            trains.append(PlanTrain(e.train, e.length_m, start, ends))
+        return Plan(digest, tuple(trains), routes)
+
+    def story(self, moves: Sequence[Move]) -> tuple[str, ...]:
+        """Moves to a deadlock in words, and what keeps each train there."""
+        p, state = self.built.problem, self.built.start
+        said = []
+        for m, (train, route) in zip(moves, self.routes(moves), strict=False):
+            state = state & ~m.source | m.target
+            said.append(f"{train} runs over {route} and stands in {p.label[m.target]}.")
+        for k, here in enumerate(p.at(state)):
+            if here & p.home:
+                continue
+            for m in p.moves[here]:
+                who = [p.trains[u] for u, bits in enumerate(p.nodes) if u != k and sum(bits) & state & m.blocked]
+                route = self.routes((m,))[0][1]
+                what = f"is blocked by {' and '.join(who)}" if who else "leads into a full zone"
+                said.append(f"{p.trains[k]} in {p.label[here]} cannot go on: {route} {what}.")
+        return tuple(said)
+
+    def shown(self, replay: Replay, digest: str, moves: Sequence[Move]) -> str:
+        """What the controller says to every route that a train of a deadlock could still take."""
+        p, state = self.built.problem, self.built.start
+        for m in moves:
+            state = state & ~m.source | m.target
+        there = self.plan(digest, moves)
+        onward = self.routes([m for b in p.at(state) for m in p.moves[b]])
+        tried = [replace(there, moves=(*there.moves, x)) for x in onward]
+        done = replay.check([there, *tried])
+        if done[0].wrong:
+            return f"the controller does not come there: {done[0].wrong}"
+        granted = [f"{r} for {t}" for (t, r), x in zip(onward, done[1:], strict=True) if not x.wrong]
+        if granted:
+            return f"yet the controller grants {', '.join(granted)}"
+        return f"On the controller with its plant, too: it is brought there, and refuses {_all(len(onward))}."
+
+
+def _all(n: int) -> str:
+    return "the only route that is left" if n == 1 else f"all {n} routes that are left"
+
+
+def dispatch(
+    path: str,
+    commands: Sequence[str],
+    *,
+    length_m: float = 60.0,
+    timings: int = 0,
+    gap: int = 5,
+    rule: bool = True,
+    exploring: bool = False,
+    look_ahead: int = 1,
+    file: str | None = None,
+    policy: str | None = None,
+) -> Dispatched:
+    """Carry out commands, or the orders of a dispatch file (by default that beside the layout), one for each train of
+    the fleet; `timings`: run them so many times, each train `gap` scans later from run to run."""
+    checked = derive_file(path)
+    if not checked.ok or checked.layout is None or checked.table is None:
+        return Dispatched(checked, checked.diagnostics)
+    layout, table, sink = checked.layout, checked.table, Sink()
+    railway = Railway(table, layout)
+    derived: tuple[Derived, ...] = ()
+    texts: dict[str, str] = {}
+    if commands:
+        setting = _setting(railway, commands, length_m, sink)
+    else:
+        setting, derived = _shift(railway, file or beside(path), sink, texts)
+    if setting is None:
+        return Dispatched(checked, sink.diagnostics, texts=texts)
+    found = Dispatched(checked, (), setting.errands, rule=rule, derived=derived)
+    controller = lower(layout, table)
+    replay = Replay(layout, controller, System(layout, controller).plant)
+    found.answer = Planner(setting.built.problem).solve(setting.built.start)
+    p = setting.built.problem
+    if found.answer.verdict is Verdict.PLAN:
+        found.plan = setting.plan(layout.digest, found.answer.plan)
+        (found.replayed,) = replay.check([found.plan])
+    found.caught = tuple(
+        t for t, bits in zip(p.trains, p.nodes, strict=True) if any(b & found.answer.caught for b in bits)
+    )
+    if exploring:
+        try:
+            found.explored = explore(p, setting.built.start)
+        except TooManyStates as error:
+            sink.add("IL6007", f"{error}: UNKNOWN which of them lead nowhere", None, "command fewer trains")
+            found.diagnostics = sink.diagnostics
+            return found
+        if found.explored.shortest is not None:
+            found.story = setting.story(found.explored.shortest)
+            found.shown = setting.shown(replay, layout.digest, found.explored.shortest)
+    if timings:
+        ground = Ground(layout, table, controller)
+        runs = [_run(setting.errands, k - timings // 2, gap, commands) for k in range(timings)]
+        how = None if policy is None else Policy(policy)
+
+        def make() -> Dispatcher:
+            return Dispatcher(ground.railway, controller.symbols, rule=rule, look_ahead=look_ahead, policy=how)
+
+        found.outcomes = ground.run(runs, make)
+    return found
+
+
+def _run(errands: Sequence[Errand], k: int, gap: int, voyages: Sequence[str]) -> list[Coming]:
+    """The k-th timing: each train so many scans after the one before it, or before it where k is negative."""
+    named = [*voyages, *[""] * len(errands)]
+    due = [abs(k) * gap * (i if k >= 0 else len(errands) - 1 - i) for i in range(len(errands))]
+    return [Coming(e, 0, at, voyage=v) for e, at, v in zip(errands, due, named, strict=False)]
+
+
+def _setting(railway: Railway, commands: Sequence[str], length_m: float, sink: Sink) -> Setting | None:
+    errands: list[Errand] = []
+    for c in commands:
+        try:
+            one = errand(railway, c, length_m)[0]
+            if any(e.train == one.train for e in errands):
+                raise BadOrder("IL6004", f"{one.train} is commanded twice", (), one.train)
+            railway.draft(one)
+            errands.append(one)
+        except BadOrder as error:
+            fix = did_you_mean(error.word, error.known) or ("known: " + ", ".join(error.known) if error.known else "")
+            sink.add(error.code, f"{c}: {error.text}", None, fix)
+        except (NoVoyage, TooManyPlaces) as error:
+            sink.add("IL6005", f"{c}: {error}", None, "name another destination, or a place on the way")
+    return None if sink.has_errors else Setting(railway, errands)
+
+
+def _shift(
+    railway: Railway, file: str, sink: Sink, texts: dict[str, str]
+) -> tuple[Setting | None, tuple[Derived, ...]]:
+    """The fleet of a dispatch file, each train with one order, in turn."""
+    orders = load(file, railway.layout, sink)
+    if orders is None:
+        return None, ()
+    texts[orders.name] = orders.text
+    derived = Derivation(railway, orders, sink).run()
+    if not sink.has_errors and not derived:
+        sink.add("IL6003", f"{file} has no orders", orders.root.span, "add `fleet`, `places` and `orders`")
+    if sink.has_errors:
+        return None, derived
+    errands = [derived[k % len(derived)].journeys[n].errand for k, n in enumerate(orders.file.fleet)]
+    return Setting(railway, errands), derived
+
+
+def replay_file(path: str, plan: str) -> tuple[Checked, tuple[Diagnostic, ...], Replayed | None]:
+    """A plan file replayed on a layout."""
+    checked, sink = derive_file(path), Sink()
+    if not checked.ok or checked.layout is None or checked.table is None:
+        return checked, checked.diagnostics, None
+    try:
+        text = Path(plan).read_text("utf-8")
+        controller = lower(checked.layout, checked.table)
+        replay = Replay(checked.layout, controller, System(checked.layout, controller).plant)
+        return checked, (), replay.check([from_text(text)])[0]
+    except (OSError, UnicodeDecodeError) as error:
+        sink.add("IL6006", f"{plan}: {getattr(error, 'strerror', None) or 'it is not UTF-8 text'}", None, "")
+    except BadPlan as error:
+        sink.add("IL6006", f"{plan}: {error}", None, "make it again with --plan")
+    return checked, sink.diagnostics, None

@@ -1,0 +1,94 @@
+"""What a code means: of a diagnostic, a rule, a claim, an assumption, or a principle."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from importlib import resources
+
+from interlock.diag.codes import CODES
+from interlock.logic.plant import ASSUMPTIONS
+from interlock.model.principles import MEANING, PROFILES
+from interlock.proof.invariants import CLAIMS
+
+LEVELS = {
+    "T": "It is claimed of trains, whatever the controller shows",
+    "S": "It is claimed of signals and requests",
+    "L": "It is claimed of locks",
+    "P": "It is claimed of points and of what drives them",
+    "I": "It is claimed of indications and alarms",
+    "D": "It is claimed of delays",
+}
+
+
+@dataclass(frozen=True)
+class Topic:
+    """Something that can be explained; `severity` of a diagnostic alone."""
+
+    code: str
+    kind: str
+    title: str
+    severity: str | None = None
+
+
+def topics() -> tuple[Topic, ...]:
+    """All of them, kind by kind."""
+    pages = {p.name[:-3]: p for p in _docs("rules").iterdir() if re.fullmatch(r"R\d+\.md", p.name)}
+    rules = sorted(pages, key=lambda r: int(r[1:]))
+    headings = {r: pages[r].read_text("utf-8").split("\n")[0].removeprefix(f"# {r} ") for r in rules}
+    return (
+        *(Topic(code, "diagnostic", title, str(severity)) for code, (severity, title) in CODES.items()),
+        *(Topic(r, "rule", headings[r]) for r in rules),
+        *(Topic(code, "claim", sentence) for code, sentence in CLAIMS.items()),
+        *(Topic(code, "assumption", sentence) for code, sentence in ASSUMPTIONS.items()),
+        *(Topic(code, "principle", told) for code, told in MEANING.items()),
+    )
+
+
+def topic(code: str) -> Topic | None:
+    """What a code names, in capitals or not; R6.2 is explained where R6 is."""
+    wanted = code.lower()
+    if re.fullmatch(r"r\d+\.\d+", wanted):
+        wanted = wanted.split(".")[0]
+    return next((t for t in topics() if t.code.lower() == wanted), None)
+
+
+def explain(code: str) -> str | None:
+    """The page of a code; None when it names nothing."""
+    found = topic(code)
+    if found is None:
+        return None
+    if found.kind == "diagnostic":
+        return _docs(f"codes/{found.code}.md").read_text("utf-8")
+    if found.kind == "rule":
+        return _docs(f"rules/{found.code}.md").read_text("utf-8")
+    return f"# {found.code}, {_ARTICLE[found.kind]} {found.kind}\n\n{_page(found)}"
+
+
+_ARTICLE = {"claim": "a", "assumption": "an", "principle": "a"}
+
+
+def _page(found: Topic) -> str:
+    if found.kind == "claim":
+        return (
+            f"{found.title}\n\n{LEVELS[found.code[0]]}, for every state that the controller and the trains can reach "
+            "together.  `interlock prove LAYOUT` says at how many places of the layout it has something to claim, and "
+            "its verdict; a refuted one is told as a story.\n"
+        )
+    if found.kind == "assumption":
+        return (
+            f"{found.title}\n\nEvery claim is proved under this assumption and the others (`interlock explain` lists "
+            "them): where it does not hold on the ground, nothing that rests on it is proved.\n"
+        )
+    values = [f"| {profile} | {_word(getattr(p, found.code))} |" for profile, p in PROFILES.items()]
+    table = "\n".join(["| profile | value |", "|---|---|", *values])
+    told = found.title[0].upper() + found.title[1:]
+    return f"{told}.\n\n{table}\n\nA layout overrides it: `principles: {{{found.code}: ...}}`.\n"
+
+
+def _word(x: object) -> str:
+    return ("yes" if x else "no") if isinstance(x, bool) else f"{x:g}" if isinstance(x, float) else str(x)
+
+
+def _docs(name: str) -> resources.abc.Traversable:
+    return resources.files("interlock").joinpath(f"docs/{name}")

@@ -1,0 +1,170 @@
+"""The program as a library: what `import interlock` offers, each step a function from one frozen value to the next.
+
+Nothing here prints, and nothing of a layout is kept when its values are let go.  Threads take turns (expressions are
+made with one table at a time); to prove several layouts at once, use processes.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from interlock.app.check import Checked, audited, check_file, derived, second_opinion
+from interlock.diag import Diagnostic, Severity, Sink
+from interlock.diag.render import full
+from interlock.emit.bundle import is_bundle, write_folder
+from interlock.frontend import Source, load_text
+from interlock.frontend import load as load_file
+from interlock.logic.controller import Controller
+from interlock.logic.expr import interning
+from interlock.logic.lower import lower as lower_table
+from interlock.model.layout import Layout
+from interlock.proof.limits import Limits
+from interlock.proof.verdict import ClaimResult, Progress, ProofResult, Verdict, Witness, quiet
+from interlock.table.rows import InterlockingTable
+
+
+class LayoutError(Exception):
+    """A layout that has errors; `diagnostics` has all of them, each with its code, place and fix, and the message is
+    what `interlock check` would print."""
+
+    def __init__(self, diagnostics: tuple[Diagnostic, ...], sources: Mapping[str, str]) -> None:
+        super().__init__(full([d for d in diagnostics if d.severity is Severity.ERROR], sources))
+        self.diagnostics = diagnostics
+
+
+class NotProved(Exception):
+    """Something is refuted or open, so that nothing may be written."""
+
+
+@dataclass(frozen=True)
+class Compiled:
+    """What became of a layout: its proof, and its outputs by their path in the folder.
+
+    Unless everything is proved there is neither PLC text nor runtime among the files.
+    """
+
+    layout: Layout
+    proof: ProofResult
+    proved: bool
+    """Every claim is proved, every route driven by its witness, and every text equals the controller."""
+    diagnostics: tuple[Diagnostic, ...]
+    files: Mapping[str, bytes] = field(repr=False)
+
+    def write(self, folder: str | os.PathLike[str]) -> Path:
+        """Write the files to a folder that bears the layout's name, in a folder of outputs; returns it.
+
+        An older output is replaced as a whole.  Raises `NotProved` when something is not proved, FileExistsError when
+        something is there that interlock has not written, and OSError.
+        """
+        if not self.proved:
+            raise NotProved(f"{self.layout.name} is not proved")
+        target = Path(folder) / self.layout.name
+        if not is_bundle(target):
+            raise FileExistsError(f"{target} exists and was not made by interlock")
+        write_folder(target, self.files)
+        return target
+
+
+def load(path: str | os.PathLike[str]) -> Layout:
+    """The layout in a file.  Raises `LayoutError` when it cannot be read or has errors."""
+    sink = Sink()
+    layout, source = load_file(os.fspath(path), sink)
+    return _sound(layout, source, sink)
+
+
+def loads(text: str, name: str = "layout.yaml") -> Layout:
+    """The layout in a text; `name` is how its diagnostics call it.  Raises `LayoutError`."""
+    sink = Sink()
+    layout, source = load_text(name, text, sink)
+    return _sound(layout, source, sink)
+
+
+def _sound(layout: Layout | None, source: Source, sink: Sink) -> Layout:
+    if layout is None or sink.has_errors:
+        raise LayoutError(sink.diagnostics, {source.file: source.text})
+    return layout
+
+
+def check(path: str | os.PathLike[str]) -> Checked:
+    """A layout file with all of its diagnostics, warnings too; its layout and table are None when it has errors."""
+    return check_file(os.fspath(path))
+
+
+def derive(layout: Layout) -> InterlockingTable:
+    """The interlocking table of a layout, seen in the same way by the audit.  Raises `LayoutError`."""
+    found = derived(layout.name, layout, Source(layout.name, ""), Sink())
+    found = audited(found, second_opinion(found))
+    if not found.ok or found.table is None:
+        raise LayoutError(found.diagnostics, {})
+    return found.table
+
+
+def lower(layout: Layout, table: InterlockingTable) -> Controller:
+    """The controller of a table."""
+    with interning():
+        return lower_table(layout, table)
+
+
+def prove(
+    layout: Layout,
+    controller: Controller,
+    *,
+    jobs: int = 1,
+    engine: str = "minisat",
+    search_depth: int = 16,
+    search_seconds: float = 60.0,
+    progress: Progress = quiet,
+) -> ProofResult:
+    """One verdict for each claim about a controller and the trains on its layout; UNKNOWN is never green.
+
+    `jobs` processes (forks); `engine` is minisat, z3 or cvc5 (extra `recheck`); what does not follow is searched for
+    in runs of `search_depth` scans, for `search_seconds` a claim.
+    """
+    from interlock.proof.runner import prove as decide
+    from interlock.proof.system import System
+
+    limits = Limits(engine=engine, jobs=jobs, search_depth=search_depth, search_s=search_seconds)
+    with interning(controller.nodes):
+        return decide(System(layout, controller), limits, progress)
+
+
+def compile(layout: Layout, *, jobs: int = 1, dialects: tuple[str, ...] = (), progress: Progress = quiet) -> Compiled:
+    """Derive, audit, lower and prove a layout, write its texts, read them back and compare them: all outputs.
+
+    Raises `LayoutError`.  `dialects`: other tools' forms of the PLC text, beside the portable one.
+    """
+    from interlock.app.compile import build_derived, finish
+
+    begun = derived(layout.name, layout, Source(layout.name, ""), Sink())
+    proved, files = build_derived(begun, limits=Limits(jobs=jobs), progress=progress, dialects=dialects)
+    if proved.proof is None:
+        raise LayoutError(proved.checked.diagnostics, {})
+    told = (*proved.checked.diagnostics, *proved.notes)
+    return Compiled(layout, proved.proof, proved.green, told, finish(proved.checked, files))
+
+
+__all__ = [
+    "Checked",
+    "ClaimResult",
+    "Compiled",
+    "Controller",
+    "Diagnostic",
+    "InterlockingTable",
+    "Layout",
+    "LayoutError",
+    "NotProved",
+    "ProofResult",
+    "Severity",
+    "Verdict",
+    "Witness",
+    "check",
+    "compile",
+    "derive",
+    "load",
+    "loads",
+    "lower",
+    "prove",
+]

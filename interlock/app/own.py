@@ -1,0 +1,43 @@
+"""Single files that commands write: one that interlock has not written, or that somebody has changed since, is never
+overwritten unless that is asked for.
+
+A file is ours if its last line says so with the SHA-256 of all before it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from pathlib import Path
+
+MARK = b"written by interlock, sha256 "
+LINE = re.compile(rb"(?:<!-- )?" + MARK + rb"([0-9a-f]{64})(?: -->)?\n\Z")
+FRAMES = {".aig": (b"", b"\n")}
+"""What stands around the mark, by ending; elsewhere (SVG, HTML) it is a comment."""
+
+
+class NotOurs(Exception):
+    """The file is there, and was not written by interlock; the message says so, and what to do."""
+
+
+def is_ours(data: bytes) -> bool:
+    """Whether these bytes were written by interlock, and are as it wrote them."""
+    found = LINE.search(data)
+    return found is not None and hashlib.sha256(data[: found.start()]).hexdigest().encode() == found[1]
+
+
+def write_own(target: Path, data: bytes, source: Path, force: bool = False) -> int:
+    """Write a file with its mark; the number of bytes.  Raises `NotOurs`, and OSError.
+
+    `source`: what it is made from, which is never overwritten.  `force`: overwrite what is not ours.
+    """
+    if target.exists():
+        if source.exists() and target.samefile(source):
+            raise NotOurs(f"{target} is what is to be read: choose another file with -o")
+        if not force and not is_ours(target.read_bytes()):
+            raise NotOurs(f"{target} exists and is not as interlock wrote it; --force overwrites it")
+    before, after = FRAMES.get(target.suffix, (b"<!-- ", b" -->\n"))
+    body = data if data.endswith(b"\n") else data + b"\n"
+    body += before + MARK + hashlib.sha256(body).hexdigest().encode() + after
+    target.write_bytes(body)
+    return len(body)

@@ -1,0 +1,149 @@
+"""What the words of the specification mean that tell what lies ahead of a path: overlaps, foul joints, conditions, the
+line beyond a boundary."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from typing import Any
+
+from interlock.checker.formula import Formula
+from interlock.checker.lengths import FoulJoint
+from interlock.checker.railway import Calling, Demand, Path, Signal, Way
+from interlock.checker.words import Entrance, Topology, fact
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """An alternative of a signal's overlap, by its number from 1."""
+
+    signal: Signal
+    number: int
+    path: Path
+
+
+class Ahead(Topology):
+    """Words of what lies ahead."""
+
+    # --- overlaps ---
+
+    @cached_property
+    def overlaps(self) -> list[Overlap]:
+        """Every alternative of every signal's overlap."""
+        those = self.lengths.overlaps.items()
+        return [Overlap(self.r.signals[g], n, p) for g, paths in those for n, p in enumerate(paths, 1)]
+
+    def w_overlapped(self) -> list[Signal]:
+        """The signals with an overlap."""
+        return [self.r.signals[g] for g in self.lengths.overlaps]
+
+    def w_overlaps_over(self, s: str) -> list[Signal]:
+        """The signals of which an overlap lies over a section."""
+        those = (o.signal for o in self.overlaps if any(w.section == s for w in o.path.ways))
+        return list(dict.fromkeys(those))
+
+    def w_sections_under(self, o: Overlap) -> list[str]:
+        return [w.section for w in o.path.ways]
+
+    def w_overlaps_held(self, s: str) -> list[Overlap]:
+        return [o for o in self.overlaps if any(w.section == s for w in o.path.ways)]
+
+    def w_overlapped_from(self, s: str) -> list[Signal]:
+        """The signals with an overlap before which a train in a section may come to a stand."""
+        return [g for g in self.r.signals_out(s) if g.name in self.lengths.overlaps]
+
+    def w_before_overlapped(self) -> list[str]:
+        return [s for s in self.r.sections if self.w_overlapped_from(s)]
+
+    def _leads(self, h: Signal, s: str, j: str) -> bool:
+        """An overlap goes on from a section over its end."""
+        ahead = self.r.beyond(s, j)
+        steps = (x for o in self.overlaps if o.signal == h for x in pairwise(o.path.ways))
+        return any(a.section == s and a.exit == j and b.section == ahead for a, b in steps)
+
+    def w_within_overlap(self, h: Signal, s: str, j: str) -> Formula:
+        return fact(self._leads(h, s, j))
+
+    def w_stop_failed(self, h: Signal, s: str, j: str) -> list[Signal]:
+        """The signal itself, where it governs leaving the section there."""
+        return [h] if (h.node, h.into) == (j, self.r.beyond(s, j)) else []
+
+    def w_overrun_at(self, s: str, j: str) -> list[Signal]:
+        """The signals that a train may be overrunning that leaves a section there."""
+        return [h for h in self.w_overlapped() if self._leads(h, s, j) or self.w_stop_failed(h, s, j)]
+
+    def w_swings_in_time(self, g: Signal) -> list[str]:
+        """The machines of an overlap that swings while no train can come so far."""
+        if not self.lengths.swings_in_time(g):
+            return []
+        ways = [w for o in self.overlaps if o.signal == g for w in o.path.ways]
+        over = [d for d, those in self.r.devices.items() if any(w.section in those for w in ways)]
+        return list(dict.fromkeys([*(d.machine for w in ways for _, d in w.points), *over]))
+
+    def w_overlap_paths(self, c: Calling) -> list[Path]:
+        """The paths of trains to a signal with an overlap."""
+        return [p for p in self.r.paths(c) if not c.shunt and self.w_overlaps_beyond(p)]
+
+    def w_overlaps_beyond(self, p: Path) -> list[Path]:
+        g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
+        return [] if g is None else self.lengths.overlaps.get(g.name, [])
+
+    # --- foul joints ---
+
+    def w_foul_joints(self) -> list[FoulJoint]:
+        return self.lengths.foul_joints
+
+    def w_foul_of(self, p: Path) -> list[FoulJoint]:
+        return [f for f in self.lengths.foul_joints if any(map(f.fouls, p.ways))]
+
+    def w_fouled(self, f: FoulJoint) -> str:
+        return f.section
+
+    def w_beside(self, f: FoulJoint) -> str:
+        return f.neighbour
+
+    def w_fouled_ways(self, f: FoulJoint) -> list[Way]:
+        return [w for w in self.r.ways[f.section] if f.fouls(w)]
+
+    def w_ways_at_joint(self, f: FoulJoint) -> list[Way]:
+        return [w for w in self.r.ways[f.neighbour] if f.node in (w.entry, w.exit)]
+
+    def w_keeps_away(self, f: FoulJoint) -> list[Demand]:
+        """The neighbour's point that leads to the joint, if one does."""
+        return [] if f.when is None else [f.when]
+
+    # --- conditions, lines beyond, zones ---
+
+    @property
+    def _conditions(self) -> Mapping[str, Mapping[str, Any]]:
+        told = dict(self.r.body.get("conditions") or {})
+        for b, v in self.r.boundaries.items():  # R12: the block of a line is a condition of leaving
+            if v.get("block", "none") in ("automatic", "semi-automatic") and v.get("trains", "both") != "in":
+                told[f"BF/{b}"] = {"exits": [b]}
+        return told
+
+    def w_conditions(self, c: Calling, p: Path) -> list[str]:
+        out = []
+        for name, v in self._conditions.items():
+            over, exits = set(v.get("over") or ()), set(v.get("exits") or ())
+            leaves = not c.shunt and p.last.exit in exits
+            if c.name in (v.get("signals") or ()) or any(w.section in over for w in p.ways) or leaves:
+                out.append(name)
+        return out
+
+    def w_line_beyond(self, c: Calling, p: Path) -> list[str]:
+        """The line beyond, where a train's path leads over a boundary and the section there is reported."""
+        a = self.r.approach.get(p.last.exit)
+        return [a] if a is not None and not c.shunt else []
+
+    def w_tokens(self) -> list[str]:
+        """The boundaries of lines with a direction token."""
+        return [b for b, v in self.r.boundaries.items() if v.get("block") == "token"]
+
+    def w_token_of(self, b: Entrance) -> list[str]:
+        return [b.node] if b.node in self.w_tokens() else []
+
+    def w_token_beyond(self, c: Calling, p: Path) -> list[str]:
+        return [p.last.exit] if p.last.exit in self.w_tokens() and not c.shunt else []

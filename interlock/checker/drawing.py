@@ -1,0 +1,296 @@
+"""What a layout file draws: stretches of track between nodes, points, diamonds, and where the track ends.
+
+Read with PyYAML as plain text, and with nothing of the product's own reading.  A joint between sections a and b is
+named `a|b@` and the end of a track, point or crossing that lies there first in the alphabet, or the place on a track:
+only so can the names of a written system be compared.  A slip is two points toe to toe, or a diamond with a point on
+either arm; a derailer is a point whose normal leg leads off the rails.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from interlock.verify import Rejected, need
+
+_KEYS = """
+interlock name title profile principles boundaries buffers traps tracks points crossings slips derailers
+level_crossings interlocks signals distants sections conditions zones overlaps waive exclude automatic
+routes voyages substations addresses drawing telegram allow
+"""
+KEYS = frozenset(_KEYS.split())
+"""The keys that are known; those of the last line say nothing of what is claimed."""
+
+PRINCIPLES = Path(__file__).parent.parent / "spec" / "principles.yaml"
+
+
+class Unread(Exception):
+    """The layout has something of which this reader knows nothing."""
+
+
+def loaded(text: str) -> Any:
+    """YAML with every scalar as the text that it is."""
+    return yaml.load(text, yaml.BaseLoader)
+
+
+@dataclass(frozen=True)
+class Edge:
+    """A stretch of track between two nodes."""
+
+    name: str
+    a: str
+    b: str
+    section: str
+    length: float
+    one_way: bool
+
+    def far(self, node: str) -> str:
+        """The other end."""
+        return self.b if self.a == node else self.a
+
+
+@dataclass(frozen=True)
+class Point:
+    """A point with the names of its three edges.  kmh: over the reverse leg."""
+
+    name: str
+    machine: str
+    section: str
+    toe: str
+    normal: str
+    reverse: str
+    fouling: float
+    keyed: bool = False
+    kmh: float | None = None
+
+    def leg(self, position: str) -> str:
+        """The edge to which the point leads in a position."""
+        return self.normal if position == "N" else self.reverse
+
+    def position(self, edge: str) -> str | None:
+        """The position that leads to an edge; None for the toe."""
+        return {self.normal: "N", self.reverse: "R"}.get(edge)
+
+
+@dataclass(frozen=True)
+class Diamond:
+    """Two arms, each a pair of edges, that cross at one node."""
+
+    name: str
+    arms: tuple[tuple[str, str], tuple[str, str]]
+
+
+@dataclass
+class Drawing:
+    """The layout as a graph.  off_rails: nodes behind derailers."""
+
+    body: Mapping[str, Any]
+    rules: Mapping[str, str]
+    boundaries: dict[str, Mapping[str, str]] = field(default_factory=dict)
+    buffers: set[str] = field(default_factory=set)
+    off_rails: set[str] = field(default_factory=set)
+    edges: dict[str, Edge] = field(default_factory=dict)
+    points: dict[str, Point] = field(default_factory=dict)
+    diamonds: dict[str, Diamond] = field(default_factory=dict)
+    at: dict[str, list[Edge]] = field(default_factory=dict)
+
+    def rule(self, name: str) -> float:
+        """A principle that is a number."""
+        return float(self.rules[name])
+
+    def asks(self, name: str) -> bool:
+        """A principle that is yes or no."""
+        return self.rules[name] in ("yes", "true")
+
+    def onward(self, node: str, e: Edge) -> list[Edge]:
+        """Whereto a vehicle can go on that comes over an edge: over a point from the toe to either leg, from a leg to
+        the toe; over a diamond and a joint straight on."""
+        point, diamond = self.points.get(node), self.diamonds.get(node)
+        if point is not None:
+            names = [point.normal, point.reverse] if e.name == point.toe else [point.toe]
+            return [self.edges[n] for n in names]
+        if diamond is not None:
+            return [self.edges[b if a == e.name else a] for a, b in diamond.arms if e.name in (a, b)]
+        return [x for x in self.at[node] if x.name != e.name]
+
+
+def drawing(body: Mapping[str, Any]) -> Drawing:
+    """The graph of a layout."""
+    strange = sorted(set(body) - KEYS)
+    if strange:
+        raise Unread(", ".join(strange))
+    return _Drawer(body).drawn
+
+
+def _rules(body: Mapping[str, Any]) -> dict[str, str]:
+    """The principles of the layout's profile, with what it states itself."""
+    book = loaded(PRINCIPLES.read_text("utf-8"))
+    elsewhere = book.pop("elsewhere")
+    profile, own = body.get("profile", "generic"), body.get("principles") or {}
+    strange = sorted(set(own) - set(book["generic"]) - set(elsewhere))
+    if profile not in book or strange:
+        raise Unread(f"profile {profile} or principles {strange}")
+    return {**book["generic"], **book[profile], **own}
+
+
+class _Drawer:
+    def __init__(self, body: Mapping[str, Any]) -> None:
+        self.body = body
+        self.drawn = d = Drawing(body, _rules(body))
+        d.boundaries = {b: v or {} for b, v in self._part("boundaries")}
+        d.buffers = {*(body.get("buffers") or ()), *(body.get("traps") or ())}
+        self.tracks = {name: self._track(items) for name, items in self._part("tracks")}
+        self.mates: dict[str, str] = {}
+        self._join_all()
+        for name, (_, parts, _) in self.tracks.items():
+            self._draw_track(name, parts)
+        for name, v in self._part("points"):
+            self._draw_point(name, v)
+        for name, v in self._part("crossings"):
+            self._draw_crossing(name, v)
+        for name, v in self._part("slips"):
+            self._draw_slip(name, v)
+        for name, v in self._part("derailers"):
+            self._draw_derailer(name, v)
+        for e in d.edges.values():
+            for n in (e.a, e.b):
+                d.at.setdefault(n, []).append(e)
+
+    def _part(self, key: str) -> Iterator[tuple[str, Any]]:
+        yield from (self.body.get(key) or {}).items()
+
+    @staticmethod
+    def _track(items: list[str]) -> tuple[str, list[tuple[str, float]], str]:
+        words = [x.split() for x in items]
+        first = words[0][0] if len(words[0]) == 1 else ""
+        last = words[-1][0] if len(words[-1]) == 1 else ""
+        return first, [(w[0], float(w[1])) for w in words if len(w) == 2], last
+
+    # --- what is joined to what: `track.start`, `point.toe`, `crossing.1a`, the name of a boundary or buffer ---
+
+    def _join_all(self) -> None:
+        for t, (first, _, last) in self.tracks.items():
+            self._join(f"{t}.start", first)
+            self._join(f"{t}.end", last)
+        for part, ends in (("points", ("toe", "normal", "reverse")), ("derailers", ("outer", "inner"))):
+            for p, v in self._part(part):
+                for end in ends:
+                    self._join(f"{p}.{end}", v.get(end))
+        for c, v in self._part("crossings"):
+            self._join_arms(c, [arm["ends"] for arm in v["arms"]])
+        for c, v in self._part("slips"):
+            self._join_arms(c, v["arms"])
+
+    def _join_arms(self, name: str, arms: list[list[str]]) -> None:
+        for i, arm in enumerate(arms, 1):
+            for side, ref in zip("ab", arm, strict=True):
+                self._join(f"{name}.{i}{side}", ref)
+
+    def _join(self, a: str, b: str | None) -> None:
+        if not b:
+            return
+        known = "." in b or b in self.drawn.boundaries or b in self.drawn.buffers
+        need(known, f"the layout knows no end {b}")
+        for x, y in ((a, b), (b, a)):
+            need(self.mates.setdefault(x, y) == y, f"the layout joins {x} twice")
+
+    def _section_at(self, port: str) -> str:
+        name, _, end = port.partition(".")
+        if name in self.tracks:
+            return self.tracks[name][1][0 if end == "start" else -1][0]
+        if name in (self.body.get("crossings") or {}):
+            return str(self.body["crossings"][name]["arms"][int(end[0]) - 1]["section"])
+        return next(str(v["section"]) for k in ("points", "slips", "derailers") for p, v in self._part(k) if p == name)
+
+    def _node(self, port: str) -> str:
+        other = self.mates.get(port)
+        if other is None:
+            raise Rejected(f"the layout joins {port} to nothing")
+        for x in (port, other):
+            if x in self.drawn.boundaries or x in self.drawn.buffers:
+                return x
+        a, b = sorted((self._section_at(port), self._section_at(other)))
+        first, second = sorted((port, other))
+        return f"{a}|{b}@{first}" if a != b else f"{a}@{first}+{second}"
+
+    # --- edges ---------------------------------------------------------------------------------------
+
+    def _edge(self, name: str, a: str, b: str, length: float, section: str) -> str:
+        way = ((self.body.get("sections") or {}).get(section) or {}).get("one_way")
+        a, b = (b, a) if way == "backward" else (a, b)
+        self.drawn.edges[name] = Edge(name, a, b, section, length, way is not None)
+        return name
+
+    def _draw_track(self, name: str, parts: list[tuple[str, float]]) -> None:
+        here = self._node(f"{name}.start")
+        for i, (section, metres) in enumerate(parts):
+            if i == len(parts) - 1:
+                there = self._node(f"{name}.end")
+            elif parts[i + 1][0] == section:
+                there = f"{section}+{name}.{i}"
+            else:
+                a, b = sorted((section, parts[i + 1][0]))
+                there = f"{a}|{b}@{name}.{i}"
+            self._edge(f"{name}.{i}", here, there, metres, section)
+            here = there
+
+    def _leg(self, v: Mapping[str, Any]) -> float:
+        return float(v.get("legs", self.drawn.rules["leg_m"]))
+
+    def _fouling(self, v: Mapping[str, Any]) -> float:
+        return float(v.get("fouling", self.drawn.rules["fouling_m"]))
+
+    def _outward(self, name: str, node: str, end: str, v: Mapping[str, Any], section: str) -> str:
+        return self._edge(f"{name}.{end}", node, self._node(f"{name}.{end}"), self._leg(v), section)
+
+    def _draw_point(self, p: str, v: Mapping[str, Any]) -> None:
+        s = str(v["section"])
+        toe, normal, reverse = (self._outward(p, p, end, v, s) for end in ("toe", "normal", "reverse"))
+        work, kmh = v.get("work", "motor"), v.get("speed")
+        need(work in ("motor", "hand"), f"point {p} is worked in an unknown way")
+        machine = str(v.get("machine") or p)
+        self.drawn.points[p] = Point(
+            p, machine, s, toe, normal, reverse, self._fouling(v), work == "hand", None if kmh is None else float(kmh)
+        )
+
+    def _draw_crossing(self, c: str, v: Mapping[str, Any]) -> None:
+        arms = []
+        for i, arm in enumerate(v["arms"], 1):
+            a, b = (self._outward(c, c, f"{i}{side}", v, str(arm["section"])) for side in "ab")
+            arms.append((a, b))
+        self.drawn.diamonds[c] = Diamond(c, (arms[0], arms[1]))
+
+    def _draw_slip(self, c: str, v: Mapping[str, Any]) -> None:
+        s, ends = str(v["section"]), (f"{c}a", f"{c}b")
+        machines = list(v.get("machines") or ends)
+
+        def point(side: int, toe: str, normal: str, reverse: str) -> None:
+            name = ends[side]
+            machine = machines[side % len(machines)]
+            self.drawn.points[name] = Point(name, machine, s, toe, normal, reverse, self._fouling(v))
+
+        if not v.get("single"):
+            middle = self._edge(f"{c}.m", *ends, 1.0, s)
+            for i, side in enumerate("ab"):
+                point(i, middle, *(self._outward(c, ends[i], f"{n}{side}", v, s) for n in (1, 2)))
+            return
+        curve = self._edge(f"{c}.s", *ends, self._leg(v), s)
+        arms = {}
+        for i, end in enumerate(str(v["single"]).split("-")):
+            straight = self._edge(f"{c}.{end}x", ends[i], c, self._leg(v) / 2, s)
+            point(i, self._outward(c, ends[i], end, v, s), straight, curve)
+            other = f"{end[0]}{'b' if end[1] == 'a' else 'a'}"
+            arms[end[0]] = straight, self._outward(c, c, other, v, s)
+        self.drawn.diamonds[c] = Diamond(c, (arms["1"], arms["2"]))
+
+    def _draw_derailer(self, d: str, v: Mapping[str, Any]) -> None:
+        s, off = str(v["section"]), f"{d}.off"
+        outer, inner = (self._outward(d, d, end, v, s) for end in ("outer", "inner"))
+        rails = self._edge(f"{d}.off", d, off, 1.0, s)
+        self.drawn.buffers.add(off)
+        self.drawn.off_rails.add(off)
+        self.drawn.points[d] = Point(d, d, s, outer, rails, inner, 1.0)

@@ -1,0 +1,246 @@
+"""What follows from a layout's lengths and speeds: overlaps (R4), foul joints (R7), approaches (R8), braking."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+from interlock.checker.drawing import Edge
+from interlock.checker.railway import Demand, Path, Railway, Signal, Way
+
+
+@dataclass(frozen=True)
+class FoulJoint:
+    """A joint nearer to a point or diamond than a vehicle beyond it stands clear.
+
+    element, side: the point's position or the diamond's arm on which the joint lies; ways over the other one are
+    fouled.  when: the first point of the neighbour, if it leads vehicles to the joint in that position.
+    """
+
+    element: str
+    side: str | int
+    section: str
+    neighbour: str
+    node: str
+    when: Demand | None
+
+    def fouls(self, w: Way) -> bool:
+        """A vehicle at the joint stands in the way."""
+        if isinstance(self.side, str):
+            return any(p == self.element and d.position != self.side for p, d in w.points)
+        return any(c == self.element and arm != self.side for c, arm in w.arms)
+
+
+@dataclass(frozen=True)
+class Approach:
+    """A section from which a train may come to a signal, and over which ways from further away; None: unseen."""
+
+    section: str | None
+    further: tuple[tuple[Way, Approach], ...] = ()
+
+
+class Lengths:
+    """Of one railway."""
+
+    def __init__(self, railway: Railway) -> None:
+        self.r, self.d = railway, railway.drawn
+
+    # --- overlaps: from the signal to the first joint at or beyond their length ---
+
+    @cached_property
+    def overlaps(self) -> dict[str, list[Path]]:
+        """For each signal with an overlap its alternatives: those over fewest reversed points first."""
+        found = {}
+        told = self.r.body.get("overlaps") or {}
+        for g in self.r.signals.values():
+            metres = self._metres(told.get(g.name))
+            if not g.main or g.node in self.r.boundaries or metres <= 0:
+                continue
+            plain = [ways for ways in self._reach(g, metres, frozenset()) if _agrees(ways)]
+            # where a shorter alternative joins a longer one, it goes on as far: nobody knows how a train came there
+            steps = frozenset((a.section, a.exit, b.section) for ways in plain for a, b in pairwise(ways))
+            those = [ways for ways in self._reach(g, metres, steps) if _agrees(ways)]
+            those.sort(key=lambda ws: (_reversed(ws), [(w.section, w.number) for w in ws]))
+            if those:
+                found[g.name] = [Path(ways) for ways in those]
+        return found
+
+    def _metres(self, told: dict[str, str] | None) -> float:
+        """As stated; or as German examples have it: 50, 100 or 200 m to 40, 60 km/h or above, 10 % more for each
+        permille falling, 5 % less for each rising."""
+        if told is None:
+            return self.d.rule("overlap_m")
+        if told.get("successive") in ("yes", "true"):
+            return float("inf")
+        if "length" in told:
+            return float(told["length"])
+        kmh, falling = float(told["speed"]), float(told.get("falling", 0))
+        base = 50.0 if kmh <= 40 else 100.0 if kmh <= 60 else 200.0
+        return base * max(0.0, 1.0 + (0.10 if falling > 0 else 0.05) * falling)
+
+    def _reach(self, g: Signal, metres: float, steps: frozenset[tuple[str, str, str]]) -> Iterator[tuple[Way, ...]]:
+        def go(ways: tuple[Way, ...], gone: float) -> Iterator[tuple[Way, ...]]:
+            last = ways[-1]
+            ahead = self.r.beyond(last.section, last.exit)
+            enough = gone >= metres or (metres == float("inf") and (last.exit, ahead) in self.r.main_into)
+            if ahead is None or (enough and (last.section, last.exit, ahead) not in steps):
+                yield ways
+            elif all(w.section != ahead for w in ways):
+                for w in self.r.from_end(ahead, last.exit):
+                    yield from go((*ways, w), gone + w.length)
+
+        for w in self.r.from_end(g.into, g.node):
+            yield from go((w,), w.length)
+
+    # --- foul joints ---
+
+    @cached_property
+    def foul_joints(self) -> list[FoulJoint]:
+        """Joints nearer to a point or diamond than its fouling point and the clearance."""
+        found: list[FoulJoint] = []
+        margin = self.d.rule("clearance_m")
+        for p in self.d.points.values():
+            for side in ("N", "R"):
+                e = self.d.edges[p.leg(side)]
+                found += self._along(e, p.name, 0.0, p.section, (p.name, side, p.section), p.fouling + margin)
+        for c in self.d.diamonds.values():
+            for arm, edges in enumerate(c.arms):
+                across = self.d.edges[c.arms[1 - arm][0]].section
+                for n in edges:
+                    e = self.d.edges[n]
+                    needed = self.d.rule("fouling_m") + margin
+                    found += self._along(e, c.name, 0.0, e.section, (c.name, arm, across), needed)
+        return found
+
+    def _along(
+        self, e: Edge, node: str, gone: float, home: str, of: tuple[str, str | int, str], needed: float
+    ) -> Iterator[FoulJoint]:
+        far = e.far(node)
+        gone += e.length
+        if gone >= needed or far == of[0]:
+            return
+        for x in self.d.onward(far, e):
+            if x.section not in (home, of[2], e.section):
+                yield FoulJoint(*of, x.section, far, self._decider(x, far))
+            yield from self._along(x, far, gone, home, of, needed)
+
+    def _decider(self, e: Edge, node: str) -> Demand | None:
+        """The first point of the section behind a joint, if one of its legs leads to it."""
+        seen = {node}
+        while True:
+            node = e.far(node)
+            if node in seen or node in self.d.diamonds:
+                return None
+            seen.add(node)
+            p = self.d.points.get(node)
+            if p is not None:
+                x = p.position(e.name)
+                return None if x is None else Demand(p.machine, x)
+            onward = [x for x in self.d.at[node] if x.name != e.name and x.section == e.section]
+            if len(onward) != 1:
+                return None
+            e = onward[0]
+
+    # --- speeds, braking, times (milliseconds) ---
+
+    def kmh(self, section: str | None) -> float:
+        """The speed permitted in a section, or on the line."""
+        told = (self.r.told.get(section or "") or {}).get("speed")
+        return float(told) if told is not None else self.d.rule("line_speed_kmh")
+
+    def path_kmh(self, p: Path) -> float | None:
+        """The lowest speed stated along a path: of its sections, and over reversed points."""
+        told = [(self.r.told.get(w.section) or {}).get("speed") for w in p.ways]
+        over = [self.d.points[n].kmh for w in p.ways for n, d in w.points if d.position == "R"]
+        return min((float(v) for v in (*told, *over) if v is not None), default=None)
+
+    def halt(self, kmh: float) -> int:
+        """From the command of stop until a train stands: delay of outputs, reaction, braking."""
+        return round(1000 * (self._wait + kmh / 3.6 / self.d.rule("braking_ms2")))
+
+    def braking(self, kmh: float) -> float:
+        """Metres in which it stands."""
+        v = kmh / 3.6
+        return v * self._wait + v * v / (2 * self.d.rule("braking_ms2"))
+
+    @property
+    def _wait(self) -> float:
+        return self.d.rule("output_delay_s") + self.d.rule("reaction_s")
+
+    def before(self, g: Signal) -> str | None:
+        """The section or approach in rear of a signal, from which it is read."""
+        return self.r.approach.get(g.node) if g.node in self.r.boundaries else self.r.beyond(g.into, g.node)
+
+    def until_all_stand(self) -> int:
+        """Until every train stands that ran at a power cut: on to the next main signal at half the line's speed, then a
+        halt from the highest speed."""
+        known: dict[Way, float] = {}
+
+        def run(w: Way) -> float:
+            if w not in known:
+                known[w] = 0.0  # round a loop a train passes no place twice
+                ahead = self.r.beyond(w.section, w.exit)
+                on = ahead if ahead is not None and (w.exit, ahead) not in self.r.main_into else None
+                further = [run(x) for x in self.r.from_end(on, w.exit)] if on is not None else []
+                known[w] = w.length + max(further, default=0.0)
+            return known[w]
+
+        longest = max((run(w) for s in self.r.sections for w in self.r.ways[s]), default=0.0)
+        fastest = max(self.kmh(s) for s in [None, *self.r.sections])
+        return self.halt(fastest) + round(1000 * longest / (self.d.rule("line_speed_kmh") / 3.6 / 2))
+
+    def swings_in_time(self, g: Signal) -> bool:
+        """A train needs longer through the section before a signal than its swinging overlap may take to turn."""
+        told = (self.r.body.get("overlaps") or {}).get(g.name) or {}
+        s = self.before(g)
+        if told.get("swing") not in ("yes", "true") or s is None:
+            return False
+        metres = min((w.length for w in self.r.ways[s] if w.exit == g.node), default=0.0)
+        return metres / (self.kmh(s) / 3.6) >= self.d.rule("output_delay_s") + self.d.rule("point_supervision_s")
+
+    # --- from where a train may come to a signal (R8) ---
+
+    def approach(self, g: Signal) -> Approach:
+        """Everything in rear of a signal back to the braking distance, and to the first main signal announcing it."""
+        announced = not g.main or self.d.rules["caution"] == "never"
+        found = self._before(g, g.into, g.node, 0.0, 0.0, announced, frozenset({g.into}))
+        return Approach(None) if found is None else found
+
+    def _before(
+        self, g: Signal, ahead: str, node: str, gone: float, needed: float, announced: bool, seen: frozenset[str]
+    ) -> Approach | None:
+        """gone: metres from the signal to the node; needed: the longest braking distance so far."""
+        if node in self.r.boundaries:
+            b = self.r.boundaries[node]
+            if b.get("trains") == "out" and len(seen) > 1:
+                return None
+            words = b.get("approach", "").split()
+            far = bool(words) and gone + float(words[1]) >= max(needed, self._metres_to_stand(g, words[0]))
+            return Approach(words[0] if far else None)
+        s = self.r.beyond(ahead, node)
+        if s is None or s in seen:
+            return None
+        needed = max(needed, self._metres_to_stand(g, s))
+        further = []
+        for w in self.r.ways[s]:
+            done = announced or (w.entry, s) in self.r.main_into
+            if w.exit == node and not (done and gone + w.length >= needed):
+                x = self._before(g, s, w.entry, gone + w.length, needed, done, seen | {s})
+                further += [] if x is None else [(w, x)]
+        return Approach(s, tuple(further))
+
+    def _metres_to_stand(self, g: Signal, section: str) -> float:
+        kmh = self.kmh(section)
+        return self.braking(kmh if g.main else min(kmh, self.d.rule("shunt_speed_kmh")))
+
+
+def _agrees(ways: tuple[Way, ...]) -> bool:
+    """No machine is wanted both ways."""
+    wanted: dict[str, str] = {}
+    return all(wanted.setdefault(d.machine, d.position) == d.position for w in ways for _, d in w.points)
+
+
+def _reversed(ways: tuple[Way, ...]) -> int:
+    return sum(d.position == "R" for w in ways for _, d in w.points)

@@ -1,0 +1,443 @@
+"""What the words of the specification mean that tell of terminals, of the controller's own bits, and of timers."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any
+
+from interlock.checker.ahead import Ahead, Overlap
+from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, names, no, some
+from interlock.checker.lengths import Approach
+from interlock.checker.railway import Calling, Path, Signal, Way, safe
+from interlock.checker.words import fact
+from interlock.verify import need
+
+MAIN, CALL_ON, WHITE = ("YP", "YY"), ("YO",), ("YW",)
+"""Outputs of clear and caution, of the call-on aspect beside stop, of the shunt aspect."""
+
+REQUESTS = {"REQ": ("RQZ", "YRQ"), "LREQ": ("LRQZ", "YLRQ")}
+"""For each input of numbers the bit that tells that 0 was read there, and the output that acknowledges a number."""
+
+
+class Terminals(Ahead):
+    """Words at the terminals, and of the controller."""
+
+    # --- what the controller reads ---
+
+    def w_valid(self) -> Formula:
+        return leaf("VALID")
+
+    def w_healthy(self, s: str) -> Formula:
+        return leaf(f"SH_{safe(s)}") if self.r.drawn.asks("sensor_faults") else TRUE
+
+    def w_detectors(self) -> list[str]:
+        """Sections and approaches of which it is reported whether the detector is healthy."""
+        return self.w_reported() if self.r.drawn.asks("sensor_faults") else []
+
+    def w_clear(self, s: str) -> Formula:
+        """Reported clear by a healthy detector; never, without detection."""
+        if s in self.r.undetected or s.startswith("outside."):
+            return FALSE
+        return every((leaf(f"CLR_{safe(s)}"), self.w_healthy(s)))
+
+    def w_falsely(self, s: str) -> Formula:
+        """Reported occupied, though nobody is there before or after."""
+        o = leaf(f"o.{s}")
+        return every((no(self.w_clear(s)), no(o), no(self.after(o)), self.w_valid()))
+
+    def w_detected(self, m: str, x: str) -> Formula:
+        return leaf(f"D{x}_{safe(m)}")
+
+    def w_holds(self, c: str) -> Formula:
+        return leaf(f"E_{safe(c)}")
+
+    def w_blocked(self, s: str) -> Formula:
+        """The input that bars a section; one that is never locked has none."""
+        return leaf(f"BLK_{safe(s)}") if self.w_lockable(s) else FALSE
+
+    def w_cancel(self, g: Signal) -> Formula:
+        return leaf(f"CAN_{g.safe}")
+
+    def w_looked_at(self, m: str) -> Formula:
+        """Somebody confirms that he has looked at a trailed point."""
+        return leaf(f"TC_{safe(m)}")
+
+    def w_by_hand(self, s: str) -> Formula:
+        return leaf(f"REL_{safe(s)}")
+
+    def w_all_by_hand(self) -> Formula:
+        return leaf("RELALL")
+
+    def w_stop_intact(self, c: Calling) -> Formula:
+        return leaf(f"RL_{c.signal.safe}")
+
+    def w_clear_intact(self, g: Signal) -> Formula:
+        return leaf(f"GL_{g.safe}")
+
+    def w_last_intact(self, g: Signal) -> Formula:
+        """The lamp of the most restrictive proceed: caution, if there is one."""
+        return leaf(f"{'GL' if self.r.drawn.rules['caution'] == 'never' else 'CL'}_{g.safe}")
+
+    # --- what it shows ---
+
+    def lamps(self, g: Signal, kinds: tuple[str, ...]) -> list[str]:
+        return [f"{k}_{g.safe}" for k in kinds if f"{k}_{g.safe}" in self.state]
+
+    def w_lit(self, lamp: str) -> Formula:
+        return leaf(lamp)
+
+    def w_shows(self, c: Calling) -> Formula:
+        """Proceed to whom it speaks: trains by main lamps or by calling on, shunting movements by the white one."""
+        return some(map(leaf, self.lamps(c.signal, WHITE if c.shunt else (*MAIN, *CALL_ON))))
+
+    def w_opens(self, c: Calling) -> Formula:
+        """The same, but not by calling on."""
+        return some(map(leaf, self.lamps(c.signal, WHITE if c.shunt else MAIN)))
+
+    def w_opens_main(self, g: Signal) -> Formula:
+        return some(map(leaf, self.lamps(g, MAIN)))
+
+    def w_shows_any(self, g: Signal) -> Formula:
+        return some(self.w_shows(c) for c in self.r.callings(g))
+
+    def w_shows_clear(self, g: Signal) -> Formula:
+        return some(map(leaf, self.lamps(g, ("YP",))))
+
+    def w_calls_on(self, g: Signal) -> Formula:
+        return some(map(leaf, self.lamps(g, CALL_ON)))
+
+    def w_main_and_white(self, g: Signal) -> list[str]:
+        return self.lamps(g, (*MAIN, *WHITE))
+
+    @cached_property
+    def _speeds(self) -> dict[str, dict[str, float]]:
+        """The speed indicators by signals: outputs YV and the speed."""
+        known = {g.safe: g.name for g in self.w_signals()}
+        found: dict[str, dict[str, float]] = {g: {} for g in known.values()}
+        for name in self.state:
+            head, _, element = name.partition("_")
+            if head.startswith("YV") and head[2:].isdigit() and element in known:
+                found[known[element]][name] = float(head[2:])
+        return found
+
+    def w_speed_lamps(self, g: Signal) -> list[str]:
+        return sorted(self._speeds[g.name])
+
+    def w_faster_lamps(self, c: Calling, p: Path) -> list[str]:
+        """Indicators of more than a path permits."""
+        kmh = self.lengths.path_kmh(p)
+        return [n for n, v in self._speeds[c.name].items() if kmh is not None and v > kmh and not c.shunt]
+
+    def w_stop(self, g: Signal) -> Formula:
+        return leaf(f"YS_{g.safe}")
+
+    def w_opening(self) -> list[Signal]:
+        """The signals from which some route leads, so that they have lamps at all."""
+        return [g for g in self.w_signals() if f"YS_{g.safe}" in self.state]
+
+    def w_calling_on(self) -> list[Signal]:
+        return [g for g in self.w_signals() if g.call_on]
+
+    def w_cautioning(self) -> list[Signal]:
+        """Main signals, where the principles have a caution aspect."""
+        return [g for g in self.w_signals() if g.main and self.r.drawn.rules["caution"] != "never"]
+
+    def w_lamp_proved(self) -> list[Calling]:
+        return self.w_all_callings() if self.r.drawn.asks("lamp_proof") else []
+
+    def w_proceed_lamp_proved(self) -> list[Signal]:
+        """Signals that open for trains, where lamps are reported."""
+        asked = self.r.drawn.asks("lamp_proof")
+        return [g for g in self.w_opening() if asked and g.main and self.train_routes(g)]
+
+    def w_line_checked(self, p: Path) -> Formula:
+        """A departure is tied to the line beyond (R12), and is not too slow for clear (R11)."""
+        v = self.r.boundaries.get(p.last.exit)
+        tied = v is not None and (v.get("block", "none") != "none" or bool(v.get("approach")))
+        return fact(tied and not self._slow(p))
+
+    def _slow(self, p: Path) -> bool:
+        kmh = self.lengths.path_kmh(p)
+        return kmh is not None and kmh < self.r.drawn.rule("slow_below_kmh")
+
+    def w_next_open_for_clear(self, p: Path) -> list[Signal]:
+        """The next main signal, which clear needs open; under `turnout` no way over a reversed point is clear (R11)."""
+        if p.last.exit in self.r.boundaries or self._slow(p):
+            return []
+        turned = any(d.position == "R" for w in p.ways for _, d in w.points)
+        g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
+        return [] if g is None or (turned and self.r.drawn.rules["caution"] == "turnout") else [g]
+
+    def w_distants(self) -> list[str]:
+        return list(self.r.body.get("distants") or {})
+
+    def w_announced(self, d: str) -> Signal:
+        return self.r.signals[self.r.body["distants"][d]["of"]]
+
+    def w_distant_clear(self, d: str) -> Formula:
+        return leaf(f"YD_{safe(d)}")
+
+    def w_distant_caution(self, d: str) -> Formula:
+        return leaf(f"YC_{safe(d)}")
+
+    def w_driven(self, m: str, x: str) -> Formula:
+        return leaf(f"Y{x}_{safe(m)}")
+
+    def w_told_locked(self, s: str) -> Formula:
+        return leaf(f"YL_{safe(s)}")
+
+    def w_told_faulty(self, s: str) -> Formula:
+        return leaf(f"YF_{safe(s)}")
+
+    def w_told_late(self, m: str) -> Formula:
+        return leaf(f"YA_{safe(m)}")
+
+    def w_told_trailed(self, m: str) -> Formula:
+        return leaf(f"YT_{safe(m)}")
+
+    def w_told_full(self, z: str) -> Formula:
+        return leaf(f"YZ_{safe(z)}")
+
+    # --- the controller's own bits ---
+
+    def w_locked(self, w: Way) -> Formula:
+        return self.known(f"L_{safe(w.section)}_{w.number}")
+
+    def w_locked_overlap(self, o: Overlap) -> Formula:
+        return self.known(f"V_{o.signal.safe}_{o.number}")
+
+    def w_all_overlaps(self) -> list[Overlap]:
+        """Those that some route holds."""
+        return [o for o in self.overlaps if f"V_{o.signal.safe}_{o.number}" in self.state]
+
+    def w_swung(self, o: Overlap) -> Formula:
+        """The overlap of its signal swings in this scan."""
+        return self.known(f"VS_{o.signal.safe}")
+
+    def w_near_train(self, o: Overlap) -> Formula:
+        """The overlap may not swing now, or never: the section before its signal is not reported clear."""
+        return no(self.w_clear(self.w_before_of(o.signal))) if f"VS_{o.signal.safe}" in self.state else TRUE
+
+    def w_restart_lock(self, s: str) -> Formula:
+        return leaf(f"K_{safe(s)}")
+
+    def w_firm(self, s: str) -> Formula:
+        return leaf(f"F_{safe(s)}")
+
+    def w_for_train(self, s: str) -> Formula:
+        """The lock is for a train movement, where there are others."""
+        return leaf(f"M_{safe(s)}") if self.r.shunting else TRUE
+
+    def w_right_kind(self, c: Calling, s: str) -> Formula:
+        return no(self.w_for_train(s)) if c.shunt else self.w_for_train(s)
+
+    def w_used(self, s: str) -> Formula:
+        return leaf(f"U_{safe(s)}")
+
+    def w_stale(self, s: str) -> Formula:
+        """Inputs were lost while the section was locked, a train may have been missed; or it is for calling on."""
+        return leaf(f"D_{safe(s)}")
+
+    def w_passed(self, s: str) -> Formula:
+        return leaf(f"P_{safe(s)}")
+
+    def w_cancelled(self, g: Signal) -> Formula:
+        """The controller remembers that the signal was cancelled; one without routes is never."""
+        return self.known(f"X_{g.safe}")
+
+    def w_trailed(self, m: str) -> Formula:
+        return leaf(f"TR_{safe(m)}")
+
+    def w_was_right(self, m: str) -> Formula:
+        """It was detected where it was commanded."""
+        return leaf(f"TH_{safe(m)}")
+
+    def w_commanded(self, m: str, x: str) -> Formula:
+        return leaf(f"C{x}_{safe(m)}")
+
+    def w_turn_has_come(self, m: str) -> Formula:
+        """The machine may run: where machines start one after the other, its turn has come."""
+        return leaf(f"Z_{safe(m)}") if self.r.drawn.rule("point_start_gap_s") and m in self.w_powered() else TRUE
+
+    def w_full(self, z: str) -> Formula:
+        return leaf(f"ZF_{safe(z)}")
+
+    # --- its routes, by number; whom one is for is told by the lamp that its proceed lights ---
+
+    def w_routes(self) -> list[int]:
+        return sorted(int(n[3:]) for n in self.state if n.startswith("S_R") and n[3:].isdigit())
+
+    @cached_property
+    def _lit_by(self) -> dict[str, dict[int, None]]:
+        """For each lamp of a signal the routes whose proceed lights it."""
+        found: dict[str, dict[int, None]] = {}
+        for g in self.w_opening():
+            for lamp in self.lamps(g, (*MAIN, *CALL_ON, *WHITE)):
+                need(f"{lamp}'" in self.w.definitions, f"nothing says when {lamp} is lit")
+                read = {n.removesuffix("'") for n in names(self.w.definitions[f"{lamp}'"])}
+                found[lamp] = dict.fromkeys(int(n[3:]) for n in sorted(read) if n.startswith("S_R"))
+        return found
+
+    def _routes_by(self, g: Signal, kinds: tuple[str, ...]) -> list[int]:
+        return sorted({r for lamp in self.lamps(g, kinds) for r in self._lit_by[lamp]})
+
+    def train_routes(self, g: Signal) -> list[int]:
+        """Those for trains that are not called on."""
+        return self._routes_by(g, MAIN)
+
+    def w_routes_from(self, g: Signal) -> list[int]:
+        return self._routes_by(g, (*MAIN, *CALL_ON, *WHITE))
+
+    def w_routes_calling_on(self) -> list[int]:
+        return sorted({r for g in self.w_opening() for r in self._routes_by(g, CALL_ON)})
+
+    def w_passing(self, c: Calling) -> Formula:
+        """The signal is still open for a movement that has begun to pass it."""
+        kinds = WHITE if c.shunt else (*MAIN, *CALL_ON)
+        return some(self.known(f"PA_R{r}") for r in self._routes_by(c.signal, kinds))
+
+    def w_opened(self, r: int) -> Formula:
+        return leaf(f"S_R{r}")
+
+    def w_been_open(self, r: int) -> Formula:
+        return leaf(f"H_R{r}")
+
+    def w_set(self, r: int) -> Formula:
+        return leaf(f"A_R{r}")
+
+    def w_lockable_for_a_clear_movement(self, s: str) -> list[Way]:
+        """The ways over which nobody is called on, and in which no shunting movement ends."""
+        taken = set()
+        for g in self.w_opening():
+            for c in self.r.callings(g):
+                for p in self.r.paths(c):
+                    on = bool(self.lamps(g, CALL_ON)) and not c.shunt and not self.r.excluded(c, p)
+                    taken |= {w for w in p.ways if on} | {w for w in p.ways[-1:] if p.berth}
+        return [w for w in self.w_lockable(s) if w not in taken]
+
+    def w_automatic(self, r: int) -> Formula:
+        """The switch for automatic working of the route; a layout that names no automatic route has none."""
+        return leaf(f"AUTO_R{r}") if self.r.body.get("automatic") else FALSE
+
+    def w_requests(self) -> list[str]:
+        """The inputs at which routes are asked for by number, the one that is heard first before the other."""
+        order = {"none": ["REQ"], "first": ["LREQ", "REQ"], "last": ["REQ", "LREQ"]}
+        return order[self.r.drawn.rules["local_requests"]]
+
+    def w_asked(self, r: int) -> Formula:
+        """The route's number comes after 0, and nothing comes at an input that is heard before."""
+        found: list[Formula] = []
+        quiet: list[Formula] = []
+        for q in self.w_requests():
+            found.append(every((*quiet, self.w_waits_for_number(q), leaf(f"{q}={r}"))))
+            quiet.append(some((self.w_nothing_asked(q), no(self.w_waits_for_number(q)))))
+        return some(found)
+
+    def w_nothing_asked(self, q: str) -> Formula:
+        return leaf(f"{q}=0")
+
+    def w_waits_for_number(self, q: str) -> Formula:
+        """The scan before has read 0."""
+        return leaf(REQUESTS[q][0])
+
+    def w_acknowledged(self, q: str) -> Formula:
+        """The output that tells that a number was read."""
+        return leaf(REQUESTS[q][1])
+
+    # --- timers ---
+
+    def w_timers(self) -> list[str]:
+        return list(self.w.timers)
+
+    def w_over(self, t: str) -> Formula:
+        return leaf(t)
+
+    def w_waits(self, t: str) -> Formula:
+        need(t in self.w.timers, f"there is no timer {t}")
+        return leaf(self.w.timers[t][0])
+
+    def w_release_timer(self, s: str) -> str:
+        return f"RT_{safe(s)}"
+
+    def w_late_timer(self, m: str) -> str:
+        return f"ST_{safe(m)}"
+
+    def w_approach_timer(self, g: Signal) -> str:
+        return f"AT_{g.safe}"
+
+    def w_approach_timers(self, g: Signal) -> list[str]:
+        return [self.w_approach_timer(g)]
+
+    def w_standing_timer(self, g: Signal) -> str:
+        return f"OT_{g.safe}"
+
+    def w_standing_timers(self, g: Signal) -> list[str]:
+        return [self.w_standing_timer(g)]
+
+    def w_standing_timed(self) -> list[Signal]:
+        """The signals whose overlap is released when a train stands."""
+        return [g for g in self.w_overlapped() if f"OT_{g.safe}" in self.w.timers]
+
+    def w_hand_timer(self, b: str) -> str:
+        return f"BT_{safe(b)}"
+
+    def w_hand_timers(self, b: str) -> list[str]:
+        return [self.w_hand_timer(b)]
+
+    def w_restart_timer(self) -> str:
+        return "RST"
+
+    def w_start_timers(self) -> list[str]:
+        return ["SGT"] if "SGT" in self.w.timers else []
+
+    def w_is_one_of_these(self, t: str) -> Formula:
+        """Something says how long the timer must be."""
+        known = {self.w_restart_timer(), *self.w_start_timers(), *map(self.w_release_timer, self.w_sections())}
+        known |= {*map(self.w_late_timer, self.w_machines()), *map(self.w_approach_timer, self.w_opening())}
+        known |= {*map(self.w_standing_timer, self.w_standing_timed()), *map(self.w_hand_timer, self.w_tokens())}
+        return fact(t in known)
+
+    def w_lasts(self, t: str, ms: int) -> Formula:
+        """The timer's preset is no shorter."""
+        return fact(t in self.w.timers and self.w.timers[t][1] >= ms)
+
+    def seconds(self, name: str) -> int:
+        """A principle that is a time, in milliseconds."""
+        return round(1000 * self.r.drawn.rule(name))
+
+    def word(self, name: str) -> Any:
+        """Principles that are times are words, too."""
+        if name.endswith("_s") and name in self.r.drawn.rules:
+            return lambda: self.seconds(name)
+        return super().word(name)
+
+    def _kinds(self, g: Signal, trains: int, shunts: int) -> int:
+        """The longer of two times, of those movements to which the signal opens."""
+        return max(trains if self._routes_by(g, (*MAIN, *CALL_ON)) else 0, shunts if self._routes_by(g, WHITE) else 0)
+
+    def w_approach_release(self, g: Signal) -> int:
+        return self._kinds(g, self.seconds("approach_release_s"), self.seconds("shunt_release_s"))
+
+    def w_until_standing(self, g: Signal) -> int:
+        """Until a train in the section before a signal stands: delay of outputs, reaction, braking."""
+        return self.lengths.halt(self.lengths.kmh(self.lengths.before(g)))
+
+    def w_until_passed_or_standing(self, g: Signal) -> int:
+        """Until whoever saw proceed has passed or stands; a shunting movement is slower."""
+        return self._kinds(g, self.w_until_standing(g), self.lengths.halt(self.r.drawn.rule("shunt_speed_kmh")))
+
+    def w_until_all_stand(self) -> int:
+        return self.lengths.until_all_stand()
+
+    # --- approach locking (R8) ---
+
+    def w_nobody_on_the_way(self, g: Signal) -> Formula:
+        """No train can be about to pass the signal: back to the braking distance, and to the first main signal that
+        announces it, nothing is reported, where a way on from there is locked."""
+        return no(self._on_the_way(self.lengths.approach(g)))
+
+    def _on_the_way(self, x: Approach) -> Formula:
+        if x.section is None:
+            return TRUE
+        further = (every((self.w_locked(w), self._on_the_way(y))) for w, y in x.further)
+        return some((no(self.w_clear(x.section)), *further))

@@ -1,0 +1,178 @@
+"""`interlock dispatch`: commands, completion plans, deadlocks."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from interlock.app.dispatch import Dispatched, dispatch, replay_file
+from interlock.app.replay import BadPlan, from_text, to_text
+from interlock.cli.common import FINDINGS, NOT_PROVED, OK, failed, force_option, format_option, put_json, show, told
+from interlock.diag import render
+from interlock.dispatch.plan.search import Verdict
+from interlock.dispatch.policy import Policy
+
+POLICIES = [str(p) for p in Policy]
+
+
+@click.command("dispatch")
+@click.argument("layout")
+@click.argument("commands", nargs=-1, metavar="[COMMAND]...")
+@click.option("--length", type=click.FloatRange(1, 2000), default=60.0, show_default=True, help="Metres of each train.")
+@click.option("--timings", type=click.IntRange(0, 10_000), default=0, help="Run the commands so many times.")
+@click.option("--gap", type=click.IntRange(1, 1000), default=5, show_default=True, help="Scans from timing to timing.")
+@click.option("--look-ahead", type=click.IntRange(1, 50), default=1, show_default=True, help="Routes ahead of a train.")
+@click.option("--policy", type=click.Choice(POLICIES), help="Who goes first on a single line that two voyages share.")
+@click.option("--explore", "exploring", is_flag=True, help="Look at every state; tell the shortest deadlock.")
+@click.option("--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them.")
+@click.option("--plan", type=click.Path(dir_okay=False), help="Write the completion plan.")
+@click.option("--orders", type=click.Path(), help="The dispatch file; by default LAYOUT with the ending .dispatch.")
+@click.option("--replay", type=click.Path(dir_okay=False), help="Replay a plan file instead.")
+@force_option
+@format_option
+def command(
+    layout: str,
+    commands: tuple[str, ...],
+    length: float,
+    timings: int,
+    gap: int,
+    look_ahead: int,
+    policy: str | None,
+    exploring: bool,
+    without_rule: bool,
+    plan: str | None,
+    orders: str | None,
+    replay: str | None,
+    force: bool,
+    form: str,
+) -> None:
+    """Carry out commands on the controller with its plant; without any, the orders of the dispatch file.
+
+    A COMMAND is the name of a voyage, or a number with origin and destinations: 12:W>E, 12:W>E+q4 (over q4),
+    12:W>s8_xc3>OUT (there and back), 12:q9/X6>W (from where it stands before X6).
+    """
+    if replay is not None:
+        sys.exit(_replay(layout, replay, form))
+    found = dispatch(
+        layout,
+        commands,
+        length_m=length,
+        timings=timings,
+        gap=gap,
+        rule=not without_rule,
+        exploring=exploring,
+        look_ahead=look_ahead,
+        file=orders,
+        policy=policy,
+    )
+    if plan is not None and found.plan is not None:
+        target = Path(plan)
+        try:
+            if target.exists() and not force and not _is_plan(target):
+                failed(f"{plan} exists and is no completion plan; --force overwrites it", form)
+                sys.exit(FINDINGS)
+            target.write_text(to_text(found.plan), encoding="utf-8")
+        except OSError as error:
+            failed(told(error, target), form)
+            sys.exit(FINDINGS)
+    if form == "json":
+        put_json(_body(found))
+    else:
+        _print(found, form)
+    sys.exit(_code(found))
+
+
+def _is_plan(file: Path) -> bool:
+    try:
+        from_text(file.read_text("utf-8"))
+    except (BadPlan, UnicodeDecodeError):
+        return False
+    return True
+
+
+def _code(found: Dispatched) -> int:
+    if not found.ok or found.answer is None or found.stuck or (found.replayed and found.replayed.wrong):
+        return FINDINGS
+    if any(o.troubles for o in found.outcomes) or found.answer.verdict is Verdict.NONE:
+        return FINDINGS
+    return NOT_PROVED if found.answer.verdict is Verdict.UNKNOWN else OK
+
+
+def _replay(layout: str, plan: str, form: str) -> int:
+    checked, problems, done = replay_file(layout, plan)
+    if form == "json":
+        body = None if done is None else {"wrong": done.wrong, "grant_scans": done.grant, "scans": done.scans}
+        put_json({"file": checked.path, "diagnostics": render.as_json(list(problems)), "replayed": body})
+    elif done is None:
+        show(problems, {checked.source.file: checked.source.text}, form)
+    elif done.wrong:
+        click.echo(f"{plan}: fails on the controller: {done.wrong}")
+    else:
+        click.echo(f"{plan}: replayed in {done.scans} scans; each route granted within {done.grant} scans")
+    return OK if done is not None and done.wrong is None else FINDINGS
+
+
+def _body(found: Dispatched) -> dict[str, object]:
+    x = found.explored
+    return {
+        "file": found.checked.path,
+        "diagnostics": render.as_json(list(found.diagnostics)),
+        "verdict": None if found.answer is None else str(found.answer.verdict),
+        "plan": None if found.plan is None else [list(m) for m in found.plan.moves],
+        "replayed": None if found.replayed is None else {"wrong": found.replayed.wrong, "scans": found.replayed.scans},
+        "caught": list(found.caught),
+        "explored": None
+        if x is None
+        else {
+            "states": x.states,
+            "unsafe": len(x.unsafe),
+            "deadlocks": len(x.deadlocks),
+            "moves_between_safe_states": x.safe_moves,
+            "moves_held_back": x.refused_moves,
+        },
+        "story": list(found.story),
+        "timings": len(found.outcomes),
+        "stuck": found.stuck,
+    }
+
+
+def _print(found: Dispatched, form: str) -> None:
+    if not found.ok or found.answer is None:
+        show(found.diagnostics, {found.checked.source.file: found.checked.source.text, **found.texts}, form)
+        if found.answer is None:
+            return
+    for d in found.derived:
+        ways = max(len(j.steps) for j in d.journeys.values())
+        click.echo(f"order {d.name}: {d.trains} trains from {d.order.from_} to {d.order.to}, {ways} places on the way")
+    said = str(found.answer.verdict) if found.answer else ""
+    if found.plan is not None and found.replayed is not None:
+        click.echo(f"{click.style(said, fg='green')}  {len(found.plan.moves)} routes:")
+        for train, route in found.plan.moves:
+            click.echo(f"  {train:10} {route}")
+        r = found.replayed
+        held = f"fails: {r.wrong}" if r.wrong else f"each granted within {r.grant} scans, open within {r.opened} more"
+        click.echo(f"replayed on the controller with its plant: {held}")
+    elif said == Verdict.NONE:
+        names = " and ".join(found.caught)
+        click.echo(f"{click.style('NONE', fg='red')}  no plan exists, shown by exhaustive search: {names} are caught")
+    else:
+        click.echo(f"{click.style(said, fg='yellow')}  whether a plan exists was not found out")
+    x = found.explored
+    if x is not None:
+        click.echo(
+            f"states {x.states}, unsafe {len(x.unsafe)}, deadlocks {len(x.deadlocks)}; moves between safe states "
+            f"{x.safe_moves}, none of them held back; moves into unsafe states {x.refused_moves}, all held back"
+        )
+        if found.story:
+            click.echo("the shortest deadlock without the rule:")
+            for n, line in enumerate(found.story, 1):
+                click.echo(f"  {n}. {line}")
+            click.echo(f"  {found.shown}")
+    if found.outcomes:
+        rule = "with the rule" if found.rule else "without the rule"
+        click.echo(f"{rule}: {found.stuck} of {len(found.outcomes)} timings stand for ever")
+        stuck = next((o for o in found.outcomes if o.stuck), None)
+        for train, why in (stuck.stuck if stuck else {}).items():
+            click.echo(f"  {train}: {why}")

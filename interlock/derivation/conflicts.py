@@ -1,0 +1,234 @@
+"""Hostile routes with class, witness and reason (R6).
+
+Two routes are hostile when they cannot be set together: they share a section, need a machine in two
+positions, cross on a diamond, or foul each other.  The first class that applies names the reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from interlock.derivation.routes import Path
+from interlock.model.bits import bits_of
+from interlock.model.elements import MachineId, Position, RouteId, SectionId
+from interlock.model.traversal import Traversal
+from interlock.table.rows import (
+    Because,
+    Hostile,
+    HostileClass,
+    HostileRoutes,
+    PointDemand,
+    Role,
+    RouteKind,
+    TraversalKey,
+    TraversalRow,
+)
+
+
+class Conflicts:
+    """Which routes are hostile, and why."""
+
+    def __init__(
+        self,
+        paths: Sequence[Path],
+        locks: Mapping[TraversalKey, TraversalRow],
+        demands: Mapping[RouteId, Sequence[PointDemand]],
+    ) -> None:
+        """Paths in order of number."""
+        self._locks = locks
+        self._path = {p.id: p for p in paths}
+        self._needs = _needs(paths, demands)
+        self._ids = [p.id for p in paths]
+        self._hostile = dict(zip(self._ids, _hostile(paths, locks, self._needs), strict=True))
+
+    def of(self, path: Path) -> HostileRoutes:
+        """The hostile routes of a route."""
+        return HostileRoutes(self._ids, self._hostile[path.id], partial(self.tell, path.id))
+
+    def tell(self, one: RouteId, other: RouteId) -> Hostile:
+        """Class, witness and reason of a pair of hostile routes."""
+        a, b = sorted((self._path[one], self._path[other]), key=lambda p: p.number)
+        found = list(reasons(a, b, self._locks, self._needs))
+        kind, witness, rule = found[0]
+        kinds = tuple(dict.fromkeys(k for k, _, _ in found))
+        return Hostile(other, kind, kinds, witness, Because(rule, f"{one} and {other}: {kind}, {witness}"))
+
+
+def set_apart(
+    paths: Sequence[Path], locks: Mapping[TraversalKey, TraversalRow], demands: Mapping[RouteId, Sequence[PointDemand]]
+) -> list[int]:
+    """For each route those that cannot be set together with it, as bits; paths in order of number."""
+    return _hostile(paths, locks, _needs(paths, demands))
+
+
+def _needs(paths: Sequence[Path], demands: Mapping[RouteId, Sequence[PointDemand]]) -> dict[RouteId, Needs]:
+    return {
+        p.id: Needs(
+            {t.section: t for t in p.ways},
+            _positions(demands[p.id], (Role.PATH,)),
+            _positions(demands[p.id], _HELD),
+        )
+        for p in paths
+    }
+
+
+def _hostile(
+    paths: Sequence[Path], locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
+) -> list[int]:
+    """For each route the hostile ones, as bits: those pairs of which `classify` tells a class."""
+    users = _Users(paths, needs)
+    both = [users.alike(p, needs[p.id]) & ~(1 << i) for i, p in enumerate(paths)]
+    found = list(both)
+    for i, p in enumerate(paths):  # what one of a pair says of the other, the first of what it excludes
+        told = users.of_overlap(p, locks) | users.excluded(p, locks) >> (i + 1) << (i + 1)
+        found[i] |= told & ~(1 << i)
+        for j in bits_of(told & ~both[i] & ~(1 << i)):
+            found[j] |= 1 << i
+    return found
+
+
+class _Users:
+    """By what it uses, the routes that do, as bits."""
+
+    def __init__(self, paths: Sequence[Path], needs: Mapping[RouteId, Needs]) -> None:
+        by: dict[object, int] = {}
+        for i, p in enumerate(paths):
+            uses: list[object] = [("from", p.entry)]
+            uses += [("train from", p.entry)] if p.kind is RouteKind.MAIN else []
+            uses += [x for t in p.ways for x in (("path", t.section), ("path", t.key))]
+            uses += [x for t in p.overlap for x in (("overlap", t.section), ("overlap", t.key))]
+            uses += [("lies", m, x) for m, x in needs[p.id].path.items()]
+            uses += [("held", m, x) for m, x in needs[p.id].held.items()]
+            for use in uses:
+                by[use] = by.get(use, 0) | 1 << i
+        self._by = by
+
+    def _any(self, *uses: object) -> int:
+        found = 0
+        for use in uses:
+            found |= self._by.get(use, 0)
+        return found
+
+    def alike(self, p: Path, needs: Needs) -> int:
+        """Those that share its entry or a section of its path, or want its points to lie otherwise."""
+        found = self._any(("from", p.entry))
+        found |= self._any(*(("lies", m, x.other) for m, x in needs.path.items()))
+        found |= self._any(*(("held", m, x.other) for m, x in needs.held.items()))
+        return found | self._any(*(("path", t.section) for t in p.ways))
+
+    def excluded(self, p: Path, locks: Mapping[TraversalKey, TraversalRow]) -> int:
+        """Those over ways that its path excludes."""
+        return self._any(*(("path", x) for t in p.ways for x in _excluded(locks[t.key])))
+
+    def of_overlap(self, p: Path, locks: Mapping[TraversalKey, TraversalRow]) -> int:
+        """Those that are hostile to the overlap of a route."""
+        found = 0
+        for t in p.overlap:
+            onward = self._any(("train from", p.exit)) & self._any(("path", t.key))
+            found |= self._any(("overlap", t.section)) | (self._any(("path", t.section)) & ~onward)
+            for x in _excluded(locks[t.key]):
+                found |= self._any(("path", x), ("overlap", x))
+        return found
+
+
+def _excluded(lock: TraversalRow) -> Iterator[object]:
+    """The sections and ways that a lock excludes."""
+    for ex in lock.exclusions:
+        yield from (ex.section,) if ex.whole else ((ex.section, number) for number in ex.numbers)
+
+
+_HELD = (Role.FLANK, Role.PATH, Role.OVERLAP)
+
+
+def _positions(demands: Sequence[PointDemand], roles: tuple[Role, ...]) -> dict[MachineId, Position]:
+    return {d.machine: d.position for d in demands if d.role in roles}
+
+
+@dataclass(frozen=True)
+class Needs:
+    """The ways of a route by section, and how machines lie for it: those of its path, and all that it holds."""
+
+    ways: Mapping[SectionId, Traversal]
+    path: Mapping[MachineId, Position]
+    held: Mapping[MachineId, Position]
+
+
+Reason = tuple[HostileClass, str, str]
+"""Class, witness and rule."""
+
+
+def classify(
+    a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
+) -> Reason | None:
+    """Class, witness and rule of a hostile pair, the first in the order of R6; None when both may be set together."""
+    return next(reasons(a, b, locks, needs), None)
+
+
+def reasons(
+    a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], needs: Mapping[RouteId, Needs]
+) -> Iterator[Reason]:
+    """All that makes a pair hostile, in the order in which a reason is named; a class may come more than once."""
+    if a.entry == b.entry:
+        yield HostileClass.SAME_ENTRY, f"both begin at {a.entry}", "R6.5"
+    path_a, path_b = needs[a.id].path, needs[b.id].path
+    for m, x in path_a.items():
+        if path_b.get(m, x) is not x:
+            yield HostileClass.POINTS, f"machine {m} lies {x} for {a.id} and {path_b[m]} for {b.id}", "R6.1"
+    yield from _shared(a, needs[b.id].ways)
+    for t in a.ways:
+        for ex in locks[t.key].exclusions:
+            for o in b.ways:
+                if o.section == ex.section and (ex.whole or o.number in ex.numbers):
+                    kind = HostileClass.CROSSING if ex.because.rule == "R6" else HostileClass.FOUL
+                    rule = "R6.4" if kind is HostileClass.CROSSING else "R6.10"
+                    yield kind, f"{t.section} and {o.section}: {ex.because.text}", rule
+    overlap = _overlap(a, b, locks) or _overlap(b, a, locks)
+    if overlap is not None:
+        yield overlap
+    all_a, all_b = needs[a.id].held, needs[b.id].held
+    for m, x in all_a.items():
+        if all_b.get(m, x) is not x and not (m in path_a and m in path_b):
+            yield HostileClass.FLANK, f"machine {m} must lie {x} for {a.id} and {all_b[m]} for {b.id}", "R6.9"
+
+
+def _overlap(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow]) -> Reason | None:
+    """The overlap of a against the path and overlap of b; a route onward from a's exit may lie over the same ways."""
+    for t in a.overlap:
+        for o in b.overlap:
+            if o.section == t.section:
+                return HostileClass.OVERLAP, f"both need {t.section} as overlap", "R6.8"
+        for o in b.ways:
+            if o.section == t.section and not (b.kind is RouteKind.MAIN and b.entry == a.exit and o.key == t.key):
+                return HostileClass.OVERLAP, f"{t.section} is the overlap of {a.id}", "R6.7"
+        for ex in locks[t.key].exclusions:
+            for o in (*b.ways, *b.overlap):
+                if o.section == ex.section and (ex.whole or o.number in ex.numbers):
+                    return HostileClass.OVERLAP, f"overlap {t.section} and {o.section}: {ex.because.text}", "R6.7"
+    return None
+
+
+def _shared(a: Path, of_b: Mapping[SectionId, Traversal]) -> Iterator[Reason]:
+    ways: dict[HostileClass, list[SectionId]] = {}
+    for t in a.ways:
+        if t.section in of_b:
+            ways.setdefault(_meeting(t, of_b[t.section]), []).append(t.section)
+    for kind, rule, told in (
+        (HostileClass.OPPOSING, "R6.2", "opposite directions in {}"),
+        (HostileClass.CONVERGING, "R6.3", "both lead out of {} the same way"),
+        (HostileClass.CROSSING, "R6.4", "both pass {}"),
+    ):
+        if kind in ways:
+            yield kind, told.format(ways[kind][0]), rule
+    if HostileClass.FOLLOWING in ways:
+        yield HostileClass.FOLLOWING, f"share {', '.join(ways[HostileClass.FOLLOWING])}", "R6.5"
+
+
+def _meeting(t: Traversal, o: Traversal) -> HostileClass:
+    """How two ways through one section meet."""
+    if t.exit == o.entry or t.entry == o.exit:
+        return HostileClass.OPPOSING
+    if t.entry == o.entry:
+        return HostileClass.FOLLOWING
+    return HostileClass.CONVERGING if t.exit == o.exit else HostileClass.CROSSING

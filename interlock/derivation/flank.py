@@ -1,0 +1,271 @@
+"""Flank protection (R5) as an AND/OR search.
+
+Requesters: the unused leg of every point on the way, and both ends of the other arm of every diamond.
+From there the search goes outward until something keeps vehicles away:
+    leg of another point    that point turned away, OR whatever protects beyond its toe
+    toe of another point    both legs must be protected (AND)
+    signal at stop          if it stands clear of the fouling point; otherwise the search goes on
+    buffer, outgoing boundary, one-way track    nothing can come
+Nothing-can-come is preferred; then a point turned away or a signal, as the principle `flank_by` says; a diamond
+prefers points.  The partner of a scissors crossover lies normal, whatever else there is (防护道岔): nothing else is
+offered there.  Which of the sets is taken is settled for all routes together (`derivation/settle.py`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from math import inf
+
+from interlock.model.elements import (
+    BoundaryKind,
+    Crossing,
+    EdgeId,
+    MachineId,
+    NodeId,
+    Point,
+    Position,
+    SectionId,
+)
+from interlock.model.layout import Layout
+from interlock.model.principles import FlankChoice
+from interlock.model.traversal import Traversal, onward_edges
+from interlock.table.rows import Because, FlankCell, Provider, ProviderKind
+
+_PASSIVE = (ProviderKind.BUFFER, ProviderKind.BOUNDARY, ProviderKind.ONE_WAY)
+_BY_SIGNAL = (*_PASSIVE, ProviderKind.SIGNAL)
+
+
+@dataclass(frozen=True)
+class Requester:
+    """A place at which a vehicle must not come in: looking outward from `node` along `edge`."""
+
+    name: str
+    node: NodeId
+    edge: EdgeId
+    section: SectionId
+    clear_of: float
+    waiver: str | None
+    partner: MachineId | None = None
+    """The machine of the other crossover of a scissors, at the end of a diamond's other arm."""
+
+
+def requesters(layout: Layout, t: Traversal) -> tuple[Requester, ...]:
+    """The requesters of one way through a section."""
+    out: list[Requester] = []
+    margin = layout.principles.clearance_m
+    waived = {(w.point, w.leg): w.reason for w in layout.waivers}
+    for pid, position in t.points:
+        p = layout.point[pid]
+        leg = position.other
+        out.append(
+            Requester(
+                f"{pid}.{'normal' if leg is Position.NORMAL else 'reverse'}",
+                p.node,
+                p.leg(leg),
+                t.section,
+                p.fouling + margin,
+                waived.get((pid, leg)),
+            )
+        )
+    for cid, arm in t.crossings:
+        c = layout.crossing[cid]
+        partners = _partners(layout, c, c.arms[1 - arm])
+        for side, edge, partner in zip("ab", c.arms[1 - arm], partners, strict=True):
+            name, clear_of = f"{cid}.{2 - arm}{side}", layout.principles.fouling_m + margin
+            out.append(Requester(name, c.node, edge, t.section, clear_of, None, partner))
+    return tuple(out)
+
+
+def _partners(layout: Layout, c: Crossing, arm: tuple[EdgeId, EdgeId]) -> tuple[MachineId | None, MachineId | None]:
+    """The machines at the two ends of an arm that is a crossover of a scissors: both ends lead over plain track to the
+    reverse leg of a point."""
+    ends = [_next_point(layout, c.node, e) for e in arm]
+    if all(p is not None and p.position_of(e) is Position.REVERSE for p, e in ends):
+        first, second = (p.machine if p is not None else None for p, _ in ends)
+        return first, second
+    return None, None
+
+
+def _next_point(layout: Layout, node: NodeId, edge: EdgeId) -> tuple[Point | None, EdgeId]:
+    """The first point over an edge away from a node, if nothing but plain track lies between, and the edge to it."""
+    for _ in layout.edges:
+        node = layout.far(edge, node)
+        if node in layout.point_at:
+            return layout.point_at[node], edge
+        onward = [e.id for e in layout.edges_at[node] if e.id != edge]
+        if node in layout.crossing_at or len(onward) != 1:
+            break
+        edge = onward[0]
+    return None, edge
+
+
+Allowed = Callable[[MachineId, Position], bool]
+"""Whether a machine may be demanded in a position."""
+
+
+class Options:
+    """The sets of providers that protect requesters.  The preferred one is searched for once: all ways over a point and
+    all that run beside it ask for the same."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout = layout
+        self._preferred: dict[tuple[NodeId, EdgeId, float], tuple[Provider, ...] | None] = {}
+
+    def preferred(self, r: Requester) -> tuple[Provider, ...] | None:
+        """The preferred set, or None if nothing protects the requester."""
+        key = r.node, r.edge, r.clear_of
+        if key not in self._preferred:
+            self._preferred[key] = next(self.of(r, lambda m, x: True), None)
+        return self._preferred[key]
+
+    def of(self, r: Requester, allowed: Allowed) -> Iterator[tuple[Provider, ...]]:
+        """Every set that demands nothing but what is allowed, preferred ones first."""
+        if r.partner is not None:
+            if allowed(r.partner, Position.NORMAL):
+                yield (Provider(ProviderKind.POINT, r.partner, Position.NORMAL),)
+            return
+        found = _outward(self._layout, r, allowed, r.edge, r.node, 0.0, frozenset({r.node}))
+        yield from (option for option in found if point_demands(option) is not None)
+
+
+def _outward(
+    layout: Layout, r: Requester, allowed: Allowed, edge: EdgeId, node: NodeId, gone: float, seen: frozenset[NodeId]
+) -> Iterator[tuple[Provider, ...]]:
+    e = layout.edge[edge]
+    if e.one_way and e.a == node:
+        yield (Provider(ProviderKind.ONE_WAY, e.section),)
+        return
+    far = layout.far(edge, node)
+    gone += e.length
+    if far in seen:
+        yield ()  # a closed ring: nothing comes from outside
+        return
+    seen = seen | {far}
+    if far in layout.buffer_at:
+        yield (Provider(ProviderKind.BUFFER, far),)
+        return
+    signal = layout.signal_facing.get((far, edge))
+    if signal is not None and gone >= r.clear_of:
+        yield (Provider(ProviderKind.SIGNAL, signal.id),)
+        return
+    boundary = layout.boundary_at.get(far)
+    if boundary is not None:
+        if boundary.kind is BoundaryKind.OUT:
+            yield (Provider(ProviderKind.BOUNDARY, far),)
+        return
+    point = layout.point_at.get(far)
+    if point is None:
+        for nxt in onward_edges(layout, far, edge):
+            yield from _outward(layout, r, allowed, nxt, far, gone, seen)
+        return
+    position = point.position_of(edge)
+    if position is None:
+        for left in _outward(layout, r, allowed, point.normal, far, gone, seen):
+            for right in _outward(layout, r, allowed, point.reverse, far, gone, seen):
+                yield tuple(dict.fromkeys(left + right))
+        return
+    turned: tuple[Provider, ...] | None = (Provider(ProviderKind.POINT, point.machine, position.other),)
+    if point.machine in layout.by_hand and position.other is Position.REVERSE:
+        turned = None  # a key locks a hand-worked point in normal only
+    elif not allowed(point.machine, position.other):
+        turned = None
+    beyond = _outward(layout, r, allowed, point.toe, far, gone, seen)
+    first = next(beyond, None)
+    by_signal = layout.principles.flank_by is FlankChoice.SIGNAL and r.node not in layout.crossing_at
+    preferred = _BY_SIGNAL if by_signal else _PASSIVE
+    if first is not None and all(p.kind in preferred for p in first):
+        yield first
+        first = None
+    if turned is not None:
+        yield turned
+    if first is not None:
+        yield first
+    yield from beyond
+
+
+def space(layout: Layout, r: Requester, providers: Sequence[Provider]) -> dict[tuple[str, bool], str]:
+    """What the principles ask of the flank space: sections to be clear (False), stop lamps to be intact (True).
+
+    Walks outward from the requester again and stops at the chosen providers; round a balloon loop it comes back the
+    other way, as a vehicle could.  The section in which a protecting point lies is no flank space between the point and
+    its joint: a train that passes the point on its other leg is there, and does no harm.
+    """
+    found: dict[tuple[str, bool], str] = {}
+    rules = layout.principles
+
+    def between(section: SectionId) -> None:
+        if rules.flank_space and section != r.section and section not in layout.undetected:
+            found.setdefault((section, False), f"{section} lies between {r.name} and its protection")
+
+    todo: list[tuple[EdgeId, NodeId, float]] = [(r.edge, r.node, 0.0)]
+    seen: dict[tuple[EdgeId, NodeId], float] = {}  # by the shortest way: there a signal counts least
+    while todo:
+        edge, node, gone = todo.pop()
+        e = layout.edge[edge]
+        if seen.get((edge, node), inf) <= gone or (e.one_way and e.a == node):
+            continue
+        seen[edge, node] = gone
+        far = layout.far(edge, node)
+        gone += e.length
+        signal = layout.signal_facing.get((far, edge))
+        onward: Sequence[EdgeId] = ()
+        if signal is not None and gone >= r.clear_of:
+            between(e.section)
+            if rules.flank_lamp and rules.lamp_proof:
+                found.setdefault((signal.id, True), f"{signal.id} protects {r.name} only while its stop lamp is intact")
+        elif far == r.node or far in layout.buffer_at or far in layout.boundary_at:
+            between(e.section)
+        elif _turns_away(layout, far, edge, providers):
+            if layout.section_of(layout.point_at[far].toe) != e.section:
+                between(e.section)
+        else:
+            onward = onward_edges(layout, far, edge)
+        for x in onward:
+            if layout.section_of(x) != e.section:
+                between(e.section)
+            todo.append((x, far, gone))
+    return found
+
+
+def _turns_away(layout: Layout, node: NodeId, leg: EdgeId, providers: Sequence[Provider]) -> bool:
+    """Whether the point at a node is one of the providers, turned away from a leg."""
+    point = layout.point_at.get(node)
+    position = point.position_of(leg) if point is not None else None
+    if point is None or position is None:
+        return False
+    return Provider(ProviderKind.POINT, point.machine, position.other) in providers
+
+
+def point_demands(providers: Sequence[Provider]) -> dict[MachineId, Position] | None:
+    """The positions that providers demand, or None when they contradict each other."""
+    found: dict[MachineId, Position] = {}
+    for p in providers:
+        if p.position is not None and found.setdefault(MachineId(p.name), p.position) is not p.position:
+            return None
+    return found
+
+
+def told(providers: Sequence[Provider]) -> str:
+    """A set of providers in words."""
+    words = {
+        ProviderKind.POINT: "point {} turns vehicles away",
+        ProviderKind.SIGNAL: "signal {} at stop, clear of the fouling point",
+        ProviderKind.BUFFER: "the track ends at {}",
+        ProviderKind.BOUNDARY: "no train comes in at {}",
+        ProviderKind.ONE_WAY: "{} runs one way only",
+        ProviderKind.WAIVED: "waived: {}",
+    }
+    return " and ".join(words[p.kind].format(p) for p in providers) or "a closed ring, nothing comes from outside"
+
+
+def cell(r: Requester, providers: tuple[Provider, ...]) -> FlankCell:
+    """What protects a requester, as a cell of the table."""
+    text = told(providers)
+    if r.partner is not None:
+        text = f"the partner {r.partner} of the scissors lies normal"
+    if any(p.kind is ProviderKind.WAIVED for p in providers):
+        return FlankCell(
+            r.name, r.section, providers, Because("R5", f"the layout waives the protection of {r.name}: {r.waiver}")
+        )
+    return FlankCell(r.name, r.section, providers, Because("R5", f"towards {r.name}: {text}"))

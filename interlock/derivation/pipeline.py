@@ -1,0 +1,227 @@
+"""The derivation as a visible order of steps.
+
+Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics IL4001-IL4005, IL4010, IL2007, IL2008, IL3012.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import isinf
+
+from interlock.derivation.conflicts import Conflicts
+from interlock.derivation.locking import (
+    derive_approach,
+    derive_aspect,
+    derive_block,
+    derive_closing,
+    derive_conditions,
+    derive_release,
+    derive_speed,
+    derive_token,
+    derive_zones,
+)
+from interlock.derivation.locks import derive_locks, route_demands
+from interlock.derivation.practice import check_practice
+from interlock.derivation.routes import Path, find_routes
+from interlock.derivation.voyages import derive_automatic, derive_voyages
+from interlock.diag import Element, Sink
+from interlock.diag.suggest import did_you_mean
+from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
+from interlock.model.layout import Layout
+from interlock.model.traversal import topology
+from interlock.table.rows import (
+    Because,
+    ClearCell,
+    FoulCell,
+    InterlockingTable,
+    OverlapCell,
+    PointDemand,
+    Role,
+    RouteKind,
+    RouteRow,
+    TraversalKey,
+    TraversalRow,
+)
+
+LONG_ROUTE = 3  # sections; document B 2.2
+
+
+def derive(layout: Layout, sink: Sink) -> InterlockingTable:
+    """The interlocking table of a layout."""
+    paths = find_routes(layout, sink)
+    locks = derive_locks(layout, paths, sink)
+    by_key = {t.key: t for t in locks}
+    demands = {p.id: route_demands(p, by_key) for p in paths}
+    swinging = _swinging(layout, paths)
+    for o in layout.overlaps:
+        if o.swing and o.signal not in swinging:
+            text = f"the overlap of {o.signal} cannot swing: not every way to {o.signal} permits two alternatives of it"
+            sink.add(
+                "IL4009",
+                text,
+                None,
+                f"remove `swing: yes` of {o.signal}, or give its overlap a second way",
+                about=Element("overlaps", o.signal),
+            )
+    hostile = Conflicts(paths, by_key, demands)
+    names = _names(layout, paths, sink)
+    _notes(layout, paths, sink)
+    rows = tuple(
+        RouteRow(
+            id=p.id,
+            number=p.number,
+            kind=p.kind,
+            names=names.get(p.id, ()),
+            entry=p.entry,
+            entry_node=p.entry_node,
+            exit=p.exit,
+            exit_kind=p.exit_kind,
+            variant=p.variant,
+            traversals=tuple(t.key for t in p.ways),
+            berth=p.berth,
+            length=p.length,
+            points=demands[p.id],
+            driven=_driven(layout, p, demands[p.id]),
+            sections=_clear(layout, p),
+            foul=_foul(p, by_key),
+            flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
+            space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
+            hostile=hostile.of(p),
+            overlap=_overlap(layout, p, swinging),
+            aspect=derive_aspect(layout, p),
+            closing=derive_closing(layout, p),
+            speed=derive_speed(layout, p),
+            conditions=derive_conditions(layout, p),
+            zones=derive_zones(layout, p),
+            block=derive_block(layout, p),
+            token=derive_token(layout, p),
+            approach=derive_approach(layout, p),
+            release=derive_release(layout, p),
+            because=Because("R1", f"found from {p.entry} to {p.exit_kind} {p.exit}"),
+        )
+        for p in paths
+    )
+    _foul_themselves(rows, sink)
+    voyages = derive_voyages(layout, rows, by_key, sink)
+    automatic = derive_automatic(layout, rows, sink)
+    check_practice(layout, paths, sink)
+    return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
+
+
+def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:
+    """The sections that must be reported clear; a call-on passes over those in which nothing can stand unlocked."""
+    out = []
+    for i, t in enumerate(path.ways):
+        why = f"{t.section} lies on the path"
+        if path.kind is RouteKind.CALL_ON:
+            if i == 0:
+                why = f"{t.section} is the first section: the train that is called on closes the signal there"
+            elif t.section in topology(layout).berths:
+                why = f"vehicles may stand in {t.section}"
+            else:
+                continue
+        if t.section != path.berth:
+            out.append(ClearCell(t.section, Because("R2" if path.kind is RouteKind.CALL_ON else "R3", why)))
+    return tuple(out)
+
+
+def _swinging(layout: Layout, paths: tuple[Path, ...]) -> dict[SignalId, tuple[int, ...]]:
+    """The alternatives of each overlap that may swing: those that every path to its signal permits (R4)."""
+    common: dict[SignalId, dict[tuple[object, ...], set[int]]] = {}
+    swing = {o.signal for o in layout.overlaps if o.swing}
+    for p in paths:
+        g = SignalId(p.exit)
+        if p.overlap and g in swing:
+            way = (p.entry, p.kind, tuple(t.key for t in p.ways))
+            common.setdefault(g, {}).setdefault(way, set()).add(p.option)
+    found = {g: tuple(sorted(set.intersection(*ways.values()))) for g, ways in common.items()}
+    return {g: options for g, options in found.items() if len(options) > 1}
+
+
+def _overlap(layout: Layout, path: Path, swinging: Mapping[SignalId, tuple[int, ...]]) -> OverlapCell | None:
+    if not path.overlap:
+        return None
+    metres = sum(t.length for t in path.overlap)
+    over = ", ".join(t.section for t in path.overlap)
+    why = Because("R4", f"a train may overrun {path.exit} over {over}: {metres:g} m to the next joint")
+    if isinf(layout.overlap_of[SignalId(path.exit)]):
+        why = Because("R2", f"successive route: a train that does not stop before {path.exit} runs on over {over}")
+    swings = tuple(k for k in swinging.get(SignalId(path.exit), ()) if k != path.option)
+    return OverlapCell(SignalId(path.exit), path.option, swings, tuple(t.key for t in path.overlap), metres, why)
+
+
+def _driven(layout: Layout, path: Path, demands: tuple[PointDemand, ...]) -> tuple[PointDemand, ...]:
+    """The other machines in the route's sections, driven to normal where the principle says so (R10)."""
+    if not layout.principles.drive_points:
+        return ()
+    demanded = {d.machine for d in demands}
+    out: dict[MachineId, PointDemand] = {}
+    for t in path.ways:
+        for p in layout.points:
+            if layout.section_of(p.toe) == t.section and p.machine not in demanded:
+                why = Because("R10", f"{p.id} lies in {t.section} beside the path; driven, never a condition")
+                out.setdefault(p.machine, PointDemand(p.machine, Position.NORMAL, Role.DRIVEN, t.section, why))
+    return tuple(out.values())
+
+
+def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tuple[FoulCell, ...]:
+    return tuple(dict.fromkeys(c for t in (*path.ways, *path.overlap) for c in locks[t.key].foul))
+
+
+def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:
+    """Joints that are foul of a route and begin a section of the very same."""
+    found: dict[tuple[str, str], list[str]] = {}
+    for r in rows:
+        for c in r.foul:
+            if c.section in r.section_ids:
+                found.setdefault((c.because.text, c.section), []).append(r.id)
+    for (why, section), ids in found.items():
+        which = f"route{'s' if len(ids) > 1 else ''} {', '.join(ids)}"
+        text = f"{why}, and {section} is on the path of {which}"
+        fix = "move the joint out of the fouling point, or exclude the route: `exclude:`"
+        sink.add("IL4002", text, None, fix, about=Element("sections", section))
+
+
+def _names(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[RouteId, tuple[str, ...]]:
+    out: dict[RouteId, tuple[str, ...]] = {}
+    for n in layout.named_routes:
+        fits = [
+            p for p in paths if p.entry == n.entry and p.exit == n.exit and set(n.via) <= {t.section for t in p.ways}
+        ]
+        if not fits:
+            ends = sorted({p.exit for p in paths if p.entry == n.entry})
+            sink.add(
+                "IL2007",
+                f"there is no route from {n.entry} to {n.exit} (named {n.name})",
+                None,
+                did_you_mean(n.exit, ends),
+                about=Element("routes", n.name),
+            )
+        else:
+            out[fits[0].id] = (*out.get(fits[0].id, ()), n.name)
+    return out
+
+
+def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
+    topo = topology(layout)
+    used = {t.section for p in paths for t in (*p.ways, *p.overlap)}
+    used |= {b for p in paths if (b := topo.beyond(p.ways[0].section, p.entry_node)) is not None}
+    traps = [b.node for b in layout.buffers if b.kind is BufferKind.TRAP]
+    used |= {layout.section_of(e.id) for n in traps for e in layout.edges_at[n]}
+    by_hand = [layout.far(p.reverse, p.node) for p in layout.points if p.machine in layout.by_hand]
+    used |= {layout.section_of(e.id) for n in by_hand for e in layout.edges_at[n]}
+    for s in layout.sections:
+        if not s.approach and s.id not in used:
+            fix = "add a signal, or check the directions"
+            sink.add("IL3012", f"no route uses section {s.id}", None, fix, about=Element("sections", s.id))
+    for p in paths:
+        if layout.profile == "mine" and len(p.ways) > LONG_ROUTE:
+            sink.add(
+                "IL4004",
+                f"route {p.id} has {len(p.ways)} sections; document B finds three usual",
+                None,
+                "an intermediate signal would let trains follow more closely",
+                about=Element("signals", p.entry),
+                cause="long",
+                note=f"{p.id}: {len(p.ways)}",
+            )

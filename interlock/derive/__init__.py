@@ -1,5 +1,0 @@
-"""From a layout to its interlocking table.  One column family a file; `pipeline` shows the order."""
-
-from interlock.derive.pipeline import derive
-
-__all__ = ["derive"]

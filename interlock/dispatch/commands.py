@@ -1,0 +1,87 @@
+"""Commands as an operator types them: the name of a voyage, or a locomotive number with origin and destinations.
+
+in                      the voyage `in` of the layout
+12:W>E                  locomotive 12 from boundary W to E, over any chain of routes
+12:W>E+q4+q6            over sections q4 and q6
+12:W>s8_xc3>OUT         to section s8_xc3, where it changes direction if it must, then to OUT
+12:q9/X6>W              begins in the layout, standing in q9 before signal X6
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from interlock.dispatch.plan.railway import OUTSIDE, Errand, Leg, Railway
+from interlock.model.elements import BoundaryKind, SectionId, SignalId
+from interlock.table.rows import TraversalKey, VoyageRow
+
+_COMMAND = re.compile(r"(?P<train>[^:>]+):(?P<start>[^:>]+)(?P<legs>(>[^:>]+)+)")
+
+
+class BadOrder(Exception):
+    """A command that cannot be carried out: `code`, what is wrong, what would be known."""
+
+    def __init__(self, code: str, text: str, known: Sequence[str] = (), word: str = "") -> None:
+        super().__init__(text)
+        self.code, self.text, self.known, self.word = code, text, tuple(known), word
+
+
+def errand(railway: Railway, command: str, length_m: float, train: str = "") -> tuple[Errand, int]:
+    """The errand of a command and its class of priority.  Raises `BadOrder`."""
+    layout = railway.layout
+    voyages = {v.name: v for v in railway.table.voyages}
+    if command in voyages:
+        v = next(x for x in layout.voyages if x.name == command)
+        leg = Leg(v.exit, frozenset(v.via), v.shunt, v.far_first)
+        return Errand(train or command, length_m, voyage_start(railway, voyages[command]), (leg,)), voyages[
+            command
+        ].priority
+    found = _COMMAND.fullmatch(command)
+    if found is None:
+        text = f"'{command}' is neither a voyage nor a command NUMBER:ORIGIN>DESTINATION"
+        raise BadOrder("IL6004", text, tuple(voyages), command)
+    legs = tuple(_leg(railway, x) for x in found["legs"].split(">")[1:])
+    return Errand(train or found["train"], length_m, _start(railway, found["start"]), legs), 0
+
+
+def voyage_start(railway: Railway, row: VoyageRow) -> tuple[TraversalKey, ...]:
+    """Where a train stands that is commanded a voyage."""
+    first = railway.table.route[row.routes[0]]
+    if str(first.entry_node) in railway.approach:
+        return ((SectionId(first.entry_node), OUTSIDE),)
+    return railway.standing(first)
+
+
+def _start(railway: Railway, word: str) -> tuple[TraversalKey, ...]:
+    layout = railway.layout
+    section, _, signal = word.partition("/")
+    if not signal:
+        known = [str(b.node) for b in layout.boundaries if b.kind is not BoundaryKind.OUT]
+        if section not in known:
+            raise BadOrder("IL6004", f"no train comes in at {section}", known, section)
+        return ((SectionId(section), OUTSIDE),)
+    sections = [str(s.id) for s in layout.sections if not s.approach]
+    if section not in sections:
+        raise BadOrder("IL6004", f"there is no section {section}", sections, section)
+    if signal not in layout.signal:
+        raise BadOrder("IL6004", f"there is no signal {signal}", [str(g.id) for g in layout.signals], signal)
+    node = layout.signal[SignalId(signal)].node
+    ways = [t.key for t in railway.topo.traversals[SectionId(section)] if t.exit == node]
+    if not ways:
+        raise BadOrder("IL6004", f"signal {signal} does not stand at an end of {section}", (), signal)
+    return (min(ways, key=lambda k: (k not in railway.table.lock, k)),)
+
+
+def _leg(railway: Railway, text: str) -> Leg:
+    layout = railway.layout
+    to, *via = text.split("+")
+    sections = [str(s.id) for s in layout.sections if not s.approach]
+    places = [*sections, *(str(b.node) for b in layout.boundaries), *(str(g.id) for g in layout.signals)]
+    places += [str(b.node) for b in layout.buffers]
+    if to not in places:
+        raise BadOrder("IL6004", f"there is no place {to}", places, to)
+    for s in via:
+        if s not in sections:
+            raise BadOrder("IL6004", f"there is no section {s}", sections, s)
+    return Leg(to, frozenset(SectionId(s) for s in via))

@@ -1,0 +1,178 @@
+"""Which train is where: numbers step with the sections that become occupied and clear, and are checked by readers.
+
+A number is a suspicion until a reader confirms it.  What does not fit (a section occupied next to no train, a train
+whose sections have all become clear inside the layout, a reader that sees another number, or one that stands elsewhere)
+is an alarm that names the train, and for a train with an alarm nothing is asked until an operator says what is there.
+
+Wagons are counted at places: as many must come out of a stretch as went into it.  Where fewer do, the sections between
+stay blocked (BLK inputs) until somebody has looked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from interlock.dispatch.panel import Indications
+from interlock.logic.controller import Symbols
+from interlock.model.elements import SectionId
+from interlock.model.layout import Layout
+from interlock.model.traversal import topology
+
+UNKNOWN = "?"
+"""The number of a train of which nothing is known; several of them are told apart by where they are."""
+
+
+@dataclass
+class Described:
+    """A train: the sections under it in the order in which they became occupied, and its last count of wagons."""
+
+    number: str
+    under: list[SectionId]
+    wagons: int | None = None
+    since: list[SectionId] = field(default_factory=list)
+    """The sections that it has run over since wagons were counted."""
+
+
+class Describer:
+    """Numbers of trains by section.  `fleet`: the numbers that exist (empty: any)."""
+
+    def __init__(self, layout: Layout, symbols: Symbols, fleet: frozenset[str] = frozenset()) -> None:
+        self.symbols, self.fleet = symbols, fleet
+        topo = topology(layout)
+        self.next_to: dict[SectionId, set[SectionId]] = {s: set() for s in symbols.clear}
+        for _, a, b in topo.joints():
+            if a in self.next_to and b in self.next_to:
+                self.next_to[a].add(b)
+                self.next_to[b].add(a)
+        self.edge: set[SectionId] = set()
+        """Sections over which trains come and go."""
+        for at in layout.boundaries:
+            inside = layout.section_of(layout.edges_at[at.node][0].id)
+            self.edge |= {s for s in (inside, at.approach) if s is not None}
+            if at.approach is not None and inside in self.next_to and at.approach in self.next_to:
+                self.next_to[inside].add(at.approach)
+                self.next_to[at.approach].add(inside)
+        self.trains: list[Described] = []
+        self.alarms: dict[str, str] = {}
+        """By number: what is wrong with it."""
+        self.blocked: dict[SectionId, str] = {}
+        """Sections kept blocked for lost wagons: the train that lost them."""
+        self.expected: dict[SectionId, list[str]] = {}
+        """By approach section: the numbers that are to come there, in order."""
+        self._occupied: set[SectionId] = set()
+
+    # --- events --------------------------------------------------------------------------------
+
+    def step(self, seen: Indications) -> None:
+        """A scan: sections that became occupied are entered, then those that became clear are left."""
+        now = {s for s, n in self.symbols.clear.items() if not seen.get(n, 0)}
+        entered, left = sorted(now - self._occupied), self._occupied - now
+        self._occupied = now
+        while entered:
+            some = next((s for s in entered if self._heads(s)), entered[0])
+            entered.remove(some)
+            self._enter(some)
+        for s in left:
+            for t in [t for t in self.trains if s in t.under]:
+                t.under.remove(s)
+                if not t.under:
+                    self._vanished(t, s)
+
+    def _heads(self, s: SectionId) -> list[Described]:
+        return [t for t in self.trains if t.under and t.under[-1] in self.next_to.get(s, ())]
+
+    def _enter(self, s: SectionId) -> None:
+        heads = self._heads(s)
+        if len(heads) == 1:
+            heads[0].under.append(s)
+            heads[0].since.append(s)
+        elif len(heads) > 1:
+            for t in heads:
+                self.alarm(t.number, f"it may have come into {s}, or another train has")
+            heads[0].under.append(s)
+        elif s in self.edge:
+            row = self.expected.get(s, [])
+            self.trains.append(Described(row.pop(0) if row else self._unknown(s), [s], None, [s]))
+        else:
+            self.trains.append(Described(self._unknown(s), [s], None, [s]))
+
+    def _unknown(self, s: SectionId) -> str:
+        number = f"{UNKNOWN}{s}"
+        self.alarm(
+            number, f"something stands in {s} that came from nowhere" if s not in self.edge else f"no number in {s}"
+        )
+        return number
+
+    def _vanished(self, t: Described, s: SectionId) -> None:
+        self.trains.remove(t)
+        if s not in self.edge:
+            self.alarm(t.number, f"it is lost: {s} became clear, and nothing beside it is occupied")
+        elif t.number.startswith(UNKNOWN):
+            self.alarms.pop(t.number, None)
+
+    # --- readers and operators -----------------------------------------------------------------
+
+    def read(self, section: SectionId, number: str) -> None:
+        """A reader in a section has seen a number."""
+        here = next((t for t in self.trains if section in t.under), None)
+        there = next((t for t in self.trains if t.number == number and t is not here), None)
+        if self.fleet and number not in self.fleet:
+            self.alarm(number, f"read in {section}: no train has this number")
+            if here is not None:
+                self.alarm(here.number, f"in {section} the unknown number {number} was read")
+        elif there is not None:
+            self.alarm(number, f"read in {section}, and described in {there.under[-1]}")
+            if here is not None:
+                self.alarm(here.number, f"in {section} the number {number} was read")
+        elif here is None:
+            self.alarm(number, f"read in {section}, which is clear")
+        elif here.number.startswith(UNKNOWN):
+            self.alarms.pop(here.number, None)
+            here.number = number
+        elif here.number != number:
+            self.alarm(here.number, f"in {section} the number {number} was read")
+            self.alarm(number, f"read in {section}, where {here.number} is described")
+
+    def alarm(self, number: str, text: str) -> None:
+        """Something is wrong with a number; the first thing that is, is told until an operator says what is there."""
+        self.alarms.setdefault(number, text)
+
+    def confirm(self, section: SectionId, number: str) -> bool:
+        """An operator has looked: this number stands in a section.  False where the section is clear."""
+        here = next((t for t in self.trains if section in t.under), None)
+        if here is None:
+            return False
+        self.alarms.pop(here.number, None)
+        for t in [t for t in self.trains if t.number == number and t is not here]:
+            t.number = self._unknown(t.under[-1])
+        here.number = number
+        self.alarms.pop(number, None)
+        return True
+
+    def counted(self, section: SectionId, wagons: int) -> None:
+        """A counter in a section has counted the wagons of the train there."""
+        here = next((t for t in self.trains if section in t.under), None)
+        if here is None:
+            return
+        if here.wagons is not None and wagons != here.wagons:
+            self.alarm(here.number, f"{here.wagons} wagons went in and {wagons} came out")
+            for s in here.since:
+                if s not in here.under:
+                    self.blocked[s] = here.number
+        else:
+            here.since = [s for s in here.under if s == section]
+        here.wagons = wagons
+
+    def looked(self, section: SectionId) -> None:
+        """An operator has looked: nothing is left in a section."""
+        self.blocked.pop(section, None)
+
+    def writes(self) -> Mapping[str, int]:
+        """The operator inputs that keep sections blocked."""
+        names = self.symbols.blocked
+        return {names[s]: 1 for s in self.blocked if s in names}
+
+    def where(self, number: str) -> SectionId | None:
+        """The section in which a train's head is described."""
+        return next((t.under[-1] for t in self.trains if t.number == number and t.under), None)

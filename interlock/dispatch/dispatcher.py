@@ -1,0 +1,519 @@
+"""One command a train, carried out route by route, so that trains never block one another for ever.
+
+The dispatcher sees what a panel sees: sections as reported, locks and lamps as indicated.  It asks for a route as an
+operator would, for a train that stands before its signal or runs towards it, and only if a completion plan exists for
+the state after: a sequence of routes after which every train is where it may stay.  So there is always a plan, and
+whose turn it is can be decided by anything else.  Where no plan exists (a train without a command stands in the way, a
+point fails), the trains that are caught are named and stay where they are, and the others go on if they can.
+
+It can do no harm: whatever it asks for is refused by the interlocking if it is not safe.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from interlock.dispatch.arbiter import Arbiter, Key, Request, Source, key
+from interlock.dispatch.commands import errand
+from interlock.dispatch.panel import Indications, Stage, stages
+from interlock.dispatch.plan.problem import Built, Draft, Move, build
+from interlock.dispatch.plan.railway import Errand, Railway, Step
+from interlock.dispatch.plan.search import BUDGET, Answer, Planner, Verdict
+from interlock.dispatch.policy import Policy, enters, yields
+from interlock.dispatch.run import Run
+from interlock.logic.controller import Symbols
+from interlock.model.elements import Lane, MachineId, Position, SectionId, SignalId
+
+AGAIN_MS = 5_000
+"""A route that was refused is asked for again after this time (our choice)."""
+
+STRANGER_MS = 3_000
+"""A section that is occupied for so long by no train with a command is in the way of plans (our choice)."""
+
+
+class Dispatcher:
+    """Carries out commands, and hands on what an operator asks for by hand, which comes first.
+
+    look_ahead: how many routes are set ahead of a train.  priorities: the class of a voyage decides who is served
+    first, else the order of the commands; `wait_ms`: one that has waited so long comes first all the same (0: never).
+    rule: ask only if a completion plan exists; without it deadlocks can be shown.
+    """
+
+    def __init__(
+        self,
+        railway: Railway,
+        symbols: Symbols,
+        *,
+        look_ahead: int = 1,
+        priorities: bool = False,
+        wait_ms: int = 0,
+        rule: bool = True,
+        policy: Policy | None = None,
+        budget: int = BUDGET,
+    ) -> None:
+        if look_ahead < 1:
+            raise ValueError("at least one route is set ahead of a train")
+        self.railway, self.symbols = railway, symbols
+        self.stages = stages(railway.table, symbols)
+        self.look_ahead, self.priorities, self.wait_ms = look_ahead, priorities, wait_ms
+        self.rule, self.policy, self.budget = rule, policy, budget
+        self._started = 0
+        self.runs: list[Run] = []
+        self.pending: list[Run] = []
+        """Commands kept until a plan exists with them, too; their trains are still outside."""
+        self.arbiter = Arbiter(wait_ms, AGAIN_MS)
+        """Routes asked for by people; runs compete with them."""
+        self.held: dict[str, str] = {}
+        """Trains for which nothing is asked, and why: their numbers are in doubt."""
+        self.other: deque[int] = deque()
+        """Numbers that are asked for by hand and are no routes: overlaps that are to swing."""
+        self.said: list[str] = []
+        self.asked: list[tuple[str, str]] = []
+        """Train and route of every request that was granted, in order."""
+        self.turns: list[tuple[str, SectionId]] = []
+        """Trains that change direction for a route that was granted, and where; in order."""
+        self.refused = 0
+        """Requests held back since no plan would exist after them."""
+        self.plan: tuple[tuple[str, str], ...] = ()
+        """The completion plan that is held: train and route, in order, once all trains are where their routes lead."""
+        self._writes, self._for = 0, None  # type: tuple[int, tuple[Run, Stage] | None]
+        self._cancels: dict[str, int] = {}
+        self._passing: dict[SignalId, Stage] = {}
+        self._leaving: set[SectionId] = set()
+        self._strange: dict[SectionId, int] = {}
+        self._obstacles: frozenset[object] = frozenset()
+        self._failed: set[MachineId] = set()
+        late = {m for m, _ in symbols.detected}
+        self._late = {m: n for m in sorted(late) if (n := symbols.indication.get(f"late {m}")) is not None}
+        self._built: Built | None = None
+        self._planner: Planner | None = None
+        self._answers: dict[int, Answer] = {}
+
+    # --- commands ------------------------------------------------------------------------------
+
+    def begin(self, name: str, length_m: float = 0.0) -> Run:
+        """Command a voyage of the layout.  Raises `KeyError` where there is none of that name."""
+        if all(v.name != name for v in self.railway.table.voyages):
+            raise KeyError(name)
+        return self.carry_out(*errand(self.railway, name, length_m), voyage=name)
+
+    def carry_out(self, order: Errand, priority: int = 0, voyage: str = "") -> Run:
+        """Command an errand; `voyage`: which of the layout's.  Raises `NoVoyage` where no chain of routes makes it."""
+        taken = {r.name for r in (*self.runs, *self.pending)}
+        name = next(n for n in (order.train, *(f"{order.train} {k}" for k in range(2, 10_000))) if n not in taken)
+        run = Run(name, self.railway.draft(replace(order, train=name)), priority)
+        row = next((v for v in self.railway.table.voyages if v.name == voyage), None)
+        if row is not None:
+            run.voyage, run.lines = voyage, {m.voyage: frozenset(m.sections) for m in row.meetings}
+        self.pending.append(run)
+        self._built = None
+        return run
+
+    def end(self, name: str) -> bool:
+        """Give up a command: nothing more is asked for; what is set stays until it is cancelled or used."""
+        before = len(self.runs) + len(self.pending)
+        for run in [r for r in self.runs if r.name == name]:
+            self._remove(run)
+        self.pending = [r for r in self.pending if r.name != name]
+        return len(self.runs) + len(self.pending) < before
+
+    def ask(self, number: int, source: Source = Source.HAND) -> None:
+        """A route (or the swing of an overlap) asked for by somebody; kept until it is granted.  Raises `Full`."""
+        row = next((r for r in self.railway.table.routes if r.number == number), None)
+        if row is None:
+            self.other.append(number)
+            return
+        lanes = {s.id for s in self.railway.layout.sections if s.lane is Lane.INCLINED}
+        self.arbiter.add(self.stages[row.id], source, self.priorities and not lanes.isdisjoint(row.section_ids))
+
+    # --- one scan ------------------------------------------------------------------------------
+
+    def step(self, seen: Indications, dt_ms: int) -> dict[str, int]:
+        """What to write after a scan, from what was seen in it; `dt_ms` milliseconds after the step before."""
+        for name in self._cancels:
+            self._cancels[name] = 0
+        for run in tuple(self.runs):
+            self._follow(run, seen, dt_ms)
+            if run.cancelling and run.ahead:
+                self._cancels[self.symbols.cancel[run.granted[run.at].entry]] = 1
+        self._passing = {g: s for g, s in self._passing.items() if s.stands(seen)}
+        self._look_round(seen, dt_ms)
+        self.arbiter.tick(seen, dt_ms)
+        acknowledged = seen.get(self.symbols.seen[self.symbols.request], 0)
+        if self._writes and acknowledged:
+            self._answered(seen)
+        elif not self._writes and not acknowledged and seen.get(self.symbols.valid, 0):
+            self._next(seen)
+        return {self.symbols.request: self._writes, **self._cancels}
+
+    def _follow(self, run: Run, seen: Indications, dt_ms: int) -> None:
+        """Where the train of a run has come to, and whether what was set for it is open."""
+        run.waited_ms += dt_ms
+        run.rest_ms = max(0, run.rest_ms - dt_ms)
+        if run.ahead:
+            stage = run.granted[run.at]
+            if stage.open(seen) and run.at not in run.opened:
+                run.opened.add(run.at)
+                self.said.append(f"{run.name}: {stage.route} is open")
+                run.waited_ms = 0
+            if run.at in run.opened and stage.entered(seen):
+                if stage.rear is not None:  # the train that passes is not yet the next one
+                    self._passing[stage.entry] = stage
+                run.at += 1
+            elif run.cancelling and not stage.held(seen):
+                self._taken_back(run)
+            elif run.at in run.opened and not stage.held(seen):
+                self.said.append(f"{run.name} is given up: {stage.route} was taken back before its train came")
+                self._remove(run)
+                return
+            elif not run.cancelling and (why := self._shut(run, stage, seen, dt_ms)):
+                self.said.append(f"{run.name}: {stage.route} is taken back, since {why}")
+                run.cancelling = True
+        if run.through(seen):
+            self.said.append(f"{run.name} is done")
+            self._remove(run)
+
+    def _shut(self, run: Run, stage: Stage, seen: Indications, dt_ms: int) -> str:
+        """Why a route that is set will not take its train on, if it is to be taken back: so that another may come out
+        of the way, or the train take another way."""
+        if stage.open(seen):
+            run.shut_ms = 0
+            return ""
+        run.shut_ms += dt_ms
+        machine = stage.fails(seen)
+        if machine is not None:
+            return f"{machine} is not detected"
+        full = next((n for n in stage.beyond if not seen.get(n, 1)), None)
+        return "a train stands on the line beyond" if full and run.shut_ms > STRANGER_MS else ""
+
+    def _taken_back(self, run: Run) -> None:
+        """A route that did not open was cancelled: its train stands where it stood."""
+        run.place = run.places[run.at]
+        back = [(run.name, s.route) for s in run.granted[run.at :]]
+        self.asked = [x for k, x in enumerate(self.asked) if x not in back or x in self.asked[k + 1 :]]
+        del run.granted[run.at :], run.places[run.at :]
+        run.asking.clear()
+        run.cancelling = False
+        self._built = None
+
+    def _remove(self, run: Run) -> None:
+        self.runs.remove(run)
+        if not run.place.under and run.granted:
+            beyond = self.railway.approach.get(self.railway.table.route[run.granted[-1].route].exit)
+            if beyond is not None:
+                self._leaving.add(beyond)
+        self._built = None
+
+    # --- what is in the way --------------------------------------------------------------------
+
+    def _look_round(self, seen: Indications, dt_ms: int) -> None:
+        """Sections occupied by nobody with a command, and machines that failed."""
+        clear = self.symbols.clear
+        self._leaving = {s for s in self._leaving if s in clear and not seen.get(clear[s], 1)}
+        occupied = [s for s, name in clear.items() if not seen.get(name, 0)]
+        blocked = [s for s, name in self.symbols.blocked.items() if seen.get(name, 0)]
+        things: set[object] = set()
+        if occupied or blocked:
+            known = {s for run in self.runs for s in run.near} | self._leaving
+            self._strange = {s: self._strange.get(s, 0) + dt_ms for s in occupied if s not in known}
+            things |= {("section", s) for s, ms in self._strange.items() if ms > STRANGER_MS}
+            things |= {("section", s) for s in blocked if s not in known}
+        for m, name in self._late.items():
+            if not seen.get(name, 0) and m not in self._failed:
+                continue
+            lies = {x: seen.get(self.symbols.detected[m, x], 0) for x in Position}
+            if seen.get(name, 0) or not any(lies.values()):  # until it is detected again somewhere
+                self._failed.add(m)
+                things |= {("lies", m, x.other) for x, there in lies.items() if not there}
+            else:
+                self._failed.discard(m)
+        if things != self._obstacles:
+            self._obstacles = frozenset(things)
+            self._built = None
+
+    # --- asking --------------------------------------------------------------------------------
+
+    def _answered(self, seen: Indications) -> None:
+        """The request was read: the route is set, or was refused."""
+        self._writes = 0
+        self.arbiter.answered(seen)
+        if self._for is None:
+            return
+        run, stage = self._for
+        self._for = None
+        step = run.step
+        if run not in self.runs or step is None:
+            return
+        if not stage.is_set(seen):
+            run.rest_ms = AGAIN_MS
+            run.reason = f"{stage.route} was refused"
+            if len(run.asking) == len(step.routes):
+                run.asking.clear()
+            return
+        self.asked.append((run.name, stage.route))
+        run.asking.remove(stage)
+        if run.asking:
+            return
+        taken = {(run.name, r.id) for r in step.routes}
+        self.plan = tuple(x for x in self.plan if x not in taken)
+        if step.turned:
+            self.turns.append((run.name, run.place.under[-1][0]))
+        for r in step.routes:
+            run.granted.append(self.stages[r.id])
+            run.places.append(run.place)
+        run.place = step.after
+        if not run.started:
+            self._started += 1
+            run.started = self._started
+
+    def _next(self, seen: Indications) -> None:
+        """Begin to ask for a route, if one is to be set now."""
+        if self.other:
+            self._writes = self.other.popleft()
+            return
+        self._admit(seen)
+        self._prepare()
+        found: list[tuple[Key, Request | Run]] = [(r.key(self.wait_ms), r) for r in self.arbiter.waiting]
+        found += [(self._key(run, k), run) for k, run in enumerate(self.runs)]
+        for _, one in sorted(found, key=lambda x: x[0]):
+            if isinstance(one, Request):
+                if self.arbiter.may(one, seen):
+                    self._writes = self.arbiter.make(one).stage.number
+                    return
+            elif self._asks(one, seen):
+                return
+
+    def _key(self, run: Run, k: int) -> Key:
+        """Where a run comes among the requests: its class of priority, then the order of the commands."""
+        rank = run.priority if self.priorities and run.priority else 4
+        waited = run.waited_ms if bool(self.wait_ms) and run.waited_ms >= self.wait_ms else 0
+        return key(Source.PLANNED, self.arbiter.numbers + k + 1, rank < 3, rank % 2 == 1, waited, self.wait_ms)
+
+    def _asks(self, run: Run, seen: Indications) -> bool:
+        """Begin to ask for what a run wants, if it may."""
+        if run.rest_ms or run.cancelling:
+            return False
+        if run.name in self.held:
+            run.reason = self.held[run.name]
+            return False
+        stage = run.asking[0] if run.asking else self._wanted(run, seen)
+        if stage is None:
+            return False
+        why = stage.hindered(seen)
+        if why:
+            run.reason = f"{stage.route}: {why}"
+            return False
+        self._for, self._writes = (run, stage), stage.number
+        return True
+
+    def _wanted(self, run: Run, seen: Indications) -> Stage | None:
+        """The first route of the step that a train takes next, if it may; sets `run.asking`."""
+        if run.finished or run.ahead >= self.look_ahead or run.caught:
+            return None
+        for step, move in self._steps(run):
+            order = [self.stages[r.id] for r in step.routes]
+            first = order[0]
+            if not run.granted and (not first.stands(seen) or first.entry in self._passing):
+                run.reason = f"no train stands before {first.entry}"
+                continue
+            if (why := next((w for s in order if (w := s.hindered(seen))), "")) or (why := self._behind(run, move)):
+                run.reason = f"{first.route}: {why}"
+                continue
+            if (why := self._waits(run, step, seen)) or (self.rule and not self._safe(run, move)):
+                run.reason = f"{first.route}: {why}" if why else run.reason
+                continue
+            run.step = step
+            run.asking = order[::-1] if self._far_first(run) else order
+            return run.asking[0]
+        return None
+
+    def _waits(self, run: Run, step: Step, seen: Indications) -> str:
+        """For whom a train waits before a single line, by the policy."""
+        if self.policy is None or self._planner is None:
+            return ""
+        order = {r.name: k for k, r in enumerate(self.runs)}
+        for other in self.runs:
+            line = run.lines.get(other.voyage)
+            if other is run or line is None or not enters(step, line) or other.uses(line) or other.past(line):
+                continue
+            first = self.stages[other.journey.steps[other.place][0].routes[0].id]
+            there = other.set_out or first.stands(seen)
+            if there and yields(self.policy, run, other, order) and self._passes(other, line):
+                return f"{other.name} goes first ({self.policy})"
+        return ""
+
+    def _passes(self, run: Run, line: frozenset[SectionId]) -> bool:
+        """A train could run over a line now, while all others stand."""
+        assert self._planner is not None and self._built is not None
+        beyond = 0
+        for place, bit in self._built.bits[self.runs.index(run)].items():
+            ahead = run.journey.steps[place]  # type: ignore[index]
+            if not any(enters(s, line) for s in ahead) and place is not run.place:
+                beyond |= bit
+        return self._planner.alone(self._state(), self._bit(run), beyond & ~self._bit(run)) is not None
+
+    def _far_first(self, run: Run) -> bool:
+        legs = run.journey.errand.legs
+        return run.place.leg < len(legs) and legs[run.place.leg].far_first
+
+    def _steps(self, run: Run) -> list[tuple[Step, Move]]:
+        """The steps that a train could take next, that of the held plan first."""
+        assert self._built is not None
+        steps = run.journey.steps[run.place]
+        moves = self._built.problem.moves[self._bit(run)]
+        pairs = [(steps[int(m.label)], m) for m in moves]
+        planned = next((r for t, r in self.plan if t == run.name), None)
+        return sorted(pairs, key=lambda x: x[0].routes[0].id != planned)
+
+    def _behind(self, run: Run, move: Move) -> str:
+        """Which train stands, or will stand, where a move leads."""
+        assert self._built is not None
+        p = self._built.problem
+        for other in self.runs:
+            if other is not run and not other.coming and self._certain(other) & move.blocked:
+                return f"{other.name} is in the way"
+        inside = self._state({r.name for r in self.runs if r.coming}) & ~move.source
+        for z in move.zones:
+            if (inside & p.limits[z].nodes).bit_count() >= p.limits[z].trains:
+                return f"{p.limits[z].name} is full"
+        earlier = [r for r in self.runs if r.coming and r is not run and self._bit(r) & move.blocked]
+        same = [r.name for r in earlier if run.coming and r.place.under == run.place.under]
+        return f"{same[0]} comes in before it" if same else ""
+
+    def _admit(self, seen: Indications) -> None:
+        """Take up the commands with which a plan still exists; one whose train is there is taken up in any case."""
+        waits: set[object] = set()
+        changed = self._built is None
+        for run in tuple(self.pending):
+            start = run.journey.start.under
+            first = run.journey.steps[run.journey.start][0].routes[0]
+            there = not run.coming or self.stages[first.id].stands(seen)
+            if start in waits or not (there or changed):
+                waits.add(start)
+                continue
+            self.runs.append(run)
+            self._built = None
+            if self.rule and not there:
+                self._build()
+                if self._answer(self._state()).verdict is not Verdict.PLAN:
+                    self.runs.remove(run)
+                    self._built = None
+                    run.reason = "no plan exists with it yet: it waits outside"
+                    waits.add(start)
+                    continue
+            self.pending.remove(run)
+
+    # --- plans ---------------------------------------------------------------------------------
+
+    def _safe(self, run: Run, move: Move) -> bool:
+        """A completion plan exists for the state after; it is then the one that is held."""
+        answer = self._answer(self._state({run.name}) | move.target)
+        routes = run.journey.steps[run.place][int(move.label)].routes
+        if answer.verdict is Verdict.PLAN:
+            self.plan = (*((run.name, r.id) for r in routes), *self._told(answer))
+            return True
+        self.refused += 1
+        route = routes[0].id
+        if answer.verdict is Verdict.NONE:
+            run.reason = f"{route}: then {', '.join(self._names(answer.caught))} could not all go on"
+        else:
+            run.reason = f"{route}: whether all could go on then was not found out"
+        return False
+
+    def _answer(self, state: int) -> Answer:
+        assert self._planner is not None
+        if state not in self._answers:
+            self._answers[state] = self._planner.solve(state)
+        return self._answers[state]
+
+    def _told(self, answer: Answer) -> tuple[tuple[str, str], ...]:
+        """A plan as train and route."""
+        assert self._built is not None
+        by_name = {r.name: r for r in self.runs}
+        found: list[tuple[str, str]] = []
+        for m in answer.plan:
+            name = self._built.problem.trains[m.train]
+            options = by_name[name].journey.steps
+            source = next(p for p, b in self._built.bits[m.train].items() if b == m.source)
+            step = options[source][int(m.label)]  # type: ignore[index]
+            found += [(name, r.id) for r in step.routes]
+        is_set = {(r.name, stage.route) for r in self.runs for stage in r.granted[r.at :]}
+        return tuple(x for x in found if x not in is_set)
+
+    def _names(self, bits: int) -> list[str]:
+        assert self._built is not None
+        p = self._built.problem
+        return [n for n, nodes in zip(p.trains, p.nodes, strict=True) if any(b & bits for b in nodes)]
+
+    def _bit(self, run: Run) -> int:
+        assert self._built is not None
+        return self._built.bits[self.runs.index(run)][run.place]
+
+    def _certain(self, run: Run) -> int:
+        """Where a train will come for certain: a route that leads out is taken back if a train comes in there first."""
+        if run.ahead and run.granted[run.at].beyond:
+            assert self._built is not None
+            return self._built.bits[self.runs.index(run)][run.places[run.at]]
+        return self._bit(run)
+
+    def _state(self, without: Sequence[str] | set[str] = ()) -> int:
+        assert self._built is not None
+        own = sum(self._certain(r) for r in self.runs if r.name not in without)
+        return own | sum(b for x in self._built.bits[len(self.runs) :] for b in x.values())
+
+    def _prepare(self) -> None:
+        """The problem of all trains with commands and of what is in the way; who is caught is told and left out."""
+        if self._built is not None:
+            return
+        for run in self.runs:
+            run.caught = False
+        if not self.rule:
+            self._build()
+            return
+        while True:
+            self._build()
+            answer = self._answer(self._state())
+            if answer.verdict is Verdict.PLAN:
+                self.plan = self._told(answer)
+                return
+            caught = [r for r in self.runs if r.name in self._names(answer.caught) and not r.caught]
+            if answer.verdict is Verdict.UNKNOWN or not caught:
+                self.said.append("UNKNOWN: whether all trains can go on was not found out")
+                return
+            names = ", ".join(r.name for r in caught)
+            self.said.append(f"no plan exists: {names} cannot go on{self._because()}")
+            for r in caught:
+                r.caught = True
+
+    def _because(self) -> str:
+        things = sorted(str(x[1]) for x in self._obstacles if isinstance(x, tuple))
+        return f", with {', '.join(dict.fromkeys(things))} in the way" if things else ""
+
+    def _build(self) -> None:
+        drafts: list[Draft] = []
+        for k, run in enumerate(self.runs):
+            if run.caught:
+                held = Draft(run.name, run.place)
+                held.holds[run.place] = self.railway.holds(run.place.under)
+                held.home.add(run.place)
+                held.inside[run.place] = self.railway.inside(run.place.under)
+                drafts.append(held)
+            else:
+                same = [r.name for r in self.runs[:k] if r.coming and r.journey.start.under == run.journey.start.under]
+                drafts.append(run.journey.nodes(same))
+        if self._obstacles:
+            strange = Draft("in the way", "in the way")
+            strange.holds["in the way"] = self._obstacles
+            strange.home.add("in the way")
+            drafts.append(strange)
+        self._built = build(drafts, self.railway.zones)
+        self._planner = Planner(self._built.problem, self.budget)
+        self._answers = {}
+
+
+def waiting(dispatcher: Dispatcher) -> Mapping[str, str]:
+    """Why each train that waits does so."""
+    held = {r.name: r.reason for r in dispatcher.pending}
+    return held | {r.name: r.reason for r in dispatcher.runs if not r.finished and r.ahead == 0}

@@ -1,0 +1,224 @@
+"""The language of dispatch: a file of its own beside the layout, which the layout's digest and proof never see.
+
+Input: a YAML text.  Output: a `DispatchFile`, or diagnostics IL1004-IL1019 (shape) and IL6001-IL6002.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationError
+from pydantic_core import PydanticCustomError
+
+from interlock.diag import Sink, Span
+from interlock.diag.suggest import did_you_mean
+from interlock.frontend.load import read
+from interlock.frontend.scalars import Amount, Name, Text, choice, number, version
+from interlock.frontend.validate import plain, report_shape, span_of
+from interlock.frontend.yaml_tree import Mapping, Node, parse
+from interlock.model.layout import Layout
+
+SUFFIX = ".dispatch"
+MOST_TRAINS = 200
+"""Locomotives of a fleet, trains of an order, trains at a place (our choice)."""
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+def _between(low: float, high: float, what: str) -> BeforeValidator:
+    """A number above `low` and at most `high`."""
+
+    def check(value: object) -> float:
+        if not isinstance(value, str):
+            raise PydanticCustomError("number", "a number is expected")
+        x = number(value)
+        if not low < x <= high:
+            fix = f"{what}: above {low:g} and at most {high:g}"
+            raise PydanticCustomError("range", "{v} is out of range", {"v": value, "fix": fix})
+        return x
+
+    return BeforeValidator(check)
+
+
+Hours = Annotated[float, _between(0, 24, "hours")]
+Minutes = Annotated[float, _between(0, 1440, "minutes")]
+Tonnes = Annotated[float, _between(0, 1e9, "tonnes")]
+Days = Annotated[float, _between(0, 366, "days a year")]
+Shifts = Annotated[float, _between(0, 24, "shifts a day")]
+Kmh = Annotated[float, _between(0, 400, "km/h")]
+
+
+class LineSpec(_Part):
+    """A main or branch line: tonnes a year, men and waste trains a shift, minutes a train at its bottleneck."""
+
+    tonnes: Tonnes
+    men: Amount = 0.0
+    waste: Amount = 0.0
+    minutes: Annotated[Minutes, Field(description="a train at the tippler (main) or at the loading place (branch)")]
+    rounding: Annotated[Literal["up", "none"], choice("rounding", ("up", "none"))] = "up"
+    sections: list[Name] = []
+
+
+class TrafficSpec(_Part):
+    """What the formulas 3-1 to 3-9 of document B need."""
+
+    shift_h: Hours = 8.0
+    shifts: Shifts
+    days: Days
+    train_t: Annotated[Tonnes, Field(description="tonnes a train, less what sticks to the floors of the wagons")]
+    change_h: Annotated[Amount, Field(description="hours lost at a change of shift, 0.5 in the document")] = 0.5
+    speed_kmh: Annotated[Kmh, Field(description="mean speed, usually 8")] = 8.0
+    main: LineSpec | None = None
+    branches: dict[Name, LineSpec] = {}
+
+
+def _count(value: object) -> int:
+    if not isinstance(value, str) or not re.fullmatch(r"\d{1,4}", value) or not 1 <= int(value) <= MOST_TRAINS:
+        fix = f"write a whole number, 1 to {MOST_TRAINS}"
+        raise PydanticCustomError("range", "{v} is out of range", {"v": str(value), "fix": fix})
+    return int(value)
+
+
+Count = Annotated[int, BeforeValidator(_count)]
+Metres = Annotated[float, _between(0, 2000, "metres of a train")]
+Rate = Annotated[float, _between(0, 5, "m/s^2")]
+Seconds = Annotated[float, _between(0, 60, "seconds")]
+
+LEADS = ("hauled", "propelled")
+KINDS = ("loading", "tipping", "waiting", "crossing")
+
+
+class TrainSpec(_Part):
+    """A train, by its locomotive number: what it measures and how it runs."""
+
+    length: Metres
+    wagons: Count = 1
+    tonnes: Annotated[Tonnes, Field(description="tonnes that it carries")] = 60.0
+    speed: Kmh = 10.0
+    acceleration: Rate = 0.2
+    braking: Rate = 0.4
+    reaction: Seconds = 2.0
+    leads: Annotated[Literal["hauled", "propelled"], choice("kind of traction", LEADS)] = "hauled"
+    at: Annotated[Name, Field(description="the waiting place where it begins")]
+
+
+class PlaceSpec(_Part):
+    """Where trains are loaded, tipped, wait or cross: a section, or a boundary beyond which it lies."""
+
+    kind: Annotated[Literal["loading", "tipping", "waiting", "crossing"], choice("kind of place", KINDS)]
+    at: Annotated[Name, Field(description="section or boundary")]
+    minutes: Annotated[Minutes | None, Field(description="a train there, coupling included")] = None
+    capacity: Annotated[Count, Field(description="trains that may stand there")] = 1
+    ores: list[Name] = []
+
+
+class OrderSpec(_Part):
+    """What is to be brought: from a loading place to a tipping place, as trains or tonnes, within hours."""
+
+    from_: Annotated[Name, Field(alias="from")]
+    to: Name
+    trains: Count | None = None
+    tonnes: Tonnes | None = None
+    ore: Name | None = None
+    share: Annotated[float | None, _between(0, 1, "share of an ore in the blend")] = None
+    by: Annotated[Hours | None, Field(description="hours after the beginning of the shift")] = None
+    via: list[Name] = []
+
+
+class DispatchFile(_Part):
+    """What is moved on a layout, by which trains."""
+
+    dispatch: Annotated[int, BeforeValidator(version)]
+    layout: Name
+    title: Text = ""
+    shift_h: Hours = 8.0
+    traffic: TrafficSpec | None = None
+    fleet: dict[Name, TrainSpec] = {}
+    places: dict[Name, PlaceSpec] = {}
+    orders: dict[Name, OrderSpec] = {}
+
+
+_KEYS: dict[str, tuple[str, ...]] = {
+    "": tuple(DispatchFile.model_fields),
+    "traffic": (*TrafficSpec.model_fields, *LineSpec.model_fields),
+    "fleet": tuple(TrainSpec.model_fields),
+    "places": tuple(PlaceSpec.model_fields),
+    "orders": tuple(f.alias or n for n, f in OrderSpec.model_fields.items()),
+}
+
+
+@dataclass(frozen=True)
+class Orders:
+    """A dispatch file as read, with places for later diagnostics."""
+
+    file: DispatchFile
+    root: Node
+    name: str
+    text: str
+
+    def at(self, *path: str | int, key: bool = False) -> Span:
+        """The place of a value (or key)."""
+        return span_of(self.root, path, key=key)
+
+
+def beside(layout: str) -> str:
+    """The name of the dispatch file beside a layout file."""
+    return str(Path(layout).with_suffix(SUFFIX))
+
+
+def load(path: str, layout: Layout, sink: Sink) -> Orders | None:
+    """Read a dispatch file for a layout; None with every problem reported."""
+    text, _ = read(path, sink)
+    return None if text is None else load_text(path, text, layout, sink)
+
+
+def load_text(name: str, text: str, layout: Layout, sink: Sink) -> Orders | None:
+    """The same from its text."""
+    root = parse(name, text, sink)
+    if root is None or sink.has_errors:
+        return None
+    if not isinstance(root, Mapping) or "dispatch" not in root.items:
+        sink.add(
+            "IL6001", "this is no dispatch file: the key `dispatch` is missing", root.span, "begin with `dispatch: 1`"
+        )
+        return None
+    data = _typed(root, sink)
+    if data is None:
+        return None
+    orders = Orders(data, root, name, text)
+    if data.layout != layout.name:
+        fix = "give the dispatch file of this layout, or change its key `layout`"
+        what = f"this file is for the layout {data.layout}, not for {layout.name}"
+        sink.add("IL6001", what, orders.at("layout"), fix)
+        return None
+    _check_sections(orders, layout, sink)
+    return None if sink.has_errors else orders
+
+
+def _typed(root: Node, sink: Sink) -> DispatchFile | None:
+    content: Any = plain(root)
+    try:
+        return DispatchFile.model_validate(content, by_alias=True)
+    except ValidationError as error:
+        report_shape(root, error, _KEYS, sink)
+        return None
+
+
+def _check_sections(orders: Orders, layout: Layout, sink: Sink) -> None:
+    traffic = orders.file.traffic
+    if traffic is None:
+        return
+    known = [s.id for s in layout.sections]
+    lines = [(("traffic", "branches", n), x) for n, x in traffic.branches.items()]
+    if traffic.main is not None:
+        lines.append((("traffic", "main"), traffic.main))  # type: ignore[arg-type]
+    for path, line in lines:
+        for i, s in enumerate(line.sections):
+            if s not in known:
+                here = orders.at(*path, "sections", i)
+                sink.add("IL6002", f"there is no section {s}", here, did_you_mean(s, known))

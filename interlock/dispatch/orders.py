@@ -1,0 +1,157 @@
+"""Orders carried into voyages, and what of them cannot be done.
+
+A train of an order runs from its waiting place to the loading place, and from there to the tipping place, over any
+chain of routes.  Checked before anything moves: every order has such voyages for every train of the fleet; every place
+can be left again; there is standing room for the fleet; tippler and loading places have the hours.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from interlock.diag import Sink
+from interlock.diag.suggest import did_you_mean
+from interlock.dispatch.language import DispatchFile, Orders, OrderSpec, TrainSpec
+from interlock.dispatch.plan.railway import OUTSIDE, Errand, Journey, Leg, NoVoyage, Place, Railway, TooManyPlaces
+from interlock.model.elements import SectionId
+from interlock.table.rows import TraversalKey
+
+
+@dataclass(frozen=True)
+class Derived:
+    """An order with the journeys that carry it out, by train, and how many of them are needed."""
+
+    name: str
+    order: OrderSpec
+    journeys: dict[str, Journey]
+    trains: int
+
+
+class Derivation:
+    """Orders against a railway; problems go into the sink with their places."""
+
+    def __init__(self, railway: Railway, orders: Orders, sink: Sink) -> None:
+        self.railway, self.orders, self.sink = railway, orders, sink
+        self.file: DispatchFile = orders.file
+        layout = railway.layout
+        self.sections = {str(s.id) for s in layout.sections if not s.approach}
+        self.boundaries = {str(b.node) for b in layout.boundaries}
+
+    def run(self) -> tuple[Derived, ...]:
+        """All orders; none where names are wrong."""
+        self._names()
+        if self.sink.has_errors:
+            return ()
+        found = tuple(d for n, o in self.file.orders.items() for d in self._derive(n, o))
+        self._rooms()
+        self._hours()
+        return found
+
+    # --- names ---------------------------------------------------------------------------------
+
+    def _names(self) -> None:
+        file = self.file
+        for name, place in file.places.items():
+            if place.at not in self.sections | self.boundaries:
+                self._unknown(f"there is no section or boundary {place.at}", place.at,
+                              sorted(self.sections | self.boundaries), "places", name, "at")  # fmt: skip
+        for number, train in file.fleet.items():
+            waiting = [n for n, p in file.places.items() if p.kind == "waiting"]
+            if train.at not in waiting:
+                self._unknown(f"there is no waiting place {train.at}", train.at, waiting, "fleet", number, "at")
+        ores = sorted({x for p in file.places.values() for x in p.ores})
+        for name, order in file.orders.items():
+            for key, word, kind in (("from", order.from_, "loading"), ("to", order.to, "tipping")):
+                known = [n for n, p in file.places.items() if p.kind == kind]
+                if word not in known:
+                    self._unknown(f"there is no {kind} place {word}", word, known, "orders", name, key)
+            for i, s in enumerate(order.via):
+                if s not in self.sections:
+                    self._unknown(f"there is no section {s}", s, sorted(self.sections), "orders", name, "via", i)
+            if order.ore is not None and order.from_ in file.places and order.ore not in file.places[order.from_].ores:
+                text = f"{order.from_} does not load {order.ore}"
+                self._unknown(text, order.ore, ores, "orders", name, "ore")
+            if (order.trains is None) == (order.tonnes is None):
+                here = self.orders.at("orders", name, key=True)
+                self.sink.add("IL6003", f"order {name} says neither or both of trains and tonnes", here, "say one")
+        if file.orders and not file.fleet:
+            self.sink.add("IL6003", "there are orders and no fleet", self.orders.at("orders", key=True), "add `fleet`")
+
+    def _unknown(self, text: str, word: str, known: list[str], *path: str | int) -> None:
+        self.sink.add("IL6002", text, self.orders.at(*path), did_you_mean(word, known) or "known: " + ", ".join(known))
+
+    # --- voyages -------------------------------------------------------------------------------
+
+    def start(self, train: TrainSpec) -> tuple[TraversalKey, ...]:
+        """Where a train begins: outside a boundary, or in a section on any way through it."""
+        at = self.file.places[train.at].at
+        if at in self.boundaries:
+            return ((SectionId(at), OUTSIDE),)
+        return (self.railway.topo.traversals[SectionId(at)][0].key,)
+
+    def errand(self, number: str, order: OrderSpec) -> Errand:
+        """What a train does for an order."""
+        places, train = self.file.places, self.file.fleet[number]
+        via = frozenset(SectionId(s) for s in order.via)
+        legs = (Leg(places[order.from_].at), Leg(places[order.to].at, via))
+        return Errand(number, train.length, self.start(train), legs)
+
+    def _derive(self, name: str, order: OrderSpec) -> Iterator[Derived]:
+        journeys: dict[str, Journey] = {}
+        for number in self.file.fleet:
+            try:
+                journeys[number] = self.railway.draft(self.errand(number, order))
+            except (NoVoyage, TooManyPlaces) as error:
+                why = f"order {name}: {error}"
+                self.sink.add("IL6005", why, self.orders.at("orders", name, key=True), "see `interlock draw`")
+                return
+        carried = min(t.tonnes for t in self.file.fleet.values())
+        trains = order.trains or math.ceil((order.tonnes or 0) / carried)
+        yield Derived(name, order, journeys, trains)
+
+    # --- room and time -------------------------------------------------------------------------
+
+    def _rooms(self) -> None:
+        """A place inside the layout must be left again; the fleet must have somewhere to be."""
+        longest = max((t.length for t in self.file.fleet.values()), default=0.0)
+        for name, p in self.file.places.items():
+            if p.at not in self.sections:
+                continue
+            section = SectionId(p.at)
+            ways = [(t.key,) for t in self.railway.topo.traversals[section]]
+            if not any(self._leaves(w) for w in ways):
+                text = f"no train can leave {name}: no route begins at a signal of {p.at}"
+                self.sink.add("IL6008", text, self.orders.at("places", name, key=True), "put a signal at its end")
+            metres = max((self.railway.metres[k] for (k,) in ways), default=0.0)
+            if p.capacity * longest > metres:
+                text = f"{name} is to hold {p.capacity} trains of {longest:g} m, and {p.at} has {metres:g} m"
+                self.sink.add("IL6009", text, self.orders.at("places", name), "lower its capacity")
+        room = sum(p.capacity for p in self.file.places.values())
+        if self.file.places and len(self.file.fleet) > room:
+            text = f"{len(self.file.fleet)} trains have {room} places to stand"
+            self.sink.add("IL6009", text, self.orders.at("fleet", key=True), "add waiting places, or their capacity")
+
+    def _leaves(self, under: tuple[TraversalKey, ...]) -> bool:
+        return bool(self.railway.routes_on(Place(0, frozenset(), None, under), True))
+
+    def _hours(self) -> None:
+        """The time that each place works for all orders, against the shift."""
+        needed: dict[str, float] = {}
+        carried = min((t.tonnes for t in self.file.fleet.values()), default=1.0)
+        for o in self.file.orders.values():
+            trains = o.trains or math.ceil((o.tonnes or 0) / carried)
+            for place in (o.from_, o.to):
+                needed[place] = needed.get(place, 0.0) + trains * (self.file.places[place].minutes or 0.0) / 60
+            hours = trains * (self.file.places[o.from_].minutes or 0.0) / 60
+            if o.by is not None and hours > o.by:
+                name = next(n for n, x in self.file.orders.items() if x is o)
+                text = f"order {name} takes {hours:.2f} h of loading and is due after {o.by:g} h"
+                self.sink.add(
+                    "IL6010", text, self.orders.at("orders", name, "by"), "give it more time, or fewer trains"
+                )
+        for place, hours in needed.items():
+            if hours > self.file.shift_h * self.file.places[place].capacity:
+                text = f"{place} works {hours:.2f} h for these orders, in a shift of {self.file.shift_h:g} h"
+                self.sink.add("IL6010", text, self.orders.at("places", place, key=True), "order less, or spread it")

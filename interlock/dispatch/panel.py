@@ -1,0 +1,97 @@
+"""What a panel shows of a route, and what an operator asks for there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from interlock.logic.controller import Symbols
+from interlock.model.elements import MachineId, RouteId, SectionId, SignalId
+from interlock.table.rows import InterlockingTable, RouteKind
+
+Indications = Mapping[str, int]
+"""Inputs as sampled and outputs as shown, by name."""
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A route: its number, the section in rear of its signal, the indications that tell what it does."""
+
+    route: RouteId
+    number: int
+    entry: SignalId
+    rear: str | None
+    clear: Mapping[SectionId, str]
+    locked: Mapping[SectionId, str]
+    lamps: tuple[str, ...]
+    sections: tuple[SectionId, ...]
+    berth: SectionId | None
+    late: Mapping[MachineId, str]
+    beyond: tuple[str, ...]
+    on_sight: bool = False
+    """A call-on: its sections may be reported occupied."""
+
+    def stands(self, seen: Indications) -> bool:
+        """A train is before the signal; where nothing detects it, the command says so."""
+        return self.rear is None or not seen.get(self.rear, 1)
+
+    def open(self, seen: Indications) -> bool:
+        """All sections are locked and the signal shows proceed."""
+        return self.is_set(seen) and any(seen.get(n, 0) for n in self.lamps)
+
+    def is_set(self, seen: Indications) -> bool:
+        """All sections are locked."""
+        return all(seen.get(n, 0) for n in self.locked.values())
+
+    def held(self, seen: Indications) -> bool:
+        """Some of its sections are locked, or its signal is open."""
+        return any(seen.get(n, 0) for n in (*self.locked.values(), *self.lamps))
+
+    def entered(self, seen: Indications) -> bool:
+        """The train has passed the signal."""
+        name = self.clear.get(self.sections[0])
+        return name is not None and not seen.get(name, 1)
+
+    def left(self, seen: Indications) -> bool:
+        """Nothing is locked or occupied."""
+        return not self.held(seen) and all(seen.get(n, 0) for n in self.clear.values())
+
+    def hindered(self, seen: Indications) -> str:
+        """What is seen that keeps the route from being set; empty where nothing is."""
+        for s, n in self.clear.items():
+            if s != self.berth and not self.on_sight and not seen.get(n, 0):
+                return f"{s} is not clear"
+        for s, n in self.locked.items():
+            if seen.get(n, 1):
+                return f"{s} is locked"
+        if any(not seen.get(n, 0) for n in self.beyond):
+            return "the line beyond is not clear"
+        return ""
+
+    def fails(self, seen: Indications) -> MachineId | None:
+        """A machine of the route that was not detected in time."""
+        return next((m for m, n in self.late.items() if seen.get(n, 0)), None)
+
+
+def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
+    """Every route as a panel of this controller sees it."""
+    lamps = (symbols.clear_aspect, symbols.caution_aspect, symbols.call_aspect, symbols.shunt_aspect)
+    found: dict[RouteId, Stage] = {}
+    for r in table.routes:
+        before = symbols.approach_of.get(r.entry)
+        late = {d.machine: f"late {d.machine}" for d in r.points}
+        found[r.id] = Stage(
+            route=r.id,
+            number=r.number,
+            entry=r.entry,
+            rear=None if before is None else symbols.clear.get(before),
+            clear={s: symbols.clear[s] for s in r.section_ids if s in symbols.clear},
+            locked={s: symbols.indication[f"locked {s}"] for s, _ in r.locked},
+            lamps=tuple(x[r.entry] for x in lamps if r.entry in x),
+            sections=r.section_ids,
+            berth=r.berth,
+            late={m: symbols.indication[n] for m, n in late.items() if n in symbols.indication},
+            on_sight=r.kind is RouteKind.CALL_ON,
+            beyond=tuple(symbols.clear[c.section] for c in r.block if c.section in symbols.clear),
+        )
+    return found

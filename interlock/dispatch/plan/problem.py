@@ -1,0 +1,159 @@
+"""Trains that must come where they may stay, without what moves them: places, moves, and what keeps a move back.
+
+A train stands in one of its nodes.  A move takes it to another one; it is possible unless another train stands in a
+node that blocks the move, or a zone through which it leads is full.  While a train moves all others stand: what was
+set beside each other on the ground came one after the other, and trains that are under way arrive.
+
+Every node of every train has a bit, so that a state is one number, and so is what blocks a move.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+
+class GoesRound(Exception):
+    """A train's moves lead back to where it was."""
+
+
+@dataclass(frozen=True)
+class Move:
+    """A move: its label, the train, source and target bit, the nodes of others that block it, zones it leads into."""
+
+    label: str
+    train: int
+    source: int
+    target: int
+    blocked: int
+    zones: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True)
+class Limit:
+    """A zone: the nodes in which a train counts, and how many trains there may be."""
+
+    name: str
+    nodes: int
+    trains: int
+
+
+@dataclass
+class Problem:
+    """Trains with nodes and moves.  `home`: nodes in which a train may stay; `gone`: those in which it blocks nothing
+    and from which it moves no more."""
+
+    trains: list[str] = field(default_factory=list)
+    nodes: list[list[int]] = field(default_factory=list)
+    """The bits of each train's nodes, every source before its targets."""
+    moves: dict[int, list[Move]] = field(default_factory=dict)
+    """By source bit."""
+    label: dict[int, str] = field(default_factory=dict)
+    home: int = 0
+    gone: int = 0
+    limits: list[Limit] = field(default_factory=list)
+
+    def possible(self, state: int, move: Move) -> bool:
+        """Whether a move is possible in a state."""
+        return not state & move.blocked and all(
+            (state & ~move.source & self.limits[z].nodes).bit_count() < self.limits[z].trains for z in move.zones
+        )
+
+    def done(self, state: int) -> bool:
+        """Every train is where it may stay."""
+        return not state & ~self.home
+
+    def at(self, state: int) -> list[int]:
+        """The bit of each train, in the order of trains."""
+        return [next(b for b in bits if b & state) for bits in self.nodes]
+
+
+@dataclass
+class Draft:
+    """One train while a problem is built: nodes by key, moves between them, and what each holds and needs."""
+
+    name: str
+    start: object
+    holds: dict[object, frozenset[object]] = field(default_factory=dict)
+    """What a train in a node keeps from others."""
+    moves: dict[object, list[tuple[str, object, frozenset[object], tuple[str, ...]]]] = field(default_factory=dict)
+    """By node: label, target, the things that nobody else may hold, zones."""
+    home: set[object] = field(default_factory=set)
+    gone: set[object] = field(default_factory=set)
+    inside: dict[object, frozenset[str]] = field(default_factory=dict)
+    """The zones in which a train in a node counts."""
+
+    def order(self) -> list[object]:
+        """The nodes from the start, sources before targets.  Raises `GoesRound`."""
+        done: dict[object, bool] = {}
+        found: list[object] = []
+        stack: list[tuple[object, int]] = [(self.start, 0)]
+        done[self.start] = False
+        while stack:
+            node, k = stack[-1]
+            onward = self.moves.get(node, [])
+            if k == len(onward):
+                stack.pop()
+                done[node] = True
+                found.append(node)
+                continue
+            stack[-1] = (node, k + 1)
+            target = onward[k][1]
+            if target not in done:
+                done[target] = False
+                stack.append((target, 0))
+            elif not done[target]:
+                raise GoesRound(f"{self.name} comes back to {target}")
+        return found[::-1]
+
+
+@dataclass(frozen=True)
+class Built:
+    """A problem with the bit of every node of every train, and the state in which all stand at their starts."""
+
+    problem: Problem
+    bits: tuple[dict[object, int], ...]
+    start: int
+
+
+def build(drafts: Sequence[Draft], limits: Sequence[tuple[str, int]] = ()) -> Built:
+    """Give every node a bit, and find what blocks what: a thing that a move needs and a node holds."""
+    problem = Problem(trains=[d.name for d in drafts])
+    bits: list[dict[object, int]] = []
+    holders: list[dict[object, int]] = []
+    bit = 1
+    for d in drafts:
+        of: dict[object, int] = {}
+        held: dict[object, int] = {}
+        for node in d.order():
+            of[node] = bit
+            problem.label[bit] = str(node)
+            for thing in d.holds.get(node, ()):
+                held[thing] = held.get(thing, 0) | bit
+            if node in d.home or node in d.gone:
+                problem.home |= bit
+            if node in d.gone:
+                problem.gone |= bit
+            bit <<= 1
+        bits.append(of)
+        holders.append(held)
+        problem.nodes.append(list(of.values()))
+    number = {name: i for i, (name, _) in enumerate(limits)}
+    for name, trains in limits:
+        inside = 0
+        for d, of in zip(drafts, bits, strict=True):
+            for node, b in of.items():
+                if name in d.inside.get(node, ()):
+                    inside |= b
+        problem.limits.append(Limit(name, inside, trains))
+    for t, (d, of) in enumerate(zip(drafts, bits, strict=True)):
+        for node, b in of.items():
+            out = problem.moves[b] = []
+            for label, target, needs, zones in d.moves.get(node, []):
+                blocked = 0
+                for u, held in enumerate(holders):
+                    if u != t:
+                        for thing in needs:
+                            blocked |= held.get(thing, 0)
+                out.append(Move(label, t, b, of[target], blocked, tuple(number[z] for z in zones)))
+    return Built(problem, tuple(bits), sum(of[d.start] for d, of in zip(drafts, bits, strict=True)))

@@ -1,0 +1,363 @@
+"""The trains of a railway as a problem: where each may be between two routes, and which routes take it on.
+
+Made from the table alone (and the lengths of sections and trains).  A train that has come to the end of a route stands
+before the next signal; under it lie the last sections of its way, as many as it is long.  It holds them with their
+locks: their machines, and what they exclude (diamonds, foul joints).  A route needs what the table says: its sections
+and flank space clear, its overlap, the line beyond clear, machines that are not held otherwise, room in zones.  What
+the interlocking asks for besides (external conditions, detection, lamps, a direction token) is assumed to come.
+
+Nothing here depends on names: where several routes are possible they are ordered by their shape.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from interlock.dispatch.plan.problem import Draft
+from interlock.model.elements import NodeId, RouteId, SectionId
+from interlock.model.layout import Layout
+from interlock.model.traversal import topology
+from interlock.table.rows import ExitKind, InterlockingTable, RouteKind, RouteRow, TraversalKey
+
+MOST_NODES = 20_000
+"""Places of one train that are looked at (our choice)."""
+
+OUTSIDE = 0
+"""The number of the way of a train that stands outside a boundary, whose name is then its section."""
+
+GONE = "gone"
+
+
+class TooManyPlaces(Exception):
+    """An errand leads to more places than can be looked at."""
+
+
+class NoVoyage(Exception):
+    """No chain of routes makes an errand; says which leg."""
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A part of an errand: to a boundary, a signal or a section, over sections; `shunt`: on shunt routes.
+
+    far_first: all its routes are asked for at once, from the far end.
+    """
+
+    to: str
+    via: frozenset[SectionId] = frozenset()
+    shunt: bool = False
+    far_first: bool = False
+
+
+@dataclass(frozen=True)
+class Errand:
+    """What one train is to do.  `start`: the ways under it from the rear, or (boundary, OUTSIDE)."""
+
+    train: str
+    length_m: float
+    start: tuple[TraversalKey, ...]
+    legs: tuple[Leg, ...]
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a train stands between two routes: leg, what it passed of `via`, the route it came on, ways under it."""
+
+    leg: int
+    passed: frozenset[SectionId]
+    route: RouteId | None
+    under: tuple[TraversalKey, ...]
+
+    def __str__(self) -> str:
+        return " ".join(s for s, _ in self.under) or GONE
+
+
+@dataclass(frozen=True)
+class Step:
+    """A route, or routes in the order of travel, that take a train from one place to the next."""
+
+    routes: tuple[RouteRow, ...]
+    after: Place
+    turned: bool
+
+
+class Railway:
+    """A table with what planning asks of it."""
+
+    def __init__(self, table: InterlockingTable, layout: Layout) -> None:
+        self.table, self.layout, self.topo = table, layout, topology(layout)
+        self.metres = {t.key: t.length for s in self.topo.sections for t in self.topo.traversals[s]}
+        self.ends = {t.key: (t.entry, t.exit) for s in self.topo.sections for t in self.topo.traversals[s]}
+        self.approach = {str(b.node): b.approach for b in layout.boundaries}
+        self.zones = [(z.id, z.trains) for z in layout.zones]
+        self._zone_of = {s: z.id for z in layout.zones for s in z.sections}
+        self._from: dict[tuple[NodeId, SectionId], list[RouteRow]] = {}
+        for r in sorted(table.routes, key=lambda r: (self.rank[r.id], r.number)):
+            if r.kind is not RouteKind.CALL_ON:
+                self._from.setdefault((r.entry_node, r.section_ids[0]), []).append(r)
+
+    @cached_property
+    def rank(self) -> dict[RouteId, int]:
+        """Routes by shape: what they look like, then what follows, precedes and excludes them, round after round."""
+        rows = self.table.routes
+        ends: dict[str, list[RouteRow]] = {}
+        starts: dict[str, list[RouteRow]] = {}
+        for r in rows:
+            ends.setdefault(r.exit, []).append(r)
+            starts.setdefault(r.entry, []).append(r)
+        near = len(rows) <= 500
+        look: dict[RouteId, object] = {
+            r.id: (r.kind, round(r.length, 1), len(r.traversals), r.exit_kind, len(r.points), len(r.hostile))
+            for r in rows
+        }
+        found: dict[RouteId, int] = {}
+        for _ in range(8):
+            order = {x: i for i, x in enumerate(sorted(set(look.values()), key=repr))}
+            now = {r: order[x] for r, x in look.items()}
+            if len(set(now.values())) == len(set(found.values())):
+                break
+            found = now
+            look = {
+                r.id: (
+                    found[r.id],
+                    tuple(sorted(found[x.id] for x in starts.get(r.exit, ()))),
+                    tuple(sorted(found[x.id] for x in ends.get(r.entry, ()))),
+                    tuple(sorted(found[x] for x in r.hostile.routes)) if near else (),
+                )
+                for r in rows
+            }
+        return found
+
+    # --- what is held and needed ---------------------------------------------------------------
+
+    def holds(self, under: Iterable[TraversalKey]) -> frozenset[object]:
+        """What a train that stands on ways keeps from others."""
+        things: set[object] = set()
+        for section, number in under:
+            if number == OUTSIDE:
+                approach = self.approach.get(section)
+                things |= {("section", approach)} if approach else set()
+                continue
+            things |= {("section", section), ("way", section, number)}
+            lock = self.table.lock.get((section, number))
+            if lock is None:
+                continue
+            for e in lock.exclusions:
+                things |= {("shut", e.section, k) for k in (e.numbers if not e.whole else (0,))}
+            things |= {("lies", d.machine, d.position) for d in lock.points}
+        return frozenset(things)
+
+    def needs(self, r: RouteRow) -> frozenset[object]:
+        """What nobody else may hold so that a route can be set and driven."""
+        things: set[object] = set()
+        for key in r.traversals:
+            self._way(key, key[0] == r.berth, things)
+        for key in r.overlap.ways if r.overlap else ():
+            self._way(key, False, things)
+        demanded = {(d.machine, d.position) for d in r.points}
+        for f in r.foul:
+            if f.when is None or (f.when[0], f.when[1].other) not in demanded:
+                things.add(("section", f.section))
+        things |= {("section", c.name) for c in r.space if not c.lamp}
+        things |= {("section", c.section) for c in r.block}
+        return frozenset(things)
+
+    def _way(self, key: TraversalKey, berth: bool, things: set[object]) -> None:
+        section, number = key
+        if not berth:
+            things.add(("section", section))
+        things |= {("shut", section, 0), ("shut", section, number)}
+        lock = self.table.lock.get(key)
+        for e in lock.exclusions if lock else ():
+            things |= {("section", e.section)} if e.whole else {("way", e.section, k) for k in e.numbers}
+        things |= {("lies", d.machine, d.position.other) for d in (lock.points if lock else ())}
+
+    def inside(self, under: Iterable[TraversalKey]) -> frozenset[str]:
+        """The zones in which a train on ways counts."""
+        return frozenset(self._zone_of[s] for s, n in under if n != OUTSIDE and s in self._zone_of)
+
+    def standing(self, r: RouteRow) -> tuple[TraversalKey, ...]:
+        """A way on which a train stands before a route's signal."""
+        rear = self.topo.beyond(r.section_ids[0], r.entry_node)
+        ways = [] if rear is None else [t.key for t in self.topo.traversals[rear] if t.exit == r.entry_node]
+        return (min(ways, key=lambda k: (k not in self.table.lock, k)),)
+
+    # --- errands -------------------------------------------------------------------------------
+
+    def lies(self, ways: Sequence[TraversalKey], length: float) -> tuple[TraversalKey, ...]:
+        """The last of some ways that a train of a length covers with its head at the end."""
+        covered = 0.0
+        for k in range(len(ways) - 1, -1, -1):
+            covered += self.metres.get(ways[k], float("inf"))
+            if covered >= length:
+                return tuple(ways[k:])
+        return tuple(ways)
+
+    def routes_on(self, place: Place, turns: bool) -> list[tuple[RouteRow, bool]]:
+        """The routes before which a train stands, and whether it changes direction for it."""
+        if not place.under:
+            return []
+        section, number = place.under[-1]
+        if number == OUTSIDE:
+            node = NodeId(section)
+            first = self.layout.section_of(self.layout.edges_at[node][0].id)
+            return [(r, False) for r in self._from.get((node, first), ())]
+        entry, exit_ = self.ends[section, number]
+        found = [(r, False) for r in self._ahead(section, exit_)]
+        if turns and len(place.under) == 1:
+            found += [(r, True) for r in self._ahead(section, entry)]
+        return found
+
+    def _ahead(self, section: SectionId, joint: NodeId) -> list[RouteRow]:
+        ahead = self.topo.beyond(section, joint)
+        return [] if ahead is None else self._from.get((joint, ahead), [])
+
+    def draft(self, errand: Errand) -> Journey:
+        """Where an errand can lead.  Raises `NoVoyage`, `TooManyPlaces`."""
+        start = Place(0, frozenset(), None, errand.start)
+        steps: dict[Place, list[Step]] = {}
+        todo, homes = [start], set()
+        while todo:
+            place = todo.pop()
+            if place in steps:
+                continue
+            if len(steps) > MOST_NODES:
+                raise TooManyPlaces(f"{errand.train} can come to more than {MOST_NODES} places")
+            if place.leg == len(errand.legs):
+                homes.add(place)
+                steps[place] = []
+                continue
+            steps[place] = self._steps(errand, place)
+            todo.extend(s.after for s in steps[place])
+        kept = _leading(steps, homes)
+        if start not in kept:
+            far = max((p.leg for p in steps), default=0)
+            raise NoVoyage(
+                f"no chain of routes takes {errand.train} to {errand.legs[min(far, len(errand.legs) - 1)].to}"
+            )
+        steps = _straight({p: [s for s in steps[p] if s.after in kept] for p in kept}, start)
+        return Journey(errand, start, steps, self)
+
+    def _steps(self, errand: Errand, place: Place) -> list[Step]:
+        leg = errand.legs[place.leg]
+        turns = place.route is None or (bool(place.leg) and not place.passed and self._begins(errand, place))
+        if leg.far_first:
+            return self._whole(errand, place, turns)
+        found = []
+        for r, turned in self.routes_on(place, turns):
+            if (r.kind is RouteKind.SHUNT) == leg.shunt and not self._own(place, (r,)):
+                after = self._after(errand, place, (r,), turned)
+                if after is not None:
+                    found.append(Step((r,), after, turned))
+        return found
+
+    def _begins(self, errand: Errand, place: Place) -> bool:
+        """The train has just ended a leg: it may change direction."""
+        return place.route is not None and self._reached(self.table.route[place.route], errand.legs[place.leg - 1])
+
+    def _reached(self, r: RouteRow, leg: Leg) -> bool:
+        return leg.to in (r.exit, r.section_ids[-1])
+
+    def _whole(self, errand: Errand, place: Place, turns: bool) -> list[Step]:
+        """All routes of a leg in one step."""
+        leg = errand.legs[place.leg]
+        found: list[Step] = []
+        todo: list[tuple[tuple[RouteRow, ...], bool]] = [((r,), t) for r, t in self.routes_on(place, turns)]
+        while todo:
+            chain, turned = todo.pop(0)
+            if (chain[-1].kind is RouteKind.SHUNT) != leg.shunt or self._own(place, chain):
+                continue
+            after = self._after(errand, place, chain, turned)
+            if after is not None and after.leg > place.leg:
+                found.append(Step(chain, after, turned))
+            elif chain[-1].exit_kind is ExitKind.SIGNAL and len(chain) < 12:
+                been = {s for r in chain for s in r.section_ids}
+                end = Place(0, frozenset(), chain[-1].id, chain[-1].traversals)
+                todo += [((*chain, r), turned) for r, _ in self.routes_on(end, False) if been.isdisjoint(r.section_ids)]
+        return found
+
+    def _own(self, place: Place, chain: Sequence[RouteRow]) -> bool:
+        """The train itself is in the way."""
+        mine = self.holds(place.under)
+        return any(mine & self.needs(r) for r in chain)
+
+    def _after(self, errand: Errand, place: Place, chain: Sequence[RouteRow], turned: bool) -> Place | None:
+        leg, last = errand.legs[place.leg], chain[-1]
+        passed = place.passed | (leg.via & {s for r in chain for s in r.section_ids})
+        done = self._reached(last, leg) and passed == leg.via
+        at = place.leg + 1 if done else place.leg
+        if last.exit_kind is ExitKind.BOUNDARY:
+            return Place(at, frozenset(), last.id, ()) if at == len(errand.legs) else None
+        rear = () if turned else place.under
+        ways = (*rear, *(k for r in chain for k in r.traversals))
+        return Place(at, frozenset() if done else passed, last.id, self.lies(ways, errand.length_m))
+
+
+@dataclass
+class Journey:
+    """An errand with all its places and the steps between them."""
+
+    errand: Errand
+    start: Place
+    steps: dict[Place, list[Step]]
+    railway: Railway = field(repr=False)
+
+    def nodes(self, before: Sequence[str] = ()) -> Draft:
+        """The same as nodes and moves; a move's label is the number of its step.
+
+        before: the trains that come in over the same boundary before this one.
+        """
+        d = Draft(self.errand.train, self.start)
+        for place, steps in self.steps.items():
+            outside = place.under[:1] == self.errand.start and place.route is None and place.under[0][1] == OUTSIDE
+            own = {("queue", self.errand.train)} if outside else set()
+            behind = {("queue", t) for t in before} if outside else set()
+            d.holds[place] = self.railway.holds(place.under) | own
+            d.inside[place] = self.railway.inside(place.under)
+            if not steps:
+                (d.home if place.under else d.gone).add(place)
+            for k, s in enumerate(steps):
+                needs = behind.union(*(self.railway.needs(r) for r in s.routes))
+                zones = tuple(dict.fromkeys(z.zone for r in s.routes for z in r.zones))
+                d.moves.setdefault(place, []).append((str(k), s.after, frozenset(needs), zones))
+        return d
+
+
+def _leading(steps: Mapping[Place, Sequence[Step]], homes: Iterable[Place]) -> set[Place]:
+    """The places from which an errand can be completed."""
+    before: dict[Place, list[Place]] = {}
+    for p, out in steps.items():
+        for s in out:
+            before.setdefault(s.after, []).append(p)
+    found, todo = set(homes), list(homes)
+    while todo:
+        for p in before.get(todo.pop(), ()):
+            if p not in found:
+                found.add(p)
+                todo.append(p)
+    return found
+
+
+def _straight(steps: dict[Place, list[Step]], start: Place) -> dict[Place, list[Step]]:
+    """Without the steps that lead back to where the train was: it never goes round."""
+    done: dict[Place, bool] = {start: False}
+    stack = [(start, 0)]
+    out: dict[Place, list[Step]] = {start: []}
+    while stack:
+        place, k = stack[-1]
+        if k == len(steps[place]):
+            done[place] = True
+            stack.pop()
+            continue
+        stack[-1] = (place, k + 1)
+        step = steps[place][k]
+        if step.after not in done:
+            done[step.after] = False
+            out[step.after] = []
+            stack.append((step.after, 0))
+        elif not done[step.after]:
+            continue
+        out[place].append(step)
+    return out

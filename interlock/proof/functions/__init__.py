@@ -1,0 +1,71 @@
+"""Functions: what the controller must do, where claims say what it must never do.
+
+A controller that refuses every route is safe, and most small defects make one a little less useful, not less safe.  So
+each rule is said from its other side too: a route is refused, a signal stays at stop, a section stays locked, a delay
+does not run only for a reason that the rule names.  They are written from the rules over layout, inputs and states, as
+claims are, and proved by induction in the same way; `interlock mutate` and the tests ask them, `prove` does not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.logic.expr import TRUE, Expr
+from interlock.proof.functions.delays import delays, start
+from interlock.proof.functions.overlaps import overlaps
+from interlock.proof.functions.points import points
+from interlock.proof.functions.routes import routes
+from interlock.proof.functions.sections import sections
+from interlock.proof.functions.words import Words
+from interlock.proof.invariants import Facts
+
+FUNCTIONS: dict[str, str] = {
+    "F-DELAY": "Each delay counts exactly while what it waits for holds (R4, R8, R9, R10, R12, R16).",
+    "F-START": "When the restart delay is over no route is set or remembered, and nothing is cancelled, granted as "
+    "overlap, trailed or given to a neighbour.",
+    "F-GRANT": "A route that is newly asked for by hand is refused exactly for a reason that R6 names; "
+    "a shunting movement locks its berth as it comes in, unless somebody has.",
+    "F-LOCK": "A route is locked as soon as its ways and its overlap lie and are clear, and not before (R3).",
+    "F-OPEN": "A signal whose route is locked and wanted stays at stop only for a reason that R3 names.",
+    "F-CLEAR": "A main signal that is open shows clear wherever R11 allows it.",
+    "F-SPEED": "A main signal shows the speed of the path for which it is open (R11).",
+    "F-WANT": "A signal is wanted from when its route is locked, or asked for again, until a condition is lost while "
+    "it is open, or it is cancelled (R14).",
+    "F-PASSING": "A signal that stays open until the whole movement has passed does so, unless a condition is lost.",
+    "F-SHOWN": "A route remembers that its signal has been open, from then on and only from then on (R8).",
+    "F-CANCEL": "A cancelled route is given up as soon as R8 permits, and until then it goes on being cancelled; "
+    "otherwise only a train ends a route.",
+    "F-USED": "A section counts as used exactly when the three-point check sees a train come in (R9).",
+    "F-PASSED": "A train has gone on from a section exactly when it is seen to come into the next one (R9).",
+    "F-STALE": "Detection is not relied on exactly where inputs were lost, or a train called on, while locked (R9).",
+    "F-FIRM": "A section is firmly locked exactly when a route over it has been locked (R3).",
+    "F-MODE": "A section is locked for a train exactly from when a train route is set over it until it is released, or "
+    "a train has arrived, wholly (R2).",
+    "F-RELEASE": "A section is released exactly when R8, R9 or R16 has it released; and nothing of it is remembered.",
+    "F-TRAILED": "A point counts as trailed exactly when it loses its detection without a new command, until looked "
+    "at (R10).",
+    "F-POINT": "A machine is commanded exactly by a route, by hand where R10 permits it, or by what opens or closes by "
+    "itself; a command stays until the other is given.",
+    "F-TURN": "Where machines start one after the other: one starts exactly when it waits, none before it waits, and "
+    "the gap since the last start is over; and runs until it is there or commanded anew (R10).",
+    "F-OVERLAP": "An overlap is held exactly until no route leads to its signal or the train before it stands, and it "
+    "is clear (R4).",
+    "F-SWING": "An overlap swings to another alternative when that is asked for and R4 permits it.",
+    "F-ZONE": "A zone is told to be full exactly while as many of its sections count as trains may be in it (R17).",
+    "F-TOKEN": "The direction is taken, given and kept exactly as R12 says.",
+}
+
+
+def functions(f: Facts) -> list[tuple[str, str, Expr]]:
+    """Function, place and what is required of a step."""
+    w = Words(f)
+    out: list[tuple[str, str, Expr]] = []
+    parts: tuple[Iterator[tuple[str, str, Expr]], ...] = (delays(w), routes(w), sections(w), points(w), overlaps(w))
+    for part in parts:
+        out += [x for x in part if x[2] is not TRUE]
+    return out
+
+
+def function_start(f: Facts) -> Expr:
+    """F-START, of the state when the restart delay is over."""
+    return start(Words(f))

@@ -1,0 +1,113 @@
+"""Overlaps, zones and direction tokens."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, implies, neg, var
+from interlock.model.elements import SectionId, SignalId
+from interlock.proof.functions.words import Words
+
+
+def overlaps(w: Words) -> Iterator[tuple[str, str, Expr]]:
+    """F-OVERLAP, F-SWING, F-ZONE and F-TOKEN."""
+    f, sym = w.f, w.sym
+    for o, name in sym.overlap.items():
+        g, node = o[0], w.layout.signal[o[0]].node
+        before = w.topo.beyond(w.first(g), node)
+        assert before is not None
+        needless = disj((neg(f.locked_out(before, node)), var(sym.overlap_timer[g])))
+        clear = conj(neg(w.occupied(s)) for s, _ in sym.overlap_ways[o])
+        over = conj((needless, clear))
+        users = [w.set_now(r) for r in sym.routes if r.overlap == o]
+        held = var(name)
+        if g not in sym.swings:
+            yield "F-OVERLAP", f"{g} {o[1]}", iff(w.after(held), disj((*users, conj((held, neg(over))))))
+        else:
+            yield "F-OVERLAP", f"{g} {o[1]}", implies(conj((held, over, neg(disj(users)))), neg(w.after(held)))
+    yield from _swings(w)
+    yield from _zones(w)
+    yield from _tokens(w)
+
+
+def _swings(w: Words) -> Iterator[tuple[str, str, Expr]]:
+    """The first alternative that can be had is taken."""
+    f, sym = w.f, w.sym
+    for g in sym.swings:
+        node = w.layout.signal[g].node
+        before = w.topo.beyond(w.first(g), node)
+        assert before is not None
+        options = [o for o in sym.overlap if o[0] == g]
+        asked = [w.valid, sym.asked(sym.swing_request[g]), var(sym.overlap_firm[g]), f.locked_out(before, node)]
+        asked += [neg(var(sym.overlap_timer[g])), neg(w.occupied(before))]
+        for s in dict.fromkeys(s for o in options for s, _ in sym.overlap_ways[o]):
+            asked += [neg(w.occupied(s)), neg(f.any_lock(s))]
+        for i, o in enumerate(options):
+            held = disj(var(sym.overlap[x]) for x in options if x != o)
+            ready = conj((*asked, held, *(x for s, n in sym.overlap_ways[o] for x in _swings_to(w, g, s, n))))
+            taken = disj(var(sym.overlap[x]) for x in options[: i + 1])
+            yield "F-SWING", f"{g} {o[1]}", implies(ready, w.after(taken))
+
+
+def _swings_to(w: Words, g: SignalId, s: SectionId, n: int) -> Iterator[Expr]:
+    """A way can be held as overlap instead of another alternative of the same signal (R4)."""
+    yield from (_only_by(w, g, s), neg(w.blocked(s)), neg(w.trouble(s, n)))
+    for other, _, _ in w.sym.excluded[s, n]:
+        if other in w.sym.restart:
+            yield conj((_only_by(w, g, other), neg(w.f.any_lock(other))))
+    for m, x in w.sym.demands[s, n]:
+        free = [
+            y
+            for t in w.layout.sections_of_machine[m]
+            for y in (_only_by(w, g, t), neg(w.f.any_lock(t)), neg(w.occupied(t)))
+        ]
+        yield disj((w.commanded(m, x), conj((*free, *(neg(w.holding(way)) for way in w.flanks(m))))))
+
+
+def _only_by(w: Words, g: SignalId, s: SectionId) -> Expr:
+    """A section is held neither by the restart nor as overlap of another signal."""
+    others = (var(name) for o, name in w.f.options(s).items() if o[0] != g)
+    return neg(disj((w.f.restart(s), *others)))
+
+
+def _zones(w: Words) -> Iterator[tuple[str, str, Expr]]:
+    for z in w.layout.zones:
+        full = _at_least([_counts(w, z.sections, s) for s in z.sections], z.trains)
+        yield "F-ZONE", z.id, iff(w.after(var(w.sym.zone_full[z.id])), full)
+
+
+def _counts(w: Words, zone: tuple[SectionId, ...], s: SectionId) -> Expr:
+    """A train may be there: not where the lock is only the unused way ahead of one in rear."""
+    f, out = w.f, [w.f.restart(s), *w.f.overlaps(s)]
+    for n, lock in f.locks(s):
+        entry = f.way(s, n)[0]
+        rear = w.topo.beyond(s, entry)
+        ahead = conj((f.locked_out(rear, entry), neg(f.used(s)), neg(f.stale(s)))) if rear in zone else FALSE
+        out.append(conj((lock, neg(ahead))))
+    return disj(out)
+
+
+def _at_least(xs: list[Expr], number: int) -> Expr:
+    """So many of them."""
+    if number <= 0:
+        return TRUE
+    if number > len(xs):
+        return FALSE
+    return disj((conj((xs[0], _at_least(xs[1:], number - 1))), _at_least(xs[1:], number)))
+
+
+def _tokens(w: Words) -> Iterator[tuple[str, str, Expr]]:
+    f, sym = w.f, w.sym
+    running = var(sym.restart_timer)
+    for b, x in sym.token.items():
+        have, give, seen = var(x.have), var(x.give), var(x.seen)
+        out = disj(f.locked_out(s, b) for s in w.topo.sections if b in w.topo.ends[s])
+        taken = conj((w.valid, running, var(x.gives), neg(have), neg(give)))
+        given = conj((w.valid, var(x.asks), have, seen, var(x.clear), neg(out)))
+        arrived = conj((w.valid, var(x.has)))
+        yield "F-TOKEN", f"{b} ours", iff(w.after(have), conj((disj((have, taken, var(x.timer))), neg(given))))
+        yield "F-TOKEN", f"{b} given", iff(w.after(give), conj((disj((give, given)), neg(arrived))))
+        told = conj((w.valid, running, var(x.keeps)))
+        yield "F-TOKEN", f"{b} told", iff(w.after(seen), conj((disj((seen, told)), neg(taken))))
+        kept = disj((conj((neg(give), neg(given))), arrived))
+        yield "F-TOKEN", f"{b} kept", iff(w.after(var(x.tells["keeps"])), kept) if kept is not FALSE else FALSE

@@ -1,0 +1,224 @@
+"""Routes and signals: what is refused, and what stays at stop, has a reason."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.logic.controller import RouteSymbols
+from interlock.logic.expr import FALSE, Expr, conj, disj, iff, implies, neg, var
+from interlock.model.elements import Position, SectionId, SignalId
+from interlock.model.traversal import path_speed
+from interlock.proof.functions.words import Way, Words
+from interlock.proof.invariants.claims import allows_clear
+from interlock.proof.invariants.paths import SignalPath
+
+
+def routes(w: Words) -> Iterator[tuple[str, str, Expr]]:
+    """F-GRANT to F-SHOWN route by route, F-CANCEL signal by signal."""
+    for r in w.sym.routes:
+        yield from _route(w, r)
+    for g, name in w.sym.cancelling.items():
+        x, active, done = var(name), w.active(g), w.given_up(g)
+        going = conj((disj((x, var(w.sym.cancel[g]))), active, neg(done)))
+        yield "F-CANCEL", g, conj((iff(w.after(x), going), implies(done, neg(w.after(active)))))
+
+
+def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
+    after, sym = w.after, w.sym
+    active, locked, want, shows, shown = (var(n) for n in (r.active, r.locked, r.want, r.proceed, r.shown))
+    cancelling, cancelled = var(sym.cancelling[r.entry]), var(sym.cancel[r.entry])
+    free = conj((neg(cancelling), neg(cancelled)))
+    refused = conj((sym.asked(r.number), neg(active), neg(after(active))))
+    yield "F-GRANT", r.id, implies(refused, disj(_refusing(w, r, True)))
+    yield "F-GRANT", f"{r.id} set", implies(w.set_now(r), neg(disj(_refusing(w, r, False))))
+    stays = after(active)
+    if r.berth is not None:
+        unlocked = conj((w.set_now(r), neg(w.f.held(r.berth[0]))))
+        yield "F-GRANT", f"{r.id} into its berth", implies(unlocked, after(w.f.lock(*r.berth)))
+    setting = [active, neg(locked), w.valid, free, stays]
+    ready, needed = (conj((*setting, *_lie(w, r, wide), w.overlap_lies(r, wide))) for wide in (True, False))
+    yield "F-LOCK", r.id, conj((implies(ready, after(locked)), implies(w.rises(locked), needed)))
+    yield "F-LOCK", f"{r.id} stays", implies(conj((locked, stays)), after(locked))
+    order, some = conj(_in_order(w, r, True)), conj(_in_order(w, r, False))
+    lamp = disj((shows, var(sym.stop_lamp[r.entry]))) if r.entry in sym.stop_lamp else conj(())
+    opens = conj((active, locked, want, order, free, stays, lamp))
+    yield "F-OPEN", r.id, implies(opens, after(shows))
+    again = disj((want, FALSE if r.call_on else sym.asked(r.number)))
+    wanted, unwanted = (neg(conj((again, free, disj((neg(shows), x))))) for x in (order, some))
+    kept = conj((disj((wanted, after(want))), implies(unwanted, neg(after(want)))))
+    yield "F-WANT", r.id, implies(conj((active, locked, stays)), kept)
+    yield "F-WANT", f"{r.id} at first", implies(w.rises(locked), after(want))
+    yield "F-WANT", f"{r.id} at last", implies(after(want), after(locked))
+    if r.entry in sym.caution_aspect and not r.shunt and not r.call_on:
+        yield (
+            "F-CLEAR",
+            r.id,
+            implies(conj((after(shows), _may_show_clear(w, r))), after(var(sym.clear_aspect[r.entry]))),
+        )
+    speed = path_speed(w.layout, [w.way(s, n) for s, n in r.ways])
+    if speed is not None and (r.entry, speed) in sym.speed_shown and not r.shunt and not r.call_on:
+        is_open = after(disj(map(var, r.open_while)))
+        yield "F-SPEED", r.id, implies(is_open, after(var(sym.speed_shown[r.entry, speed])))
+    if r.passing is not None:
+        yield "F-PASSING", r.id, _passing(w, r, r.passing)
+    yield "F-SHOWN", r.id, iff(after(shown), conj((stays, disj((shown, after(shows))))))
+    first, number = r.ways[0]
+    node = w.f.way(first, number)[0]
+    ended = disj((w.given_up(r.entry), w.coming_in(first, node)))
+    yield "F-CANCEL", f"{r.id} ends", iff(w.ends(active), conj((active, ended)))
+
+
+def _passing(w: Words, r: RouteSymbols, name: str) -> Expr:
+    """The signal stays open for the movement that has begun to pass it."""
+    first, n = r.ways[0]
+    node = w.f.way(first, n)[0]
+    begun = disj((var(name), conj((var(r.proceed), w.coming_in(first, node)))))
+    there = [w.occupied(first), w.occupied(w.sym.approach_of[r.entry]), neg(var(w.sym.cancel[r.entry]))]
+    return implies(conj((begun, *there, *_in_order(w, r, True, clear=False))), w.after(var(name)))
+
+
+def _may_show_clear(w: Words, r: RouteSymbols) -> Expr:
+    """The path allows clear, and its lamp is intact (R11)."""
+    path = SignalPath(r.entry, False, tuple(w.way(s, n) for s, n in r.ways), None)
+    last = path.ways[-1]
+    ahead = w.topo.beyond(last.section, last.exit)
+    exit_ = None if ahead is None else w.topo.main_into.get((last.exit, ahead))
+    lamp = [var(w.sym.clear_lamp[r.entry])] if r.entry in w.sym.clear_lamp else []
+    return conj((allows_clear(w.f, path, exit_), *lamp))
+
+
+def _kept_clear(w: Words, r: RouteSymbols) -> list[SectionId]:
+    """The sections that must be clear: all, but those of a call-on only at first and where vehicles may stand."""
+    sections = [s for s, _ in r.ways]
+    return [s for i, s in enumerate(sections) if not r.call_on or i == 0 or w.f.berth(s)]
+
+
+def _refusing(w: Words, r: RouteSymbols, wide: bool) -> Iterator[Expr]:
+    """Why a route is refused (R6); `wide`: with what might count for the flank space or for the limit of a zone."""
+    f, clear = w.f, _kept_clear(w, r)
+    yield neg(w.valid)
+    for s, n in r.ways:
+        own = [o for o, ways in w.sym.overlap_ways.items() if o[0] == r.entry and (s, n) in ways]
+        if r.shunt or r.call_on:
+            own = []
+        yield f.locked(s)
+        yield disj(var(name) for o, name in f.options(s).items() if o not in own)
+        if s in clear:
+            yield w.occupied(s)
+        yield w.blocked(s)
+        yield _not_to_be_had(w, (s, n), wide)
+    yield from _rear(w, r)
+    if r.overlap is not None:
+        for s, n in w.sym.overlap_ways[r.overlap]:
+            yield _not_as_overlap(w, r.overlap[0], (s, n), wide)
+    if r.berth is not None:
+        yield from _berth(w, r.berth, wide)
+    for z in w.layout.zones if wide else ():  # how many trains there may be is T-ZONE's business
+        if any(s in z.sections for s, _ in r.ways):
+            yield _zone_may_be_full(w, z.sections)
+
+
+def _zone_may_be_full(w: Words, those: tuple[SectionId, ...]) -> Expr:
+    """Something is locked or held in a zone."""
+    return disj(w.f.held(s) for s in those)
+
+
+def _not_to_be_had(w: Words, way: Way, wide: bool) -> Expr:
+    """A way cannot be locked, whatever stands in its section (R6, R10)."""
+    f, out = w.f, [w.trouble(*way, wide)]
+    for other, whole, numbers in w.sym.excluded[way]:
+        if other not in w.sym.restart:
+            continue
+        if whole:
+            out.append(f.held(other))
+        else:
+            out += [f.restart(other), *f.overlaps(other, numbers), *(f.lock(other, n) for n in numbers)]
+    out += [neg(w.obtainable(m, x)) for m, x in w.sym.demands[way]]
+    return disj(out)
+
+
+def _not_as_overlap(w: Words, g: SignalId, way: Way, wide: bool) -> Expr:
+    """A way cannot be held as overlap of a signal: it may lie over the route that is set onward (R4)."""
+    f, (s, n) = w.f, way
+    onward = disj(
+        var(x.active)
+        for x in w.sym.routes_over.get(way, ())
+        if x.entry == g and not x.shunt and not x.call_on and way in x.ways
+    )
+    locks = [conj((lock, neg(onward))) if k == n else lock for k, lock in f.locks(s)]
+    held = [f.restart(s), *(var(name) for name in f.options(s).values()), *locks]
+    return disj((*held, w.occupied(s), w.blocked(s), _not_to_be_had(w, way, wide)))
+
+
+def _rear(w: Words, r: RouteSymbols) -> Iterator[Expr]:
+    """A train that may stand before the signal since the restart on points, on what is open, or not alone (R16)."""
+    f, (first, n) = w.f, r.ways[0]
+    node = f.way(first, n)[0]
+    rear = w.topo.beyond(first, node)
+    if rear is None:
+        return
+    lies_anyhow = any(t.points or t.crossings for t in w.topo.traversals[rear])
+    if lies_anyhow:
+        yield f.restart(rear)
+    for d in w.layout.devices:
+        if rear in d.over:
+            yield conj((f.restart(rear), neg(w.detected(d.id, Position.REVERSE))))
+    beside = {w.topo.beyond(rear, j) for j in w.topo.ends[rear] if j != node}
+    beside |= {fj.section for fj in f.fouls if fj.neighbour == rear}
+    for other in sorted(s for s in beside if s is not None):
+        yield conj((f.restart(rear), f.restart(other), w.occupied(other)))
+
+
+def _berth(w: Words, way: Way, wide: bool) -> Iterator[Expr]:
+    """A shunting movement does not come among vehicles where a train, or another movement, comes in (R2, R6)."""
+    f, s = w.f, way[0]
+    yield disj((w.blocked(s), _not_to_be_had(w, way, wide), f.train(s), *f.overlaps(s)))
+    for j in w.topo.ends[s]:
+        rear = w.topo.beyond(s, j)
+        if j == f.way(*way)[0]:
+            continue
+        g = w.signal_at(s, j)
+        if g is not None:
+            waits = disj((neg(f.used(s)), w.occupied(w.rear(s, j)), w.passing(g)))
+            yield conj((f.locked_in(s, j), waits))
+        elif rear is not None:
+            yield f.locked_out(rear, j)
+
+
+def _lie(w: Words, r: RouteSymbols, wide: bool, kept_clear: bool = True) -> Iterator[Expr]:
+    """The ways lie, and those that are kept clear are."""
+    clear = _kept_clear(w, r) if kept_clear else []
+    for s, n in (*r.ways, *([r.berth] if r.berth is not None else [])):
+        yield w.lies(s, n, wide)
+        if s in clear:
+            yield neg(w.occupied(s))
+
+
+def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iterator[Expr]:
+    """The conditions of proceed, in every scan (R3); `wide`: with all that might count for the flank space.  Behind the
+    first axle the path need not be `clear`."""
+    f, sym = w.f, w.sym
+    yield w.valid
+    yield from _lie(w, r, wide, clear)
+    yield w.overlap_lies(r, wide)
+    for s, _ in (*r.ways, *([r.berth] if r.berth is not None else [])):
+        yield neg(w.blocked(s))
+    yield from map(neg, _rear(w, r))
+    ways = [w.way(s, n) for s, n in r.ways]
+    for c in w.layout.conditions:
+        exits = not r.shunt and ways[-1].exit in c.exits
+        if r.entry in c.signals or any(t.section in c.over for t in ways) or exits:
+            yield var(sym.condition[c.id])
+    boundary = w.layout.boundary_at.get(ways[-1].exit)
+    if boundary is not None and not r.shunt:
+        if boundary.node in sym.token:
+            yield var(sym.token[boundary.node].have)
+        if boundary.approach is not None:
+            yield neg(w.occupied(boundary.approach))
+    if not r.call_on:
+        yield neg(f.stale(r.ways[0][0]))
+        last = sym.caution_lamp.get(r.entry, sym.clear_lamp.get(r.entry))
+        if last is not None and not r.shunt:
+            yield var(last)
+    if r.overlap is not None:
+        yield disj(var(name) for o, name in sym.overlap.items() if o[0] == r.overlap[0])

@@ -1,0 +1,44 @@
+"""What is said of a system, line by line, and which lines a mutant changes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from interlock.logic.expr import Expr
+from interlock.proof.functions import function_start, functions
+from interlock.proof.invariants import Facts, claims, strengthening
+from interlock.proof.runner import start_claim
+from interlock.proof.system import System
+
+
+@dataclass(frozen=True, slots=True)
+class Lines:
+    """What is said of a system."""
+
+    definitions: Mapping[str, Expr]
+    assumptions: tuple[Expr, ...]
+    invariants: tuple[tuple[str, Expr], ...]
+    claims: tuple[tuple[str, Expr], ...]
+    functions: tuple[tuple[str, Expr], ...]
+    start: tuple[Expr, ...]
+    at_start: tuple[tuple[str, Expr], ...]
+
+    @staticmethod
+    def of(system: System) -> Lines:
+        """The lines of a system."""
+        facts = Facts(system)
+        return Lines(
+            system.definitions,
+            tuple(dict.fromkeys(a.expr for a in system.assumptions)),
+            tuple((f"{i.id} at {i.place}", i.expr) for i in strengthening(facts)),
+            tuple((f"{c.id} at {c.place}", c.expr) for c in claims(facts)),
+            tuple((f"{name} at {place}", x) for name, place, x in functions(facts)),
+            tuple(dict.fromkeys(system.initial_parts)),
+            (("P-START", start_claim(system)), ("F-START", function_start(facts))),
+        )
+
+    def under(self, system: System) -> Lines:
+        """The lines of a system that differs in right sides only (`System.changed`): what is assumed and claimed speaks
+        of names, so that only definitions and the values that a restart keeps can be others."""
+        return replace(self, definitions=system.definitions, start=tuple(dict.fromkeys(system.initial_parts)))

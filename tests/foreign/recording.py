@@ -1,0 +1,197 @@
+"""Trains in metres on the emitted runtime in its cabinet, laid down scan by scan as it stands on the wires.
+
+The simulator says at times that the inputs are not valid; on the wires that is a substation whose heartbeat stands
+still.  Cycles are stalled more often than in the simulator's campaign, and by exactly the bound and one millisecond
+more; each power cut ends a segment.  A second recording has inputs at random, that no railway gives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from random import Random
+from typing import Any
+
+from interlock.field.plc import SoftPlc, runtime_scan
+from interlock.logic.cabinet import Allocation
+from interlock.logic.controller import Controller
+from interlock.model.layout import Layout
+from interlock.simulate.faults import Faults
+from interlock.simulate.run import Life, Outcome, load
+from interlock.simulate.track import Track
+from tests.foreign.wiring import Segment, Wiring
+
+STALLED = 0.02
+"""Chance of a stalled cycle in each scan of a life with stalls."""
+STILL_MS = (400, 900, 1000, 1100, 3000)
+"""How long a heartbeat stands still, at times."""
+QUIET = Faults(inputs=0.0, stall=0.0, power=0.0)
+HARSH = replace(QUIET, inputs=0.003, power=0.003)
+OFTEN = {"DN_": 0.5, "DR_": 0.5, "BLK_": 0.03, "CAN_": 0.03}
+"""Of inputs at random: how often they are 1, by the beginning of their names; others nearly always."""
+STARTS_MS = (0, 1, 86_400_000, 31 * 86_400_000)
+"""What the clock of the PLC may say at power-on: no timer depends on it."""
+
+
+@dataclass(frozen=True)
+class Railway:
+    """What is recorded: a layout, its runtime's text, its wires, what an operator knows of its routes."""
+
+    layout: Layout
+    controller: Controller
+    allocation: Allocation
+    runtime: str
+    routes: Mapping[str, tuple[int, ...]]
+    approaches: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Recording:
+    """Segments, what ran in them, stalled cycles, power cuts, and scans with inputs that were not valid."""
+
+    wiring: Wiring
+    segments: tuple[Segment, ...]
+    trains: int
+    movements: int
+    stalls: int
+    power_cuts: int
+    invalid: int
+
+    @property
+    def scans(self) -> int:
+        """Scans of all segments."""
+        return sum(s.scans for s in self.segments)
+
+
+class _Wire:
+    """A substation as the soft PLC sees it."""
+
+    def __init__(self) -> None:
+        self.values: dict[str, int] = {}
+
+    def read(self) -> Mapping[str, int]:
+        return self.values
+
+    def write(self, values: Mapping[str, bool], heartbeat: bool) -> None:
+        """What is written is recorded from the cycle's outputs."""
+
+    def close(self) -> None:
+        """Nothing to let go of."""
+
+
+class Recorder:
+    """Stands where the runtime's class stands in a simulated life: makes a cabinet at each power-on."""
+
+    def __init__(self, railway: Railway, rng: Random) -> None:
+        self.railway, self.rng = railway, rng
+        self.wiring = Wiring.of(railway.controller, railway.allocation)
+        self.segments: list[Segment] = []
+        self.stalls = self.invalid = 0
+        self.cycle_max_ms: int = load(railway.runtime)["Controller"].cycle_max_ms
+
+    def __call__(self) -> _Cabinet:
+        """Power-on."""
+        self.segments.append(Segment(self.rng.choice(STARTS_MS)))
+        return _Cabinet(self, self.segments[-1])
+
+
+class _Cabinet:
+    """The soft PLC between its substations, from one power-on to the next."""
+
+    def __init__(self, recorder: Recorder, segment: Segment) -> None:
+        self.recorder, self.segment, self.rng = recorder, segment, recorder.rng
+        allocation = recorder.railway.allocation
+        self.beats = {c.variable: self.rng.randrange(2) for c in allocation.heartbeats}
+        self.still: dict[str, int] = {}
+        self.links = {c.substation: _Wire() for c in allocation.heartbeats}
+        self.wires = [(c.variable, c.substation) for c in allocation.channels if c.direction == "I"]
+        runtime = runtime_scan(recorder.railway.runtime)
+        self.plc = SoftPlc(runtime, allocation, self.links, recorder.railway.controller.symbols.valid)
+
+    def scan(self, inputs: Mapping[str, int], dt_ms: int) -> Mapping[str, bool]:
+        """One scan, recorded."""
+        recorder, allocation = self.recorder, self.recorder.railway.allocation
+        self._beat(bool(inputs[self.plc.valid_name]), dt_ms)
+        for c in allocation.heartbeats:
+            self.links[c.substation].values = {c.variable: self.beats[c.variable]}
+        for name, station in self.wires:
+            self.links[station].values[name] = inputs[name]
+        cycle = self.plc.cycle({n: inputs[n] for n in allocation.written}, dt_ms)
+        recorder.stalls += dt_ms > recorder.cycle_max_ms
+        recorder.invalid += not cycle.valid or dt_ms > recorder.cycle_max_ms
+        self.segment.given += recorder.wiring.given({**inputs, **self.beats}, dt_ms)
+        self.segment.told += recorder.wiring.told(cycle.outputs)
+        self.segment.scans += 1
+        return cycle.outputs
+
+    def _beat(self, valid: bool, dt_ms: int) -> None:
+        """Heartbeats change in most cycles; now and then one stands still for a while, or as long as a fault lasts."""
+        rng = self.rng
+        if not valid and not self.still:
+            self.still[rng.choice(sorted(self.beats))] = rng.choice(STILL_MS)
+        elif rng.random() < 0.002:
+            self.still.setdefault(rng.choice(sorted(self.beats)), rng.choice(STILL_MS))
+        for name in self.beats:
+            if name in self.still:
+                self.still[name] -= dt_ms
+                if self.still[name] < 0 and valid:
+                    del self.still[name]
+            elif rng.random() < 0.95:
+                self.beats[name] ^= 1
+
+
+class _Life(Life):
+    """A railway with cycles that are stalled."""
+
+    stalled = 0.0
+
+    def _cycle(self, stopped: float) -> float:
+        if self.rng.random() < self.stalled:
+            exactly = self.rng.choice((0.0, 0.001))
+            return self.longest_s + exactly if self.rng.random() < 0.5 else self.longest_s * self.rng.uniform(0.5, 4.0)
+        return super()._cycle(stopped)
+
+
+LIVES = ((False, False), (True, False), (False, True), (True, True))
+"""Railways that are recorded: whether the operator is hostile, and whether there are many stalls, heartbeats that are
+lost, and power cuts."""
+
+
+def record(railway: Railway, scans: int, seed: int, lives: Sequence[tuple[bool, bool]] = LIVES) -> Recording:
+    """So many scans, each life its share."""
+    track = Track.of(railway.layout, railway.approaches)
+    total = Outcome()
+    segments: list[Segment] = []
+    stalls = invalid = 0
+    for n, (hostile, harsh) in enumerate(lives):
+        rng = Random(f"{seed} {n}")
+        recorder = Recorder(railway, Random(f"wires {seed} {n}"))
+        names: dict[str, Any] = {**load(railway.runtime), "Controller": recorder}
+        faults = HARSH if harsh else QUIET
+        life = _Life(railway.layout, track, names, rng, hostile, railway.routes, faults)
+        life.stalled = STALLED if harsh else STALLED / 20
+        life.run(scans * (n + 1) // len(lives) - scans * n // len(lives), total, lambda _: False, None)
+        segments += [s for s in recorder.segments if s.scans]
+        stalls, invalid = stalls + recorder.stalls, invalid + recorder.invalid
+    wiring = recorder.wiring
+    return Recording(wiring, tuple(segments), total.trains, total.movements, stalls, total.power_cuts, invalid)
+
+
+def scramble(railway: Railway, scans: int, seed: int) -> Recording:
+    """So many scans with inputs at random, most as they were in the scan before; cycles about as long as the bound."""
+    rng, inputs = Random(f"scrambled {seed}"), railway.controller.inputs
+    recorder = Recorder(railway, rng)
+    cabinet, longest = recorder(), recorder.cycle_max_ms
+    values = {i.name: i.restrictive for i in inputs}
+    often = {i.name: next((c for p, c in OFTEN.items() if i.name.startswith(p)), 0.95) for i in inputs}
+    for _ in range(scans):
+        for i in inputs:
+            if i.size and rng.random() < 0.3:
+                values[i.name] = rng.randrange(i.size)
+            elif not i.size and rng.random() < 0.2:
+                values[i.name] = int(rng.random() < often[i.name])
+        values[railway.controller.symbols.valid] = int(rng.random() < 0.999)
+        cabinet.scan(
+            values, rng.choice((longest + 1, 3 * longest) if rng.random() < 0.02 else (100, 400, 900, longest))
+        )
+    return Recording(recorder.wiring, tuple(recorder.segments), 0, 0, recorder.stalls, 0, recorder.invalid)

@@ -1,0 +1,130 @@
+"""Routes that are not hostile can be used together; what stands in the way is found, told and played."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from interlock.app.check import check_file
+from interlock.app.init import yard
+from interlock.cli.availability import command
+from interlock.logic.lower import lower
+from interlock.model.principles import PROFILES
+from interlock.proof.availability import Manner, Trial, availability, compatible
+from interlock.proof.opening import OPEN, steps
+from interlock.proof.runner import prove
+from interlock.proof.system import System
+from interlock.proof.together import How
+from tests.campaigns.availability import derived, space_to_the_point, under, weakened
+from tests.layouts import SHIPPED, built
+
+CASES = ("bare_signal", "both_ways", "door", "parallel", "scissors_apart", "through", "triangle")
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_pair_that_is_not_hostile_can_be_used_together(name: str) -> None:
+    layout, table, controller = built(name)
+    found = availability(System(layout, controller), table)
+    assert [(p.first, p.second, p.failure) for p in found.pairs if p.failure] == []
+    assert [(r.bound.route, r.failure) for r in found.routes if r.failure] == []
+    listed = {(a, b) for r in table.routes for a, b in [(r.id, h) for h in r.hostile.routes]}
+    count = len(table.routes)
+    assert found.hostile * 2 == len(listed) and found.hostile + len(found.pairs) == count * (count - 1) // 2
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("name", CASES)
+def test_small_layouts_are_proved_and_available_in_every_profile(name: str, profile: str) -> None:
+    made = derived(under(Path(f"tests/layouts_for_tests/{name}.yaml").read_text("utf-8"), profile))
+    assert made is not None
+    layout, table = made
+    system = System(layout, lower(layout, table))
+    assert prove(system).proved
+    assert availability(system, table).shown
+
+
+def test_two_parallel_trains_run_at_once_where_each_is_in_the_section_of_the_point_that_protects_the_other() -> None:
+    layout, _, controller = built("../tests/layouts_for_tests/parallel")
+    trial = Trial(System(layout, controller))
+    n, p = (r for r in controller.symbols.routes if r.id in ("N-E1", "P-W2"))
+    manner, runs = trial.plan(n, p)
+    assert manner is Manner.BESIDE and {x.how for x in runs} == {How.THEN, How.TOGETHER}
+
+
+@pytest.mark.parametrize("case", list(weakened()), ids=lambda c: f"{c[0]} {c[1]}")
+def test_weakenings_are_found_out(case: tuple) -> None:  # type: ignore[type-arg]
+    _, _, layout, table, controller = case
+    assert any(p.failure for p in availability(System(layout, controller), table).pairs)
+
+
+def test_a_signal_that_falls_because_of_the_other_train_is_told_and_played(tmp_path: Path) -> None:
+    layout, table, _ = built("../tests/layouts_for_tests/parallel")
+    system = System(layout, lower(layout, space_to_the_point(layout, table)))
+    found = availability(system, table)
+    (bad,) = [p for p in found.pairs if p.failure]
+    assert {bad.first, bad.second} == {"N-E1", "P-W2"} and "falls to stop before its train" in (bad.failure or "")
+    story = Trial(system).story(bad)
+    assert story is not None
+    text = "\n".join(story.steps).replace("Signal ", "signal ")
+    assert "signal N shows proceed for route N-E1" in text and "signal P returns to stop" in text
+    assert text.endswith(f"{bad.failure}.") and len(story.after) == len(story.steps)
+
+    from interlock.emit.drawing import plan_svg
+    from interlock.emit.report import player_html
+    from interlock.proof.trace import itf
+
+    trace = itf(system, story, layout.digest, plan_svg(layout))
+    assert json.loads(trace)["#meta"]["claim"].startswith("AVAILABILITY") and "<svg" in player_html(trace)
+
+
+@pytest.mark.parametrize(("name", "scans"), [("mine11", 4), ("cn6502", 20), ("flank_lab", 5)])
+def test_a_route_opens_within_the_scans_that_were_computed_and_some_need_them_all(name: str, scans: int) -> None:
+    layout, table, controller = built(name)
+    system = System(layout, controller)
+    found = availability(system, table)
+    seen = [r for r in found.routes if r.seen is not None]
+    assert all(r.seen is not None and r.seen[0] >= OPEN and r.failure is None for r in seen)
+    bound = {r.id: steps(system, r, 1000) for r in controller.symbols.routes}
+    assert all(r.seen is not None and r.seen[1] <= bound[r.bound.route] for r in seen)  # type: ignore[index]
+    assert max(max(r.seen) for r in seen if r.seen is not None) == scans
+
+
+def test_pairs_that_are_tried_are_those_that_the_table_does_not_call_hostile() -> None:
+    layout, table, controller = built("terminus")
+    tried = {(a.id, b.id) for a, b in compatible(System(layout, controller), table)}
+    assert all(b not in table.route[a].hostile.routes for a, b in tried) and len(tried) == 8
+
+
+def test_a_yard_is_available() -> None:
+    made = derived(yard(6))
+    assert made is not None
+    found = availability(System(made[0], lower(*made)), made[1])
+    assert found.shown and len(found.pairs) > 500
+
+
+def test_the_verb_tells_each_route_and_the_sum(tmp_path: Path) -> None:
+    done = CliRunner().invoke(command, ["layouts/mine11.yaml", "--traces", str(tmp_path)], catch_exceptions=False)
+    assert done.exit_code == 0 and "X1-X3: opens within 3 scans; its machine moved, 4 scans and 6 s" in done.output
+    assert re.search(r"SHOWN  9 routes; of 36 pairs 15 hostile, 21 used together in \d+ runs", done.output)
+    data = json.loads(CliRunner().invoke(command, ["layouts/mine11.yaml", "--format", "json"]).output)
+    assert data["ok"] and len(data["routes"]) == 9 and len(data["pairs"]) == 21
+    assert CliRunner().invoke(command, ["layouts/rejected/no_provider.yaml"]).exit_code == 1
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_signal_from_which_nothing_starts_ends_routes_with_an_overlap() -> None:
+    checked = check_file("tests/layouts_for_tests/bare_signal.yaml")
+    assert checked.ok and checked.table is not None
+    assert {r.id for r in checked.table.routes} == {"A-M", "B-W"}
+    assert checked.table.route["A-M"].overlap is not None  # type: ignore[index]
+
+
+def test_a_road_under_a_door_closes_its_signal_with_the_first_axle() -> None:
+    checked = check_file("tests/layouts_for_tests/door.yaml")
+    assert checked.ok and checked.table is not None
+    assert {d.code for d in checked.diagnostics} == {"IL3025"}
+    assert all(r.closing.whole is None for r in checked.table.routes if r.entry == "S3")

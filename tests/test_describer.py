@@ -1,0 +1,159 @@
+"""Numbers step with trains; a swapped, lost, doubled or unknown one is an alarm that names it, and nothing is asked."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from random import Random
+
+import pytest
+
+from interlock.dispatch import Dispatcher
+from interlock.dispatch.commands import errand
+from interlock.dispatch.describer import Describer
+from interlock.model.elements import SectionId
+from tests.layouts import built
+from tests.test_dispatch import Panel
+
+
+@lru_cache
+def mine() -> tuple[object, ...]:
+    return built("mine11")
+
+
+class Yard:
+    """Sections of mine11 that are occupied by hand, and a describer that sees them."""
+
+    def __init__(self, fleet: tuple[str, ...] = ("7", "8", "9")) -> None:
+        layout, _, controller = mine()
+        self.symbols = controller.symbols  # type: ignore[attr-defined]
+        self.d = Describer(layout, self.symbols, frozenset(fleet))  # type: ignore[arg-type]
+        self.d.expected = {SectionId("ap_W"): ["7", "8"], SectionId("ap_E"): ["9"]}
+        self.at: dict[str, list[str]] = {}
+
+    def see(self) -> None:
+        occupied = {s for x in self.at.values() for s in x}
+        self.d.step({n: int(s not in occupied) for s, n in self.symbols.clear.items()})
+
+    def drive(self, train: str, *sections: str) -> None:
+        """Into each section with the head, then out of the one before with the tail."""
+        for s in sections:
+            self.at.setdefault(train, []).append(s)
+            self.see()
+            self.at[train] = [s]
+            self.see()
+
+
+IN, OUT = ("ap_W", "q1", "q2", "q4", "q6"), ("ap_E", "q11", "q9", "q7", "q5")
+
+
+def test_numbers_step_with_their_trains() -> None:
+    y = Yard()
+    y.drive("7", *IN)
+    y.drive("9", *OUT)
+    y.drive("8", "ap_W", "q1")
+    assert [y.d.where(n) for n in "789"] == ["q6", "q1", "q5"] and y.d.alarms == {}
+    for n, s in (("7", "q6"), ("8", "q1"), ("9", "q5")):
+        y.d.read(SectionId(s), n)
+    assert y.d.alarms == {}
+    y.drive("7", "q8", "q10", "q11", "ap_E")
+    y.at.pop("7")
+    y.see()
+    assert y.d.where("7") is None and y.d.alarms == {}, "it has left"
+
+
+def test_swapped_numbers_name_both() -> None:
+    y = Yard()
+    y.drive("7", *IN)
+    y.drive("9", *OUT)
+    y.d.read(SectionId("q6"), "9")
+    assert set(y.d.alarms) == {"7", "9"} and "q5" in y.d.alarms["9"]
+    assert y.d.confirm(SectionId("q6"), "9") and y.d.where("9") == "q6"
+    assert set(y.d.alarms) >= {"?q5"} and "7" not in y.d.alarms
+    assert y.d.confirm(SectionId("q5"), "7") and y.d.alarms == {} and y.d.where("7") == "q5"
+
+
+def test_a_lost_train_is_named() -> None:
+    y = Yard()
+    y.drive("7", *IN)
+    y.at.clear()
+    y.see()
+    assert y.d.alarms == {"7": "it is lost: q6 became clear, and nothing beside it is occupied"}
+
+
+def test_a_doubled_number_is_named() -> None:
+    y = Yard()
+    y.drive("7", *IN)
+    y.drive("8", "ap_W", "q1")
+    y.d.read(SectionId("q1"), "7")
+    assert set(y.d.alarms) == {"7", "8"}
+
+
+def test_unknown_numbers_and_trains_from_nowhere() -> None:
+    y = Yard()
+    y.drive("7", *IN)
+    y.d.read(SectionId("q6"), "55")
+    assert set(y.d.alarms) == {"7", "55"} and "no train has this number" in y.d.alarms["55"]
+    y = Yard()
+    y.at["x"] = ["q7"]
+    y.see()
+    assert set(y.d.alarms) == {"?q7"}
+    y.d.read(SectionId("q7"), "8")
+    assert y.d.alarms == {} and y.d.where("8") == "q7"
+    y.d.read(SectionId("q9"), "8")
+    assert set(y.d.alarms) == {"8"}
+    assert not y.d.confirm(SectionId("q9"), "8")
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_whatever_is_confused_the_train_is_named(seed: int) -> None:
+    """A hundred steps of two trains on two tracks; at a random moment readers begin to tell something else."""
+    rng, y = Random(seed), Yard()
+    ways = {"7": list(IN[1:]), "9": list(OUT[1:])}
+    for n, s in (("7", "ap_W"), ("9", "ap_E")):
+        y.drive(n, s)
+    kind = rng.choice(("swapped", "doubled", "unknown", "none"))
+    moment, step = rng.randrange(1, 7), 0
+    while any(ways.values()):
+        n = rng.choice([k for k, w in ways.items() if w])
+        y.drive(n, ways[n].pop(0))
+        step += 1
+        if step < moment:
+            y.d.read(SectionId(y.at[n][-1]), n)
+            continue
+        told = {"swapped": {"7": "9", "9": "7"}[n], "doubled": "7", "unknown": "66", "none": n}[kind]
+        y.d.read(SectionId(y.at[n][-1]), told)
+        wrong = set() if told == n else {n, told}
+        assert wrong <= set(y.d.alarms)
+    assert (kind == "none") == (not y.d.alarms) or kind == "doubled"
+
+
+def test_lost_wagons_keep_the_sections_between_blocked() -> None:
+    y = Yard()
+    y.drive("7", "ap_W", "q1")
+    y.d.counted(SectionId("q1"), 12)
+    y.drive("7", "q2", "q4", "q6", "q8")
+    y.d.counted(SectionId("q8"), 11)
+    assert y.d.alarms == {"7": "12 wagons went in and 11 came out"}
+    assert y.d.writes() == {"BLK_q1": 1, "BLK_q2": 1, "BLK_q4": 1, "BLK_q6": 1}
+    y.d.looked(SectionId("q4"))
+    assert y.d.writes() == {"BLK_q1": 1, "BLK_q2": 1, "BLK_q6": 1}
+    even = Yard()
+    even.drive("7", "ap_W", "q1")
+    even.d.counted(SectionId("q1"), 12)
+    even.drive("7", "q2", "q4", "q6", "q8")
+    even.d.counted(SectionId("q8"), 12)
+    assert even.d.alarms == {} and even.d.writes() == {}
+
+
+def test_nothing_is_asked_for_a_train_with_an_alarm() -> None:
+    p = Panel(*built("mine11"))
+    order, _ = errand(p.dispatcher.railway, "7:W>E", 60.0)
+    p.dispatcher.carry_out(order)
+    assert isinstance(p.dispatcher, Dispatcher)
+    p.dispatcher.held["7"] = "in q1 the number 9 was read"
+    p.stand("ap_W")
+    p.run(60)
+    assert p.asked == [] and p.dispatcher.runs[0].reason == "in q1 the number 9 was read"
+    p.dispatcher.held.clear()
+    p.run(60)
+    assert p.opened() == {"X7"}

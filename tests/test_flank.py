@@ -1,0 +1,139 @@
+"""Flank protection as a whole (R5): scissors, substitutes, flank space; each with a table that goes wrong."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from interlock.audit import audit
+from interlock.diag import Sink
+from interlock.logic.lower import lower
+from interlock.model.layout import Layout
+from interlock.model.principles import PROFILES
+from interlock.proof.limits import Limits
+from interlock.proof.runner import prove
+from interlock.proof.system import System
+from interlock.proof.verdict import Verdict
+from interlock.table.rows import InterlockingTable, PointDemand, Role
+from tests.layouts import grown
+
+SCISSORS = {
+    "layouts/terminus": {("201", "N"), ("202", "N")},
+    "layouts/terminus_slip": {("201", "N"), ("202", "N")},
+    "layouts/cn6502": {("9/11", "N"), ("13/15", "N")},
+    "tests/layouts_for_tests/scissors_apart": {("1", "N"), ("2", "N")},
+}
+
+
+def derived(path: str, profile: str = "") -> tuple[Layout, InterlockingTable, Sink]:
+    """A layout under a profile, its own without one."""
+    text = Path(f"{path}.yaml").read_text("utf-8")
+    if profile:
+        text = re.sub(r"(?m)^profile:.*\n", "", text)
+        text = re.sub(r"(?m)^(name:.*\n)", rf"\1profile: {profile}\n", text, count=1)
+    made = grown(text)
+    assert made is not None
+    return made
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("path", SCISSORS)
+def test_the_partner_of_a_scissors_lies_normal_in_every_profile(path: str, profile: str) -> None:
+    layout, table, sink = derived(path, profile)
+    assert not sink.has_errors and audit(layout, table) == ()
+    seen = set()
+    for r in table.routes:
+        over = {c for key in r.traversals for t in table.locks if t.key == key for c, _ in t.crossings}
+        if not over:
+            continue
+        partner = {(p.machine, str(p.position)) for p in r.points if (p.machine, str(p.position)) in SCISSORS[path]}
+        assert partner, r.id
+        seen |= partner
+    assert seen == SCISSORS[path]
+
+
+@pytest.mark.parametrize("path", SCISSORS)
+def test_a_partner_that_may_lie_reverse_is_seen_by_claim_and_audit(path: str) -> None:
+    layout, table, _ = derived(path)
+    partners = {
+        c.requester: str(c.providers[0].name) for t in table.locks for c in t.flank if "partner" in c.because.text
+    }
+
+    def without(points: tuple[PointDemand, ...]) -> tuple[PointDemand, ...]:
+        return tuple(p for p in points if not (p.role is Role.FLANK and p.machine in partners.values()))
+
+    weak = replace(
+        table,
+        routes=tuple(replace(r, points=without(r.points)) for r in table.routes),
+        locks=tuple(replace(t, points=without(t.points)) for t in table.locks),
+    )
+    assert any("scissors" in f.text for f in audit(layout, weak))
+    result = prove(System(layout, lower(layout, weak)), Limits(search_depth=0))
+    assert {"T-SCISSORS", "S-SCISSORS"} <= {c.id for c in result.claims if c.verdict is not Verdict.PROVED}
+
+
+def test_a_scissors_over_four_sections_is_proved() -> None:
+    layout, table, _ = derived("tests/layouts_for_tests/scissors_apart")
+    result = prove(System(layout, lower(layout, table)))
+    assert result.proved and next(c.places for c in result.claims if c.id == "S-SCISSORS") == 4
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_what_one_route_demands_counts_when_its_next_flank_is_searched(profile: str) -> None:
+    layout, table, sink = derived("tests/layouts_for_tests/both_ways", profile)
+    assert not sink.has_errors and audit(layout, table) == ()
+    main = table.route["X2-E"]  # type: ignore[index]
+    assert [str(p) for c in main.flank for p in c.providers] == (["Y2", "Y2"] if profile == "cn" else ["P R", "Y2"])
+    assert ("IL4010" in {d.code for d in sink.diagnostics}) == (profile != "cn")
+    assert prove(System(layout, lower(layout, table))).proved
+
+
+def test_a_point_wanted_both_ways_gets_a_substitute_before_routes_become_hostile() -> None:
+    # 5/7, 1/3 and 23/25 would turn vehicles away from routes that can be set beside each other
+    _, by_point, sink = derived("layouts/cn6502", "generic")
+    _, by_signal, _ = derived("layouts/cn6502", "cn")
+    assert not sink.has_errors
+    assert {r.id: set(r.hostile.routes) for r in by_point.routes} == {
+        r.id: set(r.hostile.routes) for r in by_signal.routes
+    }
+    assert not any(h.kind == "flank" for r in by_point.routes for h in r.hostile)
+
+
+def test_a_place_that_contradicts_its_own_routes_is_named_once_with_what_would_do() -> None:
+    text = Path("tests/diagnostics/IL4002.yaml").read_text("utf-8")
+    made = grown(text)
+    assert made is not None
+    found = [d for d in made[2].diagnostics if d.code == "IL4002" and "cannot be protected" in d.message]
+    assert [d.message.split()[0] for d in found] == ["B.reverse"]
+    assert "route X2-E" in found[0].message and "Y would do, but stands 60 m away" in found[0].fix
+    assert "`waive: [{flank: B.reverse, reason: ...}]`" in found[0].fix
+
+
+def test_what_is_advised_against_a_contradiction_helps() -> None:
+    text = Path("tests/diagnostics/IL4002.yaml").read_text("utf-8")
+    waived = grown(text.replace("fouling: 70}\n  P", "fouling: 15}\n  P"))
+    assert waived is not None and not waived[2].has_errors
+    assert audit(waived[0], waived[1]) == ()
+
+
+def test_the_section_of_a_protecting_point_is_no_flank_space() -> None:
+    layout, table, sink = derived("tests/layouts_for_tests/parallel")
+    assert not sink.has_errors and audit(layout, table) == ()
+    assert [c.name for r in table.routes for c in r.space] == []
+    assert prove(System(layout, lower(layout, table))).proved
+
+
+def test_flank_space_that_is_not_asked_for_is_seen_by_claim_and_audit() -> None:
+    layout, table, _ = derived("layouts/cn6502", "de")
+    assert any(r.space for r in table.routes)
+    weak = replace(
+        table,
+        routes=tuple(replace(r, space=()) for r in table.routes),
+        locks=tuple(replace(t, space=()) for t in table.locks),
+    )
+    assert any(f.column == "space" for f in audit(layout, weak))
+    result = prove(System(layout, lower(layout, weak)), Limits(search_depth=0))
+    assert "S-FLANK-SPACE" in {c.id for c in result.claims if c.verdict is not Verdict.PROVED}

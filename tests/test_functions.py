@@ -1,0 +1,59 @@
+"""Functions: every shipped controller has them all, by induction; where something is cut, the function tells."""
+
+from __future__ import annotations
+
+import pytest
+
+from interlock.logic.expr import FALSE, TRUE, Expr
+from interlock.proof.functions import FUNCTIONS, functions
+from interlock.proof.invariants import Facts
+from interlock.proof.mutation.judge import Fate, Judge
+from interlock.proof.mutation.lines import Lines
+from interlock.proof.mutation.points import Mutation
+from interlock.proof.mutation.switched import Switched
+from interlock.proof.system import System
+from tests.layouts import SHIPPED, built
+from tests.test_operations import put
+
+OTHERS = ("closing", "devices", "driven", "foul_joint", "overlaps", "shunt_yard", "speeds", "swing", "token")
+
+
+@pytest.mark.parametrize("name", [*SHIPPED, *(f"../tests/layouts_for_tests/{x}" for x in OTHERS)])
+def test_every_controller_has_every_function(name: str) -> None:
+    """They follow, in every step, from the invariants, which the proofs of these layouts keep."""
+    layout, _, controller = built(name)
+    system = System(layout, controller)
+    lines, step, start = Lines.of(system), Switched(), Switched()
+    known = [step.define(n, x) for n, x in lines.definitions.items()]
+    known += [step.fact(x) for x in (*lines.assumptions, *(x for _, x in lines.invariants))]
+    assert len(lines.functions) > 40 and step.model(*known) is not None
+    assert [n for n, x in lines.functions if step.model(*known, step.any_false((x,))) is not None] == []
+    begin = [start.fact(x) for x in lines.start]
+    assert [n for n, x in lines.at_start if start.model(*begin, start.any_false((x,))) is not None] == []
+
+
+def test_each_function_is_asked_somewhere() -> None:
+    found = {"F-START"}
+    others = (f"../tests/layouts_for_tests/{x}" for x in OTHERS)
+    for name in ("passing_loop", "heishan", "flank_lab", "cn6502", *others):
+        layout, _, controller = built(name)
+        found |= {what for what, _, _ in functions(Facts(System(layout, controller)))}
+    assert found == set(FUNCTIONS)
+
+
+@pytest.mark.parametrize(
+    ("name", "wire", "value", "function"),
+    [
+        ("fig2_2", "STI_P1", FALSE, "F-DELAY"),
+        ("fig2_2", "HR_DP", FALSE, "F-RELEASE"),
+        ("fig2_2", "H_R1", TRUE, "F-SHOWN"),
+        ("fig2_2", "WA_DP_1", TRUE, "F-GRANT"),
+        ("mine11", "TH_P1", FALSE, "F-TRAILED"),
+        ("junction", "C_S1", FALSE, "F-CLEAR"),
+        ("crossing_line", "GPN_LC1", FALSE, "F-POINT"),
+    ],
+)
+def test_a_function_tells_what_no_claim_asks(name: str, wire: str, value: Expr, function: str) -> None:
+    layout, _, controller = built(name)
+    verdict = Judge(layout, controller).judge(Mutation("", "", wire, lambda: put(controller, wire, value)))
+    assert verdict.fate is Fate.FUNCTION and verdict.why.startswith(function)

@@ -1,0 +1,169 @@
+"""What is published of the layout language and of table.json: every key described, every shipped file accepted."""
+
+from __future__ import annotations
+
+import copy
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+import yaml
+from click.testing import CliRunner
+
+from interlock.app.check import check_file
+from interlock.cli.main import cli
+from interlock.diag import Sink
+from interlock.emit.tables.export import table_json
+from interlock.emit.tables.schema import table_schema
+from interlock.frontend import load_text
+from interlock.frontend.published import WITHOUT, json_schema, language_keys
+from interlock.frontend.schema import LayoutFile
+from interlock.model.principles import KNOBS, MEANING
+from interlock.table.rows import HostileClass
+from tests.layouts import SHIPPED
+
+LANGUAGE = json_schema()
+TABLE = table_schema()
+ACCEPTED = [
+    *(Path("layouts") / f"{n}.yaml" for n in SHIPPED),
+    *sorted(Path("layouts/refuted").glob("*.yaml")),
+    *sorted(p for p in Path("tests/layouts_for_tests").glob("*.yaml") if check_file(str(p)).ok),
+]
+
+
+class Core(yaml.SafeLoader):
+    """YAML 1.2, as editors read it: `yes` and `12:30` are texts, and keys are texts."""
+
+
+Core.yaml_implicit_resolvers = {}
+for tag, form, first in (
+    ("bool", r"true|false", "tf"),
+    ("null", r"null|~|", ["n", "~", ""]),
+    ("int", r"[-+]?[0-9]+", "-+0123456789"),
+    ("float", r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?", "-+.0123456789"),
+):
+    Core.add_implicit_resolver(f"tag:yaml.org,2002:{tag}", re.compile(rf"^(?:{form})$"), list(first))
+
+
+def text_keys(value: Any) -> Any:
+    """JSON has no other."""
+    if isinstance(value, dict):
+        return {str(k): text_keys(v) for k, v in value.items()}
+    return [text_keys(v) for v in value] if isinstance(value, list) else value
+
+
+def keys(schema: dict[str, Any]) -> Iterator[tuple[str, str, dict[str, Any]]]:
+    """Every key: the part in which it stands ("" for the top), its name, and what is said of it."""
+    for part, body in (("", schema), *schema["definitions"].items()):
+        for name, said in body.get("properties", {}).items():
+            yield part, name, said
+
+
+def problems(value: Any, schema: dict[str, Any]) -> list[str]:
+    found = jsonschema.validators.validator_for(schema)(schema).iter_errors(text_keys(value))
+    return [f"{'/'.join(map(str, e.absolute_path))}: {e.message}" for e in found]
+
+
+def test_both_schemas_are_schemas() -> None:
+    jsonschema.Draft7Validator.check_schema(LANGUAGE)
+    jsonschema.Draft202012Validator.check_schema(TABLE)
+    for what, schema in (("layout", LANGUAGE), ("table", TABLE)):
+        assert json.loads(CliRunner().invoke(cli, ["schema", "--of", what]).output) == schema
+
+
+@pytest.mark.parametrize("path", ACCEPTED, ids=str)
+@pytest.mark.parametrize("reader", [yaml.SafeLoader, Core])
+def test_every_layout_that_is_shipped_is_accepted(path: Path, reader: type[yaml.SafeLoader]) -> None:
+    assert problems(yaml.load(path.read_text("utf-8"), reader), LANGUAGE) == []
+
+
+def test_what_the_language_refuses_the_schema_refuses() -> None:
+    good = yaml.load(Path("layouts/passing_loop.yaml").read_text("utf-8"), Core)
+    for change in (
+        {"interlock": 2},
+        {"colour": "red"},
+        {"profile": "fr"},
+        {"points": {"1": {"section": "1DG", "toes": "west.end"}}},
+        {"points": {"1": {"toe": "west.end"}}},
+        {"points": {"1": {"section": "1DG", "toe": "west.middle"}}},
+        {"points": {"1": {"section": "1DG", "legs": -4}}},
+        {"tracks": {"west": ["W", "IAG long"]}},
+        {"signals": {"X": {"from": "W", "into": "IAG", "kind": "home"}}},
+        {"zones": {"Z": {"sections": ["IG"], "trains": 0}}},
+        {"principles": {"flank_space": "perhaps"}},
+        {"exclude": [{"from": "X", "reason": ""}]},
+        {"boundaries": {"W": {"approach": "XJG"}}},
+    ):
+        sink = Sink()
+        load_text("changed.yaml", yaml.safe_dump({**good, **change}, allow_unicode=True), sink)
+        assert sink.has_errors and problems({**good, **change}, LANGUAGE), change
+
+
+def test_every_key_is_described_and_says_what_is_without_it() -> None:
+    found = list(keys(LANGUAGE))
+    assert len(found) >= 120 and len({(part, name) for part, name, _ in found}) == len(found)
+    for part, name, said in found:
+        where = LANGUAGE["definitions"].get(part, LANGUAGE)
+        given = name in where.get("required", ()) or "default" in said or WITHOUT in said["description"]
+        assert len(said["description"]) > 5 and given, (part, name)
+        assert (
+            "default" not in said or problems(said["default"], {**said, "definitions": LANGUAGE["definitions"]}) == []
+        )
+    assert set(MEANING) == set(KNOBS)
+
+
+def test_the_language_page_has_a_line_for_every_key_as_it_is_defined() -> None:
+    page = Path("interlock/docs/language.md").read_text("utf-8")
+    assert page.endswith("`interlock schema --of keys`.\n\n" + language_keys())
+    for _, name, said in keys(LANGUAGE):
+        assert any(
+            line.startswith(f"| `{name}` |") and said["description"].partition(WITHOUT)[0] in line
+            for line in page.splitlines()
+        ), name
+
+
+def test_the_examples_of_the_language_page_are_of_the_language() -> None:
+    page = Path("interlock/docs/language.md").read_text("utf-8").split("## Every key")[0]
+    rows = dict(re.findall(r"^\| `(\w+)` \| `(.*)` \|$", page, re.MULTILINE))
+    assert list(rows) == [f.alias or n for n, f in LayoutFile.model_fields.items()]
+    for key, text in rows.items():
+        mapping = LANGUAGE["properties"][key].get("type") == "object" and not text.startswith("{")
+        value = yaml.load(f"{{{text}}}" if mapping else text, Core)
+        assert problems({"interlock": 1, "name": "x", key: value}, LANGUAGE) == [], key
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_table_is_as_its_schema_says(name: str) -> None:
+    checked = check_file(f"layouts/{name}.yaml")
+    assert checked.layout is not None and checked.table is not None
+    body = json.loads(table_json(checked.layout, checked.table))
+    assert problems(body, TABLE) == []
+    nodes = {n for e in body["topology"]["edges"] for n in (e["a"], e["b"])}
+    sections = {s["id"] for s in body["topology"]["sections"]}
+    for route in body["routes"]:  # whatever a row names, a reader finds
+        assert route["entry_node"] in nodes and {s for s, _ in route["traversals"]} <= sections
+        for h in route["hostile"]:
+            assert h["kind"] == h["kinds"][0] and len(set(h["kinds"])) == len(h["kinds"])
+
+
+def test_a_table_that_says_something_else_is_refused() -> None:
+    checked = check_file("layouts/fig2_2.yaml")
+    assert checked.layout is not None and checked.table is not None
+    body = json.loads(table_json(checked.layout, checked.table))
+    kinds = TABLE["$defs"]["HostileClass"]["enum"]
+    assert kinds == [k.value for k in HostileClass]
+    for spoil in (
+        lambda b: b.update(schema="interlock-table/1"),
+        lambda b: b.pop("topology"),
+        lambda b: b["routes"][0].update(colour="red"),
+        lambda b: b["routes"][0].pop("overlap"),
+        lambda b: b["routes"][0]["hostile"][0]["kinds"].append("unfriendly"),
+        lambda b: b["topology"]["edges"][0].update(length="long"),
+    ):
+        other = copy.deepcopy(body)
+        spoil(other)
+        assert problems(other, TABLE)

@@ -1,0 +1,39 @@
+"""Written systems and texts of layouts as the product writes them, nothing of it proved: for the second checker."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from interlock.app.texts import writers
+from interlock.checker.drawing import loaded
+from interlock.logic.lower import lower
+from interlock.proof.invariants import Facts, strengthening
+from interlock.proof.invariants import claims as claimed
+from interlock.proof.local.bundle import system_text
+from interlock.proof.local.facts import FactBase
+from interlock.proof.runner import start_claim
+from interlock.proof.system import System
+from tests.layouts import grown
+
+
+@cache
+def told(source: str) -> tuple[dict[str, Any], str, str]:
+    """A layout as the second checker reads it, its written system, and its Structured Text."""
+    found = grown(source)
+    assert found is not None
+    layout, table, _ = found
+    system = System(layout, lower(layout, table))
+    facts = Facts(system)
+    written = system_text(FactBase(system, strengthening(facts), claimed(facts), start_claim(system)))
+    texts: dict[str, str | bytes] = {}
+    for _, those in (task() for task in writers(layout.bare, system.controller, [], (), True)):
+        texts |= those
+    text = texts[f"st/iec/{layout.name}.st"]
+    return loaded(source), written, text.decode("utf-8") if isinstance(text, bytes) else text
+
+
+def shipped(name: str) -> tuple[dict[str, Any], str, str]:
+    """The same of a shipped layout."""
+    return told(Path(f"layouts/{name}.yaml").read_text("utf-8"))
