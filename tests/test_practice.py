@@ -63,7 +63,7 @@ def test_a_turned_signal_of_a_five_track_station_is_found_and_said_once(tmp_path
     assert right in text
     text = text.replace(right, wrong)
     assert lints(tmp_path, text) == [("IL7001", g)]
-    done = checked(tmp_path, text).diagnostics[0]
+    (done,) = (d for d in checked(tmp_path, text).diagnostics if d.severity is not Severity.INFO)
     assert done.span is not None and text.splitlines()[done.span.line - 1].strip() == wrong
     assert right in done.fix
 
