@@ -1,17 +1,21 @@
-"""The screen of every diagnostic: `python -m tests.screens` writes what `interlock check` shows now.
+"""The screens of `interlock check`: `python -m tests.screens` writes what it shows now of every code's trigger
+(`diagnostics/`) and of mistakes as newcomers make them (`mistakes/`).
 
 Look at each changed screen before committing it.
 """
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parent / "diagnostics"
+HERE = Path(__file__).resolve().parent
+FOLDER = HERE / "diagnostics"
+MISTAKES = HERE / "mistakes"
 
 
-def screen(name: str) -> str:
-    """What `interlock check NAME` prints in the folder of the triggers."""
+def screen(path: Path) -> str:
+    """What `interlock check` prints of a file, called in its folder, but for the time that it took."""
     import os
 
     from click.testing import CliRunner
@@ -19,13 +23,14 @@ def screen(name: str) -> str:
     from interlock.cli.check import command
 
     before = os.getcwd()
-    os.chdir(FOLDER)
+    os.chdir(path.parent)
     try:
-        return CliRunner().invoke(command, [name], catch_exceptions=False).output
+        shown = CliRunner().invoke(command, [path.name], catch_exceptions=False).stdout
+        return re.sub(r", \d+\.\d s$", "", shown, flags=re.MULTILINE)
     finally:
         os.chdir(before)
 
 
 if __name__ == "__main__":
-    for path in sorted(FOLDER.glob("*.yaml")):
-        path.with_suffix(".txt").write_text(screen(path.name), encoding="utf-8")
+    for path in sorted([*FOLDER.glob("*.yaml"), *MISTAKES.glob("*.yaml")]):
+        path.with_suffix(".txt").write_text(screen(path), encoding="utf-8")

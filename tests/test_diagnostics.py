@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import json
+import re
+import resource
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 from interlock.app.check import check_file
 from interlock.app.explain import explain
-from interlock.diag import Severity, Sink
+from interlock.diag import Severity, Sink, render
 from interlock.diag.codes import CODES
 from interlock.frontend import load, load_text
-from tests.screens import FOLDER, screen
+from tests.screens import FOLDER, MISTAKES, screen
 
 TRIGGERS = sorted(p.stem for p in FOLDER.glob("*.yaml"))
 # shown elsewhere: files that are no text (below), proof and output (test_cli, test_proof)
@@ -46,7 +51,7 @@ def test_every_code_has_a_page(code: str) -> None:
 
 @pytest.mark.parametrize("code", TRIGGERS)
 def test_screen(code: str) -> None:
-    shown = screen(f"{code}.yaml")
+    shown = screen(FOLDER / f"{code}.yaml")
     assert f"[{code}]" in shown
     assert shown == FOLDER.joinpath(f"{code}.txt").read_text("utf-8")
 
@@ -151,3 +156,73 @@ def test_rejected_layouts_are_rejected_for_the_reason_that_they_state(path: Path
     wanted = path.read_text("utf-8").splitlines()[0].split("[")[1].rstrip("]")
     done = check_file(str(path))
     assert {d.code for d in done.diagnostics if d.severity is Severity.ERROR} == {wanted}
+
+
+MISTAKEN = sorted(p.stem for p in MISTAKES.glob("*.yaml"))
+KINDS = ("list_for", "comma_in", "capital", "no_space", "quote", "gbk|utf16|latin1|full_width", "twice", "tab", "unit")
+
+
+def test_newcomers_mistakes_are_planted_of_each_kind() -> None:
+    assert len(MISTAKEN) >= 80
+    for kind in (*KINDS, "misspelt"):
+        assert sum(re.match(kind, m) is not None for m in MISTAKEN) >= 5, kind
+
+
+@pytest.mark.parametrize("name", MISTAKEN)
+def test_a_mistake_has_a_screen_with_place_line_caret_and_fix(name: str) -> None:
+    shown = screen(MISTAKES / f"{name}.yaml")
+    assert shown == MISTAKES.joinpath(f"{name}.txt").read_text("utf-8")
+    problems = shown.split("\n\n")
+    for problem in problems:
+        assert re.match(
+            rf"{name}\.yaml:\d+:\d+: (error|warning)\[IL\d{{4}}\]: .+\n +\|\n +\d+ \| .+\n +\| +\^+\n", problem
+        )
+        assert re.search(r"^  fix: \S.+$", problem, re.MULTILINE)
+    assert len(problems) == 1, "one mistake is said once"
+
+
+def test_the_same_information_as_json(tmp_path: Path) -> None:
+    from click.testing import CliRunner
+
+    from interlock.cli.check import command
+
+    for name in MISTAKEN:
+        path = MISTAKES / f"{name}.yaml"
+        (found,) = json.loads(CliRunner().invoke(command, [str(path), "--format", "json"]).stdout)
+        (one,) = (d for d in found["diagnostics"] if d["severity"] != "info")
+        shown = path.with_suffix(".txt").read_text("utf-8")
+        assert f":{one['line']}:{one['column']}: {one['severity']}[{one['code']}]: {one['message']}\n" in shown
+        assert one["source"] and one["fix"] and one["width"] >= 1
+        assert ("  also: " in shown) == bool(one["also"])
+
+
+def test_a_long_line_is_cut_and_sentences_are_wrapped_to_the_terminal() -> None:
+    checked = check_file(str(FOLDER / "IL4002.yaml"))
+    shown = render.full(checked.diagnostics, {checked.source.file: checked.source.text}, 60)
+    assert max(map(len, shown.splitlines())) <= 60
+    wide = render.full(checked.diagnostics, {checked.source.file: checked.source.text})
+    assert max(map(len, wide.splitlines())) > 100 and "\x1b" not in shown + wide
+
+
+def broken(kind: str, n: int) -> str:
+    """A large file with one mistake, or as many mistakes as elements."""
+    head = "interlock: 1\nname: big\nboundaries:\n  W: {}\n  E: {}\n"
+    tracks = "".join(f"  t{i}: [q{i} 100]\n" for i in range(n))
+    signal = {"keys": "FORM: q{0}, into: q{1}", "names": "from: qq{0}x, into: r{1}", "comma": "from: q{0}, into: q{1}"}
+    signals = "".join(f"  s{i}: {{{signal[kind].format(i, i + 1)}}}\n" for i in range(n))
+    return (
+        head + "tracks:\n" + (tracks.replace("100]", "100,5]") if kind == "comma" else tracks) + "signals:\n" + signals
+    )
+
+
+@pytest.mark.parametrize(("kind", "messages"), [("names", 20), ("comma", 2)])
+def test_a_broken_file_of_3_mb_gives_twenty_messages_and_a_count(kind: str, messages: int, tmp_path: Path) -> None:
+    path = tmp_path / "big.yaml"
+    path.write_text(broken(kind, 60_000))
+    assert 3e6 < path.stat().st_size < 4e6
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    args = [sys.executable, "-m", "interlock.cli.main", "check", str(path)]
+    shown = subprocess.run(args, capture_output=True, text=True, check=False).stdout
+    assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before < 30
+    assert shown.count("error[") == messages and len(shown.splitlines()) < 140
+    assert "239982 errors more, not shown" in shown if messages == 20 else "and at 59980 other places" in shown

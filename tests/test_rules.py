@@ -9,6 +9,7 @@ import pytest
 
 from interlock.derivation import derive
 from interlock.diag import Severity, Sink
+from interlock.diag.codes import LINTS
 from interlock.frontend import load_text
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 
@@ -30,7 +31,8 @@ def test_the_page_shows_what_the_derivation_gives(name: str) -> None:
         layout, _ = load_text(f"{name}.md", text, sink)
         assert layout is not None, sink.diagnostics
         table = derive(layout, sink)
-        assert [d for d in sink.diagnostics if d.severity is not Severity.INFO] == []
+        # the smallest layout that shows a rule is no station: practice is not asked of it
+        assert [d for d in sink.diagnostics if d.severity is not Severity.INFO and d.code not in LINTS] == []
         assert shown.strip()
         for line in shown.strip().splitlines():
             route, column, cell = (x.strip() for x in line.split("|"))

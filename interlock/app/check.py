@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.frontend import Source, load
+from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
 from interlock.table.rows import InterlockingTable
 
@@ -51,8 +52,9 @@ def derived(path: str, layout: Layout, source: Source, sink: Sink) -> Checked:
     table = derive(layout, sink)
     if layout.addresses and not sink.has_errors:
         _addresses(layout, table, source, sink)
-    placed = tuple(_place(d, source, path) for d in sink.diagnostics)
-    return Checked(path, source, placed, layout, table)
+    if not sink.has_errors:
+        source.check_allowed(sink)
+    return Checked(path, source, sink.diagnostics, layout, table)
 
 
 def second_opinion(checked: Checked) -> tuple[Finding, ...]:
@@ -66,16 +68,18 @@ def second_opinion(checked: Checked) -> tuple[Finding, ...]:
 
 def audited(checked: Checked, findings: Sequence[Finding]) -> Checked:
     """The same with the findings of the audit, each an error."""
+    if checked.table is None:
+        return checked
     sink = Sink()
     for finding in findings:
+        row = checked.table.route.get(RouteId(finding.route))
         sink.add(
             "IL4007",
             f"route {finding.route}, {finding.column}: {finding.text}",
-            None,
+            checked.source.at("name") if row is None else checked.source.at("signals", row.entry),
             "this is a defect of interlock; please report the layout",
         )
-    placed = tuple(_place(d, checked.source, checked.path) for d in sink.diagnostics)
-    return replace(checked, diagnostics=(*checked.diagnostics, *placed))
+    return replace(checked, diagnostics=(*checked.diagnostics, *sink.diagnostics))
 
 
 def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: Sink) -> None:
@@ -89,26 +93,3 @@ def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: S
     except BadAddress as error:
         fix = "see io/channels.csv of a compiled layout for the variables with a wire"
         sink.add("IL2015", str(error), source.at("addresses", error.variable), fix)
-
-
-def _place(d: Diagnostic, source: Source, path: str) -> Diagnostic:
-    """Diagnostics of the derivation point at the element that they speak of."""
-    if d.span is not None:
-        return d
-    if d.code == "IL2008" and source.context is not None:
-        for i, w in enumerate(source.context.file.waive):
-            if f" {w.flank} " in d.message:
-                return replace(d, span=source.context.at("waive", i, "flank"))
-    file = source.context.file if source.context else None
-    if file is None:
-        return replace(d, span=source.at("name"))
-    for word in "".join(c if c not in ",:;()" else " " for c in d.message).split():
-        for name in (word, word.split(".")[0], word.split("-")[0]):
-            for room in ("points", "signals", "routes", "crossings"):
-                if name in getattr(file, room):
-                    return replace(d, span=source.at(room, name))
-            for track, items in file.tracks.items():
-                for i, item in enumerate(items):
-                    if item.split()[0] == name and source.context is not None:
-                        return replace(d, span=source.context.at("tracks", track, i))
-    return replace(d, span=source.at("name"))

@@ -13,8 +13,8 @@ interlock: 1
 name: starter
 
 boundaries:                     # where trains come in or leave; the approach section lies outside
-  W: {approach: ap_W 500}
-  E: {approach: ap_E 500}
+  W: {approach: ap_W 600}
+  E: {approach: ap_E 600}
 
 tracks:                         # sections in order, lengths in metres
   west: [W, q1 200]
@@ -118,5 +118,5 @@ def line(stations: int) -> str:
         ]
     signals.append(f"  S: {{from: E, into: a{stations}}}")
     head = ["interlock: 1", f"name: line{stations}", "boundaries:"]
-    head += ["  W: {approach: ap_W 500}", "  E: {approach: ap_E 500}"]
+    head += ["  W: {approach: ap_W 600}", "  E: {approach: ap_E 600}"]
     return "\n".join([*head, "tracks:", *lines, "points:", *points, "signals:", *signals]) + "\n"

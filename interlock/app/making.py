@@ -118,6 +118,7 @@ def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
                     "nothing may be concluded; try `--search-depth` or report the layout",
                 )
             )
+    entry: dict[str, str] = {r.id: r.entry for r in checked.table.routes} if checked.table else {}
     for w in proof.witnesses:
         if not w.ok:
             out.append(
@@ -125,7 +126,7 @@ def _notes(checked: Checked, proof: ProofResult) -> list[Diagnostic]:
                     "IL4006",
                     Severity.ERROR,
                     f"route {w.route} cannot be driven: {w.text}",
-                    span,
+                    checked.source.at("signals", entry[w.route]) if w.route in entry else span,
                     "check lengths, directions and conditions on its way",
                 )
             )

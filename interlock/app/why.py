@@ -37,7 +37,7 @@ def why(path: str, route: str, column: str | None) -> tuple[Checked, tuple[Reaso
                     Severity.ERROR,
                     f"{path} has no route {route}",
                     None,
-                    did_you_mean(route, known) or "known: " + ", ".join(known),
+                    did_you_mean(route, known, "known: " + ", ".join(known[:40])),
                 ),
             ),
         )

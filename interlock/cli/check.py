@@ -29,7 +29,7 @@ def command(layouts: tuple[str, ...], form: str) -> None:
                 {
                     "file": r.path,
                     "ok": r.ok,
-                    "diagnostics": render.as_json(r.diagnostics),
+                    "diagnostics": render.as_json(r.diagnostics, {r.source.file: r.source.text}),
                     "routes": len(r.table.routes) if r.table else None,
                 }
                 for r, _ in results

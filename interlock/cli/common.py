@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -48,13 +49,20 @@ def show(diagnostics: Iterable[Diagnostic], sources: dict[str, str], form: str) 
     """Print diagnostics; notes of severity info take one line each.  As JSON they are all that is said."""
     found = list(diagnostics)
     if form == "json":
-        put_json({"ok": not any(d.severity is Severity.ERROR for d in found), "diagnostics": renderers.as_json(found)})
+        put_json(
+            {
+                "ok": not any(d.severity is Severity.ERROR for d in found),
+                "diagnostics": renderers.as_json(found, sources),
+            }
+        )
         return
-    info = [d for d in found if d.severity is Severity.INFO]
     if form == "concise":
         click.echo(renderers.concise(found, sources, _painted), nl=False)
         return
-    click.echo(renderers.full([d for d in found if d.severity is not Severity.INFO], sources, _painted), nl=False)
+    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
+    serious = [d for d in found if d.severity is not Severity.INFO]
+    info = [d for d in found if d.severity is Severity.INFO]
+    click.echo(renderers.full(serious, sources, width, _painted), nl=False)
     click.echo(renderers.concise(info, sources, _painted), nl=False)
 
 
@@ -191,7 +199,9 @@ def proof_body(p: Proved) -> dict[str, Any]:
     body: dict[str, Any] = {
         "file": p.checked.path,
         "ok": p.green,
-        "diagnostics": renderers.as_json([*p.checked.diagnostics, *p.notes]),
+        "diagnostics": renderers.as_json(
+            [*p.checked.diagnostics, *p.notes], {p.checked.source.file: p.checked.source.text}
+        ),
         "files": list(p.files),
     }
     if p.proof is not None:

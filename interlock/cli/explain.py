@@ -28,8 +28,8 @@ def command(code: str | None, form: str) -> None:
         sys.exit(OK)
     one, page = topic(code), explain(code)
     if one is None or page is None:
-        fix = did_you_mean(code, [t.code for t in topics()])
-        failed(f"there is no code {code}", form, code="IL5005", fix=fix or "`interlock explain` lists all of them")
+        fix = did_you_mean(code, [t.code for t in topics()], "`interlock explain` lists all of them")
+        failed(f"there is no code {code}", form, code="IL5005", fix=str(fix))
         sys.exit(FINDINGS)
     if form == "json":
         put_json([{"code": one.code, "kind": one.kind, "severity": one.severity, "title": one.title, "page": page}])

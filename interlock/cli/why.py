@@ -25,7 +25,9 @@ def command(layout: str, route: str, column: str | None, form: str) -> None:
             {
                 "route": route,
                 "reasons": [{"column": r.column, "item": r.item, "rule": r.rule, "text": r.text} for r in reasons],
-                "diagnostics": render.as_json([*checked.diagnostics, *problems]),
+                "diagnostics": render.as_json(
+                    [*checked.diagnostics, *problems], {checked.source.file: checked.source.text}
+                ),
             }
         )
         sys.exit(FINDINGS if failed else OK)

@@ -21,9 +21,10 @@ from interlock.derivation.locking import (
     derive_zones,
 )
 from interlock.derivation.locks import derive_locks, route_demands
+from interlock.derivation.practice import check_practice
 from interlock.derivation.routes import Path, find_routes
 from interlock.derivation.voyages import derive_automatic, derive_voyages
-from interlock.diag import Sink
+from interlock.diag import Element, Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
 from interlock.model.layout import Layout
@@ -55,7 +56,13 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     for o in layout.overlaps:
         if o.swing and o.signal not in swinging:
             text = f"the overlap of {o.signal} cannot swing: not every way to {o.signal} permits two alternatives of it"
-            sink.add("IL4009", text, None, f"remove `swing: yes` of {o.signal}, or give its overlap a second way")
+            sink.add(
+                "IL4009",
+                text,
+                None,
+                f"remove `swing: yes` of {o.signal}, or give its overlap a second way",
+                about=Element("overlaps", o.signal),
+            )
     hostile = Conflicts(paths, by_key, demands)
     names = _names(layout, paths, sink)
     _notes(layout, paths, sink)
@@ -97,6 +104,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     _foul_themselves(rows, sink)
     voyages = derive_voyages(layout, rows, by_key, sink)
     automatic = derive_automatic(layout, rows, sink)
+    check_practice(layout, paths, sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
 
@@ -170,7 +178,8 @@ def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:
     for (why, section), ids in found.items():
         which = f"route{'s' if len(ids) > 1 else ''} {', '.join(ids)}"
         text = f"{why}, and {section} is on the path of {which}"
-        sink.add("IL4002", text, None, "move the joint out of the fouling point, or exclude the route: `exclude:`")
+        fix = "move the joint out of the fouling point, or exclude the route: `exclude:`"
+        sink.add("IL4002", text, None, fix, about=Element("sections", section))
 
 
 def _names(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[RouteId, tuple[str, ...]]:
@@ -186,6 +195,7 @@ def _names(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[RouteId,
                 f"there is no route from {n.entry} to {n.exit} (named {n.name})",
                 None,
                 did_you_mean(n.exit, ends),
+                about=Element("routes", n.name),
             )
         else:
             out[fits[0].id] = (*out.get(fits[0].id, ()), n.name)
@@ -202,7 +212,8 @@ def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
     used |= {layout.section_of(e.id) for n in by_hand for e in layout.edges_at[n]}
     for s in layout.sections:
         if not s.approach and s.id not in used:
-            sink.add("IL3012", f"no route uses section {s.id}", None, "add a signal, or check the directions")
+            fix = "add a signal, or check the directions"
+            sink.add("IL3012", f"no route uses section {s.id}", None, fix, about=Element("sections", s.id))
     for p in paths:
         if layout.profile == "mine" and len(p.ways) > LONG_ROUTE:
             sink.add(
@@ -210,4 +221,7 @@ def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
                 f"route {p.id} has {len(p.ways)} sections; document B finds three usual",
                 None,
                 "an intermediate signal would let trains follow more closely",
+                about=Element("signals", p.entry),
+                cause="long",
+                note=f"{p.id}: {len(p.ways)}",
             )

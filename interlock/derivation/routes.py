@@ -12,10 +12,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from interlock.diag import Sink
+from interlock.diag import Element, Sink
 from interlock.model.elements import (
     BoundaryKind,
     BufferKind,
+    CrossingId,
     Exclude,
     MachineId,
     NodeId,
@@ -78,21 +79,26 @@ def machine_positions(layout: Layout, ways: Ways) -> dict[MachineId, Position] |
     return found
 
 
-def _runnable(layout: Layout, ways: Ways, clear: Ways) -> bool:
-    """Whether a movement can run the path: no contradiction of points, no hand-worked point against its key, and
-    detection wherever it must be clear."""
-    positions = machine_positions(layout, ways)
-    if positions is None or _crosses_itself(ways):
-        return False
-    if any(t.section in layout.undetected for t in clear):
-        return False
-    return not any(positions.get(m) is Position.REVERSE for m in layout.by_hand)
-
-
-def _crosses_itself(ways: Ways) -> bool:
-    """Whether a path runs over both arms of a diamond."""
-    over = [c for t in ways for c, _ in t.crossings]
-    return len(over) != len(set(over))
+def obstacle(layout: Layout, ways: Ways, clear: Ways) -> str | None:
+    """Why no movement can run the path: a contradiction of points, both arms of one diamond, no detection where it must
+    be clear, a hand-worked point against its key.  None where it can be run."""
+    positions: dict[MachineId, Position] = {}
+    for t in ways:
+        for point, position in t.points:
+            machine = layout.point[point].machine
+            if positions.setdefault(machine, position) is not position:
+                return f"machine {machine} is needed in both positions"
+    over: set[CrossingId] = set()
+    for t in ways:
+        for c, _ in t.crossings:
+            if c in over:
+                return f"it runs over both arms of the diamond {c}"
+            over.add(c)
+    for t in clear:
+        if t.section in layout.undetected:
+            return f"{t.section} must be clear and has no detection"
+    against = [m for m in sorted(layout.by_hand) if positions.get(m) is Position.REVERSE]
+    return f"{against[0]} is worked by hand, and locked by its key the other way" if against else None
 
 
 def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
@@ -101,14 +107,16 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
     found: list[_Found] = []
     fits = [0] * len(layout.excluded)
     for g in layout.signals:
-        dropped = kept = 0
+        kept = 0
+        dropped: dict[str, list[Ways]] = {}
         for kind in RouteKind:
             if not {RouteKind.MAIN: g.main, RouteKind.SHUNT: g.shunt, RouteKind.CALL_ON: g.call_on}[kind]:
                 continue
             for exit_kind, name, ways in _search(layout, topo, g, kind):
                 berth = kind is RouteKind.SHUNT and len(ways) > 1 and ways[-1].section in topo.berths
-                if exit_kind is None or not _runnable(layout, ways, ways[:-1] if berth else ways):
-                    dropped += 1
+                why = name if exit_kind is None else obstacle(layout, ways, ways[:-1] if berth else ways)
+                if exit_kind is None or why is not None:
+                    dropped.setdefault(why or name, []).append(ways)
                     continue
                 path = _Found(g, kind, name, exit_kind, ways)
                 out = [i for i, x in enumerate(layout.excluded) if _excludes(x, path)]
@@ -117,22 +125,28 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                     found.append(path)
                 for i in out:
                     fits[i] += 1
-        if dropped:
-            sink.add(
-                "IL4005",
-                f"{dropped} path{'s' if dropped > 1 else ''} from {g.id} cannot be run: "
-                "a section is met twice, a machine is needed in two positions, or no movement may leave that way",
-            )
+        for why, those in dropped.items():
+            over = [f"{g.id} over {', '.join(t.section for t in ways) or 'nothing'}" for ways in dict.fromkeys(those)]
+            for text in over:
+                sink.add(
+                    "IL4005",
+                    f"no route from {text}: {why}",
+                    about=Element("signals", g.id),
+                    cause=why,
+                    note=text,
+                )
         if not kept:
             sink.add(
                 "IL4003",
                 f"no route leads from signal {g.id}",
                 None,
                 "check its direction (`from`, `into`) and where the track goes",
+                about=Element("signals", g.id),
             )
-    for x, n in zip(layout.excluded, fits, strict=True):
+    for i, (x, n) in enumerate(zip(layout.excluded, fits, strict=True)):
         if not n:
-            sink.add("IL2012", f"the exclusion ({x.reason}) fits no route", None, "remove it, or correct its ends")
+            fix = "remove it, or correct its ends"
+            sink.add("IL2012", f"the exclusion ({x.reason}) fits no route", None, fix, about=Element("exclude", i))
     return _numbered(layout, found, sink)
 
 
@@ -192,7 +206,7 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
     fits = [
         (k, ways)
         for k, ways in enumerate(options, start=1)
-        if all(t.section not in mine for t in ways) and _runnable(layout, (*f.ways, *ways), ways)
+        if all(t.section not in mine for t in ways) and obstacle(layout, (*f.ways, *ways), ways) is None
     ]
     if not fits:
         sink.add(
@@ -200,6 +214,9 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
             f"route {name} finds no overlap beyond {f.exit}: wanted is {_wanted(layout, f.exit)}",
             None,
             f"shorten it: `overlaps: {{{f.exit}: {{length: ...}}}}`; 0 for none",
+            about=Element("signals", f.signal.id),
+            cause=f.exit,
+            note=name,
         )
     return list(fits)
 
@@ -250,14 +267,14 @@ class _Effect:
 
 
 def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Iterator[tuple[ExitKind | None, str, Ways]]:
-    """Depth first over traversals; yields (None, "", path) for a path that cannot be run to its end."""
+    """Depth first over traversals; yields (None, why, path) for a path that cannot be run to its end."""
     stops = topo.signal_into if kind is RouteKind.SHUNT else topo.main_into
     stack: list[tuple[SectionId, NodeId, Ways]] = [(layout.section_of(g.into), g.node, ())]
     while stack:
         section, entry, ways = stack.pop()
         onward_ways = topo.through(section, entry)
         if not onward_ways:
-            yield None, "", ways
+            yield None, f"no train runs into {section} that way", ways
         for t in reversed(onward_ways):
             path = (*ways, t)
             berth = kind is RouteKind.SHUNT and section in topo.berths
@@ -273,8 +290,11 @@ def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Itera
                 yield ExitKind.BERTH, section, path
             elif onward is None:
                 leaves = layout.boundary_at[t.exit].kind is not BoundaryKind.IN and kind is not RouteKind.SHUNT
-                yield (ExitKind.BOUNDARY if leaves else None), t.exit, path
+                what = "a shunting movement" if kind is RouteKind.SHUNT else "a train"
+                yield (
+                    (ExitKind.BOUNDARY, t.exit, path) if leaves else (None, f"{what} does not leave at {t.exit}", path)
+                )
             elif any(w.section == onward for w in path):
-                yield None, "", path
+                yield None, f"it meets {onward} again", path
             else:
                 stack.append((onward, t.exit, path))

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from interlock.derivation.flank import Options, Requester, point_demands, told
 from interlock.derivation.routes import Path
 from interlock.derivation.settle import Place, Settlement
-from interlock.diag import Sink
+from interlock.diag import Element, Sink
 from interlock.model.bits import chosen
 from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SignalId
 from interlock.model.layout import Layout
@@ -35,9 +35,10 @@ def report_flanks(
             f"nothing keeps vehicles away from {name}; {_routes(paths, over)} pass there",
             None,
             _remedy(layout, r),
+            about=_element(layout, r),
         )
     _impossible(layout, paths, settled, options, sink)
-    _substitutes(paths, settled, options, sink)
+    _substitutes(layout, paths, settled, options, sink)
     unprotected = {p.requester.name for p in places if options.preferred(p.requester) is None}
     unprotected |= {settled.places[at].requester.name for at in settled.impossible}
     for w in layout.waivers:
@@ -48,6 +49,7 @@ def report_flanks(
                 f"the waiver of {name} waives nothing: it is protected, or no route passes there",
                 None,
                 "remove the waiver",
+                about=Element("waive", name),
             )
 
 
@@ -75,11 +77,18 @@ def _impossible(layout: Layout, paths: Sequence[Path], settled: Settlement, opti
             f"{name} cannot be protected in {_routes(paths, over)}: {'; '.join(why) or 'all that could contradicts'}",
             None,
             _remedy(layout, r),
+            about=_element(layout, r),
         )
 
 
-def _substitutes(paths: Sequence[Path], settled: Settlement, options: Options, sink: Sink) -> None:
+def _element(layout: Layout, r: Requester) -> Element:
+    """The point or crossing that asks for protection."""
+    return Element("points" if r.node in layout.point_at else "crossings", r.node)
+
+
+def _substitutes(layout: Layout, paths: Sequence[Path], settled: Settlement, options: Options, sink: Sink) -> None:
     found: dict[tuple[str, tuple[Provider, ...]], tuple[int, dict[tuple[MachineId, Position], int]]] = {}
+    asking = {settled.places[at].requester.name: settled.places[at].requester for at in settled.chosen}
     for at, option in settled.chosen.items():
         place = settled.places[at]
         usual = options.preferred(place.requester)
@@ -97,7 +106,8 @@ def _substitutes(paths: Sequence[Path], settled: Settlement, options: Options, s
             if those
         ]
         because = "; ".join(said) or "another place needs what would be usual"
-        sink.add("IL4010", f"{name} has substitute protection in {_routes(paths, over)}: {told(option)}; {because}")
+        text = f"{name} has substitute protection in {_routes(paths, over)}: {told(option)}; {because}"
+        sink.add("IL4010", text, about=_element(layout, asking[name]))
 
 
 def _routes(paths: Sequence[Path], over: int) -> str:

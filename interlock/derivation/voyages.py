@@ -10,7 +10,7 @@ from collections import deque
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import groupby
 
-from interlock.diag import Sink
+from interlock.diag import Element, Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.model.elements import Lane, NamedRoute, RouteId, SectionId, SignalId, Voyage
 from interlock.model.layout import Layout
@@ -40,7 +40,8 @@ def derive_automatic(layout: Layout, routes: tuple[RouteRow, ...], sink: Sink) -
             out.append(fits[0])
             continue
         ends = sorted({r.exit for r in routes if r.entry == n.entry})
-        sink.add("IL2007", f"there is no train route from {n.entry} to {n.exit}", None, did_you_mean(n.exit, ends))
+        text, hint = f"there is no train route from {n.entry} to {n.exit}", did_you_mean(n.exit, ends)
+        sink.add("IL2007", text, None, hint, about=Element("automatic", int(n.name)))
     if layout.principles.priorities:
         out.sort(key=lambda r: priority(layout, r.section_ids, True))
     return tuple(dict.fromkeys(r.id for r in out))
@@ -65,7 +66,8 @@ def derive_voyages(layout: Layout, routes: tuple[RouteRow, ...], locks: Locks, s
             kind = "shunt" if v.shunt else "train"
             reached = sorted({r.exit for c in _chains(v, routes) for r in c})
             hint = f"from {v.entry} the {kind} routes lead to {', '.join(reached) or 'nowhere'}"
-            sink.add("IL2013", f"no chain of {kind} routes makes voyage {v.name} to {v.exit}", None, hint)
+            text = f"no chain of {kind} routes makes voyage {v.name} to {v.exit}"
+            sink.add("IL2013", text, None, hint, about=Element("voyages", v.name))
             continue
         chains[v.name] = chain
     ways = {n: [locks[k] for r in chain for k in r.traversals] for n, chain in chains.items()}

@@ -1,6 +1,6 @@
 """Diagnostics: where a problem is, what it is called, and how it is shown."""
 
-from interlock.diag.diagnostic import Diagnostic, Severity, Span
+from interlock.diag.diagnostic import Diagnostic, Element, Place, Severity, Span
 from interlock.diag.sink import Sink
 
-__all__ = ["Diagnostic", "Severity", "Sink", "Span"]
+__all__ = ["Diagnostic", "Element", "Place", "Severity", "Sink", "Span"]

@@ -31,6 +31,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL1017": (_E, "an unknown choice"),
     "IL1018": (_E, "the file is nested too deeply"),
     "IL1019": (_E, "YAML tags are not part of the layout language"),
+    "IL1020": (_I, "more problems than are shown"),
     # 2: names and references
     "IL2001": (_E, "a reference to something that does not exist"),
     "IL2002": (_E, "a name is used for two things"),
@@ -49,6 +50,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2016": (_E, "a signal that cannot call trains on"),
     "IL2017": (_E, "a direction token where trains run one way"),
     "IL2015": (_E, "an address that cannot be"),
+    "IL2018": (_W, "an allowance that allows nothing"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),
     "IL3002": (_E, "one end is joined twice"),
@@ -83,7 +85,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4008": (_E, "a route without room for its overlap"),
     "IL4010": (_I, "a flank with substitute protection"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),
-    "IL4005": (_I, "a path that meets itself was left out"),
+    "IL4005": (_I, "a path was left out that cannot be run"),
     "IL4006": (_E, "a route that no train can drive"),
     "IL4007": (_E, "the audit disagrees with the derived table"),
     # 5: proof and output
@@ -105,7 +107,18 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL6008": (_E, "a place that no train can leave"),
     "IL6009": (_E, "more trains than standing room"),
     "IL6010": (_E, "a shift that cannot be done"),
+    # 7: usual practice, from which a layout may depart: `allow`, with a reason
+    "IL7001": (_W, "a signal that looks the wrong way"),
+    "IL7002": (_W, "a track between points without a starting signal"),
+    "IL7003": (_W, "a route that runs through a whole station"),
+    "IL7004": (_W, "a place that no train can reach or leave"),
+    "IL7005": (_W, "a length that is hardly meant"),
+    "IL7006": (_W, "an approach shorter than the braking distance"),
+    "IL7007": (_W, "a signal directly behind points"),
 }
+
+LINTS: tuple[str, ...] = tuple(code for code in CODES if code.startswith("IL7"))
+"""The warnings of usual practice, which `allow` can take away."""
 
 
 def severity_of(code: str) -> Severity:

@@ -1,4 +1,4 @@
-"""One diagnostic: code, severity, sentence, place and fix.
+"""One diagnostic: code, severity, sentence, places and fix.
 
 Input: facts from any phase.  Output: a frozen value that every renderer understands.
 """
@@ -7,6 +7,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import NamedTuple
+
+from interlock.diag.suggest import Suggestion
 
 
 class Severity(StrEnum):
@@ -17,8 +20,7 @@ class Severity(StrEnum):
     INFO = "info"
 
 
-@dataclass(frozen=True, order=True)
-class Span:
+class Span(NamedTuple):
     """A place in a source file; lines and columns count from 1, `width` is in characters."""
 
     file: str
@@ -28,14 +30,41 @@ class Span:
 
 
 @dataclass(frozen=True)
+class Element:
+    """What a diagnostic speaks of, told by a phase that has no text at hand: the key of the layout file under which
+    elements of its kind stand, and its name (its number from 0 in a list)."""
+
+    room: str
+    name: str | int
+
+
+@dataclass(frozen=True)
+class Place:
+    """Another place with the same cause; `note` says what is particular to it."""
+
+    span: Span | None
+    note: str = ""
+
+
+@dataclass(frozen=True)
 class Diagnostic:
-    """What is wrong (`message`), where (`span`), and what to do about it (`fix`)."""
+    """What is wrong (`message`), where (`span`, and of which element), and what to do about it (`fix`).
+
+    `also`: the other places at which the same is wrong, in the order of the source.
+    """
 
     code: str
     severity: Severity
     message: str
     span: Span | None = None
-    fix: str = ""
+    advice: str | Suggestion = ""
+    about: Element | None = None
+    also: tuple[Place, ...] = ()
+
+    @property
+    def fix(self) -> str:
+        """What to do about it.  (A suggestion is searched for only when somebody reads it.)"""
+        return str(self.advice)
 
     def order(self) -> tuple[str, int, int, str, str]:
         """Sort key: by file, then place, then code."""

@@ -3,18 +3,52 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Collection
+from dataclasses import dataclass
+from functools import lru_cache
+
+_FEW = 12
+_MANY = 500
 
 
-def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """A sentence that proposes the nearest known name, or lists the known ones when they are few."""
-    names = sorted(set(known))
-    lowered = {n.lower(): n for n in names}
-    if name.lower() in lowered:
-        return f"did you mean {lowered[name.lower()]}?"
-    near = difflib.get_close_matches(name, names, n=1, cutoff=0.6)
-    if near:
-        return f"did you mean {near[0]}?"
-    if 0 < len(names) <= 12:
-        return "known here: " + ", ".join(names)
-    return ""
+@dataclass(frozen=True)
+class Suggestion:
+    """The nearest known name as a sentence.  Comparing takes milliseconds a name, and of ten thousand misspelt names
+    few are shown: so it is done when the sentence is asked for."""
+
+    name: str
+    known: Collection[str]
+    otherwise: str = ""
+
+    def __str__(self) -> str:
+        found = nearest(self.name, self.known)
+        if found is not None:
+            return f"did you mean {found}?"
+        if self.otherwise:
+            return self.otherwise
+        names = sorted(set(self.known))
+        more = f" and {len(names) - _FEW} more" if len(names) > _FEW else ""
+        return f"known here: {', '.join(names[:_FEW])}{more}" if names else "nothing of the kind is known here"
+
+
+def did_you_mean(name: str, known: Collection[str], otherwise: str = "") -> Suggestion:
+    """A sentence that proposes the nearest known name; else what to do `otherwise`, else the known ones."""
+    return Suggestion(name, known, otherwise)
+
+
+def nearest(name: str, known: Collection[str]) -> str | None:
+    """The known name that is most like a name, upper and lower case alike; None when none is near."""
+    return _nearest(name, known if isinstance(known, tuple) else tuple(known))
+
+
+@lru_cache(maxsize=256)
+def _nearest(name: str, known: tuple[str, ...]) -> str | None:
+    lowered = {n.lower(): n for n in sorted(known)}
+    own = name.strip().lower()
+    if own in lowered:
+        return lowered[own]
+    names = list(lowered)
+    if len(names) > _MANY:
+        names = [n for n in names if abs(len(n) - len(own)) <= 2 and (n[:1] == own[:1] or n[-1:] == own[-1:])]
+    near = difflib.get_close_matches(own, names, n=1, cutoff=0.6)
+    return lowered[near[0]] if near else None

@@ -173,7 +173,7 @@ def beside(layout: str) -> str:
 
 def load(path: str, layout: Layout, sink: Sink) -> Orders | None:
     """Read a dispatch file for a layout; None with every problem reported."""
-    text = read(path, sink)
+    text, _ = read(path, sink)
     return None if text is None else load_text(path, text, layout, sink)
 
 

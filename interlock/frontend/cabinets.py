@@ -25,7 +25,7 @@ def _wired(ctx: Context, wiring: Wiring) -> list[str]:
 def resolve_substations(ctx: Context, wiring: Wiring) -> tuple[Substation, ...]:
     """The cabinets in the order of the layout; every element is wired to exactly one."""
     given = ctx.file.substations
-    known = _wired(ctx, wiring)
+    known = dict.fromkeys(_wired(ctx, wiring))
     holder: dict[str, str] = {}
     rest = [name for name, elements in given.items() if not elements]
     for name, elements in given.items():
@@ -39,7 +39,7 @@ def resolve_substations(ctx: Context, wiring: Wiring) -> tuple[Substation, ...]:
                     did_you_mean(element, known),
                 )
             first = holder.setdefault(element, name)
-            if first != name or elements.index(element) != i:
+            if first != name or element in elements[:i]:
                 ctx.add("IL2014", f"{element} is wired to {first} and to {name}", span, "name it once")
     if len(rest) > 1:
         ctx.add(
@@ -48,7 +48,7 @@ def resolve_substations(ctx: Context, wiring: Wiring) -> tuple[Substation, ...]:
             ctx.at_key("substations", rest[1]),
             "one of them may be empty: it takes what no other names",
         )
-    missing = [e for e in dict.fromkeys(known) if e not in holder]
+    missing = [e for e in known if e not in holder]
     if given and missing and not rest:
         ctx.add(
             "IL2014",

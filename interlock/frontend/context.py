@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from interlock.diag import Sink, Span
+from interlock.diag import Element, Sink, Span
+from interlock.diag.suggest import Suggestion
 from interlock.frontend.schema import LayoutFile
-from interlock.frontend.validate import span_of
+from interlock.frontend.shapes import span_of
 from interlock.frontend.yaml_tree import Node
 
 
@@ -26,6 +27,16 @@ class Context:
         """The place of a key in the source."""
         return span_of(self.root, path, key=True)
 
-    def add(self, code: str, message: str, span: Span, fix: str = "") -> None:
-        """Report a problem."""
-        self.sink.add(code, message, span, fix)
+    def add(
+        self,
+        code: str,
+        message: str,
+        span: Span,
+        fix: str | Suggestion = "",
+        *,
+        about: Element | None = None,
+        cause: str = "",
+        note: str = "",
+    ) -> None:
+        """Report a problem; see `Sink.add`."""
+        self.sink.add(code, message, span, fix, about=about, cause=cause, note=note)

@@ -14,7 +14,9 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.cabinets import resolve_addresses, resolve_drawing, resolve_substations
 from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
+from interlock.frontend.encoding import decode
 from interlock.frontend.names import check_names
+from interlock.frontend.places import Places
 from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import (
     check_signal_names,
@@ -48,17 +50,26 @@ class Source:
     text: str
     context: Context | None = None
 
+    def check_allowed(self, sink: Sink) -> None:
+        """Report what `allow` allows and nothing needs; all warnings have been given by now."""
+        for i, x in enumerate(self.context.file.allow if self.context else ()):
+            for k, name in enumerate(x.at):
+                if self.context is not None and (x.lint, name) not in sink.spared:
+                    text = f"{x.lint} would not be given at {name}: the allowance allows nothing"
+                    span, fix = self.context.at("allow", i, "at", k), "remove it, or correct the name"
+                    sink.add("IL2018", text, span, fix, cause=x.lint, note=name)
+
     def at(self, *path: str | int) -> Span:
         """The place of an element for diagnostics of later phases."""
         return self.context.at_key(*path) if self.context else Span(self.file, 1, 1)
 
 
-def read(path: str, sink: Sink) -> str | None:
-    """The text of a file, or None with IL1001, IL1002 or IL1003."""
+def read(path: str, sink: Sink) -> tuple[str | None, str]:
+    """The text of a file, or None with IL1001, IL1002 or IL1003; and what can be shown of it."""
     try:
         if os.path.isdir(path):
             sink.add("IL1001", f"{path} is a folder", Span(path, 0, 0), "name a layout file, for instance mine11.yaml")
-            return None
+            return None, ""
         if os.path.getsize(path) > MAX_BYTES:
             sink.add(
                 "IL1003",
@@ -66,30 +77,20 @@ def read(path: str, sink: Sink) -> str | None:
                 Span(path, 0, 0),
                 f"a layout has at most {MAX_BYTES // 1_000_000} MB; is this another kind of file?",
             )
-            return None
+            return None, ""
         with open(path, "rb") as handle:
             data = handle.read(MAX_BYTES + 1)
     except OSError as error:
         sink.add("IL1001", f"{path}: {error.strerror}", Span(path, 0, 0), "check the name and the permissions")
-        return None
-    try:
-        return data.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
-    except UnicodeDecodeError as error:
-        line = data[: error.start].count(b"\n") + 1
-        sink.add(
-            "IL1002",
-            f"{path} is not UTF-8 text (byte {error.start}, line {line})",
-            Span(path, 0, 0),
-            "save the layout as UTF-8; a PDF, a spreadsheet or a drawing is not a layout",
-        )
-        return None
+        return None, ""
+    return decode(path, data, sink)
 
 
 def load(path: str, sink: Sink) -> tuple[Layout | None, Source]:
     """Read and resolve a layout file; the layout is None when there are errors."""
-    text = read(path, sink)
+    text, shown = read(path, sink)
     if text is None:
-        return None, Source(path, "")
+        return None, Source(path, shown)
     return load_text(path, text, sink)
 
 
@@ -103,8 +104,10 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         return None, Source(file, text)
     ctx = Context(data, root, sink)
     source = Source(file, text, ctx)
+    sink.allowed = frozenset((x.lint, name) for x in data.allow for name in x.at)
     principles = data.principles.override(PROFILES[data.profile])
     wiring = Wirer(ctx, principles).run()
+    sink.locate = Places(ctx, {**wiring.approaches, **wiring.sections})
     check_names(ctx, {**wiring.sections, **wiring.approaches})
     _check_sections(ctx, wiring)
     check_signal_names(ctx, wiring)

@@ -5,11 +5,15 @@ Output: diagnostics IL2004, IL2006, IL3005-IL3007, IL2008 (malformed), and the e
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from pydantic_core import PydanticCustomError
 
+from interlock.diag import Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
+from interlock.frontend.scalars import number_text
 from interlock.frontend.schema import RouteSpec
 from interlock.model.elements import (
     Condition,
@@ -47,15 +51,21 @@ def _edges_at(wiring: Wiring) -> dict[NodeId, list[Edge]]:
 def check_signal_names(ctx: Context, wiring: Wiring) -> None:
     """Report signals that name no section; runs even when the graph does not stand yet."""
     mentioned = {item.split()[0] for items in ctx.file.tracks.values() for item in items if item.strip()}
-    sections = [*wiring.sections, *(m for m in mentioned if m not in wiring.sections)]
-    known = [*sections, *ctx.file.boundaries]
+    unread = [m for m in mentioned if m not in wiring.sections and m not in ctx.file.boundaries]
+    sections = (wiring.sections.keys() | mentioned) - ctx.file.boundaries.keys()
+    known = sections | ctx.file.boundaries.keys()
     for name, spec in ctx.file.signals.items():
         for key, value, names in (("from", spec.from_, known), ("into", spec.into, sections)):
             if value not in names:
-                hint = did_you_mean(value, names)
+                span = ctx.at("signals", name, key)
+                if any(item.startswith(value) and number_text(item[len(value) :]) for item in unread):
+                    continue  # the item is reported: a space is missing in it
                 if value in wiring.approaches:
                     hint = "an entry signal stands at the boundary: write the boundary's name after `from`"
-                ctx.add("IL2004", f"signal {name}: there is no section {value}", ctx.at("signals", name, key), hint)
+                    ctx.add("IL2004", f"signal {name}: {value} is the approach section, outside", span, hint)
+                else:
+                    kind = "section or boundary" if key == "from" else "section"
+                    _unknown(ctx, kind, value, span, names, f"signal {name}")
 
 
 def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
@@ -136,28 +146,15 @@ def resolve_conditions(ctx: Context, wiring: Wiring) -> tuple[Condition, ...]:
     for name, spec in ctx.file.conditions.items():
         for i, s in enumerate(spec.over):
             if s not in wiring.sections:
-                ctx.add(
-                    "IL2004",
-                    f"condition {name}: there is no section {s}",
-                    ctx.at("conditions", name, "over", i),
-                    did_you_mean(s, wiring.sections),
-                )
+                _unknown(ctx, "section", s, ctx.at("conditions", name, "over", i), wiring.sections, f"condition {name}")
         for i, g in enumerate(spec.signals):
             if g not in ctx.file.signals:
-                ctx.add(
-                    "IL2006",
-                    f"condition {name}: there is no signal {g}",
-                    ctx.at("conditions", name, "signals", i),
-                    did_you_mean(g, ctx.file.signals),
-                )
+                at = ctx.at("conditions", name, "signals", i)
+                _unknown(ctx, "signal", g, at, ctx.file.signals, f"condition {name}")
         for i, b in enumerate(spec.exits):
             if b not in ctx.file.boundaries:
-                ctx.add(
-                    "IL2006",
-                    f"condition {name}: there is no boundary {b}",
-                    ctx.at("conditions", name, "exits", i),
-                    did_you_mean(b, ctx.file.boundaries),
-                )
+                at = ctx.at("conditions", name, "exits", i)
+                _unknown(ctx, "boundary", b, at, ctx.file.boundaries, f"condition {name}")
         out.append(
             Condition(
                 ConditionId(name),
@@ -213,12 +210,7 @@ def resolve_devices(ctx: Context, wiring: Wiring) -> tuple[Device, ...]:
         for name, spec in specs.items():
             for i, s in enumerate(spec.over):
                 if s not in wiring.sections:
-                    ctx.add(
-                        "IL2004",
-                        f"{kind} {name}: there is no section {s}",
-                        ctx.at(room, name, "over", i),
-                        did_you_mean(s, wiring.sections),
-                    )
+                    _unknown(ctx, "section", s, ctx.at(room, name, "over", i), wiring.sections, f"{kind} {name}")
             out.append(Device(MachineId(name), kind, spec.text, tuple(sorted(map(SectionId, spec.over)))))
     return tuple(sorted(out, key=lambda d: d.id))
 
@@ -255,49 +247,45 @@ def resolve_automatic(ctx: Context, wiring: Wiring) -> tuple[NamedRoute, ...]:
 
 
 def _check_ends(ctx: Context, wiring: Wiring, spec: RouteSpec, what: str, at: tuple[str | int, ...]) -> None:
-    ends = [*ctx.file.signals, *ctx.file.boundaries, *ctx.file.buffers, *wiring.sections]
     if spec.from_ not in ctx.file.signals:
-        ctx.add(
-            "IL2006",
-            f"{what}: there is no signal {spec.from_}",
-            ctx.at(*at, "from"),
-            did_you_mean(spec.from_, ctx.file.signals),
-        )
-    if spec.to not in ends:
-        ctx.add(
-            "IL2006",
-            f"{what}: there is no signal, boundary or buffer {spec.to}",
-            ctx.at(*at, "to"),
-            did_you_mean(spec.to, ends),
-        )
+        _unknown(ctx, "signal", spec.from_, ctx.at(*at, "from"), ctx.file.signals, what)
+    if not _is_end(ctx, wiring, spec.to):
+        _unknown(ctx, "signal, boundary or buffer", spec.to, ctx.at(*at, "to"), _ends(ctx, wiring), what)
     for i, s in enumerate(spec.via):
         if s not in wiring.sections:
-            ctx.add(
-                "IL2004", f"{what}: there is no section {s}", ctx.at(*at, "via", i), did_you_mean(s, wiring.sections)
-            )
+            _unknown(ctx, "section", s, ctx.at(*at, "via", i), wiring.sections, what)
+
+
+def _ends(ctx: Context, wiring: Wiring) -> tuple[str, ...]:
+    """Everything at which a route can end."""
+    return (*ctx.file.signals, *ctx.file.boundaries, *ctx.file.buffers, *wiring.sections)
+
+
+def _is_end(ctx: Context, wiring: Wiring, name: str) -> bool:
+    f = ctx.file
+    return name in f.signals or name in f.boundaries or name in f.buffers or name in wiring.sections
+
+
+def _unknown(ctx: Context, kind: str, name: str, span: Span, known: Collection[str], what: str) -> None:
+    """Report a name that `what` refers to and nothing bears; one that is misspelt everywhere is one mistake."""
+    code = "IL2004" if kind.startswith("section") else "IL2006"
+    message = f"{what}: there is no {kind} {name}"
+    ctx.add(code, message, span, did_you_mean(name, known), cause=name, note=what)
 
 
 def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:
     """Routes not wanted; whether there were any such routes is known after derivation."""
     out = []
-    ends = [*ctx.file.signals, *ctx.file.boundaries, *ctx.file.buffers, *wiring.sections]
     for i, spec in enumerate(ctx.file.exclude):
-        for key, value, known in (("from", spec.from_, list(ctx.file.signals)), ("to", spec.to, ends)):
-            if value is not None and value not in known:
-                ctx.add(
-                    "IL2006",
-                    f"the exclusion names {value}, which is no {'signal' if key == 'from' else 'end of a route'}",
-                    ctx.at("exclude", i, key),
-                    did_you_mean(value, known),
-                )
+        what = "an exclusion"
+        if spec.from_ is not None and spec.from_ not in ctx.file.signals:
+            _unknown(ctx, "signal", spec.from_, ctx.at("exclude", i, "from"), ctx.file.signals, what)
+        if spec.to is not None and not _is_end(ctx, wiring, spec.to):
+            at = ctx.at("exclude", i, "to")
+            _unknown(ctx, "signal, boundary or buffer", spec.to, at, _ends(ctx, wiring), what)
         for k, s in enumerate(spec.via):
             if s not in wiring.sections:
-                ctx.add(
-                    "IL2004",
-                    f"the exclusion names {s}, which is no section",
-                    ctx.at("exclude", i, "via", k),
-                    did_you_mean(s, wiring.sections),
-                )
+                _unknown(ctx, "section", s, ctx.at("exclude", i, "via", k), wiring.sections, what)
         out.append(
             Exclude(
                 SignalId(spec.from_) if spec.from_ else None,
@@ -369,8 +357,7 @@ def resolve_zones(ctx: Context, wiring: Wiring) -> tuple[Zone, ...]:
     for name, spec in ctx.file.zones.items():
         for i, s in enumerate(spec.sections):
             if s not in wiring.sections:
-                at = ctx.at("zones", name, "sections", i)
-                ctx.add("IL2004", f"zone {name}: there is no section {s}", at, did_you_mean(s, wiring.sections))
+                _unknown(ctx, "section", s, ctx.at("zones", name, "sections", i), wiring.sections, f"zone {name}")
         if not spec.sections:
             at = ctx.at_key("zones", name)
             ctx.add("IL2004", f"zone {name} has no section", at, "name them: `sections: [s1, s2]`")

@@ -22,19 +22,79 @@ def _name(value: object) -> object:
     if not isinstance(value, str):
         raise PydanticCustomError("shape", "a name is expected")
     if not NAME.fullmatch(value):
-        raise PydanticCustomError(
-            "name", "'{v}' cannot be a name: use letters, digits and single _ - / between them", {"v": value}
-        )
+        text = "'{v}' cannot be a name: use letters, digits and single _ - / between them"
+        raise PydanticCustomError("name", text, {"v": value, "fix": name_fix(value)})
     if len(value) > MAX_NAME:
-        raise PydanticCustomError("name", "'{v}' is longer than {n} characters", {"v": value, "n": MAX_NAME})
+        text = "'{v}' is longer than {n} characters"
+        raise PydanticCustomError("name", text, {"v": value, "n": MAX_NAME, "fix": name_fix(value)})
     return value
+
+
+def name_fix(text: str) -> str:
+    """How a name could be written: without curly quotes, with `_` for what cannot stand in it."""
+    near = re.sub(r"[^A-Za-z0-9/-]+", "_", text).strip("_-/")
+    if NAME.fullmatch(near) and len(near) <= MAX_NAME and text.isascii():
+        return f"write it like `{near}`"
+    bare = text.strip("\u201c\u201d\u2018\u2019\u300c\u300d")
+    if bare != text and NAME.fullmatch(bare):
+        return f"write `{bare}`, without the curly quotes"
+    return f"at most {MAX_NAME} ASCII letters and digits; put the full name into `title` or `label`"
 
 
 def number(text: str) -> float:
     """A finite number in plain decimal notation; raises PydanticCustomError otherwise."""
     if not _NUMBER.fullmatch(text):
-        raise PydanticCustomError("number", "'{v}' is not a number", {"v": text})
+        context = {"v": text, "cause": slip_of(text)} | ({"fix": fix} if (fix := number_fix(text)) else {})
+        raise PydanticCustomError("number", "'{v}' is not a number", context)
     return float(text)
+
+
+_UNITS = {
+    "m": (1.0, "lengths are metres"),
+    "km": (1000.0, "lengths are metres"),
+    "cm": (0.01, "lengths are metres"),
+    "ft": (0.3048, "lengths are metres"),
+    "s": (1.0, "times are seconds"),
+    "sec": (1.0, "times are seconds"),
+    "min": (60.0, "times are seconds"),
+    "h": (3600.0, "times are seconds"),
+    "km/h": (1.0, "speeds are km/h"),
+    "kmh": (1.0, "speeds are km/h"),
+    "kph": (1.0, "speeds are km/h"),
+    "m/s": (3.6, "speeds are km/h"),
+    "mph": (1.609344, "speeds are km/h"),
+    "m/s2": (1.0, "braking is m/s^2"),
+}
+_WITH_UNIT = re.compile(r"([+-]?\d+(?:[.,]\d+)?)\s*([A-Za-z/]+2?)")
+
+
+def number_text(text: str) -> bool:
+    """Whether a text is a number in plain decimal notation."""
+    return _NUMBER.fullmatch(text) is not None
+
+
+def slip_of(text: str) -> str:
+    """What kind of slip makes a number unreadable, so that many of them are told once; empty if it is its own."""
+    if re.fullmatch(r"[+-]?\d+,\d+", text):
+        return "a decimal comma"
+    found = _WITH_UNIT.fullmatch(text)
+    return f"the unit {found[2].lower()}" if found and found[2].lower() in _UNITS else ""
+
+
+def number_fix(text: str) -> str:
+    """How a number with a comma or a unit is written; empty where nobody can tell."""
+    if re.fullmatch(r"[1-9]\d{0,2}(,\d{3})+", text):
+        plain = text.replace(",", "")
+        return f"write {plain}, without the comma" + (
+            f", or {text.replace(',', '.')} if the comma divides decimals" if text.count(",") == 1 else ""
+        )
+    if slip_of(text) == "a decimal comma":
+        return f"write {text.replace(',', '.')}: decimals follow a point"
+    found = _WITH_UNIT.fullmatch(text)
+    if found is not None and found[2].lower() in _UNITS:
+        factor, what = _UNITS[found[2].lower()]
+        return f"write {float(found[1].replace(',', '.')) * factor:.10g}: {what}, without the unit"
+    return ""
 
 
 def _length(value: object) -> object:

@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSchema
 
+from interlock.diag.codes import LINTS
 from interlock.frontend.scalars import (
     Amount,
     Approach,
@@ -279,6 +280,16 @@ def _word(x: Any) -> str:
     return ("yes" if x else "no") if isinstance(x, bool) else f"{x:g}" if isinstance(x, float) else str(x)
 
 
+class AllowSpec(_Part):
+    """Usual practice departed from on purpose: which warning is not to be given, at which elements, and why."""
+
+    lint: Annotated[str, choice("warning of usual practice", LINTS), WithJsonSchema({"enum": list(LINTS)})] = key(
+        "code of the warning"
+    )
+    at: list[Name] = key("the elements at which it is not to be given: sections, signals, boundaries, points", least=1)
+    reason: Reason = key("why it is meant so here; not empty")
+
+
 class PrinciplesSpec(_Part):
     """Single knobs of the profile, overridden."""
 
@@ -357,6 +368,7 @@ class LayoutFile(_Part):
         "overlaps beyond main signals inside the layout; without it, the principle `overlap_m`", {}
     )
     waive: list[WaiverSpec] = key("flank protection given up on purpose", [])
+    allow: list[AllowSpec] = key("warnings of usual practice that are not to be given; one too many is a warning", [])
     substations: dict[Name, list[Name]] = key(
         "cabinets, each with the elements wired to it; one list may be empty and takes the rest; without it, one "
         "cabinet for all",

@@ -8,6 +8,7 @@ IL3015, IL3017.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from pydantic_core import PydanticCustomError
@@ -17,7 +18,7 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.parts import build_derailer, build_slip
 from interlock.frontend.ports import Port, Wiring
-from interlock.frontend.scalars import MAX_LENGTH_M, MAX_NAME, NAME, number
+from interlock.frontend.scalars import MAX_LENGTH_M, MAX_NAME, NAME, name_fix, number, number_fix, number_text, slip_of
 from interlock.model.elements import (
     BlockKind,
     Boundary,
@@ -40,41 +41,43 @@ from interlock.model.principles import Principles
 _ITEM = re.compile(r"(\S+)\s+(\S+)")
 
 
+def _after_comma(items: Sequence[str], i: int) -> bool:
+    """Whether an item is what follows the decimal comma of the length before it: `[q3 600,5]` are two items."""
+    return i > 0 and items[i].strip().isdigit() and re.fullmatch(r"\S+\s+\d+", items[i - 1].strip()) is not None
+
+
 @dataclass
 class _Stretch:
     section: str
     length: float
 
 
-def section_and_length(ctx: Context, text: str, span: Span) -> tuple[str, float] | None:
-    """'q1 400' as section and metres; reports IL1012, IL1013, IL1014, IL1016."""
+def section_and_length(ctx: Context, text: str, span: Span, example: str = "q1") -> tuple[str, float] | None:
+    """'q1 400' as section and metres; reports IL1012, IL1013, IL1014, IL1016.  `example`: a name for a fix."""
     match = _ITEM.fullmatch(text.strip())
     if match is None:
-        ctx.add(
-            "IL1012",
-            f"'{text}': a section and its length are expected here",
-            span,
-            "write `section length`, for instance `q1 400`",
-        )
+        fix, words = f"write `section length`, for instance `{example} 400`", text.split()
+        if len(words) == 1 and number_text(words[0]):
+            fix = f"name the section before its length, for instance `{example} {words[0]}`"
+        if len(words) == 3 and slip_of("".join(words[1:])):
+            text_, cause = " ".join(words[1:]), slip_of("".join(words[1:]))
+            fix = number_fix(text_).replace("write ", f"write `{words[0]} ", 1).replace(":", "`:", 1)
+            ctx.add(
+                "IL1013", f"the length of {words[0]}, '{text_}', is not a number", span, fix, cause=cause, note=text
+            )
+        else:
+            ctx.add("IL1012", f"'{text}': a section and its length are expected here", span, fix)
         return None
     name, length = match.groups()
     if not NAME.fullmatch(name) or len(name) > MAX_NAME:
-        ctx.add(
-            "IL1016",
-            f"'{name}' cannot be a name",
-            span,
-            f"at most {MAX_NAME} ASCII letters and digits; put the full name into `title` or `label`",
-        )
+        ctx.add("IL1016", f"'{name}' cannot be a name", span, name_fix(name))
         return None
     try:
         metres = number(length)
     except PydanticCustomError:
-        ctx.add(
-            "IL1013",
-            f"the length of {name}, '{length}', is not a number",
-            span,
-            "write metres as a plain decimal number, for instance 350 or 12.5",
-        )
+        fix = number_fix(length) or "write metres as a plain decimal number, for instance 350 or 12.5"
+        said = f"the length of {name}, '{length}', is not a number"
+        ctx.add("IL1013", said, span, fix, cause=slip_of(length), note=text)
         return None
     if not 0 < metres <= MAX_LENGTH_M:
         ctx.add(
@@ -93,6 +96,10 @@ class Wirer:
         self.out = Wiring()
         self.mate: dict[Port, tuple[Port, Span]] = {}
         self.tracks: dict[str, list[_Stretch]] = {}
+        f = ctx.file
+        self._read_into = dict.fromkeys(n for g in f.signals.values() for n in (g.from_, g.into) if not n.isdigit())
+        self._joinable = [*f.tracks, *f.points, *f.crossings, *f.slips, *f.derailers, *f.boundaries]
+        self._joinable += [*f.buffers, *f.traps]
         self.lengths: dict[str, tuple[str, float]] = {}
         """Approach section and its metres, by boundary."""
 
@@ -117,7 +124,7 @@ class Wirer:
             if b.approach is None:
                 continue
             span = self.ctx.at("boundaries", name, "approach")
-            got = section_and_length(self.ctx, b.approach, span)
+            got = section_and_length(self.ctx, b.approach, span, f"ap_{name}")
             if got is not None:
                 if got[0] in self.out.approaches:
                     self.ctx.add(
@@ -137,7 +144,9 @@ class Wirer:
             head: Port | None = None
             for i, item in enumerate(items):
                 span = self.ctx.at("tracks", name, i)
-                if " " not in item.strip():
+                if len(item.split()) < 2:
+                    if self._decimals(items, i, span):
+                        continue
                     port = self._terminal(item.strip(), ends, span, first=i == 0, last=i == len(items) - 1)
                     if port is None:
                         continue
@@ -146,6 +155,8 @@ class Wirer:
                     elif stretches:
                         self._join(Port("track", name, "end"), port, span)
                     continue
+                if i + 1 < len(items) and _after_comma(items, i + 1):
+                    continue  # reported with what follows
                 got = section_and_length(self.ctx, item, span)
                 if got is None:
                     continue
@@ -164,13 +175,34 @@ class Wirer:
                 self._join(Port("track", name, "start"), head, self.ctx.at("tracks", name, 0))
             self.tracks[name] = stretches
 
+    def _decimals(self, items: Sequence[str], i: int, span: Span) -> bool:
+        """Report `q3 600,5`, which YAML reads as two items, at what stands after the comma."""
+        if not _after_comma(items, i):
+            return False
+        text = f"{items[i - 1].strip()},{items[i].strip()}"
+        name, length = text.split()
+        self.ctx.add(
+            "IL1013",
+            f"the length of {name}, '{length}', is not a number",
+            span._replace(column=max(1, span.column - len(length) + len(items[i].strip())), width=len(length)),
+            number_fix(length),
+            cause=slip_of(length),
+            note=text,
+        )
+        return True
+
     def _terminal(self, name: str, ends: set[str], span: Span, *, first: bool, last: bool) -> Port | None:
         if name not in ends:
+            joined = [s for s in self._read_into if name.startswith(s) and number_text(name[len(s) :])]
+            if joined:
+                said = f"{name}: a space is missing between the section and its length"
+                self.ctx.add("IL2005", said, span, f"write `{joined[0]} {name[len(joined[0]) :]}`")
+                return None
             self.ctx.add(
                 "IL2005",
                 f"{name} is neither a boundary nor a buffer, and a section needs a length",
                 span,
-                did_you_mean(name, ends) or f"write `{name} 100`, or declare {name} under boundaries",
+                did_you_mean(name, ends, f"write `{name} 100`, or declare {name} under boundaries"),
             )
             return None
         if not (first or last):
@@ -268,16 +300,20 @@ class Wirer:
                     return Port(kind, name, end)
                 self.ctx.add(
                     "IL2003",
-                    f"the {kind} {name} has no end `{end}`",
+                    f"the {kind} {name} has no end `{end}`" if dot else f"{name} has several ends",
                     span,
-                    did_you_mean(end, ends_) or "one of " + ", ".join(ends_),
+                    did_you_mean(
+                        ref.strip(),
+                        [f"{name}.{e}" for e in ends_],
+                        f"write {name}. and one of its ends: " + ", ".join(ends_),
+                    ),
                 )
                 return None
         if name in f.boundaries or name in f.buffers or name in f.traps:
             self.ctx.add("IL2003", f"{name} has only one end", span, f"write `{name}`")
             return None
-        known = [*f.tracks, *f.points, *f.crossings, *f.slips, *f.derailers, *f.boundaries, *f.buffers, *f.traps]
-        self.ctx.add("IL2001", f"there is no track, point, boundary or buffer {name}", span, did_you_mean(name, known))
+        hint = did_you_mean(name, self._joinable)
+        self.ctx.add("IL2001", f"there is no track, point, boundary or buffer {name}", span, hint)
         return None
 
     def _join(self, a: Port, b: Port, span: Span) -> None:
@@ -349,14 +385,14 @@ class Wirer:
             )
         for i, name in enumerate(f.traps):
             wanted.append((Port("buffer", name), self.ctx.at("traps", i), "name it at the end of a track"))
-        if any(
-            d.code.startswith(("IL2001", "IL2003", "IL2005", "IL3001", "IL3002", "IL3004", "IL3017", "IL1"))
-            for d in self.ctx.sink.diagnostics
-        ):
+        if self.ctx.sink.has("IL2001", "IL2003", "IL2005", "IL3001", "IL3002", "IL3004", "IL3017", "IL1"):
             return  # what is missing may only be misspelt
-        for port, span, fix in wanted:
-            if port not in self.mate:
-                self.ctx.add("IL3003", f"{port} is joined to nothing", span, fix)
+        loose = [(port, span, fix) for port, span, fix in wanted if port not in self.mate]
+        if len(loose) == 2 and loose[0][0].name != loose[1][0].name:
+            self._loose_pair((loose[0][0], loose[0][1]), (loose[1][0], loose[1][1]))
+            return
+        for port, span, fix in loose:
+            self.ctx.add("IL3003", f"{port} is joined to nothing", span, fix)
         for port, (other, span) in sorted(self.mate.items()):
             if port.kind in ("boundary", "buffer") and other.kind in ("boundary", "buffer") and port < other:
                 self.ctx.add(
@@ -365,6 +401,19 @@ class Wirer:
                     span,
                     "put a section between them",
                 )
+
+    def _loose_pair(self, *ends: tuple[Port, Span]) -> None:
+        """Report the only two ends that are joined to nothing: they are probably meant for each other."""
+        order = ("track", "point", "crossing", "slip", "derailer", "boundary", "buffer")
+        (a, at), (b, beside) = sorted(ends, key=lambda x: -order.index(x[0].kind))
+        fix = f"is {b} joined to {a}? then write " + (f"`{a.end}: {b}` at {a.name}" if a.end else f"{a} into its track")
+        if b.kind == "track" and not a.end:
+            fix = f"put {a} {'first' if b.end == 'start' else 'last'} into the track {b.name}, if it ends there"
+        elif a.kind == "track":
+            fix = f"a track that goes on at another is written as one; or put a point between {b} and {a}"
+        for port, span, other in ((a, at, b), (b, beside, a)):
+            said = f"{port} is joined to nothing, and neither is {other}"
+            self.ctx.add("IL3003", said, span, fix, cause="pair", note=str(port))
 
     # --- building ------------------------------------------------------------------------------
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 import yaml
 
 from interlock.diag import Sink, Span
+from interlock.frontend.broken import report_broken, report_control
 
 MAX_DEPTH = 12
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
@@ -61,6 +62,7 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
     root: Node | None = None
     stack: list[tuple[Node, Scalar | None]] = []  # container, pending key
     documents = 0
+    quoted: Span | None = None
     try:
         for event in yaml.parse(text, Loader=_LOADER):
             if isinstance(event, yaml.DocumentStartEvent):
@@ -82,7 +84,7 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
                     "write the value out; a layout is read by people from top to bottom",
                 )
                 return None
-            if isinstance(event, yaml.ScalarEvent | yaml.CollectionStartEvent):
+            if isinstance(event, (yaml.ScalarEvent, yaml.CollectionStartEvent)):
                 span = _span(file, event, lines)
                 if event.anchor:
                     sink.add(
@@ -113,29 +115,26 @@ def parse(file: str, text: str, sink: Sink) -> Node | None:
                     root = node
                 if not isinstance(node, Scalar):
                     stack.append((node, None))
+                if isinstance(event, yaml.ScalarEvent) and event.style in ("'", '"'):
+                    quoted = span
             elif isinstance(event, yaml.CollectionEndEvent):
-                stack.pop()
+                _close(stack.pop()[0], _span(file, event, lines))
     except yaml.MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
-        what = error.problem or error.context or "broken YAML"
-        hint = "check the indentation, the colons and the brackets up to this place"
-        if mark is not None and mark.line < len(lines) and "\t" in lines[mark.line][: mark.column + 1]:
-            hint = "YAML indents with spaces, never with tabs: replace the tab"
-        span = Span(file, mark.line + 1, mark.column + 1) if mark else Span(file, 1, 1)
-        sink.add("IL1004", f"broken YAML: {what}", span, hint)
+        report_broken(file, lines, error, quoted, sink)
         return None
     except yaml.YAMLError as error:
-        sink.add(
-            "IL1004",
-            f"broken YAML: {str(error).splitlines()[0]}",
-            Span(file, 1, 1),
-            "save the file as plain UTF-8 text",
-        )
+        report_control(file, lines, str(error).splitlines()[0], sink)
         return None
     if root is None or (isinstance(root, Scalar) and not root.text.strip()):
         sink.add("IL1007", "the file is empty", Span(file, 1, 1), "`interlock explain IL1007` shows a layout")
         return None
     return root
+
+
+def _close(node: Node, end: Span) -> None:
+    """Let a list or mapping that is written in brackets on one line be marked as a whole."""
+    if end.line == node.span.line and end.column > node.span.column:
+        node.span = node.span._replace(width=end.column + end.width - node.span.column)
 
 
 def _attach(stack: list[tuple[Node, Scalar | None]], node: Node, sink: Sink) -> bool:

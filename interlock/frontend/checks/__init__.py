@@ -1,11 +1,14 @@
 """Checks of a resolved layout, one file each, run in this order."""
 
+from interlock.frontend.checks.approach import check_approach
 from interlock.frontend.checks.boundaries import check_boundaries
 from interlock.frontend.checks.connected import check_connected
 from interlock.frontend.checks.delays import check_delays
 from interlock.frontend.checks.detection import check_detection
+from interlock.frontend.checks.facing import check_facing
 from interlock.frontend.checks.foul import check_foul
 from interlock.frontend.checks.lanes import check_lanes
+from interlock.frontend.checks.lengths import check_lengths
 from interlock.frontend.checks.machines import check_machines
 from interlock.frontend.checks.signals import check_signals
 from interlock.frontend.checks.standing import check_standing
@@ -22,4 +25,7 @@ CHECKS = (
     check_foul,
     check_zones,
     check_delays,
+    check_lengths,
+    check_approach,
+    check_facing,
 )

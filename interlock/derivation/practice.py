@@ -1,0 +1,173 @@
+"""Usual practice that only routes show: starting signals, places without a way in or out, waiting on points.
+
+Warnings IL7002, IL7003, IL7004, IL7007.  A layout may depart from practice: `allow`, with a reason.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from interlock.derivation.routes import Path
+from interlock.diag import Element, Sink
+from interlock.model.elements import BoundaryKind, EdgeId, NodeId
+from interlock.model.layout import Layout
+from interlock.model.plain import Plain, Plains, plains
+from interlock.table.rows import ExitKind, RouteKind
+
+STATION_TRACK_M = 100.0
+"""Shorter plain track between the legs of points is a crossover, not a track of a station (our choice)."""
+TRAIN_M = 100.0
+"""A train that waits so far beyond points stands clear of them (our choice)."""
+
+
+def check_practice(layout: Layout, paths: Sequence[Path], sink: Sink) -> None:
+    """Report what departs from usual practice, where no error hides routes."""
+    if sink.has_errors:
+        return
+    found = plains(layout)
+    _check_starting(found, paths, sink)
+    _check_places(found, paths, sink)
+    _check_waiting(found, paths, sink)
+
+
+def _passed(found: Plains, path: Path) -> Iterator[tuple[Plain, bool]]:
+    """The stretches of plain track between points that a path runs over from end to end, and whether forward."""
+    at: dict[EdgeId, int] = {}
+    for t in path.ways:
+        for e in t.edges:
+            at.setdefault(e, len(at))
+    for p in dict.fromkeys(id(found.of[e]) for e in at):
+        stretch = found.by_id[p]
+        first, last = (at.get(stretch.edges[k].id) for k in (0, -1))
+        if first is not None and last is not None and first != last and _between_points(found, stretch):
+            yield stretch, first < last
+
+
+def _between_points(found: Plains, stretch: Plain) -> bool:
+    return found.pointed(stretch.nodes[0]) and found.pointed(stretch.nodes[-1])
+
+
+def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
+    """Tracks with a main signal at one end and none at the other, over which trains leave too; tracks with none."""
+    past: dict[tuple[int, bool], list[Path]] = {}
+    for path in paths:
+        if path.kind is RouteKind.MAIN and path.option <= 1:
+            for stretch, forward in _passed(found, path):
+                if stretch.sections and not found.looking(stretch, forward):
+                    past.setdefault((id(stretch), forward), []).append(path)
+    for (key, forward), those in past.items():
+        stretch = found.by_id[key]
+        name, end, back = stretch.name, stretch.end(forward), found.looking(stretch, not forward)
+        if any(found.turned(g) for g in back):
+            continue  # that one is missing here
+        if any(g.main for g in back):
+            routes = _listed(p.id for p in those)
+            sink.add(
+                "IL7002",
+                f"the track {name} has no starting signal towards {end}: trains leave it there and pass on into the "
+                f"points ({routes})",
+                None,
+                f"add a signal `from: {name}` into the section before {end}",
+                about=Element("sections", str(name)),
+                cause="starting",
+                note=f"{name} towards {end}",
+            )
+        elif not back and stretch.metres >= STATION_TRACK_M and _by_legs(found, stretch):
+            for path in those:
+                sink.add(
+                    "IL7003",
+                    f"route {path.id} runs through a whole station: past the track {name}, where no signal stands",
+                    None,
+                    f"add starting signals at both ends of {name}",
+                    about=Element("signals", path.entry),
+                    cause="whole station",
+                    note=f"{path.id} past {name}",
+                )
+
+
+def _by_legs(found: Plains, stretch: Plain) -> bool:
+    """Whether a stretch lies between the legs of two points: from a toe on it is a line, or part of a ladder."""
+    ends = ((stretch.nodes[0], stretch.edges[0]), (stretch.nodes[-1], stretch.edges[-1]))
+    points = [(found.layout.point_at.get(n), e) for n, e in ends]
+    return all(p is not None and p.toe != e.id for p, e in points)
+
+
+def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
+    """Places before signals and at ends of routes to which no train comes, or from which none leaves the layout."""
+    layout = found.layout
+    onward: dict[str | int, set[str | int]] = {}
+    backward: dict[str | int, set[str | int]] = {}
+    for path in paths:
+        g = layout.signal[path.entry]
+        start = _place(found, g.node, g.into)
+        last: str | int = id(found.of[path.ways[-1].edges[-1]])
+        steps = [(start, last)] + ([(last, str(path.exit))] if path.exit_kind is ExitKind.BOUNDARY else [])
+        for here, there in steps:
+            onward.setdefault(here, set()).add(there)
+            backward.setdefault(there, set()).add(here)
+    begins = {str(b.node) for b in layout.boundaries if b.kind is not BoundaryKind.OUT}
+    leaves = {str(b.node) for b in layout.boundaries if b.kind is not BoundaryKind.IN}
+    reached, left = _closed(begins, onward), _closed(leaves, backward)
+    for b in layout.boundaries:
+        if b.kind is not BoundaryKind.IN and str(b.node) not in backward and len(layout.boundaries) > 1:
+            sink.add(
+                "IL7004",
+                f"no route leads out at {b.node}, though trains may leave there",
+                None,
+                "add a signal that leads there, or say `trains: in`",
+                about=Element("boundaries", str(b.node)),
+            )
+    for place in [*dict.fromkeys([*onward, *backward])]:
+        if isinstance(place, str) or any(found.turned(g) for g, _ in found.signals.get(place, ())):
+            continue
+        name = found.by_id[place].name or found.by_id[place].edges[0].section
+        if begins and place not in reached:
+            said = f"no train can reach {name}: no route from a boundary leads there"
+            fix = "add a signal that leads there, or check the directions of those near it"
+            sink.add("IL7004", said, None, fix, about=Element("sections", str(name)), cause="reach", note=str(name))
+        elif leaves and place in backward and place not in left:
+            said = f"no train can leave {name}: no route leads on from there to a boundary"
+            fix = "add a signal out of it, or check the directions of those near it"
+            sink.add("IL7004", said, None, fix, about=Element("sections", str(name)), cause="leave", note=str(name))
+
+
+def _place(found: Plains, node: NodeId, edge: EdgeId) -> str | int:
+    """Where a train stands: before a boundary, or on a stretch of plain track."""
+    return str(node) if node in found.layout.boundary_at else id(found.of[edge])
+
+
+def _closed(first: Iterable[str | int], further: dict[str | int, set[str | int]]) -> set[str | int]:
+    """Everything to which one comes."""
+    found: set[str | int] = set(first)
+    todo = list(found)
+    while todo:
+        for x in further.get(todo.pop(), ()):
+            if x not in found:
+                found.add(x)
+                todo.append(x)
+    return found
+
+
+def _check_waiting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
+    """Main signals before which trains wait on points that they have just passed."""
+    ends = {p.exit for p in paths if p.exit_kind is ExitKind.SIGNAL and p.kind is RouteKind.MAIN}
+    for g in found.layout.signals:
+        behind = found.behind_points(g)
+        if g.id not in ends or not g.main or behind is None or behind[1] >= TRAIN_M or found.turned(g):
+            continue
+        points, metres = behind
+        sink.add(
+            "IL7007",
+            f"signal {g.id} stands {metres:g} m behind {points}: a train that waits before it stands on the points",
+            None,
+            "move it further on by a section as long as a train, or before the points",
+            about=Element("signals", g.id),
+            cause="behind points",
+            note=f"{g.id}, {metres:g} m behind {points}",
+        )
+
+
+def _listed(names: Iterable[str]) -> str:
+    """The first of some names, and how many there are beside them."""
+    own = list(names)
+    return ", ".join(own[:3]) + (f" and {len(own) - 3} more" if len(own) > 3 else "")

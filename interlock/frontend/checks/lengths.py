@@ -1,0 +1,61 @@
+"""Lengths that are hardly meant.  IL7005.
+
+A vehicle can stand over a section of less than 5 m and touch it with no axle, so that it is not detected; what is
+longer than 30 km is no section of a station or a block, but a slip of the point or of the unit.  (Our choice, both.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.diag import Element, Span
+from interlock.frontend.context import Context
+from interlock.model.layout import Layout
+
+SHORT_M, LONG_M = 5.0, 30_000.0
+LEG_M = (2.0, 300.0)
+"""Shortest and longest leg of a point or diamond, distance to a fouling point."""
+
+
+def check_lengths(ctx: Context, layout: Layout) -> None:
+    """Report each length outside the usual range."""
+    del layout
+    for text, metres, (least, most), at, about in _stated(ctx):
+        if not least <= metres <= most:
+            what = f"shorter than {least:g} m" if metres < least else f"longer than {_distance(most)}"
+            ctx.add(
+                "IL7005",
+                f"{text} is {_distance(metres)} long, {what}",
+                at,
+                "lengths are metres, decimals follow a point: 0.6 km is 600",
+                about=about,
+            )
+
+
+def _stated(ctx: Context) -> Iterator[tuple[str, float, tuple[float, float], Span, Element]]:
+    """Every stated length: what it is of, metres, the usual range, place and element."""
+    f = ctx.file
+    for track, items in f.tracks.items():
+        for i, item in enumerate(items):
+            if len(item.split()) == 2:
+                section, metres = item.split()
+                of = Element("sections", section)
+                yield f"section {section}", float(metres), (SHORT_M, LONG_M), ctx.at("tracks", track, i), of
+    for name, b in f.boundaries.items():
+        if b.approach is not None:
+            section, metres = b.approach.split()
+            at = ctx.at("boundaries", name, "approach")
+            yield f"approach section {section}", float(metres), (SHORT_M, LONG_M), at, Element("boundaries", name)
+    for room, kind in (("points", "point"), ("crossings", "diamond"), ("slips", "slip"), ("derailers", "derailer")):
+        for name, spec in getattr(f, room).items():
+            for key, text in (
+                ("legs", f"each leg of {kind} {name}"),
+                ("fouling", f"the fouling part of {kind} {name}"),
+            ):
+                stated = getattr(spec, key, None)
+                if stated is not None:
+                    yield text, stated, LEG_M, ctx.at(room, name, key), Element(room, name)
+
+
+def _distance(metres: float) -> str:
+    return f"{metres:g} m" if metres < 10_000 else f"{metres / 1000:g} km"

@@ -1,0 +1,65 @@
+"""The text of a file's bytes: UTF-8, or what else they seem to be.  IL1002."""
+
+from __future__ import annotations
+
+import re
+
+from interlock.diag import Sink, Span
+
+_BOMS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\x00\x00\xfe\xff": "utf-32"}
+_NAMES = {"utf-16": "UTF-16", "utf-32": "UTF-32", "gb18030": "GBK", "cp1252": "Windows-1252 (Western European)"}
+_KINDS = {b"%PDF": "a PDF", b"PK\x03\x04": "a workbook or another zip", b"\x89PNG": "a picture", b"AC10": "a drawing"}
+
+
+def decode(path: str, data: bytes, sink: Sink) -> tuple[str | None, str]:
+    """The text, or None with IL1002; and what to show of the file: the text as its author probably sees it."""
+    try:
+        text = _lines(data.decode("utf-8-sig"))
+        return text, text
+    except UnicodeDecodeError as error:
+        at = error.start
+    for head, kind in _KINDS.items():
+        if data.startswith(head):
+            _report(sink, f"{path} is not UTF-8 text: it is {kind}", Span(path, 0, 0), "a layout is a text file")
+            return None, ""
+    coding = _coding(data)
+    if coding is None:
+        said = f"{path} is not UTF-8 text: byte {at} can stand in no text"
+        _report(sink, said, Span(path, 0, 0), "a PDF, a spreadsheet or a drawing is not a layout")
+        return None, ""
+    shown = _lines(data.decode(coding, "replace"))
+    fix = f"save it as UTF-8 (`Save as`, encoding UTF-8), or run `iconv -f {coding.upper()} -t UTF-8 {path} > new.yaml`"
+    said = f"the file is not UTF-8 text; it looks like {_NAMES[coding]}"
+    if coding.startswith("utf"):
+        _report(sink, said, Span(path, 1, 1, max(1, len(shown.split("\n")[0]))), fix)
+        return None, shown
+    for i, line in enumerate(shown.split("\n")):
+        for found in re.finditer(r"[^\x00-\x7f]+", line):
+            _report(sink, said, Span(path, i + 1, found.start() + 1, len(found[0])), fix)
+    return None, shown
+
+
+def _report(sink: Sink, said: str, span: Span, fix: str) -> None:
+    sink.add("IL1002", said, span, fix)
+
+
+def _lines(text: str) -> str:
+    return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _coding(data: bytes) -> str | None:
+    """What an editor of another language may have saved: a guess by byte order mark, zeros, and pairs of high bytes."""
+    for mark, coding in _BOMS.items():
+        if data.startswith(mark):
+            return coding
+    if b"\x00" in data:
+        return None
+    runs = re.findall(rb"[\x80-\xff]+", data)
+    for coding, plausible in (("gb18030", all(len(r) % 2 == 0 for r in runs)), ("cp1252", True)):
+        try:
+            data.decode(coding)
+        except UnicodeDecodeError:
+            continue
+        if plausible:
+            return coding
+    return None

@@ -1,0 +1,230 @@
+"""What the schema finds wrong, in the words of the file's author: what is there, what is wanted, how it is written.
+
+Input: the errors of pydantic and the tree.  Output: diagnostics IL1010-IL1017, IL2009; a slip that is made in many
+places is one diagnostic, and what follows from a slip (a key that is missing because it is misspelt) is none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping as Map
+from typing import Any
+
+from pydantic import ValidationError
+
+from interlock.diag import Sink, Span
+from interlock.diag.suggest import Suggestion, did_you_mean, nearest
+from interlock.frontend.scalars import MAX_NAME, number_fix, number_text
+from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
+
+Loc = tuple[str | int, ...]
+
+_CODES = {
+    "missing": "IL1010",
+    "extra_forbidden": "IL1011",
+    "number": "IL1013",
+    "range": "IL1014",
+    "version": "IL1015",
+    "name": "IL1016",
+    "choice": "IL1017",
+    "reason": "IL2009",
+}
+_WANT = {
+    "dict_type": "a mapping",
+    "model_type": "a mapping",
+    "model_attributes_type": "a mapping",
+    "list_type": "a list",
+    "string_type": "a text",
+    "shape": "a text",
+    "too_short": "a list of two",
+    "too_long": "a list of two",
+}
+_FIX = {
+    "IL1013": "write metres or seconds as a plain decimal number, for instance 350 or 12.5",
+    "IL1014": "give a length above 0 and at most 100 km, or a time above 0 and at most a day",
+    "IL1015": "this release reads `interlock: 1`",
+    "IL1016": f"at most {MAX_NAME} ASCII letters and digits; put the full name into `title` or `label`",
+    "IL2009": "say why",
+}
+_REASON = {
+    "waive": "say why a vehicle can never roll from there",
+    "exclude": "say why there shall be no such route",
+    "allow": "say why it is meant so here",
+}
+
+
+def span_of(root: Node, path: Loc, *, key: bool = False) -> Span:
+    """The place of the value (or key) at a path; the nearest enclosing node when the path ends early."""
+    node: Node = root
+    span = root.span
+    for step in path:
+        if isinstance(node, Mapping) and str(step) in node.items:
+            k, node = node.items[str(step)]
+            span = k.span if key or not isinstance(node, Scalar) or not node.text else node.span
+        elif isinstance(node, Sequence) and isinstance(step, int) and step < len(node.items):
+            node = node.items[step]
+            span = node.span
+        else:
+            break
+    return span
+
+
+def report_shape(root: Node, error: ValidationError, keys: Map[str, tuple[str, ...]], sink: Sink) -> None:
+    """Every error of shape as a diagnostic at its place; `keys`: the known keys of each room, "" for the file's."""
+    errors = error.errors(include_url=False, include_input=False)
+    paths = [(e, tuple(p for p in e["loc"] if not _inner(p))) for e in errors]
+    misspelt: set[Loc] = set()
+    for e, path in paths:
+        if e["type"] == "extra_forbidden":
+            known = keys.get(str(path[0]) if len(path) > 1 else "", ())
+            meant = _unknown_key(root, path, known, sink)
+            if meant is not None:
+                misspelt.add((*path[:-1], meant))
+    for e, path in paths:
+        if e["type"] == "missing":
+            if path not in misspelt:
+                _missing(root, path, sink)
+        elif e["type"] != "extra_forbidden":
+            _value(root, e["type"], path, "[key]" in e["loc"], e["msg"], e.get("ctx", {}), sink)
+
+
+def _inner(part: str | int) -> bool:
+    """A step of pydantic's own, not of the file."""
+    return part == "[key]" or (isinstance(part, str) and part.startswith("function-"))
+
+
+def _unknown_key(root: Node, path: Loc, known: tuple[str, ...], sink: Sink) -> str | None:
+    """Report a key that nobody knows; the key that was meant, if that is plain."""
+    key, span, value = str(path[-1]), span_of(root, path, key=True), node_at(root, path)
+    before, _, rest = key.partition(":")
+    if rest and before in known:  # `from:q3`
+        fix = f"write `{before}: {rest}`"
+        sink.add("IL1011", f"a space is missing after `{before}:`", span, fix, cause="space", note=f"`{key}`")
+        return before
+    if number_text(key) and isinstance(value, Scalar) and not value.text:  # `legs: 30,5`
+        whole = _before(root, path)
+        if whole is not None:
+            name, number = whole
+            text = f"{number.text},{key}"
+            place = Span(span.file, number.span.line, number.span.column, len(text))
+            said = f"{'.'.join(map(str, (*path[:-1], name)))}: '{text}' is not a number"
+            sink.add("IL1013", said, place, number_fix(text), cause="a decimal comma", note=text)
+            return None
+    if key.lower() in known:
+        said = f"unknown key `{key}`: keys are written in small letters"
+        sink.add("IL1011", said, span, f"write `{key.lower()}`", cause="capitals", note=f"`{key}`")
+        return key.lower()
+    sink.add("IL1011", f"unknown key `{key}`", span, did_you_mean(key, known, _known_keys(path, known)))
+    return nearest(key, known)
+
+
+def _known_keys(path: Loc, known: tuple[str, ...]) -> str:
+    where = "the file" if len(path) == 1 else f"an entry of `{path[0]}`"
+    return f"the keys of {where}: {', '.join(known)}"
+
+
+def _before(root: Node, path: Loc) -> tuple[str, Scalar] | None:
+    """The key before the one at a path, if it has a whole number."""
+    room = node_at(root, path[:-1])
+    if not isinstance(room, Mapping):
+        return None
+    names = list(room.items)
+    at = names.index(str(path[-1]))
+    value = room.items[names[at - 1]][1] if at else None
+    return (names[at - 1], value) if isinstance(value, Scalar) and value.text.isdigit() else None
+
+
+def _missing(root: Node, path: Loc, sink: Sink) -> None:
+    where, key = ".".join(map(str, path[:-1])) or "the file", str(path[-1])
+    fix = "add `interlock: 1` as the first line" if path == ("interlock",) else f"add `{key}: ...`"
+    room = str(path[0]) if len(path) > 1 else ""
+    span = span_of(root, path[:-1], key=True)
+    sink.add("IL1010", f"{where} lacks the key `{key}`", span, fix, cause=f"{room} {key}", note=where)
+
+
+def _value(root: Node, kind: str, path: Loc, on_key: bool, text: str, ctx: Map[str, Any], sink: Sink) -> None:
+    """Report a value (or key) that has the wrong shape, or cannot be."""
+    code, where = _CODES.get(kind, "IL1012"), ".".join(map(str, path))
+    if code == "IL1012":
+        want = _WANT.get(kind, "another shape")
+        node = node_at(root, path)
+        fix = _shape_fix(path, want, node)
+        said = f"{where}: {want} is expected here, not {_told(node)}"
+        cause = "brackets" if want == "a text" and isinstance(node, Sequence) and len(node.items) == 1 else ""
+        sink.add(code, said, _shown(root, path, node), fix, cause=cause, note=where)
+        return
+    value = str(ctx.get("v", ""))
+    advice: str | Suggestion = ctx.get("fix", _FIX.get(code, ""))
+    if code == "IL1017":
+        advice = did_you_mean(value, ctx.get("known", ()))
+    elif code == "IL2009":
+        advice = _REASON.get(str(path[0]), advice)
+    cause = ctx.get("cause", "")
+    if code in ("IL1016", "IL1017") and value:  # one name or word that cannot be, wherever it is used
+        cause = f"{text} {value}"
+    sink.add(code, f"{where}: {text}", span_of(root, path, key=on_key), advice, cause=cause, note=f"{where}: {value}")
+
+
+def _shown(root: Node, path: Loc, node: Node) -> Span:
+    """The value itself where it is something written in one line, else its key."""
+    key = span_of(root, path)
+    return node.span if not isinstance(node, Scalar) and node.span.line == key.line else key
+
+
+def _shape_fix(path: Loc, want: str, node: Node) -> str:
+    """How a value of another shape is written."""
+    key = next((str(p) for p in reversed(path) if isinstance(p, str)), "")
+    in_list = bool(path) and isinstance(path[-1], int)
+    if want == "a list of two":
+        return f"write two: `{key}: [one, other]`"
+    if want == "a text" and isinstance(node, Sequence) and node.items and isinstance(node.items[0], Scalar):
+        one = node.items[0].text
+        only = "" if len(node.items) == 1 else "; only one can stand here"
+        return f"write `{one if in_list else f'{key}: {one}'}`, without the brackets{only}"
+    if want == "a text" and isinstance(node, Mapping) and len(node.items) == 1:
+        ((name, (_, value)),) = node.items.items()
+        if isinstance(value, Scalar):
+            return f"write `{name} {value.text}` as one text, without the braces"
+    if want == "a text":
+        return "write one text"
+    if want == "a list":
+        return (
+            f"write `{key}: [{node.text}]`, in brackets"
+            if isinstance(node, Scalar) and node.text
+            else f"write `{key}: [...]`"
+        )
+    if isinstance(node, Scalar) and not node.text:
+        return (
+            f"write its entries below, indented by two more spaces, or remove `{key}`"
+            if len(path) < 2
+            else f"write `{key}: {{}}`"
+        )
+    if isinstance(node, Sequence):
+        first = node.items[0] if node.items else node
+        named = first.items.get("name") if isinstance(first, Mapping) else None
+        shown = named[1].text if named is not None and isinstance(named[1], Scalar) else "name"
+        return f"write `{shown}: {{...}}` lines below `{key}`: the name of each before its values, no dashes"
+    return f"write `{key}: {{key: value, ...}}`; `interlock explain IL1012` shows the shapes"
+
+
+def node_at(root: Node, path: Loc) -> Node:
+    """The node at a path, or the nearest one that encloses it."""
+    node: Node = root
+    for step in path:
+        if isinstance(node, Mapping) and str(step) in node.items:
+            node = node.items[str(step)][1]
+        elif isinstance(node, Sequence) and isinstance(step, int) and step < len(node.items):
+            node = node.items[step]
+        else:
+            break
+    return node
+
+
+def _told(node: Node) -> str:
+    if isinstance(node, Scalar):
+        return f"the text '{node.text[:40]}'" if node.text else "nothing"
+    if isinstance(node, Mapping):
+        return "a mapping"
+    items = [n.text for n in node.items if isinstance(n, Scalar)]
+    if len(items) == len(node.items) and 0 < len(items) <= 3:
+        return f"the list [{', '.join(items)}]"
+    return f"a list of {len(node.items)}"

@@ -1,0 +1,164 @@
+"""Warnings of usual practice: what they find, where they are silent, and how a layout departs from practice."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from interlock.app.check import Checked, check_file
+from interlock.app.init import STARTER, line, yard
+from interlock.diag import Severity
+from interlock.diag.codes import LINTS
+
+
+def station(tracks: int) -> str:
+    """A station of parallel tracks between two lines, with starting signals at both ends of each."""
+    rows, points, signals = [], [], ["  XW: {from: W, into: ww}", "  XE: {from: E, into: ee}"]
+    for k in range(1, tracks + 1):
+        rows.append(f"  t{k}: [g{k} 500]")
+        signals += [f"  S{k}: {{from: g{k}, into: w{min(k, tracks - 1)}}}"]
+        signals += [f"  X{k}: {{from: g{k}, into: e{min(k, tracks - 1)}}}"]
+    for p, end in (("w", "start"), ("e", "end")):
+        for k in range(1, tracks):
+            toe = f", toe: {'west.end' if p == 'w' else 'east.start'}" if k == 1 else ""
+            on = f"{p.upper()}{k + 1}.toe" if k < tracks - 1 else f"t{tracks}.{end}"
+            points.append(f"  {p.upper()}{k}: {{section: {p}{k}{toe}, normal: t{k}.{end}, reverse: {on}}}")
+    head = "interlock: 1\nname: station\nboundaries:\n  W: {approach: ap_W 800}\n  E: {approach: ap_E 800}\n"
+    lines = ["tracks:", "  west: [W, ww 200]", "  east: [ee 200, E]", *rows, "points:", *points, "signals:", *signals]
+    return head + "\n".join(lines) + "\n"
+
+
+def checked(tmp_path: Path, text: str) -> Checked:
+    path = tmp_path / "layout.yaml"
+    path.write_text(text, "utf-8")
+    return check_file(str(path))
+
+
+def lints(tmp_path: Path, text: str) -> list[tuple[str, str]]:
+    """Code and element of each warning of practice; a diagnostic with other places is told once."""
+    done = checked(tmp_path, text)
+    assert done.ok, done.diagnostics
+    return [(d.code, str(d.about.name) if d.about else "") for d in done.diagnostics if d.code in LINTS]
+
+
+@pytest.mark.parametrize("path", sorted(Path("layouts").glob("*.yaml")), ids=lambda p: p.stem)
+def test_shipped_layouts_are_silent_or_say_why_they_depart(path: Path) -> None:
+    found = [d for d in check_file(str(path)).diagnostics if d.severity is not Severity.INFO]
+    assert found == []
+
+
+@pytest.mark.parametrize("text", [STARTER, yard(4), yard(9), line(3)], ids=["starter", "yard4", "yard9", "line"])
+def test_what_init_writes_is_silent(tmp_path: Path, text: str) -> None:
+    assert lints(tmp_path, text) == []
+
+
+@pytest.mark.parametrize("end", ["w", "e"])
+@pytest.mark.parametrize("k", range(1, 6))
+def test_a_turned_signal_of_a_five_track_station_is_found_and_said_once(tmp_path: Path, k: int, end: str) -> None:
+    g, throat = f"{'S' if end == 'w' else 'X'}{k}", f"{end}{min(k, 4)}"
+    text = station(5)
+    assert lints(tmp_path, text) == []
+    right, wrong = f"{g}: {{from: g{k}, into: {throat}}}", f"{g}: {{from: {throat}, into: g{k}}}"
+    assert right in text
+    text = text.replace(right, wrong)
+    assert lints(tmp_path, text) == [("IL7001", g)]
+    (done,) = (d for d in checked(tmp_path, text).diagnostics if d.severity is not Severity.INFO)
+    assert done.span is not None and text.splitlines()[done.span.line - 1].strip() == wrong
+    assert right in done.fix
+
+
+@pytest.mark.parametrize("k", range(1, 6))
+def test_a_missing_starting_signal_is_found_at_its_track(tmp_path: Path, k: int) -> None:
+    text = station(5).replace(f"  S{k}: {{from: g{k}, into: w{min(k, 4)}}}\n", "")
+    assert lints(tmp_path, text) == [("IL7002", f"g{k}")]
+
+
+def test_the_same_at_five_tracks_is_one_warning_with_its_places(tmp_path: Path) -> None:
+    text = "\n".join(x for x in station(5).splitlines() if not x.startswith("  S"))
+    (one,) = [d for d in checked(tmp_path, text).diagnostics if d.code in LINTS]
+    assert one.code == "IL7002" and [p.note.split()[0] for p in one.also] == ["g2", "g3", "g4", "g5"]
+
+
+def test_a_station_without_signals_is_run_through(tmp_path: Path) -> None:
+    text = "\n".join(x for x in station(3).splitlines() if not x.startswith(("  S", "  X1", "  X2", "  X3")))
+    (one,) = [d for d in checked(tmp_path, text).diagnostics if d.code in LINTS]
+    assert one.code == "IL7003" and one.about is not None and one.about.name == "XW"
+    assert len(one.also) == 5  # three tracks, two directions
+
+
+def test_a_platform_that_trains_cannot_leave(tmp_path: Path) -> None:
+    text = Path("layouts/terminus.yaml").read_text("utf-8")
+    assert lints(tmp_path, text.replace("  S12: {from: P2, into: T3}\n", "")) == [("IL7004", "P2")]
+    turned = text.replace("S12: {from: P2, into: T3}", "S12: {from: T3, into: P2}")
+    assert lints(tmp_path, turned) == [("IL7001", "S12")]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "where"),
+    [
+        ("q3 600", "q3 0.5", "q3"),
+        ("q3 600", "q3 90000", "q3"),
+        ("ap_W 600", "ap_W 60000", "W"),
+        ("reverse: loop.start}", "reverse: loop.start, legs: 0.3}", "P1"),
+        ("reverse: loop.start}", "reverse: loop.start, fouling: 1200}", "P1"),
+    ],
+)
+def test_lengths_that_are_hardly_meant(tmp_path: Path, old: str, new: str, where: str) -> None:
+    text = STARTER.replace("name: starter\n", "name: starter\nprinciples: {restart_delay_s: 9000}\n")
+    assert old in text
+    assert ("IL7005", where) in lints(tmp_path, text.replace(old, new))
+
+
+def test_an_approach_is_measured_by_the_speed_and_the_braking_of_the_layout(tmp_path: Path) -> None:
+    short = STARTER.replace("ap_W 600", "ap_W 100")
+    assert lints(tmp_path, short) == [("IL7006", "W")]
+    slow = short.replace("name: starter\n", "name: starter\nprinciples: {line_speed_kmh: 30}\n")
+    assert lints(tmp_path, slow) == []
+    assert lints(tmp_path, short.replace("name: starter\n", "name: starter\nprofile: mine\n")) == []
+
+
+def test_an_allowance_has_a_reason_and_an_effect(tmp_path: Path) -> None:
+    short = STARTER.replace("ap_W 600", "ap_W 100")
+    allow = "allow:\n  - {lint: IL7006, at: [W], reason: trains come slowly out of the works}\n"
+    done = checked(tmp_path, short + allow)
+    assert done.ok and done.diagnostics == ()
+    (left,) = checked(tmp_path, STARTER + allow).diagnostics
+    assert (left.code, left.severity) == ("IL2018", Severity.WARNING)
+    for text, code in (
+        (allow.replace(", reason: trains come slowly out of the works", ""), "IL1010"),
+        (allow.replace("trains come slowly out of the works", "''"), "IL2009"),
+        (allow.replace("IL7006", "IL3012"), "IL1017"),
+        (allow.replace("at: [W]", "at: []"), "IL1012"),
+    ):
+        assert {d.code for d in checked(tmp_path, short + text).diagnostics} == {code}
+
+
+def test_an_allowance_changes_no_digest(tmp_path: Path) -> None:
+    text = Path("layouts/heishan.yaml").read_text("utf-8")
+    with_, without = checked(tmp_path, text), checked(tmp_path, text[: text.index("allow:")])
+    assert with_.layout is not None and without.layout is not None
+    assert with_.layout.digest == without.layout.digest
+
+
+RING = """interlock: 1
+name: ring
+profile: mine
+boundaries: {W: {approach: wa 300}}
+tracks:
+  west: [W, m1 200]
+  ring: [r1 300, r2 300]
+points:
+  P: {section: T, toe: west.end, normal: ring.start, reverse: ring.end}
+signals:
+  X1: {from: W, into: m1}
+  X2: {from: m1, into: T}
+  S1: {from: r2, into: T}
+  S2: {from: r1, into: T}
+"""
+
+
+def test_in_a_balloon_loop_both_ways_are_told_apart(tmp_path: Path) -> None:
+    """Both ends of its track are one set of points."""
+    assert lints(tmp_path, RING) == []
+    assert lints(tmp_path, RING.replace("S1: {from: r2, into: T}", "S1: {from: T, into: r2}")) == [("IL7001", "S1")]
