@@ -100,6 +100,8 @@ def _killers() -> dict[str, tuple[str, str]]:
         "T-POINT-MOVES": (two, "point-missing"),
         "T-ROAD": (DEVICES, "device-missing"),
         "T-FLANK": (FLANK, "flank-missing"),
+        "T-SCISSORS": ("terminus", "flank-missing"),
+        "S-SCISSORS": ("terminus", "flank-missing"),
         "T-LINE": (TOKEN, "direction-given-early"),
         "S-DIRECTION": (TOKEN, "direction-not-checked"),
         "S-OPPOSING": (two, "hostile-not-excluded"),

@@ -107,11 +107,12 @@ class SoftPlc:
         inputs = {n: operator[n] for n in self.allocation.written if n in operator}
         lost: list[str] = []
         alive = []
+        beats = {c.variable for c in self.allocation.heartbeats}
         for c in self.allocation.heartbeats:
             watch = self.watches[c.substation]
             try:
                 values = self.links[c.substation].read()
-                inputs |= {n: v for n, v in values.items() if n != c.variable}
+                inputs |= {n: v for n, v in values.items() if n not in beats}
                 alive.append(watch.step(values[c.variable], dt_ms))
             except LinkLost as error:
                 self.watches[c.substation] = Watch()  # it has to show a change of its heartbeat again

@@ -11,7 +11,6 @@ from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.proof.limits import Limits
 from interlock.proof.verdict import quiet
-from tests.campaigns.simulate import approaches
 from tests.foreign.recording import Railway
 
 XML = ("plcopen", "codesys")
@@ -47,5 +46,5 @@ def bundle(path: str) -> Bundle:
         len(table.routes),
         "\n".join(texts[f"{place}{part}.st"] for part in ("", "_telegram", "_io") if f"{place}{part}.st" in texts),
         {name: text for name, text in texts.items() if name.endswith(".xml")},
-        Railway(layout, controller, allocate(layout, controller), texts["runtime.py"], routes, approaches(path)),
+        Railway(layout, controller, allocate(layout, controller), texts["runtime.py"], routes),
     )

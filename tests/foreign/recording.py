@@ -42,7 +42,6 @@ class Railway:
     allocation: Allocation
     runtime: str
     routes: Mapping[str, tuple[int, ...]]
-    approaches: Mapping[str, float]
 
 
 @dataclass(frozen=True)
@@ -159,7 +158,7 @@ lost, and power cuts."""
 
 def record(railway: Railway, scans: int, seed: int, lives: Sequence[tuple[bool, bool]] = LIVES) -> Recording:
     """So many scans, each life its share."""
-    track = Track.of(railway.layout, railway.approaches)
+    track = Track.of(railway.layout)
     total = Outcome()
     segments: list[Segment] = []
     stalls = invalid = 0

@@ -11,6 +11,7 @@ from interlock.logic.plant.hazards import hazards
 from interlock.logic.plant.images import images
 from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Plant, Wiring
 from interlock.logic.plant.machines import machines
+from interlock.logic.plant.reversals import reversals
 from interlock.logic.plant.words import (
     OUTSIDE,
     accepted,
@@ -226,7 +227,7 @@ class PlantBuilder:
             )
             self._accept(g_.id, ready)
         for s in topo.sections:
-            self._reversal(s)
+            reversals(self, s)
 
     def _accept(self, g: SignalId, ready: Expr) -> None:
         for k in self.functions(g):
@@ -383,55 +384,6 @@ class PlantBuilder:
         ]
         left = conj((self.choice(f"?stay.{s}", f"vehicles stay behind in {s}"), neg(self.astray(s))))
         return disj((left, *out, *into, *called))
-
-    def _reversal(self, s: SectionId) -> None:
-        """A train reverses at a standstill where a signal governs its new direction; in a berth any signal calls."""
-        if self.berth(s):
-            return
-        for a in self.topo.ends[s]:
-            ahead = self.topo.beyond(s, a)
-            g = self.topo.signal_into.get((a, ahead)) if ahead is not None else None
-            if g is None and ("A-REVERSE" not in self.dropped or a in self.layout.buffer_at):
-                continue
-            for b in self.topo.ends[s]:
-                back = disj(self.lie(t) for t in self.ways(s, b, a))
-                there = disj(self.lie(t) for t in self.ways(s, a, b))
-                if a == b or back is FALSE or there is FALSE:
-                    continue
-                alone = conj(
-                    neg(x)
-                    for k in self.topo.ends[s]
-                    if k not in self.layout.buffer_at
-                    for x in (across(k, s), self.coming(s, k))
-                )
-                waiting = conj(
-                    [
-                        *(neg(accepted(h, k)) for h in self.topo.signals_out(s) for k in self.functions(h)),
-                        *(
-                            neg(self.p.events[f"{'accepts' if k else 'accept'}.{h}"])
-                            for h in self.topo.signals_out(s)
-                            for k in self.functions(h)
-                        ),
-                        *(
-                            neg(self.p.events[f"head.{k}.{s}"])
-                            for k in self.topo.ends[s]
-                            if k not in self.layout.buffer_at
-                        ),
-                    ]
-                )
-                self.p.events[f"turn.{s}.{a}.{b}"] = conj(
-                    (
-                        o(s),
-                        came(s, a),
-                        there,
-                        neg(rests(s)),
-                        neg(self.parted(s)),
-                        alone,
-                        image(s),
-                        waiting,
-                        self.choice(f"?turn.{s}.{a}.{b}", f"the train in {s} changes direction"),
-                    )
-                )
 
     # --- next states ---------------------------------------------------------------------------
 

@@ -17,7 +17,7 @@ def overlaps(w: Words) -> Iterator[tuple[str, str, Expr]]:
         before = w.topo.beyond(w.first(g), node)
         assert before is not None
         needless = disj((neg(f.locked_out(before, node)), var(sym.overlap_timer[g])))
-        clear = conj(neg(w.occupied(s)) for s, _ in sym.overlap_ways[o])
+        clear = conj(w.long(s) for s, _ in sym.overlap_ways[o])
         over = conj((needless, clear))
         users = [w.set_now(r) for r in sym.routes if r.overlap == o]
         held = var(name)
@@ -41,7 +41,7 @@ def _swings(w: Words) -> Iterator[tuple[str, str, Expr]]:
         asked = [w.valid, sym.asked(sym.swing_request[g]), var(sym.overlap_firm[g]), f.locked_out(before, node)]
         asked += [neg(var(sym.overlap_timer[g])), neg(w.occupied(before))]
         for s in dict.fromkeys(s for o in options for s, _ in sym.overlap_ways[o]):
-            asked += [neg(w.occupied(s)), neg(f.any_lock(s))]
+            asked += [w.long(s), neg(f.any_lock(s))]
         for i, o in enumerate(options):
             held = disj(var(sym.overlap[x]) for x in options if x != o)
             ready = conj((*asked, held, *(x for s, n in sym.overlap_ways[o] for x in _swings_to(w, g, s, n))))
