@@ -44,11 +44,9 @@ def test_each_function_is_asked_somewhere() -> None:
 @pytest.mark.parametrize(
     ("name", "wire", "value", "function"),
     [
-        ("fig2_2", "STI_P1", FALSE, "F-DELAY"),
         ("fig2_2", "HR_DP", FALSE, "F-RELEASE"),
         ("fig2_2", "H_R1", TRUE, "F-SHOWN"),
         ("fig2_2", "WA_DP_1", TRUE, "F-GRANT"),
-        ("mine11", "TH_P1", FALSE, "F-TRAILED"),
         ("junction", "C_S1", FALSE, "F-CLEAR"),
         ("crossing_line", "GPN_LC1", FALSE, "F-POINT"),
     ],
