@@ -71,6 +71,7 @@ class Called:
         wrong += [f"against {n}" for n in self.at_signal.get(signal, ()) if lacking(n)]
         path, end = self._path(t, signal)
         wrong += self._ground(t, path, trusts, lacking)
+        wrong += self._zones(t, path)
         if trusts:
             wrong += self._overlap(t, end)
             wrong += self._aspects(path, end, signal, shown)
@@ -110,6 +111,18 @@ class Called:
             wrong += [f"against {e}" for e in self.at_exit.get(path[-1], ()) if lacking(e)]
             if last.section != NONE and self._occupied(t, last.section, True):
                 wrong.append(f"onto {self.track.sections[last.section]}, occupied")
+        return wrong
+
+    def _zones(self, t: Train, path: list[int]) -> list[str]:
+        """Zones on the path in which there are as many other trains as there may be."""
+        s, wrong = self.track.stretches, []
+        over = {s[d].section for d in path}
+        for name, most, inside in self.world.watch.limits:
+            if over.isdisjoint(inside) or not inside.isdisjoint(t.sections):
+                continue
+            others = {o.origin for o in self.world.trains if not inside.isdisjoint(o.sections)} - {t.origin}
+            if len(others) >= most:
+                wrong.append(f"into {name}, where {len(others)} are")
         return wrong
 
     def _points(self, path: list[int]) -> list[str]:

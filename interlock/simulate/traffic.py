@@ -51,8 +51,13 @@ class Traffic:
             left -= s[d].metres
         t = self.new(body, s[d].metres + left, tail)
         w = self.world
+        self.waits_on(t)
         if any(o is not t and (not t.edges.isdisjoint(o.edges) or self._foul(t, o)) for o in w.trains):
             w.trains.remove(t)
+
+    def waits_on(self, t: Train) -> None:
+        """It stands at a restart, and is called after it, or taken away before or after."""
+        t.rests, t.patience = 0.0, t.patience + self.world.rules.restart_delay_s * self.rng.uniform(0.3, 1.5)
 
     @staticmethod
     def _foul(a: Train, b: Train) -> bool:

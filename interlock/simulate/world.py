@@ -171,7 +171,7 @@ class World:
         self.numbers = 0
         self.movements = 0
         self.passed_at_stop: list[str] = []
-        for _ in range(rng.randrange(self.most)):
+        for _ in range(rng.randrange(self.most + 4 * sum(z.trains for z in layout.zones))):
             self.traffic.place()
 
     def new_number(self) -> int:
@@ -208,6 +208,7 @@ class World:
         for t in self.trains:
             if t.speed == 0.0:
                 t.called = t.accepted = t.expects = False
+                self.traffic.waits_on(t)
         self.machines.lost.clear()
         self.machines.driven.clear()
 
