@@ -13,12 +13,19 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
     found: set[SectionId] = set()
     announces = g.main and rules.caution is not Caution.NEVER
 
-    def stops(section: SectionId) -> float:
-        """Metres in which a train stands that runs as fast as it may here."""
+    def speed(section: SectionId) -> float:
+        """In metres a second, as fast as a train may run there."""
         row = layout.section.get(section)
         kmh = float(row.speed) if row is not None and row.speed is not None else rules.line_speed_kmh
-        v = (kmh if g.main else min(kmh, rules.shunt_speed_kmh)) / 3.6
-        return v * (rules.output_delay_s + rules.reaction_s) + v**2 / (2 * rules.braking_ms2)
+        return (kmh if g.main else min(kmh, rules.shunt_speed_kmh)) / 3.6
+
+    def unaware(section: SectionId) -> float:
+        """Metres that a train runs there before its driver acts on what he is shown."""
+        return speed(section) * (rules.output_delay_s + rules.reaction_s)
+
+    def stops(section: SectionId) -> float:
+        """Metres in which a train stands that runs as fast as it may here."""
+        return unaware(section) + speed(section) ** 2 / (2 * rules.braking_ms2)
 
     def back(edge: EdgeId, node: NodeId, run: float, stop: float, told: bool, been: frozenset[SectionId]) -> None:
         """Away from the signal over an edge that ends at `node`: no train comes to it against a one-way track."""
@@ -32,9 +39,10 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
         onward = _onward(layout, edge, at)
         leaves = boundary is not None or any(layout.section_of(x) != e.section for x in onward)
         if leaves:
-            told = told or any(s.node == at and s.into == edge and s.main for s in layout.signals)
             if told and run >= stop:
                 return
+            here = not told and any(s.node == at and s.into == edge and s.main for s in layout.signals)
+            told = told or here
         if boundary is not None:
             if boundary.approach is not None and boundary.kind is not BoundaryKind.OUT:
                 found.add(boundary.approach)
@@ -42,7 +50,8 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
         for x in onward:
             s = layout.section_of(x)
             if s == e.section or s not in been:
-                back(x, at, run, stop, told, been | {s})
+                least = max(stop, run + unaware(s)) if leaves and here else stop
+                back(x, at, run, least, told, been | {s})
 
     boundary = layout.boundary_at.get(g.node)
     if boundary is not None:

@@ -203,37 +203,50 @@ class Lengths:
     # --- from where a train may come to a signal (R8) ---
 
     def approach(self, g: Signal) -> Approach:
-        """Everything in rear of a signal back to the braking distance, and to the first main signal announcing it."""
+        """Everything in rear of a signal back to the braking distance, and to the first main signal announcing it, with
+        the way in rear of that one on which a driver does not act any more on a worse aspect."""
         announced = not g.main or self.d.rules["caution"] == "never"
-        found = self._before(g, g.into, g.node, 0.0, 0.0, announced, frozenset({g.into}))
+        found = self._before(g, g.into, g.node, 0.0, 0.0, announced, None, frozenset({g.into}))
         return Approach(None) if found is None else found
 
     def _before(
-        self, g: Signal, ahead: str, node: str, gone: float, needed: float, announced: bool, seen: frozenset[str]
+        self,
+        g: Signal,
+        ahead: str,
+        node: str,
+        gone: float,
+        needed: float,
+        announced: bool,
+        tells: float | None,
+        seen: frozenset[str],
     ) -> Approach | None:
-        """gone: metres from the signal to the node; needed: the longest braking distance so far."""
+        """gone: metres from the signal to the node; needed: the longest distance so far; tells: metres to the signal
+        that announces this one, where it stands at the node."""
         if node in self.r.boundaries:
             b = self.r.boundaries[node]
             if b.get("trains") == "out" and len(seen) > 1:
                 return None
             words = b.get("approach", "").split()
-            far = bool(words) and gone + float(words[1]) >= max(needed, self._metres_to_stand(g, words[0]))
+            far = bool(words) and gone + float(words[1]) >= max(needed, self._metres_to_act(g, words[0], tells))
             return Approach(words[0] if far else None)
         s = self.r.beyond(ahead, node)
         if s is None or s in seen:
             return None
-        needed = max(needed, self._metres_to_stand(g, s))
+        needed = max(needed, self._metres_to_act(g, s, tells))
         further = []
         for w in self.r.ways[s]:
-            done = announced or (w.entry, s) in self.r.main_into
-            if w.exit == node and not (done and gone + w.length >= needed):
-                x = self._before(g, s, w.entry, gone + w.length, needed, done, seen | {s})
+            first = not announced and (w.entry, s) in self.r.main_into
+            run = gone + w.length
+            if w.exit == node and not (announced and run >= needed):
+                x = self._before(g, s, w.entry, run, needed, announced or first, run if first else None, seen | {s})
                 further += [] if x is None else [(w, x)]
         return Approach(s, tuple(further))
 
-    def _metres_to_stand(self, g: Signal, section: str) -> float:
-        kmh = self.kmh(section)
-        return self.braking(kmh if g.main else min(kmh, self.d.rule("shunt_speed_kmh")))
+    def _metres_to_act(self, g: Signal, section: str, tells: float | None) -> float:
+        """Until a train stands; from a signal that announces this one, until its driver acts on it."""
+        kmh = self.kmh(section) if g.main else min(self.kmh(section), self.d.rule("shunt_speed_kmh"))
+        acts = kmh / 3.6 * (self.d.rule("output_delay_s") + self.d.rule("reaction_s"))
+        return max(self.braking(kmh), 0.0 if tells is None else tells + acts)
 
 
 def _agrees(ways: tuple[Way, ...]) -> bool:

@@ -50,7 +50,7 @@ class Watch:
             self.found.append(f"{clock:.1f} s: {text}")
 
     def trains(self, world: World) -> None:
-        """Vehicles in the same place or foul of each other, devices and zones under them."""
+        """Vehicles in the same place or foul of each other, devices under them."""
         trains = world.trains
         for i, a in enumerate(trains):
             if not a.moved:
@@ -69,15 +69,16 @@ class Watch:
                 if world.machines.position[m] != 1 and not over.isdisjoint(a.sections):
                     name = self.track.machines[m]
                     self.tell(world.clock, f"open {a.number} {name}", f"train {a.number} runs over {name}, not closed")
-        for name, most, inside in self.limits:
-            within = {t.origin for t in trains if not inside.isdisjoint(t.sections)}
-            if len(within) > most and any(t.moved and t.called for t in trains if t.origin in within):
-                self.tell(
-                    world.clock, f"zone {name} {sorted(within)}", f"{len(within)} trains in {name}, {most} allowed"
-                )
 
     def comes_in(self, world: World, t: Train, section: int) -> None:
-        """A head comes into a section in which another vehicle is; a shunting movement may, on sight in a berth."""
+        """A head comes into a section in which another vehicle is (a shunting movement may, on sight in a berth), or
+        into a zone in which there are as many trains as there may be; what stands there at a restart may be more."""
+        for name, most, inside in self.limits:
+            if section in inside and inside.isdisjoint(x for x in t.sections if x != section):
+                within = {o.origin for o in world.trains if not inside.isdisjoint(o.sections)} - {t.origin}
+                if len(within) >= most:
+                    text = f"train {t.number} comes into {name}, where {len(within)} are, {most} allowed"
+                    self.tell(world.clock, f"zone {name} {t.number}", text)
         if t.shunting and section in self.track.berths:
             return
         for o in world.trains:

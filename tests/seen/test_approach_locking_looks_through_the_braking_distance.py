@@ -11,10 +11,10 @@ SCAN_MS = 500
 
 
 class Running:
-    """slip_junction after its restart; machines lie where they were last driven."""
+    """A layout after its restart; machines lie where they were last driven."""
 
-    def __init__(self) -> None:
-        _, self.table, controller = built("slip_junction")
+    def __init__(self, name: str = "slip_junction") -> None:
+        _, self.table, controller = built(name)
         self.machine = Machine(controller)
         self.lies = {i.name[3:]: "N" for i in controller.inputs if i.name.startswith("DN_")}
         self.run(2 * 600 + 4)
@@ -65,3 +65,19 @@ def test_with_nobody_on_the_way_it_is_given_up_at_once(coming: str) -> None:
     r.run(4, **beyond)
     r.run(1, CAN_S1J=1, **beyond)
     assert not r.run(10, **beyond)["YL_SC"]
+
+
+def test_a_train_that_the_signal_in_rear_has_told_clear_keeps_the_route_however_far_it_is() -> None:
+    """A clear that goes back to caution just before a train passes it is not noticed any more: the train comes to the
+    signal beyond, a kilometre on, at full speed (found by trains in metres)."""
+    r = Running("passing_loop")
+    line = {"LC_W": 1}  # the line to W is clear, and the neighbour there gives the direction when it is asked for
+    r.run(1, REQ=r.number("S", "S3"), NN_W=1, **line)
+    r.run(30, NN_W=1, **line)
+    r.run(1, REQ=r.number("S3", "W"), NN_W=1, **line)
+    out = r.run(30, NG_W=1, **line)
+    assert out["YP_S"] and not out["YS_S3"]
+    r.run(4, CLR_SJG=0, **line)
+    r.run(1, CLR_SJG=0, CAN_S3=1, **line)
+    held = [r.run(1, CLR_SJG=0, **line)["YL_1DG"] for _ in range(120)]
+    assert all(held), "released ahead of a train that was told clear"
