@@ -8,30 +8,17 @@ from tests.campaigns.simulate import Case, drive
 from tests.weakened import WEAKENED
 
 SCANS = 5000
+SHIPPED_SCANS = 12_000
 
 
 @pytest.mark.parametrize("hostile", [False, True])
 @pytest.mark.parametrize("name", ["fig2_3_split", "mine11", "passing_loop", "junction"])
 def test_no_hazard_as_shipped(name: str, hostile: bool) -> None:
-    outcome = drive(Case.of(f"layouts/{name}.yaml"), SCANS, 7, hostile)
+    outcome = drive(Case.of(f"layouts/{name}.yaml"), SHIPPED_SCANS, 7, hostile)
     assert outcome.hazards == []
     assert outcome.passed_at_stop == []
-    assert outcome.scans == SCANS and outcome.movements > 3
+    assert outcome.scans == SHIPPED_SCANS and outcome.movements > 5
 
-
-SELDOM = {
-    "cancel without delay",
-    "delay from setting",
-    "delay always running",
-    "one clear reading",
-    "restart without delay",
-    "overlap ignored",
-    "conditions ignored",
-    "blocks ignored",
-    "lost inputs ignored",
-    "zone never full",
-}
-"""Classes that come to harm too seldom for a short run: they are driven by the campaign."""
 
 HARM = {
     "locks ignored": ("mine11", 0),
@@ -39,6 +26,7 @@ HARM = {
     "early release": ("mine11", 0),
     "ungated grant": ("mine11", 0),
     "points moved while locked": ("mine11", 0),
+    "cancel without delay": ("passing_loop", 0),
     "signal not closed": ("mine11", 0),
     "points wired the wrong way round": ("mine11", 0),
     "lamps swapped": ("mine11", 0),
@@ -46,11 +34,20 @@ HARM = {
     "stop beside proceed": ("mine11", 0),
     "driven both ways": ("mine11", 0),
     "clear before stop": ("junction", 1),
+    "delay from setting": ("depot", 4),
+    "delay always running": ("pit_bottom", 2),
     "presets of a millisecond": ("junction", 2),
+    "one clear reading": ("flank_lab", 0),
+    "restart without delay": ("cn6502", 0),
+    "overlap ignored": ("slip_junction", 0),
     "points not detected": ("mine11", 4),
     "trailing forgotten": ("depot", 2),
+    "blocks ignored": ("depot", 4),
+    "conditions ignored": ("incline_hoist", 4),
+    "lost inputs ignored": ("crossing_line", 7),
     "health ignored": ("pit_bottom", 2),
     "devices count as closed": ("flank_lab", 0),
+    "zone never full": ("heishan", 7),
     "direction always given": ("passing_loop", 3),
 }
 """For each class a layout and the seed of a run with harm; even seeds have a hostile operator."""
@@ -63,4 +60,4 @@ def test_each_class_of_wrong_controllers_comes_to_harm(kind: str) -> None:
 
 
 def test_every_class_has_its_run() -> None:
-    assert set(WEAKENED) - set(HARM) == SELDOM
+    assert set(HARM) == set(WEAKENED)

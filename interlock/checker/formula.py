@@ -7,7 +7,7 @@ negation of a conjunction of negations.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from functools import cache
+from functools import lru_cache
 from typing import Any
 
 from interlock.verify import Rejected, need
@@ -77,7 +77,7 @@ def clauses(x: Formula) -> frozenset[frozenset[Formula]]:
     return frozenset({frozenset({x})}) if found is None else found
 
 
-@cache
+@lru_cache(1 << 18)
 def _clauses(x: Formula, sign: bool) -> frozenset[frozenset[Formula]] | None:
     if x[0] == "!":
         return _clauses(x[1], not sign)
@@ -135,7 +135,7 @@ def value(x: Formula, known: dict[str, bool]) -> bool | None:
     return bool(x == TRUE)
 
 
-@cache
+@lru_cache(1 << 18)
 def read(text: str) -> Formula:
     """A formula as the written system has it: `a`, `!a`, `(& a b)`, `(| a b)`, `T`, `F`."""
     stack: list[tuple[str, bool, list[Formula]]] = [("", False, [])]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from functools import cache
+from functools import lru_cache
 from typing import Any, Protocol
 
 from interlock.checker.formula import FALSE, Formula, every, implies, no, one_at_most, same, some
@@ -164,7 +164,7 @@ class Sentence:
         return Sentence(text, self.words, dict(zip(names, given, strict=True))).formula()
 
 
-@cache
+@lru_cache(1 << 12)
 def _tokens(text: str) -> list[str]:
     """The tokens, and an empty one at the end."""
     at, tokens = 0, []
