@@ -196,8 +196,9 @@ def test_the_same_information_as_json(tmp_path: Path) -> None:
         assert ("  also: " in shown) == bool(one["also"])
 
 
-def test_a_long_line_is_cut_and_sentences_are_wrapped_to_the_terminal() -> None:
-    checked = check_file(str(FOLDER / "IL4002.yaml"))
+def test_a_long_line_is_cut_and_sentences_are_wrapped_to_the_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(FOLDER)  # a place, `file:line:column`, is never wrapped, so that it can be clicked
+    checked = check_file("IL4002.yaml")
     shown = render.full(checked.diagnostics, {checked.source.file: checked.source.text}, 60)
     assert max(map(len, shown.splitlines())) <= 60
     wide = render.full(checked.diagnostics, {checked.source.file: checked.source.text})

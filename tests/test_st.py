@@ -116,9 +116,9 @@ def test_equations_stand_place_by_place_and_after_what_they_read(name: str) -> N
 
 
 def test_blocks_of_one_place_declare_little_of_others() -> None:
-    """Cut kind by kind, as a controller lists them, the equations of a line would declare far more inputs."""
+    """Cut kind by kind, as a controller lists them, the equations of a long line would declare far more inputs."""
     sink = Sink()
-    layout, _ = load_text("line.yaml", line(20), sink)
+    layout, _ = load_text("line.yaml", line(40), sink)
     assert layout is not None
     controller = lower(layout, derive(layout, sink))
     following = {e.name: replace(e, name=f"N_{e.name}") for e in controller.next}
