@@ -13,7 +13,7 @@ from interlock.logic.expr import NOT, conj, evaluate, neg
 from interlock.proof.aiger import aiger
 from interlock.proof.invariants import Facts, claims
 from interlock.proof.mutate import KINDS
-from interlock.proof.system import PRIME, System
+from interlock.proof.system import System
 from tests.layouts import built
 
 
@@ -87,7 +87,7 @@ def test_the_circuit_runs_as_the_system_does() -> None:
         for n, value in inputs.items():
             given |= {f"{n}[{i}]": value >> i & 1 for i in range(8)} if n in system.sizes else {n: value}
         assert read.step(given) == bad
-        state = {n: env[n + PRIME] for n in system.state}
+        state = {n: env[n.next] for n in system.state}
         latches = dict(zip((read.names[f"l{i}"] for i in range(read.latches)), read.state, strict=True))
         assert {n: latches[n] for n in state} == state
 

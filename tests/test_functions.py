@@ -53,5 +53,5 @@ def test_each_function_is_asked_somewhere() -> None:
 )
 def test_a_function_tells_what_no_claim_asks(name: str, wire: str, value: Expr, function: str) -> None:
     layout, _, controller = built(name)
-    verdict = Judge(layout, controller).judge(Mutation("", "", wire, lambda: put(controller, wire, value)))
+    verdict = Judge(layout, controller).judge(Mutation("", "", (wire,), lambda: put(controller, wire, value)))
     assert verdict.fate is Fate.FUNCTION and verdict.why.startswith(function)

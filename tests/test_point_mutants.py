@@ -15,7 +15,7 @@ from interlock.proof.mutation.campaign import Campaign, one_of_each
 from interlock.proof.mutation.judge import LATER, Fate, Judge, Verdict
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.points import Mutation, mutations
-from interlock.proof.mutation.survivors import listed, off_the_list, shape
+from interlock.proof.mutation.survivors import listed, off_the_list
 from interlock.proof.runner import prove
 from interlock.proof.system import System
 from interlock.proof.verdict import Verdict as Proved
@@ -66,14 +66,14 @@ def test_of_all_families_no_mutant_survives_unlisted(name: str) -> None:
 
 def test_each_listed_change_survives_and_has_its_reason(judge: Judge) -> None:
     assert all(len(reason) > 80 for reason in listed().values())
-    alive = {shape(m.name) for m in mutations(judge.controller) if judge.judge(m).fate is Fate.SURVIVES}
+    alive = {m.shape for m in mutations(judge.controller) if judge.judge(m).fate is Fate.SURVIVES}
     assert alive <= listed().keys() and alive
 
 
 def test_a_survivor_that_is_not_listed_is_a_finding(judge: Judge) -> None:
     m = next(mutations(judge.controller))
     assert off_the_list([(m, Verdict(Fate.SURVIVES, LATER))]) == [m.name]
-    alive = next(x for x in mutations(judge.controller) if shape(x.name) in listed())
+    alive = next(x for x in mutations(judge.controller) if x.shape in listed())
     assert off_the_list([(alive, judge.judge(alive))]) == []
     assert off_the_list([(alive, Verdict(Fate.SURVIVES))]) == [alive.name]
 

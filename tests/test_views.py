@@ -9,9 +9,11 @@ from dataclasses import dataclass, field, replace
 import pytest
 
 from interlock.app.init import yard
+from interlock.logic import names
 from interlock.logic.controller import Controller
 from interlock.logic.expr import Expr, Substitution, conj, disj, iff, implies, neg, var, variables
 from interlock.logic.lower import lower
+from interlock.logic.names import Form, Kind, Name, each, each_value
 from interlock.logic.plant import Assumption
 from interlock.model.layout import Layout
 from interlock.proof import parts
@@ -20,7 +22,7 @@ from interlock.proof.engines import Answer, solver
 from interlock.proof.invariants import Facts, claims, strengthening
 from interlock.proof.limits import Limits
 from interlock.proof.looks import Looks
-from interlock.proof.members import OF, Members
+from interlock.proof.members import Members
 from interlock.proof.mutate import KINDS
 from interlock.proof.runner import inductive, open_claims
 from interlock.proof.scenes import scenes
@@ -54,12 +56,12 @@ class Large:
 
     def __init__(self, system: System, kept: list[Expr], after: bool) -> None:
         self.system = system
-        self.of: dict[str, list[tuple[int, Expr]]] = {}
+        self.of: dict[Name, list[tuple[int, Expr]]] = {}
         named = Members(system, [])
         for name, (family, number) in system.members.items():
             self.of.setdefault(family, []).append((number, named.named(var(name))))
         for r in system.symbols.routes:
-            self.of.setdefault("REQ=", []).append((r.number, system.symbols.asked(r.number)))
+            self.of.setdefault(each_value(names.REQUEST), []).append((r.number, system.symbols.asked(r.number)))
         cnf = Cnf()
         for name, x in system.definitions.items():
             cnf.define(name, x)
@@ -75,11 +77,9 @@ class Large:
     def not_said(self, said: Sequence[Expr], members: Sequence[int] = ()) -> list[Expr]:
         """The expressions that do not follow, with crowds read as their members."""
         crowds = {
-            name: disj(
-                x for number, x in self.of[name.split(" ")[1]] if members[int(name[1:].split(" ")[0])] >> number & 1
-            )
+            name: disj(x for number, x in self.of[name.base] if members[int(name.at[0])] >> number & 1)
             for name in variables(said)
-            if name[0] == OF
+            if name.form is Form.CLASS
         }
         put = Substitution(crowds)
         asked = [put(x) for x in said]
@@ -108,12 +108,12 @@ def test_a_narrow_view_says_less_and_asks_the_same() -> None:
     system = System(layout, controller)
     steps, claimed, kept = goals_of(system)
     views = Views(system, kept)
-    some = [s for s in scenes(views, [*steps, *claimed]) if s.homes and s.homes[0].startswith("section")]
+    some = [s for s in scenes(views, [*steps, *claimed]) if s.homes and s.homes[0].kind is Kind.SECTION]
     sizes = []
     for scene in some:
         narrow, all_around = view(views, scene, narrow=True), view(views, scene)
         assert {n for _, goals in narrow.asked for n in goals} == {n for _, goals in all_around.asked for n in goals}
-        of_places = {name for name in narrow.definitions if name[0] != OF}
+        of_places = {name for name in narrow.definitions if name.form is not Form.CLASS}
         assert of_places <= all_around.definitions.keys() and len(narrow.crowds) <= len(all_around.crowds)
         sizes.append(len(narrow.facts) / len(all_around.facts))
     assert sum(sizes) < 0.9 * len(sizes)
@@ -236,21 +236,29 @@ def test_the_same_goals_follow_with_views_in_a_shipped_layout(name: str, monkeyp
 class Told:
     """A system of two routes."""
 
-    members: dict[str, tuple[str, int]]
-    definitions: dict[str, Expr] = field(default_factory=dict)
+    members: dict[Name, tuple[Name, int]]
+    definitions: dict[Name, Expr] = field(default_factory=dict)
     assumptions: tuple[Assumption, ...] = ()
-    requests: tuple[str, ...] = ()
+    requests: tuple[Name, ...] = ()
+
+
+def told_of(*those: Name) -> Told:
+    """A system of nothing but variables of routes."""
+    return Told({name: (each(name), name.number) for name in those})
+
+
+X, Y = var(names.spelled("x")), var(names.spelled("y"))
 
 
 def test_what_is_said_twice_of_a_route_is_said_of_no_other() -> None:
-    fact = implies(var("A_R1"), var("x"))
-    told = Told({"A_R1": ("A_R", 1), "A_R2": ("A_R", 2)})
-    (trait,) = Members(told, [fact, conj((fact, var("y")))]).traits
-    assert (trait.expr, trait.members) == (var("x"), 1 << 1)
+    fact = implies(var(names.ACTIVE(1)), X)
+    told = told_of(names.ACTIVE(1), names.ACTIVE(2))
+    (trait,) = Members(told, [fact, conj((fact, Y))]).traits
+    assert (trait.expr, trait.members) == (X, 1 << 1)
 
 
 def test_a_fact_that_is_a_disjunction_in_one_tells_all_of_its_parts() -> None:
-    told = Told({"A_R1": ("A_R", 1), "B_R1": ("B_R", 1)})
-    fact = disj((neg(conj((var("A_R1"), neg(var("B_R1"))))), neg(var("F"))))
-    (trait,) = Members(told, [fact]).traits
-    assert (trait.family, trait.expr) == ("A_R", disj((var("#B_R"), neg(var("F")))))
+    active, locked = names.ACTIVE(1), names.LOCKED(1)
+    fact = disj((neg(conj((var(active), neg(var(locked))))), neg(X)))
+    (trait,) = Members(told_of(active, locked), [fact]).traits
+    assert (trait.family, trait.expr) == (each(active), disj((var(each(locked)), neg(X))))

@@ -10,6 +10,7 @@ from interlock.dispatch.dispatcher import waiting
 from interlock.dispatch.plan.railway import OUTSIDE, Errand, Railway
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
+from interlock.logic.names import Name
 from interlock.model.layout import Layout
 from interlock.proof.system import System
 from interlock.sim.lanes import Driver, Lane, Lanes, Wish
@@ -124,7 +125,7 @@ class Ground:
         """Whether a panel shows anything else than in the scan before; compared once for all runs."""
         if scan != self._clock:
             lanes = self.lanes
-            now = {n: lanes.state[n] if n in lanes.state else lanes.last[n] for n in self._watched}
+            now: dict[str, int] = {n: lanes.state[n] if n in lanes.state else lanes.last[n] for n in self._watched}
             self._changed = 0
             for n, v in now.items():
                 self._changed |= v ^ self._before.get(n, ~v)
@@ -186,9 +187,9 @@ class Ground:
         outcome.refused, outcome.troubles = dispatcher.refused, tuple(lane.troubles())
         return None
 
-    def _wishes(self, lane: Lane, trains: Iterable[Train]) -> list[str]:
+    def _wishes(self, lane: Lane, trains: Iterable[Train]) -> list[Name]:
         """What all trains do; of several that come to one boundary, the first that is not in yet."""
-        found: list[str] = []
+        found: list[Name] = []
         before: set[str] = set()
         for t in trains:
             if not t.there and t.under[0].section in before:

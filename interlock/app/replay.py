@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from interlock.logic.controller import Controller, RouteSymbols
+from interlock.logic.names import Name
 from interlock.logic.plant import Plant
 from interlock.model.layout import Layout
 from interlock.sim.lanes import Driver, Lane, Lanes, Wish
@@ -177,7 +178,7 @@ class Replay:
                 if lane.is_on(r.active):
                     found.grant = max(found.grant, scan)
                     break
-                ask = {self.controller.symbols.request: r.number} if scan % 2 else {}
+                ask: dict[str, int] = {self.controller.symbols.request: r.number} if scan % 2 else {}
                 yield from self._scan(lane, rest, ask)
             else:
                 return f"move {k}: {route} is not granted to {name}: " + "; ".join(lane.missing(f"G_R{r.number}"))
@@ -206,7 +207,7 @@ class Replay:
 
     def _scan(self, lane: Lane, trains: Sequence[Train], inputs: Mapping[str, int]) -> Driver:
         """One scan in which every train does what it can."""
-        wishes: list[str] = []
+        wishes: list[Name] = []
         taken: set[str] = set()
         for t in trains:
             if t.there or t.under[0].section not in taken:

@@ -13,7 +13,7 @@ from interlock.dispatch import Dispatcher
 from interlock.dispatch.plan.railway import NoVoyage, Railway, TooManyPlaces
 from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
 from interlock.logic.cabinet import Allocation, allocate
-from interlock.logic.controller import Controller
+from interlock.logic.controller import Controller, Input
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
@@ -116,7 +116,7 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
     """The operator's inputs that a line asks for.  Raises `BadCommand`."""
     assert ready.table is not None and ready.controller is not None and ready.allocation is not None
     words = line.split()
-    inputs = {i.name: i for i in ready.controller.inputs if i.name in ready.allocation.written}
+    inputs: dict[str, Input] = {i.name: i for i in ready.controller.inputs if i.name in ready.allocation.written}
     if len(words) == 2 and words[0] == "set":
         row = next((r for r in ready.table.routes if words[1] in (r.id, *r.names)), None)
         if row is None:
@@ -135,9 +135,10 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
     if words == ["release"]:
         return {"RELALL": 1}
     if len(words) == 1 and "=" in words[0]:
-        name, _, value = words[0].partition("=")
-        if name in inputs and value.isdigit() and int(value) < (inputs[name].size - 1 if inputs[name].size else 2):
-            return {name: int(value)}
+        written, _, value = words[0].partition("=")
+        given = inputs.get(written)
+        if given is not None and value.isdigit() and int(value) < (given.size - 1 if given.size else 2):
+            return {written: int(value)}
     raise BadCommand(
         "write set ROUTE, swing SIGNAL, voyage NAME, voyage NAME end, cancel SIGNAL, release, or VARIABLE=VALUE"
     )

@@ -20,7 +20,7 @@ from interlock.proof.mutate import judge as searched
 from interlock.proof.mutation.campaign import Campaign, Judged
 from interlock.proof.mutation.judge import Fate, Verdict
 from interlock.proof.mutation.points import Mutation
-from interlock.proof.mutation.survivors import listed, off_the_list, shape
+from interlock.proof.mutation.survivors import listed, off_the_list
 from interlock.proof.text_mutants import text_mutants
 from interlock.table.rows import InterlockingTable
 
@@ -118,9 +118,7 @@ def _print(found: list[Judged], told: dict[str, list[str]]) -> None:
             click.echo(f"    {n}. {step}" if n else f"    {step}")
     for m, v in found:
         if v and v.fate is Fate.SURVIVES:
-            click.echo(
-                f"survives: {m.name}: {listed().get(shape(m.name), 'NOT ON THE LIST')}  ({v.why or 'no equivalence'})"
-            )
+            click.echo(f"survives: {m.name}: {listed().get(m.shape, 'NOT ON THE LIST')}  ({v.why or 'no equivalence'})")
     total: Counter[Fate | None] = sum(fates.values(), Counter())
     words = ", ".join(f"{n} {fate or 'not judged yet'}" for fate, n in total.most_common())
     click.echo(f"{total.total()} mutants in {len(fates)} families: {words}")

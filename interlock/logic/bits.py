@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from operator import itemgetter
 
 from interlock.logic.expr import VAR, Expr, Op
+from interlock.logic.names import Name
 
 _READ, _TRUE, _FALSE, _NOT, _AND, _OR = range(6)
 _KIND = {Op.VAR: _READ, Op.EQ: _READ, Op.TRUE: _TRUE, Op.FALSE: _FALSE, Op.NOT: _NOT, Op.AND: _AND, Op.OR: _OR}
@@ -21,7 +22,7 @@ class Bits:
     What is computed may come in stages: what a later stage reads may depend on what an earlier one has computed.
     """
 
-    def __init__(self, *stages: Mapping[str, Expr], meaning: Mapping[str, Expr] | None = None) -> None:
+    def __init__(self, *stages: Mapping[Name, Expr], meaning: Mapping[Name, Expr] | None = None) -> None:
         """`stages`: the roots of each; one name means one expression.  `meaning`: names that stand for expressions; no
         name reads itself."""
         wires = meaning or {}
@@ -157,7 +158,7 @@ def _getter(names: Sequence[str]) -> Callable[[Mapping[str, int]], tuple[int, ..
     return lambda values: tuple([values[n] for n in names])
 
 
-def _meant(x: Expr, meaning: Mapping[str, Expr]) -> Expr:
+def _meant(x: Expr, meaning: Mapping[Name, Expr]) -> Expr:
     """What a name stands for in the end."""
     while x.op is VAR and x.name in meaning:
         x = meaning[x.name]

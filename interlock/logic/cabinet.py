@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+from interlock.logic import names
 from interlock.logic.controller import Controller
 from interlock.model.elements import Position, Substation
 from interlock.model.layout import Layout
@@ -18,6 +19,8 @@ from interlock.model.portable import portable
 
 CARD = 16
 SPARE = 0.1
+
+_LAMPS = (names.STOP_ASPECT, names.CAUTION_ASPECT, names.CLEAR_ASPECT, names.SHUNT_ASPECT, names.CALL_ASPECT)
 
 
 class BadAddress(Exception):
@@ -89,21 +92,21 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
     for b, x_ in sym.token.items():
         for name in (x_.asks, x_.gives, x_.keeps, x_.has, x_.clear):
             yield name, "I", b
-        for out in ("YTA", "YTG", "YTN", "YTH"):
-            yield f"{out}_{portable(b)}", "Q", b
+        for tells in (names.TELLS_ASKS, names.TELLS_GIVES, names.TELLS_KEEPS, names.TELLS_HAS):
+            yield tells(b), "Q", b
     for m in layout.machines:
         for x in Position:
-            yield f"Y{x}_{portable(m)}", "Q", m
+            yield names.DRIVE(m, x), "Q", m
     for signal in layout.signals:
-        for lamp in ("YS", "YY", "YP", "YW", "YO"):
-            if f"{lamp}_{portable(signal.id)}" in outputs:
-                yield f"{lamp}_{portable(signal.id)}", "Q", signal.id
+        for lit in _LAMPS:
+            if (lamp := lit(signal.id)) in outputs:
+                yield lamp, "Q", signal.id
         for (g, _), name in sym.speed_shown.items():
             if g == signal.id:
                 yield name, "Q", g
     for distant in layout.distants:
-        for lamp in ("YC", "YD"):
-            yield f"{lamp}_{portable(distant.id)}", "Q", distant.id
+        for lit in (names.DISTANT_CAUTION, names.DISTANT_CLEAR):
+            yield lit(distant.id), "Q", distant.id
 
 
 def _substations(layout: Layout) -> tuple[Substation, ...]:
@@ -112,7 +115,8 @@ def _substations(layout: Layout) -> tuple[Substation, ...]:
 
 def allocate(layout: Layout, controller: Controller) -> Allocation:
     """Addresses in the order substation, slot, bit; stated addresses first.  Raises `BadAddress`."""
-    notes = {i.name: i.note for i in controller.inputs} | {o.name: o.note for o in controller.outputs}
+    notes: dict[str, str] = {i.name: i.note for i in controller.inputs}
+    notes |= {o.name: o.note for o in controller.outputs}
     stations = _substations(layout)
     rest = next((s.name for s in stations if not s.elements), stations[0].name)
     holder = {e: s.name for s in stations for e in s.elements}

@@ -8,11 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from interlock.logic.expr import AND, EQ, NOT, OR, TRUE, VAR, Expr, walk
+from interlock.logic.names import Name
 
 Values = Mapping[str, int]
 
 
-def compile_exprs(roots: Mapping[str, Expr]) -> Callable[[Values], dict[str, bool]]:
+def compile_exprs(roots: Mapping[Name, Expr] | Mapping[str, Expr]) -> Callable[[Values], dict[str, bool]]:
     """A function from values of variables to values of the named roots."""
     lines: list[str] = []
     name_of: dict[int, str] = {}

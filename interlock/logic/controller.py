@@ -29,6 +29,7 @@ from interlock.logic.expr import (
     var,
     variables,
 )
+from interlock.logic.names import Name
 from interlock.model.elements import (
     ConditionId,
     MachineId,
@@ -64,7 +65,7 @@ class Term:
 class Equation:
     """`name := AND/OR of terms`, as it is printed.  `group` is the block in which it is computed."""
 
-    name: str
+    name: Name
     join: Join
     terms: tuple[Term, ...]
     group: str
@@ -77,7 +78,7 @@ class Equation:
         return join(t.expr for t in self.terms)
 
     @cached_property
-    def reads(self) -> tuple[str, ...]:
+    def reads(self) -> tuple[Name, ...]:
         """The names in its terms, in order of appearance."""
         return tuple(variables(t.expr for t in self.terms))
 
@@ -86,8 +87,8 @@ class Equation:
 class Timer:
     """On-delay: `name` becomes true when `input` has been true for `preset_ms` without a break."""
 
-    name: str
-    input: str
+    name: Name
+    input: Name
     preset_ms: int
     note: str = ""
 
@@ -103,7 +104,7 @@ class Input:
     that names nothing: the text, which compares a number with those that it knows, cannot tell them apart.
     """
 
-    name: str
+    name: Name
     note: str
     size: int = 0
     restrictive: int = 0
@@ -119,7 +120,7 @@ class Input:
 class StateVar:
     """A bit that is kept from scan to scan."""
 
-    name: str
+    name: Name
     initial: bool
     note: str
 
@@ -128,7 +129,7 @@ class StateVar:
 class Output:
     """A process output or indication, computed from the new state; `restrictive` is its safe value."""
 
-    name: str
+    name: Name
     expr: Expr
     restrictive: bool
     note: str
@@ -140,17 +141,17 @@ class BlockSymbols:
     change; the token is here, is given, its last change is complete; the delay of the manual change; the outputs that
     tell the neighbour (`asks`, `gives`, `keeps`, `has`)."""
 
-    asks: str
-    gives: str
-    keeps: str
-    has: str
-    clear: str
-    manual: str
-    have: str
-    give: str
-    seen: str
-    timer: str
-    tells: Mapping[str, str] = field(default_factory=dict, kw_only=True)
+    asks: Name
+    gives: Name
+    keeps: Name
+    has: Name
+    clear: Name
+    manual: Name
+    have: Name
+    give: Name
+    seen: Name
+    timer: Name
+    tells: Mapping[str, Name] = field(default_factory=dict, kw_only=True)
 
 
 @dataclass(frozen=True)
@@ -165,22 +166,22 @@ class RouteSymbols:
     ways: tuple[tuple[SectionId, int], ...]
     berth: tuple[SectionId, int] | None
     overlap: tuple[SignalId, int] | None
-    active: str
-    locked: str
-    want: str
-    proceed: str
-    shown: str
-    passing: str | None = None
+    active: Name
+    locked: Name
+    want: Name
+    proceed: Name
+    shown: Name
+    passing: Name | None = None
     names: tuple[str, ...] = ()
     """Names that the author gives to it, beside its id."""
 
     @property
-    def open_while(self) -> tuple[str, ...]:
+    def open_while(self) -> tuple[Name, ...]:
         """The variables while which the signal is open for this route."""
         return (self.proceed,) if self.passing is None else (self.proceed, self.passing)
 
 
-def asked_of(inputs: tuple[str, ...], number: int, fresh: Mapping[str, str]) -> Expr:
+def asked_of(inputs: tuple[Name, ...], number: int, fresh: Mapping[Name, Name]) -> Expr:
     """A number is newly asked for at one of some inputs, of which the first that asks is heard; 0: at none of them.
 
     `fresh`: by input, the bit that tells that it read 0 in the last scan.  An input that holds its value asks once.
@@ -195,62 +196,62 @@ def asked_of(inputs: tuple[str, ...], number: int, fresh: Mapping[str, str]) -> 
 class Symbols:
     """What the variables of a controller mean; claims speak through these names alone."""
 
-    valid: str
-    request: str
-    local_request: str | None
+    valid: Name
+    request: Name
+    local_request: Name | None
     local_first: bool
-    fresh: Mapping[str, str]
-    seen: Mapping[str, str]
-    automatic: Mapping[int, str]
-    clear: Mapping[SectionId, str]
-    healthy: Mapping[SectionId, str]
-    blocked: Mapping[SectionId, str]
-    detected: Mapping[tuple[MachineId, Position], str]
-    command: Mapping[tuple[MachineId, Position], str]
-    by_hand: Mapping[tuple[MachineId, Position], str]
-    trailed: Mapping[MachineId, str]
-    seen_right: Mapping[MachineId, str]
-    looked_at: Mapping[MachineId, str]
-    condition: Mapping[ConditionId, str]
-    stop_lamp: Mapping[SignalId, str]
-    clear_lamp: Mapping[SignalId, str]
-    caution_lamp: Mapping[SignalId, str]
-    drive: Mapping[tuple[MachineId, Position], str]
-    turn: Mapping[MachineId, str]
-    started: str | None
-    late_timer: Mapping[MachineId, str]
-    release_timer: Mapping[SectionId, str]
-    running: str
-    restart_timer: str
-    start_timer: str | None
-    clear_aspect: Mapping[SignalId, str]
-    caution_aspect: Mapping[SignalId, str]
-    call_aspect: Mapping[SignalId, str]
-    shunt_aspect: Mapping[SignalId, str]
-    stop_aspect: Mapping[SignalId, str]
-    distant_clear: Mapping[SignalId, str]
-    distant_caution: Mapping[SignalId, str]
-    speed_shown: Mapping[tuple[SignalId, int], str]
-    indication: Mapping[str, str]
-    zone_full: Mapping[str, str]
-    restart: Mapping[SectionId, str]
-    train: Mapping[SectionId, str]
-    lock: Mapping[tuple[SectionId, int], str]
-    firm: Mapping[SectionId, str]
-    used: Mapping[SectionId, str]
-    passed: Mapping[SectionId, str]
-    stale: Mapping[SectionId, str]
-    release: Mapping[SectionId, str]
-    release_all: str
-    cancel: Mapping[SignalId, str]
-    cancelling: Mapping[SignalId, str]
-    approach_timer: Mapping[SignalId, str]
+    fresh: Mapping[Name, Name]
+    seen: Mapping[Name, Name]
+    automatic: Mapping[int, Name]
+    clear: Mapping[SectionId, Name]
+    healthy: Mapping[SectionId, Name]
+    blocked: Mapping[SectionId, Name]
+    detected: Mapping[tuple[MachineId, Position], Name]
+    command: Mapping[tuple[MachineId, Position], Name]
+    by_hand: Mapping[tuple[MachineId, Position], Name]
+    trailed: Mapping[MachineId, Name]
+    seen_right: Mapping[MachineId, Name]
+    looked_at: Mapping[MachineId, Name]
+    condition: Mapping[ConditionId, Name]
+    stop_lamp: Mapping[SignalId, Name]
+    clear_lamp: Mapping[SignalId, Name]
+    caution_lamp: Mapping[SignalId, Name]
+    drive: Mapping[tuple[MachineId, Position], Name]
+    turn: Mapping[MachineId, Name]
+    started: Name | None
+    late_timer: Mapping[MachineId, Name]
+    release_timer: Mapping[SectionId, Name]
+    running: Name
+    restart_timer: Name
+    start_timer: Name | None
+    clear_aspect: Mapping[SignalId, Name]
+    caution_aspect: Mapping[SignalId, Name]
+    call_aspect: Mapping[SignalId, Name]
+    shunt_aspect: Mapping[SignalId, Name]
+    stop_aspect: Mapping[SignalId, Name]
+    distant_clear: Mapping[SignalId, Name]
+    distant_caution: Mapping[SignalId, Name]
+    speed_shown: Mapping[tuple[SignalId, int], Name]
+    indication: Mapping[str, Name]
+    zone_full: Mapping[str, Name]
+    restart: Mapping[SectionId, Name]
+    train: Mapping[SectionId, Name]
+    lock: Mapping[tuple[SectionId, int], Name]
+    firm: Mapping[SectionId, Name]
+    used: Mapping[SectionId, Name]
+    passed: Mapping[SectionId, Name]
+    stale: Mapping[SectionId, Name]
+    release: Mapping[SectionId, Name]
+    release_all: Name
+    cancel: Mapping[SignalId, Name]
+    cancelling: Mapping[SignalId, Name]
+    approach_timer: Mapping[SignalId, Name]
     approach_of: Mapping[SignalId, SectionId | None]
-    overlap: Mapping[tuple[SignalId, int], str]
+    overlap: Mapping[tuple[SignalId, int], Name]
     overlap_ways: Mapping[tuple[SignalId, int], tuple[tuple[SectionId, int], ...]]
-    overlap_firm: Mapping[SignalId, str]
-    overlap_timer: Mapping[SignalId, str]
-    swings: Mapping[SignalId, str]
+    overlap_firm: Mapping[SignalId, Name]
+    overlap_timer: Mapping[SignalId, Name]
+    swings: Mapping[SignalId, Name]
     swing_request: Mapping[SignalId, int]
     token: Mapping[NodeId, BlockSymbols]
     routes: tuple[RouteSymbols, ...]
@@ -268,31 +269,31 @@ class Symbols:
         return out
 
     @cached_property
-    def locks_of(self) -> dict[SectionId, list[tuple[int, str]]]:
+    def locks_of(self) -> dict[SectionId, list[tuple[int, Name]]]:
         """The locks of each section: number and name."""
-        out: dict[SectionId, list[tuple[int, str]]] = {}
+        out: dict[SectionId, list[tuple[int, Name]]] = {}
         for (s, n), name in self.lock.items():
             out.setdefault(s, []).append((n, name))
         return out
 
     @cached_property
-    def locked_by(self) -> dict[SectionId, tuple[str, ...]]:
+    def locked_by(self) -> dict[SectionId, tuple[Name, ...]]:
         """The variables that lock each section: restart lock and locks."""
         return {s: (k, *(name for _, name in self.locks_of.get(s, ()))) for s, k in self.restart.items()}
 
-    def proceed_lamps(self, g: SignalId, shunt: bool = False) -> tuple[str, ...]:
+    def proceed_lamps(self, g: SignalId, shunt: bool = False) -> tuple[Name, ...]:
         """The outputs that show proceed at a signal: to trains (call-on included), or to shunting movements."""
         aspects = (self.shunt_aspect,) if shunt else (self.clear_aspect, self.caution_aspect, self.call_aspect)
         return tuple(aspect[g] for aspect in aspects if g in aspect)
 
     @property
-    def lamps(self) -> Iterator[str]:
+    def lamps(self) -> Iterator[Name]:
         """The outputs that are lit at signals and distants, stop lamps among them."""
         for aspect in (self.clear_aspect, self.caution_aspect, self.call_aspect, self.shunt_aspect, self.stop_aspect):
             yield from aspect.values()
         yield from (*self.distant_clear.values(), *self.distant_caution.values())
 
-    def main_lamps(self, g: SignalId) -> tuple[str, ...]:
+    def main_lamps(self, g: SignalId) -> tuple[Name, ...]:
         """The outputs that show clear or caution at a main signal."""
         return tuple(aspect[g] for aspect in (self.clear_aspect, self.caution_aspect) if g in aspect)
 
@@ -402,16 +403,16 @@ class Controller:
         return tuple(s for s in self.steps if isinstance(s, Equation))
 
     @cached_property
-    def expanded(self) -> dict[str, Expr]:
+    def expanded(self) -> dict[Name, Expr]:
         """Every wire as an expression over inputs, old state and timer outputs alone."""
-        known: dict[str, Expr] = {}
+        known: dict[Name, Expr] = {}
         put = Substitution(known)  # a wire is known before it is read
         for e in self.equations:
             known[e.name] = put(e.expr)
         return known
 
     @cached_property
-    def next_state(self) -> dict[str, Expr]:
+    def next_state(self) -> dict[Name, Expr]:
         """Every next value as an expression over inputs, old state and timer outputs alone."""
         sub = Substitution(self.expanded)
         return {e.name: sub(e.expr) for e in self.next}

@@ -38,7 +38,7 @@ class Machine:
                 elapsed, over = on_delay(self.elapsed[step.name], bool(values[step.input]), step.preset_ms, dt_ms)
                 self.elapsed[step.name], values[step.name] = elapsed, int(over)
         memo: dict[int, bool] = {}
-        new = {e.name: int(evaluate(e.expr, values.__getitem__, memo)) for e in c.next}
+        new: dict[str, int] = {e.name: int(evaluate(e.expr, values.__getitem__, memo)) for e in c.next}
         self.wires = values
         self.state = new
         outputs: dict[int, bool] = {}

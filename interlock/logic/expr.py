@@ -14,6 +14,9 @@ from contextlib import contextmanager
 from enum import IntEnum
 from threading import RLock
 
+from interlock.logic import names
+from interlock.logic.names import NONE, Made, Name, spelled
+
 
 class Op(IntEnum):
     """Kind of an expression node."""
@@ -35,7 +38,7 @@ class Expr:
 
     __slots__ = ("args", "name", "op", "value")
 
-    def __init__(self, op: Op, args: tuple[Expr, ...] = (), name: str = "", value: int = 0) -> None:
+    def __init__(self, op: Op, args: tuple[Expr, ...] = (), name: Name = NONE, value: int = 0) -> None:
         self.op = op
         self.args = args
         self.name = name
@@ -61,15 +64,16 @@ TRUE = Expr(Op.TRUE)
 class UniqueTable:
     """The nodes of one piece of work; equal expressions are one object, so that the operands themselves are the key."""
 
-    __slots__ = ("ands", "below", "negations", "ors", "values", "vars")
+    __slots__ = ("ands", "below", "names", "negations", "ors", "values", "vars")
 
     def __init__(self) -> None:
-        self.vars: dict[str, Expr] = {}
-        self.values: dict[tuple[str, int], Expr] = {}
+        self.names: Made = {}
+        self.vars: dict[Name, Expr] = {}
+        self.values: dict[tuple[Name, int], Expr] = {}
         self.negations: dict[Expr, Expr] = {}
         self.ands: dict[tuple[Expr, ...], Expr] = {}
         self.ors: dict[tuple[Expr, ...], Expr] = {}
-        self.below: dict[Expr, dict[str, None]] = {}
+        self.below: dict[Expr, dict[Name, None]] = {}
         """The variables below nodes with many operands, which many expressions share."""
 
     def __len__(self) -> int:
@@ -79,18 +83,19 @@ class UniqueTable:
 
 # the table in use, and its parts: names of this module, since they are looked up for each node
 _table: UniqueTable
-_vars: dict[str, Expr]
-_values: dict[tuple[str, int], Expr]
+_vars: dict[Name, Expr]
+_values: dict[tuple[Name, int], Expr]
 _negations: dict[Expr, Expr]
 _ands: dict[tuple[Expr, ...], Expr]
 _ors: dict[tuple[Expr, ...], Expr]
-_below: dict[Expr, dict[str, None]]
+_below: dict[Expr, dict[Name, None]]
 
 
 def _use(table: UniqueTable) -> None:
     global _table, _vars, _values, _negations, _ands, _ors, _below
     _table, _vars, _values, _negations = table, table.vars, table.values, table.negations
     _ands, _ors, _below = table.ands, table.ors, table.below
+    names.use(table.names)
 
 
 _use(UniqueTable())
@@ -117,18 +122,20 @@ def interning(table: UniqueTable | None = None) -> Iterator[UniqueTable]:
             _use(before)
 
 
-def var(name: str) -> Expr:
+def var(name: Name) -> Expr:
     """A Boolean variable."""
     found = _vars.get(name)
     if found is None:
+        name = spelled(name)
         found = _vars[name] = Expr(VAR, (), name)
     return found
 
 
-def eq(name: str, value: int) -> Expr:
+def eq(name: Name, value: int) -> Expr:
     """Whether the small-range variable has the value."""
     found = _values.get((name, value))
     if found is None:
+        name = spelled(name)
         found = _values[name, value] = Expr(EQ, (), name, value)
     return found
 
@@ -239,7 +246,7 @@ def rebuild(node: Expr, args: tuple[Expr, ...]) -> Expr:
 class Substitution:
     """Replaces variables by expressions; remembers what it did, so that many roots share the work."""
 
-    def __init__(self, mapping: Mapping[str, Expr]) -> None:
+    def __init__(self, mapping: Mapping[Name, Expr]) -> None:
         self._mapping = mapping
         self._done: dict[Expr, Expr] = {}
 
@@ -272,16 +279,16 @@ class Substitution:
 WIDE = 12  # operands: from here on the variables below a node are remembered
 
 
-def variables(roots: Iterable[Expr]) -> dict[str, None]:
+def variables(roots: Iterable[Expr]) -> dict[Name, None]:
     """Names of all variables below the roots, in order of appearance."""
-    found: dict[str, None] = {}
+    found: dict[Name, None] = {}
     done: set[Expr] = set()
     for root in roots:
         _gather([root], found, done)
     return found
 
 
-def _gather(stack: list[Expr], found: dict[str, None], done: set[Expr]) -> None:
+def _gather(stack: list[Expr], found: dict[Name, None], done: set[Expr]) -> None:
     while stack:
         node = stack.pop()
         args = node.args
@@ -300,7 +307,7 @@ def _gather(stack: list[Expr], found: dict[str, None], done: set[Expr]) -> None:
             found[name] = None
 
 
-def evaluate(root: Expr, value: Callable[[str], int], memo: dict[int, bool]) -> bool:
+def evaluate(root: Expr, value: Callable[[Name], int], memo: dict[int, bool]) -> bool:
     """The truth of an expression; `memo` may be shared between roots of one valuation."""
     if id(root) in memo:
         return memo[id(root)]
@@ -322,20 +329,23 @@ def evaluate(root: Expr, value: Callable[[str], int], memo: dict[int, bool]) -> 
     return memo[id(root)]
 
 
-def text(x: Expr) -> str:
-    """A readable form, for messages and golden tests."""
+def leaf_text(x: Expr) -> str:
+    """A variable or comparison as text."""
+    return x.name if x.op is VAR else f"{x.name} = {x.value}"
+
+
+def text(x: Expr, leaf: Callable[[Expr], str] = leaf_text) -> str:
+    """A readable form, for messages and golden tests; `leaf` writes variables and comparisons."""
     if x is TRUE:
         return "TRUE"
     if x is FALSE:
         return "FALSE"
-    if x.op is VAR:
-        return x.name
-    if x.op is EQ:
-        return f"{x.name} = {x.value}"
+    if not x.args:
+        return leaf(x)
     if x.op is NOT:
-        return f"NOT {_inner(x.args[0])}"
-    return (" AND " if x.op is AND else " OR ").join(_inner(a) for a in x.args)
+        return f"NOT {_inner(x.args[0], leaf)}"
+    return (" AND " if x.op is AND else " OR ").join(_inner(a, leaf) for a in x.args)
 
 
-def _inner(x: Expr) -> str:
-    return f"({text(x)})" if x.op in (AND, OR, EQ) else text(x)
+def _inner(x: Expr, leaf: Callable[[Expr], str]) -> str:
+    return f"({text(x, leaf)})" if x.op in (AND, OR, EQ) else text(x, leaf)

@@ -11,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from interlock.logic.expr import AND, EQ, NOT, OR, TRUE, VAR, Expr, conj, neg, walk
+from interlock.logic.names import Name
 from interlock.proof.invariants import Claim
-from interlock.proof.system import PRIME, System
+from interlock.proof.system import System
 
 
 class Circuit:
@@ -61,7 +62,7 @@ def aiger(system: System, claims: Sequence[Claim]) -> bytes:
     names: dict[str, int] = {}
     symbols: list[str] = []
     inputs = 0
-    bits: dict[str, list[int]] = {}
+    bits: dict[Name, list[int]] = {}
     for name in system.inputs:
         size = system.sizes.get(name)
         width = max(1, (size - 1).bit_length()) if size else 1
@@ -111,15 +112,15 @@ def aiger(system: System, claims: Sequence[Claim]) -> bytes:
     for name, x in system.definitions.items():
         names[name] = literal(x)
     assumed = [literal(a.expr) for a in system.assumptions]
-    for name, lits in bits.items():  # a value out of range is no value
-        size = system.sizes[name]
+    for ranged, lits in bits.items():  # a value out of range is no value
+        size = system.sizes[ranged]
         for value in range(size, 1 << len(lits)):
             assumed.append(c.all([b if value >> k & 1 else b ^ 1 for k, b in enumerate(lits)]) ^ 1)
     starts = c.either(later, literal(system.initial))
     now = c.both(unfair ^ 1, c.all([*assumed, starts]))
     bad = c.both(now, literal(neg(conj(x.expr for x in claims))))
     out = [f"aig {c.top} {inputs} {len(latches)} 1 {len(c.gates)}\n".encode()]
-    out += [f"{names[name + PRIME]}\n".encode() for name in system.state]
+    out += [f"{names[name.next]}\n".encode() for name in system.state]
     out.append(f"1\n{now ^ 1}\n".encode())
     out.append(f"{bad}\n".encode())
     gate = 2 * (inputs + len(latches)) + 2

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain, count
 
 from interlock.logic.expr import AND, EQ, NOT, OR, TRUE, VAR, Expr
+from interlock.logic.names import Name, spelled
 
 KEPT = 200_000  # expressions whose form is remembered: parts that follow each other share most of theirs
 
@@ -20,20 +21,20 @@ KEPT = 200_000  # expressions whose form is remembered: parts that follow each o
 class Forms:
     """Forms of parts over names that have a meaning."""
 
-    def __init__(self, meaning: Mapping[str, Expr]) -> None:
+    def __init__(self, meaning: Mapping[Name, Expr]) -> None:
         """`meaning`: what names stand for."""
         self._meaning = meaning
-        self._of: dict[Expr, tuple[int, list[str]]] = {}
+        self._of: dict[Expr, tuple[int, list[Name]]] = {}
         self._texts: dict[str, int] = {}
         self._compared: dict[str, str] = {}
 
-    def digest(self, head: str, lists: Iterable[tuple[Sequence[Expr], Mapping[str, str]]]) -> str:
+    def digest(self, head: str, lists: Iterable[tuple[Sequence[Expr], Mapping[Name, Name]]]) -> str:
         """The digest of the form of some lists of expressions, each with other names for some of what it reads."""
         if len(self._of) > KEPT:
             self._of.clear()
         sizes: list[int] = []
         texts: list[int] = []
-        leaves: list[str] = []
+        leaves: list[Name] = []
         for some, renamed in lists:
             before = len(leaves)
             sizes.append(self._note(some, texts, leaves))
@@ -57,12 +58,12 @@ class Forms:
             digest.update(array("q", [len(numbers), *numbers]).tobytes())
         return digest.hexdigest()
 
-    def of(self, meaning: Mapping[str, Expr], *lists: Sequence[Expr]) -> str:
+    def of(self, meaning: Mapping[Name, Expr], *lists: Sequence[Expr]) -> str:
         """The digest of the form of lists of expressions over names with another meaning."""
         self._meaning = meaning
         return self.digest("", [(some, {}) for some in lists])
 
-    def _note(self, some: Iterable[Expr], texts: list[int], leaves: list[str]) -> int:
+    def _note(self, some: Iterable[Expr], texts: list[int], leaves: list[Name]) -> int:
         """Add the expressions' texts and leaves; how many they are."""
         of, before = self._of, len(texts)
         for x in some:
@@ -71,13 +72,13 @@ class Forms:
             leaves += those
         return len(texts) - before
 
-    def _read(self, x: Expr) -> tuple[int, list[str]]:
-        leaves: list[str] = []
+    def _read(self, x: Expr) -> tuple[int, list[Name]]:
+        leaves: list[Name] = []
         text = self._text(x, leaves)
         found = self._of[x] = self._texts.setdefault(text, len(self._texts)), leaves
         return found
 
-    def _text(self, x: Expr, leaves: list[str]) -> str:
+    def _text(self, x: Expr, leaves: list[Name]) -> str:
         """An expression with a `v` for each leaf, in an order in which it can be read again; adds the leaves."""
         op = x.op
         if op is AND or op is OR:
@@ -99,7 +100,7 @@ class Forms:
         if op is NOT:
             return "!" + self._text(x.args[0], leaves)
         if op is EQ:
-            leaf = f"{x.name}={x.value}"
+            leaf = spelled(f"{x.name}={x.value}")
             self._compared[leaf] = x.name
             leaves.append(leaf)
             return "v"

@@ -19,6 +19,7 @@ from enum import StrEnum
 from functools import partial
 from itertools import pairwise
 
+from interlock.logic import names
 from interlock.logic.controller import RouteSymbols
 from interlock.model.elements import RouteId
 from interlock.proof import opening
@@ -300,7 +301,7 @@ class Trial:
                     return failure
                 yield wish
                 last = lane.lanes.last
-                state = {n: last.get(n, 0) for n in self.system.state}
+                state: dict[str, int] = {n: last.get(n, 0) for n in self.system.state}
                 frames.append(Frame(state, {n: _read(lane, n) for n in self.system.inputs}))
 
         self._lanes.run([self.start(failed)], [recorded])
@@ -372,5 +373,5 @@ def _needs_clear(system: System, railway: Railway, r: RouteSymbols) -> frozenset
     found |= {f.neighbour for f in system.measured.fouls for t in ways if f.fouls(t)}
     if _leaves(railway, r):
         boundary = railway.layout.boundary_at[_end(railway, r)[1]]
-        found |= {boundary.approach or f"outside.{boundary.node}"}
+        found |= {boundary.approach or names.outside(boundary.node)}
     return frozenset(found)

@@ -53,7 +53,8 @@ def compare_program(controller: Controller, a: Allocation, text: str) -> tuple[D
             wrong.append(Difference(str(name), "is not as it should be"))
     if len(program.body) != len(steps):
         wrong.append(Difference("body", f"has {len(program.body)} statements, not {len(steps)}"))
-    start, wires = {i.name: i.restrictive for i in controller.inputs}, {*a.written, valid}
+    start: dict[str, int] = {i.name: i.restrictive for i in controller.inputs}
+    wires: set[str] = {*a.written, valid}
     for d in program.locals:
         if d.name in wires:
             value = getattr(d.initial, "value", None)

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from interlock.logic.controller import Controller, Timer
 from interlock.logic.expr import Expr, conj, disj, implies, neg, var
+from interlock.logic.names import AGREED_LONG, STAND_LONG, STOP_LONG, Name, covered
 from interlock.logic.plant import Assumption, Plant
 from interlock.model.elements import SignalId
 from interlock.model.needs import Needs
@@ -24,14 +25,14 @@ class Tie:
     """A timer, the world clock for which it stands, and the time that the world needs, in milliseconds."""
 
     timer: Timer
-    clock: str
+    clock: Name
     need: int
     ordered: int = 0
 
     @property
-    def covered(self) -> str:
+    def covered(self) -> Name:
         """The history variable: since the timer's input rose, what the clock looks at has held."""
-        return f"cov.{self.timer.name}"
+        return covered(self.timer.name)
 
     @property
     def enough(self) -> bool:
@@ -44,13 +45,11 @@ def ties(controller: Controller, plant: Plant, needs: Needs) -> tuple[Tie, ...]:
     sym, timers = controller.symbols, {t.name: t for t in controller.timers}
     found = []
     for g, name in sym.approach_timer.items():
-        found.append((name, f"stop.{g}", approach_need(controller, needs, g)))
-    found += [(name, f"stand.{g}", needs.stand[g]) for g, name in sym.overlap_timer.items()]
-    found += [(x.timer, f"agreed.{b}", needs.agreed) for b, x in sym.token.items()]
+        found.append((name, STOP_LONG(g), approach_need(controller, needs, g)))
+    found += [(name, STAND_LONG(g), needs.stand[g]) for g, name in sym.overlap_timer.items()]
+    found += [(x.timer, AGREED_LONG(b), needs.agreed) for b, x in sym.token.items()]
     return tuple(
-        Tie(timers[name], f"long.{clock}", need)
-        for name, clock, need in found
-        if name in timers and f"long.{clock}" in plant.clocks
+        Tie(timers[name], clock, need) for name, clock, need in found if name in timers and clock in plant.clocks
     )
 
 
@@ -60,12 +59,12 @@ def approach_need(controller: Controller, needs: Needs, g: SignalId) -> int:
     return max([*([needs.stop[g]] if False in kinds else []), *([needs.shunt] if True in kinds else [])], default=0)
 
 
-def history(those: tuple[Tie, ...], clocks: Mapping[str, Expr]) -> dict[str, Expr]:
+def history(those: tuple[Tie, ...], clocks: Mapping[Name, Expr]) -> dict[Name, Expr]:
     """Next values of the history variables."""
     return {t.covered: disj((neg(var(t.timer.input)), conj((clocks[t.clock], var(t.covered))))) for t in those}
 
 
-def arithmetic(those: tuple[Tie, ...], prime: str) -> Iterator[Assumption]:
+def arithmetic(those: tuple[Tie, ...]) -> Iterator[Assumption]:
     """A timer that has run out, and was covered all the while, has lasted as long as the world needs."""
     for t in those:
         if t.enough:
@@ -73,5 +72,5 @@ def arithmetic(those: tuple[Tie, ...], prime: str) -> Iterator[Assumption]:
                 "A-CLOCK",
                 "A timer counts the same time as the world: if it has run for as long as the world needs while "
                 "something held without a break, then that has held for so long.",
-                implies(conj((var(t.timer.name), var(t.covered + prime))), var(t.clock + prime)),
+                implies(conj((var(t.timer.name), var(t.covered.next))), var(t.clock.next)),
             )

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from interlock.logic.expr import Expr
+from interlock.logic.names import Kind
 from interlock.proof.alike import Forms
 from interlock.proof.asking import decisions
 from interlock.proof.engines import solver
@@ -74,7 +75,7 @@ class Looks:
 
         An overlap lies elsewhere than the signal that holds it: what is near is not asked.
         """
-        if not any(h.startswith("overlap ") for h in scene.homes):
+        if not any(h.kind is Kind.OVERLAP for h in scene.homes):
             open_ = self._open(scene, narrow=True)
             if not open_:
                 return open_

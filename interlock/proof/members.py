@@ -14,13 +14,13 @@ from enum import IntEnum
 from typing import Protocol
 
 from interlock.logic.expr import AND, EQ, NOT, OR, VAR, WIDE, Expr, Substitution, disj, neg, rebuild, var
+from interlock.logic.names import Name, each_value
 from interlock.logic.plant import Assumption
 
-OF = "#"  # names of families in an expression begin with this, and no other names do
-VALUE = "="  # the families of comparisons end with this: different members are different values of one variable
 MANY = 64  # clauses of one expression
 
-Member = tuple[str, int]
+Member = tuple[Name, int]
+"""A variable of any route, or that a variable has the number of any, and the number of the route."""
 
 
 class Kind(IntEnum):
@@ -35,7 +35,7 @@ class Routed(Protocol):
     """A system that tells which of its variables belong to routes."""
 
     @property
-    def definitions(self) -> Mapping[str, Expr]:
+    def definitions(self) -> Mapping[Name, Expr]:
         """Names of a step by what they mean."""
         ...
 
@@ -45,12 +45,12 @@ class Routed(Protocol):
         ...
 
     @property
-    def members(self) -> Mapping[str, Member]:
+    def members(self) -> Mapping[Name, Member]:
         """Family and member of the variables of routes."""
         ...
 
     @property
-    def requests(self) -> Sequence[str]:
+    def requests(self) -> Sequence[Name]:
         """Small-range variables that have the numbers of routes for values."""
         ...
 
@@ -64,11 +64,11 @@ class Trait:
     """
 
     number: int
-    family: str
+    family: Name
     kind: Kind
     expr: Expr
-    names: tuple[str, ...]
-    families: tuple[str, ...]
+    names: tuple[Name, ...]
+    families: tuple[Name, ...]
     lifts: bool
     spreads: bool
     members: int = 0
@@ -83,14 +83,14 @@ class Members:
         self._member = system.members
         self._numbers = {number for _, number in self._member.values()}
         self._requests = frozenset(system.requests)
-        self._read: dict[Expr, tuple[tuple[str, ...], tuple[Member, ...]]] = {}
-        self._families: dict[Expr, tuple[str, ...]] = {}
-        self._traits: dict[tuple[str, Kind, Expr], Trait] = {}
+        self._read: dict[Expr, tuple[tuple[Name, ...], tuple[Member, ...]]] = {}
+        self._families: dict[Expr, tuple[Name, ...]] = {}
+        self._traits: dict[tuple[Name, Kind, Expr], Trait] = {}
         self.defining: dict[Member, list[Trait] | None] = {}
         """The traits that together are the definition of a member's variable; None where traits cannot tell it."""
         self.telling: dict[Member, list[Trait]] = {}
         """What facts say of a member's variable."""
-        self.meaning: dict[str, Expr] = {}
+        self.meaning: dict[Name, Expr] = {}
         """The definitions of all other names."""
         self.plain: list[tuple[Expr, Kind]] = []
         """Facts that read no routes."""
@@ -116,9 +116,9 @@ class Members:
                     self._sort(fact, kind)
         self.traits = list(self._traits.values())
 
-    def _same_names(self, system: Routed) -> dict[str, str]:
+    def _same_names(self, system: Routed) -> dict[Name, Name]:
         """Variables of routes that others are defined to be, and these."""
-        found: dict[str, str] = {}
+        found: dict[Name, Name] = {}
         for name in self._member:
             x = system.definitions.get(name)
             if x is not None and x.op is VAR and x.name in self._member and x.name in system.definitions:
@@ -129,11 +129,11 @@ class Members:
         """The expression with one name for what has two."""
         return x if self._same.isdisjoint(self.read(x)[1]) else self._put(x)
 
-    def read(self, x: Expr) -> tuple[tuple[str, ...], tuple[Member, ...]]:
+    def read(self, x: Expr) -> tuple[tuple[Name, ...], tuple[Member, ...]]:
         """The names and the members that an expression reads."""
         found = self._read.get(x)
         if found is None:
-            names: dict[str, None] = {}
+            names: dict[Name, None] = {}
             members: dict[Member, None] = {}
             todo, done, member = [x], set(), self._member
             while todo:
@@ -167,11 +167,11 @@ class Members:
             found = self._read[x] = tuple(names), tuple(members)
         return found
 
-    def families(self, x: Expr) -> tuple[str, ...]:
+    def families(self, x: Expr) -> tuple[Name, ...]:
         """The families that an expression over families reads."""
         found = self._families.get(x)
         if found is None:
-            found = self._families[x] = tuple(n[1:] for n in self.read(x)[0] if n[0] == OF)
+            found = self._families[x] = tuple(n for n in self.read(x)[0] if n.indexed)
         return found
 
     def of(self, x: Expr) -> Member | None:
@@ -179,7 +179,7 @@ class Members:
         if x.op is VAR:
             return self._member.get(x.name)
         numbered = x.op is EQ and x.name in self._requests and x.value in self._numbers
-        return (x.name + VALUE, x.value) if numbered else None
+        return (each_value(x.name), x.value) if numbered else None
 
     def _sort(self, fact: Expr, kind: Kind) -> None:
         """A fact of one member becomes traits."""
@@ -198,8 +198,8 @@ class Members:
     def _tell(self, clause: Sequence[Expr], number: int, kind: Kind) -> None:
         """A clause in which some variable of the member is false tells of that one; another is left out."""
         for n, x in enumerate(clause):
-            if x.op is NOT and x.args[0].name[:1] == OF:
-                member = x.args[0].name[1:], number
+            if x.op is NOT and x.args[0].name.indexed:
+                member = x.args[0].name, number
                 trait = self._trait(member, kind, disj([*clause[:n], *clause[n + 1 :]]))
                 self.telling.setdefault(member, []).append(trait)
                 return
@@ -210,14 +210,14 @@ class Members:
         trait = self._traits.get((family, kind, expr))
         if trait is None:
             names = self.read(expr)[0]
-            families = tuple(n[1:] for n in names if n[0] == OF)
+            families = tuple(n for n in names if n.indexed)
             spreads = not families or _any_of(expr)
             trait = self._traits[family, kind, expr] = Trait(
                 len(self._traits),
                 family,
                 kind,
                 expr,
-                tuple(n for n in names if n[0] != OF),
+                tuple(n for n in names if not n.indexed),
                 families,
                 _positive(expr, True),
                 spreads,
@@ -238,7 +238,7 @@ class Members:
         member = self.of(x) if x.name else None
         if member is None:
             return x
-        return var(OF + member[0]) if member[1] == number else None
+        return var(member[0]) if member[1] == number else None
 
     def pieces(self, goal: Expr) -> tuple[int, list[Expr]]:
         """The only member that a goal reads, and expressions over families that together are the goal."""
@@ -291,9 +291,9 @@ def _positive(x: Expr, side: bool) -> bool:
         return _positive(x.args[0], not side)
     if x.args:
         return all(_positive(a, side) for a in x.args)
-    return side or x.name[:1] != OF
+    return side or not x.name.indexed
 
 
 def _any_of(x: Expr) -> bool:
     """A disjunction of families."""
-    return all(a.op is VAR and a.name[0] == OF for a in (x.args if x.op is OR else (x,)))
+    return all(a.op is VAR and a.name.indexed for a in (x.args if x.op is OR else (x,)))

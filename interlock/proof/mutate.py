@@ -13,11 +13,11 @@ from enum import StrEnum
 from functools import partial
 from itertools import islice
 
+from interlock.logic import names
 from interlock.logic.controller import Controller, Equation, Join, StateVar, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, var
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
-from interlock.model.portable import portable
 from interlock.proof.invariants import Facts, claims
 from interlock.proof.limits import Limits
 from interlock.proof.mutation.points import Mutation
@@ -74,7 +74,7 @@ def without(prefixes: str, *kinds: str) -> Callable[[Layout, InterlockingTable],
     def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         c = lower(layout, table)
         for e in (*c.equations, *c.next):
-            if e.name.split("_", 1)[0].rstrip("0123456789") not in prefixes.split():
+            if e.name.sort not in prefixes.split():
                 continue
             for i, t in enumerate(e.terms):
                 if t.kind in kinds and t.expr is not TRUE:
@@ -87,9 +87,9 @@ def without(prefixes: str, *kinds: str) -> Callable[[Layout, InterlockingTable],
 def _not_locked_at_restart(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     c = lower(layout, table)
     for i, s in enumerate(c.state):
-        if s.name.startswith("K_"):
+        if s.name.family is names.RESTART_LOCK:
             changed = StateVar(s.name, False, s.note)
-            outputs = tuple(o for o in c.outputs if not o.name.startswith("YL_"))
+            outputs = tuple(o for o in c.outputs if o.name.family is not names.LOCKED_SHOWN)
             yield s.name, replace(c, state=(*c.state[:i], changed, *c.state[i + 1 :]), outputs=outputs)
 
 
@@ -101,7 +101,7 @@ def _validity_not_wired(layout: Layout, table: InterlockingTable) -> Iterator[Mu
         return replace(e, terms=tuple(replace(t, expr=always(t.expr)) for t in e.terms))
 
     steps = tuple(blind(s) if isinstance(s, Equation) else s for s in c.steps)
-    yield "VALID", replace(c, steps=steps, next=tuple(blind(e) for e in c.next))
+    yield names.VALID, replace(c, steps=steps, next=tuple(blind(e) for e in c.next))
 
 
 # --- weakenings of the table ---------------------------------------------------------------------
@@ -178,8 +178,8 @@ def _unguarded(kind: str) -> Callable[[Layout, InterlockingTable], Iterator[Muta
         c = lower(layout, table)
         for e in c.equations:
             for i, t in enumerate(e.terms):
-                if t.kind == kind and e.name.startswith("GP"):
-                    free = Substitution({f"MOV_{e.name.split('_', 1)[1]}": TRUE})
+                if t.kind == kind and e.name.family is names.DEMANDED:
+                    free = Substitution({names.MOVABLE(e.name.at[0]): TRUE})
                     more = replace(e, terms=(*e.terms[:i], replace(t, expr=free(t.expr)), *e.terms[i + 1 :]))
                     yield f"{e.name} although {t.note or t.kind}", _with(c, e, more)
 
@@ -220,10 +220,10 @@ def _call_on_again(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]
 
 def _call_on_trusted(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     c = lower(layout, table)
-    granted = Substitution({f"G_R{r.number}": FALSE for r in c.symbols.routes if r.call_on})
+    granted = Substitution({names.GRANTED(r.number): FALSE for r in c.symbols.routes if r.call_on})
     for e in c.next:
         terms = tuple(replace(t, expr=granted(t.expr)) for t in e.terms)
-        if e.name.startswith("D_") and terms != e.terms:
+        if e.name.family is names.STALE and terms != e.terms:
             yield e.name, _with(c, e, replace(e, terms=terms))
 
 
@@ -267,7 +267,7 @@ def _swung_at_once(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]
     c = lower(layout, table)
     for g in c.symbols.swings:
         old = next(e for e in c.next if e.name == c.symbols.overlap_firm[g])
-        always = Substitution({f"OL_{portable(g)}": TRUE})
+        always = Substitution({names.OVERLAP_LIES(g): TRUE})
         first = replace(old.terms[0], expr=always(old.terms[0].expr))
         yield g, _with(c, old, replace(old, terms=(first, *old.terms[1:])))
 
@@ -489,7 +489,7 @@ def weakenings(layout: Layout, table: InterlockingTable, every: bool) -> Iterato
     """The mutants of each kind as mutations: all of them, or the first of each kind."""
     for kind in KINDS:
         for place, controller in islice(kind.make(layout, table), None if every else 1):
-            yield Mutation(f"weakened: {kind.name}", kind.name, place, partial(_made, controller))
+            yield Mutation(f"weakened: {kind.name}", kind.name, (place,), partial(_made, controller))
 
 
 def _made(controller: Controller) -> Controller:

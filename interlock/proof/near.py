@@ -6,26 +6,32 @@ goes on from a section to its neighbours before it comes back to a branch.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
+from interlock.logic import names
 from interlock.logic.controller import Controller, Symbols
 from interlock.logic.expr import Expr, variables
-from interlock.logic.plant import (
-    accepted,
-    across,
-    came,
-    image,
-    lamp,
-    lies,
-    o,
-    old_command,
-    overran,
-    overrunning,
-    rests,
-    running,
-)
-from interlock.model.elements import Position, SectionId
+from interlock.logic.names import Form, Kind, Name, Owner
+from interlock.model.elements import SectionId, SignalId
 from interlock.model.traversal import Topology
+
+_AT_SECTIONS = frozenset(
+    (
+        *(names.RESTART_LOCK, names.FIRM, names.USED, names.PASSED, names.STALE, names.TRAIN_LOCK, names.LOCK),
+        *(names.STANDS, names.RESTS, names.CAME, names.ACROSS, names.BEEN),
+    )
+)
+"""What is known of a section and the train in it: the places of the induction."""
+
+_AT_HOME = _AT_SECTIONS | frozenset(
+    (
+        *(names.CLEAR, names.IMAGE, names.RUNNING, names.OVERRAN, names.LOCKED_SHOWN),
+        *(names.LIES, names.OLD_COMMAND, names.DRIVE),
+        *(names.ACCEPTED, names.SHUNT_ACCEPTED, names.SEEN, names.SHUNT_SEEN, names.STOP_LONG, names.APPROACH_OVER),
+        *(names.CLEAR_ASPECT, names.CAUTION_ASPECT, names.CALL_ASPECT, names.SHUNT_ASPECT, names.STOP_ASPECT),
+    )
+)
+"""What belongs to its element although no equation of the controller computes it."""
 
 
 def walked(topo: Topology) -> dict[SectionId, int]:
@@ -41,65 +47,58 @@ def walked(topo: Topology) -> dict[SectionId, int]:
     return order
 
 
-def places(topo: Topology, sym: Symbols, prime: str) -> Mapping[str, tuple[int, ...]]:
+def places(topo: Topology, sym: Symbols, known: Iterable[Name]) -> dict[Name, tuple[int, ...]]:
     """The sections of the variables of sections and routes, before and after a step, by their numbers."""
-    order = walked(topo)
-    found: dict[str, tuple[int, ...]] = {}
-    for by_section in (sym.restart, sym.firm, sym.used, sym.passed, sym.stale, sym.train):
-        found |= {name: (order[s],) for s, name in by_section.items()}
-    found |= {name: (order[s],) for (s, _), name in sym.lock.items()}
-    for s in topo.sections:
-        events = [o(s), rests(s), *(x for j in topo.ends[s] for x in (came(s, j), across(j, s)))]
-        found |= {x.name: (order[s],) for x in events} | {f"been.{s}": (order[s],)}
-    for r in sym.routes:
-        over = tuple(order[s] for s, _ in r.ways)
-        found |= dict.fromkeys((r.active, r.locked, r.want, r.proceed, r.shown, f"shut.R{r.number}"), over)
-    return found | {name + prime: over for name, over in found.items()}
+    order: dict[str, int] = {str(s): n for s, n in walked(topo).items()}
+    kept = {r.number: (r.active, r.locked, r.want, r.proceed, r.shown, names.SHUT(r.number)) for r in sym.routes}
+    over = {name: tuple(order[s] for s, _ in r.ways) for r in sym.routes for name in kept[r.number]}
+    found: dict[Name, tuple[int, ...]] = {}
+    for name in known:
+        state = name.base if name.primed else name
+        if state in over:
+            found[name] = over[state]
+        elif state.form is None and state.family in _AT_SECTIONS and (owner := state.owner) is not None:
+            at = order.get(owner.id)
+            if at is not None:
+                found[name] = (at,)
+    return found
 
 
-def routes_of(controller: Controller, prime: str) -> dict[str, tuple[str, int]]:
+def routes_of(known: Iterable[Name]) -> dict[Name, tuple[Name, int]]:
     """The variables of routes, before and after a step: what they mean, and the route's number."""
-    number = {f"route {r.id}": str(r.number) for r in controller.symbols.routes}
-    found: dict[str, tuple[str, int]] = {}
-    for e in [*controller.equations, *controller.next]:
-        k = number.get(e.group)
-        if k is not None and e.name.endswith(f"_R{k}"):
-            found[e.name] = e.name[: -len(k)], int(k)
-    found |= {f"shut.R{r.number}": ("shut.R", r.number) for r in controller.symbols.routes}
-    return found | {name + prime: (family + prime, k) for name, (family, k) in found.items()}
+    return {name: (names.each(name), name.number) for name in known if name.family.kind is Kind.ROUTE}
 
 
 def homes(
     topo: Topology,
     controller: Controller,
-    definitions: Mapping[str, Expr],
-    inputs: Sequence[str],
-    prime: str,
-    routes: Mapping[str, object],
-) -> dict[str, str]:
-    """The element to which names belong, as the groups of the controller's equations are called.
+    known: Iterable[Name],
+    definitions: Mapping[Name, Expr],
+    inputs: Sequence[Name],
+) -> dict[Name, Owner]:
+    """The element to which names belong, as the groups of the controller's equations are called; none of routes.
 
-    What the controller does not compute belongs where its section or machine does, and an input to the only element
-    that reads it.
+    What the controller computes and what is known of an element belong to it, what is remembered of a timer where it
+    does, and an input to the only element that reads it.
     """
-    sym = controller.symbols
-    found = {e.name: e.group for e in [*controller.equations, *controller.next] if e.name not in routes}
-    at = {n: f"section {s}" for s, n in walked(topo).items()}
-    for name, where in places(topo, sym, prime).items():
-        if name not in routes and len(where) == 1:
-            found.setdefault(name, at[where[0]])
-    found |= {x.name: f"point {m}" for m, _ in sym.command for p in Position for x in (lies(m, p), old_command(m, p))}
-    found |= {name: f"section {s}" for s, name in sym.clear.items()}
-    for s in topo.sections:
-        found |= {x.name: f"section {s}" for x in (image(s), running(s))}
-    names = (name.removesuffix(prime) for name in definitions)
-    found |= {overran(g, s).name: f"section {s}" for g, s in overrunning(names, sym.approach_of, topo.ends)}
-    for g in sym.approach_of:
-        found |= {x.name: f"signal {g}" for k in (False, True) for x in (accepted(g, k), lamp(g, k))}
-    found |= _clocks(sym)
-    readers: dict[str, set[str]] = {}
+    computed = {e.name for e in (*controller.equations, *controller.next)}
+    before = controller.symbols.approach_of
+    found: dict[Name, Owner] = {}
+    for name in known:
+        state = name.base if name.primed else name
+        covered = state.form is Form.COVERED
+        own = state.base if covered else state
+        if own.family is names.STAND_LONG or (covered and own.family is names.STANDING):
+            found[name] = Owner.of(Kind.SECTION, str(before.get(SignalId(str(own.at[0])))))
+            continue
+        owner = own.owner
+        if owner is None or owner.kind is Kind.ROUTE or own.form is not None:
+            continue
+        if own in computed or (own.family in _AT_HOME and (owner.kind is not Kind.SECTION or owner.id in topo.ends)):
+            found[name] = owner
+    readers: dict[Name, set[Owner]] = {}
     for name, x in definitions.items():
-        home = found.get(name.removesuffix(prime))
+        home = found.get(name)
         if home is not None:
             for v in variables((x,)):
                 readers.setdefault(v, set()).add(home)
@@ -107,20 +106,4 @@ def homes(
         those = readers.get(name, ())
         if len(those) == 1:
             found.setdefault(name, next(iter(those)))
-    return found | {name + prime: home for name, home in found.items()}
-
-
-def _clocks(sym: Symbols) -> dict[str, str]:
-    """Clocks of the world, what the proof remembers of timers beside them, and what outputs tell of an element."""
-    found: dict[str, str] = {}
-    for g, timer in sym.approach_timer.items():
-        found |= dict.fromkeys((f"long.stop.{g}", f"cov.{timer}", timer), f"signal {g}")
-        lamps = [*sym.proceed_lamps(g), *sym.proceed_lamps(g, shunt=True), sym.stop_aspect[g]]
-        found |= dict.fromkeys(lamps, f"signal {g}")
-    for g, timer in sym.overlap_timer.items():
-        home = f"section {sym.approach_of[g]}"
-        found |= dict.fromkeys((f"long.stand.{g}", f"cov.{timer}"), home)
-    found |= {name: f"point {m}" for (m, _), name in sym.drive.items()}
-    return found | {
-        name: f"section {what.split(' ', 1)[1]}" for what, name in sym.indication.items() if what[:7] == "locked "
-    }
+    return found

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from interlock.logic.expr import AND, EQ, FALSE, NOT, OR, TRUE, VAR, Expr, neg
+from interlock.logic.names import Name
 from interlock.proof.encode import Cnf
 
 _FORTH, _BACK = 1, 2  # the literal implies the node; the node implies the literal
@@ -18,7 +19,7 @@ _FORTH, _BACK = 1, 2  # the literal implies the node; the node implies the liter
 class OneSided(Cnf):
     """Clauses over names that have a meaning."""
 
-    def __init__(self, meaning: Mapping[str, Expr]) -> None:
+    def __init__(self, meaning: Mapping[Name, Expr]) -> None:
         """`meaning`: what names stand for; no name reads itself."""
         super().__init__()
         self._meaning = meaning

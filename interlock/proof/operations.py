@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterator
 from functools import partial
 
+from interlock.logic import names
 from interlock.logic.controller import RouteSymbols
 from interlock.logic.plant import lies
 from interlock.model.elements import Position, RouteId
@@ -71,7 +72,7 @@ def _tried(railway: Railway, lanes: Lanes, starts: Starts) -> Iterator[tuple[tup
 def _after_restart(railway: Railway, r: RouteSymbols, operation: Operation, lane: Lane) -> Driver:
     closing = dict.fromkeys(_closing(railway, _before(railway, r)), 1)
     for _ in range(2):
-        yield Wish((), {"RELALL": 1, **closing})
+        yield Wish((), {names.RELEASE_ALL: 1, **closing})
     failure = yield from operation(railway, r, lane)
     if failure is not None:
         return failure
@@ -167,19 +168,18 @@ def _by_hand(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
         return failure
     sym, topo, layout = railway.symbols, railway.topo, railway.layout
     signal = layout.signal[r.entry]
-    go, accept = ("gos", "accepts") if r.shunt else ("go", "accept")
-    if not (yield from _until(lane, f"{go}.{r.entry}", Wish((f"{accept}.{r.entry}",)))):
+    if not (yield from _until(lane, names.accepted(r.entry, r.shunt), Wish((names.accepts(r.entry, r.shunt),)))):
         return "no train can accept the signal"
     place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
     ways = r.ways if r.berth is None else (*r.ways, r.berth)
     for section, number in ways:
-        if not (yield from _until(lane, f"o.{section}", Wish((f"head.{joint}.{place}",)))):
+        if not (yield from _until(lane, names.STANDS(section), Wish((names.HEAD(joint, place),)))):
             return f"the train cannot enter {section}"
         yield Wish((), {sym.valid: 0})
-        if not (yield from _until_off(lane, f"x.{joint}.{place}", f"tail.{joint}.{place}")):
+        if not (yield from _until_off(lane, names.ACROSS(joint, place), names.TAIL(joint, place))):
             return f"the train's tail does not leave {place}"
         place, joint = section, topo.traversals[section][number - 1].exit
-    hands = {name: 1 for s, name in sym.release.items() if s != place}
+    hands: dict[str, int] = {name: 1 for s, name in sym.release.items() if s != place}
     yield Wish((), {sym.cancel[r.entry]: 1})
     return (yield from _free(railway, r, lane, Wish((), hands), place))
 

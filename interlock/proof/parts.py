@@ -14,6 +14,7 @@ from itertools import chain
 from typing import Protocol
 
 from interlock.logic.expr import TRUE, Expr, variables
+from interlock.logic.names import Name, Owner
 from interlock.logic.plant import Assumption
 from interlock.proof.alike import Forms
 from interlock.proof.asking import Decision, decisions
@@ -47,7 +48,7 @@ class Theory(Placed, Protocol):
     """What is known beside the hypotheses: a system, for questions about its steps."""
 
     @property
-    def places(self) -> Mapping[str, tuple[int, ...]]:
+    def places(self) -> Mapping[Name, tuple[int, ...]]:
         """Where variables belong: numbers, such that near ones lie together."""
         ...
 
@@ -56,15 +57,15 @@ class Theory(Placed, Protocol):
 class Start:
     """Nothing: for questions about the restart."""
 
-    definitions: Mapping[str, Expr] = field(default_factory=dict)
+    definitions: Mapping[Name, Expr] = field(default_factory=dict)
     assumptions: Sequence[Assumption] = ()
-    places: Mapping[str, tuple[int, ...]] = field(default_factory=dict)
-    later: Mapping[str, str] = field(default_factory=dict)
-    members: Mapping[str, tuple[str, int]] = field(default_factory=dict)
-    requests: Sequence[str] = ()
-    homes: Mapping[str, str] = field(default_factory=dict)
-    beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    lamps: frozenset[str] = frozenset()
+    places: Mapping[Name, tuple[int, ...]] = field(default_factory=dict)
+    later: Mapping[Name, Name] = field(default_factory=dict)
+    members: Mapping[Name, tuple[Name, int]] = field(default_factory=dict)
+    requests: Sequence[Name] = ()
+    homes: Mapping[Name, Owner] = field(default_factory=dict)
+    beside: Mapping[Owner, tuple[Owner, ...]] = field(default_factory=dict)
+    lamps: frozenset[Name] = frozenset()
 
     def after(self, x: Expr) -> Expr:
         """There is no step."""
@@ -79,10 +80,10 @@ class Parts:
         self.hypotheses = hypotheses
         self.facts = [*hypotheses, *(a.expr for a in system.assumptions)]
         self.forms = Forms(system.definitions)
-        self._names: dict[Expr, tuple[str, ...]] = {}
-        self._inputs: dict[str, tuple[str, ...]] = {}
+        self._names: dict[Expr, tuple[Name, ...]] = {}
+        self._inputs: dict[Name, tuple[Name, ...]] = {}
 
-    def names_in(self, x: Expr) -> tuple[str, ...]:
+    def names_in(self, x: Expr) -> tuple[Name, ...]:
         """What a fact or goal reads, looked up once."""
         found = self._names.get(x)
         if found is None:
@@ -90,20 +91,20 @@ class Parts:
         return found
 
     @cached_property
-    def reads(self) -> list[tuple[str, ...]]:
+    def reads(self) -> list[tuple[Name, ...]]:
         """What each fact reads."""
         return [self.names_in(x) for x in self.facts]
 
     @cached_property
-    def readers(self) -> dict[str, list[int]]:
+    def readers(self) -> dict[Name, list[int]]:
         """The facts by what they read."""
-        found: dict[str, list[int]] = {}
+        found: dict[Name, list[int]] = {}
         for n, names in enumerate(self.reads):
             for v in names:
                 found.setdefault(v, []).append(n)
         return found
 
-    def inputs_of(self, name: str) -> tuple[str, ...]:
+    def inputs_of(self, name: Name) -> tuple[Name, ...]:
         """What a name's definition reads, looked up once; nothing if it has none."""
         found = self._inputs.get(name)
         if found is None:
@@ -117,7 +118,7 @@ class Parts:
         for name in self.system.definitions:
             self.inputs_of(name)
 
-    def read_by(self, goal: Goal) -> tuple[str, ...]:
+    def read_by(self, goal: Goal) -> tuple[Name, ...]:
         """What a goal reads."""
         names, later = self.names_in(goal.expr), self.system.later
         return tuple([later.get(v, v) for v in names]) if goal.later else names
@@ -136,7 +137,7 @@ class Parts:
             found.setdefault(place, []).append(n)
         return [found[p] for p in sorted(found)]
 
-    def cone(self, names: Iterable[str], seen: dict[str, None]) -> None:
+    def cone(self, names: Iterable[Name], seen: dict[Name, None]) -> None:
         """Everything that the names depend on within the step."""
         todo = list(names)
         while todo:
@@ -145,7 +146,7 @@ class Parts:
                 seen[v] = None
                 todo += self.inputs_of(v)
 
-    def around(self, seen: dict[str, None], rings: int) -> list[int]:
+    def around(self, seen: dict[Name, None], rings: int) -> list[int]:
         """The facts so many steps around what is seen, which grows by what they depend on; 0 rings: all facts."""
         facts: dict[int, None] = {}
         for ring in range(rings):
@@ -173,7 +174,7 @@ class Parts:
 
     def decide(self, goals: Sequence[Goal], limits: Limits, rings: int) -> list[Decision]:
         """Which of the goals follow from the facts so many steps around."""
-        seen: dict[str, None] = {}
+        seen: dict[Name, None] = {}
         if rings:
             self.cone(chain.from_iterable(map(self.read_by, goals)), seen)
         facts = self.around(seen, rings)
@@ -187,20 +188,20 @@ class Parts:
         return found
 
 
-def _places(names: Sequence[str], known: Mapping[str, tuple[int, ...]]) -> set[int]:
+def _places(names: Sequence[Name], known: Mapping[Name, tuple[int, ...]]) -> set[int]:
     """Where an expression over some variables may belong: to sections, or else where its routes run."""
     where = [known[v] for v in names if v in known]
     return {p[0] for p in where if len(p) == 1} or {q for p in where for q in p}
 
 
-def _sharing(reads: Sequence[tuple[str, ...]]) -> list[int]:
+def _sharing(reads: Sequence[tuple[Name, ...]]) -> list[int]:
     """Numbers of expressions, those that share variables near each other."""
-    having: dict[str, list[int]] = {}
+    having: dict[Name, list[int]] = {}
     for n, names in enumerate(reads):
         for v in names:
             having.setdefault(v, []).append(n)
     done = [False] * len(reads)
-    seen: set[str] = set()
+    seen: set[Name] = set()
     out: list[int] = []
     for start in range(len(reads)):
         if done[start]:
@@ -299,7 +300,7 @@ class Inquiry:
             return False
         sizes = []
         for k in range(0, len(goals), max(1, len(goals) // SAMPLE)):
-            seen: dict[str, None] = {}
+            seen: dict[Name, None] = {}
             self.parts.cone(chain.from_iterable(self.parts.read_by(self.goals[n]) for n in goals[k : k + RUN]), seen)
             sizes.append(len(seen))
         return sorted(sizes)[len(sizes) // 2] > NEAR
@@ -318,10 +319,10 @@ class Inquiry:
         goals = [(n, self.goals[n]) for n in sorted(wide)]  # in one order everywhere, so that places are alike
         return self.looks.looks([(n, after(g.expr) if g.later else g.expr) for n, g in goals]) if wide else []
 
-    def _parts(self, few: int, most: int) -> Iterator[tuple[list[int], dict[str, None]]]:
+    def _parts(self, few: int, most: int) -> Iterator[tuple[list[int], dict[Name, None]]]:
         """The open goals of places that lie together, and what they depend on."""
         goals: list[int] = []
-        seen: dict[str, None] = {}
+        seen: dict[Name, None] = {}
         for place in self.places:
             new = [n for n in place if not self.found[n].follows]
             self.parts.cone(chain.from_iterable(self.parts.read_by(self.goals[n]) for n in new), seen)

@@ -15,6 +15,7 @@ from keyword import iskeyword
 from interlock.emit.python.runtime import FIXED, route_numbers
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
+from interlock.logic.names import spelled
 from interlock.proof.translation import Difference, Scan, Translation, compare_scan, wires
 from interlock.st.meaning import Symbol, Symbols, Term
 
@@ -57,7 +58,7 @@ class _Reader:
         self.after: dict[str, Term] = {}
         self.timers: dict[str, tuple[Expr, int]] = {}
         self.algebra = Symbols(known=wires(controller))
-        self.sizes = {i.name: i.size for i in controller.inputs}
+        self.sizes: dict[str, int] = {i.name: i.size for i in controller.inputs}
         head, fixed, own = text.partition(FIXED)
         self.lines = own.split("\n")  # and nowhere else: what Python takes for the end of a line is not printable
         self.at = 0
@@ -123,9 +124,9 @@ class _Reader:
         if text[-1:] == "]" and (taken := _TAKEN.match(text)):
             where, key = taken.groups()
             if where == "read" and key in self.sizes:
-                return Symbol(key) if self.sizes[key] else var(key)
+                return Symbol(key) if self.sizes[key] else var(spelled(key))
             if where == "old" and key in self.state:
-                return var(key)
+                return var(spelled(key))
             if where == "self.state" and key in self.after:
                 return self.after[key]
         if text.startswith("self.") and (timed := _TIMED.match(text)):
@@ -133,7 +134,7 @@ class _Reader:
             preset = self.presets.get(name)
             if own == name and type(preset) is int and name not in self.timers:
                 self.timers[name] = (self._value(on), preset)
-                return var(name)
+                return var(spelled(name))
         return self._value(text)
 
     def _dictionary(self) -> dict[str, Term]:
@@ -211,7 +212,7 @@ class _Reader:
         if isinstance(held, Symbol) and tokens[at + 1] == "==":
             number = tokens[at + 2]
             plain = number.isdigit() and str(int(number)) == number
-            return (eq(held.name, int(number)), at + 3) if plain else None
+            return (eq(spelled(held.name), int(number)), at + 3) if plain else None
         return (held, at + 1) if isinstance(held, Expr) else None
 
 

@@ -14,16 +14,17 @@ from dataclasses import dataclass
 
 from interlock.logic.controller import Controller, Timer
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution
+from interlock.logic.names import Name
 
 
 @dataclass(frozen=True, slots=True)
 class Kept:
     """The variables whose start value every scan keeps, and what was known in each round in which they were found."""
 
-    names: frozenset[str]
-    rounds: tuple[Mapping[str, Expr], ...]
+    names: frozenset[Name]
+    rounds: tuple[Mapping[Name, Expr], ...]
 
-    def unchanged(self, changed: Mapping[str, Expr]) -> bool:
+    def unchanged(self, changed: Mapping[Name, Expr]) -> bool:
         """Whether the same is found where some names stand for other expressions: these have in each round the value
         that was known, or none as before."""
         for known in self.rounds:
@@ -36,7 +37,7 @@ class Kept:
 
 
 def kept_values(
-    controller: Controller, start: Mapping[str, Expr], following: Mapping[str, Expr], later: Mapping[str, str]
+    controller: Controller, start: Mapping[Name, Expr], following: Mapping[Name, Expr], later: Mapping[Name, Name]
 ) -> Kept:
     """The variables of `start` (constants by name) whose value every scan keeps while the restart delay runs.
 
@@ -63,6 +64,6 @@ def kept_values(
             del kept[name]
 
 
-def _note(known: dict[str, Expr], name: str, value: Expr) -> None:
+def _note(known: dict[Name, Expr], name: Name, value: Expr) -> None:
     if value is TRUE or value is FALSE:
         known[name] = value

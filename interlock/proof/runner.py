@@ -16,6 +16,7 @@ from dataclasses import replace
 from functools import partial
 
 from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, Substitution, conj, neg, var
+from interlock.logic.names import Name
 from interlock.model.elements import Position
 from interlock.proof.asking import Decision
 from interlock.proof.encode import Cnf
@@ -144,9 +145,9 @@ def _restart(system: System, invariants: Sequence[Invariant], limits: Limits) ->
     return holds
 
 
-def _at_restart(system: System) -> tuple[dict[str, Expr], list[Expr]]:
+def _at_restart(system: System) -> tuple[dict[Name, Expr], list[Expr]]:
     """The variables that have one value at a restart, and what is known besides."""
-    fixed: dict[str, Expr] = {}
+    fixed: dict[Name, Expr] = {}
     others: list[Expr] = []
     for x in system.initial_parts:
         leaf, value = (x.args[0], FALSE) if x.op is NOT else (x, TRUE)
@@ -157,7 +158,7 @@ def _at_restart(system: System) -> tuple[dict[str, Expr], list[Expr]]:
     return fixed, others
 
 
-def _true(x: Expr, known: Mapping[str, bool], wanted: bool = True) -> bool:
+def _true(x: Expr, known: Mapping[Name, bool], wanted: bool = True) -> bool:
     """Whether values of some variables make an expression come out as wanted, whatever the others are."""
     op = x.op
     if op is VAR:

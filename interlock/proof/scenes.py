@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from interlock.logic.expr import Expr
-from interlock.proof.members import OF
+from interlock.logic.names import Kind, Name, Owner
 from interlock.proof.views import Scene, Views
 
 
@@ -14,9 +14,9 @@ def scenes(views: Views, goals: Iterable[tuple[int, Expr]]) -> list[Scene]:
 
     A goal is looked at from the element that it names first, or last if it speaks of an overlap that lies ahead of it.
     """
-    whole: dict[str, list[tuple[int, Expr]]] = {}
-    pieces: dict[tuple[str, ...], dict[Expr, dict[int, list[int]]]] = {}
-    named: dict[Expr, tuple[str, ...]] = {}
+    whole: dict[Owner, list[tuple[int, Expr]]] = {}
+    pieces: dict[tuple[Owner, ...], dict[Expr, dict[int, list[int]]]] = {}
+    named: dict[Expr, tuple[Owner, ...]] = {}
     for n, goal in goals:
         x = views.members.named(goal)
         names, members = views.members.read(x)
@@ -32,7 +32,7 @@ def scenes(views: Views, goals: Iterable[tuple[int, Expr]]) -> list[Scene]:
         homes = [views.homes[v] for v in names if v in views.homes]
         if homes:
             beside = views.system.beside
-            ahead = any(h.startswith("overlap ") and homes[-1] not in beside.get(h, ()) for h in homes)
+            ahead = any(h.kind is Kind.OVERLAP and homes[-1] not in beside.get(h, ()) for h in homes)
             home = homes[0 if ahead else -1]
             home = beside.get(home, (home,))[0]
             whole.setdefault(home, []).append((n, x))
@@ -46,13 +46,13 @@ def scenes(views: Views, goals: Iterable[tuple[int, Expr]]) -> list[Scene]:
     return [*found, *(Scene(at, pieces=those) for at, those in each.items())]
 
 
-def _named(views: Views, names: Iterable[str]) -> tuple[str, ...]:
+def _named(views: Views, names: Iterable[Name]) -> tuple[Owner, ...]:
     """The elements to which names belong."""
     return tuple(dict.fromkeys(views.homes[v] for v in names if v in views.homes))
 
 
-def _of_route(views: Views, piece: Expr, number: int) -> tuple[str, ...]:
+def _of_route(views: Views, piece: Expr, number: int) -> tuple[Owner, ...]:
     """The elements that the definitions of the route's variables read in a piece of a goal that reads none itself."""
     members = views.members
-    families = (f[1:] for f in members.read(piece)[0] if f[0] == OF)
+    families = (f for f in members.read(piece)[0] if f.indexed)
     return _named(views, (v for f in families for t in members.defining.get((f, number)) or () for v in t.names))

@@ -11,11 +11,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from interlock.logic.expr import Expr, disj, eq, evaluate, neg, var, variables
+from interlock.logic.names import STANDS, Form
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer
 from interlock.proof.engines.z3_sat import Z3Sat
 from interlock.proof.invariants import Claim
-from interlock.proof.system import PRIME, System
+from interlock.proof.system import System
 
 
 @dataclass(frozen=True)
@@ -49,7 +50,7 @@ class _Unrolled:
         for name, size in system.sizes.items():  # one of its values
             self.template.require(disj(eq(name, k) for k in range(size)))
         self.now = {n: self.template.literal(var(n)) for n in system.state}
-        self.then = {n: self.template.literal(var(n + PRIME)) for n in system.state}
+        self.then = {n: self.template.literal(var(n.next)) for n in system.state}
         self.inputs = {n: self.template.literal(var(n)) for n in system.inputs if n not in system.sizes}
         self.goals = [self.template.literal(neg(g)) for g in goals]
         self.initial = self.template.literal(system.initial)
@@ -118,8 +119,8 @@ def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: Z3Sat, 
         if solver.ask(*kept, lit) is Answer.SAT:
             kept.append(lit)
     values = solver.values() if solver.ask(*kept) is Answer.SAT else values
-    names = sorted((n for n in steps.inputs if n != valid), key=lambda n: not n.startswith("?"))
-    wishes = [-steps.now[n] for n in steps.now if n.startswith("o.")]
+    names = sorted((n for n in steps.inputs if n != valid), key=lambda n: n.form is not Form.CHOICE)
+    wishes = [-steps.now[n] for n in steps.now if n.family is STANDS]
     for name in names:
         for k in range(depth):
             lit = steps.inputs[name] + k * steps.size

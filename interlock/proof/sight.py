@@ -10,26 +10,27 @@ from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain
 
 from interlock.logic.expr import AND, FALSE, NOT, TRUE, Expr, conj, disj, implies, neg, rebuild, var
+from interlock.logic.names import Form, Name, Owner, of_class
 from interlock.model.bits import bits, bits_of
-from interlock.proof.members import OF, VALUE, Kind, Member, Trait
+from interlock.proof.members import Kind, Member, Trait
 from interlock.proof.views import Group, Scene, View, Views
 
 _DEFINED = Kind.DEFINED
 
 
-def _at(where: Mapping[str, Sequence[int]], names: Iterable[str]) -> dict[int, None]:
+def _at(where: Mapping[Name, Sequence[int]], names: Iterable[Name]) -> dict[int, None]:
     """The numbers that stand at some names."""
     return dict.fromkeys(chain.from_iterable(filter(None, map(where.get, names))))
 
 
-def _variable(family: str, crowd: int) -> Expr:
-    return var(f"{OF}{crowd} {family}")
+def _variable(family: Name, crowd: int) -> Expr:
+    return var(of_class(family, crowd))
 
 
 def _of_crowd(x: Expr, crowd: int) -> Expr:
     if x.args:
         return rebuild(x, tuple(_of_crowd(a, crowd) for a in x.args))
-    return _variable(x.name[1:], crowd) if x.name[:1] == OF else x
+    return _variable(x.name, crowd) if x.name.indexed else x
 
 
 class _Sight:
@@ -40,19 +41,19 @@ class _Sight:
         self.narrow = narrow
         self.members = views.members
         self.scene = scene
-        self.seen: dict[str, None] = {}
+        self.seen: dict[Name, None] = {}
         """The names that are seen."""
-        self.families: dict[str, None] = {}
-        self.near: dict[str, None] = dict.fromkeys(scene.homes)
+        self.families: dict[Name, None] = {}
+        self.near: dict[Owner, None] = dict.fromkeys(scene.homes)
         self.crowds: list[int] = []
         """The crowds' members, as bits."""
         self.alone: dict[int, int] = {}
         """Crowds of one member that goals speak of, and all members that are like it: the rest is the crowd after."""
-        self.traits: dict[str, list[Trait]] = {}
+        self.traits: dict[Name, list[Trait]] = {}
         """The traits that the view can tell, by their family."""
-        self.whole: dict[str, int] = {}
+        self.whole: dict[Name, int] = {}
         """By family the members of which the view can tell the definition, all of it."""
-        self.definitions: dict[str, Expr] = {}
+        self.definitions: dict[Name, Expr] = {}
         self.facts: list[Expr] = []
         self.reached: dict[Member, None] = {}
         self.nodes: dict[Expr, Group] = {}
@@ -63,21 +64,21 @@ class _Sight:
     def look(self) -> None:
         """Find the names near the goals."""
         m, homes = self.members, self.views.homes
-        names: dict[str, None] = {}
-        families: dict[str, None] = {}
+        names: dict[Name, None] = {}
+        families: dict[Name, None] = {}
         for _, x in self.scene.whole:
             names |= dict.fromkeys(m.read(x)[0])
             families |= dict.fromkeys(self.views.families_in(x))
         for x, _ in self.scene.pieces:
             for v in m.read(x)[0]:
-                if v[0] == OF:
-                    families[v[1:]] = None
+                if v.indexed:
+                    families[v] = None
                 else:
                     names[v] = None
         self.near |= dict.fromkeys(homes[v] for v in names if v in homes)
         self.reach(names, families, self.near)
 
-    def reach(self, names: Iterable[str], families: Iterable[str], near: Iterable[str]) -> None:
+    def reach(self, names: Iterable[Name], families: Iterable[Name], near: Iterable[Owner]) -> None:
         """See names, what they mean, and what families of which they speak say of the elements that are near; a narrow
         view does not see why something is as it is at an element that is not near."""
         todo, fresh, leads = list(names), list(families), self.views.leads
@@ -192,7 +193,7 @@ class _Sight:
 
     # --- the small system ----------------------------------------------------------------------
 
-    def variable(self, family: str, crowd: int) -> Expr:
+    def variable(self, family: Name, crowd: int) -> Expr:
         """The variable of a crowd."""
         self.reached[family, crowd] = None
         return _variable(family, crowd)
@@ -225,7 +226,7 @@ class _Sight:
         self.done[x] = new
         return new
 
-    def tell(self, family: str, crowd: int) -> None:
+    def tell(self, family: Name, crowd: int) -> None:
         """What is known of a crowd's variable."""
         members = self.crowds[crowd]
         first = members & -members
@@ -249,7 +250,7 @@ class _Sight:
         varying = [t for t in defining if not all(self.common(f, i) for f in t.families)]
         return all(t.spreads for t in defining) and len(varying) <= 1
 
-    def common(self, family: str, i: int) -> bool:
+    def common(self, family: Name, i: int) -> bool:
         """The family is defined, and the same for all members of a crowd."""
         defining = self.members.defining.get((family, i))
         return bool(self.whole.get(family, 0) >> i & 1) and not any(t.families for t in defining or ())
@@ -293,7 +294,7 @@ class _Sight:
         while len(told) < len(self.reached):
             for key in [k for k in self.reached if k not in told]:
                 told.add(key)
-                if key[0].endswith(VALUE):
+                if key[0].form is Form.VALUE:
                     continue
                 self.tell(*key)
         self.one_value()
@@ -302,9 +303,9 @@ class _Sight:
 
     def one_value(self) -> None:
         """Of the values of one variable no two are taken at once."""
-        some: dict[str, Expr] = {}
+        some: dict[Name, Expr] = {}
         for family, crowd in sorted(self.reached, key=lambda k: k[1]):
-            if family.endswith(VALUE):
+            if family.form is Form.VALUE:
                 x = self.variable(family, crowd)
                 before = some.get(family, FALSE)
                 if before is not FALSE:

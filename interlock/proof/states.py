@@ -15,6 +15,7 @@ from functools import cached_property
 from itertools import chain
 
 from interlock.logic.expr import Expr, variables
+from interlock.logic.names import Name
 from interlock.proof.alike import Forms
 from interlock.proof.asking import Decision, decisions, together
 from interlock.proof.encode import Cnf
@@ -115,7 +116,7 @@ class States:
         places = {n for v, n in asked if v not in self.system.members}
         return implied(cnf.clauses, routes, places.intersection(*[chain.from_iterable(denials)]))
 
-    def told(self, goals: Sequence[Expr], after: bool) -> tuple[Mapping[str, Expr], Sequence[Expr]]:
+    def told(self, goals: Sequence[Expr], after: bool) -> tuple[Mapping[Name, Expr], Sequence[Expr]]:
         """What is defined and known of one state.
 
         After a step: not why a next value is what it is, unless a goal names it or a lamp that shows it, and nothing
@@ -127,7 +128,7 @@ class States:
         asked = dict.fromkeys(variables(goals))
         lit = [system.definitions[v] for v in asked if v in self._shown]
         asked |= dict.fromkeys(variables(lit))
-        definitions: dict[str, Expr] = {}
+        definitions: dict[Name, Expr] = {}
         seen: set[str] = set()
         todo = list(asked)
         while todo:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from interlock.logic import names
 from interlock.logic.expr import evaluate
 from interlock.model.elements import Position
 from interlock.proof.invariants import CLAIMS
@@ -40,9 +41,9 @@ def tell(system: System, run: Run) -> Story:
 def narrated(system: System, frames: Sequence[Frame], claim: tuple[str, str, str], ending: Sequence[str]) -> Story:
     """A run as sentences; frames with nothing to tell are joined to the next.  `claim`: its id, place and sentence."""
     steps: list[str] = []
-    trains = [n[2:] for n in system.state if n.startswith("o.")]
+    trains = [str(n.at[0]) for n in system.state if n.family is names.STANDS]
     first = frames[0].state
-    standing = [s for s in trains if first[f"o.{s}"]]
+    standing = [s for s in trains if first[names.STANDS(s)]]
     lying = _points(system, first)
     steps.append(
         "Restart: everything is locked, all signals show stop"
@@ -56,9 +57,9 @@ def narrated(system: System, frames: Sequence[Frame], claim: tuple[str, str, str
         values = {**frame.state, **frame.inputs}
         memo: dict[int, bool] = {}
         events = [
-            system.plant.choices["?" + e]
+            system.plant.choices[names.choice(e)]
             for e, x in system.plant.flat.events.items()
-            if "?" + e in system.plant.choices and evaluate(x, lambda n, v=values: v.get(n, 0), memo)  # type: ignore[misc]
+            if names.choice(e) in system.plant.choices and evaluate(x, lambda n, v=values: v.get(n, 0), memo)  # type: ignore[misc]
         ]
         asked = _requests(system, frame.inputs)
         after = frames[i + 1].state if i + 1 < len(frames) else None
@@ -74,8 +75,12 @@ def narrated(system: System, frames: Sequence[Frame], claim: tuple[str, str, str
             steps.append("; ".join(_capital(s) if k == 0 else s for k, s in enumerate(sentences)) + ".")
             after_step.append(min(i + 1, len(frames) - 1))
     last = frames[-1].state
-    lines = [f"the line at {b}" for b in system.symbols.token if last[f"line.in.{b}"] or last[f"line.out.{b}"]]
-    where = ", ".join([*(s for s in trains if last[f"o.{s}"]), *lines])
+    lines = [
+        f"the line at {b}"
+        for b in system.symbols.token
+        if last[names.ON_LINE(b, "in")] or last[names.ON_LINE(b, "out")]
+    ]
+    where = ", ".join([*(s for s in trains if last[names.STANDS(s)]), *lines])
     lying = _points(system, last)
     now = f"Now trains stand in {where}" if where else "Now no train is inside"
     steps.append(f"{now}{f'; {lying}' if lying else ''}.")
@@ -91,7 +96,7 @@ def _capital(text: str) -> str:
 def _points(system: System, state: dict[str, int]) -> str:
     out = []
     for m in system.layout.machines:
-        lying = [system.layout.word(m, x) for x in Position if state[f"at.{m}.{x}"]]
+        lying = [system.layout.word(m, x) for x in Position if state[names.LIES(m, x)]]
         out.append(f"{m} lies {lying[0] if lying else 'between its positions'}")
     return ", ".join(out)
 
@@ -129,6 +134,6 @@ def _changes(system: System, old: dict[str, int], new: dict[str, int]) -> list[s
             out.append(f"machine {m} is commanded {system.layout.word(m, x)}")
     for s, name in system.symbols.clear.items():
         del name
-        if f"o.{s}" in new and new[f"img.{s}"] and not new[f"o.{s}"] and not old[f"img.{s}"]:
+        if names.STANDS(s) in new and new[names.IMAGE(s)] and not new[names.STANDS(s)] and not old[names.IMAGE(s)]:
             out.append(f"{s} is falsely reported occupied")
     return out

@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from functools import reduce
 
 from interlock.logic.expr import FALSE, Expr, conj, disj, iff, implies, neg, var
+from interlock.logic.names import spelled
 from interlock.model.elements import MachineId
 from interlock.model.portable import portable
 from interlock.proof.encode import Cnf
@@ -41,7 +42,7 @@ def compare_telegram(name: str, machines: Sequence[MachineId], tagged: bool, tex
 def _run(unit: Unit) -> dict[str, Expr]:
     """The outputs of a block without memory."""
     run: Execution[Term] = Execution(unit, Symbols())
-    found = run.scan({d.name: var(d.name) for d in unit.blocks[-1].inputs})
+    found = run.scan({d.name: var(spelled(d.name)) for d in unit.blocks[-1].inputs})
     return {n: x for n, x in found.items() if isinstance(x, Expr)}
 
 
@@ -84,7 +85,7 @@ def _differ(a: Expr, b: Expr) -> Expr:
 def _bits(count: int, tagged: bool, of: Mapping[str, Expr] | None) -> dict[tuple[int, int], Expr]:
     size = places(count, tagged)[-1][0] + 2
     names = {(byte, bit): f"D_{byte * 8 + bit + 1}" for byte in range(size) for bit in range(8)}
-    return {at: of[n] if of is not None else var(n) for at, n in names.items()}
+    return {at: of[n] if of is not None else var(spelled(n)) for at, n in names.items()}
 
 
 def _receiving(machines: Sequence[MachineId], tagged: bool, out: Mapping[str, Expr]) -> dict[str, Expr]:
@@ -101,7 +102,7 @@ def _receiving(machines: Sequence[MachineId], tagged: bool, out: Mapping[str, Ex
 def _sending(machines: Sequence[MachineId], tagged: bool, out: Mapping[str, Expr]) -> dict[str, Expr]:
     agree = []
     for m in map(portable, machines):
-        own_n, own_r, host_n, host_r = (var(f"{x}_{m}") for x in ("CN", "CR", "HN", "HR"))
+        own_n, own_r, host_n, host_r = (var(spelled(f"{x}_{m}")) for x in ("CN", "CR", "HN", "HR"))
         agree.append(conj((_differ(own_n, own_r), iff(own_n, host_n), iff(own_r, host_r))))
     bits = _bits(len(machines), tagged, out)
     ready, whole = out["READY"], right(len(machines), tagged, bits)
@@ -110,5 +111,5 @@ def _sending(machines: Sequence[MachineId], tagged: bool, out: Mapping[str, Expr
         if point is not None and point >= 0:
             m = portable(machines[point])
             for word, bit in (("CN", 2 * place), ("CR", 2 * place + 1)):
-                claims[f"SEND {word}_{m}"] = implies(ready, iff(bits[byte, bit], var(f"{word}_{m}")))
+                claims[f"SEND {word}_{m}"] = implies(ready, iff(bits[byte, bit], var(spelled(f"{word}_{m}"))))
     return claims if machines else {"SEND": FALSE}

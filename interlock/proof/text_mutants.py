@@ -135,7 +135,7 @@ def text_mutants(controller: Controller, sample: int) -> Iterator[tuple[Mutation
             line = texts[file].count("\n", 0, place.start) + 1
             differs = ", ".join(f"differs at {d.name}" for d in found.differences[:3])
             fate = Fate.EQUIVALENT if found.proved else Fate.TEXT
-            yield Mutation(kind, kind, f"{file}:{line}", lambda: controller), Verdict(fate, differs)
+            yield Mutation(kind, kind, (f"{file}:{line}",), lambda: controller), Verdict(fate, differs)
 
 
 def _spread(places: list[tuple[str, Place]], sample: int) -> Iterator[tuple[str, Place]]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise
 
+from interlock.logic import names
 from interlock.logic.controller import RouteSymbols
 from interlock.model.elements import NodeId, Position, SectionId
 from interlock.proof import opening
@@ -69,7 +70,7 @@ def pair_run(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driv
             yield from _turn(railway, after)
     for r in run.trains:
         yield from _there(railway, lane, r)
-        if not lane.is_on(f"o.{_before(railway, r)}"):
+        if not lane.is_on(names.STANDS(_before(railway, r))):
             return f"{BEFORE}both trains have to begin in one place"
     failure = yield from _disturbed_for(railway, (run.first, run.second), _used(system, railway, run, lane))
     troubles = lane.troubles()
@@ -79,8 +80,8 @@ def pair_run(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driv
 def _there(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
     """Another train comes to a boundary where the one before has gone on."""
     place = _before(railway, r)
-    if place not in railway.topo.ends and not lane.is_on(f"o.{place}"):
-        yield from _until(lane, f"o.{place}", Wish((f"appear.{place}",)))
+    if place not in railway.topo.ends and not lane.is_on(names.STANDS(place)):
+        yield from _until(lane, names.STANDS(place), Wish((names.APPEARS(place),)))
 
 
 def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
@@ -130,7 +131,7 @@ def _driven(railway: Railway, run: PairRun, lane: Lane) -> Driver:
 def settling(railway: Railway, routes: Sequence[RouteSymbols]) -> list[Wish]:
     """Two scans in which an operator releases everything that is clear, and closes crossings under waiting trains."""
     closing = dict.fromkeys((x for r in routes for x in _closing(railway, _before(railway, r))), 1)
-    return [Wish((), {"RELALL": 1, **closing})] * 2
+    return [Wish((), {names.RELEASE_ALL: 1, **closing})] * 2
 
 
 def _broken(railway: Railway, r: RouteSymbols) -> SectionId | None:
@@ -140,7 +141,7 @@ def _broken(railway: Railway, r: RouteSymbols) -> SectionId | None:
 
 def _disturbed_for(railway: Railway, routes: Sequence[RouteSymbols], run: Driver) -> Driver:
     """A run in which sections are reported occupied by mistake: calling on is for that."""
-    broken = {railway.symbols.clear[s]: 0 for r in routes if (s := _broken(railway, r)) is not None}
+    broken: dict[str, int] = {railway.symbols.clear[s]: 0 for r in routes if (s := _broken(railway, r)) is not None}
     while True:
         try:
             wish = next(run)
@@ -153,12 +154,12 @@ def _disturbed_for(railway: Railway, routes: Sequence[RouteSymbols], run: Driver
 def _opens(railway: Railway, lane: Lane, r: RouteSymbols, steps: int) -> Driver:
     """Asked for, the route is set at once, and its signal opens within some scans."""
     if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), opening.SET)):
-        return "the request is refused: " + _not(lane, f"G_R{r.number}")
+        return "the request is refused: " + _not(lane, names.GRANTED(r.number))
     token = railway.symbols.token.get(_exit(railway, r))
     if token is not None and not r.shunt and not lane.is_on(token.have):
         yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
     if not (yield from _until(lane, r.proceed, NOTHING, steps - opening.SET)):
-        equation = f"CO_R{r.number}" if lane.is_on(r.locked) else f"LK_R{r.number}"
+        equation = names.CONDITIONS(r.number) if lane.is_on(r.locked) else names.LOCKS(r.number)
         return f"the signal does not open within {steps} scans: " + _not(lane, equation)
     return None
 
@@ -179,7 +180,7 @@ def turned(system: System, r: RouteSymbols, standing: dict[str, int]) -> dict[st
         name: value
         for way in (*r.ways, *(() if r.overlap is None else system.symbols.overlap_ways[r.overlap]))
         for m, x in system.symbols.demands[way]
-        for name, value in ((f"at.{m}.{x}", 0), (f"at.{m}.{x.other}", 1))
+        for name, value in ((names.LIES(m, x), 0), (names.LIES(m, x.other), 1))
         if name not in standing
     }
 
@@ -191,7 +192,7 @@ def to_move(system: System, r: RouteSymbols, start: dict[str, int]) -> int:
         m
         for way in (*r.ways, *over)
         for m, x in system.symbols.demands[way]
-        if not start.get(f"at.{m}.{x}", int(x is Position.NORMAL)) or m in opening.devices(system)
+        if not start.get(names.LIES(m, x), int(x is Position.NORMAL)) or m in opening.devices(system)
     }
     return len(wrong)
 
@@ -210,10 +211,10 @@ def _watched(lane: Lane, run: Driver, running: Sequence[RouteSymbols], waiting: 
             failure: str | None = end.value
             return failure
         yield wish
-        outside = [r for r in outside if not lane.is_on(f"o.{r.ways[0][0]}")]
+        outside = [r for r in outside if not lane.is_on(names.STANDS(r.ways[0][0]))]
         for r in (*outside, *waiting):
             if not _is_open(lane, r):
-                why = _not(lane, f"CO_R{r.number}")
+                why = _not(lane, names.CONDITIONS(r.number))
                 return f"the signal of {r.id} falls to stop before its train: {why}"
 
 
@@ -239,7 +240,7 @@ def _merged(runs: Sequence[Driver]) -> Driver:
 def _turn(railway: Railway, r: RouteSymbols) -> Generator[Wish, None, str | None]:
     """The train that has come before a signal turns towards it, if it must."""
     place, node = _before(railway, r), railway.layout.signal[r.entry].node
-    yield Wish(tuple(e for e in railway.plant.events if e.startswith(f"turn.{place}.{node}.")))
+    yield Wish(tuple(e for e in railway.plant.events if e.family is names.TURNS and e.at[:2] == (place, node)))
     return None
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 
+from interlock.logic import names
 from interlock.proof.story import Story
 from interlock.proof.system import System
 
@@ -13,8 +14,8 @@ def views(system: System) -> dict[str, list[list[str]]]:
     sym, layout = system.symbols, system.layout
     out: dict[str, list[list[str]]] = {}
     for s in layout.sections:
-        if f"o.{s.id}" in system.state:
-            out[f"o.{s.id}"] = [["section", s.id, "occupied"]]
+        if names.STANDS(s.id) in system.state:
+            out[names.STANDS(s.id)] = [["section", s.id, "occupied"]]
     for (s_, n), name in sym.lock.items():
         out[name] = [["edge", e, "locked"] for e in system.topo.traversals[s_][n - 1].edges]
     for option, name in sym.overlap.items():
@@ -26,17 +27,17 @@ def views(system: System) -> dict[str, list[list[str]]]:
         out |= {name: [["signal", r.entry, "proceed"]] for name in r.open_while}
     for (m, x), _ in sym.command.items():
         ends = [["point", str(p.id), str(x)] for p in layout.ends_of_machine.get(m, ())]
-        out[f"at.{m}.{x}"] = ends or [["device", str(m), str(x)]]
+        out[names.LIES(m, x)] = ends or [["device", str(m), str(x)]]
     return {n: v for n, v in out.items() if n in set(system.state)}
 
 
 def itf(system: System, story: Story, layout_digest: str, plan: str) -> str:
     """The trace of a story: one state for each of its steps."""
-    names = list(system.state)
-    states = []
+    state: list[str] = list(system.state)
+    states: list[dict[str, object]] = []
     for k, (text, frame) in enumerate(zip(story.steps, story.after, strict=True)):
         true = set(story.frames[frame][0])
-        states.append({"#meta": {"index": k, "text": text}, **{n: n in true for n in names}})
+        states.append({"#meta": {"index": k, "text": text}, **{n: n in true for n in state}})
     body = {
         "#meta": {
             "format": "ITF",
@@ -47,7 +48,7 @@ def itf(system: System, story: Story, layout_digest: str, plan: str) -> str:
             "plan": plan,
             "views": views(system),
         },
-        "vars": names,
+        "vars": state,
         "states": states,
     }
     return json.dumps(body, ensure_ascii=False, indent=1) + "\n"

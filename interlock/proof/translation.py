@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, iff, var, variables
+from interlock.logic.names import Name, computed, spelled
 from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer
 from interlock.proof.engines.z3_sat import Z3Sat
@@ -88,7 +89,7 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
 
 def wires(controller: Controller) -> dict[str, tuple[Expr, Expr]]:
     """By the names that they have in a text: the controller's wires and next values, and what stands for each."""
-    found = {f"N_{e.name}": (e.expr, _next(e.name)) for e in controller.next}
+    found: dict[str, tuple[Expr, Expr]] = {computed(e.name): (e.expr, _next(e.name)) for e in controller.next}
     found |= {e.name: (e.expr, var(e.name)) for e in controller.equations}
     other = {i.name for i in controller.inputs} | {t.name for t in controller.timers}
     for name in other | {s.name for s in controller.state}:
@@ -96,15 +97,19 @@ def wires(controller: Controller) -> dict[str, tuple[Expr, Expr]]:
     return found
 
 
-def _next(state: str) -> Expr:
+def _following(state: Name) -> Name:
+    return spelled(f"next {state}")
+
+
+def _next(state: Name) -> Expr:
     """The next value of a state variable, by a name that no text can have."""
-    return var(f"next {state}")
+    return var(_following(state))
 
 
 def _forget(inst: Instance[Term]) -> None:
     """What a block keeps from the last scan may be anything: whoever reads it before it is written differs."""
     for name, value in inst.values.items():
-        unknown = f"kept {inst.path}{name}"
+        unknown = spelled(f"kept {inst.path}{name}")
         inst.values[name] = var(unknown) if isinstance(value, Expr) else Symbol(unknown)
     for inner in inst.inner.values():
         _forget(inner)
@@ -170,7 +175,7 @@ def compare_scan(controller: Controller, scan: Scan, query_ms: int) -> Translati
 
 def _different(controller: Controller, pairs: list[tuple[str, Expr, Expr]], query_ms: int) -> list[Difference]:
     """Pairs of expressions that differ for some inputs and state, every wire's name written out."""
-    meaning = controller.expanded | {f"next {n}": x for n, x in controller.next_state.items()}
+    meaning = controller.expanded | {_following(n): x for n, x in controller.next_state.items()}
     put = Substitution(meaning)
     open_ = [(n, x, y) for n, a, b in pairs if (x := put(a)) is not (y := put(b))]
     cnf = Cnf()

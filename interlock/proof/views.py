@@ -29,6 +29,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from interlock.logic.expr import AND, NOT, OR, VAR, Expr
+from interlock.logic.names import NONE, Name, Owner
 from interlock.model.bits import bits, bits_of
 from interlock.proof.members import Kind, Members, Routed, Trait
 
@@ -42,22 +43,22 @@ class Placed(Routed, Protocol):
     """A system that tells where its names belong."""
 
     @property
-    def later(self) -> Mapping[str, str]:
+    def later(self) -> Mapping[Name, Name]:
         """The names of next values by those of the state."""
         ...
 
     @property
-    def homes(self) -> Mapping[str, str]:
+    def homes(self) -> Mapping[Name, Owner]:
         """The element of the railway to which a name belongs, if to one."""
         ...
 
     @property
-    def beside(self) -> Mapping[str, tuple[str, ...]]:
+    def beside(self) -> Mapping[Owner, tuple[Owner, ...]]:
         """The elements of which another is a part: the sections of a machine."""
         ...
 
     @property
-    def lamps(self) -> frozenset[str]:
+    def lamps(self) -> frozenset[Name]:
         """What signals show: names of the state."""
         ...
 
@@ -74,7 +75,7 @@ class Scene:
     that it is a part of.  homes: elements that are near.
     """
 
-    homes: tuple[str, ...]
+    homes: tuple[Owner, ...]
     whole: tuple[tuple[int, Expr], ...] = ()
     pieces: tuple[tuple[Expr, Mapping[int, tuple[int, ...]]], ...] = ()
 
@@ -101,7 +102,7 @@ class View:
     crowds: their members, as bits; a crowd's variable is named by its number and its family.
     """
 
-    definitions: Mapping[str, Expr]
+    definitions: Mapping[Name, Expr]
     facts: Sequence[Expr]
     asked: Sequence[tuple[Expr, tuple[int, ...]]]
     crowds: Sequence[int]
@@ -116,14 +117,14 @@ class Group:
 
     node: Expr
     rest: tuple[Expr, ...]
-    members: tuple[tuple[str, int], ...]
+    members: tuple[tuple[Name, int], ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Full:
     """Members of which the definition has just these traits with names."""
 
-    family: str
+    family: Name
     named: tuple[Trait, ...]
     members: int
 
@@ -137,11 +138,11 @@ class Views:
         self.system = system
         self.homes = system.homes
         self.reads = {name: m.read(x)[0] for name, x in m.meaning.items()}
-        self.facts_at: dict[str, list[int]] = {}
-        self.wide_at: dict[str, list[int]] = {}
-        self.alone_at: dict[str, list[int]] = {}
+        self.facts_at: dict[Name, list[int]] = {}
+        self.wide_at: dict[Name, list[int]] = {}
+        self.alone_at: dict[Name, list[int]] = {}
         """Facts that speak of one name."""
-        self.mixed_at: dict[str, list[int]] = {}
+        self.mixed_at: dict[Name, list[int]] = {}
         self.names_of = [m.read(x)[0] for x, _ in m.plain]
         """What each fact about places reads."""
         for n, (x, _) in enumerate(m.plain):
@@ -163,12 +164,12 @@ class Views:
         for at in (self.facts_at, self.mixed_at):
             for v in [v for v, facts in at.items() if len(facts) > HUB]:
                 del at[v]
-        self.traits_at: dict[str, list[Trait]] = {}
-        self.families: dict[str, dict[str, None]] = {}
+        self.traits_at: dict[Name, list[Trait]] = {}
+        self.families: dict[Name, dict[Name, None]] = {}
         """Those that a family's traits read."""
-        self.names_at: dict[tuple[str, str], dict[str, None]] = {}
+        self.names_at: dict[tuple[Name, Owner], dict[Name, None]] = {}
         """The names at an element that a family's traits read."""
-        self.homes_of: dict[Trait, frozenset[str]] = {}
+        self.homes_of: dict[Trait, frozenset[Owner]] = {}
         """The elements of which a trait speaks, if all its names belong to some."""
         for t in m.traits:
             self._enter(t)
@@ -179,8 +180,8 @@ class Views:
         """Facts about crowds, by trait."""
         self.full_at: dict[Trait | None, list[Full]] = {}
         """Definitions of members that a view may see as a whole, by one of their traits with names."""
-        full: dict[tuple[str, tuple[Trait, ...]], int] = {}
-        bare: dict[int, list[tuple[str, tuple[int, ...], bool]]] = {}
+        full: dict[tuple[Name, tuple[Trait, ...]], int] = {}
+        bare: dict[int, list[tuple[Name, tuple[int, ...], bool]]] = {}
         for (family, number), defining in m.defining.items():
             if defining is not None:
                 named = tuple(t for t in defining if t.names)
@@ -219,7 +220,7 @@ class Views:
             self.homes_of[t] = frozenset(h for h in homes if h is not None)
         self.families.setdefault(t.family, {}).update(dict.fromkeys(t.families))
 
-    def families_in(self, x: Expr) -> tuple[str, ...]:
+    def families_in(self, x: Expr) -> tuple[Name, ...]:
         """The families that an expression reads."""
         return tuple(dict.fromkeys(f for f, _ in self.members.read(x)[1]))
 
@@ -245,7 +246,7 @@ class Views:
             of = self.members.of(x) if x.name else None
             return Group(x, (), () if of is None else ((of[0], 1 << of[1]),))
         rest: list[Expr] = []
-        members: dict[str, int] = {}
+        members: dict[Name, int] = {}
         for a in x.args:
             y = a.args[0] if x.op is AND and a.op is NOT else a
             of = None
@@ -258,9 +259,9 @@ class Views:
         return Group(x, tuple(rest), tuple(members.items()))
 
 
-def _apart(m: Members) -> dict[str, dict[int, int]]:
+def _apart(m: Members) -> dict[Name, dict[int, int]]:
     """What the invariants say of two routes; or each of them implies a name, and not both names are true."""
-    against: dict[str, set[str]] = {}
+    against: dict[Name, set[Name]] = {}
     for x, kind in m.plain:
         if kind is _KEPT and x.op is NOT and x.args[0].op is AND and len(x.args[0].args) == 2:
             left, right = ([y.name for y in (a.args if a.op is OR else (a,)) if y.op is VAR] for a in x.args[0].args)
@@ -268,7 +269,7 @@ def _apart(m: Members) -> dict[str, dict[int, int]]:
                 against.setdefault(a, set()).update(right)
             for b in right:
                 against.setdefault(b, set()).update(left)
-    found: dict[str, dict[int, int]] = {}
+    found: dict[Name, dict[int, int]] = {}
     for x, kind in m.mixed:
         sides = _exclusive(m, x) if kind is _KEPT else None
         if sides is not None:
@@ -277,7 +278,7 @@ def _apart(m: Members) -> dict[str, dict[int, int]]:
             for mine, theirs in ((some, rest), (rest, some)):
                 for i in bits_of(mine):
                     among[i] = among.get(i, 0) | theirs
-    implied: dict[str, dict[str, int]] = {}
+    implied: dict[Name, dict[Name, int]] = {}
     for t in m.traits:
         if t.kind is _KEPT and t.expr.op is VAR and t.names and t.expr.name in against:
             implied.setdefault(t.family, {})[t.expr.name] = t.members
@@ -292,18 +293,18 @@ def _apart(m: Members) -> dict[str, dict[int, int]]:
     return found
 
 
-def _exclusive(m: Members, x: Expr) -> tuple[str, int, int] | None:
+def _exclusive(m: Members, x: Expr) -> tuple[Name, int, int] | None:
     """A fact that of some members and others, as bits, not both have a variable of one family true."""
     if x.op is not NOT or x.args[0].op is not AND or len(x.args[0].args) != 2:
         return None
     sides = [[m.of(y) for y in (a.args if a.op is OR else (a,))] for a in x.args[0].args]
-    families = {"" if of is None else of[0] for side in sides for of in side}
-    if len(families) != 1 or "" in families:
+    families = {NONE if of is None else of[0] for side in sides for of in side}
+    if len(families) != 1 or NONE in families:
         return None
     left, right = (bits(of[1] for of in side if of is not None) for side in sides)
     return families.pop(), left, right
 
 
-def _note(at: dict[str, list[int]], names: Iterable[str], n: int) -> None:
+def _note(at: dict[Name, list[int]], names: Iterable[Name], n: int) -> None:
     for v in names:
         at.setdefault(v, []).append(n)

@@ -11,7 +11,9 @@ from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
+from interlock.logic import names
 from interlock.logic.controller import Controller, RouteSymbols, Symbols
+from interlock.logic.names import Name
 from interlock.logic.plant import Plant
 from interlock.model.elements import NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
@@ -171,7 +173,7 @@ def _journey(railway: Railway, r: RouteSymbols, berth: str, onward: tuple[RouteS
     rear = _before(railway, r)
     closing = dict.fromkeys(_closing(railway, rear), 1)
     for _ in range(2):
-        yield Wish((), {"RELALL": 1, **closing})
+        yield Wish((), {names.RELEASE_ALL: 1, **closing})
     failure = yield from _run(railway, lane, r)
     for after in onward:
         if failure is None:
@@ -194,8 +196,8 @@ def _start(railway: Railway, r: RouteSymbols, berth: str) -> dict[str, int] | st
         return f"no train can stand before {r.entry}"
     if any(state.get(name, value) != value for name, value in standing.items()):
         return f"a train before {r.entry} stands on points that the route needs otherwise"
-    there = f"in.{berth}.{railway.topo.ends[SectionId(berth)][0]}" if berth else ""
-    parked = {f"o.{berth}": 1, f"rest.{berth}": 1, there: 1} if berth else {}
+    there = names.CAME(berth, railway.topo.ends[SectionId(berth)][0]) if berth else ""
+    parked = {names.STANDS(berth): 1, names.RESTS(berth): 1, there: 1} if berth else {}
     return state | standing | parked
 
 
@@ -203,7 +205,7 @@ def _run(railway: Railway, lane: Lane, r: RouteSymbols, turning: str = "") -> Dr
     """Set the route, drive it with the train before its signal, and wait for the release behind it."""
     signal = railway.layout.signal[r.entry]
     if turning:
-        turns = tuple(e for e in railway.plant.events if e.startswith(f"turn.{turning}.{signal.node}."))
+        turns = tuple(e for e in railway.plant.events if e.family is names.TURNS and e.at[:2] == (turning, signal.node))
         yield Wish(turns)
     if r.call_on and (failed := _failed_section(railway, r)):
         return (yield from _disturbed(_drive(railway, lane, r, failed), {railway.symbols.clear[failed]: 0}))
@@ -238,7 +240,11 @@ def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | No
     keep = _kept(railway, r, failed)
     after = NOTHING
     if r.call_on:
-        by_hand = {i.name: 1 for i in railway.controller.inputs if i.name.startswith("REL")}
+        by_hand: dict[str, int] = {
+            i.name: 1
+            for i in railway.controller.inputs
+            if i.name == names.RELEASE_ALL or i.name.family is names.RELEASE_BY_HAND
+        }
         after = Wish((), {railway.symbols.cancel[r.entry]: 1, **by_hand})
     for _ in range(MAX_STEPS):
         locked = [s for s in lane.held() if s not in keep]
@@ -254,12 +260,12 @@ def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | No
 def _set(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
     """Ask for a route until its signal is open, and for the direction of the line beyond where that has a token."""
     if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), 2)):
-        return "the request is refused: " + _not(lane, f"G_R{r.number}")
+        return "the request is refused: " + _not(lane, names.GRANTED(r.number))
     token = railway.symbols.token.get(railway.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
     if token is not None and not r.shunt and not lane.is_on(token.have):
         yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
     if not (yield from _until(lane, r.proceed)):
-        return "the signal does not open: " + _not(lane, f"LK_R{r.number}")
+        return "the signal does not open: " + _not(lane, names.LOCKS(r.number))
     return None
 
 
@@ -267,20 +273,19 @@ def _travel(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
     """Drive the train that stands before an open signal to the end of its route."""
     layout, topo = railway.layout, railway.topo
     signal = layout.signal[r.entry]
-    go, accept = ("gos", "accepts") if r.shunt else ("go", "accept")
-    if not (yield from _until(lane, f"{go}.{r.entry}", Wish((f"{accept}.{r.entry}",)))):
+    if not (yield from _until(lane, names.accepted(r.entry, r.shunt), Wish((names.accepts(r.entry, r.shunt),)))):
         return "no train can accept the signal"
     place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
     for section, number in r.ways if r.berth is None else (*r.ways, r.berth):
-        if not (yield from _until(lane, f"o.{section}", Wish((f"head.{joint}.{place}",)))):
+        if not (yield from _until(lane, names.STANDS(section), Wish((names.HEAD(joint, place),)))):
             return f"the train cannot enter {section}"
-        if not (yield from _until_off(lane, f"x.{joint}.{place}", f"tail.{joint}.{place}")):
+        if not (yield from _until_off(lane, names.ACROSS(joint, place), names.TAIL(joint, place))):
             return f"the train's tail does not leave {place}"
         place, joint = section, topo.traversals[section][number - 1].exit
     if _leaves(railway, r):
-        if not (yield from _until(lane, f"x.{joint}.{place}", Wish((f"head.{joint}.{place}",)))):
+        if not (yield from _until(lane, names.ACROSS(joint, place), Wish((names.HEAD(joint, place),)))):
             return f"the train cannot leave at {joint}"
-        if not (yield from _until_off(lane, f"o.{place}", f"tail.{joint}.{place}")):
+        if not (yield from _until_off(lane, names.STANDS(place), names.TAIL(joint, place))):
             return f"the train's tail does not leave {place}"
     return None
 
@@ -312,7 +317,7 @@ def _until(lane: Lane, wanted: str, wish: Wish = NOTHING, limit: int = 12) -> Ge
     return False
 
 
-def _until_off(lane: Lane, name: str, event: str) -> Generator[Wish, None, bool]:
+def _until_off(lane: Lane, name: Name, event: Name) -> Generator[Wish, None, bool]:
     for _ in range(12):
         if not lane.is_on(name):
             return True
@@ -329,14 +334,17 @@ def _lying(railway: Railway, r: RouteSymbols) -> dict[str, int]:
     state: dict[str, int] = {}
     for way in r.ways:
         for m, x in railway.symbols.demands[way]:
-            state |= {f"at.{m}.N": int(x is Position.NORMAL), f"at.{m}.R": int(x is Position.REVERSE)}
+            state |= {
+                names.LIES(m, Position.NORMAL): int(x is Position.NORMAL),
+                names.LIES(m, Position.REVERSE): int(x is Position.REVERSE),
+            }
     return state
 
 
 def _rear(layout: Layout, topo: Topology, node: NodeId, first: SectionId) -> str:
     boundary = layout.boundary_at.get(node)
     if boundary is not None:
-        return boundary.approach or f"outside.{node}"
+        return boundary.approach or names.outside(node)
     rear = topo.beyond(first, node)
     assert rear is not None
     return rear
@@ -345,12 +353,15 @@ def _rear(layout: Layout, topo: Topology, node: NodeId, first: SectionId) -> str
 def _stand(railway: Railway, rear: str, node: NodeId) -> dict[str, int] | None:
     """A railway with one train at rest before the signal, points lying for it."""
     if rear not in railway.topo.ends:
-        return {f"o.{rear}": 1}
+        return {names.STANDS(rear): 1}
     for t in railway.topo.traversals[SectionId(rear)]:
         if t.exit == node:
-            state = {f"o.{rear}": 1, f"in.{rear}.{t.entry}": 1, f"rest.{rear}": 1}
+            state: dict[str, int] = {names.STANDS(rear): 1, names.CAME(rear, t.entry): 1, names.RESTS(rear): 1}
             for p, x in t.points:
                 m = railway.layout.point[p].machine
-                state |= {f"at.{m}.N": int(x is Position.NORMAL), f"at.{m}.R": int(x is Position.REVERSE)}
+                state |= {
+                    names.LIES(m, Position.NORMAL): int(x is Position.NORMAL),
+                    names.LIES(m, Position.REVERSE): int(x is Position.REVERSE),
+                }
             return state
     return None

@@ -11,10 +11,13 @@ from dataclasses import dataclass, field
 from functools import reduce
 from operator import or_
 
+from interlock.logic import names
 from interlock.logic.bits import Bits
 from interlock.logic.controller import Controller
 from interlock.logic.expr import Substitution, evaluate, var
+from interlock.logic.names import Name
 from interlock.logic.plant import Plant
+from interlock.model.elements import Position
 from interlock.sim.run import independent
 
 
@@ -22,7 +25,7 @@ from interlock.sim.run import independent
 class Wish:
     """What a run wants of a step: events, and inputs that differ from an undisturbed railway; numbers for ranges."""
 
-    events: tuple[str, ...] = ()
+    events: tuple[Name, ...] = ()
     inputs: Mapping[str, int] = field(default_factory=dict)
 
 
@@ -69,6 +72,10 @@ class Lane:
         return [t.note or t.kind for t in found.terms if not evaluate(sub(t.expr), value, memo)]
 
 
+_MOVES = (names.STANDS, names.LIES, names.TELEGRAM, names.ON_LINE)
+"""What of the railway moves before its inputs are read."""
+
+
 class Lanes:
     """The runs.  Compile once, then `run` batch after batch."""
 
@@ -77,19 +84,20 @@ class Lanes:
         self.controller, self.plant, self.dt_ms, self._record = controller, plant, dt_ms, record
         meaning = {e.name: e.expr for e in controller.equations} | plant.events.definitions
         sym = controller.symbols
-        self.sizes = {i.name: i.size for i in controller.inputs if i.size}
-        self._rest = {i.name: i.restrictive for i in controller.inputs}
-        self._moves = {f"?start.{m}.{x}": sym.drive[m, x.other] for m, x in sym.drive}
-        self._arrivals = [c for c in plant.choices if c.startswith("?arrive.")]
-        moves = {n: e for n, e in plant.next.items() if n.startswith(("o.", "at.", "tel.", "line."))}
+        self.sizes: dict[str, int] = {i.name: i.size for i in controller.inputs if i.size}
+        self._rest: dict[str, int] = {i.name: i.restrictive for i in controller.inputs}
+        self._moves = {names.choice(names.MACHINE_STARTS(m, x)): sym.drive[m, x.other] for m, x in sym.drive}
+        self._arrivals = [c for c in plant.choices if c.family is names.MACHINE_ARRIVES]
+        moves = {n: e for n, e in plant.next.items() if n.family in _MOVES}
         self._timers = [*independent(controller)]
         waits = [{t.name: var(t.input) for t in group} for group in self._timers]
         scan = {e.name: e.expr for e in controller.next}
         shows = Substitution(scan)
         roots = plant.next | scan | {x.name: shows(x.expr) for x in controller.outputs}
-        rules = {f"{i} {a.id}": a.expr for i, a in enumerate(plant.assumptions)}
-        hazards = {f"{h.id} {h.place}": h.expr for h in plant.hazards}
-        self._kept, self._rules, self._hazards = frozenset(roots), tuple(rules), tuple(hazards)
+        rules = {names.spelled(f"{i} {a.id}"): a.expr for i, a in enumerate(plant.assumptions)}
+        hazards = {names.spelled(f"{h.id} {h.place}"): h.expr for h in plant.hazards}
+        self._kept, self._hazards = frozenset(roots), tuple(hazards)
+        self._rules = dict(zip(rules, (a.id for a in plant.assumptions), strict=True))
         self._wires = {e.name: e.expr for e in controller.equations} if record is not None else {}
         self._computed = Bits(moves, *waits, roots | rules | hazards | self._wires, meaning=meaning)
         """How the railway moves, what timers wait for, then all that is next."""
@@ -111,17 +119,17 @@ class Lanes:
         self.state |= {x.name: self.mask if x.restrictive else 0 for x in self.controller.outputs}
         self.state |= dict.fromkeys(self.plant.next, 0)
         for name in self.plant.state:
-            if name.startswith("img.") or (name.startswith("at.") and name.endswith(".N")):
+            if name.family is names.IMAGE or (name.family is names.LIES and name.at[1] == Position.NORMAL):
                 self.state[name] = self.mask
         for number, start in enumerate(starts):
-            for name, value in start.items():
-                bit = 1 << number
-                self.state[name] = self.state[name] | bit if value else self.state[name] & ~bit
+            bit = 1 << number
+            for given, value in start.items():
+                self.state[given] = self.state[given] | bit if value else self.state[given] & ~bit
         self.troubles = {}
         self._held = None
         self._running: dict[str, list[tuple[int, int]]] = {t.name: [] for t in self.controller.timers}
         self._clock = 0
-        self.state["PWR"] = self.mask
+        self.state[names.POWERED] = self.mask
         symbols = (
             self.controller.symbols
         )  # runs begin when the restart delay is over; what is clear then, long has been
@@ -177,37 +185,36 @@ class Lanes:
         for lane, wish in wanted:
             lane.count += 1
             for e in wish.events:
-                if "?" + e in values:
-                    values["?" + e] |= lane.bit
+                if names.choice(e) in values:
+                    values[names.choice(e)] |= lane.bit
         moved = self._computed(values, m)
         for s, name in sym.clear.items():
-            there = moved.get(f"o.{s}", 0)
+            there = moved.get(names.STANDS(s), 0)
             values[name] = m ^ there if there else m
         for (machine, x), name in sym.detected.items():
-            values[name] = moved[f"at.{machine}.{x}"]
+            values[name] = moved[names.LIES(machine, x)]
         values[sym.valid] = m
         values |= dict.fromkeys(sym.blocked.values(), 0)
         lamps = (*sym.stop_lamp.values(), *sym.clear_lamp.values(), *sym.caution_lamp.values())
         values |= dict.fromkeys((*sym.condition.values(), *sym.healthy.values(), *lamps), m)
         for b, wire in sym.token.items():
-            values |= {wire.gives: moved[f"tel.gives.{b}"], wire.has: moved[f"tel.has.{b}"]}
-            values[wire.keeps] = m ^ moved[f"tel.gives.{b}"]
+            values |= {wire.gives: moved[names.TELEGRAM(b, "gives")], wire.has: moved[names.TELEGRAM(b, "has")]}
+            values[wire.keeps] = m ^ moved[names.TELEGRAM(b, "gives")]
             values[wire.clear] = m ^ reduce(or_, (moved.get(n, 0) for n in self.plant.on_line(b)))
         for lane, wish in wanted:
-            for name, value in wish.inputs.items():
-                if name in self.sizes:
-                    values[f"{name}={self._rest[name]}"] &= ~lane.bit
-                    values[f"{name}={value}"] |= lane.bit
+            for given, value in wish.inputs.items():
+                if given in self.sizes:
+                    values[f"{given}={self._rest[given]}"] &= ~lane.bit
+                    values[f"{given}={value}"] |= lane.bit
                 else:
-                    values[name] = values[name] | lane.bit if value else values[name] & ~lane.bit
+                    values[given] = values[given] | lane.bit if value else values[given] & ~lane.bit
         self._run_timers(values)
         after = self._computed(values, m, len(self._timers) + 1)
         if self._record is not None:
             self._record(values | {w: after[w] for w in self._wires}, sum(lane.bit for lane, _ in wanted))
-        for rule in self._rules:
+        for rule, broken in self._rules.items():
             if after[rule] != m:
-                name = rule.split(" ", 1)[1]
-                self.troubles[name] = self.troubles.get(name, 0) | (m ^ after[rule])
+                self.troubles[broken] = self.troubles.get(broken, 0) | (m ^ after[rule])
         for name in self._hazards:
             if after[name]:
                 self.troubles[name] = self.troubles.get(name, 0) | after[name]

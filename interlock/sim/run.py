@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from interlock.logic import names
 from interlock.logic.compile import compile_exprs
 from interlock.logic.controller import Controller, Equation, Timer
 from interlock.logic.expr import Substitution, evaluate
+from interlock.logic.names import Name
 from interlock.logic.on_delay import on_delay
 from interlock.logic.plant import Plant
+from interlock.model.elements import Position
 
 
 class Simulator:
@@ -21,7 +24,7 @@ class Simulator:
         flat = plant.flat
         self._events = compile_exprs(flat.events)
         # the plant's next state, except the parts that depend on this scan's inputs (img.*)
-        self._move = compile_exprs({n: e for n, e in flat.next.items() if not n.startswith("img.")})
+        self._move = compile_exprs({n: e for n, e in flat.next.items() if n.family is not names.IMAGE})
         self._timers = [
             (group, compile_exprs({t.name: controller.expanded[t.input] for t in group}))
             for group in independent(controller)
@@ -39,11 +42,11 @@ class Simulator:
         self.state |= {x.name: int(x.restrictive) for x in self.controller.outputs}
         self.state |= dict.fromkeys(self.plant.next, 0)
         for name in self.plant.state:
-            if name.startswith("img.") or (name.startswith("at.") and name.endswith(".N")):
+            if name.family is names.IMAGE or (name.family is names.LIES and name.at[1] == Position.NORMAL):
                 self.state[name] = 1
         self.state |= plant_state
         self.elapsed: dict[str, int | None] = {t.name: None for t in self.controller.timers}
-        self.state["PWR"] = 1  # runs begin when the restart delay is over
+        self.state[names.POWERED] = 1  # runs begin when the restart delay is over
         symbols = self.controller.symbols  # all that is clear then has been clear all the while
         for name in (symbols.restart_timer, *symbols.release_timer.values()):
             self.elapsed[name] = max(t.preset_ms for t in self.controller.timers)
@@ -56,21 +59,21 @@ class Simulator:
         """The value of a state variable of controller or plant."""
         return bool(self.state[name])
 
-    def step(self, events: Iterable[str] = (), inputs: dict[str, int] | None = None) -> None:
+    def step(self, events: Iterable[Name] = (), inputs: dict[str, int] | None = None) -> None:
         """One step: the wanted events (if possible), true inputs with `inputs` on top, one scan."""
         self.count += 1
         values = dict(self.state) | self._choices
         for e in events:
-            values["?" + e] = 1
+            values[names.choice(e)] = 1
         for i in self.controller.inputs:
             values[i.name] = i.restrictive
         for t in self.controller.timers:
             values[t.name] = 0
         moved = self._move(values)
         for s in self.controller.symbols.clear:
-            values[self.controller.symbols.clear[s]] = int(not moved.get(f"o.{s}", False))
+            values[self.controller.symbols.clear[s]] = int(not moved.get(names.STANDS(s), False))
         for (m, x), name in self.controller.symbols.detected.items():
-            values[name] = int(moved[f"at.{m}.{x}"])
+            values[name] = int(moved[names.LIES(m, x)])
         values[self.controller.symbols.valid] = 1
         for name in self.controller.symbols.blocked.values():
             values[name] = 0
@@ -79,8 +82,11 @@ class Simulator:
         for name in (*sym.condition.values(), *sym.healthy.values(), *lamps):
             values[name] = 1
         for b, wire in sym.token.items():
-            values |= {wire.gives: int(moved[f"tel.gives.{b}"]), wire.has: int(moved[f"tel.has.{b}"])}
-            values[wire.keeps] = int(not moved[f"tel.gives.{b}"])
+            values |= {
+                wire.gives: int(moved[names.TELEGRAM(b, "gives")]),
+                wire.has: int(moved[names.TELEGRAM(b, "has")]),
+            }
+            values[wire.keeps] = int(not moved[names.TELEGRAM(b, "gives")])
             values[wire.clear] = int(not any(moved.get(n) for n in self.plant.on_line(b)))
         values |= inputs or {}
         self._run_timers(values)
@@ -94,7 +100,7 @@ class Simulator:
         self.state = {**self.state, **{k: int(v) for k, v in moved.items()}, **{k: int(v) for k, v in new.items()}}
         for s, name in self.controller.symbols.clear.items():
             healthy = s not in sym.healthy or values[sym.healthy[s]]
-            self.state[f"img.{s}"] = int(not (valid and values[name] and healthy))
+            self.state[names.IMAGE(s)] = int(not (valid and values[name] and healthy))
 
     def missing(self, equation: str) -> list[str]:
         """The terms of an equation that were false in the last scan, in words."""

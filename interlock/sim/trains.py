@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
+from interlock.logic import names
+from interlock.logic.names import Name
 from interlock.model.elements import BoundaryKind, NodeId, Position, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Traversal, topology
@@ -67,7 +69,7 @@ class Rails:
         b = self.boundary[NodeId(boundary)]
         if b.kind is BoundaryKind.OUT:
             raise KeyError(boundary)
-        return Spot(b.approach or f"outside.{b.node}", b.node, b.node, 0.0)
+        return Spot(b.approach or names.outside(b.node), b.node, b.node, 0.0)
 
     def beyond(self, spot: Spot) -> SectionId | None:
         """What lies beyond the joint to which a train runs."""
@@ -82,7 +84,7 @@ class Rails:
     def into(self, lane: Lane, section: SectionId, joint: NodeId) -> Spot:
         """The way on which a train is that came in at a joint, as the points lie."""
         for t in self.topo.through(section, joint):
-            if all(lane.is_on(f"at.{self.machine[p]}.{x}") for p, x in t.points):
+            if all(lane.is_on(names.LIES(self.machine[p], x)) for p, x in t.points):
                 return self.spot(t)
         return Spot(section, joint, joint, 1e9)  # on points that lie nowhere it never comes to the end
 
@@ -90,15 +92,18 @@ class Rails:
         """The plant's state with a train that has stood on some ways since the restart, the rear first."""
         state: dict[str, int] = {}
         for t in ways:
-            state |= {f"o.{t.section}": 1, f"in.{t.section}.{t.entry}": 1, f"rest.{t.section}": 1}
+            state |= {names.STANDS(t.section): 1, names.CAME(t.section, t.entry): 1, names.RESTS(t.section): 1}
             for p, x in t.points:
                 m = self.machine[p]
-                state |= {f"at.{m}.N": int(x is Position.NORMAL), f"at.{m}.R": int(x is Position.REVERSE)}
-        return state | {f"x.{t.exit}.{t.section}": 1 for t in ways[:-1]}
+                state |= {
+                    names.LIES(m, Position.NORMAL): int(x is Position.NORMAL),
+                    names.LIES(m, Position.REVERSE): int(x is Position.REVERSE),
+                }
+        return state | {names.ACROSS(t.exit, t.section): 1 for t in ways[:-1]}
 
     # --- a scan --------------------------------------------------------------------------------
 
-    def wishes(self, lane: Lane, train: Train) -> Iterator[str]:
+    def wishes(self, lane: Lane, train: Train) -> Iterator[Name]:
         """What a train does in the next scan, if it can; `moved` says afterwards what it did."""
         if train.gone:
             return
@@ -107,52 +112,52 @@ class Rails:
             return
         head = train.under[-1]
         if not train.there:
-            if not lane.is_on(f"o.{head.section}"):
-                yield f"appear.{head.section}"
+            if not lane.is_on(names.STANDS(head.section)):
+                yield names.APPEARS(head.section)
                 train.comes = True
             return
         train.done += train.speed_m
         if head.section != BEYOND:
             train.done = min(train.done, head.metres)
         if len(train.under) > 1 and train.past_rear >= train.length_m:
-            yield f"tail.{train.under[0].exit}.{train.under[0].section}"
+            yield names.TAIL(train.under[0].exit, train.under[0].section)
         elif head.section != BEYOND and train.done >= head.metres:
             yield from self._on(lane, train, head)
 
-    def _on(self, lane: Lane, train: Train, head: Spot) -> Iterator[str]:
+    def _on(self, lane: Lane, train: Train, head: Spot) -> Iterator[Name]:
         if head.section in train.turns and len(train.under) == 1:
-            yield f"turn.{head.section}.{head.entry}.{head.exit}"
+            yield names.TURNS(head.section, head.entry, head.exit)
             return
         beyond = self.beyond(head)
         signal = None if beyond is None else self.topo.main_into.get((head.exit, beyond))
-        if signal is not None and not lane.is_on(f"go.{signal}"):
-            yield f"accept.{signal}"
+        if signal is not None and not lane.is_on(names.ACCEPTED(signal)):
+            yield names.ACCEPTS(signal)
         elif beyond is not None or head.exit in self.boundary:
-            yield f"head.{head.exit}.{head.section}"
+            yield names.HEAD(head.exit, head.section)
 
     def moved(self, lane: Lane, train: Train) -> None:
         """Take over what happened in the scan."""
         if not train.there:
-            train.there = train.comes and lane.is_on(f"o.{train.under[0].section}")
+            train.there = train.comes and lane.is_on(names.STANDS(train.under[0].section))
             train.comes = False
             return
         if train.gone or not train.under:
             return
         head, rear = train.under[-1], train.under[0]
-        if len(train.under) > 1 and not lane.is_on(f"x.{rear.exit}.{rear.section}"):
+        if len(train.under) > 1 and not lane.is_on(names.ACROSS(rear.exit, rear.section)):
             train.under.pop(0)
             train.gone = train.under[0].section == BEYOND
         if head.section == BEYOND:
             return
         beyond = self.beyond(head)
         leads_on = beyond is not None or head.exit in self.boundary
-        if leads_on and lane.is_on(f"x.{head.exit}.{head.section}"):
+        if leads_on and lane.is_on(names.ACROSS(head.exit, head.section)):
             out = Spot(BEYOND, head.exit, head.exit, 1e9)
             train.under.append(out if beyond is None else self.into(lane, beyond, head.exit))
             train.done = 0.0
         elif head.section in train.turns and len(train.under) == 1:
             berth = SectionId(head.section) in self.topo.berths
-            if (berth and train.done >= head.metres) or lane.is_on(f"in.{head.section}.{head.exit}"):
+            if (berth and train.done >= head.metres) or lane.is_on(names.CAME(head.section, head.exit)):
                 train.turns.discard(head.section)
                 train.under[:] = [Spot(head.section, head.exit, head.entry, head.metres)]
                 train.done = min(head.metres, train.length_m)

@@ -11,6 +11,7 @@ from collections.abc import Collection, Sequence
 
 from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
+from interlock.logic.names import computed
 from interlock.model.portable import portable
 from interlock.st.ast import (
     Assign,
@@ -39,7 +40,9 @@ def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS
     """The whole text of a controller as a tree; `rows`: of equations and declarations in a computing block."""
     prefix = f"IL_{portable(controller.name)}"
     ranges = {i.name for i in controller.inputs if i.size}
-    following = {e.name: Equation(f"N_{e.name}", e.join, e.terms, e.group, f"next: {e.note}") for e in controller.next}
+    following = {
+        e.name: Equation(computed(e.name), e.join, e.terms, e.group, f"next: {e.note}") for e in controller.next
+    }
     pieces = _cut(by_place(controller.steps, following), rows)
     blocks: list[Block] = []
     where: dict[str, Name] = {i.name: Name((i.name,)) for i in controller.inputs}
@@ -141,7 +144,7 @@ class _Named(dict[str, tuple[Name, Declaration]]):
 def _computing(name: str, equations: Sequence[Equation], named: _Named) -> Block:
     made = {e.name for e in equations}
     reads = {n: None for e in equations for n in e.reads if n not in made}
-    where = {n: named[n][0] for n in [*reads, *made]}
+    where: dict[str, Name] = {n: named[n][0] for n in [*reads, *made]}
     extra: list[Declaration] = []
     body: list[Statement] = []
     for e in equations:

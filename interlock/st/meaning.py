@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import Generic, Protocol, TypeVar
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
+from interlock.logic.names import spelled
 from interlock.logic.on_delay import on_delay
 from interlock.st.ast import (
     Assign,
@@ -281,7 +282,7 @@ class Symbols:
     def compare(self, op: str, a: Term, b: Term) -> Term:
         """Equality of a named integer with a constant; nothing else occurs in the subset."""
         if isinstance(a, Symbol) and isinstance(b, Constant) and op in ("=", "<>"):
-            same = eq(a.name, b.value)
+            same = eq(spelled(a.name), b.value)
             return same if op == "=" else neg(same)
         raise BadText(f"a comparison outside the subset: {op}")
 
@@ -297,4 +298,4 @@ class Symbols:
         if not isinstance(preset, Constant) or name in self.timers:
             raise BadText(f"timer {own} is called twice or without a constant time")
         self.timers[name] = (self._bool(on), preset.value)
-        return var(name)
+        return var(spelled(name))

@@ -11,11 +11,12 @@ from collections import deque
 from collections.abc import Mapping, Sequence
 
 from interlock.logic.controller import Equation, Step, Timer
+from interlock.logic.names import Name
 
 HUB = 60  # a group that is read by more groups than this says nothing about what lies together
 
 
-def by_place(steps: Sequence[Step], following: Mapping[str, Equation]) -> list[Step]:
+def by_place(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[Step]:
     """The steps of a scan and, by state variable, the equations of the next values, place by place.
 
     Every step comes after those that it reads.  Timers stand after what they wait for and before what waits for them.
@@ -30,7 +31,7 @@ def by_place(steps: Sequence[Step], following: Mapping[str, Equation]) -> list[S
     for k in range(max(stage.values(), default=0) + 1):
         here = [s for s in every if stage[s.name] == k]
         wires = [s for s in here if isinstance(s, Equation)]
-        done: dict[str, None] = {}
+        done: dict[Name, None] = {}
         names = {e.name for e in wires}
         for root in sorted(wires, key=lambda e: place[e.group]):
             _after_inputs(root.name, reads, names, done)
@@ -39,14 +40,14 @@ def by_place(steps: Sequence[Step], following: Mapping[str, Equation]) -> list[S
     return out
 
 
-def _reads(s: Step) -> tuple[str, ...]:
+def _reads(s: Step) -> tuple[Name, ...]:
     return s.reads if isinstance(s, Equation) else (s.input,)
 
 
-def _stages(every: Sequence[Step], reads: dict[str, tuple[str, ...]]) -> dict[str, int]:
+def _stages(every: Sequence[Step], reads: dict[Name, tuple[Name, ...]]) -> dict[Name, int]:
     """How many timers stand one behind the other before each step; a timer closes the stage of what it waits for."""
-    stage: dict[str, int] = {}
-    behind: dict[str, int] = {}  # by a timer, or what stands behind one: the stage of what reads it
+    stage: dict[Name, int] = {}
+    behind: dict[Name, int] = {}  # by a timer, or what stands behind one: the stage of what reads it
     for s in every:
         late = [behind[n] for n in reads[s.name] if n in behind]
         stage[s.name] = k = max(late) if late else 0
@@ -55,7 +56,7 @@ def _stages(every: Sequence[Step], reads: dict[str, tuple[str, ...]]) -> dict[st
     return stage
 
 
-def _after_inputs(root: str, reads: dict[str, tuple[str, ...]], among: set[str], done: dict[str, None]) -> None:
+def _after_inputs(root: Name, reads: dict[Name, tuple[Name, ...]], among: set[Name], done: dict[Name, None]) -> None:
     """Add a step to those that are done, what it reads before it."""
     stack = [root]
     while stack:
@@ -67,7 +68,7 @@ def _after_inputs(root: str, reads: dict[str, tuple[str, ...]], among: set[str],
             done.setdefault(stack.pop())
 
 
-def _places(reads: dict[str, tuple[str, ...]], group: dict[str, str]) -> dict[str, int]:
+def _places(reads: dict[Name, tuple[Name, ...]], group: dict[Name, str]) -> dict[str, int]:
     """Groups of equations by the order in which a walk over what reads each other comes to them.
 
     `group`: of each equation, and of each state variable.

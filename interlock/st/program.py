@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from interlock.logic.cabinet import Allocation
-from interlock.logic.controller import Controller
+from interlock.logic.controller import Controller, Input
 from interlock.logic.on_delay import CYCLE_MAX_MS
 from interlock.model.portable import portable
 from interlock.st.ast import Assign, Block, Bool, Call, Declaration, Expression, Int, Name, Nary, Not, Task, Time, Unit
@@ -88,8 +88,8 @@ def io_task(controller: Controller) -> Task:
 def io_program(controller: Controller, a: Allocation, header: Sequence[str]) -> Unit:
     """The watch and the program; the interlocking itself stands in a file of its own."""
     prefix = f"IL_{portable(controller.name)}"
-    sizes = {i.name: i for i in controller.inputs}
-    notes = {o.name: o.note for o in controller.outputs}
+    sizes: dict[str, Input] = {i.name: i for i in controller.inputs}
+    notes: dict[str, str] = {o.name: o.note for o in controller.outputs}
     guard, clock = watch(f"{prefix}_WATCH"), cycle(f"{prefix}_CYCLE")
     valid = controller.symbols.valid
     declared = [

@@ -28,7 +28,7 @@ from interlock.proof.invariants import CLAIMS
 from interlock.proof.mutation.campaign import Campaign
 from interlock.proof.mutation.judge import Fate, Verdict
 from interlock.proof.mutation.points import Mutation
-from interlock.proof.mutation.survivors import listed, off_the_list, shape
+from interlock.proof.mutation.survivors import listed, off_the_list
 from interlock.table.rows import InterlockingTable
 from tests.layouts import SHIPPED, built, grown
 
@@ -106,7 +106,7 @@ def table(found: dict[str, Verdicts]) -> Iterator[str]:
     words = CLAIMS | FUNCTIONS
     for what, n in killed.most_common():
         yield f"| {what} | {n} | {words.get(what, '')} |"
-    left = Counter(shape(m.name) for m, v in every if v.fate is Fate.SURVIVES)
+    left = Counter(m.shape for m, v in every if v.fate is Fate.SURVIVES)
     yield "\n## Survivors\n"
     part = 100 * left.total() / len(every)
     yield (
@@ -143,7 +143,7 @@ def main() -> int:
     if missing or set(args.layouts) != {*SHIPPED, YARD}:
         print(f"no table: {'verdicts are missing of ' + ', '.join(missing) if missing else 'not all layouts'}")
     else:
-        alive = {shape(m.name) for m, v in every if v.fate is Fate.SURVIVES}
+        alive = {m.shape for m, v in every if v.fate is Fate.SURVIVES}
         wrong += [f"is on the list, and survives nowhere: {change}" for change in listed() if change not in alive]
         count = sum(v.fate is Fate.SURVIVES for _, v in every)
         if 100 * count > len(every):

@@ -26,7 +26,7 @@ def _csv(rows: list[tuple[object, ...]]) -> str:
 
 def channels_csv(controller: Controller, a: Allocation) -> str:
     """The wiring list: one row for each channel, cabinet by cabinet, the spare ones too."""
-    start = {o.name: str(int(o.restrictive)) for o in controller.outputs}
+    start: dict[str, str] = {o.name: str(int(o.restrictive)) for o in controller.outputs}
     used = {(c.direction, c.byte, c.bit): c for c in (*a.heartbeats, *a.channels)}
     rows: list[tuple[object, ...]] = [HEADINGS]
     first = {"I": 0, "Q": 0}

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from interlock.logic import names
 from interlock.logic.controller import Join, Output, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Signal, SignalId
-from interlock.model.portable import portable
 from interlock.model.principles import Caution
 from interlock.table.rows import RouteKind, RouteRow, Shows
 
@@ -26,94 +26,101 @@ def lamp_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Proceed needs a lamp to show it; the most restrictive proceed lamp is the last (R11)."""
     if not d.layout.principles.lamp_proof or r.kind is not RouteKind.MAIN:
         return []
-    lamp, word = ("CL", "caution") if cautions(d) else ("GL", "clear")
-    return [Term(var(f"{lamp}_{portable(r.entry)}"), "proceed lamp intact", f"{word} lamp of {r.entry} intact")]
+    lamp, word = (names.CAUTION_LAMP, "caution") if cautions(d) else (names.CLEAR_LAMP, "clear")
+    return [Term(var(lamp(r.entry)), "proceed lamp intact", f"{word} lamp of {r.entry} intact")]
 
 
-def _opens(d: Draft, g: SignalId, prefix: str) -> Expr:
-    return disj(var(f"{prefix}_R{r.number}") for r in d.routes_from[g] if r.kind is RouteKind.MAIN)
+def _opens(d: Draft, g: SignalId, family: names.Family) -> Expr:
+    return disj(var(family(r.number)) for r in d.routes_from[g] if r.kind is RouteKind.MAIN)
 
 
 def keep(d: Draft) -> None:
     """Next values of the clear aspects."""
     for g in d.open_for_trains if cautions(d) else ():
-        n = portable(g)
         ways = []
         for r in d.routes_from[g]:
             if r.kind is RouteKind.MAIN and r.aspect.shows in (Shows.CLEAR, Shows.NEXT):
-                onward = [_opens(d, r.aspect.next, "PR")] if r.aspect.next is not None else []
-                ways.append(conj((var(f"PR_R{r.number}"), *onward)))
-        terms = [Term(_opens(d, g, "PR"), "open"), Term(disj(ways), "next signal open", "the way beyond is open")]
+                onward = [_opens(d, r.aspect.next, names.OPENS)] if r.aspect.next is not None else []
+                ways.append(conj((var(names.OPENS(r.number)), *onward)))
+        terms = [
+            Term(_opens(d, g, names.OPENS), "open"),
+            Term(disj(ways), "next signal open", "the way beyond is open"),
+        ]
         if d.layout.principles.lamp_proof:
-            terms.append(Term(var(f"GL_{n}"), "clear lamp intact", f"clear lamp of {g} intact"))
-        d.kept(f"C_{n}", False, f"{g} shows clear", Join.ALL, terms, f"signal {g}")
+            terms.append(Term(var(names.CLEAR_LAMP(g)), "clear lamp intact", f"clear lamp of {g} intact"))
+        d.kept(names.SHOWS_CLEAR(g), False, f"{g} shows clear", Join.ALL, terms, f"signal {g}")
 
 
-def lamps(d: Draft) -> dict[str, dict[SignalId, str]]:
+def lamps(d: Draft) -> dict[str, dict[SignalId, names.Name]]:
     """The outputs of each signal's lamps, as `Symbols` names them."""
     signals = [g for g in d.layout.signals if d.routes_from[g.id]]
     calls = [g for g in signals if any(r.kind is RouteKind.CALL_ON for r in d.routes_from[g.id])]
 
-    def each(prefix: str, shown_by: Sequence[Signal]) -> dict[SignalId, str]:
-        return {g.id: f"{prefix}_{portable(g.id)}" for g in shown_by}
+    def each(family: names.Family, shown_by: Sequence[Signal]) -> dict[SignalId, names.Name]:
+        return {g.id: family(g.id) for g in shown_by}
 
     mains = [g for g in signals if g.main]
     return {
-        "clear_aspect": each("YP", mains),
-        "caution_aspect": each("YY", mains if cautions(d) else []),
-        "call_aspect": each("YO", calls),
-        "shunt_aspect": each("YW", [g for g in signals if g.shunt]),
-        "stop_aspect": each("YS", signals),
+        "clear_aspect": each(names.CLEAR_ASPECT, mains),
+        "caution_aspect": each(names.CAUTION_ASPECT, mains if cautions(d) else []),
+        "call_aspect": each(names.CALL_ASPECT, calls),
+        "shunt_aspect": each(names.SHUNT_ASPECT, [g for g in signals if g.shunt]),
+        "stop_aspect": each(names.STOP_ASPECT, signals),
     }
 
 
-def speeds(d: Draft, g: SignalId) -> dict[int, str]:
+def speeds(d: Draft, g: SignalId) -> dict[int, names.Name]:
     """The speeds that a signal can show, each with the name of its output."""
     found = {r.speed.kmh for r in d.routes_from[g] if r.kind is RouteKind.MAIN and r.speed.kmh is not None}
-    return {kmh: f"YV{kmh}_{portable(g)}" for kmh in sorted(found)}
+    return {kmh: names.SPEED_ASPECT(g, kmh) for kmh in sorted(found)}
 
 
 def outputs(d: Draft) -> None:
     """The lamps of every signal: stop, caution, clear, shunt, call-on; what a distant signal shows."""
     for signal in d.layout.signals:
-        n, routes = portable(signal.id), d.routes_from[signal.id]
+        routes = d.routes_from[signal.id]
         if not routes:
             continue
-        mains = disj((_opens(d, signal.id, "S"), *_passing(routes, RouteKind.MAIN)))
-        whites = [var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.SHUNT]
+        mains = disj((_opens(d, signal.id, names.SHOWING), *_passing(routes, RouteKind.MAIN)))
+        whites = [var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.SHUNT]
         shunts = disj([*whites, *_passing(routes, RouteKind.SHUNT)])
         if signal.main:
             clear = _clear(d, signal.id)
-            d.outputs.append(Output(f"YP_{n}", clear, False, f"signal {signal.id}: clear (green)"))
+            d.outputs.append(Output(names.CLEAR_ASPECT(signal.id), clear, False, f"signal {signal.id}: clear (green)"))
             if cautions(d):
                 caution = conj((mains, neg(clear)))
-                d.outputs.append(Output(f"YY_{n}", caution, False, f"signal {signal.id}: caution (yellow)"))
+                d.outputs.append(
+                    Output(names.CAUTION_ASPECT(signal.id), caution, False, f"signal {signal.id}: caution (yellow)")
+                )
         for kmh, name in speeds(d, signal.id).items():
             over = [r for r in routes if r.kind is RouteKind.MAIN and r.speed.kmh == kmh]
-            shown = disj([*(var(f"S_R{r.number}") for r in over), *_passing(over, RouteKind.MAIN)])
+            shown = disj([*(var(names.SHOWING(r.number)) for r in over), *_passing(over, RouteKind.MAIN)])
             d.outputs.append(Output(name, shown, False, f"signal {signal.id}: speed indicator {kmh} km/h"))
         if signal.shunt:
-            d.outputs.append(Output(f"YW_{n}", shunts, False, f"signal {signal.id}: shunt (white)"))
-        calls = [var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.CALL_ON]
+            d.outputs.append(Output(names.SHUNT_ASPECT(signal.id), shunts, False, f"signal {signal.id}: shunt (white)"))
+        calls = [var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.CALL_ON]
         if calls:
-            d.outputs.append(Output(f"YO_{n}", disj(calls), False, f"signal {signal.id}: call-on, beside stop"))
+            d.outputs.append(
+                Output(names.CALL_ASPECT(signal.id), disj(calls), False, f"signal {signal.id}: call-on, beside stop")
+            )
         stop = neg(disj((mains, shunts)))
-        d.outputs.append(Output(f"YS_{n}", stop, True, f"signal {signal.id}: stop"))
+        d.outputs.append(Output(names.STOP_ASPECT(signal.id), stop, True, f"signal {signal.id}: stop"))
     for distant in d.layout.distants:
-        n = portable(distant.id)
         clear = _clear(d, distant.of)
-        d.outputs.append(Output(f"YD_{n}", clear, False, f"distant {distant.id}: {distant.of} shows clear"))
-        d.outputs.append(Output(f"YC_{n}", neg(clear), True, f"distant {distant.id}: caution"))
+        d.outputs.append(
+            Output(names.DISTANT_CLEAR(distant.id), clear, False, f"distant {distant.id}: {distant.of} shows clear")
+        )
+        d.outputs.append(Output(names.DISTANT_CAUTION(distant.id), neg(clear), True, f"distant {distant.id}: caution"))
 
 
 def _clear(d: Draft, g: SignalId) -> Expr:
     if g not in d.open_for_trains:
         return disj(())
     if cautions(d):
-        return var(f"C_{portable(g)}")
-    return disj((_opens(d, g, "S"), *_passing(d.routes_from[g], RouteKind.MAIN)))
+        return var(names.SHOWS_CLEAR(g))
+    return disj((_opens(d, g, names.SHOWING), *_passing(d.routes_from[g], RouteKind.MAIN)))
 
 
 def _passing(routes: Sequence[RouteRow], kind: RouteKind) -> list[Expr]:
     """Open for the movement that passes: a main signal with three aspects shows caution."""
-    return [var(f"PA_R{r.number}") for r in routes if r.kind is kind and r.closing.whole is not None]
+    return [var(names.PASSING(r.number)) for r in routes if r.kind is kind and r.closing.whole is not None]

@@ -8,11 +8,11 @@ of the telegram has a wire or bit of its own that may always read 0: that it is 
 
 from __future__ import annotations
 
+from interlock.logic import names
 from interlock.logic.controller import BlockSymbols, Input, Join, Output, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import BlockKind, NodeId
-from interlock.model.portable import portable
 from interlock.table.rows import RouteRow
 
 
@@ -21,11 +21,29 @@ def tokens(d: Draft) -> dict[NodeId, BlockSymbols]:
     out = {}
     for b in d.layout.boundaries:
         if b.block is BlockKind.TOKEN:
-            prefixes = ("NR", "NG", "NN", "NH", "LC", "TKN", "BH", "BG", "BN", "BT")
-            words = {"asks": "YTA", "gives": "YTG", "keeps": "YTN", "has": "YTH"}
-            tells = {word: f"{p}_{portable(b.node)}" for word, p in words.items()}
-            out[b.node] = BlockSymbols(*(f"{p}_{portable(b.node)}" for p in prefixes), tells=tells)
+            out[b.node] = _token(b.node)
     return out
+
+
+def _token(b: NodeId) -> BlockSymbols:
+    return BlockSymbols(
+        asks=names.NEIGHBOUR_ASKS(b),
+        gives=names.NEIGHBOUR_GIVES(b),
+        keeps=names.NEIGHBOUR_KEEPS(b),
+        has=names.NEIGHBOUR_HAS(b),
+        clear=names.LINE_CLEAR(b),
+        manual=names.TAKE_BY_HAND(b),
+        have=names.TOKEN_HERE(b),
+        give=names.TOKEN_GIVEN(b),
+        seen=names.CHANGE_SEEN(b),
+        timer=names.MANUAL_OVER(b),
+        tells={
+            "asks": names.TELLS_ASKS(b),
+            "gives": names.TELLS_GIVES(b),
+            "keeps": names.TELLS_KEEPS(b),
+            "has": names.TELLS_HAS(b),
+        },
+    )
 
 
 def inputs(d: Draft) -> None:
@@ -46,29 +64,29 @@ def _locked_out(d: Draft, b: NodeId) -> Expr:
 
 def change(d: Draft) -> None:
     """When the token is taken and given."""
-    valid = Term(var("VALID"), "inputs valid")
+    valid = Term(var(names.VALID), "inputs valid")
     for b, x in tokens(d).items():
         absent = [Term(neg(var(x.have)), "not here"), Term(neg(var(x.give)), "not given away")]
         manual = [
             valid,
             Term(var(x.manual), "operator"),
-            Term(var("RST"), "restart delay over"),
+            Term(var(names.RESTART_OVER), "restart delay over"),
             *absent,
             Term(neg(var(x.gives)), "neighbour does not give it"),
             Term(neg(var(x.has)), "neighbour has it not"),
         ]
-        d.wire(f"BTI_{portable(b)}", Join.ALL, manual, f"line {b}", f"direction at {b}: special manual change (R12)")
+        d.wire(names.MANUAL_RUNS(b), Join.ALL, manual, f"line {b}", f"direction at {b}: special manual change (R12)")
     for b, x in tokens(d).items():
-        d.timer(x.timer, f"BTI_{portable(b)}", d.layout.principles.token_delay_s, f"{b}: special manual change (R12)")
+        d.timer(x.timer, names.MANUAL_RUNS(b), d.layout.principles.token_delay_s, f"{b}: special manual change (R12)")
     for b, x in tokens(d).items():
         take = [
             valid,
-            Term(var("RST"), "restart delay over"),
+            Term(var(names.RESTART_OVER), "restart delay over"),
             Term(var(x.gives), "given"),
             Term(neg(var(x.have)), "not here"),
             Term(neg(var(x.give)), "not given away"),
         ]
-        d.wire(f"BK_{portable(b)}", Join.ALL, take, f"line {b}", f"the direction at {b} is taken (R12)")
+        d.wire(names.TOKEN_TAKEN(b), Join.ALL, take, f"line {b}", f"the direction at {b} is taken (R12)")
         give = [
             valid,
             Term(var(x.asks), "asked for"),
@@ -78,7 +96,7 @@ def change(d: Draft) -> None:
             Term(neg(_locked_out(d, b)), "no departure", f"nothing is locked towards {b}"),
         ]
         d.wire(
-            f"BV_{portable(b)}", Join.ALL, give, f"line {b}", f"the direction at {b} is given to the neighbour (R12)"
+            names.TOKEN_GOES(b), Join.ALL, give, f"line {b}", f"the direction at {b} is given to the neighbour (R12)"
         )
 
 
@@ -92,50 +110,54 @@ def terms(d: Draft, r: RouteRow) -> list[Term]:
 def keep(d: Draft) -> None:
     """Next values, and what is told to the neighbour."""
     for b, x in tokens(d).items():
-        n, group = portable(b), f"line {b}"
+        group = f"line {b}"
         d.kept(
             x.have,
             False,
             f"the direction at {b} is ours",
             Join.ALL,
             (
-                Term(disj((var(x.have), var(f"BK_{n}"), var(x.timer))), "held or taken"),
-                Term(neg(var(f"BV_{n}")), "not given"),
+                Term(disj((var(x.have), var(names.TOKEN_TAKEN(b)), var(x.timer))), "held or taken"),
+                Term(neg(var(names.TOKEN_GOES(b))), "not given"),
             ),
             group,
         )
-        arrived = conj((var("VALID"), var(x.has)))
+        arrived = conj((var(names.VALID), var(x.has)))
         d.kept(
             x.give,
             False,
             f"the direction at {b} is given",
             Join.ALL,
             (
-                Term(disj((var(x.give), var(f"BV_{n}"))), "held or given"),
+                Term(disj((var(x.give), var(names.TOKEN_GOES(b)))), "held or given"),
                 Term(neg(arrived), "not arrived", "until the neighbour has it"),
             ),
             group,
         )
-        kept = neg(disj((var(x.give), var(f"BV_{n}"))))
+        kept = neg(disj((var(x.give), var(names.TOKEN_GOES(b)))))
         d.kept(
-            f"BY_{n}",
+            names.TOKEN_KEPT(b),
             False,
             f"the direction at {b} is not given",
             Join.ANY,
             (Term(kept, "kept"), Term(arrived, "arrived")),
             group,
         )
-        off = conj((var("VALID"), var("RST"), var(x.keeps)))
+        off = conj((var(names.VALID), var(names.RESTART_OVER), var(x.keeps)))
         d.kept(
             x.seen,
             False,
             f"the neighbour at {b} told that he does not give the direction",
             Join.ALL,
-            (Term(disj((var(x.seen), off)), "held or seen"), Term(neg(var(f"BK_{n}")), "not taken")),
+            (Term(disj((var(x.seen), off)), "held or seen"), Term(neg(var(names.TOKEN_TAKEN(b))), "not taken")),
             group,
         )
         asks = conj((_locked_out(d, b), neg(var(x.have))))
-        d.outputs.append(Output(f"YTA_{n}", asks, False, f"to the neighbour at {b}: direction asked for"))
-        d.outputs.append(Output(f"YTG_{n}", var(x.give), False, f"to the neighbour at {b}: direction given"))
-        d.outputs.append(Output(f"YTN_{n}", var(f"BY_{n}"), False, f"to the neighbour at {b}: direction not given"))
-        d.outputs.append(Output(f"YTH_{n}", var(x.have), False, f"to the neighbour at {b}: direction is here"))
+        d.outputs.append(Output(names.TELLS_ASKS(b), asks, False, f"to the neighbour at {b}: direction asked for"))
+        d.outputs.append(Output(names.TELLS_GIVES(b), var(x.give), False, f"to the neighbour at {b}: direction given"))
+        d.outputs.append(
+            Output(
+                names.TELLS_KEEPS(b), var(names.TOKEN_KEPT(b)), False, f"to the neighbour at {b}: direction not given"
+            )
+        )
+        d.outputs.append(Output(names.TELLS_HAS(b), var(x.have), False, f"to the neighbour at {b}: direction is here"))

@@ -1,7 +1,4 @@
-"""What the lowering collects, and the names of everything.
-
-Every name is a prefix, the layout's name and at most a number: portable, at most 24 characters.
-"""
+"""What the lowering collects."""
 
 from __future__ import annotations
 
@@ -9,12 +6,13 @@ from collections.abc import Iterable, Mapping
 from functools import cached_property
 from itertools import pairwise
 
+from interlock.logic import names
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
+from interlock.logic.names import Name
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.places import Approach
-from interlock.model.portable import portable
 from interlock.model.traversal import Topology, topology
 from interlock.table.rows import InterlockingTable, RouteKind, RouteRow, TraversalKey, TraversalRow
 
@@ -53,10 +51,10 @@ class Draft:
         return {s: tuple(ts) for s, ts in out.items()}
 
     @cached_property
-    def healthy(self) -> Mapping[SectionId, str]:
+    def healthy(self) -> Mapping[SectionId, Name]:
         """The inputs that tell that a section's detector is healthy, where the principle asks for them."""
         asked = self.layout.principles.sensor_faults
-        return {s.id: f"SH_{portable(s.id)}" for s in self.layout.sections if asked and s.detected}
+        return {s.id: names.HEALTHY(s.id) for s in self.layout.sections if asked and s.detected}
 
     @cached_property
     def lockable(self) -> tuple[SectionId, ...]:
@@ -121,7 +119,7 @@ class Draft:
 
     def train(self, section: SectionId) -> Expr:
         """The lock of a section is for a train movement that has not come to its end."""
-        return var(f"M_{portable(section)}") if self.shunting else TRUE
+        return var(names.TRAIN_LOCK(section)) if self.shunting else TRUE
 
     @cached_property
     def overlaps(self) -> Mapping[tuple[SignalId, int], tuple[TraversalKey, ...]]:
@@ -171,7 +169,7 @@ class Draft:
 
     def overlap(self, option: tuple[SignalId, int]) -> Expr:
         """An overlap alternative is held."""
-        return var(f"V_{portable(option[0])}_{option[1]}")
+        return var(names.OVERLAP(option[0], option[1]))
 
     def overlaps_over(self, section: SectionId) -> list[tuple[SignalId, int]]:
         """The overlap alternatives that lie over a section."""
@@ -230,17 +228,17 @@ class Draft:
 
     # --- adding --------------------------------------------------------------------------------
 
-    def wire(self, name: str, join: Join, terms: Iterable[Term], group: str, note: str = "") -> Expr:
+    def wire(self, name: Name, join: Join, terms: Iterable[Term], group: str, note: str = "") -> Expr:
         """Add a wire; returns its variable."""
         self.steps.append(Equation(name, join, tuple(terms), group, note))
         return var(name)
 
-    def timer(self, name: str, input_: str, seconds: float, note: str) -> Expr:
+    def timer(self, name: Name, input_: Name, seconds: float, note: str) -> Expr:
         """Add an on-delay timer; returns its output."""
         self.steps.append(Timer(name, input_, round(seconds * 1000), note))
         return var(name)
 
-    def kept(self, name: str, initial: bool, note: str, join: Join, terms: Iterable[Term], group: str) -> None:
+    def kept(self, name: Name, initial: bool, note: str, join: Join, terms: Iterable[Term], group: str) -> None:
         """Add a state variable with its next-state equation."""
         self.state.append(StateVar(name, initial, note))
         self.next.append(Equation(name, join, tuple(terms), group, note))
@@ -249,7 +247,7 @@ class Draft:
 
     def lock(self, section: SectionId, number: int) -> Expr:
         """Section locked for one way through it."""
-        return var(f"L_{portable(section)}_{number}")
+        return var(names.LOCK(section, number))
 
     def locked_in(self, section: SectionId, node: NodeId) -> Expr:
         """Locked for a way that comes in at an end."""
@@ -263,7 +261,7 @@ class Draft:
         """Reported occupied (or not reported at all); what has no detection counts as occupied."""
         if section is None or section in self.layout.undetected:
             return TRUE
-        return var(f"OCC_{portable(section)}")
+        return var(names.OCCUPIED(section))
 
     @cached_property
     def powered(self) -> tuple[MachineId, ...]:
@@ -274,17 +272,17 @@ class Draft:
     def started(self, machine: MachineId) -> Expr:
         """The machine may run: its turn has come, where machines start one after the other."""
         sequence = self.layout.principles.point_start_gap_s and machine in self.powered
-        return var(f"Z_{portable(machine)}") if sequence else TRUE
+        return var(names.MAY_RUN(machine)) if sequence else TRUE
 
     @staticmethod
     def detected(machine: MachineId, position: Position) -> Expr:
         """Detected in a position, by valid and unambiguous contacts."""
-        return var(f"Q{position}_{portable(machine)}")
+        return var(names.DETECTED(machine, position))
 
     @staticmethod
     def command(machine: MachineId, position: Position) -> Expr:
         """Commanded to a position."""
-        return var(f"C{position}_{portable(machine)}")
+        return var(names.COMMAND(machine, position))
 
     def into_berth(self, t: TraversalRow) -> Expr:
         """A way is locked for a shunting movement that ends in the berth ahead."""
@@ -295,11 +293,11 @@ class Draft:
 
     def any_active(self, g: SignalId) -> Expr:
         """A route from the signal is set and not yet used."""
-        return disj(var(f"A_R{r.number}") for r in self.routes_from[g])
+        return disj(var(names.ACTIVE(r.number)) for r in self.routes_from[g])
 
     def passing_signal(self, g: SignalId) -> Expr:
         """The signal is still open for a movement that has begun to pass it."""
-        return disj(var(f"PA_R{r.number}") for r in self.routes_from[g] if r.closing.whole is not None)
+        return disj(var(names.PASSING(r.number)) for r in self.routes_from[g] if r.closing.whole is not None)
 
     def coming(self, x: Approach) -> Expr:
         """A train may be on its way from there: where it may stand or run, or over a way that is locked for it."""
@@ -312,10 +310,10 @@ class Draft:
     def approach_clear(self, g: SignalId) -> Expr:
         """No train can be on its way to the signal."""
         found = self.routes_from[g][0].approach.coming
-        return var(f"AC_{portable(g)}") if found.further else neg(self.coming(found))
+        return var(names.APPROACH_CLEAR(g)) if found.further else neg(self.coming(found))
 
     def approach_safe(self, g: SignalId) -> Expr:
         """No train can be about to pass the signal: approach clear, the delay has run out, or no route begins there."""
         if not self.routes_from[g]:
             return TRUE
-        return disj((self.approach_clear(g), var(f"AT_{portable(g)}")))
+        return disj((self.approach_clear(g), var(names.APPROACH_OVER(g))))

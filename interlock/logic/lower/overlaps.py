@@ -6,19 +6,19 @@ What an overlap must find free is in `routes`, with everything else that a grant
 
 from __future__ import annotations
 
+from interlock.logic import names
 from interlock.logic.controller import Join, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower import requests, sections, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import SignalId
-from interlock.model.portable import portable
 
 
 def standing(d: Draft) -> None:
     """Overlaps are held until no route leads to their signal, or the train before it stands (R4)."""
     signals = sorted({g for g, _ in d.overlaps})
     for g in signals:
-        n, b = portable(g), d.before(g)
+        b = d.before(g)
         node = d.layout.signal[g].node
         to = d.locked_out(b, node)
         terms = [
@@ -26,15 +26,20 @@ def standing(d: Draft) -> None:
             Term(to, "locked towards it", f"{b} is locked towards {g}"),
             Term(d.occupied(b), "occupied", f"{b} occupied"),
         ]
-        d.wire(f"OTI_{n}", Join.ALL, terms, f"overlap {g}", f"the train before {g} is wholly in {b} (R4)")
+        d.wire(names.STANDING_RUNS(g), Join.ALL, terms, f"overlap {g}", f"the train before {g} is wholly in {b} (R4)")
     for g in signals:
         seconds = d.layout.principles.overlap_release_s
-        d.timer(f"OT_{portable(g)}", f"OTI_{portable(g)}", seconds, f"{g}: the train before it stands (R4)")
+        d.timer(names.STANDING(g), names.STANDING_RUNS(g), seconds, f"{g}: the train before it stands (R4)")
     for g in signals:
-        n, b = portable(g), d.before(g)
+        b = d.before(g)
         to = d.locked_out(b, d.layout.signal[g].node)
-        terms = [Term(neg(to), "no route to it", f"{b} not locked towards {g}"), Term(var(f"OT_{n}"), "train stands")]
-        d.wire(f"OR_{n}", Join.ANY, terms, f"overlap {g}", f"the overlap of {g} is not needed any more (R4)")
+        terms = [
+            Term(neg(to), "no route to it", f"{b} not locked towards {g}"),
+            Term(var(names.STANDING(g)), "train stands"),
+        ]
+        d.wire(
+            names.OVERLAP_OVER(g), Join.ANY, terms, f"overlap {g}", f"the overlap of {g} is not needed any more (R4)"
+        )
 
 
 def swing(d: Draft) -> None:
@@ -46,11 +51,11 @@ def swing(d: Draft) -> None:
         for k in options:
             others = disj(d.overlap(o) for o in d.overlaps_of[g] if o[1] != k)
             terms = [
-                Term(var("VALID"), "inputs valid"),
+                Term(var(names.VALID), "inputs valid"),
                 Term(requests.asked(d, d.swing_number(g)), "requested"),
                 Term(others, "another held"),
-                Term(var(f"VF_{portable(g)}"), "firmly held"),
-                Term(neg(var(f"OR_{portable(g)}")), "still needed"),
+                Term(var(names.OVERLAP_FIRM(g)), "firmly held"),
+                Term(neg(var(names.OVERLAP_OVER(g))), "still needed"),
                 Term(neg(d.occupied(b)), "no train close", f"{b} clear: no train is close"),
                 *(Term(neg(x), "first alternative") for x in before),
                 *(Term(sections.long_clear(s).expr, "overlap clear", f"{s} long clear: overlap") for s in every),
@@ -72,31 +77,29 @@ def keep(d: Draft) -> None:
     """Next values of the overlaps."""
     for o, over in d.overlaps.items():
         g, k = o
-        n = portable(g)
         clear = conj(sections.long_clear(s).expr for s, _ in over)
         away = _swings(d, g, but=k)
-        stays = conj((neg(conj((var(f"OR_{n}"), clear))), *map(neg, away)))
+        stays = conj((neg(conj((var(names.OVERLAP_OVER(g)), clear))), *map(neg, away)))
         to = [var(ways.swing_wire(d, g, k))] if k in d.swinging.get(g, ()) else []
         d.kept(
-            f"V_{n}_{k}",
+            names.OVERLAP(g, k),
             False,
             f"overlap {k} of {g} held",
             Join.ANY,
             (
-                Term(disj((var(f"GO_{n}_{k}"), *to)), "granted"),
+                Term(disj((var(names.OVERLAP_GRANTED(g, k)), *to)), "granted"),
                 Term(conj((d.overlap(o), stays)), "held", "until it is not needed and clear without a break"),
             ),
             f"overlap {g}",
         )
     for g in sorted({g for g, _ in d.overlaps}):
-        n = portable(g)
         users = d.users_of[g]
         any_ = disj(map(d.overlap, d.overlaps_of[g]))
         swings = _swings(d, g)
-        turned = [conj((var(f"VS_{n}"), var(f"OL_{n}")))] if swings else []
-        firm = disj((var(f"VF_{n}"), *turned, *(var(f"LK_R{r.number}") for r in users)))
+        turned = [conj((var(names.OVERLAP_SWINGS(g)), var(names.OVERLAP_LIES(g))))] if swings else []
+        firm = disj((var(names.OVERLAP_FIRM(g)), *turned, *(var(names.LOCKS(r.number)) for r in users)))
         d.kept(
-            f"VF_{n}",
+            names.OVERLAP_FIRM(g),
             False,
             f"overlap of {g} firmly held",
             Join.ALL,
@@ -108,9 +111,9 @@ def keep(d: Draft) -> None:
             f"overlap {g}",
         )
         if swings:
-            going = conj((var(f"VS_{n}"), neg(var(f"OL_{n}"))))
+            going = conj((var(names.OVERLAP_SWINGS(g)), neg(var(names.OVERLAP_LIES(g)))))
             d.kept(
-                f"VS_{n}",
+                names.OVERLAP_SWINGS(g),
                 False,
                 f"the overlap of {g} swings",
                 Join.ALL,

@@ -6,39 +6,37 @@ flank protection.  The command is held; in the initial state there is none, so t
 
 from __future__ import annotations
 
+from interlock.logic import names
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.lower import ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position
-from interlock.model.portable import portable
 from interlock.table.rows import Role
 
 
 def inputs(d: Draft) -> None:
     """Detection contacts and manual commands."""
     for m in d.machines:
-        n = portable(m)
         for x in Position:
-            d.inputs.append(Input(f"D{x}_{n}", f"machine {m} detected {d.layout.word(m, x)}"))
+            d.inputs.append(Input(names.CONTACT(m, x), f"machine {m} detected {d.layout.word(m, x)}"))
         for x in Position:
-            d.inputs.append(Input(f"M{x}_{n}", f"operator: move machine {m} {d.layout.word(m, x)}"))
+            d.inputs.append(Input(names.MOVE_BY_HAND(m, x), f"operator: move machine {m} {d.layout.word(m, x)}"))
         if m in d.powered:
-            d.inputs.append(Input(f"TC_{n}", f"operator: machine {m} has been looked at after it was trailed"))
+            d.inputs.append(Input(names.LOOKED_AT(m), f"operator: machine {m} has been looked at after it was trailed"))
 
 
 def detection(d: Draft) -> None:
     """Contacts 10 and 01 are positions; 00 and 11 are none (R10)."""
     for m in d.machines:
-        n = portable(m)
         for x in Position:
             d.wire(
-                f"Q{x}_{n}",
+                names.DETECTED(m, x),
                 Join.ALL,
                 (
-                    Term(var("VALID"), "inputs valid"),
-                    Term(var(f"D{x}_{n}"), "contact"),
-                    Term(neg(var(f"D{x.other}_{n}")), "no opposite contact"),
+                    Term(var(names.VALID), "inputs valid"),
+                    Term(var(names.CONTACT(m, x)), "contact"),
+                    Term(neg(var(names.CONTACT(m, x.other))), "no opposite contact"),
                 ),
                 f"point {m}",
                 f"machine {m} lies {x} (R10)",
@@ -59,24 +57,23 @@ def movable(d: Draft) -> None:
     """Free to move: nothing locked, nothing occupied, no flank held (R10; never a shared flag)."""
     flank = flank_demands(d)
     for m in d.machines:
-        n = portable(m)
-        terms: list[Term] = [Term(var("VALID"), "inputs valid")]
+        terms: list[Term] = [Term(var(names.VALID), "inputs valid")]
         for s in d.sections_of(m):
-            terms.append(Term(var(f"FREE_{portable(s)}"), "point section free", f"{s} not locked"))
+            terms.append(Term(var(names.FREE(s)), "point section free", f"{s} not locked"))
             terms.append(Term(neg(d.occupied(s)), "point section clear", f"{s} clear"))
         for x in Position:
             held = flank.get((m, x), FALSE)
             terms.append(Term(neg(held), "flank not held", f"nobody needs {m} {x} as flank protection"))
-        d.wire(f"MOV_{n}", Join.ALL, terms, f"point {m}", f"machine {m} is free to move (R10)")
+        d.wire(names.MOVABLE(m), Join.ALL, terms, f"point {m}", f"machine {m} is free to move (R10)")
         for x in Position:
             closes = [Term(TRUE, "closes", "it can always be closed")] if _closing(d, m, x) else []
             d.wire(
-                f"AV{x}_{n}",
+                names.POINT_AVAILABLE(m, x),
                 Join.ANY,
                 (
                     *closes,
                     Term(d.command(m, x), "commanded"),
-                    Term(var(f"MOV_{n}"), "free to move"),
+                    Term(var(names.MOVABLE(m)), "free to move"),
                     Term(
                         conj((d.detected(m, x), *(neg(d.command(m, y)) for y in Position))),
                         "lies there since the restart",
@@ -97,29 +94,30 @@ def commands(d: Draft) -> None:
     touches, demands = ways.demands(d)
     driving = _driving(d)
     for m in d.machines:
-        n = portable(m)
         terms = [Term(touches[m], "granted", "a way over it, or one that demands it")]
-        touched = d.wire(f"TG_{n}", Join.ANY, terms, f"point {m}", f"a grant touches machine {m} in this scan")
+        touched = d.wire(names.TOUCHED(m), Join.ANY, terms, f"point {m}", f"a grant touches machine {m} in this scan")
         for x in Position:
             granted, driven = demands[m, x], driving.get((m, x), FALSE)
             terms = [Term(granted, "granted")]
             if driven is not FALSE:
-                terms.append(Term(conj((driven, var(f"MOV_{n}"))), "driven along", "beside the path, if free to move"))
+                terms.append(
+                    Term(conj((driven, var(names.MOVABLE(m)))), "driven along", "beside the path, if free to move")
+                )
             if m in d.layout.device and x is Position.NORMAL:
-                back = conj((var(f"MOV_{n}"), neg(touched), neg(var(f"M{x.other}_{n}"))))
+                back = conj((var(names.MOVABLE(m)), neg(touched), neg(var(names.MOVE_BY_HAND(m, x.other)))))
                 terms.append(Term(back, "returns", "opens by itself when nothing is locked over it (R13)"))
-            d.wire(f"GP{x}_{n}", Join.ANY, terms, f"point {m}", f"a grant needs {m} {x}")
+            d.wire(names.DEMANDED(m, x), Join.ANY, terms, f"point {m}", f"a grant needs {m} {x}")
             d.wire(
-                f"MA{x}_{n}",
+                names.MOVED_BY_HAND(m, x),
                 Join.ALL,
                 (
-                    Term(var(f"M{x}_{n}"), "by hand"),
-                    Term(neg(var(f"M{x.other}_{n}")), "not both by hand"),
+                    Term(var(names.MOVE_BY_HAND(m, x)), "by hand"),
+                    Term(neg(var(names.MOVE_BY_HAND(m, x.other))), "not both by hand"),
                     *(
                         []
                         if _closing(d, m, x)
                         else [
-                            Term(var(f"MOV_{n}"), "point free by hand"),
+                            Term(var(names.MOVABLE(m)), "point free by hand"),
                             Term(neg(touched), "no grant in this scan"),
                         ]
                     ),
@@ -129,30 +127,30 @@ def commands(d: Draft) -> None:
             )
         for x in Position:
             d.wire(
-                f"HD{x}_{n}",
+                names.COMMAND_HELD(m, x),
                 Join.ALL,
                 (
                     Term(d.command(m, x), "held"),
-                    Term(neg(var(f"GP{x.other}_{n}")), "no opposite grant"),
-                    Term(neg(var(f"MA{x.other}_{n}")), "not moved by hand"),
+                    Term(neg(var(names.DEMANDED(m, x.other))), "no opposite grant"),
+                    Term(neg(var(names.MOVED_BY_HAND(m, x.other))), "not moved by hand"),
                 ),
                 f"point {m}",
                 f"the command {x} stays",
             )
             d.kept(
-                f"C{x}_{n}",
+                names.COMMAND(m, x),
                 False,
                 f"machine {m} commanded {x}",
                 Join.ANY,
                 (
-                    Term(var(f"GP{x}_{n}"), "granted"),
-                    Term(var(f"MA{x}_{n}"), "by hand"),
-                    Term(var(f"HD{x}_{n}"), "held"),
+                    Term(var(names.DEMANDED(m, x)), "granted"),
+                    Term(var(names.MOVED_BY_HAND(m, x)), "by hand"),
+                    Term(var(names.COMMAND_HELD(m, x)), "held"),
                 ),
                 f"point {m}",
             )
             started = conj((d.command(m, x), d.started(m)))
-            d.outputs.append(Output(f"Y{x}_{n}", started, False, f"machine {m}: {d.layout.word(m, x)}"))
+            d.outputs.append(Output(names.DRIVE(m, x), started, False, f"machine {m}: {d.layout.word(m, x)}"))
 
 
 def _driving(d: Draft) -> dict[tuple[MachineId, Position], Expr]:
@@ -160,32 +158,43 @@ def _driving(d: Draft) -> dict[tuple[MachineId, Position], Expr]:
     found: dict[tuple[MachineId, Position], list[Expr]] = {}
     for r in d.table.routes:
         for p in r.driven:
-            found.setdefault((p.machine, p.position), []).append(var(f"G_R{r.number}"))
+            found.setdefault((p.machine, p.position), []).append(var(names.GRANTED(r.number)))
     return {k: disj(xs) for k, xs in found.items()}
 
 
 def supervision(d: Draft) -> None:
     """A commanded machine that is not detected in time raises an alarm (R10)."""
     for m in d.machines:
-        n = portable(m)
         d.wire(
-            f"STI_{n}",
+            names.SUPERVISED(m),
             Join.ANY,
             tuple(Term(conj((d.command(m, x), neg(d.detected(m, x)))), "not detected") for x in Position),
             f"point {m}",
             f"machine {m} is not where it was commanded",
         )
     for m in d.machines:
-        n = portable(m)
-        late = d.timer(f"ST_{n}", f"STI_{n}", d.layout.principles.point_supervision_s, f"machine {m}: time-out")
-        d.kept(f"AL_{n}", False, f"alarm: machine {m} not detected", Join.ANY, (Term(late, "late"),), f"point {m}")
-        d.outputs.append(Output(f"YA_{n}", var(f"AL_{n}"), False, f"alarm: machine {m} not detected in time"))
+        late = d.timer(
+            names.LATE(m), names.SUPERVISED(m), d.layout.principles.point_supervision_s, f"machine {m}: time-out"
+        )
+        d.kept(
+            names.NOT_DETECTED(m),
+            False,
+            f"alarm: machine {m} not detected",
+            Join.ANY,
+            (Term(late, "late"),),
+            f"point {m}",
+        )
+        d.outputs.append(
+            Output(names.LATE_SHOWN(m), var(names.NOT_DETECTED(m)), False, f"alarm: machine {m} not detected in time")
+        )
 
 
 def _anew(d: Draft, m: MachineId) -> Expr:
     """A machine is commanded to where it was not commanded before: a key that is held commands once."""
-    n = portable(m)
-    return disj(conj((disj((var(f"GP{x}_{n}"), var(f"MA{x}_{n}"))), neg(d.command(m, x)))) for x in Position)
+    return disj(
+        conj((disj((var(names.DEMANDED(m, x)), var(names.MOVED_BY_HAND(m, x)))), neg(d.command(m, x))))
+        for x in Position
+    )
 
 
 def trailing(d: Draft) -> None:
@@ -194,16 +203,23 @@ def trailing(d: Draft) -> None:
     TH: detected where it is commanded.  TR: trailed.
     """
     for m in d.powered:
-        n, group = portable(m), f"point {m}"
+        group = f"point {m}"
         right = disj(conj((d.command(m, x), d.detected(m, x))) for x in Position)
         lost = disj(
-            conj((d.command(m, x), neg(d.detected(m, x)), neg(var(f"GP{x.other}_{n}")), neg(var(f"MA{x.other}_{n}"))))
+            conj(
+                (
+                    d.command(m, x),
+                    neg(d.detected(m, x)),
+                    neg(var(names.DEMANDED(m, x.other))),
+                    neg(var(names.MOVED_BY_HAND(m, x.other))),
+                )
+            )
             for x in Position
         )
-        trailed = conj((var(f"TH_{n}"), var("VALID"), lost))
-        seen = conj([var(f"TC_{n}"), var("VALID"), *(neg(d.occupied(s)) for s in d.sections_of(m))])
+        trailed = conj((var(names.WAS_RIGHT(m)), var(names.VALID), lost))
+        seen = conj([var(names.LOOKED_AT(m)), var(names.VALID), *(neg(d.occupied(s)) for s in d.sections_of(m))])
         d.kept(
-            f"TH_{n}",
+            names.WAS_RIGHT(m),
             False,
             f"machine {m} was detected where it is commanded",
             Join.ALL,
@@ -211,14 +227,16 @@ def trailing(d: Draft) -> None:
             group,
         )
         d.kept(
-            f"TR_{n}",
+            names.TRAILED(m),
             False,
             f"machine {m} was trailed",
             Join.ANY,
-            (Term(trailed, "trailed"), Term(conj((var(f"TR_{n}"), neg(seen))), "until looked at")),
+            (Term(trailed, "trailed"), Term(conj((var(names.TRAILED(m)), neg(seen))), "until looked at")),
             group,
         )
-        d.outputs.append(Output(f"YT_{n}", var(f"TR_{n}"), False, f"alarm: machine {m} was trailed"))
+        d.outputs.append(
+            Output(names.TRAILED_SHOWN(m), var(names.TRAILED(m)), False, f"alarm: machine {m} was trailed")
+        )
 
 
 def starting(d: Draft) -> None:
@@ -230,35 +248,39 @@ def starting(d: Draft) -> None:
     if not gap:
         return
     machines = d.powered
-    waits = {m: conj((var(f"STI_{portable(m)}"), neg(var(f"Z_{portable(m)}")))) for m in machines}
-    d.wire("SGI", Join.ALL, (Term(neg(var("SG")), "none started", "no machine started in the last scan"),), "starts")
-    d.timer("SGT", "SGI", gap, "the gap since the last start is over (R10)")
+    waits = {m: conj((var(names.SUPERVISED(m)), neg(var(names.MAY_RUN(m))))) for m in machines}
+    d.wire(
+        names.GAP_RUNS,
+        Join.ALL,
+        (Term(neg(var(names.STARTED)), "none started", "no machine started in the last scan"),),
+        "starts",
+    )
+    d.timer(names.GAP_OVER, names.GAP_RUNS, gap, "the gap since the last start is over (R10)")
     before: list[Expr] = []
     for m in machines:
-        n = portable(m)
         first = neg(before[-1]) if before else TRUE
         turn = d.wire(
-            f"ZT_{n}",
+            names.STARTS(m),
             Join.ALL,
-            (Term(waits[m], "waits"), Term(var("SGT"), "gap over"), Term(first, "none before it waits")),
+            (Term(waits[m], "waits"), Term(var(names.GAP_OVER), "gap over"), Term(first, "none before it waits")),
             "starts",
             f"machine {m} starts (R10)",
         )
-        before.append(d.wire(f"ZW_{n}", Join.ANY, (Term(waits[m], "waits"), *_terms(before)), "starts"))
+        before.append(d.wire(names.WAITS(m), Join.ANY, (Term(waits[m], "waits"), *_terms(before)), "starts"))
         d.kept(
-            f"Z_{n}",
+            names.MAY_RUN(m),
             False,
             f"machine {m} may run",
             Join.ALL,
             (
-                Term(disj((var(f"Z_{n}"), turn)), "started"),
-                Term(var(f"STI_{n}"), "not there yet"),
+                Term(disj((var(names.MAY_RUN(m)), turn)), "started"),
+                Term(var(names.SUPERVISED(m)), "not there yet"),
                 Term(neg(_anew(d, m)), "no new command"),
             ),
             "starts",
         )
-    starts = disj(var(f"ZT_{portable(m)}") for m in machines)
-    d.kept("SG", False, "a machine started in the last scan", Join.ANY, (Term(starts, "started"),), "starts")
+    starts = disj(var(names.STARTS(m)) for m in machines)
+    d.kept(names.STARTED, False, "a machine started in the last scan", Join.ANY, (Term(starts, "started"),), "starts")
 
 
 def _terms(before: list[Expr]) -> list[Term]:

@@ -8,15 +8,16 @@ automatically is asked for, by its number or by its switch.
 
 from __future__ import annotations
 
+from interlock.logic import names
 from interlock.logic.controller import Input, Join, Output, Term, asked_of
 from interlock.logic.expr import Expr, conj, eq, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.model.principles import Local
 from interlock.table.rows import RouteRow
 
-REQUEST, LOCAL = "REQ", "LREQ"
-FRESH = {REQUEST: "RQZ", LOCAL: "LRQZ"}
-SEEN = {REQUEST: "YRQ", LOCAL: "YLRQ"}
+REQUEST, LOCAL = names.REQUEST, names.LOCAL_REQUEST
+FRESH = {REQUEST: names.REQUEST_FRESH, LOCAL: names.LOCAL_FRESH}
+SEEN = {REQUEST: names.REQUEST_SEEN, LOCAL: names.LOCAL_SEEN}
 
 
 def asked(d: Draft, number: int) -> Expr:
@@ -36,9 +37,9 @@ def inputs(d: Draft) -> None:
         d.inputs.append(Input(switch(r), f"operator: route {r.id} is set again after every train"))
 
 
-def switch(r: RouteRow) -> str:
+def switch(r: RouteRow) -> names.Name:
     """The operator's switch for automatic working of a route."""
-    return f"AUTO_R{r.number}"
+    return names.AUTOMATIC(r.number)
 
 
 def requested(d: Draft, r: RouteRow) -> Expr:
@@ -51,12 +52,12 @@ def requested(d: Draft, r: RouteRow) -> Expr:
     if r not in d.automatic:
         return by_hand
     before = d.automatic[: d.automatic.index(r)]
-    turn = conj((asked(d, 0), var(switch(r)), *(neg(var(f"G_R{x.number}")) for x in before)))
+    turn = conj((asked(d, 0), var(switch(r)), *(neg(var(names.GRANTED(x.number))) for x in before)))
     terms = (Term(by_hand, "by hand"), Term(turn, "switched on", "automatic, while nothing is asked for by hand"))
-    return d.wire(f"RQ_R{r.number}", Join.ANY, terms, f"route {r.id}", f"route {r.id} is asked for (R14)")
+    return d.wire(names.ASKED(r.number), Join.ANY, terms, f"route {r.id}", f"route {r.id} is asked for (R14)")
 
 
-def inputs_of(d: Draft) -> tuple[str, ...]:
+def inputs_of(d: Draft) -> tuple[names.Name, ...]:
     """The inputs that carry a number of what is asked for."""
     return (REQUEST,) if d.layout.principles.local_requests is Local.NONE else (REQUEST, LOCAL)
 
@@ -64,6 +65,6 @@ def inputs_of(d: Draft) -> tuple[str, ...]:
 def keep(d: Draft) -> None:
     """Next values of what was read last."""
     for x in inputs_of(d):
-        quiet = (Term(var("VALID"), "inputs valid"), Term(eq(x, 0), "nothing asked"))
+        quiet = (Term(var(names.VALID), "inputs valid"), Term(eq(x, 0), "nothing asked"))
         d.kept(FRESH[x], False, f"{x} read 0 in the last scan", Join.ALL, quiet, "requests")
         d.outputs.append(Output(SEEN[x], neg(var(FRESH[x])), True, f"acknowledge: {x} is seen, it may go back to 0"))

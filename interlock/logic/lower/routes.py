@@ -8,29 +8,29 @@ Who asks for a route is in `requests`.
 
 from __future__ import annotations
 
+from interlock.logic import names
 from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
 from interlock.logic.lower import aspects, block, requests, sections, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position
-from interlock.model.portable import portable
 from interlock.table.rows import RouteKind, RouteRow
 
 
 def inputs(d: Draft) -> None:
     """Route request, cancellations and external conditions."""
-    d.inputs.append(Input("VALID", "all input devices healthy"))
+    d.inputs.append(Input(names.VALID, "all input devices healthy"))
     for g in d.layout.signals:
-        d.inputs.append(Input(f"CAN_{portable(g.id)}", f"operator: cancel the route from {g.id}"))
+        d.inputs.append(Input(names.CANCEL(g.id), f"operator: cancel the route from {g.id}"))
     if d.layout.principles.lamp_proof:
         for g in d.layout.signals:
-            d.inputs.append(Input(f"RL_{portable(g.id)}", f"stop lamp of {g.id} intact"))
+            d.inputs.append(Input(names.STOP_LAMP(g.id), f"stop lamp of {g.id} intact"))
         for lit in d.open_for_trains:
-            d.inputs.append(Input(f"GL_{portable(lit)}", f"clear lamp of {lit} intact, or not lit"))
+            d.inputs.append(Input(names.CLEAR_LAMP(lit), f"clear lamp of {lit} intact, or not lit"))
             if aspects.cautions(d):
-                d.inputs.append(Input(f"CL_{portable(lit)}", f"caution lamp of {lit} intact, or not lit"))
+                d.inputs.append(Input(names.CAUTION_LAMP(lit), f"caution lamp of {lit} intact, or not lit"))
     for c in d.layout.conditions:
-        d.inputs.append(Input(f"E_{portable(c.id)}", f"external condition {c.id}: {c.text or 'holds'}"))
+        d.inputs.append(Input(names.CONDITION(c.id), f"external condition {c.id}: {c.text or 'holds'}"))
 
 
 def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
@@ -49,7 +49,7 @@ def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
             continue
         g = d.signal_at(s, node)
         if g is not None:
-            waits = disj((neg(var(f"U_{portable(s)}")), d.occupied(d.rear(s, node)), d.passing_signal(g)))
+            waits = disj((neg(var(names.USED(s))), d.occupied(d.rear(s, node)), d.passing_signal(g)))
             coming = conj((d.locked_in(s, node), waits))
         else:
             coming = FALSE if rear is None else d.locked_out(rear, node)
@@ -60,7 +60,7 @@ def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:
 
 def _needs(d: Draft, r: RouteRow) -> list[Term]:
     """Everything that a route needs to be granted but that it is asked for."""
-    terms = [Term(var("VALID"), "inputs valid")]
+    terms = [Term(var(names.VALID), "inputs valid")]
     for key in r.locked:
         terms += ways.free_terms(d, r, key)
     return [*terms, *_rear_terms(d, r), *ways.overlap_terms(d, r), *_berth_terms(d, r), *zones.terms(d, r)]
@@ -71,33 +71,32 @@ def grants(d: Draft) -> None:
     by_hand = [r for r in d.table.routes if r not in d.automatic]
     for r in [*d.automatic, *by_hand]:
         terms = [Term(requests.requested(d, r), "requested"), *_needs(d, r)]
-        d.wire(f"G_R{r.number}", Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} (R6)")
+        d.wire(names.GRANTED(r.number), Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} (R6)")
 
 
 def locking(d: Draft) -> None:
     """Locked firmly once all points are detected; the signal's conditions, checked in every scan (R3)."""
     for r in d.table.routes:
-        g = portable(r.entry)
         group = f"route {r.id}"
         d.wire(
-            f"LK_R{r.number}",
+            names.LOCKS(r.number),
             Join.ALL,
             (
-                Term(var(f"A_R{r.number}"), "active"),
-                Term(neg(var(f"B_R{r.number}")), "not locked yet"),
-                Term(var("VALID"), "inputs valid"),
-                Term(neg(var(f"X_{g}")), "not cancelling"),
-                Term(neg(var(f"CAN_{g}")), "not cancelled"),
+                Term(var(names.ACTIVE(r.number)), "active"),
+                Term(neg(var(names.LOCKED(r.number))), "not locked yet"),
+                Term(var(names.VALID), "inputs valid"),
+                Term(neg(var(names.CANCELLING(r.entry))), "not cancelling"),
+                Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
                 *ways.lying_terms(d, r),
             ),
             group,
             f"route {r.id} becomes locked (R3)",
         )
         d.wire(
-            f"CO_R{r.number}",
+            names.CONDITIONS(r.number),
             Join.ALL,
             (
-                Term(var("VALID"), "inputs valid"),
+                Term(var(names.VALID), "inputs valid"),
                 *ways.proceed_terms(d, r),
                 *_beside(d, r),
             ),
@@ -112,7 +111,7 @@ def _rear_terms(d: Draft, r: RouteRow) -> list[Term]:
     rear = d.topo.beyond(r.section_ids[0], r.entry_node)
     if rear is None:
         return []
-    released = neg(var(f"K_{portable(rear)}"))
+    released = neg(var(names.RESTART_LOCK(rear)))
     out = []
     if any(t.points or t.crossings for t in d.topo.traversals[rear]):
         out.append(Term(released, "rear released", f"{rear}, with points or a diamond, is released after the restart"))
@@ -123,7 +122,7 @@ def _rear_terms(d: Draft, r: RouteRow) -> list[Term]:
     beyond = {d.topo.beyond(rear, node) for node in d.topo.ends[rear] if node != r.entry_node}
     foul = {t.section for t in d.table.locks for c in t.foul if c.section == rear}
     for other in sorted({*(s for s in beyond if s is not None), *foul}):
-        alone = disj((released, neg(var(f"K_{portable(other)}")), neg(d.occupied(other))))
+        alone = disj((released, neg(var(names.RESTART_LOCK(other))), neg(d.occupied(other))))
         out.append(Term(alone, "stands alone", f"nothing stands across from {other}, or foul of it, since the restart"))
     return out
 
@@ -131,11 +130,11 @@ def _rear_terms(d: Draft, r: RouteRow) -> list[Term]:
 def _beside(d: Draft, r: RouteRow) -> list[Term]:
     """What proceed needs besides the ways themselves."""
     terms = _rear_terms(d, r)
-    terms += [Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions]
+    terms += [Term(var(names.CONDITION(c.condition)), "condition", c.because.text) for c in r.conditions]
     terms += [Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block]
     terms += block.terms(d, r)
     if r.kind is not RouteKind.CALL_ON:
-        terms.append(Term(neg(var(f"D_{portable(r.section_ids[0])}")), "inputs never lost"))
+        terms.append(Term(neg(var(names.STALE(r.section_ids[0]))), "inputs never lost"))
     terms += aspects.lamp_terms(d, r)
     if r.overlap:
         some = {r.overlap.option, *r.overlap.swings}
@@ -149,7 +148,9 @@ def approaches(d: Draft) -> None:
     for g in d.layout.signals:
         if d.routes_from[g.id] and (x := d.routes_from[g.id][0].approach.coming).further:
             nobody = (Term(neg(d.coming(x)), "nobody comes", "nothing in the approach, nor called into it"),)
-            d.wire(f"AC_{portable(g.id)}", Join.ALL, nobody, f"signal {g.id}", f"no train is on its way to {g.id} (R8)")
+            d.wire(
+                names.APPROACH_CLEAR(g.id), Join.ALL, nobody, f"signal {g.id}", f"no train is on its way to {g.id} (R8)"
+            )
 
 
 def cancellation(d: Draft) -> None:
@@ -157,9 +158,7 @@ def cancellation(d: Draft) -> None:
     signals = [g for g in d.layout.signals if d.routes_from[g.id]]
     seconds = {g.id: d.routes_from[g.id][0].approach.delay_s for g in signals}
     for g in signals:
-        n = portable(g.id)
         first = d.first_section(g.id)
-        f = portable(first)
         leaving = disj(
             d.lock(*t.key) if t.exit in d.layout.boundary_at else d.into_berth(t)
             for t in d.locks_of[first]
@@ -170,33 +169,35 @@ def cancellation(d: Draft) -> None:
                 neg(d.any_active(g.id)),
                 neg(d.passing_signal(g.id)),
                 d.locked_in(first, g.node),
-                disj((var(f"REL_{f}"), conj((leaving, var(f"U_{f}"), neg(d.occupied(first)))))),
+                disj(
+                    (var(names.RELEASE_BY_HAND(first)), conj((leaving, var(names.USED(first)), neg(d.occupied(first)))))
+                ),
             )
         )
         d.wire(
-            f"ATI_{n}",
+            names.APPROACH_RUNS(g.id),
             Join.ANY,
             (
-                Term(var(f"X_{n}"), "cancelling"),
+                Term(var(names.CANCELLING(g.id)), "cancelling"),
                 Term(waiting, "release waits"),
             ),
             f"signal {g.id}",
             f"{g.id} at stop, waiting for a train that may still come (R8)",
         )
     for g in signals:
-        n = portable(g.id)
-        d.timer(f"AT_{n}", f"ATI_{n}", seconds[g.id], f"{g.id}: approach locking delay (R8)")
+        d.timer(
+            names.APPROACH_OVER(g.id), names.APPROACH_RUNS(g.id), seconds[g.id], f"{g.id}: approach locking delay (R8)"
+        )
     for g in signals:
-        n = portable(g.id)
         first = d.first_section(g.id)
-        seen = disj(var(f"H_R{r.number}") for r in d.routes_from[g.id])
+        seen = disj(var(names.SHOWN(r.number)) for r in d.routes_from[g.id])
         d.wire(
-            f"CD_{n}",
+            names.CANCELLED(g.id),
             Join.ALL,
             (
-                Term(var(f"X_{n}"), "cancelling"),
+                Term(var(names.CANCELLING(g.id)), "cancelling"),
                 Term(d.any_active(g.id), "active"),
-                Term(var("VALID"), "inputs valid"),
+                Term(var(names.VALID), "inputs valid"),
                 sections.long_clear(first),
                 Term(
                     disj((d.approach_safe(g.id), neg(seen))),
@@ -213,23 +214,23 @@ def _lamp_terms(d: Draft, r: RouteRow) -> list[Term]:
     """A signal opens only while its stop lamp is intact; an open one stays open (R11)."""
     if not d.layout.principles.lamp_proof:
         return []
-    proved = disj((var(f"S_R{r.number}"), var(f"RL_{portable(r.entry)}")))
+    proved = disj((var(names.SHOWING(r.number)), var(names.STOP_LAMP(r.entry))))
     return [Term(proved, "stop lamp proved", f"stop lamp of {r.entry} intact before it opens")]
 
 
 def _entered(d: Draft, r: RouteRow) -> Expr:
     """A train comes into the first section in this scan."""
     first = r.section_ids[0]
-    return var(f"NU_{portable(first)}_{d.topo.ends[first].index(r.entry_node) + 1}")
+    return var(names.ENTERED(first, d.topo.ends[first].index(r.entry_node) + 1))
 
 
 def _passing(d: Draft, r: RouteRow) -> None:
     """The signal stays open until the whole movement has passed it (R3): where the table says so."""
-    g, whole, first = portable(r.entry), r.closing.whole, r.section_ids[0]
+    whole, first = r.closing.whole, r.section_ids[0]
     if whole is None:
         return
-    name = f"PA_R{r.number}"
-    begins = conj((var(f"S_R{r.number}"), _entered(d, r)))
+    name = names.PASSING(r.number)
+    begins = conj((var(names.SHOWING(r.number)), _entered(d, r)))
     d.kept(
         name,
         False,
@@ -237,8 +238,8 @@ def _passing(d: Draft, r: RouteRow) -> None:
         Join.ALL,
         (
             Term(disj((var(name), begins)), "held or entered"),
-            Term(var("VALID"), "inputs valid"),
-            Term(neg(var(f"CAN_{g}")), "not cancelled"),
+            Term(var(names.VALID), "inputs valid"),
+            Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
             Term(d.occupied(whole), "still passing", f"{whole} occupied"),
             Term(d.occupied(first), "first section occupied", f"{first} occupied"),
             *ways.passing_terms(d, r),
@@ -252,29 +253,31 @@ def keep(d: Draft) -> None:
     """Next values of routes and signals."""
     for r in d.table.routes:
         k = r.number
-        g = portable(r.entry)
         group = f"route {r.id}"
         used = _entered(d, r)
         d.wire(
-            f"KP_R{k}",
+            names.STAYS(k),
             Join.ALL,
             (
                 Term(neg(used), "not entered", f"no train has entered {r.section_ids[0]}"),
-                Term(neg(var(f"CD_{g}")), "not cancelled"),
+                Term(neg(var(names.CANCELLED(r.entry))), "not cancelled"),
             ),
             group,
             f"route {r.id} stays set",
         )
-        stays = Term(var(f"KP_R{k}"), "stays")
-        stop = (Term(neg(var(f"X_{g}")), "not cancelling"), Term(neg(var(f"CAN_{g}")), "not cancelled"))
+        stays = Term(var(names.STAYS(k)), "stays")
+        stop = (
+            Term(neg(var(names.CANCELLING(r.entry))), "not cancelling"),
+            Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
+        )
         d.wire(
-            f"PR_R{k}",
+            names.OPENS(k),
             Join.ALL,
             (
-                Term(var(f"A_R{k}"), "active"),
-                Term(var(f"B_R{k}"), "locked"),
-                Term(var(f"W_R{k}"), "wanted"),
-                Term(var(f"CO_R{k}"), "conditions"),
+                Term(var(names.ACTIVE(k)), "active"),
+                Term(var(names.LOCKED(k)), "locked"),
+                Term(var(names.WANTED(k)), "wanted"),
+                Term(var(names.CONDITIONS(k)), "conditions"),
                 stays,
                 *stop,
                 *_lamp_terms(d, r),
@@ -283,69 +286,70 @@ def keep(d: Draft) -> None:
             f"proceed for route {r.id} (R3, R11)",
         )
         d.wire(
-            f"LS_R{k}",
+            names.CONDITION_LOST(k),
             Join.ALL,
             (
-                Term(var(f"S_R{k}"), "showing"),
-                Term(neg(var(f"CO_R{k}")), "conditions lost"),
+                Term(var(names.SHOWING(k)), "showing"),
+                Term(neg(var(names.CONDITIONS(k))), "conditions lost"),
             ),
             group,
             f"route {r.id}: a condition was lost; no reopening by itself (R14)",
         )
         d.kept(
-            f"A_R{k}",
+            names.ACTIVE(k),
             False,
             f"route {r.id} active",
             Join.ALL,
-            (Term(disj((var(f"A_R{k}"), var(f"G_R{k}"))), "held or granted"), stays),
+            (Term(disj((var(names.ACTIVE(k)), var(names.GRANTED(k)))), "held or granted"), stays),
             group,
         )
         d.kept(
-            f"B_R{k}",
+            names.LOCKED(k),
             False,
             f"route {r.id} locked",
             Join.ALL,
-            (Term(disj((var(f"B_R{k}"), var(f"LK_R{k}"))), "held or locked"), stays),
+            (Term(disj((var(names.LOCKED(k)), var(names.LOCKS(k)))), "held or locked"), stays),
             group,
         )
         # what calls a train on closes for good: nothing tells whether the train has passed
-        again = [conj((requests.asked(d, k), var(f"B_R{k}")))] if r.kind is not RouteKind.CALL_ON else []
+        again = [conj((requests.asked(d, k), var(names.LOCKED(k))))] if r.kind is not RouteKind.CALL_ON else []
         d.kept(
-            f"W_R{k}",
+            names.WANTED(k),
             False,
             f"route {r.id}: proceed wanted",
             Join.ALL,
             (
-                Term(disj((var(f"W_R{k}"), var(f"LK_R{k}"), *again)), "wanted"),
-                Term(neg(var(f"LS_R{k}")), "conditions kept"),
+                Term(disj((var(names.WANTED(k)), var(names.LOCKS(k)), *again)), "wanted"),
+                Term(neg(var(names.CONDITION_LOST(k))), "conditions kept"),
                 stays,
                 *stop,
             ),
             group,
         )
         _passing(d, r)
-        d.kept(f"S_R{k}", False, f"route {r.id}: proceed", Join.ALL, (Term(var(f"PR_R{k}"), "proceed"),), group)
         d.kept(
-            f"H_R{k}",
+            names.SHOWING(k), False, f"route {r.id}: proceed", Join.ALL, (Term(var(names.OPENS(k)), "proceed"),), group
+        )
+        d.kept(
+            names.SHOWN(k),
             False,
             f"route {r.id}: signal has been open",
             Join.ALL,
-            (Term(disj((var(f"H_R{k}"), var(f"PR_R{k}"))), "held or shown"), stays),
+            (Term(disj((var(names.SHOWN(k)), var(names.OPENS(k)))), "held or shown"), stays),
             group,
         )
     for signal in d.layout.signals:
-        n = portable(signal.id)
         if not d.routes_from[signal.id]:
             continue
         d.kept(
-            f"X_{n}",
+            names.CANCELLING(signal.id),
             False,
             f"{signal.id}: cancelling",
             Join.ALL,
             (
-                Term(disj((var(f"X_{n}"), var(f"CAN_{n}"))), "held or asked"),
+                Term(disj((var(names.CANCELLING(signal.id)), var(names.CANCEL(signal.id)))), "held or asked"),
                 Term(d.any_active(signal.id), "active"),
-                Term(neg(var(f"CD_{n}")), "not done"),
+                Term(neg(var(names.CANCELLED(signal.id))), "not done"),
             ),
             f"signal {signal.id}",
         )

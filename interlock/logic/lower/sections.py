@@ -8,12 +8,12 @@ that automatic release is off and the lock is released by hand.
 
 from __future__ import annotations
 
+from interlock.logic import names
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.lower import ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import NodeId, SectionId
-from interlock.model.portable import portable
 from interlock.table.rows import RouteKind, RouteRow
 
 
@@ -22,22 +22,30 @@ def inputs(d: Draft) -> None:
     for s in d.layout.sections:
         if s.id in d.layout.undetected:
             continue
-        d.inputs.append(Input(f"CLR_{portable(s.id)}", f"section {s.id} reported clear"))
+        d.inputs.append(Input(names.CLEAR(s.id), f"section {s.id} reported clear"))
     for s_, name in d.healthy.items():
         d.inputs.append(Input(name, f"detector of {s_} healthy"))
     for s_ in d.sections:
-        d.inputs.append(Input(f"REL_{portable(s_)}", f"operator: release section {s_} (hold until released)"))
+        d.inputs.append(Input(names.RELEASE_BY_HAND(s_), f"operator: release section {s_} (hold until released)"))
     for s_ in d.lockable:
-        d.inputs.append(Input(f"BLK_{portable(s_)}", f"operator: section {s_} is blocked", restrictive=1))
-    d.inputs.append(Input("RELALL", "operator: release all clear sections after a restart or a loss of inputs"))
+        d.inputs.append(Input(names.BLOCKED(s_), f"operator: section {s_} is blocked", restrictive=1))
+    d.inputs.append(
+        Input(names.RELEASE_ALL, "operator: release all clear sections after a restart or a loss of inputs")
+    )
 
 
 def alarms(d: Draft) -> None:
     """A detector that is not healthy raises an alarm (document B 2.1)."""
     for s, name in d.healthy.items():
-        n = portable(s)
-        d.kept(f"FA_{n}", False, f"alarm: detector of {s} faulty", Join.ALL, (Term(neg(var(name)), "fault"),), "alarms")
-        d.outputs.append(Output(f"YF_{n}", var(f"FA_{n}"), False, f"alarm: detector of {s} faulty"))
+        d.kept(
+            names.FAULTY(s),
+            False,
+            f"alarm: detector of {s} faulty",
+            Join.ALL,
+            (Term(neg(var(name)), "fault"),),
+            "alarms",
+        )
+        d.outputs.append(Output(names.FAULT_SHOWN(s), var(names.FAULTY(s)), False, f"alarm: detector of {s} faulty"))
 
 
 def image(d: Draft) -> None:
@@ -45,25 +53,23 @@ def image(d: Draft) -> None:
     for s in d.layout.sections:
         if s.id in d.layout.undetected:
             continue
-        n = portable(s.id)
         d.wire(
-            f"OCC_{n}",
+            names.OCCUPIED(s.id),
             Join.ANY,
             (
-                Term(neg(var(f"CLR_{n}")), "not reported clear"),
+                Term(neg(var(names.CLEAR(s.id))), "not reported clear"),
                 *([Term(neg(var(d.healthy[s.id])), "detector faulty")] if s.id in d.healthy else []),
-                Term(neg(var("VALID")), "inputs lost"),
+                Term(neg(var(names.VALID)), "inputs lost"),
             ),
             f"section {s.id}",
             f"{s.id} counts as occupied",
         )
     for s_ in d.sections:
-        n = portable(s_)
         d.wire(
-            f"FREE_{n}",
+            names.FREE(s_),
             Join.ALL,
             (
-                Term(neg(var(f"K_{n}")), "no restart lock"),
+                Term(neg(var(names.RESTART_LOCK(s_))), "no restart lock"),
                 *(Term(neg(d.lock(*t.key)), "not locked") for t in d.locks_of[s_]),
                 *(Term(neg(d.overlap(o)), "no overlap", f"no overlap of {o[0]}") for o in d.overlaps_over(s_)),
             ),
@@ -72,14 +78,13 @@ def image(d: Draft) -> None:
         )
 
 
-def _new_use(section: SectionId, index: int) -> str:
-    return f"NU_{portable(section)}_{index}"
+def _new_use(section: SectionId, index: int) -> names.Name:
+    return names.ENTERED(section, index)
 
 
 def three_point(d: Draft) -> None:
     """A train has come in: occupied together with the section in rear, which was itself used (R9)."""
     for s in d.sections:
-        n = portable(s)
         for i, node in enumerate(d.topo.ends[s], start=1):
             locked = d.locked_in(s, node)
             if locked is FALSE:
@@ -88,10 +93,10 @@ def three_point(d: Draft) -> None:
             if s in d.berths and d.signal_at(s, node) is None:
                 locked = disj(d.lock(*t.key) for t in d.locks_of[s])  # whichever movement locked it first
             terms = [
-                Term(var("VALID"), "inputs valid"),
-                Term(var(f"F_{n}"), "firmly locked"),
-                Term(neg(var(f"D_{n}")), "inputs never lost"),
-                Term(neg(var(f"U_{n}")), "not used yet"),
+                Term(var(names.VALID), "inputs valid"),
+                Term(var(names.FIRM(s)), "firmly locked"),
+                Term(neg(var(names.STALE(s))), "inputs never lost"),
+                Term(neg(var(names.USED(s))), "not used yet"),
                 Term(locked, "locked from here"),
                 Term(d.occupied(s), "occupied"),
                 Term(d.occupied(rear), "rear occupied", f"{rear or 'no detection'} in rear occupied"),
@@ -100,7 +105,7 @@ def three_point(d: Draft) -> None:
                 own = neg(d.train(s)) if d.signal_at(s, node) is not None else FALSE
                 # a train that has overrun a signal runs on within the overlap
                 own = disj([own, *(d.overlap(x) for x in d.overlaps_along(rear, node, s))])
-                used, leads = var(f"U_{portable(rear)}"), d.locked_out(rear, node)
+                used, leads = var(names.USED(rear)), d.locked_out(rear, node)
                 terms.append(Term(disj((own, used)), "rear used", f"{rear} itself was used"))
                 terms.append(Term(disj((own, leads)), "rear leads here", f"{rear} is locked towards {s}"))
             d.wire(_new_use(s, i), Join.ALL, terms, f"section {s}", f"a train comes into {s} at {node} (R9)")
@@ -108,7 +113,7 @@ def three_point(d: Draft) -> None:
 
 def rear_free(d: Draft, s: SectionId) -> list[Term]:
     """No lock in rear still leads into the section, and none is granted in this scan."""
-    into = disj(var(f"G_R{r.number}") for r in d.routes_into.get(s, ()))
+    into = disj(var(names.GRANTED(r.number)) for r in d.routes_into.get(s, ()))
     out = [] if into is FALSE else [Term(neg(into), "nothing granted into it")]
     for node in d.topo.ends[s]:
         rear = d.topo.beyond(s, node)
@@ -131,64 +136,71 @@ def _closed(d: Draft, s: SectionId) -> list[Term]:
     return [] if open_ is FALSE else [Term(neg(open_), "signal closed", f"{' and '.join(signals)} closed")]
 
 
-RESTART_DELAY = "RST"
+RESTART_DELAY = names.RESTART_OVER
 
 
 def restart_delay(d: Draft) -> None:
     """After power-up nothing is released until whatever still ran has had time to come to a stand (R16)."""
     on = (Term(TRUE, "running", "since the first scan"),)
-    d.kept("PWR", False, "the controller has run a scan since power-up", Join.ALL, on, "restart")
-    d.wire("RSTI", Join.ALL, (Term(var("PWR"), "running"),), "restart", "the restart delay runs (R16)")
-    d.timer(RESTART_DELAY, "RSTI", d.layout.principles.restart_delay_s, "the restart delay is over (R16)")
+    d.kept(names.POWERED, False, "the controller has run a scan since power-up", Join.ALL, on, "restart")
+    d.wire(
+        names.RESTART_RUNS, Join.ALL, (Term(var(names.POWERED), "running"),), "restart", "the restart delay runs (R16)"
+    )
+    d.timer(RESTART_DELAY, names.RESTART_RUNS, d.layout.principles.restart_delay_s, "the restart delay is over (R16)")
 
 
 def clear_time(d: Draft) -> None:
     """How long a section has been reported clear without a break: a single clear reading releases nothing (R8, R9)."""
     for s in d.sections:
         clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
-        d.wire(f"RTI_{portable(s)}", Join.ALL, (clear,), f"section {s}", f"{s} is reported clear")
+        d.wire(names.CLEAR_RUNS(s), Join.ALL, (clear,), f"section {s}", f"{s} is reported clear")
     for s in d.sections:
-        n = portable(s)
-        d.timer(f"RT_{n}", f"RTI_{n}", d.layout.principles.release_delay_s, f"{s}: release delay (R8, R9)")
+        d.timer(
+            names.LONG_CLEAR(s),
+            names.CLEAR_RUNS(s),
+            d.layout.principles.release_delay_s,
+            f"{s}: release delay (R8, R9)",
+        )
 
 
 def long_clear(s: SectionId) -> Term:
     """The section has been clear, inputs valid, for the release delay."""
-    return Term(var(f"RT_{portable(s)}"), "long clear", f"{s} clear without a break for the release delay")
+    return Term(var(names.LONG_CLEAR(s)), "long clear", f"{s} clear without a break for the release delay")
 
 
 def release(d: Draft) -> None:
     """All the ways in which a section is released; none of them before it has been clear for the release delay."""
-    valid = Term(var("VALID"), "inputs valid")
+    valid = Term(var(names.VALID), "inputs valid")
     for s in d.sections:
-        n = portable(s)
         group = f"section {s}"
         clear = long_clear(s)
         rear = rear_free(d, s)
-        d.wire(f"EX_{n}", Join.ANY, _exits(d, s), group, f"a train in {s} leaves over a boundary, or has passed on")
+        d.wire(
+            names.LEAVES(s), Join.ANY, _exits(d, s), group, f"a train in {s} leaves over a boundary, or has passed on"
+        )
         behind = (
             valid,
-            Term(var(f"U_{n}"), "was used"),
+            Term(var(names.USED(s)), "was used"),
             clear,
             *_closed(d, s),
             *rear,
-            Term(var(f"EX_{n}"), "went on"),
+            Term(var(names.LEAVES(s)), "went on"),
         )
-        d.wire(f"BT_{n}", Join.ALL, behind, group, f"{s} is released behind the train (R9)")
+        d.wire(names.RELEASED_BEHIND(s), Join.ALL, behind, group, f"{s} is released behind the train (R9)")
         unsignalled = disj(
             conj((d.locked_in(s, node), *([d.train(s)] if d.signal_at(s, node) is not None else [])))
             for node in d.topo.ends[s]
             if d.main_at(s, node) is None and d.topo.beyond(s, node) is not None
         )
         if s in d.berths:
-            d.wire(f"AR_{n}", Join.ALL, _arrival(d, s, rear), group, f"a train has arrived in {s}, wholly (R2)")
+            d.wire(names.ARRIVED(s), Join.ALL, _arrival(d, s, rear), group, f"a train has arrived in {s}, wholly (R2)")
         d.wire(
-            f"CA_{n}",
+            names.WITHDRAWN(s),
             Join.ALL,
             (
                 valid,
                 clear,
-                Term(neg(var(f"U_{n}")), "not used"),
+                Term(neg(var(names.USED(s))), "not used"),
                 Term(unsignalled, "locked from inside"),
                 *rear,
             ),
@@ -201,7 +213,7 @@ def release(d: Draft) -> None:
             *_closed(d, s),
             *rear,
             Term(
-                disj((var(f"REL_{n}"), conj((var("RELALL"), var(f"D_{n}"))))),
+                disj((var(names.RELEASE_BY_HAND(s)), conj((var(names.RELEASE_ALL), var(names.STALE(s)))))),
                 "by hand",
                 f"{s} alone, or all sections in which a train may have been missed",
             ),
@@ -221,31 +233,31 @@ def release(d: Draft) -> None:
                     f"no route from {g} is set and no train is about to pass it",
                 )
             )
-            cancelled.append(Term(var(f"CD_{portable(g)}"), "cancelled", f"route from {g} cancelled"))
-        d.wire(f"HR_{n}", Join.ALL, by_hand, group, f"{s} released by hand (R8, section fault release)")
+            cancelled.append(Term(var(names.CANCELLED(g)), "cancelled", f"route from {g} cancelled"))
+        d.wire(names.RELEASED_BY_HAND(s), Join.ALL, by_hand, group, f"{s} released by hand (R8, section fault release)")
         d.wire(
-            f"SR_{n}",
+            names.RELEASED_AFTER_RESTART(s),
             Join.ALL,
             (
                 valid,
                 clear,
-                Term(var(f"K_{n}"), "restart lock"),
+                Term(var(names.RESTART_LOCK(s)), "restart lock"),
                 Term(var(RESTART_DELAY), "restart delay over"),
-                Term(disj((var(f"REL_{n}"), var("RELALL"))), "operator"),
+                Term(disj((var(names.RELEASE_BY_HAND(s)), var(names.RELEASE_ALL))), "operator"),
                 *(rear if s in d.berths else ()),
             ),
             group,
             f"{s} released after a restart (R16)",
         )
         d.wire(
-            f"RLS_{n}",
+            names.RELEASED(s),
             Join.ANY,
             (
-                Term(var(f"BT_{n}"), "behind the train"),
-                Term(var(f"CA_{n}"), "withdrawn"),
+                Term(var(names.RELEASED_BEHIND(s)), "behind the train"),
+                Term(var(names.WITHDRAWN(s)), "withdrawn"),
                 *cancelled,
-                Term(var(f"HR_{n}"), "by hand"),
-                Term(var(f"SR_{n}"), "after restart"),
+                Term(var(names.RELEASED_BY_HAND(s)), "by hand"),
+                Term(var(names.RELEASED_AFTER_RESTART(s)), "after restart"),
             ),
             group,
             f"{s} is released",
@@ -259,7 +271,7 @@ def arrived(d: Draft, s: SectionId) -> list[Term]:
 
 def wholly_in(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
     """The section was used, and nothing stands in rear of it that may still come in."""
-    terms = [Term(var("VALID"), "inputs valid"), Term(var(f"U_{portable(s)}"), "was used"), *rear]
+    terms = [Term(var(names.VALID), "inputs valid"), Term(var(names.USED(s)), "was used"), *rear]
     for node in d.topo.ends[s]:
         g = d.main_at(s, node)
         if g is not None:
@@ -283,7 +295,7 @@ def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
 
 
 def _exits(d: Draft, s: SectionId) -> list[Term]:
-    out = [Term(var(f"P_{portable(s)}"), "passed on", "the next section was occupied together with this one")]
+    out = [Term(var(names.PASSED(s)), "passed on", "the next section was occupied together with this one")]
     by_entry: dict[NodeId, list[Expr]] = {}
     for t in d.locks_of[s]:
         if t.exit in d.layout.boundary_at:
@@ -315,19 +327,25 @@ def keep(d: Draft) -> None:
         for s in r.section_ids if r.kind is RouteKind.CALL_ON else ():
             called.setdefault(s, []).append(r)
     for s in d.sections:
-        n = portable(s)
         group = f"section {s}"
-        stays = Term(neg(var(f"RLS_{n}")), "not released")
+        stays = Term(neg(var(names.RELEASED(s))), "not released")
         locks = disj(d.lock(*t.key) for t in d.locks_of[s])
-        d.kept(f"K_{n}", True, f"{s}: restart lock (R16)", Join.ALL, (Term(var(f"K_{n}"), "held"), stays), group)
+        d.kept(
+            names.RESTART_LOCK(s),
+            True,
+            f"{s}: restart lock (R16)",
+            Join.ALL,
+            (Term(var(names.RESTART_LOCK(s)), "held"), stays),
+            group,
+        )
         firmer: list[Expr] = []
         for t in d.locks_of[s]:
-            name = f"L_{n}_{t.number}"
+            name = names.LOCK(s, t.number)
             # a shunting movement locks its berth only if nobody has
-            berth = conj((ways.grant_of(d, t.key, berth=True), var(f"FREE_{n}")))
+            berth = conj((ways.grant_of(d, t.key, berth=True), var(names.FREE(s))))
             grants = [ways.grant_of(d, t.key), berth]
             for r in d.routes_over.get(t.key, ()):
-                lock = var(f"LK_R{r.number}")
+                lock = var(names.LOCKS(r.number))
                 firmer.append(conj((lock, locks)) if r.berth == s else lock)
             d.kept(
                 name,
@@ -341,35 +359,37 @@ def keep(d: Draft) -> None:
                 group,
             )
         if d.shunting:
-            trains = [var(f"G_R{r.number}") for t in d.locks_of[s] for r in d.routes_over.get(t.key, ()) if r.train]
-            arrived = [Term(neg(var(f"AR_{n}")), "not arrived")] if s in d.berths else []
+            trains = [
+                var(names.GRANTED(r.number)) for t in d.locks_of[s] for r in d.routes_over.get(t.key, ()) if r.train
+            ]
+            arrived = [Term(neg(var(names.ARRIVED(s))), "not arrived")] if s in d.berths else []
             d.kept(
-                f"M_{n}",
+                names.TRAIN_LOCK(s),
                 False,
                 f"{s} locked for a train movement",
                 Join.ALL,
-                (Term(disj((var(f"M_{n}"), *trains)), "held or granted"), stays, *arrived),
+                (Term(disj((var(names.TRAIN_LOCK(s)), *trains)), "held or granted"), stays, *arrived),
                 group,
             )
         d.kept(
-            f"F_{n}",
+            names.FIRM(s),
             False,
             f"{s} firmly locked",
             Join.ALL,
             (
-                Term(disj((var(f"F_{n}"), *firmer)), "held or locked"),
+                Term(disj((var(names.FIRM(s)), *firmer)), "held or locked"),
                 stays,
             ),
             group,
         )
         uses = [var(_new_use(s, i)) for i, node in enumerate(d.topo.ends[s], 1) if d.locked_in(s, node) is not FALSE]
         d.kept(
-            f"U_{n}",
+            names.USED(s),
             True,
             f"{s} used by a train (R9)",
             Join.ALL,
             (
-                Term(disj((var(f"U_{n}"), *uses)), "held or new"),
+                Term(disj((var(names.USED(s)), *uses)), "held or new"),
                 stays,
             ),
             group,
@@ -379,29 +399,32 @@ def keep(d: Draft) -> None:
             ahead = d.topo.beyond(s, node)
             if ahead is not None and d.locked_in(ahead, node) is not FALSE:
                 gone.append(var(_new_use(ahead, d.topo.ends[ahead].index(node) + 1)))
-        going = conj((var(f"U_{n}"), d.occupied(s), disj(gone)))
+        going = conj((var(names.USED(s)), d.occupied(s), disj(gone)))
         d.kept(
-            f"P_{n}",
+            names.PASSED(s),
             False,
             f"{s}: the train went on (R9)",
             Join.ALL,
             (
-                Term(disj((var(f"P_{n}"), going)), "held or new"),
+                Term(disj((var(names.PASSED(s)), going)), "held or new"),
                 stays,
             ),
             group,
         )
-        lost = conj((neg(var("VALID")), locks))
+        lost = conj((neg(var(names.VALID)), locks))
         d.kept(
-            f"D_{n}",
+            names.STALE(s),
             False,
             f"{s}: detection is not relied on, inputs were lost or a train is called on",
             Join.ALL,
             (
-                Term(disj((var(f"D_{n}"), lost, *(var(f"G_R{r.number}") for r in called.get(s, ())))), "held or lost"),
+                Term(
+                    disj((var(names.STALE(s)), lost, *(var(names.GRANTED(r.number)) for r in called.get(s, ())))),
+                    "held or lost",
+                ),
                 stays,
             ),
             group,
         )
-        held = disj((var(f"K_{n}"), locks, *(d.overlap(o) for o in d.overlaps_over(s))))
-        d.outputs.append(Output(f"YL_{n}", held, True, f"indication: {s} is locked"))
+        held = disj((var(names.RESTART_LOCK(s)), locks, *(d.overlap(o) for o in d.overlaps_over(s))))
+        d.outputs.append(Output(names.LOCKED_SHOWN(s), held, True, f"indication: {s} is locked"))

@@ -10,22 +10,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from interlock.logic import names
 from interlock.logic.controller import Join, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
-from interlock.model.portable import portable
 from interlock.table.rows import Role, RouteKind, RouteRow, TraversalKey, TraversalRow
 
 
-def _named(prefix: str, key: TraversalKey) -> str:
-    return f"{prefix}_{portable(key[0])}_{key[1]}"
-
-
-def _wire(d: Draft, prefix: str, t: TraversalRow, terms: Sequence[Term], note: str) -> None:
+def _wire(d: Draft, family: names.Family, t: TraversalRow, terms: Sequence[Term], note: str) -> None:
     if terms:
         group = f"section {t.section}"
-        d.wire(_named(prefix, t.key), Join.ALL, terms, group, f"{t.section} from {t.entry} to {t.exit}: {note}")
+        d.wire(family(*t.key), Join.ALL, terms, group, f"{t.section} from {t.entry} to {t.exit}: {note}")
 
 
 def _of_routes(d: Draft) -> set[TraversalKey]:
@@ -40,13 +36,13 @@ def availability(d: Draft) -> None:
     """Whether ways can be locked (R6, R10), and whether overlaps can be held (R4)."""
     routes = _of_routes(d)
     for t in d.table.locks:
-        _wire(d, "WA", t, _availability(d, t), "could be locked")
-        free = [Term(var(f"FREE_{portable(t.section)}"), "section free", f"{t.section} not locked")]
+        _wire(d, names.WAY_AVAILABLE, t, _availability(d, t), "could be locked")
+        free = [Term(var(names.FREE(t.section)), "section free", f"{t.section} not locked")]
         if t.key in routes:
-            _wire(d, "WF", t, [*free, *_unlocked(d, t.key)], "free for a route (R6)")
+            _wire(d, names.WAY_FREE, t, [*free, *_unlocked(d, t.key)], "free for a route (R6)")
     for (g, k), over in d.overlaps.items():
         terms = [x for key in over for x in _overlap_terms(d, g, key)]
-        d.wire(f"OF_{portable(g)}_{k}", Join.ALL, terms, f"overlap {g}", f"overlap {k} of {g} may be held (R4)")
+        d.wire(names.OVERLAP_FREE(g, k), Join.ALL, terms, f"overlap {g}", f"overlap {k} of {g} may be held (R4)")
 
 
 def _availability(d: Draft, t: TraversalRow) -> list[Term]:
@@ -55,12 +51,12 @@ def _availability(d: Draft, t: TraversalRow) -> list[Term]:
         if ex.section not in d.sections:
             continue
         if ex.whole:
-            held = neg(var(f"FREE_{portable(ex.section)}"))
+            held = neg(var(names.FREE(ex.section)))
         else:
-            held = disj([*(d.holding((ex.section, n)) for n in ex.numbers), var(f"K_{portable(ex.section)}")])
+            held = disj([*(d.holding((ex.section, n)) for n in ex.numbers), var(names.RESTART_LOCK(ex.section))])
         terms.append(Term(neg(held), "exclusion", f"{ex.section}: {ex.because.text}"))
     for p in t.points:
-        free = var(f"AV{p.position}_{portable(p.machine)}")
+        free = var(names.POINT_AVAILABLE(p.machine, p.position))
         terms.append(Term(free, f"{p.role} point available", f"{p.machine} {p.position}: {p.because.text}"))
     return [*terms, *_trailed(d, t), *_foul(d, t), *_space(d, t)]
 
@@ -75,18 +71,18 @@ def _unlocked(d: Draft, key: TraversalKey, clear: bool = True) -> list[Term]:
 def available(d: Draft, key: TraversalKey) -> list[Term]:
     """The way could be locked."""
     terms = _availability(d, d.table.lock[key])
-    return [Term(var(_named("WA", key)), "way available", f"way through {key[0]} available")] if terms else []
+    return [Term(var(names.WAY_AVAILABLE(*key)), "way available", f"way through {key[0]} available")] if terms else []
 
 
 def not_blocked(s: SectionId) -> list[Term]:
     """Nobody has blocked the section."""
-    return [Term(neg(var(f"BLK_{portable(s)}")), "not blocked", f"{s} not blocked")]
+    return [Term(neg(var(names.BLOCKED(s))), "not blocked", f"{s} not blocked")]
 
 
 def _trailed(d: Draft, t: TraversalRow) -> list[Term]:
     """A trailed point is not used before somebody has looked at it (R10)."""
     machines = dict.fromkeys(p.machine for p in t.points if p.machine in d.powered)
-    return [Term(neg(var(f"TR_{portable(m)}")), "not trailed", f"{m} was not trailed") for m in machines]
+    return [Term(neg(var(names.TRAILED(m))), "not trailed", f"{m} was not trailed") for m in machines]
 
 
 def _foul(d: Draft, t: TraversalRow) -> list[Term]:
@@ -104,9 +100,9 @@ def _space(d: Draft, t: TraversalRow) -> list[Term]:
     out = []
     for c in t.space:
         if c.lamp:
-            out.append(Term(var(f"RL_{portable(c.name)}"), "flank lamp intact", c.because.text))
+            out.append(Term(var(names.STOP_LAMP(c.name)), "flank lamp intact", c.because.text))
         else:
-            out.append(Term(neg(var(f"OCC_{portable(c.name)}")), "flank space clear", c.because.text))
+            out.append(Term(neg(var(names.OCCUPIED(c.name))), "flank space clear", c.because.text))
     return out
 
 
@@ -114,9 +110,9 @@ def _overlap_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
     """The overlap's way is free, or lies over the route that is already set onward from the signal (R4)."""
     s = key[0]
     onward = disj(
-        var(f"A_R{r.number}") for r in d.routes_over.get(key, ()) if r.entry == g and r.kind is RouteKind.MAIN
+        var(names.ACTIVE(r.number)) for r in d.routes_over.get(key, ()) if r.entry == g and r.kind is RouteKind.MAIN
     )
-    free = [neg(var(f"K_{portable(s)}")), *(neg(d.overlap(o)) for o in d.overlaps_over(s))]
+    free = [neg(var(names.RESTART_LOCK(s))), *(neg(d.overlap(o)) for o in d.overlaps_over(s))]
     for t in d.locks_of[s]:
         lock = neg(d.lock(*t.key))
         free.append(disj((lock, onward)) if t.key == key else lock)
@@ -128,12 +124,12 @@ def detection(d: Draft) -> None:
     """Whether ways lie and are clear, checked in every scan (R3)."""
     routes = _of_routes(d)
     for t in d.table.locks:
-        _wire(d, "WD", t, _detection(d, t), "its points lie, nothing is foul of it")
+        _wire(d, names.WAY_DETECTED, t, _detection(d, t), "its points lie, nothing is foul of it")
         clear = Term(neg(d.occupied(t.section)), "section clear", f"{t.section} clear")
-        _wire(d, "WL", t, [clear, *_detected(d, t.key)], "lies and is clear")
+        _wire(d, names.WAY_LIES, t, [clear, *_detected(d, t.key)], "lies and is clear")
         if t.key in routes:
             terms = [*_lying(t.key, "way lies"), *not_blocked(t.section)]
-            _wire(d, "WP", t, terms, "proceed may be shown over it (R3)")
+            _wire(d, names.WAY_IN_ORDER, t, terms, "proceed may be shown over it (R3)")
 
 
 def _detection(d: Draft, t: TraversalRow) -> list[Term]:
@@ -146,11 +142,11 @@ def _detection(d: Draft, t: TraversalRow) -> list[Term]:
 
 def _detected(d: Draft, key: TraversalKey) -> list[Term]:
     terms = _detection(d, d.table.lock[key])
-    return [Term(var(_named("WD", key)), "way detected", f"points of the way through {key[0]}")] if terms else []
+    return [Term(var(names.WAY_DETECTED(*key)), "way detected", f"points of the way through {key[0]}")] if terms else []
 
 
 def _lying(key: TraversalKey, kind: str) -> list[Term]:
-    return [Term(var(_named("WL", key)), kind, f"way through {key[0]} lies and is clear")]
+    return [Term(var(names.WAY_LIES(*key)), kind, f"way through {key[0]} lies and is clear")]
 
 
 # --- what routes ask for -------------------------------------------------------------------------
@@ -164,12 +160,12 @@ def free_terms(d: Draft, r: RouteRow, key: TraversalKey) -> list[Term]:
         own = []
     clear = s in r.kept_clear
     if not own and not clear:
-        free = var(f"FREE_{portable(s)}")
+        free = var(names.FREE(s))
         return [Term(free, "section free", f"{s} not locked"), *_unlocked(d, key, clear)]
     if not own:
-        return [Term(var(_named("WF", key)), "way free", f"way through {s} free")]
+        return [Term(var(names.WAY_FREE(*key)), "way free", f"way through {s} free")]
     others = [neg(d.overlap(o)) for o in d.overlaps_over(s) if o not in own]
-    free = conj([neg(var(f"K_{portable(s)}")), *(neg(d.lock(*t.key)) for t in d.locks_of[s]), *others])
+    free = conj([neg(var(names.RESTART_LOCK(s))), *(neg(d.lock(*t.key)) for t in d.locks_of[s]), *others])
     return [Term(free, "section free", f"{s} not locked, but for the own overlap"), *_unlocked(d, key, clear)]
 
 
@@ -178,7 +174,7 @@ def overlap_terms(d: Draft, r: RouteRow) -> list[Term]:
     if r.overlap is None:
         return []
     g, k = r.overlap.signal, r.overlap.option
-    return [Term(var(f"OF_{portable(g)}_{k}"), "overlap free", f"overlap of {g} may be held")]
+    return [Term(var(names.OVERLAP_FREE(g, k)), "overlap free", f"overlap of {g} may be held")]
 
 
 def lying_terms(d: Draft, r: RouteRow) -> list[Term]:
@@ -194,7 +190,7 @@ def proceed_terms(d: Draft, r: RouteRow) -> list[Term]:
     out = []
     for k in r.locked:
         if k[0] in r.kept_clear:
-            out.append(Term(var(_named("WP", k)), "way in order", f"way through {k[0]} in order"))
+            out.append(Term(var(names.WAY_IN_ORDER(*k)), "way in order", f"way through {k[0]} in order"))
         else:
             out += [*_detected(d, k), *not_blocked(k[0])]
     if r.berth is not None:
@@ -215,7 +211,7 @@ def _some_overlap_lies(d: Draft, r: RouteRow) -> list[Term]:
     if r.overlap is None or not r.overlap.swings:
         return _overlap_lies(r)
     note = f"an overlap of {r.overlap.signal} lies and is clear"
-    return [Term(var(f"OL_{portable(r.overlap.signal)}"), "overlap lies", note)]
+    return [Term(var(names.OVERLAP_LIES(r.overlap.signal)), "overlap lies", note)]
 
 
 def swung(d: Draft) -> None:
@@ -225,7 +221,7 @@ def swung(d: Draft) -> None:
         for o in d.overlaps_of[g]:
             lies = conj(x.expr for key in d.overlaps[o] for x in _lying(key, "overlap lies"))
             terms.append(Term(conj((d.overlap(o), lies)), "overlap lies", f"overlap {o[1]} of {g}"))
-        d.wire(f"OL_{portable(g)}", Join.ANY, terms, f"overlap {g}", f"the overlap of {g} lies and is clear (R4)")
+        d.wire(names.OVERLAP_LIES(g), Join.ANY, terms, f"overlap {g}", f"the overlap of {g} lies and is clear (R4)")
 
 
 def _overlap_lies(r: RouteRow) -> list[Term]:
@@ -239,17 +235,17 @@ def granted(d: Draft) -> None:
     """Which ways and overlaps are granted in this scan."""
     for t in d.table.locks:
         over = d.routes_over.get(t.key, ())
-        for prefix, routes in (
-            ("GW", [r for r in over if r.berth != t.section]),
-            ("GB", [r for r in over if r.berth == t.section]),
+        for family, routes in (
+            (names.WAY_GRANTED, [r for r in over if r.berth != t.section]),
+            (names.BERTH_GRANTED, [r for r in over if r.berth == t.section]),
         ):
             if routes:
-                terms = [Term(var(f"G_R{r.number}"), "granted", f"route {r.id}") for r in routes]
+                terms = [Term(var(names.GRANTED(r.number)), "granted", f"route {r.id}") for r in routes]
                 note = f"{t.section} from {t.entry} to {t.exit}: granted"
-                d.wire(_named(prefix, t.key), Join.ANY, terms, f"section {t.section}", note)
+                d.wire(family(*t.key), Join.ANY, terms, f"section {t.section}", note)
     for (g, k), _ in d.overlaps.items():
-        terms = [Term(var(f"G_R{r.number}"), "granted", f"route {r.id}") for r in overlap_users(d, (g, k))]
-        d.wire(f"GO_{portable(g)}_{k}", Join.ANY, terms, f"overlap {g}", f"overlap {k} of {g}: granted")
+        terms = [Term(var(names.GRANTED(r.number)), "granted", f"route {r.id}") for r in overlap_users(d, (g, k))]
+        d.wire(names.OVERLAP_GRANTED(g, k), Join.ANY, terms, f"overlap {g}", f"overlap {k} of {g}: granted")
 
 
 def overlap_users(d: Draft, option: tuple[SignalId, int]) -> list[RouteRow]:
@@ -261,7 +257,7 @@ def grant_of(d: Draft, key: TraversalKey, berth: bool = False) -> Expr:
     """The way is granted in this scan: to a route that goes through it, or to one that ends in it as a berth."""
     s = key[0]
     ends = any((r.berth == s) is berth for r in d.routes_over.get(key, ()))
-    return var(_named("GB" if berth else "GW", key)) if ends else disj(())
+    return var((names.BERTH_GRANTED if berth else names.WAY_GRANTED)(*key)) if ends else disj(())
 
 
 def demands(d: Draft) -> tuple[Mapping[MachineId, Expr], Mapping[tuple[MachineId, Position], Expr]]:
@@ -287,25 +283,25 @@ def _grants(d: Draft, key: TraversalKey) -> Iterator[Expr]:
     yield grant_of(d, key, berth=True)
     for g, k in d.overlaps_over(key[0]):
         if key in d.overlaps[g, k]:
-            yield var(f"GO_{portable(g)}_{k}")
+            yield var(names.OVERLAP_GRANTED(g, k))
             if k in d.swinging.get(g, ()):
                 yield var(swing_wire(d, g, k))
 
 
-def swing_wire(d: Draft, g: SignalId, option: int) -> str:
+def swing_wire(d: Draft, g: SignalId, option: int) -> names.Name:
     """The wire that tells that the overlap of a signal swings to an alternative in this scan."""
-    return f"SW{list(d.swinging).index(g) + 1}_{option}"
+    return names.SWINGS_TO(g, list(d.swinging).index(g) + 1, option)
 
 
 def swing_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
     """A way can be held as overlap instead of another alternative of the same signal (R4)."""
     s, t = key[0], d.table.lock[key]
     others = [neg(d.overlap(o)) for o in d.overlaps_over(s) if o[0] != g]
-    free = conj([neg(var(f"K_{portable(s)}")), *others])
+    free = conj([neg(var(names.RESTART_LOCK(s))), *others])
     terms = [Term(free, "overlap free", f"{s} free for another overlap of {g}"), *not_blocked(s)]
     for ex in t.exclusions:
         if ex.section in d.sections:
-            held: list[Expr] = [var(f"K_{portable(ex.section)}")]
+            held: list[Expr] = [var(names.RESTART_LOCK(ex.section))]
             if ex.whole:
                 held += [d.lock(*x.key) for x in d.locks_of[ex.section]]
                 held += [d.overlap(o) for o in d.overlaps_over(ex.section) if o[0] != g]
@@ -321,9 +317,9 @@ def swing_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
 
 def _may_swing(d: Draft, g: SignalId, m: MachineId) -> Expr:
     """A machine that nobody holds but the overlap of one signal, and nothing stands over."""
-    terms: list[Expr] = [var("VALID")]
+    terms: list[Expr] = [var(names.VALID)]
     for s in d.sections_of(m):
-        terms += [neg(var(f"K_{portable(s)}")), *(neg(d.lock(*x.key)) for x in d.locks_of[s]), neg(d.occupied(s))]
+        terms += [neg(var(names.RESTART_LOCK(s))), *(neg(d.lock(*x.key)) for x in d.locks_of[s]), neg(d.occupied(s))]
         terms += [neg(d.overlap(o)) for o in d.overlaps_over(s) if o[0] != g]
     for t in d.table.locks:
         if any(p.machine == m and p.role is Role.FLANK for p in t.points):

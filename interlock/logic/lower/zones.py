@@ -6,11 +6,11 @@ a lock in rear does not count beside it.  ZNk_i_j: at least j of the first i sec
 
 from __future__ import annotations
 
+from interlock.logic import names
 from interlock.logic.controller import Join, Output, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import SectionId, Zone
-from interlock.model.portable import portable
 from interlock.table.rows import RouteRow
 
 
@@ -19,7 +19,9 @@ def count(d: Draft) -> None:
     for k, z in enumerate(d.layout.zones, 1):
         before: list[Expr] = []
         for i, s in enumerate(z.sections, 1):
-            busy = d.wire(f"ZB{k}_{portable(s)}", Join.ANY, _busy(d, z, s), f"zone {z.id}", f"{s} counts in {z.id}")
+            busy = d.wire(
+                names.ZONE_BUSY(z.id, k, s), Join.ANY, _busy(d, z, s), f"zone {z.id}", f"{s} counts in {z.id}"
+            )
             now: list[Expr] = []
             for j in range(1, min(i, z.trains) + 1):
                 fewer = before[j - 2] if j > 1 else None
@@ -27,14 +29,13 @@ def count(d: Draft) -> None:
                 terms = [Term(more, "one more")]
                 if j <= len(before):
                     terms.append(Term(before[j - 1], "before it"))
-                now.append(d.wire(f"ZN{k}_{i}_{j}", Join.ANY, terms, f"zone {z.id}"))
+                now.append(d.wire(names.ZONE_COUNT(z.id, k, i, j), Join.ANY, terms, f"zone {z.id}"))
             before = now
 
 
 def _busy(d: Draft, z: Zone, s: SectionId) -> list[Term]:
-    n = portable(s)
-    unseen = conj((neg(var(f"U_{n}")), neg(var(f"D_{n}"))))
-    terms = [Term(var(f"K_{n}"), "restart lock")]
+    unseen = conj((neg(var(names.USED(s))), neg(var(names.STALE(s)))))
+    terms = [Term(var(names.RESTART_LOCK(s)), "restart lock")]
     for t in d.locks_of[s]:
         rear = d.topo.beyond(s, t.entry)
         leads = d.locked_out(rear, t.entry) if rear is not None and rear in z.sections else FALSE
@@ -47,7 +48,7 @@ def _at_least(d: Draft, number: int, trains: int) -> Expr:
     k, z = number, d.layout.zones[number - 1]
     if trains <= 0:
         return neg(FALSE)
-    return var(f"ZN{k}_{len(z.sections)}_{trains}") if trains <= len(z.sections) else FALSE
+    return var(names.ZONE_COUNT(z.id, k, len(z.sections), trains)) if trains <= len(z.sections) else FALSE
 
 
 def terms(d: Draft, r: RouteRow) -> list[Term]:
@@ -64,7 +65,9 @@ def terms(d: Draft, r: RouteRow) -> list[Term]:
 def outputs(d: Draft) -> None:
     """Full zones are shown, a scan late."""
     for k, z in enumerate(d.layout.zones, 1):
-        name = f"ZF_{portable(z.id)}"
+        name = names.ZONE_FULL(z.id)
         full = [Term(_at_least(d, k, z.trains), "full")]
         d.kept(name, True, f"zone {z.id} is full", Join.ALL, full, f"zone {z.id}")
-        d.outputs.append(Output(f"YZ_{portable(z.id)}", disj((var(name),)), True, f"indication: zone {z.id} is full"))
+        d.outputs.append(
+            Output(names.ZONE_FULL_SHOWN(z.id), disj((var(name),)), True, f"indication: zone {z.id} is full")
+        )

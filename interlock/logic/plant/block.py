@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from interlock.logic import names
 from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
 from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, Wiring
-from interlock.logic.plant.words import OUTSIDE, has_token, line, o, seen_by, telegram
+from interlock.logic.plant.words import has_token, line, o, seen_by, telegram
 from interlock.model.elements import Boundary
 from interlock.model.layout import Layout
 
@@ -24,18 +25,18 @@ class Beyond(Protocol):
     p: Plant
     dropped: frozenset[str]
 
-    def choice(self, name: str, text: str) -> Expr:
+    def choice(self, name: names.Name, text: str) -> Expr:
         """A free choice of the world."""
         ...
 
-    def clock(self, name: str, hold: Expr, text: str) -> Expr:
+    def clock(self, name: names.Name, hold: Expr, text: str) -> Expr:
         """A clock of the world."""
         ...
 
 
 def outside(b: Boundary) -> str:
     """Where a train stands that is about to come in."""
-    return b.approach or f"{OUTSIDE}.{b.node}"
+    return b.approach or names.outside(b.node)
 
 
 def neighbour(x: Beyond, b: Boundary) -> None:
@@ -45,48 +46,51 @@ def neighbour(x: Beyond, b: Boundary) -> None:
     empty = conj((neg(line(n, "out")), neg(line(n, "in")), neg(o(outside(b)))))
     ours = disj((var(wire.have), var(wire.give)))
     take = conj((seen_by(n, "gives"), fresh, neg(has), neg(gives)))
-    p.events[f"neighbour.takes.{n}"] = take
+    p.events[names.TOKEN_MOVES(n, "takes")] = take
     give = conj(
         (
             has,
             fresh,
             neg(line(n, "in")),
             neg(o(outside(b))),
-            x.choice(f"?neighbour.gives.{n}", f"the neighbour at {n} gives the direction"),
+            x.choice(names.TOKEN_MOVES(n, "gives"), f"the neighbour at {n} gives the direction"),
         )
     )
-    p.events[f"neighbour.gives.{n}"] = give
-    lost = x.choice(f"?neighbour.lost.{n}", f"the neighbour at {n} is restarted")
-    p.events[f"neighbour.lost.{n}"] = lost
+    p.events[names.TOKEN_MOVES(n, "gives")] = give
+    lost = x.choice(names.TOKEN_MOVES(n, "lost"), f"the neighbour at {n} is restarted")
+    p.events[names.TOKEN_MOVES(n, "lost")] = lost
     agreed = conj((empty, neg(ours), neg(has), neg(gives), neg(seen_by(n, "gives")), neg(telegram(n, "gives"))))
     held = x.clock(
-        f"agreed.{n}", conj((var(x.w.valid), var(wire.manual))), f"the hand at {n} is held as long as agreed"
+        names.AGREED_LONG(n), conj((var(x.w.valid), var(wire.manual))), f"the hand at {n} is held as long as agreed"
     )
     manual = conj(
         (
             agreed,
             neg(held),
             neg(take),
-            x.choice(f"?neighbour.manual.{n}", f"the neighbour at {n} takes the direction, as agreed by telephone"),
+            x.choice(
+                names.TOKEN_MOVES(n, "manual"),
+                f"the neighbour at {n} takes the direction, as agreed by telephone",
+            ),
         )
     )
-    p.events[f"neighbour.manual.{n}"] = manual
-    p.events[f"sends.{n}"] = conj((has, neg(give), x.choice(f"?sends.{n}", f"the neighbour at {n} sends a train")))
-    told = x.choice(f"?telegram.{n}", f"a telegram comes from the neighbour at {n}")
-    tells = x.choice(f"?tells.{n}", f"a telegram reaches the neighbour at {n}")
+    p.events[names.TOKEN_MOVES(n, "manual")] = manual
+    p.events[names.SENDS(n)] = conj((has, neg(give), x.choice(names.SENDS(n), f"the neighbour at {n} sends a train")))
+    told = x.choice(names.TELEGRAM_COMES(n), f"a telegram comes from the neighbour at {n}")
+    tells = x.choice(names.TELEGRAM_REACHES(n), f"a telegram reaches the neighbour at {n}")
     words = {"has": f"the neighbour at {n} has the direction", "gives": f"the neighbour at {n} gives the direction"}
     for w in ("has", "gives"):
-        p.state[f"token.{w}.{n}"] = words[w]
-        p.state[f"tel.{w}.{n}"] = f"the last telegram from {n}: {words[w]}"
-        p.next[f"tel.{w}.{n}"] = disj((conj((told, has_token(n, w))), conj((neg(told), telegram(n, w)))))
-        p.state[f"saw.{w}.{n}"] = f"the last telegram that reached the neighbour at {n}: {w}"
+        p.state[names.NEIGHBOUR_TOKEN(n, w)] = words[w]
+        p.state[names.TELEGRAM(n, w)] = f"the last telegram from {n}: {words[w]}"
+        p.next[names.TELEGRAM(n, w)] = disj((conj((told, has_token(n, w))), conj((neg(told), telegram(n, w)))))
+        p.state[names.SEEN_BY(n, w)] = f"the last telegram that reached the neighbour at {n}: {w}"
         own = var(wire.have if w == "has" else wire.give)
-        p.next[f"saw.{w}.{n}"] = disj((conj((tells, own)), conj((neg(tells), seen_by(n, w)))))
-    p.state[f"token.fresh.{n}"] = f"the neighbour at {n} has seen the direction not given"
-    p.next[f"token.has.{n}"] = conj((disj((has, take, manual)), neg(give), neg(lost)))
-    p.next[f"token.gives.{n}"] = conj((disj((gives, give)), neg(seen_by(n, "has")), neg(lost)))
-    p.next[f"token.fresh.{n}"] = conj((disj((fresh, neg(seen_by(n, "gives")))), neg(take), neg(lost)))
-    told_now = {w: p.next[f"tel.{w}.{n}"] for w in ("has", "gives")}
+        p.next[names.SEEN_BY(n, w)] = disj((conj((tells, own)), conj((neg(tells), seen_by(n, w)))))
+    p.state[names.NEIGHBOUR_TOKEN(n, "fresh")] = f"the neighbour at {n} has seen the direction not given"
+    p.next[names.NEIGHBOUR_TOKEN(n, "has")] = conj((disj((has, take, manual)), neg(give), neg(lost)))
+    p.next[names.NEIGHBOUR_TOKEN(n, "gives")] = conj((disj((gives, give)), neg(seen_by(n, "has")), neg(lost)))
+    p.next[names.NEIGHBOUR_TOKEN(n, "fresh")] = conj((disj((fresh, neg(seen_by(n, "gives")))), neg(take), neg(lost)))
+    told_now = {w: p.next[names.TELEGRAM(n, w)] for w in ("has", "gives")}
     for name, true in (
         (wire.gives, told_now["gives"]),
         (wire.keeps, neg(told_now["gives"])),
@@ -118,22 +122,22 @@ def neighbour(x: Beyond, b: Boundary) -> None:
 def on_the_line(x: Beyond, b: Boundary, leaves: Expr) -> None:
     """Trains on the line, once it is known when a head goes out to it."""
     p, n, wire = x.p, b.node, x.w.token[b.node]
-    arrives = x.choice(f"?arrived.{n}", f"the train on the line beyond {n} has arrived")
-    last = x.choice(f"?last.{n}", f"no further train is on the line to {n}")
-    appears = p.events.get(f"appear.{outside(b)}", FALSE)
-    p.waits[n] = f"o.{outside(b)}"
-    p.state[f"line.out.{n}"] = f"a train is on the line beyond {n}, going out"
-    p.next[f"line.out.{n}"] = disj((conj((line(n, "out"), neg(arrives))), leaves))
-    p.state[f"line.in.{n}"] = f"a train is on the line to {n}"
-    p.next[f"line.in.{n}"] = disj((conj((line(n, "in"), neg(conj((appears, last))))), p.events[f"sends.{n}"]))
+    arrives = x.choice(names.LINE_ARRIVED(n), f"the train on the line beyond {n} has arrived")
+    last = x.choice(names.LINE_LAST(n), f"no further train is on the line to {n}")
+    appears = p.events.get(names.APPEARS(outside(b)), FALSE)
+    p.waits[n] = names.STANDS(outside(b))
+    p.state[names.ON_LINE(n, "out")] = f"a train is on the line beyond {n}, going out"
+    p.next[names.ON_LINE(n, "out")] = disj((conj((line(n, "out"), neg(arrives))), leaves))
+    p.state[names.ON_LINE(n, "in")] = f"a train is on the line to {n}"
+    p.next[names.ON_LINE(n, "in")] = disj((conj((line(n, "in"), neg(conj((appears, last))))), p.events[names.SENDS(n)]))
     there = [line(n, "out"), line(n, "in"), o(outside(b))]
-    still = [p.next[f"line.out.{n}"], p.next[f"line.in.{n}"], p.next[f"o.{outside(b)}"]]
+    still = [p.next[names.ON_LINE(n, "out")], p.next[names.ON_LINE(n, "in")], p.next[names.STANDS(outside(b))]]
     stands = disj(conj(pair) for pair in zip(there, still, strict=True))
     _assume(x, "A-LINE", implies(conj((var(x.w.valid), var(wire.clear))), neg(stands)))
     head_on = disj(
         (
-            conj((leaves, disj((line(n, "in"), o(outside(b)), p.events[f"sends.{n}"])))),
-            conj((p.events[f"sends.{n}"], line(n, "out"))),
+            conj((leaves, disj((line(n, "in"), o(outside(b)), p.events[names.SENDS(n)])))),
+            conj((p.events[names.SENDS(n)], line(n, "out"))),
         )
     )
     p.hazards.append(Hazard("LINE", n, head_on))

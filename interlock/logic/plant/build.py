@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
 from interlock.logic.plant.block import neighbour, on_the_line
 from interlock.logic.plant.hazards import hazards
@@ -13,7 +14,6 @@ from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Plant, Wiring
 from interlock.logic.plant.machines import machines
 from interlock.logic.plant.reversals import reversals
 from interlock.logic.plant.words import (
-    OUTSIDE,
     accepted,
     across,
     came,
@@ -69,7 +69,7 @@ class PlantBuilder:
         self._states()
         for b in tokens:
             s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
-            on_the_line(self, b, self.p.events.get(f"head.{b.node}.{s}", FALSE))
+            on_the_line(self, b, self.p.events.get(names.HEAD(b.node, s), FALSE))
         images(self)
         self.p.hazards.extend(hazards(self))
         return self.p
@@ -92,21 +92,21 @@ class PlantBuilder:
         """A train has stood in s since the restart, so that it could go to b, whatever lies under it."""
         return conj((rests(s), disj(came(s, a) for a in self.topo.ends[s] if self.ways(s, a, b))))
 
-    def choice(self, name: str, text: str) -> Expr:
-        """A free choice of the world."""
-        self.p.choices[name] = text
-        return var(name)
+    def choice(self, name: names.Name, text: str) -> Expr:
+        """A free choice of the world: whether that happens."""
+        chosen = names.choice(name)
+        self.p.choices[chosen] = text
+        return var(chosen)
 
-    def clock(self, name: str, hold: Expr, text: str) -> Expr:
+    def clock(self, long: names.Name, hold: Expr, text: str) -> Expr:
         """A clock of the world: what tells, in this step, that `hold` has held without a break for long enough.
 
         How long that is the model does not say: from the moment at which `hold` begins to be true the world may choose
         when, and once chosen it stays so while `hold` lasts.  Every real duration is one of these choices.
         """
-        long = f"long.{name}"
         self.p.clocks[long] = hold
         self.p.state[long] = text
-        over = conj((hold, disj((var(long), self.choice(f"?{long}", text)))))
+        over = conj((hold, disj((var(long), self.choice(long, text)))))
         self.p.next[long] = over
         return over
 
@@ -180,35 +180,35 @@ class PlantBuilder:
             g = topo.signal_into.get((b.node, s))
             if g is None:
                 continue
-            outside = b.approach or f"{OUTSIDE}.{b.node}"
+            outside = b.approach or names.outside(b.node)
             scanned = image(outside) if b.approach and "A-SCAN" not in self.dropped else TRUE
             free = neg(across(b.node, outside)) if "A-HEADWAY" not in self.dropped else TRUE
             calls = disj(accepted(g, k) for k in self.functions(g))
-            self.p.events[f"head.{b.node}.{outside}"] = conj(
+            self.p.events[names.HEAD(b.node, outside)] = conj(
                 (
                     o(outside),
                     neg(across(b.node, outside)),
                     calls if "A-OBEY" not in self.dropped else TRUE,
                     scanned,
-                    self.choice(f"?head.{b.node}.{outside}", f"a train enters at {b.node}"),
+                    self.choice(names.HEAD(b.node, outside), f"a train enters at {b.node}"),
                 )
             )
             if True in self.functions(g):
-                self.p.events[f"shunts.{b.node}.{outside}"] = conj(
-                    (self.p.events[f"head.{b.node}.{outside}"], accepted(g, True))
+                self.p.events[names.SHUNTS(b.node, outside)] = conj(
+                    (self.p.events[names.HEAD(b.node, outside)], accepted(g, True))
                 )
-            self.p.events[f"tail.{b.node}.{outside}"] = conj(
+            self.p.events[names.TAIL(b.node, outside)] = conj(
                 (
                     across(b.node, outside),
                     image(s) if "A-SCAN" not in self.dropped else TRUE,
-                    self.choice(f"?tail.{b.node}.{outside}", f"its tail enters at {b.node}"),
+                    self.choice(names.TAIL(b.node, outside), f"its tail enters at {b.node}"),
                 )
             )
             sent = line(b.node, "in") if b.node in self.w.token else TRUE
             # none is there, or the tail of the one before is just coming in: so a train may follow close behind another
-            room = disj((neg(o(outside)), self.p.events[f"tail.{b.node}.{outside}"]))
-            self.p.events[f"appear.{outside}"] = conj(
-                (room, sent, self.choice(f"?appear.{outside}", f"a train comes to {b.node}"))
+            room = disj((neg(o(outside)), self.p.events[names.TAIL(b.node, outside)]))
+            self.p.events[names.APPEARS(outside)] = conj(
+                (room, sent, self.choice(names.APPEARS(outside), f"a train comes to {b.node}"))
             )
             self._accept(g, conj((o(outside), free)))
         for g_ in self.layout.signals:
@@ -231,11 +231,11 @@ class PlantBuilder:
 
     def _accept(self, g: SignalId, ready: Expr) -> None:
         for k in self.functions(g):
-            name = "accepts" if k else "accept"
+            event = names.accepts(g, k)
             what = "shunt aspect" if k else "proceed"
-            accepts = self.choice(f"?{name}.{g}", f"a driver accepts the {what} of {g}")
-            self.p.events[f"{name}.{g}"] = conj((ready, self.seen(g, k), accepts))
-        self.p.events[f"refuse.{g}"] = self.choice(f"?refuse.{g}", f"the train before {g} stops after all")
+            accepts = self.choice(event, f"a driver accepts the {what} of {g}")
+            self.p.events[event] = conj((ready, self.seen(g, k), accepts))
+        self.p.events[names.REFUSES(g)] = self.choice(names.REFUSES(g), f"the train before {g} stops after all")
 
     def _head(self, s: SectionId, j: NodeId, g: SignalId | None) -> None:
         scanned = image(s) if "A-SCAN" not in self.dropped else TRUE
@@ -260,16 +260,16 @@ class PlantBuilder:
                 neg(across(j, s)),
                 disj((called, passes, overruns)),
                 scanned,
-                self.choice(f"?head.{j}.{s}", f"the head of the train in {s} goes {self._to(s, j)}"),
+                self.choice(names.HEAD(j, s), f"the head of the train in {s} goes {self._to(s, j)}"),
             )
         )
-        self.p.events[f"head.{j}.{s}"] = head
+        self.p.events[names.HEAD(j, s)] = head
         for h, x in running_over.items():
-            self.p.events[f"overruns.{h}.{j}.{s}"] = conj((head, x, neg(disj((called, passes)))))
+            self.p.events[names.OVERRUNS(h, j, s)] = conj((head, x, neg(disj((called, passes)))))
         if self.shunts:
             by_call = FALSE if g is None or not self.layout.signal[g].shunt else accepted(g, True)
             goes_on = conj((passes, shunting(s))) if g is None else FALSE
-            self.p.events[f"shunts.{j}.{s}"] = conj((head, disj((by_call, goes_on))))
+            self.p.events[names.SHUNTS(j, s)] = conj((head, disj((by_call, goes_on))))
 
     def _overruns(self, s: SectionId, j: NodeId, g: SignalId | None, heading: Expr) -> dict[SignalId, Expr]:
         """For each signal: a train fails to stop before it, or runs on within its overlap (A-OVERRUN)."""
@@ -283,8 +283,8 @@ class PlantBuilder:
             as_train = neg(shunting(s)) if self.shunts else TRUE
             turning = FALSE if "A-SWING" in self.dropped else disj(self._turning(g))
             fails = conj((running(s), neg(rests(s)), neg(self.parted(s)), as_train, heading, neg(turning)))
-            self.p.events[f"fails.{g}"] = fails
-            out[g] = disj((out.get(g, FALSE), self.p.events[f"fails.{g}"]))
+            self.p.events[names.FAILS(g)] = fails
+            out[g] = disj((out.get(g, FALSE), self.p.events[names.FAILS(g)]))
         return out
 
     def _turning(self, g: SignalId) -> list[Expr]:
@@ -294,12 +294,12 @@ class PlantBuilder:
         over = [t for path in self.overlaps[g] for t in path]
         machines = [self.layout.point[p].machine for t in over for p, _ in t.points]
         machines += [MachineId(d.id) for d in self.layout.devices if any(t.section in d.over for t in over)]
-        return [var(f"turns.{g}.{m}") for m in dict.fromkeys(machines)]
+        return [var(names.TURNS_SINCE(g, m)) for m in dict.fromkeys(machines)]
 
     def _turns_since(self, g: SignalId, s: SectionId) -> None:
         """Which machines of an overlap were driven away before a train came into the section before its signal."""
         for x in self._turning(g):
-            m = MachineId(x.name.removeprefix(f"turns.{g}."))
+            m = MachineId(str(x.name.at[1]))
             towards = [Position.REVERSE] if m in self.layout.device else list(Position)  # a device: it closes
             away = disj(conj((self.w.command[m, p], disj((neg(lies(m, p)), old_command(m, p.other))))) for p in towards)
             self.p.state[x.name] = f"machine {m} turns since before a train was reported in {s}"
@@ -309,12 +309,12 @@ class PlantBuilder:
     def overruns_in(self, g: SignalId, s: SectionId) -> Expr:
         """A train that has overrun g comes into s in this step."""
         ends = [j for j in self.topo.ends[s] if j not in self.layout.buffer_at]
-        return disj(self.p.events.get(f"overruns.{g}.{j}.{self._other_side(s, j)}", FALSE) for j in ends)
+        return disj(self.p.events.get(names.OVERRUNS(g, j, self._other_side(s, j)), FALSE) for j in ends)
 
     def _overrun_over(self, s: SectionId, j: NodeId) -> Expr:
         """What comes into s at j in this step has overrun a signal."""
         return disj(
-            self.p.events.get(f"overruns.{g}.{j}.{self._other_side(s, j)}", FALSE)
+            self.p.events.get(names.OVERRUNS(g, j, self._other_side(s, j)), FALSE)
             for g in self.overlapped.get(s, ())
             if j not in self.layout.buffer_at
         )
@@ -329,12 +329,12 @@ class PlantBuilder:
         if self.berth(s):  # others may be coming in there, unless one train lies across
             inside = disj((inside, neg(self.astray(s))))
         scanned = image(ahead) if ahead is not None and "A-SCAN" not in self.dropped else TRUE
-        self.p.events[f"tail.{j}.{s}"] = conj(
+        self.p.events[names.TAIL(j, s)] = conj(
             (
                 across(j, s),
                 inside,
                 scanned,
-                self.choice(f"?tail.{j}.{s}", f"its tail leaves {s}"),
+                self.choice(names.TAIL(j, s), f"its tail leaves {s}"),
             )
         )
 
@@ -356,33 +356,33 @@ class PlantBuilder:
         if ahead is not None:
             return ahead
         boundary = self.layout.boundary_at.get(j)
-        return (boundary.approach if boundary and boundary.approach else None) or f"{OUTSIDE}.{j}"
+        return (boundary.approach if boundary and boundary.approach else None) or names.outside(j)
 
     def comes_in(self, s: SectionId, j: NodeId) -> Expr:
         """A head comes into s at j in this step."""
         if j in self.layout.buffer_at:
             return FALSE
-        return self.p.events.get(f"head.{j}.{self._other_side(s, j)}", FALSE)
+        return self.p.events.get(names.HEAD(j, self._other_side(s, j)), FALSE)
 
     def shunts_in(self, s: SectionId, j: NodeId) -> Expr:
         """A shunting movement comes into s at j in this step."""
         if j in self.layout.buffer_at:
             return FALSE
-        return self.p.events.get(f"shunts.{j}.{self._other_side(s, j)}", FALSE)
+        return self.p.events.get(names.SHUNTS(j, self._other_side(s, j)), FALSE)
 
     def _staying(self, s: SectionId) -> Expr:
         """Vehicles remain in a berth although a tail leaves it: left behind, or part of another movement."""
         ends = [j for j in self.topo.ends[s] if j not in self.layout.buffer_at]
-        out = [conj((across(j, s), neg(self.p.events[f"tail.{j}.{s}"]))) for j in ends]
-        out += [self.p.events[f"head.{j}.{s}"] for j in ends]
+        out = [conj((across(j, s), neg(self.p.events[names.TAIL(j, s)]))) for j in ends]
+        out += [self.p.events[names.HEAD(j, s)] for j in ends]
         into = [self.coming(s, j) for j in ends]
         called = [
             x
             for g in self.topo.signals_out(s)
             for k in self.functions(g)
-            for x in (accepted(g, k), self.p.events.get(f"{'accepts' if k else 'accept'}.{g}", FALSE))
+            for x in (accepted(g, k), self.p.events.get(names.accepts(g, k), FALSE))
         ]
-        left = conj((self.choice(f"?stay.{s}", f"vehicles stay behind in {s}"), neg(self.astray(s))))
+        left = conj((self.choice(names.STAYS_BEHIND(s), f"vehicles stay behind in {s}"), neg(self.astray(s))))
         return disj((left, *out, *into, *called))
 
     # --- next states ---------------------------------------------------------------------------
@@ -390,45 +390,45 @@ class PlantBuilder:
     def _states(self) -> None:
         topo, p = self.topo, self.p
         for s in topo.sections:
-            out = disj(p.events[f"tail.{j}.{s}"] for j in topo.ends[s] if j not in self.layout.buffer_at)
+            out = disj(p.events[names.TAIL(j, s)] for j in topo.ends[s] if j not in self.layout.buffer_at)
             enter = {j: self.comes_in(s, j) for j in topo.ends[s]}
-            p.state[f"o.{s}"] = f"a train stands in {s}"
+            p.state[names.STANDS(s)] = f"a train stands in {s}"
             parts: Expr = FALSE
             if not self.berth(s):
-                chance = self.choice(f"?parts.{s}", f"the train parts, and its rear stays in {s}")
-                p.events[f"parts.{s}"] = conj((out, chance, neg(self.astray(s))))
-                parts = p.events[f"parts.{s}"]
+                chance = self.choice(names.PARTS(s), f"the train parts, and its rear stays in {s}")
+                p.events[names.PARTS(s)] = conj((out, chance, neg(self.astray(s))))
+                parts = p.events[names.PARTS(s)]
                 out = conj((out, neg(parts)))
-                p.state[f"part.{s}"] = f"the rear part of a train has been left in {s}"
-                p.next[f"part.{s}"] = disj((conj((parted(s), neg(out))), parts))
+                p.state[names.PARTED(s)] = f"the rear part of a train has been left in {s}"
+                p.next[names.PARTED(s)] = disj((conj((parted(s), neg(out))), parts))
                 p.initial.append(neg(parted(s)))
-            p.state[f"rest.{s}"] = f"the train in {s} has stood there since the restart"
+            p.state[names.RESTS(s)] = f"the train in {s} has stood there since the restart"
             if self.berth(s):
                 stay = self._staying(s)
                 left = conj((out, stay, o(s)))
                 out = conj((out, neg(stay)))
                 joined = disj(self.shunts_in(s, j) for j in topo.ends[s])
-                p.state[f"rest.{s}"] = f"what stands in {s} moves only when a signal calls it"
-                p.next[f"rest.{s}"] = disj((conj((rests(s), neg(out))), left, joined))
+                p.state[names.RESTS(s)] = f"what stands in {s} moves only when a signal calls it"
+                p.next[names.RESTS(s)] = disj((conj((rests(s), neg(out))), left, joined))
             else:
-                p.next[f"rest.{s}"] = conj((rests(s), neg(out)))
-                p.state[f"called.{s}"] = f"the train in {s} has been called"
-                p.next[f"called.{s}"] = conj((disj((self.moves(s), *self._drawn(s))), neg(out)))
+                p.next[names.RESTS(s)] = conj((rests(s), neg(out)))
+                p.state[names.WAS_CALLED(s)] = f"the train in {s} has been called"
+                p.next[names.WAS_CALLED(s)] = conj((disj((self.moves(s), *self._drawn(s))), neg(out)))
                 p.initial.append(neg(was_called(s)))
-            p.next[f"o.{s}"] = disj((conj((o(s), neg(out))), *enter.values()))
+            p.next[names.STANDS(s)] = disj((conj((o(s), neg(out))), *enter.values()))
             p.initial.append(iff(rests(s), o(s)))
             if s in self.overlapped:
                 for h in self.overlapped[s]:
                     came_over = self.overruns_in(h, s)
-                    p.state[f"over.{h}.{s}"] = f"what stands in {s} has overrun {h}"
-                    p.next[f"over.{h}.{s}"] = disj((conj((overran(h, s), neg(out))), came_over))
-                    p.next[f"rest.{s}"] = disj((p.next[f"rest.{s}"], came_over))
+                    p.state[names.OVERRAN(h, s)] = f"what stands in {s} has overrun {h}"
+                    p.next[names.OVERRAN(h, s)] = disj((conj((overran(h, s), neg(out))), came_over))
+                    p.next[names.RESTS(s)] = disj((p.next[names.RESTS(s)], came_over))
                     p.initial.append(neg(overran(h, s)))
             if s in self.before:
                 self._running(s, disj((out, parts)), disj(enter.values()))
             if self.shunts:
-                p.state[f"sh.{s}"] = f"the train in {s} shunts"
-                p.next[f"sh.{s}"] = disj(
+                p.state[names.SHUNTING(s)] = f"the train in {s} shunts"
+                p.next[names.SHUNTING(s)] = disj(
                     (
                         conj((shunting(s), neg(disj(enter.values())))),
                         *(self.shunts_in(s, j) for j in topo.ends[s]),
@@ -436,17 +436,19 @@ class PlantBuilder:
                     )
                 )
             for j in topo.ends[s]:
-                turned_in = disj(p.events[f"turn.{s}.{a}.{j}"] for a in topo.ends[s] if f"turn.{s}.{a}.{j}" in p.events)
-                turned_out = disj(
-                    p.events[f"turn.{s}.{j}.{b}"] for b in topo.ends[s] if f"turn.{s}.{j}.{b}" in p.events
+                turned_in = disj(
+                    p.events[names.TURNS(s, a, j)] for a in topo.ends[s] if names.TURNS(s, a, j) in p.events
                 )
-                p.state[f"in.{s}.{j}"] = f"the train in {s} came in at {j}"
-                p.next[f"in.{s}.{j}"] = disj((conj((came(s, j), neg(out), neg(turned_out))), enter[j], turned_in))
+                turned_out = disj(
+                    p.events[names.TURNS(s, j, b)] for b in topo.ends[s] if names.TURNS(s, j, b) in p.events
+                )
+                p.state[names.CAME(s, j)] = f"the train in {s} came in at {j}"
+                p.next[names.CAME(s, j)] = disj((conj((came(s, j), neg(out), neg(turned_out))), enter[j], turned_in))
                 if j in self.layout.buffer_at:
                     continue
-                p.state[f"x.{j}.{s}"] = f"a train stands across {j}, going out of {s}"
-                p.next[f"x.{j}.{s}"] = disj(
-                    (conj((across(j, s), neg(p.events[f"tail.{j}.{s}"]))), p.events[f"head.{j}.{s}"])
+                p.state[names.ACROSS(j, s)] = f"a train stands across {j}, going out of {s}"
+                p.next[names.ACROSS(j, s)] = disj(
+                    (conj((across(j, s), neg(p.events[names.TAIL(j, s)]))), p.events[names.HEAD(j, s)])
                 )
             p.initial.append(at_most_one(came(s, j) for j in topo.ends[s]))
             p.initial.append(iff(o(s), disj(came(s, j) for j in topo.ends[s])))
@@ -457,46 +459,48 @@ class PlantBuilder:
                 standing = conj((o(s), o(ahead), came(ahead, j))) if ahead is not None else o(s)
                 p.initial.append(implies(across(j, s), conj((standing, self.heading(s, j)))))
         for b in self.layout.boundaries:
-            outside = b.approach or f"{OUTSIDE}.{b.node}"
-            if f"appear.{outside}" not in p.events:
+            outside = b.approach or names.outside(b.node)
+            if names.APPEARS(outside) not in p.events:
                 continue
-            left, came_ = p.events[f"tail.{b.node}.{outside}"], p.events[f"appear.{outside}"]
-            p.state[f"o.{outside}"] = f"a train stands before {b.node}"
-            p.next[f"o.{outside}"] = disj((conj((o(outside), neg(left))), came_))
-            p.state[f"x.{b.node}.{outside}"] = f"a train stands across {b.node}, coming in"
-            p.next[f"x.{b.node}.{outside}"] = disj(
-                (conj((across(b.node, outside), neg(left))), p.events[f"head.{b.node}.{outside}"])
+            left, came_ = p.events[names.TAIL(b.node, outside)], p.events[names.APPEARS(outside)]
+            p.state[names.STANDS(outside)] = f"a train stands before {b.node}"
+            p.next[names.STANDS(outside)] = disj((conj((o(outside), neg(left))), came_))
+            p.state[names.ACROSS(b.node, outside)] = f"a train stands across {b.node}, coming in"
+            p.next[names.ACROSS(b.node, outside)] = disj(
+                (conj((across(b.node, outside), neg(left))), p.events[names.HEAD(b.node, outside)])
             )
             s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
             p.initial.append(implies(across(b.node, outside), conj((o(outside), o(s), came(s, b.node)))))
         for g in self.layout.signals:
             node, _, rear = self.rear(g.id)
-            behind = rear or f"{OUTSIDE}.{node}"
+            behind = rear or names.outside(node)
             for k in self.functions(g.id):
-                accept = f"{'accepts' if k else 'accept'}.{g.id}"
+                accept = names.accepts(g.id, k)
                 if accept not in p.events:
                     continue
-                go, shows = f"{'gos' if k else 'go'}.{g.id}", f"{'lamps' if k else 'lamp'}.{g.id}"
+                go, shows = names.accepted(g.id, k), names.seen(g.id, k)
                 who, what = ("a shunting movement", "the shunt aspect") if k else ("a train", "proceed")
                 p.state[go] = f"{who} has accepted {g.id}"
                 p.next[go] = conj(
                     (
                         disj((accepted(g.id, k), p.events[accept])),
-                        neg(p.events[f"refuse.{g.id}"]),
-                        neg(p.events[f"head.{node}.{behind}"]),
+                        neg(p.events[names.REFUSES(g.id)]),
+                        neg(p.events[names.HEAD(node, behind)]),
                     )
                 )
                 p.initial.append(neg(accepted(g.id, k)))
                 p.state[shows] = f"{g.id} showed {what} one scan ago"
                 p.next[shows] = self.shown(g.id, k)
                 if "A-LATE-OUTPUT" in self.dropped:
-                    stuck = self.choice(f"?stuck{'s' if k else ''}.{g.id}", f"{g.id} goes on showing {what}")
+                    stuck = self.choice(
+                        (names.SHUNT_STUCK if k else names.STUCK)(g.id), f"{g.id} goes on showing {what}"
+                    )
                     p.next[shows] = disj((p.next[shows], conj((lamp(g.id, k), stuck))))
 
     def _turns(self, s: SectionId) -> Expr:
         """The train in a section changes direction."""
         ends, events = self.topo.ends[s], self.p.events
-        return disj(events[e] for a in ends for b in ends if (e := f"turn.{s}.{a}.{b}") in events)
+        return disj(events[e] for a in ends for b in ends if (e := names.TURNS(s, a, b)) in events)
 
     def _running(self, s: SectionId, out: Expr, enters: Expr) -> None:
         """A train that came in runs until it stands, turns, or is gone (`out`: or only its rear part is left)."""
@@ -510,16 +514,18 @@ class PlantBuilder:
                 for k in topo.ends[s]
                 if k != j
             ]
-            long = self.clock(f"stand.{g}", neg(disj(comes)), f"the train before {g} has had time to come to a stand")
+            long = self.clock(
+                names.STAND_LONG(g), neg(disj(comes)), f"the train before {g} has had time to come to a stand"
+            )
             if "A-STAND" not in self.dropped:
                 stands = disj((stands, long))
-                first = self.p.events.get(f"fails.{g}", FALSE)
-                over = self.p.events.get(f"overruns.{g}.{j}.{s}", FALSE)
+                first = self.p.events.get(names.FAILS(g), FALSE)
+                over = self.p.events.get(names.OVERRUNS(g, j, s), FALSE)
                 self.assume("A-STAND", implies(long, neg(conj((over, first)))))
             self._turns_since(g, s)
-        p.state[f"run.{s}"] = f"the train in {s} has not come to a stand"
+        p.state[names.RUNNING(s)] = f"the train in {s} has not come to a stand"
         still = conj((running(s), neg(out), neg(self._turns(s)), neg(stands)))
-        p.next[f"run.{s}"] = conj((disj((still, enters)), neg(shunts)))
+        p.next[names.RUNNING(s)] = conj((disj((still, enters)), neg(shunts)))
         p.initial.append(neg(running(s)))
 
     def assume(self, id_: str, expr: Expr) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Protocol
 
+from interlock.logic import names
 from interlock.logic.expr import FALSE, Expr, at_most_one, conj, disj, neg
 from interlock.logic.plant.kinds import Hazard, Plant
 from interlock.logic.plant.words import came, lies, o, rests
@@ -23,7 +24,7 @@ class Railway(Protocol):
     p: Plant
     dropped: frozenset[str]
 
-    def choice(self, name: str, text: str) -> Expr:
+    def choice(self, name: names.Name, text: str) -> Expr:
         """A free choice of the world."""
         ...
 
@@ -92,12 +93,12 @@ def hazards(b: Railway) -> list[Hazard]:
         if "A-BUFFER" in b.dropped:
             for j in topo.ends[s]:
                 if j in layout.buffer_at:
-                    chance = b.choice(f"?through.{j}", f"the train in {s} runs through buffer {j}")
-                    p.events[f"through.{j}"] = conj((o(s), neg(rests(s)), b.heading(s, j), chance))
-                    wrong.append(p.events[f"through.{j}"])
+                    chance = b.choice(names.THROUGH(j), f"the train in {s} runs through buffer {j}")
+                    p.events[names.THROUGH(j)] = conj((o(s), neg(rests(s)), b.heading(s, j), chance))
+                    wrong.append(p.events[names.THROUGH(j)])
         out.append(Hazard("DERAIL", s, disj(wrong)))
     for m, ends in sorted(layout.ends_of_machine.items()):
-        starts = disj(p.events[f"start.{m}.{x}"] for x in Position)
+        starts = disj(p.events[names.MACHINE_STARTS(m, x)] for x in Position)
         bad = []
         for s_ in sorted({layout.section_of(e.toe) for e in ends}):
             mine = {e.id for e in ends}

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
 from interlock.logic.plant.kinds import Plant, Wiring
 from interlock.logic.plant.words import image, o
@@ -22,7 +23,7 @@ class Making(Protocol):
     p: Plant
     dropped: frozenset[str]
 
-    def clock(self, name: str, hold: Expr, text: str) -> Expr:
+    def clock(self, name: names.Name, hold: Expr, text: str) -> Expr:
         """A clock of the world."""
         ...
 
@@ -45,26 +46,26 @@ def images(b: Making) -> None:
     valid = var(b.w.valid)
     false_: dict[str, Expr] = {}
     for blind in sorted(b.layout.undetected):  # always taken as occupied
-        p.state[f"img.{blind}"] = f"{blind} has no detection"
-        p.next[f"img.{blind}"] = TRUE
+        p.state[names.IMAGE(blind)] = f"{blind} has no detection"
+        p.next[names.IMAGE(blind)] = TRUE
         p.initial.append(image(blind))
     for s, name in b.w.clear.items():
-        if f"o.{s}" not in p.state:
+        if names.STANDS(s) not in p.state:
             # an approach section beyond an outgoing boundary holds no train of this model
-            p.state[f"img.{s}"] = f"{s} was reported occupied"
-            p.next[f"img.{s}"] = neg(conj((var(name), valid)))
+            p.state[names.IMAGE(s)] = f"{s} was reported occupied"
+            p.next[names.IMAGE(s)] = neg(conj((var(name), valid)))
             continue
         # a detector that is reported faulty may say anything: it counts as saying occupied
         faulty = neg(var(b.w.healthy[s])) if s in b.w.healthy else FALSE
         reported = disj((neg(var(name)), faulty))
-        p.state[f"img.{s}"] = f"{s} was reported occupied"
-        p.next[f"img.{s}"] = disj((reported, neg(valid)))
+        p.state[names.IMAGE(s)] = f"{s} was reported occupied"
+        p.next[names.IMAGE(s)] = disj((reported, neg(valid)))
         p.initial.append(implies(o(s), image(s)))
         b.assume(
             "A-DETECT",
-            implies(conj((o(s), p.next[f"o.{s}"], valid)), reported),
+            implies(conj((o(s), p.next[names.STANDS(s)], valid)), reported),
         )
-        false_[s] = conj((reported, neg(o(s)), neg(p.next[f"o.{s}"]), valid))
+        false_[s] = conj((reported, neg(o(s)), neg(p.next[names.STANDS(s)]), valid))
     pairs = [(a, b) for _, a, b in topo.joints()] + [
         (x.approach, b.layout.section_of(b.layout.edges_at[x.node][0].id))
         for x in b.layout.boundaries
@@ -79,13 +80,13 @@ def images(b: Making) -> None:
     for (m, x), name in b.w.detected.items():
         b.assume(
             "A-CONTACT",
-            implies(conj((valid, var(name))), p.next[f"at.{m}.{x}"]),
+            implies(conj((valid, var(name))), p.next[names.LIES(m, x)]),
         )
     for g, stop in b.w.stop.items():
         others = [b.shown(g, k) for k in b.functions(g)]
         hold = conj((stop, *map(neg, others)))
-        gone = [f"{'gos' if k else 'go'}.{g}" for k in b.functions(g)]
+        gone = [names.accepted(g, k) for k in b.functions(g)]
         if any(go in p.next for go in gone):
-            long = b.clock(f"stop.{g}", hold, f"{g} has shown stop for as long as a train needs to stand")
+            long = b.clock(names.STOP_LONG(g), hold, f"{g} has shown stop for as long as a train needs to stand")
             nobody = conj(neg(x) for go in gone if go in p.next for x in (var(go), p.next[go]))
             b.assume("A-TIMER", implies(long, nobody))

@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, var
+from interlock.logic.names import Name
 from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
 
 
@@ -15,13 +17,13 @@ class TokenWires:
     """How a line's direction token ends on the controller: inputs that tell of the neighbour and the line, the outputs
     that tell the neighbour, the operator's hand on the special manual change."""
 
-    gives: str
-    keeps: str
-    has: str
-    clear: str
-    have: str
-    give: str
-    manual: str
+    gives: Name
+    keeps: Name
+    has: Name
+    clear: Name
+    have: Name
+    give: Name
+    manual: Name
 
 
 @dataclass(frozen=True)
@@ -31,10 +33,10 @@ class Wiring:
     proceed: Mapping[SignalId, Expr]
     call: Mapping[SignalId, Expr]
     command: Mapping[tuple[MachineId, Position], Expr]
-    valid: str
-    clear: Mapping[SectionId, str]
-    healthy: Mapping[SectionId, str]
-    detected: Mapping[tuple[MachineId, Position], str]
+    valid: Name
+    clear: Mapping[SectionId, Name]
+    healthy: Mapping[SectionId, Name]
+    detected: Mapping[tuple[MachineId, Position], Name]
     stop: Mapping[SignalId, Expr]
     token: Mapping[NodeId, TokenWires]
 
@@ -57,14 +59,14 @@ class Hazard:
     expr: Expr
 
 
-class Events(dict[str, Expr]):
+class Events(dict[Name, Expr]):
     """Events by name.  What is stored is the definition; what is read is the event's variable (or a constant)."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.definitions: dict[str, Expr] = {}
+        self.definitions: dict[Name, Expr] = {}
 
-    def __setitem__(self, name: str, definition: Expr) -> None:
+    def __setitem__(self, name: Name, definition: Expr) -> None:
         if definition is TRUE or definition is FALSE:
             super().__setitem__(name, definition)
             return
@@ -76,25 +78,25 @@ class Events(dict[str, Expr]):
 class Plant:
     """State, choices, next-state functions, assumptions and hazards; expressions may name events."""
 
-    state: dict[str, str] = field(default_factory=dict)
-    choices: dict[str, str] = field(default_factory=dict)
-    next: dict[str, Expr] = field(default_factory=dict)
+    state: dict[Name, str] = field(default_factory=dict)
+    choices: dict[Name, str] = field(default_factory=dict)
+    next: dict[Name, Expr] = field(default_factory=dict)
     initial: list[Expr] = field(default_factory=list)
     assumptions: list[Assumption] = field(default_factory=list)
     hazards: list[Hazard] = field(default_factory=list)
-    waits: dict[NodeId, str] = field(default_factory=dict)
-    clocks: dict[str, Expr] = field(default_factory=dict)
+    waits: dict[NodeId, Name] = field(default_factory=dict)
+    clocks: dict[Name, Expr] = field(default_factory=dict)
     """Clocks of the world, by state variable: what must hold without a break; true when it has held long enough."""
     events: Events = field(default_factory=Events)
 
-    def on_line(self, b: NodeId) -> tuple[str, ...]:
+    def on_line(self, b: NodeId) -> tuple[Name, ...]:
         """The state variables that tell that a train is on the line beyond a boundary with a direction token."""
-        return (f"line.out.{b}", f"line.in.{b}", self.waits[b])
+        return (names.ON_LINE(b, "out"), names.ON_LINE(b, "in"), self.waits[b])
 
     @cached_property
     def flat(self) -> FlatPlant:
         """Everything over state, choices and inputs alone, for a finished plant."""
-        known: dict[str, Expr] = {}
+        known: dict[Name, Expr] = {}
         flat = Substitution(known)  # an event is known before it is read
         for name, x in self.events.definitions.items():
             known[name] = flat(x)
@@ -110,8 +112,8 @@ class Plant:
 class FlatPlant:
     """Events, next states, assumptions and hazards without names of events."""
 
-    events: dict[str, Expr]
-    next: dict[str, Expr]
+    events: dict[Name, Expr]
+    next: dict[Name, Expr]
     assumptions: list[tuple[str, Expr]]
     hazards: list[tuple[str, Expr]]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from interlock.logic import names
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg
 from interlock.logic.plant.kinds import Plant
 from interlock.logic.plant.words import accepted, across, came, image, o, rests
@@ -44,7 +45,7 @@ class Making(Protocol):
         """Whom a signal speaks to."""
         ...
 
-    def choice(self, name: str, text: str) -> Expr:
+    def choice(self, name: names.Name, text: str) -> Expr:
         """A free choice of the world."""
         ...
 
@@ -69,15 +70,11 @@ def reversals(b: Making, s: SectionId) -> None:
             waiting = conj(
                 [
                     *(neg(accepted(h, k)) for h in b.topo.signals_out(s) for k in b.functions(h)),
-                    *(
-                        neg(b.p.events[f"{'accepts' if k else 'accept'}.{h}"])
-                        for h in b.topo.signals_out(s)
-                        for k in b.functions(h)
-                    ),
-                    *(neg(b.p.events[f"head.{k}.{s}"]) for k in b.topo.ends[s] if k not in b.layout.buffer_at),
+                    *(neg(b.p.events[names.accepts(h, k)]) for h in b.topo.signals_out(s) for k in b.functions(h)),
+                    *(neg(b.p.events[names.HEAD(k, s)]) for k in b.topo.ends[s] if k not in b.layout.buffer_at),
                 ]
             )
-            b.p.events[f"turn.{s}.{x}.{y}"] = conj(
+            b.p.events[names.TURNS(s, x, y)] = conj(
                 (
                     o(s),
                     came(s, x),
@@ -87,6 +84,6 @@ def reversals(b: Making, s: SectionId) -> None:
                     alone,
                     image(s),
                     waiting,
-                    b.choice(f"?turn.{s}.{x}.{y}", f"the train in {s} changes direction"),
+                    b.choice(names.TURNS(s, x, y), f"the train in {s} changes direction"),
                 )
             )

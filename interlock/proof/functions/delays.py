@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, neg, var
+from interlock.logic.names import Name
 from interlock.model.elements import Position, SignalId
 from interlock.proof.functions.words import Words
 
@@ -12,7 +13,7 @@ from interlock.proof.functions.words import Words
 def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
     """F-DELAY."""
     f, sym = w.f, w.sym
-    reasons: dict[str, Expr] = {name: neg(w.occupied(s)) for s, name in sym.release_timer.items()}
+    reasons: dict[Name, Expr] = {name: neg(w.occupied(s)) for s, name in sym.release_timer.items()}
     reasons[sym.restart_timer] = var(sym.running)
     reasons |= {name: disj((var(sym.cancelling[g]), _waiting(w, g))) for g, name in sym.approach_timer.items()}
     for m, name in sym.late_timer.items():

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from interlock.logic.controller import RouteSymbols
 from interlock.logic.expr import FALSE, Expr, conj, disj, iff, implies, neg, var
+from interlock.logic.names import Name
 from interlock.model.elements import Position, SectionId, SignalId
 from interlock.model.traversal import path_speed
 from interlock.proof.functions.words import Way, Words
@@ -68,7 +69,7 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     yield "F-CANCEL", f"{r.id} ends", iff(w.ends(active), conj((active, ended)))
 
 
-def _passing(w: Words, r: RouteSymbols, name: str) -> Expr:
+def _passing(w: Words, r: RouteSymbols, name: Name) -> Expr:
     """The signal stays open for the movement that has begun to pass it."""
     first, n = r.ways[0]
     node = w.f.way(first, n)[0]

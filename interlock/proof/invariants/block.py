@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from interlock.logic import names
 from interlock.logic.expr import Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, lamp, line, o, rests, seen_by, telegram
 from interlock.model.elements import NodeId
@@ -21,7 +22,7 @@ def _one_token(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
     told_has, told_gives = telegram(b, "has"), telegram(b, "gives")
     saw_has, saw_gives = seen_by(b, "has"), seen_by(b, "gives")
     boundary = f.layout.boundary_at[b]
-    sent = disj((line(b, "in"), o(boundary.approach or f"outside.{b}")))
+    sent = disj((line(b, "in"), o(boundary.approach or names.outside(b))))
     leaving = line(b, "out")
     return [
         ("K-TELLS", conj((iff(var(x.tells["has"]), here), iff(var(x.tells["gives"]), given)))),
@@ -55,7 +56,7 @@ def _departing(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
         out.append((f"K-SHOWN:{r.id}", implies(shows, here)))
         first = r.ways[0][0]
         held = [x for t, k in r.ways for x in (f.lock(t, k), f.train(t))]
-        went = [accepted(r.entry)] if f"go.{r.entry}" in f.system.plant.state else []
+        went = [accepted(r.entry)] if names.ACCEPTED(r.entry) in f.system.plant.state else []
         called = disj((f.sym.signal(r.entry), lamp(r.entry), *went))
         out.append((f"K-CALLED:{r.id}", implies(conj((*held, f.firm(first), called)), here)))
         for i, (t, _) in enumerate(r.ways):

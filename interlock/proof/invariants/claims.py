@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
@@ -126,12 +127,12 @@ def _says(c: Claim) -> bool:
 
 def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for z in f.layout.zones:
-        yield "T-ZONE", z.id, neg(var(f"zone.{z.id}"))
+        yield "T-ZONE", z.id, neg(var(names.OVERFULL(z.id)))
         for s, j in f.system.zone_joints(z):
             rear = f.topo.beyond(s, j)
             boundary = f.layout.boundary_at.get(j)
-            where = rear or (boundary.approach if boundary and boundary.approach else f"outside.{j}")
-            comes = f.system.plant.events.get(f"head.{j}.{where}", FALSE)
+            where = rear or (boundary.approach if boundary and boundary.approach else names.outside(j))
+            comes = f.system.plant.events.get(names.HEAD(j, where), FALSE)
             yield "T-ZONE", f"{z.id} at {j}", implies(comes, f.system.called_in(s, j))
 
 
@@ -296,7 +297,7 @@ def _still_passing(f: Facts, g: SignalId, shunt: bool) -> Expr:
     first, rear = f.layout.section_of(f.layout.signal[g].into), f.sym.approach_of[g]
     assert rear is not None
     occupied = [neg(f.clear(s)) for s in (first, rear) if s in f.sym.clear]
-    name = f"{'gos' if shunt else 'go'}.{g}"
+    name = names.accepted(g, shunt)
     second = conj((f.system.after(f.been(first)), f.system.after(var(name)))) if name in f.system.plant.state else FALSE
     return conj([f.sym.signal(g, shunt), *occupied, neg(second)])
 

@@ -7,9 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Protocol
 
+from interlock.logic import names
 from interlock.logic.controller import Symbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
-from interlock.logic.plant import Plant, lies, old_command, overrunning
+from interlock.logic.names import Name
+from interlock.logic.plant import Plant, lies, old_command
 from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, SignalId, Zone
 from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
@@ -52,12 +54,12 @@ class SystemView(Protocol):
     ties: tuple[Tie, ...]
 
     @property
-    def waits_for(self) -> Mapping[str, str]:
+    def waits_for(self) -> Mapping[Name, Name]:
         """What each timer waits for."""
         ...
 
     @property
-    def presets(self) -> Mapping[str, int]:
+    def presets(self) -> Mapping[Name, int]:
         """The preset of every timer, in milliseconds."""
         ...
 
@@ -87,7 +89,7 @@ class Facts:
         for (sec, n), name in sorted(self.sym.lock.items()):
             self._locks.setdefault(sec, []).append((n, var(name)))
         self._overlaps: dict[str, list[tuple[int, Expr]]] = {}
-        self._options: dict[str, dict[tuple[SignalId, int], str]] = {}
+        self._options: dict[str, dict[tuple[SignalId, int], Name]] = {}
         for option, name in self.sym.overlap.items():
             for s, n in self.sym.overlap_ways[option]:
                 self._overlaps.setdefault(s, []).append((n, var(name)))
@@ -97,15 +99,17 @@ class Facts:
     def _overrun(self) -> dict[str, list[SignalId]]:
         order = {g: n for n, g in enumerate(self.layout.overlap_of)}
         found: dict[str, list[SignalId]] = {}
-        for g, s in overrunning(self.system.plant.state, order, self.topo.ends):
-            found.setdefault(s, []).append(g)
+        for name in self.system.plant.state:
+            if name.family is names.OVERRAN:
+                g, s = map(str, name.at)
+                found.setdefault(s, []).append(SignalId(g))
         return {s: sorted(those, key=order.__getitem__) for s, those in found.items()}
 
     def overrun(self, s: str) -> list[SignalId]:
         """The signals with an overlap that what stands in a section may have overrun."""
         return self._overrun.get(s, [])
 
-    def options(self, s: str) -> Mapping[tuple[SignalId, int], str]:
+    def options(self, s: str) -> Mapping[tuple[SignalId, int], Name]:
         """The overlap alternatives that lie over a section, with their variables."""
         return self._options.get(s, {})
 
@@ -151,11 +155,11 @@ class Facts:
 
     def been(self, s: str) -> Expr:
         """History: a train has come in since it was locked."""
-        return var(f"been.{s}")
+        return var(names.BEEN(s))
 
     def shut(self, route: int) -> Expr:
         """History: the signal has closed while the route stayed set, and nobody has asked for it again."""
-        return var(f"shut.R{route}")
+        return var(names.SHUT(route))
 
     @property
     def shunts(self) -> bool:

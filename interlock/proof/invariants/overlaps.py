@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, implies, neg, var
 from interlock.logic.plant import accepted, across, came, image, lamp, o, overran, rests, running, shunting
 from interlock.model.elements import NodeId, SectionId, SignalId
@@ -28,7 +29,7 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
     for option, name in f.sym.overlap.items():
         out += _option(f, option, var(name))
     for s in f.topo.sections:
-        if f"run.{s}" in f.system.plant.state:
+        if names.RUNNING(s) in f.system.plant.state:
             along = disj(conj((x, came(s, f.way(s, n)[0]))) for n, x in f.locks(s))
             out.append(Invariant("O-ALONG", s, implies(conj((o(s), running(s), neg(rests(s)))), along)))
         if len(f.overlaps(s)) > 1:
@@ -39,7 +40,7 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
                 accepted(h, k)
                 for h in f.topo.signals_out(s)
                 for k in f.functions(h)
-                if f"{'gos' if k else 'go'}.{h}" in f.system.plant.state
+                if names.accepted(h, k) in f.system.plant.state
             ]
             out.append(Invariant(f"O-STAYS:{g}", s, implies(overran(g, s), neg(disj(calls)))))
             firmly = [
@@ -65,16 +66,16 @@ def overlap_invariants(f: Facts) -> list[Invariant]:
 def _inside(f: Facts, g: SignalId, s: SectionId) -> Iterator[tuple[str, Expr]]:
     """What has overrun a signal lies across a joint only into the next section of the overlap."""
     for j in f.topo.ends[s]:
-        if f"x.{j}.{s}" in f.system.plant.state:
+        if names.ACROSS(j, s) in f.system.plant.state:
             t = f.topo.beyond(s, j)
-            on = overran(g, t) if t is not None and f"over.{g}.{t}" in f.system.plant.state else FALSE
+            on = overran(g, t) if t is not None and names.OVERRAN(g, t) in f.system.plant.state else FALSE
             yield j, implies(conj((across(j, s), overran(g, s))), on)
 
 
 def _only_in(f: Facts, s: SectionId, n: int) -> list[Expr]:
     """What is in s came in at the entry of the way, and does not stand across it outward."""
     entry = f.way(s, n)[0]
-    out = f"x.{entry}.{s}" in f.system.plant.state
+    out = names.ACROSS(entry, s) in f.system.plant.state
     others = [neg(came(s, j)) for j in f.topo.ends[s] if j != entry]
     return [came(s, entry), *others, *([neg(across(entry, s))] if out else [])]
 
@@ -128,7 +129,7 @@ def turned(f: Facts, option: tuple[SignalId, int]) -> Expr:
     reported before the signal."""
     g = option[0]
     wanted = [d for way in f.sym.overlap_ways[option] for d in f.sym.demands[way]]
-    turns = [(m, p, f"turns.{g}.{m}") for m, p in wanted]
+    turns = [(m, p, names.TURNS_SINCE(g, m)) for m, p in wanted]
     known = f.system.plant.state
     return conj(disj((f.settled(m, p), var(t))) if t in known else f.settled(m, p) for m, p, t in turns)
 
@@ -197,7 +198,7 @@ def _coming(f: Facts, b: SectionId, entry: str) -> Expr:
     g = f.topo.main_into.get((entry, b))  # type: ignore[arg-type]
     if g is not None:
         active = [var(r.active) for r in f.sym.routes_from.get(g, ()) if not r.shunt]
-        went = [accepted(g)] if f"go.{g}" in f.system.plant.state else []
+        went = [accepted(g)] if names.ACCEPTED(g) in f.system.plant.state else []
         shown = disj((f.sym.signal(g), lamp(g)))
         if f.sym.passing(g) is not FALSE:  # nobody comes after the one that passes
             shown = disj((f.sym.opens(g), f.sym.called(g), conj((shown, o(f.sym.approach_of[g] or "")))))

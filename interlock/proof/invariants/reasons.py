@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
 from interlock.model.elements import NodeId, Position, SectionId
 from interlock.model.places import Approach
@@ -81,7 +82,7 @@ def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         from_g = f.locked_in(first, signal.node)
         shown = disj(var(r.shown) for r in routes)
         given_up = conj((from_g, neg(after(from_g)), neg(f.used(first)), shown))
-        long = f"long.stop.{g}"
+        long = names.STOP_LONG(g)
         stands = after(var(long)) if long in f.system.plant.clocks else FALSE
         nobody = neg(_coming(f, f.system.measured.approaches[g]))
         asked = conj((after(var(f.sym.cancelling[g])), neg(var(f.sym.cancelling[g]))))

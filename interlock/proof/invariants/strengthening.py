@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from interlock.logic import names
 from interlock.logic.controller import RouteSymbols
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
 from interlock.logic.plant import (
@@ -59,7 +60,7 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
     out += token_invariants(f)
     for s in sorted({s for z in f.layout.zones for s in z.sections}):
         inside = conj((o(s), neg(rests(s)), neg(disj(_coming(f, s)))))
-        if f"img.{s}" in f.system.plant.state:
+        if names.IMAGE(s) in f.system.plant.state:
             out.append(Invariant("Z-SEEN", s, implies(inside, image(s))))
     for r in f.sym.routes:
         out += [Invariant(i, r.id, x) for i, x in _route(f, r)]
@@ -93,8 +94,8 @@ def _all_joints(f: Facts) -> list[tuple[str, str, str]]:
             out.append((j, s, f.topo.beyond(s, j) or ""))
             boundary = f.layout.boundary_at.get(j)
             if boundary is not None:
-                outside = boundary.approach or f"outside.{j}"
-                if f"o.{outside}" in f.system.plant.state:
+                outside = boundary.approach or names.outside(j)
+                if names.STANDS(outside) in f.system.plant.state:
                     out.append((j, outside, s))
     return out
 
@@ -225,7 +226,7 @@ def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, 
                 waiting = disj(
                     x
                     for shunts in f.functions(g)
-                    if f"{'gos' if shunts else 'go'}.{g}" in f.system.plant.state
+                    if names.accepted(g, shunts) in f.system.plant.state
                     for x in (accepted(g, shunts), lamp(g, shunts), f.sym.passing(g, shunts))
                 )
                 yield f"J-SHUNT-ALONE:{k}", implies(conj((shunt, f.locked_in(t, k))), conj((f.used(t), neg(waiting))))
@@ -298,7 +299,7 @@ def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Exp
             over = disj(
                 overran(g, t)
                 for (g, _), ways in f.sym.overlap_ways.items()
-                if f"over.{g}.{t}" in f.system.plant.state and any(a == t and f.way(a, n)[0] == j for a, n in ways)
+                if names.OVERRAN(g, t) in f.system.plant.state and any(a == t and f.way(a, n)[0] == j for a, n in ways)
             )
             yield "X-LOCKED", implies(conj((stands, neg(over), neg(overrun(f, s)))), f.locked_out(s, j))
     if t and not (f.berth(t) and (j, t) not in f.topo.signal_into):
@@ -312,8 +313,8 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
     boundary = f.layout.boundary_at.get(j)
     rear: str | None = f.topo.beyond(t, j)
     if boundary is not None:
-        rear = boundary.approach or f"outside.{j}"
-    if rear is None or f"{'gos' if shunt else 'go'}.{g}" not in f.system.plant.state:
+        rear = boundary.approach or names.outside(j)
+    if rear is None or names.accepted(g, shunt) not in f.system.plant.state:
         return
     mark = "G-SHUNT" if shunt else "G"
     went = accepted(g, shunt)
@@ -342,7 +343,7 @@ def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
             )
         )
     yield f"{mark}-TRAIN", implies(went, conj(standing))
-    if f"img.{rear}" in f.system.plant.state:
+    if names.IMAGE(rear) in f.system.plant.state:
         yield f"{mark}-REPORTED", implies(went, image(rear))
     if rear in f.sym.restart:
         yield f"{mark}-REAR", _from_rear(f, j, SectionId(rear), disj((shown, went)))
@@ -419,7 +420,7 @@ def _overlap_of(f: Facts, option: tuple[SignalId, int]) -> Expr:
     return disj(var(name) for o, name in f.sym.overlap.items() if o[0] == option[0])
 
 
-def _passing(f: Facts, r: RouteSymbols, name: str) -> Iterator[tuple[str, Expr]]:
+def _passing(f: Facts, r: RouteSymbols, name: names.Name) -> Iterator[tuple[str, Expr]]:
     """The signal is open for the movement that passes it: everything is still locked, and nobody comes after it."""
     first, rear = r.ways[0][0], f.sym.approach_of[r.entry]
     assert rear is not None

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
+from interlock.logic.names import Name
 from interlock.model.elements import Position
 from interlock.proof.invariants.kinds import Facts
 
@@ -75,7 +76,7 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Each preset against what the principles order and what the world needs: settled by comparing numbers."""
     rules, needs = f.layout.principles, f.system.measured.needs
     presets = f.system.presets
-    ordered: dict[str, list[float]] = {}
+    ordered: dict[Name, list[float]] = {}
     for g, name in f.sym.approach_timer.items():
         kinds = {r.shunt for r in f.sym.routes_from.get(g, ())}
         trains = [rules.approach_release_s, needs.stop[g] / 1000] if False in kinds else []

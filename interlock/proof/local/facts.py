@@ -20,6 +20,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from interlock.logic.expr import AND, NOT, OR, TRUE, Expr, disj, eq, implies, neg, var
+from interlock.logic.names import Name
 from interlock.proof.invariants import Claim, Invariant
 from interlock.proof.system import System
 
@@ -50,7 +51,7 @@ def _conjuncts(x: Expr) -> Sequence[Expr] | None:
     return None
 
 
-def halves(name: str, x: Expr) -> list[Expr]:
+def halves(name: Name, x: Expr) -> list[Expr]:
     """A definition as clauses."""
     return split(implies(var(name), x)) + split(implies(x, var(name)))
 
@@ -77,14 +78,9 @@ class Fact:
     @property
     def tag(self) -> str:
         """The sort of its source, without the name of an element."""
-        if self.kind is Kind.DEFINITION:
-            return _sort(self.source)
+        if isinstance(self.source, Name):
+            return self.source.head
         return f"{self.kind} {self.source.split(' ')[0].split(':')[0]}"
-
-
-def _sort(name: str) -> str:
-    """A variable's name without that of an element."""
-    return name.split("_" if "_" in name else ".")[0] + ("'" if name.endswith("'") else "")
 
 
 class GoalKind(StrEnum):

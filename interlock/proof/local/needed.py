@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from interlock.logic.controller import Controller, Equation, Join
 from interlock.logic.expr import Expr, disj, neg, var
+from interlock.logic.names import Name
 from interlock.proof.local.engine import LocalProof
 from interlock.proof.local.facts import GoalKind, Kind, split
 
@@ -81,14 +82,14 @@ def needs(proof: LocalProof, controller: Controller) -> tuple[Need, ...]:
     return tuple(out)
 
 
-def _equations(c: Controller) -> Iterator[tuple[Equation, str]]:
+def _equations(c: Controller) -> Iterator[tuple[Equation, Name]]:
     for e in c.equations:
         yield e, e.name
     for e in c.next:
-        yield e, e.name + "'"
+        yield e, e.name.next
 
 
-def _part(name: str, e: Equation, term: Expr) -> list[Expr]:
+def _part(name: Name, e: Equation, term: Expr) -> list[Expr]:
     """The clauses in which a term stands: an AND implies it; it implies an OR."""
     if e.join is Join.ALL:
         return split(disj((neg(var(name)), term)))

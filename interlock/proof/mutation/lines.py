@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from interlock.logic.expr import Expr
+from interlock.logic.names import Name
 from interlock.proof.functions import function_start, functions
 from interlock.proof.invariants import Facts, claims, strengthening
 from interlock.proof.runner import start_claim
@@ -16,7 +17,7 @@ from interlock.proof.system import System
 class Lines:
     """What is said of a system."""
 
-    definitions: Mapping[str, Expr]
+    definitions: Mapping[Name, Expr]
     assumptions: tuple[Expr, ...]
     invariants: tuple[tuple[str, Expr], ...]
     claims: tuple[tuple[str, Expr], ...]

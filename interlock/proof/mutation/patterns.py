@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from heapq import heappop, heappush
 
 from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr
+from interlock.logic.names import Name
 
 SOME = 8  # so many new patterns are gathered before all are computed again
 
@@ -19,7 +20,7 @@ class Patterns:
     """The steps, and the value of every expression of a system in each of them."""
 
     def __init__(
-        self, definitions: Mapping[str, Expr], facts: Iterable[Expr], wanted: Iterable[tuple[str, Expr]]
+        self, definitions: Mapping[Name, Expr], facts: Iterable[Expr], wanted: Iterable[tuple[str, Expr]]
     ) -> None:
         """`facts`: invariants and assumptions.  `wanted`: claims by name, the more telling first."""
         self._number: dict[Expr, int] = {}
@@ -115,7 +116,7 @@ class Patterns:
             return out
         return self._full ^ v[args[0]] if x.op is NOT else v[args[0]]
 
-    def broken(self, changed: Mapping[str, Expr]) -> str | None:
+    def broken(self, changed: Mapping[Name, Expr]) -> str | None:
         """What fails in one of the steps when some names stand for other expressions."""
         v = list(self._vectors)
         if not v:

@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from interlock.logic.expr import AND, NOT, OR, TRUE, VAR, Expr
+from interlock.logic.names import Name
 from interlock.proof.operations import operated
-from interlock.proof.system import PRIME, System
+from interlock.proof.system import System
 from interlock.proof.witness import Trial, Trials, journeys
 
 
@@ -30,7 +31,7 @@ class Runs:
             raise RuntimeError("a run that works alone does not work beside others")
         self._mask = self._joined(self._going)
         self._equations = {e.name: e.expr for e in system.controller.equations}
-        self._equations |= {e.name + PRIME: e.expr for e in system.controller.next}
+        self._equations |= {e.name.next: e.expr for e in system.controller.next}
 
     def _record(self, values: Mapping[str, int], going: int) -> None:
         self._steps.append(values)
@@ -41,7 +42,7 @@ class Runs:
         size = (len(self.trials) + 7) // 8
         return int.from_bytes(b"".join(v.to_bytes(size, "little") for v in vectors), "little")
 
-    def reached(self, changed: Mapping[str, Expr]) -> list[int]:
+    def reached(self, changed: Mapping[Name, Expr]) -> list[int]:
         """The runs in which one of the changed right sides once has another value."""
         memo: dict[Expr, int] = {}
         differ = 0
@@ -78,7 +79,7 @@ class Runs:
             out = out | y if x.op is OR else out & y
         return out
 
-    def noticed(self, system: System, changed: Mapping[str, Expr] | None) -> tuple[bool, str] | None:
+    def noticed(self, system: System, changed: Mapping[Name, Expr] | None) -> tuple[bool, str] | None:
         """Whether a run does not work any more under a mutant, and which, and why: first trains (True), then
         operators.  `changed`: the definitions that are others; None where more than right sides has changed."""
         every = changed is None or not changed.keys() <= self._equations.keys()

@@ -14,11 +14,10 @@ from dataclasses import dataclass
 
 from interlock.logic.controller import Controller
 from interlock.logic.expr import NOT, TRUE, VAR, Expr, Substitution, implies, neg, var, variables
+from interlock.logic.names import Form, Name
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.switched import Switched
-from interlock.proof.system import PRIME, System
-
-COPY = "~"  # the mutant's values of a step, beside those of the controller
+from interlock.proof.system import System
 
 
 @dataclass(frozen=True)
@@ -35,7 +34,7 @@ class Side:
         return self.system.controller
 
 
-def same(s: Switched, one: Side, other: Side, reads: Mapping[str, frozenset[str]]) -> str | None:
+def same(s: Switched, one: Side, other: Side, reads: Mapping[Name, frozenset[Name]]) -> str | None:
     """In what way a mutant (`other`) is the same as the controller (`one`); None where an output may differ.
 
     `reads`: what the controller's definitions read.
@@ -46,10 +45,10 @@ def same(s: Switched, one: Side, other: Side, reads: Mapping[str, frozenset[str]
     if set(other.lines.assumptions) - set(one.lines.assumptions) - set(_on_delays(other.controller)):
         return None
     starts = {x.name: x.initial for x in one.controller.state}
-    dropped: set[tuple[str, str]] = set()
+    dropped: set[tuple[Name, Name]] = set()
     others = {x.name for x in other.controller.state if x.initial is not starts[x.name]}
     if others:
-        apart = {(a, b) for n in others for a, b in ((n, n + COPY), (n + COPY, n))}
+        apart = {(a, b) for n in others for a, b in ((n, n.copy), (n.copy, n))}
         first = ([*_first(one)], [*_first(other)])
         while new := _lost(s, one, other, reads, apart, dropped, [first]):
             dropped |= new
@@ -58,7 +57,7 @@ def same(s: Switched, one: Side, other: Side, reads: Mapping[str, frozenset[str]
         (_at_power_up(one), _at_power_up(other)),
     ]
     inside = _inside(one)
-    while all(a.removesuffix(COPY) in inside for a, _ in dropped):
+    while all(_plain(a) in inside for a, _ in dropped):
         new = _lost(s, one, other, reads, dropped, dropped, phases)
         if not new:
             return f"other only inside, in {len(dropped)} values" if dropped else "the same states and outputs"
@@ -66,7 +65,7 @@ def same(s: Switched, one: Side, other: Side, reads: Mapping[str, frozenset[str]
     return None
 
 
-def same_after_restart(s: Switched, one: Side, other: Side, reads: Mapping[str, frozenset[str]]) -> bool:
+def same_after_restart(s: Switched, one: Side, other: Side, reads: Mapping[Name, frozenset[Name]]) -> bool:
     """Whether in every step after the restart delay, from one state, both come to the same state and outputs."""
     timers = {t.name: t.preset_ms for t in one.controller.timers}
     if {t.name: t.preset_ms for t in other.controller.timers} != timers:
@@ -85,10 +84,15 @@ def _first(side: Side) -> Iterator[Expr]:
     yield from (neg(var(t.name)) for t in side.controller.timers)
 
 
-def _inside(one: Side) -> set[str]:
+def _plain(name: Name) -> Name:
+    """The controller's own variable, of which the mutant's is a copy."""
+    return name.base if name.form is Form.COPY else name
+
+
+def _inside(one: Side) -> set[Name]:
     """What nobody sees: state of the controller, timers, what the proof remembers of runs."""
     names = {x.name for x in one.controller.state} | {t.name for t in one.controller.timers}
-    return names | {n for n in one.system.state if n.startswith(("been.", "shut.", "cov."))}
+    return names | {n for n in one.system.state if n.family.history or n.form is Form.COVERED}
 
 
 def _on_delays(c: Controller) -> Iterator[Expr]:
@@ -100,18 +104,18 @@ def _lost(
     s: Switched,
     one: Side,
     other: Side,
-    reads: Mapping[str, frozenset[str]],
-    before: set[tuple[str, str]],
-    dropped: set[tuple[str, str]],
+    reads: Mapping[Name, frozenset[Name]],
+    before: set[tuple[Name, Name]],
+    dropped: set[tuple[Name, Name]],
     phases: Sequence[Phase],
-) -> set[tuple[str, str]]:
+) -> set[tuple[Name, Name]]:
     """Implications that a scan in one of the phases loses, if there are any.
 
     `before`: those that do not hold before the scan.  `dropped`: those of which nothing is asked after it.
     """
-    free = {a.removesuffix(COPY) for a, _ in before}
+    free = {_plain(a) for a, _ in before}
     mine, its = one.lines.definitions, other.lines.definitions
-    below: dict[str, None] = {}
+    below: dict[Name, None] = {}
     apart = set(free)
     for n, x in its.items():  # in an order in which each reads only what is before it
         old = mine.get(n)
@@ -119,19 +123,19 @@ def _lost(
         if old is not x or not apart.isdisjoint(names):
             below[n] = None
             apart.add(n)
-    put = Substitution({n: var(n + COPY) for n in apart})
-    goals: dict[tuple[str, str], Expr] = {}
+    put = Substitution({n: var(n.copy) for n in apart})
+    goals: dict[tuple[Name, Name], Expr] = {}
     for n, (x, its_own) in _watched(one, other, below).items():
         y = put(its_own)
-        for a, b, goal in ((n, n + COPY, implies(x, y)), (n + COPY, n, implies(y, x))):
+        for a, b, goal in ((n, n.copy, implies(x, y)), (n.copy, n, implies(y, x))):
             if (a, b) not in dropped and goal is not TRUE:
                 goals[a, b] = goal
     if not goals:
         return set()
     known = [s.define(n, x) for n, x in mine.items()]
-    known += [s.define(n + COPY, put(its[n])) for n in below]
+    known += [s.define(n.copy, put(its[n])) for n in below]
     for n in free:
-        known += [s.fact(implies(var(a), var(b))) for a, b in ((n, n + COPY), (n + COPY, n)) if (a, b) not in before]
+        known += [s.fact(implies(var(a), var(b))) for a, b in ((n, n.copy), (n.copy, n)) if (a, b) not in before]
     for mine_too, its_too in phases:
         wrong = s.any_false(goals.values())
         model = s.model(*known, *map(s.fact, dict.fromkeys((*mine_too, *map(put, its_too)))), wrong)
@@ -141,7 +145,7 @@ def _lost(
     return set()
 
 
-def _watched(one: Side, other: Side, below: Mapping[str, None]) -> dict[str, tuple[Expr, Expr]]:
+def _watched(one: Side, other: Side, below: Mapping[Name, None]) -> dict[Name, tuple[Expr, Expr]]:
     """For each state variable and timer that may differ: its next value in both, or what it waits for in both."""
     found = {n: (var(x), var(x)) for n, x in one.system.later.items() if x in below}
     inputs = {t.name: t.input for t in other.controller.timers}
@@ -158,4 +162,4 @@ def _at_power_up(side: Side) -> list[Expr]:
     return [*values, neg(var(side.controller.symbols.restart_timer)), *_on_delays(side.controller)]
 
 
-__all__ = ["COPY", "PRIME", "Side", "same"]
+__all__ = ["Side", "same"]

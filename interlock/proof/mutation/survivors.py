@@ -5,7 +5,6 @@ Each is on a published list with the reason why it cannot matter.  What survives
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
@@ -18,12 +17,6 @@ from interlock.proof.mutation.points import Mutation
 LIST = Path(__file__).with_name("survivors.yaml")
 
 
-def shape(name: str) -> str:
-    """A mutation without the names of elements: what many mutants have in common."""
-    name = re.sub(r" \([0-9]+\)$", "", name)
-    return re.sub(r"\b([A-Z]+)[0-9]*_[A-Za-z0-9_.]+", r"\1", re.sub(r"= [0-9]+", "= n", name))
-
-
 @cache
 def listed() -> Mapping[str, str]:
     """The list: shapes of mutations, each with its reason."""
@@ -33,5 +26,5 @@ def listed() -> Mapping[str, str]:
 
 def off_the_list(judged: Iterable[tuple[Mutation, Verdict | None]]) -> list[str]:
     """The survivors that are not on the list, or without an equivalence that a solver has checked."""
-    alive = [(m.name, v) for m, v in judged if v is not None and v.fate is Fate.SURVIVES]
-    return [name for name, v in alive if shape(name) not in listed() or not v.why]
+    alive = [(m, v) for m, v in judged if v is not None and v.fate is Fate.SURVIVES]
+    return [m.name for m, v in alive if m.shape not in listed() or not v.why]

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from pysat.solvers import Minisat22
 
 from interlock.logic.expr import Expr, var
+from interlock.logic.names import Name
 from interlock.proof.encode import Cnf
 
 GROUP = 50
@@ -24,7 +25,7 @@ class Switched:
         self._again: set[int] = set()
         self._groups: dict[int, list[int]] = {}
 
-    def define(self, name: str, x: Expr) -> int:
+    def define(self, name: Name, x: Expr) -> int:
         """The switch of: the name stands for the expression."""
         key = (name, x)
         found = self._lines.get(key)

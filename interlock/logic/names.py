@@ -1,0 +1,544 @@
+"""Names of variables: what a variable means, and what it belongs to.
+
+A name has a *family*, what it means, and the elements and numbers *at* which it stands: `LOCK("q1", 2)` is the lock of
+section q1 for its second way.  Its text (`L_q1_2`) is made here and nowhere else, and nobody takes it apart: whoever
+wants to know to what a name belongs reads its fields.  A name is its own text, so that it can be printed, sorted and
+looked up as any other.
+
+Names of the controller are portable (letters, digits, single underscores; at most 24 characters); those of the world
+and of the proof have dots and layout names as they are.  A name can be made of another: its value one step later, what
+the world chooses when it could happen, what the proof remembers of it, and a second copy of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from enum import Enum, StrEnum
+from functools import partial
+from string import digits
+
+from interlock.model.portable import portable
+
+Part = str | int
+
+
+class Kind(StrEnum):
+    """What a variable belongs to."""
+
+    NOTHING = "nothing"
+    RESTART = "restart"
+    REQUESTS = "requests"
+    STARTS = "starts"
+    SECTION = "section"
+    SIGNAL = "signal"
+    OVERLAP = "overlap"
+    MACHINE = "point"
+    ROUTE = "route"
+    LINE = "line"
+    ZONE = "zone"
+    CONDITION = "condition"
+    BUFFER = "buffer"
+
+
+class Form(Enum):
+    """What is made of another name, and its text."""
+
+    NEXT = "{}'"
+    """The value one step later."""
+    CHOICE = "?{}"
+    """The world chooses that it happens."""
+    COVERED = "cov.{}"
+    """A history variable: since the timer's input rose, what its clock looks at has held."""
+    COMPUTED = "N_{}"
+    """Where the text of a program computes the next value, before all are committed at once."""
+    EACH = "#{}"
+    """The variable of any route: what stands for one of them in what is said of all alike."""
+    VALUE = "#{}="
+    """That a variable has the number of any route."""
+    CLASS = "{}#"
+    """One of the two former, of some route of a class."""
+    COPY = "{}~"
+    """The same variable of a second controller."""
+
+
+class Owner(str):
+    """An element of the railway to which variables belong; its text is that of a group of equations."""
+
+    __slots__ = ("id", "kind")
+
+    kind: Kind
+    id: str
+    """Its name in the layout."""
+
+    @staticmethod
+    def of(kind: Kind, element: str) -> Owner:
+        """The element of a kind and a name."""
+        owner = Owner(f"{kind} {element}" if element else kind)
+        owner.kind, owner.id = kind, element
+        return owner
+
+    def __reduce__(self) -> tuple[Callable[..., Owner], tuple[object, ...]]:
+        return Owner.of, (self.kind, self.id)
+
+
+class Name(str):
+    """The name of a variable.  Made by families, and by the properties of other names; never from text."""
+
+    __slots__ = ("_copy", "_next", "_owner", "at", "base", "family", "form")
+
+    family: Family
+    at: tuple[Part, ...]
+    form: Form | None
+    base: Name
+    """The name of which this one is made; itself if of none."""
+    _next: Name | None
+    _owner: Owner | None
+    _copy: Name | None
+
+    @staticmethod
+    def _made(
+        text: str, family: Family, at: tuple[Part, ...], form: Form | None = None, of: Name | None = None
+    ) -> Name:
+        name = Name(text)
+        name.family, name.at, name.form, name.base = family, at, form, name if of is None else of
+        name._next = name._copy = name._owner = None
+        return name
+
+    def __reduce__(self) -> tuple[Callable[..., Name], tuple[object, ...]]:
+        if self.form is not None:
+            return _of_form, (self.form, self.base)
+        return (_again, (self.family.key, self.at)) if self.family.key else (spelled, (str(self),))
+
+    @property
+    def next(self) -> Name:
+        """The name of its value one step later."""
+        found = self._next
+        if found is None:
+            found = self._next = _of_form(Form.NEXT, self)
+        return found
+
+    @property
+    def copy(self) -> Name:
+        """The name of the same variable of a second controller."""
+        found = self._copy
+        if found is None:
+            found = self._copy = _of_form(Form.COPY, self)
+        return found
+
+    @property
+    def indexed(self) -> bool:
+        """It stands for a variable of any route."""
+        return self.form is Form.EACH or self.form is Form.VALUE
+
+    @property
+    def primed(self) -> bool:
+        """It is a value one step later."""
+        return self.form is Form.NEXT
+
+    @property
+    def owner(self) -> Owner | None:
+        """The element to which it belongs, if to one."""
+        found = self._owner
+        if found is None:
+            found = self._owner = self.family.owner(self.at)
+        return found
+
+    @property
+    def number(self) -> int:
+        """The number of the route to which it belongs."""
+        assert self.family.kind is Kind.ROUTE
+        return int(self.at[0])
+
+    @property
+    def head(self) -> str:
+        """How names of its family and form begin, with numbers and positions that stand before the element's name."""
+        return self.family.head(self.at) if self.form is None else self.form.value.format(self.base.head)
+
+    @property
+    def sort(self) -> str:
+        """The same without numbers: what a table of mutants counts by."""
+        return self.head.rstrip(digits)
+
+
+class Family:
+    """Variables of one meaning: how they are written, and what they belong to.
+
+    pattern: their text, with `{}` or `{0}` for what they stand at.  kind, place: what they belong to, and which of the
+    parts of `at` it is.  portable: layout names are written as identifiers.  history: the proof remembers it of a run.
+    """
+
+    __slots__ = ("_each", "_head", "history", "key", "kind", "meaning", "pattern", "place", "portable")
+
+    def __init__(
+        self, kind: Kind, pattern: str, meaning: str, place: int = 0, portable: bool = False, history: bool = False
+    ) -> None:
+        self.key = ""
+        self._each: dict[bool, Name] = {}
+        self.kind = kind
+        self.pattern = pattern
+        self.meaning = meaning
+        self.place = place
+        self.portable = portable
+        self.history = history
+        self._head = pattern.split("_" if portable else ".")[0]
+
+    def __repr__(self) -> str:
+        return f"<{self.pattern}: {self.meaning}>"
+
+    def __reduce__(self) -> tuple[Callable[[str], Family], tuple[str]]:
+        return _family, (self.key,)
+
+    def __call__(self, *at: Part) -> Name:
+        """The name of the variable at some element."""
+        found = _names.get((self, at))
+        if found is None:
+            parts = [portable(x) if isinstance(x, str) else x for x in at] if self.portable else at
+            found = _names[self, at] = Name._made(self.pattern.format(*parts), self, at)
+        return found
+
+    def each(self, primed: bool) -> Name:
+        """A route's variable without its route, before or after a step."""
+        found = self._each.get(primed)
+        if found is None:
+            text = Form.EACH.value.format(self.pattern + ("'" if primed else ""))
+            found = self._each[primed] = Name._made(text, self, (), Form.EACH)
+        return found
+
+    def owner(self, at: tuple[Part, ...]) -> Owner | None:
+        """The element to which the variable at some parts belongs."""
+        if self.kind is Kind.NOTHING:
+            return None
+        return Owner.of(self.kind, str(at[self.place]) if at else "")
+
+    def head(self, at: tuple[Part, ...]) -> str:
+        """How the text of a name begins."""
+        return self._head.format(*at)
+
+
+# names that were made, by family and parts: a table of the piece of work that makes them (see `expr.interning`)
+Made = dict[tuple[Family, tuple[Part, ...]], Name]
+_names: Made
+
+
+def use(made: Made) -> None:
+    """Keep the names that are made from now on in a table."""
+    global _names
+    _names = made
+
+
+use({})
+
+
+def each(name: Name) -> Name:
+    """A route's variable without its route."""
+    return name.family.each(name.primed)
+
+
+def each_value(name: Name) -> Name:
+    """A variable that has the numbers of routes for values, without its value."""
+    return _of_form(Form.VALUE, name)
+
+
+def of_class(name: Name, number: int) -> Name:
+    """A route's variable, of some route of a class."""
+    return Name._made(f"{number}{Form.CLASS.value.format(name)}", name.family, (number,), Form.CLASS, name)
+
+
+def _of_form(form: Form, name: Name) -> Name:
+    name = spelled(name)
+    return Name._made(form.value.format(name), name.family, name.at, form, name)
+
+
+def choice(name: Name) -> Name:
+    """The world chooses that something happens, or how long something lasts."""
+    return _of_form(Form.CHOICE, name)
+
+
+def computed(name: Name) -> Name:
+    """Where the text of a program computes the next value of a state variable."""
+    return _of_form(Form.COMPUTED, name)
+
+
+def covered(timer: Name) -> Name:
+    """The history variable of a timer: since its input rose, what its clock looks at has held."""
+    return _of_form(Form.COVERED, timer)
+
+
+_SPELLED = Family(Kind.NOTHING, "{}", "a name of which nothing but the text is known")
+
+
+def spelled(text: str) -> Name:
+    """A name as it is read from a text; one that has fields is given back as it is."""
+    return text if isinstance(text, Name) else Name._made(text, _SPELLED, (text,))
+
+
+NONE = spelled("")
+"""What has no name."""
+
+_section = partial(Family, Kind.SECTION, portable=True)
+_signal = partial(Family, Kind.SIGNAL, portable=True)
+_overlap = partial(Family, Kind.OVERLAP, portable=True)
+_machine = partial(Family, Kind.MACHINE, portable=True)
+_route = partial(Family, Kind.ROUTE, portable=True)
+_line = partial(Family, Kind.LINE, portable=True)
+_zone = partial(Family, Kind.ZONE, portable=True)
+
+# --- the controller: what there is once ----------------------------------------------------------
+
+
+def _single(text: str, meaning: str, kind: Kind = Kind.NOTHING) -> Name:
+    return Name._made(text, Family(kind, text, meaning, portable=True), ())
+
+
+VALID = _single("VALID", "all input devices healthy")
+REQUEST = _single("REQ", "the number that an operator asks for")
+LOCAL_REQUEST = _single("LREQ", "the number that an operator on the spot asks for")
+REQUEST_FRESH = _single("RQZ", "REQ read 0 in the last scan", Kind.REQUESTS)
+LOCAL_FRESH = _single("LRQZ", "LREQ read 0 in the last scan", Kind.REQUESTS)
+REQUEST_SEEN = _single("YRQ", "REQ is seen")
+LOCAL_SEEN = _single("YLRQ", "LREQ is seen")
+RELEASE_ALL = _single("RELALL", "operator: release all clear sections")
+POWERED = _single("PWR", "the controller has run a scan since power-up", Kind.RESTART)
+RESTART_RUNS = _single("RSTI", "the restart delay runs", Kind.RESTART)
+RESTART_OVER = _single("RST", "the restart delay is over")
+GAP_RUNS = _single("SGI", "no machine starts", Kind.STARTS)
+GAP_OVER = _single("SGT", "the gap since the last start is over")
+STARTED = _single("SG", "a machine started in the last scan", Kind.STARTS)
+
+# --- the controller: sections and their ways -----------------------------------------------------
+
+CLEAR = _section("CLR_{}", "reported clear")
+HEALTHY = _section("SH_{}", "its detector is healthy")
+RELEASE_BY_HAND = _section("REL_{}", "operator: release it")
+BLOCKED = _section("BLK_{}", "operator: it is blocked")
+OCCUPIED = _section("OCC_{}", "counts as occupied")
+FREE = _section("FREE_{}", "not locked by anybody")
+ENTERED = _section("NU_{}_{}", "a train comes in at one of its ends")
+CLEAR_RUNS = _section("RTI_{}", "reported clear, so that the release delay runs")
+LONG_CLEAR = _section("RT_{}", "clear for the release delay")
+ARRIVED = _section("AR_{}", "a train has arrived wholly")
+LEAVES = _section("EX_{}", "a train leaves over a boundary, or has passed on")
+RELEASED_BEHIND = _section("BT_{}", "released behind the train")
+WITHDRAWN = _section("CA_{}", "the lock before it was withdrawn")
+RELEASED_BY_HAND = _section("HR_{}", "released by hand")
+RELEASED_AFTER_RESTART = _section("SR_{}", "released after a restart")
+RELEASED = _section("RLS_{}", "released")
+RESTART_LOCK = _section("K_{}", "restart lock")
+TRAIN_LOCK = _section("M_{}", "locked for a train movement")
+FIRM = _section("F_{}", "firmly locked")
+USED = _section("U_{}", "used by a train")
+PASSED = _section("P_{}", "the train went on")
+STALE = _section("D_{}", "detection is not relied on")
+FAULTY = _section("FA_{}", "alarm: its detector is faulty")
+FAULT_SHOWN = _section("YF_{}", "alarm: its detector is faulty")
+LOCKED_SHOWN = _section("YL_{}", "indication: locked")
+LOCK = _section("L_{}_{}", "locked for one of its ways")
+WAY_AVAILABLE = _section("WA_{}_{}", "a way could be locked")
+WAY_FREE = _section("WF_{}_{}", "a way is free for a route")
+WAY_DETECTED = _section("WD_{}_{}", "a way's points lie, and nothing is foul of it")
+WAY_LIES = _section("WL_{}_{}", "a way lies and is clear")
+WAY_IN_ORDER = _section("WP_{}_{}", "proceed may be shown over a way")
+WAY_GRANTED = _section("GW_{}_{}", "a way is granted to a route")
+BERTH_GRANTED = _section("GB_{}_{}", "a way is granted to a route that ends in it")
+
+# --- the controller: signals and their overlaps --------------------------------------------------
+
+CANCEL = _signal("CAN_{}", "operator: cancel the route from it")
+STOP_LAMP = _signal("RL_{}", "its stop lamp is intact")
+CLEAR_LAMP = _signal("GL_{}", "its clear lamp is intact, or not lit")
+CAUTION_LAMP = _signal("CL_{}", "its caution lamp is intact, or not lit")
+APPROACH_CLEAR = _signal("AC_{}", "no train is on its way to it")
+APPROACH_RUNS = _signal("ATI_{}", "at stop, and a train may still come")
+APPROACH_OVER = _signal("AT_{}", "the delay of approach locking is over")
+CANCELLED = _signal("CD_{}", "the route from it is cancelled")
+CANCELLING = _signal("X_{}", "a route from it is being cancelled")
+SHOWS_CLEAR = _signal("C_{}", "it shows clear")
+CLEAR_ASPECT = _signal("YP_{}", "lit: clear")
+CAUTION_ASPECT = _signal("YY_{}", "lit: caution")
+CALL_ASPECT = _signal("YO_{}", "lit: call-on")
+SHUNT_ASPECT = _signal("YW_{}", "lit: shunt")
+STOP_ASPECT = _signal("YS_{}", "lit: stop")
+SPEED_ASPECT = _signal("YV{1}_{0}", "lit: a speed")
+DISTANT_CLEAR = _signal("YD_{}", "lit at a distant: clear")
+DISTANT_CAUTION = _signal("YC_{}", "lit at a distant: caution")
+OVERLAP = _overlap("V_{}_{}", "an overlap of the signal is held")
+OVERLAP_FREE = _overlap("OF_{}_{}", "an overlap of the signal may be held")
+OVERLAP_GRANTED = _overlap("GO_{}_{}", "an overlap of the signal is granted")
+OVERLAP_FIRM = _overlap("VF_{}", "the signal's overlap is firmly held")
+OVERLAP_SWINGS = _overlap("VS_{}", "the signal's overlap swings")
+OVERLAP_LIES = _overlap("OL_{}", "the signal's overlap lies and is clear")
+OVERLAP_OVER = _overlap("OR_{}", "the signal's overlap is not needed any more")
+STANDING_RUNS = _overlap("OTI_{}", "the train before the signal is wholly in its section")
+STANDING = _overlap("OT_{}", "the train before the signal stands")
+SWINGS_TO = _overlap("SW{1}_{2}", "the signal's overlap swings to one of its alternatives")
+
+# --- the controller: machines --------------------------------------------------------------------
+
+CONTACT = _machine("D{1}_{0}", "input: lies so")
+MOVE_BY_HAND = _machine("M{1}_{0}", "operator: move it")
+LOOKED_AT = _machine("TC_{}", "operator: it has been looked at after it was trailed")
+DETECTED = _machine("Q{1}_{0}", "detected in a position")
+MOVABLE = _machine("MOV_{}", "free to move")
+POINT_AVAILABLE = _machine("AV{1}_{0}", "can be demanded in a position")
+TOUCHED = _machine("TG_{}", "a grant touches it")
+DEMANDED = _machine("GP{1}_{0}", "a grant needs it in a position")
+MOVED_BY_HAND = _machine("MA{1}_{0}", "moved by hand")
+COMMAND_HELD = _machine("HD{1}_{0}", "the command stays")
+COMMAND = _machine("C{1}_{0}", "commanded to a position")
+DRIVE = _machine("Y{1}_{0}", "output: driven to a position")
+SUPERVISED = _machine("STI_{}", "not where it was commanded")
+LATE = _machine("ST_{}", "time-out")
+NOT_DETECTED = _machine("AL_{}", "alarm: not detected")
+LATE_SHOWN = _machine("YA_{}", "alarm: not detected in time")
+WAS_RIGHT = _machine("TH_{}", "was detected where it is commanded")
+TRAILED = _machine("TR_{}", "was trailed")
+TRAILED_SHOWN = _machine("YT_{}", "alarm: was trailed")
+STARTS = _machine("ZT_{}", "starts")
+WAITS = _machine("ZW_{}", "it or one before it waits for its start")
+MAY_RUN = _machine("Z_{}", "may run")
+
+# --- the controller: routes ----------------------------------------------------------------------
+
+AUTOMATIC = _route("AUTO_R{}", "operator: works automatically")
+ASKED = _route("RQ_R{}", "asked for")
+GRANTED = _route("G_R{}", "granted")
+LOCKS = _route("LK_R{}", "becomes locked")
+CONDITIONS = _route("CO_R{}", "conditions of proceed")
+STAYS = _route("KP_R{}", "stays set")
+OPENS = _route("PR_R{}", "proceed")
+CONDITION_LOST = _route("LS_R{}", "a condition was lost")
+PASSING = _route("PA_R{}", "open for the movement that passes")
+ACTIVE = _route("A_R{}", "set")
+LOCKED = _route("B_R{}", "locked")
+WANTED = _route("W_R{}", "proceed wanted")
+SHOWING = _route("S_R{}", "proceed")
+SHOWN = _route("H_R{}", "has been open")
+
+# --- the controller: lines, conditions, zones ----------------------------------------------------
+
+NEIGHBOUR_ASKS = _line("NR_{}", "the neighbour asks for the direction")
+NEIGHBOUR_GIVES = _line("NG_{}", "the neighbour gives the direction")
+NEIGHBOUR_KEEPS = _line("NN_{}", "the neighbour does not give the direction")
+NEIGHBOUR_HAS = _line("NH_{}", "the neighbour has the direction")
+LINE_CLEAR = _line("LC_{}", "the whole line is reported clear")
+TAKE_BY_HAND = _line("TKN_{}", "operator: take the direction, as agreed")
+TOKEN_HERE = _line("BH_{}", "the direction is ours")
+TOKEN_GIVEN = _line("BG_{}", "the direction is given")
+CHANGE_SEEN = _line("BN_{}", "the neighbour told that he does not give the direction")
+MANUAL_OVER = _line("BT_{}", "the hand has been held long enough")
+MANUAL_RUNS = _line("BTI_{}", "special manual change")
+TOKEN_TAKEN = _line("BK_{}", "the direction is taken")
+TOKEN_GOES = _line("BV_{}", "the direction is given to the neighbour")
+TOKEN_KEPT = _line("BY_{}", "the direction is not given")
+TELLS_ASKS = _line("YTA_{}", "to the neighbour: direction asked for")
+TELLS_GIVES = _line("YTG_{}", "to the neighbour: direction given")
+TELLS_KEEPS = _line("YTN_{}", "to the neighbour: direction not given")
+TELLS_HAS = _line("YTH_{}", "to the neighbour: direction is here")
+CONDITION = Family(Kind.CONDITION, "E_{}", "an external condition holds", portable=True)
+ZONE_FULL = _zone("ZF_{}", "the zone is full")
+ZONE_FULL_SHOWN = _zone("YZ_{}", "indication: the zone is full")
+ZONE_BUSY = _zone("ZB{1}_{2}", "one of its sections counts")
+ZONE_COUNT = _zone("ZN{1}_{2}_{3}", "so many of its first sections count")
+
+# --- the world: state ----------------------------------------------------------------------------
+
+STANDS = Family(Kind.SECTION, "o.{}", "a train stands in the section")
+CAME = Family(Kind.SECTION, "in.{}.{}", "the train in the section came in at an end")
+ACROSS = Family(Kind.SECTION, "x.{}.{}", "a train stands across an end, going out of the section", place=1)
+RESTS = Family(Kind.SECTION, "rest.{}", "the train in the section has not been called since the restart")
+WAS_CALLED = Family(Kind.SECTION, "called.{}", "what has stood there since the restart has been called")
+PARTED = Family(Kind.SECTION, "part.{}", "the rear part of a train that parted has been left there")
+SHUNTING = Family(Kind.SECTION, "sh.{}", "the train in the section shunts")
+RUNNING = Family(Kind.SECTION, "run.{}", "the train in the section has not come to a stand")
+IMAGE = Family(Kind.SECTION, "img.{}", "the section was reported occupied")
+OVERRAN = Family(Kind.SECTION, "over.{}.{}", "what stands in the section has overrun a signal", place=1)
+ACCEPTED = Family(Kind.SIGNAL, "go.{}", "a train has accepted proceed")
+SHUNT_ACCEPTED = Family(Kind.SIGNAL, "gos.{}", "a shunting movement has accepted the shunt aspect")
+SEEN = Family(Kind.SIGNAL, "lamp.{}", "proceed was shown one scan ago")
+SHUNT_SEEN = Family(Kind.SIGNAL, "lamps.{}", "the shunt aspect was shown one scan ago")
+LIES = Family(Kind.MACHINE, "at.{}.{}", "the machine really lies so")
+OLD_COMMAND = Family(Kind.MACHINE, "cmd.{}.{}", "the command of the scan before the last")
+TURNS_SINCE = Family(Kind.MACHINE, "turns.{}.{}", "it turns since before a train came to a signal", place=1)
+NEIGHBOUR_TOKEN = Family(Kind.LINE, "token.{1}.{0}", "the neighbour and the direction: has, gives, fresh")
+TELEGRAM = Family(Kind.LINE, "tel.{1}.{0}", "the last telegram from the neighbour")
+SEEN_BY = Family(Kind.LINE, "saw.{1}.{0}", "the last telegram that reached the neighbour")
+ON_LINE = Family(Kind.LINE, "line.{1}.{0}", "a train is on the line, going out or coming in")
+
+# --- the world: clocks ---------------------------------------------------------------------------
+
+STOP_LONG = Family(Kind.SIGNAL, "long.stop.{}", "stop has been shown for as long as a train needs to stand")
+STAND_LONG = Family(Kind.SIGNAL, "long.stand.{}", "the train before the signal has had time to come to a stand")
+AGREED_LONG = Family(Kind.LINE, "long.agreed.{}", "the hand is held as long as agreed")
+
+# --- the world: events, and what it chooses ------------------------------------------------------
+
+HEAD = Family(Kind.SECTION, "head.{}.{}", "a head goes over an end, out of the section", place=1)
+TAIL = Family(Kind.SECTION, "tail.{}.{}", "a tail goes over an end, out of the section", place=1)
+SHUNTS = Family(Kind.SECTION, "shunts.{}.{}", "a shunting movement goes over an end", place=1)
+OVERRUNS = Family(Kind.SECTION, "overruns.{}.{}.{}", "a train that overruns a signal goes over an end", place=2)
+FAILS = Family(Kind.SIGNAL, "fails.{}", "a train fails to stop before it")
+APPEARS = Family(Kind.SECTION, "appear.{}", "a train comes to a boundary")
+PARTS = Family(Kind.SECTION, "parts.{}", "the train parts, and its rear stays")
+STAYS_BEHIND = Family(Kind.SECTION, "stay.{}", "vehicles stay behind")
+TURNS = Family(Kind.SECTION, "turn.{}.{}.{}", "the train in the section changes direction, from an end to another")
+THROUGH = Family(Kind.BUFFER, "through.{}", "a train runs through a buffer")
+ACCEPTS = Family(Kind.SIGNAL, "accept.{}", "a driver accepts proceed")
+SHUNT_ACCEPTS = Family(Kind.SIGNAL, "accepts.{}", "a driver accepts the shunt aspect")
+REFUSES = Family(Kind.SIGNAL, "refuse.{}", "the train before it stops after all")
+STUCK = Family(Kind.SIGNAL, "stuck.{}", "it goes on showing proceed")
+SHUNT_STUCK = Family(Kind.SIGNAL, "stucks.{}", "it goes on showing the shunt aspect")
+MACHINE_STARTS = Family(Kind.MACHINE, "start.{}.{}", "it starts to leave a position")
+MACHINE_ARRIVES = Family(Kind.MACHINE, "arrive.{}.{}", "it arrives in a position")
+RUN_THROUGH = Family(Kind.MACHINE, "trails.{}", "a vehicle runs through it")
+TOKEN_MOVES = Family(Kind.LINE, "neighbour.{1}.{0}", "the neighbour takes, gives, loses the direction, by hand as well")
+SENDS = Family(Kind.LINE, "sends.{}", "the neighbour sends a train")
+TELEGRAM_COMES = Family(Kind.LINE, "telegram.{}", "a telegram comes from the neighbour")
+TELEGRAM_REACHES = Family(Kind.LINE, "tells.{}", "a telegram reaches the neighbour")
+LINE_ARRIVED = Family(Kind.LINE, "arrived.{}", "the train on the line has arrived")
+LINE_LAST = Family(Kind.LINE, "last.{}", "no further train is on the line")
+
+# --- what the proof remembers, and counts --------------------------------------------------------
+
+BEEN = Family(Kind.SECTION, "been.{}", "a train has come in since it was locked firmly", history=True)
+SHUT = Family(Kind.ROUTE, "shut.R{}", "its signal has closed, and nobody has asked again", history=True)
+OVERFULL = Family(Kind.ZONE, "zone.{}", "a train is called into a zone that is full")
+ZONE_SUM = Family(Kind.ZONE, "zone.{}.{}.{}", "so many of the first that count in a zone are there")
+
+
+def accepted(g: str, shunt: bool = False) -> Name:
+    """A train has accepted the proceed of a signal, or a shunting movement its shunt aspect."""
+    return (SHUNT_ACCEPTED if shunt else ACCEPTED)(g)
+
+
+def accepts(g: str, shunt: bool = False) -> Name:
+    """The event in which it does."""
+    return (SHUNT_ACCEPTS if shunt else ACCEPTS)(g)
+
+
+def seen(g: str, shunt: bool = False) -> Name:
+    """Proceed of a signal, or its shunt aspect, was shown one scan ago."""
+    return (SHUNT_SEEN if shunt else SEEN)(g)
+
+
+def outside(node: str) -> str:
+    """Where a train stands that is about to come in at a boundary without approach section."""
+    return f"outside.{node}"
+
+
+_FAMILIES = {key: x for key, x in globals().items() if isinstance(x, Family) and x is not _SPELLED}
+_FAMILIES |= {key: x.family for key, x in globals().items() if isinstance(x, Name) and x is not NONE}
+for _key, _found in _FAMILIES.items():
+    _found.key = _key
+
+
+def _family(key: str) -> Family:
+    return _FAMILIES[key] if key else _SPELLED
+
+
+def _again(key: str, at: tuple[Part, ...]) -> Name:
+    return _FAMILIES[key](*at)
+
+
+def families() -> tuple[Family, ...]:
+    """All families of variables."""
+    return tuple(_FAMILIES.values())

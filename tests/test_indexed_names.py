@@ -1,0 +1,122 @@
+"""A name has a family and what it stands at; its text is made in one module, and nobody takes it apart."""
+
+from __future__ import annotations
+
+import ast
+import pickle
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from interlock.logic import names
+from interlock.logic.names import Form, Kind, Name, each, families, of_class, spelled
+from interlock.proof.system import System
+from tests.layouts import built
+
+APART = {"split", "rsplit", "partition", "rpartition", "startswith", "endswith", "removeprefix", "removesuffix"}
+MATCHING = {"compile", "match", "fullmatch", "search", "findall", "finditer", "sub", "subn"}
+ROOMS = ("logic", "proof", "sim", "st", "emit")
+
+READ = {
+    "logic/names.py": "the patterns of families",
+    "logic/cabinet.py": "addresses that the layout states",
+    "proof/availability.py": "reasons why a run fails",
+    "proof/cache.py": "files of the cache",
+    "proof/engines/z3_sat.py": "models of Z3",
+    "proof/local/bundle.py": "clauses of shapes",
+    "proof/local/facts.py": "ids of assumptions and invariants",
+    "proof/local/library.py": "the file of shapes",
+    "proof/local/refute.py": "clauses of shapes, and proofs of a solver",
+    "proof/mutate.py": "lists of families, as they stand in this module",
+    "proof/mutation/judge.py": "ids of claims",
+    "proof/python_text.py": "the emitted runtime",
+    "proof/story.py": "ids of claims, notes of inputs",
+    "proof/text_mutants.py": "emitted texts",
+    "st/dialects/dialect.py": "names of blocks",
+    "st/dialects/plcopen.py": "names of blocks, XML",
+    "st/dialects/strict.py": "rules of XML",
+    "st/dialects/twincat.py": "printed texts",
+    "st/lint.py": "names as a PLC tool takes them",
+    "st/meaning.py": "paths of instances in a text",
+    "st/parser.py": "Structured Text",
+    "emit/report/player.py": "pictures",
+}
+"""Modules that take texts apart, and which; none of these texts is the name of a variable."""
+
+
+def taken_apart(tree: ast.AST) -> Iterator[int]:
+    """Lines in which a text is taken apart: by a method or a regular expression, or by the place of its letters."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            of = node.func.value
+            if node.func.attr in APART or (isinstance(of, ast.Name) and of.id == "re" and node.func.attr in MATCHING):
+                yield node.lineno
+        if isinstance(node, ast.Subscript) and isinstance(node.value, ast.Attribute) and node.value.attr == "name":
+            yield node.lineno
+
+
+def test_no_name_is_taken_apart() -> None:
+    root = Path(names.__file__).parents[1]
+    found = {
+        str(path.relative_to(root)): lines
+        for room in ROOMS
+        for path in sorted((root / room).rglob("*.py"))
+        if (lines := sorted(taken_apart(ast.parse(path.read_text("utf-8")))))
+    }
+    assert found.keys() == READ.keys(), {f: found.get(f) for f in found.keys() ^ READ.keys()}
+
+
+@pytest.mark.parametrize("layout", ["terminus_slip", "heishan", "incline_hoist", "crossing_line", "flank_lab"])
+def test_every_name_of_a_system_is_made_of_its_fields(layout: str) -> None:
+    found, _, controller = built(layout)
+    system = System(found, controller)
+    elements = {
+        Kind.SECTION: {str(s.id) for s in found.sections} | {names.outside(b.node) for b in found.boundaries},
+        Kind.MACHINE: {str(m) for m in found.machines},
+        Kind.SIGNAL: {str(g.id) for g in found.signals} | {str(x.id) for x in found.distants},
+        Kind.ROUTE: {str(r.number) for r in controller.symbols.routes},
+    }
+    computed = {e.name: e.group for e in (*controller.equations, *controller.next)}
+    for name in (*system.state, *system.definitions, *system.inputs):
+        assert isinstance(name, Name) and name.family.key
+        plain = name
+        while plain.form is not None:
+            plain = plain.base
+        assert plain == plain.family(*plain.at) and plain.family is name.family
+        owner = name.owner
+        if owner is not None and owner.kind in elements:
+            assert owner.id in elements[owner.kind]
+        group = computed.get(name, "")
+        if owner is not None and owner.kind in (Kind.SECTION, Kind.SIGNAL, Kind.OVERLAP, Kind.ZONE, Kind.LINE):
+            assert group in ("", str(owner), "alarms")
+    assert all(system.later[n] is n.next and n.next.base is n and n.next.primed for n in system.state)
+
+
+def test_names_that_are_made_of_others() -> None:
+    lock = names.LOCK("q-1", 2)
+    assert (lock, lock.at, str(lock.owner), lock.head, lock.sort) == ("L_q_1_2", ("q-1", 2), "section q-1", "L", "L")
+    assert lock is names.LOCK("q-1", 2) and lock.next is lock.next and lock.next == "L_q_1_2'"
+    assert (lock.next.owner, lock.next.base, lock.next.head) == (lock.owner, lock, "L'")
+    assert names.choice(names.HEAD("J|1", "q1")) == "?head.J|1.q1"
+    assert names.covered(names.APPROACH_OVER("X1")) == "cov.AT_X1"
+    speed = names.SPEED_ASPECT("N8", 40)
+    assert (speed, speed.head, speed.sort) == ("YV40_N8", "YV40", "YV")
+    any_route = each(names.ACTIVE(3))
+    assert any_route == each(names.ACTIVE(12)) != each(names.ACTIVE(3).next)
+    assert any_route.indexed and of_class(any_route, 4).base is any_route and of_class(any_route, 4).at == (4,)
+
+
+def test_names_survive_a_process() -> None:
+    some = [names.VALID, names.LOCK("q1", 2), names.ACTIVE(3).next, names.choice(names.PARTS("q1")), spelled("x")]
+    for name in some:
+        again = pickle.loads(pickle.dumps(name))
+        assert (again, again.family, again.at, again.form) == (name, name.family, name.at, name.form)
+
+
+def test_families_are_told_apart() -> None:
+    """No two families of one kind are written alike, and every one of them says what it means."""
+    written = [(f.kind, f.pattern) for f in families()]
+    assert len(set(written)) == len(written) > 150
+    assert all(f.meaning and f.key.isupper() for f in families())
+    assert Form.NEXT.value == "{}'"
