@@ -19,14 +19,14 @@ from interlock.app.compile import compile_file
 from interlock.app.init import line, yard
 from interlock.app.prove import prove_file
 from interlock.logic.lower import lower
-from interlock.proof.invariants import Facts, claims, strengthening
-from interlock.proof.local.bundle import proof_bytes, system_text
-from interlock.proof.local.engine import prove_locally
-from interlock.proof.local.facts import FactBase
-from interlock.proof.local.library import Library
-from interlock.proof.local.needed import needs, needs_text
-from interlock.proof.runner import start_claim
-from interlock.proof.system import System
+from interlock.proof.certificate.bundle import proof_bytes, system_text
+from interlock.proof.certificate.engine import prove_locally
+from interlock.proof.certificate.facts import FactBase
+from interlock.proof.certificate.library import Library
+from interlock.proof.certificate.needed import needs, needs_text
+from interlock.proof.claims import Facts, claims, strengthening
+from interlock.proof.prover import start_claim
+from interlock.proof.system.transition import System
 from interlock.verify import verify
 
 TOP = Path(__file__).resolve().parent.parent

@@ -34,17 +34,18 @@ from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.expr import Expr, Op, conj, neg, var, walk
 from interlock.logic.lower import lower
-from interlock.proof.aiger import aiger
-from interlock.proof.encode import Cnf
+from interlock.proof.certificate.aiger import aiger
+from interlock.proof.certificate.bundle import manifest_text, proof_bytes, system_text
+from interlock.proof.certificate.engine import prove_locally
+from interlock.proof.certificate.facts import FactBase
+from interlock.proof.claims import Facts, claims, strengthening
 from interlock.proof.engines import Answer
+from interlock.proof.engines.limits import Limits
+from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.engines.z3_sat import Z3Sat
-from interlock.proof.invariants import Facts, claims, strengthening
-from interlock.proof.limits import Limits
-from interlock.proof.local.bundle import manifest_text, proof_bytes, system_text
-from interlock.proof.local.engine import prove_locally
-from interlock.proof.local.facts import FactBase
-from interlock.proof.runner import inductive, open_claims, start_claim
-from interlock.proof.system import PRIME, System
+from interlock.proof.induction.inductive import inductive, open_claims
+from interlock.proof.prover import start_claim
+from interlock.proof.system.transition import PRIME, System
 from interlock.verify import verify
 
 SIZES = (("line", 1), ("line", 2), ("line", 4), ("line", 8), ("yard", 4), ("yard", 6), ("yard", 8))

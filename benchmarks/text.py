@@ -23,8 +23,8 @@ from interlock.field.plc import runtime_scan
 from interlock.frontend import load_text
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
-from interlock.proof.python_text import compare_runtime
-from interlock.proof.translation import compare_dialect
+from interlock.proof.equivalence.python_text import compare_runtime
+from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.st.dialects import BY_NAME, DIALECTS, write_st
 from interlock.st.lint import lint, rows_of
 from interlock.st.lower import lower_st

@@ -11,9 +11,9 @@ from typing import Any, cast
 from interlock.app.certify import certify_file
 from interlock.app.compile import compile_file
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
-from interlock.proof.local.bundle import proof_bytes
-from interlock.proof.local.engine import prove_locally
-from interlock.proof.local.facts import Fact, FactBase, Goal, GoalKind, Kind
+from interlock.proof.certificate.bundle import proof_bytes
+from interlock.proof.certificate.engine import prove_locally
+from interlock.proof.certificate.facts import Fact, FactBase, Goal, GoalKind, Kind
 from interlock.verify import System, main, read
 
 

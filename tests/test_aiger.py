@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 
 from interlock.logic.expr import NOT, conj, evaluate, neg
-from interlock.proof.aiger import aiger
-from interlock.proof.invariants import Facts, claims
-from interlock.proof.mutate import KINDS
-from interlock.proof.system import System
+from interlock.proof.certificate.aiger import aiger
+from interlock.proof.claims import Facts, claims
+from interlock.proof.mutation.weakenings import KINDS
+from interlock.proof.system.transition import System
 from tests.layouts import built
 
 

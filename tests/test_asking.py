@@ -7,10 +7,10 @@ import random
 import pytest
 
 from interlock.logic.expr import Expr, conj, disj, neg, var
-from interlock.proof.asking import decisions, together
+from interlock.proof.engines.batch import decisions, together
 from interlock.proof.engines.minisat import MiniSat
-from interlock.proof.onesided import OneSided
-from interlock.proof.states import implied
+from interlock.proof.engines.plaisted_greenbaum import OneSided
+from interlock.proof.induction.one_state import implied
 
 
 def _literal(rng: random.Random) -> Expr:

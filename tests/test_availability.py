@@ -14,11 +14,11 @@ from interlock.app.init import yard
 from interlock.cli.availability import command
 from interlock.logic.lower import lower
 from interlock.model.principles import PROFILES
-from interlock.proof.availability import Manner, Trial, availability, compatible
-from interlock.proof.opening import OPEN, steps
-from interlock.proof.runner import prove
-from interlock.proof.system import System
-from interlock.proof.together import How
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
+from interlock.proof.witnesses.availability import Manner, Trial, availability, compatible
+from interlock.proof.witnesses.opening import OPEN, steps
+from interlock.proof.witnesses.together import How
 from tests.campaigns.availability import derived, space_to_the_point, under, weakened
 from tests.layouts import SHIPPED, built
 
@@ -75,7 +75,7 @@ def test_a_signal_that_falls_because_of_the_other_train_is_told_and_played(tmp_p
 
     from interlock.emit.drawing import plan_svg
     from interlock.emit.report import player_html
-    from interlock.proof.trace import itf
+    from interlock.proof.induction.trace import itf
 
     trace = itf(system, story, layout.digest, plan_svg(layout))
     assert json.loads(trace)["#meta"]["claim"].startswith("AVAILABILITY") and "<svg" in player_html(trace)

@@ -15,13 +15,13 @@ from interlock.app.proved import Proved
 from interlock.cli.prove import command
 from interlock.model.contents import digest
 from interlock.model.elements import Position, SectionId
-from interlock.proof import parts
-from interlock.proof.cache import Cache, key_file
-from interlock.proof.limits import Limits
-from interlock.proof.mutate import KINDS
-from interlock.proof.runner import prove
-from interlock.proof.system import System
-from interlock.proof.verdict import ProofResult, Verdict
+from interlock.proof.engines.cache import Cache, key_file
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction import parts
+from interlock.proof.induction.verdict import ProofResult, Verdict
+from interlock.proof.mutation.weakenings import KINDS
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
 from interlock.table.rows import Because, ClearCell, FlankCell
 from tests.layouts import built
 

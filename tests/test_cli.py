@@ -21,7 +21,7 @@ from interlock.cli.main import VERBS, cli
 from interlock.diag.codes import CODES
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import KNOBS
-from interlock.proof.invariants import CLAIMS
+from interlock.proof.claims import CLAIMS
 
 
 def run(*args: str) -> Result:

@@ -20,7 +20,7 @@ from interlock.dispatch.plan.search import Planner, Verdict
 from interlock.dispatch.policy import Policy, yields
 from interlock.dispatch.run import Run
 from interlock.model.elements import SectionId
-from interlock.proof.system import System
+from interlock.proof.system.transition import System
 from tests.campaigns.dispatch import (
     LOOPS,
     MINE,

@@ -11,9 +11,9 @@ import pytest
 
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.expr import FALSE, TRUE, Substitution, var
-from interlock.proof import python_text
-from interlock.proof.python_text import compare_runtime
-from interlock.proof.translation import compare_dialect
+from interlock.proof.equivalence import python_text
+from interlock.proof.equivalence.python_text import compare_runtime
+from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.st.ast import Unit
 from interlock.st.dialects import BY_NAME, DIALECTS, Dialect, write_st
 from interlock.st.dialects.restart import RESTART

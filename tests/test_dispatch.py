@@ -19,8 +19,8 @@ from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
-from interlock.proof.invariants import Facts, claims
-from interlock.proof.system import System
+from interlock.proof.claims import Facts, claims
+from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable
 from tests.layouts import built, grown
 

@@ -14,9 +14,9 @@ from interlock.app.check import check_file
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.plant import ASSUMPTIONS
-from interlock.proof.invariants import CLAIMS
-from interlock.proof.runner import prove
-from interlock.proof.system import System
+from interlock.proof.claims import CLAIMS
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
 
 README = Path("README.md").read_text("utf-8")
 

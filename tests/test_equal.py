@@ -14,10 +14,10 @@ from interlock.logic.controller import Controller
 from interlock.logic.eval import Machine
 from interlock.logic.expr import conj, neg, var
 from interlock.logic.on_delay import CYCLE_MAX_MS
-from interlock.proof.invariants import Facts, claims
-from interlock.proof.mutate import KINDS
-from interlock.proof.search import search
-from interlock.proof.system import System
+from interlock.proof.claims import Facts, claims
+from interlock.proof.induction.search import search
+from interlock.proof.mutation.weakenings import KINDS
+from interlock.proof.system.transition import System
 from interlock.sim.run import Simulator
 from interlock.st.lower import lower_st
 from interlock.st.meaning import Execution, Numbers

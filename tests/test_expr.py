@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 
 from interlock.logic.bits import Bits
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, evaluate, neg, var
-from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
-from interlock.proof.onesided import OneSided
+from interlock.proof.engines.plaisted_greenbaum import OneSided
+from interlock.proof.engines.tseitin import Cnf
 
 NAMES = ("a", "b", "c", "d")
 leaves = st.sampled_from([TRUE, FALSE, *(var(n) for n in NAMES)])

@@ -7,8 +7,8 @@ import random
 import pytest
 
 from interlock.logic.expr import evaluate
-from interlock.proof.invariants import Facts, claims
-from interlock.proof.system import System
+from interlock.proof.claims import Facts, claims
+from interlock.proof.system.transition import System
 from interlock.sim.run import Simulator
 from tests.layouts import built
 

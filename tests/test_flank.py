@@ -13,10 +13,10 @@ from interlock.diag import Sink
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.model.principles import PROFILES
-from interlock.proof.limits import Limits
-from interlock.proof.runner import prove
-from interlock.proof.system import System
-from interlock.proof.verdict import Verdict
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.verdict import Verdict
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable, PointDemand, Role
 from tests.layouts import grown
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import pytest
 
 from interlock.logic.expr import FALSE, TRUE, Expr
+from interlock.proof.claims import Facts
 from interlock.proof.functions import FUNCTIONS, functions
-from interlock.proof.invariants import Facts
 from interlock.proof.mutation.judge import Fate, Judge
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.switched import Switched
-from interlock.proof.system import System
+from interlock.proof.system.transition import System
 from tests.layouts import SHIPPED, built
 from tests.test_operations import put
 

@@ -121,10 +121,10 @@ def test_a_foul_joint_keeps_the_siding_clear_for_the_main_line() -> None:
 
 def test_foul_joints_are_claimed_and_a_missing_exclusion_is_killed() -> None:
     from interlock.logic.lower import lower
-    from interlock.proof.limits import Limits
-    from interlock.proof.mutate import Fate, run_mutants
-    from interlock.proof.runner import prove
-    from interlock.proof.system import System
+    from interlock.proof.engines.limits import Limits
+    from interlock.proof.mutation.weakenings import Fate, run_mutants
+    from interlock.proof.prover import prove
+    from interlock.proof.system.transition import System
 
     checked = check_file("tests/layouts_for_tests/foul_joint.yaml")
     assert checked.layout is not None and checked.table is not None

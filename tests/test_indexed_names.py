@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 
 from interlock.logic import names
-from interlock.logic.names import Form, Kind, Name, each, families, of_class, spelled
-from interlock.proof.system import System
+from interlock.logic.names import Form, Kind, Name, each, families, of_block, spelled
+from interlock.proof.system.transition import System
 from tests.layouts import built
 
 APART = {"split", "rsplit", "partition", "rpartition", "startswith", "endswith", "removeprefix", "removesuffix"}
@@ -21,18 +21,18 @@ ROOMS = ("logic", "proof", "sim", "st", "emit")
 READ = {
     "logic/names.py": "the patterns of families",
     "logic/cabinet.py": "addresses that the layout states",
-    "proof/availability.py": "reasons why a run fails",
-    "proof/cache.py": "files of the cache",
+    "proof/witnesses/availability.py": "reasons why a run fails",
+    "proof/engines/cache.py": "files of the cache",
     "proof/engines/z3_sat.py": "models of Z3",
-    "proof/local/bundle.py": "clauses of shapes",
-    "proof/local/facts.py": "ids of assumptions and invariants",
-    "proof/local/library.py": "the file of shapes",
-    "proof/local/refute.py": "clauses of shapes, and proofs of a solver",
-    "proof/mutate.py": "lists of families, as they stand in this module",
+    "proof/certificate/bundle.py": "clauses of shapes",
+    "proof/certificate/facts.py": "ids of assumptions and invariants",
+    "proof/certificate/library.py": "the file of shapes",
+    "proof/certificate/refute.py": "clauses of shapes, and proofs of a solver",
+    "proof/mutation/weakenings.py": "lists of families, as they stand in this module",
     "proof/mutation/judge.py": "ids of claims",
-    "proof/python_text.py": "the emitted runtime",
-    "proof/story.py": "ids of claims, notes of inputs",
-    "proof/text_mutants.py": "emitted texts",
+    "proof/equivalence/python_text.py": "the emitted runtime",
+    "proof/induction/story.py": "ids of claims, notes of inputs",
+    "proof/mutation/texts.py": "emitted texts",
     "st/dialects/dialect.py": "names of blocks",
     "st/dialects/plcopen.py": "names of blocks, XML",
     "st/dialects/strict.py": "rules of XML",
@@ -104,7 +104,7 @@ def test_names_that_are_made_of_others() -> None:
     assert (speed, speed.head, speed.sort) == ("YV40_N8", "YV40", "YV")
     any_route = each(names.ACTIVE(3))
     assert any_route == each(names.ACTIVE(12)) != each(names.ACTIVE(3).next)
-    assert any_route.indexed and of_class(any_route, 4).base is any_route and of_class(any_route, 4).at == (4,)
+    assert any_route.indexed and of_block(any_route, 4).base is any_route and of_block(any_route, 4).at == (4,)
 
 
 def test_names_survive_a_process() -> None:

@@ -11,9 +11,9 @@ from interlock.app.init import STARTER, line, yard
 from interlock.audit import audit
 from interlock.cli.init import command
 from interlock.logic.lower import lower
-from interlock.proof.limits import Limits
-from interlock.proof.runner import prove
-from interlock.proof.system import System
+from interlock.proof.engines.limits import Limits
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
 from tests.layouts import grown
 
 

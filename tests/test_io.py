@@ -18,7 +18,7 @@ from interlock.logic.cabinet import BadAddress, allocate
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
-from interlock.proof.cabinet import compare_program
+from interlock.proof.equivalence.cabinet import compare_program
 from interlock.st.ast import Unit
 from interlock.st.dialects import BY_NAME, write_st
 from interlock.st.lint import lint

@@ -12,13 +12,13 @@ import pytest
 from interlock.app.certify import certify_file
 from interlock.app.compile import compile_file
 from interlock.logic.lower import lower
-from interlock.proof.invariants import Facts, claims, strengthening
-from interlock.proof.local import library
-from interlock.proof.local.engine import LocalProof, prove_locally
-from interlock.proof.local.facts import FactBase
-from interlock.proof.local.library import SHIPPED, Library, read
-from interlock.proof.runner import start_claim
-from interlock.proof.system import System
+from interlock.proof.certificate import library
+from interlock.proof.certificate.engine import LocalProof, prove_locally
+from interlock.proof.certificate.facts import FactBase
+from interlock.proof.certificate.library import SHIPPED, Library, read
+from interlock.proof.claims import Facts, claims, strengthening
+from interlock.proof.prover import start_claim
+from interlock.proof.system.transition import System
 from interlock.verify import Form, Part, Shape
 from tests.layouts import built
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from interlock.proof.invariants import CLAIMS
-from interlock.proof.limits import Limits
-from interlock.proof.mutate import KINDS, Fate, judge, run_mutants
+from interlock.proof.claims import CLAIMS
+from interlock.proof.engines.limits import Limits
 from interlock.proof.mutation.judge import Fate as MutantFate
-from interlock.proof.text_mutants import TEXT_KINDS, text_mutants
+from interlock.proof.mutation.texts import TEXT_KINDS, text_mutants
+from interlock.proof.mutation.weakenings import KINDS, Fate, judge, run_mutants
 from tests.layouts import built
 
 NO_SEARCH = Limits(search_depth=0)

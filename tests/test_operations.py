@@ -8,8 +8,8 @@ import pytest
 
 from interlock.logic.controller import Controller, Join, Term
 from interlock.logic.expr import FALSE, Expr
-from interlock.proof.operations import OPERATIONS, operations
-from interlock.proof.system import System
+from interlock.proof.system.transition import System
+from interlock.proof.witnesses.operations import OPERATIONS, operations
 from tests.layouts import SHIPPED, built
 
 

@@ -11,11 +11,11 @@ from interlock.logic.lower import lower
 from interlock.logic.plant import lies
 from interlock.model.elements import Position
 from interlock.model.layout import Layout
-from interlock.proof.encode import Cnf
+from interlock.proof.claims import Facts, claims
+from interlock.proof.claims.paths import SignalPath, lie, signal_paths
 from interlock.proof.engines import Answer, solver
-from interlock.proof.invariants import Facts, claims
-from interlock.proof.invariants.paths import SignalPath, lie, signal_paths
-from interlock.proof.system import System
+from interlock.proof.engines.tseitin import Cnf
+from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable
 from tests.grow import grow
 from tests.layouts import SHIPPED, built, grown

@@ -10,15 +10,15 @@ from click.testing import CliRunner
 
 from interlock.cli.mutate import command
 from interlock.logic.controller import Equation
-from interlock.proof.limits import Limits
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.verdict import Verdict as Proved
 from interlock.proof.mutation.campaign import Campaign, one_of_each
 from interlock.proof.mutation.judge import LATER, Fate, Judge, Verdict
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.points import Mutation, mutations
 from interlock.proof.mutation.survivors import listed, off_the_list
-from interlock.proof.runner import prove
-from interlock.proof.system import System
-from interlock.proof.verdict import Verdict as Proved
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
 from tests.campaigns.point_mutants import made
 from tests.layouts import built
 

@@ -10,7 +10,7 @@ from functools import partial
 
 import pytest
 
-from interlock.proof.pool import NOTE, Board, run
+from interlock.proof.engines.pool import NOTE, Board, run
 
 NOTES = [bytes([n]) * NOTE for n in range(4)]
 

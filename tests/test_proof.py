@@ -10,14 +10,15 @@ import pytest
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.elements import SectionId
 from interlock.model.traversal import Topology
-from interlock.proof.invariants import CLAIMS, Facts, claims
-from interlock.proof.limits import Limits
-from interlock.proof.near import walked
-from interlock.proof.parts import Goal, Parts
-from interlock.proof.runner import inductive, open_claims, prove
-from interlock.proof.search import search
-from interlock.proof.system import System
-from interlock.proof.verdict import Verdict
+from interlock.proof.claims import CLAIMS, Facts, claims
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.inductive import inductive, open_claims
+from interlock.proof.induction.parts import Goal, Parts
+from interlock.proof.induction.search import search
+from interlock.proof.induction.verdict import Verdict
+from interlock.proof.prover import prove
+from interlock.proof.system.neighbourhood import walked
+from interlock.proof.system.transition import System
 from tests.campaigns.assumptions import CASES, OTHERS, harm
 from tests.layouts import SHIPPED, built
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from interlock.model.elements import MachineId, Position, SectionId
-from interlock.proof.system import System
+from interlock.proof.system.transition import System
 from interlock.sim.run import Simulator
 from tests.layouts import grown
 

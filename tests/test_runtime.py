@@ -10,7 +10,7 @@ import pytest
 
 from interlock.emit.python.runtime import runtime_py
 from interlock.model.elements import Position
-from interlock.proof.python_text import compare_runtime
+from interlock.proof.equivalence.python_text import compare_runtime
 from tests.layouts import SHIPPED, built
 
 

@@ -16,7 +16,7 @@ from interlock.checker.moves import World
 from interlock.checker.specification import FOLDER, Specification
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import KNOBS, PROFILES
-from interlock.proof.invariants import CLAIMS
+from interlock.proof.claims import CLAIMS
 from interlock.verify import Rejected
 from tests.layouts import SHIPPED
 from tests.written import shipped, told

@@ -19,7 +19,7 @@ from interlock.frontend import load_text
 from interlock.logic.controller import Equation, Input, Step
 from interlock.logic.expr import FALSE, TRUE, Substitution, var
 from interlock.logic.lower import lower
-from interlock.proof.translation import Scan, compare_scan, compare_st, wires
+from interlock.proof.equivalence.structured_text import Scan, compare_scan, compare_st, wires
 from interlock.st.ast import Assign, Expression, Nary, Not
 from interlock.st.lower import MAX_OPERANDS, lower_st
 from interlock.st.meaning import Symbols

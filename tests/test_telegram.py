@@ -12,9 +12,9 @@ import pytest
 from interlock.field.telegram import BadTelegram, Form, Receiver, Sender, decode, encode, form_of
 from interlock.logic.expr import neg, var
 from interlock.model.elements import MachineId, Position
-from interlock.proof.encode import Cnf
 from interlock.proof.engines import Answer, solver
-from interlock.proof.telegram import compare_telegram, right
+from interlock.proof.engines.tseitin import Cnf
+from interlock.proof.equivalence.telegram import compare_telegram, right
 from interlock.st.ast import Unit
 from interlock.st.lint import lint
 from interlock.st.meaning import Execution, Numbers

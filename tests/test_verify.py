@@ -13,13 +13,13 @@ import pytest
 
 from interlock.logic.expr import conj, disj, implies, neg, var
 from interlock.logic.lower import lower
-from interlock.proof.invariants import Facts, claims, strengthening
-from interlock.proof.local.bundle import proof_text, system_text
-from interlock.proof.local.engine import prove_locally
-from interlock.proof.local.facts import FactBase, split
-from interlock.proof.mutate import KINDS
-from interlock.proof.runner import start_claim
-from interlock.proof.system import System
+from interlock.proof.certificate.bundle import proof_text, system_text
+from interlock.proof.certificate.engine import prove_locally
+from interlock.proof.certificate.facts import FactBase, split
+from interlock.proof.claims import Facts, claims, strengthening
+from interlock.proof.mutation.weakenings import KINDS
+from interlock.proof.prover import start_claim
+from interlock.proof.system.transition import System
 from interlock.verify import Form, Part, Rejected, Shape, main, verify
 from interlock.verify import System as Written
 from tests.campaigns.certificates import COMMITTED

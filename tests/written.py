@@ -9,12 +9,12 @@ from typing import Any
 from interlock.app.texts import writers
 from interlock.checker.drawing import loaded
 from interlock.logic.lower import lower
-from interlock.proof.invariants import Facts, strengthening
-from interlock.proof.invariants import claims as claimed
-from interlock.proof.local.bundle import system_text
-from interlock.proof.local.facts import FactBase
-from interlock.proof.runner import start_claim
-from interlock.proof.system import System
+from interlock.proof.certificate.bundle import system_text
+from interlock.proof.certificate.facts import FactBase
+from interlock.proof.claims import Facts, strengthening
+from interlock.proof.claims import claims as claimed
+from interlock.proof.prover import start_claim
+from interlock.proof.system.transition import System
 from tests.layouts import grown
 
 

@@ -9,9 +9,9 @@ from interlock.app.check import Checked, check_file
 from interlock.emit.drawing import plan_svg
 from interlock.emit.report import player_html
 from interlock.logic.lower import lower
-from interlock.proof.availability import Availability, PairResult, Trial, availability
-from interlock.proof.system import System
-from interlock.proof.trace import itf
+from interlock.proof.induction.trace import itf
+from interlock.proof.system.transition import System
+from interlock.proof.witnesses.availability import Availability, PairResult, Trial, availability
 
 TRACES = 8  # so many pairs that failed get a page that plays them
 

@@ -14,15 +14,15 @@ from interlock.emit.bundle import MANIFEST as OUTPUTS
 from interlock.emit.bundle import differences, is_bundle, write_folder
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
-from interlock.proof.invariants import Facts, claims, strengthening
-from interlock.proof.local.bundle import MANIFEST, NEEDED, PROOF, SYSTEM, manifest_text, proof_bytes, system_text
-from interlock.proof.local.engine import prove_locally
-from interlock.proof.local.facts import FactBase
-from interlock.proof.local.library import Library
-from interlock.proof.local.needed import needs, needs_text
-from interlock.proof.runner import start_claim
-from interlock.proof.system import System
-from interlock.proof.verdict import Progress, quiet
+from interlock.proof.certificate.bundle import MANIFEST, NEEDED, PROOF, SYSTEM, manifest_text, proof_bytes, system_text
+from interlock.proof.certificate.engine import prove_locally
+from interlock.proof.certificate.facts import FactBase
+from interlock.proof.certificate.library import Library
+from interlock.proof.certificate.needed import needs, needs_text
+from interlock.proof.claims import Facts, claims, strengthening
+from interlock.proof.induction.verdict import Progress, quiet
+from interlock.proof.prover import start_claim
+from interlock.proof.system.transition import System
 from interlock.verify import Rejected, verify
 
 

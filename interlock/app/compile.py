@@ -35,8 +35,8 @@ from interlock.logic.cabinet import allocate
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.logic.plant import ASSUMPTIONS
-from interlock.proof.limits import Limits
-from interlock.proof.verdict import Progress, quiet
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.verdict import Progress, quiet
 from interlock.table.national import national_sheets
 
 

@@ -21,7 +21,7 @@ from interlock.dispatch.plan.railway import OUTSIDE, Errand, Journey, NoVoyage, 
 from interlock.dispatch.plan.search import Answer, Planner, Verdict
 from interlock.dispatch.policy import Policy
 from interlock.logic.lower import lower
-from interlock.proof.system import System
+from interlock.proof.system.transition import System
 
 
 @dataclass

@@ -12,7 +12,7 @@ from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.logic.names import Name
 from interlock.model.layout import Layout
-from interlock.proof.system import System
+from interlock.proof.system.transition import System
 from interlock.sim.lanes import Driver, Lane, Lanes, Wish
 from interlock.sim.trains import Rails, Train
 from interlock.table.rows import InterlockingTable

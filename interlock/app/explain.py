@@ -9,7 +9,7 @@ from importlib import resources
 from interlock.diag.codes import CODES
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import MEANING, PROFILES
-from interlock.proof.invariants import CLAIMS
+from interlock.proof.claims import CLAIMS
 
 LEVELS = {
     "T": "It is claimed of trains, whatever the controller shows",

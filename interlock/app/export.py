@@ -5,9 +5,9 @@ from __future__ import annotations
 from interlock.app.check import Checked, check_file
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
-from interlock.proof.aiger import aiger
-from interlock.proof.invariants import Facts, claims
-from interlock.proof.system import System
+from interlock.proof.certificate.aiger import aiger
+from interlock.proof.claims import Facts, claims
+from interlock.proof.system.transition import System
 
 
 def aiger_file(path: str) -> tuple[Checked, bytes | None]:

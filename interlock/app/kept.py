@@ -3,7 +3,7 @@
 A proof is made from the table and the layout without lengths, and from what is `measured` of these: the controller, the
 plant, claims, invariants, witnesses and texts get nothing else.  The name of a kept proof is the digest of these
 values, of this program, and of the engine and what it runs on: another proof has another name.  A file that is damaged,
-or that this user has not sealed (`proof/cache.py`), is not believed.
+or that this user has not sealed (`proof/engines/cache.py`), is not believed.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from interlock.app.proved import Proved, TextVerdict
 from interlock.model.contents import digest
 from interlock.model.layout import Layout
 from interlock.model.measured import measured
-from interlock.proof.cache import Cache
-from interlock.proof.limits import Limits
-from interlock.proof.verdict import ClaimResult, ProofResult, Verdict, Witness
+from interlock.proof.engines.cache import Cache
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.verdict import ClaimResult, ProofResult, Verdict, Witness
 from interlock.table.rows import InterlockingTable
 
 SOLVERS = ("python-sat", "z3-solver", "cvc5")

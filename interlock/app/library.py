@@ -21,8 +21,8 @@ from interlock.logic.controller import Controller
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower as lower_table
 from interlock.model.layout import Layout
-from interlock.proof.limits import Limits
-from interlock.proof.verdict import ClaimResult, Progress, ProofResult, Verdict, Witness, quiet
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.verdict import ClaimResult, Progress, ProofResult, Verdict, Witness, quiet
 from interlock.table.rows import InterlockingTable
 
 
@@ -123,8 +123,8 @@ def prove(
     `jobs` processes (forks); `engine` is minisat, z3 or cvc5 (extra `recheck`); what does not follow is searched for
     in runs of `search_depth` scans, for `search_seconds` a claim.
     """
-    from interlock.proof.runner import prove as decide
-    from interlock.proof.system import System
+    from interlock.proof.prover import prove as decide
+    from interlock.proof.system.transition import System
 
     limits = Limits(engine=engine, jobs=jobs, search_depth=search_depth, search_s=search_seconds)
     with interning(controller.nodes):

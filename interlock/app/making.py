@@ -17,13 +17,13 @@ from interlock.diag import Diagnostic, Severity
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
-from interlock.proof.invariants import Facts, claims
-from interlock.proof.limits import Limits
-from interlock.proof.pool import Begun, run
-from interlock.proof.runner import if_proved, prove
-from interlock.proof.system import System
-from interlock.proof.trace import itf
-from interlock.proof.verdict import ClaimResult, Progress, ProofResult, Verdict
+from interlock.proof.claims import Facts, claims
+from interlock.proof.engines.limits import Limits
+from interlock.proof.engines.pool import Begun, run
+from interlock.proof.induction.trace import itf
+from interlock.proof.induction.verdict import ClaimResult, Progress, ProofResult, Verdict
+from interlock.proof.prover import if_proved, prove
+from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable
 
 

@@ -10,9 +10,9 @@ from functools import partial
 from interlock.app import kept
 from interlock.app.check import Checked, audited, derive_file, second_opinion
 from interlock.app.proved import Proved
-from interlock.proof.limits import Limits
-from interlock.proof.pool import Begun
-from interlock.proof.verdict import Progress, quiet
+from interlock.proof.engines.limits import Limits
+from interlock.proof.engines.pool import Begun
+from interlock.proof.induction.verdict import Progress, quiet
 
 
 def prove_file(path: str, limits: Limits | None = None, progress: Progress = quiet) -> Proved:

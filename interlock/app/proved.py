@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from interlock.app.check import Checked
 from interlock.diag import Diagnostic, Severity
-from interlock.proof.verdict import ProofResult, Verdict
+from interlock.proof.induction.verdict import ProofResult, Verdict
 
 if TYPE_CHECKING:
-    from interlock.proof.translation import Difference
+    from interlock.proof.equivalence.structured_text import Difference
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,8 @@ from interlock.logic.controller import Controller, Input
 from interlock.logic.expr import interning
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
-from interlock.proof.limits import Limits
-from interlock.proof.verdict import Progress, quiet
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.verdict import Progress, quiet
 from interlock.table.rows import InterlockingTable
 
 

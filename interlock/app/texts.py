@@ -11,10 +11,10 @@ from interlock.logic.cabinet import allocate
 from interlock.logic.controller import Controller
 from interlock.model.elements import TelegramForm
 from interlock.model.layout import Layout
-from interlock.proof.cabinet import compare_program
-from interlock.proof.python_text import compare_runtime
-from interlock.proof.telegram import compare_telegram
-from interlock.proof.translation import compare_dialect
+from interlock.proof.equivalence.cabinet import compare_program
+from interlock.proof.equivalence.python_text import compare_runtime
+from interlock.proof.equivalence.structured_text import compare_dialect
+from interlock.proof.equivalence.telegram import compare_telegram
 from interlock.st.dialects import DIALECTS, Dialect, write_st
 from interlock.st.printer import print_unit
 from interlock.st.program import io_program

@@ -19,7 +19,7 @@ from interlock.diag import render as renderers
 
 if TYPE_CHECKING:
     from interlock.app.proved import Proved
-    from interlock.proof.verdict import ClaimResult
+    from interlock.proof.induction.verdict import ClaimResult
 
 OK, FINDINGS, NOT_PROVED = 0, 1, 3
 
@@ -173,7 +173,7 @@ def each(work: Callable[..., Any], calls: Sequence[tuple[Any, ...]], jobs: int) 
     """Work on layouts, the first argument of each call: in turn, with a progress report as the last argument; or, with
     more than one job, several beside each other."""
     if jobs > 1 and len(calls) > 1:
-        from interlock.proof.pool import apart
+        from interlock.proof.engines.pool import apart
 
         done = 0
         with progress("layouts") as report:

@@ -20,7 +20,7 @@ from interlock.cli.common import (
     show,
     show_proof,
 )
-from interlock.proof.limits import Limits
+from interlock.proof.engines.limits import Limits
 from interlock.st.dialects import DIALECTS
 
 

@@ -15,13 +15,13 @@ from interlock.cli.common import FINDINGS, NOT_PROVED, OK, format_option, jobs_o
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
-from interlock.proof.limits import Limits
-from interlock.proof.mutate import judge as searched
+from interlock.proof.engines.limits import Limits
 from interlock.proof.mutation.campaign import Campaign, Judged
 from interlock.proof.mutation.judge import Fate, Verdict
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.survivors import listed, off_the_list
-from interlock.proof.text_mutants import text_mutants
+from interlock.proof.mutation.texts import text_mutants
+from interlock.proof.mutation.weakenings import judge as searched
 from interlock.table.rows import InterlockingTable
 
 

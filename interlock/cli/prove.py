@@ -20,9 +20,9 @@ from interlock.cli.common import (
     put_json,
     show_proof,
 )
-from interlock.proof.cache import Cache
 from interlock.proof.engines import ENGINES
-from interlock.proof.limits import Limits
+from interlock.proof.engines.cache import Cache
+from interlock.proof.engines.limits import Limits
 
 
 @click.command("prove")

@@ -55,8 +55,8 @@ class Form(Enum):
     """The variable of any route: what stands for one of them in what is said of all alike."""
     VALUE = "#{}="
     """That a variable has the number of any route."""
-    CLASS = "{}#"
-    """One of the two former, of some route of a class."""
+    BLOCK = "{}#"
+    """One of the two former, of some route of an equivalence class."""
     COPY = "{}~"
     """The same variable of a second controller."""
 
@@ -155,6 +155,11 @@ class Name(str):
         return self.family.head(self.at) if self.form is None else self.form.value.format(self.base.head)
 
     @property
+    def stem(self) -> str:
+        """What of its text stands before the first underscore, or dot: by this the library of shapes sorts facts."""
+        return self.split("_" if "_" in self else ".")[0] + ("'" if self.primed else "")
+
+    @property
     def sort(self) -> str:
         """The same without numbers: what a table of mutants counts by."""
         return self.head.rstrip(digits)
@@ -239,9 +244,9 @@ def each_value(name: Name) -> Name:
     return _of_form(Form.VALUE, name)
 
 
-def of_class(name: Name, number: int) -> Name:
-    """A route's variable, of some route of a class."""
-    return Name._made(f"{number}{Form.CLASS.value.format(name)}", name.family, (number,), Form.CLASS, name)
+def of_block(name: Name, number: int) -> Name:
+    """A route's variable, of some route of an equivalence class."""
+    return Name._made(f"{number}{Form.BLOCK.value.format(name)}", name.family, (number,), Form.BLOCK, name)
 
 
 def _of_form(form: Form, name: Name) -> Name:

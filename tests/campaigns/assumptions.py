@@ -8,10 +8,10 @@ from __future__ import annotations
 import sys
 
 from interlock.logic.plant import ASSUMPTIONS
-from interlock.proof.invariants import Facts, claims
-from interlock.proof.search import search
-from interlock.proof.story import Story, tell
-from interlock.proof.system import System
+from interlock.proof.claims import Facts, claims
+from interlock.proof.induction.search import search
+from interlock.proof.induction.story import Story, tell
+from interlock.proof.system.transition import System
 from tests.layouts import built
 
 OVERRUN = "../tests/layouts_for_tests/overrun"

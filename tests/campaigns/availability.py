@@ -26,8 +26,8 @@ from interlock.logic.expr import FALSE
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.model.principles import PROFILES
-from interlock.proof.availability import Availability, Manner, Trial, availability, compatible
-from interlock.proof.system import System
+from interlock.proof.system.transition import System
+from interlock.proof.witnesses.availability import Availability, Manner, Trial, availability, compatible
 from interlock.table.rows import (
     Because,
     Exclusion,

@@ -31,7 +31,7 @@ from interlock.app.replay import GONE, Plan, PlanTrain, Replay
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import errand
 from interlock.dispatch.plan.railway import OUTSIDE, Errand
-from interlock.proof.system import System
+from interlock.proof.system.transition import System
 from tests.campaigns.deadlock import processor
 from tests.layouts import grown
 

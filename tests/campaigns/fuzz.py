@@ -24,7 +24,7 @@ from types import FrameType
 
 from interlock.app.check import check_file
 from interlock.app.compile import build
-from interlock.proof.limits import Limits
+from interlock.proof.engines.limits import Limits
 from tests.grow import grow
 
 LIMIT_S = 2.0

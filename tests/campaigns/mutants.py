@@ -9,8 +9,8 @@ import sys
 from concurrent.futures import ProcessPoolExecutor
 
 from interlock.app.check import check_file
-from interlock.proof.limits import Limits
-from interlock.proof.mutate import KINDS, Fate, Outcome, run_mutants
+from interlock.proof.engines.limits import Limits
+from interlock.proof.mutation.weakenings import KINDS, Fate, Outcome, run_mutants
 
 LAYOUTS = (
     "layouts/fig2_3_split.yaml",

@@ -23,8 +23,8 @@ from interlock.app.init import yard
 from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
+from interlock.proof.claims import CLAIMS
 from interlock.proof.functions import FUNCTIONS
-from interlock.proof.invariants import CLAIMS
 from interlock.proof.mutation.campaign import Campaign
 from interlock.proof.mutation.judge import Fate, Verdict
 from interlock.proof.mutation.points import Mutation
@@ -86,7 +86,8 @@ def table(found: dict[str, Verdicts]) -> Iterator[str]:
         "*Claim*: a claim is no longer proved.  *Function*: what a rule orders does not happen any more, or happens "
         "without its reason (`interlock.proof.functions`, below); a mutant that fails both counts where it was seen "
         "first.  *Train*: a route that a train could use cannot be set, driven and released any more.  *Operator*: "
-        "what an operator may do with a route does not work any more (`interlock.proof.operations`).  *Equivalent*: a "
+        "what an operator may do with a route does not work any more (`interlock.proof.witnesses.operations`).  "
+        "*Equivalent*: a "
         "solver has shown that all outputs are the same in every run from power-up on.  *No controller*: it reads a "
         "value before it is computed.  *Survives*: none of these.\n"
     )

@@ -11,11 +11,11 @@ import time
 
 from interlock.audit import audit
 from interlock.logic.lower import lower
-from interlock.proof.limits import Limits
-from interlock.proof.runner import prove
-from interlock.proof.system import System
-from interlock.proof.translation import compare_st
-from interlock.proof.verdict import Verdict
+from interlock.proof.engines.limits import Limits
+from interlock.proof.equivalence.structured_text import compare_st
+from interlock.proof.induction.verdict import Verdict
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
 from interlock.st.lower import lower_st
 from interlock.st.printer import print_unit
 from tests.grow import grow

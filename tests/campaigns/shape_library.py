@@ -18,13 +18,13 @@ from pathlib import Path
 from interlock.app.check import check_file
 from interlock.app.init import line, yard
 from interlock.logic.lower import lower
-from interlock.proof.invariants import Facts, claims, strengthening
-from interlock.proof.local.engine import prove_locally
-from interlock.proof.local.facts import FactBase
-from interlock.proof.local.library import SHIPPED, Library
-from interlock.proof.local.shapes import Shape
-from interlock.proof.runner import start_claim
-from interlock.proof.system import System
+from interlock.proof.certificate.engine import prove_locally
+from interlock.proof.certificate.facts import FactBase
+from interlock.proof.certificate.library import SHIPPED, Library
+from interlock.proof.certificate.shapes import Shape
+from interlock.proof.claims import Facts, claims, strengthening
+from interlock.proof.prover import start_claim
+from interlock.proof.system.transition import System
 
 
 def used(path: str, anew: bool) -> tuple[str, list[tuple[Shape, str]], int, float]:

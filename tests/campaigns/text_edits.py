@@ -16,9 +16,9 @@ from dataclasses import dataclass
 
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Controller
-from interlock.proof.python_text import compare_runtime
-from interlock.proof.text_mutants import PYTHON_EDITS, ST_EDITS
-from interlock.proof.translation import compare_dialect
+from interlock.proof.equivalence.python_text import compare_runtime
+from interlock.proof.equivalence.structured_text import compare_dialect
+from interlock.proof.mutation.texts import PYTHON_EDITS, ST_EDITS
 from interlock.st.dialects import DIALECTS, Dialect, write_st
 from interlock.st.dialects.restart import RESTART
 from interlock.st.meaning import Execution, Numbers

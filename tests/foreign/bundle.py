@@ -9,8 +9,8 @@ from interlock.app.check import derive_file
 from interlock.app.prove import prove_derived
 from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
-from interlock.proof.limits import Limits
-from interlock.proof.verdict import quiet
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.verdict import quiet
 from tests.foreign.recording import Railway
 
 XML = ("plcopen", "codesys")

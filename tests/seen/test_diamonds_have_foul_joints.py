@@ -7,8 +7,8 @@ from pathlib import Path
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.lower import lower
-from interlock.proof.runner import prove
-from interlock.proof.system import System
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
 
 NEAR = Path("layouts/junction.yaml").read_text("utf-8").replace("legs: 25", "legs: 3")
 

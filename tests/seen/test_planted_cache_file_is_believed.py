@@ -12,9 +12,9 @@ from interlock.app import kept
 from interlock.app.check import derive_file
 from interlock.app.prove import prove_file
 from interlock.cli.prove import command
-from interlock.proof.cache import Cache
-from interlock.proof.invariants import CLAIMS
-from interlock.proof.limits import Limits
+from interlock.proof.claims import CLAIMS
+from interlock.proof.engines.cache import Cache
+from interlock.proof.engines.limits import Limits
 
 REFUTED = next(str(f) for f in sorted(Path("layouts/refuted").glob("*.yaml")))
 

@@ -8,9 +8,9 @@ import pytest
 
 from interlock.logic.controller import Controller, Equation
 from interlock.logic.eval import Machine
-from interlock.proof.limits import Limits
-from interlock.proof.runner import prove
-from interlock.proof.system import System
+from interlock.proof.engines.limits import Limits
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
 from tests.layouts import built
 
 QUICK = Limits(search_depth=0, search_s=0.0)

@@ -9,9 +9,9 @@ import pytest
 
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, neg
-from interlock.proof.limits import Limits
-from interlock.proof.runner import prove
-from interlock.proof.system import System
+from interlock.proof.engines.limits import Limits
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
 from tests.layouts import built
 
 Change = Callable[[dict[str, Expr]], dict[str, Expr]]
@@ -85,7 +85,7 @@ def test_the_outputs_as_they_are_are_proved() -> None:
 
 def test_every_output_is_read_by_the_plant_or_a_claim() -> None:
     from interlock.logic.expr import variables
-    from interlock.proof.invariants import Facts, claims
+    from interlock.proof.claims import Facts, claims
 
     for name in ("junction", "passing_loop", "pit_bottom", "heishan", "flank_lab"):
         layout, _, controller = built(name)

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from interlock.proof.encode import Cnf
 from interlock.proof.engines.answer import Answer
+from interlock.proof.engines.tseitin import Cnf
 
 ENGINES = ("minisat", "z3", "cvc5")
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pysat.solvers import Minisat22
 
-from interlock.proof.encode import Cnf
 from interlock.proof.engines.answer import Answer
+from interlock.proof.engines.tseitin import Cnf
 
 CONFLICTS = 2_000_000
 

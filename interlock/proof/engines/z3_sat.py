@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import z3
 
-from interlock.proof.encode import Cnf
 from interlock.proof.engines.answer import Answer
+from interlock.proof.engines.tseitin import Cnf
 
 
 class Z3Sat:

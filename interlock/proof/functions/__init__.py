@@ -11,13 +11,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.expr import TRUE, Expr
+from interlock.proof.claims import Facts
 from interlock.proof.functions.delays import delays, start
 from interlock.proof.functions.overlaps import overlaps
 from interlock.proof.functions.points import points
 from interlock.proof.functions.routes import routes
 from interlock.proof.functions.sections import sections
 from interlock.proof.functions.words import Words
-from interlock.proof.invariants import Facts
 
 FUNCTIONS: dict[str, str] = {
     "F-DELAY": "Each delay counts exactly while what it waits for holds (R4, R8, R9, R10, R12, R16).",

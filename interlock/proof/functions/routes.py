@@ -9,9 +9,9 @@ from interlock.logic.expr import FALSE, Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.names import Name
 from interlock.model.elements import Position, SectionId, SignalId
 from interlock.model.traversal import path_speed
+from interlock.proof.claims.catalogue import allows_clear
+from interlock.proof.claims.paths import SignalPath
 from interlock.proof.functions.words import Way, Words
-from interlock.proof.invariants.claims import allows_clear
-from interlock.proof.invariants.paths import SignalPath
 
 
 def routes(w: Words) -> Iterator[tuple[str, str, Expr]]:

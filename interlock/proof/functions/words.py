@@ -13,7 +13,7 @@ from interlock.model.foul import FoulJoint
 from interlock.model.measured import Beyond
 from interlock.model.places import Approach
 from interlock.model.traversal import Traversal
-from interlock.proof.invariants import Facts
+from interlock.proof.claims import Facts
 
 Way = tuple[SectionId, int]
 

@@ -16,11 +16,11 @@ from pathlib import Path
 
 from interlock.logic.controller import Controller
 from interlock.model.layout import Layout
-from interlock.proof.mutate import weakenings
 from interlock.proof.mutation.judge import Fate, Judge, Verdict
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.points import Mutation, mutations
-from interlock.proof.system import System
+from interlock.proof.mutation.weakenings import weakenings
+from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable
 
 PIECE = 200  # mutants that are judged by one task: one judge learns from mutant to mutant

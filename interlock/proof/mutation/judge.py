@@ -23,7 +23,7 @@ from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.runs import Runs
 from interlock.proof.mutation.same import Side, same, same_after_restart
 from interlock.proof.mutation.switched import Switched
-from interlock.proof.system import System
+from interlock.proof.system.transition import System
 
 RENEWED = 400  # after so many mutants a solver carries more lines that are off than lines that are on
 AT_ONCE = 40  # that one of so many goals is false is one question

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 
 from interlock.logic.expr import Expr
 from interlock.logic.names import Name
+from interlock.proof.claims import Facts, claims, strengthening
 from interlock.proof.functions import function_start, functions
-from interlock.proof.invariants import Facts, claims, strengthening
-from interlock.proof.runner import start_claim
-from interlock.proof.system import System
+from interlock.proof.prover import start_claim
+from interlock.proof.system.transition import System
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,9 +11,9 @@ from collections.abc import Mapping, Sequence
 
 from interlock.logic.expr import AND, NOT, OR, TRUE, VAR, Expr
 from interlock.logic.names import Name
-from interlock.proof.operations import operated
-from interlock.proof.system import System
-from interlock.proof.witness import Trial, Trials, journeys
+from interlock.proof.system.transition import System
+from interlock.proof.witnesses.operations import operated
+from interlock.proof.witnesses.routes import Trial, Trials, journeys
 
 
 class Runs:

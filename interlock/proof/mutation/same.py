@@ -17,7 +17,7 @@ from interlock.logic.expr import NOT, TRUE, VAR, Expr, Substitution, implies, ne
 from interlock.logic.names import Form, Name
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.switched import Switched
-from interlock.proof.system import System
+from interlock.proof.system.transition import System
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from pysat.solvers import Minisat22
 
 from interlock.logic.expr import Expr, var
 from interlock.logic.names import Name
-from interlock.proof.encode import Cnf
+from interlock.proof.engines.tseitin import Cnf
 
 GROUP = 50
 

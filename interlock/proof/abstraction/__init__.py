@@ -1,0 +1,1 @@
+"""Questions of one place: indexed families of routes, their partition, canonical forms."""

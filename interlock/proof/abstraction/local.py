@@ -1,0 +1,312 @@
+"""Local abstractions: small systems that follow from a large one, with routes taken together that a place cannot tell
+apart.
+
+**Theorem.**  Let the routes be partitioned, and read the variable of a block as the disjunction of that variable over
+its routes; then every line of a local abstraction holds in the large system, whichever partition and names were
+chosen, so that a goal which follows from the lines follows from the system.  (Existential abstraction: Clarke,
+Grumberg and Long, *Model Checking and Abstraction*, 1994; the five cases below.  `tests/test_abstraction.py` asks a
+solver for each line.)
+
+- a disjunction over routes is the disjunction over their blocks;
+- what a variable of each route implies, its block's variable implies, if the routes' variables stand in it only as
+  true;
+- a definition (A or B) and C, with A and B of the route and C the same for all, is the definition of the block's
+  variable;
+- of the values that a variable has in the routes of different blocks, it has one at most;
+- what is left out, and definitions that are, make an abstraction say less.
+
+A goal that speaks of one route is asked for a representative of its block, which is then a block of its own beside
+the rest: the abstraction of any other route of it is the same but for the number.  How large an abstraction is depends
+on how many ways there are to pass a place, not on how many routes there are.
+
+Its definitions are those in the cone of influence of its goals.  A *truncated* cone ends at elements that the goals do
+not name: of these it has how they are, and not why.  Nearly all goals follow in it; the others are asked with the
+whole cone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from interlock.logic.expr import AND, NOT, OR, VAR, Expr
+from interlock.logic.names import NONE, Name, Owner
+from interlock.model.bits import bits, bits_of
+from interlock.proof.abstraction.indexed import GuardedClause, HasFamilies, IndexedFamilies, Kind
+
+_KEPT = Kind.KEPT
+
+WIDE = 30  # of a fact that reads more names than this, an abstraction takes what it says of the abstraction's names
+HUB = 60  # a name in more facts than this says nothing about what lies together
+
+
+class Located(HasFamilies, Protocol):
+    """A system that tells where its names belong."""
+
+    @property
+    def later(self) -> Mapping[Name, Name]:
+        """The names of next values by those of the state."""
+        ...
+
+    @property
+    def homes(self) -> Mapping[Name, Owner]:
+        """The element of the railway to which a name belongs, if to one."""
+        ...
+
+    @property
+    def beside(self) -> Mapping[Owner, tuple[Owner, ...]]:
+        """The elements of which another is a part: the sections of a machine."""
+        ...
+
+    @property
+    def lamps(self) -> frozenset[Name]:
+        """What signals show: names of the state."""
+        ...
+
+    def after(self, x: Expr) -> Expr:
+        """The expression one step later."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Focus:
+    """Goals that share a local abstraction.
+
+    whole: goals by number.  pieces: an expression over families, and for each member of which it is to hold the goals
+    that it is a part of.  homes: elements that are near.
+    """
+
+    homes: tuple[Owner, ...]
+    whole: tuple[tuple[int, Expr], ...] = ()
+    pieces: tuple[tuple[Expr, Mapping[int, tuple[int, ...]]], ...] = ()
+
+    @property
+    def goals(self) -> Iterator[int]:
+        """The goals by number; one of many pieces more than once."""
+        yield from (n for n, _ in self.whole)
+        yield from (n for _, by in self.pieces for those in by.values() for n in those)
+
+    def only(self, goals: Collection[int]) -> Focus:
+        """The focus of some of the goals."""
+        pieces = [
+            (x, {i: some for i, those in by.items() if (some := tuple(n for n in those if n in goals))})
+            for x, by in self.pieces
+        ]
+        whole = tuple((n, x) for n, x in self.whole if n in goals)
+        return Focus(self.homes, whole, tuple((x, by) for x, by in pieces if by))
+
+
+@dataclass(frozen=True, slots=True)
+class LocalAbstraction:
+    """A small system, and what is asked of it: expressions, and the goals that need each.
+
+    blocks: their members, as bits; a block's variable is named by its number and its family.
+    """
+
+    definitions: Mapping[Name, Expr]
+    facts: Sequence[Expr]
+    asked: Sequence[tuple[Expr, tuple[int, ...]]]
+    blocks: Sequence[int]
+
+
+@dataclass(frozen=True, slots=True)
+class Occurrences:
+    """Routes' variables that a node reads, by family and as bits, and its other operands.
+
+    A disjunction of members and others, a conjunction of members that are false and others, or a member alone.
+    """
+
+    node: Expr
+    rest: tuple[Expr, ...]
+    members: tuple[tuple[Name, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class WholeDefinition:
+    """Members of which the definition has just these guarded clauses with names."""
+
+    family: Name
+    named: tuple[GuardedClause, ...]
+    members: int
+
+
+class LocalAbstractions:
+    """The local of a system."""
+
+    def __init__(self, system: Located, hypotheses: Sequence[Expr]) -> None:
+        """`hypotheses`: the invariants; they hold before the step."""
+        self.members = m = IndexedFamilies(system, hypotheses)
+        self.system = system
+        self.homes = system.homes
+        self.reads = {name: m.read(x)[0] for name, x in m.meaning.items()}
+        self.facts_at: dict[Name, list[int]] = {}
+        self.wide_at: dict[Name, list[int]] = {}
+        self.alone_at: dict[Name, list[int]] = {}
+        """Facts that speak of one name."""
+        self.mixed_at: dict[Name, list[int]] = {}
+        self.names_of = [m.read(x)[0] for x, _ in m.plain]
+        """What each fact about places reads."""
+        for n, (x, _) in enumerate(m.plain):
+            names = self.names_of[n]
+            _note(self.facts_at if len(names) <= WIDE else self.wide_at, names, n)
+            if len(names) == 1:
+                _note(self.alone_at, names, n)
+            if len(names) == 2 and x.op is OR:
+                self._timer(x)
+        self.next_to = [tuple(v for v in names if v not in m.meaning) for names in self.names_of]
+        """What facts read that has no meaning: states and inputs."""
+        self.leads = {
+            v: (reads, self.families_in(m.meaning[v]) if v in m.meaning else ()) for v, reads in self.reads.items()
+        }
+        """What names read, and the families of which they speak."""
+        self.state_homes = {v: home for v in system.later if (home := self.homes.get(v)) is not None}
+        for n, (x, _) in enumerate(m.mixed):
+            _note(self.mixed_at, m.read(x)[0], n)
+        for at in (self.facts_at, self.mixed_at):
+            for v in [v for v, facts in at.items() if len(facts) > HUB]:
+                del at[v]
+        self.guarded_at: dict[Name, list[GuardedClause]] = {}
+        self.families: dict[Name, dict[Name, None]] = {}
+        """Those that a family's guarded clauses read."""
+        self.names_at: dict[tuple[Name, Owner], dict[Name, None]] = {}
+        """The names at an element that a family's guarded clauses read."""
+        self.homes_of: dict[GuardedClause, frozenset[Owner]] = {}
+        """The elements of which a clause speaks, if all its names belong to some."""
+        for t in m.guarded:
+            self._enter(t)
+        self._groups: dict[Expr, list[Occurrences]] = {}
+        self.of_block: dict[tuple[Expr, int], Expr] = {}
+        """Expressions over families, by blocks: what local have in common."""
+        self.told: dict[int, dict[GuardedClause, Expr]] = {}
+        """Facts about blocks, by clause."""
+        self.full_at: dict[GuardedClause | None, list[WholeDefinition]] = {}
+        """Definitions of members that an abstraction may have whole, by one of their guarded clauses with names."""
+        full: dict[tuple[Name, tuple[GuardedClause, ...]], int] = {}
+        bare: dict[int, list[tuple[Name, tuple[int, ...], bool]]] = {}
+        for (family, number), defining in m.defining.items():
+            if defining is not None:
+                named = tuple(t for t in defining if t.names)
+                full[family, named] = full.get((family, named), 0) | 1 << number
+            unnamed = tuple(t.number for t in defining or () if not t.names)
+            bare.setdefault(number, []).append((family, unnamed, defining is None))
+        for (family, number), telling in m.telling.items():
+            bare.setdefault(number, []).append((family, tuple(t.number for t in telling if not t.names), False))
+        for (family, named), members in full.items():
+            self.full_at.setdefault(named[-1] if named else None, []).append(WholeDefinition(family, named, members))
+        self.apart = _apart(m)
+        """By family and member: the members, as bits, of which the variable is false while the member's is true."""
+        kinds: dict[tuple[object, ...], int] = {}
+        for number, of in bare.items():
+            kinds[tuple(of)] = kinds.get(tuple(of), 0) | 1 << number
+        self.bare = list(kinds.values())
+        """IndexedFamilies of which the same is said without names."""
+
+    def _timer(self, x: Expr) -> None:
+        """An on-delay timer reads its input."""
+        a, b = x.args
+        if a.op is NOT and a.args[0].op is VAR and b.op is VAR and b.name in self.members.meaning:
+            timer = a.args[0].name
+            if timer not in self.members.meaning and timer not in self.system.later:
+                self.reads[timer] = (b.name,)
+
+    def _enter(self, t: GuardedClause) -> None:
+        """Note what a clause reads."""
+        for v in t.names:
+            self.guarded_at.setdefault(v, []).append(t)
+            home = self.homes.get(v)
+            if home is not None:
+                self.names_at.setdefault((t.family, home), {})[v] = None
+        homes = [self.homes.get(v) for v in t.names]
+        if None not in homes:
+            self.homes_of[t] = frozenset(h for h in homes if h is not None)
+        self.families.setdefault(t.family, {}).update(dict.fromkeys(t.families))
+
+    def families_in(self, x: Expr) -> tuple[Name, ...]:
+        """The families that an expression reads."""
+        return tuple(dict.fromkeys(f for f, _ in self.members.read(x)[1]))
+
+    def groups(self, root: Expr) -> list[Occurrences]:
+        """The nodes below an expression that read members."""
+        found = self._groups.get(root)
+        if found is None:
+            found = self._groups[root] = []
+            if self.members.read(root)[1]:
+                todo, done = [root], set()
+                while todo:
+                    x = todo.pop()
+                    if x not in done:
+                        done.add(x)
+                        group = self._group(x)
+                        todo.extend(group.rest)
+                        if group.members:
+                            found.append(group)
+        return found
+
+    def _group(self, x: Expr) -> Occurrences:
+        if not x.args:
+            of = self.members.of(x) if x.name else None
+            return Occurrences(x, (), () if of is None else ((of[0], 1 << of[1]),))
+        rest: list[Expr] = []
+        members: dict[Name, int] = {}
+        for a in x.args:
+            y = a.args[0] if x.op is AND and a.op is NOT else a
+            of = None
+            if not y.args and y.name and (y is not a or x.op is OR):
+                of = self.members.of(y)
+            if of is None:
+                rest.append(a)
+            else:
+                members[of[0]] = members.get(of[0], 0) | 1 << of[1]
+        return Occurrences(x, tuple(rest), tuple(members.items()))
+
+
+def _apart(m: IndexedFamilies) -> dict[Name, dict[int, int]]:
+    """What the invariants say of two routes; or each of them implies a name, and not both names are true."""
+    against: dict[Name, set[Name]] = {}
+    for x, kind in m.plain:
+        if kind is _KEPT and x.op is NOT and x.args[0].op is AND and len(x.args[0].args) == 2:
+            left, right = ([y.name for y in (a.args if a.op is OR else (a,)) if y.op is VAR] for a in x.args[0].args)
+            for a in left:
+                against.setdefault(a, set()).update(right)
+            for b in right:
+                against.setdefault(b, set()).update(left)
+    found: dict[Name, dict[int, int]] = {}
+    for x, kind in m.mixed:
+        sides = _exclusive(m, x) if kind is _KEPT else None
+        if sides is not None:
+            family, some, rest = sides
+            among = found.setdefault(family, {})
+            for mine, theirs in ((some, rest), (rest, some)):
+                for i in bits_of(mine):
+                    among[i] = among.get(i, 0) | theirs
+    implied: dict[Name, dict[Name, int]] = {}
+    for t in m.guarded:
+        if t.kind is _KEPT and t.expr.op is VAR and t.names and t.expr.name in against:
+            implied.setdefault(t.family, {})[t.expr.name] = t.members
+    for family, names in implied.items():
+        of = found.setdefault(family, {})
+        for a, members in names.items():
+            others = 0
+            for b in against[a]:
+                others |= names.get(b, 0)
+            for i in bits_of(members):
+                of[i] = of.get(i, 0) | others
+    return found
+
+
+def _exclusive(m: IndexedFamilies, x: Expr) -> tuple[Name, int, int] | None:
+    """A fact that of some members and others, as bits, not both have a variable of one family true."""
+    if x.op is not NOT or x.args[0].op is not AND or len(x.args[0].args) != 2:
+        return None
+    sides = [[m.of(y) for y in (a.args if a.op is OR else (a,))] for a in x.args[0].args]
+    families = {NONE if of is None else of[0] for side in sides for of in side}
+    if len(families) != 1 or NONE in families:
+        return None
+    left, right = (bits(of[1] for of in side if of is not None) for side in sides)
+    return families.pop(), left, right
+
+
+def _note(at: dict[Name, list[int]], names: Iterable[Name], n: int) -> None:
+    for v in names:
+        at.setdefault(v, []).append(n)

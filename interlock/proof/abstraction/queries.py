@@ -1,0 +1,119 @@
+"""Goals of a large system asked of local abstractions: first with a truncated cone of influence, then with the whole.
+
+**Theorem.**  What follows from some lines of a system follows from the system, as fewer premises prove fewer goals; a
+goal that neither abstraction shows is left open, for others to ask.  (Localization reduction: Kurshan, *Computer-Aided
+Verification of Coordinating Processes*, 1994.)
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from interlock.logic.expr import Expr
+from interlock.logic.names import Kind
+from interlock.proof.abstraction.canonical import CanonicalForms
+from interlock.proof.abstraction.focus import foci
+from interlock.proof.abstraction.local import Focus, LocalAbstraction, LocalAbstractions, Located
+from interlock.proof.abstraction.quotient import abstraction
+from interlock.proof.engines import solver
+from interlock.proof.engines.batch import decisions
+from interlock.proof.engines.limits import Limits
+from interlock.proof.engines.plaisted_greenbaum import OneSided
+from interlock.proof.engines.pool import Board
+
+CHUNK = 60  # foci that one process takes one after the other
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Foci, the goals that are in them, and how far around an abstraction goes."""
+
+    foci: Sequence[Focus]
+    goals: Sequence[int]
+
+    def __len__(self) -> int:
+        return len(self.goals)
+
+
+@dataclass(frozen=True, slots=True)
+class Answers:
+    """The goals that a batch has left open, and the seconds that it took."""
+
+    open: tuple[int, ...]
+    seconds: float
+
+
+class LocalQueries:
+    """Goals asked of local abstractions, and what follows."""
+
+    def __init__(self, system: Located, hypotheses: Sequence[Expr], limits: Limits) -> None:
+        """`hypotheses`: the invariants."""
+        self.local = LocalAbstractions(system, hypotheses)
+        self.limits = limits
+        self._forms = CanonicalForms({})
+        self._known: dict[str, list[bool]] = {}
+        self._shown = Board() if limits.jobs > 1 else None
+        """Canonical forms in which all that is asked follows, whoever has asked."""
+
+    def batches(self, goals: Iterable[tuple[int, Expr]]) -> list[Batch]:
+        """Numbered goals in so many batches; some are in none."""
+        found = foci(self.local, goals)
+        batches = [
+            Batch(some, tuple(dict.fromkeys(n for s in some for n in s.goals)))
+            for some in (found[k : k + CHUNK] for k in range(0, len(found), CHUNK))
+        ]
+        each = -(-len(batches) // self.limits.jobs)  # a process begins where no other has been: neighbours are alike
+        return [x for k in range(each) for x in batches[k::each]]
+
+    def answer(self, batch: Batch) -> Answers:
+        """What a batch shows."""
+        began = time.perf_counter()
+        left: dict[int, None] = {}
+        for focus in batch.foci:
+            left |= self._left(focus)
+        return Answers(tuple(left), time.perf_counter() - began)
+
+    def _left(self, focus: Focus) -> dict[int, None]:
+        """The goals of a focus that follow neither from what is near nor from all around.
+
+        An overlap lies elsewhere than the signal that holds it: what is near is not asked.
+        """
+        if not any(h.kind is Kind.OVERLAP for h in focus.homes):
+            open_ = self._open(focus, truncated=True)
+            if not open_:
+                return open_
+            focus = focus.only(open_)
+        return self._open(focus, truncated=False)
+
+    def _open(self, focus: Focus, truncated: bool) -> dict[int, None]:
+        """The goals of a focus that do not follow in its abstraction."""
+        made = abstraction(self.local, focus, truncated)
+        decided = zip(made.asked, self._decided(made), strict=True)
+        return {n: None for (_, goals), follows in decided if not follows for n in goals}
+
+    def _decided(self, made: LocalAbstraction) -> list[bool]:
+        """What follows in an abstraction; in one that is another but for names, the same."""
+        form = self._forms.of(made.definitions, [x for x, _ in made.asked], made.facts)
+        found = self._known.get(form)
+        if found is None and self._shown is not None and bytes.fromhex(form) in self._shown:
+            found = self._known[form] = [True] * len(made.asked)
+        if found is None:
+            key = self.limits.cache.key(lambda: form, self.limits.engine)
+            found = self.limits.cache.known(key, len(made.asked))
+            if not all(found):
+                found = self._asked(made)
+                self.limits.cache.keep(key, found)
+            self._known[form] = found
+            if self._shown is not None and all(found):
+                self._shown.write(bytes.fromhex(form))
+        return found
+
+    def _asked(self, made: LocalAbstraction) -> list[bool]:
+        cnf = OneSided(made.definitions)
+        for x in made.facts:
+            cnf.require(x)
+        denials = [cnf.denial(x) for x, _ in made.asked]
+        sat = solver(self.limits.engine, cnf, self.limits.query_ms)
+        return [d.follows for d in decisions(sat, denials)]

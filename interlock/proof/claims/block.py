@@ -1,0 +1,68 @@
+"""Invariants about direction tokens (R12): one token, and nobody on the line who may not be there."""
+
+from __future__ import annotations
+
+from interlock.logic import names
+from interlock.logic.expr import Expr, conj, disj, iff, implies, neg, var
+from interlock.logic.plant import accepted, came, has_token, lamp, line, o, rests, seen_by, telegram
+from interlock.model.elements import NodeId
+from interlock.proof.claims.kinds import Facts, Invariant
+from interlock.proof.claims.overlaps import overrun
+
+
+def token_invariants(f: Facts) -> list[Invariant]:
+    """All of them, ordered by boundary."""
+    return [Invariant(name, b, x) for b in f.sym.token for name, x in (*_one_token(f, b), *_departing(f, b))]
+
+
+def _one_token(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
+    x = f.sym.token[b]
+    here, given, ready = var(x.have), var(x.give), var(x.seen)
+    has, gives, fresh = (has_token(b, w) for w in ("has", "gives", "fresh"))
+    told_has, told_gives = telegram(b, "has"), telegram(b, "gives")
+    saw_has, saw_gives = seen_by(b, "has"), seen_by(b, "gives")
+    boundary = f.layout.boundary_at[b]
+    sent = disj((line(b, "in"), o(boundary.approach or names.outside(b))))
+    leaving = line(b, "out")
+    return [
+        ("K-TELLS", conj((iff(var(x.tells["has"]), here), iff(var(x.tells["gives"]), given)))),
+        ("K-HERE", implies(here, neg(disj((given, has, told_has, saw_gives, sent))))),
+        ("K-GIVEN", implies(given, conj((ready, neg(disj((gives, told_gives, leaving))))))),
+        ("K-READY", implies(conj((ready, told_gives)), neg(disj((here, has, told_has, saw_gives, sent, leaving))))),
+        ("K-HAS", implies(has, neg(disj((gives, told_gives, leaving))))),
+        ("K-GIVES", implies(gives, conj((fresh, neg(disj((saw_gives, sent))))))),
+        ("K-TOLD", implies(told_gives, neg(disj((told_has, saw_gives, sent))))),
+        ("K-LEFT", implies(leaving, neg(disj((told_has, saw_gives, sent))))),
+        ("K-SAW", neg(conj((saw_has, saw_gives)))),
+        ("K-TAKING", implies(conj((here, ready)), neg(gives))),
+        ("K-TAKEN", implies(conj((here, gives)), told_gives)),
+        ("K-ARRIVED", implies(conj((given, has)), conj((saw_gives, neg(fresh), neg(saw_has))))),
+        ("K-COMING", implies(conj((given, disj((fresh, neg(saw_gives), saw_has)))), neg(disj((sent, has, told_has))))),
+        ("K-FIRST", implies(conj((gives, disj((saw_has, leaving)))), told_gives)),
+        ("K-NEW", implies(conj((ready, gives)), neg(disj((saw_has, leaving))))),
+        ("K-OLD", implies(conj((fresh, saw_gives)), neg(disj((has, told_has, sent))))),
+    ]
+
+
+def _departing(f: Facts, b: NodeId) -> list[tuple[str, Expr]]:
+    """Whoever was called towards the boundary finds the direction ours until he has left."""
+    here = var(f.sym.token[b].have)
+    out = []
+    for r in f.sym.routes:
+        s, n = r.ways[-1]
+        if r.shunt or f.way(s, n)[1] != b:
+            continue
+        shows = disj(var(v) for v in (*r.open_while, r.shown))
+        out.append((f"K-SHOWN:{r.id}", implies(shows, here)))
+        first = r.ways[0][0]
+        held = [x for t, k in r.ways for x in (f.lock(t, k), f.train(t))]
+        went = [accepted(r.entry)] if names.ACCEPTED(r.entry) in f.system.plant.state else []
+        called = disj((f.sym.signal(r.entry), lamp(r.entry), *went))
+        out.append((f"K-CALLED:{r.id}", implies(conj((*held, f.firm(first), called)), here)))
+        for i, (t, _) in enumerate(r.ways):
+            ahead = [x for a, k in r.ways[i:] for x in (f.lock(a, k), f.train(a), neg(overrun(f, a)))]
+            out.append((f"K-GOES:{r.id}:{t}", implies(conj((*ahead, f.been(t))), here)))
+        if f.berth(s):  # a train counts as arrived there, and goes on all the same
+            on = conj((f.lock(s, n), o(s), came(s, f.way(s, n)[0]), neg(rests(s))))
+            out.append((f"K-GOES:{r.id}", implies(on, here)))
+    return out

@@ -1,0 +1,456 @@
+"""The claims, in the field's words.  Each class has a stable id, a sentence and its instances.
+
+Train level: T-...; signal level: S-...; locking level: L-...; points: P-....
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.logic import names
+from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
+from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
+from interlock.model.elements import MachineId, Position, SectionId, SignalId
+from interlock.model.foul import FoulJoint
+from interlock.model.principles import Caution
+from interlock.model.traversal import Traversal, path_speed
+from interlock.proof.claims.flank import flank, flank_space, scissors
+from interlock.proof.claims.kinds import Claim, Facts
+from interlock.proof.claims.paths import Shown, SignalPath, ground_of, lie, shown_over, signal_paths
+from interlock.proof.claims.reasons import reasons
+from interlock.proof.claims.terminals import terminals
+
+CLAIMS: dict[str, str] = {
+    "T-COLLISION": "No train comes into a section in which another train stands, nor two at once.",
+    "T-DIAMOND": "No two trains are on the two arms of a diamond crossing.",
+    "T-FOUL": "No train passes a point while another stands foul of it.",
+    "T-DERAIL": "No train meets a point that is moving or set against it.",
+    "T-POINT-MOVES": "No point moves under a train, and no train comes to a point that moves.",
+    "T-ROAD": "No train is on a level crossing, bridge or other interlock that is not closed for it.",
+    "T-FLANK": "While a train uses a point or diamond, no vehicle can roll into it from the flank.",
+    "T-SCISSORS": "While a train uses one crossover of a scissors, the other one lies normal.",
+    "T-ZONE": "A train comes into a zone only where it was called in, and is called in only while the trains in it or "
+    "called into it, this one too, are no more than the zone's maximum.",
+    "T-LINE": "On a line with a direction token no train leaves against one that is on the line or about to come in.",
+    "S-OPPOSING": "No two signals that lead towards each other over the same track show proceed.",
+    "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
+    "S-CLEAR": "A signal opens, and stays open until a movement begins to pass it, only when every section of the "
+    "path, as the points lie, is reported clear.",
+    "S-PASSING": "A signal that stays open until the whole movement has passed does so only while the sections "
+    "before and beyond it are not reported clear, and no second movement can take it for itself.",
+    "S-CALL-ON": "A train is called on only beside stop, once only, into a clear first section, and onto no track in "
+    "which vehicles may stand unless it is clear.",
+    "S-DETECTED": "Proceed is shown only when every point and device of the path is detected in that very scan.",
+    "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
+    "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
+    "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
+    "S-SCISSORS": "Proceed is shown over one crossover of a scissors only while the other one lies normal.",
+    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is clear, but for "
+    "sections over which, or from which, another movement may be called meanwhile, and the stop lamps of the signals "
+    "that protect it are intact.",
+    "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is clear, lies and is detected.",
+    "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
+    "S-DIRECTION": "Proceed onto a line with a direction token is shown only while the direction is ours, and then the "
+    "neighbour has it not.",
+    "S-BLOCKED": "No proceed is shown over a blocked section.",
+    "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
+    "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear.",
+    "S-SPEED": "No signal shows a higher speed than its path permits, as the points lie.",
+    "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, and shows nothing else "
+    "than stop while no lamp for it is.",
+    "S-STOP": "At every signal stop is lit exactly when no main or white lamp is; no two of these are lit at once, a "
+    "speed only beside a main lamp, and a distant signal shows either clear or caution.",
+    "S-AGAIN": "A signal that closed while its route stayed set opens again only after it was asked for again.",
+    "S-REQUEST": "A route is set only in the scan in which its number comes after 0, or while its switch for automatic "
+    "working is on; a number that is held asks once.",
+    "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
+    "S-SET": "A section is locked for a movement only when inputs are valid, it is not blocked or locked, and it is "
+    "reported clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
+    "L-REASON": "No lock ends without its reason: a train has used the section, the lock before it was withdrawn, its "
+    "signal was cancelled, or somebody releases it by hand, alone or with all that may have missed a train; after a "
+    "restart by hand, or behind a train that stood there.",
+    "L-CLEAR": "No section is released, however it is, before it has been reported clear with valid inputs, without a "
+    "break, for the release delay.",
+    "L-APPROACH": "A route whose signal has been open is not given up before its train came, unless none can be on its "
+    "way: nothing within the braking distance and back to the first signal that announces this one, over ways that are "
+    "locked; or stop has been shown without a break for as long as a train needs to stand.  (Whether it has been open "
+    "is the controller's own bit, which is set with proceed and stays while the route does.)",
+    "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
+    "L-HELD": "A section in which a train moves is locked.",
+    "P-LOCKED": "A point is commanded to move only when the sections of all its ends are reported clear and unlocked, "
+    "or held by nothing but an overlap that may swing, with the section before its signal clear.  (The command is the "
+    "controller's own bit; P-DRIVEN ties the drives to it.)  A level crossing or bridge may always be closed.",
+    "P-DRIVEN": "A machine is driven to where it is commanded, and never both ways: at once, or where machines start "
+    "one after the other, when its turn has come.",
+    "I-TOLD": "Every indication and alarm tells what is: a section is locked, a detector is faulty, a machine is not "
+    "where it was commanded or was trailed, a zone is full.",
+    "D-PRESET": "No delay is shorter than the principles order, nor than the world needs: by speeds, braking, reaction "
+    "and the delay of outputs, running times of machines, and what is agreed with the neighbour.",
+    "P-START": "When the restart delay is over, whatever happened meanwhile, nothing is commanded but crossings and "
+    "bridges to close, all signals show stop, and every section is locked.",
+}
+
+
+def claims(f: Facts) -> tuple[Claim, ...]:
+    """Every instance of every claim, but for places at which there is nothing to claim."""
+    out: list[Claim] = []
+    for h in f.system.plant.hazards:
+        out.append(Claim(f"T-{h.id}", h.place, neg(h.expr), True))
+    for name, place, expr, physical in (
+        *((*x, x[0] == "T-FLANK") for x in flank(f)),
+        *((*x, x[0] == "T-SCISSORS") for x in scissors(f)),
+        *((*x, True) for x in _zones(f)),
+        *((*x, False) for x in flank_space(f)),
+        *((*x, False) for x in _pairs(f)),
+        *((*x, False) for x in _signals(f)),
+        *((*x, False) for x in terminals(f)),
+        *((*x, False) for x in _distants(f)),
+        *((*x, False) for x in _again(f)),
+        *((*x, False) for x in _requests(f)),
+        *((*x, False) for x in _set(f)),
+        *((*x, False) for x in reasons(f)),
+        *((*x, False) for x in _locks(f)),
+        *((*x, False) for x in _points(f)),
+    ):
+        out.append(Claim(name, place, expr, physical))
+    order = list(CLAIMS)
+    return tuple(sorted((c for c in out if _says(c)), key=lambda c: (order.index(c.id), c.place)))
+
+
+def _says(c: Claim) -> bool:
+    """Whether something is claimed: an overlap without a signal before it, say, leaves nothing to be claimed of it.
+
+    A preset is compared with what it has to be when the claim is written, so that one that is long enough leaves T.
+    """
+    return c.expr is not TRUE or c.id == "D-PRESET"
+
+
+def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    for z in f.layout.zones:
+        yield "T-ZONE", z.id, neg(var(names.OVERFULL(z.id)))
+        for s, j in f.system.zone_joints(z):
+            rear = f.topo.beyond(s, j)
+            boundary = f.layout.boundary_at.get(j)
+            where = rear or (boundary.approach if boundary and boundary.approach else names.outside(j))
+            comes = f.system.plant.events.get(names.HEAD(j, where), FALSE)
+            yield "T-ZONE", f"{z.id} at {j}", implies(comes, f.system.called_in(s, j))
+
+
+# --- signals -------------------------------------------------------------------------------------
+
+
+def _apart(a: dict[Shown, Expr], b: dict[Shown, Expr]) -> Expr:
+    """No signal of the one and another of the other show proceed at once."""
+    both = a.keys() & b.keys()
+    out = [neg(conj((disj(x for w, x in a.items() if w not in both), disj(b.values()))))]
+    out += [neg(conj((a[w], disj(x for v, x in b.items() if v != w)))) for w in sorted(both)]
+    return conj(out)
+
+
+def _pairs(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """No two signals show proceed over the same track, place by place.
+
+    Two paths that share track differ somewhere: in the way through a section, where they meet; or the one begins at a
+    signal that the other passes; or they are of one signal for trains and for shunting movements.  So a claim for each
+    section and for each signal says it of all pairs, and their number grows with the layout, not with its square.
+    """
+    ground = ground_of(f)
+    for s in f.topo.sections:
+        ways = [t for t in f.topo.traversals[s] if t.key in ground.over]
+        shown = {t.key: disj(shown_over(ground, [t]).values()) for t in ways}
+        bad: dict[str, list[Expr]] = {}
+        for i, t in enumerate(ways):
+            for x in ways[i + 1 :]:
+                opposing = t.entry == x.exit or t.exit == x.entry
+                kind = "S-OPPOSING" if opposing else "S-HOSTILE"
+                bad.setdefault(kind, []).append(conj((shown[t.key], shown[x.key])))
+        for kind, cases in sorted(bad.items()):
+            yield kind, s, neg(disj(cases))
+    for g in f.layout.signals:
+        one = [f.sym.signal(g.id, k) for k in f.functions(g.id)] + [disj(ground.past.get(g.id, ()))]
+        yield "S-HOSTILE", f"signal {g.id}", at_most_one(one)
+    for c in f.layout.crossings:
+        arms = [
+            shown_over(ground, (t for s in f.topo.sections for t in f.topo.traversals[s] if (c.id, arm) in t.crossings))
+            for arm in (0, 1)
+        ]
+        yield "S-HOSTILE", f"diamond {c.id}", _apart(*arms)
+    for fj in f.fouls:
+        section, beside = f.topo.traversals[fj.section], f.topo.traversals[fj.neighbour]
+        over, near = shown_over(ground, filter(fj.fouls, section)), shown_over(ground, filter(fj.touches, beside))
+        yield "S-HOSTILE", f"joint {fj.section}/{fj.neighbour} foul of {fj.element}", _apart(over, near)
+
+
+def _who(g: SignalId, shunt: bool) -> str:
+    return f"{g} shunt" if shunt else g
+
+
+def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """Claims about the scan that shows proceed: new outputs against the inputs of that scan."""
+    after = f.system.after
+    valid = var(f.sym.valid)
+    for signal, shunt in ((g.id, k) for g in f.layout.signals for k in f.functions(g.id)):
+        shows = after(f.sym.signal(signal, shunt))
+        who = _who(signal, shunt)
+        paths = signal_paths(f, signal, shunt)
+        yield "S-LOST-INPUT", who, implies(neg(valid), neg(shows))
+        yield "S-LOCKED", who, implies(shows, after(disj(lie(f, p.ways) for p in paths)))
+        passing = after(f.sym.passing(signal, shunt))
+        if passing is not FALSE:
+            alone = FALSE if f.sym.approach_of[signal] in f.topo.standing else _still_passing(f, signal, shunt)
+            yield "S-PASSING", who, implies(passing, alone)
+        if signal in f.sym.stop_lamp:
+            opens = conj((shows, neg(f.sym.signal(signal, shunt))))
+            yield "S-LAMP", who, implies(opens, var(f.sym.stop_lamp[signal]))
+        if signal in f.sym.clear_lamp and not shunt:
+            last = f.sym.caution_lamp.get(signal, f.sym.clear_lamp[signal])
+            lit = implies(_clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
+            main = after(disj(map(var, f.sym.main_lamps(signal))))
+            yield "S-LAMP", f"{who} proceed", conj((implies(main, var(last)), lit))
+        if signal in f.sym.cancelling:
+            yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
+        for k, path in enumerate(paths, 1):
+            place = f"{who}:{k}"
+            here = conj((shows, after(lie(f, path.ways))))
+            if here is FALSE:
+                continue
+            opened = conj((after(_open(f, signal, shunt)), after(lie(f, path.ways))))
+            yield "S-CLEAR", place, implies(opened, conj(f.clear(t.section) for t in path.kept_clear))
+            if f.layout.signal[signal].call_on and not shunt:
+                yield (
+                    "S-CALL-ON",
+                    place,
+                    implies(conj((after(var(f.sym.call_aspect[signal])), here)), _may_call_on(f, path)),
+                )
+            yield (
+                "S-DETECTED",
+                place,
+                implies(
+                    here,
+                    conj(
+                        conj(
+                            (
+                                var(f.sym.detected[f.layout.point[p].machine, x]),
+                                neg(var(f.sym.detected[f.layout.point[p].machine, x.other])),
+                            )
+                        )
+                        for t in path.ways
+                        for p, x in t.points
+                    ),
+                ),
+            )
+            permitted = path_speed(f.layout, path.ways)
+            faster = [n for (g, v), n in f.sym.speed_shown.items() if g == signal and v > (permitted or v)]
+            if faster and not shunt:
+                yield "S-SPEED", place, implies(here, neg(after(disj(map(var, faster)))))
+            machines = (f.layout.point[p].machine for t in path.ways for p, _ in t.points)
+            trailed = [neg(var(f.sym.trailed[m])) for m in dict.fromkeys(machines) if m in f.sym.trailed]
+            if trailed:
+                yield "S-TRAILED", place, implies(here, conj(trailed))
+            ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
+            exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
+            over = () if exit_ is None or shunt else f.overlap_paths(exit_)
+            if over:
+                yield "S-OVERLAP", place, implies(here, disj(_overlap(f, ways) for ways in over))
+            if not shunt and f.layout.principles.caution is not Caution.NEVER:
+                clear = conj((_clear_aspect(f, signal), after(lie(f, path.ways))))
+                yield "S-ASPECT", place, implies(clear, allows_clear(f, path, exit_))
+            secured = [
+                conj((var(f.sym.detected[d.id, Position.REVERSE]), neg(var(f.sym.detected[d.id, Position.NORMAL]))))
+                for d in f.layout.devices
+                if any(t.section in d.over for t in path.ways)
+            ]
+            if secured:
+                yield "S-DETECTED", f"{place} devices", implies(here, conj(secured))
+            barred = [neg(var(f.sym.blocked[t.section])) for t in path.ways if t.section in f.sym.blocked]
+            yield "S-BLOCKED", place, implies(here, conj(barred))
+            own = path.kept_clear
+            locked = [f.lock(t.section, t.number) for t in own if (t.section, t.number) in f.sym.lock]
+            kind = [neg(f.train(t.section)) if shunt else f.train(t.section) for t in own]
+            ok = conj([*locked, *kind, *(f.firm(t.section) for t in own)]) if len(locked) == len(own) else FALSE
+            if path.berth is not None:
+                ok = conj((ok, f.held(path.berth), neg(f.train(path.berth))))
+            yield "S-LOCKED", place, implies(here, after(ok))
+            needed = [
+                var(f.sym.condition[c.id])
+                for c in f.layout.conditions
+                if signal in c.signals
+                or any(t.section in c.over for t in path.ways)
+                or (not shunt and path.ways[-1].exit in c.exits)
+            ]
+            boundary = f.layout.boundary_at.get(path.ways[-1].exit)
+            if boundary is not None and boundary.node in f.sym.token and not shunt:
+                ours = conj((var(f.sym.token[boundary.node].have), neg(has_token(boundary.node, "has"))))
+                yield "S-DIRECTION", place, implies(here, after(ours))
+            if boundary is not None and boundary.approach is not None and not shunt:
+                needed.append(f.clear(boundary.approach))
+            for fj in f.fouls:
+                if any(map(fj.fouls, path.ways)):
+                    needed.append(_not_foul(f, fj))
+            if needed:
+                yield "S-CONDITION", place, implies(here, conj(needed))
+
+
+def _still_passing(f: Facts, g: SignalId, shunt: bool) -> Expr:
+    """A signal stays open for one movement alone: it was open, that movement occupies the sections before and beyond
+    it, and none in rear of it may take the signal for itself."""
+    first, rear = f.layout.section_of(f.layout.signal[g].into), f.sym.approach_of[g]
+    assert rear is not None
+    occupied = [neg(f.clear(s)) for s in (first, rear) if s in f.sym.clear]
+    name = names.accepted(g, shunt)
+    second = conj((f.system.after(f.been(first)), f.system.after(var(name)))) if name in f.system.plant.state else FALSE
+    return conj([f.sym.signal(g, shunt), *occupied, neg(second)])
+
+
+def _open(f: Facts, g: SignalId, shunt: bool = False) -> Expr:
+    """The lamps show proceed to a movement before the signal: not by calling a train on, nor for one that already
+    passes it (which is the controller's own word; S-PASSING says when it may be given)."""
+    lamps = f.sym.proceed_lamps(g, True) if shunt else f.sym.main_lamps(g)
+    return conj((disj(map(var, lamps)), neg(f.sym.passing(g, shunt))))
+
+
+def _clear_aspect(f: Facts, g: SignalId) -> Expr:
+    """The signal will show clear, not caution."""
+    return f.system.after(var(f.sym.clear_aspect[g])) if g in f.sym.clear_aspect else FALSE
+
+
+def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
+    """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11)."""
+    kmh = path_speed(f.layout, path.ways)
+    if kmh is not None and kmh < f.layout.principles.slow_below_kmh:
+        return FALSE
+    boundary = f.layout.boundary_at.get(path.ways[-1].exit)
+    if boundary is not None and boundary.checked:
+        return TRUE
+    turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
+    if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
+        return FALSE
+    return f.system.after(_open(f, exit_))
+
+
+def _may_call_on(f: Facts, path: SignalPath) -> Expr:
+    """A train may be called on over a path: R2."""
+    stop = f.system.after(var(f.sym.stop_aspect[path.signal]))
+    standing = [t.section for i, t in enumerate(path.ways) if i == 0 or t.section in f.topo.berths]
+    return conj([stop, *map(f.clear, standing)])
+
+
+def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """`fresh` is the controller's own bit; what it may mean is claimed too."""
+    after, valid = f.system.after, var(f.sym.valid)
+    for x, fresh in f.sym.fresh.items():
+        yield "S-REQUEST", x, iff(after(var(fresh)), conj((valid, eq(x, 0))))
+        yield "S-REQUEST", f"{x} seen", iff(after(var(f.sym.seen[x])), neg(after(var(fresh))))
+    for r in f.sym.routes:
+        new = conj((after(var(r.active)), neg(var(r.active))))
+        switch = [var(f.sym.automatic[r.number])] if r.number in f.sym.automatic else []
+        yield "S-REQUEST", r.id, implies(new, disj((f.sym.asked(r.number), *switch)))
+
+
+def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """R6, way by way, in the scan in which it is locked."""
+    for (s, n), name in f.sym.lock.items():
+        new = conj((f.system.after(var(name)), neg(var(name))))
+        blocked = [neg(var(f.sym.blocked[s]))] if s in f.sym.blocked else []
+        occupied = any(r.call_on or r.berth == (s, n) for r in f.sym.routes_over.get((s, n), ()))
+        free = [] if occupied else [neg(f.locked(s)), *([f.clear(s)] if s in f.sym.clear else [])]
+        yield "S-SET", f"{s} {n}", implies(new, conj((var(f.sym.valid), *blocked, *free)))
+
+
+def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    for r in f.sym.routes:
+        yield "S-AGAIN", r.id, implies(f.shut(r.number), neg(f.system.after(var(r.proceed))))
+        if r.call_on:
+            seen = conj((var(r.shown), var(r.active), neg(var(r.proceed))))
+            yield "S-CALL-ON", f"{r.id} once", implies(seen, neg(f.system.after(var(r.proceed))))
+
+
+def _distants(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    for d in f.layout.distants:
+        shown = f.system.after(var(f.sym.distant_clear[d.id]))
+        yield "S-ASPECT", d.id, implies(shown, _clear_aspect(f, d.of))
+
+
+def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
+    """An overlap is clear, its points lie and are detected."""
+    points = [(f.layout.point[p].machine, x) for t in ways for p, x in t.points]
+    return conj(
+        [
+            *(f.clear(t.section) for t in ways),
+            f.system.after(conj(lies(m, x) for m, x in points)),
+            *(var(f.sym.detected[m, x]) for m, x in points),
+            *(neg(var(f.sym.detected[m, x.other])) for m, x in points),
+        ]
+    )
+
+
+def _not_foul(f: Facts, fj: FoulJoint) -> Expr:
+    """The neighbour is clear, or its point is detected so that nothing in it stands at the joint."""
+    clear = f.clear(fj.neighbour)
+    if fj.when is None:
+        return clear
+    m, x = fj.when
+    return disj((clear, conj((var(f.sym.detected[m, x.other]), neg(var(f.sym.detected[m, x]))))))
+
+
+# --- locks and points ----------------------------------------------------------------------------
+
+
+def _locks(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    after = f.system.after
+    valid = var(f.sym.valid)
+    for s in f.topo.sections:
+        held = f.held(s)
+        gone = conj((held, neg(after(held))))
+        coming = []
+        for j in f.topo.ends[s]:
+            g = f.topo.signal_into.get((j, s))
+            for k in f.functions(g) if g is not None else ():
+                coming.append(conj((f.locked_in(s, j), after(accepted(SignalId(str(g)), k)))))
+        for j, a, past in f.passed_into(s):
+            as_train = neg(shunting(a)) if past else TRUE
+            for n, x in f.locks(a):
+                if f.way(a, n)[1] == j:
+                    coming.append(after(conj((o(a), came(a, f.way(a, n)[0]), x, neg(rests(a)), as_train))))
+        yield "L-RELEASE", s, implies(gone, conj((valid, neg(after(o(s))), neg(disj(coming)))))
+        yield "L-HELD", s, implies(o(s), held)
+        yield (
+            "S-LOST-INPUT",
+            s,
+            implies(neg(valid), conj((implies(held, after(held)), implies(neg(held), after(neg(held)))))),
+        )
+
+
+def _held_fast(f: Facts, s: SectionId) -> Expr:
+    """Held otherwise than by an overlap that swings away in this step, with the section before its signal clear."""
+    held = [f.locked(s)]
+    for (g, _), name in f.options(s).items():
+        before = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), f.layout.signal[g].node)
+        close = neg(f.clear(before)) if g in f.sym.swings and before is not None else TRUE
+        held.append(conj((var(name), disj((close, f.system.after(var(name)))))))
+    return disj(held)
+
+
+def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    after = f.system.after
+
+    def stays(m: MachineId, x: Position) -> Expr:
+        """It lies there already and was never commanded elsewhere: nothing will move."""
+        never = conj(neg(var(f.sym.command[m, y])) for y in Position)
+        return conj((var(f.sym.detected[m, x]), after(lies(m, x)), never))
+
+    for m in f.layout.machines:
+        secs = f.layout.sections_of_machine[m]
+        changes = disj(
+            conj((neg(var(f.sym.command[m, x])), after(var(f.sym.command[m, x])), neg(stays(m, x))))
+            for x in Position
+            if m not in f.layout.device or x is Position.NORMAL
+        )
+        free = conj(
+            [
+                *(neg(_held_fast(f, s)) for s in secs),
+                *(f.clear(s) for s in secs),
+                var(f.sym.valid),
+            ]
+        )
+        yield "P-LOCKED", m, implies(changes, free)

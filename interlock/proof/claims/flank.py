@@ -1,0 +1,188 @@
+"""What must hold about flanks: no vehicle can roll in, the partner of a scissors lies normal, and where it is asked for
+the flank space is clear (R5)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
+from interlock.logic.plant import accepted, came, lamp, lies, o, rests
+from interlock.model.elements import (
+    BoundaryKind,
+    CrossingId,
+    EdgeId,
+    MachineId,
+    NodeId,
+    Position,
+    SectionId,
+    SignalId,
+)
+from interlock.model.measured import Beyond
+from interlock.proof.claims.kinds import Facts
+from interlock.proof.claims.paths import ground_of, shown_over, signal_paths
+
+
+def exposed(f: Facts, beyond: Beyond) -> Expr:
+    """Whether a vehicle could roll over a track towards the place, from beyond the next signal, as everything really
+    lies."""
+    if beyond.one_way or beyond.closed:
+        return FALSE
+    if beyond.signal is not None:
+        g = f.layout.signal[beyond.signal]
+        called = [x for k in f.functions(g.id) for x in (f.sym.signal(g.id, k), lamp(g.id, k), accepted(g.id, k))]
+        if not g.main:  # a train passes it on a lock that leads this way
+            s = beyond.section
+            called.append(conj((f.train(s), f.firm(s), f.locked_in(s, g.node))))
+        return disj(called)
+    if beyond.boundary is not None:
+        return FALSE if beyond.boundary is BoundaryKind.OUT else TRUE
+    rolls = disj(exposed(f, x) for x in beyond.onward)
+    if beyond.trailed is None:
+        return rolls
+    machine, position = beyond.trailed
+    return conj((neg(lies(machine, position.other)), rolls))
+
+
+def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    over: dict[tuple[SectionId, int], dict[tuple[SignalId, bool], None]] = {}
+    for g in f.layout.signals:
+        for k in f.functions(g.id):
+            for path in signal_paths(f, g.id, k):
+                for t in path.ways:
+                    over.setdefault(t.key, {})[g.id, k] = None
+    for s in f.topo.sections:
+        for t in f.topo.traversals[s]:
+            if (s, t.number) not in f.sym.lock:
+                continue
+            places: list[tuple[str, NodeId, EdgeId]] = []
+            for pid, x in t.points:
+                p = f.layout.point[pid]
+                places.append((f"{pid}.{x.other}", p.node, p.leg(x.other)))
+            for cid, arm in t.crossings:
+                c = f.layout.crossing[cid]
+                places += [(f"{cid}.{edge}", c.node, edge) for edge in c.arms[1 - arm]]
+            uses = conj((f.firm(s), f.lock(s, t.number)))
+            train = conj((o(s), neg(rests(s)), came(s, t.entry)))
+            shown = disj(f.sym.signal(g, k) for g, k in over.get(t.key, ()))
+            for name, node, edge in places:
+                danger = exposed(f, f.beyond[node, edge])
+                yield "T-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, train)), neg(danger))
+                yield "S-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, shown)), neg(danger))
+
+
+def scissors(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """The partner of a scissors crossover lies normal while the other one is used."""
+    ground = ground_of(f)
+    for s in f.topo.sections:
+        for t in f.topo.traversals[s]:
+            if (s, t.number) not in f.sym.lock:
+                continue
+            uses = conj((f.firm(s), f.lock(s, t.number)))
+            train = conj((uses, o(s), neg(rests(s)), came(s, t.entry)))
+            shown = f.system.after(disj(shown_over(ground, [t]).values()))
+            for cid, arm in t.crossings:
+                for m in _crossover(f, cid, 1 - arm):
+                    normal = lies(m, Position.NORMAL)
+                    yield "T-SCISSORS", f"{s}:{t.number}:{m}", implies(train, normal)
+                    yield "S-SCISSORS", f"{s}:{t.number}:{m}", implies(shown, f.system.after(normal))
+
+
+def _crossover(f: Facts, crossing: CrossingId, arm: int) -> tuple[MachineId, ...]:
+    """The machines of an arm that is a crossover: plain track leads from both of its ends to the reverse leg of a
+    point."""
+    c = f.layout.crossing[crossing]
+    found: dict[MachineId, None] = {}
+    for edge in c.arms[arm]:
+        node, seen = f.layout.far(edge, c.node), {c.node}
+        while node not in f.layout.point_at:
+            onward = [e.id for e in f.layout.edges_at[node] if e.id != edge]
+            if node in seen or len(onward) != 1:
+                return ()
+            seen.add(node)
+            edge, node = onward[0], f.layout.far(onward[0], node)
+        if f.layout.point_at[node].reverse != edge:
+            return ()
+        found[f.layout.point_at[node].machine] = None
+    return tuple(found)
+
+
+def flank_space(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """Nothing stands in the flank space, and stop signals that protect are lit.
+
+    Where another movement may be called meanwhile over a section, or from it, a train stands there on a route of its
+    own: nothing is claimed of that section.
+    """
+    rules = f.layout.principles
+    if not rules.flank_space and not rules.flank_lamp:
+        return
+    ground, movements = ground_of(f), _movements(f)
+    waived = {(w.point, w.leg) for w in f.layout.waivers}
+    for s in f.topo.sections:
+        for t in f.topo.traversals[s]:
+            shown = disj(shown_over(ground, [t]).values())
+            beside = frozenset(x for x, those in movements.items() if any(s not in over for over in those))
+            for pid, x in t.points:
+                p = f.layout.point[pid]
+                if (pid, x.other) not in waived:
+                    quiet = _Space(f, s, beside).quiet(f.beyond[p.node, p.leg(x.other)])
+                    yield "S-FLANK-SPACE", f"{s}:{t.number}:{pid}", implies(f.system.after(shown), quiet)
+            for cid, arm in t.crossings:
+                c = f.layout.crossing[cid]
+                for edge in c.arms[1 - arm]:
+                    quiet = _Space(f, s, beside).quiet(f.beyond[c.node, edge])
+                    yield "S-FLANK-SPACE", f"{s}:{t.number}:{cid}.{edge}", implies(f.system.after(shown), quiet)
+
+
+def _movements(f: Facts) -> dict[SectionId, list[frozenset[SectionId]]]:
+    """For each section the paths, as sections, over it; none at all for a train that stands there before its path, or
+    vehicles at its end."""
+    found: dict[SectionId, list[frozenset[SectionId]]] = {}
+    for g in f.layout.signals:
+        rear = f.topo.beyond(f.layout.section_of(g.into), g.node)
+        for k in f.functions(g.id):
+            for path in signal_paths(f, g.id, k):
+                over = frozenset(t.section for t in path.ways)
+                for s in over:
+                    found.setdefault(s, []).append(over)
+                for stands in (rear, path.berth):
+                    if stands is not None:
+                        found.setdefault(stands, []).append(frozenset())
+    return found
+
+
+@dataclass(frozen=True)
+class _Space:
+    """The flank space of a place in section `own`; `beside`: sections where others may run meanwhile."""
+
+    f: Facts
+    own: SectionId
+    beside: frozenset[SectionId]
+
+    def quiet(self, beyond: Beyond) -> Expr:
+        """Nothing stands along a track up to what stops a vehicle, as everything really lies, and stop signals are
+        lit.  The section of a point that turns vehicles away is no flank space."""
+        layout, s = self.f.layout, beyond.section
+        if beyond.one_way:
+            return TRUE
+        looked_at = layout.principles.flank_space and s != self.own and s not in (*layout.undetected, *self.beside)
+        clear = self.f.clear(s) if looked_at else TRUE
+        if beyond.signal is not None:
+            lit = layout.principles.flank_lamp and beyond.signal in self.f.sym.stop_lamp
+            return conj((clear, var(self.f.sym.stop_lamp[beyond.signal]))) if lit else clear
+        if beyond.closed or beyond.boundary is not None:
+            return clear
+        onward = conj((clear, *(self.quiet(x) for x in beyond.onward)))
+        return disj((self._turned(beyond), onward))
+
+    def _turned(self, beyond: Beyond) -> Expr:
+        """Whether points of the very section, wherever a vehicle could come from, turn it away."""
+        if beyond.one_way:
+            return TRUE
+        if beyond.closed or beyond.signal is not None or beyond.boundary is not None:
+            return FALSE
+        inside = conj(self._turned(x) if x.section == beyond.section else FALSE for x in beyond.onward)
+        if beyond.trailed is None:
+            return inside
+        machine, position = beyond.trailed
+        return disj((self.f.system.after(lies(machine, position.other)), inside))

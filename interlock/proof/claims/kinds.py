@@ -1,0 +1,266 @@
+"""Claims, invariants, and the facts that they are written in."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Protocol
+
+from interlock.logic import names
+from interlock.logic.controller import Symbols
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
+from interlock.logic.names import Name
+from interlock.logic.plant import Plant, lies, old_command
+from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, SignalId, Zone
+from interlock.model.foul import FoulJoint
+from interlock.model.layout import Layout
+from interlock.model.measured import Beyond, Measured
+from interlock.model.traversal import Topology, Traversal
+from interlock.proof.system.clocks import Tie
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """One instance of a claim: `expr` must hold in every step from a reachable state.
+
+    `expr` speaks of the old state and the inputs of the step.  `physical` claims speak of trains and points;
+    the others of what the controller does.
+    """
+
+    id: str
+    place: str
+    expr: Expr
+    physical: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Invariant:
+    """A strengthening invariant: holds initially and is kept by every step; proved, never assumed."""
+
+    id: str
+    place: str
+    expr: Expr
+
+
+class SystemView(Protocol):
+    """What invariants may see of the system."""
+
+    layout: Layout
+    measured: Measured
+    topo: Topology
+    symbols: Symbols
+    plant: Plant
+    ties: tuple[Tie, ...]
+
+    @property
+    def waits_for(self) -> Mapping[Name, Name]:
+        """What each timer waits for."""
+        ...
+
+    @property
+    def presets(self) -> Mapping[Name, int]:
+        """The preset of every timer, in milliseconds."""
+        ...
+
+    def after(self, x: Expr) -> Expr:
+        """The expression one step later."""
+        ...
+
+    def zone_joints(self, z: Zone) -> list[tuple[SectionId, NodeId]]:
+        """Where trains come into a zone."""
+        ...
+
+    def called_in(self, s: SectionId, j: NodeId) -> Expr:
+        """A section is locked for a train that comes in at j and has not come yet."""
+        ...
+
+
+class Facts:
+    """Short names for what invariants speak of."""
+
+    def __init__(self, system: SystemView) -> None:
+        self.system = system
+        self.layout = system.layout
+        self.topo = system.topo
+        self.sym = system.symbols
+        self.paths: dict[tuple[SignalId, bool], list[Any]] = {}
+        self._locks: dict[str, list[tuple[int, Expr]]] = {}
+        for (sec, n), name in sorted(self.sym.lock.items()):
+            self._locks.setdefault(sec, []).append((n, var(name)))
+        self._overlaps: dict[str, list[tuple[int, Expr]]] = {}
+        self._options: dict[str, dict[tuple[SignalId, int], Name]] = {}
+        for option, name in self.sym.overlap.items():
+            for s, n in self.sym.overlap_ways[option]:
+                self._overlaps.setdefault(s, []).append((n, var(name)))
+                self._options.setdefault(s, {})[option] = name
+
+    @cached_property
+    def _overrun(self) -> dict[str, list[SignalId]]:
+        order = {g: n for n, g in enumerate(self.layout.overlap_of)}
+        found: dict[str, list[SignalId]] = {}
+        for name in self.system.plant.state:
+            if name.family is names.OVERRAN:
+                g, s = map(str, name.at)
+                found.setdefault(s, []).append(SignalId(g))
+        return {s: sorted(those, key=order.__getitem__) for s, those in found.items()}
+
+    def overrun(self, s: str) -> list[SignalId]:
+        """The signals with an overlap that what stands in a section may have overrun."""
+        return self._overrun.get(s, [])
+
+    def options(self, s: str) -> Mapping[tuple[SignalId, int], Name]:
+        """The overlap alternatives that lie over a section, with their variables."""
+        return self._options.get(s, {})
+
+    def lock(self, s: str, n: int) -> Expr:
+        """Locked for one way."""
+        return var(self.sym.lock[SectionId(s), n])
+
+    def locks(self, s: str) -> list[tuple[int, Expr]]:
+        """All locks of a section."""
+        return self._locks.get(s, [])
+
+    def clear(self, s: str) -> Expr:
+        """Reported clear by a healthy detector; never, without detection."""
+        if SectionId(s) not in self.sym.clear:
+            return FALSE
+        healthy = [var(self.sym.healthy[SectionId(s)])] if SectionId(s) in self.sym.healthy else []
+        return conj((var(self.sym.clear[SectionId(s)]), *healthy))
+
+    def reported(self, m: MachineId, x: Position) -> Expr:
+        """A machine is detected in a position, by valid and unambiguous contacts."""
+        contact, opposite = var(self.sym.detected[m, x]), var(self.sym.detected[m, x.other])
+        return conj((var(self.sym.valid), contact, neg(opposite)))
+
+    def restart(self, s: str) -> Expr:
+        """Restart lock."""
+        return var(self.sym.restart[SectionId(s)])
+
+    def firm(self, s: str) -> Expr:
+        """Firmly locked."""
+        return var(self.sym.firm[SectionId(s)])
+
+    def used(self, s: str) -> Expr:
+        """Used by a train."""
+        return var(self.sym.used[SectionId(s)])
+
+    def passed(self, s: str) -> Expr:
+        """The train has gone on."""
+        return var(self.sym.passed[SectionId(s)])
+
+    def stale(self, s: str) -> Expr:
+        """Inputs were lost while locked."""
+        return var(self.sym.stale[SectionId(s)])
+
+    def been(self, s: str) -> Expr:
+        """History: a train has come in since it was locked."""
+        return var(names.BEEN(s))
+
+    def shut(self, route: int) -> Expr:
+        """History: the signal has closed while the route stayed set, and nobody has asked for it again."""
+        return var(names.SHUT(route))
+
+    @property
+    def shunts(self) -> bool:
+        """Whether the layout has shunt signals, so that locks are of two kinds."""
+        return bool(self.sym.train)
+
+    def train(self, s: str) -> Expr:
+        """The lock is for a train movement that has not come to its end."""
+        return var(self.sym.train[SectionId(s)]) if self.shunts else TRUE
+
+    def berth(self, s: str) -> bool:
+        """Vehicles may stand there in any number."""
+        return self.shunts and s in self.topo.berths
+
+    def functions(self, g: str) -> tuple[bool, ...]:
+        """Whom a signal speaks to: False for trains, True for shunting movements."""
+        signal = self.layout.signal[SignalId(g)]
+        return (*([False] if signal.main else []), *([True] if signal.shunt else []))
+
+    def way(self, s: str, n: int) -> tuple[NodeId, NodeId]:
+        """Entry and exit of a way."""
+        t = self.topo.traversals[SectionId(s)][n - 1]
+        return t.entry, t.exit
+
+    def settled(self, m: MachineId, x: Position) -> Expr:
+        """The machine lies so, and no drive the other way can still reach it."""
+        return conj((lies(m, x), neg(old_command(m, x.other))))
+
+    def locked_in(self, s: str, j: str) -> Expr:
+        """Locked for a way in at j."""
+        return disj(x for n, x in self.locks(s) if self.way(s, n)[0] == j)
+
+    def locked_out(self, s: str, j: str) -> Expr:
+        """Locked for a way out at j."""
+        return disj(x for n, x in self.locks(s) if self.way(s, n)[1] == j)
+
+    def any_lock(self, s: str) -> Expr:
+        """Locked for some way."""
+        return disj(x for _, x in self.locks(s))
+
+    def locked(self, s: str) -> Expr:
+        """Locked by the restart or for a route."""
+        return disj((self.restart(s), self.any_lock(s)))
+
+    def held(self, s: str) -> Expr:
+        """Locked in any manner, as overlap too."""
+        return disj((self.locked(s), *self.overlaps(s)))
+
+    def overlaps(self, s: str, numbers: tuple[int, ...] | None = None) -> list[Expr]:
+        """Held as overlap (for one of the ways)."""
+        return [x for n, x in self._overlaps.get(s, ()) if numbers is None or n in numbers]
+
+    def signal_out(self, s: str, j: str) -> str | None:
+        """The signal that governs leaving s at j."""
+        ahead = self.topo.beyond(SectionId(s), NodeId(j))
+        return None if ahead is None else self.topo.signal_into.get((NodeId(j), ahead))
+
+    @cached_property
+    def ends_of_shunts(self) -> frozenset[SectionId]:
+        """The berths in which shunt routes end."""
+        return frozenset(r.berth[0] for r in self.sym.routes if r.berth is not None)
+
+    @property
+    def fouls(self) -> tuple[FoulJoint, ...]:
+        """The foul joints of the layout."""
+        return self.system.measured.fouls
+
+    def overlap_paths(self, g: SignalId) -> tuple[tuple[Traversal, ...], ...]:
+        """The alternatives of a signal's overlap; none without one."""
+        return self.topo.paths(self.system.measured.overlaps.get(g, ()))
+
+    @property
+    def beyond(self) -> Mapping[tuple[NodeId, EdgeId], Beyond]:
+        """What lies beyond the legs of points and the arms of crossings."""
+        return self.system.measured.beyond
+
+    @cached_property
+    def _passed(self) -> list[tuple[NodeId, SectionId, SectionId, bool]]:
+        """See `passed_joints`."""
+        out = []
+        for j, a, b in self.topo.joints():
+            for s, t in ((a, b), (b, a)):
+                if (j, t) not in self.topo.main_into:
+                    out.append((j, s, t, (j, t) in self.topo.signal_into))
+        return out
+
+    def passed_joints(self) -> list[tuple[NodeId, SectionId, SectionId, bool]]:
+        """Every (joint, from, to) over which locks go on: no signal governs the passage, or (True) only a shunt one."""
+        return self._passed
+
+    @cached_property
+    def _into(self) -> dict[SectionId, list[tuple[NodeId, SectionId, bool]]]:
+        """See `passed_into`."""
+        found: dict[SectionId, list[tuple[NodeId, SectionId, bool]]] = {}
+        for j, a, b, past in self._passed:
+            found.setdefault(b, []).append((j, a, past))
+        return found
+
+    def passed_into(self, s: SectionId) -> list[tuple[NodeId, SectionId, bool]]:
+        """The (joint, from, past) of these that lead into a section."""
+        return self._into.get(s, [])
+
+
+__all__ = ["Claim", "Facts", "Invariant", "SystemView", "conj", "neg"]

@@ -1,0 +1,439 @@
+"""The invariants that make the claims inductive, one per element.
+
+They tie the controller's locks to the trains: every moving train stands in sections that are firmly locked for
+its way; ahead of its head nobody has been since the lock; behind a joint without a signal the lock goes on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.logic import names
+from interlock.logic.controller import RouteSymbols
+from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
+from interlock.logic.plant import (
+    accepted,
+    across,
+    came,
+    image,
+    lamp,
+    lies,
+    o,
+    old_command,
+    overran,
+    parted,
+    rests,
+    shunting,
+    was_called,
+)
+from interlock.model.elements import MachineId, Position, SectionId, SignalId
+from interlock.proof.claims.block import token_invariants
+from interlock.proof.claims.kinds import Facts, Invariant
+from interlock.proof.claims.overlaps import against_of, overlap_invariants, overrun, running_into
+
+
+def strengthening(f: Facts) -> tuple[Invariant, ...]:
+    """All of them, ordered by element."""
+    out: list[Invariant] = []
+    for s in f.topo.sections:
+        out += [Invariant(i, s, x) for i, x in _section(f, s)]
+        if f.shunts:
+            out += [Invariant(i, s, x) for i, x in _movement(f, s)]
+    for j, s, t, past in f.passed_joints():
+        out += [Invariant(i, f"{j}:{s}>{t}", x) for i, x in _joint(f, j, s, t, past)]
+    for joint, here, there in _all_joints(f):
+        out += [Invariant(i, f"{joint}:{here}>{there}", x) for i, x in _crossing_joint(f, joint, here, there)]
+    for g in f.layout.signals:
+        for k in f.functions(g.id):
+            lit = iff(f.sym.signal(g.id, k), f.sym.opened(g.id, k))
+            out.append(Invariant("G-SHUNT-LIT" if k else "G-LIT", g.id, lit))
+            out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id, k)]
+        if g.id in f.sym.stop_aspect:
+            lamps = [*f.sym.main_lamps(g.id), *f.sym.proceed_lamps(g.id, shunt=True)]
+            out.append(Invariant("G-STOP", g.id, iff(var(f.sym.stop_aspect[g.id]), neg(disj(map(var, lamps))))))
+        routes = f.sym.routes_from.get(g.id, ())
+        if g.call_on or any(r.overlap is not None and r.overlap[0] in f.sym.swings for r in routes):
+            one = at_most_one(var(r.active) for r in routes)  # they lock the same ways
+            out.append(Invariant("G-ONE", g.id, one))
+    out += [Invariant("C-COVERED", t.timer.name, var(t.covered)) for t in f.system.ties]
+    out += overlap_invariants(f)
+    out += token_invariants(f)
+    for s in sorted({s for z in f.layout.zones for s in z.sections}):
+        inside = conj((o(s), neg(rests(s)), neg(disj(_coming(f, s)))))
+        if names.IMAGE(s) in f.system.plant.state:
+            out.append(Invariant("Z-SEEN", s, implies(inside, image(s))))
+    for r in f.sym.routes:
+        out += [Invariant(i, r.id, x) for i, x in _route(f, r)]
+    for m in f.layout.machines:
+        out.append(
+            Invariant(
+                "P-ONE",
+                m,
+                conj(
+                    (
+                        at_most_one(lies(m, x) for x in Position),
+                        at_most_one(var(f.sym.command[m, x]) for x in Position),
+                        at_most_one(old_command(m, x) for x in Position),
+                    )
+                ),
+            )
+        )
+        same = implies if m in f.sym.turn else iff
+        driven = conj(same(var(f.sym.drive[m, x]), var(f.sym.command[m, x])) for x in Position)
+        out.append(Invariant("P-DRIVEN", m, driven))
+    return tuple(out)
+
+
+def _all_joints(f: Facts) -> list[tuple[str, str, str]]:
+    """Every (joint, from, to), with the outside of boundaries; `to` is empty outside."""
+    out: list[tuple[str, str, str]] = []
+    for s in f.topo.sections:
+        for j in f.topo.ends[s]:
+            if j in f.layout.buffer_at:
+                continue
+            out.append((j, s, f.topo.beyond(s, j) or ""))
+            boundary = f.layout.boundary_at.get(j)
+            if boundary is not None:
+                outside = boundary.approach or names.outside(j)
+                if names.STANDS(outside) in f.system.plant.state:
+                    out.append((j, outside, s))
+    return out
+
+
+def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
+    locks = f.locks(s)
+    if s in f.layout.undetected:
+        yield "S-BLIND", f.restart(s)  # never reported clear, so never released after the restart
+    yield "S-ONE", at_most_one([f.restart(s), *(x for _, x in locks)])
+    yield "S-FIRM", implies(f.firm(s), f.any_lock(s))
+    yield "S-USED", implies(f.used(s), disj((f.restart(s), f.firm(s))))
+    yield "S-PASSED", implies(f.passed(s), f.used(s))
+    yield "S-RESTART", implies(f.restart(s), f.used(s))
+    yield "S-STALE", implies(f.stale(s), f.any_lock(s))
+    yield "S-BEEN", implies(f.been(s), f.firm(s))
+    one = at_most_one(came(s, j) for j in f.topo.ends[s])
+    yield (
+        "S-CAME",
+        conj(
+            (
+                disj((rests(s), one)) if f.berth(s) else one,
+                implies(o(s), disj(came(s, j) for j in f.topo.ends[s])),
+                *(implies(came(s, j), o(s)) for j in f.topo.ends[s]),
+            )
+        ),
+    )
+    unmoved = o(s) if f.berth(s) else conj((o(s), disj((f.restart(s), overrun(f, s)))))
+    yield "S-REST", conj((implies(rests(s), unmoved), implies(conj((f.restart(s), o(s))), rests(s))))
+    trains = []
+    for n, x in locks:
+        a, b = f.way(s, n)
+        turned = came(s, b) if f.signal_out(s, a) is not None and not f.berth(s) else conj((came(s, b), rests(s)))
+        trains.append(conj((x, disj((came(s, a), turned)))))
+    yield "S-TRAIN", implies(conj((o(s), neg(rests(s)))), conj((f.firm(s), f.been(s), disj(trains))))
+    moved = f.any_lock(s) if f.berth(s) else disj((neg(rests(s)), conj((overrun(f, s), f.firm(s)))))
+    if f.berth(s):
+        moved = conj((moved, disj((f.firm(s), neg(overrun(f, s))))))
+    yield "S-SEEN", implies(conj((o(s), image(s), moved)), disj((f.used(s), f.stale(s))))
+    for n, x in locks:
+        if (s, n) not in f.sym.routes_over:
+            yield f"S-UNUSED:{n}", neg(x)  # the way serves overlaps only
+        for m, p in f.sym.demands[s, n]:
+            yield f"S-COMMAND:{n}:{m}", implies(x, var(f.sym.command[m, p]))
+            yield f"S-LIES:{n}:{m}", implies(conj((x, f.firm(s))), f.settled(m, p))
+        for other, whole, numbers in f.sym.excluded[s, n]:
+            against = against_of(f, other, whole, numbers)
+            yield f"S-EXCLUDES:{n}:{other}", implies(x, neg(against))
+        train = f.train(s) if f.berth(s) else TRUE
+        yield f"S-PASSED-BEEN:{n}", implies(conj((x, train, f.passed(s))), f.been(s))
+    if not f.berth(s):
+        closed = [f.settled(MachineId(d.id), Position.REVERSE) for d in f.layout.devices if s in d.over]
+        alone = [neg(across(k, t)) for k in f.topo.ends[s] if (t := f.topo.beyond(s, k)) is not None]
+        plain = neg(disj(TRUE for t in f.topo.traversals[s] if t.points or t.crossings))
+        heading = disj(
+            conj((came(s, t.entry), conj(lies(f.layout.point[p].machine, x) for p, x in t.points)))
+            for t in f.topo.traversals[s]
+        )
+        stood = conj((f.restart(s), plain, heading, *closed, *alone, *(neg(x) for x in _foul(f, s))))
+        yield "S-CALLED", implies(was_called(s), conj((o(s), implies(rests(s), stood))))
+        yield "S-PARTED", implies(parted(s), o(s))
+    for m in f.layout.machines:
+        if s in f.layout.sections_of_machine[m]:
+            told = [(p, x) for p in Position for x in (var(f.sym.command[m, p]), old_command(m, p))]
+            quiet = [implies(x, lies(m, p)) for p, x in told]
+            if m in f.layout.device:  # it may be closed, and nothing opens it
+                quiet = [neg(x) for p, x in told if p is Position.NORMAL]
+            yield f"S-QUIET:{m}", implies(f.restart(s), conj(quiet))
+
+
+def _movement(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
+    """Train and shunting movements apart."""
+    moving = conj((o(s), neg(rests(s))))
+    yield "M-LOCK", implies(f.train(s), f.any_lock(s))
+    ends_here = s in f.ends_of_shunts
+    for n, x in f.locks(s):
+        kinds = {r.shunt for r in f.sym.routes_over.get((s, n), ())}
+        if kinds == {False} and not ends_here:
+            yield f"M-TRAIN:{n}", implies(x, f.train(s))
+        if kinds == {True}:
+            yield f"M-SHUNT:{n}", implies(x, neg(f.train(s)))
+    if f.berth(s):
+        yield "M-BERTH-HELD", implies(o(s), disj((f.locked(s), overrun(f, s))))
+        yield "M-BERTH-MODE", implies(moving, neg(shunting(s)))
+        yield "M-BERTH-EMPTY", implies(conj((o(s), f.any_lock(s))), disj((f.been(s), overrun(f, s))))
+        leads = [f.locked_out(a, j) for j, a, past in f.passed_into(s) if not past]
+        yield "M-BERTH-ONE", at_most_one(leads)
+        fresh = conj((f.any_lock(s), f.been(s), neg(f.used(s)), neg(f.stale(s))))
+        yield "M-BERTH-UNUSED", implies(fresh, conj((o(s), disj(_coming(f, s)))))
+        yield (
+            "M-BERTH-FRESH",
+            implies(conj((f.train(s), neg(f.used(s)), neg(f.stale(s)))), disj((neg(rests(s)), overrun(f, s)))),
+        )
+        yield "M-BERTH-ARRIVED", implies(conj((moving, neg(f.train(s)))), f.used(s))
+        for n, x in f.locks(s):
+            a, b = f.way(s, n)
+            out = f.signal_out(s, b)
+            if out is not None and not f.layout.signal[SignalId(out)].main:
+                yield f"M-BERTH-END:{n}", implies(conj((x, moving, came(s, a))), f.train(s))
+        return
+    along = disj(conj((x, came(s, f.way(s, n)[0]))) for n, x in f.locks(s))
+    yield "M-MODE", implies(conj((moving, neg(shunting(s)))), conj((f.train(s), along)))
+    for n, x in f.locks(s):
+        a, b = f.way(s, n)
+        if f.signal_out(s, b) is None:
+            yield f"M-STRAIGHT:{n}", implies(conj((x, moving, came(s, a), f.train(s))), neg(shunting(s)))
+
+
+def _coming(f: Facts, s: SectionId) -> list[Expr]:
+    """A train stands across an end of a section, going in: one expression for each end."""
+    return [across(j, here) for j, here, there in _all_joints(f) if there == s]
+
+
+def _joint(f: Facts, j: str, s: str, t: str, past: bool) -> Iterator[tuple[str, Expr]]:
+    """Along a joint over which locks go on, from s to t; `past`: past a shunt signal, so that only trains go on."""
+    if not past:
+        yield "J-REST", implies(conj((across(j, s), rests(s))), rests(t))
+    out, into = f.locked_out(s, j), f.locked_in(t, j)
+    if past:
+        out, into = conj((out, f.train(s))), conj((into, f.train(t)))
+        yield "J-FROM", implies(into, neg(f.restart(s)))
+    elif f.berth(t):
+        shunt = conj((out, neg(f.train(s))))
+        yield "J-SHUNT", implies(shunt, conj((f.locked(t), neg(f.train(t)))))
+        yield "J-SHUNT-FIRM", implies(conj((shunt, f.firm(s))), disj((f.restart(t), f.firm(t))))
+        for k in f.topo.ends[SectionId(t)]:
+            g = f.topo.signal_into.get((k, SectionId(t)))
+            if g is not None:
+                waiting = disj(
+                    x
+                    for shunts in f.functions(g)
+                    if names.accepted(g, shunts) in f.system.plant.state
+                    for x in (accepted(g, shunts), lamp(g, shunts), f.sym.passing(g, shunts))
+                )
+                yield f"J-SHUNT-ALONE:{k}", implies(conj((shunt, f.locked_in(t, k))), conj((f.used(t), neg(waiting))))
+        yield "J-SHUNT-STALE", implies(conj((shunt, f.stale(s))), disj((f.restart(t), f.stale(t))))
+        out, into = conj((out, f.train(s))), conj((into, f.train(t)))
+    elif f.shunts:
+        yield "J-KIND", implies(out, disj((conj((f.train(s), f.train(t))), neg(disj((f.train(s), f.train(t)))))))
+    yield "J-ON", implies(out, into)
+    yield "J-FIRM", implies(conj((out, f.firm(s))), f.firm(t))
+    yield "J-NOT-FIRM", implies(conj((out, f.firm(t))), f.firm(s))
+    yield "J-STALE", implies(conj((out, f.stale(s))), f.stale(t))
+    yield "J-BEEN", implies(conj((out, f.been(t))), f.been(s))
+    yield "J-USED", implies(conj((out, f.used(t))), f.used(s))
+    for n, x in f.locks(s):
+        a, b = f.way(s, n)
+        if b == j:
+            goes = conj((x, f.train(s))) if past or f.berth(t) else x
+            if past:
+                goes = conj((goes, neg(shunting(s))))
+            yield (
+                f"J-AHEAD:{n}",
+                implies(conj((goes, o(s), came(s, a), neg(_stays(f, s)), neg(across(j, s)))), neg(f.been(t))),
+            )
+
+
+def _crossing_joint(f: Facts, j: str, s: str, t: str) -> Iterator[tuple[str, Expr]]:
+    """A train stands across a joint, from s to t (t may be outside, s may be an approach section)."""
+    if t and s in f.sym.restart and not f.berth(s):
+        unmoved = rests(t) if not f.berth(t) else f.restart(t)
+        yield "X-CALLED", implies(conj((across(j, s), rests(s), f.restart(s))), disj((unmoved, was_called(s))))
+    if t and s in f.sym.restart and not f.berth(t):
+        yield "X-ASTRIDE", implies(conj((across(j, s), f.restart(t))), f.restart(s))
+    yield "X-BOTH", implies(across(j, s), conj((o(s), conj((o(t), came(t, j))) if t else o(s))))
+    if SectionId(s) in f.topo.ends:
+        heading = disj(
+            conj((came(s, way.entry), conj(lies(f.layout.point[p].machine, x) for p, x in way.points)))
+            for way in f.topo.traversals[SectionId(s)]
+            if way.exit == j
+        )
+        leads, turned = [], []
+        for n, x in f.locks(s):
+            a, b = f.way(s, n)
+            if b == j:
+                leads.append(conj((x, came(s, a))))
+            if a == j and f.signal_out(s, j) is not None:
+                turned.append(conj((x, came(s, b))))
+        moves = conj((across(j, s), neg(rests(s))))
+        if f.shunts and t and (j, t) in f.topo.signal_into and not f.berth(t):
+            shunts = conj((across(j, s), neg(rests(t)), shunting(t)))
+            yield "X-KIND", implies(shunts, neg(f.train(t)))
+        if f.shunts and t and (j, t) not in f.topo.main_into:
+            as_train = conj((across(j, s), neg(rests(t)), neg(shunting(t))))
+            yield "X-PASSING", implies(as_train, conj((f.train(s), disj(leads))))
+        yield (
+            "X-REAR",
+            implies(conj((across(j, s), neg(conj((overrun(f, s), neg(f.firm(s))))))), disj((f.used(s), f.stale(s)))),
+        )
+        if not f.berth(s):
+            yield "X-HEADING", implies(conj((across(j, s), rests(s))), heading)
+            yield "X-FROM", implies(moves, disj([*leads, *turned]))
+        if t and f.berth(t):
+            yield "X-INTO", implies(conj((across(j, s), neg(rests(t)))), f.train(t))
+    elif t and f.berth(t):
+        yield "X-INTO", implies(conj((across(j, s), neg(rests(t)))), f.train(t))
+    if t and f.berth(t):
+        stands = conj((across(j, s), f.any_lock(t)))
+        if (j, t) in f.topo.signal_into:
+            yield "X-LOCKED", implies(stands, f.locked_in(t, j))
+        else:
+            over = disj(
+                overran(g, t)
+                for (g, _), ways in f.sym.overlap_ways.items()
+                if names.OVERRAN(g, t) in f.system.plant.state and any(a == t and f.way(a, n)[0] == j for a, n in ways)
+            )
+            yield "X-LOCKED", implies(conj((stands, neg(over), neg(overrun(f, s)))), f.locked_out(s, j))
+    if t and not (f.berth(t) and (j, t) not in f.topo.signal_into):
+        fresh = conj((f.locked_in(t, j), f.been(t), neg(f.used(t)), neg(f.stale(t))))
+        yield "X-UNUSED", implies(fresh, conj((o(t), across(j, s))))
+
+
+def _signal(f: Facts, g: SignalId, shunt: bool) -> Iterator[tuple[str, Expr]]:
+    signal = f.layout.signal[g]
+    j, t = signal.node, f.layout.section_of(signal.into)
+    boundary = f.layout.boundary_at.get(j)
+    rear: str | None = f.topo.beyond(t, j)
+    if boundary is not None:
+        rear = boundary.approach or names.outside(j)
+    if rear is None or names.accepted(g, shunt) not in f.system.plant.state:
+        return
+    mark = "G-SHUNT" if shunt else "G"
+    went = accepted(g, shunt)
+    shown = disj((f.sym.signal(g, shunt), lamp(g, shunt)))
+    kind = neg(f.train(t)) if shunt else f.train(t)
+    locked = conj((f.firm(t), f.locked_in(t, j), kind))
+    ready = conj((locked, neg(f.passed(t))))
+    fresh = conj((ready, implies(f.been(t), conj((o(t), across(j, rear))))))
+    passing = f.sym.passing(g, shunt)
+    if passing is FALSE:
+        yield f"{mark}-SHOWN", implies(shown, fresh)
+    else:
+        left = parted(rear) if rear in f.sym.restart and not f.berth(rear) else FALSE
+        alone = disj((neg(o(rear)), across(j, rear), left, conj((kind, neg(f.been(t)), neg(f.passed(t))))))
+        yield f"{mark}-SHOWN", implies(shown, conj((f.firm(t), f.locked_in(t, j), alone)))
+        new = disj(var(r.proceed) for r in f.sym.routes_from.get(SignalId(g), ()) if r.shunt is shunt)
+        yield f"{mark}-SHOWN-NEW", implies(new, conj((fresh, neg(image(t)))))
+    yield f"{mark}-ACCEPTED", implies(went, conj((ready, neg(f.been(t)), neg(o(t)))))
+    standing = [o(rear), neg(across(j, rear))]
+    if rear in f.sym.restart and not f.berth(rear):
+        standing.append(
+            disj(
+                conj((came(rear, way.entry), conj(lies(f.layout.point[p].machine, x) for p, x in way.points)))
+                for way in f.topo.traversals[SectionId(rear)]
+                if way.exit == j
+            )
+        )
+    yield f"{mark}-TRAIN", implies(went, conj(standing))
+    if names.IMAGE(rear) in f.system.plant.state:
+        yield f"{mark}-REPORTED", implies(went, image(rear))
+    if rear in f.sym.restart:
+        yield f"{mark}-REAR", _from_rear(f, j, SectionId(rear), disj((shown, went)))
+    routes = f.sym.routes_from.get(SignalId(g), [])
+    active = disj(var(r.active) for r in routes)
+    seen = disj(var(r.shown) for r in routes)
+    yield f"{mark}-MEMORY", implies(conj((active, disj((went, lamp(g, shunt))))), seen)
+    if routes:
+        yield f"{mark}-CANCEL", implies(var(f.sym.cancelling[g]), neg(f.sym.signal(g, shunt)))
+
+
+def _from_rear(f: Facts, joint: str, rear: SectionId, called: Expr) -> Expr:
+    """A train is called from a section that is still locked since the restart only if it has no points, and its
+    crossings and bridges are closed, and stay so while the train leaves it, and nothing stands across its rear end."""
+    out = []
+    if any(t.points or t.crossings for t in f.topo.traversals[rear]):
+        out.append(implies(called, neg(f.restart(rear))))
+    stood = conj((f.restart(rear), called))
+    for d in f.layout.devices:
+        if rear in d.over:
+            out.append(implies(stood, f.settled(MachineId(d.id), Position.REVERSE)))
+    behind = [
+        conj((across(k, t), f.restart(t))) if f.berth(rear) else across(k, t)
+        for k in f.topo.ends[rear]
+        if k != joint and (t := f.topo.beyond(rear, k)) is not None
+    ]
+    out.append(implies(stood, neg(disj((*behind, *_foul(f, rear))))))
+    return conj(out)
+
+
+def _foul(f: Facts, s: SectionId) -> list[Expr]:
+    """Something has stood foul of a section since the restart."""
+    return [conj((f.restart(x.section), o(x.section))) for x in f.fouls if x.neighbour == s]
+
+
+def _stays(f: Facts, s: str) -> Expr:
+    """What stands in s does not move on: since the restart, or it was left there."""
+    return rests(s) if f.berth(s) else disj((rests(s), parted(s)))
+
+
+def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
+    active, locked, shows = var(r.active), var(r.locked), var(r.proceed)
+    first = r.ways[0][0]
+    yield "R-LOCKS", implies(active, conj(f.lock(s, n) for s, n in r.ways))
+    yield "R-UNUSED", implies(active, conj(neg(f.used(s)) for s, _ in r.ways))
+    yield "R-FIRM", implies(locked, conj([active, *(f.firm(s) for s, _ in r.ways)]))
+    yield "R-SETTING", implies(conj((active, neg(locked))), conj(neg(f.firm(s)) for s, _ in r.ways))
+    trusted = TRUE if r.call_on else neg(f.stale(first))
+    yield "R-PROCEED", implies(shows, conj((locked, var(r.shown), trusted)))
+    if r.call_on:
+        yield "R-CALL-ON", implies(active, conj(f.stale(s) for s, _ in r.ways))
+        yield "R-CALL-ON-FREE", implies(active, conj(neg(x) for s, _ in r.ways for x in f.overlaps(s)))
+        yield "R-CALL-ON-ONCE", implies(conj((var(r.want), var(r.shown))), shows)
+        yield "R-CALL-ON-CLEAR", implies(shows, neg(image(first)))
+        yield "R-CALL-ON-BEEN", implies(conj((active, f.been(first))), var(r.shown))
+    yield "R-WANTED", implies(var(r.want), locked)
+    yield "R-SHOWN", implies(var(r.shown), locked)
+    yield "R-SHUT", implies(f.shut(r.number), conj((locked, neg(var(r.want)), neg(shows))))
+    if f.shunts:
+        kind = [neg(f.train(s)) if r.shunt else f.train(s) for s, _ in r.ways]
+        yield "R-KIND", implies(active, conj(kind))
+    if r.passing is not None:
+        yield from _passing(f, r, r.passing)
+    if r.overlap is not None:
+        yield "R-OVERLAP", implies(active, _overlap_of(f, r.overlap))
+    if r.berth is not None:
+        yield "R-BERTH", implies(active, conj((f.locked(r.berth[0]), neg(f.train(r.berth[0])))))
+
+
+def _overlap_of(f: Facts, option: tuple[SignalId, int]) -> Expr:
+    """The overlap is held, or any other of the signal's where it may swing."""
+    if option[0] not in f.sym.swings:
+        return var(f.sym.overlap[option])
+    return disj(var(name) for o, name in f.sym.overlap.items() if o[0] == option[0])
+
+
+def _passing(f: Facts, r: RouteSymbols, name: names.Name) -> Iterator[tuple[str, Expr]]:
+    """The signal is open for the movement that passes it: everything is still locked, and nobody comes after it."""
+    first, rear = r.ways[0][0], f.sym.approach_of[r.entry]
+    assert rear is not None
+    passing = var(name)
+    kind = [neg(f.train(s)) if r.shunt else f.train(s) for s, _ in r.ways] if f.shunts else []
+    held = [x for s, n in r.ways for x in (f.lock(s, n), f.firm(s))]
+    yield "R-PASSING", implies(passing, conj([*held, *kind, f.used(first), image(first), image(rear)]))
+    if rear in f.sym.restart:
+        overran = conj((neg(f.firm(rear)), disj(f.overlaps(rear))))
+        yield "R-PASSING-LAST", implies(passing, disj((f.restart(rear), f.been(rear), overran)))
+    for h in f.overrun(rear):
+        yield f"R-PASSING-ALONE:{h}", implies(passing, neg(running_into(f, h, rear)))
+    if r.overlap is not None:
+        yield "R-PASSING-OVERLAP", implies(passing, _overlap_of(f, r.overlap))
+    if r.berth is not None:
+        yield "R-PASSING-BERTH", implies(passing, conj((f.locked(r.berth[0]), neg(f.train(r.berth[0])))))

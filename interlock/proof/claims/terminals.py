@@ -1,0 +1,98 @@
+"""Claims about what stands at the terminals: lamps that agree, drives, indications, words to a neighbour, and about
+how long delays last (R8, R10, R11, R12).
+
+Each output that the cabinet wires is read by the plant or by one of these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, iff, implies, neg, var
+from interlock.logic.names import Name
+from interlock.model.elements import Position
+from interlock.proof.claims.kinds import Facts
+
+
+def terminals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """Claim, place and expression, signal by signal, machine by machine, then indications."""
+    yield from _lamps(f)
+    yield from _drives(f)
+    yield from _indications(f)
+    yield from _delays(f)
+
+
+def _lamps(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    after = f.system.after
+    for g, stop in f.sym.stop_aspect.items():
+        mains = [var(name) for name in f.sym.main_lamps(g)]
+        others = [*mains, *(var(name) for name in f.sym.proceed_lamps(g, shunt=True))]
+        speeds = [var(name) for (h, _), name in f.sym.speed_shown.items() if h == g]
+        one = conj((at_most_one(others), implies(disj(speeds), disj(mains))))
+        yield "S-STOP", g, after(conj((iff(var(stop), neg(disj(others))), one)))
+    for d in f.layout.distants:
+        clear, caution = var(f.sym.distant_clear[d.id]), var(f.sym.distant_caution[d.id])
+        yield "S-STOP", d.id, after(iff(caution, neg(clear)))
+
+
+def _drives(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    for m in f.layout.machines:
+        both = []
+        for x in Position:
+            turn = f.sym.turn.get(m)
+            commanded = var(f.sym.command[m, x])
+            due = commanded if turn is None else conj((commanded, var(turn)))
+            both.append(iff(var(f.sym.drive[m, x]), due))
+        never = neg(conj(var(f.sym.drive[m, x]) for x in Position))
+        yield "P-DRIVEN", m, f.system.after(conj((*both, never)))
+
+
+def _indications(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """What an operator is told, in terms of the state after the scan, or of what the scan has read."""
+    after, told = f.system.after, f.sym.indication
+    for s in f.topo.sections:
+        yield "I-TOLD", f"locked {s}", iff(after(var(told[f"locked {s}"])), after(f.held(s)))
+    for s, healthy in f.sym.healthy.items():
+        yield "I-TOLD", f"faulty {s}", iff(after(var(told[f"faulty {s}"])), neg(var(healthy)))
+    for m in f.layout.machines:
+        timer = f.sym.late_timer[m]
+        astray = disj(conj((var(f.sym.command[m, x]), neg(f.reported(m, x)))) for x in Position)
+        yield "I-TOLD", f"late {m}", iff(after(var(told[f"late {m}"])), var(timer))
+        yield "I-TOLD", f"late {m} timed", iff(var(f.system.waits_for[timer]), astray)
+    for m, trailed in f.sym.trailed.items():
+        yield "I-TOLD", f"trailed {m}", iff(after(var(told[f"trailed {m}"])), after(var(trailed)))
+    for z, full in f.sym.zone_full.items():
+        yield "I-TOLD", f"full {z}", iff(after(var(told[f"full {z}"])), after(var(full)))
+    for b, x in f.sym.token.items():
+        words = {"gives": var(x.give), "has": var(x.have)}
+        for word, is_so in words.items():
+            yield "I-TOLD", f"{word} {b}", iff(after(var(x.tells[word])), after(is_so))
+        towards = disj(f.locked_out(s, b) for s in f.topo.sections if b in f.topo.ends[s])
+        yield "I-TOLD", f"asks {b}", iff(after(var(x.tells["asks"])), after(conj((towards, neg(var(x.have))))))
+        yield "I-TOLD", f"keeps {b}", implies(after(var(x.tells["keeps"])), neg(after(var(x.give))))
+
+
+def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """Each preset against what the principles order and what the world needs: settled by comparing numbers."""
+    rules, needs = f.layout.principles, f.system.measured.needs
+    presets = f.system.presets
+    ordered: dict[Name, list[float]] = {}
+    for g, name in f.sym.approach_timer.items():
+        kinds = {r.shunt for r in f.sym.routes_from.get(g, ())}
+        trains = [rules.approach_release_s, needs.stop[g] / 1000] if False in kinds else []
+        ordered[name] = [*trains, *([rules.shunt_release_s, needs.shunt / 1000] if True in kinds else [])]
+    for g, name in f.sym.overlap_timer.items():
+        ordered[name] = [rules.overlap_release_s, needs.stand[g] / 1000]
+    ordered |= {x.timer: [rules.token_delay_s, needs.agreed / 1000] for x in f.sym.token.values()}
+    ordered |= {name: [rules.point_supervision_s, needs.run / 1000] for name in f.sym.late_timer.values()}
+    ordered |= {name: [rules.release_delay_s] for name in f.sym.release_timer.values()}
+    ordered[f.sym.restart_timer] = [rules.restart_delay_s, needs.restart / 1000]
+    if f.sym.start_timer is not None:
+        ordered[f.sym.start_timer] = [rules.point_start_gap_s]
+    for name, seconds in ordered.items():
+        yield "D-PRESET", name, TRUE if presets[name] >= round(1000 * max(seconds)) else FALSE
+    for name in sorted(presets.keys() - ordered.keys()):
+        yield "D-PRESET", name, FALSE  # nothing says how long this timer must be
+
+
+__all__ = ["terminals"]

@@ -1,0 +1,1 @@
+"""The emitted texts against the controller: Structured Text, the runtime, the mapping program, telegrams."""

@@ -1,0 +1,229 @@
+"""What the generated Python runtime computes, read from its text: nothing is executed.
+
+The parts that all runtimes share must be word for word what the emitter calls fixed, and its tables are read by
+Python's own grammar.  The rest is a list of assignments of a few shapes, one a line: a large layout has a hundred
+thousand, and to read them by their syntax tree took twice as long.  A line of any other shape is refused.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Sequence
+from keyword import iskeyword
+
+from interlock.emit.python.runtime import FIXED, route_numbers
+from interlock.logic.controller import Controller
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
+from interlock.logic.names import spelled
+from interlock.proof.equivalence.structured_text import Difference, Scan, Translation, compare_scan, wires
+from interlock.st.meaning import Symbol, Symbols, Term
+
+
+class BadRuntime(Exception):
+    """The text is not a runtime as it is emitted."""
+
+
+def compare_runtime(controller: Controller, text: str, query_ms: int = 20_000) -> Translation:
+    """Compare a Python runtime with its controller."""
+    try:
+        return compare_scan(controller, _Reader(controller, text).scan(), query_ms)
+    except (BadRuntime, SyntaxError, ValueError) as error:
+        return Translation(0, (Difference("runtime", f"cannot be read: {error}"),))
+
+
+def _names(fixed: str) -> frozenset[str]:
+    """Every name that the fixed part relies on: assigned once more, the scan would no longer do what it says."""
+    nodes = list(ast.walk(ast.parse(fixed)))
+    return frozenset(
+        {x.id for x in nodes if isinstance(x, ast.Name)} | {x.arg for x in nodes if isinstance(x, ast.arg)}
+    )
+
+
+RESERVED = _names(FIXED) | {"bool", "OUTPUTS", "Controller"}
+
+
+_ASSIGNED = re.compile(r"^ {8}([A-Za-z_][A-Za-z0-9_]*) = ([^#\n]*?)(?:  #.*)?$")
+_ENTRY = re.compile(r"^ {12}'([A-Za-z_][A-Za-z0-9_]*)': bool\((.*)\),$")
+_TAKEN = re.compile(r"^(read|old|self\.state)\['([A-Za-z_][A-Za-z0-9_]*)'\]$")
+_TIMED = re.compile(r"^self\._timer\('([A-Za-z_][A-Za-z0-9_]*)', ([A-Za-z_][A-Za-z0-9_]*), dt_ms\)$")
+_TOKEN = re.compile(r"==|[()]|[A-Za-z0-9_]+")
+DEEP = 60  # brackets in brackets; Python itself reads 200
+_END = ""
+
+
+class _Reader:
+    def __init__(self, controller: Controller, text: str) -> None:
+        self.values: dict[str, Term] = {}
+        self.after: dict[str, Term] = {}
+        self.timers: dict[str, tuple[Expr, int]] = {}
+        self.algebra = Symbols(known=wires(controller))
+        self.sizes: dict[str, int] = {i.name: i.size for i in controller.inputs}
+        head, fixed, own = text.partition(FIXED)
+        self.lines = own.split("\n")  # and nowhere else: what Python takes for the end of a line is not printable
+        self.at = 0
+        self.before = head.count("\n") + FIXED.count("\n")
+        doc, *rest = ast.parse(head + fixed).body
+        if not _is_docstring(doc) or len(rest) != 6:
+            raise BadRuntime("the parts of the module")
+        tables = [_table(x, n) for x, n in zip(rest, ("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES"), strict=False)]
+        inputs, self.state, self.presets, self.restrictive, routes = tables
+        if inputs != {i.name: (i.restrictive, i.size or 2) for i in controller.inputs}:
+            raise BadRuntime("INPUTS are not those of the controller")
+        if self.restrictive != {o.name: o.restrictive for o in controller.outputs}:
+            raise BadRuntime("OUTPUTS are not those of the controller")
+        if routes != route_numbers(controller):
+            raise BadRuntime("ROUTES are not those of the controller")
+        if ast.dump(rest[5]) != ast.dump(ast.parse(FIXED).body[0]):
+            raise BadRuntime("the fixed part of the class is changed")
+
+    def scan(self) -> Scan:
+        """Initial and next state, outputs and timers.
+
+        Line by line: what the scan does after the fixed part is one statement a line, of a few shapes, and two
+        dictionaries of one entry a line.  No line that is taken leaves a bracket or a string open, or has a character
+        at which Python would begin another.
+        """
+        base: dict[str, Term] = {n: TRUE if v is True else FALSE for n, v in self.state.items() if type(v) is bool}
+        outputs: dict[str, Term] | None = None
+        lines = self.lines
+        for self.at, line in enumerate(lines if not "".join(lines).isprintable() else ()):
+            if not line.isprintable():
+                raise self._bad("a character that is not printable")
+        self.at = 0
+        while self.at < len(lines) - 1:
+            line = lines[self.at]
+            if outputs is not None:
+                raise self._bad("something follows the outputs")
+            if line == "        return {":
+                outputs = self._dictionary()
+            elif line == "        self.state = {" and not self.after:
+                self.after = self._dictionary()
+            else:
+                self._assign(line)
+                self.at += 1
+        if lines[-1] or outputs is None:
+            raise self._bad("the outputs are not returned at the end")
+        if set(self.timers) != set(self.presets):
+            raise BadRuntime("TIMERS are not those that run")
+        return Scan(base, self.after, outputs, self.timers)
+
+    def _bad(self, what: str) -> BadRuntime:
+        return BadRuntime(f"line {self.before + self.at + 1}: {what}")
+
+    def _assign(self, line: str) -> None:
+        found = _ASSIGNED.match(line)
+        if found is None:
+            raise self._bad(f"{line.strip()[:60]!r} is no assignment as it is emitted")
+        name, text = found.groups()
+        if name in RESERVED or iskeyword(name):
+            raise self._bad(f"{name} is a name of the fixed part")
+        self.values[name] = self.algebra.assigned(name, self._read(name, text))
+
+    def _read(self, name: str, text: str) -> Term:
+        if text[-1:] == "]" and (taken := _TAKEN.match(text)):
+            where, key = taken.groups()
+            if where == "read" and key in self.sizes:
+                return Symbol(key) if self.sizes[key] else var(spelled(key))
+            if where == "old" and key in self.state:
+                return var(spelled(key))
+            if where == "self.state" and key in self.after:
+                return self.after[key]
+        if text.startswith("self.") and (timed := _TIMED.match(text)):
+            own, on = timed.groups()
+            preset = self.presets.get(name)
+            if own == name and type(preset) is int and name not in self.timers:
+                self.timers[name] = (self._value(on), preset)
+                return var(spelled(name))
+        return self._value(text)
+
+    def _dictionary(self) -> dict[str, Term]:
+        """The entries from the next line on, and the bracket after them."""
+        found: dict[str, Term] = {}
+        for line in self.lines[self.at + 1 :]:
+            self.at += 1
+            if line == "        }":
+                self.at += 1
+                return found
+            entry = _ENTRY.match(line)
+            if entry is None or entry[1] in found:
+                raise self._bad("an entry that is no truth value, or comes twice")
+            found[entry[1]] = self._value(entry[2])
+        raise self._bad("a dictionary does not end")
+
+    def _value(self, text: str) -> Expr:
+        """Most expressions join names, some of them negated, by one operator; others are read token by token."""
+        for word, join in ((" and ", conj), (" or ", disj)):
+            args: list[Expr] = []
+            for part in text.split(word):
+                x = self.values.get(part)
+                if not isinstance(x, Expr):
+                    x = self.values.get(part[5:-1]) if part[:5] == "(not " and part[-1] == ")" else None
+                    if not isinstance(x, Expr):
+                        break
+                    x = neg(x)
+                args.append(x)
+            else:
+                return join(args) if len(args) > 1 else args[0]
+        return self._told(text)
+
+    def _told(self, text: str) -> Expr:
+        """By Python's rules for names, truth values, `not`, `and`, `or`, and a name `==` a number."""
+        tokens = _TOKEN.findall(text)
+        if "".join(tokens) == text.replace(" ", ""):
+            tokens.append(_END)
+            found = self._either(tokens, 0, DEEP)
+            if found is not None and tokens[found[1]] == _END:
+                return found[0]
+        raise self._bad(f"{text[:60]!r} is not of the emitted shapes")
+
+    def _either(self, tokens: Sequence[str], at: int, deep: int) -> tuple[Expr, int] | None:
+        """Operands with `or` between them, from a token on, and the token after them."""
+        args: list[Expr] = []
+        while (found := self._both(tokens, at, deep)) is not None:
+            args.append(found[0])
+            at = found[1] + 1
+            if tokens[at - 1] != "or":
+                return args[0] if len(args) == 1 else disj(args), at - 1
+        return None
+
+    def _both(self, tokens: Sequence[str], at: int, deep: int) -> tuple[Expr, int] | None:
+        args: list[Expr] = []
+        while (found := self._operand(tokens, at, deep)) is not None:
+            args.append(found[0])
+            at = found[1] + 1
+            if tokens[at - 1] != "and":
+                return args[0] if len(args) == 1 else conj(args), at - 1
+        return None
+
+    def _operand(self, tokens: Sequence[str], at: int, deep: int) -> tuple[Expr, int] | None:
+        token = tokens[at]
+        if not deep:
+            return None
+        if token == "not":
+            found = self._operand(tokens, at + 1, deep - 1)
+            return (neg(found[0]), found[1]) if found is not None else None
+        if token == "(":
+            found = self._either(tokens, at + 1, deep - 1)
+            return (found[0], found[1] + 1) if found is not None and tokens[found[1]] == ")" else None
+        if token == "True" or token == "False":
+            return TRUE if token == "True" else FALSE, at + 1
+        held = self.values.get(token)
+        if isinstance(held, Symbol) and tokens[at + 1] == "==":
+            number = tokens[at + 2]
+            plain = number.isdigit() and str(int(number)) == number
+            return (eq(spelled(held.name), int(number)), at + 3) if plain else None
+        return (held, at + 1) if isinstance(held, Expr) else None
+
+
+def _is_docstring(x: ast.stmt) -> bool:
+    return isinstance(x, ast.Expr) and isinstance(x.value, ast.Constant) and isinstance(x.value.value, str)
+
+
+def _table(x: ast.stmt, name: str) -> dict[str, object]:
+    if isinstance(x, ast.Assign) and [ast.unparse(t) for t in x.targets] == [name] and isinstance(x.value, ast.Dict):
+        keys = [k.value for k in x.value.keys if isinstance(k, ast.Constant)]
+        if len(set(keys)) == len(x.value.keys):
+            found: dict[str, object] = ast.literal_eval(x.value)
+            return found
+    raise BadRuntime(f"{name} is no table, or has a name twice")

@@ -1,0 +1,200 @@
+"""The emitted text equals the controller: proved output by output, base case and step.
+
+The text is parsed back by our own grammar and executed symbolically, from any values that its variables may have kept
+from the scan before; every state variable's initial and next value, every timer's input and preset, and every output
+must be the same function as in the controller.
+
+Where a variable of the text gets the very expression that the controller has for the wire of its name, the wire's name
+stands for it in what follows: by the order of the text, each name then stands for what the controller computes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from interlock.logic.controller import Controller
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, iff, var, variables
+from interlock.logic.names import Name, computed, spelled
+from interlock.proof.engines import Answer
+from interlock.proof.engines.tseitin import Cnf
+from interlock.proof.engines.z3_sat import Z3Sat
+from interlock.st.ast import Unit
+from interlock.st.dialects import BY_NAME, Dialect, Files
+from interlock.st.dialects.restart import RESTART
+from interlock.st.meaning import BadText, Execution, Instance, Symbol, Symbols, Term
+from interlock.st.parser import NotInSubset
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A place where text and controller differ, with an input that tells them apart."""
+
+    name: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Translation:
+    """`proved` when no difference is possible."""
+
+    compared: int
+    differences: tuple[Difference, ...]
+
+    @property
+    def proved(self) -> bool:
+        """Whether text and controller are equal."""
+        return not self.differences
+
+
+def compare_st(controller: Controller, text: str, query_ms: int = 20_000) -> Translation:
+    """Compare a Structured Text file with its controller."""
+    return compare_dialect(controller, BY_NAME["iec"], {"text": text}, query_ms)
+
+
+def compare_dialect(controller: Controller, dialect: Dialect, files: Files, query_ms: int = 20_000) -> Translation:
+    """Compare the files of a dialect with their controller."""
+    try:
+        unit = dialect.read(files)
+        found = compare_scan(controller, _scan(controller, unit, dialect.restart), query_ms)
+        return _restarted(controller, unit, found) if dialect.restart else found
+    except (NotInSubset, BadText, KeyError) as error:
+        return Translation(0, (Difference("text", f"cannot be read: {error}"),))
+
+
+@dataclass(frozen=True)
+class Scan:
+    """What a text computes in one scan from its initial state variables by name."""
+
+    base: dict[str, Term]
+    after: dict[str, Term]
+    outputs: dict[str, Term]
+    timers: dict[str, tuple[Expr, int]]
+
+
+def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting: bool = False) -> Scan:
+    algebra = Symbols(timer_names={f"TON_{t.name}": t.name for t in controller.timers}, known=wires(controller))
+    run: Execution[Term] = Execution(unit, algebra)
+    holders = _holders(run)
+    base = {n: values[n] for n, values in holders.items()}
+    _forget(run.main)
+    for s in controller.state:
+        holders[s.name][s.name] = var(s.name)
+    inputs: dict[str, Term] = {i.name: Symbol(i.name) if i.size else var(i.name) for i in controller.inputs}
+    if restart:
+        inputs[RESTART] = TRUE if restarting else FALSE
+    outputs = run.scan(inputs)
+    after = {n: values[n] for n, values in _holders(run).items()}
+    return Scan(base, after, outputs, dict(algebra.timers))
+
+
+def wires(controller: Controller) -> dict[str, tuple[Expr, Expr]]:
+    """By the names that they have in a text: the controller's wires and next values, and what stands for each."""
+    found: dict[str, tuple[Expr, Expr]] = {computed(e.name): (e.expr, _next(e.name)) for e in controller.next}
+    found |= {e.name: (e.expr, var(e.name)) for e in controller.equations}
+    other = {i.name for i in controller.inputs} | {t.name for t in controller.timers}
+    for name in other | {s.name for s in controller.state}:
+        found.pop(name, None)
+    return found
+
+
+def _following(state: Name) -> Name:
+    return spelled(f"next {state}")
+
+
+def _next(state: Name) -> Expr:
+    """The next value of a state variable, by a name that no text can have."""
+    return var(_following(state))
+
+
+def _forget(inst: Instance[Term]) -> None:
+    """What a block keeps from the last scan may be anything: whoever reads it before it is written differs."""
+    for name, value in inst.values.items():
+        unknown = spelled(f"kept {inst.path}{name}")
+        inst.values[name] = var(unknown) if isinstance(value, Expr) else Symbol(unknown)
+    for inner in inst.inner.values():
+        _forget(inner)
+
+
+def _restarted(controller: Controller, unit: Unit, found: Translation) -> Translation:
+    """With RESTART the scan ends in the initial state with timers stopped and its outputs, whatever was kept."""
+    scan = _scan(controller, unit, True, True)
+    initial = {s.name: TRUE if s.initial else FALSE for s in controller.state}
+    start = Substitution(initial)
+    wrong = [Difference(n, "RESTART does not set it") for n, x in initial.items() if scan.after.get(n) is not x]
+    for o in controller.outputs:
+        if scan.outputs.get(o.name) is not start(o.expr):
+            wrong.append(Difference(o.name, "RESTART does not make it restrictive"))
+    for t in controller.timers:
+        if scan.timers.get(t.name, (TRUE, 0))[0] is not FALSE:
+            wrong.append(Difference(t.name, "RESTART does not stop it"))
+    return Translation(found.compared + len(initial), (*found.differences, *wrong))
+
+
+def _holders(run: Execution[Term]) -> dict[str, dict[str, Term]]:
+    """For each state variable, the variables of the block that keeps it."""
+    out: dict[str, dict[str, Term]] = {}
+    for inst in run.main.inner.values():
+        out |= {n: inst.values for n in inst.block.output_names if f"N_{n}" in inst.values}
+    return out
+
+
+def compare_scan(controller: Controller, scan: Scan, query_ms: int) -> Translation:
+    """Compare what a text computes with the controller."""
+    wrong: list[Difference] = []
+    pairs: list[tuple[str, Expr, Expr]] = []
+    following = {e.name: _next(e.name) for e in controller.next}
+    for s in controller.state:
+        if scan.base.get(s.name) is not (TRUE if s.initial else FALSE):
+            wrong.append(Difference(s.name, "another initial value"))
+        mine = scan.after.get(s.name)
+        if isinstance(mine, Expr):
+            pairs.append((s.name, mine, following[s.name]))
+        else:
+            wrong.append(Difference(s.name, "missing in the text"))
+    new = Substitution(following)
+    for o in controller.outputs:
+        mine = scan.outputs.get(o.name)
+        if isinstance(mine, Expr):
+            pairs.append((o.name, mine, new(o.expr)))
+        else:
+            wrong.append(Difference(o.name, "missing in the text"))
+    if set(scan.outputs) != {o.name for o in controller.outputs}:
+        wrong.append(Difference("outputs", "the text has other outputs"))
+    by_name = dict(scan.timers)
+    for t in controller.timers:
+        got = by_name.pop(t.name, None)
+        if got is None or got[1] != t.preset_ms:
+            wrong.append(Difference(t.name, "timer missing or another time"))
+        else:
+            pairs.append((t.name, got[0], var(t.input)))
+    wrong.extend(Difference(n, "a timer that the controller lacks") for n in by_name)
+    if other := [(n, a, b) for n, a, b in pairs if a is not b]:
+        wrong.extend(_different(controller, other, query_ms))
+    return Translation(len(pairs) + len(controller.state), tuple(wrong))
+
+
+def _different(controller: Controller, pairs: list[tuple[str, Expr, Expr]], query_ms: int) -> list[Difference]:
+    """Pairs of expressions that differ for some inputs and state, every wire's name written out."""
+    meaning = controller.expanded | {_following(n): x for n, x in controller.next_state.items()}
+    put = Substitution(meaning)
+    open_ = [(n, x, y) for n, a, b in pairs if (x := put(a)) is not (y := put(b))]
+    cnf = Cnf()
+    literals = [cnf.literal(iff(a, b)) for _, a, b in open_]
+    solver = Z3Sat(cnf, query_ms)
+    wrong = []
+    for (name, a, b), lit in zip(open_, literals, strict=True):
+        answer = solver.ask(-lit)
+        if answer is Answer.SAT:
+            model = solver.model()
+            seen = sorted(n for n, v in model.items() if v and n in _names(a, b))
+            wrong.append(Difference(name, f"differs when {', '.join(seen[:12]) or 'everything is false'}"))
+        elif answer is Answer.UNKNOWN:
+            wrong.append(Difference(name, "could not be decided"))
+    return wrong
+
+
+def _names(a: Expr, b: Expr) -> set[str]:
+    return set(variables((a, b)))
+
+
+__all__ = ["Difference", "Scan", "Translation", "compare_dialect", "compare_scan", "compare_st", "wires"]

@@ -1,0 +1,185 @@
+"""Claims that follow from what the invariants say of one state.
+
+**Theorem.**  An inductive invariant holds before and after every step, so that a claim about the state before a step
+follows if the invariants before it imply it, and one about the signals that a step shows if the invariants after it,
+what these signals are defined to show, and what is assumed of the inputs imply it.  (Manna and Pnueli, 1995: rule of
+consequence.)
+
+No definition of a place is needed, and so no goal pulls in half a railway: all of them can be asked of one solver
+that knows every invariant, however large the layout.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+
+from interlock.logic.expr import Expr, variables
+from interlock.logic.names import Name
+from interlock.proof.abstraction.canonical import CanonicalForms
+from interlock.proof.abstraction.local import Located
+from interlock.proof.engines import solver
+from interlock.proof.engines.batch import Decision, decisions, together
+from interlock.proof.engines.limits import Limits
+from interlock.proof.engines.plaisted_greenbaum import OneSided
+from interlock.proof.engines.tseitin import Cnf
+
+MOST = 25_000  # goals asked of one solver: each has to read every invariant
+PATIENCE = 50  # what does not follow takes long to find out, with so many names: after so many, others look
+
+
+@dataclass(frozen=True, slots=True)
+class OfState:
+    """Goals by number, about the state before a step, or about what is shown after it."""
+
+    goals: Sequence[int]
+    after: bool
+
+    def __len__(self) -> int:
+        return len(self.goals)
+
+
+class States:
+    """What invariants say of one state."""
+
+    def __init__(self, system: Located, hypotheses: Sequence[Expr], limits: Limits) -> None:
+        """`hypotheses`: the invariants; they hold before the step, and after it if it keeps them all."""
+        self.system = system
+        self.hypotheses = hypotheses
+        self.limits = limits
+
+    @cached_property
+    def _kept(self) -> frozenset[str]:
+        """The next values of which invariants speak."""
+        later = self.system.later
+        return frozenset(later[v] for v in variables(self.hypotheses) if v in later)
+
+    def questions(self, goals: Iterable[tuple[int, Expr]]) -> tuple[list[OfState], list[int]]:
+        """Numbered goals that are no part of the induction: those about one state, and the others.
+
+        What is said of routes and lamps tells which: of their next values, or of all else before the step.
+        """
+        before: list[int] = []
+        after: list[int] = []
+        others: list[int] = []
+        state = frozenset(self.system.later)
+        later = self.system.later
+        of_routes = frozenset(self.system.indexed)
+        now = (of_routes & state) | self.system.lamps
+        following = (of_routes & frozenset(later.values())) | self._shown
+        for n, x in goals:
+            names = variables((x,))
+            if state.issuperset(names):
+                before.append(n)
+            elif now.isdisjoint(names) and not following.isdisjoint(names):
+                after.append(n)
+            else:
+                others.append(n)
+        return [
+            OfState(some[k : k + MOST], some is after) for some in (after, before) for k in range(0, len(some), MOST)
+        ], others
+
+    @cached_property
+    def _shown(self) -> frozenset[str]:
+        """The next values of lamps."""
+        return frozenset(self.system.later[x] for x in self.system.lamps)
+
+    def decide(self, goals: Sequence[Expr], after: bool) -> list[Decision]:
+        """Which goals follow from the invariants before a step, or after it."""
+        definitions, facts = self.told(goals, after)
+        key = self.limits.cache.key(
+            lambda: CanonicalForms(definitions).of(definitions, goals, facts), self.limits.engine
+        )
+        known = self.limits.cache.known(key, len(goals))
+        if all(known):
+            return [Decision(True, 0.0)] * len(goals)
+        cnf = OneSided(definitions)
+        for x in facts:
+            cnf.require(x)
+        denials = [cnf.denial(x) for x in goals]
+        if after:
+            cnf.clauses += self._lead(cnf, goals, denials)
+        asked = together(cnf, denials)
+        sat = solver(self.limits.engine, cnf, self.limits.query_ms)
+        found = decisions(sat, denials, known, PATIENCE, asked)
+        self.limits.cache.keep(key, [d.follows for d in found])
+        return found
+
+    def _lead(self, cnf: Cnf, goals: Sequence[Expr], denials: Iterable[Sequence[int]]) -> list[tuple[int, int]]:
+        """What the routes of which goals speak imply of the places of which they speak.
+
+        A signal is open for one route or another, and the points lie as for one of them.  A solver would have to try
+        each of the others to see that it needs the points otherwise, as that comes in several steps.
+        """
+        named = variables(goals)
+        named |= variables(self.system.definitions[v] for v in named if v in self._shown)
+        asked = [(v, n) for v in named if (n := cnf.names.get(v, 0)) > 0]
+        routes = [n for v, n in asked if v in self.system.indexed]
+        places = {n for v, n in asked if v not in self.system.indexed}
+        return implied(cnf.clauses, routes, places.intersection(*[chain.from_iterable(denials)]))
+
+    def told(self, goals: Sequence[Expr], after: bool) -> tuple[Mapping[Name, Expr], Sequence[Expr]]:
+        """What is defined and known of one state.
+
+        After a step: not why a next value is what it is, unless a goal names it or a lamp that shows it, and nothing
+        of places that depends on routes.
+        """
+        if not after:
+            return {}, self.hypotheses
+        system = self.system
+        asked = dict.fromkeys(variables(goals))
+        lit = [system.definitions[v] for v in asked if v in self._shown]
+        asked |= dict.fromkeys(variables(lit))
+        definitions: dict[Name, Expr] = {}
+        seen: set[str] = set()
+        todo = list(asked)
+        while todo:
+            v = todo.pop()
+            if v in seen:
+                continue
+            seen.add(v)
+            x = system.definitions.get(v)
+            if x is None or (v not in asked and v in self._kept):
+                continue
+            reads = tuple(variables((x,)))
+            if v not in asked and v not in system.indexed and any(u in system.indexed for u in reads):
+                continue
+            definitions[v] = x
+            todo += reads
+        inputs = [a.expr for a in system.assumptions if all(v in seen for v in variables((a.expr,)))]
+        return definitions, [*map(system.after, self.hypotheses), *inputs]
+
+
+def implied(clauses: Iterable[Sequence[int]], starts: Iterable[int], wanted: set[int]) -> list[tuple[int, int]]:
+    """Clauses that say of a start what is implied by it, of that which is wanted: by short clauses, step by step, with
+    nothing denied on the way."""
+    alone: dict[int, list[int]] = {}
+    paired: dict[int, list[tuple[int, int]]] = {}
+    for c in clauses:
+        if len(c) == 2:
+            a, then = c
+            if a > 0:
+                a, then = then, a
+            if a < 0 < then:
+                alone.setdefault(-a, []).append(then)
+        elif len(c) == 3:
+            a, b, then = c
+            if (a > 0) + (b > 0) + (then > 0) == 1:
+                a, b, then = sorted(c)
+                paired.setdefault(-a, []).append((-b, then))
+                paired.setdefault(-b, []).append((-a, then))
+    found: list[tuple[int, int]] = []
+    for start in starts:
+        true = {start}
+        todo = [start]
+        while todo:
+            n = todo.pop()
+            new = set(alone.get(n, ()))
+            new.update([then for other, then in paired.get(n, ()) if other in true])
+            new -= true
+            true |= new
+            todo += new
+        found += [(-start, n) for n in sorted(true & wanted) if n != start]
+    return found

@@ -1,0 +1,415 @@
+"""A large induction in parts: proof obligations that lie together, and the facts that speak of what they read.
+
+A part has the definitions in the cone of influence of its goals within the step, and every invariant and assumption
+that shares a variable with them.
+
+**Theorem.**  Each goal follows from all facts if it follows from some of them, so that the conjunction of the parts'
+answers is the induction step of the whole, whatever facts a part leaves out.  (Cone of influence: Clarke, Grumberg and
+Peled, *Model Checking*, 1999; the step of a conjunction is the conjunction of the steps.)
+"""
+
+from __future__ import annotations
+
+from collections import Counter, deque
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
+from itertools import chain
+from typing import Protocol
+
+from interlock.logic.expr import TRUE, Expr, variables
+from interlock.logic.names import Name, Owner
+from interlock.logic.plant import Assumption
+from interlock.proof.abstraction.canonical import CanonicalForms
+from interlock.proof.abstraction.local import Located
+from interlock.proof.abstraction.queries import Answers, Batch, LocalQueries
+from interlock.proof.engines import solver
+from interlock.proof.engines.batch import Decision, decisions
+from interlock.proof.engines.limits import Limits
+from interlock.proof.engines.plaisted_greenbaum import OneSided
+from interlock.proof.engines.pool import run
+from interlock.proof.engines.tseitin import Cnf
+from interlock.proof.induction.one_state import OfState, States
+
+SMALL = 1500  # so many goals are asked of one solver
+GOALS = 4000  # in a part: fewer would encode the same definitions more often
+FEW = 800  # at first a part of fewer goals is joined with the next place: neighbours share what they depend on
+NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
+LARGE = 8000  # goals of a part that depends on more names than this are first asked of one state, or of one place
+SAMPLE, RUN = 16, 100  # so many runs of so many goals tell how much the goals of a system depend on
+HUB = 60  # a variable in more facts than this says nothing about what lies together
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """What is to be shown: an expression about a step, or about the state one step later."""
+
+    expr: Expr
+    later: bool = False
+
+
+class Theory(Located, Protocol):
+    """What is known beside the hypotheses: a system, for questions about its steps."""
+
+    @property
+    def places(self) -> Mapping[Name, tuple[int, ...]]:
+        """Where variables belong: numbers, such that near ones lie together."""
+        ...
+
+
+@dataclass(frozen=True)
+class Start:
+    """Nothing: for questions about the restart."""
+
+    definitions: Mapping[Name, Expr] = field(default_factory=dict)
+    assumptions: Sequence[Assumption] = ()
+    places: Mapping[Name, tuple[int, ...]] = field(default_factory=dict)
+    later: Mapping[Name, Name] = field(default_factory=dict)
+    indexed: Mapping[Name, tuple[Name, int]] = field(default_factory=dict)
+    requests: Sequence[Name] = ()
+    homes: Mapping[Name, Owner] = field(default_factory=dict)
+    beside: Mapping[Owner, tuple[Owner, ...]] = field(default_factory=dict)
+    lamps: frozenset[Name] = frozenset()
+
+    def after(self, x: Expr) -> Expr:
+        """There is no step."""
+        return x
+
+
+class Parts:
+    """The facts of a system, by the variables that they read."""
+
+    def __init__(self, system: Theory, hypotheses: Sequence[Expr]) -> None:
+        self.system = system
+        self.hypotheses = hypotheses
+        self.facts = [*hypotheses, *(a.expr for a in system.assumptions)]
+        self.forms = CanonicalForms(system.definitions)
+        self._names: dict[Expr, tuple[Name, ...]] = {}
+        self._inputs: dict[Name, tuple[Name, ...]] = {}
+
+    def names_in(self, x: Expr) -> tuple[Name, ...]:
+        """What a fact or goal reads, looked up once."""
+        found = self._names.get(x)
+        if found is None:
+            found = self._names[x] = tuple(variables((x,)))
+        return found
+
+    @cached_property
+    def reads(self) -> list[tuple[Name, ...]]:
+        """What each fact reads."""
+        return [self.names_in(x) for x in self.facts]
+
+    @cached_property
+    def readers(self) -> dict[Name, list[int]]:
+        """The facts by what they read."""
+        found: dict[Name, list[int]] = {}
+        for n, names in enumerate(self.reads):
+            for v in names:
+                found.setdefault(v, []).append(n)
+        return found
+
+    def inputs_of(self, name: Name) -> tuple[Name, ...]:
+        """What a name's definition reads, looked up once; nothing if it has none."""
+        found = self._inputs.get(name)
+        if found is None:
+            x = self.system.definitions.get(name)
+            found = self._inputs[name] = () if x is None else tuple(variables((x,)))
+        return found
+
+    def prepare(self) -> None:
+        """Read everything once, so that processes inherit it."""
+        _ = self.readers
+        for name in self.system.definitions:
+            self.inputs_of(name)
+
+    def read_by(self, goal: Goal) -> tuple[Name, ...]:
+        """What a goal reads."""
+        names, later = self.names_in(goal.expr), self.system.later
+        return tuple([later.get(v, v) for v in names]) if goal.later else names
+
+    def places(self, goals: Sequence[Goal]) -> list[list[int]]:
+        """The goals place by place, and in a place those that share variables near each other."""
+        reads = [self.read_by(g) for g in goals]
+        order = _sharing(reads)
+        known = self.system.places
+        at = [_places(names, known) for names in reads]
+        block = Counter(p for those in at for p in those)
+        place = 0
+        found: dict[int, list[int]] = {}
+        for n in order:  # what belongs nowhere follows what it shares a variable with
+            place = min(at[n], key=lambda p: (block[p], p), default=place)
+            found.setdefault(place, []).append(n)
+        return [found[p] for p in sorted(found)]
+
+    def cone(self, names: Iterable[Name], seen: dict[Name, None]) -> None:
+        """Everything that the names depend on within the step."""
+        todo = list(names)
+        while todo:
+            v = todo.pop()
+            if v not in seen:
+                seen[v] = None
+                todo += self.inputs_of(v)
+
+    def around(self, seen: dict[Name, None], rings: int) -> list[int]:
+        """The facts so many steps around what is seen, which grows by what they depend on; 0 rings: all facts."""
+        facts: dict[int, None] = {}
+        for ring in range(rings):
+            if ring:
+                self.cone([v for n in facts for v in self.reads[n]], seen)
+            for v in list(seen):
+                near = self.readers.get(v, ())
+                if len(near) <= 4 * HUB:
+                    facts.update(dict.fromkeys(near))
+        return sorted(facts) if rings else list(range(len(self.facts)))
+
+    def form(self, goals: Sequence[Goal], facts: Iterable[int]) -> str:
+        """What is left of a question when names are numbered."""
+        order = "".join("'" if g.later else "." for g in goals)
+        later = [g.expr for g in goals if g.later]
+        now = [g.expr for g in goals if not g.later]
+        return self.forms.digest(order, ((later, self.system.later), (now, {}), ([self.facts[n] for n in facts], {})))
+
+    def cnf(self, goals: Sequence[Goal], facts: Iterable[int]) -> tuple[Cnf, list[list[int]]]:
+        """Clauses of some facts, and the literals that deny each goal."""
+        cnf = OneSided(self.system.definitions)
+        for n in facts:
+            cnf.require(self.facts[n])
+        return cnf, [cnf.denial(self.system.after(g.expr) if g.later else g.expr) for g in goals]
+
+    def decide(self, goals: Sequence[Goal], limits: Limits, rings: int) -> list[Decision]:
+        """Which of the goals follow from the facts so many steps around."""
+        seen: dict[Name, None] = {}
+        if rings:
+            self.cone(chain.from_iterable(map(self.read_by, goals)), seen)
+        facts = self.around(seen, rings)
+        key = limits.cache.key(lambda: self.form(goals, facts), limits.engine)
+        known = limits.cache.known(key, len(goals))
+        if all(known):
+            return [Decision(True, 0.0)] * len(goals)
+        cnf, denials = self.cnf(goals, facts)
+        found = decisions(solver(limits.engine, cnf, limits.query_ms), denials, known)
+        limits.cache.keep(key, [d.follows for d in found])
+        return found
+
+
+def _places(names: Sequence[Name], known: Mapping[Name, tuple[int, ...]]) -> set[int]:
+    """Where an expression over some variables may belong: to sections, or else where its routes run."""
+    where = [known[v] for v in names if v in known]
+    return {p[0] for p in where if len(p) == 1} or {q for p in where for q in p}
+
+
+def _sharing(reads: Sequence[tuple[Name, ...]]) -> list[int]:
+    """Numbers of expressions, those that share variables near each other."""
+    having: dict[Name, list[int]] = {}
+    for n, names in enumerate(reads):
+        for v in names:
+            having.setdefault(v, []).append(n)
+    done = [False] * len(reads)
+    seen: set[Name] = set()
+    out: list[int] = []
+    for start in range(len(reads)):
+        if done[start]:
+            continue
+        done[start] = True
+        todo = deque([start])
+        while todo:
+            n = todo.popleft()
+            out.append(n)
+            for v in reads[n]:
+                near = having[v]
+                if v not in seen and len(near) <= HUB:
+                    seen.add(v)
+                    for m in near:
+                        if not done[m]:
+                            done[m] = True
+                            todo.append(m)
+    return out
+
+
+@dataclass(frozen=True)
+class Question:
+    """Goals that are asked of one solver, by number, and the rings of facts around them.
+
+    `equal`: the goals of parts that are this one under other names, in the same order.
+    """
+
+    goals: Sequence[int]
+    rings: int
+    equal: Sequence[Sequence[int]] = ()
+
+    def __len__(self) -> int:
+        return len(self.goals) * (1 + len(self.equal))
+
+
+Asked = Question | OfState | Batch
+"""What is asked at once."""
+
+
+class Inquiry:
+    """Which goals follow from the hypotheses, the assumptions and the definitions of the step.
+
+    Part by part; what a part leaves open is asked again with more facts around it, and at last with all of them.  The
+    goals of parts that are very large are asked before of one state, or of local abstractions.
+
+    A goal that is not about the state one step later may be shown with the hypotheses about that state, too: it counts
+    only if the step keeps all hypotheses.
+    """
+
+    def __init__(self, system: Theory, hypotheses: Sequence[Expr], goals: Sequence[Goal], limits: Limits) -> None:
+        self.parts = Parts(system, hypotheses)
+        self.goals = goals
+        self.limits = limits
+        self.found = [Decision(g.expr is TRUE, 0.0) for g in goals]
+        self.asked_locally: dict[int, None] = {}
+        self.unseen: set[int] = set()
+
+    @cached_property
+    def local(self) -> LocalQueries:
+        """The local abstractions of the system."""
+        return LocalQueries(self.parts.system, self.parts.hypotheses, self.limits)
+
+    @cached_property
+    def states(self) -> States:
+        """What is known of one state."""
+        return States(self.parts.system, self.parts.hypotheses, self.limits)
+
+    @cached_property
+    def places(self) -> list[list[int]]:
+        """The goals place by place."""
+        return self.parts.places(self.goals)
+
+    def questions(self, rings: int, large: int | None = None) -> list[Asked]:
+        """What is still open, one question for all parts of one canonical form.
+
+        large: the goals of a part with more names are asked of one state or of local abstractions.
+        """
+        left = [n for n, d in enumerate(self.found) if not d.follows]
+        if not left or not rings:
+            return [Question(left, 0)] if left else []
+        self.parts.prepare()
+        found: dict[str, list[list[int]]] = {}
+        wide: list[int] = []
+        most = max(1, min(GOALS, -(-len(left) // self.limits.jobs)))
+        for goals, seen in self._parts(FEW if rings == 1 else 1, most):
+            if large is not None and len(seen) > large:
+                wide += goals
+                continue
+            key = f"{len(found)}"  # a large part has no like
+            if len(seen) <= NEAR:
+                key = self.parts.form([self.goals[n] for n in goals], self.parts.around(seen, rings))
+            found.setdefault(key, []).append(goals)
+        return [*self._wide(wide), *(Question(first, rings, equal) for first, *equal in found.values())]
+
+    def _is_wide(self, goals: Sequence[int]) -> bool:
+        """Most goals of a large system, as far as some tell, depend on too much to lie in a part of their own."""
+        if len(self.parts.system.definitions) <= LARGE:
+            return False
+        sizes = []
+        for k in range(0, len(goals), max(1, len(goals) // SAMPLE)):
+            seen: dict[Name, None] = {}
+            self.parts.cone(chain.from_iterable(self.parts.read_by(self.goals[n]) for n in goals[k : k + RUN]), seen)
+            sizes.append(len(seen))
+        return sorted(sizes)[len(sizes) // 2] > NEAR
+
+    def _wide(self, wide: Sequence[int]) -> list[Asked]:
+        """Claims about one state, and local abstractions for all other goals."""
+        if not wide:
+            return []
+        claims = [(n, self.goals[n].expr) for n in sorted(wide) if not self.goals[n].later]
+        of_states, others = self.states.questions(claims)
+        return [*of_states, *self._batches([*(n for n in wide if self.goals[n].later), *others])]
+
+    def _batches(self, wide: Sequence[int]) -> list[Batch]:
+        """Goals by number, in batches for local abstractions."""
+        after = self.parts.system.after
+        goals = [(n, self.goals[n]) for n in sorted(wide)]  # in one order everywhere, so that like places have one form
+        return self.local.batches([(n, after(g.expr) if g.later else g.expr) for n, g in goals]) if wide else []
+
+    def _parts(self, few: int, most: int) -> Iterator[tuple[list[int], dict[Name, None]]]:
+        """The open goals of places that lie together, and what they depend on."""
+        goals: list[int] = []
+        seen: dict[Name, None] = {}
+        for place in self.places:
+            new = [n for n in place if not self.found[n].follows]
+            self.parts.cone(chain.from_iterable(self.parts.read_by(self.goals[n]) for n in new), seen)
+            goals += new
+            while len(goals) >= most:
+                yield goals[:most], seen
+                goals = goals[most:]
+            if len(goals) >= few and len(seen) <= NEAR:
+                yield goals, seen
+                goals, seen = [], {}
+        if goals:
+            yield goals, seen
+
+    def first(self) -> list[Asked]:
+        """The questions to begin with: one of all goals where they are few."""
+        left = [n for n, d in enumerate(self.found) if not d.follows]
+        if self._is_wide(left):
+            return self._wide(left)
+        return self.questions(0 if len(self.goals) <= SMALL else 1, LARGE)
+
+    def ask(self, question: Asked) -> list[Decision] | Answers:
+        """Decide the goals of a question."""
+        if isinstance(question, Batch):
+            return self.local.answer(question)
+        goals = [self.goals[n] for n in question.goals]
+        if isinstance(question, OfState):
+            return self.states.decide([g.expr for g in goals], question.after)
+        return self.parts.decide(goals, self.limits, question.rings)
+
+    def note(self, question: Asked, answers: Sequence[Decision] | Answers) -> None:
+        """Keep the answers to a question; what batches show counts when all are done."""
+        if isinstance(question, Batch):
+            assert isinstance(answers, Answers)
+            self.asked_locally |= dict.fromkeys(question.goals)
+            self.unseen.update(answers.open)
+            return
+        assert not isinstance(answers, Answers)
+        for n, answer in zip(question.goals, answers, strict=True):
+            self.found[n] = answer
+        for goals in question.equal if isinstance(question, Question) else ():
+            for n, answer in zip(goals, answers, strict=True):
+                self.found[n] = replace(answer, seconds=0.0)
+
+    def _conclude(self) -> None:
+        """What all batches have shown follows."""
+        for n in self.asked_locally:
+            if n not in self.unseen:
+                self.found[n] = Decision(True, 0.0)
+        self.asked_locally, self.unseen = {}, set()
+
+    def finish(self, progress: Callable[[int, int], None]) -> list[Decision]:
+        """All answers: what the first questions left open is asked again."""
+        if self.asked_locally:
+            self._conclude()
+            self.settle(self.questions(1), progress)
+        for rings in (2, 0) if len(self.goals) > SMALL else ():
+            self.settle(self.questions(rings), progress)
+        return self.found
+
+    def settle(self, questions: Sequence[Asked], progress: Callable[[int, int], None]) -> None:
+        """Decide questions, beside each other."""
+        done = sum(d.follows for d in self.found)
+
+        def report(n: int) -> None:
+            nonlocal done
+            done += len(questions[n])
+            progress(min(done, len(self.goals)), len(self.goals))
+
+        answers = run([partial(self.ask, q) for q in questions], self.limits.jobs, report)
+        for question, found in zip(questions, answers, strict=True):
+            self.note(question, found)
+
+
+def decide(
+    system: Theory,
+    hypotheses: Sequence[Expr],
+    goals: Sequence[Goal],
+    limits: Limits,
+    progress: Callable[[int, int], None],
+) -> list[Decision]:
+    """Which goals follow; see `Inquiry`."""
+    inquiry = Inquiry(system, hypotheses, goals, limits)
+    inquiry.settle(inquiry.first(), progress)
+    return inquiry.finish(progress)

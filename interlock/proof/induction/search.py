@@ -1,0 +1,149 @@
+"""Bounded search: the shortest run from a restart to a violated claim.
+
+**Theorem.**  A model of the initial condition and k copies of the step, with the claim denied in the last of them, is
+a run of k steps that violates it; where there is none for a smaller k, the run is a shortest one.  (Bounded model
+checking: Biere, Cimatti, Clarke and Zhu, 1999.)  The step is encoded once and copied for each depth.  A found run is
+then thinned: every event and input that can be left out is left out, and what remains is checked to be a run still.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from interlock.logic.expr import Expr, disj, eq, evaluate, neg, var, variables
+from interlock.logic.names import STANDS, Form
+from interlock.proof.claims import Claim
+from interlock.proof.engines import Answer
+from interlock.proof.engines.tseitin import Cnf
+from interlock.proof.engines.z3_sat import Z3Sat
+from interlock.proof.system.transition import System
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One step of a run: the state before it and the inputs taken."""
+
+    state: dict[str, int]
+    inputs: dict[str, int]
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run from a restart; the claim is violated in the last frame."""
+
+    claim: Claim
+    frames: tuple[Frame, ...]
+
+
+class _Unrolled:
+    """Copies of one step, chained."""
+
+    def __init__(self, system: System, goals: list[Expr]) -> None:
+        self.system = system
+        self.template = Cnf()
+        for name, x in system.definitions.items():
+            self.template.define(name, x)
+        for a in system.assumptions:
+            self.template.require(a.expr)
+        for name in variables(goals):
+            self.template.literal(var(name))
+        for name, size in system.sizes.items():  # one of its values
+            self.template.require(disj(eq(name, k) for k in range(size)))
+        self.now = {n: self.template.literal(var(n)) for n in system.state}
+        self.then = {n: self.template.literal(var(n.next)) for n in system.state}
+        self.inputs = {n: self.template.literal(var(n)) for n in system.inputs if n not in system.sizes}
+        self.goals = [self.template.literal(neg(g)) for g in goals]
+        self.initial = self.template.literal(system.initial)
+        self.bad = self.template.fresh()
+        self.template.clauses.append((-self.bad, *self.goals))
+        self.size = self.template.count
+
+    def cnf(self, depth: int) -> Cnf:
+        """Clauses of `depth` chained steps; variable n of step k is n + k * size."""
+        out = Cnf()
+        out.clauses = []
+        out.count = self.size * depth
+        for k in range(depth):
+            shift = k * self.size
+            out.clauses.extend(tuple(x + shift if x > 0 else x - shift for x in c) for c in self.template.clauses)
+            if k:
+                for n, lit in self.now.items():
+                    a, b = lit + shift, self.then[n]
+                    b = b + shift - self.size if b > 0 else b - shift + self.size
+                    out.clauses += [(-a, b), (a, -b)]
+        out.clauses.append((self.initial,))
+        return out
+
+
+def search(
+    system: System,
+    claims: list[Claim],
+    max_depth: int,
+    seconds: float,
+    progress: Callable[[int, int], None] = lambda done, total: None,
+) -> Run | None:
+    """The shortest run that violates one of the claims, or None when none was found in depth and time."""
+    if not claims:
+        return None
+    steps = _Unrolled(system, [c.expr for c in claims])
+    end = time.monotonic() + seconds
+    for depth in range(1, max_depth + 1):
+        progress(depth - 1, max_depth)
+        left = end - time.monotonic()
+        if left <= 0:
+            return None
+        solver = Z3Sat(steps.cnf(depth), int(left * 1000))
+        shift = (depth - 1) * steps.size
+        answer = solver.ask(steps.bad + shift)
+        if answer is Answer.UNKNOWN:
+            return None
+        if answer is Answer.SAT:
+            return _thin(system, steps, claims, solver, depth)
+    return None
+
+
+def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: Z3Sat, depth: int) -> Run:
+    """Leave out every input that can be left out, one by one."""
+    values = solver.values()
+    shift = (depth - 1) * steps.size
+    valid = system.symbols.valid
+    healthy = {
+        valid,
+        *system.symbols.clear.values(),
+        *system.symbols.healthy.values(),
+        *system.symbols.detected.values(),
+    }  # else a fault is told
+    kept: list[int] = [steps.bad + shift]
+    for k in range(depth):
+        lit = steps.inputs[valid] + k * steps.size
+        if solver.ask(*kept, lit) is Answer.SAT:
+            kept.append(lit)
+    values = solver.values() if solver.ask(*kept) is Answer.SAT else values
+    names = sorted((n for n in steps.inputs if n != valid), key=lambda n: n.form is not Form.CHOICE)
+    wishes = [-steps.now[n] for n in steps.now if n.family is STANDS]
+    for name in names:
+        for k in range(depth):
+            lit = steps.inputs[name] + k * steps.size
+            wishes.append(lit if name in healthy else -lit)
+    wishes += [-(n + k * steps.size) for k in range(depth) for n in steps.template.value_literals()]
+    # first keep what already is as wished, then try to add the others one at a time
+    pending = [lit for lit in wishes if values.get(abs(lit), False) == (lit > 0)]
+    if solver.ask(*kept, *pending) is Answer.SAT:
+        kept += pending
+    held = set(kept)
+    for lit in wishes:
+        if lit not in held and solver.ask(*kept, lit) is Answer.SAT:
+            kept.append(lit)
+    solver.ask(*kept)
+    values = solver.values()
+    frames = []
+    for k in range(depth):
+        shifted = {n: values.get(n + k * steps.size, False) for n in range(1, steps.size + 1)}
+        named = steps.template.read(shifted)
+        frames.append(Frame({n: named.get(n, 0) for n in system.state}, {n: named.get(n, 0) for n in system.inputs}))
+    last = named
+    memo: dict[int, bool] = {}
+    violated = next(c for c in claims if not evaluate(c.expr, lambda n: last.get(n, 0), memo))
+    return Run(violated, tuple(frames))

@@ -1,0 +1,58 @@
+"""A counterexample as an ITF trace (the JSON trace format of the TLA+ tools), with all that a player needs.
+
+**Theorem.**  The trace lists, state by state, the variables that are true in the run that was found, and nothing
+else: it is a run of the system if and only if the counterexample is.  (Informal Trace Format, Apalache, ADR 015.)
+"""
+
+from __future__ import annotations
+
+import json
+
+from interlock.logic import names
+from interlock.proof.induction.story import Story
+from interlock.proof.system.transition import System
+
+
+def views(system: System) -> dict[str, list[list[str]]]:
+    """What each state variable shows on the plan: kind of element, its id, and what is shown."""
+    sym, layout = system.symbols, system.layout
+    out: dict[str, list[list[str]]] = {}
+    for s in layout.sections:
+        if names.STANDS(s.id) in system.state:
+            out[names.STANDS(s.id)] = [["section", s.id, "occupied"]]
+    for (s_, n), name in sym.lock.items():
+        out[name] = [["edge", e, "locked"] for e in system.topo.traversals[s_][n - 1].edges]
+    for option, name in sym.overlap.items():
+        ways = sym.overlap_ways[option]
+        out[name] = [["edge", e, "overlap"] for s_, n in ways for e in system.topo.traversals[s_][n - 1].edges]
+    for s_, name in sym.restart.items():
+        out[name] = [["section", s_, "restart"]]
+    for r in sym.routes:
+        out |= {name: [["signal", r.entry, "proceed"]] for name in r.open_while}
+    for (m, x), _ in sym.command.items():
+        ends = [["point", str(p.id), str(x)] for p in layout.ends_of_machine.get(m, ())]
+        out[names.LIES(m, x)] = ends or [["device", str(m), str(x)]]
+    return {n: v for n, v in out.items() if n in set(system.state)}
+
+
+def itf(system: System, story: Story, layout_digest: str, plan: str) -> str:
+    """The trace of a story: one state for each of its steps."""
+    state: list[str] = list(system.state)
+    states: list[dict[str, object]] = []
+    for k, (text, frame) in enumerate(zip(story.steps, story.after, strict=True)):
+        true = set(story.frames[frame][0])
+        states.append({"#meta": {"index": k, "text": text}, **{n: n in true for n in state}})
+    body = {
+        "#meta": {
+            "format": "ITF",
+            "title": f"Counterexample to {story.claim} in {system.layout.name}",
+            "claim": f"{story.claim} at {story.place}",
+            "sentence": story.sentence,
+            "layout": layout_digest,
+            "plan": plan,
+            "views": views(system),
+        },
+        "vars": state,
+        "states": states,
+    }
+    return json.dumps(body, ensure_ascii=False, indent=1) + "\n"

@@ -1,0 +1,539 @@
+"""Mutants: a proof that cannot fail proves nothing.
+
+Each kind weakens the table or the controller in one place.  A mutant is *killed* when a claim no longer follows; the
+bounded search then looks for a real train movement from the restart.  It is *redundant* when every claim is still
+proved: the rest of the controller protects without that condition.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from functools import partial
+from itertools import islice
+
+from interlock.logic import names
+from interlock.logic.controller import Controller, Equation, Join, StateVar, Term
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, var
+from interlock.logic.lower import lower
+from interlock.model.layout import Layout
+from interlock.proof.claims import Facts, claims
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.inductive import inductive, open_claims
+from interlock.proof.induction.search import search
+from interlock.proof.induction.story import tell
+from interlock.proof.mutation.points import Mutation
+from interlock.proof.system.transition import System
+from interlock.table.rows import InterlockingTable, PointDemand, RouteKind, RouteRow, TraversalRow
+
+Mutant = tuple[str, Controller]
+Make = Callable[[Layout, InterlockingTable], Iterator[Mutant]]
+
+
+class Fate(StrEnum):
+    """What became of a mutant."""
+
+    KILLED = "killed by a train movement"
+    STRICT = "killed, no movement found"
+    REDUNDANT = "redundant"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One mutant's fate: the claims that fail, and a story when one was found."""
+
+    kind: str
+    place: str
+    fate: Fate
+    claims: tuple[str, ...]
+    story: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of weakening: its name, what it does, and its mutants."""
+
+    name: str
+    text: str
+    make: Callable[[Layout, InterlockingTable], Iterator[Mutant]]
+
+
+# --- weakenings of the controller ----------------------------------------------------------------
+
+
+def _with(c: Controller, old: Equation, new: Equation) -> Controller:
+    steps = tuple(new if s is old else s for s in c.steps)
+    following = tuple(new if e is old else e for e in c.next)
+    return replace(c, steps=steps, next=following)
+
+
+def without(prefixes: str, *kinds: str) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
+    """Drop one term of the given kinds from an equation whose name has one of the prefixes (separated by spaces)."""
+
+    def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+        c = lower(layout, table)
+        for e in (*c.equations, *c.next):
+            if e.name.sort not in prefixes.split():
+                continue
+            for i, t in enumerate(e.terms):
+                if t.kind in kinds and t.expr is not TRUE:
+                    less = replace(e, terms=e.terms[:i] + e.terms[i + 1 :])
+                    yield f"{e.name} without {t.note or t.kind}", _with(c, e, less)
+
+    return make
+
+
+def _not_locked_at_restart(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    for i, s in enumerate(c.state):
+        if s.name.family is names.RESTART_LOCK:
+            changed = StateVar(s.name, False, s.note)
+            outputs = tuple(o for o in c.outputs if o.name.family is not names.LOCKED_SHOWN)
+            yield s.name, replace(c, state=(*c.state[:i], changed, *c.state[i + 1 :]), outputs=outputs)
+
+
+def _validity_not_wired(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    always = Substitution({c.symbols.valid: TRUE})
+
+    def blind(e: Equation) -> Equation:
+        return replace(e, terms=tuple(replace(t, expr=always(t.expr)) for t in e.terms))
+
+    steps = tuple(blind(s) if isinstance(s, Equation) else s for s in c.steps)
+    yield names.VALID, replace(c, steps=steps, next=tuple(blind(e) for e in c.next))
+
+
+# --- weakenings of the table ---------------------------------------------------------------------
+
+
+def _relower(layout: Layout, table: InterlockingTable, key: tuple[str, int], row: TraversalRow) -> Controller:
+    locks = tuple(row if t.key == key else t for t in table.locks)
+    by_key = {t.key: t for t in locks}
+    routes = []
+    for r in table.routes:
+        points: dict[str, PointDemand] = {}
+        over = r.overlap.ways if r.overlap else ()
+        for k in (*r.traversals, *over):
+            for p in by_key[k].points:
+                points.setdefault(p.machine, p)
+        routes.append(replace(r, points=tuple(points.values())) if key in (*r.traversals, *over) else r)
+    return lower(layout, replace(table, locks=locks, routes=tuple(routes)))
+
+
+def _points(role: str, wrong: bool) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
+    def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+        for t in table.locks:
+            for i, p in enumerate(t.points):
+                if p.role != role:
+                    continue
+                other = (replace(p, position=p.position.other),) if wrong else ()
+                row = replace(t, points=t.points[:i] + other + t.points[i + 1 :])
+                yield f"{t.section}:{t.number} {p.machine} {p.position}", _relower(layout, table, t.key, row)
+
+    return make
+
+
+def _exclusions(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    for t in table.locks:
+        for i, e in enumerate(t.exclusions):
+            row = replace(t, exclusions=t.exclusions[:i] + t.exclusions[i + 1 :])
+            yield f"{t.section}:{t.number} against {e.section}", _relower(layout, table, t.key, row)
+
+
+def _direction(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A route locks one of its sections for the opposite direction."""
+    back = {(t.section, t.exit, t.entry): t.key for t in table.locks}
+    for r in table.routes:
+        for i, key in enumerate(r.traversals):
+            t = table.lock[key]
+            other = back.get((t.section, t.entry, t.exit))
+            if other is None or (t.section, t.entry) == (t.section, t.exit):
+                continue
+            turned = replace(r, traversals=(*r.traversals[:i], other, *r.traversals[i + 1 :]))
+            routes = tuple(turned if x is r else x for x in table.routes)
+            yield f"{r.id} in {t.section}", lower(layout, replace(table, routes=routes))
+
+
+def _shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    for r in table.routes:
+        if len(r.traversals) > 1 and r.berth is None:
+            less: RouteRow = replace(
+                r,
+                traversals=r.traversals[:-1],
+                sections=r.sections[:-1],
+                release=r.release[:-1],
+                points=tuple(p for p in r.points if p.section != r.traversals[-1][0]),
+            )
+            yield (
+                f"{r.id} without {r.traversals[-1][0]}",
+                lower(layout, replace(table, routes=tuple(less if x is r else x for x in table.routes))),
+            )
+
+
+def _unguarded(kind: str) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
+    """A machine follows a driven demand, or opens by itself, whether it may move or not."""
+
+    def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+        c = lower(layout, table)
+        for e in c.equations:
+            for i, t in enumerate(e.terms):
+                if t.kind == kind and e.name.family is names.DEMANDED:
+                    free = Substitution({names.MOVABLE(e.name.at[0]): TRUE})
+                    more = replace(e, terms=(*e.terms[:i], replace(t, expr=free(t.expr)), *e.terms[i + 1 :]))
+                    yield f"{e.name} although {t.note or t.kind}", _with(c, e, more)
+
+    return make
+
+
+def _overlap_shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """The last section of an overlap is left out."""
+    for r in table.routes:
+        if r.overlap is None:
+            continue
+        cell = replace(r.overlap, ways=r.overlap.ways[:-1])
+        kept = {s for s, _ in (*r.traversals, *cell.ways)}
+        points = tuple(p for p in r.points if p.section in kept)
+        less = replace(r, overlap=cell if cell.ways else None, points=points)
+        same = [x for x in table.routes if x.overlap is not None and x.overlap.ways == r.overlap.ways and x is not r]
+        if not same:
+            yield r.id, lower(layout, replace(table, routes=tuple(less if x is r else x for x in table.routes)))
+
+
+def _blind_call_on(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    for r in table.routes:
+        for i, c in enumerate(r.sections if r.kind is RouteKind.CALL_ON else ()):
+            less = replace(r, sections=r.sections[:i] + r.sections[i + 1 :])
+            rows = tuple(less if x is r else x for x in table.routes)
+            yield f"{r.id} without {c.section}", lower(layout, replace(table, routes=rows))
+
+
+def _call_on_again(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    for r in c.symbols.routes:
+        if r.call_on:
+            old = next(e for e in c.next if e.name == r.want)
+            asked = conj((c.symbols.asked(r.number), var(r.locked)))
+            terms = (replace(old.terms[0], expr=disj((old.terms[0].expr, asked))), *old.terms[1:])
+            yield r.id, _with(c, old, replace(old, terms=terms))
+
+
+def _call_on_trusted(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    granted = Substitution({names.GRANTED(r.number): FALSE for r in c.symbols.routes if r.call_on})
+    for e in c.next:
+        terms = tuple(replace(t, expr=granted(t.expr)) for t in e.terms)
+        if e.name.family is names.STALE and terms != e.terms:
+            yield e.name, _with(c, e, replace(e, terms=terms))
+
+
+def _closes_late(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A signal stays open for the whole movement although another may follow: vehicles stand before it."""
+    passing = {r.entry for r in table.routes if r.closing.whole is not None}
+    for r in table.routes:
+        if r.kind is RouteKind.CALL_ON or r.entry in passing or r.approach.section is None:
+            continue
+        late = replace(r, closing=replace(r.closing, whole=r.approach.section))
+        yield r.id, lower(layout, replace(table, routes=tuple(late if x is r else x for x in table.routes)))
+
+
+def _short_approach(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """Cancelling looks at the section in rear alone, whatever the braking distance."""
+    for g in {r.entry: None for r in table.routes if r.approach.coming.further or r.approach.coming.unseen}:
+        rows = [r for r in table.routes if r.entry == g]
+        short = {
+            r.id: replace(r, approach=replace(r.approach, coming=replace(r.approach.coming, further=(), unseen=False)))
+            for r in rows
+        }
+        yield g, lower(layout, replace(table, routes=tuple(short.get(r.id, r) for r in table.routes)))
+
+
+def _too_fast(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A route shows the speed of another one from the same signal."""
+    for r in table.routes:
+        others = {x.speed.kmh for x in table.routes if x.entry == r.entry and x.kind is r.kind is RouteKind.MAIN}
+        for kmh in sorted(v for v in others if v is not None and v > (r.speed.kmh or v)):
+            faster = replace(r, speed=replace(r.speed, kmh=kmh))
+            yield (
+                f"{r.id} at {kmh}",
+                lower(layout, replace(table, routes=tuple(faster if x is r else x for x in table.routes))),
+            )
+
+
+SWINGS = "SW"
+
+
+def _swung_at_once(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    c = lower(layout, table)
+    for g in c.symbols.swings:
+        old = next(e for e in c.next if e.name == c.symbols.overlap_firm[g])
+        always = Substitution({names.OVERLAP_LIES(g): TRUE})
+        first = replace(old.terms[0], expr=always(old.terms[0].expr))
+        yield g, _with(c, old, replace(old, terms=(first, *old.terms[1:])))
+
+
+def _outputs(change: Callable[[Controller], Iterator[tuple[str, str, Expr]]]) -> Make:
+    """One output shows something else."""
+
+    def make(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+        c = lower(layout, table)
+        for place, name, expr in change(c):
+            shown = tuple(replace(o, expr=expr) if o.name == name else o for o in c.outputs)
+            yield place, c.with_outputs(shown)
+
+    return make
+
+
+def _dark(c: Controller) -> Iterator[tuple[str, str, Expr]]:
+    for g, name in c.symbols.stop_aspect.items():
+        yield f"stop lamp of {g}", name, FALSE
+
+
+def _undriven(c: Controller) -> Iterator[tuple[str, str, Expr]]:
+    for (m, x), name in c.symbols.drive.items():
+        yield f"{m} {x}", name, FALSE
+
+
+def _untold(c: Controller) -> Iterator[tuple[str, str, Expr]]:
+    for what, name in c.symbols.indication.items():
+        yield what, name, FALSE
+
+
+def _short(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A delay of a millisecond less than is ordered."""
+    c = lower(layout, table)
+    for t in c.timers:
+        less = replace(t, preset_ms=t.preset_ms - 1)
+        yield t.name, replace(c, steps=tuple(less if s is t else s for s in c.steps))
+
+
+def _held_number(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A number that is held asks in every scan."""
+    c = lower(layout, table)
+    for x, fresh in c.symbols.fresh.items():
+        e = next(e for e in c.next if e.name == fresh)
+        always = replace(e, join=Join.ALL, terms=(Term(TRUE, "always"),))
+        yield x, _with(c, e, always)
+
+
+KINDS: tuple[Kind, ...] = (
+    Kind("stop-lamp-dark", "a stop lamp is never lit", _outputs(_dark)),
+    Kind("machine-not-driven", "a machine is never driven to a position", _outputs(_undriven)),
+    Kind("indication-dark", "an indication or alarm is never lit", _outputs(_untold)),
+    Kind("delay-too-short", "a delay is a millisecond shorter than ordered", _short),
+    Kind("number-held", "a route number that is held asks again and again", _held_number),
+    Kind(
+        "set-while-occupied", "a route is set over a section that is reported occupied", without("WF", "section clear")
+    ),
+    Kind("released-by-nobody", "a section is given back although nobody asks for it", without("HR", "by hand")),
+    Kind(
+        "hostile-not-excluded",
+        "a route is granted over a section that another holds",
+        without("WF G AD", "section free"),
+    ),
+    Kind("diamond-not-excluded", "the exclusion over a diamond or foul joint is missing", _exclusions),
+    Kind("two-grants", "a route is granted without having been asked for, beside another", without("G", "requested")),
+    Kind("point-missing", "a point demand of the path is missing", _points("path", False)),
+    Kind("point-wrong", "a point demand of the path is in the wrong position", _points("path", True)),
+    Kind("flank-missing", "a flank demand is missing", _points("flank", False)),
+    Kind("flank-wrong", "a flank demand is in the wrong position", _points("flank", True)),
+    Kind("section-missing", "the last section of a route is left out", _shorter),
+    Kind(
+        "detection-not-required",
+        "locked, and proceed shown, without detection of a point",
+        without("WD", "path point detected", "flank point detected"),
+    ),
+    Kind(
+        "lock-without-detection",
+        "locked before the points of a way are detected",
+        without("LK", "way lies"),
+    ),
+    Kind("way-not-supervised", "proceed stays whatever becomes of a way", without("CO", "way in order")),
+    Kind("way-not-available", "a route is granted over a way that cannot be had", without("WF", "way available")),
+    Kind("section-not-checked", "locked, and proceed shown, without a section clear", without("WL", "section clear")),
+    Kind(
+        "condition-not-checked",
+        "proceed without an external condition or the line beyond",
+        without("CO", "condition", "line beyond clear"),
+    ),
+    Kind("blocked-not-checked", "proceed over a blocked section", without("WP CO", "not blocked")),
+    Kind("proceed-before-lock", "proceed before the route is locked", without("PR", "locked")),
+    Kind("signal-not-dropped", "proceed stays when a condition is lost", without("PR", "conditions")),
+    Kind("signal-open-behind-train", "the signal is not closed by the train", without("PR", "stays")),
+    Kind("closes-late", "a signal stays open behind the first axle where another movement may follow", _closes_late),
+    Kind(
+        "stays-open",
+        "a signal that is open for the movement that passes it stays so",
+        without("PA", "still passing", "first section occupied"),
+    ),
+    Kind(
+        "open-while-released", "a signal is still open when its locks are released", without("BT HR", "signal closed")
+    ),
+    Kind(
+        "passing-not-supervised",
+        "a signal stays open behind the first axle whatever happens",
+        without("PA", "path point detected", "way detected", "not cancelled", "inputs valid", "not blocked"),
+    ),
+    Kind("cancel-not-obeyed", "proceed stays after a cancellation", without("PR", "not cancelled", "not cancelling")),
+    Kind("cancel-with-train", "a route is cancelled while a train approaches", without("CD", "no train about to come")),
+    Kind("approach-one-section", "nothing further back than the section in rear is looked at", _short_approach),
+    Kind("cancel-occupied", "a route is cancelled with its first section occupied", without("CD", "long clear")),
+    Kind("release-occupied", "a section is released under a train", without("HR", "long clear")),
+    Kind(
+        "release-by-hand-early",
+        "a section is released by hand before a train that may come",
+        without("HR", "no train about to come"),
+    ),
+    Kind("release-out-of-order", "a section is released before the one in rear", without("HR", "rear released")),
+    Kind("withdraw-occupied", "a withdrawn lock goes under a train", without("CA", "long clear")),
+    Kind("withdraw-early", "a withdrawn lock goes before the one in rear", without("CA", "rear released")),
+    Kind("release-one-early", "automatic release before the train has gone on", without("BT", "went on")),
+    Kind("release-unused", "automatic release without the section having been used", without("BT", "was used")),
+    Kind("release-under-train", "automatic release of an occupied section", without("BT", "long clear")),
+    Kind("clear-not-counted", "the release delay runs in an occupied section", without("RTI", "section clear")),
+    Kind("restart-release-occupied", "an occupied section is released after a restart", without("SR", "long clear")),
+    Kind("restart-unlocked", "a section is not locked at a restart", _not_locked_at_restart),
+    Kind("use-without-rear", "a section counts as used although the rear is clear", without("NU", "rear occupied")),
+    Kind("use-while-stale", "the three-point check goes on after inputs were lost", without("NU", "inputs never lost")),
+    Kind("point-free-while-locked", "a machine may move in a locked section", without("MOV", "point section free")),
+    Kind("point-free-under-train", "a machine may move in an occupied section", without("MOV", "point section clear")),
+    Kind("flank-not-held", "a machine may move although it protects a flank", without("MOV", "flank not held")),
+    Kind(
+        "hand-beside-grant",
+        "a machine is moved by hand in the scan of a grant",
+        without("MAN", "no grant in this scan"),
+    ),
+    Kind("wrong-direction", "a lock stands for the wrong direction of travel", _direction),
+    Kind("fault-ignored", "a faulty detector is believed", without("OCC", "detector faulty")),
+    Kind("lost-input-ignored", "lost inputs do not read as occupied", without("OCC", "inputs lost")),
+    Kind("validity-not-wired", "the health of the inputs is not looked at", _validity_not_wired),
+    Kind(
+        "berth-under-train",
+        "a shunting movement is set into a berth to which a train runs",
+        without("G AD", "no train into the berth"),
+    ),
+    Kind(
+        "berth-from-both-ends",
+        "two shunting movements are set into one berth",
+        without("G AD", "no other movement into the berth"),
+    ),
+    Kind(
+        "arrived-early", "a train counts as arrived before it is wholly in", without("AR", "wholly in", "rear released")
+    ),
+    Kind(
+        "berth-released-early",
+        "a berth is released in the scan in which a movement is set into it",
+        without("CA", "nothing granted into it"),
+    ),
+    Kind("device-missing", "a level crossing or interlock is not demanded", _points("device", False)),
+    Kind("device-wrong", "a level crossing or interlock is demanded open", _points("device", True)),
+    Kind("opens-under-train", "a level crossing opens by itself while locked or occupied", _unguarded("returns")),
+    Kind("driven-while-locked", "a driven point moves while it is locked", _unguarded("driven along")),
+    Kind("foul-not-checked", "proceed although a foul section is occupied", without("WD", "foul section clear")),
+    Kind(
+        "flank-space-not-checked",
+        "proceed although something stands in the flank space, or a protecting signal is dark",
+        without("WD", "flank space clear", "flank lamp intact"),
+    ),
+    Kind("zone-not-checked", "a route into a full zone is granted", without("G AD", "zone not full")),
+    Kind("zone-miscounted", "a train in a zone does not count", without("ZB", "locked", "restart lock")),
+    Kind("direction-not-checked", "proceed onto a line whose direction is not ours", without("CO", "direction ours")),
+    Kind(
+        "direction-given-early",
+        "the direction is given away while a train leaves, is on the line, or has not been given before",
+        without("BV", "line clear", "no departure"),
+    ),
+    Kind(
+        "direction-in-a-hurry",
+        "the direction is given before its last change is complete",
+        without("BV", "change complete"),
+    ),
+    Kind("direction-not-handed-over", "the direction stays here although it was given", without("BH", "not given")),
+    Kind("speed-too-high", "a signal shows the speed of another route", _too_fast),
+    Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
+    Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
+    Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),
+    Kind("lamp-not-lit", "proceed with its lamp out", without("CO", "proceed lamp intact")),
+    Kind("clear-lamp-not-lit", "clear with its lamp out", without("C", "clear lamp intact")),
+    Kind("call-on-blind", "a train is called on without looking at its first section or at berths", _blind_call_on),
+    Kind("call-on-again", "a signal that called a train on can be opened again", _call_on_again),
+    Kind(
+        "call-on-released-by-detection",
+        "the three-point check goes on where a train was called on over a section that may report anything",
+        _call_on_trusted,
+    ),
+    Kind("clear-before-stop", "clear although the next signal is at stop", without("C", "next signal open")),
+    Kind("overlap-not-free", "a route is granted although its overlap is held", without("OF", "overlap free")),
+    Kind("overlap-not-clear", "locked although the overlap is not in order", without("LK", "overlap lies")),
+    Kind("overlap-not-checked", "proceed although the overlap is not in order", without("CO", "overlap lies")),
+    Kind("overlap-not-held", "the overlap is given up at once", without("V", "held")),
+    Kind("overlap-shorter", "an overlap without its last section", _overlap_shorter),
+    Kind(
+        "overlap-timed-early",
+        "the overlap's time runs before the train is wholly in",
+        without("OTI", "wholly in", "rear released", "was used"),
+    ),
+    Kind("swing-before-train", "an overlap swings while a train is close", without(SWINGS, "no train close")),
+    Kind(
+        "swing-into-held",
+        "an overlap swings to track that others hold or stand on",
+        without(SWINGS, "overlap free", "overlap clear", "not run over", "exclusion"),
+    ),
+    Kind("swing-at-once", "a swung overlap counts before it lies", _swung_at_once),
+    Kind("overlap-taken", "a route is set over a section that is held as overlap", without("FREE", "no overlap")),
+    Kind("proceed-on-lost-input", "proceed stays when inputs are lost", without("CO", "inputs valid")),
+)
+
+
+def weakenings(layout: Layout, table: InterlockingTable, every: bool) -> Iterator[Mutation]:
+    """The mutants of each kind as mutations: all of them, or the first of each kind."""
+    for kind in KINDS:
+        for place, controller in islice(kind.make(layout, table), None if every else 1):
+            yield Mutation(f"weakened: {kind.name}", kind.name, (place,), partial(_made, controller))
+
+
+def _made(controller: Controller) -> Controller:
+    return controller
+
+
+def run_mutants(
+    layout: Layout,
+    table: InterlockingTable,
+    sample: int,
+    limits: Limits,
+    report: Callable[[Outcome], None] = lambda outcome: None,
+    only: tuple[str, ...] = (),
+) -> tuple[Outcome, ...]:
+    """Up to `sample` evenly spread mutants of each kind (0: all)."""
+    out = []
+    for kind in KINDS:
+        if only and kind.name not in only:
+            continue
+        mutants = list(kind.make(layout, table))
+        step = max(1, -(-len(mutants) // sample)) if sample else 1
+        for place, controller in mutants[::step]:
+            outcome = judge(layout, kind.name, place, controller, limits)
+            report(outcome)
+            out.append(outcome)
+    return tuple(out)
+
+
+def judge(layout: Layout, kind: str, place: str, controller: Controller, limits: Limits) -> Outcome:
+    """Prove a mutant; when a claim fails, look for the train movement."""
+    system = System(layout, controller)
+    kept, _, _ = inductive(system, limits)
+    wanted = claims(Facts(system))
+    open_ = open_claims(system, kept, wanted, limits)
+    at_restart = [n for n in system.symbols.restart.values() if not _initial(controller, n)]
+    failing = [*open_, *(["P-START"] if at_restart else [])]
+    if not failing:
+        return Outcome(kind, place, Fate.REDUNDANT, (), ())
+    run = search(system, [c for cs in open_.values() for c in cs], limits.search_depth, limits.search_s)
+    if run is None:
+        return Outcome(kind, place, Fate.STRICT, tuple(failing), ())
+    order = [run.claim.id, *(f for f in failing if f != run.claim.id)]
+    return Outcome(kind, place, Fate.KILLED, tuple(order), tell(system, run).steps)
+
+
+def _initial(controller: Controller, name: str) -> bool:
+    return next(s.initial for s in controller.state if s.name == name)

@@ -1,0 +1,377 @@
+"""Availability: two routes that are not hostile can be used at the same time, and a route opens when it is asked for.
+
+A controller that never lets two signals be open at once is safe and of no use, and no claim of safety would tell.  So
+for every two routes that the table does not call hostile runs on the same controller and plant show: both are set, both
+signals are open at the same time, both are driven, one after the other in either order and side by side; no signal
+closes before its own train has passed it; and afterwards everything is free again.  And for every route: asked for
+while its conditions hold, its signal opens within a number of scans that is known beforehand (`opening.py`).
+
+Not every two routes have a train each.  Where one begins in the section in which the other ends, one train takes both.
+Where the train of one would stand in a section that the other needs clear, or where both begin in one section, there is
+one train at a time: it is driven while the other signal stays open, and the other route is given back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import partial
+from itertools import pairwise
+
+from interlock.logic import names
+from interlock.logic.controller import RouteSymbols
+from interlock.model.elements import RouteId
+from interlock.proof.induction.search import Frame
+from interlock.proof.induction.story import Story, narrated
+from interlock.proof.system.transition import System
+from interlock.proof.witnesses import opening
+from interlock.proof.witnesses.routes import (
+    FEEDERS,
+    Railway,
+    _attempt,
+    _before,
+    _end,
+    _leaves,
+    _lying,
+    _over_others,
+    _stand,
+    _start,
+)
+from interlock.proof.witnesses.together import BEFORE, How, PairRun, opens_alone, pair_run, settling, to_move, turned
+from interlock.sim.lanes import Driver, Lane, Lanes
+from interlock.table.rows import InterlockingTable
+
+BATCH = 2048  # so many runs are carried out side by side
+
+
+class Manner(StrEnum):
+    """What a pair of routes is tried with."""
+
+    BESIDE = "a train each"
+    AFTER = "one train for both"
+    ALONE = "one train at a time"
+    ZONE = "kept apart by a zone"
+    NONE = "no train can take one of them"
+
+
+@dataclass(frozen=True)
+class PairResult:
+    """What became of two routes; `failure`: what went wrong in the first run that failed, or None."""
+
+    first: str
+    second: str
+    manner: Manner
+    runs: int
+    failure: str | None = None
+    failed: PairRun | None = None
+
+
+@dataclass(frozen=True)
+class Opened:
+    """The bound of a route, and what a run showed: scans with every machine in place, and with those moved that the
+    train does not stand on; None where no train can stand before the signal since a restart."""
+
+    bound: opening.Opening
+    seen: tuple[int, int] | None
+    failure: str | None
+
+
+@dataclass(frozen=True)
+class Availability:
+    """Every route and every pair."""
+
+    routes: tuple[Opened, ...]
+    pairs: tuple[PairResult, ...]
+    hostile: int
+
+    @property
+    def runs(self) -> int:
+        """Runs of pairs."""
+        return sum(p.runs for p in self.pairs)
+
+    @property
+    def shown(self) -> bool:
+        """Nothing failed."""
+        return all(p.failure is None for p in self.pairs) and all(r.failure is None for r in self.routes)
+
+
+def availability(system: System, table: InterlockingTable) -> Availability:
+    """Runs for every route and for every two routes that the table does not call hostile."""
+    trial = Trial(system)
+    pairs = list(compatible(system, table))
+    planned = [(a, b, *trial.plan(a, b)) for a, b in pairs]
+    results = trial.results(planned)
+    unmet = [i for i, x in enumerate(results) if x.failed is not None and not trial.meet(x.failed)]
+    for i, x in zip(unmet, trial.results([trial.apart(*pairs[i]) for i in unmet]), strict=True):
+        results[i] = x
+    count = len(system.symbols.routes)
+    return Availability(trial.opened(), tuple(results), count * (count - 1) // 2 - len(pairs))
+
+
+def compatible(system: System, table: InterlockingTable) -> Iterator[tuple[RouteSymbols, RouteSymbols]]:
+    """Every two routes that are not hostile."""
+    routes = system.symbols.routes
+    for i, a in enumerate(routes):
+        hostile = set(table.route[a.id].hostile.routes)
+        yield from ((a, b) for b in routes[i + 1 :] if b.id not in hostile)
+
+
+Plan = tuple[RouteSymbols, RouteSymbols, Manner, list[PairRun]]
+"""Two routes, how they are tried, and the runs."""
+
+
+@dataclass(frozen=True)
+class _Failure:
+    """What went wrong in a run."""
+
+    text: str
+
+    @property
+    def coming(self) -> bool:
+        """It was about how trains came to be where they are: over other routes, or there since a restart."""
+        return self.text.startswith(BEFORE) or "the restart" in self.text
+
+
+class Trial:
+    """The runs of one system."""
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self.railway = Railway(system.controller, system.plant, system.layout)
+        self._lanes = Lanes(self.railway.controller, self.railway.plant)
+        self._comes = self._find_trains()
+        self._unmet: set[PairRun] = set()
+        self._needs = {r.id: _needs_clear(system, self.railway, r) for r in system.symbols.routes}
+
+    def _find_trains(self) -> dict[RouteId, list[tuple[RouteSymbols, ...]]]:
+        """For each route the ways in which its train can come before the signal, each as the routes over which it
+        comes; none of them for one that stands there since the restart.  Standing first, then over one route, then over
+        as few as it takes."""
+        routes = self.system.symbols.routes
+        found: dict[RouteId, list[tuple[RouteSymbols, ...]]] = {r.id: [] for r in routes}
+        tried = _attempt(self.railway, self._lanes, [(r, "", ()) for r in routes])
+        for r, (failure, _) in zip(routes, tried, strict=True):
+            if failure is None:
+                found[r.id].append(())
+        ends: dict[str, list[RouteSymbols]] = {}
+        for r in routes:
+            if found[r.id] and not r.call_on and not _leaves(self.railway, r):
+                ends.setdefault(_end(self.railway, r)[0], []).append(r)
+        runs = [(x, r) for r in routes for x in ends.get(_before(self.railway, r), ())[:FEEDERS] if x is not r]
+        for (x, r), (failure, _) in zip(
+            runs, _attempt(self.railway, self._lanes, [(x, "", (r,)) for x, r in runs]), strict=True
+        ):
+            if failure is None:
+                found[r.id].append((x,))
+        for name, (chain, _) in _over_others(self.railway, self._lanes, [r for r in routes if not found[r.id]]).items():
+            found[name].append(chain[:-1])
+        return found
+
+    def plan(self, a: RouteSymbols, b: RouteSymbols) -> tuple[Manner, list[PairRun]]:
+        """The manner in which two routes are tried, and the runs."""
+        railway = self.railway
+        if not self._comes[a.id] or not self._comes[b.id]:
+            return Manner.NONE, []
+        if any(self._full(z, a, b) for z in range(len(railway.layout.zones))):
+            return Manner.ZONE, []
+        onward = [
+            (x, y)
+            for x, y in ((a, b), (b, a))
+            if _goes_on(railway, x, y) and _before(railway, x) not in self._needs[y.id]
+        ]
+        if onward:
+            return Manner.AFTER, [self._run(x, y, How.ONWARD) for x, y in onward]
+        rear = {r.id: _before(railway, r) for r in (a, b)}
+        if rear[a.id] == rear[b.id] or self._standing(a, b) is None or len(self._alone(a, b)) < 2:
+            return self.apart(a, b)[2:]
+        return Manner.BESIDE, [
+            self._run(a, b, How.THEN),
+            self._run(b, a, How.THEN),
+            self._run(a, b, How.TOGETHER),
+        ]
+
+    def apart(self, a: RouteSymbols, b: RouteSymbols) -> Plan:
+        """Runs of two routes with one train at a time."""
+        runs = [self._run(x, y, How.ALONE) for x, y in self._alone(a, b)]
+        return a, b, Manner.ALONE, runs or [self._run(a, b, How.GIVEN_BACK)]
+
+    def _alone(self, a: RouteSymbols, b: RouteSymbols) -> list[tuple[RouteSymbols, RouteSymbols]]:
+        """Those of two routes, first, whose train may stand before its signal while the other one is set."""
+        return [
+            (x, y)
+            for x, y in ((a, b), (b, a))
+            if _before(self.railway, x) not in self._needs[y.id] and not self._on_points_of(x, y)
+        ]
+
+    def _run(self, first: RouteSymbols, second: RouteSymbols, how: How, choice: tuple[int, int] = (0, 0)) -> PairRun:
+        run = PairRun(first, second, how)
+        before: list[tuple[RouteSymbols, ...]] = []
+        for r, k in zip((first, second), choice, strict=True):
+            comes = self._comes[r.id]
+            before.append(comes[min(k, len(comes) - 1)] if r in run.trains and comes else ())
+        return PairRun(first, second, how, (before[0], before[1]))
+
+    def otherwise(self, run: PairRun) -> list[PairRun]:
+        """The same with trains that come before their signals in other ways."""
+        first, second = (max(1, len(self._comes[r.id])) if r in run.trains else 1 for r in (run.first, run.second))
+        choices = [(i, k) for i in range(first) for k in range(second) if i or k]
+        return [self._run(run.first, run.second, run.how, choice) for choice in choices]
+
+    def _full(self, zone: int, a: RouteSymbols, b: RouteSymbols) -> bool:
+        """Whether a zone does not admit the trains of both routes, where they stand or are called."""
+        z = self.railway.layout.zones[zone]
+        trains = 0
+        for r in (a, b):
+            over = [_before(self.railway, r), *(s for s, _ in r.ways)]
+            trains += over[0] in z.sections
+            trains += sum(y in z.sections and x not in z.sections for x, y in pairwise(over))
+        return trains > z.trains
+
+    def _standing(self, *routes: RouteSymbols) -> dict[str, int] | None:
+        """Trains before some signals, points lying under them as they stand; None if they would lie both ways."""
+        state: dict[str, int] = {}
+        for r in routes:
+            stands = _stand(self.railway, _before(self.railway, r), self.railway.layout.signal[r.entry].node) or {}
+            if any(state.get(name, value) != value for name, value in stands.items()):
+                return None
+            state |= stands
+        return state
+
+    def _on_points_of(self, a: RouteSymbols, b: RouteSymbols) -> bool:
+        """Whether the train before one route stands on points that the other one needs otherwise."""
+        stands = self._standing(a) or {}
+        return any(stands.get(name, value) != value for name, value in _lying(self.railway, b).items())
+
+    def results(self, planned: Sequence[Plan]) -> list[PairResult]:
+        """What becomes of pairs."""
+        outcomes = iter(self._outcomes([x for _, _, _, runs in planned for x in runs]))
+        found = []
+        for a, b, manner, runs in planned:
+            tried = [(x, next(outcomes)) for x in runs]
+            failed, why = next(((x, failure.text) for x, failure in tried if failure is not None), (None, None))
+            why = str(manner) if manner is Manner.NONE else why
+            found.append(PairResult(a.id, b.id, manner, len(runs), why, failed))
+        return found
+
+    def meet(self, run: PairRun) -> bool:
+        """Whether the trains of a run that failed can be where they have to be at the same time, however they come."""
+        return run not in self._unmet
+
+    def _outcomes(self, runs: Sequence[PairRun]) -> list[_Failure | None]:
+        """What went wrong in each run, or None.
+
+        A route may be refused because of how its train, or the other one, came to be where it is: one that stands there
+        since a restart might stand astride a joint, one that comes later has to pass the other.  Then the run is tried
+        with trains that come otherwise.
+        """
+        found = self._once(runs)
+        again = [
+            (i, x) for i, why in enumerate(found) if why is not None and why.coming for x in self.otherwise(runs[i])
+        ]
+        for (i, _), why in zip(again, self._once([x for _, x in again]), strict=True):
+            before = found[i]
+            if before is not None and before.coming:
+                found[i] = why
+        self._unmet |= {x for x, why in zip(runs, found, strict=True) if why is not None and why.coming}
+        return found
+
+    def _once(self, runs: Sequence[PairRun]) -> list[_Failure | None]:
+        found: list[_Failure | None] = []
+        for at in range(0, len(runs), BATCH):
+            some = runs[at : at + BATCH]
+            drivers = [partial(pair_run, self.system, self.railway, x) for x in some]
+            done = self._lanes.run([self.start(x) for x in some], drivers)
+            found += [None if text is None else _Failure(text) for text, _ in done]
+        return found
+
+    def story(self, result: PairResult) -> Story | None:
+        """The run that failed, for the player; None where nothing was tried."""
+        if result.failed is None or result.failure is None:
+            return None
+        failed, frames = result.failed, list[Frame]()
+
+        def recorded(lane: Lane) -> Driver:
+            run = pair_run(self.system, self.railway, failed, lane)
+            while True:
+                try:
+                    wish = next(run)
+                except StopIteration as end:
+                    failure: str | None = end.value
+                    return failure
+                yield wish
+                last = lane.lanes.last
+                state: dict[str, int] = {n: last.get(n, 0) for n in self.system.state}
+                frames.append(Frame(state, {n: _read(lane, n) for n in self.system.inputs}))
+
+        self._lanes.run([self.start(failed)], [recorded])
+        frames.append(Frame({n: self._lanes.state.get(n, 0) for n in self.system.state}, {}))
+        place = f"{result.first} and {result.second}"
+        sentence = "Two routes that are not hostile can be set, open, driven and released at the same time."
+        ending = [f"{failed.first.id} and {failed.second.id}, {failed.how}: {result.failure}."]
+        return narrated(self.system, frames, ("AVAILABILITY", place, sentence), ending)
+
+    def start(self, run: PairRun) -> dict[str, int]:
+        """The restart with the trains of a run, points lying for it where no train stands on them."""
+        trains = zip((run.first, run.second), run.before, strict=True)
+        from_ = [chain[0] if chain else r for r, chain in trains if r in run.trains]
+        state: dict[str, int] = {}
+        for r in (*from_, run.first, run.second):
+            state = _lying(self.railway, r) | state
+        return state | (self._standing(*from_) or {})
+
+    def opened(self) -> tuple[Opened, ...]:
+        """For each route its bound, and what runs show: with every machine in place, and with the others moved."""
+        railway, system = self.railway, self.system
+        routes = [r for r in system.symbols.routes if () in self._comes[r.id] and not r.call_on]
+        seen: dict[RouteId, list[int]] = {r.id: [] for r in routes}
+        why: dict[RouteId, str] = {}
+        for move in (False, True):
+            starts, moved = [], []
+            for r in routes:
+                start = _start(railway, r, "")
+                assert isinstance(start, dict)
+                away = turned(system, r, self._standing(r) or {}) if move else {}
+                starts.append(start | away)
+                moved.append(to_move(system, r, start | away))
+            drivers = [partial(opens_alone, system, railway, r, n) for r, n in zip(routes, moved, strict=True)]
+            for r, (failure, n) in zip(routes, self._lanes.run(starts, drivers), strict=True):
+                seen[r.id].append(n - len(settling(railway, [r])))
+                if failure is not None:
+                    why[r.id] = failure
+        return tuple(
+            Opened(
+                opening.opening(system, r),
+                (seen[r.id][0], seen[r.id][1]) if r.id in seen else None,
+                why.get(r.id) or (None if self._comes[r.id] else "no train can take it"),
+            )
+            for r in system.symbols.routes
+        )
+
+
+def _read(lane: Lane, name: str) -> int:
+    """What an input or choice was in the last step of a single run."""
+    size = lane.lanes.sizes.get(name)
+    last = lane.lanes.last
+    return last.get(name, 0) if size is None else next((k for k in range(1, size) if last[f"{name}={k}"]), 0)
+
+
+def _goes_on(railway: Railway, a: RouteSymbols, b: RouteSymbols) -> bool:
+    """Whether a train at the end of one route stands before the other's signal, turned about or not."""
+    if _leaves(railway, a) or _end(railway, a)[0] != _before(railway, b):
+        return False
+    section, number = a.ways[-1] if a.berth is None else a.berth
+    t = railway.topo.traversals[section][number - 1]
+    return railway.layout.signal[b.entry].node in (t.entry, t.exit)
+
+
+def _needs_clear(system: System, railway: Railway, r: RouteSymbols) -> frozenset[str]:
+    """The sections in which nothing can stand while a route is set: path, berth, overlap, foul of them, line beyond."""
+    over = () if r.overlap is None else system.symbols.overlap_ways[r.overlap]
+    ways = [system.topo.traversals[s][n - 1] for s, n in (*r.ways, *over, *([r.berth] if r.berth is not None else []))]
+    found: set[str] = {t.section for t in ways}
+    found |= {f.neighbour for f in system.measured.fouls for t in ways if f.fouls(t)}
+    if _leaves(railway, r):
+        boundary = railway.layout.boundary_at[_end(railway, r)[1]]
+        found |= {boundary.approach or names.outside(boundary.node)}
+    return frozenset(found)

@@ -1,0 +1,80 @@
+"""How long a route takes from being asked for until its signal is open, while its conditions hold.
+
+In one scan it is set, in the next its points are found as it needs them and it is locked, and in the third the signal
+is open.  Where machines must move first they are commanded when it is set, and found in place one scan after they have
+arrived.  A level crossing or bridge that has just begun to open by itself arrives there before it closes again.  With
+staggered starts each machine after the first waits for its turn.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil
+
+from interlock.logic.controller import RouteSymbols
+from interlock.model.elements import MachineId
+from interlock.proof.system.transition import System
+
+SET, LOCKED, OPEN = 1, 2, 3
+
+
+@dataclass(frozen=True)
+class Opening:
+    """Of one route: scans if every machine already lies as needed; scans and seconds if all of them must move; and the
+    seconds for which the change of direction must be held where the direction of the line is not ours."""
+
+    route: str
+    machines: int
+    scans: int
+    at_most_scans: int
+    seconds: float
+    token_s: float
+
+    @property
+    def text(self) -> str:
+        """In words."""
+        text = f"{self.scans} scans"
+        if self.machines:
+            moved = "its machine moved" if self.machines == 1 else f"its {self.machines} machines moved"
+            text += f"; {moved}, {self.at_most_scans} scans and {self.seconds:g} s"
+        return f"{text}; with a change of direction {self.token_s:g} s more" if self.token_s else text
+
+
+def opening(system: System, r: RouteSymbols) -> Opening:
+    """The bound of a route, computed from scans and machine times."""
+    rules = system.layout.principles
+    needed = machines_of(system, r)
+    machines = len(needed)
+    scans, seconds = OPEN, 0.0
+    if machines:
+        back = bool(needed & devices(system))
+        scans, seconds = OPEN + 1 + back, rules.point_run_s * (1 + back)
+        if rules.point_start_gap_s > 0:  # a turn is given, the start seen, and the gap waited for
+            scans += 2 * machines - 1
+            seconds += (machines - 1) * rules.point_start_gap_s
+    exit_ = system.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit
+    token = exit_ in system.symbols.token and not r.shunt
+    return Opening(r.id, machines, OPEN, scans, seconds, rules.token_delay_s if token else 0.0)
+
+
+def machines_of(system: System, r: RouteSymbols) -> set[MachineId]:
+    """The machines that a route needs to lie somehow, for its path, its flanks and its overlap."""
+    over = () if r.overlap is None else system.symbols.overlap_ways[r.overlap]
+    return {m for way in (*r.ways, *over) for m, _ in system.symbols.demands[way]}
+
+
+def devices(system: System) -> set[MachineId]:
+    """Level crossings, bridges and other interlocks: what opens by itself."""
+    return {d.id for d in system.layout.devices}
+
+
+def steps(system: System, r: RouteSymbols, dt_ms: int, moved: int | None = None) -> int:
+    """The scans of a run, `dt_ms` apart, in which machines need no time to move, until the signal is open; `moved`: so
+    many machines have to, else all."""
+    needed = machines_of(system, r)
+    n = len(needed) if moved is None else moved
+    gap_ms = system.layout.principles.point_start_gap_s * 1000
+    if not n:
+        return OPEN
+    back = bool(needed & devices(system))
+    return OPEN + 1 + back + (1 + (n - 1) * (2 + ceil(gap_ms / dt_ms)) if gap_ms > 0 else 0)

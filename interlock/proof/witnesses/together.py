@@ -1,0 +1,269 @@
+"""One run of two routes: trains come before their signals, both are opened and driven, and all is free again."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from itertools import pairwise
+
+from interlock.logic import names
+from interlock.logic.controller import RouteSymbols
+from interlock.model.elements import NodeId, Position, SectionId
+from interlock.proof.system.transition import System
+from interlock.proof.witnesses import opening
+from interlock.proof.witnesses.routes import (
+    MAX_STEPS,
+    Railway,
+    _before,
+    _closing,
+    _failed_section,
+    _kept,
+    _not,
+    _set,
+    _travel,
+    _until,
+)
+from interlock.sim.lanes import NOTHING, Driver, Lane, Wish
+
+BEFORE = "before that, "
+
+
+class How(StrEnum):
+    """What happens in one run, once both signals are open."""
+
+    THEN = "the first train, then the second"
+    TOGETHER = "both trains at once"
+    ONWARD = "one train over the first, then over the second"
+    ALONE = "a train on the first; the second is given back"
+    GIVEN_BACK = "both are given back"
+
+
+@dataclass(frozen=True)
+class PairRun:
+    """One run of two routes.  `before`: routes over which each train comes to its signal from where it can stand."""
+
+    first: RouteSymbols
+    second: RouteSymbols
+    how: How
+    before: tuple[tuple[RouteSymbols, ...], tuple[RouteSymbols, ...]] = ((), ())
+
+    @property
+    def trains(self) -> tuple[RouteSymbols, ...]:
+        """The routes that have a train of their own."""
+        if self.how is How.GIVEN_BACK:
+            return ()
+        return (self.first,) if self.how in (How.ONWARD, How.ALONE) else (self.first, self.second)
+
+
+def pair_run(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
+    """Release after the restart, bring the trains before their signals, open both, drive, and see all free again."""
+    yield from settling(railway, [r for chain, r in zip(run.before, run.trains, strict=False) for r in (*chain, r)])
+    for chain, last in zip(run.before, (run.first, run.second), strict=True):
+        if chain:
+            yield from _there(railway, lane, chain[0])
+        for r, after in pairwise((*chain, last)):
+            failure = (yield from _set(railway, lane, r)) or (yield from _travel(railway, lane, r))
+            failure = failure or (yield from _freed(railway, lane, (r,), _stays(railway, r)))
+            if failure is not None:
+                return f"{BEFORE}over {r.id}: {failure}"
+            yield from _turn(railway, after)
+    for r in run.trains:
+        yield from _there(railway, lane, r)
+        if not lane.is_on(names.STANDS(_before(railway, r))):
+            return f"{BEFORE}both trains have to begin in one place"
+    failure = yield from _disturbed_for(railway, (run.first, run.second), _used(system, railway, run, lane))
+    troubles = lane.troubles()
+    return failure or (f"the run meets {', '.join(troubles)}" if troubles else None)
+
+
+def _there(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
+    """Another train comes to a boundary where the one before has gone on."""
+    place = _before(railway, r)
+    if place not in railway.topo.ends and not lane.is_on(names.STANDS(place)):
+        yield from _until(lane, names.STANDS(place), Wish((names.APPEARS(place),)))
+
+
+def _used(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
+    first, second = run.first, run.second
+    for r in (first, second):
+        failure = yield from _opens(railway, lane, r, opening.steps(system, r, lane.lanes.dt_ms))
+        if failure is not None:
+            return f"{r.id}: {failure}"
+    yield NOTHING
+    for r in (first, second):
+        if not _is_open(lane, r):
+            return f"{r.id}: its signal closes when the other one is open"
+    failure = yield from _driven(railway, run, lane)
+    if failure is not None:
+        return failure
+    there = (second,) if run.how is How.ONWARD else run.trains
+    keep = set(railway.layout.undetected).union(*(_stays(railway, r, r not in there) for r in (first, second)))
+    left = [s for s, locks in railway.symbols.locked_by.items() if s not in keep and any(map(lane.is_on, locks))]
+    return f"{', '.join(left)} stay locked in the end" if left else None
+
+
+def _driven(railway: Railway, run: PairRun, lane: Lane) -> Driver:
+    first, second = run.first, run.second
+    if run.how is How.TOGETHER:
+        both = _merged([_travel(railway, lane, first), _travel(railway, lane, second)])
+        failure = yield from _watched(lane, both, (first, second), ())
+    elif run.trains:
+        failure = yield from _watched(lane, _travel(railway, lane, first), (first,), (second,))
+        if failure is None and run.how is not How.ONWARD:
+            failure = yield from _watched(lane, _freed(railway, lane, (first,), _stays(railway, first)), (), (second,))
+        if failure is None and run.how is How.ONWARD:
+            failure = yield from _watched(lane, _turn(railway, second), (), (second,))
+    else:
+        failure = None
+    if failure is None and run.how in (How.THEN, How.ONWARD):
+        failure = yield from _watched(lane, _travel(railway, lane, second), (second,), ())
+    if failure is not None:
+        return failure
+    given_back = {How.ALONE: [second], How.GIVEN_BACK: [first, second]}.get(run.how, [])
+    for r in given_back:
+        yield Wish((), {railway.symbols.cancel[r.entry]: 1})
+    there = (second,) if run.how is How.ONWARD else run.trains
+    keep = set().union(*(_stays(railway, r, r not in there) for r in (first, second)))
+    return (yield from _freed(railway, lane, (first, second), keep))
+
+
+def settling(railway: Railway, routes: Sequence[RouteSymbols]) -> list[Wish]:
+    """Two scans in which an operator releases everything that is clear, and closes crossings under waiting trains."""
+    closing = dict.fromkeys((x for r in routes for x in _closing(railway, _before(railway, r))), 1)
+    return [Wish((), {names.RELEASE_ALL: 1, **closing})] * 2
+
+
+def _broken(railway: Railway, r: RouteSymbols) -> SectionId | None:
+    """A section that is reported occupied by mistake while a train is called on."""
+    return _failed_section(railway, r) if r.call_on else None
+
+
+def _disturbed_for(railway: Railway, routes: Sequence[RouteSymbols], run: Driver) -> Driver:
+    """A run in which sections are reported occupied by mistake: calling on is for that."""
+    broken: dict[str, int] = {railway.symbols.clear[s]: 0 for r in routes if (s := _broken(railway, r)) is not None}
+    while True:
+        try:
+            wish = next(run)
+        except StopIteration as end:
+            failure: str | None = end.value
+            return failure
+        yield Wish(wish.events, {**wish.inputs, **broken})
+
+
+def _opens(railway: Railway, lane: Lane, r: RouteSymbols, steps: int) -> Driver:
+    """Asked for, the route is set at once, and its signal opens within some scans."""
+    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), opening.SET)):
+        return "the request is refused: " + _not(lane, names.GRANTED(r.number))
+    token = railway.symbols.token.get(_exit(railway, r))
+    if token is not None and not r.shunt and not lane.is_on(token.have):
+        yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
+    if not (yield from _until(lane, r.proceed, NOTHING, steps - opening.SET)):
+        equation = names.CONDITIONS(r.number) if lane.is_on(r.locked) else names.LOCKS(r.number)
+        return f"the signal does not open within {steps} scans: " + _not(lane, equation)
+    return None
+
+
+def _exit(railway: Railway, r: RouteSymbols) -> NodeId:
+    section, number = r.ways[-1]
+    return railway.topo.traversals[section][number - 1].exit
+
+
+def opens_alone(system: System, railway: Railway, r: RouteSymbols, moved: int, lane: Lane) -> Driver:
+    yield from settling(railway, [r])
+    return (yield from _opens(railway, lane, r, opening.steps(system, r, lane.lanes.dt_ms, moved)))
+
+
+def turned(system: System, r: RouteSymbols, standing: dict[str, int]) -> dict[str, int]:
+    """Every machine of a route the other way, but for those on which its train stands."""
+    return {
+        name: value
+        for way in (*r.ways, *(() if r.overlap is None else system.symbols.overlap_ways[r.overlap]))
+        for m, x in system.symbols.demands[way]
+        for name, value in ((names.LIES(m, x), 0), (names.LIES(m, x.other), 1))
+        if name not in standing
+    }
+
+
+def to_move(system: System, r: RouteSymbols, start: dict[str, int]) -> int:
+    """The machines that a route has to move."""
+    over = () if r.overlap is None else system.symbols.overlap_ways[r.overlap]
+    wrong = {
+        m
+        for way in (*r.ways, *over)
+        for m, x in system.symbols.demands[way]
+        if not start.get(names.LIES(m, x), int(x is Position.NORMAL)) or m in opening.devices(system)
+    }
+    return len(wrong)
+
+
+def _is_open(lane: Lane, r: RouteSymbols) -> bool:
+    return any(map(lane.is_on, r.open_while))
+
+
+def _watched(lane: Lane, run: Driver, running: Sequence[RouteSymbols], waiting: Sequence[RouteSymbols]) -> Driver:
+    """A run in which signals stay open: `running` until their own train has come into the first section."""
+    outside = list(running)
+    while True:
+        try:
+            wish = next(run)
+        except StopIteration as end:
+            failure: str | None = end.value
+            return failure
+        yield wish
+        outside = [r for r in outside if not lane.is_on(names.STANDS(r.ways[0][0]))]
+        for r in (*outside, *waiting):
+            if not _is_open(lane, r):
+                why = _not(lane, names.CONDITIONS(r.number))
+                return f"the signal of {r.id} falls to stop before its train: {why}"
+
+
+def _merged(runs: Sequence[Driver]) -> Driver:
+    """Several runs at once, step by step."""
+    live = list(runs)
+    while True:
+        wishes = []
+        for run in list(live):
+            try:
+                wishes.append(next(run))
+            except StopIteration as end:
+                if end.value is not None:
+                    failure: str = end.value
+                    return failure
+                live.remove(run)
+        if not live:
+            return None
+        inputs = {name: value for w in wishes for name, value in w.inputs.items()}
+        yield Wish(tuple(e for w in wishes for e in w.events), inputs)
+
+
+def _turn(railway: Railway, r: RouteSymbols) -> Generator[Wish, None, str | None]:
+    """The train that has come before a signal turns towards it, if it must."""
+    place, node = _before(railway, r), railway.layout.signal[r.entry].node
+    yield Wish(tuple(e for e in railway.plant.events if e.family is names.TURNS and e.at[:2] == (place, node)))
+    return None
+
+
+def _stays(railway: Railway, r: RouteSymbols, empty: bool = False) -> set[SectionId]:
+    """Where a route's sections stay locked: under its train, unless none is there, and from a failed section on."""
+    broken = _broken(railway, r)
+    return set() if empty and broken is None else _kept(railway, r, broken)
+
+
+def _freed(railway: Railway, lane: Lane, routes: Sequence[RouteSymbols], keep: set[SectionId]) -> Driver:
+    """What routes have locked is free again, but for some sections; calling on is given back by hand."""
+    sym = railway.symbols
+    inputs: dict[str, int] = {}
+    for r in routes:
+        if r.call_on:
+            over = [SectionId(_before(railway, r)), *(s for s, _ in r.ways)]
+            inputs |= {sym.cancel[r.entry]: 1, **{sym.release[s]: 1 for s in over if s in sym.release}}
+    ways = [*(way for r in routes for way in r.ways), *(r.berth for r in routes if r.berth is not None)]
+    mine = {s for s, _ in ways} | {SectionId(_before(railway, r)) for r in routes}
+    locks = [(s, sym.locked_by[s]) for s in sorted(mine - keep - set(railway.layout.undetected)) if s in sym.locked_by]
+    for _ in range(MAX_STEPS):
+        left = [s for s, names in locks if any(map(lane.is_on, names))]
+        if not left:
+            return None
+        yield Wish((), inputs)
+    return f"{', '.join(left)} stay locked behind the train"

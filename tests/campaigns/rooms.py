@@ -1,0 +1,232 @@
+"""Count the rooms of the house: lines of essential logic and of optimisation in each room of a version, arrows between
+rooms, and the longest functions and largest classes.
+
+python -m tests.campaigns.rooms [OLDER] [--write]
+
+OLDER is a folder with an older version of the project (`git archive COMMIT | tar x -C OLDER`), counted by the same
+rules; --write writes proofs/house.md.  A line is one with code: no blank line, no comment, no docstring.
+*Optimisation* is what decides only how soon an answer is there: `OPTIMISATION` lists its modules, by the names of both
+versions; a module on it could be deleted, with the callers that choose it, and every verdict would be the same.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+TOP = Path(__file__).resolve().parents[2]
+PAGE = TOP / "proofs" / "house.md"
+PUBLIC = 15
+"""Members of a class that are no surprise."""
+LINES = 60
+"""Lines of a function, with its docstring."""
+
+OPTIMISATION = frozenset(
+    f"proof/{name}.py"
+    for name in (
+        *("abstraction/canonical", "abstraction/focus", "abstraction/indexed", "abstraction/local"),
+        *(
+            "abstraction/queries",
+            "abstraction/quotient",
+            "engines/batch",
+            "engines/cache",
+            "engines/plaisted_greenbaum",
+        ),
+        *("engines/pool", "induction/one_state", "induction/parts", "system/neighbourhood"),
+        *("certificate/library", "certificate/shapes", "mutation/patterns", "mutation/switched"),
+        *("alike", "scenes", "members", "views", "looks", "sight", "asking", "cache", "onesided", "pool", "states"),
+        *("parts", "near", "local/library", "local/shapes"),
+    )
+) | {"logic/bits.py", "logic/compile.py"}
+
+
+@dataclass
+class Room:
+    """A folder with what it holds; `arrows`: rooms that it imports, and by how many modules."""
+
+    modules: int = 0
+    essential: int = 0
+    optimisation: int = 0
+    arrows: Counter[str] = field(default_factory=Counter)
+
+
+@dataclass(frozen=True, slots=True)
+class Size:
+    """A function by its lines, or a class by its public members."""
+
+    module: str
+    name: str
+    size: int
+
+
+@dataclass
+class House:
+    """A version of the project."""
+
+    rooms: dict[str, Room] = field(default_factory=dict)
+    functions: list[Size] = field(default_factory=list)
+    classes: list[Size] = field(default_factory=list)
+
+    @property
+    def essential(self) -> int:
+        """Lines of essential logic."""
+        return sum(r.essential for r in self.rooms.values())
+
+    @property
+    def optimisation(self) -> int:
+        """Lines of optimisation."""
+        return sum(r.optimisation for r in self.rooms.values())
+
+
+def room_of(module: str) -> str:
+    """The room of a module: its folder; in the proof a folder of that."""
+    parts = module.split("/")
+    return "/".join(parts[:2]) if parts[0] == "proof" and len(parts) > 2 else parts[0] if len(parts) > 1 else "."
+
+
+def code_lines(text: str, tree: ast.Module) -> int:
+    """Lines that hold code."""
+    told: set[int] = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str):
+            told.update(range(node.lineno, (node.end_lineno or node.lineno) + 1))
+    lines = enumerate(text.splitlines(), 1)
+    return sum(1 for n, line in lines if n not in told and line.strip() and not line.strip().startswith("#"))
+
+
+def imported(tree: ast.Module, modules: set[str]) -> Iterator[str]:
+    """The modules of the project that a module imports."""
+    for node in ast.walk(tree):
+        names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
+        if isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            names = [node.module, *(f"{node.module}.{a.name}" for a in node.names)]
+        for name in names:
+            path = name.removeprefix("interlock.").replace(".", "/")
+            for found in (f"{path}.py", f"{path}/__init__.py"):
+                if name.startswith("interlock.") and found in modules:
+                    yield found
+
+
+def _put_into_self(made: ast.FunctionDef) -> Iterator[str]:
+    for node in ast.walk(made):
+        targets: list[ast.expr] = []
+        if isinstance(node, ast.AnnAssign):
+            targets = [node.target]
+        elif isinstance(node, ast.Assign):
+            targets = [y for x in node.targets for y in (x.elts if isinstance(x, ast.Tuple) else [x])]
+        for x in targets:
+            if isinstance(x, ast.Attribute) and isinstance(x.value, ast.Name) and x.value.id == "self":
+                yield x.attr
+
+
+def public_members(node: ast.ClassDef) -> int:
+    """Methods and attributes of a class that others may use: of its body, and what `__init__` puts into `self`."""
+    names: set[str] = set()
+    for x in node.body:
+        if isinstance(x, ast.FunctionDef):
+            names.add(x.name)
+            if x.name == "__init__":
+                names |= {
+                    t.attr
+                    for y in ast.walk(x)
+                    for t in (
+                        [y.target] if isinstance(y, ast.AnnAssign) else y.targets if isinstance(y, ast.Assign) else []
+                    )
+                    for t in (t.elts if isinstance(t, ast.Tuple) else [t])
+                    if isinstance(t, ast.Attribute) and isinstance(t.value, ast.Name) and t.value.id == "self"
+                }
+        elif isinstance(x, ast.AnnAssign) and isinstance(x.target, ast.Name):
+            names.add(x.target.id)
+    return sum(not n.startswith("_") for n in names)
+
+
+def sizes(module: str, tree: ast.Module, house: House) -> None:
+    """The functions and classes of a module."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.FunctionDef):
+            house.functions.append(Size(module, node.name, (node.end_lineno or node.lineno) - node.lineno + 1))
+        elif isinstance(node, ast.ClassDef):
+            house.classes.append(Size(module, node.name, public_members(node)))
+
+
+def counted(top: Path) -> House:
+    """A version of the project, counted."""
+    root = top / "interlock"
+    paths = {str(p.relative_to(root)): p for p in sorted(root.rglob("*.py"))}
+    house = House()
+    for module, path in paths.items():
+        text = path.read_text("utf-8")
+        tree = ast.parse(text)
+        here = room_of(module)
+        room = house.rooms.setdefault(here, Room())
+        room.modules += 1
+        lines = code_lines(text, tree)
+        if module in OPTIMISATION:
+            room.optimisation += lines
+        else:
+            room.essential += lines
+        room.arrows.update({room_of(m) for m in imported(tree, set(paths))} - {here, "."})
+        sizes(module, tree, house)
+    return house
+
+
+def _arrows(house: House, within: str) -> Iterator[str]:
+    for name, room in sorted(house.rooms.items()):
+        if name.startswith(within) and room.arrows:
+            yield f"| {name} | {', '.join(sorted(room.arrows))} |"
+
+
+def page(before: House | None, now: House) -> str:
+    """proofs/house.md."""
+    out = [
+        "# The house, counted",
+        "",
+        "Made by `python -m tests.campaigns.rooms OLDER --write`; *before*: version 302fa70.  Lines with code: no",
+        "blank lines, comments, docstrings.  *Optimisation* decides only how soon an answer is there; the script lists",
+        "its modules.",
+        "",
+        "| room | modules | essential | optimisation | before: modules | essential | optimisation |",
+        "|---|--:|--:|--:|--:|--:|--:|",
+    ]
+    older = before or House()
+    for name in sorted({*now.rooms, *older.rooms}):
+        a, b = now.rooms.get(name), older.rooms.get(name)
+        cells = [f"{x.modules} | {x.essential} | {x.optimisation}" if x else "- | - | -" for x in (a, b)]
+        out.append(f"| {name} | {' | '.join(cells)} |")
+    totals = [f"{sum(r.modules for r in h.rooms.values())} | {h.essential} | {h.optimisation}" for h in (now, older)]
+    out += [f"| **all** | {' | '.join(totals)} |", "", "## Arrows", ""]
+    for title, house in (("now", now), ("before", older)):
+        arrows = sum(len(r.arrows) for r in house.rooms.values())
+        inside = sum(
+            1 for n, r in house.rooms.items() if n.startswith("proof/") for m in r.arrows if m.startswith("proof/")
+        )
+        out.append(f"- {title}: {arrows} between rooms, {inside} of them between rooms of the proof")
+    out += ["", "| room of the proof | imports |", "|---|---|", *_arrows(now, "proof"), "", "## Sizes", ""]
+    out += ["| | now | before |", "|---|--:|--:|"]
+    for words, of in (("in `proof/` and `logic/`", ("proof/", "logic/")), ("in all rooms", ("",))):
+        long = [sum(f.size > LINES for f in h.functions if f.module.startswith(of)) for h in (now, older)]
+        large = [sum(c.size > PUBLIC for c in h.classes if c.module.startswith(of)) for h in (now, older)]
+        out.append(f"| functions over {LINES} lines {words} | {long[0]} | {long[1]} |")
+        out.append(f"| classes with more than {PUBLIC} public members {words} | {large[0]} | {large[1]} |")
+    return "\n".join(out) + "\n"
+
+
+def main() -> None:
+    """Count, and say or write it."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("older", nargs="?", type=Path)
+    parser.add_argument("--write", action="store_true")
+    given = parser.parse_args()
+    text = page(counted(given.older) if given.older else None, counted(TOP))
+    if given.write:
+        PAGE.write_text(text, "utf-8")
+    else:
+        print(text)
+
+
+if __name__ == "__main__":
+    main()
