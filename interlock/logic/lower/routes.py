@@ -327,9 +327,8 @@ def keep(d: Draft) -> None:
             group,
         )
         _passing(d, r)
-        d.kept(
-            names.SHOWING(k), False, f"route {r.id}: proceed", Join.ALL, (Term(var(names.OPENS(k)), "proceed"),), group
-        )
+        proceed = (Term(var(names.OPENS(k)), "proceed"),)
+        d.kept(names.SHOWING(k), False, f"route {r.id}: proceed", Join.ALL, proceed, group)
         d.kept(
             names.SHOWN(k),
             False,

@@ -320,6 +320,46 @@ def _exits(d: Draft, s: SectionId) -> list[Term]:
     return out
 
 
+def _keep_locks(d: Draft, s: SectionId, locks: Expr, stays: Term) -> None:
+    """The locks of a section for its ways and for trains, and whether they are firm."""
+    group = f"section {s}"
+    firmer: list[Expr] = []
+    for t in d.locks_of[s]:
+        name = names.LOCK(s, t.number)
+        # a shunting movement locks its berth only if nobody has
+        berth = conj((ways.grant_of(d, t.key, berth=True), var(names.FREE(s))))
+        grants = [ways.grant_of(d, t.key), berth]
+        for r in d.routes_over.get(t.key, ()):
+            lock = var(names.LOCKS(r.number))
+            firmer.append(conj((lock, locks)) if r.berth == s else lock)
+        held = Term(disj((var(name), *grants)), "held or granted")
+        d.kept(name, False, f"{s} locked from {t.entry} to {t.exit}", Join.ALL, (held, stays), group)
+    if d.shunting:
+        over = [r for t in d.locks_of[s] for r in d.routes_over.get(t.key, ()) if r.train]
+        arrived = [Term(neg(var(names.ARRIVED(s))), "not arrived")] if s in d.berths else []
+        name = names.TRAIN_LOCK(s)
+        held = Term(disj((var(name), *(var(names.GRANTED(r.number)) for r in over))), "held or granted")
+        d.kept(name, False, f"{s} locked for a train movement", Join.ALL, (held, stays, *arrived), group)
+    held = Term(disj((var(names.FIRM(s)), *firmer)), "held or locked")
+    d.kept(names.FIRM(s), False, f"{s} firmly locked", Join.ALL, (held, stays), group)
+
+
+def _keep_passage(d: Draft, s: SectionId, stays: Term) -> None:
+    """What a section remembers of the train over it: it came in, it went on (R9)."""
+    group = f"section {s}"
+    uses = [var(_new_use(s, i)) for i, node in enumerate(d.topo.ends[s], 1) if d.locked_in(s, node) is not FALSE]
+    held = Term(disj((var(names.USED(s)), *uses)), "held or new")
+    d.kept(names.USED(s), True, f"{s} used by a train (R9)", Join.ALL, (held, stays), group)
+    gone = []
+    for node in d.topo.ends[s]:
+        ahead = d.topo.beyond(s, node)
+        if ahead is not None and d.locked_in(ahead, node) is not FALSE:
+            gone.append(var(_new_use(ahead, d.topo.ends[ahead].index(node) + 1)))
+    going = conj((var(names.USED(s)), d.occupied(s), disj(gone)))
+    held = Term(disj((var(names.PASSED(s)), going)), "held or new")
+    d.kept(names.PASSED(s), False, f"{s}: the train went on (R9)", Join.ALL, (held, stays), group)
+
+
 def keep(d: Draft) -> None:
     """Next values of every section's state."""
     called: dict[SectionId, list[RouteRow]] = {}
@@ -338,79 +378,8 @@ def keep(d: Draft) -> None:
             (Term(var(names.RESTART_LOCK(s)), "held"), stays),
             group,
         )
-        firmer: list[Expr] = []
-        for t in d.locks_of[s]:
-            name = names.LOCK(s, t.number)
-            # a shunting movement locks its berth only if nobody has
-            berth = conj((ways.grant_of(d, t.key, berth=True), var(names.FREE(s))))
-            grants = [ways.grant_of(d, t.key), berth]
-            for r in d.routes_over.get(t.key, ()):
-                lock = var(names.LOCKS(r.number))
-                firmer.append(conj((lock, locks)) if r.berth == s else lock)
-            d.kept(
-                name,
-                False,
-                f"{s} locked from {t.entry} to {t.exit}",
-                Join.ALL,
-                (
-                    Term(disj((var(name), *grants)), "held or granted"),
-                    stays,
-                ),
-                group,
-            )
-        if d.shunting:
-            trains = [
-                var(names.GRANTED(r.number)) for t in d.locks_of[s] for r in d.routes_over.get(t.key, ()) if r.train
-            ]
-            arrived = [Term(neg(var(names.ARRIVED(s))), "not arrived")] if s in d.berths else []
-            d.kept(
-                names.TRAIN_LOCK(s),
-                False,
-                f"{s} locked for a train movement",
-                Join.ALL,
-                (Term(disj((var(names.TRAIN_LOCK(s)), *trains)), "held or granted"), stays, *arrived),
-                group,
-            )
-        d.kept(
-            names.FIRM(s),
-            False,
-            f"{s} firmly locked",
-            Join.ALL,
-            (
-                Term(disj((var(names.FIRM(s)), *firmer)), "held or locked"),
-                stays,
-            ),
-            group,
-        )
-        uses = [var(_new_use(s, i)) for i, node in enumerate(d.topo.ends[s], 1) if d.locked_in(s, node) is not FALSE]
-        d.kept(
-            names.USED(s),
-            True,
-            f"{s} used by a train (R9)",
-            Join.ALL,
-            (
-                Term(disj((var(names.USED(s)), *uses)), "held or new"),
-                stays,
-            ),
-            group,
-        )
-        gone = []
-        for node in d.topo.ends[s]:
-            ahead = d.topo.beyond(s, node)
-            if ahead is not None and d.locked_in(ahead, node) is not FALSE:
-                gone.append(var(_new_use(ahead, d.topo.ends[ahead].index(node) + 1)))
-        going = conj((var(names.USED(s)), d.occupied(s), disj(gone)))
-        d.kept(
-            names.PASSED(s),
-            False,
-            f"{s}: the train went on (R9)",
-            Join.ALL,
-            (
-                Term(disj((var(names.PASSED(s)), going)), "held or new"),
-                stays,
-            ),
-            group,
-        )
+        _keep_locks(d, s, locks, stays)
+        _keep_passage(d, s, stays)
         lost = conj((neg(var(names.VALID)), locks))
         d.kept(
             names.STALE(s),

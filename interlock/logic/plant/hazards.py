@@ -72,31 +72,42 @@ class Railway(Protocol):
 def hazards(b: Railway) -> list[Hazard]:
     """All hazards, by kind and place."""
     out: list[Hazard] = []
-    p, topo, layout = b.p, b.topo, b.layout
-    for s in topo.sections:
-        enter = [b.comes_in(s, j) for j in topo.ends[s]]
+    for s in b.topo.sections:
+        enter = [b.comes_in(s, j) for j in b.topo.ends[s]]
         enter = [e for e in enter if e is not FALSE]
         out.append(Hazard("COLLISION", s, _collision(b, s, enter)))
-        wrong: list[Expr] = []
+        out.append(Hazard("DERAIL", s, _derailment(b, s)))
+    return [*out, *_points_move(b), *_open_roads(b), *_diamonds(b), *_fouls(b)]
+
+
+def _derailment(b: Railway, s: SectionId) -> Expr:
+    """A head over points that lie for no way on, or through a buffer."""
+    p, topo, layout = b.p, b.topo, b.layout
+    wrong: list[Expr] = []
+    for j in topo.ends[s]:
+        good = disj(b.lie(t) for t in b.ways(s, j))
+        wrong.append(conj((o(s), neg(rests(s)), came(s, j), neg(good))))
+    for j, called in b.calls(s) if not b.berth(s) else ():  # one that stood there is called, whatever lies under it
+        wrong.append(conj((o(s), rests(s), called, neg(b.heading(s, j)))))
+    if not b.berth(s):  # so does what lies under the whole of its train
+        good = disj(b.heading(s, j) for j in topo.ends[s])
+        wrong.append(conj((o(s), rests(s), b.moves(s), neg(good))))
+    for j in topo.ends[s]:
+        good = disj(b.lie(t) for t in b.ways(s, j))
+        if b.ways(s, j):
+            wrong.append(conj((b.comes_in(s, j), neg(good))))
+    if "A-BUFFER" in b.dropped:
         for j in topo.ends[s]:
-            good = disj(b.lie(t) for t in b.ways(s, j))
-            wrong.append(conj((o(s), neg(rests(s)), came(s, j), neg(good))))
-        for j, called in b.calls(s) if not b.berth(s) else ():  # one that stood there is called, whatever lies under it
-            wrong.append(conj((o(s), rests(s), called, neg(b.heading(s, j)))))
-        if not b.berth(s):  # so does what lies under the whole of its train
-            good = disj(b.heading(s, j) for j in topo.ends[s])
-            wrong.append(conj((o(s), rests(s), b.moves(s), neg(good))))
-        for j in topo.ends[s]:
-            good = disj(b.lie(t) for t in b.ways(s, j))
-            if b.ways(s, j):
-                wrong.append(conj((b.comes_in(s, j), neg(good))))
-        if "A-BUFFER" in b.dropped:
-            for j in topo.ends[s]:
-                if j in layout.buffer_at:
-                    chance = b.choice(names.THROUGH(j), f"the train in {s} runs through buffer {j}")
-                    p.events[names.THROUGH(j)] = conj((o(s), neg(rests(s)), b.heading(s, j), chance))
-                    wrong.append(p.events[names.THROUGH(j)])
-        out.append(Hazard("DERAIL", s, disj(wrong)))
+            if j in layout.buffer_at:
+                chance = b.choice(names.THROUGH(j), f"the train in {s} runs through buffer {j}")
+                p.events[names.THROUGH(j)] = conj((o(s), neg(rests(s)), b.heading(s, j), chance))
+                wrong.append(p.events[names.THROUGH(j)])
+    return disj(wrong)
+
+
+def _points_move(b: Railway) -> Iterator[Hazard]:
+    """A machine starts under a train, or before one that comes in."""
+    p, topo, layout = b.p, b.topo, b.layout
     for m, ends in sorted(layout.ends_of_machine.items()):
         starts = disj(p.events[names.MACHINE_STARTS(m, x)] for x in Position)
         bad = []
@@ -107,14 +118,23 @@ def hazards(b: Railway) -> list[Hazard]:
             under = disj((standing(b, s_), *(conj((came(s_, t.entry), b.lie(t))) for t in over)))
             coming = disj(conj((b.comes_in(s_, t.entry), b.lie(t))) for t in over)
             bad.append(conj((starts, disj((conj((o(s_), under)), coming)))))
-        out.append(Hazard("POINT-MOVES", m, disj(bad)))
-    for d in layout.devices:
+        yield Hazard("POINT-MOVES", m, disj(bad))
+
+
+def _open_roads(b: Railway) -> Iterator[Hazard]:
+    """A train over a level crossing or bridge that is not closed."""
+    for d in b.layout.devices:
         closed = lies(d.id, Position.REVERSE)
         for s_ in d.over:
-            entering = disj(b.comes_in(s_, j) for j in topo.ends[s_])
+            entering = disj(b.comes_in(s_, j) for j in b.topo.ends[s_])
             moves = disj((neg(rests(s_)), b.moves(s_)))
             there = disj((conj((o(s_), moves)), entering))
-            out.append(Hazard("ROAD", f"{d.id}/{s_}", conj((there, neg(closed)))))
+            yield Hazard("ROAD", f"{d.id}/{s_}", conj((there, neg(closed))))
+
+
+def _diamonds(b: Railway) -> Iterator[Hazard]:
+    """Trains on both arms of a diamond."""
+    topo, layout = b.topo, b.layout
     for c in layout.crossings:
         sides = []
         for arm in (0, 1):
@@ -130,13 +150,13 @@ def hazards(b: Railway) -> list[Hazard]:
                 )
             )
         if sides[0][0] != sides[1][0]:
-            out.append(
-                Hazard(
-                    "DIAMOND",
-                    c.id,
-                    conj((sides[0][1], sides[1][1], neg(conj(_still(b, s) for s, _ in sides)))),
-                )
-            )
+            both = conj((sides[0][1], sides[1][1], neg(conj(_still(b, s) for s, _ in sides))))
+            yield Hazard("DIAMOND", c.id, both)
+
+
+def _fouls(b: Railway) -> Iterator[Hazard]:
+    """Trains foul of each other at a joint."""
+    topo = b.topo
     for f in b.fouls:
         crossing = disj(conj((came(f.section, t.entry), b.lie(t))) for t in topo.traversals[f.section] if f.fouls(t))
         near = disj(
@@ -149,22 +169,8 @@ def hazards(b: Railway) -> list[Hazard]:
                 ),
             )
         )
-        out.append(
-            Hazard(
-                "FOUL",
-                f"{f.section}/{f.neighbour}",
-                conj(
-                    (
-                        o(f.section),
-                        crossing,
-                        o(f.neighbour),
-                        near,
-                        neg(conj((_still(b, f.section), _still(b, f.neighbour)))),
-                    )
-                ),
-            )
-        )
-    return out
+        moves = neg(conj((_still(b, f.section), _still(b, f.neighbour))))
+        yield Hazard("FOUL", f"{f.section}/{f.neighbour}", conj((o(f.section), crossing, o(f.neighbour), near, moves)))
 
 
 def _still(b: Railway, s: SectionId) -> Expr:

@@ -132,7 +132,7 @@ class WholeDefinition:
 
 
 class LocalAbstractions:
-    """The local of a system."""
+    """The local abstractions of a system."""
 
     def __init__(self, system: Located, hypotheses: Sequence[Expr]) -> None:
         """`hypotheses`: the invariants; they hold before the step."""
@@ -140,6 +140,19 @@ class LocalAbstractions:
         self.system = system
         self.homes = system.homes
         self.reads = {name: m.read(x)[0] for name, x in m.meaning.items()}
+        self._of_places(m)
+        self._of_routes(m)
+        self._groups: dict[Expr, list[Occurrences]] = {}
+        self.of_block: dict[tuple[Expr, int], Expr] = {}
+        """Expressions over families, by blocks: what abstractions have in common."""
+        self.told: dict[int, dict[GuardedClause, Expr]] = {}
+        """Facts about blocks, by clause."""
+        self._of_definitions(m)
+        self.apart = _apart(m)
+        """By family and member: the members, as bits, of which the variable is false while the member's is true."""
+
+    def _of_places(self, m: IndexedFamilies) -> None:
+        """What facts read that speak of places, and what names lead to."""
         self.facts_at: dict[Name, list[int]] = {}
         self.wide_at: dict[Name, list[int]] = {}
         self.alone_at: dict[Name, list[int]] = {}
@@ -160,12 +173,15 @@ class LocalAbstractions:
             v: (reads, self.families_in(m.meaning[v]) if v in m.meaning else ()) for v, reads in self.reads.items()
         }
         """What names read, and the families of which they speak."""
-        self.state_homes = {v: home for v in system.later if (home := self.homes.get(v)) is not None}
+        self.state_homes = {v: home for v in self.system.later if (home := self.homes.get(v)) is not None}
         for n, (x, _) in enumerate(m.mixed):
             _note(self.mixed_at, m.read(x)[0], n)
         for at in (self.facts_at, self.mixed_at):
             for v in [v for v, facts in at.items() if len(facts) > HUB]:
                 del at[v]
+
+    def _of_routes(self, m: IndexedFamilies) -> None:
+        """What guarded clauses read."""
         self.guarded_at: dict[Name, list[GuardedClause]] = {}
         self.families: dict[Name, dict[Name, None]] = {}
         """Those that a family's guarded clauses read."""
@@ -175,11 +191,9 @@ class LocalAbstractions:
         """The elements of which a clause speaks, if all its names belong to some."""
         for t in m.guarded:
             self._enter(t)
-        self._groups: dict[Expr, list[Occurrences]] = {}
-        self.of_block: dict[tuple[Expr, int], Expr] = {}
-        """Expressions over families, by blocks: what local have in common."""
-        self.told: dict[int, dict[GuardedClause, Expr]] = {}
-        """Facts about blocks, by clause."""
+
+    def _of_definitions(self, m: IndexedFamilies) -> None:
+        """Which members have one definition, and of which the same is said without names."""
         self.full_at: dict[GuardedClause | None, list[WholeDefinition]] = {}
         """Definitions of members that an abstraction may have whole, by one of their guarded clauses with names."""
         full: dict[tuple[Name, tuple[GuardedClause, ...]], int] = {}
@@ -194,13 +208,11 @@ class LocalAbstractions:
             bare.setdefault(number, []).append((family, tuple(t.number for t in telling if not t.names), False))
         for (family, named), members in full.items():
             self.full_at.setdefault(named[-1] if named else None, []).append(WholeDefinition(family, named, members))
-        self.apart = _apart(m)
-        """By family and member: the members, as bits, of which the variable is false while the member's is true."""
         kinds: dict[tuple[object, ...], int] = {}
         for number, of in bare.items():
             kinds[tuple(of)] = kinds.get(tuple(of), 0) | 1 << number
         self.bare = list(kinds.values())
-        """IndexedFamilies of which the same is said without names."""
+        """Members of which the same is said without names."""
 
     def _timer(self, x: Expr) -> None:
         """An on-delay timer reads its input."""

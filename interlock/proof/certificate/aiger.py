@@ -8,7 +8,7 @@ Output 0 is bad: in a step in which everything assumed holds, and held before, s
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from interlock.logic.expr import AND, EQ, NOT, OR, TRUE, VAR, Expr, conj, neg, walk
 from interlock.logic.names import Name
@@ -56,6 +56,35 @@ class Circuit:
         return self.both(self.all(xs[:middle]), self.all(xs[middle:]))
 
 
+class _Literals:
+    """Literals of expressions, each node once; `names` and `bits` of variables are added to while it is used."""
+
+    def __init__(self, circuit: Circuit, names: Mapping[str, int], bits: Mapping[Name, Sequence[int]]) -> None:
+        self._circuit, self._names, self._bits = circuit, names, bits
+        self._known: dict[Expr, int] = {}
+
+    def __call__(self, root: Expr) -> int:
+        known = self._known
+        for node in walk((root,)):
+            if node not in known:
+                known[node] = self._node(node)
+        return known[root]
+
+    def _node(self, node: Expr) -> int:
+        known, c = self._known, self._circuit
+        if node.op is VAR:
+            return self._names[node.name]
+        if node.op is EQ:
+            return c.all([b if node.value >> k & 1 else b ^ 1 for k, b in enumerate(self._bits[node.name])])
+        if node.op is NOT:
+            return known[node.args[0]] ^ 1
+        if node.op is AND:
+            return c.all([known[a] for a in node.args])
+        if node.op is OR:
+            return c.all([known[a] ^ 1 for a in node.args]) ^ 1
+        return int(node is TRUE)
+
+
 def aiger(system: System, claims: Sequence[Claim]) -> bytes:
     """The circuit; bad exactly when some claim is violated in a fair run."""
     c = Circuit()
@@ -88,27 +117,7 @@ def aiger(system: System, claims: Sequence[Claim]) -> bytes:
     for name in system.state:
         at_first = started.get(name, int(kept.get(name, False)))
         names[name] = c.either(c.both(later, stored[name]), c.both(later ^ 1, at_first))
-    known: dict[int, tuple[Expr, int]] = {}
-
-    def literal(root: Expr) -> int:
-        for node in walk((root,)):
-            if id(node) in known:
-                continue
-            if node.op is VAR:
-                lit = names[node.name]
-            elif node.op is EQ:
-                lit = c.all([b if node.value >> k & 1 else b ^ 1 for k, b in enumerate(bits[node.name])])
-            elif node.op is NOT:
-                lit = known[id(node.args[0])][1] ^ 1
-            elif node.op is AND:
-                lit = c.all([known[id(a)][1] for a in node.args])
-            elif node.op is OR:
-                lit = c.all([known[id(a)][1] ^ 1 for a in node.args]) ^ 1
-            else:
-                lit = int(node is TRUE)
-            known[id(node)] = (node, lit)
-        return known[id(root)][1]
-
+    literal = _Literals(c, names, bits)
     for name, x in system.definitions.items():
         names[name] = literal(x)
     assumed = [literal(a.expr) for a in system.assumptions]

@@ -5,7 +5,7 @@ Train level: T-...; signal level: S-...; locking level: L-...; points: P-....
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from interlock.logic import names
 from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq, iff, implies, neg, var
@@ -187,108 +187,113 @@ def _who(g: SignalId, shunt: bool) -> str:
 
 def _signals(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     """Claims about the scan that shows proceed: new outputs against the inputs of that scan."""
-    after = f.system.after
-    valid = var(f.sym.valid)
     for signal, shunt in ((g.id, k) for g in f.layout.signals for k in f.functions(g.id)):
-        shows = after(f.sym.signal(signal, shunt))
-        who = _who(signal, shunt)
+        shows = f.system.after(f.sym.signal(signal, shunt))
         paths = signal_paths(f, signal, shunt)
-        yield "S-LOST-INPUT", who, implies(neg(valid), neg(shows))
-        yield "S-LOCKED", who, implies(shows, after(disj(lie(f, p.ways) for p in paths)))
-        passing = after(f.sym.passing(signal, shunt))
-        if passing is not FALSE:
-            alone = FALSE if f.sym.approach_of[signal] in f.topo.standing else _still_passing(f, signal, shunt)
-            yield "S-PASSING", who, implies(passing, alone)
-        if signal in f.sym.stop_lamp:
-            opens = conj((shows, neg(f.sym.signal(signal, shunt))))
-            yield "S-LAMP", who, implies(opens, var(f.sym.stop_lamp[signal]))
-        if signal in f.sym.clear_lamp and not shunt:
-            last = f.sym.caution_lamp.get(signal, f.sym.clear_lamp[signal])
-            lit = implies(_clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
-            main = after(disj(map(var, f.sym.main_lamps(signal))))
-            yield "S-LAMP", f"{who} proceed", conj((implies(main, var(last)), lit))
-        if signal in f.sym.cancelling:
-            yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
+        yield from _signal(f, signal, shunt, shows, paths)
         for k, path in enumerate(paths, 1):
-            place = f"{who}:{k}"
-            here = conj((shows, after(lie(f, path.ways))))
-            if here is FALSE:
-                continue
-            opened = conj((after(_open(f, signal, shunt)), after(lie(f, path.ways))))
-            yield "S-CLEAR", place, implies(opened, conj(f.clear(t.section) for t in path.kept_clear))
-            if f.layout.signal[signal].call_on and not shunt:
-                yield (
-                    "S-CALL-ON",
-                    place,
-                    implies(conj((after(var(f.sym.call_aspect[signal])), here)), _may_call_on(f, path)),
-                )
-            yield (
-                "S-DETECTED",
-                place,
-                implies(
-                    here,
-                    conj(
-                        conj(
-                            (
-                                var(f.sym.detected[f.layout.point[p].machine, x]),
-                                neg(var(f.sym.detected[f.layout.point[p].machine, x.other])),
-                            )
-                        )
-                        for t in path.ways
-                        for p, x in t.points
-                    ),
-                ),
-            )
-            permitted = path_speed(f.layout, path.ways)
-            faster = [n for (g, v), n in f.sym.speed_shown.items() if g == signal and v > (permitted or v)]
-            if faster and not shunt:
-                yield "S-SPEED", place, implies(here, neg(after(disj(map(var, faster)))))
-            machines = (f.layout.point[p].machine for t in path.ways for p, _ in t.points)
-            trailed = [neg(var(f.sym.trailed[m])) for m in dict.fromkeys(machines) if m in f.sym.trailed]
-            if trailed:
-                yield "S-TRAILED", place, implies(here, conj(trailed))
-            ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
-            exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
-            over = () if exit_ is None or shunt else f.overlap_paths(exit_)
-            if over:
-                yield "S-OVERLAP", place, implies(here, disj(_overlap(f, ways) for ways in over))
-            if not shunt and f.layout.principles.caution is not Caution.NEVER:
-                clear = conj((_clear_aspect(f, signal), after(lie(f, path.ways))))
-                yield "S-ASPECT", place, implies(clear, allows_clear(f, path, exit_))
-            secured = [
-                conj((var(f.sym.detected[d.id, Position.REVERSE]), neg(var(f.sym.detected[d.id, Position.NORMAL]))))
-                for d in f.layout.devices
-                if any(t.section in d.over for t in path.ways)
-            ]
-            if secured:
-                yield "S-DETECTED", f"{place} devices", implies(here, conj(secured))
-            barred = [neg(var(f.sym.blocked[t.section])) for t in path.ways if t.section in f.sym.blocked]
-            yield "S-BLOCKED", place, implies(here, conj(barred))
-            own = path.kept_clear
-            locked = [f.lock(t.section, t.number) for t in own if (t.section, t.number) in f.sym.lock]
-            kind = [neg(f.train(t.section)) if shunt else f.train(t.section) for t in own]
-            ok = conj([*locked, *kind, *(f.firm(t.section) for t in own)]) if len(locked) == len(own) else FALSE
-            if path.berth is not None:
-                ok = conj((ok, f.held(path.berth), neg(f.train(path.berth))))
-            yield "S-LOCKED", place, implies(here, after(ok))
-            needed = [
-                var(f.sym.condition[c.id])
-                for c in f.layout.conditions
-                if signal in c.signals
-                or any(t.section in c.over for t in path.ways)
-                or (not shunt and path.ways[-1].exit in c.exits)
-            ]
-            boundary = f.layout.boundary_at.get(path.ways[-1].exit)
-            if boundary is not None and boundary.node in f.sym.token and not shunt:
-                ours = conj((var(f.sym.token[boundary.node].have), neg(has_token(boundary.node, "has"))))
-                yield "S-DIRECTION", place, implies(here, after(ours))
-            if boundary is not None and boundary.approach is not None and not shunt:
-                needed.append(f.clear(boundary.approach))
-            for fj in f.fouls:
-                if any(map(fj.fouls, path.ways)):
-                    needed.append(_not_foul(f, fj))
-            if needed:
-                yield "S-CONDITION", place, implies(here, conj(needed))
+            here = conj((shows, f.system.after(lie(f, path.ways))))
+            if here is not FALSE:
+                for id_, what, x in _path(f, signal, shunt, path, here):
+                    yield id_, f"{_who(signal, shunt)}:{k}{what}", x
+
+
+def _signal(
+    f: Facts, signal: SignalId, shunt: bool, shows: Expr, paths: Sequence[SignalPath]
+) -> Iterator[tuple[str, str, Expr]]:
+    """Claims about a signal that shows proceed, whichever path lies before it."""
+    after, who = f.system.after, _who(signal, shunt)
+    yield "S-LOST-INPUT", who, implies(neg(var(f.sym.valid)), neg(shows))
+    yield "S-LOCKED", who, implies(shows, after(disj(lie(f, p.ways) for p in paths)))
+    passing = after(f.sym.passing(signal, shunt))
+    if passing is not FALSE:
+        alone = FALSE if f.sym.approach_of[signal] in f.topo.standing else _still_passing(f, signal, shunt)
+        yield "S-PASSING", who, implies(passing, alone)
+    if signal in f.sym.stop_lamp:
+        opens = conj((shows, neg(f.sym.signal(signal, shunt))))
+        yield "S-LAMP", who, implies(opens, var(f.sym.stop_lamp[signal]))
+    if signal in f.sym.clear_lamp and not shunt:
+        last = f.sym.caution_lamp.get(signal, f.sym.clear_lamp[signal])
+        lit = implies(_clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
+        main = after(disj(map(var, f.sym.main_lamps(signal))))
+        yield "S-LAMP", f"{who} proceed", conj((implies(main, var(last)), lit))
+    if signal in f.sym.cancelling:
+        yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
+
+
+def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr) -> Iterator[tuple[str, str, Expr]]:
+    """Claims about a path while its signal shows proceed and its points lie (`here`): id, what of the path, claim."""
+    after = f.system.after
+    opened = conj((after(_open(f, signal, shunt)), after(lie(f, path.ways))))
+    yield "S-CLEAR", "", implies(opened, conj(f.clear(t.section) for t in path.kept_clear))
+    if f.layout.signal[signal].call_on and not shunt:
+        called = conj((after(var(f.sym.call_aspect[signal])), here))
+        yield "S-CALL-ON", "", implies(called, _may_call_on(f, path))
+    yield "S-DETECTED", "", implies(here, _points_detected(f, path))
+    permitted = path_speed(f.layout, path.ways)
+    faster = [n for (g, v), n in f.sym.speed_shown.items() if g == signal and v > (permitted or v)]
+    if faster and not shunt:
+        yield "S-SPEED", "", implies(here, neg(after(disj(map(var, faster)))))
+    machines = (f.layout.point[p].machine for t in path.ways for p, _ in t.points)
+    trailed = [neg(var(f.sym.trailed[m])) for m in dict.fromkeys(machines) if m in f.sym.trailed]
+    if trailed:
+        yield "S-TRAILED", "", implies(here, conj(trailed))
+    ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
+    exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
+    over = () if exit_ is None or shunt else f.overlap_paths(exit_)
+    if over:
+        yield "S-OVERLAP", "", implies(here, disj(_overlap(f, ways) for ways in over))
+    if not shunt and f.layout.principles.caution is not Caution.NEVER:
+        clear = conj((_clear_aspect(f, signal), after(lie(f, path.ways))))
+        yield "S-ASPECT", "", implies(clear, allows_clear(f, path, exit_))
+    secured = [
+        conj((var(f.sym.detected[d.id, Position.REVERSE]), neg(var(f.sym.detected[d.id, Position.NORMAL]))))
+        for d in f.layout.devices
+        if any(t.section in d.over for t in path.ways)
+    ]
+    if secured:
+        yield "S-DETECTED", " devices", implies(here, conj(secured))
+    barred = [neg(var(f.sym.blocked[t.section])) for t in path.ways if t.section in f.sym.blocked]
+    yield "S-BLOCKED", "", implies(here, conj(barred))
+    yield "S-LOCKED", "", implies(here, after(_path_locked(f, shunt, path)))
+    yield from _beyond_the_path(f, signal, shunt, path, here)
+
+
+def _points_detected(f: Facts, path: SignalPath) -> Expr:
+    """Every point of a path is detected as it must lie, and not otherwise."""
+    ends = [(f.layout.point[p].machine, x) for t in path.ways for p, x in t.points]
+    return conj(conj((var(f.sym.detected[m, x]), neg(var(f.sym.detected[m, x.other])))) for m, x in ends)
+
+
+def _path_locked(f: Facts, shunt: bool, path: SignalPath) -> Expr:
+    """Every section of a path is firmly locked for its way, and for what the signal calls."""
+    own = path.kept_clear
+    locked = [f.lock(t.section, t.number) for t in own if (t.section, t.number) in f.sym.lock]
+    kind = [neg(f.train(t.section)) if shunt else f.train(t.section) for t in own]
+    ok = conj([*locked, *kind, *(f.firm(t.section) for t in own)]) if len(locked) == len(own) else FALSE
+    return ok if path.berth is None else conj((ok, f.held(path.berth), neg(f.train(path.berth))))
+
+
+def _beyond_the_path(
+    f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr
+) -> Iterator[tuple[str, str, Expr]]:
+    """External conditions, the direction of the line beyond, and what may stand foul of the path."""
+    needed = [
+        var(f.sym.condition[c.id])
+        for c in f.layout.conditions
+        if signal in c.signals
+        or any(t.section in c.over for t in path.ways)
+        or (not shunt and path.ways[-1].exit in c.exits)
+    ]
+    boundary = f.layout.boundary_at.get(path.ways[-1].exit)
+    if boundary is not None and boundary.node in f.sym.token and not shunt:
+        ours = conj((var(f.sym.token[boundary.node].have), neg(has_token(boundary.node, "has"))))
+        yield "S-DIRECTION", "", implies(here, f.system.after(ours))
+    if boundary is not None and boundary.approach is not None and not shunt:
+        needed.append(f.clear(boundary.approach))
+    needed += [_not_foul(f, fj) for fj in f.fouls if any(map(fj.fouls, path.ways))]
+    if needed:
+        yield "S-CONDITION", "", implies(here, conj(needed))
 
 
 def _still_passing(f: Facts, g: SignalId, shunt: bool) -> Expr:

@@ -145,6 +145,11 @@ def _section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
             yield f"S-EXCLUDES:{n}:{other}", implies(x, neg(against))
         train = f.train(s) if f.berth(s) else TRUE
         yield f"S-PASSED-BEEN:{n}", implies(conj((x, train, f.passed(s))), f.been(s))
+    yield from _standing_section(f, s)
+
+
+def _standing_section(f: Facts, s: SectionId) -> Iterator[tuple[str, Expr]]:
+    """What stands in a section since the restart, and what does not move under it."""
     if not f.berth(s):
         closed = [f.settled(MachineId(d.id), Position.REVERSE) for d in f.layout.devices if s in d.over]
         alone = [neg(across(k, t)) for k in f.topo.ends[s] if (t := f.topo.beyond(s, k)) is not None]
