@@ -106,7 +106,7 @@ def _symbols(d: Draft) -> Symbols:
         turn={m: f"Z_{portable(m)}" for m in d.machines if d.started(m) is not TRUE},
         started="SG" if any(isinstance(s, Timer) and s.name == "SGT" for s in d.steps) else None,
         late_timer={m: f"ST_{portable(m)}" for m in d.machines},
-        release_timer=each("RT"),
+        release_timer=each("RT") | {s: f"RT_{portable(s)}" for s in sections.detected(d)},
         running="PWR",
         restart_timer=sections.RESTART_DELAY,
         start_timer="SGT" if any(isinstance(s, Timer) and s.name == "SGT" for s in d.steps) else None,

@@ -265,6 +265,12 @@ class Draft:
             return TRUE
         return var(f"OCC_{portable(section)}")
 
+    def clear(self, section: SectionId | None) -> Expr:
+        """Reported clear without a break for the release delay: a moment's reading of clear is never relied on (R15)."""
+        if section is None or section in self.layout.undetected:
+            return FALSE
+        return var(f"RT_{portable(section)}")
+
     @cached_property
     def powered(self) -> tuple[MachineId, ...]:
         """Point machines that the controller drives: no devices, no points worked by hand."""
@@ -307,7 +313,7 @@ class Draft:
             return TRUE
         known = self.table.lock
         further = (conj((self.lock(x.section, n), self.coming(y))) for n, y in x.further if (x.section, n) in known)
-        return disj((self.occupied(x.section), *further))
+        return disj((neg(self.clear(x.section)), *further))
 
     def approach_clear(self, g: SignalId) -> Expr:
         """No train can be on its way to the signal."""

@@ -63,7 +63,7 @@ def movable(d: Draft) -> None:
         terms: list[Term] = [Term(var("VALID"), "inputs valid")]
         for s in d.sections_of(m):
             terms.append(Term(var(f"FREE_{portable(s)}"), "point section free", f"{s} not locked"))
-            terms.append(Term(neg(d.occupied(s)), "point section clear", f"{s} clear"))
+            terms.append(Term(d.clear(s), "point section clear", f"{s} clear"))
         for x in Position:
             held = flank.get((m, x), FALSE)
             terms.append(Term(neg(held), "flank not held", f"nobody needs {m} {x} as flank protection"))
@@ -201,7 +201,7 @@ def trailing(d: Draft) -> None:
             for x in Position
         )
         trailed = conj((var(f"TH_{n}"), var("VALID"), lost))
-        seen = conj([var(f"TC_{n}"), var("VALID"), *(neg(d.occupied(s)) for s in d.sections_of(m))])
+        seen = conj([var(f"TC_{n}"), var("VALID"), *(d.clear(s) for s in d.sections_of(m))])
         d.kept(
             f"TH_{n}",
             False,

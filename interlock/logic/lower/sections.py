@@ -142,19 +142,25 @@ def restart_delay(d: Draft) -> None:
     d.timer(RESTART_DELAY, "RSTI", d.layout.principles.restart_delay_s, "the restart delay is over (R16)")
 
 
+def detected(d: Draft) -> list[SectionId]:
+    """Sections inside and approaches that are reported."""
+    return [s.id for s in d.layout.sections if s.id not in d.layout.undetected]
+
+
 def clear_time(d: Draft) -> None:
-    """How long a section has been reported clear without a break: a single clear reading releases nothing (R8, R9)."""
-    for s in d.sections:
+    """How long a section has been reported clear without a break: a single clear reading is never relied on (R15)."""
+    timed = list(dict.fromkeys((*d.sections, *detected(d))))
+    for s in timed:
         clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
         d.wire(f"RTI_{portable(s)}", Join.ALL, (clear,), f"section {s}", f"{s} is reported clear")
-    for s in d.sections:
+    for s in timed:
         n = portable(s)
-        d.timer(f"RT_{n}", f"RTI_{n}", d.layout.principles.release_delay_s, f"{s}: release delay (R8, R9)")
+        d.timer(f"RT_{n}", f"RTI_{n}", d.layout.principles.release_delay_s, f"{s}: release delay (R15)")
 
 
-def long_clear(s: SectionId) -> Term:
+def long_clear(d: Draft, s: SectionId) -> Term:
     """The section has been clear, inputs valid, for the release delay."""
-    return Term(var(f"RT_{portable(s)}"), "long clear", f"{s} clear without a break for the release delay")
+    return Term(d.clear(s), "long clear", f"{s} clear without a break for the release delay")
 
 
 def release(d: Draft) -> None:
@@ -163,7 +169,7 @@ def release(d: Draft) -> None:
     for s in d.sections:
         n = portable(s)
         group = f"section {s}"
-        clear = long_clear(s)
+        clear = long_clear(d, s)
         rear = rear_free(d, s)
         d.wire(f"EX_{n}", Join.ANY, _exits(d, s), group, f"a train in {s} leaves over a boundary, or has passed on")
         behind = (
