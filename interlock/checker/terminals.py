@@ -396,11 +396,8 @@ class Terminals(Ahead):
 
     def w_is_one_of_these(self, t: str) -> Formula:
         """Something says how long the timer must be."""
-        known = {
-            self.w_restart_timer(),
-            *self.w_start_timers(),
-            *map(self.w_release_timer, [*self.w_sections(), *self.w_reported()]),
-        }
+        sections = (*self.w_sections(), *self.w_approaches())
+        known = {self.w_restart_timer(), *self.w_start_timers(), *map(self.w_release_timer, sections)}
         known |= {*map(self.w_late_timer, self.w_machines()), *map(self.w_approach_timer, self.w_opening())}
         known |= {*map(self.w_standing_timer, self.w_standing_timed()), *map(self.w_hand_timer, self.w_tokens())}
         return fact(t in known)

@@ -96,9 +96,8 @@ class Drivers:
         free = self._free(t)
         if t.shunting or self.track.stretches[t.body[-1]].outside:
             free = min(free, self.sight.vehicle(t, 200.0, False) - 3.0)
-        top = min(
-            t.fastest, self._limit(t), t.length(self.track) / self.world.scan_s
-        )  # seen in a scan at least (A-SCAN)
+        seen = t.length(self.track) / self.world.scan_s  # no faster than a scan can see it (A-SCAN)
+        top = min(t.fastest, self._limit(t), seen)
         if t.shunting:
             top = min(top, self.shunt_speed)
         before = t.speed

@@ -1,8 +1,8 @@
 """Where a train loses its shunt for a moment, nothing is shown, locked, moved or given back for it.
 
-Seen by trains in metres: a route was cancelled in the very moment in which the section before its signal read clear, and
-was given back at once under the eyes of a driver who ran towards it; a signal opened over a section in which wagons
-stood that read clear for a second.
+Seen by trains in metres: a route was cancelled in the very moment in which the section before its signal read clear,
+and was given back at once under the eyes of a driver who ran towards it; a signal opened over a section in which
+wagons stood that read clear for a second.
 """
 
 from __future__ import annotations

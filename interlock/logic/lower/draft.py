@@ -266,7 +266,7 @@ class Draft:
         return var(f"OCC_{portable(section)}")
 
     def clear(self, section: SectionId | None) -> Expr:
-        """Reported clear without a break for the release delay: a moment's reading of clear is never relied on (R15)."""
+        """Reported clear without a break for the release delay: no moment's reading of clear is relied on (R15)."""
         if section is None or section in self.layout.undetected:
             return FALSE
         return var(f"RT_{portable(section)}")

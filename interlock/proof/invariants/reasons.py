@@ -69,9 +69,8 @@ def _coming(f: Facts, x: Approach) -> Expr:
     if x.section is None or x.unseen:
         return TRUE
     ways = ((f.sym.lock.get((x.section, n)), y) for n, y in x.further)
-    return disj(
-        (neg(f.steadily_clear(x.section)), *(conj((var(name), _coming(f, y))) for name, y in ways if name is not None))
-    )
+    called = (conj((var(name), _coming(f, y))) for name, y in ways if name is not None)
+    return disj((neg(f.steadily_clear(x.section)), *called))
 
 
 def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
