@@ -44,8 +44,8 @@ CLAIMS: dict[str, str] = {
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
     "S-SCISSORS": "Proceed is shown over one crossover of a scissors only while the other one lies normal.",
-    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is steadily clear, but "
-    "for sections over which, or from which, another movement may be called meanwhile, and the stop lamps of the "
+    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is steadily clear, "
+    "but for sections over which, or from which, another movement may be called meanwhile, and the stop lamps of the "
     "signals that protect it are intact.",
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is steadily clear, lies and is detected.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is steadily "
@@ -73,13 +73,14 @@ CLAIMS: dict[str, str] = {
     "break, for the release delay.",
     "L-APPROACH": "A route whose signal has been open is not given up before its train came, unless none can be on its "
     "way: all is steadily clear within the braking distance and back to the first signal that announces this one, "
-    "over ways that are locked; or stop has been shown without a break for as long as a train needs to stand.  (Whether it has been open "
-    "is the controller's own bit, which is set with proceed and stays while the route does.)",
+    "over ways that are locked; or stop has been shown without a break for as long as a train needs to stand.  "
+    "(Whether it has been open is the controller's own bit, which is set with proceed and stays while the route does.)",
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
     "P-LOCKED": "A point is commanded to move only when the sections of all its ends are steadily clear and unlocked, "
     "or held by nothing but an overlap that may swing, with the section before its signal steadily clear.  (The "
-    "command is the controller's own bit; P-DRIVEN ties the drives to it.)  A level crossing or bridge may always be closed.",
+    "command is the controller's own bit; P-DRIVEN ties the drives to it.)  A level crossing or bridge may "
+    "always be closed.",
     "P-DRIVEN": "A machine is driven to where it is commanded, and never both ways: at once, or where machines start "
     "one after the other, when its turn has come.",
     "I-TOLD": "Every indication and alarm tells what is: a section is locked, a detector is faulty, a machine is not "
