@@ -226,7 +226,7 @@ class Protection(Terminals):
         d, far = self.r.drawn, e.far(node)
         if e.one_way and e.a == node:
             return TRUE
-        clear = self.w_clear(e.section) if e.section in asked else TRUE
+        clear = self.w_steadily_clear(e.section) if e.section in asked else TRUE
         if far in seen or far in self.r.buffers:
             return clear
         g = self._holding(e, far, gone + e.length, needed)

@@ -40,6 +40,10 @@ class Terminals(Ahead):
             return FALSE
         return every((leaf(f"CLR_{safe(s)}"), self.w_healthy(s)))
 
+    def w_steadily_clear(self, s: str) -> Formula:
+        """Reported clear, and that without a break for the release delay (R15); never, without detection."""
+        return every((self.w_clear(s), leaf(self.w_release_timer(s))))
+
     def w_falsely(self, s: str) -> Formula:
         """Reported occupied, though nobody is there before or after."""
         o = leaf(f"o.{s}")
@@ -216,7 +220,7 @@ class Terminals(Ahead):
 
     def w_near_train(self, o: Overlap) -> Formula:
         """The overlap may not swing now, or never: the section before its signal is not reported clear."""
-        return no(self.w_clear(self.w_before_of(o.signal))) if f"VS_{o.signal.safe}" in self.state else TRUE
+        return no(self.w_steadily_clear(self.w_before_of(o.signal))) if f"VS_{o.signal.safe}" in self.state else TRUE
 
     def w_restart_lock(self, s: str) -> Formula:
         return leaf(f"K_{safe(s)}")
@@ -392,7 +396,8 @@ class Terminals(Ahead):
 
     def w_is_one_of_these(self, t: str) -> Formula:
         """Something says how long the timer must be."""
-        known = {self.w_restart_timer(), *self.w_start_timers(), *map(self.w_release_timer, self.w_sections())}
+        sections = (*self.w_sections(), *self.w_approaches())
+        known = {self.w_restart_timer(), *self.w_start_timers(), *map(self.w_release_timer, sections)}
         known |= {*map(self.w_late_timer, self.w_machines()), *map(self.w_approach_timer, self.w_opening())}
         known |= {*map(self.w_standing_timer, self.w_standing_timed()), *map(self.w_hand_timer, self.w_tokens())}
         return fact(t in known)
@@ -440,4 +445,4 @@ class Terminals(Ahead):
         if x.section is None:
             return TRUE
         further = (every((self.w_locked(w), self._on_the_way(y))) for w, y in x.further)
-        return some((no(self.w_clear(x.section)), *further))
+        return some((no(self.w_steadily_clear(x.section)), *further))

@@ -90,6 +90,10 @@ class Topology:
         """Sections and approaches that are reported."""
         return [*(s for s in self.r.sections if s not in self.r.undetected), *self.r.approach.values()]
 
+    def w_approaches(self) -> list[str]:
+        """Sections on the lines, from which trains come or to which they go."""
+        return [*self.r.approach.values()]
+
     def w_detected_sections(self) -> list[str]:
         """Sections inside, and the approaches from which trains come."""
         inside = [s for s in self.r.sections if s not in self.r.undetected]

@@ -78,7 +78,9 @@ class Principles:
 
 
 MEANING: dict[str, str] = {
-    "release_delay_s": "delay of sectional release after the three-point check (R9: 3 s)",
+    "release_delay_s": (
+        "how long a section must read clear without a break before it counts as clear, and is released (R9, R15: 3 s)"
+    ),
     "approach_release_s": (
         "delay of a cancellation while the approach is occupied, for train routes (R8: 180 s receiving and "
         "main-line departure; an Indian example has 120 s).  `mine` takes 60 s, our choice for 8 km/h"

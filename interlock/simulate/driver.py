@@ -96,7 +96,8 @@ class Drivers:
         free = self._free(t)
         if t.shunting or self.track.stretches[t.body[-1]].outside:
             free = min(free, self.sight.vehicle(t, 200.0, False) - 3.0)
-        top = min(t.fastest, self._limit(t))
+        seen = t.length(self.track) / self.world.scan_s  # no faster than a scan can see it (A-SCAN)
+        top = min(t.fastest, self._limit(t), seen)
         if t.shunting:
             top = min(top, self.shunt_speed)
         before = t.speed
@@ -176,7 +177,7 @@ class Drivers:
         t.reads = 0.0
         if t.accepted:
             if self._reacted(t, dt):
-                t.late = t.announced and not self._stops_within(t, t.gap + sum(t.further[:1]))
+                t.late |= t.announced and not self._stops_within(t, t.gap + sum(t.further[:1]))
                 t.committed = not self._stops_within(t, t.gap)
                 t.accepted = t.expects = t.announced = False
                 t.read = NONE

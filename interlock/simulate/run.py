@@ -80,6 +80,7 @@ class Life:
         self.world = World(layout, track, names["INPUTS"], names["OUTPUTS"], rng, faults)
         self.operator = Operator(self.world, names["INPUTS"], rng, routes, hostile)
         self.cycle = rng.choice((0.2, 0.4, 0.6, 0.8))
+        self.world.scan_s = 1.1 * self.cycle
         self.controller = names["Controller"]()
         self.longest_s = float(names["Controller"].cycle_max_ms) / 1000
 

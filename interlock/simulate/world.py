@@ -156,6 +156,8 @@ class World:
         self.garbled: int | None = None
         """What is read of sections while inputs are lost, or None for anything."""
         self.clock = 0.0
+        self.scan_s = 0.1
+        """Seconds from one scan to the next, at most, while something moves and nothing is wrong."""
         self.watch = Watch(layout, track)
         self.past: deque[tuple[Mapping[str, int], list[int]]] = deque(maxlen=2)
         """Inputs as the last two scans read them, and how many vehicles were in each section then."""

@@ -106,7 +106,7 @@ def _symbols(d: Draft) -> Symbols:
         turn={m: names.MAY_RUN(m) for m in d.machines if d.started(m) is not TRUE},
         started=names.STARTED if any(isinstance(s, Timer) and s.name == names.GAP_OVER for s in d.steps) else None,
         late_timer={m: names.LATE(m) for m in d.machines},
-        release_timer=each(names.LONG_CLEAR),
+        release_timer=each(names.LONG_CLEAR) | {s: names.LONG_CLEAR(s) for s in sections.detected(d)},
         running=names.POWERED,
         restart_timer=sections.RESTART_DELAY,
         start_timer=names.GAP_OVER if any(isinstance(s, Timer) and s.name == names.GAP_OVER for s in d.steps) else None,

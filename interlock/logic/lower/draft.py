@@ -263,6 +263,12 @@ class Draft:
             return TRUE
         return var(names.OCCUPIED(section))
 
+    def clear(self, section: SectionId | None) -> Expr:
+        """Reported clear without a break for the release delay: no moment's reading of clear is relied on (R15)."""
+        if section is None or section in self.layout.undetected:
+            return FALSE
+        return var(names.LONG_CLEAR(section))
+
     @cached_property
     def powered(self) -> tuple[MachineId, ...]:
         """Point machines that the controller drives: no devices, no points worked by hand."""
@@ -305,7 +311,7 @@ class Draft:
             return TRUE
         known = self.table.lock
         further = (conj((self.lock(x.section, n), self.coming(y))) for n, y in x.further if (x.section, n) in known)
-        return disj((self.occupied(x.section), *further))
+        return disj((neg(self.clear(x.section)), *further))
 
     def approach_clear(self, g: SignalId) -> Expr:
         """No train can be on its way to the signal."""

@@ -56,9 +56,9 @@ def swing(d: Draft) -> None:
                 Term(others, "another held"),
                 Term(var(names.OVERLAP_FIRM(g)), "firmly held"),
                 Term(neg(var(names.OVERLAP_OVER(g))), "still needed"),
-                Term(neg(d.occupied(b)), "no train close", f"{b} clear: no train is close"),
+                Term(d.clear(b), "no train close", f"{b} clear: no train is close"),
                 *(Term(neg(x), "first alternative") for x in before),
-                *(Term(sections.long_clear(s).expr, "overlap clear", f"{s} long clear: overlap") for s in every),
+                *(Term(d.clear(s), "overlap clear", f"{s} long clear: overlap") for s in every),
                 *(
                     Term(neg(disj(d.lock(*t.key) for t in d.locks_of[s])), "not run over", f"no route over {s}")
                     for s in every
@@ -77,7 +77,7 @@ def keep(d: Draft) -> None:
     """Next values of the overlaps."""
     for o, over in d.overlaps.items():
         g, k = o
-        clear = conj(sections.long_clear(s).expr for s, _ in over)
+        clear = conj(d.clear(s) for s, _ in over)
         away = _swings(d, g, but=k)
         stays = conj((neg(conj((var(names.OVERLAP_OVER(g)), clear))), *map(neg, away)))
         to = [var(ways.swing_wire(d, g, k))] if k in d.swinging.get(g, ()) else []

@@ -60,7 +60,7 @@ def movable(d: Draft) -> None:
         terms: list[Term] = [Term(var(names.VALID), "inputs valid")]
         for s in d.sections_of(m):
             terms.append(Term(var(names.FREE(s)), "point section free", f"{s} not locked"))
-            terms.append(Term(neg(d.occupied(s)), "point section clear", f"{s} clear"))
+            terms.append(Term(d.clear(s), "point section clear", f"{s} clear"))
         for x in Position:
             held = flank.get((m, x), FALSE)
             terms.append(Term(neg(held), "flank not held", f"nobody needs {m} {x} as flank protection"))
@@ -217,7 +217,7 @@ def trailing(d: Draft) -> None:
             for x in Position
         )
         trailed = conj((var(names.WAS_RIGHT(m)), var(names.VALID), lost))
-        seen = conj([var(names.LOOKED_AT(m)), var(names.VALID), *(neg(d.occupied(s)) for s in d.sections_of(m))])
+        seen = conj([var(names.LOOKED_AT(m)), var(names.VALID), *(d.clear(s) for s in d.sections_of(m))])
         d.kept(
             names.WAS_RIGHT(m),
             False,

@@ -122,7 +122,7 @@ def _rear_terms(d: Draft, r: RouteRow) -> list[Term]:
     beyond = {d.topo.beyond(rear, node) for node in d.topo.ends[rear] if node != r.entry_node}
     foul = {t.section for t in d.table.locks for c in t.foul if c.section == rear}
     for other in sorted({*(s for s in beyond if s is not None), *foul}):
-        alone = disj((released, neg(var(names.RESTART_LOCK(other))), neg(d.occupied(other))))
+        alone = disj((released, neg(var(names.RESTART_LOCK(other))), d.clear(other)))
         out.append(Term(alone, "stands alone", f"nothing stands across from {other}, or foul of it, since the restart"))
     return out
 
@@ -131,7 +131,7 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
     """What proceed needs besides the ways themselves."""
     terms = _rear_terms(d, r)
     terms += [Term(var(names.CONDITION(c.condition)), "condition", c.because.text) for c in r.conditions]
-    terms += [Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block]
+    terms += [Term(d.clear(b.section), "line beyond clear", b.because.text) for b in r.block]
     terms += block.terms(d, r)
     if r.kind is not RouteKind.CALL_ON:
         terms.append(Term(neg(var(names.STALE(r.section_ids[0]))), "inputs never lost"))
@@ -198,7 +198,7 @@ def cancellation(d: Draft) -> None:
                 Term(var(names.CANCELLING(g.id)), "cancelling"),
                 Term(d.any_active(g.id), "active"),
                 Term(var(names.VALID), "inputs valid"),
-                sections.long_clear(first),
+                sections.long_clear(d, first),
                 Term(
                     disj((d.approach_safe(g.id), neg(seen))),
                     "no train about to come",

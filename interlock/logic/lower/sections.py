@@ -149,23 +149,26 @@ def restart_delay(d: Draft) -> None:
     d.timer(RESTART_DELAY, names.RESTART_RUNS, d.layout.principles.restart_delay_s, "the restart delay is over (R16)")
 
 
+def detected(d: Draft) -> list[SectionId]:
+    """Sections inside and approaches that are reported."""
+    return [s.id for s in d.layout.sections if s.id not in d.layout.undetected]
+
+
 def clear_time(d: Draft) -> None:
-    """How long a section has been reported clear without a break: a single clear reading releases nothing (R8, R9)."""
-    for s in d.sections:
+    """How long a section has been reported clear without a break: a single clear reading is never relied on (R15)."""
+    timed = list(dict.fromkeys((*d.sections, *detected(d))))
+    for s in timed:
         clear = Term(neg(d.occupied(s)), "section clear", f"{s} clear")
         d.wire(names.CLEAR_RUNS(s), Join.ALL, (clear,), f"section {s}", f"{s} is reported clear")
-    for s in d.sections:
+    for s in timed:
         d.timer(
-            names.LONG_CLEAR(s),
-            names.CLEAR_RUNS(s),
-            d.layout.principles.release_delay_s,
-            f"{s}: release delay (R8, R9)",
+            names.LONG_CLEAR(s), names.CLEAR_RUNS(s), d.layout.principles.release_delay_s, f"{s}: release delay (R15)"
         )
 
 
-def long_clear(s: SectionId) -> Term:
+def long_clear(d: Draft, s: SectionId) -> Term:
     """The section has been clear, inputs valid, for the release delay."""
-    return Term(var(names.LONG_CLEAR(s)), "long clear", f"{s} clear without a break for the release delay")
+    return Term(d.clear(s), "long clear", f"{s} clear without a break for the release delay")
 
 
 def release(d: Draft) -> None:
@@ -173,7 +176,7 @@ def release(d: Draft) -> None:
     valid = Term(var(names.VALID), "inputs valid")
     for s in d.sections:
         group = f"section {s}"
-        clear = long_clear(s)
+        clear = long_clear(d, s)
         rear = rear_free(d, s)
         d.wire(
             names.LEAVES(s), Join.ANY, _exits(d, s), group, f"a train in {s} leaves over a boundary, or has passed on"

@@ -64,7 +64,7 @@ def _availability(d: Draft, t: TraversalRow) -> list[Term]:
 def _unlocked(d: Draft, key: TraversalKey, clear: bool = True) -> list[Term]:
     """What a route asks for besides its section being free."""
     s = key[0]
-    reported = [Term(neg(d.occupied(s)), "section clear", f"{s} clear")] if clear else []
+    reported = [Term(d.clear(s), "section clear", f"{s} clear")] if clear else []
     return [*reported, *not_blocked(s), *available(d, key)]
 
 
@@ -88,7 +88,7 @@ def _trailed(d: Draft, t: TraversalRow) -> list[Term]:
 def _foul(d: Draft, t: TraversalRow) -> list[Term]:
     out = []
     for c in t.foul:
-        clear = neg(d.occupied(c.section))
+        clear = d.clear(c.section)
         if c.when is not None:
             clear = disj((clear, d.detected(c.when[0], c.when[1].other)))
         out.append(Term(clear, "foul section clear", c.because.text))
@@ -102,7 +102,7 @@ def _space(d: Draft, t: TraversalRow) -> list[Term]:
         if c.lamp:
             out.append(Term(var(names.STOP_LAMP(c.name)), "flank lamp intact", c.because.text))
         else:
-            out.append(Term(neg(var(names.OCCUPIED(c.name))), "flank space clear", c.because.text))
+            out.append(Term(d.clear(SectionId(c.name)), "flank space clear", c.because.text))
     return out
 
 
@@ -116,7 +116,7 @@ def _overlap_terms(d: Draft, g: SignalId, key: TraversalKey) -> list[Term]:
     for t in d.locks_of[s]:
         lock = neg(d.lock(*t.key))
         free.append(disj((lock, onward)) if t.key == key else lock)
-    clear = Term(neg(d.occupied(s)), "overlap clear", f"{s} clear: overlap")
+    clear = Term(d.clear(s), "overlap clear", f"{s} clear: overlap")
     return [Term(conj(free), "overlap free", f"{s} free as overlap of {g}"), clear, *not_blocked(s), *available(d, key)]
 
 
@@ -125,7 +125,7 @@ def detection(d: Draft) -> None:
     routes = _of_routes(d)
     for t in d.table.locks:
         _wire(d, names.WAY_DETECTED, t, _detection(d, t), "its points lie, nothing is foul of it")
-        clear = Term(neg(d.occupied(t.section)), "section clear", f"{t.section} clear")
+        clear = Term(d.clear(t.section), "section clear", f"{t.section} clear")
         _wire(d, names.WAY_LIES, t, [clear, *_detected(d, t.key)], "lies and is clear")
         if t.key in routes:
             terms = [*_lying(t.key, "way lies"), *not_blocked(t.section)]
@@ -319,7 +319,7 @@ def _may_swing(d: Draft, g: SignalId, m: MachineId) -> Expr:
     """A machine that nobody holds but the overlap of one signal, and nothing stands over."""
     terms: list[Expr] = [var(names.VALID)]
     for s in d.sections_of(m):
-        terms += [neg(var(names.RESTART_LOCK(s))), *(neg(d.lock(*x.key)) for x in d.locks_of[s]), neg(d.occupied(s))]
+        terms += [neg(var(names.RESTART_LOCK(s))), *(neg(d.lock(*x.key)) for x in d.locks_of[s]), d.clear(s)]
         terms += [neg(d.overlap(o)) for o in d.overlaps_over(s) if o[0] != g]
     for t in d.table.locks:
         if any(p.machine == m and p.role is Role.FLANK for p in t.points):

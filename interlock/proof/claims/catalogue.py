@@ -35,21 +35,22 @@ CLAIMS: dict[str, str] = {
     "S-OPPOSING": "No two signals that lead towards each other over the same track show proceed.",
     "S-HOSTILE": "No two signals show proceed onto paths that share a section, a diamond or a foul joint.",
     "S-CLEAR": "A signal opens, and stays open until a movement begins to pass it, only when every section of the "
-    "path, as the points lie, is reported clear.",
+    "path, as the points lie, is steadily clear: reported clear without a break for the release delay.",
     "S-PASSING": "A signal that stays open until the whole movement has passed does so only while the sections "
     "before and beyond it are not reported clear, and no second movement can take it for itself.",
-    "S-CALL-ON": "A train is called on only beside stop, once only, into a clear first section, and onto no track in "
-    "which vehicles may stand unless it is clear.",
+    "S-CALL-ON": "A train is called on only beside stop, once only, into a steadily clear first section, and onto no "
+    "track in which vehicles may stand unless it is steadily clear.",
     "S-DETECTED": "Proceed is shown only when every point and device of the path is detected in that very scan.",
     "S-TRAILED": "No proceed is shown over a point that was trailed and has not been looked at since.",
     "S-LOCKED": "Proceed is shown only when every section of the path is locked for it and its points really lie so.",
     "S-FLANK": "Proceed is shown over a point or diamond only when no vehicle can roll into it from the flank.",
     "S-SCISSORS": "Proceed is shown over one crossover of a scissors only while the other one lies normal.",
-    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is clear, but for "
-    "sections over which, or from which, another movement may be called meanwhile, and the stop lamps of the signals "
-    "that protect it are intact.",
-    "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is clear, lies and is detected.",
-    "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
+    "S-FLANK-SPACE": "Where the principles ask for it: proceed is shown only while the flank space is steadily clear, "
+    "but for sections over which, or from which, another movement may be called meanwhile, and the stop lamps of the "
+    "signals that protect it are intact.",
+    "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is steadily clear, lies and is detected.",
+    "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is steadily "
+    "clear.",
     "S-DIRECTION": "Proceed onto a line with a direction token is shown only while the direction is ours, and then the "
     "neighbour has it not.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
@@ -65,21 +66,22 @@ CLAIMS: dict[str, str] = {
     "working is on; a number that is held asks once.",
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "S-SET": "A section is locked for a movement only when inputs are valid, it is not blocked or locked, and it is "
-    "reported clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
+    "steadily clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
     "L-REASON": "No lock ends without its reason: a train has used the section, the lock before it was withdrawn, its "
     "signal was cancelled, or somebody releases it by hand, alone or with all that may have missed a train; after a "
     "restart by hand, or behind a train that stood there.",
     "L-CLEAR": "No section is released, however it is, before it has been reported clear with valid inputs, without a "
     "break, for the release delay.",
     "L-APPROACH": "A route whose signal has been open is not given up before its train came, unless none can be on its "
-    "way: nothing within the braking distance and back to the first signal that announces this one, over ways that are "
-    "locked; or stop has been shown without a break for as long as a train needs to stand.  (Whether it has been open "
-    "is the controller's own bit, which is set with proceed and stays while the route does.)",
+    "way: all is steadily clear within the braking distance and back to the first signal that announces this one, "
+    "over ways that are locked; or stop has been shown without a break for as long as a train needs to stand.  "
+    "(Whether it has been open is the controller's own bit, which is set with proceed and stays while the route does.)",
     "L-RELEASE": "No section is released while a train stands in it, comes into it, or has been called into it.",
     "L-HELD": "A section in which a train moves is locked.",
-    "P-LOCKED": "A point is commanded to move only when the sections of all its ends are reported clear and unlocked, "
-    "or held by nothing but an overlap that may swing, with the section before its signal clear.  (The command is the "
-    "controller's own bit; P-DRIVEN ties the drives to it.)  A level crossing or bridge may always be closed.",
+    "P-LOCKED": "A point is commanded to move only when the sections of all its ends are steadily clear and unlocked, "
+    "or held by nothing but an overlap that may swing, with the section before its signal steadily clear.  (The "
+    "command is the controller's own bit; P-DRIVEN ties the drives to it.)  A level crossing or bridge may "
+    "always be closed.",
     "P-DRIVEN": "A machine is driven to where it is commanded, and never both ways: at once, or where machines start "
     "one after the other, when its turn has come.",
     "I-TOLD": "Every indication and alarm tells what is: a section is locked, a detector is faulty, a machine is not "
@@ -225,7 +227,7 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     """Claims about a path while its signal shows proceed and its points lie (`here`): id, what of the path, claim."""
     after = f.system.after
     opened = conj((after(_open(f, signal, shunt)), after(lie(f, path.ways))))
-    yield "S-CLEAR", "", implies(opened, conj(f.clear(t.section) for t in path.kept_clear))
+    yield "S-CLEAR", "", implies(opened, conj(f.steadily_clear(t.section) for t in path.kept_clear))
     if f.layout.signal[signal].call_on and not shunt:
         called = conj((after(var(f.sym.call_aspect[signal])), here))
         yield "S-CALL-ON", "", implies(called, _may_call_on(f, path))
@@ -290,7 +292,7 @@ def _beyond_the_path(
         ours = conj((var(f.sym.token[boundary.node].have), neg(has_token(boundary.node, "has"))))
         yield "S-DIRECTION", "", implies(here, f.system.after(ours))
     if boundary is not None and boundary.approach is not None and not shunt:
-        needed.append(f.clear(boundary.approach))
+        needed.append(f.steadily_clear(boundary.approach))
     needed += [_not_foul(f, fj) for fj in f.fouls if any(map(fj.fouls, path.ways))]
     if needed:
         yield "S-CONDITION", "", implies(here, conj(needed))
@@ -337,7 +339,7 @@ def _may_call_on(f: Facts, path: SignalPath) -> Expr:
     """A train may be called on over a path: R2."""
     stop = f.system.after(var(f.sym.stop_aspect[path.signal]))
     standing = [t.section for i, t in enumerate(path.ways) if i == 0 or t.section in f.topo.berths]
-    return conj([stop, *map(f.clear, standing)])
+    return conj([stop, *map(f.steadily_clear, standing)])
 
 
 def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -358,7 +360,7 @@ def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         new = conj((f.system.after(var(name)), neg(var(name))))
         blocked = [neg(var(f.sym.blocked[s]))] if s in f.sym.blocked else []
         occupied = any(r.call_on or r.berth == (s, n) for r in f.sym.routes_over.get((s, n), ()))
-        free = [] if occupied else [neg(f.locked(s)), *([f.clear(s)] if s in f.sym.clear else [])]
+        free = [] if occupied else [neg(f.locked(s)), *([f.steadily_clear(s)] if s in f.sym.clear else [])]
         yield "S-SET", f"{s} {n}", implies(new, conj((var(f.sym.valid), *blocked, *free)))
 
 
@@ -381,7 +383,7 @@ def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
     points = [(f.layout.point[p].machine, x) for t in ways for p, x in t.points]
     return conj(
         [
-            *(f.clear(t.section) for t in ways),
+            *(f.steadily_clear(t.section) for t in ways),
             f.system.after(conj(lies(m, x) for m, x in points)),
             *(var(f.sym.detected[m, x]) for m, x in points),
             *(neg(var(f.sym.detected[m, x.other])) for m, x in points),
@@ -391,7 +393,7 @@ def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
 
 def _not_foul(f: Facts, fj: FoulJoint) -> Expr:
     """The neighbour is clear, or its point is detected so that nothing in it stands at the joint."""
-    clear = f.clear(fj.neighbour)
+    clear = f.steadily_clear(fj.neighbour)
     if fj.when is None:
         return clear
     m, x = fj.when
@@ -431,7 +433,7 @@ def _held_fast(f: Facts, s: SectionId) -> Expr:
     held = [f.locked(s)]
     for (g, _), name in f.options(s).items():
         before = f.topo.beyond(f.layout.section_of(f.layout.signal[g].into), f.layout.signal[g].node)
-        close = neg(f.clear(before)) if g in f.sym.swings and before is not None else TRUE
+        close = neg(f.steadily_clear(before)) if g in f.sym.swings and before is not None else TRUE
         held.append(conj((var(name), disj((close, f.system.after(var(name)))))))
     return disj(held)
 
@@ -454,7 +456,7 @@ def _points(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         free = conj(
             [
                 *(neg(_held_fast(f, s)) for s in secs),
-                *(f.clear(s) for s in secs),
+                *(f.steadily_clear(s) for s in secs),
                 var(f.sym.valid),
             ]
         )

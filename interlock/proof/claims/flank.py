@@ -166,7 +166,7 @@ class _Space:
         if beyond.one_way:
             return TRUE
         looked_at = layout.principles.flank_space and s != self.own and s not in (*layout.undetected, *self.beside)
-        clear = self.f.clear(s) if looked_at else TRUE
+        clear = self.f.steadily_clear(s) if looked_at else TRUE
         if beyond.signal is not None:
             lit = layout.principles.flank_lamp and beyond.signal in self.f.sym.stop_lamp
             return conj((clear, var(self.f.sym.stop_lamp[beyond.signal]))) if lit else clear

@@ -128,6 +128,11 @@ class Facts:
         healthy = [var(self.sym.healthy[SectionId(s)])] if SectionId(s) in self.sym.healthy else []
         return conj((var(self.sym.clear[SectionId(s)]), *healthy))
 
+    def steadily_clear(self, s: str) -> Expr:
+        """Reported clear, and that without a break for the release delay (R15); never, without detection."""
+        timer = self.sym.release_timer.get(SectionId(s))
+        return FALSE if timer is None else conj((self.clear(s), var(timer)))
+
     def reported(self, m: MachineId, x: Position) -> Expr:
         """A machine is detected in a position, by valid and unambiguous contacts."""
         contact, opposite = var(self.sym.detected[m, x]), var(self.sym.detected[m, x.other])

@@ -42,8 +42,8 @@ def _ends(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         gone = disj(neg(f.clear(a)) for j in f.topo.ends[s] if (a := f.topo.beyond(s, j)) is not None)
         onward = conj((f.used(s), neg(f.clear(s)), gone))
         yield "L-REASON", f"{s} passed", implies(conj((after(f.passed(s)), neg(f.passed(s)))), onward)
-        timer = f.sym.release_timer[s]
-        yield "L-CLEAR", s, implies(disj((freed, ended)), var(timer))
+        yield "L-CLEAR", s, implies(disj((freed, ended)), var(f.sym.release_timer[s]))
+    for s, timer in f.sym.release_timer.items():
         yield "L-CLEAR", f"{s} timed", implies(var(waits_for[timer]), conj((var(f.sym.valid), f.clear(s))))
     for (g, k), held in f.sym.overlap.items():
         swings = [after(var(f.sym.swings[g]))] if g in f.sym.swings else []
@@ -70,7 +70,8 @@ def _coming(f: Facts, x: Approach) -> Expr:
     if x.section is None or x.unseen:
         return TRUE
     ways = ((f.sym.lock.get((x.section, n)), y) for n, y in x.further)
-    return disj((neg(f.clear(x.section)), *(conj((var(name), _coming(f, y))) for name, y in ways if name is not None)))
+    called = (conj((var(name), _coming(f, y))) for name, y in ways if name is not None)
+    return disj((neg(f.steadily_clear(x.section)), *called))
 
 
 def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -107,7 +108,7 @@ def _trailed(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             lost = conj((right, var(f.sym.valid), stays, neg(f.reported(m, x))))
             yield "S-TRAILED", f"{m} {x}", implies(lost, after(var(trailed)))
         sections = f.layout.sections_of_machine[m]
-        seen = conj((var(f.sym.looked_at[m]), var(f.sym.valid), *(f.clear(s) for s in sections)))
+        seen = conj((var(f.sym.looked_at[m]), var(f.sym.valid), *(f.steadily_clear(s) for s in sections)))
         yield "S-TRAILED", f"{m} kept", implies(conj((var(trailed), neg(seen))), after(var(trailed)))
 
 

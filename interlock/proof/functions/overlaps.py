@@ -39,7 +39,7 @@ def _swings(w: Words) -> Iterator[tuple[str, str, Expr]]:
         assert before is not None
         options = [o for o in sym.overlap if o[0] == g]
         asked = [w.valid, sym.asked(sym.swing_request[g]), var(sym.overlap_firm[g]), f.locked_out(before, node)]
-        asked += [neg(var(sym.overlap_timer[g])), neg(w.occupied(before))]
+        asked += [neg(var(sym.overlap_timer[g])), w.long(before)]
         for s in dict.fromkeys(s for o in options for s, _ in sym.overlap_ways[o]):
             asked += [w.long(s), neg(f.any_lock(s))]
         for i, o in enumerate(options):
@@ -57,9 +57,7 @@ def _swings_to(w: Words, g: SignalId, s: SectionId, n: int) -> Iterator[Expr]:
             yield conj((_only_by(w, g, other), neg(w.f.any_lock(other))))
     for m, x in w.sym.demands[s, n]:
         free = [
-            y
-            for t in w.layout.sections_of_machine[m]
-            for y in (_only_by(w, g, t), neg(w.f.any_lock(t)), neg(w.occupied(t)))
+            y for t in w.layout.sections_of_machine[m] for y in (_only_by(w, g, t), neg(w.f.any_lock(t)), w.long(t))
         ]
         yield disj((w.commanded(m, x), conj((*free, *(neg(w.holding(way)) for way in w.flanks(m))))))
 

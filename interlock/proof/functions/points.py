@@ -15,7 +15,7 @@ def points(w: Words) -> Iterator[tuple[str, str, Expr]]:
         there = disj(conj((w.commanded(m, x), w.detected(m, x))) for x in Position)
         lost = disj(conj((w.commanded(m, x), neg(w.detected(m, x)))) for x in Position)
         was, quiet, trailed = var(w.sym.seen_right[m]), neg(w.anew(m)), var(name)
-        seen = conj((var(w.sym.looked_at[m]), w.valid, *(neg(w.occupied(s)) for s in w.layout.sections_of_machine[m])))
+        seen = conj((var(w.sym.looked_at[m]), w.valid, *(w.long(s) for s in w.layout.sections_of_machine[m])))
         new = conj((was, w.valid, lost, quiet))
         yield "F-TRAILED", f"{m} detected", iff(w.after(was), conj((there, quiet)))
         yield "F-TRAILED", m, iff(w.after(trailed), disj((new, conj((trailed, neg(seen))))))

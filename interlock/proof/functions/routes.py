@@ -105,7 +105,7 @@ def _refusing(w: Words, r: RouteSymbols, wide: bool) -> Iterator[Expr]:
         yield f.locked(s)
         yield disj(var(name) for o, name in f.options(s).items() if o not in own)
         if s in clear:
-            yield w.occupied(s)
+            yield neg(w.long(s))
         yield w.blocked(s)
         yield _not_to_be_had(w, (s, n), wide)
     yield from _rear(w, r)
@@ -148,7 +148,7 @@ def _not_as_overlap(w: Words, g: SignalId, way: Way, wide: bool) -> Expr:
     )
     locks = [conj((lock, neg(onward))) if k == n else lock for k, lock in f.locks(s)]
     held = [f.restart(s), *(var(name) for name in f.options(s).values()), *locks]
-    return disj((*held, w.occupied(s), w.blocked(s), _not_to_be_had(w, way, wide)))
+    return disj((*held, neg(w.long(s)), w.blocked(s), _not_to_be_had(w, way, wide)))
 
 
 def _rear(w: Words, r: RouteSymbols) -> Iterator[Expr]:
@@ -167,7 +167,7 @@ def _rear(w: Words, r: RouteSymbols) -> Iterator[Expr]:
     beside = {w.topo.beyond(rear, j) for j in w.topo.ends[rear] if j != node}
     beside |= {fj.section for fj in f.fouls if fj.neighbour == rear}
     for other in sorted(s for s in beside if s is not None):
-        yield conj((f.restart(rear), f.restart(other), w.occupied(other)))
+        yield conj((f.restart(rear), f.restart(other), neg(w.long(other))))
 
 
 def _berth(w: Words, way: Way, wide: bool) -> Iterator[Expr]:
@@ -192,7 +192,7 @@ def _lie(w: Words, r: RouteSymbols, wide: bool, kept_clear: bool = True) -> Iter
     for s, n in (*r.ways, *([r.berth] if r.berth is not None else [])):
         yield w.lies(s, n, wide)
         if s in clear:
-            yield neg(w.occupied(s))
+            yield w.long(s)
 
 
 def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iterator[Expr]:
@@ -215,7 +215,7 @@ def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iter
         if boundary.node in sym.token:
             yield var(sym.token[boundary.node].have)
         if boundary.approach is not None:
-            yield neg(w.occupied(boundary.approach))
+            yield w.long(boundary.approach)
     if not r.call_on:
         yield neg(f.stale(r.ways[0][0]))
         last = sym.caution_lamp.get(r.entry, sym.clear_lamp.get(r.entry))

@@ -38,9 +38,10 @@ class Words:
         """Counts as occupied: not validly reported clear, or without detection (R3)."""
         return TRUE if s is None else neg(conj((self.valid, self.f.clear(s))))
 
-    def long(self, s: SectionId) -> Expr:
-        """Clear without a break for the release delay."""
-        return var(self.sym.release_timer[s])
+    def long(self, s: str) -> Expr:
+        """Steadily clear: without a break for the release delay (R15); never, without detection."""
+        name = self.sym.release_timer.get(SectionId(s))
+        return FALSE if name is None or s in self.layout.undetected else var(name)
 
     def detected(self, m: MachineId, x: Position) -> Expr:
         """Detected there by valid and unambiguous contacts (R10)."""
@@ -81,7 +82,7 @@ class Words:
             return TRUE
         lock = self.sym.lock
         further = (conj((var(lock[x.section, n]), self._coming(y))) for n, y in x.further if (x.section, n) in lock)
-        return disj((self.occupied(x.section), *further))
+        return disj((neg(self.long(x.section)), *further))
 
     def safe(self, g: SignalId) -> Expr:
         """No train can be about to pass the signal: none is on its way, or the delay is over (R8)."""
@@ -230,7 +231,7 @@ class Words:
         """Nothing is locked or occupied over the machine, and nobody needs it as flank protection (R10)."""
         free = [self.valid]
         for s in self.layout.sections_of_machine[m]:
-            free += [neg(self.f.held(s)), neg(self.occupied(s))]
+            free += [neg(self.f.held(s)), self.long(s)]
         return conj((*free, *(neg(self.holding(way)) for way in self.flanks(m))))
 
     def closing(self, m: MachineId, x: Position) -> bool:
@@ -263,7 +264,7 @@ class Words:
         return disj((*out, self._space(t) if wide else FALSE))
 
     def _not_foul(self, fj: FoulJoint) -> Expr:
-        clear = neg(self.occupied(fj.neighbour))
+        clear = self.long(fj.neighbour)
         return clear if fj.when is None else disj((clear, self.detected(fj.when[0], fj.when[1].other)))
 
     def _space(self, t: Traversal) -> Expr:
@@ -281,7 +282,7 @@ class Words:
 
     def _anything(self, own: SectionId, beyond: Beyond) -> Expr:
         s = beyond.section
-        out = [self.occupied(s)] if s != own and s not in self.layout.undetected else []
+        out = [neg(self.long(s))] if s != own and s not in self.layout.undetected else []
         if beyond.signal is not None and beyond.signal in self.sym.stop_lamp:
             out.append(neg(var(self.sym.stop_lamp[beyond.signal])))
         return disj((*out, *(self._anything(own, x) for x in beyond.onward)))
@@ -301,7 +302,7 @@ class Words:
 
         def clear(o: tuple[SignalId, int]) -> Expr:
             ways = self.sym.overlap_ways[o]
-            return conj(x for s, n in ways for x in (neg(self.occupied(s)), self.lies(s, n, wide)))
+            return conj(x for s, n in ways for x in (self.long(s), self.lies(s, n, wide)))
 
         if not swings:
             return clear(own)

@@ -116,7 +116,15 @@ def _refused(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
                 yield Wish((), {name: value})
                 if lane.is_on(r.active):
                     return f"it is set although {name} is {value}"
+                if name == sym.clear.get(s):
+                    yield from _steadily_clear(railway, lane)
     return (yield from _opened(railway, r, lane))
+
+
+def _steadily_clear(railway: Railway, lane: Lane) -> Generator[Wish, None, None]:
+    """Until what is reported clear has been so for the release delay (R15)."""
+    for _ in range(-(-round(1000 * railway.layout.principles.release_delay_s) // lane.lanes.dt_ms) + 1):
+        yield NOTHING
 
 
 def _reopened(railway: Railway, r: RouteSymbols, lane: Lane) -> Part:
