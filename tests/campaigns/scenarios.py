@@ -19,9 +19,7 @@ def main() -> int:
         "found by bounded search and thinned to what it needs.  What is excluded, and the accident that it excludes, is "
         "in [assumptions.md](assumptions.md).\n"
     )
-    print(
-        "`python -m tests.campaigns.scenarios` writes this page; `pytest tests/test_scenarios.py` looks for each run.\n"
-    )
+    print("`python -m tests.campaigns.scenarios` writes it; `tests/test_scenarios.py` looks for each run.\n")
     missing = 0
     for number, scenario in enumerate(SCENARIOS, 1):
         found = run_to(scenario)
