@@ -236,7 +236,7 @@ def test_the_same_goals_follow_with_abstractions_when_shipped(name: str, monkeyp
 class Told:
     """A system of two routes."""
 
-    members: dict[Name, tuple[Name, int]]
+    indexed: dict[Name, tuple[Name, int]]
     definitions: dict[Name, Expr] = field(default_factory=dict)
     assumptions: tuple[Assumption, ...] = ()
     requests: tuple[Name, ...] = ()

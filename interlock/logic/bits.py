@@ -50,25 +50,7 @@ class Bits:
         """What is read by each stage and those before it; a comparison `n = k` is a variable of the name `n=k`."""
         for roots in stages:
             for root in roots.values():
-                stack = [_meant(root, wires)]
-                while stack:  # each node after those that it reads
-                    node = stack[-1]
-                    if node in number:
-                        stack.pop()
-                        continue
-                    args: list[int] = []
-                    for a in node.args:
-                        x = _meant(a, wires) if a.op is VAR else a
-                        at = number.get(x)
-                        if at is not None:
-                            args.append(at)
-                        elif x.args:
-                            stack.append(x)
-                        else:
-                            args.append(enter(x, ()))
-                    if len(args) == len(node.args):
-                        stack.pop()
-                        enter(node, tuple(args))
+                _each_after_what_it_reads(_meant(root, wires), wires, number, enter)
             self._ends.append(len(kinds))
             self._read.append(_getter([*reads]))
         self._names: dict[int, dict[str, None]] = {}
@@ -149,6 +131,31 @@ class Bits:
             at = due.find(1, at + 1, end)
         self._found.update(changed)
         return self._found
+
+
+def _each_after_what_it_reads(
+    root: Expr, meaning: Mapping[Name, Expr], number: Mapping[Expr, int], enter: Callable[[Expr, tuple[int, ...]], int]
+) -> None:
+    """Enter the nodes below a root that have no number yet."""
+    stack = [root]
+    while stack:
+        node = stack[-1]
+        if node in number:
+            stack.pop()
+            continue
+        args: list[int] = []
+        for a in node.args:
+            x = _meant(a, meaning) if a.op is VAR else a
+            at = number.get(x)
+            if at is not None:
+                args.append(at)
+            elif x.args:
+                stack.append(x)
+            else:
+                args.append(enter(x, ()))
+        if len(args) == len(node.args):
+            stack.pop()
+            enter(node, tuple(args))
 
 
 def _getter(names: Sequence[str]) -> Callable[[Mapping[str, int]], tuple[int, ...]]:

@@ -111,8 +111,8 @@ def imported(tree: ast.Module, modules: set[str]) -> Iterator[str]:
                     yield found
 
 
-def _put_into_self(made: ast.FunctionDef) -> Iterator[str]:
-    for node in ast.walk(made):
+def _put_into_self(method: ast.FunctionDef) -> Iterator[str]:
+    for node in ast.walk(method):
         targets: list[ast.expr] = []
         if isinstance(node, ast.AnnAssign):
             targets = [node.target]
@@ -124,21 +124,11 @@ def _put_into_self(made: ast.FunctionDef) -> Iterator[str]:
 
 
 def public_members(node: ast.ClassDef) -> int:
-    """Methods and attributes of a class that others may use: of its body, and what `__init__` puts into `self`."""
+    """Methods and attributes of a class that others may use: of its body, and what they put into `self`."""
     names: set[str] = set()
     for x in node.body:
         if isinstance(x, ast.FunctionDef):
-            names.add(x.name)
-            if x.name == "__init__":
-                names |= {
-                    t.attr
-                    for y in ast.walk(x)
-                    for t in (
-                        [y.target] if isinstance(y, ast.AnnAssign) else y.targets if isinstance(y, ast.Assign) else []
-                    )
-                    for t in (t.elts if isinstance(t, ast.Tuple) else [t])
-                    if isinstance(t, ast.Attribute) and isinstance(t.value, ast.Name) and t.value.id == "self"
-                }
+            names |= {x.name, *_put_into_self(x)}
         elif isinstance(x, ast.AnnAssign) and isinstance(x.target, ast.Name):
             names.add(x.target.id)
     return sum(not n.startswith("_") for n in names)

@@ -7,6 +7,7 @@ opens: clear only while the next main signal shows proceed, where the principle 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from interlock.logic import names
 from interlock.logic.controller import Join, Output, Term
@@ -51,7 +52,7 @@ def keep(d: Draft) -> None:
         d.kept(names.SHOWS_CLEAR(g), False, f"{g} shows clear", Join.ALL, terms, f"signal {g}")
 
 
-def lamps(d: Draft) -> dict[str, dict[SignalId, names.Name]]:
+def lamps(d: Draft) -> dict[str, Any]:
     """The outputs of each signal's lamps, as `Symbols` names them."""
     signals = [g for g in d.layout.signals if d.routes_from[g.id]]
     calls = [g for g in signals if any(r.kind is RouteKind.CALL_ON for r in d.routes_from[g.id])]

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from interlock.logic import names
 from interlock.logic.controller import Controller, RouteSymbols, Symbols, Timer
 from interlock.logic.expr import TRUE
 from interlock.logic.lower import aspects, block, overlaps, points, requests, routes, sections, ways, zones
 from interlock.logic.lower.draft import Draft
-from interlock.model.elements import Position, SectionId
+from interlock.model.elements import Position
 from interlock.model.layout import Layout
 from interlock.model.principles import Local
-from interlock.table.rows import InterlockingTable, RouteKind
+from interlock.table.rows import InterlockingTable, RouteKind, RouteRow
 
 PASSES = (
     routes.inputs,
@@ -74,12 +76,45 @@ def _indications(d: Draft) -> dict[str, names.Name]:
     return found | {f"full {z.id}": names.ZONE_FULL_SHOWN(z.id) for z in d.layout.zones}
 
 
+def _route(r: RouteRow) -> RouteSymbols:
+    return RouteSymbols(
+        r.id,
+        r.number,
+        r.entry,
+        r.kind is RouteKind.SHUNT,
+        r.kind is RouteKind.CALL_ON,
+        r.locked,
+        r.traversals[-1] if r.berth is not None else None,
+        (r.overlap.signal, r.overlap.option) if r.overlap is not None else None,
+        names.ACTIVE(r.number),
+        names.LOCKED(r.number),
+        names.WANTED(r.number),
+        names.SHOWING(r.number),
+        names.SHOWN(r.number),
+        names.PASSING(r.number) if r.closing.whole is not None else None,
+        r.names,
+    )
+
+
+def _of_machines(d: Draft) -> dict[str, Any]:
+    """What there is of each machine, as `Symbols` names it; of one that is not powered no more than its time-out."""
+    by_position = {
+        "detected": names.CONTACT,
+        "command": names.COMMAND,
+        "by_hand": names.MOVE_BY_HAND,
+        "drive": names.DRIVE,
+    }
+    powered = {"trailed": names.TRAILED, "seen_right": names.WAS_RIGHT, "looked_at": names.LOOKED_AT}
+    found: dict[str, Any] = {
+        k: {(m, x): of(m, x) for m in d.machines for x in Position} for k, of in by_position.items()
+    }
+    found |= {k: {m: of(m) for m in d.powered} for k, of in powered.items()}
+    return found | {"late_timer": {m: names.LATE(m) for m in d.machines}}
+
+
 def _symbols(d: Draft) -> Symbols:
     signals = [g.id for g in d.layout.signals if d.routes_from[g.id]]
     lit = d.open_for_trains if d.layout.principles.lamp_proof else []
-
-    def each(family: names.Family) -> dict[SectionId, names.Name]:
-        return {s: family(s) for s in d.sections}
 
     return Symbols(
         valid=names.VALID,
@@ -92,21 +127,14 @@ def _symbols(d: Draft) -> Symbols:
         clear={s.id: names.CLEAR(s.id) for s in d.layout.sections if s.detected},
         healthy=d.healthy,
         blocked={s: names.BLOCKED(s) for s in d.lockable},
-        detected={(m, x): names.CONTACT(m, x) for m in d.machines for x in Position},
-        command={(m, x): names.COMMAND(m, x) for m in d.machines for x in Position},
-        by_hand={(m, x): names.MOVE_BY_HAND(m, x) for m in d.machines for x in Position},
-        trailed={m: names.TRAILED(m) for m in d.powered},
-        seen_right={m: names.WAS_RIGHT(m) for m in d.powered},
-        looked_at={m: names.LOOKED_AT(m) for m in d.powered},
+        **_of_machines(d),
         condition={c.id: names.CONDITION(c.id) for c in d.layout.conditions},
         stop_lamp={g.id: names.STOP_LAMP(g.id) for g in d.layout.signals} if d.layout.principles.lamp_proof else {},
         clear_lamp={g: names.CLEAR_LAMP(g) for g in lit},
         caution_lamp={g: names.CAUTION_LAMP(g) for g in lit if aspects.cautions(d)},
-        drive={(m, x): names.DRIVE(m, x) for m in d.machines for x in Position},
         turn={m: names.MAY_RUN(m) for m in d.machines if d.started(m) is not TRUE},
         started=names.STARTED if any(isinstance(s, Timer) and s.name == names.GAP_OVER for s in d.steps) else None,
-        late_timer={m: names.LATE(m) for m in d.machines},
-        release_timer=each(names.LONG_CLEAR) | {s: names.LONG_CLEAR(s) for s in sections.detected(d)},
+        release_timer={s: names.LONG_CLEAR(s) for s in (*d.sections, *sections.detected(d))},
         running=names.POWERED,
         restart_timer=sections.RESTART_DELAY,
         start_timer=names.GAP_OVER if any(isinstance(s, Timer) and s.name == names.GAP_OVER for s in d.steps) else None,
@@ -116,15 +144,15 @@ def _symbols(d: Draft) -> Symbols:
         distant_caution={x.id: names.DISTANT_CAUTION(x.id) for x in d.layout.distants},
         indication=_indications(d),
         zone_full={z.id: names.ZONE_FULL(z.id) for z in d.layout.zones},
-        restart=each(names.RESTART_LOCK),
-        train=each(names.TRAIN_LOCK) if d.shunting else {},
+        restart={s: names.RESTART_LOCK(s) for s in d.sections},
+        train={s: names.TRAIN_LOCK(s) for s in d.sections} if d.shunting else {},
         lock={t.key: names.LOCK(t.section, t.number) for t in d.table.locks},
-        firm=each(names.FIRM),
-        used=each(names.USED),
-        passed=each(names.PASSED),
+        firm={s: names.FIRM(s) for s in d.sections},
+        used={s: names.USED(s) for s in d.sections},
+        passed={s: names.PASSED(s) for s in d.sections},
         release={s: names.RELEASE_BY_HAND(s) for s in d.sections},
         release_all=names.RELEASE_ALL,
-        stale=each(names.STALE),
+        stale={s: names.STALE(s) for s in d.sections},
         cancel={g: names.CANCEL(g) for g in signals},
         cancelling={g: names.CANCELLING(g) for g in signals},
         approach_timer={g: names.APPROACH_OVER(g) for g in signals},
@@ -136,26 +164,7 @@ def _symbols(d: Draft) -> Symbols:
         swings={g: names.OVERLAP_SWINGS(g) for g in d.swinging},
         swing_request={g: d.swing_number(g) for g in d.swinging},
         overlap_timer={g: names.STANDING(g) for g in sorted({g for g, _ in d.overlaps})},
-        routes=tuple(
-            RouteSymbols(
-                r.id,
-                r.number,
-                r.entry,
-                r.kind is RouteKind.SHUNT,
-                r.kind is RouteKind.CALL_ON,
-                r.locked,
-                r.traversals[-1] if r.berth is not None else None,
-                (r.overlap.signal, r.overlap.option) if r.overlap is not None else None,
-                names.ACTIVE(r.number),
-                names.LOCKED(r.number),
-                names.WANTED(r.number),
-                names.SHOWING(r.number),
-                names.SHOWN(r.number),
-                names.PASSING(r.number) if r.closing.whole is not None else None,
-                r.names,
-            )
-            for r in d.table.routes
-        ),
+        routes=tuple(map(_route, d.table.routes)),
         demands={t.key: tuple((p.machine, p.position) for p in t.points) for t in d.table.locks},
         excluded={t.key: tuple((e.section, e.whole, e.numbers) for e in t.exclusions) for t in d.table.locks},
         ends=dict(d.topo.ends),

@@ -126,31 +126,36 @@ def commands(d: Draft) -> None:
                 f"machine {m} moved {x} by hand",
             )
         for x in Position:
-            d.wire(
-                names.COMMAND_HELD(m, x),
-                Join.ALL,
-                (
-                    Term(d.command(m, x), "held"),
-                    Term(neg(var(names.DEMANDED(m, x.other))), "no opposite grant"),
-                    Term(neg(var(names.MOVED_BY_HAND(m, x.other))), "not moved by hand"),
-                ),
-                f"point {m}",
-                f"the command {x} stays",
-            )
-            d.kept(
-                names.COMMAND(m, x),
-                False,
-                f"machine {m} commanded {x}",
-                Join.ANY,
-                (
-                    Term(var(names.DEMANDED(m, x)), "granted"),
-                    Term(var(names.MOVED_BY_HAND(m, x)), "by hand"),
-                    Term(var(names.COMMAND_HELD(m, x)), "held"),
-                ),
-                f"point {m}",
-            )
-            started = conj((d.command(m, x), d.started(m)))
-            d.outputs.append(Output(names.DRIVE(m, x), started, False, f"machine {m}: {d.layout.word(m, x)}"))
+            _keep_command(d, m, x)
+
+
+def _keep_command(d: Draft, m: MachineId, x: Position) -> None:
+    """A command is given by a grant or by hand, and stays until the opposite one is."""
+    d.wire(
+        names.COMMAND_HELD(m, x),
+        Join.ALL,
+        (
+            Term(d.command(m, x), "held"),
+            Term(neg(var(names.DEMANDED(m, x.other))), "no opposite grant"),
+            Term(neg(var(names.MOVED_BY_HAND(m, x.other))), "not moved by hand"),
+        ),
+        f"point {m}",
+        f"the command {x} stays",
+    )
+    d.kept(
+        names.COMMAND(m, x),
+        False,
+        f"machine {m} commanded {x}",
+        Join.ANY,
+        (
+            Term(var(names.DEMANDED(m, x)), "granted"),
+            Term(var(names.MOVED_BY_HAND(m, x)), "by hand"),
+            Term(var(names.COMMAND_HELD(m, x)), "held"),
+        ),
+        f"point {m}",
+    )
+    started = conj((d.command(m, x), d.started(m)))
+    d.outputs.append(Output(names.DRIVE(m, x), started, False, f"machine {m}: {d.layout.word(m, x)}"))
 
 
 def _driving(d: Draft) -> dict[tuple[MachineId, Position], Expr]:

@@ -13,7 +13,7 @@ from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
 from interlock.logic.lower import aspects, block, requests, sections, ways, zones
 from interlock.logic.lower.draft import Draft
-from interlock.model.elements import Position
+from interlock.model.elements import Position, SignalId
 from interlock.table.rows import RouteKind, RouteRow
 
 
@@ -252,103 +252,111 @@ def _passing(d: Draft, r: RouteRow) -> None:
 def keep(d: Draft) -> None:
     """Next values of routes and signals."""
     for r in d.table.routes:
-        k = r.number
-        group = f"route {r.id}"
-        used = _entered(d, r)
-        d.wire(
-            names.STAYS(k),
-            Join.ALL,
-            (
-                Term(neg(used), "not entered", f"no train has entered {r.section_ids[0]}"),
-                Term(neg(var(names.CANCELLED(r.entry))), "not cancelled"),
-            ),
-            group,
-            f"route {r.id} stays set",
-        )
-        stays = Term(var(names.STAYS(k)), "stays")
+        stays = Term(var(names.STAYS(r.number)), "stays")
         stop = (
             Term(neg(var(names.CANCELLING(r.entry))), "not cancelling"),
             Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
         )
-        d.wire(
-            names.OPENS(k),
-            Join.ALL,
-            (
-                Term(var(names.ACTIVE(k)), "active"),
-                Term(var(names.LOCKED(k)), "locked"),
-                Term(var(names.WANTED(k)), "wanted"),
-                Term(var(names.CONDITIONS(k)), "conditions"),
-                stays,
-                *stop,
-                *_lamp_terms(d, r),
-            ),
-            group,
-            f"proceed for route {r.id} (R3, R11)",
-        )
-        d.wire(
-            names.CONDITION_LOST(k),
-            Join.ALL,
-            (
-                Term(var(names.SHOWING(k)), "showing"),
-                Term(neg(var(names.CONDITIONS(k))), "conditions lost"),
-            ),
-            group,
-            f"route {r.id}: a condition was lost; no reopening by itself (R14)",
-        )
-        d.kept(
-            names.ACTIVE(k),
-            False,
-            f"route {r.id} active",
-            Join.ALL,
-            (Term(disj((var(names.ACTIVE(k)), var(names.GRANTED(k)))), "held or granted"), stays),
-            group,
-        )
-        d.kept(
-            names.LOCKED(k),
-            False,
-            f"route {r.id} locked",
-            Join.ALL,
-            (Term(disj((var(names.LOCKED(k)), var(names.LOCKS(k)))), "held or locked"), stays),
-            group,
-        )
-        # what calls a train on closes for good: nothing tells whether the train has passed
-        again = [conj((requests.asked(d, k), var(names.LOCKED(k))))] if r.kind is not RouteKind.CALL_ON else []
-        d.kept(
-            names.WANTED(k),
-            False,
-            f"route {r.id}: proceed wanted",
-            Join.ALL,
-            (
-                Term(disj((var(names.WANTED(k)), var(names.LOCKS(k)), *again)), "wanted"),
-                Term(neg(var(names.CONDITION_LOST(k))), "conditions kept"),
-                stays,
-                *stop,
-            ),
-            group,
-        )
-        _passing(d, r)
-        proceed = (Term(var(names.OPENS(k)), "proceed"),)
-        d.kept(names.SHOWING(k), False, f"route {r.id}: proceed", Join.ALL, proceed, group)
-        d.kept(
-            names.SHOWN(k),
-            False,
-            f"route {r.id}: signal has been open",
-            Join.ALL,
-            (Term(disj((var(names.SHOWN(k)), var(names.OPENS(k)))), "held or shown"), stays),
-            group,
-        )
+        _opens(d, r, stays, stop)
+        _keep_route(d, r, stays, stop)
     for signal in d.layout.signals:
-        if not d.routes_from[signal.id]:
-            continue
-        d.kept(
-            names.CANCELLING(signal.id),
-            False,
-            f"{signal.id}: cancelling",
-            Join.ALL,
-            (
-                Term(disj((var(names.CANCELLING(signal.id)), var(names.CANCEL(signal.id)))), "held or asked"),
-                Term(d.any_active(signal.id), "active"),
-                Term(neg(var(names.CANCELLED(signal.id))), "not done"),
-            ),
-            f"signal {signal.id}",
-        )
+        if d.routes_from[signal.id]:
+            _keep_cancelling(d, signal.id)
+
+
+def _opens(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, Term]) -> None:
+    """Whether a route stays set, whether its signal opens, and whether a condition of that was lost."""
+    k, group = r.number, f"route {r.id}"
+    used = _entered(d, r)
+    d.wire(
+        names.STAYS(k),
+        Join.ALL,
+        (
+            Term(neg(used), "not entered", f"no train has entered {r.section_ids[0]}"),
+            Term(neg(var(names.CANCELLED(r.entry))), "not cancelled"),
+        ),
+        group,
+        f"route {r.id} stays set",
+    )
+    d.wire(
+        names.OPENS(k),
+        Join.ALL,
+        (
+            Term(var(names.ACTIVE(k)), "active"),
+            Term(var(names.LOCKED(k)), "locked"),
+            Term(var(names.WANTED(k)), "wanted"),
+            Term(var(names.CONDITIONS(k)), "conditions"),
+            stays,
+            *stop,
+            *_lamp_terms(d, r),
+        ),
+        group,
+        f"proceed for route {r.id} (R3, R11)",
+    )
+    d.wire(
+        names.CONDITION_LOST(k),
+        Join.ALL,
+        (
+            Term(var(names.SHOWING(k)), "showing"),
+            Term(neg(var(names.CONDITIONS(k))), "conditions lost"),
+        ),
+        group,
+        f"route {r.id}: a condition was lost; no reopening by itself (R14)",
+    )
+
+
+def _keep_route(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, Term]) -> None:
+    """Set, locked, proceed wanted, proceed shown, proceed once shown."""
+    k, group = r.number, f"route {r.id}"
+    d.kept(
+        names.ACTIVE(k),
+        False,
+        f"route {r.id} active",
+        Join.ALL,
+        (Term(disj((var(names.ACTIVE(k)), var(names.GRANTED(k)))), "held or granted"), stays),
+        group,
+    )
+    d.kept(
+        names.LOCKED(k),
+        False,
+        f"route {r.id} locked",
+        Join.ALL,
+        (Term(disj((var(names.LOCKED(k)), var(names.LOCKS(k)))), "held or locked"), stays),
+        group,
+    )
+    # what calls a train on closes for good: nothing tells whether the train has passed
+    again = [conj((requests.asked(d, k), var(names.LOCKED(k))))] if r.kind is not RouteKind.CALL_ON else []
+    d.kept(
+        names.WANTED(k),
+        False,
+        f"route {r.id}: proceed wanted",
+        Join.ALL,
+        (
+            Term(disj((var(names.WANTED(k)), var(names.LOCKS(k)), *again)), "wanted"),
+            Term(neg(var(names.CONDITION_LOST(k))), "conditions kept"),
+            stays,
+            *stop,
+        ),
+        group,
+    )
+    _passing(d, r)
+    proceed = (Term(var(names.OPENS(k)), "proceed"),)
+    d.kept(names.SHOWING(k), False, f"route {r.id}: proceed", Join.ALL, proceed, group)
+    d.kept(
+        names.SHOWN(k),
+        False,
+        f"route {r.id}: signal has been open",
+        Join.ALL,
+        (Term(disj((var(names.SHOWN(k)), var(names.OPENS(k)))), "held or shown"), stays),
+        group,
+    )
+
+
+def _keep_cancelling(d: Draft, g: SignalId) -> None:
+    """A route from a signal is being cancelled."""
+    terms = (
+        Term(disj((var(names.CANCELLING(g)), var(names.CANCEL(g)))), "held or asked"),
+        Term(d.any_active(g), "active"),
+        Term(neg(var(names.CANCELLED(g))), "not done"),
+    )
+    d.kept(names.CANCELLING(g), False, f"{g}: cancelling", Join.ALL, terms, f"signal {g}")

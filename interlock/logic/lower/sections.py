@@ -13,7 +13,7 @@ from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.lower import ways
 from interlock.logic.lower.draft import Draft
-from interlock.model.elements import NodeId, SectionId
+from interlock.model.elements import NodeId, SectionId, SignalId
 from interlock.table.rows import RouteKind, RouteRow
 
 
@@ -171,6 +171,29 @@ def long_clear(d: Draft, s: SectionId) -> Term:
     return Term(d.clear(s), "long clear", f"{s} clear without a break for the release delay")
 
 
+def _signals_into(d: Draft, s: SectionId) -> list[tuple[SignalId, Expr]]:
+    """The signals with routes into a section, and that it is locked for one of them.
+
+    Where there is an overlap alone, nothing is locked for a train.
+    """
+    found = [(d.signal_at(s, node), d.locked_in(s, node)) for node in d.topo.ends[s]]
+    return [(g, locked) for g, locked in found if g is not None and locked is not FALSE and d.routes_from[g]]
+
+
+def _by_hand(d: Draft, s: SectionId) -> list[Term]:
+    """What releasing a section by hand asks for, besides that it is clear."""
+    asked = disj((var(names.RELEASE_BY_HAND(s)), conj((var(names.RELEASE_ALL), var(names.STALE(s))))))
+    out = [
+        Term(asked, "by hand", f"{s} alone, or all sections in which a train may have been missed"),
+        Term(disj(d.lock(*t.key) for t in d.locks_of[s]), "locked"),
+    ]
+    for g, locked in _signals_into(d, s):
+        safe = conj((neg(d.any_active(g)), d.approach_safe(g)))
+        note = f"no route from {g} is set and no train is about to pass it"
+        out.append(Term(disj((neg(locked), safe)), "no train about to come", note))
+    return out
+
+
 def release(d: Draft) -> None:
     """All the ways in which a section is released; none of them before it has been clear for the release delay."""
     valid = Term(var(names.VALID), "inputs valid")
@@ -181,14 +204,8 @@ def release(d: Draft) -> None:
         d.wire(
             names.LEAVES(s), Join.ANY, _exits(d, s), group, f"a train in {s} leaves over a boundary, or has passed on"
         )
-        behind = (
-            valid,
-            Term(var(names.USED(s)), "was used"),
-            clear,
-            *_closed(d, s),
-            *rear,
-            Term(var(names.LEAVES(s)), "went on"),
-        )
+        used, went_on = Term(var(names.USED(s)), "was used"), Term(var(names.LEAVES(s)), "went on")
+        behind = (valid, used, clear, *_closed(d, s), *rear, went_on)
         d.wire(names.RELEASED_BEHIND(s), Join.ALL, behind, group, f"{s} is released behind the train (R9)")
         unsignalled = disj(
             conj((d.locked_in(s, node), *([d.train(s)] if d.signal_at(s, node) is not None else [])))
@@ -197,46 +214,18 @@ def release(d: Draft) -> None:
         )
         if s in d.berths:
             d.wire(names.ARRIVED(s), Join.ALL, _arrival(d, s, rear), group, f"a train has arrived in {s}, wholly (R2)")
+        inside = (Term(neg(var(names.USED(s))), "not used"), Term(unsignalled, "locked from inside"))
         d.wire(
             names.WITHDRAWN(s),
             Join.ALL,
-            (
-                valid,
-                clear,
-                Term(neg(var(names.USED(s))), "not used"),
-                Term(unsignalled, "locked from inside"),
-                *rear,
-            ),
+            (valid, clear, *inside, *rear),
             group,
             f"the lock before {s} was withdrawn (R8)",
         )
-        by_hand = [
-            valid,
-            clear,
-            *_closed(d, s),
-            *rear,
-            Term(
-                disj((var(names.RELEASE_BY_HAND(s)), conj((var(names.RELEASE_ALL), var(names.STALE(s)))))),
-                "by hand",
-                f"{s} alone, or all sections in which a train may have been missed",
-            ),
-            Term(disj(d.lock(*t.key) for t in d.locks_of[s]), "locked"),
+        by_hand = [valid, clear, *_closed(d, s), *rear, *_by_hand(d, s)]
+        cancelled = [
+            Term(var(names.CANCELLED(g)), "cancelled", f"route from {g} cancelled") for g, _ in _signals_into(d, s)
         ]
-        cancelled: list[Term] = []
-        for node in d.topo.ends[s]:
-            g = d.signal_at(s, node)
-            locked = d.locked_in(s, node)
-            if g is None or locked is FALSE or not d.routes_from[g]:  # an overlap alone: nothing is locked for a train
-                continue
-            safe = conj((neg(d.any_active(g)), d.approach_safe(g)))
-            by_hand.append(
-                Term(
-                    disj((neg(locked), safe)),
-                    "no train about to come",
-                    f"no route from {g} is set and no train is about to pass it",
-                )
-            )
-            cancelled.append(Term(var(names.CANCELLED(g)), "cancelled", f"route from {g} cancelled"))
         d.wire(names.RELEASED_BY_HAND(s), Join.ALL, by_hand, group, f"{s} released by hand (R8, section fault release)")
         d.wire(
             names.RELEASED_AFTER_RESTART(s),

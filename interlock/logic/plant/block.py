@@ -11,9 +11,9 @@ from typing import Protocol
 
 from interlock.logic import names
 from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
-from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, Wiring
+from interlock.logic.plant.kinds import ASSUMPTIONS, Assumption, Hazard, Plant, TokenWires, Wiring
 from interlock.logic.plant.words import has_token, line, o, seen_by, telegram
-from interlock.model.elements import Boundary
+from interlock.model.elements import Boundary, NodeId
 from interlock.model.layout import Layout
 
 
@@ -37,6 +37,21 @@ class Beyond(Protocol):
 def outside(b: Boundary) -> str:
     """Where a train stands that is about to come in."""
     return b.approach or names.outside(b.node)
+
+
+def _telegrams(x: Beyond, n: NodeId, wire: TokenWires) -> None:
+    """What each end was told last: by a telegram that has come, whole, or by the one before."""
+    p = x.p
+    told = x.choice(names.TELEGRAM_COMES(n), f"a telegram comes from the neighbour at {n}")
+    tells = x.choice(names.TELEGRAM_REACHES(n), f"a telegram reaches the neighbour at {n}")
+    words = {"has": f"the neighbour at {n} has the direction", "gives": f"the neighbour at {n} gives the direction"}
+    for w in ("has", "gives"):
+        p.state[names.NEIGHBOUR_TOKEN(n, w)] = words[w]
+        p.state[names.TELEGRAM(n, w)] = f"the last telegram from {n}: {words[w]}"
+        p.next[names.TELEGRAM(n, w)] = disj((conj((told, has_token(n, w))), conj((neg(told), telegram(n, w)))))
+        p.state[names.SEEN_BY(n, w)] = f"the last telegram that reached the neighbour at {n}: {w}"
+        own = var(wire.have if w == "has" else wire.give)
+        p.next[names.SEEN_BY(n, w)] = disj((conj((tells, own)), conj((neg(tells), seen_by(n, w)))))
 
 
 def neighbour(x: Beyond, b: Boundary) -> None:
@@ -76,16 +91,7 @@ def neighbour(x: Beyond, b: Boundary) -> None:
     )
     p.events[names.TOKEN_MOVES(n, "manual")] = manual
     p.events[names.SENDS(n)] = conj((has, neg(give), x.choice(names.SENDS(n), f"the neighbour at {n} sends a train")))
-    told = x.choice(names.TELEGRAM_COMES(n), f"a telegram comes from the neighbour at {n}")
-    tells = x.choice(names.TELEGRAM_REACHES(n), f"a telegram reaches the neighbour at {n}")
-    words = {"has": f"the neighbour at {n} has the direction", "gives": f"the neighbour at {n} gives the direction"}
-    for w in ("has", "gives"):
-        p.state[names.NEIGHBOUR_TOKEN(n, w)] = words[w]
-        p.state[names.TELEGRAM(n, w)] = f"the last telegram from {n}: {words[w]}"
-        p.next[names.TELEGRAM(n, w)] = disj((conj((told, has_token(n, w))), conj((neg(told), telegram(n, w)))))
-        p.state[names.SEEN_BY(n, w)] = f"the last telegram that reached the neighbour at {n}: {w}"
-        own = var(wire.have if w == "has" else wire.give)
-        p.next[names.SEEN_BY(n, w)] = disj((conj((tells, own)), conj((neg(tells), seen_by(n, w)))))
+    _telegrams(x, n, wire)
     p.state[names.NEIGHBOUR_TOKEN(n, "fresh")] = f"the neighbour at {n} has seen the direction not given"
     p.next[names.NEIGHBOUR_TOKEN(n, "has")] = conj((disj((has, take, manual)), neg(give), neg(lost)))
     p.next[names.NEIGHBOUR_TOKEN(n, "gives")] = conj((disj((gives, give)), neg(seen_by(n, "has")), neg(lost)))
@@ -100,9 +106,13 @@ def neighbour(x: Beyond, b: Boundary) -> None:
     stale = disj((telegram(n, "has"), telegram(n, "gives"), seen_by(n, "gives")))
     alone = conj((empty, neg(has), neg(gives), neg(stale), neg(take)))
     _assume(x, "A-AGREED", implies(held, alone))
-    # at a restart the line and the neighbour are as the token's rules have left them
-    sent = disj((line(n, "in"), o(outside(b))))
-    p.initial += [
+    p.initial += _at_a_restart(n, disj((line(n, "in"), o(outside(b)))))
+
+
+def _at_a_restart(n: str, sent: Expr) -> list[Expr]:
+    """The line and the neighbour are as the token's rules have left them; `sent`: a train is on its way to us."""
+    has, gives, fresh = (has_token(n, w) for w in ("has", "gives", "fresh"))
+    return [
         neg(conj((has, gives))),
         neg(conj((seen_by(n, "has"), seen_by(n, "gives")))),
         neg(conj((telegram(n, "has"), telegram(n, "gives")))),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
 from interlock.logic import names
@@ -30,7 +30,7 @@ from interlock.logic.plant.words import (
     shunting,
     was_called,
 )
-from interlock.model.elements import BoundaryKind, MachineId, NodeId, Position, SectionId, SignalId
+from interlock.model.elements import Boundary, BoundaryKind, MachineId, NodeId, Position, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
 from interlock.model.measured import Measured
 from interlock.model.traversal import Traversal, topology
@@ -174,60 +174,69 @@ class PlantBuilder:
                 self._head(s, j, g)
                 self._tail(s, j, ahead)
         for b in self.layout.boundaries:
-            if b.kind is BoundaryKind.OUT:
-                continue
-            s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
-            g = topo.signal_into.get((b.node, s))
-            if g is None:
-                continue
-            outside = b.approach or names.outside(b.node)
-            scanned = image(outside) if b.approach and "A-SCAN" not in self.dropped else TRUE
-            free = neg(across(b.node, outside)) if "A-HEADWAY" not in self.dropped else TRUE
-            calls = disj(accepted(g, k) for k in self.functions(g))
-            self.p.events[names.HEAD(b.node, outside)] = conj(
-                (
-                    o(outside),
-                    neg(across(b.node, outside)),
-                    calls if "A-OBEY" not in self.dropped else TRUE,
-                    scanned,
-                    self.choice(names.HEAD(b.node, outside), f"a train enters at {b.node}"),
-                )
-            )
-            if True in self.functions(g):
-                self.p.events[names.SHUNTS(b.node, outside)] = conj(
-                    (self.p.events[names.HEAD(b.node, outside)], accepted(g, True))
-                )
-            self.p.events[names.TAIL(b.node, outside)] = conj(
-                (
-                    across(b.node, outside),
-                    image(s) if "A-SCAN" not in self.dropped else TRUE,
-                    self.choice(names.TAIL(b.node, outside), f"its tail enters at {b.node}"),
-                )
-            )
-            sent = line(b.node, "in") if b.node in self.w.token else TRUE
-            # none is there, or the tail of the one before is just coming in: so a train may follow close behind another
-            room = disj((neg(o(outside)), self.p.events[names.TAIL(b.node, outside)]))
-            self.p.events[names.APPEARS(outside)] = conj(
-                (room, sent, self.choice(names.APPEARS(outside), f"a train comes to {b.node}"))
-            )
-            self._accept(g, conj((o(outside), free)))
+            self._enters(b)
         for g_ in self.layout.signals:
-            node, first, rear = self.rear(g_.id)
-            if node in self.layout.boundary_at or rear is None:
-                continue
-            ready = conj(
-                (
-                    o(rear),
-                    TRUE if self.berth(rear) else disj((self._stood(rear, node), self.heading(rear, node))),
-                    neg(across(node, rear)) if "A-HEADWAY" not in self.dropped else TRUE,
-                    neg(across(node, first)),
-                    neg(self.astray(rear)),  # what has overrun a signal is moved under local rules
-                    neg(self.parted(rear)),
-                )
-            )
-            self._accept(g_.id, ready)
+            self._ready(g_)
         for s in topo.sections:
             reversals(self, s)
+
+    def _enters(self, b: Boundary) -> None:
+        """A train comes to a boundary, accepts its signal, and enters, head and tail."""
+        topo = self.topo
+        if b.kind is BoundaryKind.OUT:
+            return
+        s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
+        g = topo.signal_into.get((b.node, s))
+        if g is None:
+            return
+        outside = b.approach or names.outside(b.node)
+        scanned = image(outside) if b.approach and "A-SCAN" not in self.dropped else TRUE
+        free = neg(across(b.node, outside)) if "A-HEADWAY" not in self.dropped else TRUE
+        calls = disj(accepted(g, k) for k in self.functions(g))
+        self.p.events[names.HEAD(b.node, outside)] = conj(
+            (
+                o(outside),
+                neg(across(b.node, outside)),
+                calls if "A-OBEY" not in self.dropped else TRUE,
+                scanned,
+                self.choice(names.HEAD(b.node, outside), f"a train enters at {b.node}"),
+            )
+        )
+        if True in self.functions(g):
+            self.p.events[names.SHUNTS(b.node, outside)] = conj(
+                (self.p.events[names.HEAD(b.node, outside)], accepted(g, True))
+            )
+        self.p.events[names.TAIL(b.node, outside)] = conj(
+            (
+                across(b.node, outside),
+                image(s) if "A-SCAN" not in self.dropped else TRUE,
+                self.choice(names.TAIL(b.node, outside), f"its tail enters at {b.node}"),
+            )
+        )
+        sent = line(b.node, "in") if b.node in self.w.token else TRUE
+        # none is there, or the tail of the one before is just coming in: so a train may follow close behind another
+        room = disj((neg(o(outside)), self.p.events[names.TAIL(b.node, outside)]))
+        self.p.events[names.APPEARS(outside)] = conj(
+            (room, sent, self.choice(names.APPEARS(outside), f"a train comes to {b.node}"))
+        )
+        self._accept(g, conj((o(outside), free)))
+
+    def _ready(self, g: Signal) -> None:
+        """What stands before a signal inside the layout may accept it."""
+        node, first, rear = self.rear(g.id)
+        if node in self.layout.boundary_at or rear is None:
+            return
+        ready = conj(
+            (
+                o(rear),
+                TRUE if self.berth(rear) else disj((self._stood(rear, node), self.heading(rear, node))),
+                neg(across(node, rear)) if "A-HEADWAY" not in self.dropped else TRUE,
+                neg(across(node, first)),
+                neg(self.astray(rear)),  # what has overrun a signal is moved under local rules
+                neg(self.parted(rear)),
+            )
+        )
+        self._accept(g.id, ready)
 
     def _accept(self, g: SignalId, ready: Expr) -> None:
         for k in self.functions(g):
@@ -388,114 +397,127 @@ class PlantBuilder:
     # --- next states ---------------------------------------------------------------------------
 
     def _states(self) -> None:
-        topo, p = self.topo, self.p
-        for s in topo.sections:
-            out = disj(p.events[names.TAIL(j, s)] for j in topo.ends[s] if j not in self.layout.buffer_at)
-            enter = {j: self.comes_in(s, j) for j in topo.ends[s]}
-            p.state[names.STANDS(s)] = f"a train stands in {s}"
-            parts: Expr = FALSE
-            if not self.berth(s):
-                chance = self.choice(names.PARTS(s), f"the train parts, and its rear stays in {s}")
-                p.events[names.PARTS(s)] = conj((out, chance, neg(self.astray(s))))
-                parts = p.events[names.PARTS(s)]
-                out = conj((out, neg(parts)))
-                p.state[names.PARTED(s)] = f"the rear part of a train has been left in {s}"
-                p.next[names.PARTED(s)] = disj((conj((parted(s), neg(out))), parts))
-                p.initial.append(neg(parted(s)))
-            p.state[names.RESTS(s)] = f"the train in {s} has stood there since the restart"
-            if self.berth(s):
-                stay = self._staying(s)
-                left = conj((out, stay, o(s)))
-                out = conj((out, neg(stay)))
-                joined = disj(self.shunts_in(s, j) for j in topo.ends[s])
-                p.state[names.RESTS(s)] = f"what stands in {s} moves only when a signal calls it"
-                p.next[names.RESTS(s)] = disj((conj((rests(s), neg(out))), left, joined))
-            else:
-                p.next[names.RESTS(s)] = conj((rests(s), neg(out)))
-                p.state[names.WAS_CALLED(s)] = f"the train in {s} has been called"
-                p.next[names.WAS_CALLED(s)] = conj((disj((self.moves(s), *self._drawn(s))), neg(out)))
-                p.initial.append(neg(was_called(s)))
-            p.next[names.STANDS(s)] = disj((conj((o(s), neg(out))), *enter.values()))
-            p.initial.append(iff(rests(s), o(s)))
-            if s in self.overlapped:
-                for h in self.overlapped[s]:
-                    came_over = self.overruns_in(h, s)
-                    p.state[names.OVERRAN(h, s)] = f"what stands in {s} has overrun {h}"
-                    p.next[names.OVERRAN(h, s)] = disj((conj((overran(h, s), neg(out))), came_over))
-                    p.next[names.RESTS(s)] = disj((p.next[names.RESTS(s)], came_over))
-                    p.initial.append(neg(overran(h, s)))
-            if s in self.before:
-                self._running(s, disj((out, parts)), disj(enter.values()))
-            if self.shunts:
-                p.state[names.SHUNTING(s)] = f"the train in {s} shunts"
-                p.next[names.SHUNTING(s)] = disj(
-                    (
-                        conj((shunting(s), neg(disj(enter.values())))),
-                        *(self.shunts_in(s, j) for j in topo.ends[s]),
-                        self._turns(s),
-                    )
-                )
-            for j in topo.ends[s]:
-                turned_in = disj(
-                    p.events[names.TURNS(s, a, j)] for a in topo.ends[s] if names.TURNS(s, a, j) in p.events
-                )
-                turned_out = disj(
-                    p.events[names.TURNS(s, j, b)] for b in topo.ends[s] if names.TURNS(s, j, b) in p.events
-                )
-                p.state[names.CAME(s, j)] = f"the train in {s} came in at {j}"
-                p.next[names.CAME(s, j)] = disj((conj((came(s, j), neg(out), neg(turned_out))), enter[j], turned_in))
-                if j in self.layout.buffer_at:
-                    continue
-                p.state[names.ACROSS(j, s)] = f"a train stands across {j}, going out of {s}"
-                p.next[names.ACROSS(j, s)] = disj(
-                    (conj((across(j, s), neg(p.events[names.TAIL(j, s)]))), p.events[names.HEAD(j, s)])
-                )
-            p.initial.append(at_most_one(came(s, j) for j in topo.ends[s]))
-            p.initial.append(iff(o(s), disj(came(s, j) for j in topo.ends[s])))
-            for j in topo.ends[s]:
-                if j in self.layout.buffer_at:
-                    continue
-                ahead = topo.beyond(s, j)
-                standing = conj((o(s), o(ahead), came(ahead, j))) if ahead is not None else o(s)
-                p.initial.append(implies(across(j, s), conj((standing, self.heading(s, j)))))
+        for s in self.topo.sections:
+            self._section(s)
         for b in self.layout.boundaries:
-            outside = b.approach or names.outside(b.node)
-            if names.APPEARS(outside) not in p.events:
-                continue
-            left, came_ = p.events[names.TAIL(b.node, outside)], p.events[names.APPEARS(outside)]
-            p.state[names.STANDS(outside)] = f"a train stands before {b.node}"
-            p.next[names.STANDS(outside)] = disj((conj((o(outside), neg(left))), came_))
-            p.state[names.ACROSS(b.node, outside)] = f"a train stands across {b.node}, coming in"
-            p.next[names.ACROSS(b.node, outside)] = disj(
-                (conj((across(b.node, outside), neg(left))), p.events[names.HEAD(b.node, outside)])
-            )
-            s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
-            p.initial.append(implies(across(b.node, outside), conj((o(outside), o(s), came(s, b.node)))))
+            self._outside(b)
         for g in self.layout.signals:
-            node, _, rear = self.rear(g.id)
-            behind = rear or names.outside(node)
-            for k in self.functions(g.id):
-                accept = names.accepts(g.id, k)
-                if accept not in p.events:
-                    continue
-                go, shows = names.accepted(g.id, k), names.seen(g.id, k)
-                who, what = ("a shunting movement", "the shunt aspect") if k else ("a train", "proceed")
-                p.state[go] = f"{who} has accepted {g.id}"
-                p.next[go] = conj(
-                    (
-                        disj((accepted(g.id, k), p.events[accept])),
-                        neg(p.events[names.REFUSES(g.id)]),
-                        neg(p.events[names.HEAD(node, behind)]),
-                    )
+            self._signal(g)
+
+    def _section(self, s: SectionId) -> None:
+        """What stands in a section: whether it rests, was called, has parted, has overrun, runs, shunts."""
+        topo, p = self.topo, self.p
+        out = disj(p.events[names.TAIL(j, s)] for j in topo.ends[s] if j not in self.layout.buffer_at)
+        enter = {j: self.comes_in(s, j) for j in topo.ends[s]}
+        p.state[names.STANDS(s)] = f"a train stands in {s}"
+        parts: Expr = FALSE
+        if not self.berth(s):
+            chance = self.choice(names.PARTS(s), f"the train parts, and its rear stays in {s}")
+            p.events[names.PARTS(s)] = conj((out, chance, neg(self.astray(s))))
+            parts = p.events[names.PARTS(s)]
+            out = conj((out, neg(parts)))
+            p.state[names.PARTED(s)] = f"the rear part of a train has been left in {s}"
+            p.next[names.PARTED(s)] = disj((conj((parted(s), neg(out))), parts))
+            p.initial.append(neg(parted(s)))
+        p.state[names.RESTS(s)] = f"the train in {s} has stood there since the restart"
+        if self.berth(s):
+            stay = self._staying(s)
+            left = conj((out, stay, o(s)))
+            out = conj((out, neg(stay)))
+            joined = disj(self.shunts_in(s, j) for j in topo.ends[s])
+            p.state[names.RESTS(s)] = f"what stands in {s} moves only when a signal calls it"
+            p.next[names.RESTS(s)] = disj((conj((rests(s), neg(out))), left, joined))
+        else:
+            p.next[names.RESTS(s)] = conj((rests(s), neg(out)))
+            p.state[names.WAS_CALLED(s)] = f"the train in {s} has been called"
+            p.next[names.WAS_CALLED(s)] = conj((disj((self.moves(s), *self._drawn(s))), neg(out)))
+            p.initial.append(neg(was_called(s)))
+        p.next[names.STANDS(s)] = disj((conj((o(s), neg(out))), *enter.values()))
+        p.initial.append(iff(rests(s), o(s)))
+        if s in self.overlapped:
+            for h in self.overlapped[s]:
+                came_over = self.overruns_in(h, s)
+                p.state[names.OVERRAN(h, s)] = f"what stands in {s} has overrun {h}"
+                p.next[names.OVERRAN(h, s)] = disj((conj((overran(h, s), neg(out))), came_over))
+                p.next[names.RESTS(s)] = disj((p.next[names.RESTS(s)], came_over))
+                p.initial.append(neg(overran(h, s)))
+        if s in self.before:
+            self._running(s, disj((out, parts)), disj(enter.values()))
+        if self.shunts:
+            p.state[names.SHUNTING(s)] = f"the train in {s} shunts"
+            p.next[names.SHUNTING(s)] = disj(
+                (
+                    conj((shunting(s), neg(disj(enter.values())))),
+                    *(self.shunts_in(s, j) for j in topo.ends[s]),
+                    self._turns(s),
                 )
-                p.initial.append(neg(accepted(g.id, k)))
-                p.state[shows] = f"{g.id} showed {what} one scan ago"
-                p.next[shows] = self.shown(g.id, k)
-                if "A-LATE-OUTPUT" in self.dropped:
-                    stuck = self.choice(
-                        (names.SHUNT_STUCK if k else names.STUCK)(g.id), f"{g.id} goes on showing {what}"
-                    )
-                    p.next[shows] = disj((p.next[shows], conj((lamp(g.id, k), stuck))))
+            )
+        self._ends(s, out, enter)
+
+    def _ends(self, s: SectionId, out: Expr, enter: Mapping[NodeId, Expr]) -> None:
+        """At which end a train has come into a section, and across which it stands; `out`: it leaves the section."""
+        topo, p = self.topo, self.p
+        for j in topo.ends[s]:
+            turned_in = disj(p.events[names.TURNS(s, a, j)] for a in topo.ends[s] if names.TURNS(s, a, j) in p.events)
+            turned_out = disj(p.events[names.TURNS(s, j, b)] for b in topo.ends[s] if names.TURNS(s, j, b) in p.events)
+            p.state[names.CAME(s, j)] = f"the train in {s} came in at {j}"
+            p.next[names.CAME(s, j)] = disj((conj((came(s, j), neg(out), neg(turned_out))), enter[j], turned_in))
+            if j in self.layout.buffer_at:
+                continue
+            p.state[names.ACROSS(j, s)] = f"a train stands across {j}, going out of {s}"
+            p.next[names.ACROSS(j, s)] = disj(
+                (conj((across(j, s), neg(p.events[names.TAIL(j, s)]))), p.events[names.HEAD(j, s)])
+            )
+        p.initial.append(at_most_one(came(s, j) for j in topo.ends[s]))
+        p.initial.append(iff(o(s), disj(came(s, j) for j in topo.ends[s])))
+        for j in topo.ends[s]:
+            if j in self.layout.buffer_at:
+                continue
+            ahead = topo.beyond(s, j)
+            standing = conj((o(s), o(ahead), came(ahead, j))) if ahead is not None else o(s)
+            p.initial.append(implies(across(j, s), conj((standing, self.heading(s, j)))))
+
+    def _outside(self, b: Boundary) -> None:
+        """A train before a boundary, and across it."""
+        p = self.p
+        outside = b.approach or names.outside(b.node)
+        if names.APPEARS(outside) not in p.events:
+            return
+        left, came_ = p.events[names.TAIL(b.node, outside)], p.events[names.APPEARS(outside)]
+        p.state[names.STANDS(outside)] = f"a train stands before {b.node}"
+        p.next[names.STANDS(outside)] = disj((conj((o(outside), neg(left))), came_))
+        p.state[names.ACROSS(b.node, outside)] = f"a train stands across {b.node}, coming in"
+        p.next[names.ACROSS(b.node, outside)] = disj(
+            (conj((across(b.node, outside), neg(left))), p.events[names.HEAD(b.node, outside)])
+        )
+        s = self.layout.section_of(self.layout.edges_at[b.node][0].id)
+        p.initial.append(implies(across(b.node, outside), conj((o(outside), o(s), came(s, b.node)))))
+
+    def _signal(self, g: Signal) -> None:
+        """Who has accepted a signal, and what it showed one scan ago."""
+        p = self.p
+        node, _, rear = self.rear(g.id)
+        behind = rear or names.outside(node)
+        for k in self.functions(g.id):
+            accept = names.accepts(g.id, k)
+            if accept not in p.events:
+                continue
+            go, shows = names.accepted(g.id, k), names.seen(g.id, k)
+            who, what = ("a shunting movement", "the shunt aspect") if k else ("a train", "proceed")
+            p.state[go] = f"{who} has accepted {g.id}"
+            p.next[go] = conj(
+                (
+                    disj((accepted(g.id, k), p.events[accept])),
+                    neg(p.events[names.REFUSES(g.id)]),
+                    neg(p.events[names.HEAD(node, behind)]),
+                )
+            )
+            p.initial.append(neg(accepted(g.id, k)))
+            p.state[shows] = f"{g.id} showed {what} one scan ago"
+            p.next[shows] = self.shown(g.id, k)
+            if "A-LATE-OUTPUT" in self.dropped:
+                stuck = self.choice((names.SHUNT_STUCK if k else names.STUCK)(g.id), f"{g.id} goes on showing {what}")
+                p.next[shows] = disj((p.next[shows], conj((lamp(g.id, k), stuck))))
 
     def _turns(self, s: SectionId) -> Expr:
         """The train in a section changes direction."""
