@@ -16,8 +16,8 @@ def main() -> int:
     print(
         "What the proof claims, it claims whatever of this happens, as often and in whatever order: each scenario is "
         "reached, under all assumptions, in a run of the layout's controller and plant.  Here is the shortest one, "
-        "found by bounded search and thinned to what it needs.  What is excluded, and the accident that it excludes, is "
-        "in [assumptions.md](assumptions.md).\n"
+        "found by bounded search and thinned to what it needs.  What is excluded, and the accident that it excludes, "
+        "is in [assumptions.md](assumptions.md).\n"
     )
     print("`python -m tests.campaigns.scenarios` writes it; `tests/test_scenarios.py` looks for each run.\n")
     missing = 0
