@@ -33,24 +33,12 @@ from interlock.simulate.mishaps import TRIAL
 from interlock.simulate.motion import Motion, runs, standing
 from interlock.simulate.run import load
 from interlock.simulate.scans import Scans
+from tests.campaigns.shift import fleet_of
 from tests.layouts import built
 from tests.weakened import WEAKENED
 
 HEISHAN = "layouts/heishan.yaml"
 HOUR = Options(hours=1.0)
-
-
-def fleet_of(folder: Path, trains: int) -> str:
-    """The shipped dispatch file with another fleet, and more to do than it can."""
-    text = Path("layouts/heishan.dispatch").read_text("utf-8")
-    head, _, rest = text.partition("fleet:\n")
-    line = rest.splitlines()[0].split(":", 1)[1]
-    places = rest.partition("\nplaces:\n")[2].partition("\norders:")[0]
-    fleet = "".join(f"  {k}:{line}\n" for k in range(1, trains + 1))
-    orders = "".join(f"  o{k}: {{from: c{k}, to: crush, trains: 16}}\n" for k in range(1, 6))
-    target = folder / f"heishan{trains}.dispatch"
-    target.write_text(f"{head}fleet:\n{fleet}\nplaces:\n{places}\norders:\n{orders}", "utf-8")
-    return str(target)
 
 
 @lru_cache
