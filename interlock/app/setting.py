@@ -15,7 +15,7 @@ from interlock.dispatch.plan.railway import OUTSIDE, Railway
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Symbols
 from interlock.logic.lower import lower
-from interlock.model.elements import BlockKind, SectionId
+from interlock.model.elements import BlockKind, Boundary, BoundaryKind, SectionId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.simulate.run import load as load_runtime
@@ -55,13 +55,20 @@ class Setting:
             "fleet": {n: {"length": t.length, "tonnes": t.tonnes} for n, t in file.fleet.items()},
             "places": {n: {"kind": p.kind, "at": p.at, "capacity": p.capacity} for n, p in file.places.items()},
             "orders": {d.name: {"trains": d.trains, "ore": d.order.ore or ""} for d in self.derived},
-            "metres": distances(self.layout, self.track),
+            "metres": distances(self.layout),
+            "main": longest(self.layout),
         }
 
 
-def distances(layout: Layout, track: Track) -> dict[str, list[float]]:
-    """By section: metres from the first boundary to where it begins and where it ends, along the shortest way."""
-    at: dict[str, float] = {str(layout.boundaries[0].node): 0.0} if layout.boundaries else {}
+def _first(layout: Layout) -> tuple[Boundary, ...]:
+    """The first boundary over which trains come in; none where there is none."""
+    return tuple(b for b in layout.boundaries if b.kind is not BoundaryKind.OUT)[:1]
+
+
+def _metres(layout: Layout) -> tuple[dict[str, float], dict[str, str]]:
+    """By node: metres from the first boundary along the shortest way, and the node before it."""
+    at = {str(b.node): 0.0 for b in _first(layout)}
+    before: dict[str, str] = {}
     todo = list(at)
     while todo:
         node = min(todo, key=lambda n: at[n])
@@ -69,8 +76,29 @@ def distances(layout: Layout, track: Track) -> dict[str, list[float]]:
         for e in layout.edges_at[node]:  # type: ignore[index]
             far = str(e.b if e.a == node else e.a)
             if at[node] + e.length < at.get(far, float("inf")):
-                at[far] = at[node] + e.length
+                at[far], before[far] = at[node] + e.length, node
                 todo.append(far)
+    return at, before
+
+
+def longest(layout: Layout) -> list[str]:
+    """The sections on the way from the first boundary, with its approach section, to the place that is farthest."""
+    at, before = _metres(layout)
+    if not at:
+        return []
+    node = max(at, key=lambda n: (at[n], n))
+    found: dict[str, None] = {}
+    while node in before:
+        joined = next(e for e in layout.edges_at[node] if before[node] in (e.a, e.b))  # type: ignore[index]
+        found[str(joined.section)] = None
+        node = before[node]
+    approach = [str(b.approach) for b in _first(layout) if b.approach is not None]
+    return [*approach, *reversed(found)]
+
+
+def distances(layout: Layout) -> dict[str, list[float]]:
+    """By section: metres from the first boundary to where it begins and where it ends, along the shortest way."""
+    at, _ = _metres(layout)
     found: dict[str, list[float]] = {}
     for e in layout.edges:
         ends = sorted(at.get(str(n), 0.0) for n in (e.a, e.b))

@@ -310,6 +310,7 @@ class Shift:
 
     def _loaded(self, trip: Trip) -> None:
         trip.phase = "away"
+        trip.run.reason = ""
         self.dispatcher.held.pop(trip.run.name, None)
         self._say("loaded", train=trip.train, place=trip.order.order.from_)
         self._fresh = True

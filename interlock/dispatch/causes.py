@@ -15,8 +15,8 @@ _SIGNS = (
     ("is locked", "section is locked"),
     ("line beyond", "line beyond is occupied"),
     ("was refused", "refused"),
-    ("to be loaded", "is loaded"),
-    ("being loaded", "is loaded"),
+    ("to be loaded", "signal is shut"),
+    ("being loaded", "at work"),
     ("in doubt", "number is in doubt"),
 )
 
