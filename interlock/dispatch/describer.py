@@ -47,10 +47,10 @@ class Describer:
                 self.next_to[a].add(b)
                 self.next_to[b].add(a)
         self.edge: set[SectionId] = set()
-        """Sections over which trains come and go."""
+        """Sections in which trains first appear and from which they vanish: the approach section, if one reports."""
         for at in layout.boundaries:
             inside = layout.section_of(layout.edges_at[at.node][0].id)
-            self.edge |= {s for s in (inside, at.approach) if s is not None}
+            self.edge.add(inside if at.approach is None or at.approach not in self.next_to else at.approach)
             if at.approach is not None and inside in self.next_to and at.approach in self.next_to:
                 self.next_to[inside].add(at.approach)
                 self.next_to[at.approach].add(inside)

@@ -171,14 +171,18 @@ class Yard:
         r.accepted = False
         self._drives(r)
 
-    def _goes(self, r: Rolling) -> None:
+    def taken_away(self, r: Rolling) -> None:
+        """A train is moved off under local rules."""
         self.trains.remove(r.train)
         del self.rolling[r.name]
         self.agenda.forget(f"train {r.name}")
         self.agenda.forget(f"reads {r.name}")
-        where = next(b.name for b in self.track.beyond if b.goes == r.train.body[-1])
         r.train.body = []
         self._recount(r)
+
+    def _goes(self, r: Rolling) -> None:
+        where = next(b.name for b in self.track.beyond if b.goes == r.train.body[-1])
+        self.taken_away(r)
         self.say("leaves", train=r.name, at=where)
         self.gone(r, where)
 

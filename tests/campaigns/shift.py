@@ -1,10 +1,10 @@
 """Shifts at heishan with fleets of 2 to 8: standstills, trains in a wrong cross-cut, trains a shift with their spread.
 
-    python -m tests.campaigns.shift [--shifts N] [--few N] [-j N] [-o proofs/shift.md]
+    python -m tests.campaigns.shift [--shifts N] [--few N] [-j N] [--kept FILE] [-o proofs/shift.md]
 
 Every train has more to do than it can.  Beside the dispatcher as it is stand two other ways of giving orders, the same
 without the rule (a route only if a completion plan exists after it), and the same with faults far more often than on a
-railway.
+railway.  Rows that are kept in a file are not made again: a campaign that was broken off goes on.
 """
 
 from __future__ import annotations
@@ -81,6 +81,14 @@ def _timed(file: str, seed: int, options: Options) -> tuple[Worked, float]:
     return done, time.process_time() - began
 
 
+def _kept(file: Path | None) -> list[tuple[str, str]]:
+    """Commit and text of each row that is done."""
+    if file is None or not file.exists():
+        return []
+    found = [line.partition("\t") for line in file.read_text("utf-8").splitlines()]
+    return [(commit, text) for commit, _, text in found]
+
+
 def main() -> int:
     """Write the table; 1 when a train stood for ever with the rule, came to a wrong place, or came to harm."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -88,25 +96,32 @@ def main() -> int:
     parser.add_argument("--few", type=int, default=20, help="for the ways that are only compared")
     parser.add_argument("-j", "--jobs", type=int, default=2)
     parser.add_argument("-o", "--output", type=Path, default=Path("proofs/shift.md"))
+    parser.add_argument("--kept", type=Path, help="rows that are done")
     options = parser.parse_args()
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=True)
-    began, rows, bad = time.monotonic(), list[str](), False
+    told = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=True)
+    commit, bad = told.stdout.strip(), False
+    kept = _kept(options.kept)
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(options.jobs) as pool:
         for way in WAYS:
             for trains in FLEETS:
+                shifts = options.shifts if way.often else options.few
+                if any(text.startswith(f"| {way.name} | {trains} | {shifts} |") for _, text in kept):
+                    continue
                 file = fleet_of(Path(folder), trains)
-                seeds = range(options.shifts if way.often else options.few)
-                done = list(pool.map(_timed, [file] * len(seeds), seeds, [way.options] * len(seeds)))
+                done = list(pool.map(_timed, [file] * shifts, range(shifts), [way.options] * shifts))
                 text, wrong = row(way, trains, [w for w, _ in done], sum(s for _, s in done))
                 print(text, flush=True)
-                rows.append(text)
+                kept.append((commit, text))
+                if options.kept is not None:
+                    options.kept.write_text("".join(f"{c}\t{r}\n" for c, r in kept), encoding="utf-8")
                 bad |= wrong
+    rows = [r for w in WAYS for n in FLEETS for _, r in kept if r.startswith(f"| {w.name} | {n} |")]
+    made = ", ".join(dict.fromkeys(c for c, _ in kept))
     page = [
         "# Shifts",
         "",
         f"`python -m tests.campaigns.shift --shifts {options.shifts} --few {options.few} -j {options.jobs}` at commit "
-        f"{commit.stdout.strip()}, {processor()}, {os.cpu_count()} cores, Python {platform.python_version()}; "
-        f"{(time.monotonic() - began) / 60:.0f} minutes.",
+        f"{made}, {processor()}, {os.cpu_count()} cores, Python {platform.python_version()}.",
         "",
         "Heishan, eight hours on the emitted runtime, 20 minutes to load, 6 to tip, 10 outside, 60 m trains at 10 km/h "
         "(all of it ours: document D gives no lengths and no times, and nothing is fitted to its 30 and 38 trains a "
