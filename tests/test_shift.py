@@ -6,7 +6,8 @@ import json
 import os
 import re
 import signal
-from collections.abc import Iterator
+import time
+from collections.abc import Iterator, Mapping
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
 from functools import lru_cache
@@ -24,6 +25,7 @@ from interlock.app.shift import Shift
 from interlock.app.shifts import many, mean, one, student
 from interlock.app.worked import Options, Worked, summary
 from interlock.cli.simulate import command
+from interlock.dispatch import Dispatcher
 from interlock.dispatch.assign import Assigner, Assigning
 from interlock.dispatch.causes import CAUSES
 from interlock.emit.python.runtime import runtime_py
@@ -184,6 +186,21 @@ def test_a_wrong_controller_comes_to_harm_in_a_shift(tmp_path: Path, kind: str) 
     wrong: Setting = replace(setting, names=load(runtime_py(WEAKENED[kind][1](lower(layout, table)), [])))
     w = Shift(wrong, 0, Options(rule=False, hours=2.0)).run()
     assert w.hazards or w.passed_at_stop
+
+
+def test_a_decision_is_quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With eight trains, between a scan and what is written after it, in processor time."""
+    took, step = [0.0], Dispatcher.step
+
+    def timed(self: Dispatcher, seen: Mapping[str, int], dt_ms: int) -> dict[str, int]:
+        began = time.process_time()
+        found = step(self, seen, dt_ms)
+        took.append(time.process_time() - began)
+        return found
+
+    monkeypatch.setattr(Dispatcher, "step", timed)
+    one(HEISHAN, fleet_of(tmp_path, 8), 1, Options(hours=2.0))
+    assert max(took) < 0.05 and len(took) > 500
 
 
 def test_orders_are_given_in_turn_by_distance_or_always_the_same() -> None:

@@ -115,7 +115,11 @@ def main() -> int:
                 if options.kept is not None:
                     options.kept.write_text("".join(f"{c}\t{r}\n" for c, r in kept), encoding="utf-8")
                 bad |= wrong
-    rows = [r for w in WAYS for n in FLEETS for _, r in kept if r.startswith(f"| {w.name} | {n} |")]
+    rows = []
+    for way in WAYS:
+        for trains in FLEETS:
+            found = [r for _, r in kept if r.startswith(f"| {way.name} | {trains} |")]
+            rows += sorted(found, key=lambda r: int(r.split("|")[3]))[-1:]  # that of the most shifts
     made = ", ".join(dict.fromkeys(c for c, _ in kept))
     page = [
         "# Shifts",
