@@ -127,7 +127,7 @@ def test_the_same_seed_gives_the_same_bytes_in_any_executor() -> None:
 def test_a_cluster_whose_worker_is_killed_loses_nothing() -> None:
     from distributed import Client, LocalCluster
 
-    options = replace(HOUR, hours=0.5)
+    options = replace(HOUR, hours=0.25)
     with (
         LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as cluster,
         Client(cluster) as client,
@@ -164,10 +164,9 @@ def test_a_shift_does_all_that_is_ordered() -> None:
     assert most <= 4, "document D: with four inside, empties wait"
 
 
-@pytest.mark.parametrize("trains", [4, 8])
-def test_no_standstill_whatever_fails(tmp_path: Path, trains: int) -> None:
-    w = one(HEISHAN, fleet_of(tmp_path, trains), trains, Options(hours=5.0, faults=TRIAL))
-    assert not any(summary(w).values()) and w.trains > 8
+def test_no_standstill_whatever_fails(tmp_path: Path) -> None:
+    w = one(HEISHAN, fleet_of(tmp_path, 8), 8, Options(hours=3.0, faults=TRIAL))
+    assert not any(summary(w).values()) and w.trains > 3
     kinds = {e["kind"] for e in read(w.log).events}
     assert {"fault", "mended", "alarm", "pressed"} <= kinds
 
