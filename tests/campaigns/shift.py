@@ -97,12 +97,13 @@ def main() -> int:
     parser.add_argument("-j", "--jobs", type=int, default=2)
     parser.add_argument("-o", "--output", type=Path, default=Path("proofs/shift.md"))
     parser.add_argument("--kept", type=Path, help="rows that are done")
+    parser.add_argument("--page", action="store_true", help="write the page from the rows that are kept, and no more")
     options = parser.parse_args()
     told = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=True)
     commit, bad = told.stdout.strip(), False
     kept = _kept(options.kept)
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(options.jobs) as pool:
-        for way in WAYS:
+        for way in () if options.page else WAYS:
             for trains in FLEETS:
                 shifts = options.shifts if way.often else options.few
                 if any(text.startswith(f"| {way.name} | {trains} | {shifts} |") for _, text in kept):
@@ -124,8 +125,8 @@ def main() -> int:
     page = [
         "# Shifts",
         "",
-        f"`python -m tests.campaigns.shift --shifts {options.shifts} --few {options.few} -j {options.jobs}` at commit "
-        f"{made}, {processor()}, {os.cpu_count()} cores, Python {platform.python_version()}.",
+        f"`python -m tests.campaigns.shift`, each row with as many shifts as it says, at commit {made}, {processor()}, "
+        f"{os.cpu_count()} cores, Python {platform.python_version()}.",
         "",
         "Heishan, eight hours on the emitted runtime, 20 minutes to load, 6 to tip, 10 outside, 60 m trains at 10 km/h "
         "(all of it ours: document D gives no lengths and no times, and nothing is fitted to its 30 and 38 trains a "
