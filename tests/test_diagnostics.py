@@ -33,7 +33,7 @@ ELSEWHERE = {
     "IL5004",
     "IL5005",
     "IL5006",
-    *(c for c in CODES if c.startswith("IL6")),  # test_dispatch_language
+    *(c for c in CODES if c.startswith("IL6")),  # test_dispatch_language, test_record
 }
 
 

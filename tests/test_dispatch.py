@@ -39,6 +39,7 @@ class Panel:
         self.inputs |= {n: int(n.startswith(well)) for n in self.inputs if not n.endswith("REQ")}
         self.dispatcher = Dispatcher(Railway(table, layout), controller.symbols)
         self.shown: dict[str, int] = {}
+        self.read = dict(self.inputs)
         self.table, self.asked = table, []  # type: tuple[InterlockingTable, list[int]]
         self.failing = ""
         self.driven: dict[str, tuple[int, int]] = {}
@@ -49,13 +50,14 @@ class Panel:
     def run(self, scans: int, **inputs: int) -> None:
         """So many scans."""
         for _ in range(scans):
-            wanted = self.dispatcher.step({**self.inputs, **self.shown}, SCAN_MS)
+            wanted = self.dispatcher.step({**self.read, **self.shown}, SCAN_MS)
             if wanted["REQ"] and wanted["REQ"] not in self.asked[-1:]:
                 self.asked.append(wanted["REQ"])
             self.inputs |= wanted
             if self.failing:
                 self.inputs |= {f"D{x}_{self.failing}": 0 for x in "NR"}
-            self.shown = self.scan({**self.inputs, **inputs}, SCAN_MS)
+            self.read = {**self.inputs, **inputs}
+            self.shown = self.scan(self.read, SCAN_MS)
             for n, on in self.shown.items():
                 if on and n.startswith(("YN_", "YR_")):
                     self._drive(n[3:], n[1])

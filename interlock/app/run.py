@@ -108,7 +108,8 @@ class Operator:
 
     def news(self) -> list[str]:
         """What became of the voyages since this was last asked."""
-        said, self.dispatcher.said = self.dispatcher.said, []
+        said = list(self.dispatcher.said)
+        self.dispatcher.said.clear()
         return said
 
 

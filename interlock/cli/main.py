@@ -31,6 +31,8 @@ VERBS = {
     "play": "Make a page that plays a trace.",
     "why": "Print why each cell of a route's row is as it is.",
     "dispatch": "Carry out commands on the controller with its plant; show plans and deadlocks.",
+    "simulate": "Run shifts of a fleet on the emitted runtime.",
+    "record": "Check event logs; write them as Parquet, ask them with SQL.",
     "blocks": "Lengths of block sections from the traffic, and the layout's own against them.",
     "explain": "Explain a diagnostic, rule, claim, assumption or principle.",
     "mutate": "Change table, controller and texts on purpose, one change at a time; see what notices.",

@@ -107,6 +107,9 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL6008": (_E, "a place that no train can leave"),
     "IL6009": (_E, "more trains than standing room"),
     "IL6010": (_E, "a shift that cannot be done"),
+    "IL6011": (_E, "an event log that was cut or changed"),
+    "IL6012": (_E, "a shift that is not simulated"),
+    "IL6013": (_E, "an order for a blocked place"),
     # 7: usual practice, from which a layout may depart: `allow`, with a reason
     "IL7001": (_W, "a signal that looks the wrong way"),
     "IL7002": (_W, "a track between points without a starting signal"),

@@ -10,8 +10,9 @@ stay blocked (BLK inputs) until somebody has looked.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from interlock.dispatch.panel import Indications
 from interlock.logic.controller import Symbols
@@ -46,10 +47,10 @@ class Describer:
                 self.next_to[a].add(b)
                 self.next_to[b].add(a)
         self.edge: set[SectionId] = set()
-        """Sections over which trains come and go."""
+        """Sections in which trains first appear and from which they vanish: the approach section, if one reports."""
         for at in layout.boundaries:
             inside = layout.section_of(layout.edges_at[at.node][0].id)
-            self.edge |= {s for s in (inside, at.approach) if s is not None}
+            self.edge.add(inside if at.approach is None or at.approach not in self.next_to else at.approach)
             if at.approach is not None and inside in self.next_to and at.approach in self.next_to:
                 self.next_to[inside].add(at.approach)
                 self.next_to[at.approach].add(inside)
@@ -61,11 +62,17 @@ class Describer:
         self.expected: dict[SectionId, list[str]] = {}
         """By approach section: the numbers that are to come there, in order."""
         self._occupied: set[SectionId] = set()
+        self._leads: set[tuple[SectionId, SectionId]] = set()
 
     # --- events --------------------------------------------------------------------------------
 
-    def step(self, seen: Indications) -> None:
-        """A scan: sections that became occupied are entered, then those that became clear are left."""
+    def step(self, seen: Indications, ways: Iterable[Sequence[SectionId]] = ()) -> None:
+        """A scan: sections that became occupied are entered, then those that became clear are left.
+
+        ways: the sections of routes that are set, each from the section in rear of its signal on.  Where several
+        trains are beside a section that became occupied, the one for which a route leads there has come into it.
+        """
+        self._leads = {(a, b) for way in ways for a, b in pairwise(way)}
         now = {s for s, n in self.symbols.clear.items() if not seen.get(n, 0)}
         entered, left = sorted(now - self._occupied), self._occupied - now
         self._occupied = now
@@ -80,7 +87,9 @@ class Describer:
                     self._vanished(t, s)
 
     def _heads(self, s: SectionId) -> list[Described]:
-        return [t for t in self.trains if t.under and t.under[-1] in self.next_to.get(s, ())]
+        beside = [t for t in self.trains if t.under and t.under[-1] in self.next_to.get(s, ())]
+        led = [t for t in beside if (t.under[-1], s) in self._leads]
+        return led if len(led) == 1 else beside
 
     def _enter(self, s: SectionId) -> None:
         heads = self._heads(s)

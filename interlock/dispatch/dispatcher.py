@@ -12,25 +12,26 @@ It can do no harm: whatever it asks for is refused by the interlocking if it is 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 
 from interlock.dispatch.arbiter import Arbiter, Key, Request, Source, key
 from interlock.dispatch.commands import errand
+from interlock.dispatch.holding import Holding
+from interlock.dispatch.obstacles import STRANGER_MS, Obstacles
 from interlock.dispatch.panel import Indications, Stage, stages
-from interlock.dispatch.plan.problem import Built, Draft, Move, build
 from interlock.dispatch.plan.railway import Errand, Railway, Step
-from interlock.dispatch.plan.search import BUDGET, Answer, Planner, Verdict
+from interlock.dispatch.plan.search import BUDGET, Verdict
 from interlock.dispatch.policy import Policy, enters, yields
 from interlock.dispatch.run import Run
 from interlock.logic.controller import Symbols
-from interlock.model.elements import Lane, MachineId, Position, SectionId, SignalId
+from interlock.model.elements import Lane, SectionId, SignalId
+
+REOPENS_MS = 15_000
+"""A route that is set, and nothing seen keeps shut, is asked for again after this time (our choice)."""
 
 AGAIN_MS = 5_000
 """A route that was refused is asked for again after this time (our choice)."""
-
-STRANGER_MS = 3_000
-"""A section that is occupied for so long by no train with a command is in the way of plans (our choice)."""
 
 
 class Dispatcher:
@@ -74,22 +75,21 @@ class Dispatcher:
         """Train and route of every request that was granted, in order."""
         self.turns: list[tuple[str, SectionId]] = []
         """Trains that change direction for a route that was granted, and where; in order."""
-        self.refused = 0
-        """Requests held back since no plan would exist after them."""
-        self.plan: tuple[tuple[str, str], ...] = ()
-        """The completion plan that is held: train and route, in order, once all trains are where their routes lead."""
         self._writes, self._for = 0, None  # type: tuple[int, tuple[Run, Stage] | None]
         self._cancels: dict[str, int] = {}
         self._passing: dict[SignalId, Stage] = {}
-        self._leaving: set[SectionId] = set()
-        self._strange: dict[SectionId, int] = {}
-        self._obstacles: frozenset[object] = frozenset()
-        self._failed: set[MachineId] = set()
-        late = {m for m, _ in symbols.detected}
-        self._late = {m: n for m in sorted(late) if (n := symbols.indication.get(f"late {m}")) is not None}
-        self._built: Built | None = None
-        self._planner: Planner | None = None
-        self._answers: dict[int, Answer] = {}
+        self._obstacles = Obstacles(symbols)
+        self._holding = Holding(railway, self.runs, rule, budget, self.said)
+
+    @property
+    def refused(self) -> int:
+        """Requests held back since no plan would exist after them."""
+        return self._holding.refused
+
+    @property
+    def plan(self) -> tuple[tuple[str, str], ...]:
+        """The completion plan that is held: train and route, in order, once all trains are where their routes lead."""
+        return self._holding.plan
 
     # --- commands ------------------------------------------------------------------------------
 
@@ -108,7 +108,7 @@ class Dispatcher:
         if row is not None:
             run.voyage, run.lines = voyage, {m.voyage: frozenset(m.sections) for m in row.meetings}
         self.pending.append(run)
-        self._built = None
+        self._holding.forget()
         return run
 
     def end(self, name: str) -> bool:
@@ -128,18 +128,34 @@ class Dispatcher:
         lanes = {s.id for s in self.railway.layout.sections if s.lane is Lane.INCLINED}
         self.arbiter.add(self.stages[row.id], source, self.priorities and not lanes.isdisjoint(row.section_ids))
 
+    @property
+    def ways(self) -> list[tuple[SectionId, ...]]:
+        """The sections of routes that are set and not yet run over, each from the one in rear of its signal on."""
+        rear = self.symbols.approach_of
+        found = []
+        for run in self.runs:
+            for k, stage in enumerate(run.granted[max(0, run.at - 1) :], max(0, run.at - 1)):
+                before = rear.get(stage.entry) if k >= run.at else None
+                found.append(stage.sections if before is None else (before, *stage.sections))
+        return found
+
     # --- one scan ------------------------------------------------------------------------------
 
     def step(self, seen: Indications, dt_ms: int) -> dict[str, int]:
         """What to write after a scan, from what was seen in it; `dt_ms` milliseconds after the step before."""
+        for run in self.runs:
+            name = self.symbols.cancel[run.granted[run.at].entry] if run.ahead else ""
+            run.by_hand |= bool(name and seen.get(name, 0) and not self._cancels.get(name, 0))
         for name in self._cancels:
             self._cancels[name] = 0
         for run in tuple(self.runs):
             self._follow(run, seen, dt_ms)
-            if run.cancelling and run.ahead:
-                self._cancels[self.symbols.cancel[run.granted[run.at].entry]] = 1
-        self._passing = {g: s for g, s in self._passing.items() if s.stands(seen)}
-        self._look_round(seen, dt_ms)
+            for stage in run.granted[run.at :] if run.cancelling else ():
+                self._cancels[self.symbols.cancel[stage.entry]] = 1
+        self._passing = {g: s for g, s in self._passing.items() if s.stands(seen) and s.entered(seen)}
+        if self._obstacles.look(seen, dt_ms, {s for run in self.runs for s in run.near}):
+            self._holding.obstacles = self._obstacles.things
+            self._holding.forget()
         self.arbiter.tick(seen, dt_ms)
         acknowledged = seen.get(self.symbols.seen[self.symbols.request], 0)
         if self._writes and acknowledged:
@@ -152,17 +168,23 @@ class Dispatcher:
         """Where the train of a run has come to, and whether what was set for it is open."""
         run.waited_ms += dt_ms
         run.rest_ms = max(0, run.rest_ms - dt_ms)
+        if run.not_passed(seen):
+            run.at -= 1
+            self._passing.pop(run.granted[run.at].entry, None)
+            self.said.append(f"{run.name} has not passed {run.granted[run.at].entry}: something else was reported")
         if run.ahead:
             stage = run.granted[run.at]
             if stage.open(seen) and run.at not in run.opened:
                 run.opened.add(run.at)
                 self.said.append(f"{run.name}: {stage.route} is open")
-                run.waited_ms = 0
-            if run.at in run.opened and stage.entered(seen):
+                run.waited_ms = run.reopened = 0
+                run.by_hand = False
+            if run.at in run.opened and stage.entered(seen) and stage.stands(seen):
                 if stage.rear is not None:  # the train that passes is not yet the next one
                     self._passing[stage.entry] = stage
                 run.at += 1
-            elif run.cancelling and not stage.held(seen):
+                run.entering = stage
+            elif run.cancelling and not any(s.is_set(seen) or s.open(seen) for s in run.granted[run.at :]):
                 self._taken_back(run)
             elif run.at in run.opened and not stage.held(seen):
                 self.said.append(f"{run.name} is given up: {stage.route} was taken back before its train came")
@@ -196,42 +218,15 @@ class Dispatcher:
         del run.granted[run.at :], run.places[run.at :]
         run.asking.clear()
         run.cancelling = False
-        self._built = None
+        self._holding.forget()
 
     def _remove(self, run: Run) -> None:
         self.runs.remove(run)
         if not run.place.under and run.granted:
             beyond = self.railway.approach.get(self.railway.table.route[run.granted[-1].route].exit)
             if beyond is not None:
-                self._leaving.add(beyond)
-        self._built = None
-
-    # --- what is in the way --------------------------------------------------------------------
-
-    def _look_round(self, seen: Indications, dt_ms: int) -> None:
-        """Sections occupied by nobody with a command, and machines that failed."""
-        clear = self.symbols.clear
-        self._leaving = {s for s in self._leaving if s in clear and not seen.get(clear[s], 1)}
-        occupied = [s for s, name in clear.items() if not seen.get(name, 0)]
-        blocked = [s for s, name in self.symbols.blocked.items() if seen.get(name, 0)]
-        things: set[object] = set()
-        if occupied or blocked:
-            known = {s for run in self.runs for s in run.near} | self._leaving
-            self._strange = {s: self._strange.get(s, 0) + dt_ms for s in occupied if s not in known}
-            things |= {("section", s) for s, ms in self._strange.items() if ms > STRANGER_MS}
-            things |= {("section", s) for s in blocked if s not in known}
-        for m, name in self._late.items():
-            if not seen.get(name, 0) and m not in self._failed:
-                continue
-            lies = {x: seen.get(self.symbols.detected[m, x], 0) for x in Position}
-            if seen.get(name, 0) or not any(lies.values()):  # until it is detected again somewhere
-                self._failed.add(m)
-                things |= {("lies", m, x.other) for x, there in lies.items() if not there}
-            else:
-                self._failed.discard(m)
-        if things != self._obstacles:
-            self._obstacles = frozenset(things)
-            self._built = None
+                self._obstacles.leaving.add(beyond)
+        self._holding.forget()
 
     # --- asking --------------------------------------------------------------------------------
 
@@ -257,7 +252,7 @@ class Dispatcher:
         if run.asking:
             return
         taken = {(run.name, r.id) for r in step.routes}
-        self.plan = tuple(x for x in self.plan if x not in taken)
+        self._holding.plan = tuple(x for x in self.plan if x not in taken)
         if step.turned:
             self.turns.append((run.name, run.place.under[-1][0]))
         for r in step.routes:
@@ -274,7 +269,7 @@ class Dispatcher:
             self._writes = self.other.popleft()
             return
         self._admit(seen)
-        self._prepare()
+        self._holding.prepare()
         found: list[tuple[Key, Request | Run]] = [(r.key(self.wait_ms), r) for r in self.arbiter.waiting]
         found += [(self._key(run, k), run) for k, run in enumerate(self.runs)]
         for _, one in sorted(found, key=lambda x: x[0]):
@@ -295,6 +290,8 @@ class Dispatcher:
         """Begin to ask for what a run wants, if it may."""
         if run.rest_ms or run.cancelling:
             return False
+        if run.ahead and not run.by_hand and run.shut_ms >= REOPENS_MS and run.granted[run.at].closed(seen):
+            return self._reopens(run)
         if run.name in self.held:
             run.reason = self.held[run.name]
             return False
@@ -308,20 +305,33 @@ class Dispatcher:
         self._for, self._writes = (run, stage), stage.number
         return True
 
+    def _reopens(self, run: Run) -> bool:
+        """A route that has closed is asked for again, twice; then it is taken back."""
+        run.shut_ms = 0
+        run.reopened += 1
+        if run.reopened > 2:
+            self.said.append(f"{run.name}: {run.granted[run.at].route} is taken back, since it does not open again")
+            run.cancelling = True
+            return False
+        self._for, self._writes = None, run.granted[run.at].number
+        return True
+
     def _wanted(self, run: Run, seen: Indications) -> Stage | None:
         """The first route of the step that a train takes next, if it may; sets `run.asking`."""
         if run.finished or run.ahead >= self.look_ahead or run.caught:
             return None
-        for step, move in self._steps(run):
+        for step, move in self._holding.steps(run):
             order = [self.stages[r.id] for r in step.routes]
             first = order[0]
             if not run.granted and (not first.stands(seen) or first.entry in self._passing):
                 run.reason = f"no train stands before {first.entry}"
                 continue
-            if (why := next((w for s in order if (w := s.hindered(seen))), "")) or (why := self._behind(run, move)):
+            if (why := next((w for s in order if (w := s.hindered(seen))), "")) or (
+                why := self._holding.behind(run, move)
+            ):
                 run.reason = f"{first.route}: {why}"
                 continue
-            if (why := self._waits(run, step, seen)) or (self.rule and not self._safe(run, move)):
+            if (why := self._waits(run, step, seen)) or (self.rule and not self._holding.safe(run, move)):
                 run.reason = f"{first.route}: {why}" if why else run.reason
                 continue
             run.step = step
@@ -331,7 +341,7 @@ class Dispatcher:
 
     def _waits(self, run: Run, step: Step, seen: Indications) -> str:
         """For whom a train waits before a single line, by the policy."""
-        if self.policy is None or self._planner is None:
+        if self.policy is None or self._holding.planner is None:
             return ""
         order = {r.name: k for k, r in enumerate(self.runs)}
         for other in self.runs:
@@ -340,52 +350,18 @@ class Dispatcher:
                 continue
             first = self.stages[other.journey.steps[other.place][0].routes[0].id]
             there = other.set_out or first.stands(seen)
-            if there and yields(self.policy, run, other, order) and self._passes(other, line):
+            if there and yields(self.policy, run, other, order) and self._holding.passes(other, line):
                 return f"{other.name} goes first ({self.policy})"
         return ""
-
-    def _passes(self, run: Run, line: frozenset[SectionId]) -> bool:
-        """A train could run over a line now, while all others stand."""
-        assert self._planner is not None and self._built is not None
-        beyond = 0
-        for place, bit in self._built.bits[self.runs.index(run)].items():
-            ahead = run.journey.steps[place]  # type: ignore[index]
-            if not any(enters(s, line) for s in ahead) and place is not run.place:
-                beyond |= bit
-        return self._planner.alone(self._state(), self._bit(run), beyond & ~self._bit(run)) is not None
 
     def _far_first(self, run: Run) -> bool:
         legs = run.journey.errand.legs
         return run.place.leg < len(legs) and legs[run.place.leg].far_first
 
-    def _steps(self, run: Run) -> list[tuple[Step, Move]]:
-        """The steps that a train could take next, that of the held plan first."""
-        assert self._built is not None
-        steps = run.journey.steps[run.place]
-        moves = self._built.problem.moves[self._bit(run)]
-        pairs = [(steps[int(m.label)], m) for m in moves]
-        planned = next((r for t, r in self.plan if t == run.name), None)
-        return sorted(pairs, key=lambda x: x[0].routes[0].id != planned)
-
-    def _behind(self, run: Run, move: Move) -> str:
-        """Which train stands, or will stand, where a move leads."""
-        assert self._built is not None
-        p = self._built.problem
-        for other in self.runs:
-            if other is not run and not other.coming and self._certain(other) & move.blocked:
-                return f"{other.name} is in the way"
-        inside = self._state({r.name for r in self.runs if r.coming}) & ~move.source
-        for z in move.zones:
-            if (inside & p.limits[z].nodes).bit_count() >= p.limits[z].trains:
-                return f"{p.limits[z].name} is full"
-        earlier = [r for r in self.runs if r.coming and r is not run and self._bit(r) & move.blocked]
-        same = [r.name for r in earlier if run.coming and r.place.under == run.place.under]
-        return f"{same[0]} comes in before it" if same else ""
-
     def _admit(self, seen: Indications) -> None:
         """Take up the commands with which a plan still exists; one whose train is there is taken up in any case."""
         waits: set[object] = set()
-        changed = self._built is None
+        changed = self._holding.built is None
         for run in tuple(self.pending):
             start = run.journey.start.under
             first = run.journey.steps[run.journey.start][0].routes[0]
@@ -394,123 +370,16 @@ class Dispatcher:
                 waits.add(start)
                 continue
             self.runs.append(run)
-            self._built = None
+            self._holding.forget()
             if self.rule and not there:
-                self._build()
-                if self._answer(self._state()).verdict is not Verdict.PLAN:
+                self._holding.make()
+                if self._holding.answer(self._holding.state()).verdict is not Verdict.PLAN:
                     self.runs.remove(run)
-                    self._built = None
+                    self._holding.forget()
                     run.reason = "no plan exists with it yet: it waits outside"
                     waits.add(start)
                     continue
             self.pending.remove(run)
-
-    # --- plans ---------------------------------------------------------------------------------
-
-    def _safe(self, run: Run, move: Move) -> bool:
-        """A completion plan exists for the state after; it is then the one that is held."""
-        answer = self._answer(self._state({run.name}) | move.target)
-        routes = run.journey.steps[run.place][int(move.label)].routes
-        if answer.verdict is Verdict.PLAN:
-            self.plan = (*((run.name, r.id) for r in routes), *self._told(answer))
-            return True
-        self.refused += 1
-        route = routes[0].id
-        if answer.verdict is Verdict.NONE:
-            run.reason = f"{route}: then {', '.join(self._names(answer.caught))} could not all go on"
-        else:
-            run.reason = f"{route}: whether all could go on then was not found out"
-        return False
-
-    def _answer(self, state: int) -> Answer:
-        assert self._planner is not None
-        if state not in self._answers:
-            self._answers[state] = self._planner.solve(state)
-        return self._answers[state]
-
-    def _told(self, answer: Answer) -> tuple[tuple[str, str], ...]:
-        """A plan as train and route."""
-        assert self._built is not None
-        by_name = {r.name: r for r in self.runs}
-        found: list[tuple[str, str]] = []
-        for m in answer.plan:
-            name = self._built.problem.trains[m.train]
-            options = by_name[name].journey.steps
-            source = next(p for p, b in self._built.bits[m.train].items() if b == m.source)
-            step = options[source][int(m.label)]  # type: ignore[index]
-            found += [(name, r.id) for r in step.routes]
-        is_set = {(r.name, stage.route) for r in self.runs for stage in r.granted[r.at :]}
-        return tuple(x for x in found if x not in is_set)
-
-    def _names(self, bits: int) -> list[str]:
-        assert self._built is not None
-        p = self._built.problem
-        return [n for n, nodes in zip(p.trains, p.nodes, strict=True) if any(b & bits for b in nodes)]
-
-    def _bit(self, run: Run) -> int:
-        assert self._built is not None
-        return self._built.bits[self.runs.index(run)][run.place]
-
-    def _certain(self, run: Run) -> int:
-        """Where a train will come for certain: a route that leads out is taken back if a train comes in there first."""
-        if run.ahead and run.granted[run.at].beyond:
-            assert self._built is not None
-            return self._built.bits[self.runs.index(run)][run.places[run.at]]
-        return self._bit(run)
-
-    def _state(self, without: Sequence[str] | set[str] = ()) -> int:
-        assert self._built is not None
-        own = sum(self._certain(r) for r in self.runs if r.name not in without)
-        return own | sum(b for x in self._built.bits[len(self.runs) :] for b in x.values())
-
-    def _prepare(self) -> None:
-        """The problem of all trains with commands and of what is in the way; who is caught is told and left out."""
-        if self._built is not None:
-            return
-        for run in self.runs:
-            run.caught = False
-        if not self.rule:
-            self._build()
-            return
-        while True:
-            self._build()
-            answer = self._answer(self._state())
-            if answer.verdict is Verdict.PLAN:
-                self.plan = self._told(answer)
-                return
-            caught = [r for r in self.runs if r.name in self._names(answer.caught) and not r.caught]
-            if answer.verdict is Verdict.UNKNOWN or not caught:
-                self.said.append("UNKNOWN: whether all trains can go on was not found out")
-                return
-            names = ", ".join(r.name for r in caught)
-            self.said.append(f"no plan exists: {names} cannot go on{self._because()}")
-            for r in caught:
-                r.caught = True
-
-    def _because(self) -> str:
-        things = sorted(str(x[1]) for x in self._obstacles if isinstance(x, tuple))
-        return f", with {', '.join(dict.fromkeys(things))} in the way" if things else ""
-
-    def _build(self) -> None:
-        drafts: list[Draft] = []
-        for k, run in enumerate(self.runs):
-            if run.caught:
-                held = Draft(run.name, run.place)
-                held.holds[run.place] = self.railway.holds(run.place.under)
-                held.home.add(run.place)
-                held.inside[run.place] = self.railway.inside(run.place.under)
-                drafts.append(held)
-            else:
-                same = [r.name for r in self.runs[:k] if r.coming and r.journey.start.under == run.journey.start.under]
-                drafts.append(run.journey.nodes(same))
-        if self._obstacles:
-            strange = Draft("in the way", "in the way")
-            strange.holds["in the way"] = self._obstacles
-            strange.home.add("in the way")
-            drafts.append(strange)
-        self._built = build(drafts, self.railway.zones)
-        self._planner = Planner(self._built.problem, self.budget)
-        self._answers = {}
 
 
 def waiting(dispatcher: Dispatcher) -> Mapping[str, str]:

@@ -115,6 +115,7 @@ class PlaceSpec(_Part):
     minutes: Annotated[Minutes | None, Field(description="a train there, coupling included")] = None
     capacity: Annotated[Count, Field(description="trains that may stand there")] = 1
     ores: list[Name] = []
+    back: Annotated[Minutes, Field(description="from there to the waiting place, outside the layout")] = 10.0
 
 
 class OrderSpec(_Part):
@@ -128,6 +129,7 @@ class OrderSpec(_Part):
     share: Annotated[float | None, _between(0, 1, "share of an ore in the blend")] = None
     by: Annotated[Hours | None, Field(description="hours after the beginning of the shift")] = None
     via: list[Name] = []
+    only: Annotated[list[Name], Field(description="locomotives that may carry it out; empty: all")] = []
 
 
 class DispatchFile(_Part):
@@ -141,6 +143,7 @@ class DispatchFile(_Part):
     fleet: dict[Name, TrainSpec] = {}
     places: dict[Name, PlaceSpec] = {}
     orders: dict[Name, OrderSpec] = {}
+    blocked: Annotated[list[Name], Field(description="places and sections closed to trains in this shift")] = []
 
 
 _KEYS: dict[str, tuple[str, ...]] = {

@@ -61,6 +61,10 @@ class Derivation:
             waiting = [n for n, p in file.places.items() if p.kind == "waiting"]
             if train.at not in waiting:
                 self._unknown(f"there is no waiting place {train.at}", train.at, waiting, "fleet", number, "at")
+        for i, word in enumerate(file.blocked):
+            known = [*file.places, *sorted(self.sections)]
+            if word not in known:
+                self._unknown(f"there is no place or section {word}", word, known, "blocked", i)
         ores = sorted({x for p in file.places.values() for x in p.ores})
         for name, order in file.orders.items():
             for key, word, kind in (("from", order.from_, "loading"), ("to", order.to, "tipping")):
@@ -70,6 +74,15 @@ class Derivation:
             for i, s in enumerate(order.via):
                 if s not in self.sections:
                     self._unknown(f"there is no section {s}", s, sorted(self.sections), "orders", name, "via", i)
+            for i, number in enumerate(order.only):
+                if number not in file.fleet:
+                    text = f"there is no locomotive {number}"
+                    self._unknown(text, number, list(file.fleet), "orders", name, "only", i)
+            for key, word in (("from", order.from_), ("to", order.to)):
+                at = file.places[word].at if word in file.places else word
+                if word in file.blocked or at in file.blocked:
+                    here = self.orders.at("orders", name, key)
+                    self.sink.add("IL6013", f"order {name} is for {word}, which is blocked", here, "open it, or wait")
             if order.ore is not None and order.from_ in file.places and order.ore not in file.places[order.from_].ores:
                 text = f"{order.from_} does not load {order.ore}"
                 self._unknown(text, order.ore, ores, "orders", name, "ore")
@@ -100,7 +113,7 @@ class Derivation:
 
     def _derive(self, name: str, order: OrderSpec) -> Iterator[Derived]:
         journeys: dict[str, Journey] = {}
-        for number in self.file.fleet:
+        for number in order.only or self.file.fleet:
             try:
                 journeys[number] = self.railway.draft(self.errand(number, order))
             except (NoVoyage, TooManyPlaces) as error:

@@ -52,6 +52,10 @@ class Stage:
         name = self.clear.get(self.sections[0])
         return name is not None and not seen.get(name, 1)
 
+    def closed(self, seen: Indications) -> bool:
+        """It is set and shows stop, though its sections are clear: it closed while something was wrong."""
+        return self.is_set(seen) and not self.open(seen) and all(seen.get(n, 0) for n in self.clear.values())
+
     def left(self, seen: Indications) -> bool:
         """Nothing is locked or occupied."""
         return not self.held(seen) and all(seen.get(n, 0) for n in self.clear.values())

@@ -31,6 +31,12 @@ class Run:
     waited_ms: int = 0
     rest_ms: int = 0
     shut_ms: int = 0
+    entering: Stage | None = None
+    """The route into which its head has come, until the section in rear is clear."""
+    by_hand: bool = False
+    """What is set for it is being taken back by somebody else: it is not asked for again."""
+    reopened: int = 0
+    """How often a route that had closed was asked for again."""
     reason: str = ""
     caught: bool = False
     lines: dict[str, frozenset[SectionId]] = field(default_factory=dict)
@@ -72,6 +78,30 @@ class Run:
                 approach = self.journey.railway.approach.get(b) if n == OUTSIDE else None
                 if approach is not None and self.at < 2:
                     found.add(approach)
+        return found
+
+    def not_passed(self, seen: Indications) -> bool:
+        """What was taken for its head was none: its route is clear again, and the section in rear was never clear
+        meanwhile.  A train leaves that first, and is in the next section when the first becomes clear."""
+        stage = self.entering
+        if stage is None or stage.entered(seen):
+            if stage is not None and not stage.stands(seen):
+                self.entering = None
+            return False
+        self.entering = None
+        on = self.granted[self.at].entered(seen) if self.ahead else False
+        there = on or not all(seen.get(n, 0) for n in stage.clear.values())
+        return stage.rear is not None and stage.stands(seen) and bool(self.at) and not there
+
+    def wanted(self, seen: Indications) -> set[SectionId]:
+        """The sections ahead of its train in the route over which it runs, and those of routes set for it and not being
+        taken back."""
+        end = self.at if self.cancelling else len(self.granted)
+        found = {s for stage in self.granted[self.at : end] for s in stage.sections}
+        if self.at:
+            last = self.granted[self.at - 1]
+            there = [k for k, s in enumerate(last.sections) if not seen.get(last.clear.get(s, ""), 1)]
+            found |= set(last.sections[max(there) + 1 :] if there else last.sections)
         return found
 
     def uses(self, line: frozenset[SectionId]) -> bool:

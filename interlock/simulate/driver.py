@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from interlock.model.portable import portable
 from interlock.model.principles import Caution
+from interlock.simulate.sight import Sight
 from interlock.simulate.track import NONE
 from interlock.simulate.train import Train
 
@@ -27,7 +28,8 @@ class Drivers:
     """All drivers of a world."""
 
     def __init__(self, world: World) -> None:
-        self.world, self.track, self.rng, self.sight = world, world.track, world.rng, world.sight
+        self.world, self.track, self.rng = world, world.track, world.rng
+        self.sight: Sight = world.sight
         layout, rules = world.layout, world.rules
         self.reaction = rules.reaction_s
         self.three = rules.caution is not Caution.NEVER

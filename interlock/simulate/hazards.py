@@ -15,7 +15,7 @@ from interlock.simulate.track import NONE, Track
 from interlock.simulate.train import Train
 
 if TYPE_CHECKING:
-    from interlock.simulate.world import World
+    from interlock.simulate.scene import Scene
 
 AHEAD_M = 4000.0
 """How far ahead of a called train points are looked at."""
@@ -49,7 +49,7 @@ class Watch:
             self.told.add(key)
             self.found.append(f"{clock:.1f} s: {text}")
 
-    def trains(self, world: World) -> None:
+    def trains(self, world: Scene) -> None:
         """Vehicles in the same place or foul of each other, devices under them."""
         trains = world.trains
         for i, a in enumerate(trains):
@@ -70,7 +70,7 @@ class Watch:
                     name = self.track.machines[m]
                     self.tell(world.clock, f"open {a.number} {name}", f"train {a.number} runs over {name}, not closed")
 
-    def comes_in(self, world: World, t: Train, section: int) -> None:
+    def comes_in(self, world: Scene, t: Train, section: int) -> None:
         """A head comes into a section in which another vehicle is (a shunting movement may, on sight in a berth), or
         into a zone in which there are as many trains as there may be; what stands there at a restart may be more."""
         for name, most, inside in self.limits:
@@ -86,17 +86,17 @@ class Watch:
                 text = f"train {t.number} comes into {self.track.sections[section]}, where train {o.number} is"
                 self.tell(world.clock, f"comes {t.number} {o.number} {section}", text)
 
-    def contradicts(self, world: World, signal: int) -> None:
+    def contradicts(self, world: Scene, signal: int) -> None:
         """A signal shows two things at once."""
         name = self.track.signals[signal]
         self.tell(world.clock, f"lamps {name}", f"{name} shows contradicting lamps")
 
-    def both_ways(self, world: World, machine: int) -> None:
+    def both_ways(self, world: Scene, machine: int) -> None:
         """A machine is driven both ways at once."""
         name = self.track.machines[machine]
         self.tell(world.clock, f"drives {name}", f"{name} is driven both ways at once")
 
-    def _same(self, world: World, a: Train, b: Train) -> None:
+    def _same(self, world: Scene, a: Train, b: Train) -> None:
         stretches = self.track.stretches
         for d in a.body:
             if stretches[d].outside or d >> 1 not in b.edges:
@@ -110,7 +110,7 @@ class Watch:
                         text = f"trains {a.number} and {b.number} collide on {where}"
                         self.tell(world.clock, f"collide {a.number} {b.number}", text)
 
-    def under_train(self, world: World, machine: int) -> Train | None:
+    def under_train(self, world: Scene, machine: int) -> Train | None:
         """A train that lies over one of a machine's points."""
         for legs in self.machine_nodes[machine]:
             for t in world.trains:
@@ -121,7 +121,7 @@ class Watch:
     def _over(self, t: Train, legs: frozenset[int]) -> bool:
         return any(a >> 1 in legs and b >> 1 in legs for a, b in zip(t.body, t.body[1:], strict=False))
 
-    def machine_moves(self, world: World, machine: int) -> None:
+    def machine_moves(self, world: Scene, machine: int) -> None:
         """Rails begin to move: under a vehicle, or ahead of one that was called over them?"""
         name = self.track.machines[machine]
         under = self.under_train(world, machine)
@@ -132,7 +132,7 @@ class Watch:
                 text = f"{name} moves ahead of train {t.number}, which was called over it"
                 self.tell(world.clock, f"ahead {name} {t.number}", text)
 
-    def _ahead(self, world: World, t: Train, machine: int) -> bool:
+    def _ahead(self, world: Scene, t: Train, machine: int) -> bool:
         """Whether a called train meets the machine's points before the next signal that it obeys."""
         s = self.track.stretches
         d, gone = t.body[-1], -t.head
@@ -152,7 +152,7 @@ class Watch:
             d = on
         return False
 
-    def starts(self, world: World, t: Train) -> None:
+    def starts(self, world: Scene, t: Train) -> None:
         """A vehicle begins to move: do the rails under it lie, are devices under it closed?"""
         s = self.track.stretches
         for a, b in zip(t.body, t.body[1:], strict=False):
@@ -165,11 +165,11 @@ class Watch:
                 name = self.track.machines[m]
                 self.tell(world.clock, f"starts {t.number} {name}", f"train {t.number} starts over {name}, lying wrong")
 
-    def runs_over(self, world: World, t: Train, machine: int, text: str) -> None:
+    def runs_over(self, world: Scene, t: Train, machine: int, text: str) -> None:
         """A vehicle comes to a point that does not lie for it."""
         name = self.track.machines[machine]
         self.tell(world.clock, f"over {t.number} {name}", f"train {t.number} {text} {name}")
 
-    def derails(self, world: World, t: Train) -> None:
+    def derails(self, world: Scene, t: Train) -> None:
         """A vehicle comes off the rails."""
         self.tell(world.clock, f"derails {t.number}", f"train {t.number} runs off the rails")

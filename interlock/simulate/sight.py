@@ -10,7 +10,7 @@ from interlock.simulate.track import NONE, Stretch
 from interlock.simulate.train import Train
 
 if TYPE_CHECKING:
-    from interlock.simulate.world import World
+    from interlock.simulate.scene import Scene
 
 LOOK_M = 3000.0
 
@@ -18,9 +18,9 @@ LOOK_M = 3000.0
 class Sight:
     """Looks along the rails of a world."""
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: Scene) -> None:
         self.world, self.track = world, world.track
-        self.main = [g.main for g in world.layout.signals]
+        self.main: list[bool] = [g.main for g in world.layout.signals]
 
     def obeys(self, t: Train, signal: int) -> bool:
         """A train obeys main signals, a shunting movement all."""

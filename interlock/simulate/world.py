@@ -163,7 +163,7 @@ class World:
         """Inputs as the last two scans read them, and how many vehicles were in each section then."""
         kmh = sorted({int(n.split("_", 1)[0][2:]) for n in outputs if n.startswith("YV")})
         self.speeds = [(v, [f"YV{v}_{portable(g)}" for g in track.signals]) for v in kmh]
-        self.sight = Sight(self)
+        self.sight: Sight = Sight(self)
         self.drivers = Drivers(self)
         self.traffic = Traffic(self, self.drivers.fastest)
         self.called = Called(self)

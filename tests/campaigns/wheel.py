@@ -83,6 +83,9 @@ COMMANDS: tuple[tuple[int, str], ...] = (
     (0, "availability s.yaml"),
     (0, "dispatch s.yaml 1:W>E --plan plan.json"),
     (1, "blocks s.yaml"),
+    (0, "simulate heishan.yaml --hours 1 -o ."),
+    (0, "record heishan-0.log --report report"),
+    (0, "play heishan-0.log --layout heishan.yaml"),
     (2, "run s.yaml --modbus nowhere"),
 )
 """Exit codes and commands; together they are every verb."""
@@ -93,7 +96,8 @@ def try_out(wheel: Path, folder: Path) -> list[str]:
     site, empty = folder / "site", folder / "empty"
     _pip("install", "--no-deps", "--target", str(site), str(wheel))
     empty.mkdir()
-    shutil.copy(TOP / "layouts/refuted/wrong_waiver.yaml", empty)
+    for name in ("refuted/wrong_waiver.yaml", "heishan.yaml", "heishan.dispatch"):
+        shutil.copy(TOP / "layouts" / name, empty)
     env = {**os.environ, "PYTHONPATH": str(site), "PYTHONSAFEPATH": "1"}
 
     def run(*args: str) -> subprocess.CompletedProcess[str]:

@@ -1,0 +1,390 @@
+"""One shift: the fleet of a dispatch file on the emitted runtime, commanded by the dispatcher, event by event.
+
+Trains wait outside their boundary, are given orders, run by signals to where they are loaded, are loaded, run out, are
+tipped, and come back.  All is written to the record.  The same seed gives the same bytes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import partial
+from random import Random
+from typing import Any
+
+from interlock.app.attending import DOUBT, OPERATOR_S, Attendant
+from interlock.app.setting import Setting
+from interlock.app.standing import ways_under
+from interlock.app.worked import Options, Trip, Worked
+from interlock.dispatch import Dispatcher
+from interlock.dispatch.assign import Assigner
+from interlock.dispatch.causes import cause
+from interlock.dispatch.describer import Describer
+from interlock.dispatch.dispatcher import waiting
+from interlock.dispatch.plan.railway import NoVoyage, TooManyPlaces
+from interlock.model.elements import SectionId
+from interlock.record.log import END, Chain
+from interlock.simulate.agenda import Agenda
+from interlock.simulate.mishaps import Mishaps
+from interlock.simulate.scans import Scans
+from interlock.simulate.yard import Build, Rolling, Yard
+
+TO_BE_LOADED = "it is to be loaded"
+
+CYCLE_MS = 500
+"""Milliseconds from scan to scan."""
+
+LOOKS_S = 10.0
+"""Seconds after which the dispatcher looks at a panel on which nothing has changed."""
+
+QUIET_S = 1800.0
+"""Seconds beside the longest work in which nothing happens, after which all that have orders stand for ever."""
+
+
+class Shift:
+    """A shift under way."""
+
+    def __init__(self, setting: Setting, seed: int, options: Options) -> None:
+        self.setting, self.options = setting, options
+        self.file = setting.orders.file
+        self.agenda = Agenda()
+        self.scans = Scans(setting.names, CYCLE_MS)
+        self.worked = Worked(seed)
+        self._chain, self._lines = Chain(), list[bytes]()
+        self._zero_ms = 0
+        self._telling = False
+        self.work = Random(f"{seed} work")
+        self.yard = Yard(
+            setting.layout, setting.track, self.scans.inputs, self.agenda, Random(f"{seed} yard"), self._say
+        )
+        self.yard.stopped, self.yard.gone, self.yard.entered = self._stopped, self._gone, self._entered
+        self.dispatcher = Dispatcher(setting.railway, setting.symbols, rule=options.rule, look_ahead=options.look_ahead)
+        fleet = frozenset(self.file.fleet)
+        self.describer = Describer(setting.layout, setting.symbols, fleet)
+        self.assigner = Assigner(self.file, setting.derived, options.how)
+        self.idle = list(self.file.fleet)
+        self.trips: dict[str, Trip] = {}
+        self.tipping: dict[str, list[str]] = {}
+        self.lost = dict.fromkeys(self.file.fleet, 0)
+        self._waits: dict[str, tuple[str, int]] = {}
+        self._progress_ms = 0
+        self._stepped_ms = 0
+        self._fresh = True
+        self.attendant = Attendant(
+            setting,
+            self.yard,
+            self.dispatcher,
+            self.describer,
+            self.trips,
+            lambda: self.scans.seen,
+            self._alarm,
+            self._look,
+        )
+        self.mishaps = Mishaps(self.yard, Random(f"{seed} faults"), options.faults, self._lost_wagon)
+        work = [p.minutes or 0.0 for p in self.file.places.values()]
+        self.quiet_ms = round(1000 * (QUIET_S + 120 * max([*work, *(p.back for p in self.file.places.values())])))
+
+    # --- the record --------------------------------------------------------------------------------
+
+    def _say(self, kind: str, **fields: Any) -> None:
+        if self._telling:
+            line = self._chain.line(self.agenda.now_ms - self._zero_ms, kind, fields)
+            if self.options.keep:
+                self._lines.append(line)
+        if kind in ("enters", "stands", "comes", "leaves", "loaded", "tipped", "mended"):
+            self._progress_ms = self.agenda.now_ms
+
+    # --- the run -----------------------------------------------------------------------------------
+
+    def run(self) -> Worked:
+        """From the restart to the end of the shift."""
+        self._restart()
+        hours = self.options.hours or self.file.shift_h
+        self._say("begin", **self.setting.heading(self.worked.seed, hours))
+        end = self._zero_ms + round(3_600_000 * hours)
+        self.agenda.after(OPERATOR_S, self.attendant.operate)
+        self.mishaps.begin()
+        self._give()
+        self._advance(end)
+        self._end()
+        return self.worked
+
+    def _restart(self) -> None:
+        """Nobody is in yet: everything is released, then the shift begins."""
+        self.yard.write("RELALL", 1)
+        while any(v for n, v in self.scans.outputs.items() if n.startswith("YL_")) or not self.scans.runs:
+            self._scan(1_200_000)
+        self.yard.write("RELALL", 0)
+        for s in self.setting.blocked:
+            self.yard.write(self.setting.symbols.blocked[s], 1)
+        self._zero_ms = self._progress_ms = self._stepped_ms = self.agenda.now_ms
+        self._telling = True
+
+    def _advance(self, end: int) -> None:
+        while self._scan(end):
+            if self._fresh:
+                self._dispatch()
+            if self.agenda.now_ms - self._progress_ms > self.quiet_ms and self.trips:
+                self.worked.standstill = True
+                self._say("standstill", waiting=dict(sorted(waiting(self.dispatcher).items())))
+                return
+
+    def _scan(self, end: int) -> bool:
+        """What happens next: an event of the world, or a scan; False where the end comes first."""
+        event, due = self.agenda.next_ms(), self.scans.due(self.yard.changed_ms)
+        times = [t for t in (event, due) if t is not None]
+        if not times or min(times) > end:
+            self.agenda.now_ms = end
+            return False
+        self.agenda.now_ms = min(times)
+        if event is not None and event == self.agenda.now_ms:
+            self.agenda.step()
+            return True
+        self.yard.changed_ms = None
+        if self.scans.scan(self.agenda.now_ms):
+            self._fresh = True
+            self.yard.shown(self.scans.outputs)
+            self.describer.step(self.scans.seen, self.dispatcher.ways)
+        return True
+
+    # --- the dispatcher ----------------------------------------------------------------------------
+
+    def _dispatch(self) -> None:
+        self._fresh = False
+        d = self.dispatcher
+        dt = self.agenda.now_ms - self._stepped_ms
+        self._stepped_ms = self.agenda.now_ms
+        before, asked, said = d.refused, len(d.asked), len(d.said)
+        self.attendant.in_doubt()
+        for name, value in d.step(self.scans.seen, dt).items():
+            self.yard.write(name, value)
+        for name, value in self.describer.writes().items():
+            self.yard.write(name, value)  # taken back by whoever has looked
+        if d.refused != before:
+            self.worked.refused += d.refused - before
+        for train, route in d.asked[asked:]:
+            self._say("granted", train=train, route=route)
+        for text in d.said[said:]:
+            if text.startswith(("no plan", "UNKNOWN")) or "taken back" in text:
+                self._alarm(text)
+        self._holds()
+        self._turn()
+        self._come()
+        self._wait()
+        rests = [r.rest_ms / 1000 for r in d.runs if r.rest_ms]
+        if d.runs or d.pending:
+            self.agenda.after(min([LOOKS_S, *rests]), self._look, "dispatch")
+
+    def _look(self) -> None:
+        self._fresh = True
+
+    def _holds(self) -> None:
+        """Nothing is asked for a train that is to be loaded first; one that was given up is commanded again."""
+        for trip in self.trips.values():
+            run = trip.run
+            if trip.phase == "to load" and run.place.leg:
+                self.dispatcher.held.setdefault(run.name, TO_BE_LOADED)
+            elif self.dispatcher.held.get(run.name) == TO_BE_LOADED:
+                del self.dispatcher.held[run.name]
+            if trip.train not in self.describer.alarms and self.dispatcher.held.get(run.name, "").startswith(DOUBT):
+                del self.dispatcher.held[run.name]
+            r = self.yard.rolling.get(trip.train)
+            live = run in self.dispatcher.runs or run in self.dispatcher.pending
+            if r is not None and not live and (run.ahead or not run.finished) and r.motion.stands <= self.yard.clock:
+                self._again(trip, r)
+
+    def _again(self, trip: Trip, r: Rolling) -> None:
+        """A command from where a train stands."""
+        legs = trip.run.journey.errand.legs
+        start = ways_under(self.setting.railway, self.setting.track, r.train, self.yard.machines.lies)
+        here = trip.order.order.from_
+        left = legs[1:] if trip.phase == "away" else legs
+        if trip.phase == "to load" and self.file.places[here].at == start[-1][0]:
+            left, trip.phase = legs[1:], "at place"
+        errand = replace(trip.run.journey.errand, start=start, legs=left)
+        try:
+            trip.run = self.dispatcher.carry_out(errand)
+        except (NoVoyage, TooManyPlaces) as error:
+            self._alarm(f"{trip.train}: {error}")
+            return
+        self._say("commanded", train=trip.train, order=trip.order.name, at=str(start[-1][0]))
+        self._fresh = True
+
+    def _turn(self) -> None:
+        while self.dispatcher.turns:
+            name, section = self.dispatcher.turns.pop(0)
+            trip = next(t for t in self.trips.values() if t.run.name == name)
+            r = self.yard.rolling[trip.train]
+            if r.train.target == self.setting.track.signals.index(trip.run.granted[-1].entry):
+                continue  # it has turned for a route that was taken back
+            self._say("turns", train=trip.train, section=section)
+            self.yard.turns(r)
+
+    def _come(self) -> None:
+        """The next of those that were commanded comes towards each boundary, once the dispatcher counts on it."""
+        before: set[str] = set()
+        for trip in self.trips.values():
+            if trip.came:
+                continue
+            at = self.file.places[self.file.fleet[trip.train].at].at
+            if at not in before and trip.run in self.dispatcher.runs and self.yard.room(at):
+                trip.came = True
+                self._waits.pop(trip.train, None)
+                self.yard.comes(trip.train, self.build(trip.train), at)
+            before.add(at)
+
+    def build(self, train: str) -> Build:
+        """A train of the fleet in m/s."""
+        t = self.file.fleet[train]
+        return Build(t.length, t.speed / 3.6, t.acceleration, t.braking, t.reaction)
+
+    def _wait(self) -> None:
+        """Why trains stand, wherever that has changed."""
+        why = waiting(self.dispatcher)
+        for trip in self.trips.values():
+            r = self.yard.rolling.get(trip.train)
+            stands = not trip.came or (r is not None and r.motion.stands <= self.yard.clock)
+            if not stands or trip.phase in ("loads", "tips"):
+                self._ends_wait(trip.train)
+                continue
+            text = why.get(trip.run.name, "")
+            if not text:
+                continue
+            kind = cause(text) if trip.came else "another train goes first" if "before" in text else cause(text)
+            old = self._waits.get(trip.train)
+            if old is None or old[0] != kind:
+                self._ends_wait(trip.train)
+                self._waits[trip.train] = (kind, self.agenda.now_ms)
+                self._say("waits", train=trip.train, cause=kind, text=text)
+
+    def _ends_wait(self, train: str) -> None:
+        old = self._waits.pop(train, None)
+        if old is not None:
+            self.worked.longest_wait_s = max(self.worked.longest_wait_s, (self.agenda.now_ms - old[1]) / 1000)
+
+    # --- work --------------------------------------------------------------------------------------
+
+    def _give(self) -> None:
+        """Orders for the trains that have none."""
+        for train in tuple(self.idle):
+            order = self.assigner.next(train)
+            if order is None:
+                if train not in self._waits:
+                    self._waits[train] = ("no order", self.agenda.now_ms)
+                    self._say("waits", train=train, cause="no order", text=self.assigner.why(train))
+                continue
+            self.idle.remove(train)
+            self._ends_wait(train)
+            run = self.dispatcher.carry_out(order.journeys[train].errand)
+            self.trips[train] = Trip(train, order, run, self.agenda.now_ms)
+            self._say("ordered", train=train, order=order.name, load=order.order.from_, tip=order.order.to)
+            at = order.journeys[train].errand.start[0][0]
+            approach = self.setting.railway.approach.get(str(at))
+            if approach is not None:
+                self.describer.expected.setdefault(approach, []).append(train)
+            self._fresh = True
+
+    def _entered(self, r: Rolling, section: str) -> None:
+        trip = self.trips[r.name]
+        place = self.file.places[trip.order.order.from_]
+        loading = {p.at for p in self.file.places.values() if p.kind == "loading"}
+        if section in loading and section != place.at:
+            self.worked.wrong_places += 1
+            self._alarm(f"{r.name} comes into {section}, and is ordered to {place.at}")
+
+    def _stopped(self, r: Rolling) -> None:
+        trip = self.trips[r.name]
+        place = trip.order.order.from_
+        at = self.file.places[place].at
+        under = {self.setting.track.sections[x] for x in r.sections}
+        if trip.phase in ("to load", "at place") and under == {at}:
+            trip.phase = "loads"
+            self.dispatcher.held[trip.run.name] = "it is being loaded"
+            self.describer.read(SectionId(at), r.name)
+            self._say("loads", train=r.name, place=place, ore=trip.order.order.ore or "")
+            self.agenda.after(self._time(place), lambda: self._loaded(trip))
+        self._fresh = True
+
+    def _time(self, place: str) -> float:
+        """Seconds of work at a place: between four fifths and seven fifths of what the file says, most often that."""
+        return 60.0 * (self.file.places[place].minutes or 0.0) * self.work.triangular(0.8, 1.4, 1.0)
+
+    def _loaded(self, trip: Trip) -> None:
+        trip.phase = "away"
+        trip.run.reason = ""
+        self.dispatcher.held.pop(trip.run.name, None)
+        self._say("loaded", train=trip.train, place=trip.order.order.from_)
+        self._fresh = True
+
+    def _gone(self, r: Rolling, where: str) -> None:
+        trip = self.trips[r.name]
+        place = trip.order.order.to
+        self.assigner.loaded(r.name)
+        if trip.phase != "away" or self.file.places[place].at != where:
+            self.worked.wrong_places += 1
+            self._alarm(f"{r.name} leaves over {where}, and is ordered to {self.file.places[place].at}")
+        trip.phase = "tips"
+        queue = self.tipping.setdefault(place, [])
+        queue.append(r.name)
+        self._give()
+        self._tips(place)
+
+    def _tips(self, place: str) -> None:
+        """The next train at a tippler that has room."""
+        queue = self.tipping[place]
+        for train in queue[: self.file.places[place].capacity]:
+            trip = self.trips[train]
+            if trip.phase == "tips":
+                trip.phase = "tipping"
+                self._say("tips", train=train, place=place)
+                self.agenda.after(self._time(place), partial(self._tipped, trip))
+
+    def _tipped(self, trip: Trip) -> None:
+        place, order = trip.order.order.to, trip.order
+        self.tipping[place].remove(trip.train)
+        tonnes = self.file.fleet[trip.train].tonnes * (1 - self.lost[trip.train] / self.file.fleet[trip.train].wagons)
+        self.lost[trip.train] = 0
+        self.worked.tipped[order.name] = self.worked.tipped.get(order.name, 0) + 1
+        ore = order.order.ore or "ore"
+        self.worked.tonnes[ore] = self.worked.tonnes.get(ore, 0.0) + tonnes
+        self._say(
+            "tipped",
+            train=trip.train,
+            place=place,
+            order=order.name,
+            ore=order.order.ore or "",
+            tonnes=round(tonnes, 3),
+        )
+        del self.trips[trip.train]
+        self.dispatcher.end(trip.run.name)
+        self.dispatcher.held.pop(trip.run.name, None)
+        self.agenda.after(60.0 * self.file.places[place].back, lambda: self._back(trip.train))
+        self._tips(place)
+
+    def _back(self, train: str) -> None:
+        self._say("back", train=train)
+        self.idle.append(train)
+        self._give()
+
+    # --- what goes wrong ---------------------------------------------------------------------------
+
+    def _alarm(self, text: str) -> None:
+        self.worked.alarms.append(text)
+        self._say("alarm", text=text)
+
+    def _lost_wagon(self, train: str, section: str) -> None:
+        self.lost[train] += 1
+
+    # --- the end -----------------------------------------------------------------------------------
+
+    def _end(self) -> None:
+        w, yard = self.worked, self.yard
+        for train in tuple(self._waits):
+            self._ends_wait(train)
+        w.hazards, w.passed_at_stop = list(yard.watch.found), list(yard.passed_at_stop)
+        w.scans, w.movements = self.scans.runs, yard.movements
+        w.seconds = (self.agenda.now_ms - self._zero_ms) / 1000
+        for text in (*w.hazards, *w.passed_at_stop):
+            self._say("hazard", text=text)
+        self._say(END, trains=w.trains, scans=w.scans, movements=w.movements, held_back=w.refused)
+        w.chain = self._chain.digest
+        w.log = b"".join(self._lines)

@@ -1,0 +1,73 @@
+"""What a shift is run with, and what it showed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from interlock.dispatch.assign import Assigning
+from interlock.dispatch.orders import Derived
+from interlock.dispatch.run import Run
+from interlock.simulate.mishaps import Rates
+
+
+@dataclass(eq=False)
+class Trip:
+    """A train with an order.  `wagons`: those that it has left."""
+
+    train: str
+    order: Derived
+    run: Run
+    since_ms: int
+    phase: str = "to load"
+    came: bool = False
+
+
+@dataclass
+class Worked:
+    """What a shift showed."""
+
+    seed: int
+    tipped: dict[str, int] = field(default_factory=dict)
+    """Trains by order."""
+    tonnes: dict[str, float] = field(default_factory=dict)
+    """By kind of ore."""
+    seconds: float = 0.0
+    scans: int = 0
+    movements: int = 0
+    refused: int = 0
+    standstill: bool = False
+    wrong_places: int = 0
+    hazards: list[str] = field(default_factory=list)
+    passed_at_stop: list[str] = field(default_factory=list)
+    alarms: list[str] = field(default_factory=list)
+    longest_wait_s: float = 0.0
+    chain: str = ""
+    log: bytes = b""
+
+    @property
+    def trains(self) -> int:
+        """Trains tipped."""
+        return sum(self.tipped.values())
+
+
+@dataclass(frozen=True)
+class Options:
+    """How shifts are run.  rule: ask only if a completion plan exists after it.  keep: the record's bytes, too."""
+
+    hours: float | None = None
+    how: Assigning = Assigning.IN_TURN
+    rule: bool = True
+    look_ahead: int = 1
+    faults: Rates = field(default_factory=Rates)
+    keep: bool = True
+
+
+def summary(worked: Worked) -> Mapping[str, int]:
+    """The counts that must be 0."""
+    return {
+        "standstills": int(worked.standstill),
+        "wrong places": worked.wrong_places,
+        "hazards": len(worked.hazards),
+        "passed at stop": len(worked.passed_at_stop),
+    }

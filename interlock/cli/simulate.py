@@ -1,0 +1,166 @@
+"""`interlock simulate`: shifts of a fleet on the emitted runtime."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+import click
+
+from interlock.app.setting import Setting, prepare
+from interlock.app.shifts import NoCluster, executing, many, mean
+from interlock.app.worked import Options, Worked, summary
+from interlock.cli.common import (
+    FINDINGS,
+    OK,
+    failed,
+    force_option,
+    format_option,
+    jobs_option,
+    progress,
+    put_json,
+    show,
+    told,
+    took,
+)
+from interlock.dispatch.assign import Assigning
+from interlock.simulate.mishaps import TRIAL, Rates
+
+
+@click.command("simulate")
+@click.argument("layout")
+@click.option("--dispatch", "file", type=click.Path(), help="The dispatch file; by default LAYOUT with .dispatch.")
+@click.option("--shifts", type=click.IntRange(1, 100_000), default=1, show_default=True, help="How many.")
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of the first shift.")
+@click.option("--hours", type=click.FloatRange(0, 240, min_open=True), help="Of a shift, instead of the file's.")
+@click.option("--assign", type=click.Choice([str(a) for a in Assigning]), default="in_turn", show_default=True,
+              help="Which order an idle train takes.")  # fmt: skip
+@click.option("--look-ahead", type=click.IntRange(1, 50), default=1, show_default=True, help="Routes ahead of a train.")
+@click.option("--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them.")
+@click.option("--faults", is_flag=True, help="Detectors, points, the link and wagons fail, far too often.")
+@click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), help="A folder for the records.")
+@click.option("--dask", metavar="ADDRESS", help="A Dask cluster that does the work, instead of processes here.")
+@jobs_option
+@force_option
+@format_option
+def command(
+    layout: str,
+    file: str | None,
+    shifts: int,
+    seed: int,
+    hours: float | None,
+    assign: str,
+    look_ahead: int,
+    without_rule: bool,
+    faults: bool,
+    output: Path | None,
+    dask: str | None,
+    jobs: int,
+    force: bool,
+    form: str,
+) -> None:
+    """Run shifts of the fleet in the dispatch file of LAYOUT on the runtime as it is emitted, and count what comes out.
+
+    The same seed gives the same record, byte for byte.  Ends with 1 if trains stood for ever, came to a wrong place, or
+    came to harm.
+    """
+    checked, problems, setting, orders = prepare(layout, file)
+    if setting is None:
+        sources = {checked.source.file: checked.source.text}
+        show(problems, sources | ({orders.name: orders.text} if orders else {}), form)
+        sys.exit(FINDINGS)
+    options = Options(
+        hours, Assigning(assign), not without_rule, look_ahead, TRIAL if faults else Rates(), output is not None
+    )
+    began = time.monotonic()
+    seeds = range(seed, seed + shifts)
+
+    def note(done: int) -> None:
+        report(f"{10 * done // shifts * 10} % done", done, shifts)
+
+    try:
+        with progress("shifts") as report, executing(jobs, dask) as executor:
+            done = many(
+                layout, file, seeds, options, executor, lambda k: report(f"{10 * k // shifts * 10} % done", k, shifts)
+            )
+        files = _write(output, setting, done, force) if output is not None else []
+    except NoCluster as error:
+        failed(str(error), form)
+        sys.exit(FINDINGS)
+    except OSError as error:
+        failed(told(error, Path(error.filename or str(output))), form)
+        sys.exit(FINDINGS)
+    if form == "json":
+        put_json(_body(done, files))
+    else:
+        _print(setting, done, files, took(began))
+    sys.exit(FINDINGS if any(any(summary(w).values()) for w in done) else OK)
+
+
+def _write(output: Path, setting: Setting, done: Sequence[Worked], force: bool) -> list[str]:
+    """The record of each shift.  Raises `OSError`, for a file that is there and says something else, too."""
+    output.mkdir(parents=True, exist_ok=True)
+    files = []
+    for w in done:
+        target = output / f"{setting.layout.name}-{w.seed}.log"
+        if target.exists() and not force and target.read_bytes() != w.log:
+            raise FileExistsError(17, "there is another record; --force overwrites it", str(target))
+        target.write_bytes(w.log)
+        files.append(str(target))
+    return files
+
+
+def _body(done: Sequence[Worked], files: Sequence[str]) -> dict[str, object]:
+    m = mean([w.trains for w in done])
+    return {
+        "ok": not any(any(summary(w).values()) for w in done),
+        "trains_a_shift": m.value,
+        "confidence_95": m.half if m.count > 1 else None,
+        "shifts": [
+            {
+                "seed": w.seed,
+                "trains": w.trains,
+                "tipped": w.tipped,
+                "tonnes": w.tonnes,
+                "scans": w.scans,
+                "movements": w.movements,
+                "held_back": w.refused,
+                "alarms": len(w.alarms),
+                "chain": w.chain,
+                **{k.replace(" ", "_"): v for k, v in summary(w).items()},
+            }
+            for w in done
+        ],
+        "files": list(files),
+    }
+
+
+def _print(setting: Setting, done: Sequence[Worked], files: Sequence[str], took: str) -> None:
+    fleet = len(setting.orders.file.fleet)
+    many_ = f"{len(done)} shifts, seeds {done[0].seed} to {done[-1].seed}" if len(done) > 1 else f"seed {done[0].seed}"
+    click.echo(f"{setting.layout.name}: {fleet} trains, {many_}")
+    m = mean([w.trains for w in done])
+    sure = f" (95 % confidence interval of the mean {m.value - m.half:.2f} to {m.value + m.half:.2f})"
+    click.echo(f"  trains tipped a shift: {m.value:.4g}{sure if m.count > 1 else ''}")
+    for ore in sorted({x for w in done for x in w.tonnes}):
+        t = mean([w.tonnes.get(ore, 0.0) for w in done])
+        click.echo(f"  tonnes of {ore} a shift: {t.value:.6g}" + (f" ± {t.half:.4g}" if t.count > 1 else ""))
+    for d in setting.derived:
+        x = mean([w.tipped.get(d.name, 0) for w in done])
+        click.echo(f"  order {d.name}: {x.value:.4g} of {d.trains} trains from {d.order.from_}")
+    for name in summary(done[0]):
+        count = sum(summary(w)[name] for w in done)
+        click.echo(f"  {name}: {click.style(str(count), fg='red' if count else 'green')}")
+    for w in done:
+        for text in (*w.hazards, *w.passed_at_stop)[:5]:
+            click.echo(f"    seed {w.seed}: {text}")
+    click.echo(
+        f"  {sum(w.scans for w in done):,} scans, {sum(w.movements for w in done):,} signals passed, "
+        f"{sum(w.refused for w in done):,} requests held back, {sum(len(w.alarms) for w in done):,} alarms; {took}"
+    )
+    if len(done) == 1:
+        click.echo(f"  chain of the record: {done[0].chain}")
+    if files:
+        click.echo(f"  written: {files[0]}" + (f" and {len(files) - 1} more" if len(files) > 1 else ""))

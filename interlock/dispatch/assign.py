@@ -1,0 +1,100 @@
+"""Which order an idle train takes next.
+
+    in_turn    the order that has the largest part of its trains still to go, the one that is due first before others
+    nearest    the nearest loading place that has room (document D, rule 2b), by metres from the waiting place
+    fixed      each train always the same order, the first for the first train and so on (a yardstick, not a proposal)
+
+A loading place takes no more trains than it has room for, counting those that are on their way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from interlock.dispatch.language import DispatchFile
+from interlock.dispatch.orders import Derived
+from interlock.dispatch.plan.railway import Journey, Place
+
+
+class Assigning(StrEnum):
+    """How orders are given to trains."""
+
+    IN_TURN = "in_turn"
+    NEAREST = "nearest"
+    FIXED = "fixed"
+
+
+def metres_to(journey: Journey, section: str) -> float:
+    """Metres of route from a journey's start until a train has come into a section; by the shortest way."""
+    best: dict[Place, float] = {journey.start: 0.0}
+    todo, found = [journey.start], float("inf")
+    while todo:
+        place = min(todo, key=lambda p: best[p])
+        todo.remove(place)
+        for s in journey.steps[place]:
+            metres = best[place] + sum(r.length for r in s.routes)
+            if any(section in r.section_ids for r in s.routes):
+                found = min(found, metres)
+            elif metres < best.get(s.after, float("inf")):
+                best[s.after] = metres
+                todo.append(s.after)
+    return found
+
+
+@dataclass
+class Assigner:
+    """Orders that are left, and who has which.  `given`: trains sent for each order so far."""
+
+    file: DispatchFile
+    orders: Sequence[Derived]
+    how: Assigning = Assigning.IN_TURN
+    given: dict[str, int] = field(default_factory=dict)
+    busy: dict[str, str] = field(default_factory=dict)
+    """By train: the loading place to which it is on its way, or in which it is."""
+    near: dict[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for o in self.orders:
+            at = self.file.places[o.order.from_].at
+            self.near[o.name] = min(metres_to(j, at) for j in o.journeys.values())
+
+    def left(self, order: Derived) -> int:
+        """Trains that an order still needs."""
+        return order.trains - self.given.get(order.name, 0)
+
+    def next(self, train: str) -> Derived | None:
+        """The order for an idle train, which has it then; None where there is none now."""
+        taken = list(self.busy.values())
+        may = [o for o in self.orders if train in o.journeys]
+        free = [o for o in may if self.left(o) > 0 and taken.count(o.order.from_) < self._room(o)]
+        if self.how is Assigning.FIXED:
+            own = self.orders[list(self.file.fleet).index(train) % len(self.orders)]
+            free = [o for o in free if o is own]
+        if not free:
+            return None
+        best = min(free, key=self._rank)
+        self.given[best.name] = self.given.get(best.name, 0) + 1
+        self.busy[train] = best.order.from_
+        return best
+
+    def loaded(self, train: str) -> None:
+        """A train has left its loading place."""
+        self.busy.pop(train, None)
+
+    def why(self, train: str) -> str:
+        """Why an idle train has no order."""
+        return (
+            "no place to load is free"
+            if any(self.left(o) > 0 and train in o.journeys for o in self.orders)
+            else "no order is left"
+        )
+
+    def _room(self, o: Derived) -> int:
+        return self.file.places[o.order.from_].capacity
+
+    def _rank(self, o: Derived) -> tuple[float, float, float]:
+        if self.how is Assigning.NEAREST:
+            return self.near[o.name], 0.0, 0.0
+        return -self.left(o) / o.trains, o.order.by or float("inf"), self.near[o.name]

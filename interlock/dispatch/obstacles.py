@@ -1,0 +1,49 @@
+"""What is in the way of plans: sections occupied by nobody with a command, blocked ones, machines that have failed."""
+
+from __future__ import annotations
+
+from interlock.dispatch.panel import Indications
+from interlock.logic.controller import Symbols
+from interlock.model.elements import MachineId, Position, SectionId
+
+STRANGER_MS = 3_000
+"""A section that is occupied for so long by no train with a command is in the way of plans (our choice)."""
+
+
+class Obstacles:
+    """What is in the way, as a panel shows it."""
+
+    def __init__(self, symbols: Symbols) -> None:
+        self.symbols = symbols
+        self.leaving: set[SectionId] = set()
+        """Approach sections over which trains run that have left."""
+        self.things: frozenset[object] = frozenset()
+        self._strange: dict[SectionId, int] = {}
+        self._failed: set[MachineId] = set()
+        late = {m for m, _ in symbols.detected}
+        self._late = {m: n for m in sorted(late) if (n := symbols.indication.get(f"late {m}")) is not None}
+
+    def look(self, seen: Indications, dt_ms: int, near: set[SectionId]) -> bool:
+        """What is there now; whether that has changed.  `near`: sections in which trains with commands may be."""
+        clear = self.symbols.clear
+        self.leaving = {s for s in self.leaving if s in clear and not seen.get(clear[s], 1)}
+        occupied = [s for s, name in clear.items() if not seen.get(name, 0)]
+        blocked = [s for s, name in self.symbols.blocked.items() if seen.get(name, 0)]
+        things: set[object] = set()
+        if occupied or blocked:
+            known = near | self.leaving
+            self._strange = {s: self._strange.get(s, 0) + dt_ms for s in occupied if s not in known}
+            things |= {("section", s) for s, ms in self._strange.items() if ms > STRANGER_MS}
+            things |= {("section", s) for s in blocked if s not in known}
+        for m, name in self._late.items():
+            if not seen.get(name, 0) and m not in self._failed:
+                continue
+            lies = {x: seen.get(self.symbols.detected[m, x], 0) for x in Position}
+            if seen.get(name, 0) or not any(lies.values()):  # until it is detected again somewhere
+                self._failed.add(m)
+                things |= {("lies", m, x.other) for x, there in lies.items() if not there}
+            else:
+                self._failed.discard(m)
+        changed = things != self.things
+        self.things = frozenset(things)
+        return changed

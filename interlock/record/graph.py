@@ -1,0 +1,173 @@
+"""The time-distance graph of a shift as SVG: hours to the right, metres downwards, a line for each train.
+
+The longest way through the layout is one axis; every other section (cross-cuts, the loaded exit) has a band of its own
+below it, in which a train is shown by the metres that it has come in.  A train is drawn by its head, from joint to
+joint; where it is loaded its line is thick.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from html import escape
+
+from interlock.record.log import Event
+
+COLOURS = ("#0b5fa5", "#c2410c", "#15803d", "#7e22ce", "#b91c1c", "#0f766e", "#a16207", "#be185d", "#334155", "#4d7c0f")
+
+LEFT, TOP, HOUR, GAP = 120.0, 46.0, 150.0, 14.0
+
+Spot = tuple[float, float]
+
+
+@dataclass
+class Line:
+    """A train's line: pieces of time (seconds) and height; where it was loaded; where it went from band to band."""
+
+    pieces: list[list[Spot]] = field(default_factory=list)
+    loads: list[tuple[float, float, float]] = field(default_factory=list)
+    jumps: list[tuple[Spot, Spot]] = field(default_factory=list)
+
+
+class Axis:
+    """Heights of sections: those of the main way by their metres, the others in bands below."""
+
+    def __init__(self, heading: Event) -> None:
+        metres: Mapping[str, Sequence[float]] = heading["metres"]
+        main = [s for s in heading["main"] if s in metres]
+        low = min((metres[s][0] for s in main), default=0.0)
+        high = max((metres[s][1] for s in main), default=1.0)
+        self.scale = 420.0 / max(1.0, high - low)
+        self.of = {s: (TOP + (metres[s][0] - low) * self.scale, TOP + (metres[s][1] - low) * self.scale) for s in main}
+        self.bands: list[tuple[str, float, float]] = [(s, *self.of[s]) for s in main]
+        y = TOP + (high - low) * self.scale + GAP
+        for s, (a, b) in sorted(metres.items(), key=lambda x: (x[1][0], x[0])):
+            if s not in self.of:
+                h = max(14.0, (b - a) * self.scale)
+                self.of[s] = (y, y + h)
+                self.bands.append((s, y, y + h))
+                y += h + GAP
+        self.bottom = y
+        self.metres = metres
+
+    def ends(self, before: str, section: str) -> Spot:
+        """Heights at which a head comes into a section from another one, and at which it comes to its other end."""
+        near, far = self.of[section]
+        if before in self.metres:
+            a, b = self.metres[section]
+            low, high = self.metres[before]
+            if min(abs(b - low), abs(b - high)) < min(abs(a - low), abs(a - high)):
+                near, far = far, near
+        return near, far
+
+
+def lines(events: Sequence[Event], axis: Axis) -> dict[str, Line]:
+    """The line of each train."""
+    found: dict[str, Line] = {}
+    at: dict[str, tuple[str, float]] = {}
+    for e in events:
+        train, kind, t = e.get("train"), e["kind"], e["t"] / 1000
+        if train is None:
+            continue
+        line = found.setdefault(train, Line())
+        section, far = at.get(train, ("", 0.0))
+        if kind == "enters" and e["section"] in axis.of:
+            near, far = axis.ends(section, e["section"])
+            if section and line.pieces and e["section"] in axis.of:
+                last = line.pieces[-1][-1]
+                if abs(last[1] - near) > 1.0 and not _joined(axis, section, e["section"]):
+                    line.pieces[-1].append((t, _out(axis, section, e["section"])))
+                    line.jumps.append((line.pieces[-1][-1], (t, near)))
+                    line.pieces.append([])
+            if not section or not line.pieces:
+                line.pieces.append([])
+            line.pieces[-1].append((t, near))
+            at[train] = (e["section"], far)
+        elif kind == "stands" and section:
+            line.pieces[-1].append((t, far))
+        elif kind in ("runs", "loads", "loaded") and section and line.pieces[-1]:
+            here = line.pieces[-1][-1]
+            if kind == "loaded":
+                line.loads.append((here[0], t, here[1]))
+            line.pieces[-1].append((t, here[1]))
+        elif kind == "leaves" and section:
+            line.pieces[-1].append((t, far))
+            at.pop(train)
+            line.pieces.append([])
+    return found
+
+
+def _joined(axis: Axis, a: str, b: str) -> bool:
+    """Two sections follow each other on the main way."""
+    (la, ha), (lb, hb) = axis.of[a], axis.of[b]
+    return abs(ha - lb) < 1.0 or abs(hb - la) < 1.0
+
+
+def _out(axis: Axis, section: str, to: str) -> float:
+    """The height at which a head leaves a section towards another one."""
+    (a, b), (low, high) = axis.metres[section], axis.metres[to]
+    near, far = axis.of[section]
+    return far if min(abs(b - low), abs(b - high)) <= min(abs(a - low), abs(a - high)) else near
+
+
+def graph_svg(events: Sequence[Event]) -> str:
+    """The graph of a shift's record."""
+    heading, axis = events[0], Axis(events[0])
+    seconds = max(events[-1]["t"] / 1000, 1.0)
+
+    def x(t: float) -> float:
+        return LEFT + t / 3600 * HOUR
+
+    width, height = x(seconds) + 30, axis.bottom + 40
+    out = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" '
+        f'height="{height:.0f}" font-family="sans-serif" font-size="11">',
+        f"<title>{escape(heading['layout'])}: time-distance graph</title>",
+        f'<rect width="{width:.0f}" height="{height:.0f}" fill="#fff"/>',
+    ]
+    quarter = 0
+    while quarter * 900 <= seconds + 1:
+        t, whole = quarter * 900, quarter % 4 == 0
+        ink = "#9ca3af" if whole else "#e5e7eb"
+        out.append(
+            f'<path d="M{x(t):.1f} {TOP} V{axis.bottom:.1f}" stroke="{ink}" stroke-width="{1 if whole else 0.5}"/>'
+        )
+        if whole:
+            out.append(
+                f'<text x="{x(t):.1f}" y="{TOP - 8}" text-anchor="middle" fill="#374151">{quarter // 4} h</text>'
+            )
+        quarter += 1
+    out += _bands(axis, x(0), x(seconds), heading)
+    for k, (train, line) in enumerate(sorted(lines(events, axis).items(), key=lambda p: (len(p[0]), p[0]))):
+        out += _train(train, line, COLOURS[k % len(COLOURS)], x)
+        out.append(
+            f'<text x="{LEFT + 46 * k:.0f}" y="16" fill="{COLOURS[k % len(COLOURS)]}">train {escape(train)}</text>'
+        )
+    return "\n".join([*out, "</svg>", ""])
+
+
+def _bands(axis: Axis, left: float, right: float, heading: Event) -> list[str]:
+    """Sections with their names, and what is done in them."""
+    work = {p["at"]: f" ({n})" for n, p in heading["places"].items() if p["kind"] == "loading"}
+    out, written = [], -99.0
+    for s, a, b in sorted(axis.bands, key=lambda band: band[1]):
+        for y in (a, b):
+            out.append(f'<path d="M{left:.1f} {y:.1f} H{right:.1f}" stroke="#d1d5db" stroke-width="0.7"/>')
+        y = max((a + b) / 2 + 4, written + 11)
+        written = y
+        name, at = escape(s + work.get(s, "")), f'x="{left - 8:.1f}" y="{y:.1f}"'
+        out.append(f'<text {at} text-anchor="end" fill="#374151">{name}</text>')
+    return out
+
+
+def _train(train: str, line: Line, colour: str, x: Callable[[float], float]) -> list[str]:
+    """The line of a train."""
+    out = [f'<g stroke="{colour}" fill="none" stroke-width="1.6"><title>train {escape(train)}</title>']
+    for piece in line.pieces:
+        if len(piece) > 1:
+            out.append('<path d="M' + " L".join(f"{x(t):.1f} {y:.1f}" for t, y in piece) + '"/>')
+    for (t, y), (u, z) in line.jumps:
+        out.append(f'<path d="M{x(t):.1f} {y:.1f} L{x(u):.1f} {z:.1f}" stroke-dasharray="2 3" stroke-width="0.9"/>')
+    for t, u, y in line.loads:
+        out.append(f'<path d="M{x(t):.1f} {y:.1f} H{x(u):.1f}" stroke-width="5" stroke-opacity="0.55"/>')
+    return [*out, "</g>"]

@@ -1,0 +1,155 @@
+"""An event log that is only ever appended to: one JSON object a line, each tied to all before it by a digest.
+
+    {"n":0,"t":0,"kind":"begin",...,"chain":"<64 hexadecimal digits>"}
+
+`n` counts the events, `t` is their time in milliseconds, `chain` is the SHA-256 of the previous event's chain (at first
+of nothing), a line feed, and the line up to `,"chain"`.  A line is handed to the operating system in one piece before
+`add` returns, so that whatever kills the process loses at most the event that was being written.  A power cut may lose
+more, unless the log is opened with `sync`.
+
+A log that ends within a line was broken off there: all events before it hold.  Anything else that does not fit (a line
+that is missing, changed, doubled or out of order) is damage, and nothing after it is believed.  That lines are missing
+at the end cannot be seen from a log alone; it ends with the event `end` if its writer came to its end.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+END = "end"
+"""The kind of the last event of a log whose writer came to its end."""
+
+Event = dict[str, Any]
+
+_TAIL = re.compile(rb'(?s)(.*),"chain":"([0-9a-f]{64})"\}')
+
+
+class LogExists(Exception):
+    """The file is there already: a log is never written over."""
+
+
+def link(before: str, body: bytes) -> str:
+    """The chain of an event after another one; `body`: its line up to `,"chain"`."""
+    return hashlib.sha256(before.encode() + b"\n" + body).hexdigest()
+
+
+@dataclass
+class Chain:
+    """Where a log stands: how many events it has, and the chain of the last."""
+
+    number: int = 0
+    digest: str = ""
+
+    def line(self, t_ms: int, kind: str, fields: dict[str, Any]) -> bytes:
+        """The line of the next event.  Raises `ValueError` for a field that is named like one of our own."""
+        if not fields.keys().isdisjoint({"n", "t", "kind", "chain"}):
+            raise ValueError(f"fields of an event are not called n, t, kind or chain: {sorted(fields)}")
+        event = {"n": self.number, "t": t_ms, "kind": kind, **fields}
+        body = json.dumps(event, ensure_ascii=False, separators=(",", ":"), allow_nan=False).encode()[:-1]
+        self.number += 1
+        self.digest = link(self.digest, body)
+        return body + b',"chain":"' + self.digest.encode() + b'"}\n'
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Damage: in which line (from 1), and what is wrong there."""
+
+    line: int
+    text: str
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """What a log says.  `torn`: bytes of a last event that was never whole.  `problem`: from where on it is damaged."""
+
+    events: tuple[Event, ...]
+    chain: Chain = field(default_factory=Chain)
+    torn: int = 0
+    problem: Problem | None = None
+
+    @property
+    def ended(self) -> bool:
+        """Its writer came to its end."""
+        return self.problem is None and not self.torn and bool(self.events) and self.events[-1]["kind"] == END
+
+
+def read(data: bytes) -> Recorded:
+    """Every event up to the first that is not whole, or does not fit to those before it."""
+    chain, events = Chain(), list[Event]()
+    *lines, rest = data.split(b"\n")
+    for k, line in enumerate(lines, 1):
+        found = _TAIL.fullmatch(line)
+        if found is None:
+            return Recorded(tuple(events), chain, 0, Problem(k, "this is no event of a log"))
+        body, digest = found[1], found[2].decode()
+        if link(chain.digest, body) != digest:
+            text = "this event does not follow the one before it: something was changed, or lines are missing"
+            return Recorded(tuple(events), chain, 0, Problem(k, text))
+        try:
+            event = json.loads(body + b"}")
+        except ValueError:
+            event = None
+        if not isinstance(event, dict) or event.get("n") != chain.number or not {"t", "kind"} <= event.keys():
+            return Recorded(tuple(events), chain, 0, Problem(k, "this is no event of a log"))
+        events.append(event)
+        chain = Chain(chain.number + 1, digest)
+    return Recorded(tuple(events), chain, len(rest))
+
+
+def read_file(path: Path) -> Recorded:
+    """The same of a file.  Raises `OSError`."""
+    return read(path.read_bytes())
+
+
+class Log:
+    """A log on disk, open for more events.  `sync`: each event is on the disk before `add` returns."""
+
+    def __init__(self, handle: int, chain: Chain, sync: bool = False) -> None:
+        self._handle, self.chain, self._sync = handle, chain, sync
+
+    @staticmethod
+    def create(path: Path, sync: bool = False) -> Log:
+        """Begin a log.  Raises `LogExists`, `OSError`."""
+        try:
+            return Log(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND, 0o644), Chain(), sync)
+        except FileExistsError:
+            raise LogExists(f"{path} exists; a log is never written over") from None
+
+    @staticmethod
+    def resume(path: Path, sync: bool = False) -> tuple[Log, Recorded]:
+        """Go on with a log whose writer was killed; what is torn off at its end is cut away.
+
+        A damaged log is not gone on with.  Raises `ValueError` for one, `OSError`.
+        """
+        found = read_file(path)
+        if found.problem is not None:
+            raise ValueError(f"{path}:{found.problem.line}: {found.problem.text}")
+        handle = os.open(path, os.O_WRONLY | os.O_APPEND)
+        if found.torn:
+            os.ftruncate(handle, os.fstat(handle).st_size - found.torn)
+        return Log(handle, found.chain, sync), found
+
+    def add(self, t_ms: int, kind: str, **fields: Any) -> None:
+        """Append an event.  Raises `OSError` where there is no room: then the log ends within a line."""
+        line = self.chain.line(t_ms, kind, fields)
+        while line:
+            line = line[os.write(self._handle, line) :]
+        if self._sync:
+            os.fsync(self._handle)
+
+    def close(self) -> None:
+        """Let go of the file."""
+        os.close(self._handle)
+
+    def __enter__(self) -> Log:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()

@@ -1,0 +1,146 @@
+"""The event log: what is lost by a kill, what damage is told, and what can be asked of it."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from random import Random
+
+import pytest
+from click.testing import CliRunner
+
+from interlock.cli.record import command
+from interlock.record import Chain, Log, LogExists, read, read_file
+from interlock.record.tables import BadQuery, query, write_parquet
+from tests.campaigns.record import MOMENTS, killed
+
+
+def made(count: int) -> list[bytes]:
+    """So many lines."""
+    chain = Chain()
+    return [chain.line(10 * k, "section", {"section": f"s{k}", "occupied": k % 2}) for k in range(count)]
+
+
+def test_events_are_read_as_they_were_written(tmp_path: Path) -> None:
+    file = tmp_path / "a.log"
+    with Log.create(file, sync=True) as log:
+        log.add(0, "begin", layout="矿", most=3)
+        log.add(250, "end")
+    found = read_file(file)
+    assert found.ended and found.problem is None and found.torn == 0
+    assert [e["kind"] for e in found.events] == ["begin", "end"] and found.events[0]["layout"] == "矿"
+    assert found.chain.digest == json.loads(file.read_text("utf-8").splitlines()[-1])["chain"]
+    with pytest.raises(LogExists):
+        Log.create(file)
+    with pytest.raises(ValueError, match="not called n, t, kind or chain"):
+        Chain().line(0, "x", {"n": 1})
+
+
+def test_a_log_that_ends_anywhere_gives_all_whole_events() -> None:
+    data = b"".join(made(4))
+    whole = [len(b"".join(made(k))) for k in range(5)]
+    for cut in range(len(data) + 1):
+        found = read(data[:cut])
+        events = sum(w <= cut for w in whole) - 1
+        assert found.problem is None and len(found.events) == events and found.torn == cut - whole[events]
+
+
+def test_a_log_that_was_killed_goes_on(tmp_path: Path) -> None:
+    file = tmp_path / "a.log"
+    file.write_bytes(b"".join(made(3)) + b'{"n":3,"t":3')
+    log, found = Log.resume(file)
+    with log:
+        assert len(found.events) == 3 and found.torn == 12
+        log.add(99, "end")
+    assert read_file(file).ended and len(read_file(file).events) == 4
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_any_other_change_is_told_with_its_line(seed: int) -> None:
+    rng, lines = Random(seed), made(8)
+    k = rng.randrange(7)
+    kind = seed % 5
+    if kind == 0:  # cut out in the middle
+        del lines[k]
+    elif kind == 1:
+        lines.insert(k + 1, lines[k])
+    elif kind == 2:
+        lines[k], lines[k + 1] = lines[k + 1], lines[k]
+    elif kind == 3:  # one bit turned
+        at = rng.randrange(len(lines[k]) - 1)
+        lines[k] = lines[k][:at] + bytes([lines[k][at] ^ 1 << rng.randrange(8)]) + lines[k][at + 1 :]
+    else:  # the half of a line in the middle
+        lines[k] = lines[k][: rng.randrange(1, len(lines[k]))]
+    found = read(b"".join(lines))
+    assert found.problem is not None and found.problem.line <= k + 2
+    assert [e["n"] for e in found.events] == list(range(len(found.events))), "what is told before it holds"
+    assert not found.ended
+
+
+def test_a_damaged_log_is_not_gone_on_with(tmp_path: Path) -> None:
+    file = tmp_path / "a.log"
+    file.write_bytes(b"".join(made(4)[1:]))
+    with pytest.raises(ValueError, match=r"a\.log:1: this event does not follow"):
+        Log.resume(file)
+
+
+def test_a_killed_writer_loses_nothing_that_it_had_said(tmp_path: Path) -> None:
+    rng = Random(1)
+    for k in range(3):
+        lost, torn = killed(tmp_path / f"{k}.log", rng.random() * MOMENTS)
+        assert lost == 0 and torn >= 0
+
+
+def test_parquet_and_questions(tmp_path: Path) -> None:
+    logs = {"one": read(b"".join(made(9))).events, "two": read(b"".join(made(4))).events}
+    names, rows = query("SELECT log, count(*) AS n FROM events WHERE occupied = 1 GROUP BY log ORDER BY log", logs)
+    assert (names, rows) == (["log", "n"], [("one", 4), ("two", 2)])
+    file = tmp_path / "a.parquet"
+    assert write_parquet(file, logs) == 13
+    with pytest.raises(BadQuery):
+        query("SELECT nothing FROM events", logs)
+    with pytest.raises(BadQuery, match="disabled"):
+        query(f"SELECT * FROM '{file}'", logs)
+    import duckdb
+
+    assert duckdb.sql(f"SELECT max(t), count(DISTINCT log) FROM '{file}'").fetchall() == [(80, 2)]
+    odd = [{"n": 0, "t": 0, "kind": "a", "x": 1}, {"n": 1, "t": 1, "kind": "b", "x": "two", "y": [1], "z": 0.5}]
+    assert query("SELECT x, y, z FROM events ORDER BY n", {"odd": odd})[1] == [("1", None, None), ("two", "[1]", 0.5)]
+
+
+def test_writing_needs_nothing_but_python() -> None:
+    code = "import sys, interlock.record.log; sys.exit(any(m in sys.modules for m in ('pyarrow', 'duckdb')))"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def run(*arguments: str) -> tuple[int, str]:
+    done = CliRunner().invoke(command, arguments, catch_exceptions=False)
+    return done.exit_code, done.output
+
+
+def test_the_command_checks_asks_and_writes(tmp_path: Path) -> None:
+    file, target = tmp_path / "a.log", tmp_path / "a.parquet"
+    file.write_bytes(b"".join(made(5)) + b'{"n":')
+    code, text = run(str(file))
+    assert code == 0 and "5 events, whole up to its last event, at 0.0 s; it has no end; 5 bytes" in text
+    code, text = run(str(file), "--sql", "SELECT n, section FROM events WHERE occupied = 1")
+    assert (code, text.splitlines()) == (0, ["n\tsection", "1\ts1", "3\ts3"])
+    code, text = run(str(file), "--sql", "SELECT 1.5::DECIMAL AS x", "--format", "json")
+    assert code == 0 and json.loads(text)["columns"] == ["x"]
+    code, text = run(str(file), "--sql", "SELEKT")
+    assert code == 1 and "syntax error" in text.lower() and "Traceback" not in text
+    assert run(str(file), "--parquet", str(target)) == (0, f"{target}: 5 events\n")
+    target.write_text("mine")
+    assert run(str(file), "--parquet", str(target))[0] == 1 and target.read_text() == "mine"
+    assert json.loads(run(str(file), "--format", "json")[1])["logs"][0]["torn_bytes"] == 5
+
+
+def test_a_log_cut_in_the_middle_is_told_with_code_and_place(tmp_path: Path) -> None:
+    file = tmp_path / "a.log"
+    file.write_bytes(b"".join(made(9)[:3] + made(9)[4:]))
+    code, text = run(str(file))
+    assert code == 1 and "error[IL6011]" in text and f"{file}:4: this event does not follow" in text
+    assert "the 3 events before it hold" in text
+    assert run(str(tmp_path / "none.log"))[0] == 1

@@ -1,0 +1,276 @@
+"""Shifts of a fleet on the emitted runtime: their physics, their scans, their bytes, and what they must never show."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import signal
+import time
+from collections.abc import Iterator, Mapping
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import replace
+from functools import lru_cache
+from itertools import pairwise
+from math import inf
+from pathlib import Path
+from random import Random
+
+import pytest
+from click.testing import CliRunner
+
+from interlock.app import shift as shift_module
+from interlock.app.setting import Setting, prepared
+from interlock.app.shift import Shift
+from interlock.app.shifts import many, mean, one, student
+from interlock.app.worked import Options, Worked, summary
+from interlock.cli.simulate import command
+from interlock.dispatch import Dispatcher
+from interlock.dispatch.assign import Assigner, Assigning
+from interlock.dispatch.causes import CAUSES
+from interlock.emit.python.runtime import runtime_py
+from interlock.logic.lower import lower
+from interlock.record import read
+from interlock.simulate.mishaps import TRIAL
+from interlock.simulate.motion import Motion, runs, standing
+from interlock.simulate.run import load
+from interlock.simulate.scans import Scans
+from tests.campaigns.shift import fleet_of
+from tests.layouts import built
+from tests.weakened import WEAKENED
+
+HEISHAN = "layouts/heishan.yaml"
+HOUR = Options(hours=1.0)
+
+
+@lru_cache
+def hour(seed: int, faults: bool = False) -> Worked:
+    return Shift(prepared(HEISHAN, None), seed, replace(HOUR, faults=TRIAL) if faults else HOUR).run()
+
+
+# --- physics ---------------------------------------------------------------------------------------
+
+
+def motions() -> Iterator[tuple[Motion, float, float, float]]:
+    """Motions from any state, with where they are to end, their top speed and their brakes."""
+    rng = Random(1)
+    for _ in range(400):
+        speed, top = rng.choice((0.0, rng.uniform(0, 6))), rng.uniform(0.5, 6)
+        to = rng.choice((inf, rng.uniform(0.1, 900)))
+        brakes = rng.uniform(0.2, 1)
+        yield runs(5.0, 0.0, speed, to, top, rng.uniform(0.1, 0.6), brakes), to, max(speed, top), brakes
+
+
+def test_a_train_stands_where_it_means_to_or_as_soon_as_it_can() -> None:
+    stopped = 0
+    for m, to, top, brakes in motions():
+        speed = m.phases[0].speed
+        if to < inf:
+            assert m.stands < inf
+            assert m.at(m.stands + 1)[0] == pytest.approx(max(to, speed**2 / (2 * brakes)), abs=1e-6)
+            stopped += speed**2 / (2 * brakes) <= to
+        else:
+            assert m.stands == inf and m.at(1e4)[1] <= top
+    assert stopped > 100
+
+
+def test_motion_is_continuous_and_when_is_the_inverse_of_at() -> None:
+    for m, to, top, _ in motions():
+        for p, q in pairwise(m.phases):
+            dt = q.since - p.since
+            assert dt >= -1e-9 and p.speed + p.rate * dt == pytest.approx(q.speed, abs=1e-6)
+            assert p.metres + p.speed * dt + p.rate * dt**2 / 2 == pytest.approx(q.metres, abs=1e-6)
+        end = min(m.at(1e6)[0], 500.0)
+        for k in range(1, 20):
+            metres = end * k / 20
+            time = m.when(metres)
+            assert m.at(time)[0] == pytest.approx(metres, abs=1e-4) and m.at(time)[1] <= top + 1e-6
+        if to < inf:
+            assert m.when(m.at(1e6)[0] + 1.0) == inf
+    assert standing(0.0, 7.0).when(7.1) == inf and standing(0.0, 7.0).at(9.0) == (7.0, 0.0)
+
+
+# --- scans -----------------------------------------------------------------------------------------
+
+
+class Every(Scans):
+    """Runs every scan of the cycle, whether or not it can change anything."""
+
+    def due(self, changed_ms: int | None) -> int | None:
+        return self.last_ms + self.cycle_ms
+
+
+@pytest.mark.parametrize("faults", [False, True])
+def test_what_is_left_out_changes_nothing(monkeypatch: pytest.MonkeyPatch, faults: bool) -> None:
+    """An hour of which only those scans are run that can change something says the same as one with every scan."""
+    few = hour(3, faults)
+    monkeypatch.setattr(shift_module, "Scans", Every)
+    every = Shift(prepared(HEISHAN, None), 3, replace(HOUR, faults=TRIAL) if faults else HOUR).run()
+    assert 20 * few.scans < every.scans
+    without = [[{k: v for k, v in e.items() if k != "scans"} for e in read(w.log).events] for w in (few, every)]
+    assert without[0] == without[1]
+
+
+# --- the same bytes --------------------------------------------------------------------------------
+
+
+def test_the_same_seed_gives_the_same_bytes_in_any_executor() -> None:
+    here = [hour(s).log for s in range(3)]
+    assert len(set(here)) == 3 and all(read(x).ended for x in here)
+    for executor in (ProcessPoolExecutor(2), ThreadPoolExecutor(2)):
+        told: list[int] = []
+        with executor:
+            done = many(HEISHAN, None, range(3), HOUR, executor, told.append)
+        assert [w.log for w in done] == here and told == [1, 2, 3]
+
+
+def test_a_cluster_whose_worker_is_killed_loses_nothing() -> None:
+    from distributed import Client, LocalCluster
+
+    options = replace(HOUR, hours=0.25)
+    with (
+        LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, host="127.0.0.1") as cluster,
+        Client(cluster) as client,
+    ):
+        pids = list(client.run(os.getpid).values())
+        killed: list[int] = []
+
+        def note(done: int) -> None:
+            if done == 1:
+                os.kill(pids[0], signal.SIGKILL)
+                killed.append(done)
+
+        found = many(HEISHAN, None, range(6), options, client.get_executor(pure=False), note)
+    assert killed == [1]
+    assert [w.log for w in found] == [one(HEISHAN, None, s, options).log for s in range(6)]
+
+
+# --- what a shift shows ----------------------------------------------------------------------------
+
+
+def test_a_shift_does_all_that_is_ordered() -> None:
+    w = one(HEISHAN, None, 0, Options())
+    assert w.tipped == {"a": 6, "b": 8, "c": 4} and w.tonnes == {"lean": 480.0, "rich": 600.0}
+    assert not any(summary(w).values()) and w.alarms == []
+    events = read(w.log).events
+    assert {e["cause"] for e in events if e["kind"] == "waits"} <= set(CAUSES) - {"other"}
+    inside, most = set[str](), 0
+    for e in events:
+        if e["kind"] == "enters" and e["section"] == "s3":
+            inside.add(e["train"])
+        elif e["kind"] == "leaves":
+            inside.discard(e["train"])
+        most = max(most, len(inside))
+    assert most <= 4, "document D: with four inside, empties wait"
+
+
+def test_no_standstill_whatever_fails(tmp_path: Path) -> None:
+    w = one(HEISHAN, fleet_of(tmp_path, 8), 8, Options(hours=3.0, faults=TRIAL))
+    assert not any(summary(w).values()) and w.trains > 3
+    kinds = {e["kind"] for e in read(w.log).events}
+    assert {"fault", "mended", "alarm", "pressed"} <= kinds
+
+
+def test_without_the_rule_a_fleet_stands_for_ever(tmp_path: Path) -> None:
+    w = one(HEISHAN, fleet_of(tmp_path, 8), 0, Options(rule=False))
+    assert w.standstill and w.seconds < 8 * 3600
+    last = read(w.log).events[-2]
+    assert last["kind"] == "standstill" and last["waiting"]
+
+
+@pytest.mark.parametrize("kind", ["all signals clear", "points wired the wrong way round"])
+def test_a_wrong_controller_comes_to_harm_in_a_shift(tmp_path: Path, kind: str) -> None:
+    layout, table, _ = built("heishan")
+    setting = prepared(HEISHAN, fleet_of(tmp_path, 8))
+    wrong: Setting = replace(setting, names=load(runtime_py(WEAKENED[kind][1](lower(layout, table)), [])))
+    w = Shift(wrong, 0, Options(rule=False, hours=2.0)).run()
+    assert w.hazards or w.passed_at_stop
+
+
+def test_a_decision_is_quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With eight trains, between a scan and what is written after it, in processor time."""
+    took, step = [0.0], Dispatcher.step
+
+    def timed(self: Dispatcher, seen: Mapping[str, int], dt_ms: int) -> dict[str, int]:
+        began = time.process_time()
+        found = step(self, seen, dt_ms)
+        took.append(time.process_time() - began)
+        return found
+
+    monkeypatch.setattr(Dispatcher, "step", timed)
+    one(HEISHAN, fleet_of(tmp_path, 8), 1, Options(hours=2.0))
+    assert max(took) < 0.05 and len(took) > 500
+
+
+def test_orders_are_given_in_turn_by_distance_or_always_the_same() -> None:
+    setting = prepared(HEISHAN, None)
+
+    def given(how: Assigning) -> list[str]:
+        a = Assigner(setting.orders.file, setting.derived, how)
+        return [o.name if (o := a.next(t)) is not None else "" for t in ("1", "2", "3", "4")]
+
+    assert given(Assigning.IN_TURN) == ["b", "a", "c", ""], "the one that is due comes first; three places"
+    assert given(Assigning.NEAREST) == ["a", "b", "c", ""]
+    assert given(Assigning.FIXED) == ["a", "b", "c", ""]
+    a = Assigner(setting.orders.file, setting.derived)
+    assert a.next("1") and a.next("2") and a.next("3") and a.why("4") == "no place to load is free"
+
+
+def test_means_and_how_sure_they_are() -> None:
+    known = {1: 12.706, 2: 4.303, 3: 3.182, 4: 2.776, 9: 2.262, 29: 2.045, 99: 1.984}
+    for freedom, t in known.items():
+        assert student(freedom) == pytest.approx(t, rel=3e-3)
+    m = mean([30, 32, 34])
+    assert m.value == 32 and m.half == pytest.approx(4.303 * 2 / 3**0.5, rel=1e-3)
+    assert mean([5]).half == inf
+
+
+# --- bad input -------------------------------------------------------------------------------------
+
+SHIPPED = Path("layouts/heishan.dispatch").read_text("utf-8")
+NOBODY = SHIPPED.replace(SHIPPED.partition("fleet:")[2].partition("\nplaces:")[0], "").replace("fleet:", "fleet: {}")
+MANY = "".join(f"  {k}: {{length: 60, at: house}}\n" for k in range(10, 510))
+BAD = {
+    "an unknown locomotive": SHIPPED.replace("trains: 6, ore: rich}", "trains: 6, ore: rich, only: [99]}"),
+    "an order for a blocked place": SHIPPED + "\nblocked: [c3]\n",
+    "a fleet of 0": NOBODY,
+    "a fleet of 500": SHIPPED.replace("fleet:\n", "fleet:\n" + MANY),
+    "loading in no time": SHIPPED.replace("minutes: 20", "minutes: 0", 1),
+    "a train that does not run": SHIPPED.replace("speed: 10", "speed: 0", 1),
+    "a shift of no hours": SHIPPED.replace("shift_h: 8", "shift_h: 0"),
+    "a file of another layout": SHIPPED.replace("layout: heishan", "layout: mine11"),
+    "a tippler inside": SHIPPED.replace("at: OUT, minutes: 6", "at: s2_out, minutes: 6"),
+    "a fleet that waits inside": SHIPPED.replace("at: W, capacity: 8", "at: s2_out, capacity: 4"),
+    "a file cut off": SHIPPED[:700],
+    "an empty file": "",
+}
+
+
+def test_bad_input_has_a_code_and_a_place_and_asks_for_nothing(tmp_path: Path) -> None:
+    """Each with its screen, in shift_screens.txt."""
+    file, out, screens = tmp_path / "x.dispatch", tmp_path / "out", ""
+    for name, text in BAD.items():
+        file.write_text(text, "utf-8")
+        done = CliRunner().invoke(command, [HEISHAN, "--dispatch", str(file), "-o", str(out)], catch_exceptions=False)
+        assert done.exit_code == 1 and "Traceback" not in done.output and not out.exists(), name
+        assert re.search(r"\[IL\d{4}\]", done.output) and re.search(r"x\.dispatch:\d+:\d+", done.output), done.output
+        screens += f"--- {name}\n{done.output.replace(str(tmp_path) + '/', '')}"
+    assert screens == Path("tests/shift_screens.txt").read_text("utf-8")
+
+
+def test_the_command_writes_records_and_tells_its_counts(tmp_path: Path) -> None:
+    arguments = [HEISHAN, "--hours", "0.5", "--shifts", "2", "-o", str(tmp_path)]
+    done = CliRunner().invoke(command, arguments, catch_exceptions=False)
+    assert done.exit_code == 0 and "heishan: 4 trains, 2 shifts, seeds 0 to 1" in done.output
+    assert "standstills: 0" in done.output and "confidence interval" in done.output
+    first = (tmp_path / "heishan-1.log").read_bytes()
+    again = CliRunner().invoke(command, [*arguments, "--format", "json"], catch_exceptions=False)
+    assert again.exit_code == 0 and (tmp_path / "heishan-1.log").read_bytes() == first
+    body = json.loads(again.stdout)
+    assert [s["chain"] for s in body["shifts"]] == [read(Path(f).read_bytes()).chain.digest for f in body["files"]]
+    (tmp_path / "heishan-1.log").write_text("another")
+    done = CliRunner().invoke(command, arguments, catch_exceptions=False)
+    assert done.exit_code == 1 and "another record" in done.output
+    assert (tmp_path / "heishan-1.log").read_text() == "another"
+    done = CliRunner().invoke(command, [HEISHAN, "--dask", "tcp://127.0.0.1:9"], catch_exceptions=False)
+    assert done.exit_code == 1 and "no cluster at" in done.output

@@ -1,0 +1,133 @@
+"""The report of a shift against its record; the graph; the replay of a span."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from functools import lru_cache
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from click.testing import CliRunner, Result
+
+from interlock.app.replaying import trace
+from interlock.app.shifts import one
+from interlock.app.worked import Options, Worked
+from interlock.cli.play import command as play
+from interlock.cli.record import command as record
+from interlock.record import Recorded, read
+from interlock.record.graph import graph_svg
+from interlock.record.report import shift_html
+from interlock.record.shift import LOADS, TIPS, NoShift, figures, to_csv
+from interlock.simulate.mishaps import TRIAL
+from tests.layouts import built
+
+
+@lru_cache
+def shift() -> tuple[Worked, Recorded]:
+    w = one("layouts/heishan.yaml", None, 5, Options(faults=TRIAL))
+    return w, read(w.log)
+
+
+def test_every_second_of_every_train_is_accounted_for() -> None:
+    w, r = shift()
+    f = figures(r.events)
+    assert f.seconds == w.seconds == 8 * 3600 and set(f.states) == {"1", "2", "3", "4"}
+    for of in f.states.values():
+        assert sum(of.values()) == pytest.approx(f.seconds, abs=1e-6)
+    assert f.trains == w.tipped and f.tonnes == pytest.approx(w.tonnes)
+    assert len(f.alarms) == len(w.alarms) > 0 and f.held_back == w.refused and not f.hazards and not f.standstill
+    at_work = sum(of.get(LOADS, 0.0) + of.get(TIPS, 0.0) for of in f.states.values())
+    assert sum(f.places.values()) == pytest.approx(at_work)
+    loads = [e["t"] for e in r.events if e["kind"] == "loads"]
+    assert sum(f.utilisation(p) for p in ("c1", "c2", "c3", "c4", "c5")) * f.seconds <= 1.4 * 1200 * len(loads)
+    assert list(f.waiting.values()) == sorted(f.waiting.values(), reverse=True)
+
+
+def test_the_table_and_the_page_say_the_same() -> None:
+    w, r = shift()
+    rows = list(csv.DictReader(to_csv(figures(r.events)).splitlines()))
+    of = {(x["figure"], x["of"]): x["value"] for x in rows}
+    assert int(of["trains tipped", "b"]) == w.tipped["b"] and int(of["alarms", ""]) == len(w.alarms)
+    page = shift_html(r)
+    assert f"<b>{w.trains}</b> trains tipped" in page and r.chain.digest in page and "breaks off" not in page
+    for cause in figures(r.events).waiting:
+        assert f"<td>{cause}</td>" in page
+    assert "<script" not in page and "http" not in page.replace("http://www.w3.org/2000/svg", "")
+
+
+def test_a_record_that_breaks_off_has_a_report_too() -> None:
+    w, _ = shift()
+    half = read(w.log[: len(w.log) // 2])
+    f = figures(half.events)
+    assert "breaks off" in shift_html(half) and 0 < f.seconds < 8 * 3600
+    for of in f.states.values():
+        assert sum(of.values()) == pytest.approx(f.seconds, abs=1e-6)
+    with pytest.raises(NoShift):
+        figures(half.events[1:])
+
+
+def test_the_graph_has_a_line_for_each_train_that_never_goes_back_in_time() -> None:
+    _, r = shift()
+    root = ElementTree.fromstring(graph_svg(r.events))
+    space = {"s": "http://www.w3.org/2000/svg"}
+    trains = root.findall("s:g", space)
+    titles = [g.findtext("s:title", namespaces=space) for g in trains]
+    assert titles == ["train 1", "train 2", "train 3", "train 4"]
+    box = [float(x) for x in root.attrib["viewBox"].split()]
+    for g in trains:
+        lines = [p for p in g.findall("s:path", space) if "stroke-width" not in p.attrib]
+        last = 0.0
+        for p in lines:
+            spots = [tuple(map(float, x.split())) for x in re.split("[ML]", p.attrib["d"]) if x]
+            assert [x for x, _ in spots] == sorted(x for x, _ in spots) and spots[0][0] >= last - 0.1
+            last = spots[-1][0]
+            assert all(0 <= x <= box[2] and 0 <= y <= box[3] for x, y in spots)
+    loads = sum(e["kind"] == "loaded" for e in r.events)
+    assert sum(p.attrib.get("stroke-width") == "5" for p in root.iter(f"{{{space['s']}}}path")) == loads
+
+
+def test_a_span_is_played_as_it_was() -> None:
+    layout = built("heishan")[0]
+    w = one("layouts/heishan.yaml", None, 1, Options(hours=24.0))
+    events = read(w.log).events
+    whole = json.loads(trace(layout, events, 0, 1e9))
+    last = whole["states"][-1]
+    assert not any(last[f"o.{s.id}"] for s in layout.sections if not s.approach), "all have gone home"
+    part = json.loads(trace(layout, events, 3600, 7200))
+    assert 50 < len(part["states"]) < len(whole["states"])
+    assert [s["#meta"]["text"] for s in whole["states"] if "1:00:00" <= s["#meta"]["text"][:7] < "2:00:00"] == [
+        s["#meta"]["text"] for s in part["states"]
+    ]
+    occupied = {k for k, v in part["states"][0].items() if k.startswith("o.") and v}
+    assert occupied, "what stood there before the span is there"
+    with pytest.raises(NoShift, match="nothing happened"):
+        trace(layout, events, 1e8, 1e9)
+    with pytest.raises(NoShift, match="no record of a shift on mine11"):
+        trace(built("mine11")[0], events, 0, 1e9)
+
+
+def test_the_commands(tmp_path: Path) -> None:
+    w, _ = shift()
+    log, other = tmp_path / "a.log", tmp_path / "rep"
+    log.write_bytes(w.log)
+
+    def run(command: object, *arguments: str) -> Result:
+        done = CliRunner().invoke(command, arguments, catch_exceptions=False)  # type: ignore[arg-type]
+        assert "Traceback" not in done.output
+        return done
+
+    assert run(record, str(log), "--report", str(other)).exit_code == 0
+    assert run(record, str(log), "--report", str(other)).exit_code == 0, "what it wrote itself, it may write again"
+    assert {p.name for p in other.iterdir()} == {"a.html", "a.csv", "a.svg"}
+    (other / "a.csv").write_text("mine")
+    assert run(record, str(log), "--report", str(other)).exit_code == 1
+    done = run(play, str(log), "--layout", "layouts/heishan.yaml", "--from", "1:00", "--to", "1:30")
+    assert done.exit_code == 0 and "comes into" in (tmp_path / "a.html").read_text("utf-8")
+    assert run(play, str(log), "--layout", "layouts/heishan.yaml", "--from", "soon").exit_code == 2
+    assert run(play, str(log), "--layout", "layouts/mine11.yaml").exit_code == 1
+    log.write_bytes(w.log.replace(b'"t":', b'"t": ', 1))
+    done = run(play, str(log), "--layout", "layouts/heishan.yaml")
+    assert done.exit_code == 1 and "[IL6011]" in done.output
