@@ -149,26 +149,29 @@ def run(
     cycle_ms: int,
     cycles: int | None,
     ask: Callable[[Cycle | None, int], Mapping[str, int]],
+    now: Callable[[], float] = time.monotonic,
+    sleep: Callable[[float], None] = time.sleep,
 ) -> Generator[tuple[Cycle, float], None, None]:
     """Cycles in their time, each with the seconds that it took.
 
-    `ask` gives the inputs of the operator's place, from the cycle before and the milliseconds since it.  When the
-    generator is closed, or anything is thrown, every output is written restrictive.
+    `ask` gives the inputs of the operator's place, from the cycle before and the milliseconds since it.  `now` and
+    `sleep`: the clock in seconds, another one where time is simulated, too.  When the generator is closed, or anything
+    is thrown, every output is written restrictive.
     """
     assert ready.controller is not None and ready.allocation is not None
     plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, links, ready.controller.symbols.valid)
     try:
-        before = time.monotonic()
+        before = now()
         done = 0
         result: Cycle | None = None
         while cycles is None or done < cycles:
-            began = time.monotonic()
+            began = now()
             passed = max(1, round((began - before) * 1000)) if done else cycle_ms
             result = plc.cycle(ask(result, passed), passed)
             before = began
             done += 1
-            took = time.monotonic() - began
+            took = now() - began
             yield result, took
-            time.sleep(max(0.0, cycle_ms / 1000 - (time.monotonic() - began)))
+            sleep(max(0.0, cycle_ms / 1000 - (now() - began)))
     finally:
         plc.close()

@@ -1,8 +1,9 @@
-"""`interlock run`: the proved runtime as a soft PLC against real inputs and outputs."""
+"""`interlock run`: the proved runtime as a soft PLC against real inputs and outputs, or with a panel in a browser."""
 
 from __future__ import annotations
 
 import gc
+import importlib.util
 import json
 import queue
 import signal
@@ -38,6 +39,12 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
     return links
 
 
+def _needs(module: str, what: str, extra: str) -> None:
+    """An extra that has to be installed."""
+    if importlib.util.find_spec(module) is None:
+        raise click.UsageError(f"{what} needs the extra `{extra}`: pip install 'interlock[{extra}]'")
+
+
 def _end(number: int, frame: object) -> None:
     """Asked to end: as by Ctrl-C, so that the outputs are written restrictive."""
     raise KeyboardInterrupt
@@ -45,12 +52,28 @@ def _end(number: int, frame: object) -> None:
 
 @click.command("run")
 @click.argument("layout", type=click.Path())
-@click.option("--modbus", multiple=True, required=True, help="SUBSTATION=HOST:PORT[/DEVICE], one for each substation.")
+@click.option("--modbus", multiple=True, help="SUBSTATION=HOST:PORT[/DEVICE], one for each substation.")
+@click.option("--panel", is_flag=True, help="The mimic panel in a browser; without --modbus on a simulated railway.")
+@click.option("--host", default="127.0.0.1", show_default=True, help="With --panel: where it listens.")
+@click.option("--port", type=click.IntRange(0, 65535), default=8420, show_default=True, help="With --panel; 0: any.")
+@click.option("--token", envvar="INTERLOCK_TOKEN", default="", help="With --panel: what a browser gives to operate.")
+@click.option("--look-token", envvar="INTERLOCK_LOOK_TOKEN", default="", help="With --panel: what it gives to look.")
 @click.option("--cycle", "cycle_ms", type=click.IntRange(10, 1000), default=100, show_default=True, help="In ms.")
 @click.option("--cycles", type=click.IntRange(1), default=None, help="Stop after so many cycles (otherwise: Ctrl-C).")
 @format_option
-def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | None, form: str) -> None:
-    """Prove LAYOUT, then run its runtime on Modbus TCP.
+def command(
+    layout: str,
+    modbus: tuple[str, ...],
+    panel: bool,
+    host: str,
+    port: int,
+    token: str,
+    look_token: str,
+    cycle_ms: int,
+    cycles: int | None,
+    form: str,
+) -> None:
+    """Prove LAYOUT, then run its runtime on Modbus TCP, or with --panel on a simulated railway.
 
     A line of input is a command for one cycle: set ROUTE, swing SIGNAL, cancel SIGNAL or release.
     Voyage NAME opens the routes of a voyage one after the other, each when its train stands before it, until it is done
@@ -58,10 +81,17 @@ def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | N
     VARIABLE=VALUE (for instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A
     standard computer is no safety PLC: for trials, not for a railway.
     """
-    try:
-        import pymodbus  # noqa: F401
-    except ImportError:
-        raise click.UsageError("Modbus needs the extra `field`: pip install 'interlock[field]'") from None
+    if not modbus and not panel:
+        raise click.UsageError("say --modbus SUBSTATION=HOST:PORT for each substation, or --panel")
+    if modbus:
+        _needs("pymodbus", "Modbus", "field")
+    sock = None
+    if panel:
+        for module in ("starlette", "uvicorn", "websockets"):
+            _needs(module, "the panel", "panel")
+        from interlock.cli.panel import opened
+
+        sock, tokens = opened(host, port, token, look_token)
     with progress(layout) as report:
         ready = prepare(layout, None, report)
     say = _json if form == "json" else _text
@@ -71,7 +101,13 @@ def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | N
         show_proof(ready.proved, form, False)
     if ready.allocation is None:
         sys.exit(exit_code([ready.proved]))
-    links = _links(ready, modbus)
+    links = _links(ready, modbus) if modbus else None
+    if sock is not None:
+        from interlock.cli.panel import run_panel
+
+        run_panel(ready, links, cycle_ms, sock, tokens, form)
+        return
+    assert links is not None
     typed: queue.SimpleQueue[str] = queue.SimpleQueue()
 
     def listen() -> None:
