@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 import socket
 from collections.abc import Iterator
 from pathlib import Path
@@ -18,7 +20,10 @@ from interlock.cli.main import cli
 from interlock.cli.panel import opened
 from interlock.panel.clock import Clock
 from interlock.panel.desk import Desk
+from interlock.panel.journal import page, trace
+from interlock.panel.recorder import Recorder
 from interlock.panel.server import FILES, Access, application
+from interlock.record.log import read_file
 from tests.panels import panel, proved, quick
 
 
@@ -299,3 +304,74 @@ def test_tokens_are_made_where_others_can_reach_the_panel() -> None:
 def test_everything_of_the_page_is_in_the_package() -> None:
     found = {p.name for p in Path("interlock/panel/page").iterdir()}
     assert found == {name for name, _ in FILES.values()}
+
+
+def shift(ready: Ready, path: Path) -> None:
+    """A short shift with a record: a route, a refusal, a release, an alarm."""
+    recorder = Recorder(path, ready)
+    with panel(ready, recorder=recorder) as (_, browser), browser(name="Dora") as b:
+        b.ask("speed", times=10)
+        b.released()
+        b.ask("set", route="XB-XI7")
+        b.until(lambda: b.state["g:XB"][0] == "clear")
+        b.ask("set", route="XL1-XT3")
+        b.until(lambda: kinds(b.events, "refusal"))
+        b.ask("fail", kind="machine", name="P4", on=True)
+        b.until(lambda: any(a[0] == "trailed P4" for a in b.rest["alarms"]) or b.state["m:P4"][0] == "")
+        b.ask("cancel", signal="XB")
+        b.until(lambda: not b.state["s:s2"][1])
+
+
+def test_a_shift_is_recorded_printed_and_played(ready: Ready, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "shift.log"
+    shift(ready, path)
+    found = read_file(path)
+    assert found.ended and found.problem is None
+    text = page(found)
+    assert "route XL1-XT3 is refused" in text and "section s3 is locked for route XB-XI7" in text
+    assert "counter 0 before, 1 after" in text and "by Dora" in text and found.chain.digest in text
+    states = json.loads(trace(found))["states"]
+    proceed = [k for k, s in enumerate(states) if any(v is True and n.startswith("S_R") for n, v in s.items())]
+    assert proceed and "route XB-XI7 is set" in " ".join(s["#meta"]["text"] for s in states[: proceed[0] + 1])
+    assert not any(v is True and n.startswith("K_") for n, v in states[-1].items())
+    for more, file in (([], "shift.log.html"), (["--journal", "-o", str(tmp_path / "page.html")], "page.html")):
+        done = CliRunner().invoke(cli, ["play", str(path), *more])
+        assert done.exit_code == 0 and (tmp_path / file).stat().st_size > 1000, done.output
+    for more in (["--from", "tea"], ["--from", "2001-01-01", "--to", "2001-01-02"]):
+        assert CliRunner().invoke(cli, ["play", str(path), *more, "-o", str(tmp_path / "x.html")]).exit_code == 1
+    shift(ready, path)  # the same file: the count of releases goes on
+    again = read_file(path)
+    assert "counter 0 before, 2 after" in page(again) and len(again.events) > len(found.events)
+    path.write_bytes(path.read_bytes().replace(b"Dora", b"Erna", 1))
+    done = CliRunner().invoke(cli, ["play", str(path), "--journal", "-o", str(tmp_path / "x.html")])
+    assert done.exit_code == 1 and "something was changed" in done.output
+    with pytest.raises(ValueError, match="something was changed"):
+        Recorder(path, ready)
+
+
+def test_where_nothing_can_be_written_the_panel_works_on_and_nothing_is_lost(
+    ready: Ready, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    recorder = Recorder(tmp_path / "full.log", ready)
+    write, full = os.write, [False]
+
+    def writes(handle: int, data: bytes) -> int:
+        if full[0] and b'"kind"' in data:
+            write(handle, data[:9])  # a part of it finds room
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return write(handle, data)
+
+    monkeypatch.setattr("interlock.record.log.os.write", writes)
+    with panel(ready, recorder=recorder) as (_, browser), browser(name="Fay") as b:
+        b.ask("speed", times=10)
+        b.released()
+        full[0] = True
+        b.ask("block", section="s3", on=True)
+        b.until(lambda: any(a[0] == "record" for a in b.rest["alarms"]))
+        b.ask("block", section="s3", on=False)
+        full[0] = False
+        b.until(lambda: any(a[0] == "record" and not a[4] for a in b.rest["alarms"]))
+    found = read_file(tmp_path / "full.log")
+    told = [e.get("text", "") for e in found.events]
+    assert found.ended and "block section s3" in told and "free section s3" in told
+    assert [e["dropped"] for e in found.events if e["kind"] == "gap"] == [0]

@@ -10,12 +10,16 @@ import signal
 import socket
 import sys
 from collections.abc import Mapping
+from datetime import datetime
+from pathlib import Path
 
 import click
 
 from interlock.app.run import Ready
+from interlock.cli.common import told
 from interlock.field.plc import Link
 from interlock.panel.desk import Desk
+from interlock.panel.recorder import Recorder
 from interlock.panel.server import Access, listening, serve
 
 
@@ -37,16 +41,29 @@ def _alone(sock: socket.socket) -> bool:
 
 
 def run_panel(
-    ready: Ready, links: Mapping[str, Link] | None, cycle_ms: int, sock: socket.socket, access: Access, form: str
+    ready: Ready,
+    links: Mapping[str, Link] | None,
+    cycle_ms: int,
+    sock: socket.socket,
+    access: Access,
+    record: Path | None,
+    form: str,
 ) -> None:
     """Serve the panel until interrupted."""
     gc.enable()  # off in the short-lived commands; this one runs on
-    desk = Desk(ready, links, cycle_ms)
+    assert ready.layout is not None
+    record = record or Path(f"{ready.layout.name}-{datetime.now():%Y%m%d-%H%M%S}.log")
+    try:
+        recorder = Recorder(record, ready)
+    except (OSError, ValueError) as error:
+        raise click.UsageError(f"the record cannot be written: {told(error, record)}") from None
+    desk = Desk(ready, links, cycle_ms, recorder)
     host, port = sock.getsockname()[:2]
     at = f"http://{f'[{host}]' if ':' in host else host}:{port}/"
     _say({"panel": at + (f"#token={access.operate}" if access.operate else "")}, form)
     if access.look:
         _say({"to look": f"{at}#token={access.look}"}, form)
+    _say({"record": str(record)}, form)
     for ending in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(ending, _end)
     try:

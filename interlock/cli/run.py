@@ -11,6 +11,7 @@ import sys
 import threading
 from collections.abc import Mapping
 from contextlib import closing
+from pathlib import Path
 from typing import Any
 
 import click
@@ -58,6 +59,11 @@ def _end(number: int, frame: object) -> None:
 @click.option("--port", type=click.IntRange(0, 65535), default=8420, show_default=True, help="With --panel; 0: any.")
 @click.option("--token", envvar="INTERLOCK_TOKEN", default="", help="With --panel: what a browser gives to operate.")
 @click.option("--look-token", envvar="INTERLOCK_LOOK_TOKEN", default="", help="With --panel: what it gives to look.")
+@click.option(
+    "--record",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="With --panel: the log in which everything is recorded, begun or gone on with; else NAME-DATE-TIME.log.",
+)
 @click.option("--cycle", "cycle_ms", type=click.IntRange(10, 1000), default=100, show_default=True, help="In ms.")
 @click.option("--cycles", type=click.IntRange(1), default=None, help="Stop after so many cycles (otherwise: Ctrl-C).")
 @format_option
@@ -69,6 +75,7 @@ def command(
     port: int,
     token: str,
     look_token: str,
+    record: Path | None,
     cycle_ms: int,
     cycles: int | None,
     form: str,
@@ -105,7 +112,7 @@ def command(
     if sock is not None:
         from interlock.cli.panel import run_panel
 
-        run_panel(ready, links, cycle_ms, sock, tokens, form)
+        run_panel(ready, links, cycle_ms, sock, tokens, record, form)
         return
     assert links is not None
     typed: queue.SimpleQueue[str] = queue.SimpleQueue()

@@ -27,6 +27,7 @@ from interlock.panel.commands import Buttons, Refused
 from interlock.panel.event import Event, stamp
 from interlock.panel.picture import Picture, Shown, still
 from interlock.panel.reasons import Moment, Reason, Reasons
+from interlock.panel.recorder import Recorder
 from interlock.panel.simulated import Impossible, SimulatedField
 
 EVENTS = 200
@@ -58,11 +59,11 @@ class Desk:
         ready: Ready,
         links: Mapping[str, Link] | None = None,
         cycle_ms: int = 100,
-        record: Callable[[Event], None] = lambda event: None,
+        recorder: Recorder | None = None,
     ) -> None:
-        """`links` to real substations; without them a railway is simulated.  `record` is told every event."""
+        """`links` to real substations; without them a railway is simulated."""
         assert ready.layout is not None and ready.controller is not None and ready.allocation is not None
-        self.ready, self.cycle_ms, self.record = ready, cycle_ms, record
+        self.ready, self.cycle_ms, self.recorder = ready, cycle_ms, recorder
         self.field: SimulatedField | None = None
         self.clock = Clock()
         if links is None:
@@ -78,8 +79,8 @@ class Desk:
         self.buttons = Buttons(ready, self.operator)
         self.alarms = Alarms()
         self.reminders: dict[str, list[str]] = {}
-        self.releases = 0
-        """Releases by hand, counted."""
+        self.releases = 0 if recorder is None else recorder.releases
+        """Releases by hand, counted; the count goes on with a record that goes on."""
         self.power = True
         self.events: deque[Event] = deque(maxlen=EVENTS)
         self.longest_s = 0.0
@@ -150,6 +151,8 @@ class Desk:
                 raise
         finally:
             self._stop.set()
+            if self.recorder is not None:
+                self.recorder.close()
             self.ended()
 
     def _powered(self) -> None:
@@ -172,6 +175,8 @@ class Desk:
             began = self.clock.now()
             self._commands()
             self.field.step(self.cycle_ms / 1000, {})
+            if self.recorder is not None:
+                self.recorder.cycle(None)
             self._tell(self.picture.dark(), None)
             self.clock.sleep(max(0.0, self.cycle_ms / 1000 - (self.clock.now() - began)))
 
@@ -196,13 +201,18 @@ class Desk:
             self._alarm(self.alarms.once(text, at, stamp()), reasons)
         self._ran_ms += self._dt_ms
         if self._ran_ms > SETTLES_MS:
-            for a in self.alarms.stand(causes(self.ready, cycle), stamp()):
+            found = causes(self.ready, cycle)
+            if self.recorder is not None and self.recorder.lost:
+                found["record"] = (self.recorder.lost, ())
+            for a in self.alarms.stand(found, stamp()):
                 self._alarm(a)
         if self.field is not None:
-            found = self.field.world.watch.found
-            for text in found[self._hazards :]:
+            hazards = self.field.world.watch.found
+            for text in hazards[self._hazards :]:
                 self._once(f"the bystander sees: {text}")
-            self._hazards = len(found)
+            self._hazards = len(hazards)
+        if self.recorder is not None:
+            self.recorder.cycle(cycle)
         self._tell(self.picture.of(cycle), cycle)
         self.longest_s = max(self.longest_s, time.monotonic() - self._began)
 
@@ -218,7 +228,8 @@ class Desk:
         self._numbers += 1
         event.number = self._numbers
         self._fresh.append(event)
-        self.record(event)
+        if self.recorder is not None:
+            self.recorder.event(event)
 
     def _tell(self, shown: Shown, cycle: Cycle | None) -> None:
         now = time.monotonic()
