@@ -10,7 +10,17 @@ from typing import Any
 
 from starlette.testclient import TestClient
 
+from interlock.app.check import Checked
+from interlock.app.init import yard
+from interlock.app.proved import Proved
 from interlock.app.run import Ready, prepare
+from interlock.derivation import derive
+from interlock.diag import Sink
+from interlock.emit.python.runtime import runtime_py
+from interlock.frontend import load_text
+from interlock.logic.cabinet import allocate
+from interlock.logic.expr import interning
+from interlock.logic.lower import lower
 from interlock.panel.desk import Desk
 from interlock.panel.server import Access, application
 
@@ -90,3 +100,16 @@ def panel(ready: Ready, access: Access | None = None, **more: Any) -> Iterator[t
 
         yield desk, browser
     assert desk.broken == ""
+
+
+def large(tracks: int = 124) -> Ready:
+    """A yard of a thousand routes, as if it were proved: nothing here is about its proof."""
+    path = f"yard {tracks}"
+    layout, source = load_text(path, yard(tracks), sink := Sink())
+    assert layout is not None
+    table = derive(layout, sink)
+    with interning():
+        controller = lower(layout, table)
+        allocation = allocate(layout, controller)
+    proved = Proved(Checked(path, source, ()))
+    return Ready(proved, layout, table, controller, allocation, runtime_py(controller, []))
