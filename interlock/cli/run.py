@@ -12,20 +12,25 @@ import threading
 from collections.abc import Mapping
 from contextlib import closing
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import click
 
 from interlock.app.run import BadCommand, Operator, Ready, prepare, run
 from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
+from interlock.field.alone import InUse, hold
 from interlock.field.modbus import ModbusLink
 from interlock.field.plc import Cycle, Link
+
+_HELD: list[IO[bytes]] = []
+"""Locks on the substations that this process writes, held until it ends."""
 
 
 def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
     assert ready.allocation is not None
     stations = [c.substation for c in ready.allocation.heartbeats]
     links: dict[str, Link] = {}
+    places: list[str] = []
     for text in given:
         station, _, rest = text.rpartition("=")
         station = station or (stations[0] if len(stations) == 1 else "")
@@ -33,10 +38,15 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
         port, _, device = tail.partition("/")
         if station not in stations or not host or not port.isdigit() or not (device or "1").isdigit():
             raise click.UsageError(f"{text}: write SUBSTATION=HOST:PORT[/DEVICE]; substations: {', '.join(stations)}")
+        places.append(f"{host}:{port}/{device or 1}")
         links[station] = ModbusLink(ready.allocation, station, host, int(port), int(device or 1))
     missing = sorted(set(stations) - set(links))
     if missing:
         raise click.UsageError(f"--modbus is missing for {', '.join(missing)}")
+    try:
+        _HELD.extend(hold(places))
+    except (InUse, OSError) as error:
+        raise click.UsageError(str(error)) from None
     return links
 
 

@@ -373,7 +373,7 @@ class Desk:
                 return f"{'give up' if c.get('end') else 'begin'} voyage {c['name']}"
             case "acknowledge":
                 for a in self.alarms.acknowledge(str(c.get("alarm", "")), who.name):
-                    self._note(Event("acknowledged", a.text, who.name, a.at))
+                    self._note(Event("acknowledged", f"seen: {a.text}", who.name, a.at))
                 return ""
             case "remind":
                 return self._remind(str(c["at"]), str(c.get("text", "")), who)

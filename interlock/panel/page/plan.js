@@ -118,7 +118,7 @@ export class Plan {
       toggle(path, "occupied", occupied && (!locked.size || locked.has(e)));
       toggle(path, "restart", restart);
       toggle(path, "blocked", blocked);
-      toggle(path, "unsure", stale);
+      toggle(path, "unsure", stale && locked.has(e));
     }
     toggle(group, "sick", sick);
     const words = [occupied ? "occupied" : "clear", locked.size ? "locked" : "", restart ? "not released" : "", blocked ? "blocked" : ""];
@@ -186,7 +186,7 @@ export class Plan {
         make("polyline", {class: held ? "train held" : "train", points: points.map(p => `${p.x},${p.y}`).join(" ")}, this.layer);
         head = e.path.getPointAtLength(f(way > 0 ? hi : lo));
       }
-      if (head) make("text", {class: "berth", x: head.x, y: head.y - 8}, this.layer).textContent = name;
+      if (head) make("text", {class: "berth", x: head.x, y: head.y + 17}, this.layer).textContent = name;
     }
   }
 
