@@ -91,8 +91,8 @@ def panel(ready: Ready, access: Access | None = None, **more: Any) -> Iterator[t
     with TestClient(application(desk, access or Access()), base_url="http://127.0.0.1") as client:
 
         @contextmanager
-        def browser(headers: dict[str, str] | None = None, **hello: Any) -> Iterator[Browser]:
-            with client.websocket_connect("/talk", headers=headers or {}) as ws:
+        def browser(headers: dict[str, str] | None = None, host: str = "127.0.0.1", **hello: Any) -> Iterator[Browser]:
+            with client.websocket_connect(f"ws://{host}/talk", headers=headers or {}) as ws:
                 ws.send_json(hello or {"name": "first"})
                 b = Browser(ws)
                 b.hear()
@@ -104,8 +104,13 @@ def panel(ready: Ready, access: Access | None = None, **more: Any) -> Iterator[t
 
 def large(tracks: int = 124) -> Ready:
     """A yard of a thousand routes, as if it were proved: nothing here is about its proof."""
-    path = f"yard {tracks}"
-    layout, source = load_text(path, yard(tracks), sink := Sink())
+    return unproved(yard(tracks))
+
+
+def unproved(text: str) -> Ready:
+    """A layout's text, ready to run as if it were proved."""
+    path = "unproved.yaml"
+    layout, source = load_text(path, text, sink := Sink())
     assert layout is not None
     table = derive(layout, sink)
     with interning():

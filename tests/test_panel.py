@@ -8,23 +8,26 @@ import os
 import socket
 from collections.abc import Iterator
 from pathlib import Path
+from random import Random
 from typing import Any
+from xml.sax.saxutils import escape
 
 import pytest
 from click.testing import CliRunner
 from starlette.testclient import TestClient
 from starlette.websockets import WebSocketDisconnect
 
-from interlock.app.run import Ready
+from interlock.app.run import Ready, run
 from interlock.cli.main import cli
 from interlock.cli.panel import opened
 from interlock.panel.clock import Clock
-from interlock.panel.desk import Desk
+from interlock.panel.desk import Desk, Person
 from interlock.panel.journal import page, trace
 from interlock.panel.recorder import Recorder
 from interlock.panel.server import FILES, Access, application
 from interlock.record.log import read_file
-from tests.panels import panel, proved, quick
+from tests.layouts import SHIPPED
+from tests.panels import panel, proved, quick, unproved
 
 
 @pytest.fixture(scope="module")
@@ -206,6 +209,7 @@ def test_a_lost_substation_is_an_alarm_and_closes_everything(at_work: tuple[Desk
         b.ask("fail", kind="station", name="main", on=True)
         b.until(lambda: not b.rest["sys"]["valid"] and b.state["g:XB"][0] == "stop" and kinds(b.events, "alarm"))
         assert "inputs are not valid: a substation is lost" in json.dumps(b.events)
+        assert kinds(b.events, "refusal") == []
         assert not b.ask("set", route="XL1-XT3")["ok"]
         b.ask("fail", kind="station", name="main", on=False)
         b.until(lambda: b.rest["sys"]["valid"])
@@ -254,11 +258,20 @@ def test_tokens_origins_and_rubbish(ready: Ready) -> None:
                     b.hear()
         with pytest.raises(WebSocketDisconnect), browser(headers={"origin": "http://elsewhere.example"}, token="work"):
             pass
-        with browser(headers={"origin": "http://testserver"}, token="work") as b:
+        with browser(headers={"origin": "http://127.0.0.1"}, token="work") as b:
             b.ws.send_text("[" * 3000)
             with pytest.raises(WebSocketDisconnect):
                 for _ in range(1000):
                     b.hear()
+
+
+def test_no_other_name_leads_here_without_a_token(ready: Ready) -> None:
+    with panel(ready) as (_, browser):
+        with browser(host="localhost:8420", headers={"origin": "http://localhost:8420"}) as b:
+            assert b.rest["hello"]["operates"]
+        headers = {"origin": "http://elsewhere.example"}  # its name was made to lead to this computer
+        with pytest.raises(WebSocketDisconnect), browser(host="elsewhere.example", headers=headers):
+            pass
 
 
 def test_files_are_served_and_nothing_else(ready: Ready) -> None:
@@ -375,3 +388,57 @@ def test_where_nothing_can_be_written_the_panel_works_on_and_nothing_is_lost(
     told = [e.get("text", "") for e in found.events]
     assert found.ended and "block section s3" in told and "free section s3" in told
     assert [e["dropped"] for e in found.events if e["kind"] == "gap"] == [0]
+
+
+def every_command(still: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Whatever a page could ask for."""
+    for r in still["routes"]:
+        yield {"do": "set", "route": r["id"]}
+        yield {"do": "why", "route": r["id"]}
+        if r["automatic"]:
+            yield {"do": "automatic", "route": r["id"], "on": True}
+    for s, one in still["sections"].items():
+        yield {"do": "release", "section": s}
+        yield {"do": "block", "section": s, "on": not one["approach"]}
+        yield {"do": "block", "section": s, "on": False}
+        yield {"do": "fail", "kind": "section", "name": s, "on": one["detected"]}
+        yield from ({"do": "put", "section": s, "towards": t, "metres": 10} for t in still["stands"].get(s, ()))
+    for m in still["machines"]:
+        yield from ({"do": "turn", "machine": m, "to": to} for to in "NR")
+        yield {"do": "looked", "machine": m}
+        yield {"do": "fail", "kind": "machine", "name": m, "on": True}
+    for g in still["signals"]:
+        yield {"do": "cancel", "signal": g}
+        yield {"do": "swing", "signal": g}
+        yield from ({"do": "fail", "kind": "lamp", "name": n, "on": True} for n in still["lamps"].get(g, {}).values())
+    for b in still["boundaries"]:
+        yield {"do": "bring", "boundary": b}
+        yield {"do": "direction", "boundary": b, "on": True}
+    yield from ({"do": "voyage", "name": v} for v in still["voyages"])
+    yield {"do": "release all"}
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_shipped_layout_has_its_panel(name: str) -> None:
+    """Everything has its place on the plan (B-04); whatever is asked is done or refused in words."""
+    desk = Desk(unproved(Path(f"layouts/{name}.yaml").read_text("utf-8")))
+    plan, places = desk.still["plan"], {"s": "section", "g": "signal"}
+    answers: list[dict[str, Any]] = []
+    commands = list(every_command(desk.still))
+    Random(name).shuffle(commands)
+    cycles = run(desk.ready, desk.links, 400, None, desk._inputs, desk.clock.now, lambda s: None)
+    for k, cycle in zip(range(60), (c for c, _ in cycles), strict=False):
+        desk._after(cycle)
+        for command in commands[k * len(commands) // 59 : (k + 1) * len(commands) // 59]:
+            desk.ask(Person("tester", True), command, answers.append)
+    cycles.close()
+    assert len(answers) == len(commands)
+    said = [why for a in answers if not a["ok"] for why, _ in a["why"]]
+    assert not [x for x in said if x == "this panel does not know such a command"]
+    for key in desk.picture.dark():
+        kind, _, element = key.partition(":")
+        if kind in places and not desk.still["sections"].get(element, {}).get("approach"):
+            assert f'id="{places[kind]}-{element}"' in plan, key
+    for r in desk.still["routes"]:
+        kind, where = r["exit"]
+        assert f'id="{kind}-{escape(where)}"' in plan, r

@@ -8,7 +8,7 @@ from interlock.dispatch.arbiter import Source
 from interlock.field.plc import Cycle
 from interlock.panel.commands import Buttons
 from interlock.panel.event import Event
-from interlock.panel.reasons import Moment, Reasons
+from interlock.panel.reasons import Moment, Reason, Reasons
 
 
 class Asked:
@@ -27,6 +27,8 @@ class Asked:
         """What the scan has answered: a route is set, or refused; a refused request of a person is not kept."""
         y = buttons.symbols
         number = cycle.inputs.get(y.request, 0)
+        if not cycle.valid:
+            yield from self._given_up(buttons)
         if not number or before.inputs.get(y.request, 0) or not cycle.valid:
             return
         route = next((r for r in y.routes if r.number == number), None)
@@ -46,6 +48,20 @@ class Asked:
             told = tuple(reasons.of_request(number, moment))
             yield Event("refusal", f"route {name} is refused", who or "dispatcher", (signal,), told)
         if who:
-            arbiter = buttons.operator.dispatcher.arbiter
-            for r in [r for r in arbiter.waiting if r.stage.number == number and r.source is Source.HAND]:
-                arbiter.withdraw(r)
+            self._withdraw(buttons, number)
+
+    def _given_up(self, buttons: Buttons) -> Iterator[Event]:
+        """Inputs are lost: what was asked for before is not to come true some time after."""
+        for number, who in self._waiting.items():
+            name = next((f"route {r.id}" for r in buttons.symbols.routes if r.number == number), "the overlap's swing")
+            self._withdraw(buttons, number)
+            yield Event("refusal", f"{name} is refused", who, (), (Reason("inputs are not valid"),))
+        self._waiting.clear()
+
+    @staticmethod
+    def _withdraw(buttons: Buttons, number: int) -> None:
+        dispatcher = buttons.operator.dispatcher
+        for r in [r for r in dispatcher.arbiter.waiting if r.stage.number == number and r.source is Source.HAND]:
+            dispatcher.arbiter.withdraw(r)
+        while number in dispatcher.other:
+            dispatcher.other.remove(number)

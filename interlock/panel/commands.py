@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from interlock.app.run import BadCommand, Operator, Ready
+from interlock.dispatch.arbiter import Full
 from interlock.field.plc import Cycle
 from interlock.model.elements import MachineId, Position
 from interlock.model.portable import portable
@@ -74,7 +75,7 @@ class Buttons:
     def _typed(self, line: str) -> None:
         try:
             self.operator.type(line)
-        except BadCommand as error:
+        except (BadCommand, Full) as error:
             raise Refused(str(error)) from None
 
     # --- what may be asked -------------------------------------------------------------------------

@@ -171,6 +171,7 @@ class Desk:
         self.field.dark()
         self.operator = Operator(self.ready)
         self.buttons = Buttons(self.ready, self.operator)
+        self._asked = Asked()
         while not self.power and not self._stop.is_set():
             began = self.clock.now()
             self._commands()
@@ -307,7 +308,7 @@ class Desk:
                 at = getattr(no, "at", ())
                 self._note(Event("refusal", str(no), who.name, tuple(at)))
                 reply({"ok": False, "why": [[str(no), list(at)]]})
-            except (KeyError, TypeError, ValueError, AttributeError):
+            except (LookupError, TypeError, ValueError, AttributeError):
                 reply({"ok": False, "why": [["this panel does not know such a command", []]]})
 
     def _do(self, who: Person, command: dict[str, Any]) -> dict[str, Any] | None:

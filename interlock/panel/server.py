@@ -1,7 +1,7 @@
 """The panel's server: pages as files, and one socket for each browser, over which everything else goes.
 
 Nothing is shown and nothing taken before a browser has said who it is and, where tokens are asked for, has given one.
-A page of another origin cannot open the socket.
+A page of another origin cannot open the socket, nor one that has made its own name lead to this computer.
 """
 
 from __future__ import annotations
@@ -42,6 +42,9 @@ HEADERS = {
     "Referrer-Policy": "no-referrer",
 }
 
+LOCAL = ("127.0.0.1", "localhost", "::1")
+"""Names of this computer itself."""
+
 BEHIND = 200
 """Messages that may wait for one browser; one that falls behind further is let go, and comes back by itself."""
 
@@ -55,6 +58,13 @@ class Access:
 
     operate: str = ""
     look: str = ""
+
+    def admits(self, host: str, origin: str | None) -> bool:
+        """Whether a browser may open the socket: from a page of this panel, and, where no token is asked for, only
+        under a name of this computer itself, so that no other name can be made to lead here."""
+        if origin is not None and urlsplit(origin).netloc != host:
+            return False
+        return bool(self.operate) or urlsplit(f"//{host}").hostname in LOCAL
 
     def person(self, hello: Any) -> Person | None:
         """Who says hello; None for somebody who may not even look."""
@@ -88,8 +98,7 @@ def application(desk: Desk, access: Access) -> Starlette:
         return Response(text, media_type=kind, headers=HEADERS)
 
     async def talk(ws: WebSocket) -> None:
-        origin = ws.headers.get("origin")
-        if origin is not None and urlsplit(origin).netloc != ws.headers.get("host"):
+        if not access.admits(ws.headers.get("host", ""), ws.headers.get("origin")):
             await ws.close(1008)
             return
         await ws.accept()

@@ -147,12 +147,14 @@ def endures(folder: Path, hours: float, rng: Random) -> list[str]:
     minutes, size = (time.monotonic() - began) / 60, record.stat().st_size / 2**20
     accepted = sum(n for k, n in client.done.items() if not k.endswith("refused"))
     return [
-        f"{hours:g} simulated hours in {minutes:.0f} minutes; {client.done.total():,} commands, {accepted:,} of them for "
-        f"the controller or the railway, the others refused at the desk; harm seen by the bystander: {len(seen_harm)}.",
+        f"{hours:g} simulated hours in {minutes:.0f} minutes; {client.done.total():,} commands, {accepted:,} of them "
+        f"for the controller or the railway, the others refused at the desk; harm seen by the bystander: "
+        f"{len(seen_harm)}.",
         f"Resident memory: {seen[1]:.1f} MiB after a twentieth of the time, {max(seen):.1f} MiB at most, "
         f"{seen[-1]:.1f} MiB at the end.",
         f"Record: {len(found.events):,} events, {size:.1f} MiB; {kinds['operation']:,} operations, "
-        f"{kinds['refusal']:,} refusals, {kinds['release']:,} releases by hand, {kinds['alarm']:,} alarms: as many on its page.",
+        f"{kinds['refusal']:,} refusals, {kinds['release']:,} releases by hand, {kinds['alarm']:,} alarms: "
+        "as many on its page.",
         *seen_harm[:5],
     ]
 
@@ -179,7 +181,8 @@ def killed(folder: Path, kills: int, rng: Random) -> list[str]:
         before = releases
     return [
         f"{kills} kills (`SIGKILL`) of a server at work, started again on the same record: it is whole up to its last "
-        f"event each time ({torn} times torn within one), and none of {before} releases that clients were told of is missing."
+        f"event each time ({torn} times torn within one), and none of {before} releases that clients were "
+        "told of is missing."
     ]
 
 
