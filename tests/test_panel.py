@@ -442,3 +442,18 @@ def test_every_shipped_layout_has_its_panel(name: str) -> None:
     for r in desk.still["routes"]:
         kind, where = r["exit"]
         assert f'id="{kind}-{escape(where)}"' in plan, r
+
+
+def test_a_command_with_a_locomotive_number_is_carried_out_route_by_route(at_work: tuple[Desk, Any]) -> None:
+    _, browser = at_work
+    with browser(name="Gus") as b:
+        assert "there is no place nowhere" in b.ask("voyage", name="12:W>nowhere")["why"][0][0]
+        assert b.ask("voyage", name="12:W>s4_xc1")["ok"]
+        b.until(lambda: [v[0] for v in b.rest["sys"]["voyages"]] == ["12"])
+        b.ask("bring", boundary="W", train="12", metres=30)
+        b.until(lambda: "route XB-XC1 is set" in kinds(b.events, "operation"))
+        assert next(e["who"] for e in b.events if "XB-XC1" in e["text"]) == "dispatcher"
+        b.until(lambda: not b.rest["sys"]["voyages"])
+        assert b.state["s:s4_xc1"][0] == 1
+        b.ask("take away", train="12")
+        b.until(lambda: b.state["s:s4_xc1"][0] == 0)

@@ -94,7 +94,7 @@ def command(
 
     A line of input is a command for one cycle: set ROUTE, swing SIGNAL, cancel SIGNAL or release.
     Voyage NAME opens the routes of a voyage one after the other, each when its train stands before it, until it is done
-    or voyage NAME end gives it up.
+    or voyage NAME end gives it up; voyage 12:W>E does so for locomotive 12 from W to E.
     VARIABLE=VALUE (for instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A
     standard computer is no safety PLC: for trials, not for a railway.
     """

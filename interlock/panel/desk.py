@@ -254,7 +254,7 @@ class Desk:
 
     def _rest(self, cycle: Cycle | None) -> dict[str, Any]:
         """What belongs to no element."""
-        y = self.picture.symbols
+        y, dispatcher = self.picture.symbols, self.operator.dispatcher
         state: Mapping[str, bool] = {} if cycle is None else cycle.memory.state
         locked = [str(s) for s, n in y.restart.items() if state.get(n)]
         timer = None if cycle is None else self.picture.left(cycle, y.restart_timer)
@@ -269,7 +269,7 @@ class Desk:
                 "releases": self.releases,
                 "speed": self.clock.speed if self.field is not None else 0,
                 "failed": [] if self.field is None else sorted(map(list, self.field.failed)),
-                "voyages": [r.name for r in (*self.operator.dispatcher.runs, *self.operator.dispatcher.pending)],
+                "voyages": [[r.name, r.reason] for r in (*dispatcher.runs, *dispatcher.pending)],
             },
             "alarms": [a.told() for a in self.alarms.all.values()],
             "reminders": {k: list(v) for k, v in self.reminders.items()},

@@ -49,7 +49,7 @@ def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
             f"{g}.{k}": [str(e) for s, n in over for e in topo.traversals[s][n - 1].edges]
             for (g, k), over in y.overlap_ways.items()
         },
-        "conditions": {str(c.id): c.text or str(c.id) for c in layout.conditions},
+        "conditions": {str(c.id): [c.text, y.condition[c.id]] for c in layout.conditions},
         "zones": [z.id for z in layout.zones],
         "boundaries": {str(b.node): _boundary(layout, str(b.node)) for b in layout.boundaries},
         "stations": [c.substation for c in ready.allocation.heartbeats],

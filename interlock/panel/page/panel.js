@@ -240,15 +240,13 @@ function others() {
     lines.push(line);
   };
   const failed = (k, n) => s.failed.some(f => f[0] === k && f[1] === n);
-  for (const [c, text] of Object.entries(still.conditions)) {
-    const holds = state[`c:${c}`]?.[0], input = `E_${c.replace(/\W/g, "_")}`;
-    add(`${c}: ${holds ? "holds" : "does not hold"}${text === c ? "" : ` (${text})`}`, holds ? "Fail" : "Put right", still.simulated && {do: "fail", kind: "condition", name: input, on: Boolean(holds)});
+  for (const [c, [text, input]] of Object.entries(still.conditions)) {
+    const holds = state[`c:${c}`]?.[0];
+    add(`${c}: ${holds ? "holds" : "does not hold"}${text ? ` (${text})` : ""}`, holds ? "Fail" : "Put right", still.simulated && {do: "fail", kind: "condition", name: input, on: Boolean(holds)});
   }
   for (const z of still.zones) add(`zone ${z}: ${state[`z:${z}`]?.[0] ? "full" : "has room"}`);
-  for (const v of still.voyages) {
-    const on = s.voyages.find(n => n === v || n.startsWith(`${v} `));
-    add(`voyage ${v}${on ? ": under way" : ""}`, on ? "End" : "Begin", {do: "voyage", name: on ?? v, end: Boolean(on)});
-  }
+  for (const v of still.voyages) add(`voyage ${v}`, "Begin", {do: "voyage", name: v});
+  for (const [name, reason] of s.voyages) add(`${name} is under way${reason ? `: ${reason}` : ""}`, "End", {do: "voyage", name, end: true});
   if (still.simulated) for (const n of still.stations) {
     const on = !failed("station", n);
     add(`substation ${n}: ${on ? "reports" : "cable cut"}`, on ? "Cut its cable" : "Mend its cable", {do: "fail", kind: "station", name: n, on});
@@ -273,7 +271,9 @@ $("test").addEventListener("click", async () => {
 });
 $("line").addEventListener("submit", e => {
   e.preventDefault();
-  const words = $("typed").value.trim().split(/\s+/), keys = words.map(w => [...plan.keys.keys()].filter(k => k.slice(2) === w));
+  const order = $("typed").value.trim();
+  if (/^[^:>\s]+:[^\s]+>[^\s]+$/.test(order)) { $("typed").value = ""; ask({do: "voyage", name: order}); return; }
+  const words = order.split(/\s+/), keys = words.map(w => [...plan.keys.keys()].filter(k => k.slice(2) === w));
   const lost = words.find((w, k) => !keys[k].length);
   if (lost) { say("Unknown", [[`nothing on the plan is called ${lost}`, []]]); return; }
   $("typed").value = "";
