@@ -74,6 +74,7 @@ def run_panel(
     if desk.broken:
         click.echo(f"error: the controller has stopped: {desk.broken}", err=True)
         sys.exit(70)
+    raise KeyboardInterrupt  # nothing else ends it, even where the process was told to ignore the signal
 
 
 def _end(number: int, frame: object) -> None:
