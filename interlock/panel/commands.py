@@ -13,7 +13,6 @@ from interlock.app.run import BadCommand, Operator, Ready
 from interlock.dispatch.arbiter import Full
 from interlock.field.plc import Cycle
 from interlock.model.elements import MachineId, Position
-from interlock.model.portable import portable
 
 Done = Callable[[Cycle], bool]
 
@@ -178,8 +177,3 @@ class Buttons:
     def voyage(self, name: str, end: bool) -> None:
         """Carry out a voyage, or give it up."""
         self._typed(f"voyage {name}{' end' if end else ''}")
-
-
-def lamp_of(signal: str, what: str) -> str:
-    """The input that reports a lamp."""
-    return {"stop": "RL_", "clear": "GL_", "caution": "CL_"}.get(what, "?") + portable(signal)

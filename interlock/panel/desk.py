@@ -23,12 +23,12 @@ from interlock.panel.alarms import Alarm, Alarms
 from interlock.panel.asked import Asked
 from interlock.panel.causes import causes, fallen_back
 from interlock.panel.clock import SPEEDS, Clock
-from interlock.panel.commands import Buttons, Refused
+from interlock.panel.commands import TEXT, Buttons, Refused
 from interlock.panel.event import Event, stamp
 from interlock.panel.picture import Picture, Shown, still
 from interlock.panel.reasons import Moment, Reason, Reasons
 from interlock.panel.recorder import Recorder
-from interlock.panel.simulated import Impossible, SimulatedField
+from interlock.panel.simulated import LENGTH_M, Impossible, SimulatedField
 
 EVENTS = 200
 """Events that a browser is told when it comes."""
@@ -385,7 +385,7 @@ class Desk:
     def _remind(self, at: str, text: str, who: Person) -> str:
         if at not in self._shown:
             raise Refused(f"there is nothing called {at.partition(':')[2]}")
-        text = text.strip()[:80]
+        text = text.strip()[:TEXT]
         if text:
             self.reminders[at] = [text, who.name, stamp()]
             return f"reminder on {at.partition(':')[2]}: {text}"
@@ -431,7 +431,7 @@ SIMULATED = ("put", "bring", "drive", "turn train", "divide", "take away", "fail
 
 
 def _metres(c: Mapping[str, Any]) -> float:
-    metres = float(c.get("metres", 40))
+    metres = float(c.get("metres", LENGTH_M))
     if not 5.0 <= metres <= 1000.0:
         raise Refused("a train is between 5 and 1000 m long")
     return metres
