@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import queue
 import random
 import socket
 import subprocess
 import sys
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 
 import pytest
@@ -16,8 +17,10 @@ from pymodbus.client import ModbusTcpClient
 
 from interlock.app.run import BadCommand, Operator, Ready, operate, prepare
 from interlock.cli.main import cli
+from interlock.field.alone import InUse, hold
 from interlock.field.modbus import ModbusLink, _runs, heartbeat_coil
 from interlock.field.plc import Cycle, LinkLost, SoftPlc, Watch, runtime_scan
+from interlock.panel.desk import Desk, Person
 from interlock.st.ast import Unit
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.program import watch
@@ -260,10 +263,46 @@ def test_the_command_runs_proves_and_stops(ready: Ready) -> None:
         assert done.exit_code == 0, done.output
         assert "PROVED" in done.output and "inputs valid" in done.output and "YP_X7 = 1" in done.output
         assert "write set ROUTE" in done.output and "the longest cycle took" in done.output
+        with pytest.raises(InUse, match=f"127.0.0.1:{east.port}/1 is held"):  # by the run, in this process
+            hold([f"127.0.0.1:{east.port}/1"])
+        second = CliRunner().invoke(cli, [*args, "--cycles", "1"])
+        assert second.exit_code == 2 and "two may not write the same outputs" in second.output
         wrong = CliRunner().invoke(cli, ["run", path, "--modbus", "north=127.0.0.1:1"])
         assert wrong.exit_code == 2 and "substations: west, east" in wrong.output
         missing = CliRunner().invoke(cli, [*args[:4]])
         assert missing.exit_code == 2 and "missing for east" in missing.output
     finally:
+        west.kill()
+        east.kill()
+
+
+def test_the_panel_works_real_substations_and_leaves_them_restrictive(ready: Ready) -> None:
+    """With Modbus there is no railway to play with, and the end is restrictive."""
+    assert ready.allocation is not None
+    west, east = Station(ready, "west"), Station(ready, "east")
+    desk = Desk(ready, {s.name: ModbusLink(ready.allocation, s.name, "127.0.0.1", s.port) for s in (west, east)}, 50)
+    answers: queue.SimpleQueue[dict[str, object]] = queue.SimpleQueue()
+
+    def ask(**command: object) -> dict[str, object]:
+        desk.ask(Person("Hal", True), dict(command), answers.put)
+        return answers.get(timeout=10)
+
+    def until(so: Callable[[], object]) -> None:
+        end = time.monotonic() + 20
+        while not so():
+            assert time.monotonic() < end, desk.broken
+            time.sleep(0.02)
+
+    try:
+        desk.start()
+        until(lambda: ask(do="release all")["ok"])
+        until(lambda: not desk._last.memory.state.get("K_q1", True))
+        assert not ask(do="put", section="q1", towards="X1")["ok"] and desk.still["simulated"] is False
+        ask(do="set", route="X7-X1")
+        until(lambda: west.lamp("YP_X7"))
+        desk.stop()
+        assert west.lamp("YS_X7") and not west.lamp("YP_X7") and desk.broken == ""
+    finally:
+        desk.stop()
         west.kill()
         east.kill()

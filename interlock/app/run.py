@@ -10,6 +10,7 @@ from interlock.app.check import derive_file
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
 from interlock.dispatch import Dispatcher
+from interlock.dispatch.commands import BadOrder, errand
 from interlock.dispatch.plan.railway import NoVoyage, Railway, TooManyPlaces
 from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
 from interlock.logic.cabinet import Allocation, allocate
@@ -54,7 +55,7 @@ class Operator:
     """The operator's place: commands hold for one cycle, VARIABLE=VALUE until it is set to 0.
 
     Routes are asked for by the dispatcher, one after the other as the controller acknowledges them; it carries out
-    voyages.
+    voyages, and commands of a locomotive number with origin and destination (`dispatch.commands`).
     """
 
     def __init__(self, ready: Ready) -> None:
@@ -88,14 +89,18 @@ class Operator:
             self._once |= found
 
     def _voyage(self, words: list[str]) -> None:
-        if len(words) == 1 and words[0] in self.voyages:
+        if len(words) == 1 and (words[0] in self.voyages or ":" in words[0]):
             try:
-                self.dispatcher.begin(words[0])
-            except (NoVoyage, TooManyPlaces) as error:
+                if words[0] in self.voyages:
+                    self.dispatcher.begin(words[0])
+                else:
+                    self.dispatcher.carry_out(*errand(self.dispatcher.railway, words[0], 0.0))
+            except (NoVoyage, TooManyPlaces, BadOrder) as error:
                 raise BadCommand(str(error)) from error
         elif len(words) != 2 or words[1] != "end" or not self.dispatcher.end(words[0]):
             known = ", ".join(self.voyages) or "this layout names none"
-            raise BadCommand(f"write voyage NAME, or voyage NAME end for one under way; voyages: {known}")
+            how = "write voyage NAME, voyage NUMBER:ORIGIN>DESTINATION, or voyage NAME end for one under way"
+            raise BadCommand(f"{how}; voyages: {known}")
 
     def inputs(self, last: Cycle | None, dt_ms: int) -> dict[str, int]:
         """What the next cycle reads, `dt_ms` milliseconds after the last; commands are used up."""
@@ -151,26 +156,29 @@ def run(
     cycle_ms: int,
     cycles: int | None,
     ask: Callable[[Cycle | None, int], Mapping[str, int]],
+    now: Callable[[], float] = time.monotonic,
+    sleep: Callable[[float], None] = time.sleep,
 ) -> Generator[tuple[Cycle, float], None, None]:
     """Cycles in their time, each with the seconds that it took.
 
-    `ask` gives the inputs of the operator's place, from the cycle before and the milliseconds since it.  When the
-    generator is closed, or anything is thrown, every output is written restrictive.
+    `ask` gives the inputs of the operator's place, from the cycle before and the milliseconds since it.  `now` and
+    `sleep`: the clock in seconds, another one where time is simulated, too.  When the generator is closed, or anything
+    is thrown, every output is written restrictive.
     """
     assert ready.controller is not None and ready.allocation is not None
     plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, links, ready.controller.symbols.valid)
     try:
-        before = time.monotonic()
+        before = now()
         done = 0
         result: Cycle | None = None
         while cycles is None or done < cycles:
-            began = time.monotonic()
+            began = now()
             passed = max(1, round((began - before) * 1000)) if done else cycle_ms
             result = plc.cycle(ask(result, passed), passed)
             before = began
             done += 1
-            took = time.monotonic() - began
+            took = now() - began
             yield result, took
-            time.sleep(max(0.0, cycle_ms / 1000 - (time.monotonic() - began)))
+            sleep(max(0.0, cycle_ms / 1000 - (now() - began)))
     finally:
         plc.close()

@@ -1,49 +1,58 @@
-"""`interlock play`: a trace as a page that plays it."""
+"""`interlock play`: a trace, or a span of a record, as a page that plays it."""
 
 from __future__ import annotations
 
 import re
 import sys
+from math import inf
 from pathlib import Path
 
 import click
 
 from interlock.app.own import NotOurs, write_own
-from interlock.app.replaying import trace as of_record
+from interlock.app.replaying import trace as of_shift
 from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, put_json, show, told
 from interlock.diag import Sink
 from interlock.emit.report import BadTrace, player_html
 from interlock.frontend import load
-from interlock.record import read_file
+from interlock.panel.journal import NotAPanels
+from interlock.panel.journal import page as shift_page
+from interlock.panel.journal import trace as of_panel
+from interlock.record.log import read
 from interlock.record.shift import NoShift
 
 
 @click.command("play")
 @click.argument("trace", type=click.Path(path_type=Path, dir_okay=False))
-@click.option("--layout", help="The layout of a shift's record, which is then played instead of a trace.")
-@click.option("--from", "since", default="0:00", show_default=True, metavar="H:MM", help="Where it begins.")
-@click.option("--to", "until", default="9999:00", metavar="H:MM", help="Where it ends.")
+@click.option("--layout", help="The layout of a shift's record, as `simulate` writes it.")
+@click.option("--from", "first", default="", metavar="TIME", help="Of a record: from H:MM on (a panel's: HH:MM[:SS]).")
+@click.option("--to", "last", default="", metavar="TIME", help="Of a record: until then.")
+@click.option("--journal", is_flag=True, help="Of a panel's record: the page of the shift, for printing.")
 @click.option(
     "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="The page; else beside the trace."
 )
 @force_option
 @format_option
 def command(
-    trace: Path, layout: str | None, since: str, until: str, output: Path | None, force: bool, form: str
+    trace: Path, layout: str | None, first: str, last: str, journal: bool, output: Path | None, force: bool, form: str
 ) -> None:
-    """Make a page of an ITF TRACE, as `prove` and `compile` write them for refuted claims.
+    """Make a page of an ITF TRACE, as `prove` and `compile` write them for refuted claims, or of a record.
 
-    With --layout, TRACE is the record of a shift, as `simulate` writes it, and a span of it is played.
+    TRACE may be the record of a panel, or with --layout that of a shift.
     """
     name = trace.name.removesuffix(".json").removesuffix(".itf").removesuffix(".log")
     target = output or trace.with_name(name + ".html")
     try:
-        if layout is None:
-            text = trace.read_text("utf-8")
+        data = trace.read_bytes()
+        if layout is not None:
+            page = player_html(_shift(data, trace, layout, first, last, form))
+        elif data.startswith(b'{"n":'):
+            page = _panel(data, trace, first, last, journal)
+        elif journal or first or last:
+            raise NotAPanels(f"{trace} is no record of a panel")
         else:
-            text = _record(trace, layout, _seconds(since), _seconds(until), form)
-        page = player_html(text)
-    except (OSError, UnicodeDecodeError, BadTrace, NoShift) as error:
+            page = player_html(data.decode("utf-8"))
+    except (OSError, UnicodeDecodeError, BadTrace, NotAPanels, NoShift) as error:
         failed(told(error, trace), form)
         sys.exit(FINDINGS)
     try:
@@ -58,21 +67,31 @@ def command(
     sys.exit(OK)
 
 
-def _record(log: Path, path: str, since: float, until: float, form: str) -> str:
-    """A span of a record as a trace.  Raises `NoShift`, `OSError`."""
+def _shift(data: bytes, log: Path, path: str, first: str, last: str, form: str) -> str:
+    """A span of a shift's record as a trace.  Raises `NoShift`."""
     sink = Sink()
     layout, source = load(path, sink)
     if layout is None:
         show(sink.diagnostics, {source.file: source.text}, form)
         sys.exit(FINDINGS)
-    found = read_file(log)
+    found = read(data)
     if found.problem is not None:
         failed(f"{log}:{found.problem.line}: {found.problem.text}", form, "IL6011", "take it from where it came from")
         sys.exit(FINDINGS)
-    return of_record(layout, found.events, since, until)
+    return of_shift(layout, found.events, _seconds(first, 0.0), _seconds(last, inf))
 
 
-def _seconds(text: str) -> float:
+def _panel(data: bytes, path: Path, first: str, last: str, journal: bool) -> str:
+    """A page of a panel's record.  Raises `NotAPanels` for one that is damaged, too."""
+    found = read(data)
+    if found.problem is not None:
+        raise NotAPanels(f"{path}:{found.problem.line}: {found.problem.text}")
+    return shift_page(found, first, last) if journal else player_html(of_panel(found, first, last))
+
+
+def _seconds(text: str, without: float) -> float:
+    if not text:
+        return without
     found = re.fullmatch(r"(\d{1,4}):([0-5]\d)", text)
     if found is None:
         raise click.UsageError(f"'{text}' is no time of a shift: write hours and minutes, as 1:30")

@@ -1,8 +1,9 @@
-"""`interlock run`: the proved runtime as a soft PLC against real inputs and outputs."""
+"""`interlock run`: the proved runtime as a soft PLC against real inputs and outputs, or with a panel in a browser."""
 
 from __future__ import annotations
 
 import gc
+import importlib.util
 import json
 import queue
 import signal
@@ -10,20 +11,26 @@ import sys
 import threading
 from collections.abc import Mapping
 from contextlib import closing
-from typing import Any
+from pathlib import Path
+from typing import IO, Any
 
 import click
 
 from interlock.app.run import BadCommand, Operator, Ready, prepare, run
 from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
+from interlock.field.alone import InUse, hold
 from interlock.field.modbus import ModbusLink
 from interlock.field.plc import Cycle, Link
+
+_HELD: list[IO[bytes]] = []
+"""Locks on the substations that this process writes, held until it ends."""
 
 
 def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
     assert ready.allocation is not None
     stations = [c.substation for c in ready.allocation.heartbeats]
     links: dict[str, Link] = {}
+    places: list[str] = []
     for text in given:
         station, _, rest = text.rpartition("=")
         station = station or (stations[0] if len(stations) == 1 else "")
@@ -31,11 +38,22 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
         port, _, device = tail.partition("/")
         if station not in stations or not host or not port.isdigit() or not (device or "1").isdigit():
             raise click.UsageError(f"{text}: write SUBSTATION=HOST:PORT[/DEVICE]; substations: {', '.join(stations)}")
+        places.append(f"{host}:{port}/{device or 1}")
         links[station] = ModbusLink(ready.allocation, station, host, int(port), int(device or 1))
     missing = sorted(set(stations) - set(links))
     if missing:
         raise click.UsageError(f"--modbus is missing for {', '.join(missing)}")
+    try:
+        _HELD.extend(hold(places))
+    except (InUse, OSError) as error:
+        raise click.UsageError(str(error)) from None
     return links
+
+
+def _needs(module: str, what: str, extra: str) -> None:
+    """An extra that has to be installed."""
+    if importlib.util.find_spec(module) is None:
+        raise click.UsageError(f"{what} needs the extra `{extra}`: pip install 'interlock[{extra}]'")
 
 
 def _end(number: int, frame: object) -> None:
@@ -45,23 +63,52 @@ def _end(number: int, frame: object) -> None:
 
 @click.command("run")
 @click.argument("layout", type=click.Path())
-@click.option("--modbus", multiple=True, required=True, help="SUBSTATION=HOST:PORT[/DEVICE], one for each substation.")
+@click.option("--modbus", multiple=True, help="SUBSTATION=HOST:PORT[/DEVICE], one for each substation.")
+@click.option("--panel", is_flag=True, help="The mimic panel in a browser; without --modbus on a simulated railway.")
+@click.option("--host", default="127.0.0.1", show_default=True, help="With --panel: where it listens.")
+@click.option("--port", type=click.IntRange(0, 65535), default=8420, show_default=True, help="With --panel; 0: any.")
+@click.option("--token", envvar="INTERLOCK_TOKEN", default="", help="With --panel: what a browser gives to operate.")
+@click.option("--look-token", envvar="INTERLOCK_LOOK_TOKEN", default="", help="With --panel: what it gives to look.")
+@click.option(
+    "--record",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="With --panel: the log in which everything is recorded, begun or gone on with; else NAME-DATE-TIME.log.",
+)
 @click.option("--cycle", "cycle_ms", type=click.IntRange(10, 1000), default=100, show_default=True, help="In ms.")
 @click.option("--cycles", type=click.IntRange(1), default=None, help="Stop after so many cycles (otherwise: Ctrl-C).")
 @format_option
-def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | None, form: str) -> None:
-    """Prove LAYOUT, then run its runtime on Modbus TCP.
+def command(
+    layout: str,
+    modbus: tuple[str, ...],
+    panel: bool,
+    host: str,
+    port: int,
+    token: str,
+    look_token: str,
+    record: Path | None,
+    cycle_ms: int,
+    cycles: int | None,
+    form: str,
+) -> None:
+    """Prove LAYOUT, then run its runtime on Modbus TCP, or with --panel on a simulated railway.
 
     A line of input is a command for one cycle: set ROUTE, swing SIGNAL, cancel SIGNAL or release.
     Voyage NAME opens the routes of a voyage one after the other, each when its train stands before it, until it is done
-    or voyage NAME end gives it up.
+    or voyage NAME end gives it up; voyage 12:W>E does so for locomotive 12 from W to E.
     VARIABLE=VALUE (for instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A
     standard computer is no safety PLC: for trials, not for a railway.
     """
-    try:
-        import pymodbus  # noqa: F401
-    except ImportError:
-        raise click.UsageError("Modbus needs the extra `field`: pip install 'interlock[field]'") from None
+    if not modbus and not panel:
+        raise click.UsageError("say --modbus SUBSTATION=HOST:PORT for each substation, or --panel")
+    if modbus:
+        _needs("pymodbus", "Modbus", "field")
+    sock = None
+    if panel:
+        for module in ("starlette", "uvicorn", "websockets"):
+            _needs(module, "the panel", "panel")
+        from interlock.cli.panel import opened
+
+        sock, tokens = opened(host, port, token, look_token)
     with progress(layout) as report:
         ready = prepare(layout, None, report)
     say = _json if form == "json" else _text
@@ -71,7 +118,13 @@ def command(layout: str, modbus: tuple[str, ...], cycle_ms: int, cycles: int | N
         show_proof(ready.proved, form, False)
     if ready.allocation is None:
         sys.exit(exit_code([ready.proved]))
-    links = _links(ready, modbus)
+    links = _links(ready, modbus) if modbus else None
+    if sock is not None:
+        from interlock.cli.panel import run_panel
+
+        run_panel(ready, links, cycle_ms, sock, tokens, record, form)
+        return
+    assert links is not None
     typed: queue.SimpleQueue[str] = queue.SimpleQueue()
 
     def listen() -> None:

@@ -21,11 +21,21 @@ Scan = Callable[[dict[str, int], int], dict[str, bool]]
 
 
 @dataclass(frozen=True)
+class Memory:
+    """What a controller remembers after a scan: its state, and the milliseconds that each timer has run (None: its
+    input is false)."""
+
+    state: Mapping[str, bool]
+    elapsed: Mapping[str, int | None]
+
+
+@dataclass(frozen=True)
 class Runtime:
-    """A generated runtime: its scan, and the restrictive value of every output."""
+    """A generated runtime: its scan, the restrictive value of every output, and what it remembers."""
 
     scan: Scan
     restrictive: Mapping[str, bool]
+    remembers: Callable[[], Memory]
 
 
 class LinkLost(Exception):
@@ -52,7 +62,8 @@ def runtime_scan(text: str) -> Runtime:
     """A generated runtime, from its text."""
     module = types.ModuleType("runtime")
     exec(compile(text, "runtime.py", "exec"), module.__dict__)
-    return Runtime(module.Controller().scan, dict(module.OUTPUTS))
+    controller = module.Controller()
+    return Runtime(controller.scan, dict(module.OUTPUTS), lambda: Memory(controller.state, dict(controller.elapsed)))
 
 
 @dataclass
@@ -75,12 +86,14 @@ class Watch:
 
 @dataclass(frozen=True)
 class Cycle:
-    """What a cycle did: inputs as sampled, outputs, whether the inputs were valid, and what was lost in words."""
+    """What a cycle did: inputs as sampled, outputs, whether the inputs were valid, what was lost in words, and what the
+    controller remembers."""
 
     inputs: Mapping[str, int]
     outputs: Mapping[str, bool]
     valid: bool
     lost: tuple[str, ...]
+    memory: Memory = field(default=Memory({}, {}))
 
 
 @dataclass
@@ -126,7 +139,7 @@ class SoftPlc:
             self.watches[station] = Watch()
             if not any(x.startswith(f"{station}:") for x in lost):
                 lost.append(f"{station}: {why}")
-        return Cycle(inputs, outputs, valid, tuple(lost))
+        return Cycle(inputs, outputs, valid, tuple(lost), self.runtime.remembers())
 
     def _write(self, outputs: Mapping[str, bool]) -> dict[str, str]:
         """Write every substation its outputs; those that cannot be written, and why."""

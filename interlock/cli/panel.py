@@ -1,0 +1,92 @@
+"""`interlock run --panel`: where the panel listens, who may come, and how it ends."""
+
+from __future__ import annotations
+
+import gc
+import ipaddress
+import json
+import secrets
+import signal
+import socket
+import sys
+from collections.abc import Mapping
+from datetime import datetime
+from pathlib import Path
+
+import click
+
+from interlock.app.run import Ready
+from interlock.cli.common import told
+from interlock.field.plc import Link
+from interlock.panel.desk import Desk
+from interlock.panel.recorder import Recorder
+from interlock.panel.server import Access, listening, serve
+
+
+def opened(host: str, port: int, operate: str, look: str) -> tuple[socket.socket, Access]:
+    """A socket, and the tokens that are asked for; made up where others can reach the panel and none are given."""
+    try:
+        sock = listening(host, port)
+    except OSError as error:
+        raise click.UsageError(f"the panel cannot listen on {host} port {port}: {error.strerror or error}") from None
+    if not _alone(sock):
+        operate = operate or secrets.token_urlsafe(12)
+        look = look or secrets.token_urlsafe(12)
+    return sock, Access(operate, look)
+
+
+def _alone(sock: socket.socket) -> bool:
+    """Only this computer can reach it."""
+    return ipaddress.ip_address(sock.getsockname()[0]).is_loopback
+
+
+def run_panel(
+    ready: Ready,
+    links: Mapping[str, Link] | None,
+    cycle_ms: int,
+    sock: socket.socket,
+    access: Access,
+    record: Path | None,
+    form: str,
+) -> None:
+    """Serve the panel until interrupted."""
+    gc.enable()  # off in the short-lived commands; this one runs on
+    assert ready.layout is not None
+    record = record or Path(f"{ready.layout.name}-{datetime.now():%Y%m%d-%H%M%S}.log")
+    try:
+        recorder = Recorder(record, ready)
+    except (OSError, ValueError) as error:
+        raise click.UsageError(f"the record cannot be written: {told(error, record)}") from None
+    desk = Desk(ready, links, cycle_ms, recorder)
+    host, port = sock.getsockname()[:2]
+    at = f"http://{f'[{host}]' if ':' in host else host}:{port}/"
+    _say({"panel": at + (f"#token={access.operate}" if access.operate else "")}, form)
+    if access.look:
+        _say({"to look": f"{at}#token={access.look}"}, form)
+    _say({"record": str(record)}, form)
+    for ending in (signal.SIGTERM, signal.SIGHUP):
+        signal.signal(ending, _end)
+    try:
+        serve(desk, access, sock)
+    finally:
+        ms = round(desk.longest_s * 1000, 1)
+        _say({"stopped": "every output that could be reached is restrictive", "ms": ms, "of": cycle_ms}, form)
+    if desk.broken:
+        click.echo(f"error: the controller has stopped: {desk.broken}", err=True)
+        sys.exit(70)
+    raise KeyboardInterrupt  # nothing else ends it, even where the process was told to ignore the signal
+
+
+def _end(number: int, frame: object) -> None:
+    """Asked to end: as by Ctrl-C."""
+    raise KeyboardInterrupt
+
+
+def _say(event: dict[str, object], form: str) -> None:
+    if form == "json":
+        click.echo(json.dumps(event, ensure_ascii=False))
+    elif "stopped" in event:
+        click.echo(f"{event['stopped']}\nstopped; the longest cycle took {event['ms']} ms of {event['of']} ms")
+    else:
+        click.echo("".join(f"{k}: {v}" for k, v in event.items()))
+    sys.stdout.flush()

@@ -1,0 +1,67 @@
+"""Requests for routes, and what became of them: one is answered in the scan in which its number is read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.dispatch.arbiter import Source
+from interlock.field.plc import Cycle
+from interlock.panel.commands import Buttons
+from interlock.panel.event import Event
+from interlock.panel.reasons import Moment, Reason, Reasons
+
+
+class Asked:
+    """Who has asked for which number; a dispatcher that asks has no name here."""
+
+    def __init__(self) -> None:
+        self._waiting: dict[int, str] = {}
+
+    def ask(self, number: int, who: str) -> None:
+        """Somebody asks for a number."""
+        self._waiting[number] = who
+
+    def answers(
+        self, buttons: Buttons, reasons: Reasons, before: Cycle, cycle: Cycle, moment: Moment
+    ) -> Iterator[Event]:
+        """What the scan has answered: a route is set, or refused; a refused request of a person is not kept."""
+        y = buttons.symbols
+        number = cycle.inputs.get(y.request, 0)
+        if not cycle.valid:
+            yield from self._given_up(buttons)
+        if not number or before.inputs.get(y.request, 0) or not cycle.valid:
+            return
+        route = next((r for r in y.routes if r.number == number), None)
+        who = self._waiting.pop(number, "")
+        if route is None:
+            return
+        was, now = before.memory.state, cycle.memory.state
+        name, signal = str(route.id), f"g:{route.entry}"
+        if now.get(route.active) and not was.get(route.active):
+            yield Event("operation", f"route {name} is set", who or "dispatcher", (signal,))
+        elif was.get(route.active) and not any(was.get(n) for n in route.open_while):
+            told = () if any(now.get(n) for n in route.open_while) else tuple(reasons.of_stop(number, moment))
+            yield Event(
+                "operation", f"route {name}: its signal is asked for again", who or "dispatcher", (signal,), told
+            )
+        else:
+            told = tuple(reasons.of_request(number, moment))
+            yield Event("refusal", f"route {name} is refused", who or "dispatcher", (signal,), told)
+        if who:
+            self._withdraw(buttons, number)
+
+    def _given_up(self, buttons: Buttons) -> Iterator[Event]:
+        """Inputs are lost: what was asked for before is not to come true some time after."""
+        for number, who in self._waiting.items():
+            name = next((f"route {r.id}" for r in buttons.symbols.routes if r.number == number), "the overlap's swing")
+            self._withdraw(buttons, number)
+            yield Event("refusal", f"{name} is refused", who, (), (Reason("inputs are not valid"),))
+        self._waiting.clear()
+
+    @staticmethod
+    def _withdraw(buttons: Buttons, number: int) -> None:
+        dispatcher = buttons.operator.dispatcher
+        for r in [r for r in dispatcher.arbiter.waiting if r.stage.number == number and r.source is Source.HAND]:
+            dispatcher.arbiter.withdraw(r)
+        while number in dispatcher.other:
+            dispatcher.other.remove(number)

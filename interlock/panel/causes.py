@@ -1,0 +1,50 @@
+"""What is wrong at the moment, for alarms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.app.run import Ready
+from interlock.field.plc import Cycle
+from interlock.panel.reasons import Moment, Reason, Reasons
+
+Causes = dict[str, tuple[str, tuple[str, ...]]]
+
+
+def causes(ready: Ready, cycle: Cycle) -> Causes:
+    """By key: what is wrong, and the elements that it is about."""
+    assert ready.controller is not None
+    y = ready.controller.symbols
+    out: Causes = {}
+    for text in cycle.lost:
+        station = text.partition(":")[0]
+        out[f"lost {station}"] = (f"substation {text}", ())
+    if not cycle.valid and not cycle.lost:
+        out["invalid"] = ("inputs are not valid: a substation shows no heartbeat", ())
+    for m in dict.fromkeys(str(m) for m, _ in y.detected):
+        late = y.indication.get(f"late {m}")
+        if late is not None and cycle.outputs.get(late):
+            out[f"late {m}"] = (f"{m} is not detected where it is commanded", (f"m:{m}",))
+        trailed = y.trailed.get(m)  # type: ignore[call-overload]
+        if trailed is not None and cycle.memory.state.get(trailed):
+            out[f"trailed {m}"] = (f"{m} was trailed: look at it", (f"m:{m}",))
+    for lamps, what in ((y.stop_lamp, "stop"), (y.clear_lamp, "clear"), (y.caution_lamp, "caution")):
+        for g, name in lamps.items():
+            if cycle.valid and not cycle.inputs.get(name, 0):
+                out[f"{what} lamp {g}"] = (f"the {what} lamp of {g} is out", (f"g:{g}",))
+    for s, name in y.healthy.items():
+        if cycle.valid and not cycle.inputs.get(name, 0):
+            out[f"detector {s}"] = (f"the detector of section {s} is out of order", (f"s:{s}",))
+    return out
+
+
+def fallen_back(
+    ready: Ready, reasons: Reasons, before: Cycle, cycle: Cycle, moment: Moment
+) -> Iterator[tuple[str, tuple[str, ...], tuple[Reason, ...]]]:
+    """Signals that have closed before their train came, without being cancelled, and why."""
+    assert ready.controller is not None
+    y = ready.controller.symbols
+    was, now = before.memory.state, cycle.memory.state
+    for r in y.routes:
+        if was.get(r.proceed) and not now.get(r.proceed) and now.get(r.active) and not now.get(y.cancelling[r.entry]):
+            yield f"signal {r.entry} has returned to stop", (f"g:{r.entry}",), tuple(reasons.of_loss(r.number, moment))

@@ -1,0 +1,179 @@
+"""What an operator may ask for: a button is held as long as its purpose needs, and no longer.
+
+Whatever is asked goes the way of the commands that are typed (`app.run.Operator`); nothing reaches the controller
+otherwise.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from interlock.app.run import BadCommand, Operator, Ready
+from interlock.dispatch.arbiter import Full
+from interlock.field.plc import Cycle
+from interlock.model.elements import MachineId, Position
+
+Done = Callable[[Cycle], bool]
+
+TURN_S = 15.0
+"""Seconds for which the key of a point is held at most."""
+
+RELEASE_S = 600.0
+"""Seconds for which the release of a section is held at most."""
+
+TEXT = 80
+"""Characters of a reminder, or of a name, at most."""
+
+
+class Refused(Exception):
+    """What was asked for cannot be done; the message says why, `at` the elements to show."""
+
+    def __init__(self, text: str, *at: str) -> None:
+        super().__init__(text)
+        self.at = at
+
+
+@dataclass
+class Hold:
+    """An input that is held: until something is so, for so many milliseconds at most."""
+
+    done: Done
+    left_ms: float
+
+
+class Buttons:
+    """The operator's inputs, as held by people."""
+
+    def __init__(self, ready: Ready, operator: Operator) -> None:
+        assert ready.controller is not None and ready.table is not None and ready.layout is not None
+        self.ready, self.operator = ready, operator
+        self.symbols, self.layout, self.table = ready.controller.symbols, ready.layout, ready.table
+        self.routes = {str(r.id): r for r in ready.table.routes}
+        self.holds: dict[str, Hold] = {}
+
+    def let_go(self, cycle: Cycle, dt_ms: float) -> list[str]:
+        """After a cycle: the inputs that are not held any more since their purpose is fulfilled, or time is over."""
+        gone = []
+        for name, hold in tuple(self.holds.items()):
+            hold.left_ms -= dt_ms
+            if hold.done(cycle) or hold.left_ms <= 0:
+                self.drop(name)
+                gone.append(name)
+        return gone
+
+    def drop(self, name: str) -> None:
+        """Let go of an input."""
+        self.holds.pop(name, None)
+        self.operator.held.pop(name, None)
+
+    def _hold(self, name: str, seconds: float, done: Done) -> None:
+        self.operator.type(f"{name}=1")
+        self.holds[name] = Hold(done, seconds * 1000)
+
+    def _typed(self, line: str) -> None:
+        try:
+            self.operator.type(line)
+        except (BadCommand, Full) as error:
+            raise Refused(str(error)) from None
+
+    # --- what may be asked -------------------------------------------------------------------------
+
+    def set(self, route: str, last: Cycle) -> int:
+        """Ask for a route; its number."""
+        row = self.routes.get(route)
+        if row is None:
+            raise Refused(f"there is no route {route}")
+        if not last.valid:
+            raise Refused("inputs are not valid: nothing can be set")
+        self._typed(f"set {route}")
+        return row.number
+
+    def swing(self, signal: str) -> int:
+        """Ask for another overlap; the number of the request."""
+        self._typed(f"swing {signal}")
+        return self.symbols.swing_request[signal]  # type: ignore[index]
+
+    def cancel(self, signal: str, last: Cycle) -> None:
+        """Take back the route from a signal."""
+        state = last.memory.state
+        if not any(state.get(r.active) for r in self.symbols.routes_from.get(signal, [])):  # type: ignore[call-overload]
+            raise Refused(f"no route from {signal} is set that a train has not entered", f"g:{signal}")
+        self._typed(f"cancel {signal}")
+
+    def release(self, section: str, last: Cycle) -> None:
+        """Release a section by hand: held until it is free."""
+        name = self.symbols.release.get(section)  # type: ignore[call-overload]
+        if name is None:
+            raise Refused(f"section {section} is never locked")
+        locked = self.symbols.locked_by[section]  # type: ignore[index]
+        if not any(last.memory.state.get(n) for n in locked):
+            raise Refused(f"section {section} is not locked", f"s:{section}")
+        if not last.inputs.get(self.symbols.clear.get(section, ""), 0):  # type: ignore[call-overload]
+            raise Refused(f"section {section} is occupied", f"s:{section}")
+        self._hold(name, RELEASE_S, lambda c: not any(c.memory.state.get(n) for n in locked))
+
+    def release_all(self, last: Cycle) -> None:
+        """Release all sections that are clear, after a restart or a loss of inputs."""
+        y = self.symbols
+
+        def open_(c: Cycle) -> list[str]:
+            state, clear = c.memory.state, {s for s, n in y.clear.items() if c.inputs.get(n)}
+            found = [str(s) for s, n in y.restart.items() if state.get(n) and s in clear]
+            locked = {s for (s, _), n in y.lock.items() if state.get(n)}
+            return found + [str(s) for s, n in y.stale.items() if state.get(n) and s in clear & locked]
+
+        if not open_(last):
+            raise Refused("no section that is clear waits for its release")
+        ran = last.memory.elapsed.get(y.restart_timer)
+        preset = next(t.preset_ms for t in self.ready.controller.timers if t.name == y.restart_timer)  # type: ignore[union-attr]
+        if any(last.memory.state.get(n) for n in y.restart.values()) and (ran is None or ran < preset):
+            raise Refused(f"the restart delay runs: {(preset - (ran or 0)) / 1000:.0f} s to go")
+        self._hold(y.release_all, 30.0, lambda c: not open_(c))
+
+    def block(self, section: str, on: bool) -> None:
+        """Bar a section to routes, or free it."""
+        name = self.symbols.blocked.get(section)  # type: ignore[call-overload]
+        if name is None:
+            raise Refused(f"section {section} cannot be blocked")
+        self._typed(f"{name}={int(on)}")
+
+    def turn(self, machine: str, to: str, last: Cycle) -> None:
+        """Move points or a device by hand: held until it is detected there."""
+        x = Position.NORMAL if to == "N" else Position.REVERSE
+        key = (MachineId(machine), x)
+        name = self.symbols.by_hand.get(key)
+        if name is None:
+            raise Refused(f"{machine} is not moved by hand")
+        there = self.symbols.detected[key]
+        if last.inputs.get(there):
+            raise Refused(f"{machine} lies there already", f"m:{machine}")
+        for y in Position:
+            self.drop(self.symbols.by_hand[key[0], y])
+        self._hold(name, TURN_S, lambda c: bool(c.inputs.get(there)))
+
+    def looked(self, machine: str, last: Cycle) -> None:
+        """Confirm that trailed points were looked at."""
+        name = self.symbols.looked_at.get(machine)  # type: ignore[call-overload]
+        if name is None or not last.memory.state.get(self.symbols.trailed[machine]):  # type: ignore[index]
+            raise Refused(f"{machine} was not trailed")
+        self._hold(name, 1.0, lambda c: not c.memory.state.get(self.symbols.trailed[machine]))  # type: ignore[index]
+
+    def automatic(self, route: str, on: bool) -> None:
+        """Let a route be set again after every train, or not."""
+        number = self.routes[route].number if route in self.routes else 0
+        name = self.symbols.automatic.get(number)
+        if name is None:
+            raise Refused(f"route {route} does not work automatically")
+        self._typed(f"{name}={int(on)}")
+
+    def direction(self, boundary: str, on: bool) -> None:
+        """The special manual change of direction, as agreed with the neighbour by telephone (R12)."""
+        token = self.symbols.token.get(boundary)  # type: ignore[call-overload]
+        if token is None:
+            raise Refused(f"no direction changes at {boundary}")
+        self._typed(f"{token.manual}={int(on)}")
+
+    def voyage(self, name: str, end: bool) -> None:
+        """Carry out a voyage, or give it up."""
+        self._typed(f"voyage {name}{' end' if end else ''}")

@@ -1,0 +1,151 @@
+"""What a panel's record tells afterwards: the page of a shift for printing, and any span of it for the player."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Sequence
+from datetime import datetime
+from itertools import accumulate
+from typing import Any
+
+from jinja2 import Environment, PackageLoader, select_autoescape
+
+from interlock.record.log import END, Event, Recorded
+
+PICTURE = "picture"
+"""The kind of an event that tells a change of what the player shows."""
+
+MOST = 2000
+"""States that a page of the player shows at most."""
+
+TOLD = ("operation", "refusal", "release", "alarm", "acknowledged", "note", "gap", "begin", END)
+
+
+class NotAPanels(Exception):
+    """The log is none of a panel, or has nothing in the span; the message says why."""
+
+
+def clock(t_ms: int) -> str:
+    """Date and time of an event on this computer's clock."""
+    return datetime.fromtimestamp(t_ms / 1000).astimezone().strftime("%Y-%m-%d %H:%M:%S")
+
+
+def at(text: str, events: Sequence[Event]) -> int:
+    """Milliseconds of a time given as HH:MM, HH:MM:SS (on the day of the log's first event) or whole.
+
+    Raises `ValueError`.
+    """
+    day = datetime.fromtimestamp(events[0]["t"] / 1000).astimezone()
+    for form in ("%H:%M", "%H:%M:%S"):
+        try:
+            given = datetime.strptime(text, form)
+        except ValueError:
+            continue
+        moment = day.replace(hour=given.hour, minute=given.minute, second=given.second, microsecond=0)
+        return round(moment.timestamp() * 1000)
+    return round(datetime.fromisoformat(text).astimezone().timestamp() * 1000)
+
+
+def span(found: Recorded, first: str, last: str) -> tuple[Event, int, int]:
+    """The event that begins a panel's log, and the span in milliseconds.  Raises `NotAPanels`."""
+    events = found.events
+    if not events or events[0]["kind"] != "begin" or "views" not in events[0]:
+        raise NotAPanels("this is no record of a panel")
+    try:
+        return (
+            events[0],
+            at(first, events) if first else events[0]["t"],
+            at(last, events) if last else events[-1]["t"],
+        )
+    except ValueError:
+        raise NotAPanels("write times as HH:MM, HH:MM:SS or 2026-01-31T06:00:00") from None
+
+
+def trace(found: Recorded, first: str = "", last: str = "") -> str:
+    """A span of the record as an ITF trace.  Raises `NotAPanels`."""
+    begin, start, end = span(found, first, last)
+    on: set[str] = set()
+    said: list[str] = []
+    states: list[tuple[str, frozenset[str]]] = []
+    for e in found.events:
+        if e["t"] > end:
+            break
+        if e["kind"] == PICTURE:
+            on = set(e["on"]) if e["whole"] else (on | set(e["on"])) - set(e["off"])
+        elif e["t"] >= start and e["kind"] in TOLD:
+            said.append(_sentence(e))
+            continue
+        else:
+            continue
+        if e["t"] >= start:
+            states.append((f"{clock(e['t'])[11:]}  {'; '.join(said)}".strip(), frozenset(on)))
+            said.clear()
+    if said:
+        states.append(("; ".join(said), frozenset(on)))
+    if not states:
+        raise NotAPanels("nothing is recorded in that time")
+    if len(states) > MOST:
+        raise NotAPanels(f"{len(states)} changes are recorded in that time, {MOST} can be played: take a shorter one")
+    names = sorted(begin["views"])
+    body = {
+        "#meta": {
+            "format": "ITF",
+            "title": f"{begin['title']}, {clock(start)} to {clock(end)}",
+            "claim": "Record of the panel",
+            "sentence": f"from {clock(start)} to {clock(end)}",
+            "plan": begin["plan"],
+            "views": begin["views"],
+        },
+        "vars": names,
+        "states": [
+            {"#meta": {"index": k, "text": text}, **{n: n in true for n in names}}
+            for k, (text, true) in enumerate(states)
+        ],
+    }
+    return json.dumps(body, ensure_ascii=False) + "\n"
+
+
+def _sentence(e: Event) -> str:
+    reasons = ", ".join(text for text, _ in e.get("reasons", ()))
+    who = f"{e['who']}: " if e.get("who") else ""
+    return f"{who}{e.get('text', e['kind'])}{f' ({reasons})' if reasons else ''}"
+
+
+def page(found: Recorded, first: str = "", last: str = "") -> str:
+    """The page of a shift: what was done, refused, released by hand and alarmed.  Raises `NotAPanels`."""
+    begin, start, end = span(found, first, last)
+    told = [e for e in found.events if e["kind"] in TOLD]
+    numbers = list(accumulate(e["kind"] == "release" for e in told))
+    inside = [(n, e) for n, e in zip(numbers, told, strict=True) if start <= e["t"] <= end]
+    rows = [
+        {
+            "time": clock(e["t"]),
+            "kind": e["kind"],
+            "who": e.get("who", ""),
+            "text": e.get("text") or {"begin": "the panel begins", END: "the panel ends"}.get(e["kind"], e["kind"]),
+            "reasons": [text for text, _ in e.get("reasons", ())],
+        }
+        for _, e in inside
+    ]
+    kinds = Counter(e["kind"] for _, e in inside)
+    people = Counter(e["who"] for _, e in inside if e["kind"] == "release")
+    environment = Environment(
+        loader=PackageLoader("interlock.panel", "."), autoescape=select_autoescape(default=True), trim_blocks=True
+    )
+    body: dict[str, Any] = {
+        "title": begin["title"],
+        "start": clock(start),
+        "end": clock(end),
+        "rows": rows,
+        "kinds": kinds,
+        "people": sorted(people.items()),
+        "counter": (numbers[-1] if numbers else 0),
+        "before": inside[0][0] - (inside[0][1]["kind"] == "release") if inside else 0,
+        "chain": found.chain.digest,
+        "events": found.chain.number,
+        "ended": found.ended,
+        "digest": begin["digest"],
+        "program": begin["program"],
+    }
+    return environment.get_template("journal.html.j2").render(**body)

@@ -1,0 +1,245 @@
+// The plan: shows what the server says of each element, zooms, tells what was clicked.
+const NS = "http://www.w3.org/2000/svg";
+const by = id => document.getElementById(id);
+const make = (tag, attributes, into) => {
+  const e = document.createElementNS(NS, tag);
+  for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
+  into?.append(e);
+  return e;
+};
+const toggle = (e, name, on) => e?.classList.toggle(name, Boolean(on));
+export const GROUP = {s: "section", g: "signal", b: "boundary", x: "buffer", m: "device"};
+export const EXIT = {signal: "g", boundary: "b", buffer: "x", section: "s"};
+
+export class Plan {
+  constructor(holder, chosen) { this.holder = holder; this.chosen = chosen; this.state = {}; }
+
+  draw(still) {
+    this.still = still;
+    this.holder.innerHTML = still.plan;
+    const svg = this.svg = this.holder.querySelector("svg");
+    svg.removeAttribute("width"); svg.removeAttribute("height");
+    this.edge = {};
+    for (const id of Object.keys(still.edges)) {
+      const path = by(`edge-${id}`);
+      if (path) this.edge[id] = {path, metres: still.edges[id][0], forward: still.edges[id][1], length: path.getTotalLength()};
+    }
+    this.lies = {};
+    for (const [m, one] of Object.entries(still.machines)) this.lies[m] = one.points.map(p => this.point(p)).filter(Boolean);
+    this.keys = new Map();
+    for (const s of Object.keys(still.sections)) this.key(`s:${s}`, by(`section-${s}`), `section ${s}`);
+    for (const [m, one] of Object.entries(still.machines)) {
+      if (one.device) this.key(`m:${m}`, by(`device-${m}`), `${one.kind} ${m}`);
+      for (const p of one.points) this.key(`m:${m}`, by(`point-${p.id}`), `points ${m}`, 11);
+    }
+    for (const g of Object.keys(still.signals)) this.key(`g:${g}`, by(`signal-${g}`), `signal ${g}`, 9);
+    for (const [b, one] of Object.entries(still.boundaries)) this.key(`b:${b}`, by(`boundary-${b}`), `boundary ${one.label}`, 12);
+    for (const e of svg.querySelectorAll(".buffer")) this.key(`x:${e.id.slice(7)}`, e, `end of track ${e.id.slice(7)}`, 10);
+    for (const t of svg.querySelectorAll("text[data-of]")) {
+      const kind = {section: "s", signal: "g", point: "m"}[[...t.classList].find(c => ["section", "signal", "point"].includes(c))];
+      if (!kind) continue;
+      const name = kind === "m" ? this.machine(t.dataset.of) : t.dataset.of;
+      t.dataset.key = `${kind}:${name}`;
+      t.classList.add("named");
+    }
+    const b = [...svg.querySelectorAll("g[id], text:not(.title)")].map(e => e.getBBox());
+    const x = Math.min(...b.map(r => r.x)) - 20, y = Math.min(...b.map(r => r.y)) - 30;
+    this.whole = [x, y, Math.max(...b.map(r => r.x + r.width)) + 20 - x, Math.max(...b.map(r => r.y + r.height)) + 30 - y];
+    this.fit();
+    this.layer = make("g", {class: "trains"}, svg);
+    this.notes = make("g", {class: "notes"}, svg);
+    svg.addEventListener("click", e => this.clicked(e));
+    svg.addEventListener("keydown", e => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); this.clicked(e); } });
+    svg.addEventListener("wheel", e => { e.preventDefault(); this.zoom(e.deltaY < 0 ? 0.8 : 1.25, this.at(e)); }, {passive: false});
+    svg.addEventListener("pointerdown", e => { this.drag = [e.clientX, e.clientY, ...this.box]; this.moved = false; });
+    svg.addEventListener("pointermove", e => this.pan(e));
+    window.addEventListener("pointerup", () => { this.drag = null; });
+  }
+
+  machine(point) {
+    return Object.entries(this.still.machines).find(([, m]) => m.points.some(p => p.id === point))?.[0] ?? point;
+  }
+
+  key(key, group, label, reach) {
+    if (!group) return;
+    group.dataset.key = key;
+    group.setAttribute("tabindex", "0");
+    group.setAttribute("role", "button");
+    group.setAttribute("aria-label", label);
+    const all = this.keys.get(key) ?? [];
+    all.push(group);
+    this.keys.set(key, all);
+    if (!reach) return;
+    const b = group.getBBox();
+    const x = Math.min(b.x, b.x + b.width / 2 - reach), y = Math.min(b.y, b.y + b.height / 2 - reach);
+    const w = Math.max(b.width, 2 * reach), h = Math.max(b.height, 2 * reach);
+    if (key[0] !== "m") make("rect", {class: "reach", x, y, width: w, height: h, rx: 4}, group);
+    else make("circle", {class: "reach", cx: b.x + b.width / 2, cy: b.y + b.height / 2, r: reach}, group);
+  }
+
+  // how a point lies: a short bright piece of the leg to which it leads
+  point(p) {
+    const toe = this.edge[p.toe]?.path, group = by(`point-${p.id}`);
+    if (!toe || !group) return null;
+    const ends = q => [q.getPointAtLength(0), q.getPointAtLength(q.getTotalLength())];
+    const near = (a, b) => Math.hypot(a.x - b.x, a.y - b.y);
+    const out = {group};
+    for (const leg of ["N", "R"]) {
+      const edge = this.edge[p[leg]];
+      if (!edge) continue;
+      const [a, b] = ends(edge.path), from = Math.min(...ends(toe).map(t => near(t, a))) <= Math.min(...ends(toe).map(t => near(t, b)));
+      const far = Math.min(17, edge.length), to = edge.path.getPointAtLength(from ? far : edge.length - far), at = from ? a : b;
+      out[leg] = make("path", {class: `lie ${leg}`, d: `M${at.x} ${at.y} L${to.x} ${to.y}`});
+      group.prepend(out[leg]);
+    }
+    return out;
+  }
+
+  show(changes) {
+    Object.assign(this.state, changes);
+    const sections = new Set();
+    for (const [key, value] of Object.entries(changes)) {
+      const kind = key[0], name = key.slice(2);
+      if (kind === "s") sections.add(name);
+      else if (kind === "m") this.showMachine(name, value);
+      else if (kind === "g") this.showSignal(name, value);
+      else if (kind === "o") for (const e of this.still.overlaps[name] ?? []) toggle(this.edge[e]?.path, "overlap", value[0]);
+    }
+    for (const s of sections) this.showSection(s, this.state[`s:${s}`]);
+  }
+
+  showSection(name, [occupied, ways, restart, blocked, stale, left, releasing, sick]) {
+    const one = this.still.sections[name], group = by(`section-${name}`);
+    if (!group) return;
+    const locked = new Set(ways.flatMap(k => one.ways[k] ?? []));
+    const edges = one.edges.length ? one.edges.map(e => [e, this.edge[e]?.path]) : [["", group.querySelector("path.track")]];
+    for (const [e, path] of edges) {
+      toggle(path, "locked", locked.has(e));
+      toggle(path, "occupied", occupied && (!locked.size || locked.has(e)));
+      toggle(path, "restart", restart);
+      toggle(path, "blocked", blocked);
+      toggle(path, "unsure", stale && locked.has(e));
+    }
+    toggle(group, "sick", sick);
+    const words = [occupied ? "occupied" : "clear", locked.size ? "locked" : "", restart ? "not released" : "", blocked ? "blocked" : ""];
+    group.setAttribute("aria-label", `section ${name}: ${words.filter(Boolean).join(", ")}`);
+    this.note(`s:${name}`, "left", releasing ? (left === null ? "release: waits" : `release: ${left} s`) : "");
+  }
+
+  showMachine(name, [lies, wanted, locked, late, trailed]) {
+    const one = this.still.machines[name];
+    for (const g of this.keys.get(`m:${name}`) ?? []) {
+      toggle(g, "held", locked); toggle(g, "late", late || trailed); toggle(g, "moving", lies.length !== 1);
+      g.setAttribute("aria-label", `${one.device ? one.kind : "points"} ${name}: ${{N: one.device ? "open" : "normal", R: one.device ? "closed" : "reverse"}[lies] ?? "not detected"}${locked ? ", locked" : ""}`);
+      toggle(g, "closed", one.device && lies === "R");
+    }
+    for (const p of this.lies[name] ?? []) for (const leg of ["N", "R"]) {
+      toggle(p[leg], "lies", lies === leg);
+      toggle(p[leg], "wanted", lies !== leg && wanted === leg);
+    }
+  }
+
+  showSignal(name, [aspect, cancelling, left, active, out]) {
+    const group = by(`signal-${name}`);
+    if (!group) return;
+    for (const a of ["stop", "clear", "caution", "call", "shunt", "dark"]) toggle(group, a, a === aspect);
+    toggle(group, "set", active); toggle(group, "cancelling", cancelling); toggle(group, "out", out);
+    group.setAttribute("aria-label", `signal ${name}: ${aspect}${active ? `, route ${active[0]}` : ""}`);
+    this.note(`g:${name}`, "left", cancelling ? (left === null ? "cancel: waits" : `cancel: ${left} s`) : left === null ? "" : `waits: ${left} s`);
+  }
+
+  // a small text beside an element
+  note(key, kind, text) {
+    const id = `note-${kind}-${key}`;
+    let t = by(id);
+    if (!text) { t?.remove(); return; }
+    if (!t) {
+      const at = this.middle(key);
+      if (!at) return;
+      t = make("text", {id, class: `note ${kind}`, x: at.x, y: at.y + (kind === "left" ? 30 : -30)}, this.notes);
+    }
+    t.textContent = text;
+  }
+
+  middle(key) {
+    const g = this.keys.get(key)?.[0];
+    if (!g) return null;
+    const b = g.getBBox();
+    return {x: b.x + b.width / 2, y: b.y + b.height / 2};
+  }
+
+  reminders(all) {
+    for (const t of [...this.notes.querySelectorAll(".note.reminder")]) t.remove();
+    for (const [key, [text]] of Object.entries(all)) this.note(key, "reminder", `\u2691 ${text}`);
+  }
+
+  trains(all) {
+    this.layer.replaceChildren();
+    for (const [name, spans, , , under, held, way] of all) {
+      let head = spans.length ? null : this.middle(`s:${under[0]}`);
+      for (const [edge, lo, hi] of spans) {
+        const e = this.edge[edge];
+        if (!e) continue;
+        const f = m => e.length * (e.forward ? m : e.metres - m) / e.metres;
+        const [a, b] = [f(lo), f(hi)].sort((x, y) => x - y), steps = Math.max(1, Math.ceil((b - a) / 6));
+        const points = Array.from({length: steps + 1}, (_, k) => e.path.getPointAtLength(a + (b - a) * k / steps));
+        make("polyline", {class: held ? "train held" : "train", points: points.map(p => `${p.x},${p.y}`).join(" ")}, this.layer);
+        head = e.path.getPointAtLength(f(way > 0 ? hi : lo));
+      }
+      if (head) make("text", {class: "berth", x: head.x, y: head.y + 17}, this.layer).textContent = name;
+    }
+  }
+
+  mark(name, keys) {
+    for (const e of [...this.svg.querySelectorAll(`.${name}`)]) e.classList.remove(name);
+    for (const k of keys) for (const g of this.keys.get(k) ?? []) g.classList.add(name);
+  }
+
+  clicked(e) {
+    if (this.moved) return;
+    const group = e.target.closest("[data-key]");
+    this.chosen(group ? group.dataset.key : "");
+  }
+
+  // --- looking closer ---
+  at(e) {
+    const r = this.svg.getBoundingClientRect();
+    const k = Math.max(this.box[2] / r.width, this.box[3] / r.height);
+    return [this.box[0] + this.box[2] / 2 + (e.clientX - r.x - r.width / 2) * k, this.box[1] + this.box[3] / 2 + (e.clientY - r.y - r.height / 2) * k];
+  }
+
+  zoom(by, [x, y] = [this.box[0] + this.box[2] / 2, this.box[1] + this.box[3] / 2]) {
+    const [bx, b_y, w, h] = this.box, k = Math.min(Math.max(by, 60 / w), 1.5 * this.whole[2] / w);
+    this.look([x - (x - bx) * k, y - (y - b_y) * k, w * k, h * k]);
+  }
+
+  fit() { this.look([...this.whole]); }
+
+  move(dx, dy) { const [x, y, w, h] = this.box; this.look([x + dx * w, y + dy * h, w, h]); }
+
+  pan(e) {
+    if (!this.drag || !e.buttons) return;
+    const [x, y, bx, b_y, w, h] = this.drag, r = this.svg.getBoundingClientRect();
+    if (Math.hypot(e.clientX - x, e.clientY - y) > 4) this.moved = true;
+    const k = Math.max(w / r.width, h / r.height);
+    if (this.moved) this.look([bx - (e.clientX - x) * k, b_y - (e.clientY - y) * k, w, h]);
+  }
+
+  look(box) { this.box = box; this.svg.setAttribute("viewBox", box.join(" ")); }
+
+  // every display in turn (document B: lamps are tested in sequence when work begins); returns how many there are
+  async test(say) {
+    const kinds = [["free", ".track"], ["locked", ".track"], ["occupied", ".track"], ["stop", ".signal"], ["caution", ".signal"],
+      ["clear", ".signal"], ["shunt", ".signal"], ["normal", ".point"], ["reverse", ".point"]];
+    let count = 0;
+    for (const [kind, what] of kinds) {
+      const those = this.svg.querySelectorAll(what).length;
+      count += those;
+      say(`lamp test: ${kind} (${those})`);
+      this.svg.classList.add(`test-${kind}`);
+      await new Promise(done => setTimeout(done, 450));
+      this.svg.classList.remove(`test-${kind}`);
+    }
+    return count;
+  }
+}

@@ -1,0 +1,263 @@
+"""What a panel shows: what never changes (`still`), and after each scan one value for each element (`Picture`).
+
+Keys: `s:` section, `m:` machine, `g:` signal, `o:` overlap of a signal, `c:` condition, `z:` zone, `b:` direction at a
+boundary, `a:` automatic working of a route.  Values are lists that are compared and sent as they are; the page knows
+their order (page/panel.js).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import ceil
+from typing import Any
+
+from interlock.app.run import Ready
+from interlock.emit.drawing import plan_svg
+from interlock.emit.drawing.place import place
+from interlock.field.plc import Cycle
+from interlock.logic.controller import Controller
+from interlock.model.elements import Position
+from interlock.model.layout import Layout
+from interlock.model.traversal import topology
+from interlock.panel.simulated import SimulatedField
+from interlock.table.rows import ExitKind, InterlockingTable, RouteRow
+
+Shown = dict[str, Any]
+
+
+def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
+    """Everything that never changes while a panel runs."""
+    layout, table, controller = ready.layout, ready.table, ready.controller
+    assert layout is not None and table is not None and controller is not None and ready.allocation is not None
+    drawing = place(layout)
+    topo, y = topology(layout), controller.symbols
+    edges = {str(e.id): [e.length, int(drawing.edges[e.id][0] == drawing.at[e.a])] for e in layout.edges}
+    ways = {
+        str(s): {k: [str(e) for e in topo.traversals[s][k - 1].edges] for k, _ in y.locks_of.get(s, [])}
+        for s in y.restart
+    }
+    return {
+        "name": layout.name,
+        "title": layout.title or layout.name,
+        "plan": plan_svg(layout, drawing),
+        "edges": edges,
+        "sections": {str(s.id): _section(layout, ways, str(s.id)) for s in layout.sections},
+        "machines": _machines(layout, controller),
+        "signals": _signals(layout, controller, table),
+        "routes": [_route(r, table) for r in table.routes],
+        "overlaps": {
+            f"{g}.{k}": [str(e) for s, n in over for e in topo.traversals[s][n - 1].edges]
+            for (g, k), over in y.overlap_ways.items()
+        },
+        "conditions": {str(c.id): [c.text, y.condition[c.id]] for c in layout.conditions},
+        "zones": [z.id for z in layout.zones],
+        "boundaries": {str(b.node): _boundary(layout, str(b.node)) for b in layout.boundaries},
+        "stations": [c.substation for c in ready.allocation.heartbeats],
+        "voyages": [v.name for v in table.voyages],
+        "swings": [str(g) for g in y.swing_request],
+        "simulated": field is not None,
+        "stands": {} if field is None else {s: [x for _, x in p] for s, p in field.places().items()},
+        "lamps": {} if field is None else field.lamp_inputs(),
+    }
+
+
+def _section(layout: Layout, ways: Mapping[str, Any], s: str) -> dict[str, Any]:
+    one = layout.section[s]  # type: ignore[index]
+    return {
+        "edges": [str(e.id) for e in layout.edges if e.section == s],
+        "ways": ways.get(s, {}),
+        "approach": one.approach,
+        "detected": one.detected,
+        "label": layout.labels.get(s, ""),
+    }
+
+
+def _machines(layout: Layout, controller: Controller) -> dict[str, dict[str, Any]]:
+    found: dict[str, dict[str, Any]] = {}
+    for m in layout.machines:
+        ends = layout.ends_of_machine.get(m, ())
+        found[str(m)] = {
+            "points": [{"id": str(p.id), "toe": str(p.toe), "N": str(p.normal), "R": str(p.reverse)} for p in ends],
+            "hand": (m, Position.NORMAL) in controller.symbols.by_hand,
+            "device": not ends,
+            "kind": str(layout.device[m].kind) if m in layout.device else "points",
+        }
+    return found
+
+
+def _signals(layout: Layout, controller: Controller, table: InterlockingTable) -> dict[str, dict[str, Any]]:
+    entries = {r.entry for r in table.routes}
+    found: dict[str, dict[str, Any]] = {
+        str(g.id): {"kind": str(g.kind), "entry": g.id in entries, "cancel": g.id in controller.symbols.cancel}
+        for g in layout.signals
+    }
+    found |= {str(d.id): {"kind": "distant", "entry": False, "cancel": False} for d in layout.distants}
+    return found
+
+
+def _boundary(layout: Layout, node: str) -> dict[str, Any]:
+    b = layout.boundary_at[node]  # type: ignore[index]
+    return {"label": layout.labels.get(node, node), "comes": str(b.kind) != "out", "approach": b.approach}
+
+
+def _route(r: RouteRow, table: InterlockingTable) -> dict[str, Any]:
+    kind = {ExitKind.SIGNAL: "signal", ExitKind.BOUNDARY: "boundary", ExitKind.BUFFER: "buffer"}.get(r.exit_kind)
+    return {
+        "id": str(r.id),
+        "names": list(r.names),
+        "kind": str(r.kind),
+        "entry": str(r.entry),
+        "exit": [kind or "section", str(r.exit)],
+        "sections": [str(s) for s in r.section_ids],
+        "automatic": r.id in table.automatic,
+    }
+
+
+class Picture:
+    """Makes what is shown from a cycle."""
+
+    def __init__(self, ready: Ready) -> None:
+        assert ready.layout is not None and ready.controller is not None and ready.table is not None
+        self.layout, self.controller, self.table = ready.layout, ready.controller, ready.table
+        y = self.symbols = ready.controller.symbols
+        self.presets: dict[str, int] = {t.name: t.preset_ms for t in ready.controller.timers}
+        before: dict[str, list[str]] = {}
+        for g, routes in y.routes_from.items():
+            if g in y.approach_timer:
+                before.setdefault(routes[0].ways[0][0] if routes[0].ways else "", []).append(y.approach_timer[g])
+        self._sections = [
+            (
+                f"s:{s}",
+                y.clear.get(s),
+                y.restart.get(s),
+                y.blocked.get(s),
+                y.stale.get(s),
+                tuple(t for t in (y.release_timer.get(s), *before.get(s, [])) if t is not None),
+                y.release.get(s),
+                tuple(y.locks_of.get(s, [])),
+                y.healthy.get(s),
+            )
+            for s in dict.fromkeys((*y.clear, *y.restart))
+        ]
+        held: dict[str, list[str]] = {}
+        for way, needs in y.demands.items():
+            for m, _ in needs:
+                held.setdefault(str(m), []).append(y.lock[way])
+        self._machines = [
+            (
+                f"m:{m}",
+                tuple(y.detected.get((m, x)) for x in Position),
+                tuple(y.command.get((m, x)) for x in Position),
+                y.indication.get(f"late {m}"),
+                y.trailed.get(m),
+                tuple(held.get(str(m), ())),
+            )
+            for m in self.layout.machines
+        ]
+        self._signals = [
+            (
+                f"g:{g.id}",
+                tuple(
+                    (word, aspect[g.id])
+                    for word, aspect in (
+                        ("call", y.call_aspect),
+                        ("clear", y.clear_aspect),
+                        ("caution", y.caution_aspect),
+                        ("shunt", y.shunt_aspect),
+                        ("stop", y.stop_aspect),
+                    )
+                    if g.id in aspect
+                ),
+                y.cancelling.get(g.id),
+                y.approach_timer.get(g.id),
+                tuple((str(r.id), r.active, r.locked) for r in y.routes_from.get(g.id, [])),
+                y.stop_lamp.get(g.id),
+            )
+            for g in self.layout.signals
+        ]
+        self._distants = [
+            (f"g:{d.id}", y.distant_clear.get(d.id), y.distant_caution.get(d.id)) for d in self.layout.distants
+        ]
+        self._lamps = [f"g:{g}" for g in (*(x.id for x in self.layout.signals), *(x.id for x in self.layout.distants))]
+        self._routes = {r.number: str(r.id) for r in ready.table.routes}
+        self._overlaps = [(f"o:{g}.{k}", n) for (g, k), n in y.overlap.items()]
+
+    def left(self, cycle: Cycle, timer: str | None) -> int | None:
+        """Seconds until a timer is over; None while it does not run."""
+        ran = cycle.memory.elapsed.get(timer or "")
+        if timer is None or ran is None:
+            return None
+        return ceil((self.presets[timer] - ran) / 1000)
+
+    def _longest(self, cycle: Cycle, timers: tuple[str, ...]) -> int | None:
+        """Seconds until the last of the timers that run is over."""
+        return max((n for t in timers if (n := self.left(cycle, t)) is not None), default=None)
+
+    def of(self, cycle: Cycle) -> Shown:
+        """Every element after a cycle."""
+        shown: Shown = {}
+        self._of_sections(cycle, shown)
+        self._of_machines(cycle, shown)
+        self._of_signals(cycle, shown)
+        state, inputs, y = cycle.memory.state, cycle.inputs, self.symbols
+        for key, name in self._overlaps:
+            shown[key] = [int(state.get(name, False))]
+        for c, name in y.condition.items():
+            shown[f"c:{c}"] = [inputs.get(name, 0)]
+        for z, name in y.zone_full.items():
+            shown[f"z:{z}"] = [int(state.get(name, True))]
+        for b, x in y.token.items():
+            shown[f"b:{b}"] = [int(state.get(x.have, False)), int(state.get(x.give, False)), inputs.get(x.clear, 0)]
+        for k, name in y.automatic.items():
+            shown[f"a:{self._routes[k]}"] = [inputs.get(name, 0)]
+        return shown
+
+    def _of_sections(self, cycle: Cycle, shown: Shown) -> None:
+        state, inputs, valid = cycle.memory.state, cycle.inputs, cycle.valid
+        for key, clear, restart, blocked, stale, timers, release, locks, healthy in self._sections:
+            occupied = 1 if clear is None or not valid else 1 - inputs.get(clear, 0)
+            ways = [k for k, n in locks if state.get(n)]
+            releasing = bool(release and inputs.get(release))
+            shown[key] = [
+                occupied,
+                ways,
+                int(bool(restart and state.get(restart))),
+                int(bool(blocked and inputs.get(blocked))),
+                int(bool(stale and ways and state.get(stale))),
+                self._longest(cycle, timers) if releasing and not occupied else None,
+                int(releasing),
+                int(healthy is not None and not inputs.get(healthy, 0)),
+            ]
+
+    def _of_machines(self, cycle: Cycle, shown: Shown) -> None:
+        state, inputs, outputs = cycle.memory.state, cycle.inputs, cycle.outputs
+        for key, contacts, commands, late, trailed, held in self._machines:
+            lies = "".join(x for x, n in zip("NR", contacts, strict=True) if n and inputs.get(n))
+            wanted = "".join(x for x, n in zip("NR", commands, strict=True) if n and state.get(n))
+            shown[key] = [
+                lies if cycle.valid else "",
+                wanted,
+                int(any(state.get(n) for n in held)),
+                int(bool(late and outputs.get(late))),
+                int(bool(trailed and state.get(trailed))),
+            ]
+
+    def _of_signals(self, cycle: Cycle, shown: Shown) -> None:
+        state, inputs, outputs = cycle.memory.state, cycle.inputs, cycle.outputs
+        for key, lamps, cancelling, timer, routes, lamp in self._signals:
+            aspect = next((word for word, n in lamps if outputs.get(n)), "dark")
+            going = bool(cancelling and state.get(cancelling))
+            left = self.left(cycle, timer)
+            active = next(([r, int(bool(state.get(b)))] for r, a, b in routes if state.get(a)), None)
+            shown[key] = [aspect, int(going), left, active, int(lamp is not None and not inputs.get(lamp, 0))]
+        for key, clear, caution in self._distants:
+            aspect = "clear" if outputs.get(clear or "") else "caution" if outputs.get(caution or "") else "dark"
+            shown[key] = [aspect, 0, None, None, 0]
+
+    def dark(self) -> Shown:
+        """Without power nothing is known: sections count as occupied, lamps are dark."""
+        shown: Shown = {key: [1, [], 0, 0, 0, None, 0, 0] for key, *_ in self._sections}
+        shown |= {key: ["", "", 0, 0, 0] for key, *_ in self._machines}
+        shown |= {key: ["dark", 0, None, None, 0] for key in self._lamps}
+        shown |= {key: [0] for key, _ in self._overlaps}
+        return shown

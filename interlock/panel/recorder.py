@@ -1,0 +1,151 @@
+"""The panel's record: every event and every change of what the player shows, in a log that tells when it was changed.
+
+Where it cannot be written (no room, a share that is gone), the panel works on: what happens meanwhile is kept, and
+written when that is possible again.
+"""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from pathlib import Path
+from typing import Any
+
+from interlock import __version__
+from interlock.app.run import Ready
+from interlock.emit.drawing import plan_svg
+from interlock.field.plc import Cycle
+from interlock.model.traversal import topology
+from interlock.panel.event import Event
+from interlock.panel.journal import PICTURE
+from interlock.record.log import END, Log
+
+KEPT = 100_000
+"""Lines that are kept at most while nothing can be written."""
+
+AGAIN_S = 1.0
+"""Seconds after which writing is tried again."""
+
+Views = dict[str, list[list[str]]]
+
+
+def views(ready: Ready) -> Views:
+    """What each recorded variable shows on the plan: kind of element, its id, and what is shown."""
+    assert ready.controller is not None and ready.layout is not None
+    y, layout, topo = ready.controller.symbols, ready.layout, topology(ready.layout)
+    out: Views = {name: [["section", str(s), "occupied"]] for s, name in y.clear.items()}
+    for (s, n), name in y.lock.items():
+        out[name] = [["edge", str(e), "locked"] for e in topo.traversals[s][n - 1].edges]
+    for option, name in y.overlap.items():
+        ways = y.overlap_ways[option]
+        out[name] = [["edge", str(e), "overlap"] for s, n in ways for e in topo.traversals[s][n - 1].edges]
+    out |= {name: [["section", str(s), "restart"]] for s, name in y.restart.items()}
+    for r in y.routes:
+        out |= {name: [["signal", str(r.entry), "proceed"]] for name in r.open_while}
+    for (m, x), name in y.detected.items():
+        ends = [["point", str(p.id), str(x)] for p in layout.ends_of_machine.get(m, ())]
+        out[name] = ends or [["device", str(m), str(x)]]
+    return out
+
+
+class Recorder:
+    """Writes a panel's record."""
+
+    def __init__(self, path: Path, ready: Ready) -> None:
+        """Begin a log, or go on with one.  Raises `ValueError` for one that is damaged or of another layout, and
+        `OSError`."""
+        assert ready.controller is not None and ready.layout is not None and ready.table is not None
+        y = ready.controller.symbols
+        self.path, self.lost = path, ""
+        self._clear: tuple[str, ...] = tuple(y.clear.values())
+        self._contacts: tuple[str, ...] = tuple(y.detected.values())
+        self._state: tuple[str, ...] = tuple(n for n in views(ready) if n not in {*self._clear, *self._contacts})
+        self._on: frozenset[str] | None = None
+        self._waiting: deque[tuple[int, str, dict[str, Any]]] = deque(maxlen=KEPT)
+        self._dropped = 0
+        self._tried = 0.0
+        self.releases = 0
+        """Releases by hand that the log counts already."""
+        self._log: Log | None = None
+        if path.exists() and path.stat().st_size:
+            self._log, found = Log.resume(path)
+            first = found.events[0] if found.events else {}
+            if first.get("layout") not in (None, str(ready.layout.name)):
+                raise ValueError(f"{path} is the record of {first.get('layout')}")
+            self.releases = sum(e["kind"] == "release" for e in found.events)
+        else:
+            self._log = Log.create(path)
+        self._put(
+            "begin",
+            program=f"interlock {__version__}",
+            layout=ready.layout.name,
+            title=ready.layout.title or ready.layout.name,
+            digest=ready.table.layout_digest,
+            plan=plan_svg(ready.layout),
+            views=views(ready),
+        )
+
+    def event(self, e: Event) -> None:
+        """Something has happened."""
+        reasons = [[r.text, list(r.at)] for r in e.reasons]
+        self._put(e.kind, text=e.text, who=e.who, at=list(e.at), reasons=reasons, time=e.time)
+
+    def cycle(self, cycle: Cycle | None) -> None:
+        """A cycle has ended; None while there is no power."""
+        if self._log is None and time.monotonic() - self._tried > AGAIN_S:
+            self._again()
+        if cycle is None:
+            on = frozenset(self._clear)
+        else:
+            inputs, state = cycle.inputs, cycle.memory.state
+            occupied = (n for n in self._clear if not (cycle.valid and inputs.get(n)))
+            detected = (n for n in self._contacts if cycle.valid and inputs.get(n))
+            on = frozenset((*occupied, *detected, *(n for n in self._state if state.get(n))))
+        if on != self._on:
+            before = frozenset() if self._on is None else self._on
+            self._put(PICTURE, on=sorted(on - before), off=sorted(before - on), whole=self._on is None)
+            self._on = on
+
+    def close(self) -> None:
+        """The panel ends."""
+        self._put(END)
+        if self._log is not None:
+            self._log.close()
+            self._log = None
+
+    def _put(self, kind: str, **fields: Any) -> None:
+        t_ms = round(time.time() * 1000)
+        if self._log is None:
+            self._keep(t_ms, kind, fields)
+            return
+        try:
+            self._log.add(t_ms, kind, **fields)
+        except OSError as error:
+            self._broken(error)
+            self._keep(t_ms, kind, fields)
+
+    def _keep(self, t_ms: int, kind: str, fields: dict[str, Any]) -> None:
+        self._dropped += len(self._waiting) == KEPT
+        self._waiting.append((t_ms, kind, fields))
+
+    def _broken(self, error: OSError) -> None:
+        self.lost = f"the record cannot be written: {error.strerror or error}"
+        self._tried = time.monotonic()
+        if self._log is not None:
+            self._log.close()
+            self._log = None
+
+    def _again(self) -> None:
+        """Try to go on: what was torn off is cut away, what was kept is written."""
+        self._tried = time.monotonic()
+        try:
+            self._log = Log.resume(self.path)[0] if self.path.exists() else Log.create(self.path)
+            self._log.add(round(time.time() * 1000), "gap", text=self.lost, dropped=self._dropped)
+            while self._waiting:
+                t_ms, kind, fields = self._waiting[0]
+                self._log.add(t_ms, kind, **fields)
+                self._waiting.popleft()
+        except (OSError, ValueError) as error:
+            self._broken(error if isinstance(error, OSError) else OSError(str(error)))
+            return
+        self.lost, self._dropped = "", 0

@@ -1,0 +1,201 @@
+"""The panel's server: pages as files, and one socket for each browser, over which everything else goes.
+
+Nothing is shown and nothing taken before a browser has said who it is and, where tokens are asked for, has given one.
+A page of another origin cannot open the socket, nor one that has made its own name lead to this computer.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+import json
+import socket
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager, suppress
+from dataclasses import dataclass
+from importlib import resources
+from typing import Any
+from urllib.parse import urlsplit
+
+import uvicorn
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.routing import Route, WebSocketRoute
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from interlock.panel.commands import TEXT
+from interlock.panel.desk import Desk, Person
+
+FILES = {
+    "": ("index.html", "text/html"),
+    "panel.css": ("panel.css", "text/css"),
+    **{n: (n, "text/javascript") for n in ("panel.js", "plan.js", "acts.js", "talk.js")},
+}
+"""What is served, and as what."""
+
+HEADERS = {
+    "Content-Security-Policy": "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; "
+    "connect-src 'self'; img-src data:; base-uri 'none'; frame-ancestors 'none'; form-action 'none'",
+    "Cache-Control": "no-store",
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",
+}
+
+LOCAL = ("127.0.0.1", "localhost", "::1")
+"""Names of this computer itself."""
+
+BEHIND = 200
+"""Messages that may wait for one browser; one that falls behind further is let go, and comes back by itself."""
+
+LARGEST = 4096
+"""Characters of a command at most."""
+
+
+@dataclass(frozen=True)
+class Access:
+    """Tokens for operating and for looking; both empty where only this computer can reach the panel."""
+
+    operate: str = ""
+    look: str = ""
+
+    def admits(self, host: str, origin: str | None) -> bool:
+        """Whether a browser may open the socket: from a page of this panel, and, where no token is asked for, only
+        under a name of this computer itself, so that no other name can be made to lead here."""
+        if origin is not None and urlsplit(origin).netloc != host:
+            return False
+        return bool(self.operate) or urlsplit(f"//{host}").hostname in LOCAL
+
+    def person(self, hello: Any) -> Person | None:
+        """Who says hello; None for somebody who may not even look."""
+        if not isinstance(hello, dict):
+            return None
+        name = str(hello.get("name", "")).strip()[:TEXT] or "operator"
+        given = str(hello.get("token", "")).encode()
+        if not self.operate and not self.look:
+            return Person(name, not hello.get("look"))
+        if self.operate and hmac.compare_digest(given, self.operate.encode()):
+            return Person(name, not hello.get("look"))
+        if self.look and hmac.compare_digest(given, self.look.encode()):
+            return Person(name, False)
+        return None
+
+
+def application(desk: Desk, access: Access) -> Starlette:
+    """The panel as an ASGI application; the desk runs while it does."""
+
+    @asynccontextmanager
+    async def life(app: Starlette) -> AsyncIterator[None]:
+        desk.start()
+        try:
+            yield
+        finally:
+            await asyncio.to_thread(desk.stop)
+
+    async def file(request: Request) -> Response:
+        name, kind = FILES[request.url.path.removeprefix("/")]
+        text = resources.files("interlock.panel").joinpath("page", name).read_bytes()
+        return Response(text, media_type=kind, headers=HEADERS)
+
+    async def talk(ws: WebSocket) -> None:
+        if not access.admits(ws.headers.get("host", ""), ws.headers.get("origin")):
+            await ws.close(1008)
+            return
+        await ws.accept()
+        with suppress(WebSocketDisconnect, RuntimeError):  # a browser may go at any moment
+            await _Talk(desk, access, ws).run()
+
+    routes = [*(Route(f"/{path}", file) for path in FILES), WebSocketRoute("/talk", talk)]
+    return Starlette(routes=routes, lifespan=life)
+
+
+class _Talk:
+    """One browser."""
+
+    def __init__(self, desk: Desk, access: Access, ws: WebSocket) -> None:
+        self.desk, self.access, self.ws = desk, access, ws
+        self.loop = asyncio.get_running_loop()
+        self.out: asyncio.Queue[str | None] = asyncio.Queue(BEHIND)
+
+    async def run(self) -> None:
+        """From hello until it goes."""
+        who = self.access.person(await self._read())
+        if who is None:
+            await self.ws.send_text(json.dumps({"refused": "this panel asks for a token"}))
+            await self.ws.close(1008)
+            return
+        first = self.desk.listen(self._tell)
+        sending = asyncio.create_task(self._send())
+        try:
+            await self.ws.send_text(json.dumps({"hello": {"operates": who.operates}, **first}, ensure_ascii=False))
+            while True:
+                command = await self._read()
+                if not isinstance(command, dict):
+                    break
+                self.desk.ask(who, command, self._reply(command.get("re")))
+        finally:
+            self.desk.forget(self._tell)
+            sending.cancel()
+            with suppress(RuntimeError):  # it is closed already
+                await self.ws.close(1003)
+
+    def _reply(self, re: Any) -> Callable[[dict[str, Any]], None]:
+        """Tells the browser what became of its command, by the mark that it gave to it."""
+        return lambda answer: self._tell(json.dumps({"re": re, **answer}, ensure_ascii=False))
+
+    async def _read(self) -> Any:
+        """The next message, None for one that is none."""
+        text = await self.ws.receive_text()
+        try:
+            return json.loads(text) if len(text) <= LARGEST else None
+        except (ValueError, RecursionError):
+            return None
+
+    def _tell(self, text: str) -> None:
+        """Called in the thread of the cycles."""
+        with suppress(RuntimeError):  # the loop has ended
+            self.loop.call_soon_threadsafe(self._queue, text)
+
+    def _queue(self, text: str) -> None:
+        if self.out.full():
+            self.desk.forget(self._tell)
+            self.out.get_nowait()
+            self.out.put_nowait(None)
+        else:
+            self.out.put_nowait(text)
+
+    async def _send(self) -> None:
+        with suppress(WebSocketDisconnect, RuntimeError):
+            while (text := await self.out.get()) is not None:
+                await self.ws.send_text(text)
+            await self.ws.close(1013)
+
+
+def listening(host: str, port: int) -> socket.socket:
+    """A socket that listens there.  Raises `OSError`."""
+    kind = socket.AF_INET6 if ":" in host else socket.AF_INET
+    sock = socket.socket(kind, socket.SOCK_STREAM)
+    sock.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        sock.bind((host, port))
+        sock.listen(64)
+    except OSError:
+        sock.close()
+        raise
+    return sock
+
+
+def serve(desk: Desk, access: Access, sock: socket.socket) -> None:
+    """Serve until interrupted; then every output that can be reached is restrictive, and the interrupt goes on."""
+    config = uvicorn.Config(
+        application(desk, access),
+        log_level="error",
+        access_log=False,
+        lifespan="on",
+        ws="websockets-sansio",
+        ws_max_size=4 * LARGEST,
+        timeout_graceful_shutdown=1,
+    )
+    server = uvicorn.Server(config)
+    desk.ended = lambda: setattr(server, "should_exit", True)
+    server.run(sockets=[sock])

@@ -1,0 +1,120 @@
+"""A panel for tests: Heishan with delays so short that nobody has to wait, and what a browser would say to it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from starlette.testclient import TestClient
+
+from interlock.app.check import Checked
+from interlock.app.init import yard
+from interlock.app.proved import Proved
+from interlock.app.run import Ready, prepare
+from interlock.derivation import derive
+from interlock.diag import Sink
+from interlock.emit.python.runtime import runtime_py
+from interlock.frontend import load_text
+from interlock.logic.cabinet import allocate
+from interlock.logic.expr import interning
+from interlock.logic.lower import lower
+from interlock.panel.desk import Desk
+from interlock.panel.server import Access, application
+
+QUICK = """
+principles: {restart_delay_s: 0.8, release_delay_s: 0.3, line_speed_kmh: 20000, braking_ms2: 50000,
+             reaction_s: 0.01, output_delay_s: 0.01, approach_release_s: 2}
+"""  # trains that stop so soon that the delays may be short
+
+
+def quick(folder: Path, name: str = "heishan", more: str = "") -> Path:
+    """A shipped layout with short delays, as a file."""
+    path = folder / f"{name}.yaml"
+    path.write_text(Path(f"layouts/{name}.yaml").read_text("utf-8") + QUICK + more, "utf-8")
+    return path
+
+
+def proved(path: Path) -> Ready:
+    """The layout, ready to run."""
+    ready = prepare(str(path))
+    assert ready.proved.green, ready.proved.checked.diagnostics
+    return ready
+
+
+class Browser:
+    """A socket, and what it has been told."""
+
+    def __init__(self, ws: Any) -> None:
+        self.ws, self.state, self.rest = ws, {}, {}  # type: Any, dict[str, Any], dict[str, Any]
+        self.events: list[dict[str, Any]] = []
+        self.answers: list[dict[str, Any]] = []
+
+    def hear(self) -> dict[str, Any]:
+        """The next message."""
+        m: dict[str, Any] = self.ws.receive_json()
+        if "re" in m:
+            self.answers.append(m)
+            return m
+        self.state |= m.get("c", {})
+        self.events += m.get("events", [])
+        self.rest |= {k: v for k, v in m.items() if k in ("sys", "alarms", "reminders", "trains", "still", "hello")}
+        return m
+
+    def ask(self, do: str, **more: Any) -> dict[str, Any]:
+        """A command, and the answer."""
+        self.ws.send_json({"do": do, "re": 7, **more})
+        before = len(self.answers)
+        self.until(lambda: len(self.answers) > before)
+        return self.answers[-1]
+
+    def until(self, so: Callable[[], Any], seconds: float = 20.0) -> None:
+        """Hear messages until something is so."""
+        end = time.monotonic() + seconds
+        while not so():
+            assert time.monotonic() < end, (self.events[-6:], self.rest.get("sys"), self.state)
+            self.hear()
+
+    def released(self) -> None:
+        """Go through the restart."""
+        self.until(lambda: self.rest["sys"]["valid"] and self.rest["sys"]["delay"] == 0)
+        assert self.ask("release all")["ok"]
+        self.until(lambda: not self.rest["sys"]["restart"])
+
+
+@contextmanager
+def panel(ready: Ready, access: Access | None = None, **more: Any) -> Iterator[tuple[Desk, Callable[..., Any]]]:
+    """A desk at work, and a way to open browsers on it."""
+    desk = Desk(ready, cycle_ms=50, **more)
+    with TestClient(application(desk, access or Access()), base_url="http://127.0.0.1") as client:
+
+        @contextmanager
+        def browser(headers: dict[str, str] | None = None, host: str = "127.0.0.1", **hello: Any) -> Iterator[Browser]:
+            with client.websocket_connect(f"ws://{host}/talk", headers=headers or {}) as ws:
+                ws.send_json(hello or {"name": "first"})
+                b = Browser(ws)
+                b.hear()
+                yield b
+
+        yield desk, browser
+    assert desk.broken == ""
+
+
+def large(tracks: int = 124) -> Ready:
+    """A yard of a thousand routes, as if it were proved: nothing here is about its proof."""
+    return unproved(yard(tracks))
+
+
+def unproved(text: str) -> Ready:
+    """A layout's text, ready to run as if it were proved."""
+    path = "unproved.yaml"
+    layout, source = load_text(path, text, sink := Sink())
+    assert layout is not None
+    table = derive(layout, sink)
+    with interning():
+        controller = lower(layout, table)
+        allocation = allocate(layout, controller)
+    proved = Proved(Checked(path, source, ()))
+    return Ready(proved, layout, table, controller, allocation, runtime_py(controller, []))

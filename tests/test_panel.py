@@ -1,0 +1,459 @@
+"""The panel's desk and server, without a browser: what is asked, refused, told and counted."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import socket
+from collections.abc import Iterator
+from pathlib import Path
+from random import Random
+from typing import Any
+from xml.sax.saxutils import escape
+
+import pytest
+from click.testing import CliRunner
+from starlette.testclient import TestClient
+from starlette.websockets import WebSocketDisconnect
+
+from interlock.app.run import Ready, run
+from interlock.cli.main import cli
+from interlock.cli.panel import opened
+from interlock.panel.clock import Clock
+from interlock.panel.desk import Desk, Person
+from interlock.panel.journal import page, trace
+from interlock.panel.recorder import Recorder
+from interlock.panel.server import FILES, Access, application
+from interlock.record.log import read_file
+from tests.layouts import SHIPPED
+from tests.panels import panel, proved, quick, unproved
+
+
+@pytest.fixture(scope="module")
+def ready(tmp_path_factory: pytest.TempPathFactory) -> Ready:
+    """Heishan, quick and proved."""
+    return proved(quick(tmp_path_factory.mktemp("panel")))
+
+
+@pytest.fixture(scope="module")
+def at_work(ready: Ready) -> Iterator[tuple[Desk, Any]]:
+    """A panel that several tests use; each leaves it without routes, trains and faults."""
+    with panel(ready) as (desk, browser):
+        with browser() as b:
+            b.ask("speed", times=10)
+            b.released()
+        yield desk, browser
+
+
+def kinds(events: list[dict[str, Any]], kind: str) -> list[str]:
+    return [e["text"] for e in events if e["kind"] == kind]
+
+
+def test_from_request_to_release(at_work: tuple[Desk, Any]) -> None:
+    """A route is set, a train is called in by it, every section is released behind it."""
+    _, browser = at_work
+    with browser(name="Anna") as b:
+        assert b.ask("set", route="XB-XI7")["ok"]
+        b.until(lambda: b.state["g:XB"][0] == "clear" and b.state["g:XB"][3] == ["XB-XI7", 1])
+        assert b.state["s:s2"][:2] == [0, [1]] and b.state["m:P1"][0] == "N" and b.state["m:P1"][2] == 1
+        assert b.ask("bring", boundary="W", train="L7", metres=30)["ok"]
+        b.until(lambda: b.state["s:s2"][0] == 1)
+        assert b.state["g:XB"][0] == "stop"  # the first axle closes it
+        b.until(lambda: b.state["s:s6"][0] == 1 and not any(b.state[f"s:{s}"][1] for s in ("s2", "s3")))
+        assert [t[0] for t in b.rest["trains"]] == ["L7"] and "s6" in b.rest["trains"][0][4]
+        assert "route XB-XI7 is set" in kinds(b.events, "operation") and b.events[-1]["who"] in ("Anna", "")
+        assert b.ask("take away", train="L7")["ok"]
+        b.until(lambda: b.state["s:s6"][0] == 0)
+        assert b.ask("release", section="s6")["ok"]
+        b.until(lambda: not b.state["s:s6"][1])
+
+
+def test_a_refusal_says_why_and_where(at_work: tuple[Desk, Any]) -> None:
+    _, browser = at_work
+    with browser(name="Bert") as b:
+        b.ask("set", route="XI7-XC3")
+        b.until(lambda: b.state["g:XI7"][3])
+        b.ask("set", route="XT9-XT7")
+        b.until(lambda: kinds(b.events, "refusal"))
+        told = b.events[-1]["reasons"] if b.events[-1]["kind"] == "refusal" else []
+        told = told or next(e["reasons"] for e in b.events if e["kind"] == "refusal")
+        assert ["section s7 is locked for route XI7-XC3", ["s:s7"]] in told
+        assert any(text.startswith("points P3 cannot go normal") for text, _ in told) or len(told) == 1
+        assert b.ask("cancel", signal="XI7")["ok"]
+        b.until(lambda: not b.state["g:XI7"][3])
+        no = b.ask("cancel", signal="XI7")
+        assert not no["ok"] and "no route from XI7 is set" in no["why"][0][0]
+        b.ask("block", section="s7", on=True)
+        b.ask("fail", kind="section", name="s8_xc3", on=True)
+        b.until(lambda: b.state["s:s8_xc3"][0] == 1 and b.state["s:s7"][3] == 1)
+        b.events.clear()
+        b.ask("set", route="XI7-XC3")
+        b.until(lambda: kinds(b.events, "refusal"))
+        told = next(e["reasons"] for e in b.events if e["kind"] == "refusal")
+        assert sorted(text for text, _ in told) == ["section s7 is blocked", "section s8_xc3 is occupied"]
+        b.ask("block", section="s7", on=False)
+        b.ask("fail", kind="section", name="s8_xc3", on=False)
+        b.until(lambda: b.state["s:s8_xc3"][0] == 0 and b.state["s:s7"][3] == 0)
+
+
+def test_points_are_moved_by_hand_and_not_while_they_are_locked(at_work: tuple[Desk, Any]) -> None:
+    _, browser = at_work
+    with browser() as b:
+        lies = b.state["m:P4"][0]
+        assert b.ask("turn", machine="P4", to="NR".replace(lies, ""))["ok"]
+        b.until(lambda: b.state["m:P4"][0] == "NR".replace(lies, ""))
+        b.ask("set", route="XI9-XC4")
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        assert b.state["m:P4"][0] == "N"
+        b.ask("turn", machine="P4", to="R")
+        for _ in range(20):
+            b.hear()
+        assert b.state["m:P4"][0] == "N" and b.state["g:XI9"][0] == "clear"
+        b.ask("cancel", signal="XI9")
+        b.until(lambda: not b.state["s:s9"][1])
+
+
+def test_faults_are_alarms_until_they_are_gone_and_seen(at_work: tuple[Desk, Any]) -> None:
+    _, browser = at_work
+    with browser(name="Cleo") as b:
+        b.ask("acknowledge")
+        b.ask("set", route="XI9-XC5")
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        b.events.clear()
+        b.ask("fail", kind="machine", name="P4", on=True)
+        b.until(lambda: b.state["g:XI9"][0] == "stop" and kinds(b.events, "alarm"))
+        alarm = next(e for e in b.events if e["kind"] == "alarm")
+        assert alarm["text"] == "signal XI9 has returned to stop"
+        assert ["P4 is not detected reverse", ["m:P4"]] in alarm["reasons"]
+        why = b.ask("why", route="XI9-XC5")["why"]
+        assert why[-1][0] == "it has closed once, and opens only when it is asked for again"
+        b.ask("fail", kind="machine", name="P4", on=False)
+        b.until(lambda: b.state["m:P4"][0] == "R")
+        b.ask("set", route="XI9-XC5")
+        b.until(lambda: "its signal is asked for again" in b.events[-1]["text"])
+        assert ["points P4 were trailed: look at them, and confirm it", ["m:P4"]] in b.events[-1]["reasons"]
+        assert b.ask("looked", machine="P4")["ok"]
+        b.until(lambda: not b.state["m:P4"][4])
+        b.ask("set", route="XI9-XC5")
+        b.until(lambda: b.state["g:XI9"][0] == "clear")
+        b.ask("cancel", signal="XI9")
+        b.until(lambda: not b.state["s:s9"][1])
+        b.until(lambda: b.rest["alarms"])
+        b.ask("acknowledge")
+        b.until(lambda: not b.rest["alarms"])
+        assert [e["who"] for e in b.events if e["kind"] == "acknowledged"] in (["Cleo"], ["Cleo", "Cleo"])
+
+
+def test_trains_are_put_driven_turned_and_divided(at_work: tuple[Desk, Any]) -> None:
+    _, browser = at_work
+    with browser() as b:
+        assert b.ask("put", section="s10_xc4", towards="XL4", train="A", metres=80)["ok"]
+        assert not b.ask("put", section="s10_xc4", towards="XL4", train="B")["ok"]
+        b.until(lambda: b.state["s:s10_xc4"][0] == 1)
+        b.ask("drive", train="A", go=False)
+        b.ask("set", route="XL4-XT9")
+        b.until(lambda: b.state["g:XL4"][0] == "clear")
+        b.ask("drive", train="A", go=True)
+        b.until(lambda: b.rest["trains"] and b.rest["trains"][0][2] == 0 and b.rest["trains"][0][4] == ["s9"])
+        assert b.ask("divide", train="A")["ok"]
+        b.until(lambda: {t[0] for t in b.rest["trains"]} == {"A", "A.2"})
+        assert not b.ask("turn train", train="nobody")["ok"]
+        for name in ("A", "A.2"):
+            b.ask("take away", train=name)
+        b.until(lambda: b.state["s:s9"][0] == 0)
+        b.ask("release", section="s9")
+        b.until(lambda: not b.state["s:s9"][1])
+
+
+def test_two_browsers_see_the_same_and_one_may_only_look(at_work: tuple[Desk, Any]) -> None:
+    _, browser = at_work
+    with browser(name="one") as a, browser(name="two", look=True) as b:
+        assert a.rest["hello"] == {"operates": True} and b.rest["hello"] == {"operates": False}
+        assert a.ask("remind", at="g:XB", text="lamp is being changed")["ok"]
+        b.until(lambda: "g:XB" in b.rest["reminders"])
+        assert b.rest["reminders"]["g:XB"][:2] == ["lamp is being changed", "one"]
+        no = b.ask("set", route="XB-XI7")
+        assert no == {"re": 7, "ok": False, "why": [["this browser may only look", []]]}
+        a.ask("remind", at="g:XB", text="")
+        a.ask("block", section="s3", on=True)
+        for x in (a, b):
+            x.until(lambda x=x: x.state["s:s3"][3] == 1)  # type: ignore[misc]
+        a.ask("block", section="s3", on=False)
+        b.until(lambda: b.state["s:s3"][3] == 0)
+
+
+def test_without_power_nothing_is_known_and_then_all_is_locked(at_work: tuple[Desk, Any]) -> None:
+    _, browser = at_work
+    with browser() as b:
+        b.ask("set", route="XB-XI7")
+        b.until(lambda: b.state["g:XB"][0] == "clear")
+        assert b.ask("power", on=False)["ok"]
+        b.until(lambda: b.state["g:XB"][0] == "dark" and b.state["s:s2"][0] == 1)
+        assert not b.ask("set", route="XB-XI7")["ok"]
+        before = b.rest["sys"]["releases"]
+        b.ask("power", on=True)
+        b.until(lambda: len(b.rest["sys"]["restart"]) == 11)
+        assert "restart delay" in b.ask("release all")["why"][0][0] or b.rest["sys"]["delay"] == 0
+        b.released()
+        assert b.rest["sys"]["releases"] in (before + 1, before + 2)
+        assert b.state["g:XB"][3] is None  # nothing is restored by itself (R16)
+
+
+def test_a_lost_substation_is_an_alarm_and_closes_everything(at_work: tuple[Desk, Any]) -> None:
+    _, browser = at_work
+    with browser() as b:
+        b.ask("set", route="XB-XI7")
+        b.until(lambda: b.state["g:XB"][0] == "clear")
+        b.events.clear()
+        b.ask("fail", kind="station", name="main", on=True)
+        b.until(lambda: not b.rest["sys"]["valid"] and b.state["g:XB"][0] == "stop" and kinds(b.events, "alarm"))
+        assert "inputs are not valid: a substation is lost" in json.dumps(b.events)
+        assert kinds(b.events, "refusal") == []
+        assert not b.ask("set", route="XL1-XT3")["ok"]
+        b.ask("fail", kind="station", name="main", on=False)
+        b.until(lambda: b.rest["sys"]["valid"])
+        b.ask("cancel", signal="XB")
+        b.until(lambda: b.state["g:XB"][3] is None)
+        if any(b.state[f"s:{s}"][1] for s in ("s2", "s3", "s6")):
+            b.ask("release all")
+            b.until(lambda: not any(b.state[f"s:{s}"][1] for s in ("s2", "s3", "s6")))
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        {"do": "set", "route": "nowhere"},
+        {"do": "cancel"},
+        {"do": "fly"},
+        {"do": "block", "section": ["s3"], "on": 1},
+        {"do": "bring", "boundary": "OUT"},
+        {"do": "put", "section": "s3", "towards": "XL5"},
+        {"do": "put", "section": "s3", "towards": "XT3", "metres": "long"},
+        {"do": "speed", "times": 1000},
+        {"do": "fail", "kind": "tea", "name": "x", "on": True},
+        {"do": "remind", "at": "g:nothing", "text": "x"},
+        {"do": "voyage", "name": "none"},
+        {},
+    ],
+)
+def test_what_cannot_be_done_is_refused_and_nothing_breaks(at_work: tuple[Desk, Any], command: dict[str, Any]) -> None:
+    _, browser = at_work
+    with browser() as b:
+        b.ws.send_json({"re": 7, **command})
+        b.until(lambda: b.answers)
+        assert b.answers[0]["ok"] is False and b.answers[0]["why"][0][0]
+
+
+def test_tokens_origins_and_rubbish(ready: Ready) -> None:
+    with panel(ready, Access("work", "see")) as (_, browser):
+        with browser(token="work") as b:
+            assert b.rest["hello"]["operates"]
+        with browser(token="see") as b:
+            assert not b.rest["hello"]["operates"]
+        for hello in ({"token": "wrong"}, {"token": ""}, {"name": 3}):
+            with browser(**hello) as b:
+                assert "still" not in b.rest
+                with pytest.raises(WebSocketDisconnect):
+                    b.hear()
+        with pytest.raises(WebSocketDisconnect), browser(headers={"origin": "http://elsewhere.example"}, token="work"):
+            pass
+        with browser(headers={"origin": "http://127.0.0.1"}, token="work") as b:
+            b.ws.send_text("[" * 3000)
+            with pytest.raises(WebSocketDisconnect):
+                for _ in range(1000):
+                    b.hear()
+
+
+def test_no_other_name_leads_here_without_a_token(ready: Ready) -> None:
+    with panel(ready) as (_, browser):
+        with browser(host="localhost:8420", headers={"origin": "http://localhost:8420"}) as b:
+            assert b.rest["hello"]["operates"]
+        headers = {"origin": "http://elsewhere.example"}  # its name was made to lead to this computer
+        with pytest.raises(WebSocketDisconnect), browser(host="elsewhere.example", headers=headers):
+            pass
+
+
+def test_files_are_served_and_nothing_else(ready: Ready) -> None:
+    client = TestClient(application(Desk(ready), Access()))
+    for path in FILES:
+        found = client.get(f"/{path}")
+        assert found.status_code == 200 and "default-src 'none'" in found.headers["content-security-policy"]
+    assert client.get("/../desk.py").status_code == 404 and client.get("/plan.svg").status_code == 404
+    page = client.get("/").text
+    assert not [x for x in ("http:", "https:", "//") if x in page]
+
+
+def test_simulated_time_runs_faster_and_never_leaps(monkeypatch: pytest.MonkeyPatch) -> None:
+    wall = iter((0.0, 0.01, 5.0))
+    monkeypatch.setattr("interlock.panel.clock.time.monotonic", lambda: next(wall))
+    clock = Clock()
+    clock.speed = 10
+    assert clock.now() == pytest.approx(0.1) and clock.now() == pytest.approx(0.5)
+
+
+def test_a_port_in_use_and_a_missing_extra_are_messages(monkeypatch: pytest.MonkeyPatch) -> None:
+    with socket.socket() as s:
+        s.bind(("127.0.0.1", 0))
+        s.listen()
+        args = ["run", "layouts/mine11.yaml", "--panel", "--port", str(s.getsockname()[1])]
+        done = CliRunner().invoke(cli, args)
+        assert done.exit_code == 2 and "the panel cannot listen on 127.0.0.1 port" in done.output
+    assert CliRunner().invoke(cli, ["run", "layouts/mine11.yaml"]).exit_code == 2
+    monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
+    done = CliRunner().invoke(cli, args)
+    assert done.exit_code == 2 and "interlock[panel]" in done.output
+
+
+def test_tokens_are_made_where_others_can_reach_the_panel() -> None:
+    sock, access = opened("127.0.0.1", 0, "", "")
+    sock.close()
+    assert access == Access()
+    sock, access = opened("0.0.0.0", 0, "", "x")
+    sock.close()
+    assert len(access.operate) >= 16 and access.look == "x"
+
+
+def test_everything_of_the_page_is_in_the_package() -> None:
+    found = {p.name for p in Path("interlock/panel/page").iterdir()}
+    assert found == {name for name, _ in FILES.values()}
+
+
+def shift(ready: Ready, path: Path) -> None:
+    """A short shift with a record: a route, a refusal, a release, an alarm."""
+    recorder = Recorder(path, ready)
+    with panel(ready, recorder=recorder) as (_, browser), browser(name="Dora") as b:
+        b.ask("speed", times=10)
+        b.released()
+        b.ask("set", route="XB-XI7")
+        b.until(lambda: b.state["g:XB"][0] == "clear")
+        b.ask("set", route="XL1-XT3")
+        b.until(lambda: kinds(b.events, "refusal"))
+        b.ask("fail", kind="machine", name="P4", on=True)
+        b.until(lambda: any(a[0] == "trailed P4" for a in b.rest["alarms"]) or b.state["m:P4"][0] == "")
+        b.ask("cancel", signal="XB")
+        b.until(lambda: not b.state["s:s2"][1])
+
+
+def test_a_shift_is_recorded_printed_and_played(ready: Ready, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "shift.log"
+    shift(ready, path)
+    found = read_file(path)
+    assert found.ended and found.problem is None
+    text = page(found)
+    assert "route XL1-XT3 is refused" in text and "section s3 is locked for route XB-XI7" in text
+    assert "counter 0 before, 1 after" in text and "by Dora" in text and found.chain.digest in text
+    states = json.loads(trace(found))["states"]
+    proceed = [k for k, s in enumerate(states) if any(v is True and n.startswith("S_R") for n, v in s.items())]
+    assert proceed and "route XB-XI7 is set" in " ".join(s["#meta"]["text"] for s in states[: proceed[0] + 1])
+    assert not any(v is True and n.startswith("K_") for n, v in states[-1].items())
+    for more, file in (([], "shift.log.html"), (["--journal", "-o", str(tmp_path / "page.html")], "page.html")):
+        done = CliRunner().invoke(cli, ["play", str(path), *more])
+        assert done.exit_code == 0 and (tmp_path / file).stat().st_size > 1000, done.output
+    for more in (["--from", "tea"], ["--from", "2001-01-01", "--to", "2001-01-02"]):
+        assert CliRunner().invoke(cli, ["play", str(path), *more, "-o", str(tmp_path / "x.html")]).exit_code == 1
+    shift(ready, path)  # the same file: the count of releases goes on
+    again = read_file(path)
+    assert "counter 0 before, 2 after" in page(again) and len(again.events) > len(found.events)
+    path.write_bytes(path.read_bytes().replace(b"Dora", b"Erna", 1))
+    done = CliRunner().invoke(cli, ["play", str(path), "--journal", "-o", str(tmp_path / "x.html")])
+    assert done.exit_code == 1 and "something was changed" in done.output
+    with pytest.raises(ValueError, match="something was changed"):
+        Recorder(path, ready)
+
+
+def test_where_nothing_can_be_written_the_panel_works_on_and_nothing_is_lost(
+    ready: Ready, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    recorder = Recorder(tmp_path / "full.log", ready)
+    write, full = os.write, [False]
+
+    def writes(handle: int, data: bytes) -> int:
+        if full[0] and b'"kind"' in data:
+            write(handle, data[:9])  # a part of it finds room
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return write(handle, data)
+
+    monkeypatch.setattr("interlock.record.log.os.write", writes)
+    with panel(ready, recorder=recorder) as (_, browser), browser(name="Fay") as b:
+        b.ask("speed", times=10)
+        b.released()
+        full[0] = True
+        b.ask("block", section="s3", on=True)
+        b.until(lambda: any(a[0] == "record" for a in b.rest["alarms"]))
+        b.ask("block", section="s3", on=False)
+        full[0] = False
+        b.until(lambda: any(a[0] == "record" and not a[4] for a in b.rest["alarms"]))
+    found = read_file(tmp_path / "full.log")
+    told = [e.get("text", "") for e in found.events]
+    assert found.ended and "block section s3" in told and "free section s3" in told
+    assert [e["dropped"] for e in found.events if e["kind"] == "gap"] == [0]
+
+
+def every_command(still: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Whatever a page could ask for."""
+    for r in still["routes"]:
+        yield {"do": "set", "route": r["id"]}
+        yield {"do": "why", "route": r["id"]}
+        if r["automatic"]:
+            yield {"do": "automatic", "route": r["id"], "on": True}
+    for s, one in still["sections"].items():
+        yield {"do": "release", "section": s}
+        yield {"do": "block", "section": s, "on": not one["approach"]}
+        yield {"do": "block", "section": s, "on": False}
+        yield {"do": "fail", "kind": "section", "name": s, "on": one["detected"]}
+        yield from ({"do": "put", "section": s, "towards": t, "metres": 10} for t in still["stands"].get(s, ()))
+    for m in still["machines"]:
+        yield from ({"do": "turn", "machine": m, "to": to} for to in "NR")
+        yield {"do": "looked", "machine": m}
+        yield {"do": "fail", "kind": "machine", "name": m, "on": True}
+    for g in still["signals"]:
+        yield {"do": "cancel", "signal": g}
+        yield {"do": "swing", "signal": g}
+        yield from ({"do": "fail", "kind": "lamp", "name": n, "on": True} for n in still["lamps"].get(g, {}).values())
+    for b in still["boundaries"]:
+        yield {"do": "bring", "boundary": b}
+        yield {"do": "direction", "boundary": b, "on": True}
+    yield from ({"do": "voyage", "name": v} for v in still["voyages"])
+    yield {"do": "release all"}
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_shipped_layout_has_its_panel(name: str) -> None:
+    """Everything has its place on the plan (B-04); whatever is asked is done or refused in words."""
+    desk = Desk(unproved(Path(f"layouts/{name}.yaml").read_text("utf-8")))
+    plan, places = desk.still["plan"], {"s": "section", "g": "signal"}
+    answers: list[dict[str, Any]] = []
+    commands = list(every_command(desk.still))
+    Random(name).shuffle(commands)
+    cycles = run(desk.ready, desk.links, 400, None, desk._inputs, desk.clock.now, lambda s: None)
+    for k, cycle in zip(range(60), (c for c, _ in cycles), strict=False):
+        desk._after(cycle)
+        for command in commands[k * len(commands) // 59 : (k + 1) * len(commands) // 59]:
+            desk.ask(Person("tester", True), command, answers.append)
+    cycles.close()
+    assert len(answers) == len(commands)
+    said = [why for a in answers if not a["ok"] for why, _ in a["why"]]
+    assert not [x for x in said if x == "this panel does not know such a command"]
+    for key in desk.picture.dark():
+        kind, _, element = key.partition(":")
+        if kind in places and not desk.still["sections"].get(element, {}).get("approach"):
+            assert f'id="{places[kind]}-{element}"' in plan, key
+    for r in desk.still["routes"]:
+        kind, where = r["exit"]
+        assert f'id="{kind}-{escape(where)}"' in plan, r
+
+
+def test_a_command_with_a_locomotive_number_is_carried_out_route_by_route(at_work: tuple[Desk, Any]) -> None:
+    _, browser = at_work
+    with browser(name="Gus") as b:
+        assert "there is no place nowhere" in b.ask("voyage", name="12:W>nowhere")["why"][0][0]
+        assert b.ask("voyage", name="12:W>s4_xc1")["ok"]
+        b.until(lambda: [v[0] for v in b.rest["sys"]["voyages"]] == ["12"])
+        b.ask("bring", boundary="W", train="12", metres=30)
+        b.until(lambda: "route XB-XC1 is set" in kinds(b.events, "operation"))
+        assert next(e["who"] for e in b.events if "XB-XC1" in e["text"]) == "dispatcher"
+        b.until(lambda: not b.rest["sys"]["voyages"])
+        assert b.state["s:s4_xc1"][0] == 1
+        b.ask("take away", train="12")
+        b.until(lambda: b.state["s:s4_xc1"][0] == 0)

@@ -1,0 +1,250 @@
+"""The panel in a real browser (Debian's Chromium, driven by Playwright): worked by mouse, by keys, by two at once."""
+
+from __future__ import annotations
+
+import os
+import signal
+import socket
+import statistics
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from interlock.panel.desk import Desk
+from interlock.panel.server import Access, listening, serve
+from tests.panels import large, quick
+from tests.test_browser import BROWSER, FLAGS
+
+pytestmark = pytest.mark.external
+
+SHOWN = "[...document.querySelectorAll('#plan [id]')].map(e => [e.id, e.getAttribute('class'), e.textContent].join())"
+
+
+WATCH = """() => {
+    window.seen = {};
+    const look = all => requestAnimationFrame(() => {
+        for (const m of all) {
+            const s = m.target.closest('g.section');
+            if (s) window.seen[s.id] ??= Date.now();
+        }
+    });
+    const what = {subtree: true, attributes: true, attributeFilter: ['class']};
+    new MutationObserver(look).observe(document.querySelector('#plan'), what);
+}"""
+"""Keeps when the browser drew the first change of each section."""
+
+
+class Server:
+    """`interlock run --panel` as a process."""
+
+    def __init__(self, layout: Path, port: int = 0) -> None:
+        command = [sys.executable, "-m", "interlock.cli.main", "run", layout.name, "--panel", "--port", str(port)]
+        command += ["--record", "panel.log"]
+        environment = {**os.environ, "PYTHONPATH": str(Path.cwd()), "INTERLOCK_DEBUG": "1"}
+        self.process = subprocess.Popen(
+            command, cwd=layout.parent, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+        )
+        assert self.process.stdout is not None
+        told = next(line for line in self.process.stdout if line.startswith("panel: "))
+        self.url = told.removeprefix("panel: ").strip()
+        self.port = int(self.url.rstrip("/").rsplit(":", 1)[1])
+
+    def end(self, how: int = signal.SIGINT) -> int:
+        """End it; its exit code."""
+        self.process.send_signal(how)
+        self.process.communicate(timeout=20)
+        return self.process.returncode
+
+
+@contextmanager
+def browser() -> Iterator[Any]:
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as p:
+        found = p.chromium.launch(executable_path=BROWSER, args=FLAGS)
+        yield found
+        found.close()
+
+
+def opened(found: Any, url: str) -> tuple[Any, list[str]]:
+    """A page, and what goes wrong on it."""
+    page, wrong = found.new_page(viewport={"width": 1500, "height": 900}), list[str]()
+    page.set_default_timeout(40_000)
+    page.on("console", lambda m: wrong.append(m.text) if m.type == "error" else None)
+    page.on("pageerror", lambda e: wrong.append(str(e)))
+    page.goto(url)
+    page.wait_for_selector("#plan svg")
+    return page, wrong
+
+
+def click(page: Any, selector: str) -> None:
+    """The mouse goes to the middle of something, and clicks."""
+    box = page.locator(selector).first.bounding_box()
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+
+
+def press(page: Any, name: str) -> None:
+    """The mouse clicks the button with that name, as soon as it can be clicked."""
+    page.wait_for_selector(f"button:enabled:has-text({name!r})")
+    click(page, f"button:enabled:has-text({name!r})")
+
+
+def is_(page: Any, element: str, name: str, on: bool = True) -> None:
+    """Wait until an element has a class, or has it not."""
+    page.wait_for_selector(f"{element}.{name}" if on else f"{element}:not(.{name})", state="attached")
+
+
+@pytest.fixture
+def server(tmp_path: Path) -> Iterator[Server]:
+    """Heishan with short delays."""
+    one = Server(quick(tmp_path))
+    yield one
+    if one.process.poll() is None:
+        assert one.end() == 130
+
+
+def test_from_request_to_release_by_mouse_alone(server: Server) -> None:
+    with browser() as b:
+        page, wrong = opened(b, server.url)
+        press(page, "Release all clear sections")
+        page.wait_for_selector("#restart", state="hidden")
+        page.select_option("#speed select", "10")  # time, not the railway
+        click(page, "#boundary-W .reach")
+        press(page, "A train comes in here")
+        click(page, "#signal-XB .reach")
+        assert sorted(page.eval_on_selector_all("#plan .exit", "es => es.map(e => e.id)")) == [
+            "buffer-XC1",
+            "buffer-XC2",
+            "signal-XI7",
+        ]
+        click(page, "#signal-XI7 .reach")
+        is_(page, "#signal-XB", "clear")
+        for edge in page.eval_on_selector_all("#plan .locked", "es => es.map(e => e.id)"):
+            assert edge.startswith("edge-")
+        click(page, "#signal-XB .reach")
+        click(page, "#buffer-XC1 .reach")
+        page.wait_for_selector("#said:has-text('section s3 is locked for route XB-XI7')")
+        page.wait_for_selector("#section-s6 .track.occupied", state="attached")
+        is_(page, "#signal-XB", "stop")
+        page.wait_for_selector("#plan:not(:has(#section-s2 .locked))")
+        click(page, "#signal-XI7 .reach")
+        click(page, "#buffer-XC3 .reach")
+        page.wait_for_selector("#section-s8_xc3 .track.occupied", state="attached")
+        page.wait_for_selector("#plan:not(:has(#section-s3 .locked, #section-s6 .locked, #section-s7 .locked))")
+        assert page.locator("#plan .train").count() >= 1
+        assert wrong == []
+
+
+def test_by_keys_alone(server: Server) -> None:
+    with browser() as b:
+        page, wrong = opened(b, server.url)
+        press(page, "Release all clear sections")
+        page.wait_for_selector("#restart", state="hidden")
+        page.keyboard.press("/")
+        page.keyboard.type("XI7 XC3")
+        page.keyboard.press("Enter")
+        is_(page, "#signal-XI7", "clear")
+        page.keyboard.press("Escape")
+        page.locator("#signal-XI7").focus()
+        page.keyboard.press("Enter")
+        page.get_by_role("button", name="Cancel XI7-XC3").focus()
+        page.keyboard.press("Enter")
+        is_(page, "#signal-XI7", "stop")
+        page.locator("#signal-XI7").focus()
+        before = page.locator("#plan svg").get_attribute("viewBox")
+        page.keyboard.press("+")
+        assert page.locator("#plan svg").get_attribute("viewBox") != before
+        page.keyboard.press("0")
+        assert page.locator("#plan svg").get_attribute("viewBox") == before
+        click(page, "#test")
+        page.wait_for_selector("#said:has-text('lamp test: over')")
+        assert wrong == []
+
+
+def test_two_browsers_agree_and_the_page_outlives_its_server(server: Server, tmp_path: Path) -> None:
+    with browser() as b:
+        one, _ = opened(b, server.url)
+        two, _ = opened(b, server.url + "?look")
+        press(one, "Release all clear sections")
+        one.wait_for_selector("#restart", state="hidden")
+        click(one, "#signal-XI9 .reach")
+        click(one, "#buffer-XC5 .reach")
+        for page in (one, two):
+            is_(page, "#signal-XI9", "clear")
+        click(one, "#signal-XI9 .reach")
+        one.locator("[data-mark=note]").fill("lamp is being changed")
+        one.keyboard.press("Enter")
+        two.wait_for_selector(".note.reminder")
+        press(one, "Cancel XI9-XC5")
+        for page in (one, two):
+            page.wait_for_selector("#plan:not(:has(.locked))")
+        click(one, "h1")
+        one.keyboard.press("Escape")
+        one.wait_for_timeout(300)
+        assert one.evaluate(SHOWN.replace("'class')", "'class').replace(' chosen', '')")) == two.evaluate(SHOWN)
+        click(two, "#signal-XI9 .reach")
+        assert two.locator("#acts button:enabled").count() == 0
+        began = time.monotonic()
+        server.end(signal.SIGKILL)
+        for page in (one, two):
+            is_(page, "body", "stale")
+        assert time.monotonic() - began < 2.5
+        assert "older than a second" in one.inner_text("#grey")
+        again = Server(tmp_path / "heishan.yaml", server.port)
+        try:
+            for page in (one, two):
+                is_(page, "body", "stale", False)
+                page.wait_for_selector("#restart", state="visible")
+        finally:
+            assert again.end() == 130
+
+
+def changes() -> list[float]:
+    """Milliseconds from the detector to the pixel in a yard of a thousand routes: from what a section reports until the
+    browser draws it."""
+    desk, sock = Desk(large()), listening("127.0.0.1", 0)
+    host, port = sock.getsockname()
+    thread = threading.Thread(target=serve, args=(desk, Access(), sock), daemon=True)
+    thread.start()
+    try:
+        with browser() as b:
+            page, wrong = opened(b, f"http://{host}:{port}/")
+            page.wait_for_timeout(3000)
+            page.evaluate(WATCH)
+            assert desk.field is not None
+            took = []
+            for s in list(desk.field.places())[:160:4]:
+                at = time.time()
+                desk.field.fail("section", s, True)
+                while (seen := page.evaluate(f"window.seen[{'section-' + s!r}] ?? 0")) == 0:
+                    assert time.time() < at + 10
+                took.append(seen - 1000 * at)
+            assert wrong == []
+            return took
+    finally:
+        desk.stop()
+        thread.join(10)
+
+
+def test_a_change_in_a_yard_of_a_thousand_routes_reaches_the_page_at_once() -> None:
+    took = changes()
+    assert statistics.quantiles(took, n=20)[-1] < 200, took
+
+
+def test_nothing_is_said_with_a_traceback(tmp_path: Path) -> None:
+    path = quick(tmp_path)
+    with socket.socket() as s:
+        s.bind(("127.0.0.1", 0))
+        s.listen()
+        command = [sys.executable, "-m", "interlock.cli.main", "run", str(path), "--panel", "--port"]
+        done = subprocess.run(
+            [*command, str(s.getsockname()[1])], env={**os.environ, "PYTHONPATH": "."}, capture_output=True, text=True
+        )
+    assert done.returncode == 2 and "Traceback" not in done.stderr and "cannot listen" in done.stderr
