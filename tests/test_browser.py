@@ -160,6 +160,53 @@ def test_the_table_is_filtered_and_tells_reasons_and_works_by_keyboard(reports: 
 
 
 @pytest.mark.external
+def test_a_route_has_its_own_link_and_its_reasons_stand_where_one_looks(reports: Path) -> None:
+    with opened(reports / "cn6502" / "index.html") as page:
+        data = json.loads(page.evaluate("document.getElementById('data').textContent"))
+        one, two = data["routes"][3]["id"], data["routes"][7]["id"]
+        fits = "(() => { const p = document.getElementById('plan'); return p.scrollWidth <= p.clientWidth; })()"
+        assert page.evaluate(fits)
+        page.select_option("#route", one)
+        assert page.evaluate("decodeURIComponent(location.hash)") == f"#route={one}"
+        page.evaluate(f"location.hash = 'route=' + encodeURIComponent({json.dumps(two)})")
+        page.wait_for_function(f"document.getElementById('route').value === {json.dumps(two)}")
+        page.reload()
+        assert page.input_value("#route") == two and page.locator("#plan .lit-path").count() > 0
+        for _ in range(3):
+            page.click("#larger")
+        assert not page.evaluate(fits)
+        seen = page.evaluate(
+            "(() => { const f = document.getElementById('plan').getBoundingClientRect(); "
+            "return [...document.querySelectorAll('#plan .lit-path')].some(e => { const b = e.getBoundingClientRect(); "
+            "return b.right > f.left && b.left < f.right && b.bottom > f.top && b.top < f.bottom; }); })()"
+        )
+        assert seen
+        page.click("#fit")
+        assert page.evaluate(fits)
+        button = page.locator("#routes tr:visible button.why").nth(8)
+        button.click()
+        box, tip = button.bounding_box(), page.locator("#tip").bounding_box()
+        below, above = tip["y"] - box["y"] - box["height"], box["y"] - tip["y"] - tip["height"]
+        assert min(abs(below), abs(above)) < 40 and page.inner_text("#tip") == page.inner_text("#why")
+        page.keyboard.press("Escape")
+        assert not page.locator("#tip").is_visible() and page.evaluate("location.hash") == ""
+        page.fill("#text", one)
+        assert 0 < page.locator("#routes tr:visible").count() < len(data["routes"]) / 2
+
+
+@pytest.mark.external
+def test_the_report_works_on_a_phone(reports: Path) -> None:
+    with opened(reports / "cn6502" / "index.html") as page:
+        page.set_viewport_size({"width": 390, "height": 800})
+        page.reload()
+        assert page.evaluate("document.documentElement.scrollWidth") <= 392
+        assert page.evaluate("document.querySelector('#plan svg').getBoundingClientRect().width") <= 390
+        page.locator("#routes button.why").first.click()
+        tip = page.locator("#tip").bounding_box()
+        assert tip["x"] >= 0 and tip["x"] + tip["width"] <= 390
+
+
+@pytest.mark.external
 def test_the_report_prints_on_a3(reports: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
     with opened(reports / "heishan" / "index.html") as page:
         data = page.pdf(prefer_css_page_size=True)

@@ -33,6 +33,7 @@ ELSEWHERE = {
     "IL5004",
     "IL5005",
     "IL5006",
+    "IL5008",
     *(c for c in CODES if c.startswith("IL6")),  # test_dispatch_language, test_record
 }
 

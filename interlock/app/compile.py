@@ -13,12 +13,13 @@ from pathlib import Path
 
 from interlock import __version__
 from interlock.app.check import Checked, derive_file
+from interlock.app.draw import plan_notes
 from interlock.app.making import claims_json
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
-from interlock.emit.drawing import plan_svg
+from interlock.emit.drawing import place, plan_svg
 from interlock.emit.io import channels_csv, equipment_csv, tags_xlsx
 from interlock.emit.report import player_html, report_html
 from interlock.emit.tables.export import (
@@ -67,7 +68,10 @@ def build_derived(
     if not checked.ok:
         return proved, {}
     progress("writing tables and plan", 0, 0)
-    files = _documents(checked, proved)
+    assert checked.layout is not None
+    drawing = place(checked.layout)
+    proved = replace(proved, notes=(*proved.notes, *plan_notes(drawing.notes, checked.source)))
+    files = _documents(checked, proved, plan_svg(checked.layout, drawing))
     if proved.green or unproved:
         files |= texts
     for claim, trace in proved.traces:
@@ -77,10 +81,9 @@ def build_derived(
     return replace(proved, files=tuple(sorted(files))), files
 
 
-def _documents(checked: Checked, proved: Proved) -> dict[str, bytes]:
+def _documents(checked: Checked, proved: Proved, plan: str) -> dict[str, bytes]:
     layout, table, proof = checked.layout, checked.table, proved.proof
     assert layout is not None and table is not None and proof is not None
-    plan = plan_svg(layout)
     with interning():
         controller = lower(layout, table)
         allocation = allocate(layout, controller)

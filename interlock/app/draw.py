@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from interlock.app.proved import Proved
-from interlock.diag import Diagnostic, Sink
+from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.drawing import place, plan_svg
 from interlock.emit.report import player_html
 from interlock.frontend import Source, load
+
+
+def plan_notes(notes: Sequence[str], source: Source) -> tuple[Diagnostic, ...]:
+    """What a plan cannot show, as diagnostics of its layout."""
+    span = source.at("name")
+    return tuple(
+        Diagnostic(
+            "IL5008", Severity.WARNING, f"on the plan {note}", span, "tell the plan's readers, or try `drawing:`"
+        )
+        for note in notes
+    )
 
 
 @dataclass(frozen=True)

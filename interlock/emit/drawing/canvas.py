@@ -14,6 +14,7 @@ UNIT = 42  # pixels of a level: half a track's distance
 LEAST = 26  # of an edge without any name
 SIGNAL = 34  # of a signal's symbol
 MARGIN, TOP = 40, 84
+ARC = 1.5 * UNIT  # the largest radius of a track that turns back
 
 Spot = tuple[float, float]
 Box = tuple[float, float, float, float]
@@ -98,7 +99,7 @@ class Drawing:
 def flat(line: list[Spot]) -> tuple[Spot, Spot]:
     """The longest level part of an edge, or its longest part."""
     parts = list(pairwise(line))
-    return max(parts, key=lambda p: (p[0][1] == p[1][1], p[1][0] - p[0][0]))
+    return max(parts, key=lambda p: (p[0][1] == p[1][1], abs(p[1][0] - p[0][0])))
 
 
 # --- names and signals ---------------------------------------------------------------------------
@@ -122,7 +123,7 @@ def device_spots(d: Drawing, over: tuple[SectionId, ...]) -> list[Spot]:
     out = []
     for s in over:
         stretches = [flat(d.edges[e.id]) for e in d.layout.edges if e.section == s]
-        (x0, y0), (x1, y1) = max(stretches, key=lambda p: p[1][0] - p[0][0])
+        (x0, y0), (x1, y1) = max(stretches, key=lambda p: abs(p[1][0] - p[0][0]))
         out.append((x0 + (x1 - x0) * 0.25, y0 + (y1 - y0) * 0.25))
     return out
 

@@ -2,8 +2,8 @@
 
 Every strand gets a left and a right end.  A point has its toe on one side and its legs on the other, a joint goes
 straight on, an arm of a crossing too; so one choice orients everything that hangs together, but for the two arms of a
-crossing: they may be told apart, and then every way of turning them is tried (`place`).  A layout that runs back
-into itself (a balloon loop) cannot be told into left and right: the strand that closes it is drawn as it comes.
+crossing: they may be told apart, and then every way of turning them is tried (`place`).  A track that runs back into
+the plan (a balloon loop, a triangle) is first cut where it turns (`turns`).
 """
 
 from __future__ import annotations
@@ -38,10 +38,14 @@ class Strand:
 
 
 class Plan:
-    """The strands of a layout, oriented; `mirrored` turns parts round, counted in the order in which they are found."""
+    """The strands of a layout, oriented; `mirrored` turns parts round, counted in the order in which they are found.
 
-    def __init__(self, layout: Layout, mirrored: int = 0) -> None:
+    `turns`: nodes at which a track turns back, so that both its parts lie on one side of them.
+    """
+
+    def __init__(self, layout: Layout, mirrored: int = 0, turns: frozenset[NodeId] = frozenset()) -> None:
         self.layout = layout
+        self.turns = turns
         self.parts = 0
         self._mirrored = mirrored
         self.knots = {
@@ -49,8 +53,7 @@ class Plan:
             for n, edges in layout.edges_at.items()
             if len(edges) != 2 or n in layout.point_at or n in layout.crossing_at or n in layout.boundary_at
         }
-        self.knots |= set(layout.buffer_at)
-        self.turned: list[Strand] = []
+        self.knots |= set(layout.buffer_at) | turns
         oriented = self._oriented(self._contracted())
         off = {b.node for b in layout.buffers if b.kind is BufferKind.DERAIL}
         self.stubs = [s for s in oriented if s.left in off or s.right in off]
@@ -124,6 +127,8 @@ class Plan:
 
     def _same_side(self, node: NodeId, a: EdgeId, b: EdgeId) -> bool | None:
         """Whether two edges leave a knot on the same side; None when it says nothing."""
+        if node in self.turns:
+            return True
         point = self.layout.point_at.get(node)
         if point is not None:
             return (a == point.toe) is (b == point.toe)

@@ -87,7 +87,7 @@ def _arrow(d: Drawing, edge: str) -> str:
     e = d.layout.edge[edge]  # type: ignore[index]
     (x0, y0), (x1, y1) = flat(d.edges[e.id])
     x, y = x0 + (x1 - x0) * 0.8, y0 + (y1 - y0) * 0.8
-    way = 6 if d.edges[e.id][0] == d.at[e.a] else -6
+    way = 6 if (d.edges[e.id][0] == d.at[e.a]) is (x1 > x0) else -6
     return f'<path class="mark" d="M{_n(x - way)} {_n(y - 5)} L{_n(x)} {_n(y)} L{_n(x - way)} {_n(y + 5)}"/>'
 
 
@@ -148,7 +148,7 @@ def _ends(d: Drawing) -> list[str]:
         out.append(f'<g id={quoteattr(f"boundary-{n}")} class="boundary">{tip}</g>')
     for b in d.layout.buffers:
         x, y = d.at[b.node]
-        left = all(d.edges[e.id][0] == (x, y) for e in d.layout.edges_at[b.node])
+        left = all(_beside(d.edges[e.id], (x, y)) > x for e in d.layout.edges_at[b.node])
         way = 5 if left else -5
         if b.kind is BufferKind.STOP:
             mark = f"M{_n(x + way)} {_n(y - 7)} L{_n(x)} {_n(y - 7)} L{_n(x)} {_n(y + 7)} L{_n(x + way)} {_n(y + 7)}"
@@ -160,6 +160,11 @@ def _ends(d: Drawing) -> list[str]:
             )
         out.append(f'<g id={quoteattr(f"buffer-{b.node}")} class="buffer"><path class="mark" d="{mark}"/></g>')
     return out
+
+
+def _beside(line: list[Spot], end: Spot) -> float:
+    """Where a line goes from one of its ends: the x of its next spot."""
+    return line[1][0] if line[0] == end else line[-2][0]
 
 
 def _devices(d: Drawing) -> list[str]:

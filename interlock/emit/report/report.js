@@ -22,6 +22,8 @@ function choose(i, scroll) {
   dark();
   chosen = i;
   document.getElementById("route").value = i < 0 ? "" : data.routes[i].id;
+  tell(null);
+  link(i < 0 ? "" : "#route=" + encodeURIComponent(data.routes[i].id));
   if (i < 0) { say("Choose a route: its path, overlap and flank protection light up, and its hostile routes are marked."); return; }
   const r = data.routes[i];
   lit("lit-path", r.edges, "edge-");
@@ -37,10 +39,66 @@ function choose(i, scroll) {
     const box = rows[i].closest(".scroll");
     box.scrollTop = rows[i].offsetTop - box.querySelector("thead").offsetHeight;
   }
+  show(r.edges);
   say(r.id + ": " + r.words + "; " + r.hostile.length + " hostile routes.");
 }
 
 function say(text) { why.textContent = text; }
+
+// a route has its own link; it replaces the address, so that "back" still leads back
+function link(hash) {
+  if (hash !== location.hash && (hash || location.hash.startsWith("#route="))) history.replaceState(null, "", hash || location.pathname + location.search);
+}
+
+function linked() {
+  const m = /^#route=(.*)$/.exec(location.hash);
+  if (!m) return -1;
+  let id = m[1];
+  try { id = decodeURIComponent(id); } catch { /* not encoded: taken as it stands */ }
+  return byId.has(id) ? byId.get(id) : -1;
+}
+
+// the plan fits its frame at first; larger, it is moved to the chosen route
+const frame = document.getElementById("plan"), plan = frame.querySelector("svg");
+const natural = plan.viewBox.baseVal.width;
+let zoom = 0; // 0: as wide as the frame, but never wider than drawn
+
+function fit() { return Math.min(1, frame.clientWidth / natural); }
+
+function resize(to) {
+  zoom = to && to > fit() ? Math.min(4, to) : 0;
+  plan.style.width = natural * (zoom || fit()) + "px";
+  plan.style.height = "auto";
+  if (chosen >= 0) show(data.routes[chosen].edges);
+}
+
+function show(edges) {
+  const boxes = edges.map((e) => document.getElementById("edge-" + e)).filter(Boolean).map((e) => e.getBoundingClientRect());
+  if (!boxes.length) return;
+  const at = frame.getBoundingClientRect();
+  const left = Math.min(...boxes.map((b) => b.left)), right = Math.max(...boxes.map((b) => b.right));
+  const top = Math.min(...boxes.map((b) => b.top)), bottom = Math.max(...boxes.map((b) => b.bottom));
+  frame.scrollLeft += (left + right) / 2 - (at.left + frame.clientWidth / 2);
+  frame.scrollTop += (top + bottom) / 2 - (at.top + frame.clientHeight / 2);
+}
+
+// the reason of a cell stands below the cell itself, or above it where there is no room
+const tip = document.getElementById("tip");
+let told = null;
+function tell(button, text) {
+  told = button;
+  tip.hidden = !button;
+  if (!button) return;
+  tip.textContent = text;
+  place(button);
+}
+
+function place(button) {
+  const b = button.getBoundingClientRect(), wide = document.documentElement.clientWidth;
+  tip.style.left = Math.max(8, Math.min(b.left, wide - tip.offsetWidth - 8)) + scrollX + "px";
+  const below = b.bottom + 4 + tip.offsetHeight <= innerHeight || b.top < tip.offsetHeight + 4;
+  tip.style.top = (below ? b.bottom + 4 : b.top - 4 - tip.offsetHeight) + scrollY + "px";
+}
 
 function filter() {
   const text = document.getElementById("text").value.trim().toLowerCase();
@@ -48,7 +106,7 @@ function filter() {
   const over = document.getElementById("over").value;
   let shown = 0;
   data.routes.forEach((r, i) => {
-    const fits = (!text || rows[i].textContent.toLowerCase().includes(text)) && (!kind || r.kind === kind)
+    const fits = (!text || (r.id + " " + r.words).toLowerCase().includes(text)) && (!kind || r.kind === kind)
       && (!over || r.sections.includes(over) || r.entry === over);
     rows[i].hidden = !fits;
     shown += fits;
@@ -71,6 +129,13 @@ rows.forEach((row, i) => {
   });
 });
 document.addEventListener("keydown", (e) => { if (e.key === "Escape") choose(-1, false); });
+document.addEventListener("click", (e) => { if (!e.target.closest("button.why, #tip")) tell(null); });
+document.addEventListener("scroll", () => { if (told) place(told); }, true);
+document.getElementById("larger").addEventListener("click", () => resize((zoom || fit()) * 1.5));
+document.getElementById("smaller").addEventListener("click", () => resize((zoom || fit()) / 1.5));
+document.getElementById("fit").addEventListener("click", () => resize(0));
+addEventListener("resize", () => resize(zoom));
+addEventListener("hashchange", () => { if (linked() >= 0) choose(linked(), true); });
 document.getElementById("routes").addEventListener("click", (e) => {
   const b = e.target.closest("button.why");
   if (!b) return;
@@ -78,6 +143,7 @@ document.getElementById("routes").addEventListener("click", (e) => {
     const r = data.routes[+b.dataset.hostile];
     say("Hostile to " + r.id + ": " + r.hostile.map((h) => data.routes[h[0]].id + " (" + data.kinds[h[1]] + (h[2] ? ": " + h[2] : "") + ")").join("; "));
   } else say(b.title);
+  tell(b, why.textContent);
 });
 for (const id of ["text", "kind", "over"]) document.getElementById(id).addEventListener("input", filter);
 document.getElementById("route").addEventListener("change", (e) => choose(byId.has(e.target.value) ? byId.get(e.target.value) : -1, true));
@@ -106,5 +172,6 @@ for (const c of document.querySelectorAll("canvas.heat")) {
     say(data.routes[a].id + " and " + data.routes[b].id + " share " + value(a, b) + " sections");
   });
 }
-choose(-1, false);
+resize(0);
+choose(linked(), linked() >= 0);
 filter();

@@ -1,0 +1,185 @@
+"""Along the track: how long every stretch is, where its bends lie, and how it is cut into edges.
+
+Every stretch is as long as its names and signals need, and its diagonals as wide as they are high; the whole is as
+narrow as that allows, diagonals first (the dual of a flow gives the optimum).
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import networkx as nx
+
+from interlock.emit.drawing.canvas import ARC, LEAST, MARGIN, SIGNAL, UNIT, Drawing, Spot, width
+from interlock.emit.drawing.names import put_names
+from interlock.emit.drawing.narrowest import narrowest
+from interlock.emit.drawing.strands import Plan, Strand
+from interlock.model.elements import EdgeId, NodeId, SectionId, Signal
+from interlock.model.layout import Layout
+
+
+def named_edges(plan: Plan) -> dict[EdgeId, SectionId]:
+    """The edge on which each section's name stands: the longest one that is not all diagonal."""
+    layout = plan.layout
+    diagonal = {e for s in plan.strands if plan.diverges(s, s.left) and plan.diverges(s, s.right) for e in s.edges}
+    best: dict[SectionId, EdgeId] = {}
+    for e in layout.edges:
+        old = best.get(e.section)
+        key = (e.id not in diagonal, e.length)
+        if old is None or key > (old not in diagonal, layout.edge[old].length):
+            best[e.section] = e.id
+    return {e: s for s, e in best.items()}
+
+
+def _signals_at(layout: Layout, node: NodeId) -> list[Signal]:
+    return [g for e in layout.edges_at[node] if (g := layout.signal_facing.get((node, e.id))) is not None]
+
+
+def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> float:
+    """Pixels that an edge of a strand needs for names and signals."""
+    layout, edge = plan.layout, s.edges[k]
+    need = 0.0
+    for node in (s.nodes[k], s.nodes[k + 1]):
+        signal = layout.signal_facing.get((node, edge))
+        if signal is not None:
+            need += max(SIGNAL, width(signal.id)) + 8
+        elif node in layout.point_at:
+            turned = edge == plan.turned_leg(layout.point_at[node])
+            toe = edge == layout.point_at[node].toe
+            need += 10 if turned else width(str(layout.point_at[node].id)) + 4 if toe else 40
+        else:
+            need += 6
+    if edge in named:
+        metres = sum(e.length for e in layout.edges if e.section == named[edge])
+        need += max(width(named[edge]), 0.82 * width(f"{metres:g}")) + 14
+    return max(LEAST, need)
+
+
+def length_of(
+    plan: Plan,
+    s: Strand,
+    named: dict[EdgeId, SectionId],
+    heights: tuple[float, float] | None,
+    straight: bool = False,
+) -> float:
+    """Least pixels of a strand: its edges, and its diagonals at either end."""
+    content = sum(_content(plan, s, k, named) for k in range(len(s.edges)))
+    if heights is None:
+        bends = sum(2 * UNIT for end in (s.left, s.right) if plan.diverges(s, end))
+        return content if bends == 4 * UNIT else content + bends
+    return max(heights[0], content * 0.6) if straight else content + sum(heights)
+
+
+Behind = tuple[NodeId, NodeId, float]
+"""Two knots, and how far the second must lie to the right of the first at least."""
+
+
+def outer(layout: Layout, node: NodeId) -> float:
+    """Room that the end of a track needs beyond itself."""
+    boundary = layout.boundary_at.get(node)
+    if boundary is not None:
+        reach = max(46.0, width(str(boundary.approach or "")) + 16)
+        return reach + width(layout.labels.get(node, "") or node) + 10
+    return width(node) + 12 if node in layout.buffer_at else 0.0
+
+
+def along(plan: Plan, lengths: dict[int, float], behind: tuple[Behind, ...]) -> dict[NodeId, float]:
+    """The left-to-right place of every knot: every strand as long as it must be, the whole as narrow as it can be."""
+    graph: nx.DiGraph[NodeId] = nx.DiGraph()
+    wanted: dict[tuple[NodeId, NodeId], tuple[float, int]] = {}
+    for s in plan.strands:
+        graph.add_nodes_from((s.left, s.right))
+        if s.left == s.right:
+            continue
+        turned = plan.diverges(s, s.left) or plan.diverges(s, s.right)
+        old = wanted.get((s.left, s.right), (0.0, 0))
+        wanted[s.left, s.right] = (max(old[0], lengths[s.number]), old[1] + (8 if turned else 1))
+    for a, b, apart in behind:
+        if a != b:
+            old = wanted.get((a, b), (apart, 0))
+            wanted[a, b] = (max(old[0], apart), old[1])
+    for (a, b), (length, weight) in sorted(wanted.items()):
+        if graph.has_edge(b, a) or (graph.has_node(b) and graph.has_node(a) and nx.has_path(graph, b, a)):
+            continue  # it would run back: drawn as it comes
+        graph.add_edge(a, b, length=length, weight=weight)
+    return narrowest(graph)
+
+
+# --- lines ---------------------------------------------------------------------------------------
+
+
+def put_strand(d: Drawing, s: Strand, own: float | None, named: dict[EdgeId, SectionId]) -> None:
+    """The line of a strand, cut into its edges."""
+    (x0, y0), (x1, y1) = d.at[s.left], d.at[s.right]
+    line = [(x0, y0)]
+    if own is not None:
+        y0, y1 = (own if n in d.plan.turns else y for n, y in ((s.left, y0), (s.right, y1)))
+        line = [(x0, y0)]
+        if own != y0:
+            line.append((x0 + abs(own - y0), own))
+        if own != y1:
+            line.append((x1 - abs(own - y1), own))
+    line.append((x1, y1))
+    flat0 = line[1][0] if own is not None and own != y0 else x0
+    flat1 = line[-2][0] if own is not None and own != y1 else x1
+    if len(line) > 2 and flat1 < flat0:
+        d.notes.append(f"strand of {s.edges[0]} is too short for its diagonals")
+    contents = [_content(d.plan, s, k, named) for k in range(len(s.edges))]
+    cuts = [x0]
+    if own is None:
+        total, run = sum(contents), 0.0
+        for c in contents:
+            run += c
+            cuts.append(x0 + (x1 - x0) * run / total)
+    else:
+        spare = (flat1 - flat0) - sum(contents)
+        run = flat0
+        for k, c in enumerate(contents):
+            share = spare * d.layout.edge[s.edges[k]].length / sum(d.layout.edge[e].length for e in s.edges)
+            run += c + share
+            cuts.append(run)
+    cuts[-1] = x1
+    for k, edge in enumerate(s.edges):
+        a, b = cuts[k], cuts[k + 1]
+        inner = [p for p in line[1:-1] if a < p[0] < b]
+        d.edges[edge] = [_spot(line, a), *inner, _spot(line, b)]
+        if k:
+            d.at[s.nodes[k]] = _spot(line, a)
+
+
+def _spot(line: list[Spot], x: float) -> Spot:
+    for (x0, y0), (x1, y1) in pairwise(line):
+        if x <= x1 or (x1, y1) == line[-1]:
+            if x1 == x0:
+                return (x, y1)
+            return (x, y0 + (y1 - y0) * (x - x0) / (x1 - x0))
+    return line[-1]
+
+
+def finish(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
+    """Strokes that lead off the rails, signals and names, and the size of the whole."""
+    for s in d.plan.stubs:
+        knot, end = (s.left, s.right) if s.left in d.at else (s.right, s.left)
+        (kx, ky), way = d.at[knot], 1 if knot == s.left else -1
+        d.at[end] = (kx + way * 18, ky - 14)
+        line = [d.at[knot], d.at[end]]
+        for edge in s.edges:
+            d.edges[edge] = line if way > 0 else line[::-1]
+    put_names(d, named)
+    bulges = [d.at[n][0] - ARC for n in d.plan.turns]
+    shift = MARGIN - min([t.box[0] for t in d.labels] + [p[0] for _, p, _ in d.outside] + bulges + [MARGIN])
+    if shift > 0:
+        _shift(d, shift)
+    bulges = [d.at[n][0] + ARC for n in d.plan.turns]
+    d.width = MARGIN + max([t.box[2] for t in d.labels] + [p[0] for p in d.at.values()] + bulges)
+    d.height = MARGIN + max([t.box[3] for t in d.labels] + [p[1] for p in d.at.values()])
+
+
+def _shift(d: Drawing, by: float) -> None:
+    d.at = {n: (x + by, y) for n, (x, y) in d.at.items()}
+    d.edges = {e: [(x + by, y) for x, y in line] for e, line in d.edges.items()}
+    d.labels = [t.moved(by, 0) for t in d.labels]
+    d.signals = {g: (x + by, y, r) for g, (x, y, r) in d.signals.items()}
+    d.distants = {g: (x + by, y, r) for g, (x, y, r) in d.distants.items()}
+    d.joints = [(n, x + by, y, a) for n, x, y, a in d.joints]
+    d.outside = [(n, (x + by, y), r) for n, (x, y), r in d.outside]

@@ -1,0 +1,147 @@
+"""Tracks that run back into the plan: balloon loops, the third side of a triangle, a railway in a circle.
+
+Every point has its toe on one side and its legs on the other.  Where that cannot be had of all points with every track
+running from left to right, the longest of the tracks that close a loop is cut where it turns back, and drawn with an
+arc there.  Short tracks are looked at first, so that it is never a crossover that turns.
+"""
+
+from __future__ import annotations
+
+import random
+from dataclasses import dataclass, replace
+
+import networkx as nx
+
+from interlock.emit.drawing.strands import Plan, Strand
+from interlock.model.elements import EdgeId, NodeId
+from interlock.model.layout import Layout
+
+OTHERS = 0.15  # of the tracks turn in a variant, whether they must or not
+
+
+@dataclass(frozen=True)
+class Unrolled:
+    """A layout in which tracks are cut where they turn back, and what each cut edge consists of, from its end `a`."""
+
+    layout: Layout
+    turns: frozenset[NodeId]
+    pieces: dict[EdgeId, tuple[EdgeId, ...]]
+
+
+def unrolled(layout: Layout, variant: int = 0) -> Unrolled:
+    """The layout, cut so that every track can run from left to right; with a variant, some other tracks turn."""
+    plan = Plan(layout)
+    out = Unrolled(layout, frozenset(), {})
+    by_chance = random.Random(variant) if variant else None
+    for s in _turning(plan, by_chance):
+        out = _cut(out, _longest(layout, s), 1)
+    for _ in range(len(layout.edges)):
+        plan = Plan(out.layout, 0, out.turns)
+        cycle = _cycle(plan)
+        whole = [s for s in cycle if not set(s.nodes) & out.turns]
+        if not whole:
+            break
+        longest = max(whole, key=lambda s: (_metres(layout, s), -s.number))
+        if by_chance is not None:
+            longest = by_chance.choice(sorted(whole, key=lambda s: s.number))
+        out = _cut(out, _longest(layout, longest), 2)
+    return out
+
+
+def _turning(plan: Plan, by_chance: random.Random | None) -> list[Strand]:
+    """Strands whose ends lie on the same side of their points, once the shorter ones are laid from left to right."""
+    parent: dict[object, tuple[object, bool]] = {}
+
+    def root(k: object) -> tuple[object, bool]:
+        odd = False
+        while k in parent:
+            k, flips = parent[k]
+            odd ^= flips
+        return k, odd
+
+    out = []
+    ordered = sorted(plan.strands, key=lambda s: (_metres(plan.layout, s), s.number))
+    if by_chance is not None:
+        by_chance.shuffle(ordered)
+    for s in ordered:
+        wanted = by_chance is not None and by_chance.random() < OTHERS
+        a, b = _port(plan, s.left, s.edges[0]), _port(plan, s.right, s.edges[-1])
+        if a is None or b is None:
+            out += [s] if wanted else []
+            continue
+        (x, p), (y, q) = root(a[0]), root(b[0])
+        differ = p ^ q ^ a[1] ^ b[1]
+        if x != y:
+            parent[x] = (y, differ is wanted)
+            differ = not wanted
+        if not differ:
+            out.append(s)
+    return out
+
+
+def _port(plan: Plan, node: NodeId, edge: EdgeId) -> tuple[object, bool] | None:
+    """What decides on which side of a knot an edge lies, and whether it lies on the other one."""
+    point = plan.layout.point_at.get(node)
+    if point is not None:
+        return (node, edge != point.toe)
+    crossing = plan.layout.crossing_at.get(node)
+    if crossing is not None:
+        return next(((node, k), edge == arm[1]) for k, arm in enumerate(crossing.arms) if edge in arm)
+    return None
+
+
+def _cycle(plan: Plan) -> list[Strand]:
+    """Strands that run in a circle, or none."""
+    graph: nx.MultiDiGraph[NodeId] = nx.MultiDiGraph()
+    of = {s.number: s for s in plan.strands}
+    graph.add_edges_from((s.left, s.right, s.number) for s in plan.strands)
+    try:
+        return [of[e[2]] for e in nx.find_cycle(graph)]
+    except nx.NetworkXNoCycle:
+        return []
+
+
+def _metres(layout: Layout, s: Strand) -> float:
+    return sum(layout.edge[e].length for e in s.edges if e in layout.edge)
+
+
+def _longest(layout: Layout, s: Strand) -> EdgeId:
+    return max(s.edges, key=lambda e: (layout.edge[e].length, e))
+
+
+def _cut(before: Unrolled, edge: EdgeId, times: int) -> Unrolled:
+    """An edge in equal pieces, joined by nodes at which the track turns."""
+    layout = before.layout
+    e = layout.edge[edge]
+    names = tuple(EdgeId(f"{edge}~{k}") for k in range(times + 1))
+    turns = [NodeId(f"{edge}~turn{k}") for k in range(times)]
+    nodes = [e.a, *turns, e.b]
+    new = [
+        replace(e, id=name, a=nodes[k], b=nodes[k + 1], length=e.length / (times + 1)) for k, name in enumerate(names)
+    ]
+
+    def at(node: NodeId, old: EdgeId) -> EdgeId:
+        return old if old != edge else names[0] if node == e.a else names[-1]
+
+    points = [
+        replace(p, toe=at(p.node, p.toe), normal=at(p.node, p.normal), reverse=at(p.node, p.reverse))
+        for p in layout.points
+    ]
+    crossings = [
+        replace(
+            c,
+            arms=(
+                (at(c.node, c.arms[0][0]), at(c.node, c.arms[0][1])),
+                (at(c.node, c.arms[1][0]), at(c.node, c.arms[1][1])),
+            ),
+        )
+        for c in layout.crossings
+    ]
+    cut = replace(
+        layout,
+        edges=tuple(sorted((*(x for x in layout.edges if x.id != edge), *new), key=lambda x: x.id)),
+        points=tuple(points),
+        crossings=tuple(crossings),
+        signals=tuple(replace(g, into=at(g.node, g.into)) for g in layout.signals),
+    )
+    return Unrolled(cut, before.turns | frozenset(turns), {**before.pieces, edge: names})

@@ -1,0 +1,81 @@
+"""No line of a plan crosses another that it does not cross on the ground, and no name lies on a line or on a name.
+
+Counted from the SVG by a checker that shares no code with the drawing; `tests/campaigns/plans.py` counts more.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from interlock.app.check import derive_file
+from interlock.app.compile import build_derived
+from interlock.app.draw import draw_file
+from interlock.app.init import line, yard
+from interlock.diag import Sink
+from interlock.emit.drawing import plan_svg
+from interlock.frontend import load, load_text
+from interlock.model.layout import Layout
+from tests.campaigns.plans import measured, random_layouts
+from tests.layouts import SHIPPED
+from tests.plans import examine
+
+FIXED = [*(f"layouts/{n}.yaml" for n in SHIPPED), *map(str, sorted(Path("tests/layouts_for_tests").glob("*.yaml")))]
+SPOILED = ("layouts/junction.yaml", "layouts/terminus.yaml")
+BRIDGE = 12
+"""Of the random layouts below, that whose tracks cannot lie in a plane: its plan crosses, and says so."""
+
+
+def loaded(path: str) -> Layout:
+    layout, _ = load(path, Sink())
+    assert layout is not None
+    return layout
+
+
+@pytest.mark.parametrize("path", FIXED)
+def test_fixed_layouts(path: str) -> None:
+    found = examine(plan_svg(loaded(path)), loaded(path))
+    assert found.clean, found
+
+
+@pytest.mark.parametrize("text", [yard(20), yard(30), yard(50), yard(60), line(20)], ids=len)
+def test_large_layouts(text: str) -> None:
+    layout, _ = load_text("large.yaml", text, Sink())
+    assert layout is not None
+    counts, _, _, notes = measured(layout)
+    assert counts == (0, 0, 0) and notes == ()
+
+
+def test_random_layouts() -> None:
+    for seed, layout in random_layouts(30):
+        counts, _, _, notes = measured(layout)
+        if seed == BRIDGE:
+            assert counts[0] > 0 and any("cross" in n for n in notes)
+        else:
+            assert counts == (0, 0, 0) and notes == (), seed
+
+
+@pytest.mark.parametrize("path", SPOILED)
+def test_the_checker_sees_what_is_drawn_wrong(path: str) -> None:
+    """Each line moved onto another place, and each name onto a line, is found."""
+    layout = loaded(path)
+    svg = plan_svg(layout)
+    tracks = re.findall(r'id="edge-[^"]*" class="track[^"]*" d="([^"]*)"', svg)
+    (left, top), (right, low) = (0, 100), map(float, re.search(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', svg).groups())  # type: ignore[union-attr]
+    across = f"M{left} {top} L{right} {low}"
+    assert all(examine(svg.replace(f'd="{t}"', f'd="{across}"'), layout).crossings for t in tracks)
+    x, y = re.findall(r"([-\d.]+) ([-\d.]+)", tracks[0])[0]
+    moved = re.sub(r'(<text class="section"[^>]*) x="[^"]*" y="[^"]*"', rf'\1 x="{x}" y="{float(y) + 3}"', svg)
+    found = examine(moved, layout)
+    assert found.on_lines and found.on_names
+
+
+def test_what_a_plan_cannot_show_is_told_by_draw_and_compile(tmp_path: Path) -> None:
+    path = tmp_path / "passing_loop.yaml"  # a hint of the layout wins, even a bad one
+    path.write_text(Path("layouts/passing_loop.yaml").read_text("utf-8") + "drawing: {1DG: 1}\n", "utf-8")
+    assert any("cross" in note for note in draw_file(str(path)).notes)
+    proved, _ = build_derived(derive_file(str(path)))
+    assert [d.code for d in proved.notes if d.code == "IL5008"]
+    assert not [d for d in build_derived(derive_file("layouts/fig2_2.yaml"))[0].notes if d.code == "IL5008"]
