@@ -162,6 +162,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         addresses=resolve_addresses(ctx),
         telegram=data.telegram,
         drawing=drawing,
+        blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )
     for check in CHECKS:

@@ -112,7 +112,17 @@ class SlipSpec(_Part):
         "of a single slip: the only pair that slip rails join; without it, the slip is double", None
     )
     machines: list[Name] = key(
-        "the machines of its two sides, one name for both if they are one; without it, `NAMEa` and `NAMEb`", []
+        "its machines: of two, the first chooses between `1a` and `2a`, the second between `1b` and `2b`; one, for "
+        "a slip that has only one, lays all blades for the straight ways (normal) or for the slips (reverse); "
+        "without it, `NAMEa` and `NAMEb`",
+        [],
+        most=2,
+    )
+    blades: Annotated[Literal["far", "near"], choice("place of blades", ("far", "near"))] = key(
+        "of a double slip with two machines, whether machine names follow the ends between which a machine chooses "
+        "(`far`: the blades of `NAMEa` lie at `1b` and `2b`), or the ends at which its blades lie (`near`: at `1a` and "
+        "`2a`, so that it chooses between `1b` and `2b`)",
+        "far",
     )
     legs: Length | None = key("metres of each leg; without it, the principle `leg_m`", None)
     fouling: Length | None = key("metres to the fouling point; without it, the principle `fouling_m`", None)

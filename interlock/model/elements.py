@@ -125,6 +125,23 @@ class Point:
 
 
 @dataclass(frozen=True)
+class Blades:
+    """Where the blades of a point of a slip lie, and to which end of the slip they lead in normal and in reverse.
+
+    Printed for those who wire it.  Blades at two ends are those of one side: they lead to the same end.
+    """
+
+    point: PointId
+    at: tuple[str, ...]
+    normal: str
+    reverse: str
+
+    def to(self, position: Position) -> str:
+        """The end to which they lead in a position."""
+        return self.normal if position is Position.NORMAL else self.reverse
+
+
+@dataclass(frozen=True)
 class Crossing:
     """A diamond crossing: two arms through one node, each a pair of edges."""
 

@@ -13,6 +13,7 @@ from functools import cached_property, wraps
 from typing import Any, TypeVar, TypeVarTuple
 
 from interlock.model.elements import (
+    Blades,
     Boundary,
     Buffer,
     Condition,
@@ -77,6 +78,7 @@ class Layout:
     addresses: tuple[tuple[str, str], ...] = ()
     telegram: TelegramForm = TelegramForm.NONE
     drawing: tuple[tuple[SectionId, int], ...] = ()
+    blades: tuple[Blades, ...] = ()
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -243,7 +245,12 @@ class Layout:
 
     def to_text(self) -> str:
         """One readable, canonical text form."""
-        return json.dumps(asdict(self), indent=1, sort_keys=True, ensure_ascii=False)
+        facts = {k: v for k, v in asdict(self).items() if v or k not in _ONLY_STATED}
+        return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
+
+
+_ONLY_STATED = frozenset({"blades"})
+"""Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
 
 
 def of_layout(f: Callable[[Layout, *Ts], V]) -> Callable[[Layout, *Ts], V]:

@@ -1,0 +1,169 @@
+"""Shapes of real stations: their routes, what `check` says of them, their verdict; slips blade by blade."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+
+from interlock.audit import audit
+from interlock.checker import specification
+from interlock.checker.check import agree
+from interlock.checker.drawing import loaded
+from interlock.derivation import derive
+from interlock.diag import Sink
+from interlock.emit.io import channels_csv
+from interlock.frontend import load_text
+from interlock.logic.cabinet import allocate
+from interlock.logic.lower import lower
+from interlock.model.layout import Layout
+from interlock.proof.limits import Limits
+from interlock.proof.runner import prove
+from interlock.proof.system import System
+from interlock.proof.verdict import Verdict
+from interlock.table.rows import InterlockingTable
+from interlock.verify import Rejected
+from tests.grow import grow
+from tests.layouts import built, grown
+from tests.written import told
+
+
+def text_of(name: str) -> str:
+    """A layout of the tests."""
+    return Path(f"tests/layouts_for_tests/{name}.yaml").read_text("utf-8")
+
+
+def said(text: str) -> tuple[Layout, InterlockingTable, set[str]]:
+    """Layout and table of a text that has no errors, and the codes of what is said of it."""
+    sink = Sink()
+    layout, source = load_text("station.yaml", text, sink)
+    assert layout is not None, sink.diagnostics
+    table = derive(layout, sink)
+    source.check_allowed(sink)
+    assert not sink.has_errors and audit(layout, table) == ()
+    return layout, table, {d.code for d in sink.diagnostics}
+
+
+def proved(layout: Layout, table: InterlockingTable) -> bool:
+    """Every claim, with every invariant."""
+    result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+    return {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+
+
+STATIONS: dict[str, tuple[int, set[str]]] = {
+    "bare_signal": (2, {"IL7004", "IL7006"}),  # an overlap beyond a signal that starts nothing
+    "both_ways": (5, {"IL4010", "IL7004", "IL7006"}),  # substitute protection, from two sections of one route
+    "branches": (8, {"IL4010", "IL7004"}),  # a diamond, a derailer, a siding that no route reaches
+    "door": (14, {"IL3025"}),  # a road that is no berth
+    "loading_loop": (9, set()),  # a balloon loop at a mine, both ways round
+    "parallel": (4, {"IL4005", "IL7006"}),  # two trains side by side past a crossover
+    "scissors_apart": (12, {"IL7006"}),
+    "slip": (12, set()),
+    "throat": (78, set()),  # six tracks, ladders, crossovers between up and down
+    "turning_loop": (9, set()),
+    "wye": (15, set()),
+}
+
+
+@pytest.mark.parametrize("name", STATIONS)
+def test_a_station_has_its_routes_says_what_it_should_and_is_proved(name: str) -> None:
+    layout, table, codes = said(text_of(name))
+    assert (len(table.routes), codes) == STATIONS[name]
+    assert proved(layout, table)
+
+
+def test_trains_turn_in_a_loop_over_the_same_point() -> None:
+    _, table, _ = said(text_of("turning_loop"))
+    chain = ("W1-W2", "W2-W3", "W3-A1", "A1-C1", "C1-WO", "WO-W")
+    assert set(chain) <= set(table.route)
+    assert all(table.route[a].exit == table.route[b].entry for a, b in pairwise(chain))  # type: ignore[index]
+
+
+def test_loaded_trains_leave_every_cross_cut_of_the_mine_with_five() -> None:
+    layout, table, _ = built("heishan")
+    for k, name in enumerate(("XL1", "XL2", "XL3", "XL4", "XL5"), 1):
+        reached, todo = set(), [name]
+        while todo:
+            at = todo.pop()
+            ends = {r.exit for r in table.routes if r.entry == at and r.kind == "main"} - reached
+            reached |= ends
+            todo += sorted(ends)
+        assert "OUT" in reached, f"cross-cut {k}"
+    assert len(table.routes) == 19 and layout.zones[0].trains == 4
+
+
+# --- slips ---------------------------------------------------------------------------------------------
+
+ARMS = "arms: [[nw.end, se.start], [sw.end, ne.start]]"
+WAYS = {("N1", "SE"), ("N1", "NE"), ("N2", "NE"), ("N2", "SE"), ("P3", "SW"), ("P3", "NW"), ("P4", "NW"), ("P4", "SW")}
+SLIPS = {
+    "": (WAYS, {"7a": ("1b and 2b", "1a", "2a"), "7b": ("1a and 2a", "1b", "2b")}),
+    "blades: near": (WAYS, {"7a": ("1a and 2a", "1b", "2b"), "7b": ("1b and 2b", "1a", "2a")}),
+    "single: 1a-2b": (WAYS - {("N2", "SE"), ("P4", "SW")}, {"7a": ("1a", "1b", "2b"), "7b": ("2b", "2a", "1a")}),
+    "single: 2a-1b": (WAYS - {("N1", "NE"), ("P3", "NW")}, {"7a": ("2a", "2b", "1b"), "7b": ("1b", "1a", "2a")}),
+    "machines: [7]": (WAYS, {"7": ("1a", "1b", "2b")}),
+    "machines: [7, 7]": (WAYS, {"7": ("2b", "2a", "1a")}),
+}
+
+
+def slip(kind: str) -> str:
+    """The layout with a kind of slip."""
+    return text_of("slip").replace(ARMS, f"{ARMS}, {kind}" if kind else ARMS)
+
+
+@pytest.mark.parametrize("kind", SLIPS)
+def test_a_slip_of_any_kind_has_all_its_routes_is_proved_and_wired_blade_by_blade(kind: str) -> None:
+    layout, table, _ = said(slip(kind))
+    ways, blades = SLIPS[kind]
+    assert {(r.entry, r.exit) for r in table.routes if r.entry[0] in "NP"} == ways
+    assert proved(layout, table)
+    assert agree(*told(slip(kind)), specification.shipped()).left == ()
+    controller = lower(layout, table)
+    rows = csv.DictReader(io.StringIO(channels_csv(layout, controller, allocate(layout, controller))))
+    when = {row["Variable"]: row["When 1"] for row in rows}
+    for machine, (at, normal, reverse) in blades.items():
+        for wire, to in (("DN", normal), ("DR", reverse), ("YN", normal), ("YR", reverse)):
+            assert f"blades at {at} to {to}" in when[f"{wire}_{machine}"]
+
+
+def test_a_slip_leads_where_the_blades_of_the_wiring_list_lead() -> None:
+    """The position of a machine in a route's row, and the end to which its blades then lead: along the path."""
+    leads = {("N1", "SE"): "1a 1b", ("N1", "NE"): "1a 2b", ("N2", "NE"): "2a 2b", ("N2", "SE"): "2a 1b"}
+    for kind in SLIPS:
+        layout, table, _ = said(slip(kind))
+        for r in table.routes:
+            path = leads.get((r.entry, r.exit), "").split()
+            lies = {p.machine: p.position for p in r.points if p.role == "path"}
+            for b in layout.blades if path else ():
+                machine, first = layout.point[b.point].machine, set(b.at) & set(path)
+                if len(b.at) == 2 or first:  # blades beside the path lead nowhere that matters
+                    assert b.to(lies[machine]) in path and b.to(lies[machine]) not in first, (kind, r.id, b)
+
+
+def test_a_controller_wired_after_the_other_convention_is_not_accepted() -> None:
+    for one, other in (("", "blades: near"), ("", "machines: [7]"), ("single: 1a-2b", "single: 2a-1b")):
+        _, system, text = told(slip(one))
+        with pytest.raises(Rejected):
+            agree(loaded(slip(other)), system, text, specification.shipped())
+
+
+@pytest.mark.parametrize("kind", ["machines: [{}m]", "blades: near"])
+def test_slips_of_layouts_that_grow_at_random(kind: str) -> None:
+    spec = re.compile(r"(?m)^  (\w+): \{(section: \w+, arms: \[\[[^\]]*\], \[[^\]]*\]\])[^}]*\}")
+    seen = 0
+    for seed in range(60):
+        text = grow(seed)
+        changed = spec.sub(lambda m: f"  {m[1]}: {{{m[2]}, {kind.format(m[1])}}}", text)
+        made = grown(changed) if "slips:" in text else None
+        if made is None or made[2].has_errors:
+            continue
+        layout, table, _ = made
+        assert audit(layout, table) == (), seed
+        if not seen:
+            assert proved(layout, table), seed
+        seen += 1
+    assert seen > 1
