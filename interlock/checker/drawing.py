@@ -19,7 +19,7 @@ from interlock.verify import Rejected, need
 
 _KEYS = """
 interlock name title profile principles boundaries buffers traps tracks points crossings slips derailers
-level_crossings interlocks signals distants sections conditions zones overlaps waive exclude automatic
+level_crossings interlocks signals distants sections conditions zones overlaps waive exclude hostile demand automatic
 routes voyages substations addresses drawing telegram allow
 """
 KEYS = frozenset(_KEYS.split())

@@ -288,12 +288,15 @@ class Railway:
 
     def excluded(self, c: Calling, p: Path) -> bool:
         """The author does not want a route over this path."""
+        return any(self.chosen(x, c, p) for x in self.body.get("exclude") or ())
+
+    def chosen(self, x: Mapping[str, Any], c: Calling, p: Path) -> bool:
+        """A route over this path begins, ends and passes as the author says."""
         ahead = self.signal_into.get((p.last.exit, self.beyond(p.last.section, p.last.exit) or ""))
         ends = {p.last.section, p.last.exit, *([ahead.name] if ahead is not None else [])}
-        return any(
+        return (
             x.get("from", c.name) == c.name
             and x.get("to", p.last.exit) in ends
             and set(x.get("via") or ()) <= {w.section for w in p.ways}
             and x.get("kind") in (None, "shunt" if c.shunt else "main")
-            for x in self.body.get("exclude") or ()
         )

@@ -151,13 +151,8 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
 
 
 def _excludes(x: Exclude, path: _Found) -> bool:
-    ends = {path.exit, path.ways[-1].section}
-    return (
-        x.entry in (None, path.signal.id)
-        and (x.exit is None or x.exit in ends)
-        and set(x.via) <= {t.section for t in path.ways}
-        and x.shunt in (None, path.kind is RouteKind.SHUNT)
-    )
+    ends, sections = {path.exit, path.ways[-1].section}, {t.section for t in path.ways}
+    return x.fits(path.signal.id, ends, sections, path.kind is RouteKind.SHUNT)
 
 
 def _numbered(layout: Layout, found: Sequence[_Found], sink: Sink) -> tuple[Path, ...]:

@@ -50,6 +50,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2016": (_E, "a signal that cannot call trains on"),
     "IL2017": (_E, "a direction token where trains run one way"),
     "IL2015": (_E, "an address that cannot be"),
+    "IL2019": (_E, "an addition that fits no route"),
     "IL2018": (_W, "an allowance that allows nothing"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),
@@ -84,6 +85,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL4003": (_E, "a signal from which no route leads"),
     "IL4004": (_I, "a route of more than three sections"),
     "IL4008": (_E, "a route without room for its overlap"),
+    "IL4011": (_E, "an addition that contradicts the route"),
+    "IL4012": (_I, "an addition that adds nothing"),
     "IL4010": (_I, "a flank with substitute protection"),
     "IL4009": (_W, "an overlap that was to swing and cannot"),
     "IL4005": (_I, "a path was left out that cannot be run"),

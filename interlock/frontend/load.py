@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
+from interlock.frontend.added import resolve_barred, resolve_demanded, unlisted
 from interlock.frontend.cabinets import resolve_addresses, resolve_drawing, resolve_substations
 from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
@@ -119,6 +120,8 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     automatic = resolve_automatic(ctx, wiring)
     waivers = resolve_waivers(ctx)
     excluded = resolve_excludes(ctx, wiring)
+    barred = resolve_barred(ctx, wiring)
+    demanded = resolve_demanded(ctx, wiring)
     if sink.has_errors:
         return None, source
     signals = resolve_signals(ctx, wiring)
@@ -162,6 +165,9 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         addresses=resolve_addresses(ctx),
         telegram=data.telegram,
         drawing=drawing,
+        barred=barred,
+        demanded=demanded,
+        unlisted=unlisted(ctx),
         blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )

@@ -14,8 +14,9 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
 from interlock.frontend.scalars import number_text
-from interlock.frontend.schema import RouteSpec
+from interlock.frontend.schema import ChoiceSpec, RouteSpec
 from interlock.model.elements import (
+    Choice,
     Condition,
     ConditionId,
     Device,
@@ -273,28 +274,26 @@ def _unknown(ctx: Context, kind: str, name: str, span: Span, known: Collection[s
     ctx.add(code, message, span, did_you_mean(name, known), cause=name, note=what)
 
 
+def resolve_choice(ctx: Context, wiring: Wiring, spec: ChoiceSpec, at: tuple[str | int, ...], what: str) -> Choice:
+    """Routes chosen by their ends, sections and kind; whether there are any is known after derivation."""
+    if spec.from_ is not None and spec.from_ not in ctx.file.signals:
+        _unknown(ctx, "signal", spec.from_, ctx.at(*at, "from"), ctx.file.signals, what)
+    if spec.to is not None and not _is_end(ctx, wiring, spec.to):
+        _unknown(ctx, "signal, boundary or buffer", spec.to, ctx.at(*at, "to"), _ends(ctx, wiring), what)
+    for k, s in enumerate(spec.via):
+        if s not in wiring.sections:
+            _unknown(ctx, "section", s, ctx.at(*at, "via", k), wiring.sections, what)
+    entry = SignalId(spec.from_) if spec.from_ else None
+    shunt = None if spec.kind is None else spec.kind == "shunt"
+    return Choice(entry, spec.to, tuple(map(SectionId, spec.via)), shunt)
+
+
 def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:
-    """Routes not wanted; whether there were any such routes is known after derivation."""
+    """Routes not wanted."""
     out = []
     for i, spec in enumerate(ctx.file.exclude):
-        what = "an exclusion"
-        if spec.from_ is not None and spec.from_ not in ctx.file.signals:
-            _unknown(ctx, "signal", spec.from_, ctx.at("exclude", i, "from"), ctx.file.signals, what)
-        if spec.to is not None and not _is_end(ctx, wiring, spec.to):
-            at = ctx.at("exclude", i, "to")
-            _unknown(ctx, "signal, boundary or buffer", spec.to, at, _ends(ctx, wiring), what)
-        for k, s in enumerate(spec.via):
-            if s not in wiring.sections:
-                _unknown(ctx, "section", s, ctx.at("exclude", i, "via", k), wiring.sections, what)
-        out.append(
-            Exclude(
-                SignalId(spec.from_) if spec.from_ else None,
-                spec.to,
-                tuple(map(SectionId, spec.via)),
-                None if spec.kind is None else spec.kind == "shunt",
-                spec.reason,
-            )
-        )
+        x = resolve_choice(ctx, wiring, spec, ("exclude", i), "an exclusion")
+        out.append(Exclude(x.entry, x.exit, x.via, x.shunt, spec.reason))
     return tuple(out)
 
 

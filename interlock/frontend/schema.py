@@ -227,8 +227,8 @@ class OverlapSpec(_Part):
         return overlap_length(self.speed or 0.0, self.falling)
 
 
-class ExcludeSpec(_Part):
-    """Routes that shall not be: all that fit what is given."""
+class ChoiceSpec(_Part):
+    """Routes: all that fit what is given."""
 
     from_: Name | None = key("the signal at which they begin; without it, any", None, name="from")
     to: Name | None = key("the signal, boundary, buffer or last section where they end; without it, any", None)
@@ -236,7 +236,31 @@ class ExcludeSpec(_Part):
     kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
         "train routes or shunt routes; without it, both", None
     )
+
+
+class ExcludeSpec(ChoiceSpec):
+    """Routes that shall not be: all that fit what is given."""
+
     reason: Reason = key("why they shall not be; not empty")
+
+
+class HostileSpec(_Part):
+    """Routes that must not be set together, though nothing in the layout tells."""
+
+    one: ChoiceSpec = key("routes, each of them hostile to each of `other`")
+    other: ChoiceSpec = key("the other routes; they may be the same ones")
+    reason: Reason = key("why they are hostile; not empty")
+
+
+class DemandSpec(_Part):
+    """A point that routes lock, though nothing in the layout tells."""
+
+    point: Name = key("the point, derailer or half of a slip")
+    lies: Annotated[Literal["normal", "reverse"], choice("position", ("normal", "reverse"))] = key(
+        "the position in which its machine lies, is detected and stays locked"
+    )
+    routes: ChoiceSpec = key("the routes that demand it")
+    reason: Reason = key("why they do; not empty")
 
 
 class RouteSpec(_Part):
@@ -245,6 +269,12 @@ class RouteSpec(_Part):
     from_: Name = key("the signal at which it begins", name="from")
     to: Name = key("the signal, boundary or buffer where it ends, or its last section")
     via: list[Name] = key("sections over which it leads, where several routes join the two ends", [])
+
+
+class NamedSpec(RouteSpec):
+    """A name for one derived route."""
+
+    listed: YesNo = key("no: it exists, is controlled and proved as any, and printed tables only count it", True)
 
 
 class VoyageSpec(RouteSpec):
@@ -370,10 +400,12 @@ class LayoutFile(_Part):
     sections: dict[Name, SectionSpec] = key("more about single sections", {})
     conditions: dict[Name, ConditionSpec] = key("inputs from outside that routes require", {})
     zones: dict[Name, ZoneSpec] = key("sections in which no more than so many trains may be", {})
-    routes: dict[Name, RouteSpec] = key("names for derived routes", {})
+    routes: dict[Name, NamedSpec] = key("names for derived routes", {})
     voyages: dict[Name, VoyageSpec] = key("chains of routes that one command opens", {})
     automatic: list[RouteSpec] = key("train routes that an operator's switch sets again after every train", [])
     exclude: list[ExcludeSpec] = key("derived routes that shall not be", [])
+    hostile: list[HostileSpec] = key("routes that are hostile beyond what the layout tells", [])
+    demand: list[DemandSpec] = key("points that routes lock beyond what the layout tells", [])
     overlaps: dict[Name, OverlapSpec] = key(
         "overlaps beyond main signals inside the layout; without it, the principle `overlap_m`", {}
     )

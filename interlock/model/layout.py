@@ -13,12 +13,14 @@ from functools import cached_property, wraps
 from typing import Any, TypeVar, TypeVarTuple
 
 from interlock.model.elements import (
+    Barred,
     Blades,
     Boundary,
     Buffer,
     Condition,
     Crossing,
     CrossingId,
+    Demanded,
     Device,
     Distant,
     Edge,
@@ -79,6 +81,10 @@ class Layout:
     telegram: TelegramForm = TelegramForm.NONE
     drawing: tuple[tuple[SectionId, int], ...] = ()
     blades: tuple[Blades, ...] = ()
+    barred: tuple[Barred, ...] = ()
+    demanded: tuple[Demanded, ...] = ()
+    unlisted: tuple[str, ...] = ()
+    """Names of routes that are not printed."""
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -249,7 +255,7 @@ class Layout:
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 
-_ONLY_STATED = frozenset({"blades"})
+_ONLY_STATED = frozenset({"blades", "barred", "demanded", "unlisted"})
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from interlock.logic.controller import Controller, RouteSymbols, Symbols, Timer
 from interlock.logic.expr import TRUE
-from interlock.logic.lower import aspects, block, overlaps, points, requests, routes, sections, ways, zones
+from interlock.logic.lower import added, aspects, block, overlaps, points, requests, routes, sections, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, SectionId
 from interlock.model.layout import Layout
@@ -42,6 +42,7 @@ PASSES = (
     points.trailing,
     points.starting,
     routes.keep,
+    added.keep,
     requests.keep,
     sections.keep,
     sections.alarms,
@@ -153,6 +154,9 @@ def _symbols(d: Draft) -> Symbols:
                 f"H_R{r.number}",
                 f"PA_R{r.number}" if r.closing.whole is not None else None,
                 r.names,
+                added.holds(r),
+                tuple(d.table.route[c.route].number for c in r.barred),
+                tuple((p.machine, p.position) for p in r.added),
             )
             for r in d.table.routes
         ),

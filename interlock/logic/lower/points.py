@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
-from interlock.logic.lower import ways
+from interlock.logic.lower import added, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position
 from interlock.model.portable import portable
@@ -64,6 +64,9 @@ def movable(d: Draft) -> None:
         for s in d.sections_of(m):
             terms.append(Term(var(f"FREE_{portable(s)}"), "point section free", f"{s} not locked"))
             terms.append(Term(neg(d.occupied(s)), "point section clear", f"{s} clear"))
+        by_routes = added.held(d, m)
+        if by_routes:
+            terms.append(Term(neg(disj(by_routes)), "added point not held", f"no route holds {m} that was added to it"))
         for x in Position:
             held = flank.get((m, x), FALSE)
             terms.append(Term(neg(held), "flank not held", f"nobody needs {m} {x} as flank protection"))

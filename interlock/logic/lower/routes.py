@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
-from interlock.logic.lower import aspects, block, requests, sections, ways, zones
+from interlock.logic.lower import added, aspects, block, requests, sections, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position
 from interlock.model.portable import portable
@@ -63,7 +63,8 @@ def _needs(d: Draft, r: RouteRow) -> list[Term]:
     terms = [Term(var("VALID"), "inputs valid")]
     for key in r.locked:
         terms += ways.free_terms(d, r, key)
-    return [*terms, *_rear_terms(d, r), *ways.overlap_terms(d, r), *_berth_terms(d, r), *zones.terms(d, r)]
+    terms += [*_rear_terms(d, r), *ways.overlap_terms(d, r), *_berth_terms(d, r), *zones.terms(d, r)]
+    return [*terms, *added.free(d, r)]
 
 
 def grants(d: Draft) -> None:
@@ -89,6 +90,7 @@ def locking(d: Draft) -> None:
                 Term(neg(var(f"X_{g}")), "not cancelling"),
                 Term(neg(var(f"CAN_{g}")), "not cancelled"),
                 *ways.lying_terms(d, r),
+                *added.detected(d, r),
             ),
             group,
             f"route {r.id} becomes locked (R3)",
@@ -134,6 +136,7 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
     terms += [Term(var(f"E_{portable(c.condition)}"), "condition", c.because.text) for c in r.conditions]
     terms += [Term(neg(d.occupied(b.section)), "line beyond clear", b.because.text) for b in r.block]
     terms += block.terms(d, r)
+    terms += added.detected(d, r)
     if r.kind is not RouteKind.CALL_ON:
         terms.append(Term(neg(var(f"D_{portable(r.section_ids[0])}")), "inputs never lost"))
     terms += aspects.lamp_terms(d, r)

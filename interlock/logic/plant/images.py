@@ -49,16 +49,13 @@ def images(b: Making) -> None:
         p.next[f"img.{blind}"] = TRUE
         p.initial.append(image(blind))
     for s, name in b.w.clear.items():
-        if f"o.{s}" not in p.state:
-            # an approach section beyond an outgoing boundary holds no train of this model
-            p.state[f"img.{s}"] = f"{s} was reported occupied"
-            p.next[f"img.{s}"] = neg(conj((var(name), valid)))
-            continue
         # a detector that is reported faulty may say anything: it counts as saying occupied
         faulty = neg(var(b.w.healthy[s])) if s in b.w.healthy else FALSE
         reported = disj((neg(var(name)), faulty))
         p.state[f"img.{s}"] = f"{s} was reported occupied"
         p.next[f"img.{s}"] = disj((reported, neg(valid)))
+        if f"o.{s}" not in p.state:
+            continue  # an approach section beyond an outgoing boundary holds no train of this model
         p.initial.append(implies(o(s), image(s)))
         b.assume(
             "A-DETECT",

@@ -61,6 +61,7 @@ def _swings_to(w: Words, g: SignalId, s: SectionId, n: int) -> Iterator[Expr]:
             for t in w.layout.sections_of_machine[m]
             for y in (_only_by(w, g, t), neg(w.f.any_lock(t)), neg(w.occupied(t)))
         ]
+        free += [neg(var(str(r.added))) for r in w.sym.routes if any(m == k for k, _ in r.demands)]
         yield disj((w.commanded(m, x), conj((*free, *(neg(w.holding(way)) for way in w.flanks(m))))))
 
 

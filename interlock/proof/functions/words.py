@@ -231,6 +231,7 @@ class Words:
         free = [self.valid]
         for s in self.layout.sections_of_machine[m]:
             free += [neg(self.f.held(s)), neg(self.occupied(s))]
+        free += [neg(var(str(r.added))) for r in self.sym.routes if any(m == n for n, _ in r.demands)]
         return conj((*free, *(neg(self.holding(way)) for way in self.flanks(m))))
 
     def closing(self, m: MachineId, x: Position) -> bool:

@@ -13,6 +13,7 @@ from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
+from interlock.proof.invariants.added import declared, demanded
 from interlock.proof.invariants.flank import flank, flank_space, scissors
 from interlock.proof.invariants.kinds import Claim, Facts
 from interlock.proof.invariants.paths import Shown, SignalPath, ground_of, lie, shown_over, signal_paths
@@ -49,6 +50,9 @@ CLAIMS: dict[str, str] = {
     "that protect it are intact.",
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is clear, lies and is detected.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is clear.",
+    "S-DECLARED": "No two signals show proceed for routes that the author declares hostile.",
+    "S-DEMANDED": "Proceed is shown only while the points that the author has the route lock are detected so in that "
+    "very scan, and were not trailed.",
     "S-DIRECTION": "Proceed onto a line with a direction token is shown only while the direction is ours, and then the "
     "neighbour has it not.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
@@ -101,6 +105,8 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         *((*x, True) for x in _zones(f)),
         *((*x, False) for x in flank_space(f)),
         *((*x, False) for x in _pairs(f)),
+        *((*x, False) for x in declared(f)),
+        *((*x, False) for x in demanded(f)),
         *((*x, False) for x in _signals(f)),
         *((*x, False) for x in terminals(f)),
         *((*x, False) for x in _distants(f)),
