@@ -20,6 +20,7 @@ from interlock.emit.io import channels_csv
 from interlock.frontend import load_text
 from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
+from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
 from interlock.proof.limits import Limits
 from interlock.proof.runner import prove
@@ -58,6 +59,7 @@ STATIONS: dict[str, tuple[int, set[str]]] = {
     "bare_signal": (2, {"IL7004", "IL7006"}),  # an overlap beyond a signal that starts nothing
     "both_ways": (5, {"IL4010", "IL7004", "IL7006"}),  # substitute protection, from two sections of one route
     "branches": (8, {"IL4010", "IL7004"}),  # a diamond, a derailer, a siding that no route reaches
+    "dead_end": (7, set()),  # four signals towards one buffer; a track joined to another, end to end
     "door": (14, {"IL3025"}),  # a road that is no berth
     "loading_loop": (9, set()),  # a balloon loop at a mine, both ways round
     "parallel": (4, {"IL4005", "IL7006"}),  # two trains side by side past a crossover
@@ -94,6 +96,29 @@ def test_loaded_trains_leave_every_cross_cut_of_the_mine_with_five() -> None:
             todo += sorted(ends)
         assert "OUT" in reached, f"cross-cut {k}"
     assert len(table.routes) == 19 and layout.zones[0].trains == 4
+
+
+@pytest.mark.parametrize(
+    ("near", "far"),
+    [
+        ("[W, k1 150, k2 150, far.start]", "[k3 150, k4 150, B]"),
+        ("[W, k1 150, k2 150, far.start]", "[near.end, k3 150, k4 150, B]"),
+        ("[W, k1 150, k2 150, far.end]", "[B, k4 150, k3 150]"),
+        ("[W, k1 150, k2 80]", "[near.end, k2 70, k3 150, k4 150, B]"),
+    ],
+)
+def test_tracks_are_joined_end_to_end_from_either_side(near: str, far: str) -> None:
+    text = text_of("dead_end")
+    other = text.replace("[W, k1 150, k2 150]", near).replace("[near.end, k3 150, k4 150, B]", far)
+    (_, one, _), (_, two, _) = said(text), said(other)
+    assert [r.id for r in one.routes] == [r.id for r in two.routes]
+    assert agree(*told(other), specification.shipped()).left == ()
+
+
+def test_trains_close_up_towards_a_buffer() -> None:
+    _, table, _ = said(text_of("dead_end"))
+    assert {r.id for r in table.routes} >= {"A1-A2", "A2-A3", "A3-A4", "A4-B"}
+    assert not {"A3-A4", "A4-B"} & {h.route for h in table.route[RouteId("A1-A2")].hostile}
 
 
 # --- slips ---------------------------------------------------------------------------------------------

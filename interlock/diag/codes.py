@@ -60,7 +60,6 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3005": (_E, "a signal that stands at no joint"),
     "IL3006": (_E, "the joint of a signal is ambiguous"),
     "IL3007": (_E, "two signals in one place, same direction"),
-    "IL3008": (_E, "two signals facing one buffer"),
     "IL3009": (_E, "a section is split into separate pieces"),
     "IL3010": (_E, "a section that no train can reach"),
     "IL3011": (_E, "trains can come in where no signal stands"),

@@ -385,8 +385,8 @@ class LayoutFile(_Part):
     buffers: list[Name] = key("names of track ends", [])
     traps: list[Name] = key("track ends into which no route leads: sand drags, trap sidings", [])
     tracks: dict[Name, list[Item]] = key(
-        "sections in order along a track, each with its length in metres: `[W, q1 400, q2 300]`; a boundary or buffer "
-        "may stand first or last",
+        "sections in order along a track, each with its length in metres: `[W, q1 400, q2 300]`; a boundary, a buffer, "
+        "or an end of something else (`west.end`) may stand first or last",
         {},
     )
     points: dict[Name, PointSpec] = key("sets of points", {})

@@ -14,8 +14,6 @@ from interlock.model.plain import plains
 
 def check_facing(ctx: Context, layout: Layout) -> None:
     """Report turned signals."""
-    if ctx.sink.has("IL3008"):
-        return  # that one speaks of turned signals, too
     found = plains(layout)
     for g in layout.signals:
         behind = found.behind_points(g)
