@@ -46,6 +46,7 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
         over
         for g in layout.signals
         for k in _functions(g)
+        if g.id not in layout.boards and (k or g.id not in layout.stops)
         for t in trips(layout, g, k)
         if not _unwanted(layout, t)
         for over in overruns(layout, t)
@@ -272,7 +273,9 @@ def _aspect(layout: Layout, trip: Trip) -> tuple[Shows, SignalId | None]:
     onward = [e.id for e in layout.edges_at[last.node] if e.id != last.edge]
     facing = [layout.signal_facing.get((last.node, e)) for e in onward]
     ahead = [g for g in facing if g is not None and g.kind != "shunt"]
-    return (Shows.NEXT, ahead[0].id) if ahead else (Shows.CAUTION, None)
+    if not ahead or ahead[0].id in layout.stops:
+        return Shows.CAUTION, None
+    return Shows.NEXT, ahead[0].id
 
 
 def _reversed(layout: Layout, trip: Trip) -> bool:

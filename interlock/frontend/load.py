@@ -20,6 +20,7 @@ from interlock.frontend.names import check_names
 from interlock.frontend.places import Places
 from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import (
+    boards,
     check_signal_names,
     resolve_automatic,
     resolve_conditions,
@@ -32,6 +33,7 @@ from interlock.frontend.resolve import (
     resolve_voyages,
     resolve_waivers,
     resolve_zones,
+    stops,
 )
 from interlock.frontend.validate import validate
 from interlock.frontend.wiring import Wirer
@@ -166,6 +168,8 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         telegram=data.telegram,
         drawing=drawing,
         barred=barred,
+        boards=boards(ctx),
+        stops=stops(ctx),
         demanded=demanded,
         unlisted=unlisted(ctx),
         blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),

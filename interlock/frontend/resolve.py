@@ -14,7 +14,7 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
 from interlock.frontend.scalars import number_text
-from interlock.frontend.schema import ChoiceSpec, RouteSpec
+from interlock.frontend.schema import ChoiceSpec, RouteSpec, SignalSpec
 from interlock.model.elements import (
     Choice,
     Condition,
@@ -114,15 +114,38 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
             )
             continue
         taken[node, into.section] = name
-        if spec.call_on and spec.kind == "shunt":
+        if spec.call_on and spec.kind not in ("main", "combined"):
+            what = "shunt signal" if spec.kind == "shunt" else "board"
             ctx.add(
                 "IL2016",
-                f"{name} is a shunt signal: it cannot call a train on",
+                f"{name} is a {what}: it cannot call a train on",
                 ctx.at("signals", name, "call_on"),
                 "remove `call_on`, or make it a `main` or `combined` signal",
             )
-        signals.append(Signal(SignalId(name), node, into.id, SignalKind(spec.kind), spec.call_on))
+        if spec.stops_trains and spec.kind != "shunt":
+            text = f"{name} is no shunt signal: `stops_trains` says nothing of it"
+            ctx.add("IL3027", text, ctx.at("signals", name, "stops_trains"), "remove `stops_trains`")
+        signals.append(Signal(SignalId(name), node, into.id, _kind(spec), spec.call_on))
     return tuple(sorted(signals, key=lambda g: g.id))
+
+
+def _kind(spec: SignalSpec) -> SignalKind:
+    """The kind of signal whose routes end there."""
+    if spec.kind == "board":
+        return SignalKind.MAIN
+    if spec.kind == "limit":
+        return SignalKind.SHUNT
+    return SignalKind.COMBINED if spec.stops_trains else SignalKind(spec.kind)
+
+
+def boards(ctx: Context) -> tuple[SignalId, ...]:
+    """Stop boards and limit-of-shunt boards."""
+    return tuple(sorted(SignalId(g) for g, x in ctx.file.signals.items() if x.kind in ("board", "limit")))
+
+
+def stops(ctx: Context) -> tuple[SignalId, ...]:
+    """Where train routes end and none begins."""
+    return tuple(sorted(SignalId(g) for g, x in ctx.file.signals.items() if x.kind == "board" or x.stops_trains))
 
 
 def _near(wiring: Wiring, at: dict[NodeId, list[Edge]], node: NodeId, point: str) -> bool:
@@ -299,7 +322,7 @@ def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:
 
 def resolve_distants(ctx: Context, signals: tuple[Signal, ...]) -> tuple[Distant, ...]:
     """Distant and repeating signals, each with the main signal that it announces."""
-    mains = {g.id for g in signals if g.main}
+    mains = {g.id for g in signals if g.main} - {*boards(ctx), *stops(ctx)}
     out = []
     for name, spec in sorted(ctx.file.distants.items()):
         if spec.of not in mains:

@@ -149,7 +149,7 @@ class CrossingSpec(_Part):
     legs: Length | None = key("metres of each of the four legs; without it, the principle `leg_m`", None)
 
 
-_KINDS = tuple(k.value for k in SignalKind)
+_KINDS = (*SignalKind, "board", "limit")
 
 
 class SignalSpec(_Part):
@@ -158,9 +158,12 @@ class SignalSpec(_Part):
     from_: Name = key("the section in rear of it, or, for an entry signal, the boundary", name="from")
     into: Name = key("the section into which it leads")
     at: Name | None = key("a point next to the joint; without it, the sections meet in one joint only", None)
-    kind: Annotated[Literal["main", "shunt", "combined"], choice("kind of signal", _KINDS)] = key(
-        "for trains, for shunting movements, or for both", "main"
+    kind: Annotated[Literal["main", "shunt", "combined", "board", "limit"], choice("kind of signal", _KINDS)] = key(
+        "for trains, for shunting movements, or for both; `board`: a stop board, where routes end and none begins; "
+        "`limit`: a limit-of-shunt board, where shunt routes end, and which trains pass",
+        "main",
     )
+    stops_trains: YesNo = key("a shunt signal at which train routes end, too; none begins there", False)
     call_on: YesNo = key(
         "a main or combined signal that can call a train on over sections that are reported occupied", False
     )

@@ -83,6 +83,10 @@ class Layout:
     blades: tuple[Blades, ...] = ()
     barred: tuple[Barred, ...] = ()
     demanded: tuple[Demanded, ...] = ()
+    boards: tuple[SignalId, ...] = ()
+    """Boards without lamps, of the kind of signal whose routes end there; no route begins at one."""
+    stops: tuple[SignalId, ...] = ()
+    """Where train routes end and none begins: stop boards, and shunt signals that the author says so of."""
     unlisted: tuple[str, ...] = ()
     """Names of routes that are not printed."""
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
@@ -213,6 +217,10 @@ class Layout:
             return "on" if normal else "off"
         return "normal" if normal else "reverse"
 
+    def opens(self, signal: SignalId, shunt: bool) -> bool:
+        """Whether routes for trains, or for shunting movements, may begin at a signal."""
+        return signal not in self.boards and (shunt or signal not in self.stops)
+
     def onward(self, edge: EdgeId, node: NodeId) -> tuple[Edge, ...]:
         """The edges onto which a vehicle can go on that comes over an edge to a node, whatever points do."""
         point, crossing = self.point_at.get(node), self.crossing_at.get(node)
@@ -255,7 +263,7 @@ class Layout:
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 
-_ONLY_STATED = frozenset({"blades", "barred", "demanded", "unlisted"})
+_ONLY_STATED = frozenset({"blades", "barred", "demanded", "boards", "stops", "unlisted"})
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
 
 

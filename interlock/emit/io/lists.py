@@ -69,7 +69,10 @@ def _blades(layout: Layout, controller: Controller) -> dict[str, str]:
 
 def equipment_csv(layout: Layout, a: Allocation) -> str:
     """What has to be bought and mounted, counted from the layout (document B 2.2)."""
-    kinds = Counter(f"signal, {g.kind}" for g in layout.signals)
+    lit = [g for g in layout.signals if g.id not in layout.boards]
+    kinds = Counter(f"signal, {'shunt' if g.id in layout.stops else g.kind}" for g in lit)
+    kinds["stop board"] = sum(g in layout.stops for g in layout.boards)
+    kinds["limit-of-shunt board"] = sum(g not in layout.stops for g in layout.boards)
     hand = {p.machine for p in layout.points if p.work is Work.HAND}
     derailers = {p.machine for p in layout.points if p.derailer}
     motors = [m for m in layout.ends_of_machine if m not in hand]

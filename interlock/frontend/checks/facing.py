@@ -17,7 +17,7 @@ def check_facing(ctx: Context, layout: Layout) -> None:
     found = plains(layout)
     for g in layout.signals:
         behind = found.behind_points(g)
-        if behind is None or not found.turned(g):
+        if g.id in layout.boards or behind is None or not found.turned(g):
             continue
         spec = ctx.file.signals[g.id]
         ctx.add(

@@ -57,7 +57,7 @@ def lamps(d: Draft) -> dict[str, dict[SignalId, str]]:
     def each(prefix: str, shown_by: Sequence[Signal]) -> dict[SignalId, str]:
         return {g.id: f"{prefix}_{portable(g.id)}" for g in shown_by}
 
-    mains = [g for g in signals if g.main]
+    mains = [g for g in signals if g.main and d.layout.opens(g.id, False)]
     return {
         "clear_aspect": each("YP", mains),
         "caution_aspect": each("YY", mains if cautions(d) else []),
@@ -82,7 +82,7 @@ def outputs(d: Draft) -> None:
         mains = disj((_opens(d, signal.id, "S"), *_passing(routes, RouteKind.MAIN)))
         whites = [var(f"S_R{r.number}") for r in routes if r.kind is RouteKind.SHUNT]
         shunts = disj([*whites, *_passing(routes, RouteKind.SHUNT)])
-        if signal.main:
+        if signal.main and d.layout.opens(signal.id, False):
             clear = _clear(d, signal.id)
             d.outputs.append(Output(f"YP_{n}", clear, False, f"signal {signal.id}: clear (green)"))
             if cautions(d):
