@@ -12,6 +12,7 @@ from pydantic_core import PydanticCustomError
 from interlock.diag import Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
+from interlock.frontend.parts import points_of
 from interlock.frontend.ports import Wiring
 from interlock.frontend.scalars import number_text
 from interlock.frontend.schema import ChoiceSpec, RouteSpec, SignalSpec
@@ -136,6 +137,20 @@ def _kind(spec: SignalSpec) -> SignalKind:
     if spec.kind == "limit":
         return SignalKind.SHUNT
     return SignalKind.COMBINED if spec.stops_trains else SignalKind(spec.kind)
+
+
+def resolve_supervision(ctx: Context, wiring: Wiring) -> tuple[tuple[MachineId, float], ...]:
+    """Seconds of supervision by machine; the longest, where the two ends of one state different ones."""
+    f, found = ctx.file, dict[MachineId, float]()
+    machine_of = {str(p.id): p.machine for p in wiring.points}
+    stated = [(machine_of[n], p.supervision) for n, p in f.points.items()]
+    stated += [(machine_of[n], d.supervision) for n, d in f.derailers.items()]
+    stated += [(machine_of[p], s.supervision) for n, s in f.slips.items() for p in points_of(n, s)]
+    stated += [(MachineId(n), d.supervision) for n, d in (*f.level_crossings.items(), *f.interlocks.items())]
+    for machine, seconds in stated:
+        if seconds is not None:
+            found[machine] = max(seconds, found.get(machine, 0.0))
+    return tuple(sorted(found.items()))
 
 
 def boards(ctx: Context) -> tuple[SignalId, ...]:

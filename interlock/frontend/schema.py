@@ -51,6 +51,12 @@ def key(text: str, default: Any = ..., *, name: str | None = None, least: int = 
     return Field(default, description=text, alias=name, **count)
 
 
+SUPERVISION = (
+    "seconds after which a machine that is commanded and not detected raises an alarm; without it, the principle "
+    "`point_supervision_s`"
+)
+
+
 class BoundarySpec(_Part):
     """Where trains come in or leave."""
 
@@ -86,6 +92,7 @@ class PointSpec(_Part):
     work: Annotated[Literal["motor", "hand"], choice("kind of work", tuple(Work))] = key(
         "`hand`: worked on the spot once its key is released; the key locks it in normal", "motor"
     )
+    supervision: Seconds | None = key(SUPERVISION, None)
 
 
 class DerailerSpec(_Part):
@@ -97,6 +104,7 @@ class DerailerSpec(_Part):
     )
     inner: End | None = key("the side that it protects; without it, what names this end", None)
     legs: Length | None = key("metres of track to either side; without it, the principle `leg_m`", None)
+    supervision: Seconds | None = key(SUPERVISION, None)
 
 
 class SlipSpec(_Part):
@@ -126,6 +134,7 @@ class SlipSpec(_Part):
     )
     legs: Length | None = key("metres of each leg; without it, the principle `leg_m`", None)
     fouling: Length | None = key("metres to the fouling point; without it, the principle `fouling_m`", None)
+    supervision: Seconds | None = key(SUPERVISION, None)
 
 
 class DeviceSpec(_Part):
@@ -133,6 +142,7 @@ class DeviceSpec(_Part):
 
     over: list[Name] = key("the sections over which no train runs unless it is closed", least=1)
     text: Text = key("what it is, for plans and forms", "")
+    supervision: Seconds | None = key(SUPERVISION, None)
 
 
 class ArmSpec(_Part):

@@ -87,6 +87,8 @@ class Layout:
     """Boards without lamps, of the kind of signal whose routes end there; no route begins at one."""
     stops: tuple[SignalId, ...] = ()
     """Where train routes end and none begins: stop boards, and shunt signals that the author says so of."""
+    supervision: tuple[tuple[MachineId, float], ...] = ()
+    """Seconds of supervision of machines that have a time of their own."""
     unlisted: tuple[str, ...] = ()
     """Names of routes that are not printed."""
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
@@ -217,6 +219,15 @@ class Layout:
             return "on" if normal else "off"
         return "normal" if normal else "reverse"
 
+    def supervision_s(self, machine: MachineId) -> float:
+        """Seconds after which the machine, commanded and not detected, raises an alarm (R10)."""
+        return dict(self.supervision).get(machine, self.principles.point_supervision_s)
+
+    @cached_property
+    def longest_supervision_s(self) -> float:
+        """For as long any machine may turn before an alarm."""
+        return max([self.principles.point_supervision_s, *(s for _, s in self.supervision)])
+
     def opens(self, signal: SignalId, shunt: bool) -> bool:
         """Whether routes for trains, or for shunting movements, may begin at a signal."""
         return signal not in self.boards and (shunt or signal not in self.stops)
@@ -263,7 +274,7 @@ class Layout:
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 
-_ONLY_STATED = frozenset({"blades", "barred", "demanded", "boards", "stops", "unlisted"})
+_ONLY_STATED = frozenset({"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted"})
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
 
 

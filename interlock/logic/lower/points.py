@@ -180,7 +180,7 @@ def supervision(d: Draft) -> None:
         )
     for m in d.machines:
         n = portable(m)
-        late = d.timer(f"ST_{n}", f"STI_{n}", d.layout.principles.point_supervision_s, f"machine {m}: time-out")
+        late = d.timer(f"ST_{n}", f"STI_{n}", d.layout.supervision_s(m), f"machine {m}: time-out")
         d.kept(f"AL_{n}", False, f"alarm: machine {m} not detected", Join.ANY, (Term(late, "late"),), f"point {m}")
         d.outputs.append(Output(f"YA_{n}", var(f"AL_{n}"), False, f"alarm: machine {m} not detected in time"))
 
