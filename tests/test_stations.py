@@ -122,6 +122,38 @@ def test_trains_close_up_towards_a_buffer() -> None:
     assert not {"A3-A4", "A4-B"} & {h.route for h in table.route[RouteId("A1-A2")].hostile}
 
 
+# --- a first signal that stands further in ---------------------------------------------------------------
+
+FURTHER_IN = """interlock: 1
+name: further_in
+principles: {line_speed_kmh: 30}
+boundaries:
+  W: {approach: w0 600}
+  E: {approach: e0 600}
+tracks:
+  line: [W, q1 150, q2 200, q3 200, E]
+signals:
+  A: {from: q1, into: q2}
+  B: {from: E, into: q3}
+  C: {from: q2, into: q3}
+  D: {from: q3, into: q2}
+"""
+
+
+def test_what_is_advised_for_a_first_signal_further_in_is_a_layout_that_is_proved() -> None:
+    sink = Sink()
+    assert load_text("line.yaml", FURTHER_IN, sink)[0] is None
+    (found,) = sink.diagnostics
+    advice = dict(re.findall(r"`(\w+): (\{.*?\})`", found.fix or ""))
+    (begins,) = re.findall(r"begins `\[(.*?) \.\.\.", found.fix or "")
+    assert found.code == "IL3011" and advice == {"W": "{approach: q1 150}", "A": "{from: W, ...}"} and begins == "W, q2"
+    text = FURTHER_IN.replace("{approach: w0 600}", advice["W"]).replace("W, q1 150, q2", begins)
+    layout, table, _ = said(text.replace("A: {from: q1,", "A: {from: W,"))
+    assert proved(layout, table)
+    assert table.route[RouteId("A-C")].approach.sections == ("q1",), "whoever is in q1 may be on his way"
+    assert [b.section for b in table.route[RouteId("D-W")].block] == ["q1"], "a departure needs it clear"
+
+
 # --- supervision ---------------------------------------------------------------------------------------
 
 
