@@ -42,7 +42,7 @@ def test_a_pair_is_hostile_if_something_makes_it_so(name: str, monkeypatch: pyte
     if found is None:
         return  # refused by the front end
     conflicts, table = made[0], found[1]
-    paths, locks, _ = conflicts.given  # type: ignore[attr-defined]
+    paths, locks, _, _ = conflicts.given  # type: ignore[attr-defined]
     pairs = [(a.id, b.id) for a, b in combinations(paths, 2) if classify(a, b, locks, conflicts._needs) is not None]
     listed = {r.id: r.hostile.routes for r in table.routes}
     assert [(a.id, b.id) for a, b in combinations(paths, 2) if b.id in listed[a.id]] == pairs

@@ -207,7 +207,7 @@ def test_a_long_cycle_is_noticed_in_the_very_next_scan() -> None:
 def test_the_lists_say_the_same_as_the_allocation() -> None:
     layout, _, controller = built("cn6502")
     a = allocate(layout, controller)
-    rows = list(csv.DictReader(io.StringIO(channels_csv(controller, a))))
+    rows = list(csv.DictReader(io.StringIO(channels_csv(layout, controller, a))))
     by_variable = {r["Variable"]: r for r in rows if r["Variable"]}
     assert {n: r["Address"] for n, r in by_variable.items()} == {
         c.variable: c.address for c in (*a.heartbeats, *a.channels)

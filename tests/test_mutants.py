@@ -28,6 +28,7 @@ DEVICES = "../tests/layouts_for_tests/devices"
 OVERLAPS = "../tests/layouts_for_tests/overlaps"
 CLOSING = "../tests/layouts_for_tests/closing"
 TOKEN = "../tests/layouts_for_tests/token"
+ADDED = "../tests/layouts_for_tests/added"
 SWING = "../tests/layouts_for_tests/swing"
 # the layout on which a kind has mutants
 ON = {
@@ -46,6 +47,7 @@ ON = {
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("direction-")), TOKEN),
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("swing-")), SWING),
     "speed-too-high": "../tests/layouts_for_tests/speeds",
+    **dict.fromkeys(("declared-not-excluded", "added-point-not-detected"), ADDED),
     "zone-not-checked": "heishan",
     "fault-ignored": "pit_bottom",
     "zone-miscounted": "heishan",
@@ -102,6 +104,8 @@ def _killers() -> dict[str, tuple[str, str]]:
         "T-FLANK": (FLANK, "flank-missing"),
         "T-SCISSORS": ("terminus", "flank-missing"),
         "S-SCISSORS": ("terminus", "flank-missing"),
+        "S-DECLARED": (ADDED, "declared-not-excluded"),
+        "S-DEMANDED": (ADDED, "added-point-not-detected"),
         "T-LINE": (TOKEN, "direction-given-early"),
         "S-DIRECTION": (TOKEN, "direction-not-checked"),
         "S-OPPOSING": (two, "hostile-not-excluded"),

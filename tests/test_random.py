@@ -18,7 +18,7 @@ from interlock.st.printer import print_unit
 from tests.grow import grow
 from tests.layouts import built, grown
 
-REFUSABLE = {"IL4001", "IL4002", "IL4003", "IL4008", "IL3006", "IL3008", "IL3015", "IL3019", "IL3022"}
+REFUSABLE = {"IL4001", "IL4002", "IL4003", "IL4008", "IL3006", "IL3015", "IL3019", "IL3022"}
 
 
 @pytest.mark.parametrize("block", range(8))

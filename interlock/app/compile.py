@@ -112,7 +112,7 @@ def _documents(checked: Checked, proved: Proved, plan: str) -> dict[str, bytes]:
         "table_railml.json": railml_json(layout, table).encode(),
         **({"voyages.csv": voyages_csv(table).encode()} if table.voyages else {}),
         **{f"table_{form.key}.csv": sheet_csv(form).encode() for form in national_sheets(layout, table)},
-        "io/channels.csv": channels_csv(controller, allocation).encode(),
+        "io/channels.csv": channels_csv(layout, controller, allocation).encode(),
         "io/equipment.csv": equipment_csv(layout, allocation).encode(),
         "io/tags_tia.xlsx": tags_xlsx(layout, allocation),
         "proof.json": (json.dumps(body, indent=1, ensure_ascii=False) + "\n").encode(),

@@ -11,6 +11,7 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from interlock.audit.added import added, chosen, declared
 from interlock.audit.approach import approach_sections
 from interlock.audit.flank import Movements, crossovers_to_lie_normal, flank_space, open_flanks, pairs
 from interlock.audit.walk import (
@@ -45,6 +46,7 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
         over
         for g in layout.signals
         for k in _functions(g)
+        if g.id not in layout.boards and (k or g.id not in layout.stops)
         for t in trips(layout, g, k)
         if not _unwanted(layout, t)
         for over in overruns(layout, t)
@@ -81,6 +83,7 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
             found += _flank(layout, r, matched[r.id], movements)
     found += _in_the_way(layout, table, matched)
     found += _hostile(layout, table, matched)
+    found += [Finding(*x) for x in added(layout, table, matched)]
     found += _voyages(layout, table, matched)
     found += _swings(layout, table, matched)
     return tuple(found)
@@ -113,13 +116,7 @@ def _functions(g: Signal) -> list[bool]:
 
 def _unwanted(layout: Layout, t: Trip) -> bool:
     """Whether the layout excludes a path."""
-    return any(
-        (x.entry is None or x.entry == t.entry)
-        and (x.exit is None or x.exit in (t.exit, t.sections[-1]))
-        and all(s in t.sections for s in x.via)
-        and (x.shunt is None or x.shunt == t.shunt)
-        for x in layout.excluded
-    )
+    return any(chosen(x, t) for x in layout.excluded)
 
 
 def _sections(layout: Layout, moves: tuple[Move, ...]) -> tuple[SectionId, ...]:
@@ -276,7 +273,9 @@ def _aspect(layout: Layout, trip: Trip) -> tuple[Shows, SignalId | None]:
     onward = [e.id for e in layout.edges_at[last.node] if e.id != last.edge]
     facing = [layout.signal_facing.get((last.node, e)) for e in onward]
     ahead = [g for g in facing if g is not None and g.kind != "shunt"]
-    return (Shows.NEXT, ahead[0].id) if ahead else (Shows.CAUTION, None)
+    if not ahead or ahead[0].id in layout.stops:
+        return Shows.CAUTION, None
+    return Shows.NEXT, ahead[0].id
 
 
 def _reversed(layout: Layout, trip: Trip) -> bool:
@@ -393,6 +392,8 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
         for j in _bits((pairs[i] | listed[i] | told) & ~agreed & -(1 << i + 1)):
             b = grounds[j]
             why = _cannot_both(layout, a, b)
+            if why is None and declared(layout, matched[a.row.id], matched[b.row.id]):
+                why = "declared, with", frozenset({b.row.id})
             for x, y, says in ((a, b, listed[i] >> j & 1), (b, a, listed[j] >> i & 1)):
                 if why and not says:
                     text = f"{y.row.id} is hostile: {why[0]} {', '.join(sorted(why[1]))}"

@@ -2,8 +2,8 @@
 
 Read with PyYAML as plain text, and with nothing of the product's own reading.  A joint between sections a and b is
 named `a|b@` and the end of a track, point or crossing that lies there first in the alphabet, or the place on a track:
-only so can the names of a written system be compared.  A slip is two points toe to toe, or a diamond with a point on
-either arm; a derailer is a point whose normal leg leads off the rails.
+only so can the names of a written system be compared.  A slip is two points toe to toe, or a diamond with a point at
+each end of its slip rails; a derailer is a point whose normal leg leads off the rails.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from interlock.verify import Rejected, need
 
 _KEYS = """
 interlock name title profile principles boundaries buffers traps tracks points crossings slips derailers
-level_crossings interlocks signals distants sections conditions zones overlaps waive exclude automatic
+level_crossings interlocks signals distants sections conditions zones overlaps waive exclude hostile demand automatic
 routes voyages substations addresses drawing telegram allow
 """
 KEYS = frozenset(_KEYS.split())
@@ -267,15 +267,25 @@ class _Drawer:
     def _draw_slip(self, c: str, v: Mapping[str, Any]) -> None:
         s, ends = str(v["section"]), (f"{c}a", f"{c}b")
         machines = list(v.get("machines") or ends)
+        alone = not v.get("single") and bool(v.get("machines")) and len(set(machines)) == 1
 
-        def point(side: int, toe: str, normal: str, reverse: str) -> None:
-            name = ends[side]
+        def point(side: int, toe: str, normal: str, reverse: str, name: str = "") -> None:
+            name = name or ends[side]
             machine = machines[side % len(machines)]
             self.drawn.points[name] = Point(name, machine, s, toe, normal, reverse, self._fouling(v))
 
+        if alone:  # one machine: straight on over the diamond, or over the slip rails
+            legs = {}
+            for k, (x, y) in enumerate((("1a", "2b"), ("2a", "1b")), 1):
+                curve = self._edge(f"{c}.s{k}", f"{c}/{x}", f"{c}/{y}", self._leg(v), s)
+                for e in (x, y):
+                    legs[e] = self._edge(f"{c}.{e}x", f"{c}/{e}", c, self._leg(v) / 2, s)
+                    point(0, self._outward(c, f"{c}/{e}", e, v, s), legs[e], curve, f"{c}/{e}")
+            self.drawn.diamonds[c] = Diamond(c, ((legs["1a"], legs["1b"]), (legs["2a"], legs["2b"])))
+            return
         if not v.get("single"):
             middle = self._edge(f"{c}.m", *ends, 1.0, s)
-            for i, side in enumerate("ab"):
+            for i, side in enumerate("ba" if v.get("blades") == "near" else "ab"):
                 point(i, middle, *(self._outward(c, ends[i], f"{n}{side}", v, s) for n in (1, 2)))
             return
         curve = self._edge(f"{c}.s", *ends, self._leg(v), s)

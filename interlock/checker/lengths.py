@@ -191,6 +191,16 @@ class Lengths:
         fastest = max(self.kmh(s) for s in [None, *self.r.sections])
         return self.halt(fastest) + round(1000 * longest / (self.d.rule("line_speed_kmh") / 3.6 / 2))
 
+    def supervision(self, m: str) -> float:
+        """Seconds after which a machine raises an alarm: its own, the longest of its ends, or as the principle says."""
+        body, own = self.r.body, []
+        for part in ("points", "derailers", "slips", "level_crossings", "interlocks"):
+            for name, v in (body.get(part) or {}).items():
+                works = {p.machine for k, p in self.r.points.items() if k == name or _half(k, name, part)}
+                if v.get("supervision") is not None and m in (works or {name}):
+                    own.append(float(v["supervision"]))
+        return max(own, default=self.d.rule("point_supervision_s"))
+
     def swings_in_time(self, g: Signal) -> bool:
         """A train needs longer through the section before a signal than its swinging overlap may take to turn."""
         told = (self.r.body.get("overlaps") or {}).get(g.name) or {}
@@ -198,7 +208,9 @@ class Lengths:
         if told.get("swing") not in ("yes", "true") or s is None:
             return False
         metres = min((w.length for w in self.r.ways[s] if w.exit == g.node), default=0.0)
-        return metres / (self.kmh(s) / 3.6) >= self.d.rule("output_delay_s") + self.d.rule("point_supervision_s")
+        return metres / (self.kmh(s) / 3.6) >= self.d.rule("output_delay_s") + max(
+            map(self.supervision, self.r.machines)
+        )
 
     # --- from where a train may come to a signal (R8) ---
 
@@ -257,3 +269,8 @@ def _agrees(ways: tuple[Way, ...]) -> bool:
 
 def _reversed(ways: tuple[Way, ...]) -> int:
     return sum(d.position == "R" for w in ways for _, d in w.points)
+
+
+def _half(point: str, slip: str, part: str) -> bool:
+    """The point is part of a slip."""
+    return part == "slips" and point in (f"{slip}a", f"{slip}b", *(f"{slip}/{e}" for e in ("1a", "1b", "2a", "2b")))

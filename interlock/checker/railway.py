@@ -147,7 +147,7 @@ class Railway:
             if v.get("block", "none") not in ("none", "semi-automatic", "automatic", "token"):
                 raise Unread(f"the block of boundary {b}")
         for g, v in (self.body.get("signals") or {}).items():
-            if set(v) - {"from", "into", "at", "kind", "call_on"}:
+            if set(v) - {"from", "into", "at", "kind", "call_on", "stops_trains"}:
                 raise Unread(f"something of signal {g}")
         for s, v in self.told.items():
             if set(v) - {"lane", "one_way", "speed", "detected"}:
@@ -252,7 +252,10 @@ class Railway:
             legs = set() if p is None else {p.toe, p.normal, p.reverse}
             nodes = [n for n in nodes if any(e.name in legs for e in self.drawn.at[n])]
         need(len(nodes) == 1, f"signal {name} stands nowhere, or in two places")
-        need(kind in ("main", "shunt", "combined"), f"signal {name} is of an unknown kind")
+        need(kind in ("main", "shunt", "combined", "board", "limit"), f"signal {name} is of an unknown kind")
+        kind = {"board": "main", "limit": "shunt"}.get(kind, kind)  # whose routes end there
+        if v.get("stops_trains") in ("yes", "true"):
+            kind = "combined"
         return Signal(name, nodes[0], into, kind, v.get("call_on") in ("yes", "true"))
 
     def callings(self, g: Signal) -> list[Calling]:
@@ -288,12 +291,20 @@ class Railway:
 
     def excluded(self, c: Calling, p: Path) -> bool:
         """The author does not want a route over this path."""
+        return not self._opens(c) or any(self.chosen(x, c, p) for x in self.body.get("exclude") or ())
+
+    def _opens(self, c: Calling) -> bool:
+        """Nothing begins at a board, and no train at a shunt signal at which trains end."""
+        v = self.body["signals"][c.name]
+        return v.get("kind") not in ("board", "limit") and (c.shunt or v.get("stops_trains") not in ("yes", "true"))
+
+    def chosen(self, x: Mapping[str, Any], c: Calling, p: Path) -> bool:
+        """A route over this path begins, ends and passes as the author says."""
         ahead = self.signal_into.get((p.last.exit, self.beyond(p.last.section, p.last.exit) or ""))
         ends = {p.last.section, p.last.exit, *([ahead.name] if ahead is not None else [])}
-        return any(
+        return (
             x.get("from", c.name) == c.name
             and x.get("to", p.last.exit) in ends
             and set(x.get("via") or ()) <= {w.section for w in p.ways}
             and x.get("kind") in (None, "shunt" if c.shunt else "main")
-            for x in self.body.get("exclude") or ()
         )

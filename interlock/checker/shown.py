@@ -10,7 +10,7 @@ from itertools import pairwise
 
 from interlock.checker.drawing import Diamond, Edge
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no, some
-from interlock.checker.railway import Calling, Path, Signal, Way
+from interlock.checker.railway import Calling, Demand, Path, Signal, Way
 from interlock.checker.terminals import Terminals
 
 
@@ -132,6 +132,33 @@ class Protection(Terminals):
             beside = [w for w in self.r.ways[f.neighbour] if f.when is None or f.node in (w.entry, w.exit)]
             found += self._between(self.w_fouled_ways(f), beside)
         return found
+
+    def w_declared_hostile(self) -> list[tuple[Formula, Formula]]:
+        """Routes of two signals that the author declares hostile: each shown along its path."""
+        found = []
+        those = [(c, p) for g in self.w_signals() for c in self.r.callings(g) for p in self.r.paths(c)]
+
+        def so(c: Calling, p: Path) -> Formula:
+            return every((self.w_shows(c), self.w_lies(p)))
+
+        for x in self.r.body.get("hostile") or ():
+            one, other = ([(c, p) for c, p in those if self.r.chosen(x[k], c, p)] for k in ("one", "other"))
+            for c, p in one:
+                for b, q in other:
+                    if b.signal != c.signal:
+                        found.append((so(c, p), so(b, q)))
+        return found
+
+    def w_added_demands(self, c: Calling, p: Path) -> list[Demand]:
+        """The points that the author has a route over this path lock."""
+        return [
+            Demand(self.r.points[x["point"]].machine, "N" if x["lies"] == "normal" else "R")
+            for x in self.r.body.get("demand") or ()
+            if self.r.chosen(x["routes"], c, p)
+        ]
+
+    def w_added_powered_demands(self, c: Calling, p: Path) -> list[Demand]:
+        return [d for d in self.w_added_demands(c, p) if d.machine in self.w_powered()]
 
     def w_shown_first(self, h: tuple[Formula, Formula]) -> Formula:
         return h[0]

@@ -363,6 +363,9 @@ class Terminals(Ahead):
     def w_release_timer(self, s: str) -> str:
         return f"RT_{safe(s)}"
 
+    def w_supervision_of(self, m: str) -> int:
+        return round(1000 * self.lengths.supervision(m))
+
     def w_late_timer(self, m: str) -> str:
         return f"ST_{safe(m)}"
 

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
+from interlock.derivation.added import Barred
 from interlock.derivation.routes import Path
 from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position, RouteId, SectionId
@@ -35,13 +36,20 @@ class Conflicts:
         paths: Sequence[Path],
         locks: Mapping[TraversalKey, TraversalRow],
         demands: Mapping[RouteId, Sequence[PointDemand]],
+        barred: Barred,
     ) -> None:
-        """Paths in order of number."""
+        """Paths in order of number.  barred: for each route those that the author declares hostile."""
         self._locks = locks
         self._path = {p.id: p for p in paths}
         self._needs = _needs(paths, demands)
         self._ids = [p.id for p in paths]
-        self._hostile = dict(zip(self._ids, _hostile(paths, locks, self._needs), strict=True))
+        self._barred = {r: {c.route: c.because for c in cells} for r, cells in barred.items()}
+        self.derived = dict(zip(self._ids, _hostile(paths, locks, self._needs), strict=True))
+        """For each route the hostile ones but for those that are only declared so, as bits by number less one."""
+        self._hostile = dict(self.derived)
+        for r, cells in self._barred.items():
+            for other in cells:
+                self._hostile[r] |= 1 << self._path[other].number - 1
 
     def of(self, path: Path) -> HostileRoutes:
         """The hostile routes of a route."""
@@ -51,6 +59,9 @@ class Conflicts:
         """Class, witness and reason of a pair of hostile routes."""
         a, b = sorted((self._path[one], self._path[other]), key=lambda p: p.number)
         found = list(reasons(a, b, self._locks, self._needs))
+        declared = self._barred.get(one, {}).get(other)
+        if declared is not None:
+            found.append((HostileClass.ADDED, declared.text, "R6"))
         kind, witness, rule = found[0]
         kinds = tuple(dict.fromkeys(k for k, _, _ in found))
         return Hostile(other, kind, kinds, witness, Because(rule, f"{one} and {other}: {kind}, {witness}"))
@@ -139,7 +150,7 @@ def _excluded(lock: TraversalRow) -> Iterator[object]:
         yield from (ex.section,) if ex.whole else ((ex.section, number) for number in ex.numbers)
 
 
-_HELD = (Role.FLANK, Role.PATH, Role.OVERLAP)
+_HELD = (Role.FLANK, Role.PATH, Role.OVERLAP, Role.ADDED)
 
 
 def _positions(demands: Sequence[PointDemand], roles: tuple[Role, ...]) -> dict[MachineId, Position]:

@@ -118,6 +118,8 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
     if path.exit_kind is not ExitKind.SIGNAL:
         return AspectCell(Shows.CAUTION, None, Because("R11", f"nothing is known beyond {path.exit}"))
     next_ = SignalId(path.exit)
+    if not layout.opens(next_, False):
+        return AspectCell(Shows.CAUTION, None, Because("R11", f"trains end at {next_}: it never opens for one"))
     return AspectCell(Shows.NEXT, next_, Because("R11", f"{next_} is the next main signal"))
 
 

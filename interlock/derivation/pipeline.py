@@ -1,6 +1,7 @@
 """The derivation as a visible order of steps.
 
-Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics IL4001-IL4005, IL4010, IL2007, IL2008, IL3012.
+Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics
+IL4001-IL4005, IL4010-IL4012, IL2007, IL2008, IL2019, IL3012.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from math import isinf
 
+from interlock.derivation.added import derive_barred, idle_barred, with_added
 from interlock.derivation.conflicts import Conflicts
 from interlock.derivation.locking import (
     derive_approach,
@@ -51,7 +53,8 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     paths = find_routes(layout, sink)
     locks = derive_locks(layout, paths, sink)
     by_key = {t.key: t for t in locks}
-    demands = {p.id: route_demands(p, by_key) for p in paths}
+    demands = with_added(layout, paths, {p.id: route_demands(p, by_key) for p in paths}, sink)
+    barred = derive_barred(layout, paths, sink)
     swinging = _swinging(layout, paths)
     for o in layout.overlaps:
         if o.swing and o.signal not in swinging:
@@ -63,7 +66,8 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
                 f"remove `swing: yes` of {o.signal}, or give its overlap a second way",
                 about=Element("overlaps", o.signal),
             )
-    hostile = Conflicts(paths, by_key, demands)
+    hostile = Conflicts(paths, by_key, demands, barred)
+    idle_barred(layout, paths, hostile.derived, sink)
     names = _names(layout, paths, sink)
     _notes(layout, paths, sink)
     rows = tuple(
@@ -87,6 +91,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             flank=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].flank)),
             space=tuple(dict.fromkeys(c for t in (*p.ways, *p.overlap) for c in by_key[t.key].space)),
             hostile=hostile.of(p),
+            barred=barred.get(p.id, ()),
             overlap=_overlap(layout, p, swinging),
             aspect=derive_aspect(layout, p),
             closing=derive_closing(layout, p),
@@ -97,6 +102,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             token=derive_token(layout, p),
             approach=derive_approach(layout, p),
             release=derive_release(layout, p),
+            listed=not set(names.get(p.id, ())) & set(layout.unlisted),
             because=Because("R1", f"found from {p.entry} to {p.exit_kind} {p.exit}"),
         )
         for p in paths

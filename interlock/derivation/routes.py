@@ -112,6 +112,8 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
         for kind in RouteKind:
             if not {RouteKind.MAIN: g.main, RouteKind.SHUNT: g.shunt, RouteKind.CALL_ON: g.call_on}[kind]:
                 continue
+            if not layout.opens(g.id, kind is RouteKind.SHUNT):
+                continue
             for exit_kind, name, ways in _search(layout, topo, g, kind):
                 berth = kind is RouteKind.SHUNT and len(ways) > 1 and ways[-1].section in topo.berths
                 why = name if exit_kind is None else obstacle(layout, ways, ways[:-1] if berth else ways)
@@ -135,7 +137,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                     cause=why,
                     note=text,
                 )
-        if not kept:
+        if not kept and g.id not in layout.boards:
             sink.add(
                 "IL4003",
                 f"no route leads from signal {g.id}",
@@ -151,13 +153,8 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
 
 
 def _excludes(x: Exclude, path: _Found) -> bool:
-    ends = {path.exit, path.ways[-1].section}
-    return (
-        x.entry in (None, path.signal.id)
-        and (x.exit is None or x.exit in ends)
-        and set(x.via) <= {t.section for t in path.ways}
-        and x.shunt in (None, path.kind is RouteKind.SHUNT)
-    )
+    ends, sections = {path.exit, path.ways[-1].section}, {t.section for t in path.ways}
+    return x.fits(path.signal.id, ends, sections, path.kind is RouteKind.SHUNT)
 
 
 def _numbered(layout: Layout, found: Sequence[_Found], sink: Sink) -> tuple[Path, ...]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
+from interlock.frontend.added import resolve_barred, resolve_demanded, unlisted
 from interlock.frontend.cabinets import resolve_addresses, resolve_drawing, resolve_substations
 from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
@@ -19,6 +20,7 @@ from interlock.frontend.names import check_names
 from interlock.frontend.places import Places
 from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import (
+    boards,
     check_signal_names,
     resolve_automatic,
     resolve_conditions,
@@ -28,9 +30,11 @@ from interlock.frontend.resolve import (
     resolve_overlaps,
     resolve_routes,
     resolve_signals,
+    resolve_supervision,
     resolve_voyages,
     resolve_waivers,
     resolve_zones,
+    stops,
 )
 from interlock.frontend.validate import validate
 from interlock.frontend.wiring import Wirer
@@ -119,6 +123,8 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     automatic = resolve_automatic(ctx, wiring)
     waivers = resolve_waivers(ctx)
     excluded = resolve_excludes(ctx, wiring)
+    barred = resolve_barred(ctx, wiring)
+    demanded = resolve_demanded(ctx, wiring)
     if sink.has_errors:
         return None, source
     signals = resolve_signals(ctx, wiring)
@@ -162,6 +168,13 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         addresses=resolve_addresses(ctx),
         telegram=data.telegram,
         drawing=drawing,
+        barred=barred,
+        boards=boards(ctx),
+        supervision=resolve_supervision(ctx, wiring),
+        stops=stops(ctx),
+        demanded=demanded,
+        unlisted=unlisted(ctx),
+        blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )
     for check in CHECKS:

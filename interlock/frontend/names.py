@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from interlock.diag import Span
 from interlock.frontend.context import Context
+from interlock.frontend.parts import points_of
 from interlock.model.portable import portable
 
 
@@ -59,7 +60,7 @@ def check_names(ctx: Context, sections: dict[str, Span]) -> None:
     for name, slip in ctx.file.slips.items():
         for m in slip.machines or (f"{name}a", f"{name}b"):
             machines.setdefault(m, ctx.at_key("slips", name))
-        elements += [("point", f"{name}{side}", ctx.at_key("slips", name)) for side in "ab"]
+        elements += [("point", p, ctx.at_key("slips", name)) for p in points_of(name, slip)]
     elements += [("machine", n, s) for n, s in machines.items()]
     for room in ROOMS:
         seen: dict[str, tuple[str, str, Span]] = {}

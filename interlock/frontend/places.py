@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from interlock.diag import Element, Span
 from interlock.frontend.context import Context
+from interlock.frontend.parts import points_of
 
 
 class Places:
@@ -37,6 +38,7 @@ class Places:
         for room in ("points", "crossings", "derailers", "slips"):
             if name in getattr(f, room):
                 return room, name
-        if name[:-1] in f.slips:
-            return "slips", name[:-1]
+        for slip, spec in f.slips.items():
+            if name in points_of(slip, spec):
+                return "slips", slip
         return "name", ""

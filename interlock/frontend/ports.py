@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from interlock.diag import Span
-from interlock.model.elements import Boundary, Buffer, Crossing, Edge, Point
+from interlock.model.elements import Blades, Boundary, Buffer, Crossing, Edge, Point
 
 
 @dataclass(frozen=True, order=True)
@@ -26,6 +26,7 @@ class Wiring:
 
     edges: list[Edge] = field(default_factory=list)
     points: list[Point] = field(default_factory=list)
+    blades: list[Blades] = field(default_factory=list)
     crossings: list[Crossing] = field(default_factory=list)
     boundaries: list[Boundary] = field(default_factory=list)
     buffers: list[Buffer] = field(default_factory=list)

@@ -12,10 +12,12 @@ from pydantic_core import PydanticCustomError
 from interlock.diag import Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
+from interlock.frontend.parts import points_of
 from interlock.frontend.ports import Wiring
 from interlock.frontend.scalars import number_text
-from interlock.frontend.schema import RouteSpec
+from interlock.frontend.schema import ChoiceSpec, RouteSpec, SignalSpec
 from interlock.model.elements import (
+    Choice,
     Condition,
     ConditionId,
     Device,
@@ -113,15 +115,52 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
             )
             continue
         taken[node, into.section] = name
-        if spec.call_on and spec.kind == "shunt":
+        if spec.call_on and spec.kind not in ("main", "combined"):
+            what = "shunt signal" if spec.kind == "shunt" else "board"
             ctx.add(
                 "IL2016",
-                f"{name} is a shunt signal: it cannot call a train on",
+                f"{name} is a {what}: it cannot call a train on",
                 ctx.at("signals", name, "call_on"),
                 "remove `call_on`, or make it a `main` or `combined` signal",
             )
-        signals.append(Signal(SignalId(name), node, into.id, SignalKind(spec.kind), spec.call_on))
+        if spec.stops_trains and spec.kind != "shunt":
+            text = f"{name} is no shunt signal: `stops_trains` says nothing of it"
+            ctx.add("IL3027", text, ctx.at("signals", name, "stops_trains"), "remove `stops_trains`")
+        signals.append(Signal(SignalId(name), node, into.id, _kind(spec), spec.call_on))
     return tuple(sorted(signals, key=lambda g: g.id))
+
+
+def _kind(spec: SignalSpec) -> SignalKind:
+    """The kind of signal whose routes end there."""
+    if spec.kind == "board":
+        return SignalKind.MAIN
+    if spec.kind == "limit":
+        return SignalKind.SHUNT
+    return SignalKind.COMBINED if spec.stops_trains else SignalKind(spec.kind)
+
+
+def resolve_supervision(ctx: Context, wiring: Wiring) -> tuple[tuple[MachineId, float], ...]:
+    """Seconds of supervision by machine; the longest, where the two ends of one state different ones."""
+    f, found = ctx.file, dict[MachineId, float]()
+    machine_of = {str(p.id): p.machine for p in wiring.points}
+    stated = [(machine_of[n], p.supervision) for n, p in f.points.items()]
+    stated += [(machine_of[n], d.supervision) for n, d in f.derailers.items()]
+    stated += [(machine_of[p], s.supervision) for n, s in f.slips.items() for p in points_of(n, s)]
+    stated += [(MachineId(n), d.supervision) for n, d in (*f.level_crossings.items(), *f.interlocks.items())]
+    for machine, seconds in stated:
+        if seconds is not None:
+            found[machine] = max(seconds, found.get(machine, 0.0))
+    return tuple(sorted(found.items()))
+
+
+def boards(ctx: Context) -> tuple[SignalId, ...]:
+    """Stop boards and limit-of-shunt boards."""
+    return tuple(sorted(SignalId(g) for g, x in ctx.file.signals.items() if x.kind in ("board", "limit")))
+
+
+def stops(ctx: Context) -> tuple[SignalId, ...]:
+    """Where train routes end and none begins."""
+    return tuple(sorted(SignalId(g) for g, x in ctx.file.signals.items() if x.kind == "board" or x.stops_trains))
 
 
 def _near(wiring: Wiring, at: dict[NodeId, list[Edge]], node: NodeId, point: str) -> bool:
@@ -273,34 +312,32 @@ def _unknown(ctx: Context, kind: str, name: str, span: Span, known: Collection[s
     ctx.add(code, message, span, did_you_mean(name, known), cause=name, note=what)
 
 
+def resolve_choice(ctx: Context, wiring: Wiring, spec: ChoiceSpec, at: tuple[str | int, ...], what: str) -> Choice:
+    """Routes chosen by their ends, sections and kind; whether there are any is known after derivation."""
+    if spec.from_ is not None and spec.from_ not in ctx.file.signals:
+        _unknown(ctx, "signal", spec.from_, ctx.at(*at, "from"), ctx.file.signals, what)
+    if spec.to is not None and not _is_end(ctx, wiring, spec.to):
+        _unknown(ctx, "signal, boundary or buffer", spec.to, ctx.at(*at, "to"), _ends(ctx, wiring), what)
+    for k, s in enumerate(spec.via):
+        if s not in wiring.sections:
+            _unknown(ctx, "section", s, ctx.at(*at, "via", k), wiring.sections, what)
+    entry = SignalId(spec.from_) if spec.from_ else None
+    shunt = None if spec.kind is None else spec.kind == "shunt"
+    return Choice(entry, spec.to, tuple(map(SectionId, spec.via)), shunt)
+
+
 def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:
-    """Routes not wanted; whether there were any such routes is known after derivation."""
+    """Routes not wanted."""
     out = []
     for i, spec in enumerate(ctx.file.exclude):
-        what = "an exclusion"
-        if spec.from_ is not None and spec.from_ not in ctx.file.signals:
-            _unknown(ctx, "signal", spec.from_, ctx.at("exclude", i, "from"), ctx.file.signals, what)
-        if spec.to is not None and not _is_end(ctx, wiring, spec.to):
-            at = ctx.at("exclude", i, "to")
-            _unknown(ctx, "signal, boundary or buffer", spec.to, at, _ends(ctx, wiring), what)
-        for k, s in enumerate(spec.via):
-            if s not in wiring.sections:
-                _unknown(ctx, "section", s, ctx.at("exclude", i, "via", k), wiring.sections, what)
-        out.append(
-            Exclude(
-                SignalId(spec.from_) if spec.from_ else None,
-                spec.to,
-                tuple(map(SectionId, spec.via)),
-                None if spec.kind is None else spec.kind == "shunt",
-                spec.reason,
-            )
-        )
+        x = resolve_choice(ctx, wiring, spec, ("exclude", i), "an exclusion")
+        out.append(Exclude(x.entry, x.exit, x.via, x.shunt, spec.reason))
     return tuple(out)
 
 
 def resolve_distants(ctx: Context, signals: tuple[Signal, ...]) -> tuple[Distant, ...]:
     """Distant and repeating signals, each with the main signal that it announces."""
-    mains = {g.id for g in signals if g.main}
+    mains = {g.id for g in signals if g.main} - {*boards(ctx), *stops(ctx)}
     out = []
     for name, spec in sorted(ctx.file.distants.items()):
         if spec.of not in mains:

@@ -177,12 +177,12 @@ _ENDS = "start|end|toe|normal|reverse|1a|1b|2a|2b|outer|inner"
 _END_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^{_PLAIN}(?:\.(?:{_ENDS}))?$"}
 _LONG = r"(?:\d+(?:\.\d*)?|\.\d+)"
 
-_ITEM_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^{_PLAIN}(?: +\+?{_LONG})?$"}
+_ITEM_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^{_PLAIN}(?: +\+?{_LONG}|\.(?:{_ENDS}))?$"}
 _APPROACH_SCHEMA = {"type": "string", "pattern": rf"^{_PLAIN} +\+?{_LONG}$"}
 PATTERNS = {
     str(_NAME_SCHEMA["pattern"]): "name",
     str(_END_SCHEMA["pattern"]): "end",
-    str(_ITEM_SCHEMA["pattern"]): "`NAME LENGTH`, or a boundary or buffer",
+    str(_ITEM_SCHEMA["pattern"]): "`NAME LENGTH`, or a boundary, a buffer or an end",
     str(_APPROACH_SCHEMA["pattern"]): "`NAME LENGTH`",
 }
 """What texts of these patterns are, in words."""

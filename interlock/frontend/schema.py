@@ -51,6 +51,12 @@ def key(text: str, default: Any = ..., *, name: str | None = None, least: int = 
     return Field(default, description=text, alias=name, **count)
 
 
+SUPERVISION = (
+    "seconds after which a machine that is commanded and not detected raises an alarm; without it, the principle "
+    "`point_supervision_s`"
+)
+
+
 class BoundarySpec(_Part):
     """Where trains come in or leave."""
 
@@ -86,6 +92,7 @@ class PointSpec(_Part):
     work: Annotated[Literal["motor", "hand"], choice("kind of work", tuple(Work))] = key(
         "`hand`: worked on the spot once its key is released; the key locks it in normal", "motor"
     )
+    supervision: Seconds | None = key(SUPERVISION, None)
 
 
 class DerailerSpec(_Part):
@@ -97,6 +104,7 @@ class DerailerSpec(_Part):
     )
     inner: End | None = key("the side that it protects; without it, what names this end", None)
     legs: Length | None = key("metres of track to either side; without it, the principle `leg_m`", None)
+    supervision: Seconds | None = key(SUPERVISION, None)
 
 
 class SlipSpec(_Part):
@@ -112,10 +120,21 @@ class SlipSpec(_Part):
         "of a single slip: the only pair that slip rails join; without it, the slip is double", None
     )
     machines: list[Name] = key(
-        "the machines of its two sides, one name for both if they are one; without it, `NAMEa` and `NAMEb`", []
+        "its machines: of two, the first chooses between `1a` and `2a`, the second between `1b` and `2b`; one, for "
+        "a slip that has only one, lays all blades for the straight ways (normal) or for the slips (reverse); "
+        "without it, `NAMEa` and `NAMEb`",
+        [],
+        most=2,
+    )
+    blades: Annotated[Literal["far", "near"], choice("place of blades", ("far", "near"))] = key(
+        "of a double slip with two machines, whether machine names follow the ends between which a machine chooses "
+        "(`far`: the blades of `NAMEa` lie at `1b` and `2b`), or the ends at which its blades lie (`near`: at `1a` and "
+        "`2a`, so that it chooses between `1b` and `2b`)",
+        "far",
     )
     legs: Length | None = key("metres of each leg; without it, the principle `leg_m`", None)
     fouling: Length | None = key("metres to the fouling point; without it, the principle `fouling_m`", None)
+    supervision: Seconds | None = key(SUPERVISION, None)
 
 
 class DeviceSpec(_Part):
@@ -123,6 +142,7 @@ class DeviceSpec(_Part):
 
     over: list[Name] = key("the sections over which no train runs unless it is closed", least=1)
     text: Text = key("what it is, for plans and forms", "")
+    supervision: Seconds | None = key(SUPERVISION, None)
 
 
 class ArmSpec(_Part):
@@ -139,7 +159,7 @@ class CrossingSpec(_Part):
     legs: Length | None = key("metres of each of the four legs; without it, the principle `leg_m`", None)
 
 
-_KINDS = tuple(k.value for k in SignalKind)
+_KINDS = (*SignalKind, "board", "limit")
 
 
 class SignalSpec(_Part):
@@ -148,9 +168,12 @@ class SignalSpec(_Part):
     from_: Name = key("the section in rear of it, or, for an entry signal, the boundary", name="from")
     into: Name = key("the section into which it leads")
     at: Name | None = key("a point next to the joint; without it, the sections meet in one joint only", None)
-    kind: Annotated[Literal["main", "shunt", "combined"], choice("kind of signal", _KINDS)] = key(
-        "for trains, for shunting movements, or for both", "main"
+    kind: Annotated[Literal["main", "shunt", "combined", "board", "limit"], choice("kind of signal", _KINDS)] = key(
+        "for trains, for shunting movements, or for both; `board`: a stop board, where routes end and none begins; "
+        "`limit`: a limit-of-shunt board, where shunt routes end, and which trains pass",
+        "main",
     )
+    stops_trains: YesNo = key("a shunt signal at which train routes end, too; none begins there", False)
     call_on: YesNo = key(
         "a main or combined signal that can call a train on over sections that are reported occupied", False
     )
@@ -217,8 +240,8 @@ class OverlapSpec(_Part):
         return overlap_length(self.speed or 0.0, self.falling)
 
 
-class ExcludeSpec(_Part):
-    """Routes that shall not be: all that fit what is given."""
+class ChoiceSpec(_Part):
+    """Routes: all that fit what is given."""
 
     from_: Name | None = key("the signal at which they begin; without it, any", None, name="from")
     to: Name | None = key("the signal, boundary, buffer or last section where they end; without it, any", None)
@@ -226,7 +249,31 @@ class ExcludeSpec(_Part):
     kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
         "train routes or shunt routes; without it, both", None
     )
+
+
+class ExcludeSpec(ChoiceSpec):
+    """Routes that shall not be: all that fit what is given."""
+
     reason: Reason = key("why they shall not be; not empty")
+
+
+class HostileSpec(_Part):
+    """Routes that must not be set together, though nothing in the layout tells."""
+
+    one: ChoiceSpec = key("routes, each of them hostile to each of `other`")
+    other: ChoiceSpec = key("the other routes; they may be the same ones")
+    reason: Reason = key("why they are hostile; not empty")
+
+
+class DemandSpec(_Part):
+    """A point that routes lock, though nothing in the layout tells."""
+
+    point: Name = key("the point, derailer or half of a slip")
+    lies: Annotated[Literal["normal", "reverse"], choice("position", ("normal", "reverse"))] = key(
+        "the position in which its machine lies, is detected and stays locked"
+    )
+    routes: ChoiceSpec = key("the routes that demand it")
+    reason: Reason = key("why they do; not empty")
 
 
 class RouteSpec(_Part):
@@ -235,6 +282,12 @@ class RouteSpec(_Part):
     from_: Name = key("the signal at which it begins", name="from")
     to: Name = key("the signal, boundary or buffer where it ends, or its last section")
     via: list[Name] = key("sections over which it leads, where several routes join the two ends", [])
+
+
+class NamedSpec(RouteSpec):
+    """A name for one derived route."""
+
+    listed: YesNo = key("no: it exists, is controlled and proved as any, and printed tables only count it", True)
 
 
 class VoyageSpec(RouteSpec):
@@ -345,8 +398,8 @@ class LayoutFile(_Part):
     buffers: list[Name] = key("names of track ends", [])
     traps: list[Name] = key("track ends into which no route leads: sand drags, trap sidings", [])
     tracks: dict[Name, list[Item]] = key(
-        "sections in order along a track, each with its length in metres: `[W, q1 400, q2 300]`; a boundary or buffer "
-        "may stand first or last",
+        "sections in order along a track, each with its length in metres: `[W, q1 400, q2 300]`; a boundary, a buffer, "
+        "or an end of something else (`west.end`) may stand first or last",
         {},
     )
     points: dict[Name, PointSpec] = key("sets of points", {})
@@ -360,10 +413,12 @@ class LayoutFile(_Part):
     sections: dict[Name, SectionSpec] = key("more about single sections", {})
     conditions: dict[Name, ConditionSpec] = key("inputs from outside that routes require", {})
     zones: dict[Name, ZoneSpec] = key("sections in which no more than so many trains may be", {})
-    routes: dict[Name, RouteSpec] = key("names for derived routes", {})
+    routes: dict[Name, NamedSpec] = key("names for derived routes", {})
     voyages: dict[Name, VoyageSpec] = key("chains of routes that one command opens", {})
     automatic: list[RouteSpec] = key("train routes that an operator's switch sets again after every train", [])
     exclude: list[ExcludeSpec] = key("derived routes that shall not be", [])
+    hostile: list[HostileSpec] = key("routes that are hostile beyond what the layout tells", [])
+    demand: list[DemandSpec] = key("points that routes lock beyond what the layout tells", [])
     overlaps: dict[Name, OverlapSpec] = key(
         "overlaps beyond main signals inside the layout; without it, the principle `overlap_m`", {}
     )

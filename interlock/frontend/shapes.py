@@ -48,6 +48,8 @@ _FIX = {
 _REASON = {
     "waive": "say why a vehicle can never roll from there",
     "exclude": "say why there shall be no such route",
+    "hostile": "say why the routes must not be set together",
+    "demand": "say why the routes need the point to lie so",
     "allow": "say why it is meant so here",
 }
 

@@ -192,6 +192,9 @@ class Wirer:
         return True
 
     def _terminal(self, name: str, ends: set[str], span: Span, *, first: bool, last: bool) -> Port | None:
+        """What a track begins or ends with: a boundary, a buffer, or an end of something else (`west.end`)."""
+        if "." in name and (first or last) and name.partition(".")[0] in self._joinable:
+            return self.resolve(name, span)
         if name not in ends:
             joined = [s for s in self._read_into if name.startswith(s) and number_text(name[len(s) :])]
             if joined:
@@ -317,7 +320,7 @@ class Wirer:
         return None
 
     def _join(self, a: Port, b: Port, span: Span) -> None:
-        if a == b or (a.kind == b.kind in ("point", "crossing", "slip", "derailer") and a.name == b.name):
+        if a == b or (a.kind == b.kind in ("track", "point", "crossing", "slip", "derailer") and a.name == b.name):
             self.ctx.add(
                 "IL3001",
                 f"{a} is wired to {b}, the same element",
@@ -410,7 +413,9 @@ class Wirer:
         if b.kind == "track" and not a.end:
             fix = f"put {a} {'first' if b.end == 'start' else 'last'} into the track {b.name}, if it ends there"
         elif a.kind == "track":
-            fix = f"a track that goes on at another is written as one; or put a point between {b} and {a}"
+            fix = (
+                f"does {b.name} go on at {a.name}? then put {a} {'first' if b.end == 'start' else 'last'} into {b.name}"
+            )
         for port, span, other in ((a, at, b), (b, beside, a)):
             said = f"{port} is joined to nothing, and neither is {other}"
             self.ctx.add("IL3003", said, span, fix, cause="pair", note=str(port))

@@ -174,6 +174,12 @@ class RouteSymbols:
     passing: Name | None = None
     names: tuple[str, ...] = ()
     """Names that the author gives to it, beside its id."""
+    added: Name | None = None
+    """The variable that tells that it holds what the author has added to it: hostile routes and points."""
+    barred: tuple[int, ...] = ()
+    """Numbers of the routes that the author declares hostile."""
+    demands: tuple[tuple[MachineId, Position], ...] = ()
+    """Machines that the author has it lock."""
 
     @property
     def open_while(self) -> tuple[Name, ...]:

@@ -418,6 +418,7 @@ LOCKED = _route("B_R{}", "locked")
 WANTED = _route("W_R{}", "proceed wanted")
 SHOWING = _route("S_R{}", "proceed")
 SHOWN = _route("H_R{}", "has been open")
+HOLDS_ADDED = _route("AH_R{}", "holds what the author added to it")
 
 # --- the controller: lines, conditions, zones ----------------------------------------------------
 

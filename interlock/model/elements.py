@@ -7,6 +7,7 @@ All lengths are in metres.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from enum import StrEnum
 from math import isinf
@@ -122,6 +123,23 @@ class Point:
         if edge == self.normal:
             return Position.NORMAL
         return Position.REVERSE if edge == self.reverse else None
+
+
+@dataclass(frozen=True)
+class Blades:
+    """Where the blades of a point of a slip lie, and to which end of the slip they lead in normal and in reverse.
+
+    Printed for those who wire it.  Blades at two ends are those of one side: they lead to the same end.
+    """
+
+    point: PointId
+    at: tuple[str, ...]
+    normal: str
+    reverse: str
+
+    def to(self, position: Position) -> str:
+        """The end to which they lead in a position."""
+        return self.normal if position is Position.NORMAL else self.reverse
 
 
 @dataclass(frozen=True)
@@ -325,11 +343,45 @@ class Substation:
 
 
 @dataclass(frozen=True)
-class Exclude:
-    """Routes that the author does not want: all that begin, end and pass as given (None: anything)."""
+class Choice:
+    """Routes chosen by the author: all that begin, end and pass as given (None: anything)."""
 
     entry: SignalId | None
     exit: str | None
     via: tuple[SectionId, ...]
     shunt: bool | None
+
+    def fits(self, entry: SignalId, ends: Collection[str], sections: Collection[SectionId], shunt: bool) -> bool:
+        """Whether a route is among them; `ends`: where it ends, and its last section."""
+        return (
+            self.entry in (None, entry)
+            and (self.exit is None or self.exit in ends)
+            and all(s in sections for s in self.via)
+            and self.shunt in (None, shunt)
+        )
+
+
+@dataclass(frozen=True)
+class Exclude(Choice):
+    """Routes that the author does not want."""
+
+    reason: str
+
+
+@dataclass(frozen=True)
+class Barred:
+    """Routes that the author declares hostile, each of the one choice to each of the other, with the reason (R6)."""
+
+    one: Choice
+    other: Choice
+    reason: str
+
+
+@dataclass(frozen=True)
+class Demanded:
+    """A machine that the author has routes lock in a position, with the reason (R5)."""
+
+    machine: MachineId
+    position: Position
+    routes: Choice
     reason: str

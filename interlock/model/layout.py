@@ -13,11 +13,14 @@ from functools import cached_property, wraps
 from typing import Any, TypeVar, TypeVarTuple
 
 from interlock.model.elements import (
+    Barred,
+    Blades,
     Boundary,
     Buffer,
     Condition,
     Crossing,
     CrossingId,
+    Demanded,
     Device,
     Distant,
     Edge,
@@ -77,6 +80,17 @@ class Layout:
     addresses: tuple[tuple[str, str], ...] = ()
     telegram: TelegramForm = TelegramForm.NONE
     drawing: tuple[tuple[SectionId, int], ...] = ()
+    blades: tuple[Blades, ...] = ()
+    barred: tuple[Barred, ...] = ()
+    demanded: tuple[Demanded, ...] = ()
+    boards: tuple[SignalId, ...] = ()
+    """Boards without lamps, of the kind of signal whose routes end there; no route begins at one."""
+    stops: tuple[SignalId, ...] = ()
+    """Where train routes end and none begins: stop boards, and shunt signals that the author says so of."""
+    supervision: tuple[tuple[MachineId, float], ...] = ()
+    """Seconds of supervision of machines that have a time of their own."""
+    unlisted: tuple[str, ...] = ()
+    """Names of routes that are not printed."""
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -205,6 +219,19 @@ class Layout:
             return "on" if normal else "off"
         return "normal" if normal else "reverse"
 
+    def supervision_s(self, machine: MachineId) -> float:
+        """Seconds after which the machine, commanded and not detected, raises an alarm (R10)."""
+        return dict(self.supervision).get(machine, self.principles.point_supervision_s)
+
+    @cached_property
+    def longest_supervision_s(self) -> float:
+        """For as long any machine may turn before an alarm."""
+        return max([self.principles.point_supervision_s, *(s for _, s in self.supervision)])
+
+    def opens(self, signal: SignalId, shunt: bool) -> bool:
+        """Whether routes for trains, or for shunting movements, may begin at a signal."""
+        return signal not in self.boards and (shunt or signal not in self.stops)
+
     def onward(self, edge: EdgeId, node: NodeId) -> tuple[Edge, ...]:
         """The edges onto which a vehicle can go on that comes over an edge to a node, whatever points do."""
         point, crossing = self.point_at.get(node), self.crossing_at.get(node)
@@ -243,7 +270,12 @@ class Layout:
 
     def to_text(self) -> str:
         """One readable, canonical text form."""
-        return json.dumps(asdict(self), indent=1, sort_keys=True, ensure_ascii=False)
+        facts = {k: v for k, v in asdict(self).items() if v or k not in _ONLY_STATED}
+        return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
+
+
+_ONLY_STATED = frozenset({"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted"})
+"""Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
 
 
 def of_layout(f: Callable[[Layout, *Ts], V]) -> Callable[[Layout, *Ts], V]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from interlock.table.rows import Because, FoulCell, PointDemand, Role, RouteRow, VoyageRow
+from interlock.table.rows import Because, FoulCell, Hostile, HostileClass, PointDemand, Role, RouteRow, VoyageRow
 
 Reasons = list[tuple[str, Because]]
 
@@ -25,15 +25,20 @@ class Column:
         return ", ".join(t for t, _ in self.items(row))
 
 
-def _points(role: Role) -> Callable[[RouteRow], Reasons]:
+def _points(*roles: Role) -> Callable[[RouteRow], Reasons]:
     def items(r: RouteRow) -> Reasons:
-        return [(_demand(p), p.because) for p in r.points if p.role is role]
+        return [(_demand(p), p.because) for p in r.points if p.role in roles]
 
     return items
 
 
 def _demand(p: PointDemand) -> str:
-    return f"{p.machine} {p.position}"
+    why = f" ({p.because.text})" if p.role is Role.ADDED else ""
+    return f"{p.machine} {p.position}{why}"
+
+
+def _hostile(h: Hostile) -> str:
+    return f"{h.route} ({h.witness if h.kind is HostileClass.ADDED else h.kind})"
 
 
 def _foul(c: FoulCell) -> str:
@@ -90,7 +95,7 @@ COLUMNS: tuple[Column, ...] = (
     ),
     Column("length", "Length (m)", "长度 (m)", "Länge (m)", lambda r: [(f"{r.length:g}", r.because)]),
     Column("points", "Points", "道岔", "Weichen", _points(Role.PATH)),
-    Column("flank_points", "Flank points", "防护道岔", "Flankenschutzweichen", _points(Role.FLANK)),
+    Column("flank_points", "Flank points", "防护道岔", "Flankenschutzweichen", _points(Role.FLANK, Role.ADDED)),
     Column(
         "devices",
         "Closed for trains",
@@ -137,7 +142,7 @@ COLUMNS: tuple[Column, ...] = (
         "Hostile routes",
         "敌对进路",
         "Feindliche Fahrstraßen",
-        lambda r: [(f"{h.route} ({h.kind})", h.because) for h in r.hostile],
+        lambda r: [(_hostile(h), h.because) for h in r.hostile],
     ),
     Column(
         "conditions",

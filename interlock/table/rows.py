@@ -25,7 +25,7 @@ from interlock.model.elements import (
 )
 from interlock.model.places import Approach
 
-SCHEMA_VERSION = 4
+SCHEMA_VERSION = 5
 TraversalKey = tuple[SectionId, int]
 
 
@@ -45,6 +45,7 @@ class Role(StrEnum):
     DRIVEN = "driven"
     DEVICE = "device"
     OVERLAP = "overlap"
+    ADDED = "added"
 
 
 @dataclass(frozen=True)
@@ -149,6 +150,7 @@ class HostileClass(StrEnum):
     FLANK = "flank"
     FOUL = "foul"
     OVERLAP = "overlap"
+    ADDED = "added"
 
 
 @dataclass(frozen=True)
@@ -207,6 +209,14 @@ class HostileRoutes(Sequence[Hostile]):
     def __deepcopy__(self, memo: object) -> HostileRoutes:
         """Nothing of it changes."""
         return self
+
+
+@dataclass(frozen=True)
+class BarredCell:
+    """A route that the author declares hostile."""
+
+    route: RouteId
+    because: Because
 
 
 @dataclass(frozen=True)
@@ -367,7 +377,8 @@ class RouteRow:
     """One route: entry, exit, alternative, and every derived column.
 
     `berth`: the shunt route ends in a plain section in which vehicles may stand; it is the last traversal, and the
-    only one that need not be clear.  `driven` points are moved along and never checked.
+    only one that need not be clear.  `driven` points are moved along and never checked.  `barred`: those of the hostile
+    routes that the author declares so.  `listed`: whether the route is printed.
     """
 
     id: RouteId
@@ -389,6 +400,7 @@ class RouteRow:
     flank: tuple[FlankCell, ...]
     space: tuple[SpaceCell, ...]
     hostile: HostileRoutes
+    barred: tuple[BarredCell, ...]
     overlap: OverlapCell | None
     aspect: AspectCell
     closing: ClosingCell
@@ -399,6 +411,7 @@ class RouteRow:
     token: TokenCell | None
     approach: ApproachCell
     release: tuple[ReleaseStep, ...]
+    listed: bool
     because: Because
 
     @property
@@ -417,6 +430,11 @@ class RouteRow:
         lamps = (f"stop lamp of {c.name}" for c in self.space if c.lamp)
         token = () if self.token is None else (f"direction at {self.token.boundary}",)
         return (*(c.condition for c in self.conditions), *token, *(f"{z.zone} not full" for z in self.zones), *lamps)
+
+    @property
+    def added(self) -> tuple[PointDemand, ...]:
+        """The machines that the author has the route lock."""
+        return tuple(p for p in self.points if p.role is Role.ADDED)
 
     @property
     def locked(self) -> tuple[TraversalKey, ...]:
@@ -473,6 +491,11 @@ class InterlockingTable:
     def bare(self) -> InterlockingTable:
         """The same table without lengths, and without the hostile routes, which follow from the rest."""
         return replace(self, layout_digest="", routes=tuple([_bare(r) for r in self.routes]))
+
+    @cached_property
+    def listed(self) -> tuple[RouteRow, ...]:
+        """The routes that are printed."""
+        return tuple(r for r in self.routes if r.listed)
 
     @cached_property
     def route(self) -> dict[RouteId, RouteRow]:

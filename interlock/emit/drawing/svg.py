@@ -11,7 +11,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 from interlock.emit.drawing.canvas import Drawing, Label, Spot, bend, device_spots, flat, fouling_mark
 from interlock.emit.drawing.place import place
-from interlock.model.elements import BufferKind, DeviceKind, Lane, Point, Signal, SignalKind, Work
+from interlock.model.elements import BufferKind, DeviceKind, Lane, Point, Signal, Work
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
 
@@ -186,7 +186,7 @@ def _devices(d: Drawing) -> list[str]:
 
 def _signals(d: Drawing) -> list[str]:
     leftward = d.layout.profile != "de"
-    out = [_signal(g, *d.signals[g.id], leftward) for g in d.layout.signals]
+    out = [_signal(d.layout, g, *d.signals[g.id], leftward) for g in d.layout.signals]
     for k in d.layout.distants:  # a distant signal: an open square on its mast, in rear of its main signal
         x, y, ahead = d.distants[k.id]
         my = y + (-14 if ahead is leftward else 14)
@@ -195,13 +195,15 @@ def _signals(d: Drawing) -> list[str]:
     return out
 
 
-def _signal(g: Signal, x: float, y: float, ahead: bool, leftward: bool) -> str:
+def _signal(layout: Layout, g: Signal, x: float, y: float, ahead: bool, leftward: bool) -> str:
     """A foot at the joint, a mast along the track in the direction of travel, and its lamps: full for main signals,
-    open for shunt signals, both for combined ones."""
+    open for shunt signals, both for combined ones.  A board has none, but a bar across its mast."""
     side, way = (-1 if ahead is leftward else 1), (1 if ahead else -1)
     my = y + side * 14
-    lamps = {SignalKind.MAIN: ["main"], SignalKind.SHUNT: ["shunt"], SignalKind.COMBINED: ["main", "shunt"]}[g.kind]
+    lamps = [k for k, there in (("main", g.main), ("shunt", g.shunt)) if there and layout.opens(g.id, k == "shunt")]
     mast = f"M{_n(x)} {_n(y + side * 4)} L{_n(x)} {_n(my + side * 4)} M{_n(x)} {_n(my)} L{_n(x + way * 12)} {_n(my)}"
+    if g.id in layout.boards:
+        mast += f" M{_n(x + way * 12)} {_n(my - 6)} L{_n(x + way * 12)} {_n(my + 6)}"
     heads = "".join(
         f'<circle class="lamp {kind}" cx="{_n(x + way * (16 + 9 * k))}" cy="{_n(my)}" r="4.2"/>'
         for k, kind in enumerate(lamps)

@@ -10,10 +10,11 @@ from datetime import datetime
 import xlsxwriter
 
 from interlock.emit.tables.export import reproducible
-from interlock.logic.cabinet import Allocation
+from interlock.logic.cabinet import Allocation, Channel
 from interlock.logic.controller import Controller
-from interlock.model.elements import Work
+from interlock.model.elements import Position, Work
 from interlock.model.layout import Layout
+from interlock.model.portable import portable
 
 HEADINGS = ("Substation", "Slot", "Card", "Byte", "Bit", "Address", "Variable", "Element", "When 1", "At restart")
 
@@ -24,8 +25,14 @@ def _csv(rows: list[tuple[object, ...]]) -> str:
     return out.getvalue()
 
 
-def channels_csv(controller: Controller, a: Allocation) -> str:
-    """The wiring list: one row for each channel, cabinet by cabinet, the spare ones too."""
+def channels_csv(layout: Layout, controller: Controller, a: Allocation) -> str:
+    """The wiring list: one row for each channel, cabinet by cabinet, the spare ones too; for machines of slips with the
+    ends at which their blades lie, and to which these lead."""
+    blades = _blades(layout, controller)
+
+    def told(c: Channel) -> tuple[str, ...]:
+        return c.variable, c.element, c.note + blades.get(c.variable, ""), start.get(c.variable, "")
+
     start: dict[str, str] = {o.name: str(int(o.restrictive)) for o in controller.outputs}
     used = {(c.direction, c.byte, c.bit): c for c in (*a.heartbeats, *a.channels)}
     rows: list[tuple[object, ...]] = [HEADINGS]
@@ -36,21 +43,36 @@ def channels_csv(controller: Controller, a: Allocation) -> str:
             byte, bit = first[direction] + k // 8, k % 8
             c = used.get((direction, byte, bit))
             card = "DI" if direction == "I" else "DO"
-            what = (c.variable, c.element, c.note, start.get(c.variable, "")) if c else ("", "", "spare", "")
+            what = told(c) if c else ("", "", "spare", "")
             rows.append((station, slot, card, byte, bit, f"{direction}{byte}.{bit}", *what))
             seen.add((direction, byte, bit))
         first[direction] += size // 8
     for key, c in sorted(used.items()):
         if key not in seen:
             card = "DI" if c.direction == "I" else "DO"
-            what = (c.variable, c.element, c.note, start.get(c.variable, ""))
-            rows.append((c.substation, "as stated", card, c.byte, c.bit, c.address, *what))
+            rows.append((c.substation, "as stated", card, c.byte, c.bit, c.address, *told(c)))
     return _csv(rows)
+
+
+def _blades(layout: Layout, controller: Controller) -> dict[str, str]:
+    """For each wire of a machine of a slip, where the blades lie, and to which end they lead when it is 1."""
+    found: dict[str, str] = {}
+    named = {b.point: b for b in layout.blades}
+    for m, ends in layout.ends_of_machine.items():
+        for x in Position:
+            lie = [(named[p.id], x) for p in ends if p.id in named]
+            told = "; ".join(f"blades at {' and '.join(b.at)} to {b.to(x)}" for b, x in lie)
+            for wire in (controller.symbols.detected[m, x], f"Y{x}_{portable(m)}"):
+                found[wire] = f"; {told}" if told else ""
+    return found
 
 
 def equipment_csv(layout: Layout, a: Allocation) -> str:
     """What has to be bought and mounted, counted from the layout (document B 2.2)."""
-    kinds = Counter(f"signal, {g.kind}" for g in layout.signals)
+    lit = [g for g in layout.signals if g.id not in layout.boards]
+    kinds = Counter(f"signal, {'shunt' if g.id in layout.stops else g.kind}" for g in lit)
+    kinds["stop board"] = sum(g in layout.stops for g in layout.boards)
+    kinds["limit-of-shunt board"] = sum(g not in layout.stops for g in layout.boards)
     hand = {p.machine for p in layout.points if p.work is Work.HAND}
     derailers = {p.machine for p in layout.points if p.derailer}
     motors = [m for m in layout.ends_of_machine if m not in hand]

@@ -37,8 +37,17 @@ def table_csv(table: InterlockingTable) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow([c.en for c in COLUMNS])
-    writer.writerows([c.text(r) for c in COLUMNS] for r in table.routes)
+    writer.writerows(_printed(table))
     return out.getvalue()
+
+
+def _printed(table: InterlockingTable) -> list[list[str]]:
+    """The rows of the routes that are listed, and one that tells how many are not."""
+    rows = [[c.text(r) for c in COLUMNS] for r in table.listed]
+    hidden = len(table.routes) - len(table.listed)
+    if hidden:
+        rows.append(["", f"{hidden} more routes are not listed", *[""] * (len(COLUMNS) - 2)])
+    return rows
 
 
 def voyages_csv(table: InterlockingTable) -> str:
@@ -104,12 +113,13 @@ def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
         sheet.fit_to_pages(1, 0)
         sheet.repeat_rows(0)
         sheet.freeze_panes(1, 2)
+        printed = _printed(table)
         for x, c in enumerate(COLUMNS):
-            width = max([len(c.en), *(len(c.text(r)) for r in table.routes)], default=10)
+            width = max([len(c.en), *(len(row[x]) for row in printed)], default=10)
             sheet.set_column(x, x, min(34, max(6, width + 1)))
             sheet.write_string(0, x, f"{c.en}\n{c.zh}", head)
-            for y, r in enumerate(table.routes, 1):
-                sheet.write_string(y, x, c.text(r), cell)
+            for y, row in enumerate(printed, 1):
+                sheet.write_string(y, x, row[x], cell)
         if table.voyages:
             page = book.add_worksheet("Voyages")
             for x, v in enumerate(VOYAGE_COLUMNS):

@@ -70,7 +70,7 @@ def _relation(x: Reading, r: RouteRow) -> dict[str, object]:
     stops = {p.name for c in r.flank for p in c.providers if p.kind is ProviderKind.SIGNAL}
     crossings = [p for p in r.points if p.machine in x.layout.device]
     kinds = {p.machine: x.layout.device[p.machine].kind for p in crossings}
-    flank = [p for p in r.points if p.role is Role.FLANK]
+    flank = [p for p in r.points if p.role in (Role.FLANK, Role.ADDED)]
     return {
         "refersToRoute": r.id,
         "requiredSwitchPosition": [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from interlock.diag import Element
 from interlock.frontend.context import Context
 from interlock.model.layout import Layout
 from interlock.model.needs import needs
@@ -34,12 +35,20 @@ def check_delays(ctx: Context, layout: Layout) -> None:
                 ctx.at_key(*at),
                 f"state `principles: {{{name}: {-(-need // 1000)}}}`, or the lower speeds that are run there",
             )
+    for m, own in layout.supervision:
+        if round(own * 1000) < least.run:
+            text = f"the supervision of {m} is {own:g} s, and {least.run / 1000:.1f} s are needed for a machine to run"
+            room = "level_crossings" if m in ctx.file.level_crossings else "interlocks"
+            where = (
+                Element("points", layout.ends_of_machine[m][0].id) if m in layout.ends_of_machine else Element(room, m)
+            )
+            ctx.sink.add("IL3023", text, None, f"state at least {-(-least.run // 1000)} s", about=where)
     for o in layout.overlaps:
         if o.swing and o.signal not in least.swings:
             ctx.add(
                 "IL3024",
                 f"the overlap of {o.signal} cannot swing: a train runs through the section before the signal in less "
-                f"than the {rules.output_delay_s + rules.point_supervision_s:g} s for which its points may turn",
+                f"than the {rules.output_delay_s + layout.longest_supervision_s:g} s for which its points may turn",
                 ctx.at_key("overlaps", o.signal),
                 "give up `swing`, lower the `speed` of that section, or shorten `point_supervision_s`",
             )

@@ -14,12 +14,10 @@ from interlock.model.plain import plains
 
 def check_facing(ctx: Context, layout: Layout) -> None:
     """Report turned signals."""
-    if ctx.sink.has("IL3008"):
-        return  # that one speaks of turned signals, too
     found = plains(layout)
     for g in layout.signals:
         behind = found.behind_points(g)
-        if behind is None or not found.turned(g):
+        if g.id in layout.boards or behind is None or not found.turned(g):
             continue
         spec = ctx.file.signals[g.id]
         ctx.add(

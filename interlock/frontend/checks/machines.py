@@ -1,21 +1,31 @@
-"""A machine works one or two ends.  IL3014."""
+"""A machine works one end, two ends, or all blades of a slip; blades of a slip are placed where that says something.
+IL3014, IL3026."""
 
 from __future__ import annotations
 
 from interlock.frontend.context import Context
+from interlock.frontend.parts import one_motor, points_of
 from interlock.model.layout import Layout
 
 
 def check_machines(ctx: Context, layout: Layout) -> None:
     """Report machines with more than two ends, and machines that bear another point's name."""
     named = {str(q) for q in layout.point}
+    of_slip = {p: name for name, s in ctx.file.slips.items() if one_motor(s) for p in points_of(name, s)}
+    for name, slip in sorted(ctx.file.slips.items()):
+        if "blades" in slip.model_fields_set and (slip.single is not None or one_motor(slip)):
+            why = (
+                "has one machine" if one_motor(slip) else "is single, and each machine works the blades at its own end"
+            )
+            text = f"slip {name} {why}: `blades` says nothing of it"
+            ctx.add("IL3026", text, ctx.at("slips", name, "blades"), "remove `blades`")
     for machine, ends in sorted(layout.ends_of_machine.items()):
-        if len(ends) > 2:
+        if len(ends) > 2 and len({of_slip.get(p.id, p.id) for p in ends}) > 1:
             ctx.add(
                 "IL3014",
                 f"the machine {machine} works {len(ends)} ends: {', '.join(p.id for p in ends)}",
-                ctx.at("points", ends[2].id, "machine"),
-                "a machine works one end, or the two of a crossover",
+                ctx.at("points", ends[-1].id, "machine"),
+                "a machine works one end, the two of a crossover, or all blades of one slip",
             )
         for p in ends:
             if str(machine) in named and str(machine) != str(p.id):

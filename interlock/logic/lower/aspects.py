@@ -60,7 +60,7 @@ def lamps(d: Draft) -> dict[str, Any]:
     def each(family: names.Family, shown_by: Sequence[Signal]) -> dict[SignalId, names.Name]:
         return {g.id: family(g.id) for g in shown_by}
 
-    mains = [g for g in signals if g.main]
+    mains = [g for g in signals if g.main and d.layout.opens(g.id, False)]
     return {
         "clear_aspect": each(names.CLEAR_ASPECT, mains),
         "caution_aspect": each(names.CAUTION_ASPECT, mains if cautions(d) else []),
@@ -85,7 +85,7 @@ def outputs(d: Draft) -> None:
         mains = disj((_opens(d, signal.id, names.SHOWING), *_passing(routes, RouteKind.MAIN)))
         whites = [var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.SHUNT]
         shunts = disj([*whites, *_passing(routes, RouteKind.SHUNT)])
-        if signal.main:
+        if signal.main and d.layout.opens(signal.id, False):
             clear = _clear(d, signal.id)
             d.outputs.append(Output(names.CLEAR_ASPECT(signal.id), clear, False, f"signal {signal.id}: clear (green)"))
             if cautions(d):

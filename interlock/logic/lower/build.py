@@ -7,7 +7,7 @@ from typing import Any
 from interlock.logic import names
 from interlock.logic.controller import Controller, RouteSymbols, Symbols, Timer
 from interlock.logic.expr import TRUE
-from interlock.logic.lower import aspects, block, overlaps, points, requests, routes, sections, ways, zones
+from interlock.logic.lower import added, aspects, block, overlaps, points, requests, routes, sections, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position
 from interlock.model.layout import Layout
@@ -44,6 +44,7 @@ PASSES = (
     points.trailing,
     points.starting,
     routes.keep,
+    added.keep,
     requests.keep,
     sections.keep,
     sections.alarms,
@@ -76,7 +77,7 @@ def _indications(d: Draft) -> dict[str, names.Name]:
     return found | {f"full {z.id}": names.ZONE_FULL_SHOWN(z.id) for z in d.layout.zones}
 
 
-def _route(r: RouteRow) -> RouteSymbols:
+def _route(d: Draft, r: RouteRow) -> RouteSymbols:
     return RouteSymbols(
         r.id,
         r.number,
@@ -93,6 +94,9 @@ def _route(r: RouteRow) -> RouteSymbols:
         names.SHOWN(r.number),
         names.PASSING(r.number) if r.closing.whole is not None else None,
         r.names,
+        added.holds(r),
+        tuple(d.table.route[c.route].number for c in r.barred),
+        tuple((p.machine, p.position) for p in r.added),
     )
 
 
@@ -164,7 +168,7 @@ def _symbols(d: Draft) -> Symbols:
         swings={g: names.OVERLAP_SWINGS(g) for g in d.swinging},
         swing_request={g: d.swing_number(g) for g in d.swinging},
         overlap_timer={g: names.STANDING(g) for g in sorted({g for g, _ in d.overlaps})},
-        routes=tuple(map(_route, d.table.routes)),
+        routes=tuple(_route(d, r) for r in d.table.routes),
         demands={t.key: tuple((p.machine, p.position) for p in t.points) for t in d.table.locks},
         excluded={t.key: tuple((e.section, e.whole, e.numbers) for e in t.exclusions) for t in d.table.locks},
         ends=dict(d.topo.ends),

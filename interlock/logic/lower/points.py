@@ -9,7 +9,7 @@ from __future__ import annotations
 from interlock.logic import names
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
-from interlock.logic.lower import ways
+from interlock.logic.lower import added, ways
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position
 from interlock.table.rows import Role
@@ -61,6 +61,9 @@ def movable(d: Draft) -> None:
         for s in d.sections_of(m):
             terms.append(Term(var(names.FREE(s)), "point section free", f"{s} not locked"))
             terms.append(Term(d.clear(s), "point section clear", f"{s} clear"))
+        by_routes = added.held(d, m)
+        if by_routes:
+            terms.append(Term(neg(disj(by_routes)), "added point not held", f"no route holds {m} that was added to it"))
         for x in Position:
             held = flank.get((m, x), FALSE)
             terms.append(Term(neg(held), "flank not held", f"nobody needs {m} {x} as flank protection"))
@@ -178,9 +181,7 @@ def supervision(d: Draft) -> None:
             f"machine {m} is not where it was commanded",
         )
     for m in d.machines:
-        late = d.timer(
-            names.LATE(m), names.SUPERVISED(m), d.layout.principles.point_supervision_s, f"machine {m}: time-out"
-        )
+        late = d.timer(names.LATE(m), names.SUPERVISED(m), d.layout.supervision_s(m), f"machine {m}: time-out")
         d.kept(
             names.NOT_DETECTED(m),
             False,

@@ -11,7 +11,7 @@ from __future__ import annotations
 from interlock.logic import names
 from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
-from interlock.logic.lower import aspects, block, requests, sections, ways, zones
+from interlock.logic.lower import added, aspects, block, requests, sections, ways, zones
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import Position, SignalId
 from interlock.table.rows import RouteKind, RouteRow
@@ -63,7 +63,8 @@ def _needs(d: Draft, r: RouteRow) -> list[Term]:
     terms = [Term(var(names.VALID), "inputs valid")]
     for key in r.locked:
         terms += ways.free_terms(d, r, key)
-    return [*terms, *_rear_terms(d, r), *ways.overlap_terms(d, r), *_berth_terms(d, r), *zones.terms(d, r)]
+    terms += [*_rear_terms(d, r), *ways.overlap_terms(d, r), *_berth_terms(d, r), *zones.terms(d, r)]
+    return [*terms, *added.free(d, r)]
 
 
 def grants(d: Draft) -> None:
@@ -88,6 +89,7 @@ def locking(d: Draft) -> None:
                 Term(neg(var(names.CANCELLING(r.entry))), "not cancelling"),
                 Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
                 *ways.lying_terms(d, r),
+                *added.detected(d, r),
             ),
             group,
             f"route {r.id} becomes locked (R3)",
@@ -133,6 +135,7 @@ def _beside(d: Draft, r: RouteRow) -> list[Term]:
     terms += [Term(var(names.CONDITION(c.condition)), "condition", c.because.text) for c in r.conditions]
     terms += [Term(d.clear(b.section), "line beyond clear", b.because.text) for b in r.block]
     terms += block.terms(d, r)
+    terms += added.detected(d, r)
     if r.kind is not RouteKind.CALL_ON:
         terms.append(Term(neg(var(names.STALE(r.section_ids[0]))), "inputs never lost"))
     terms += aspects.lamp_terms(d, r)

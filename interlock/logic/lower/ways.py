@@ -13,6 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from interlock.logic import names
 from interlock.logic.controller import Join, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
+from interlock.logic.lower import added
 from interlock.logic.lower.draft import Draft
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.table.rows import Role, RouteKind, RouteRow, TraversalKey, TraversalRow
@@ -275,6 +276,9 @@ def demands(d: Draft) -> tuple[Mapping[MachineId, Expr], Mapping[tuple[MachineId
         for p in t.points:
             touched[p.machine] |= grants
             demanded[p.machine, p.position] |= grants
+    for m, x, grant in added.granted(d):
+        touched[m] |= {grant: None}
+        demanded[m, x] |= {grant: None}
     return {m: disj(xs) for m, xs in touched.items()}, {k: disj(xs) for k, xs in demanded.items()}
 
 
@@ -324,4 +328,5 @@ def _may_swing(d: Draft, g: SignalId, m: MachineId) -> Expr:
     for t in d.table.locks:
         if any(p.machine == m and p.role is Role.FLANK for p in t.points):
             terms.append(neg(d.holding(t.key, but=g)))
+    terms += map(neg, added.held(d, m))
     return conj(terms)

@@ -50,16 +50,13 @@ def images(b: Making) -> None:
         p.next[names.IMAGE(blind)] = TRUE
         p.initial.append(image(blind))
     for s, name in b.w.clear.items():
-        if names.STANDS(s) not in p.state:
-            # an approach section beyond an outgoing boundary holds no train of this model
-            p.state[names.IMAGE(s)] = f"{s} was reported occupied"
-            p.next[names.IMAGE(s)] = neg(conj((var(name), valid)))
-            continue
         # a detector that is reported faulty may say anything: it counts as saying occupied
         faulty = neg(var(b.w.healthy[s])) if s in b.w.healthy else FALSE
         reported = disj((neg(var(name)), faulty))
         p.state[names.IMAGE(s)] = f"{s} was reported occupied"
         p.next[names.IMAGE(s)] = disj((reported, neg(valid)))
+        if names.STANDS(s) not in p.state:
+            continue  # an approach section beyond an outgoing boundary holds no train of this model
         p.initial.append(implies(o(s), image(s)))
         b.assume(
             "A-DETECT",

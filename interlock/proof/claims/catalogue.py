@@ -14,6 +14,7 @@ from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
+from interlock.proof.claims.added import declared, demanded
 from interlock.proof.claims.flank import flank, flank_space, scissors
 from interlock.proof.claims.kinds import Claim, Facts
 from interlock.proof.claims.paths import Shown, SignalPath, ground_of, lie, shown_over, signal_paths
@@ -51,6 +52,9 @@ CLAIMS: dict[str, str] = {
     "S-OVERLAP": "Proceed to a signal with an overlap is shown only when one is steadily clear, lies and is detected.",
     "S-CONDITION": "Proceed is shown only when every condition of the path holds and the line beyond is steadily "
     "clear.",
+    "S-DECLARED": "No two signals show proceed for routes that the author declares hostile.",
+    "S-DEMANDED": "Proceed is shown only while the points that the author has the route lock are detected so in that "
+    "very scan, and were not trailed.",
     "S-DIRECTION": "Proceed onto a line with a direction token is shown only while the direction is ours, and then the "
     "neighbour has it not.",
     "S-BLOCKED": "No proceed is shown over a blocked section.",
@@ -104,6 +108,8 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         *((*x, True) for x in _zones(f)),
         *((*x, False) for x in flank_space(f)),
         *((*x, False) for x in _pairs(f)),
+        *((*x, False) for x in declared(f)),
+        *((*x, False) for x in demanded(f)),
         *((*x, False) for x in _signals(f)),
         *((*x, False) for x in terminals(f)),
         *((*x, False) for x in _distants(f)),

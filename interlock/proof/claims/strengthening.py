@@ -27,6 +27,7 @@ from interlock.logic.plant import (
     was_called,
 )
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
+from interlock.proof.claims.added import added_invariants
 from interlock.proof.claims.block import token_invariants
 from interlock.proof.claims.kinds import Facts, Invariant
 from interlock.proof.claims.overlaps import against_of, overlap_invariants, overrun, running_into
@@ -412,6 +413,7 @@ def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
         yield "R-KIND", implies(active, conj(kind))
     if r.passing is not None:
         yield from _passing(f, r, r.passing)
+    yield from added_invariants(f, r)
     if r.overlap is not None:
         yield "R-OVERLAP", implies(active, _overlap_of(f, r.overlap))
     if r.berth is not None:

@@ -84,7 +84,7 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for g, name in f.sym.overlap_timer.items():
         ordered[name] = [rules.overlap_release_s, needs.stand[g] / 1000]
     ordered |= {x.timer: [rules.token_delay_s, needs.agreed / 1000] for x in f.sym.token.values()}
-    ordered |= {name: [rules.point_supervision_s, needs.run / 1000] for name in f.sym.late_timer.values()}
+    ordered |= {name: [f.layout.supervision_s(m), needs.run / 1000] for m, name in f.sym.late_timer.items()}
     ordered |= {name: [rules.release_delay_s] for name in f.sym.release_timer.values()}
     ordered[f.sym.restart_timer] = [rules.restart_delay_s, needs.restart / 1000]
     if f.sym.start_timer is not None:

@@ -32,6 +32,8 @@ FUNCTIONS: dict[str, str] = {
     "F-WANT": "A signal is wanted from when its route is locked, or asked for again, until a condition is lost while "
     "it is open, or it is cancelled (R14).",
     "F-PASSING": "A signal that stays open until the whole movement has passed does so, unless a condition is lost.",
+    "F-ADDED": "A route holds what the author has added to it exactly from its grant until its train is wholly in its "
+    "last section, or has left (R5, R6).",
     "F-SHOWN": "A route remembers that its signal has been open, from then on and only from then on (R8).",
     "F-CANCEL": "A cancelled route is given up as soon as R8 permits, and until then it goes on being cancelled; "
     "otherwise only a train ends a route.",

@@ -55,6 +55,7 @@ def start(w: Words) -> Expr:
     off: list[Expr] = []
     for r in sym.routes:
         off += [var(name) for name in (r.active, r.locked, r.want, r.proceed, r.shown, *r.open_while)]
+        off += [var(r.added)] if r.added is not None else []
     off += map(var, sym.cancelling.values())
     for s in w.topo.sections:
         off += [f.any_lock(s), f.firm(s), f.passed(s), f.stale(s)]

@@ -59,6 +59,8 @@ def _swings_to(w: Words, g: SignalId, s: SectionId, n: int) -> Iterator[Expr]:
         free = [
             y for t in w.layout.sections_of_machine[m] for y in (_only_by(w, g, t), neg(w.f.any_lock(t)), w.long(t))
         ]
+        holding = (r.added for r in w.sym.routes if any(m == k for k, _ in r.demands))
+        free += [neg(var(name)) for name in holding if name is not None]
         yield disj((w.commanded(m, x), conj((*free, *(neg(w.holding(way)) for way in w.flanks(m))))))
 
 

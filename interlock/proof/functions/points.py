@@ -61,4 +61,5 @@ def _commands(w: Words, m: MachineId) -> Iterator[tuple[str, str, Expr]]:
             for way in (*r.ways, *(w.sym.overlap_ways[r.overlap] if r.overlap is not None else ()))
             if (m, x) in w.sym.demands[way]
         ]
+        demanded += [w.set_now(r) for r in w.sym.routes if (m, x) in r.demands]
         yield "F-POINT", f"{m} {x} by a route", implies(disj(demanded), w.after(command))

@@ -37,7 +37,9 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
         unlocked = conj((w.set_now(r), neg(w.f.held(r.berth[0]))))
         yield "F-GRANT", f"{r.id} into its berth", implies(unlocked, after(w.f.lock(*r.berth)))
     setting = [active, neg(locked), w.valid, free, stays]
-    ready, needed = (conj((*setting, *_lie(w, r, wide), w.overlap_lies(r, wide))) for wide in (True, False))
+    ready, needed = (
+        conj((*setting, *_lie(w, r, wide), *_added_lie(w, r), w.overlap_lies(r, wide))) for wide in (True, False)
+    )
     yield "F-LOCK", r.id, conj((implies(ready, after(locked)), implies(w.rises(locked), needed)))
     yield "F-LOCK", f"{r.id} stays", implies(conj((locked, stays)), after(locked))
     order, some = conj(_in_order(w, r, True)), conj(_in_order(w, r, False))
@@ -60,6 +62,8 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     if speed is not None and (r.entry, speed) in sym.speed_shown and not r.shunt and not r.call_on:
         is_open = after(disj(map(var, r.open_while)))
         yield "F-SPEED", r.id, implies(is_open, after(var(sym.speed_shown[r.entry, speed])))
+    if r.added is not None:
+        yield "F-ADDED", r.id, _holds_added(w, r, r.added)
     if r.passing is not None:
         yield "F-PASSING", r.id, _passing(w, r, r.passing)
     yield "F-SHOWN", r.id, iff(after(shown), conj((stays, disj((shown, after(shows))))))
@@ -114,6 +118,11 @@ def _refusing(w: Words, r: RouteSymbols, wide: bool) -> Iterator[Expr]:
             yield _not_as_overlap(w, r.overlap[0], (s, n), wide)
     if r.berth is not None:
         yield from _berth(w, r.berth, wide)
+    of = {x.number: x.added for x in w.sym.routes}
+    yield disj(var(name) for n in r.barred if (name := of[n]) is not None)
+    for m, x in r.demands:
+        yield neg(w.obtainable(m, x))
+        yield var(w.sym.trailed[m]) if w.powered(m) else FALSE
     for z in w.layout.zones if wide else ():  # how many trains there may be is T-ZONE's business
         if any(s in z.sections for s, _ in r.ways):
             yield _zone_may_be_full(w, z.sections)
@@ -195,6 +204,25 @@ def _lie(w: Words, r: RouteSymbols, wide: bool, kept_clear: bool = True) -> Iter
             yield w.long(s)
 
 
+def _added_lie(w: Words, r: RouteSymbols) -> Iterator[Expr]:
+    """The points that the author has the route lock lie so (R5)."""
+    for m, x in r.demands:
+        yield w.detected(m, x)
+        yield neg(var(w.sym.trailed[m])) if w.powered(m) else conj(())
+
+
+def _holds_added(w: Words, r: RouteSymbols, name: Name) -> Expr:
+    """What was added is held from the grant until the train is wholly in the last section (R6)."""
+    last = w.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1]
+    leaves = last.exit in w.layout.boundary_at or r.berth is not None
+    through = r.ways if leaves or len(r.ways) == 1 else r.ways[:-1]
+    overlaps = [x for o, x in w.sym.overlap.items() if r.overlap is not None and o[0] == r.overlap[0]]
+    mine = [w.sym.overlap[r.overlap]] if r.overlap is not None else []
+    those = overlaps if r.overlap is not None and r.overlap[0] in w.sym.swings else mine
+    under_way = disj((w.set_now(r), var(r.active), w.f.lock(*through[-1]), *map(var, those)))
+    return iff(w.after(var(name)), conj((disj((var(name), w.set_now(r))), under_way)))
+
+
 def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iterator[Expr]:
     """The conditions of proceed, in every scan (R3); `wide`: with all that might count for the flank space.  Behind the
     first axle the path need not be `clear`."""
@@ -202,6 +230,7 @@ def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iter
     yield w.valid
     yield from _lie(w, r, wide, clear)
     yield w.overlap_lies(r, wide)
+    yield from _added_lie(w, r)
     for s, _ in (*r.ways, *([r.berth] if r.berth is not None else [])):
         yield neg(w.blocked(s))
     yield from map(neg, _rear(w, r))

@@ -232,6 +232,9 @@ class Words:
         free = [self.valid]
         for s in self.layout.sections_of_machine[m]:
             free += [neg(self.f.held(s)), self.long(s)]
+        free += [
+            neg(var(r.added)) for r in self.sym.routes if r.added is not None and any(m == n for n, _ in r.demands)
+        ]
         return conj((*free, *(neg(self.holding(way)) for way in self.flanks(m))))
 
     def closing(self, m: MachineId, x: Position) -> bool:

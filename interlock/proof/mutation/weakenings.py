@@ -117,6 +117,7 @@ def _relower(layout: Layout, table: InterlockingTable, key: tuple[str, int], row
         for k in (*r.traversals, *over):
             for p in by_key[k].points:
                 points.setdefault(p.machine, p)
+        points |= {p.machine: p for p in r.added}
         routes.append(replace(r, points=tuple(points.values())) if key in (*r.traversals, *over) else r)
     return lower(layout, replace(table, locks=locks, routes=tuple(routes)))
 
@@ -330,6 +331,16 @@ KINDS: tuple[Kind, ...] = (
         "hostile-not-excluded",
         "a route is granted over a section that another holds",
         without("WF G AD", "section free"),
+    ),
+    Kind(
+        "declared-not-excluded",
+        "a route is granted beside one that the author declares hostile",
+        without("G", "declared hostile"),
+    ),
+    Kind(
+        "added-point-not-detected",
+        "proceed is shown without detection of a point that the author has the route lock",
+        without("CO", "added point detected"),
     ),
     Kind("diamond-not-excluded", "the exclusion over a diamond or foul joint is missing", _exclusions),
     Kind("two-grants", "a route is granted without having been asked for, beside another", without("G", "requested")),

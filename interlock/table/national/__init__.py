@@ -6,6 +6,7 @@ A form adds nothing that the table and the layout do not say; `SHEETS` names the
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 
 from interlock.model.layout import Layout
 from interlock.table.national.cn import chinese_table
@@ -27,7 +28,19 @@ SHEETS: Mapping[str, tuple[Form, ...]] = {
 
 def national_sheets(layout: Layout, table: InterlockingTable) -> tuple[Sheet, ...]:
     """The sheets that the layout's railway prints."""
-    return tuple(form(layout, table) for form in SHEETS.get(layout.profile, ()))
+    return tuple(_counted(form(layout, table), table) for form in SHEETS.get(layout.profile, ()))
+
+
+_UNLISTED = {"en": "{} more routes are not listed", "zh": "另有 {} 条进路未列出", "de": "{} weitere nicht aufgeführt"}
+
+
+def _counted(sheet: Sheet, table: InterlockingTable) -> Sheet:
+    """The sheet, with a last row that tells how many routes are not listed, if any."""
+    hidden = len(table.routes) - len(table.listed)
+    if not hidden or not sheet.of_routes:
+        return sheet
+    note = (_UNLISTED[sheet.language].format(hidden), *[""] * (len(sheet.headings) - 1))
+    return replace(sheet, rows=(*sheet.rows, note))
 
 
 __all__ = ["Heading", "Sheet", "national_sheets"]

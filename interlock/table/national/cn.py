@@ -56,7 +56,12 @@ def chinese_table(layout: Layout, table: InterlockingTable) -> Sheet:
     form = _Form(layout, table)
     rows = [form.row(r, number) for number, r in enumerate(form.printed, start=1)]
     return Sheet(
-        "cn", "zh", Heading("Interlocking table (China)", "联锁表", "Verschlusstabelle (China)"), HEADINGS, tuple(rows)
+        "cn",
+        "zh",
+        Heading("Interlocking table (China)", "联锁表", "Verschlusstabelle (China)"),
+        HEADINGS,
+        tuple(rows),
+        True,
     )
 
 
@@ -75,7 +80,7 @@ class _Form:
     def printed(self) -> tuple[RouteRow, ...]:
         """The routes in print, in order."""
         shown = [
-            r for r in self.table.routes if r.kind is RouteKind.MAIN or (r.kind is RouteKind.SHUNT and r.variant == 1)
+            r for r in self.table.listed if r.kind is RouteKind.MAIN or (r.kind is RouteKind.SHUNT and r.variant == 1)
         ]
         return tuple(sorted(shown, key=self._place))
 
@@ -273,7 +278,7 @@ class _Form:
 
     def points(self, r: RouteRow) -> list[str]:
         """Points in the order of the path; protecting and driven ones with the section that asks for them."""
-        on_path, flank = self.path(r), [p for p in r.points if p.role is Role.FLANK]
+        on_path, flank = self.path(r), [p for p in r.points if p.role in (Role.FLANK, Role.ADDED)]
         out: dict[MachineId, str] = {}
         for key in r.traversals:
             for q, _ in self.way(key).points:

@@ -105,7 +105,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             f"D{r.overlap.option}{' *' if r.overlap.option == 1 else ''}" if r.overlap else "",
             "R" if r.variant == 1 else "U",
             _lying(x, r, Role.PATH, Role.OVERLAP),
-            _lying(x, r, Role.FLANK),
+            _lying(x, r, Role.FLANK, Role.ADDED),
             ", ".join(x.sections(r)),
             _devices(x, r),
             ", ".join(
@@ -115,10 +115,10 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             ", ".join(h.route for h in r.hostile),
             ", ".join([*r.requirements, *([f"{r.speed.kmh} km/h"] if r.speed.kmh is not None else [])]),
         )
-        for r in table.routes
+        for r in table.listed
         if r.kind is RouteKind.MAIN
     ]
-    return Sheet("de_sslz", "de", Heading("Train routes", "列车进路", "Sslz Zugstraßen"), SSLZ, tuple(rows))
+    return Sheet("de_sslz", "de", Heading("Train routes", "列车进路", "Sslz Zugstraßen"), SSLZ, tuple(rows), True)
 
 
 def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
@@ -134,15 +134,15 @@ def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             ", ".join(h.route for h in r.hostile if h.kind.value == "opposing"),
             ", ".join(x.sections(r)),
             _lying(x, r, Role.PATH),
-            _lying(x, r, Role.FLANK),
+            _lying(x, r, Role.FLANK, Role.ADDED),
             _devices(x, r),
             f"{r.approach.delay_s:g} s",
             f"Zielgleis {r.berth} darf besetzt sein" if r.berth else "",
         )
-        for r in table.routes
+        for r in table.listed
         if r.kind is RouteKind.SHUNT
     ]
-    return Sheet("de_sslr", "de", Heading("Shunt routes", "调车进路", "Sslr Rangierstraßen"), SSLR, tuple(rows))
+    return Sheet("de_sslr", "de", Heading("Shunt routes", "调车进路", "Sslr Rangierstraßen"), SSLR, tuple(rows), True)
 
 
 def overlaps(layout: Layout, table: InterlockingTable) -> Sheet:

@@ -16,10 +16,14 @@ class Heading:
 
 @dataclass(frozen=True)
 class Sheet:
-    """One table as a railway prints it; `key` is part of its file name, `language` (en, zh, de) that of its cells."""
+    """One table as a railway prints it; `key` is part of its file name, `language` (en, zh, de) that of its cells.
+
+    `of_routes`: it has rows for routes, and says how many of them are not listed.
+    """
 
     key: str
     language: str
     title: Heading
     headings: tuple[Heading, ...]
     rows: tuple[tuple[str, ...], ...]
+    of_routes: bool = False

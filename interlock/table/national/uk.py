@@ -61,7 +61,8 @@ def route_table(layout: Layout, table: InterlockingTable) -> Sheet:
         "en",
         Heading("Control table: routes", "控制表：进路", "Kontrolltabelle: Fahrstraßen"),
         ROUTES,
-        tuple(_route(reading, names, r) for r in table.routes),
+        tuple(_route(reading, names, r) for r in table.listed),
+        True,
     )
 
 
@@ -87,8 +88,8 @@ def _route(x: Reading, names: dict[RouteId, str], r: RouteRow) -> tuple[str, ...
         _class(r),
         x.points(r, Position.NORMAL, *ON_PATH),
         x.points(r, Position.REVERSE, *ON_PATH),
-        x.points(r, Position.NORMAL, Role.FLANK),
-        x.points(r, Position.REVERSE, Role.FLANK),
+        x.points(r, Position.NORMAL, Role.FLANK, Role.ADDED),
+        x.points(r, Position.REVERSE, Role.FLANK, Role.ADDED),
         ", ".join(names[h.route] for h in r.hostile),
         ", ".join(x.sections(r)),
         ", ".join(s for s, _ in r.overlap.ways) if r.overlap else "",

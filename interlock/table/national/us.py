@@ -34,7 +34,7 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
     """The sheet of a layout."""
     x = Reading(layout, table)
     rows = []
-    for r in table.routes:
+    for r in table.listed:
         signals = sorted({table.route[h.route].entry for h in r.hostile if table.route[h.route].entry != r.entry})
         remarks = [f"{p.machine} closed" for p in r.points if p.machine in layout.device]
         remarks += [*r.requirements]
@@ -59,5 +59,5 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
             )
         )
     return Sheet(
-        "us_locking", "en", Heading("Route locking sheet", "进路锁闭表", "Verschlussblatt"), COLUMNS, tuple(rows)
+        "us_locking", "en", Heading("Route locking sheet", "进路锁闭表", "Verschlussblatt"), COLUMNS, tuple(rows), True
     )

@@ -1,0 +1,47 @@
+"""What the author adds to the derivation, seen from the audit's own paths."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from interlock.audit.walk import Trip
+from interlock.model.elements import Choice
+from interlock.model.layout import Layout
+from interlock.table.rows import InterlockingTable
+
+
+def chosen(x: Choice, t: Trip) -> bool:
+    """Whether the author's choice fits a path."""
+    return (
+        (x.entry is None or x.entry == t.entry)
+        and (x.exit is None or x.exit in (t.exit, t.sections[-1]))
+        and all(s in t.sections for s in x.via)
+        and (x.shunt is None or x.shunt == t.shunt)
+    )
+
+
+def declared(layout: Layout, a: Trip, b: Trip) -> bool:
+    """Whether the author declares two paths hostile."""
+    return any(
+        (chosen(x.one, a) and chosen(x.other, b)) or (chosen(x.one, b) and chosen(x.other, a)) for x in layout.barred
+    )
+
+
+def added(layout: Layout, table: InterlockingTable, matched: Mapping[str, Trip]) -> Iterator[tuple[str, str, str]]:
+    """Route, column and text where an addition is not in the table, or the table says that there is one."""
+    for r in table.routes:
+        mine = matched.get(r.id)
+        if mine is None:
+            continue
+        others = (o for o in table.routes if layout.barred and o is not r and o.id in matched)
+        barred = {o.id for o in others if declared(layout, mine, matched[o.id])}
+        if {c.route for c in r.barred} != barred:
+            yield r.id, "barred", f"declared hostile are {', '.join(sorted(barred)) or 'none'}"
+        if not barred <= set(r.hostile.routes):
+            yield r.id, "hostile", f"hostile by declaration are {', '.join(sorted(barred))}"
+        asked = {(d.machine, d.position) for d in layout.demanded if chosen(d.routes, mine)}
+        lies = {(p.machine, p.position) for p in r.points}
+        for m, x in sorted(asked - lies):
+            yield r.id, "points", f"{m} {x} is demanded"
+        for m, x in sorted({(p.machine, p.position) for p in r.points if p.role == "added"} - asked):
+            yield r.id, "points", f"nobody demands {m} {x}"

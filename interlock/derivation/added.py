@@ -1,0 +1,92 @@
+"""What the author adds to a table: hostile routes and points (R5, R6), for reasons that no layout tells.
+
+Everything else is derived as if nothing had been added, so that an addition can only restrict: a route gets further
+conditions, and loses none.  Diagnostics IL2019, IL4011, IL4012.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import product
+
+from interlock.derivation.routes import Path
+from interlock.diag import Element, Sink
+from interlock.model.elements import Choice, Demanded, Position, RouteId
+from interlock.model.layout import Layout
+from interlock.table.rows import BarredCell, Because, PointDemand, Role, RouteKind
+
+Barred = Mapping[RouteId, tuple[BarredCell, ...]]
+Demands = Mapping[RouteId, tuple[PointDemand, ...]]
+
+
+def chosen(choice: Choice, paths: Sequence[Path]) -> list[Path]:
+    """The routes that the author chooses."""
+    return [
+        p
+        for p in paths
+        if choice.fits(p.entry, {p.exit, p.ways[-1].section}, {t.section for t in p.ways}, p.kind is RouteKind.SHUNT)
+    ]
+
+
+def derive_barred(layout: Layout, paths: Sequence[Path], sink: Sink) -> Barred:
+    """For each route those that are declared hostile to it, in order of number."""
+    found: dict[RouteId, dict[int, BarredCell]] = {}
+    for i, b in enumerate(layout.barred):
+        why = Because("R6", f"declared hostile: {b.reason}")
+        pairs = [(p, q) for p, q in product(chosen(b.one, paths), chosen(b.other, paths)) if p is not q]
+        if not pairs:
+            text = f"no two routes are declared hostile ({b.reason})"
+            fix = "`one` and `other` each choose routes by `from`, `to`, `via` and `kind`: correct them"
+            sink.add("IL2019", text, None, fix, about=Element("hostile", i))
+        for p, q in pairs:
+            found.setdefault(p.id, {}).setdefault(q.number, BarredCell(q.id, why))
+            found.setdefault(q.id, {}).setdefault(p.number, BarredCell(p.id, why))
+    return {r: tuple(cells[n] for n in sorted(cells)) for r, cells in found.items()}
+
+
+def with_added(layout: Layout, paths: Sequence[Path], derived: Demands, sink: Sink) -> Demands:
+    """The demands of all routes with those that the author adds."""
+    found = {r: list(demands) for r, demands in derived.items()}
+    for i, d in enumerate(layout.demanded):
+        those, idle = chosen(d.routes, paths), []
+        for p in those:
+            lies = {x.machine: x for x in found[p.id]}.get(d.machine)
+            if lies is None and not _against_key(layout, d):
+                why = Because("R5", f"demanded: {d.reason}")
+                found[p.id].append(PointDemand(d.machine, d.position, Role.ADDED, p.ways[0].section, why))
+            elif lies is not None and lies.position is d.position:
+                idle.append(p)
+            else:
+                _contradicts(layout, d, p, lies, i, sink)
+        if not those:
+            text = f"no route demands {d.machine} {d.position} ({d.reason})"
+            fix = "`routes` chooses them by `from`, `to`, `via` and `kind`: correct it"
+            sink.add("IL2019", text, None, fix, about=Element("demand", i))
+        elif len(idle) == len(those):
+            those_ids = ", ".join(p.id for p in idle)
+            text = f"the demand of {d.machine} {d.position} adds nothing: it lies so for {those_ids} anyway"
+            sink.add("IL4012", text, None, "remove it", about=Element("demand", i))
+    return {r: tuple(demands) for r, demands in found.items()}
+
+
+def _against_key(layout: Layout, d: Demanded) -> bool:
+    return d.machine in layout.by_hand and d.position is Position.REVERSE
+
+
+def _contradicts(layout: Layout, d: Demanded, p: Path, lies: PointDemand | None, i: int, sink: Sink) -> None:
+    says = f"{d.machine} is worked by hand, and locked by its key in normal"
+    if lies is not None:
+        says = f"{d.machine} lies {lies.position} there: {lies.because.text}"
+    text = f"{d.machine} {d.position} cannot be demanded of {p.id}: {says}"
+    fix = "remove the demand, choose fewer routes, or exclude the route: `exclude:`"
+    sink.add("IL4011", text, None, fix, about=Element("demand", i))
+
+
+def idle_barred(layout: Layout, paths: Sequence[Path], hostile: Mapping[RouteId, int], sink: Sink) -> None:
+    """Reports declarations of which all routes are hostile anyway; `hostile`: those of each route as derived, as bits
+    by number less one."""
+    for i, b in enumerate(layout.barred):
+        pairs = [(p, q) for p, q in product(chosen(b.one, paths), chosen(b.other, paths)) if p is not q]
+        if pairs and all(hostile[p.id] >> (q.number - 1) & 1 for p, q in pairs):
+            text = f"the declaration adds nothing ({b.reason}): these routes are hostile anyway"
+            sink.add("IL4012", text, None, "remove it", about=Element("hostile", i))

@@ -1,0 +1,92 @@
+"""What the author has added to routes (R5, R6): hostile routes, and points that routes lock.
+
+AH: a route holds what was added to it.  From its grant until its train is wholly in its last section, or, where the
+route leads out over a boundary or has no other section, until its last section is released.  The lock that is looked at
+is the last to go, since sections are released from rear to front; the overlap goes when the train stands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.logic import names
+from interlock.logic.controller import Join, Term
+from interlock.logic.expr import Expr, disj, neg, var
+from interlock.logic.lower.draft import Draft
+from interlock.logic.names import Name
+from interlock.model.elements import MachineId, Position
+from interlock.table.rows import ExitKind, RouteRow, TraversalKey
+
+
+def holds(r: RouteRow) -> Name | None:
+    """The bit that tells that a route holds what was added to it; None where nothing was."""
+    return names.HOLDS_ADDED(r.number) if r.barred or r.added else None
+
+
+def last_held(r: RouteRow) -> TraversalKey:
+    """The way whose lock a train of the route leaves behind when it is wholly in the last section."""
+    through = r.locked if r.berth is not None or r.exit_kind is ExitKind.BOUNDARY else r.locked[:-1]
+    return (through or r.locked)[-1]
+
+
+def free(d: Draft, r: RouteRow) -> list[Term]:
+    """Nothing that was added keeps the route from being granted."""
+    out = [
+        Term(neg(var(names.HOLDS_ADDED(d.table.route[c.route].number))), "declared hostile", c.because.text)
+        for c in r.barred
+    ]
+    for p in r.added:
+        free_ = var(names.POINT_AVAILABLE(p.machine, p.position))
+        out.append(Term(free_, "added point available", f"{p.machine} {p.position}: {p.because.text}"))
+        out += _not_trailed(d, p.machine)
+    return out
+
+
+def _not_trailed(d: Draft, m: MachineId) -> list[Term]:
+    return [Term(neg(var(names.TRAILED(m))), "not trailed", f"{m} was not trailed")] if m in d.powered else []
+
+
+def detected(d: Draft, r: RouteRow) -> list[Term]:
+    """The points that were added lie and are detected, and were not trailed (R10)."""
+    out = []
+    for p in r.added:
+        note = f"{p.machine} {p.position}: {p.because.text}"
+        out.append(Term(d.detected(p.machine, p.position), "added point detected", note))
+        out += _not_trailed(d, p.machine)
+    return out
+
+
+def held(d: Draft, m: MachineId) -> list[Expr]:
+    """Some route holds a machine that was added to it."""
+    return [var(names.HOLDS_ADDED(r.number)) for r in d.table.routes if any(p.machine == m for p in r.added)]
+
+
+def granted(d: Draft) -> Iterator[tuple[MachineId, Position, Expr]]:
+    """The grants that demand a machine that was added."""
+    for r in d.table.routes:
+        for p in r.added:
+            yield p.machine, p.position, var(names.GRANTED(r.number))
+
+
+def keep(d: Draft) -> None:
+    """Next values of the bits."""
+    for r in d.table.routes:
+        name = holds(r)
+        if name is None:
+            continue
+        overlaps = []
+        if r.overlap is not None:
+            options = {r.overlap.option, *r.overlap.swings}
+            overlaps = [d.overlap(o) for o in d.overlaps_of[r.overlap.signal] if o[1] in options]
+        under_way = disj((var(names.GRANTED(r.number)), var(names.ACTIVE(r.number)), d.lock(*last_held(r)), *overlaps))
+        d.kept(
+            name,
+            False,
+            f"route {r.id} holds what was added to it",
+            Join.ALL,
+            (
+                Term(disj((var(name), var(names.GRANTED(r.number)))), "held or granted"),
+                Term(under_way, "under way", "set, or its train not yet wholly in the last section"),
+            ),
+            f"route {r.id}",
+        )

@@ -1,0 +1,78 @@
+"""What the author adds to routes (R5, R6): hostile routes, and points that they demand.
+
+Claims find the routes on the layout, by the author's choices; invariants tie the bit that remembers them to routes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.logic.controller import RouteSymbols
+from interlock.logic.expr import FALSE, Expr, conj, disj, implies, neg, var
+from interlock.model.elements import Choice, SignalId
+from interlock.proof.claims.kinds import Facts
+from interlock.proof.claims.paths import SignalPath, lie, signal_paths
+
+
+def chosen(f: Facts, choice: Choice, g: SignalId, shunt: bool) -> list[tuple[int, SignalPath]]:
+    """The paths of a signal among the author's choice, with their numbers."""
+    found = []
+    for k, p in enumerate(signal_paths(f, g, shunt), 1):
+        last = p.ways[-1]
+        ahead = f.topo.beyond(last.section, last.exit)
+        signal = None if ahead is None else f.topo.signal_into.get((last.exit, ahead))
+        ends = {str(last.section), str(last.exit), *([str(signal)] if signal is not None else [])}
+        if choice.fits(g, ends, {t.section for t in p.ways}, shunt):
+            found.append((k, p))
+    return found
+
+
+def declared(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """S-DECLARED, for each two signals with such routes."""
+    callings = [(g.id, k) for g in f.layout.signals for k in f.functions(g.id)]
+
+    def shown(g: SignalId, shunt: bool, choice: Choice) -> Expr:
+        over = disj(lie(f, p.ways) for _, p in chosen(f, choice, g, shunt))
+        return conj((f.sym.signal(g, shunt), over))
+
+    for i, b in enumerate(f.layout.barred, 1):
+        ones = [(who, x) for who in callings if (x := shown(*who, b.one)) is not FALSE]
+        others = [(who, x) for who in callings if (x := shown(*who, b.other)) is not FALSE]
+        for (g, k), x in ones:
+            for (h, m), y in others:
+                if g != h:
+                    yield "S-DECLARED", f"{i}: {_who(g, k)} and {_who(h, m)}", neg(conj((x, y)))
+
+
+def demanded(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """S-DEMANDED, path by path."""
+    after = f.system.after
+    for d in f.layout.demanded:
+        m, x = d.machine, d.position
+        there = [var(f.sym.detected[m, x]), neg(var(f.sym.detected[m, x.other]))]
+        if m in f.sym.trailed:
+            there.append(neg(var(f.sym.trailed[m])))
+        for g, shunt in ((h.id, k) for h in f.layout.signals for k in f.functions(h.id)):
+            for n, path in chosen(f, d.routes, g, shunt):
+                here = conj((after(f.sym.signal(g, shunt)), after(lie(f, path.ways))))
+                yield "S-DEMANDED", f"{_who(g, shunt)}:{n} {m} {x}", implies(here, conj(there))
+
+
+def _who(g: SignalId, shunt: bool) -> str:
+    return f"{g} shunt" if shunt else g
+
+
+def added_invariants(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
+    """What was added is held while a route is set and while its signal is open; no two that exclude each other hold it;
+    the points are commanded."""
+    if r.added is None:
+        return
+    holds = var(r.added)
+    yield "R-ADDED", implies(disj((var(r.active), *(var(n) for n in r.open_while))), holds)
+    of = {x.number: x.added for x in f.sym.routes}
+    for n in r.barred:
+        other = of[n]
+        if n > r.number and other is not None:
+            yield f"R-DECLARED:{n}", neg(conj((holds, var(other))))
+    for m, x in r.demands:
+        yield f"R-DEMANDED:{m}", implies(holds, var(f.sym.command[m, x]))

@@ -1,0 +1,175 @@
+"""What the author adds to the derivation: hostile routes, demanded points, routes that are not printed.
+
+An addition can only restrict: whatever a controller with additions grants, opens or moves in a scan, the controller
+without them would, too, from the same state with the same inputs.
+"""
+
+from __future__ import annotations
+
+import random
+from pathlib import Path
+
+import pytest
+from interlock.proof.encode import Cnf
+from interlock.proof.limits import Limits
+from interlock.proof.runner import prove
+
+from interlock.audit import audit
+from interlock.checker import specification
+from interlock.checker.check import agree
+from interlock.checker.drawing import loaded
+from interlock.derivation import derive
+from interlock.diag import Sink
+from interlock.emit.tables.export import table_csv
+from interlock.frontend import load_text
+from interlock.logic.controller import Controller
+from interlock.logic.expr import conj, neg, var
+from interlock.logic.lower import lower
+from interlock.model.elements import RouteId
+from interlock.model.layout import Layout
+from interlock.model.portable import portable
+from interlock.proof.engines import Answer, solver
+from interlock.proof.induction.verdict import Verdict
+from interlock.proof.system.transition import System
+from interlock.table.columns import COLUMNS
+from interlock.table.national import national_sheets
+from interlock.table.rows import InterlockingTable, RouteKind
+from interlock.verify import Rejected
+from tests.grow import grow
+from tests.layouts import grown
+from tests.written import told
+
+TEXT = Path("tests/layouts_for_tests/added.yaml").read_text("utf-8")
+PLAIN = TEXT[: TEXT.index("hostile:")]
+
+
+def made(text: str) -> tuple[Layout, InterlockingTable]:
+    """Layout and table of a text without errors."""
+    sink = Sink()
+    layout, _ = load_text("added.yaml", text, sink)
+    assert layout is not None, sink.diagnostics
+    table = derive(layout, sink)
+    assert not sink.has_errors and audit(layout, table) == (), sink.diagnostics
+    return layout, table
+
+
+def test_additions_stand_in_the_table_with_their_reasons() -> None:
+    _, table = made(TEXT)
+    cell = {c.key: c for c in COLUMNS}
+    route = {str(r.id): r for r in table.routes}
+    assert "E2-S2 (declared hostile: the platform between the roads is narrow)" in cell["hostile"].text(route["A2-N1"])
+    assert "A2-N1 (declared hostile: the platform" in cell["hostile"].text(route["E2-S2"])
+    assert [c.route for c in route["A-A2"].barred] == ["E1-E2"]
+    text = "3 N (demanded: vehicles in the siding may be loaded with explosives)"
+    assert cell["flank_points"].text(route["S1-W"]) == text
+    assert {h.kind for h in route["S1-W"].hostile if h.route == "Y-S2"} == {"flank"}, "it turns the point"
+
+
+def test_nothing_derived_is_lost() -> None:
+    (_, plain), (_, more) = made(PLAIN), made(TEXT)
+    for a, b in zip(plain.routes, more.routes, strict=True):
+        assert a.id == b.id and set(a.hostile.routes) <= set(b.hostile.routes)
+        assert set(a.points) <= set(b.points) and a.traversals == b.traversals
+    assert plain.locks == more.locks
+
+
+@pytest.mark.parametrize("profile", ["generic", "uk", "de", "cn"])
+def test_a_route_that_is_not_listed_is_counted_in_every_printed_table(profile: str) -> None:
+    layout, table = made(TEXT.replace("name: added", f"name: added\nprofile: {profile}"))
+    (hidden,) = [r for r in table.routes if not r.listed]
+    assert hidden.names == ("into_1",) and hidden.id in {r.route for r in table.route["S1-W"].hostile}
+    lines = table_csv(table).splitlines()
+    assert lines[-1].startswith(",1 more routes are not listed,") and len(lines) == len(table.routes) + 1
+    sheets = [s for s in national_sheets(layout, table) if s.of_routes]
+    kinds = {"de_sslz": RouteKind.MAIN, "de_sslr": RouteKind.SHUNT}
+    for s in sheets:
+        assert any(n in s.rows[-1][0] for n in ("1 more", "1 条", "1 weitere"))
+        if s.key in kinds:
+            assert len(s.rows) == sum(r.kind is kinds[s.key] and r.listed for r in table.routes) + 1
+    assert sheets
+
+
+def test_it_is_proved_and_the_second_checker_asks_for_it() -> None:
+    layout, table = made(TEXT)
+    result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+    assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+    assert {"S-DECLARED", "S-DEMANDED"} <= {c.id for c in result.claims}
+    assert agree(*told(TEXT), specification.shipped()).left == ()
+    _, system, text = told(PLAIN)
+    with pytest.raises(Rejected):
+        agree(loaded(TEXT), system, text, specification.shipped())
+
+
+# --- adding can only restrict ----------------------------------------------------------------------
+
+
+def more_than(one: Controller, other: Controller) -> list[str]:
+    """What the one does in some scan that the other does not, from the same state with the same inputs: it grants a
+    route, lets a machine move, opens a signal, locks a section, or gives one back."""
+    cnf, asked = Cnf(), {}
+    nothing = conj(neg(other.expanded[f"G_R{r.number}"]) for r in other.symbols.routes)  # a grant locks again
+    for r in one.symbols.routes:
+        grant = f"G_R{r.number}"
+        asked[grant] = conj((one.expanded[grant], neg(other.expanded[grant])))
+        asked[r.proceed] = conj((one.next_state[r.proceed], neg(other.next_state[r.proceed])))
+    for m in dict.fromkeys(m for m, _ in one.symbols.command):
+        moves = f"MOV_{portable(m)}"
+        asked[moves] = conj((one.expanded[moves], neg(other.expanded[moves])))
+    for name in one.symbols.lock.values():
+        asked[f"{name} taken"] = conj((one.next_state[name], neg(other.next_state[name])))
+        kept = conj((other.next_state[name], neg(one.next_state[name])))
+        asked[f"{name} released"] = conj((var(name), nothing, kept))
+    literals = {name: cnf.literal(x) for name, x in asked.items()}
+    sat = solver("minisat", cnf, 0)
+    return [name for name, x in literals.items() if sat.ask(x) is not Answer.UNSAT]
+
+
+def test_the_shipped_example_restricts_and_the_other_way_round_is_seen() -> None:
+    plain, more = (lower(*made(text)) for text in (PLAIN, TEXT))
+    assert more_than(more, plain) == []
+    number = {r.id: r.number for r in more.symbols.routes}
+    kept_back = {f"G_R{number[RouteId(r)]}" for r in ("A-A2", "E1-E2", "A2-N1", "E2-S2", "S1-W")}
+    found = set(more_than(plain, more))
+    assert kept_back | {"MOV_3"} <= found, "what holds the point keeps back all routes that need it otherwise, too"
+    assert f"G_R{number[RouteId('S2-W')]}" not in found
+
+
+def with_additions(seed: int) -> tuple[str, str] | None:
+    """A layout that grew at random, and the same with additions chosen at random."""
+    rng, text = random.Random(seed), grow(seed)
+    found = grown(text)
+    if found is None or found[2].has_errors or len(found[1].routes) < 4:
+        return None
+    layout, table, _ = found
+    hostile, demand = [], []
+    for _ in range(3):
+        one, other = rng.sample(table.routes, 2)
+        choices = [f"{{from: {r.entry}, to: {r.exit}, kind: {'main' if r.train else 'shunt'}}}" for r in (one, other)]
+        hostile.append(f"  - {{one: {choices[0]}, other: {choices[1]}, reason: by chance}}")
+    free = [(r, p) for r in table.routes for p in layout.points if all(d.machine != p.machine for d in r.points)]
+    for r, p in rng.sample(free, min(2, len(free))):
+        lies = rng.choice(("normal", "reverse"))
+        chosen = f"{{from: {r.entry}, to: {r.exit}, via: [{', '.join(r.section_ids)}]}}"
+        demand.append(f"  - {{point: {p.id}, lies: {lies}, routes: {chosen}, reason: by chance}}")
+    added = ["hostile:", *hostile, *(["demand:", *demand] if demand else [])]
+    return text, text + "\n".join(added) + "\n"
+
+
+def test_on_layouts_that_grow_at_random_an_addition_only_restricts() -> None:
+    compared = 0
+    for seed in range(40):
+        texts = with_additions(seed)
+        found = grown(texts[1]) if texts else None
+        if texts is None or found is None or found[2].has_errors:
+            continue
+        layout, table, _ = found
+        assert audit(layout, table) == (), seed
+        before = grown(texts[0])
+        assert before is not None
+        assert more_than(lower(layout, table), lower(before[0], before[1])) == [], seed
+        if not compared:
+            result = prove(System(layout, lower(layout, table)), Limits(search_s=0))
+            assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped, seed
+            assert agree(*told(texts[1]), specification.shipped()).left == (), seed
+        compared += 1
+    assert compared > 2
