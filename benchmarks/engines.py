@@ -45,7 +45,7 @@ from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.engines.z3_sat import Z3Sat
 from interlock.proof.induction.inductive import inductive, open_claims
 from interlock.proof.prover import start_claim
-from interlock.proof.system.transition import PRIME, System
+from interlock.proof.system.transition import System
 from interlock.verify import verify
 
 SIZES = (("line", 1), ("line", 2), ("line", 4), ("line", 8), ("yard", 4), ("yard", 6), ("yard", 8))
@@ -105,7 +105,7 @@ def by_k_induction(system: System) -> str:
         step.require(a.expr)
     good = step.literal(wanted)
     now = {n: step.literal(var(n)) for n in system.state}
-    then = {n: step.literal(var(n + PRIME)) for n in system.state}
+    then = {n: step.literal(var(n.next)) for n in system.state}
     for k in range(1, 5):
         cnf = Cnf()
         cnf.clauses, cnf.count = [], step.count * (k + 1)
@@ -163,7 +163,7 @@ def by_spacer(system: System) -> str:
     solver.register_relation(bad)
     fair = z3.And([of(a.expr) for a in system.assumptions])
     solver.rule(reach(*state), of(system.initial))
-    solver.rule(reach(*(of(var(n + PRIME)) for n in system.state)), [reach(*state), fair])
+    solver.rule(reach(*(of(var(n.next)) for n in system.state)), [reach(*state), fair])
     solver.rule(bad(), [reach(*state), fair, of(neg(conj(c.expr for c in claims(Facts(system)))))])
     answer = solver.query(bad())
     return "proved" if answer == z3.unsat else "refuted" if answer == z3.sat else "open"

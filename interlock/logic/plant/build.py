@@ -338,14 +338,8 @@ class PlantBuilder:
         if self.berth(s):  # others may be coming in there, unless one train lies across
             inside = disj((inside, neg(self.astray(s))))
         scanned = image(ahead) if ahead is not None and "A-SCAN" not in self.dropped else TRUE
-        self.p.events[names.TAIL(j, s)] = conj(
-            (
-                across(j, s),
-                inside,
-                scanned,
-                self.choice(names.TAIL(j, s), f"its tail leaves {s}"),
-            )
-        )
+        leaves = self.choice(names.TAIL(j, s), f"its tail leaves {s}")
+        self.p.events[names.TAIL(j, s)] = conj((across(j, s), inside, scanned, leaves))
 
     def coming(self, s: SectionId, j: NodeId) -> Expr:
         """A train stands across j on its way into s."""
