@@ -1,7 +1,7 @@
 """Make the library of shapes that ships with the package: `python -m tests.campaigns.shape_library [LAYOUT ...]`.
 
-Every shape that the certificates of the layouts use (default: the shipped ones, a line of stations and a yard) is kept;
-what no longer occurs is dropped.  With `--anew` the shapes that ship now are not looked at: what they say in many facts
+Every shape that the certificates of at least two of the layouts use (default: the shipped ones, a line of stations and a
+yard) is kept: what railways have in common, not what one of them has alone.  What no longer occurs is dropped.  With `--anew` the shapes that ship now are not looked at: what they say in many facts
 may be said in fewer.  The layouts are done on as many processes as `-j` says.
 """
 
@@ -58,17 +58,20 @@ def main() -> None:
 def write(layouts: list[str], jobs: int, anew: bool) -> None:
     """The library of what the layouts use."""
     library = Library()
-    kept: dict[int, tuple[Shape, set[str]]] = {}
+    every: dict[int, tuple[Shape, set[str]]] = {}
+    where: dict[int, set[str]] = {}
     with ProcessPoolExecutor(jobs) as pool:
         for path, found, new, seconds in pool.map(partial(used, anew=anew), layouts):
             for shape, hint in found:
                 mine = library.add(shape)
-                kept.setdefault(id(mine), (mine, set()))[1].add(hint)
+                every.setdefault(id(mine), (mine, set()))[1].add(hint)
+                where.setdefault(id(mine), set()).add(path)
             print(f"{path}: {len({s.number for s, _ in found})} shapes, {new} of them new, {seconds:.1f} s", flush=True)
-    data = lzma.compress(library.text(list(kept.values())).encode(), preset=6)
+    kept = {k: x for k, x in every.items() if len(where[k]) > 1}
+    data = lzma.compress(library.text(list(kept.values())).encode(), preset=9 | lzma.PRESET_EXTREME)
     SHIPPED.write_bytes(data)
     goals = len({s.goal for s, _ in kept.values()})
-    print(f"{SHIPPED.name}: {len(kept)} shapes of {goals} goals, {len(data) / 2**20:.2f} MiB")
+    print(f"{SHIPPED.name}: {len(kept)} of {len(every)} shapes, of {goals} goals, {len(data) / 2**20:.2f} MiB")
 
 
 if __name__ == "__main__":
