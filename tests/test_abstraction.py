@@ -99,7 +99,7 @@ def test_what_an_abstraction_says_holds_in_the_large_system(tracks: int, call_on
     some = foci(local, [*steps, *claimed])
     for focus in random.Random(tracks).sample(some, min(24, len(some))):
         seen = abstraction(local, focus, truncated)
-        assert seen.asked and seen.facts
+        assert seen.asked and (seen.facts or seen.definitions)  # what waits for an approach section needs no fact
         assert large.wrong(seen) == []
 
 
@@ -115,7 +115,7 @@ def test_a_truncated_cone_says_less_and_asks_the_same() -> None:
         assert {n for _, goals in truncated.asked for n in goals} == {n for _, goals in all_around.asked for n in goals}
         of_places = {name for name in truncated.definitions if name.form is not Form.BLOCK}
         assert of_places <= all_around.definitions.keys() and len(truncated.blocks) <= len(all_around.blocks)
-        sizes.append(len(truncated.facts) / len(all_around.facts))
+        sizes += [len(truncated.facts) / len(all_around.facts)] if all_around.facts else []
     assert sum(sizes) < 0.9 * len(sizes)
 
 

@@ -10,9 +10,6 @@ import random
 from pathlib import Path
 
 import pytest
-from interlock.proof.encode import Cnf
-from interlock.proof.limits import Limits
-from interlock.proof.runner import prove
 
 from interlock.audit import audit
 from interlock.checker import specification
@@ -29,7 +26,10 @@ from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 from interlock.proof.engines import Answer, solver
+from interlock.proof.engines.limits import Limits
+from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.induction.verdict import Verdict
+from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.table.columns import COLUMNS
 from interlock.table.national import national_sheets

@@ -207,7 +207,7 @@ def test_explain_knows_diagnostics_rules_claims_assumptions_and_principles() -> 
         ("r6.2", "Hostile routes"),
         ("t-collision", CLAIMS["T-COLLISION"]),
         ("A-SCAN", ASSUMPTIONS["A-SCAN"]),
-        ("release_delay_s", "three-point check"),
+        ("release_delay_s", "without a break"),
         ("approach_release_s", "| uk | 120 |"),
     ):
         done = run("explain", code)

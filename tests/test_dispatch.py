@@ -162,6 +162,8 @@ def test_an_opposing_voyage_waits_outside_the_single_line() -> None:
     p.run(20)
     p.stand("ap_I", "H")
     p.run(60)
+    p.stand("ap_I", "A", "H")  # it passes the signal
+    p.run(5)
     p.stand("A", "H")
     p.run(60)
     held = {n for n, v in p.shown.items() if v and n.startswith("YL_")}

@@ -13,13 +13,13 @@ LONG = frozenset(("cli", "frontend"))
 """Rooms with functions that are longer; no other room may have one."""
 
 LARGE = {
-    "logic/controller.py": {"RouteSymbols": 16, "Symbols": 76},
-    "logic/lower/draft.py": {"Draft": 56},
+    "logic/controller.py": {"RouteSymbols": 19, "Symbols": 76},
+    "logic/lower/draft.py": {"Draft": 57},
     "logic/plant/build.py": {"PlantBuilder": 32},
     "logic/plant/hazards.py": {"Railway": 16},
     "proof/abstraction/local.py": {"LocalAbstractions": 23},
     "proof/abstraction/quotient.py": {"_Quotient": 34},
-    "proof/claims/kinds.py": {"Facts": 37},
+    "proof/claims/kinds.py": {"Facts": 38},
     "proof/functions/words.py": {"Words": 44},
     "proof/induction/parts.py": {"Parts": 16},
     "proof/system/transition.py": {"System": 28},

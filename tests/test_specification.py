@@ -224,8 +224,8 @@ WEAKENED = {
     ),
     "a path may be blocked instead of clear": (
         "mine11",
-        "(each w in kept_clear(p): clear(section(w)))",
-        "(each w in kept_clear(p): clear(section(w)) or blocked(section(w)))",
+        "(each w in kept_clear(p): steadily_clear(section(w)))",
+        "(each w in kept_clear(p): steadily_clear(section(w)) or blocked(section(w)))",
     ),
     "both contacts count as detected": (
         "mine11",
@@ -245,13 +245,13 @@ WEAKENED = {
     ),
     "vehicles stand foul": (
         "cn6502",
-        "-> (each e in conditions(c, p): holds(e)) and (each s in line_beyond(c, p): clear(s))\n",
-        "-> (each e in conditions(c, p): holds(e)) and (each s in line_beyond(c, p): clear(s)) or valid\n",
+        "-> (each e in conditions(c, p): holds(e)) and (each s in line_beyond(c, p): steadily_clear(s))\n",
+        "-> (each e in conditions(c, p): holds(e)) and (each s in line_beyond(c, p): steadily_clear(s)) or valid\n",
     ),
     "an overlap may be occupied": (
         "junction",
-        "(each w in ways(o): clear(section(w)))",
-        "(each w in ways(o): clear(section(w)) or valid)",
+        "(each w in ways(o): steadily_clear(section(w)))",
+        "(each w in ways(o): steadily_clear(section(w)) or valid)",
     ),
     "locks may be given up under a train": (
         "mine11",

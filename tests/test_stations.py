@@ -9,8 +9,6 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from interlock.proof.limits import Limits
-from interlock.proof.runner import prove
 
 from interlock.audit import audit
 from interlock.checker import specification
@@ -24,7 +22,9 @@ from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
+from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Verdict
+from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable
 from interlock.verify import Rejected

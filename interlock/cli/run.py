@@ -12,7 +12,7 @@ import threading
 from collections.abc import Mapping
 from contextlib import closing
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 import click
 
@@ -21,9 +21,6 @@ from interlock.cli.common import exit_code, format_option, progress, proof_body,
 from interlock.field.alone import InUse, hold
 from interlock.field.modbus import ModbusLink
 from interlock.field.plc import Cycle, Link
-
-_HELD: list[IO[bytes]] = []
-"""Locks on the substations that this process writes, held until it ends."""
 
 
 def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
@@ -44,7 +41,8 @@ def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
     if missing:
         raise click.UsageError(f"--modbus is missing for {', '.join(missing)}")
     try:
-        _HELD.extend(hold(places))
+        held = hold(places)  # locks on the substations that this process writes
+        click.get_current_context().call_on_close(lambda: [lock.close() for lock in held])
     except (InUse, OSError) as error:
         raise click.UsageError(str(error)) from None
     return links

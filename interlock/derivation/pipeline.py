@@ -6,7 +6,7 @@ IL4001-IL4005, IL4010-IL4012, IL2007, IL2008, IL2019, IL3012.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from math import isinf
 
 from interlock.derivation.added import derive_barred, idle_barred, with_added
@@ -48,14 +48,8 @@ from interlock.table.rows import (
 LONG_ROUTE = 3  # sections; document B 2.2
 
 
-def derive(layout: Layout, sink: Sink) -> InterlockingTable:
-    """The interlocking table of a layout."""
-    paths = find_routes(layout, sink)
-    locks = derive_locks(layout, paths, sink)
-    by_key = {t.key: t for t in locks}
-    demands = with_added(layout, paths, {p.id: route_demands(p, by_key) for p in paths}, sink)
-    barred = derive_barred(layout, paths, sink)
-    swinging = _swinging(layout, paths)
+def _cannot_swing(layout: Layout, swinging: Collection[SignalId], sink: Sink) -> None:
+    """IL4009, for overlaps that shall swing, but have no second way."""
     for o in layout.overlaps:
         if o.swing and o.signal not in swinging:
             text = f"the overlap of {o.signal} cannot swing: not every way to {o.signal} permits two alternatives of it"
@@ -66,6 +60,17 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
                 f"remove `swing: yes` of {o.signal}, or give its overlap a second way",
                 about=Element("overlaps", o.signal),
             )
+
+
+def derive(layout: Layout, sink: Sink) -> InterlockingTable:
+    """The interlocking table of a layout."""
+    paths = find_routes(layout, sink)
+    locks = derive_locks(layout, paths, sink)
+    by_key = {t.key: t for t in locks}
+    demands = with_added(layout, paths, {p.id: route_demands(p, by_key) for p in paths}, sink)
+    barred = derive_barred(layout, paths, sink)
+    swinging = _swinging(layout, paths)
+    _cannot_swing(layout, swinging, sink)
     hostile = Conflicts(paths, by_key, demands, barred)
     idle_barred(layout, paths, hostile.derived, sink)
     names = _names(layout, paths, sink)

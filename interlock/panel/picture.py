@@ -15,7 +15,7 @@ from interlock.app.run import Ready
 from interlock.emit.drawing import plan_svg
 from interlock.emit.drawing.place import place
 from interlock.field.plc import Cycle
-from interlock.logic.controller import Controller
+from interlock.logic.controller import Controller, Symbols
 from interlock.model.elements import Position
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
@@ -113,6 +113,24 @@ def _route(r: RouteRow, table: InterlockingTable) -> dict[str, Any]:
     }
 
 
+def _held(y: Symbols) -> dict[str, list[str]]:
+    """By machine the locks that need it."""
+    held: dict[str, list[str]] = {}
+    for way, needs in y.demands.items():
+        for m, _ in needs:
+            held.setdefault(str(m), []).append(y.lock[way])
+    return held
+
+
+def _awaited(y: Symbols) -> dict[str, list[str]]:
+    """By section the approach timers of the signals into it."""
+    before: dict[str, list[str]] = {}
+    for g, routes in y.routes_from.items():
+        if g in y.approach_timer:
+            before.setdefault(routes[0].ways[0][0] if routes[0].ways else "", []).append(y.approach_timer[g])
+    return before
+
+
 class Picture:
     """Makes what is shown from a cycle."""
 
@@ -121,10 +139,7 @@ class Picture:
         self.layout, self.controller, self.table = ready.layout, ready.controller, ready.table
         y = self.symbols = ready.controller.symbols
         self.presets: dict[str, int] = {t.name: t.preset_ms for t in ready.controller.timers}
-        before: dict[str, list[str]] = {}
-        for g, routes in y.routes_from.items():
-            if g in y.approach_timer:
-                before.setdefault(routes[0].ways[0][0] if routes[0].ways else "", []).append(y.approach_timer[g])
+        before = _awaited(y)
         self._sections = [
             (
                 f"s:{s}",
@@ -139,10 +154,7 @@ class Picture:
             )
             for s in dict.fromkeys((*y.clear, *y.restart))
         ]
-        held: dict[str, list[str]] = {}
-        for way, needs in y.demands.items():
-            for m, _ in needs:
-                held.setdefault(str(m), []).append(y.lock[way])
+        held = _held(y)
         self._machines = [
             (
                 f"m:{m}",

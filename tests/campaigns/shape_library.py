@@ -1,8 +1,9 @@
 """Make the library of shapes that ships with the package: `python -m tests.campaigns.shape_library [LAYOUT ...]`.
 
-Every shape that the certificates of at least two of the layouts use (default: the shipped ones, a line of stations and a
-yard) is kept: what railways have in common, not what one of them has alone.  What no longer occurs is dropped.  With `--anew` the shapes that ship now are not looked at: what they say in many facts
-may be said in fewer.  The layouts are done on as many processes as `-j` says.
+Every shape that the certificates of at least two of the layouts use is kept (default: the shipped ones, a line of
+stations and a yard): what railways have in common, not what one of them has alone.  What no longer occurs is dropped.
+With `--anew` the shapes that ship now are not looked at: what they say in many facts may be said in fewer.  The layouts
+are done on as many processes as `-j` says.
 """
 
 from __future__ import annotations

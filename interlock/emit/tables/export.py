@@ -10,6 +10,8 @@ from dataclasses import asdict
 from datetime import datetime
 
 import xlsxwriter
+from xlsxwriter.format import Format
+from xlsxwriter.worksheet import Worksheet
 
 from interlock.model.layout import Layout
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
@@ -100,6 +102,20 @@ def matrix_csv(table: InterlockingTable) -> str:
     return out.getvalue()
 
 
+def _reasons(why: Worksheet, table: InterlockingTable, head: Format, cell: Format) -> None:
+    """Rule and reason of every cell."""
+    for x, (title, width) in enumerate((("Route", 14), ("Column", 20), ("Item", 30), ("Rule", 8), ("Reason", 90))):
+        why.set_column(x, x, width)
+        why.write_string(0, x, title, head)
+    line = 1
+    for r in table.routes:
+        for c in COLUMNS:
+            for text, because in c.items(r):
+                for x, value in enumerate((r.id, c.en, text, because.rule, because.text)):
+                    why.write_string(line, x, value, cell)
+                line += 1
+
+
 def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
     """A workbook: table, reasons, matrices.  Dates are fixed, so that the bytes are reproducible."""
     out = io.BytesIO()
@@ -142,17 +158,7 @@ def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
             for y, cells in enumerate(form.rows, 1):
                 for x, value in enumerate(cells):
                     page.write_string(y, x, value, cell)
-        why = book.add_worksheet("Reasons")
-        for x, (title, width) in enumerate((("Route", 14), ("Column", 20), ("Item", 30), ("Rule", 8), ("Reason", 90))):
-            why.set_column(x, x, width)
-            why.write_string(0, x, title, head)
-        line = 1
-        for r in table.routes:
-            for c in COLUMNS:
-                for text, because in c.items(r):
-                    for x, value in enumerate((r.id, c.en, text, because.rule, because.text)):
-                        why.write_string(line, x, value, cell)
-                    line += 1
+        _reasons(book.add_worksheet("Reasons"), table, head, cell)
         sheet = book.add_worksheet("Matrices")
         for y, row in enumerate(_matrices(table)):
             for x, value in enumerate(row):

@@ -64,6 +64,11 @@ class Located(HasFamilies, Protocol):
         """What signals show: names of the state."""
         ...
 
+    @property
+    def waits_for(self) -> Mapping[Name, Name]:
+        """What each timer waits for: the name of its input."""
+        ...
+
     def after(self, x: Expr) -> Expr:
         """The expression one step later."""
         ...

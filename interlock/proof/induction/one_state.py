@@ -134,6 +134,7 @@ class States:
         asked |= dict.fromkeys(variables(lit))
         definitions: dict[Name, Expr] = {}
         seen: set[str] = set()
+        waits = system.waits_for
         todo = list(asked)
         while todo:
             v = todo.pop()
@@ -142,6 +143,8 @@ class States:
             seen.add(v)
             x = system.definitions.get(v)
             if x is None or (v not in asked and v in self._kept):
+                if v in waits:  # a timer: what it waits for holds while it is over (A-TON)
+                    todo.append(waits[v])
                 continue
             reads = tuple(variables((x,)))
             if v not in asked and v not in system.indexed and any(u in system.indexed for u in reads):

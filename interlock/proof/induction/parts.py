@@ -70,6 +70,7 @@ class Start:
     homes: Mapping[Name, Owner] = field(default_factory=dict)
     beside: Mapping[Owner, tuple[Owner, ...]] = field(default_factory=dict)
     lamps: frozenset[Name] = frozenset()
+    waits_for: Mapping[Name, Name] = field(default_factory=dict)
 
     def after(self, x: Expr) -> Expr:
         """There is no step."""
