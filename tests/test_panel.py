@@ -347,7 +347,7 @@ def test_a_shift_is_recorded_printed_and_played(ready: Ready, tmp_path: Path, mo
     proceed = [k for k, s in enumerate(states) if any(v is True and n.startswith("S_R") for n, v in s.items())]
     assert proceed and "route XB-XI7 is set" in " ".join(s["#meta"]["text"] for s in states[: proceed[0] + 1])
     assert not any(v is True and n.startswith("K_") for n, v in states[-1].items())
-    for more, file in (([], "shift.log.html"), (["--journal", "-o", str(tmp_path / "page.html")], "page.html")):
+    for more, file in (([], "shift.html"), (["--journal", "-o", str(tmp_path / "page.html")], "page.html")):
         done = CliRunner().invoke(cli, ["play", str(path), *more])
         assert done.exit_code == 0 and (tmp_path / file).stat().st_size > 1000, done.output
     for more in (["--from", "tea"], ["--from", "2001-01-01", "--to", "2001-01-02"]):

@@ -40,7 +40,7 @@ def command(
 
     TRACE may be the record of a panel, or with --layout that of a shift.
     """
-    name = trace.name.removesuffix(".json").removesuffix(".itf")
+    name = trace.name.removesuffix(".json").removesuffix(".itf").removesuffix(".log")
     target = output or trace.with_name(name + ".html")
     try:
         data = trace.read_bytes()
