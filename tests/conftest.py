@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import shutil
+import threading
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -40,6 +42,18 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
     if not config.getoption("--external"):
         count = f"{left} tests" if left else "the tests"
         terminalreporter.write_line(f"not run: {count} that need ABC or Chromium (`pytest --external` runs them)")
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _no_thread_left() -> Iterator[None]:
+    """A module of tests leaves no thread behind: the prover forks, and a fork of a process with threads may wait for a
+    lock that nobody holds any more."""
+    before = set(threading.enumerate())
+    yield
+    left = [t for t in threading.enumerate() if t not in before]
+    for thread in left:
+        thread.join(10)
+    assert not [t.name for t in left if t.is_alive()]
 
 
 @pytest.fixture(autouse=True)

@@ -7,6 +7,7 @@ from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from math import pi, sqrt, tan
+from multiprocessing import get_context
 from statistics import NormalDist, fmean, stdev
 
 from interlock.app.setting import prepared
@@ -55,7 +56,7 @@ def executing(jobs: int, dask: str | None) -> Iterator[Executor | None]:
         if jobs == 1:
             yield None
             return
-        with ProcessPoolExecutor(jobs) as pool:
+        with ProcessPoolExecutor(jobs, get_context("spawn")) as pool:
             yield pool
         return
     try:

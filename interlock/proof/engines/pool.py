@@ -17,8 +17,10 @@ NOTE = 32  # bytes
 
 
 def undisturbed() -> None:
-    """An interrupt from the keyboard reaches all processes; it is for the first one, which ends the others."""
+    """An interrupt from the keyboard reaches all processes; it is for the first one, which ends the others: at once,
+    whatever handler this one has inherited, since a handler would not run while a lock is waited for."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 class Begun:
@@ -119,8 +121,7 @@ class Board:
 
     def __contains__(self, note: object) -> bool:
         """Whether it was written."""
-        with self._count.get_lock():
-            count = self._count.value
+        count = self._count.get_obj().value  # no lock: a process that is ended while it holds one would stop all others
         for n in range(self._read, count):
             self._seen.add(self._notes[NOTE * n : NOTE * (n + 1)])
         self._read = count
