@@ -458,3 +458,8 @@ def interrupted(given: tuple[str, ...], after: int, folder: Path) -> None:
             return
         time.sleep(0.1)
     raise AssertionError("a process is left")
+
+
+def test_a_family_of_mutants_that_is_not_there_is_told() -> None:
+    done = run("mutate", "layouts/fig2_2.yaml", "--family", "output YX")
+    assert done.exit_code == 2 and "no mutant of the family 'output YX' here; there is output Y" in done.output

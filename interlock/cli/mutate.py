@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections import Counter
 from collections.abc import Iterable
+from difflib import get_close_matches
 from functools import lru_cache
 from pathlib import Path
 
@@ -20,7 +21,7 @@ from interlock.proof.mutation.campaign import Campaign, Judged
 from interlock.proof.mutation.judge import Fate, Verdict
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.survivors import listed, off_the_list
-from interlock.proof.mutation.texts import text_mutants
+from interlock.proof.mutation.texts import TEXT_FAMILIES, text_mutants
 from interlock.proof.mutation.weakenings import judge as searched
 from interlock.table.rows import InterlockingTable
 
@@ -67,6 +68,7 @@ def command(
     if not checked.ok or checked.layout is None or checked.table is None:
         show(checked.diagnostics, {checked.source.file: checked.source.text}, form)
         sys.exit(FINDINGS)
+    _known(layout, families)
     campaign = Campaign(_made, {layout: every}, frozenset(families), weakened=True)
     found = campaign.run(kept, jobs, shard)[layout]
     if shard[0] == 1:
@@ -84,6 +86,17 @@ def _made(path: str) -> tuple[Layout, InterlockingTable, Controller]:
     checked = check_file(path)
     assert checked.layout is not None and checked.table is not None
     return checked.layout, checked.table, lower(checked.layout, checked.table)
+
+
+def _known(layout: str, families: tuple[str, ...]) -> None:
+    """Raises `click.UsageError` for a family of which this layout has no mutant."""
+    if not families:
+        return
+    there = {m.family for m in Campaign(_made, {layout: True}, weakened=True).chosen(layout)} | TEXT_FAMILIES
+    for family in families:
+        if family not in there:
+            near = get_close_matches(family, sorted(there), 3) or sorted(there)
+            raise click.UsageError(f"there is no mutant of the family {family!r} here; there is {', '.join(near)}")
 
 
 def _wanted(m: Mutation, families: tuple[str, ...]) -> bool:

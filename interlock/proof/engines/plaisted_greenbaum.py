@@ -25,7 +25,7 @@ class OneSided(Cnf):
         self._meaning = meaning
         self._number: dict[Expr, int] = {}
         self._said: dict[Expr, int] = {}
-        self._plain: dict[Expr, int] = {}  # literals of names that have no meaning
+        self._plain: dict[Expr, int] = {}  # literals of which there is nothing to say
 
     def require(self, x: Expr) -> None:
         """Add the expression as a fact."""
@@ -107,10 +107,11 @@ class OneSided(Cnf):
             n = self._number.get(leaf) or self._literal_of(leaf)
             self._plain[root] = n = n if leaf is root else -n
             return n
-        said, clauses, meaning, number = self._said, self.clauses, self._meaning, self._number
+        said, clauses, meaning, number, plain = self._said, self.clauses, self._meaning, self._number, self._plain
         stack = [(root, sides)]
         while stack:
-            x, side = stack.pop()
+            whole, side = stack.pop()
+            x = whole
             while True:
                 if x.op is NOT:
                     x = x.args[0]
@@ -120,6 +121,7 @@ class OneSided(Cnf):
                 else:
                     break
             if not x.args:
+                plain[whole] = number.get(whole) or self._literal_of(whole)
                 continue
             before = said.get(x, 0)
             side &= ~before
@@ -127,7 +129,13 @@ class OneSided(Cnf):
                 continue
             said[x] = before | side
             n = number.get(x) or self._literal_of(x)
-            args = [number.get(a) or self._literal_of(a) for a in x.args]
+            args = []
+            for a in x.args:
+                literal = plain.get(a)
+                if literal is None:
+                    literal = number.get(a) or self._literal_of(a)
+                    stack.append((a, side))
+                args.append(literal)
             if x.op is AND:
                 if side & _FORTH:
                     clauses.extend([(-n, a) for a in args])
@@ -138,7 +146,6 @@ class OneSided(Cnf):
                     clauses.append((-n, *args))
                 if side & _BACK:
                     clauses.extend([(n, -a) for a in args])
-            stack.extend([(a, side) for a in x.args])
         return self._literal_of(root)
 
 

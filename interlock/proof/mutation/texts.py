@@ -117,6 +117,10 @@ PYTHON_EDITS: dict[str, Edit] = {
 TEXT_KINDS: tuple[str, ...] = (*ST_EDITS, *PYTHON_EDITS)
 
 
+TEXT_FAMILIES = frozenset([*ST_EDITS, *PYTHON_EDITS])
+"""The families of `text_mutants`."""
+
+
 def text_mutants(controller: Controller, sample: int) -> Iterator[tuple[Mutation, Verdict]]:
     """Up to `sample` evenly spread edits of each kind (0: all), in the portable text and in the Python runtime."""
     iec = next(d for d in DIALECTS if d.name == "iec")
