@@ -23,7 +23,7 @@ from tests.written import shipped, told
 
 CLAIMS_TEXT = (FOLDER / "claims.yaml").read_text("utf-8")
 PLANT_TEXT = (FOLDER / "plant.yaml").read_text("utf-8")
-OTHERS = ("balloon", "closing", "devices", "foul_beyond", "overlap_head", "speeds", "token", "undetected")
+OTHERS = ("balloon", "closing", "devices", "foul_beyond", "overlap_head", "scripts", "speeds", "token", "undetected")
 """Layouts with what no shipped one has; the others are for the campaign of certificates."""
 
 

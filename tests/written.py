@@ -9,6 +9,7 @@ from typing import Any
 from interlock.app.texts import writers
 from interlock.checker.drawing import loaded
 from interlock.logic.lower import lower
+from interlock.model.portable import portable
 from interlock.proof.certificate.bundle import system_text
 from interlock.proof.certificate.facts import FactBase
 from interlock.proof.claims import Facts, strengthening
@@ -30,7 +31,7 @@ def told(source: str) -> tuple[dict[str, Any], str, str]:
     texts: dict[str, str | bytes] = {}
     for _, those in (task() for task in writers(layout.bare, system.controller, [], (), True)):
         texts |= those
-    text = texts[f"st/iec/{layout.name}.st"]
+    text = texts[f"st/iec/{portable(layout.name)}.st"]
     return loaded(source), written, text.decode("utf-8") if isinstance(text, bytes) else text
 
 

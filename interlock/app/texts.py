@@ -11,6 +11,7 @@ from interlock.logic.cabinet import allocate
 from interlock.logic.controller import Controller
 from interlock.model.elements import TelegramForm
 from interlock.model.layout import Layout
+from interlock.model.portable import portable
 from interlock.proof.equivalence.cabinet import compare_program
 from interlock.proof.equivalence.python_text import compare_runtime
 from interlock.proof.equivalence.structured_text import compare_dialect
@@ -52,14 +53,15 @@ def _structured_text(controller: Controller, dialect: Dialect, header: list[str]
 
 def _mapping(layout: Layout, controller: Controller, header: list[str]) -> Written:
     allocation = allocate(layout, controller)
-    text, place = print_unit(io_program(controller, allocation, header)), f"st/iec/{layout.name}_io.st"
+    text, place = print_unit(io_program(controller, allocation, header)), f"st/iec/{portable(layout.name)}_io.st"
     return TextVerdict(place, compare_program(controller, allocation, text)), {place: text.encode()}
 
 
 def _telegrams(layout: Layout, controller: Controller, header: list[str]) -> Written:
     sent = tuple(controller.symbols.trailed)  # the machines that are driven
     tagged = layout.telegram is TelegramForm.TAGGED
-    text, place = print_unit(telegram_unit(layout.name, sent, tagged, header)), f"st/iec/{layout.name}_telegram.st"
+    text = print_unit(telegram_unit(layout.name, sent, tagged, header))
+    place = f"st/iec/{portable(layout.name)}_telegram.st"
     return TextVerdict(place, compare_telegram(layout.name, sent, tagged, text)), {place: text.encode()}
 
 

@@ -13,7 +13,7 @@ import yaml
 from interlock.checker import claims, controller, plant
 from interlock.checker.drawing import Unread, loaded
 from interlock.checker.moves import World
-from interlock.checker.railway import Railway
+from interlock.checker.railway import Railway, safe
 from interlock.checker.scan import execute
 from interlock.checker.specification import Specification, shipped
 from interlock.checker.written import written
@@ -72,7 +72,7 @@ def _body(layout: Path) -> dict[str, Any]:
 
 def _text(folder: Path, files: dict[str, str], name: str) -> Path:
     """The emitted Structured Text that the manifest names."""
-    found = [n for n in files if n.endswith(f"{name}/st/iec/{name}.st")]
+    found = [n for n in files if n.endswith(f"{name}/st/iec/{safe(name)}.st")]
     need(len(found) == 1, f"the certificate names no Structured Text of {name}, or several")
     return folder / found[0]
 

@@ -5,9 +5,12 @@ Made from the drawing, in the field's terms.
 
 from __future__ import annotations
 
+import hashlib
+import re
+import unicodedata
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -106,9 +109,26 @@ class Path:
         return self.ways[-1]
 
 
+@lru_cache(maxsize=4096)
 def safe(name: str) -> str:
-    """A layout's name as part of a variable."""
-    return name.replace("-", "_").replace("/", "_")
+    """A layout's name as part of a variable: what the page of the language says under "Names in PLC text"."""
+    text = re.sub("[-/]", "_", name)
+    if re.fullmatch("[A-Za-z0-9_]{1,14}", text):
+        return text
+    read = ""
+    for sign in unicodedata.normalize("NFKD", text):
+        told = unicodedata.name(sign, "").split(" LETTER ")
+        last = told[-1].split(" ")[-1]
+        if sign == "_" or (sign < "\x80" and sign.isalnum()):
+            read += sign
+        elif sign >= "\x80" and sign.isalnum():
+            if len(told) > 1 and re.fullmatch("[A-Z]+", last):
+                read += last.lower() if told[0].endswith(" SMALL") else last
+            else:
+                read += format(ord(sign), "X")
+    bits = int(hashlib.sha256(name.encode()).hexdigest()[:6], 16)
+    check = ["abcdefghijkmnpqrstuvwxyz23456789"[bits // 32**k % 32] for k in range(4)]
+    return read[:9].strip("_") + "_" + "".join(check)
 
 
 class Railway:

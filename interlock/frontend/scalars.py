@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import math
 import re
+import unicodedata
 from typing import Annotated
 
 from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
-NAME = re.compile(r"[A-Za-z0-9]+([_/-][A-Za-z0-9]+)*")
-MAX_NAME = 14
+NAME = re.compile(r"[^\W_]+#?([_/-][^\W_]+#?)*")
+"""Letters and digits of any script, a `#` after them, and single signs between."""
 MAX_LENGTH_M = 100_000.0
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)")
 
@@ -24,21 +25,19 @@ def _name(value: object) -> object:
     if not NAME.fullmatch(value):
         text = "'{v}' cannot be a name: use letters, digits and single _ - / between them"
         raise PydanticCustomError("name", text, {"v": value, "fix": name_fix(value)})
-    if len(value) > MAX_NAME:
-        text = "'{v}' is longer than {n} characters"
-        raise PydanticCustomError("name", text, {"v": value, "n": MAX_NAME, "fix": name_fix(value)})
     return value
 
 
 def name_fix(text: str) -> str:
-    """How a name could be written: without curly quotes, with `_` for what cannot stand in it."""
-    near = re.sub(r"[^A-Za-z0-9/-]+", "_", text).strip("_-/")
-    if NAME.fullmatch(near) and len(near) <= MAX_NAME and text.isascii():
-        return f"write it like `{near}`"
-    bare = text.strip("\u201c\u201d\u2018\u2019\u300c\u300d")
+    """How a name could be written: composed, without curly quotes, with `_` for what cannot stand in it."""
+    composed = unicodedata.normalize("NFC", text)
+    bare = composed.strip("\u201c\u201d\u2018\u2019\u300c\u300d")
     if bare != text and NAME.fullmatch(bare):
-        return f"write `{bare}`, without the curly quotes"
-    return f"at most {MAX_NAME} ASCII letters and digits; put the full name into `title` or `label`"
+        return f"write `{bare}`, " + ("in composed letters" if bare == composed else "without the curly quotes")
+    near = re.sub(r"[^\w/-]+", "_", bare).strip("_-/")
+    if NAME.fullmatch(near):
+        return f"write it like `{near}`"
+    return "letters and digits of any script, single _ - / between them, # after them; `title` takes any text"
 
 
 def number(text: str) -> float:
@@ -171,8 +170,9 @@ def choice(kind: str, known: tuple[str, ...]) -> BeforeValidator:
 
 # JSON Schema sees what a YAML reader makes of a scalar: a name may look like a number, a text like anything
 _TEXT_SCHEMA = {"type": ["string", "number", "boolean", "null"]}
-_PLAIN = NAME.pattern.replace("(", "(?:")
-_NAME_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{_PLAIN}$", "maxLength": MAX_NAME}
+_LETTER = r"[0-9A-Za-z\u00AA-\uFFFF]"  # every script; patterns of JSON Schema know no classes of letters
+_PLAIN = f"{_LETTER}+#?(?:[_/-]{_LETTER}+#?)*"
+_NAME_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{_PLAIN}$"}
 _ENDS = "start|end|toe|normal|reverse|1a|1b|2a|2b|outer|inner"
 _END_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^{_PLAIN}(?:\.(?:{_ENDS}))?$"}
 _LONG = r"(?:\d+(?:\.\d*)?|\.\d+)"

@@ -13,7 +13,7 @@ from pydantic import ValidationError
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import Suggestion, did_you_mean, nearest
-from interlock.frontend.scalars import MAX_NAME, number_fix, number_text
+from interlock.frontend.scalars import number_fix, number_text
 from interlock.frontend.yaml_tree import Mapping, Node, Scalar, Sequence
 
 Loc = tuple[str | int, ...]
@@ -42,7 +42,7 @@ _FIX = {
     "IL1013": "write metres or seconds as a plain decimal number, for instance 350 or 12.5",
     "IL1014": "give a length above 0 and at most 100 km, or a time above 0 and at most a day",
     "IL1015": "this release reads `interlock: 1`",
-    "IL1016": f"at most {MAX_NAME} ASCII letters and digits; put the full name into `title` or `label`",
+    "IL1016": "letters and digits of any script, single _ - / between them, # after them; `title` takes any text",
     "IL2009": "say why",
 }
 _REASON = {

@@ -18,7 +18,7 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.parts import build_derailer, build_slip
 from interlock.frontend.ports import Port, Wiring
-from interlock.frontend.scalars import MAX_LENGTH_M, MAX_NAME, NAME, name_fix, number, number_fix, number_text, slip_of
+from interlock.frontend.scalars import MAX_LENGTH_M, NAME, name_fix, number, number_fix, number_text, slip_of
 from interlock.model.elements import (
     BlockKind,
     Boundary,
@@ -69,7 +69,7 @@ def section_and_length(ctx: Context, text: str, span: Span, example: str = "q1")
             ctx.add("IL1012", f"'{text}': a section and its length are expected here", span, fix)
         return None
     name, length = match.groups()
-    if not NAME.fullmatch(name) or len(name) > MAX_NAME:
+    if not NAME.fullmatch(name):
         ctx.add("IL1016", f"'{name}' cannot be a name", span, name_fix(name))
         return None
     try:

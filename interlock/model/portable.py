@@ -1,8 +1,50 @@
-"""Layout names as portable identifiers: ASCII letters, digits and single underscores."""
+"""How a layout's names are written in PLC text.
+
+Identifiers of IEC 61131-3 have ASCII letters, digits and single underscores, and the oldest tools take few characters:
+a name that is not of that kind is written by what can be read of it, and a check that tells it from all others.  It
+depends on the name alone, so that no other element changes it.
+"""
 
 from __future__ import annotations
 
+import unicodedata
+from functools import lru_cache
+from hashlib import sha256
 
+LONGEST = 14  # characters: a name of this length with what stands around it is an identifier in every dialect
+_CHECK = 4
+_SIGNS = "abcdefghijkmnpqrstuvwxyz23456789"  # 32, none like another
+
+
+@lru_cache(maxsize=4096)
 def portable(name: str) -> str:
-    """The name with `-` and `/` as `_`.  Names that become equal are reported by the front end."""
-    return name.replace("-", "_").replace("/", "_")
+    """The name with `-` and `/` as `_`, if that is short and ASCII; else its first letters and digits and a check.
+
+    `22ｲT` is written `22IT_` with four signs of its digest.  Names that become equal are reported by the front end.
+    """
+    plain = name.replace("-", "_").replace("/", "_")
+    if len(plain) <= LONGEST and plain.isascii() and "#" not in plain:
+        return plain
+    letters = "".join(map(readable, unicodedata.normalize("NFKD", plain))).replace("#", "").replace("?", "")
+    near = letters[: LONGEST - _CHECK - 1].strip("_")
+    number = int.from_bytes(sha256(name.encode()).digest()[:3], "big")
+    return f"{near}_{''.join(_SIGNS[number >> 5 * k & 31] for k in range(_CHECK))}"
+
+
+def readable(sign: str) -> str:
+    """A character in ASCII: as it is, by the end of its Unicode name, which never changes, or by its number.
+
+    A sign that is no letter or digit is `?`.
+    """
+    if sign.isascii():
+        return sign if sign.isprintable() else "?"
+    if unicodedata.combining(sign):
+        return ""
+    base = unicodedata.normalize("NFKD", sign)
+    if base != sign:
+        return "".join(map(readable, base))
+    called = unicodedata.name(sign, "")
+    letter = called.rpartition(" LETTER ")[2].rpartition(" ")[2] if " LETTER " in called else ""
+    if letter.isalpha() and letter.isascii():
+        return letter.lower() if " SMALL LETTER " in called else letter
+    return f"{ord(sign):X}" if sign.isalnum() else "?"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from interlock.model.portable import readable
 from interlock.st.ast import (
     Assign,
     Block,
@@ -28,7 +29,7 @@ def comment(text: str) -> str:
     """A comment that no name or note can end early."""
     if "*" in text or not (text.isascii() and text.isprintable()):
         text = text.replace("(*", "( *").replace("*)", "* )")
-        text = "".join(c if 32 <= ord(c) < 127 else "?" for c in text)
+        text = "".join(map(readable, text))
     return f"(* {text} *)"
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections import Counter
+from collections.abc import Iterable
 from datetime import datetime
 
 import xlsxwriter
@@ -52,6 +53,24 @@ def channels_csv(layout: Layout, controller: Controller, a: Allocation) -> str:
             card = "DI" if c.direction == "I" else "DO"
             rows.append((c.substation, "as stated", card, c.byte, c.bit, c.address, *told(c)))
     return _csv(rows)
+
+
+def names_csv(layout: Layout) -> str:
+    """Each element with its name in PLC text, one row each; empty where all are written as they are, but for `-` and
+    `/`."""
+    rooms: tuple[tuple[str, Iterable[str]], ...] = (
+        ("layout", (layout.name,)),
+        ("section", (s.id for s in layout.sections)),
+        ("signal", (g.id for g in layout.signals)),
+        ("machine", layout.machines),
+        ("condition", (c.id for c in layout.conditions)),
+        ("zone", (z.id for z in layout.zones)),
+        ("boundary", (b.node for b in layout.boundaries)),
+    )
+    rows = [(kind, name, portable(name)) for kind, names in rooms for name in names]
+    if all(len(name) == len(written) and written.isascii() for _, name, written in rows):
+        return ""
+    return _csv([("Kind", "Name", "Name in PLC text"), *rows])
 
 
 def _blades(layout: Layout, controller: Controller) -> dict[str, str]:
