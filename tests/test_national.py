@@ -106,5 +106,5 @@ def test_british_points_lock_against_what_a_route_calls() -> None:
     names = {r[0] for r in routes.rows}
     for row in points.rows:
         calls_reverse, needs_normal = set(row[1].split(", ")), set(row[2].split(", "))
-        assert calls_reverse <= names and needs_normal <= names and not calls_reverse & needs_normal
+        assert {n.split(".o")[0] for n in calls_reverse | needs_normal} <= names and not calls_reverse & needs_normal
         assert row[2] == row[3] and row[1] == row[4]

@@ -17,6 +17,7 @@ from interlock.model.layout import Layout
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 from interlock.table.matrix import Matrix, beyond_matrix, matrix
 from interlock.table.national import Sheet, national_sheets
+from interlock.table.printed import Printed
 from interlock.table.rows import SCHEMA_VERSION, InterlockingTable
 
 SCHEMA = f"interlock-table/{SCHEMA_VERSION}"
@@ -35,7 +36,7 @@ def table_json(layout: Layout, table: InterlockingTable) -> str:
 
 
 def table_csv(table: InterlockingTable) -> str:
-    """One line per route, English headings."""
+    """One line for each way from entry to exit, with its overlaps; English headings."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow([c.en for c in COLUMNS])
@@ -45,10 +46,10 @@ def table_csv(table: InterlockingTable) -> str:
 
 def _printed(table: InterlockingTable) -> list[list[str]]:
     """The rows of the routes that are listed, and one that tells how many are not."""
-    rows = [[c.text(r) for c in COLUMNS] for r in table.listed]
-    hidden = len(table.routes) - len(table.listed)
-    if hidden:
-        rows.append(["", f"{hidden} more routes are not listed", *[""] * (len(COLUMNS) - 2)])
+    printed = Printed(table)
+    rows = [[c.printed(w) for c in COLUMNS] for w in printed.listed]
+    if printed.unlisted:
+        rows.append(["", f"{printed.unlisted} more routes are not listed", *[""] * (len(COLUMNS) - 2)])
     return rows
 
 
@@ -103,17 +104,19 @@ def matrix_csv(table: InterlockingTable) -> str:
 
 
 def _reasons(why: Worksheet, table: InterlockingTable, head: Format, cell: Format) -> None:
-    """Rule and reason of every cell."""
+    """Rule and reason of every printed cell."""
     for x, (title, width) in enumerate((("Route", 14), ("Column", 20), ("Item", 30), ("Rule", 8), ("Reason", 90))):
         why.set_column(x, x, width)
         why.write_string(0, x, title, head)
     line = 1
-    for r in table.routes:
+    for way in Printed(table).all:
         for c in COLUMNS:
-            for text, because in c.items(r):
-                for x, value in enumerate((r.id, c.en, text, because.rule, because.text)):
-                    why.write_string(line, x, value, cell)
-                line += 1
+            for part in c.parts(way):
+                route = way.id if part.row is None else f"{way.id}.{way.mark(part.row)}"
+                for text, because in part.items:
+                    for x, value in enumerate((route, c.en, text, because.rule, because.text)):
+                        why.write_string(line, x, value, cell)
+                    line += 1
 
 
 def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:

@@ -14,6 +14,7 @@ from interlock.table.national.de import flank, overlaps, shunt_routes, train_rou
 from interlock.table.national.sheet import Heading, Sheet
 from interlock.table.national.uk import points_table, route_table
 from interlock.table.national.us import locking_sheet
+from interlock.table.printed import Printed
 from interlock.table.rows import InterlockingTable
 
 Form = Callable[[Layout, InterlockingTable], Sheet]
@@ -36,7 +37,7 @@ _UNLISTED = {"en": "{} more routes are not listed", "zh": "另有 {} 条进路�
 
 def _counted(sheet: Sheet, table: InterlockingTable) -> Sheet:
     """The sheet, with a last row that tells how many routes are not listed, if any."""
-    hidden = len(table.routes) - len(table.listed)
+    hidden = Printed(table).unlisted
     if not hidden or not sheet.of_routes:
         return sheet
     note = (_UNLISTED[sheet.language].format(hidden), *[""] * (len(sheet.headings) - 1))

@@ -27,7 +27,8 @@ from interlock.model.elements import (
 )
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
-from interlock.table.national.sheet import Heading, Sheet
+from interlock.table.national.sheet import Cell, Heading, Sheet, route_rows
+from interlock.table.printed import Printed, PrintedRoute
 from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow
 
 HEADINGS = (
@@ -54,13 +55,14 @@ Need = tuple[MachineId, Position]
 def chinese_table(layout: Layout, table: InterlockingTable) -> Sheet:
     """Train routes first, then shunt routes, a signal's routes together; of shunt routes only the basic ones."""
     form = _Form(layout, table)
-    rows = [form.row(r, number) for number, r in enumerate(form.printed, start=1)]
+    number = {w.id: str(k) for k, w in enumerate(form.printed, start=1)}
+    rows = route_rows(form.printed, lambda w, r: form.row(r, number[w.id]), separator="、")
     return Sheet(
         "cn",
         "zh",
         Heading("Interlocking table (China)", "联锁表", "Verschlusstabelle (China)"),
         HEADINGS,
-        tuple(rows),
+        rows,
         True,
     )
 
@@ -77,12 +79,13 @@ class _Form:
         return topology(self.layout)
 
     @cached_property
-    def printed(self) -> tuple[RouteRow, ...]:
+    def printed(self) -> tuple[PrintedRoute, ...]:
         """The routes in print, in order."""
-        shown = [
-            r for r in self.table.listed if r.kind is RouteKind.MAIN or (r.kind is RouteKind.SHUNT and r.variant == 1)
-        ]
-        return tuple(sorted(shown, key=self._place))
+        shown = [w for w in Printed(self.table).listed if self._is_shown(w.rows[0])]
+        return tuple(sorted(shown, key=lambda w: self._place(w.rows[0])))
+
+    def _is_shown(self, r: RouteRow) -> bool:
+        return r.kind is RouteKind.MAIN or (r.kind is RouteKind.SHUNT and r.variant == 1)
 
     @cached_property
     def tracks(self) -> frozenset[SectionId]:
@@ -143,7 +146,7 @@ class _Form:
 
     # --- columns -------------------------------------------------------------------------------
 
-    def row(self, r: RouteRow, number: int) -> tuple[str, ...]:
+    def row(self, r: RouteRow, number: str) -> tuple[Cell, ...]:
         """The fifteen cells."""
         facing = self.facing(r)
         return (
@@ -155,13 +158,13 @@ class _Form:
             r.entry,
             self.aspect(r),
             self.indicator(r),
-            "、".join(self.points(r)),
-            "、".join(self.hostile(r)),
-            "、".join(self.sections(r)),
+            tuple(self.points(r)),
+            tuple(self.hostile(r)),
+            tuple(self.sections(r)),
             facing[0],
             facing[1],
             self.other(r),
-            str(number),
+            number,
         )
 
     def direction(self, r: RouteRow) -> str:
@@ -193,15 +196,15 @@ class _Form:
 
     def alternatives(self, r: RouteRow) -> list[RouteRow]:
         """All routes with the same ends, the basic one first."""
-        same = [x for x in self.of_signal[r.entry, r.kind] if x.exit == r.exit]
-        return sorted(same, key=lambda x: x.variant)
+        same = {x.variant: x for x in reversed(self.of_signal[r.entry, r.kind]) if x.exit == r.exit}
+        return [same[k] for k in sorted(same)]
 
     def alternative(self, r: RouteRow) -> str:
         return str(r.variant) if r.kind is RouteKind.MAIN and len(self.alternatives(r)) > 1 else ""
 
     def deciding(self, r: RouteRow) -> str:
         """The points that tell the route from the others with the same ends, first come first."""
-        others = [x for x in self.alternatives(r) if x is not r]
+        others = [x for x in self.alternatives(r) if x.variant != r.variant]
         if r.kind is RouteKind.SHUNT:
             return ""
         out = []

@@ -11,7 +11,8 @@ from math import isinf
 from interlock.model.elements import MachineId, Position
 from interlock.model.layout import Layout
 from interlock.table.national.reading import Reading
-from interlock.table.national.sheet import Heading, Sheet
+from interlock.table.national.sheet import Cell, Heading, Sheet, route_rows
+from interlock.table.printed import PrintedRoute
 from interlock.table.rows import FlankCell, InterlockingTable, ProviderKind, Role, RouteKind, RouteRow
 
 LAGE = {Position.NORMAL: "+", Position.REVERSE: "−"}
@@ -92,33 +93,38 @@ def _devices(x: Reading, r: RouteRow) -> str:
     return ", ".join(p.machine for p in r.points if p.machine in x.layout.device)
 
 
+def _d_way(way: PrintedRoute, r: RouteRow) -> str:
+    """The name of a route's overlap."""
+    return f"D{r.overlap.option}" if r.overlap is not None else ""
+
+
 def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
     """Sslz."""
     x = Reading(layout, table)
-    rows = [
-        (
-            r.id,
-            r.entry,
-            r.exit,
-            str(r.number),
-            _deciding(x, r),
-            f"D{r.overlap.option}{' *' if r.overlap.option == 1 else ''}" if r.overlap else "",
-            "R" if r.variant == 1 else "U",
-            _lying(x, r, Role.PATH, Role.OVERLAP),
-            _lying(x, r, Role.FLANK, Role.ADDED),
-            ", ".join(x.sections(r)),
-            _devices(x, r),
-            ", ".join(
-                f"{p.machine} {layout.word(p.machine, p.position)}" for p in r.points if x.is_derailer(p.machine)
-            ),
-            f"{', '.join(r.approach.sections) or 'immer'}, {r.approach.delay_s:g} s",
-            ", ".join(h.route for h in r.hostile),
-            ", ".join([*r.requirements, *([f"{r.speed.kmh} km/h"] if r.speed.kmh is not None else [])]),
-        )
-        for r in table.listed
-        if r.kind is RouteKind.MAIN
-    ]
-    return Sheet("de_sslz", "de", Heading("Train routes", "列车进路", "Sslz Zugstraßen"), SSLZ, tuple(rows), True)
+    ways = [w for w in x.printed.listed if w.rows[0].kind is RouteKind.MAIN]
+    rows = route_rows(ways, lambda way, r: _train_route(x, way, r), _d_way)
+    return Sheet("de_sslz", "de", Heading("Train routes", "列车进路", "Sslz Zugstraßen"), SSLZ, rows, True)
+
+
+def _train_route(x: Reading, way: PrintedRoute, r: RouteRow) -> tuple[Cell, ...]:
+    derailers = [p for p in r.points if x.is_derailer(p.machine)]
+    return (
+        way.id,
+        r.entry,
+        r.exit,
+        str(r.number),
+        _deciding(x, r),
+        tuple(f"{_d_way(way, o)}{' *' if o.overlap.option == 1 else ''}" for o in way.rows if o.overlap is not None),
+        "R" if r.variant == 1 else "U",
+        _lying(x, r, Role.PATH, Role.OVERLAP),
+        _lying(x, r, Role.FLANK, Role.ADDED),
+        tuple(x.sections(r)),
+        _devices(x, r),
+        ", ".join(f"{p.machine} {x.layout.word(p.machine, p.position)}" for p in derailers),
+        f"{', '.join(r.approach.sections) or 'immer'}, {r.approach.delay_s:g} s",
+        x.named((h.route for h in r.hostile), by=r),
+        ", ".join([*r.requirements, *([f"{r.speed.kmh} km/h"] if r.speed.kmh is not None else [])]),
+    )
 
 
 def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
@@ -131,7 +137,7 @@ def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             r.exit,
             str(r.number),
             _deciding(x, r),
-            ", ".join(h.route for h in r.hostile if h.kind.value == "opposing"),
+            ", ".join(x.named(h.route for h in r.hostile if h.kind.value == "opposing")),
             ", ".join(x.sections(r)),
             _lying(x, r, Role.PATH),
             _lying(x, r, Role.FLANK, Role.ADDED),
@@ -139,8 +145,8 @@ def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             f"{r.approach.delay_s:g} s",
             f"Zielgleis {r.berth} darf besetzt sein" if r.berth else "",
         )
-        for r in table.listed
-        if r.kind is RouteKind.SHUNT
+        for way in x.printed.listed
+        if (r := way.rows[0]).kind is RouteKind.SHUNT
     ]
     return Sheet("de_sslr", "de", Heading("Shunt routes", "调车进路", "Sslr Rangierstraßen"), SSLR, tuple(rows), True)
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from interlock.model.elements import MachineId, NodeId, Position, SectionId
+from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
+from interlock.table.printed import Printed, PrintedRoute, grouped
 from interlock.table.rows import InterlockingTable, PointDemand, Role, RouteRow
 
 ON_PATH = (Role.PATH, Role.OVERLAP)
@@ -19,6 +21,25 @@ class Reading:
 
     layout: Layout
     table: InterlockingTable
+
+    @cached_property
+    def printed(self) -> Printed:
+        """The table as it is printed, a row for each way."""
+        return Printed(self.table)
+
+    def named(
+        self,
+        routes: Iterable[RouteId],
+        name: Callable[[PrintedRoute], str] = lambda w: w.id,
+        by: RouteRow | None = None,
+    ) -> tuple[str, ...]:
+        """Routes as they are printed, a way once where all of its overlaps are meant.
+
+        by: the route that says it; that its own way cannot be set twice is not said.
+        """
+        said = grouped(((r, None) for r in routes), self.printed.ways, by)
+        own = None if by is None else self.printed.ways[by.id]
+        return tuple(x.name(name) for x in said if x.way is not own)
 
     @cached_property
     def topo(self) -> Topology:

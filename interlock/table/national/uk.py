@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from interlock.model.elements import MachineId, Position, RouteId
+from interlock.model.elements import MachineId, Position
 from interlock.model.layout import Layout
 from interlock.table.national.reading import ON_PATH, Reading
-from interlock.table.national.sheet import Heading, Sheet
+from interlock.table.national.sheet import Cell, Heading, Sheet, route_rows
+from interlock.table.printed import Printed, PrintedRoute
 from interlock.table.rows import InterlockingTable, Role, RouteKind, RouteRow
 
 ROUTES = (
@@ -34,14 +35,15 @@ POINTS = (
 )
 
 
-def uk_names(table: InterlockingTable) -> dict[RouteId, str]:
-    """Route names: signal, letter from the left, class: 1A(M)."""
+def uk_names(printed: Printed) -> dict[str, str]:
+    """Names of routes, by that of their way: signal, letter from the left, class: 1A(M)."""
     letters: dict[str, int] = {}
     out = {}
-    for r in table.routes:
+    for way in printed.all:
+        r = way.rows[0]
         k = letters.get(r.entry, 0)
         letters[r.entry] = k + 1
-        out[r.id] = f"{r.entry}{_letter(k)}({_class(r)})"
+        out[way.id] = f"{r.entry}{_letter(k)}({_class(r)})"
     return out
 
 
@@ -54,19 +56,20 @@ def _class(r: RouteRow) -> str:
 
 
 def route_table(layout: Layout, table: InterlockingTable) -> Sheet:
-    """One line per route; a route with several overlaps has one for each."""
-    reading, names = Reading(layout, table), uk_names(table)
+    """One line per route, with its overlaps."""
+    reading = Reading(layout, table)
+    names = uk_names(reading.printed)
     return Sheet(
         "uk_routes",
         "en",
         Heading("Control table: routes", "控制表：进路", "Kontrolltabelle: Fahrstraßen"),
         ROUTES,
-        tuple(_route(reading, names, r) for r in table.listed),
+        route_rows(reading.printed.listed, lambda way, r: _route(reading, names, way, r)),
         True,
     )
 
 
-def _route(x: Reading, names: dict[RouteId, str], r: RouteRow) -> tuple[str, ...]:
+def _route(x: Reading, names: dict[str, str], way: PrintedRoute, r: RouteRow) -> tuple[Cell, ...]:
     seconds = x.layout.principles.overlap_release_s
     rear = ", ".join(r.approach.sections)
     remarks = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
@@ -83,15 +86,15 @@ def _route(x: Reading, names: dict[RouteId, str], r: RouteRow) -> tuple[str, ...
     if stops:
         remarks.append(f"{', '.join(stops)} at stop")
     return (
-        names[r.id],
+        names[way.id],
         r.exit,
         _class(r),
         x.points(r, Position.NORMAL, *ON_PATH),
         x.points(r, Position.REVERSE, *ON_PATH),
         x.points(r, Position.NORMAL, Role.FLANK, Role.ADDED),
         x.points(r, Position.REVERSE, Role.FLANK, Role.ADDED),
-        ", ".join(names[h.route] for h in r.hostile),
-        ", ".join(x.sections(r)),
+        x.named((h.route for h in r.hostile), lambda w: names[w.id], r),
+        tuple(x.sections(r)),
         ", ".join(s for s, _ in r.overlap.ways) if r.overlap else "",
         f"{r.traversals[-1][0]} occupied {seconds:g} s" if r.overlap else "",
         f"when cleared, {rear} occupied" if rear else "when cleared",
@@ -102,10 +105,14 @@ def _route(x: Reading, names: dict[RouteId, str], r: RouteRow) -> tuple[str, ...
 
 def points_table(layout: Layout, table: InterlockingTable) -> Sheet:
     """One line per set of points: a route that needs a position locks against leaving it."""
-    names = uk_names(table)
+    reading = Reading(layout, table)
+    names = uk_names(reading.printed)
     rows = []
     for m in sorted(layout.ends_of_machine):
-        by = {x: ", ".join(names[r.id] for r in table.routes if _needs(r, m, x)) for x in Position}
+        by = {
+            x: ", ".join(reading.named((r.id for r in table.routes if _needs(r, m, x)), lambda w: names[w.id]))
+            for x in Position
+        }
         tracks = ", ".join(layout.sections_of_machine[m])
         rows.append((m, by[Position.REVERSE], by[Position.NORMAL], by[Position.NORMAL], by[Position.REVERSE], tracks))
     title = Heading("Control table: points", "控制表：道岔", "Kontrolltabelle: Weichen")
