@@ -66,8 +66,9 @@ def test_every_national_form_has_a_row_for_each_way(profile: str) -> None:
             assert len(sheet.rows) == len(ways(table)), sheet.key
     if profile == "de":
         form = {s.key: s for s in national_sheets(layout, table)}
-        row = next(r for r in form["de_sslz"].rows if r[0] == "HE1-SW1")
-        assert row[5] == "D1 *, D2" and re.search(r"D1: .*; D2: ", row[7])
+        row = next(r for r in form["de_sslz"].rows if r[-1] == "HE1-SW1")
+        locking = next(r for r in form["de_verschluss"].rows if r[0] == "HE1-SW1")
+        assert row[5] == "D1*, D2" and re.search(r"D1: .*; D2: ", locking[3])
         assert {"D1", "D2"} == {r[1] for r in form["de_ssld"].rows if r[0] == "SW1"}
 
 

@@ -97,7 +97,7 @@ def report_html(
             heat=_heat,
             hostile_parts=hostile_parts,
             beyond=beyond_matrix(table),
-            forms=national_sheets(layout, table) if not large else (),
+            forms=[f.printed() for f in national_sheets(layout, table)] if not large else [],
             kinds_of_routes=sorted({str(r.kind) for r in table.routes}),
             places=sorted({*(s for r in table.routes for s in r.section_ids), *(r.entry for r in table.routes)}),
             digests=[(n, hashlib.sha256(data).hexdigest()) for n, data in sorted(files.items())],

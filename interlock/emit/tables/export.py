@@ -65,12 +65,15 @@ def voyages_csv(table: InterlockingTable) -> str:
 
 
 def sheet_csv(sheet: Sheet) -> str:
-    """A national form: headings in the language of its railway, one line per row."""
+    """A national form: headings in the language of its railway, one line per row, every column of the form.
+
+    A Chinese one begins with a byte order mark, without which spreadsheets there misread it.
+    """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([getattr(h, sheet.language) for h in sheet.headings])
+    writer.writerow([h.native(sheet.language) for h in sheet.headings])
     writer.writerows(sheet.rows)
-    return out.getvalue()
+    return ("\ufeff" if sheet.language == "zh" else "") + out.getvalue()
 
 
 def _matrix_rows(
@@ -146,7 +149,7 @@ def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
                 page.write_string(0, x, f"{v.en}\n{v.zh}", head)
                 for y, voyage in enumerate(table.voyages, 1):
                     page.write_string(y, x, v.text(voyage), cell)
-        for form in national_sheets(layout, table):
+        for form in map(Sheet.printed, national_sheets(layout, table)):
             page = book.add_worksheet(form.key)
             page.set_landscape()
             page.set_paper(8)
@@ -156,7 +159,7 @@ def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
             for x, h in enumerate(form.headings):
                 width = max([8, *(len(row[x]) for row in form.rows)])
                 page.set_column(x, x, min(34, width + 1))
-                native = getattr(h, form.language)
+                native = h.native(form.language)
                 page.write_string(0, x, native if native == h.en else f"{native}\n{h.en}", head)
             for y, cells in enumerate(form.rows, 1):
                 for x, value in enumerate(cells):
