@@ -2,13 +2,46 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
+import re
+from pathlib import Path
 
 import pytest
 
+from interlock.emit.tables.export import sheet_csv
 from interlock.emit.tables.railml import railml_json
-from interlock.table.national import SHEETS, national_sheets
-from tests.layouts import SHIPPED, built
+from interlock.table.national import SHEETS, Sheet, national_sheets
+from tests.layouts import SHIPPED, built, grown
+
+Rows = list[dict[str, str]]
+
+
+def sheets(layout: str, profile: str = "", **changes: str) -> dict[str, Sheet]:
+    """The sheets of a shipped layout by key, under another profile and with pieces of its text changed."""
+    text = Path(f"layouts/{layout}.yaml").read_text("utf-8")
+    if profile:
+        text = re.sub(
+            r"^(name: .*)$", rf"\1\nprofile: {profile}", re.sub(r"^profile: .*$", "", text, flags=re.M), flags=re.M
+        )
+    for old, new in changes.items():
+        assert old in text
+        text = text.replace(old, new)
+    made = grown(text)
+    assert made is not None, layout
+    return {s.key: s for s in national_sheets(made[0], made[1])}
+
+
+def told(sheet: Sheet) -> Rows:
+    """Rows by English heading."""
+    return [dict(zip([h.en for h in sheet.headings], row, strict=True)) for row in sheet.rows]
+
+
+def only(rows: Rows, **wanted: str) -> dict[str, str]:
+    """The row with some cells."""
+    (found,) = [r for r in rows if all(r[k.replace("_", " ")] == v for k, v in wanted.items())]
+    return found
 
 
 def rows() -> tuple[tuple[str, ...], ...]:
@@ -39,7 +72,7 @@ def chinese() -> dict[tuple[str, str, str], tuple[str, ...]]:
             "1",
             "(5/7)、13/15、9/11、(21)",
             "D3、D11、S5D",
-            "IAG、5DG、<1/3>3DG、7DG、11-13DG、21DG、<23/25>25DG、5G",
+            "IAG、5DG、<3>3DG、7DG、11-13DG、21DG、<25>25DG、5G",
         ),
         (
             "X",
@@ -47,7 +80,7 @@ def chinese() -> dict[tuple[str, str, str], tuple[str, ...]]:
             "2",
             "5/7、1/3、(9/11)、[13/15]、(21)",
             "D3、D7、D9、S5D",
-            "IAG、5DG、3DG、9-15DG、11-13DG、21DG、<23/25>25DG、5G",
+            "IAG、5DG、3DG、9-15DG、11-13DG、21DG、<25>25DG、5G",
         ),
         (
             "XD",
@@ -57,11 +90,11 @@ def chinese() -> dict[tuple[str, str, str], tuple[str, ...]]:
             "D11、D13、S4L",
             "7DG、11-13DG、9-15DG、17-23DG、19-27DG、4G",
         ),
-        ("SII", "由II股道", "1", "27、17/19、1/3", "D1、D5、D15", "19-27DG、1/19WG、1DG、IIAG"),
-        ("D1", "至D9", "", "(1/3)", "D7、<(1/3)>S5L、SIIIL、SIIL、S4L", "1DG、3DG、<5/7>5DG"),
-        ("D5", "向D1", "", "1/3", "D1、<1/3>SIIL、S4L", "1DG"),
-        ("D13", "至I股道", "", "17/19、23/25", "D17、<17/19>XD、X", "17-23DG"),
-        ("S4", "至D5", "", "(27)、17/19", "D15、<1/3>D1", "19-27DG"),
+        ("SII", "由II股道", "1", "27、17/19、1/3", "D1、D5、D15、SIID", "19-27DG、1/19WG、1DG、IIAG"),
+        ("D1", "至D9", "", "(1/3)", "D7、<(3)>S5L、SIIIL、SIIL、S4L", "1DG、3DG、<5>5DG"),
+        ("D5", "向D1", "", "1/3", "D1、<1>SIIL、S4L", "1DG"),
+        ("D13", "至I股道", "", "17/19、23/25", "D17、<17>XD、X", "17-23DG"),
+        ("S4", "至D5", "", "(27)、17/19", "D15、S4L、<1>D1", "19-27DG"),
     ],
 )
 def test_rows_of_the_chinese_table(signal: str, route: str, way: str, points: str, hostile: str, sections: str) -> None:
@@ -100,11 +133,146 @@ def test_every_form_is_a_rectangle_and_names_every_route(name: str) -> None:
     assert {c["refersToRoute"] for c in body["conflictingRoutes"]} == {r.id for r in table.routes}
 
 
+def test_a_chinese_through_route_bears_the_numbers_of_its_two_routes() -> None:
+    (sheet,) = sheets("passing_loop", "cn").values()
+    rows = {r[14]: r for r in sheet.rows}
+    through = {n: r for n, r in rows.items() if "/" in n}
+    assert set(through) == {"2/8", "6/4"}
+    for number, row in through.items():
+        received, departs = (rows[n] for n in number.split("/"))
+        assert row[0].endswith("通过") and row[1] == f"经{received[1][1:]}"
+        assert row[5] == f"{received[5]}、{departs[5]}" and row[3] == f"{received[5]}TA、{departs[3].split('、')[-1]}"
+        assert "(" not in received[8] + departs[8]  # all points normal
+    assert [n for n in rows if "/" not in n] == [str(n) for n in range(1, len(rows) - 1)]
+
+
+def test_chinese_alternatives_are_told_apart_by_their_buttons_and_the_csv_has_a_byte_order_mark() -> None:
+    layout, table, _ = built("cn6502")
+    (sheet,) = national_sheets(layout, table)
+    trains = [r[3] for r in sheet.rows if r[0] != "调车"]
+    assert len(set(trains)) == len(trains) and "XLA、X2BA、SIIILA" in trains
+    assert sheet_csv(sheet).startswith("\ufeff方向,进路,")
+
+
+def test_german_tables_print_left_and_right_where_the_hand_is_stated() -> None:
+    made = sheets("flank_lab")
+    routes = told(made["de_sslz"])
+    # points 1 and 2 are turnouts to the right and to the left
+    assert only(routes, Start="S1", Destination="N2")["Deciding points"] == "1L"
+    assert only(routes, Start="S1", Destination="N8")["Deciding points"] == "1R"
+    assert only(routes, Route="N2/F")["Deciding points"] == ""  # one way out: nothing to decide
+    assert only(routes, Route="N2/F")["Overlap"] == "D1*, D2"
+    overlap = only(told(made["de_ssld"]), From="S1", Overlap="D2")
+    assert (overlap["Points locked"], overlap["Length needed (m)"], overlap["Length (m)"]) == ("1R, 5R", "200", "380")
+    assert (overlap["Release section"], overlap["Its length (m)"], overlap["Delay (s)"]) == ("w0", "60", "45")
+    unstated = sheets("flank_lab", **{", hand: right}": "}", ", hand: left}": "}"})
+    assert only(told(unstated["de_sslz"]), Start="S1", Destination="N8")["Deciding points"] == "1−"
+
+
+def test_german_flank_protection_tells_transfer_and_space() -> None:
+    rows = told(sheets("flank_lab")["de_sslf"])
+    trap = only(rows, Requester="5", Position_passed="L")
+    assert (trap["Points or derailer"], trap["Position"], trap["Two-way"]) == ("1", "L", "nein")
+    derailer = only(rows, Requester="5", Position_passed="R")
+    assert (derailer["Points or derailer"], derailer["Position"]) == ("Gs1", "aufgelegt")
+    signal = only(rows, Requester="2", Position_passed="L")
+    assert signal["Signal"] == "N2" and signal["Handed on to"] == ""
+    handed = only(rows, Requester="1", Position_passed="L")
+    # behind the loop the request meets point 6 at its toe, so both of its legs are looked at
+    assert (handed["Handed on to"], handed["As for"], handed["End of track or line"]) == ("6", "L+R", "B, C")
+
+
+TWO_WAY = """\
+interlock: 1
+name: two_way
+profile: de
+boundaries:
+  A: {approach: aa 1900, label: A}
+  B: {approach: ab 1900, label: B}
+buffers: [E]
+tracks:
+  west: [A, a1 300]
+  mid: [m1 800]
+  east: [b1 300, B]
+  sid: [s1 200, E]
+points:
+  1: {section: p1, toe: west.end, normal: mid.start, reverse: 3.normal, hand: right}
+  2: {section: p2, toe: east.start, normal: mid.end, reverse: 3.reverse, hand: left}
+  3: {section: p3, toe: sid.start, hand: left}
+signals:
+  X: {from: A, into: a1}
+  X1: {from: m1, into: p2}
+  Y1: {from: m1, into: p1}
+  Y: {from: B, into: b1}
+  L: {from: s1, into: p3}
+"""
+
+
+def test_a_point_wanted_both_ways_has_two_rows() -> None:
+    made = grown(TWO_WAY)
+    assert made is not None
+    forms = {s.key: s for s in national_sheets(made[0], made[1])}
+    left, right = told(forms["de_sslw"])
+    # movements over 1 to the left ask 3 to lie left; over 2 to the right they would ask it to lie right
+    assert (left["Points in position"], left["Locked"], left["Substitute signal"]) == ("3L", "x", "")
+    assert (right["Points in position"], right["Locked"], right["Substitute signal"]) == ("3R", "", "L")
+    assert left["Same route"] == left["Different routes"] == "x" and right["Space proved clear"] == "p3"
+    asking = only(told(forms["de_sslf"]), Requester="1", Position_passed="L")
+    assert (asking["Points or derailer"], asking["Position"], asking["Two-way"]) == ("3", "L", "ja")
+
+
+def test_british_routes_count_from_the_left() -> None:
+    rows = told(sheets("junction")["uk_routes"])
+    letters = {r["In the other tables"]: r["Route"] for r in rows}
+    assert letters["S1J-S5"] == "S1JA(M)" and letters["S1J-S3"] == "S1JB(M)"  # the branch lies to the left
+    assert letters["S1-S1J"] == "S1A(M)"
+    turned = sheets("junction", **{"normal: down2.start, hand: left": "normal: down2.start, hand: right"})
+    assert {r["In the other tables"]: r["Route"] for r in told(turned["uk_routes"])}["S1J-S3"] == "S1JA(M)"
+    unstated = sheets("junction", **{", hand: left": ""})["uk_routes"]
+    assert any("101" in text for sign, text in unstated.legend if sign == "Letters")
+
+
+def test_british_opposing_locking_is_told_by_tracks_and_times() -> None:
+    made = sheets("passing_loop", "uk")
+    rows = told(made["uk_routes"])
+    names = [r["Route"] for r in rows]
+    assert len(set(names)) == len(names)
+    into = only(rows, Route="SA(M)")["Opposing locking: routes – tracks [or time]"].split(", ")
+    # X1A leaves IG over the same points: they do not exclude it; X3A gives them back before it leaves IIAG
+    assert "X1A(M) – 2DG IIAG" in into and "X3A(M) – IIAG" in into
+    # out of the loop, only the overlap of a route into it is in the way: until that train stands
+    over = only(told(made["uk_points"]), Points="1")["N to R: locked by routes – tracks"].split(", ")
+    assert "SA(M) + SA(C) – IIAG 2DG IG 1DG [or IG occ 60 s]" in over
+
+
 def test_british_points_lock_against_what_a_route_calls() -> None:
-    layout, table, _ = built("junction")
-    routes, points = national_sheets(layout, table)
-    names = {r[0] for r in routes.rows}
-    for row in points.rows:
-        calls_reverse, needs_normal = set(row[1].split(", ")), set(row[2].split(", "))
-        assert calls_reverse <= names and needs_normal <= names and not calls_reverse & needs_normal
-        assert row[2] == row[3] and row[1] == row[4]
+    for made in (sheets("junction"), sheets("terminus_slip")):
+        names = {r[0] for r in made["uk_routes"].rows}
+        for row in told(made["uk_points"]):
+            reverse, normal = row["N to R: called by"], row["R to N: called by"]
+            assert not set(reverse.split(", ")) & set(normal.split(", ")) - {""}
+            for called, locked in (
+                (normal, "N to R: locked by routes – tracks"),
+                (reverse, "R to N: locked by routes – tracks"),
+            ):
+                held = [n for group in row[locked].split(", ") for n in group.split(" – ")[0].split(" + ")]
+                assert sorted(held) == sorted(called.split(", ")) and {n.split(".o")[0] for n in held} - {""} <= names
+
+
+def test_american_aspects_follow_the_next_signal() -> None:
+    made = sheets("passing_loop")
+    row = only(told(made["us_aspects"]), Route="S-S3")
+    assert row["Switches in order"] == "2 R" and row["Next signal"] == "S3"
+    assert (row["Aspect, next at stop"], row["Aspect, next at proceed"]) == ("caution", "clear")
+    switch = only(told(made["us_switches"]), Switch="1")
+    assert switch["Normal for routes"] == "S1-W, X-X1, X-X1.c" and switch["Supervision (s)"] == "13"
+
+
+def test_a_printed_sheet_has_no_empty_column_and_names_those_left_out() -> None:
+    for name in SHIPPED:
+        for sheet in map(Sheet.printed, sheets(name).values()):
+            assert all(any(row[x] for row in sheet.rows) for x in range(len(sheet.headings)) if sheet.rows), sheet.key
+            assert sheet.after
+    sslz = sheets("flank_lab")["de_sslz"]
+    assert "Überwachte Ssp" in sslz.printed().empty and "T Zs3" in sslz.left_out
+    assert len(next(csv.reader(io.StringIO(sheet_csv(sslz))))) == len(sslz.headings)  # a program finds every column

@@ -74,6 +74,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     hostile = Conflicts(paths, by_key, demands, barred)
     idle_barred(layout, paths, hostile.derived, sink)
     names = _names(layout, paths, sink)
+    hidden = {_way(p) for p in paths if set(names.get(p.id, ())) & set(layout.unlisted)}
     _notes(layout, paths, sink)
     rows = tuple(
         RouteRow(
@@ -107,7 +108,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             token=derive_token(layout, p),
             approach=derive_approach(layout, p),
             release=derive_release(layout, p),
-            listed=not set(names.get(p.id, ())) & set(layout.unlisted),
+            listed=_way(p) not in hidden,
             because=Because("R1", f"found from {p.entry} to {p.exit_kind} {p.exit}"),
         )
         for p in paths
@@ -117,6 +118,11 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     automatic = derive_automatic(layout, rows, sink)
     check_practice(layout, paths, sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
+
+
+def _way(p: Path) -> tuple[SignalId, RouteKind, str, int]:
+    """What the routes have in common that differ in their overlaps alone."""
+    return p.entry, p.kind, p.exit, p.variant
 
 
 def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:

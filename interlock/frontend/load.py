@@ -22,6 +22,7 @@ from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import (
     boards,
     check_signal_names,
+    hands,
     resolve_automatic,
     resolve_conditions,
     resolve_devices,
@@ -171,6 +172,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         barred=barred,
         boards=boards(ctx),
         supervision=resolve_supervision(ctx, wiring),
+        hands=hands(ctx),
         stops=stops(ctx),
         demanded=demanded,
         unlisted=unlisted(ctx),

@@ -25,6 +25,7 @@ from interlock.model.elements import (
     Distant,
     Edge,
     Exclude,
+    Hand,
     MachineId,
     NamedRoute,
     NodeId,
@@ -137,6 +138,11 @@ def _kind(spec: SignalSpec) -> SignalKind:
     if spec.kind == "limit":
         return SignalKind.SHUNT
     return SignalKind.COMBINED if spec.stops_trains else SignalKind(spec.kind)
+
+
+def hands(ctx: Context) -> tuple[tuple[PointId, Hand], ...]:
+    """The side to which the reverse leg of each point lies, where it is stated."""
+    return tuple(sorted((PointId(n), Hand(p.hand)) for n, p in ctx.file.points.items() if p.hand is not None))
 
 
 def resolve_supervision(ctx: Context, wiring: Wiring) -> tuple[tuple[MachineId, float], ...]:

@@ -33,7 +33,7 @@ from interlock.frontend.scalars import (
     number,
     version,
 )
-from interlock.model.elements import BlockKind, SignalKind, TelegramForm, Work
+from interlock.model.elements import BlockKind, Hand, SignalKind, TelegramForm, Work
 from interlock.model.overlap import overlap_length
 from interlock.model.principles import KNOBS, MEANING, PROFILES, Caution, Closes, FlankChoice, Local, Principles
 
@@ -89,6 +89,11 @@ class PointSpec(_Part):
     legs: Length | None = key("metres of each of the three legs; without it, the principle `leg_m`", None)
     fouling: Length | None = key("metres to the fouling point; without it, the principle `fouling_m`", None)
     speed: Speed | None = key("km/h permitted over the reverse leg; without it, none is stated (R11)", None)
+    hand: Annotated[Literal["left", "right"] | None, choice("side", tuple(Hand))] = key(
+        "the side to which the reverse leg lies, seen from the toe; printed in national forms (L and R, letters of "
+        "routes from the left); without it, they print normal and reverse",
+        None,
+    )
     work: Annotated[Literal["motor", "hand"], choice("kind of work", tuple(Work))] = key(
         "`hand`: worked on the spot once its key is released; the key locks it in normal", "motor"
     )

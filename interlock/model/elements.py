@@ -36,6 +36,18 @@ class Position(StrEnum):
         return Position.REVERSE if self is Position.NORMAL else Position.NORMAL
 
 
+class Hand(StrEnum):
+    """The side to which a leg of a point lies, seen from its toe."""
+
+    LEFT = "left"
+    RIGHT = "right"
+
+    @property
+    def other(self) -> Hand:
+        """The other side."""
+        return Hand.RIGHT if self is Hand.LEFT else Hand.LEFT
+
+
 class BoundaryKind(StrEnum):
     """Which way trains pass a boundary, seen from inside the layout."""
 

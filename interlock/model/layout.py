@@ -26,6 +26,7 @@ from interlock.model.elements import (
     Edge,
     EdgeId,
     Exclude,
+    Hand,
     MachineId,
     NamedRoute,
     NodeId,
@@ -91,6 +92,8 @@ class Layout:
     """Seconds of supervision of machines that have a time of their own."""
     unlisted: tuple[str, ...] = ()
     """Names of routes that are not printed."""
+    hands: tuple[tuple[PointId, Hand], ...] = ()
+    """The side to which the reverse leg of a point lies, where the layout states it; only printed."""
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -183,6 +186,11 @@ class Layout:
         return {(g.node, g.into): g for g in self.signals}
 
     @cached_property
+    def hand(self) -> dict[PointId, Hand]:
+        """The side to which the reverse leg of a point lies, seen from its toe, where it is stated."""
+        return dict(self.hands)
+
+    @cached_property
     def machines(self) -> tuple[MachineId, ...]:
         """Everything that is moved and locked: machines of points, and devices, in order."""
         return tuple(sorted({*self.ends_of_machine, *self.device}))
@@ -254,13 +262,14 @@ class Layout:
 
     @cached_property
     def bare(self) -> Layout:
-        """The same railway without lengths."""
+        """The same railway without lengths, and without the hands of points."""
         return replace(
             self,
             edges=tuple(replace(e, length=0.0) for e in self.edges),
             points=tuple(replace(p, fouling=0.0) for p in self.points),
             overlaps=tuple(replace(o, length=0.0) for o in self.overlaps),
             boundaries=tuple(replace(b, approach_m=0.0) for b in self.boundaries),
+            hands=(),
         )
 
     @cached_property
@@ -274,7 +283,7 @@ class Layout:
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 
-_ONLY_STATED = frozenset({"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted"})
+_ONLY_STATED = frozenset({"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands"})
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from interlock.table.printed import Part, PrintedRoute, grouped, joined, parts
 from interlock.table.rows import Because, FoulCell, Hostile, HostileClass, PointDemand, Role, RouteRow, VoyageRow
 
 Reasons = list[tuple[str, Because]]
@@ -12,17 +13,32 @@ Reasons = list[tuple[str, Because]]
 
 @dataclass(frozen=True)
 class Column:
-    """Key, headings in English, Chinese and German, the cell's text and the reason of each of its items."""
+    """Key, headings in English, Chinese and German, the cell's text and the reason of each of its items.
+
+    in_print: the items of a route's cell where all overlaps of its way share a row, if they are not these.  apart: the
+    items are one thing, and are never told in two parts.
+    """
 
     key: str
     en: str
     zh: str
     de: str
     items: Callable[[RouteRow], Reasons]
+    in_print: Callable[[PrintedRoute, RouteRow], Reasons] | None = None
+    apart: bool = False
 
     def text(self, row: RouteRow) -> str:
-        """The cell as printed."""
+        """The cell of one route by itself."""
         return ", ".join(t for t, _ in self.items(row))
+
+    def parts(self, way: PrintedRoute) -> tuple[Part[tuple[str, Because]], ...]:
+        """The printed cell: what holds with every overlap, and what holds with one."""
+        cells = [(r, self.items(r) if self.in_print is None else self.in_print(way, r)) for r in way.rows]
+        return parts(cells, lambda item: item[0], self.apart)
+
+    def printed(self, way: PrintedRoute) -> str:
+        """The text of the printed cell."""
+        return joined([Part(p.row, tuple(t for t, _ in p.items)) for p in self.parts(way)], way.mark)
 
 
 def _points(*roles: Role) -> Callable[[RouteRow], Reasons]:
@@ -37,8 +53,25 @@ def _demand(p: PointDemand) -> str:
     return f"{p.machine} {p.position}{why}"
 
 
-def _hostile(h: Hostile) -> str:
-    return f"{h.route} ({h.witness if h.kind is HostileClass.ADDED else h.kind})"
+def _why_hostile(h: Hostile) -> str:
+    return h.witness if h.kind is HostileClass.ADDED else str(h.kind)
+
+
+def _hostile(r: RouteRow) -> Reasons:
+    return [(f"{h.route} ({_why_hostile(h)})", h.because) for h in r.hostile]
+
+
+def _hostile_ways(way: PrintedRoute, r: RouteRow) -> Reasons:
+    why = {h.route: h for h in r.hostile}
+    out: Reasons = []
+    for x in grouped([(route, _why_hostile(h)) for route, h in why.items()], way.ways, r):
+        name = f"{way.id} with another overlap" if x.whole and x.way is way else x.name()
+        out.append((f"{name} ({x.what})", why[x.route].because))
+    return out
+
+
+def _names(r: RouteRow) -> Reasons:
+    return [(n, Because("R1", "named in the layout")) for n in r.names]
 
 
 def _foul(c: FoulCell) -> str:
@@ -79,9 +112,16 @@ def _closing(r: RouteRow) -> Reasons:
 
 COLUMNS: tuple[Column, ...] = (
     Column("number", "No.", "进路号码", "Nr.", lambda r: [(str(r.number), r.because)]),
-    Column("route", "Route", "进路", "Fahrstraße", lambda r: [(r.id, r.because)]),
+    Column(
+        "route",
+        "Route",
+        "进路",
+        "Fahrstraße",
+        lambda r: [(r.id, r.because)],
+        lambda w, _: [(w.id, w.rows[0].because)],
+    ),
     Column("kind", "Kind", "进路性质", "Art", lambda r: [(r.kind, r.because)]),
-    Column("names", "Name", "名称", "Name", lambda r: [(n, Because("R1", "named in the layout")) for n in r.names]),
+    Column("names", "Name", "名称", "Name", _names, lambda w, _: [n for r in w.rows for n in _names(r)]),
     Column("entry", "Entry signal", "始端信号机", "Start", lambda r: [(r.entry, r.because)]),
     Column("exit", "Exit", "终端", "Ziel", lambda r: [(r.exit, r.because)]),
     Column(
@@ -103,8 +143,8 @@ COLUMNS: tuple[Column, ...] = (
         "Bahnübergänge und Riegel",
         lambda r: [(p.machine, p.because) for p in r.points if p.role is Role.DEVICE],
     ),
-    Column("overlap", "Overlap", "保护区段", "Durchrutschweg", _overlap),
-    Column("overlap_points", "Overlap points", "保护区段道岔", "Weichen im D-Weg", _points(Role.OVERLAP)),
+    Column("overlap", "Overlap", "保护区段", "Durchrutschweg", _overlap, apart=True),
+    Column("overlap_points", "Overlap points", "保护区段道岔", "Weichen im D-Weg", _points(Role.OVERLAP), apart=True),
     Column(
         "swings",
         "Overlap may swing to",
@@ -142,7 +182,8 @@ COLUMNS: tuple[Column, ...] = (
         "Hostile routes",
         "敌对进路",
         "Feindliche Fahrstraßen",
-        lambda r: [(_hostile(h), h.because) for h in r.hostile],
+        _hostile,
+        _hostile_ways,
     ),
     Column(
         "conditions",

@@ -9,7 +9,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from interlock.model.elements import RouteId, SectionId
+from interlock.model.elements import SectionId
+from interlock.table.printed import Printed
 from interlock.table.rows import InterlockingTable
 
 
@@ -38,14 +39,15 @@ def _natural(name: str) -> tuple[tuple[int, int, str], ...]:
 
 
 def matrix(table: InterlockingTable, named_only: bool = False) -> Matrix:
-    """M over all routes, or over the routes that the layout names."""
+    """M over all ways from entry to exit, or over the routes that the layout names.
+
+    Overlaps are no part of M: the routes over one way, which differ in nothing else, have one row.
+    """
     sections = tuple(sorted({s for r in table.routes for s in r.section_ids}, key=_natural))
     picked: list[tuple[str, set[SectionId]]] = []
-    for r in table.routes:
-        if named_only:
-            picked.extend((n, set(r.section_ids)) for n in r.names)
-        else:
-            picked.append((r.id, set(r.section_ids)))
+    for way in Printed(table).all:
+        for n in [n for r in way.rows for n in r.names] if named_only else [way.id]:
+            picked.append((n, set(way.rows[0].section_ids)))
     if named_only:
         picked.sort(key=lambda x: _natural(x[0]))
     return Matrix(
@@ -55,21 +57,23 @@ def matrix(table: InterlockingTable, named_only: bool = False) -> Matrix:
 
 @dataclass(frozen=True)
 class Beyond:
-    """A hostile pair for which M.M^T is 0."""
+    """A hostile pair for which M.M^T is 0, with any of their overlaps."""
 
-    a: RouteId
-    b: RouteId
+    a: str
+    b: str
     kind: str
     witness: str
 
 
 def beyond_matrix(table: InterlockingTable) -> tuple[Beyond, ...]:
     """Hostile pairs that share no section, so that M.M^T does not show them."""
-    found = []
+    found: dict[tuple[str, str, str], Beyond] = {}
+    ways = Printed(table).ways
     for r in table.routes:
         mine = set(r.section_ids)
         for h in r.hostile:
             other = table.route[h.route]
             if r.number < other.number and not mine & set(other.section_ids):
-                found.append(Beyond(r.id, h.route, str(h.kind), h.witness))
-    return tuple(found)
+                pair = (ways[r.id].id, ways[h.route].id, str(h.kind))
+                found.setdefault(pair, Beyond(*pair, h.witness))
+    return tuple(found.values())

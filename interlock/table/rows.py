@@ -493,11 +493,6 @@ class InterlockingTable:
         return replace(self, layout_digest="", routes=tuple([_bare(r) for r in self.routes]))
 
     @cached_property
-    def listed(self) -> tuple[RouteRow, ...]:
-        """The routes that are printed."""
-        return tuple(r for r in self.routes if r.listed)
-
-    @cached_property
     def route(self) -> dict[RouteId, RouteRow]:
         """Routes by id."""
         return {r.id: r for r in self.routes}

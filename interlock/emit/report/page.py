@@ -20,6 +20,7 @@ from interlock.model.traversal import topology
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 from interlock.table.matrix import beyond_matrix, matrix
 from interlock.table.national import national_sheets
+from interlock.table.printed import Printed, PrintedRoute, grouped, parts
 from interlock.table.rows import HostileClass, InterlockingTable, ProviderKind, RouteRow, TraversalKey
 
 LARGE = 200  # routes: from here on hostile routes are counted in the table, and named when asked for
@@ -64,8 +65,13 @@ def report_html(
     mmt = m.m_mt() if small else ()
     large = len(table.routes) > LARGE
 
-    def hostile_text(r: RouteRow) -> str:
-        return f"{len(r.hostile)} routes" if large else ", ".join(h.route for h in r.hostile)
+    printed = Printed(table)
+
+    def hostile_parts(way: PrintedRoute) -> list[tuple[RouteRow | None, str]]:
+        if large:
+            return [(r if way.several else None, f"{len(r.hostile)} routes") for r in way.rows if r.hostile]
+        told = [(r, [x.name() for x in grouped(((h.route, None) for h in r.hostile), way.ways, r)]) for r in way.rows]
+        return [(p.row, ", ".join(p.items)) for p in parts(told) if p.items]
 
     return (
         environment()
@@ -73,6 +79,7 @@ def report_html(
         .render(
             layout=layout,
             table=table,
+            printed=printed,
             plan=plan,
             css=Markup(asset("report.css")),
             js=asset("report.js"),
@@ -88,9 +95,9 @@ def report_html(
             mmt=mmt,
             most=max((x for row in mmt for x in row), default=1),
             heat=_heat,
-            hostile_text=hostile_text,
+            hostile_parts=hostile_parts,
             beyond=beyond_matrix(table),
-            forms=national_sheets(layout, table) if not large else (),
+            forms=[f.printed() for f in national_sheets(layout, table)] if not large else [],
             kinds_of_routes=sorted({str(r.kind) for r in table.routes}),
             places=sorted({*(s for r in table.routes for s in r.section_ids), *(r.entry for r in table.routes)}),
             digests=[(n, hashlib.sha256(data).hexdigest()) for n, data in sorted(files.items())],
@@ -117,6 +124,7 @@ def _data(layout: Layout, table: InterlockingTable) -> dict[str, object]:
         return [p for s, n in keys for p, _ in topo.traversals[s][n - 1].points]
 
     index = {r.id: i for i, r in enumerate(table.routes)}
+    line = {r.id: k for k, way in enumerate(Printed(table).all) for r in way.rows}
     routes = []
     for r in table.routes:
         providers = [p for c in r.flank for p in c.providers]
@@ -126,6 +134,7 @@ def _data(layout: Layout, table: InterlockingTable) -> dict[str, object]:
         routes.append(
             {
                 "id": r.id,
+                "row": line[r.id],
                 "kind": str(r.kind),
                 "entry": r.entry,
                 "sections": list(r.section_ids),

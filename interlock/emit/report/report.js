@@ -2,6 +2,8 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 const rows = [...document.querySelectorAll("#routes tr")];
 const why = document.getElementById("why");
+const ofRow = rows.map(() => []); // the routes of a row: one, or one for each of its overlaps
+data.routes.forEach((r, i) => ofRow[r.row].push(i));
 const byId = new Map(data.routes.map((r, i) => [r.id, i]));
 let chosen = -1;
 
@@ -16,6 +18,7 @@ function dark() {
   for (const kind of ["lit-path", "lit-overlap", "lit-flank", "lit-point", "lit-entry"])
     for (const e of document.querySelectorAll("#plan ." + kind)) e.classList.remove(kind);
   for (const r of rows) { r.classList.remove("chosen", "hostile"); r.removeAttribute("aria-selected"); }
+  for (const b of document.querySelectorAll("#routes button.of[aria-pressed]")) b.removeAttribute("aria-pressed");
 }
 
 function choose(i, scroll) {
@@ -32,12 +35,14 @@ function choose(i, scroll) {
   lit("lit-entry", [r.entry], "signal-");
   lit("lit-flank", r.flank_signals, "signal-");
   lit("lit-flank", r.flank_points, "point-");
-  rows[i].classList.add("chosen");
-  rows[i].setAttribute("aria-selected", "true");
-  for (const h of r.hostile) rows[h[0]].classList.add("hostile");
+  const row = rows[r.row];
+  row.classList.add("chosen");
+  row.setAttribute("aria-selected", "true");
+  for (const b of row.querySelectorAll(`button.of[data-route="${i}"]`)) b.setAttribute("aria-pressed", "true");
+  for (const h of r.hostile) if (data.routes[h[0]].row !== r.row) rows[data.routes[h[0]].row].classList.add("hostile");
   if (scroll) {
-    const box = rows[i].closest(".scroll");
-    box.scrollTop = rows[i].offsetTop - box.querySelector("thead").offsetHeight;
+    const box = row.closest(".scroll");
+    box.scrollTop = row.offsetTop - box.querySelector("thead").offsetHeight;
   }
   show(r.edges);
   say(r.id + ": " + r.words + "; " + r.hostile.length + " hostile routes.");
@@ -105,21 +110,26 @@ function filter() {
   const kind = document.getElementById("kind").value;
   const over = document.getElementById("over").value;
   let shown = 0;
-  data.routes.forEach((r, i) => {
-    const fits = (!text || (r.id + " " + r.words).toLowerCase().includes(text)) && (!kind || r.kind === kind)
-      && (!over || r.sections.includes(over) || r.entry === over);
-    rows[i].hidden = !fits;
+  rows.forEach((row, k) => {
+    const fits = ofRow[k].map((i) => data.routes[i]).some((r) => (!text || (r.id + " " + r.words).toLowerCase().includes(text))
+      && (!kind || r.kind === kind) && (!over || r.sections.includes(over) || r.entry === over));
+    row.hidden = !fits;
     shown += fits;
   });
-  document.getElementById("shown").textContent = shown + " of " + data.routes.length + " routes";
+  document.getElementById("shown").textContent = shown + " of " + rows.length + " routes";
 }
 
 rows.forEach((row, i) => {
-  row.addEventListener("click", (e) => { if (!e.target.closest("button")) choose(i === chosen ? -1 : i, false); });
+  const turn = () => choose(ofRow[i].includes(chosen) ? -1 : ofRow[i][0], false);
+  row.addEventListener("click", (e) => {
+    const of = e.target.closest("button.of");
+    if (of) choose(+of.dataset.route, false);
+    else if (!e.target.closest("button")) turn();
+  });
   row.addEventListener("keydown", (e) => {
     if (e.target !== row) return;
     const step = { ArrowDown: 1, ArrowUp: -1 }[e.key];
-    if (e.key === "Enter" || e.key === " ") { e.preventDefault(); choose(i === chosen ? -1 : i, false); }
+    if (e.key === "Enter" || e.key === " ") { e.preventDefault(); turn(); }
     if (step) {
       e.preventDefault();
       let k = i + step;

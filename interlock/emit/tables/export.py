@@ -17,6 +17,7 @@ from interlock.model.layout import Layout
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 from interlock.table.matrix import Matrix, beyond_matrix, matrix
 from interlock.table.national import Sheet, national_sheets
+from interlock.table.printed import Printed
 from interlock.table.rows import SCHEMA_VERSION, InterlockingTable
 
 SCHEMA = f"interlock-table/{SCHEMA_VERSION}"
@@ -35,7 +36,7 @@ def table_json(layout: Layout, table: InterlockingTable) -> str:
 
 
 def table_csv(table: InterlockingTable) -> str:
-    """One line per route, English headings."""
+    """One line for each way from entry to exit, with its overlaps; English headings."""
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow([c.en for c in COLUMNS])
@@ -45,10 +46,10 @@ def table_csv(table: InterlockingTable) -> str:
 
 def _printed(table: InterlockingTable) -> list[list[str]]:
     """The rows of the routes that are listed, and one that tells how many are not."""
-    rows = [[c.text(r) for c in COLUMNS] for r in table.listed]
-    hidden = len(table.routes) - len(table.listed)
-    if hidden:
-        rows.append(["", f"{hidden} more routes are not listed", *[""] * (len(COLUMNS) - 2)])
+    printed = Printed(table)
+    rows = [[c.printed(w) for c in COLUMNS] for w in printed.listed]
+    if printed.unlisted:
+        rows.append(["", f"{printed.unlisted} more routes are not listed", *[""] * (len(COLUMNS) - 2)])
     return rows
 
 
@@ -64,12 +65,15 @@ def voyages_csv(table: InterlockingTable) -> str:
 
 
 def sheet_csv(sheet: Sheet) -> str:
-    """A national form: headings in the language of its railway, one line per row."""
+    """A national form: headings in the language of its railway, one line per row, every column of the form.
+
+    A Chinese one begins with a byte order mark, without which spreadsheets there misread it.
+    """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([getattr(h, sheet.language) for h in sheet.headings])
+    writer.writerow([h.native(sheet.language) for h in sheet.headings])
     writer.writerows(sheet.rows)
-    return out.getvalue()
+    return ("\ufeff" if sheet.language == "zh" else "") + out.getvalue()
 
 
 def _matrix_rows(
@@ -103,17 +107,19 @@ def matrix_csv(table: InterlockingTable) -> str:
 
 
 def _reasons(why: Worksheet, table: InterlockingTable, head: Format, cell: Format) -> None:
-    """Rule and reason of every cell."""
+    """Rule and reason of every printed cell."""
     for x, (title, width) in enumerate((("Route", 14), ("Column", 20), ("Item", 30), ("Rule", 8), ("Reason", 90))):
         why.set_column(x, x, width)
         why.write_string(0, x, title, head)
     line = 1
-    for r in table.routes:
+    for way in Printed(table).all:
         for c in COLUMNS:
-            for text, because in c.items(r):
-                for x, value in enumerate((r.id, c.en, text, because.rule, because.text)):
-                    why.write_string(line, x, value, cell)
-                line += 1
+            for part in c.parts(way):
+                route = way.id if part.row is None else f"{way.id}.{way.mark(part.row)}"
+                for text, because in part.items:
+                    for x, value in enumerate((route, c.en, text, because.rule, because.text)):
+                        why.write_string(line, x, value, cell)
+                    line += 1
 
 
 def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
@@ -143,7 +149,7 @@ def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
                 page.write_string(0, x, f"{v.en}\n{v.zh}", head)
                 for y, voyage in enumerate(table.voyages, 1):
                     page.write_string(y, x, v.text(voyage), cell)
-        for form in national_sheets(layout, table):
+        for form in map(Sheet.printed, national_sheets(layout, table)):
             page = book.add_worksheet(form.key)
             page.set_landscape()
             page.set_paper(8)
@@ -153,7 +159,7 @@ def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
             for x, h in enumerate(form.headings):
                 width = max([8, *(len(row[x]) for row in form.rows)])
                 page.set_column(x, x, min(34, width + 1))
-                native = getattr(h, form.language)
+                native = h.native(form.language)
                 page.write_string(0, x, native if native == h.en else f"{native}\n{h.en}", head)
             for y, cells in enumerate(form.rows, 1):
                 for x, value in enumerate(cells):

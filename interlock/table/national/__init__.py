@@ -10,19 +10,21 @@ from dataclasses import replace
 
 from interlock.model.layout import Layout
 from interlock.table.national.cn import chinese_table
-from interlock.table.national.de import flank, overlaps, shunt_routes, train_routes, two_way
+from interlock.table.national.de import locking, shunt_routes, train_routes
+from interlock.table.national.de_protection import flank, overlaps, two_way
 from interlock.table.national.sheet import Heading, Sheet
 from interlock.table.national.uk import points_table, route_table
-from interlock.table.national.us import locking_sheet
+from interlock.table.national.us import aspect_chart, locking_sheet, switch_table
+from interlock.table.printed import Printed
 from interlock.table.rows import InterlockingTable
 
 Form = Callable[[Layout, InterlockingTable], Sheet]
 
 SHEETS: Mapping[str, tuple[Form, ...]] = {
-    "generic": (locking_sheet,),
+    "generic": (locking_sheet, aspect_chart, switch_table),
     "cn": (chinese_table,),
     "uk": (route_table, points_table),
-    "de": (train_routes, shunt_routes, overlaps, flank, two_way),
+    "de": (train_routes, shunt_routes, overlaps, flank, two_way, locking),
 }
 
 
@@ -36,7 +38,7 @@ _UNLISTED = {"en": "{} more routes are not listed", "zh": "另有 {} 条进路�
 
 def _counted(sheet: Sheet, table: InterlockingTable) -> Sheet:
     """The sheet, with a last row that tells how many routes are not listed, if any."""
-    hidden = len(table.routes) - len(table.listed)
+    hidden = Printed(table).unlisted
     if not hidden or not sheet.of_routes:
         return sheet
     note = (_UNLISTED[sheet.language].format(hidden), *[""] * (len(sheet.headings) - 1))

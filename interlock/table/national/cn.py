@@ -3,9 +3,13 @@
     1/3  (1/3)      points on the path, normal and reverse (定位, 反位)
     [1/3] [(1/3)]   protecting points (防护道岔): detected and locked
     {1/3} {(1/3)}   driven points (带动道岔): moved along, never checked
-    D1  S5  S5L  S5D    hostile signal; of a combined signal both functions, the train or the shunt function
-    <1/3>D1         hostile only while 1/3 is normal; the condition spans what follows up to the next condition
-    <23/25>25DG     the foul section (侵限) is checked only while 23/25 is normal
+    D1  S5  S5L  S5D    hostile signal; of a combined signal both functions, the train or the shunt function; the other
+                    function of the route's own signal, too
+    <1>D1           hostile only while 1 is normal; the condition spans what follows up to the next condition, and names
+                    the end of a double-acting machine (1/3) at which the hostile signal's routes part
+    <25>25DG        the foul section (侵限) is checked only while 25, the end that lies in it, is normal
+    17/9            a through route (通过): received on route 17, departing on route 9, with all of their conditions
+    X2BA            the button that chooses the second alternative (变更), where no signal on its way tells it
 
 Input: layout and table.  Everything comes from topology, geometry and the table's cells.
 """
@@ -20,6 +24,7 @@ from interlock.model.elements import (
     BlockKind,
     MachineId,
     NodeId,
+    PointId,
     Position,
     SectionId,
     SignalId,
@@ -27,7 +32,9 @@ from interlock.model.elements import (
 )
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
-from interlock.table.national.sheet import Heading, Sheet
+from interlock.table.national.reading import Reading
+from interlock.table.national.sheet import Cell, Heading, Sheet, route_rows
+from interlock.table.printed import Printed, PrintedRoute
 from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow
 
 HEADINGS = (
@@ -52,17 +59,33 @@ Need = tuple[MachineId, Position]
 
 
 def chinese_table(layout: Layout, table: InterlockingTable) -> Sheet:
-    """Train routes first, then shunt routes, a signal's routes together; of shunt routes only the basic ones."""
+    """Train routes first, then through routes, which bear no number of their own, then shunt routes; a signal's routes
+    together; of shunt routes only the basic ones."""
     form = _Form(layout, table)
-    rows = [form.row(r, number) for number, r in enumerate(form.printed, start=1)]
+    number = {w.id: str(k) for k, w in enumerate(form.printed, start=1)}
+    rows = route_rows(form.printed, lambda w, r: form.row(r, number[w.id]), separator="、")
+    trains = sum(w.rows[0].kind is RouteKind.MAIN for w in form.printed)
     return Sheet(
         "cn",
         "zh",
         Heading("Interlocking table (China)", "联锁表", "Verschlusstabelle (China)"),
         HEADINGS,
-        tuple(rows),
+        (*rows[:trains], *form.through(number), *rows[trains:]),
         True,
+        "after the printed form of Chinese textbooks (联锁表, fifteen columns); no standard was read",
+        legend=LEGEND,
     )
+
+
+LEGEND = (
+    ("1/3、(1/3)", "道岔定位、反位"),
+    ("[1/3]、{1/3}", "防护道岔（检查）、带动道岔（不检查）"),
+    ("S5、S5L、S5D", "敌对信号：列车和调车、仅列车、仅调车"),
+    ("<1>D1", "1 号道岔定位时敌对；条件管到下一个条件为止"),
+    ("<25>25DG", "25 号道岔定位时检查侵限区段"),
+    ("17/9", "通过进路：接车进路 17 和发车进路 9 的全部条件"),
+    ("BA", "变更按钮；名称由本程序给出"),
+)
 
 
 @dataclass(frozen=True)
@@ -77,12 +100,18 @@ class _Form:
         return topology(self.layout)
 
     @cached_property
-    def printed(self) -> tuple[RouteRow, ...]:
+    def reading(self) -> Reading:
+        """What all forms read."""
+        return Reading(self.layout, self.table)
+
+    @cached_property
+    def printed(self) -> tuple[PrintedRoute, ...]:
         """The routes in print, in order."""
-        shown = [
-            r for r in self.table.listed if r.kind is RouteKind.MAIN or (r.kind is RouteKind.SHUNT and r.variant == 1)
-        ]
-        return tuple(sorted(shown, key=self._place))
+        shown = [w for w in Printed(self.table).listed if self._is_shown(w.rows[0])]
+        return tuple(sorted(shown, key=lambda w: self._place(w.rows[0])))
+
+    def _is_shown(self, r: RouteRow) -> bool:
+        return r.kind is RouteKind.MAIN or (r.kind is RouteKind.SHUNT and r.variant == 1)
 
     @cached_property
     def tracks(self) -> frozenset[SectionId]:
@@ -143,7 +172,7 @@ class _Form:
 
     # --- columns -------------------------------------------------------------------------------
 
-    def row(self, r: RouteRow, number: int) -> tuple[str, ...]:
+    def row(self, r: RouteRow, number: str) -> tuple[Cell, ...]:
         """The fifteen cells."""
         facing = self.facing(r)
         return (
@@ -155,14 +184,41 @@ class _Form:
             r.entry,
             self.aspect(r),
             self.indicator(r),
-            "、".join(self.points(r)),
-            "、".join(self.hostile(r)),
-            "、".join(self.sections(r)),
+            tuple(self.points(r)),
+            tuple(self.hostile(r)),
+            tuple(self.sections(r)),
             facing[0],
             facing[1],
             self.other(r),
-            str(number),
+            number,
         )
+
+    def through(self, number: dict[str, str]) -> list[tuple[str, ...]]:
+        """Through routes on main tracks: received and departing over points that all lie normal."""
+        straight = [(w.rows[0], number[w.id]) for w in self.printed if self._straight(w.rows[0])]
+        out = []
+        for r, received in straight:
+            for d, departs in straight:
+                if self.receiving(r) and r.exit_kind is ExitKind.SIGNAL and r.exit == d.entry and self.departing(d):
+                    out.append(self._through(r, d, received, departs))
+        return out
+
+    def _straight(self, r: RouteRow) -> bool:
+        return r.kind is RouteKind.MAIN and r.variant == 1 and Position.REVERSE not in self.path(r).values()
+
+    def _through(self, r: RouteRow, d: RouteRow, received: str, departs: str) -> tuple[str, ...]:
+        there, on = self.direction(r).removesuffix("接车"), self.direction(d).removesuffix("发车")
+        cells = {
+            "方向": f"{there}至{on}通过",
+            "进路": f"经{self.track_name(self.end(r))}股道",
+            "排列进路按下的按钮": f"{r.entry}TA、{self._end_of_train(d)}",
+            "信号机名称": f"{r.entry}、{d.entry}",
+            "信号机显示": f"L、{self.aspect(d)}",
+            "表示器": self.indicator(d),
+            "其他联锁": f"进路 {received}、{departs} 的全部条件",
+            "进路号码": f"{received}/{departs}",
+        }
+        return tuple(cells.get(h.zh, "") for h in HEADINGS)
 
     def direction(self, r: RouteRow) -> str:
         """The line to or from which a train goes, and whether it is received (接车) or departs (发车)."""
@@ -193,15 +249,15 @@ class _Form:
 
     def alternatives(self, r: RouteRow) -> list[RouteRow]:
         """All routes with the same ends, the basic one first."""
-        same = [x for x in self.of_signal[r.entry, r.kind] if x.exit == r.exit]
-        return sorted(same, key=lambda x: x.variant)
+        same = {x.variant: x for x in reversed(self.of_signal[r.entry, r.kind]) if x.exit == r.exit}
+        return [same[k] for k in sorted(same)]
 
     def alternative(self, r: RouteRow) -> str:
         return str(r.variant) if r.kind is RouteKind.MAIN and len(self.alternatives(r)) > 1 else ""
 
     def deciding(self, r: RouteRow) -> str:
         """The points that tell the route from the others with the same ends, first come first."""
-        others = [x for x in self.alternatives(r) if x is not r]
+        others = [x for x in self.alternatives(r) if x.variant != r.variant]
         if r.kind is RouteKind.SHUNT:
             return ""
         out = []
@@ -243,14 +299,14 @@ class _Form:
         return f"{facing}LA" if self.layout.signal[facing].main else self._shunt_button(facing)
 
     def _between(self, r: RouteRow) -> list[str]:
-        """For an alternative, a signal along it that no route of a lower number passes."""
+        """For an alternative, a signal along it that no route of a lower number passes, or else a button of its own."""
         if r.variant == 1:
             return []
         passed = [self._along(x) for x in self.alternatives(r)[: r.variant - 1]]
         for g in self._along(r):
             if all(g not in others for others in passed):
                 return [self._shunt_button(g)]
-        return []
+        return [f"{r.entry}{r.variant - 1}BA"]
 
     def _along(self, r: RouteRow) -> list[SignalId]:
         """Shunt signals at the joints within the route, in order."""
@@ -304,7 +360,7 @@ class _Form:
                 if f.when is None:
                     out.append(f.section)
                 elif f.when[0] not in named:
-                    out.append(f"<{_lying(*f.when)}>{f.section}")
+                    out.append(f"<{_lying(self._end_in(f.section, f.when[0]), f.when[1])}>{f.section}")
         out += [c.name for c in r.space if not c.lamp]
         return list(dict.fromkeys(out))
 
@@ -333,10 +389,10 @@ class _Form:
         """Hostile signals; first those without condition, then each condition with its signals."""
         found: dict[str, list[tuple[SignalId, str]]] = {}
         for g in sorted(self.layout.signals, key=lambda s: _order(s.id)):
-            if g.id == r.entry:
-                continue
             functions: dict[str, str] = {}
             for kind, mark in ((RouteKind.MAIN, "L"), (RouteKind.SHUNT, "D")):
+                if g.id == r.entry and kind is r.kind:
+                    continue
                 condition = self._when_hostile(r, g.id, kind)
                 if condition is not None:
                     functions[mark] = condition
@@ -373,14 +429,25 @@ class _Form:
         chosen: list[Need] = []
         for need in ranked:
             if not any(need in self.path(t).items() for t in good):
-                return f"<{_lying(*need)}>"
+                return f"<{self._named(need, bad[0])}>"
         for need in ranked:
             if any(need not in self.path(t).items() for t in good):
                 chosen.append(need)
                 good = [t for t in good if need in self.path(t).items()]
             if not good:
-                return "<" + "、".join(_lying(*n) for n in chosen) + ">"
+                return "<" + "、".join(self._named(n, bad[0]) for n in chosen) + ">"
         return ""
+
+    def _named(self, need: Need, t: RouteRow) -> str:
+        """A condition by the end of the machine at which a route parts from others, else the first that it passes."""
+        machine, position = need
+        passed = [p for key in t.traversals for p, _ in self.way(key).points]
+        ends = [*(p for p, _ in self.reading.facing_ends(t)), *passed]
+        return _lying(next((p for p in ends if self.layout.point[p].machine == machine), machine), position)
+
+    def _end_in(self, section: SectionId, machine: MachineId) -> PointId | MachineId:
+        """The end of a machine that lies in a section; the machine, where none does."""
+        return next((p.id for p in self.layout.points_in.get(section, ()) if p.machine == machine), machine)
 
     def _agree(self, r: RouteRow, t: RouteRow) -> bool:
         """Both can have their points: what the points exclude is not printed as hostile."""
@@ -402,7 +469,7 @@ class _Form:
         return x.entry == y.exit or x.exit == y.entry
 
 
-def _lying(m: MachineId, x: Position) -> str:
+def _lying(m: PointId | MachineId, x: Position) -> str:
     return m if x is Position.NORMAL else f"({m})"
 
 

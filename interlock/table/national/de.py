@@ -1,210 +1,274 @@
-"""German planning tables: train routes (Sslz), shunt routes (Sslr), overlaps (Ssld), flank protection (Sslf) and
-two-way protection points (Sslw).
+"""German route tables after the planning tables PT1: train routes (Sslz), shunt routes (Sslr), and, after the classic
+Verschlusstafel, what every route locks.
 
-Columns as in the public data model of the planning tables; those that the table does not hold stay empty.
+Columns and their letters as the public table code of Eclipse SET names them (eclipse-set/set, SslzColumns.java and
+SslrColumns.java); Ril 819.0102 itself was not read.  What a layout says nothing of is named below each table.
 """
 
 from __future__ import annotations
 
-from math import isinf
-
-from interlock.model.elements import MachineId, Position
+from interlock.model.elements import DeviceKind, Hand, MachineId, PointId, Position
 from interlock.model.layout import Layout
 from interlock.table.national.reading import Reading
-from interlock.table.national.sheet import Heading, Sheet
-from interlock.table.rows import FlankCell, InterlockingTable, ProviderKind, Role, RouteKind, RouteRow
+from interlock.table.national.sheet import Field, Heading, Sheet, by_way
+from interlock.table.printed import PrintedRoute
+from interlock.table.rows import InterlockingTable, PointDemand, ProviderKind, Role, RouteKind, RouteRow
 
-LAGE = {Position.NORMAL: "+", Position.REVERSE: "−"}
-
-
-def _headings(*names: tuple[str, str, str]) -> tuple[Heading, ...]:
-    return tuple(Heading(en, zh, de) for de, en, zh in names)
-
-
-SSLZ = _headings(
-    ("Bezeichnung", "Route", "进路"),
-    ("Start", "Start", "始端"),
-    ("Ziel", "Destination", "终端"),
-    ("Nr.", "No.", "号码"),
-    ("Entscheidungsweichen", "Deciding points", "决定道岔"),
-    ("D-Weg", "Overlap", "保护区段"),
-    ("Art", "Kind", "性质"),
-    ("Fahrwegweichen", "Points", "道岔"),
-    ("Flankenschutzweichen", "Flank points", "防护道岔"),
-    ("Freimeldung", "Sections clear", "轨道区段"),
-    ("Abhängiger BÜ", "Level crossings", "道口"),
-    ("Gleissperren", "Derailers", "脱轨器"),
-    ("Annäherungsverschluss", "Approach locking", "接近锁闭"),
-    ("Ausschlüsse", "Conflicts", "敌对进路"),
-    ("Bemerkung", "Remarks", "备注"),
-)
-SSLR = _headings(
-    ("Bezeichnung", "Route", "进路"),
-    ("Start", "Start", "始端"),
-    ("Ziel", "Destination", "终端"),
-    ("Nr.", "No.", "号码"),
-    ("Entscheidungsweichen", "Deciding points", "决定道岔"),
-    ("Gegenfahrtausschluss", "Opposing movements excluded", "迎面进路"),
-    ("Gleisfreimeldung", "Sections clear", "轨道区段"),
-    ("Fahrwegweichen", "Points", "道岔"),
-    ("Flankenschutzweichen", "Flank points", "防护道岔"),
-    ("Abhängiger BÜ", "Level crossings", "道口"),
-    ("Auflösung nicht angefahrener Fahrstraßen", "Release when not used", "未使用解锁"),
-    ("Bemerkung", "Remarks", "备注"),
-)
-SSLD = _headings(
-    ("von", "From", "始端"),
-    ("Bezeichnung", "Overlap", "名称"),
-    ("Länge soll (m)", "Length needed (m)", "要求长度"),
-    ("Länge freigemeldet (m)", "Length proved clear (m)", "检查长度"),
-    ("Weichen mit Verschluss", "Points locked", "锁闭道岔"),
-    ("relevante FmA", "Sections", "区段"),
-    ("Auflöseabschnitt", "Release section", "解锁区段"),
-    ("Verzögerung (s)", "Delay (s)", "延时"),
-)
-SSLF = _headings(
-    ("Anforderer Weiche", "Requester", "请求道岔"),
-    ("Lage", "Position", "位置"),
-    ("unmittelbar Weiche/Gleissperre", "Protecting points or derailer", "防护道岔"),
-    ("Lage", "Position", "位置"),
-    ("Signal", "Signal", "信号机"),
-    ("Gleisabschluss", "End of track or line", "线路终端"),
-    ("Technischer Verzicht", "Waiver", "免除"),
-    ("Bemerkung", "Remarks", "备注"),
-)
-SSLW = _headings(
-    ("Weiche", "Points", "道岔"),
-    ("angefordert +", "Wanted normal by", "定位请求"),
-    ("angefordert −", "Wanted reverse by", "反位请求"),
-    ("Art", "Kind", "种类"),
+SOURCE = "after {} of the PT1 planning tables; columns as named in the public code of Eclipse SET"
+SIDES = {Hand.LEFT: "L", Hand.RIGHT: "R"}
+SIGNS = {Position.NORMAL: "+", Position.REVERSE: "−"}
+LAGE = (
+    ("L, R", "Lage links, rechts, vom Weichenanfang gesehen"),
+    ("+, −", "Grundstellung, umgestellt (Hand nicht angegeben)"),
 )
 
 
-def _lying(x: Reading, r: RouteRow, *roles: Role) -> str:
-    return ", ".join(f"{p.machine}{LAGE[p.position]}" for p in r.points if p.role in roles and x.is_machine(p))
+def heading(mark: str, de: str, en: str, zh: str) -> Heading:
+    """A heading; `mark` is the letter of the column in PT1."""
+    return Heading(en, zh, de, mark)
+
+
+def lage(x: Reading, m: MachineId, position: Position) -> str:
+    """L or R where the layout states the hand of the points, else + or −; of a derailer, whether it lies on."""
+    if x.is_derailer(m):
+        return "aufgelegt" if position is Position.NORMAL else "abgelegt"
+    side = x.machine_side(m, position)
+    return SIGNS[position] if side is None else SIDES[side]
+
+
+def end_lage(x: Reading, p: PointId, position: Position) -> str:
+    """The same of one point end."""
+    side = x.side(p, position)
+    return SIGNS[position] if side is None else SIDES[side]
+
+
+def lying(x: Reading, r: RouteRow, *roles: Role) -> str:
+    """Points of a route with their positions, without derailers and devices."""
+    return ", ".join(
+        f"{p.machine}{lage(x, p.machine, p.position)}" for p in r.points if p.role in roles and _is_w(x, p)
+    )
+
+
+def _is_w(x: Reading, p: PointDemand) -> bool:
+    return x.is_machine(p) and p.machine not in x.layout.by_hand
+
+
+def _name(r: RouteRow) -> str:
+    """As PT1 prints it: start/destination, [U1] for the first alternative; the overlaps stand in their column."""
+    other = f" [U{r.variant - 1}]" if r.variant > 1 else ""
+    return f"{r.entry}/{r.exit}{other}"
+
+
+def overlap_name(r: RouteRow) -> str:
+    """The overlap that a route locks: D1, D2."""
+    return "" if r.overlap is None else f"D{r.overlap.option}"
+
+
+def _d_way(way: PrintedRoute, r: RouteRow) -> str:
+    return overlap_name(r) if way.several else ""
+
+
+def _overlaps(x: Reading, r: RouteRow) -> tuple[str, ...]:
+    """All overlaps of the way, the preferred one with an asterisk."""
+    found = (o for o in x.printed.ways[r.id].rows if o.overlap is not None)
+    return tuple(overlap_name(o) + "*" * (o.overlap is not None and o.overlap.option == 1) for o in found)
 
 
 def _deciding(x: Reading, r: RouteRow) -> str:
-    return ", ".join(f"{m}{LAGE[p]}" for m, p in x.facing(r))
+    return ", ".join(f"{p}{end_lage(x, p, position)}" for p, position in x.choices(r))
 
 
-def _devices(x: Reading, r: RouteRow) -> str:
-    return ", ".join(p.machine for p in r.points if p.machine in x.layout.device)
+def _devices(x: Reading, r: RouteRow, kind: DeviceKind) -> list[str]:
+    found = (p.machine for p in r.points if p.machine in x.layout.device)
+    return [str(m) for m in found if x.layout.device[m].kind is kind]
+
+
+def _derailers(x: Reading, r: RouteRow) -> str:
+    found = (p for p in r.points if x.is_derailer(p.machine))
+    return ", ".join(f"{p.machine} {lage(x, p.machine, p.position)}" for p in found)
+
+
+def _keys(x: Reading, r: RouteRow) -> str:
+    return ", ".join(p.machine for p in r.points if p.machine in x.layout.by_hand)
+
+
+def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
+    notes = [f"{m} geschlossen" for m in _devices(x, r, DeviceKind.INTERLOCK)]
+    notes += [str(c.condition) for c in r.conditions]
+    notes += [f"{z.zone} nicht voll" for z in r.zones] + [f"{b.section} frei (Strecke)" for b in r.block]
+    notes += [f"Haltlicht von {c.name}" for c in r.space if c.lamp]
+    if r.token is not None:
+        notes.append(f"Erlaubnis für {x.layout.labels.get(r.token.boundary, r.token.boundary)}")
+    if r.closing.whole is not None:
+        notes.append(f"Haltfall erst, wenn {r.closing.whole} frei")
+    if r.overlap is not None and r.overlap.swings:
+        notes.append(f"D-Weg umstellbar auf {', '.join(f'D{k}' for k in r.overlap.swings)}")
+    if r.kind is RouteKind.CALL_ON:
+        notes.append("Ersatzsignal: besetzte Abschnitte erlaubt")
+    if r.berth is not None:
+        notes.append(f"Zielgleis {r.berth} darf besetzt sein")
+    return tuple(notes)
+
+
+def _kind(r: RouteRow) -> str:
+    return "E" if r.kind is RouteKind.CALL_ON else "R" if r.variant == 1 else "U"
 
 
 def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
     """Sslz."""
-    x = Reading(layout, table)
-    rows = [
+    x, automatic = Reading(layout, table), set(table.automatic)
+    fields: tuple[Field[RouteRow], ...] = (
+        Field(heading("A", "Bezeichnung", "Route", "进路"), _name),
+        Field(heading("B", "Start", "Start", "始端"), lambda r: r.entry),
+        Field(heading("C", "Ziel", "Destination", "终端"), lambda r: r.exit),
+        Field(heading("D", "Nr.", "No.", "号码"), lambda r: str(r.variant - 1) if r.variant > 1 else ""),
+        Field(heading("E", "Entscheidungsweiche", "Deciding points", "决定道岔"), lambda r: _deciding(x, r)),
+        Field(heading("F", "D-Weg", "Overlap", "保护区段"), lambda r: _overlaps(x, r)),
+        Field(heading("G", "Art", "Kind", "性质"), _kind),
+        Field(heading("H", "Autom. Einstellung", "Automatic", "自动"), lambda r: "x" if r.id in automatic else ""),
+        Field(heading("K", "Überwachte Ssp", "Keys supervised", "钥匙锁"), lambda r: _keys(x, r)),
+        Field(
+            heading("L", "Abhängiger BÜ", "Level crossings", "道口"),
+            lambda r: ", ".join(_devices(x, r, DeviceKind.LEVEL_CROSSING)),
+        ),
+        Field(
+            heading("O", "Anrückverschluss", "Approach locking", "接近锁闭"),
+            lambda r: ", ".join(r.approach.sections) or "immer",
+        ),
+        Field(
+            heading("Q", "v Fahrweg (km/h)", "Speed of the path (km/h)", "进路速度 (km/h)"),
+            lambda r: "" if r.speed.kmh is None else str(r.speed.kmh),
+        ),
+        Field(heading("AE", "Vorsignalisierung Ziel", "Next signal shown", "预告信号"), lambda r: r.aspect.next or ""),
+        Field(heading("AF", "Bemerkung", "Remarks", "备注"), lambda r: _remarks(x, r)),
+        Field(heading("", "Fahrstraße", "Route in the other tables", "进路名"), lambda r: x.printed.ways[r.id].id),
+    )
+    headings, rows = by_way(fields, [w for w in x.printed.listed if w.rows[0].train], _d_way)
+    return Sheet(
+        "de_sslz",
+        "de",
+        Heading("Train routes", "列车进路", "Sslz Zugstraßen"),
+        headings,
+        rows,
+        True,
+        SOURCE.format("Sslz"),
         (
-            r.id,
-            r.entry,
-            r.exit,
-            str(r.number),
-            _deciding(x, r),
-            f"D{r.overlap.option}{' *' if r.overlap.option == 1 else ''}" if r.overlap else "",
-            "R" if r.variant == 1 else "U",
-            _lying(x, r, Role.PATH, Role.OVERLAP),
-            _lying(x, r, Role.FLANK, Role.ADDED),
-            ", ".join(x.sections(r)),
-            _devices(x, r),
-            ", ".join(
-                f"{p.machine} {layout.word(p.machine, p.position)}" for p in r.points if x.is_derailer(p.machine)
+            *("I F-Bedienung", "J Inselgleis", "M Nichthaltfallabschnitt", "N 2. Haltfallkriterium", "P Hg"),
+            *("R v D-Weg", "S v Besonders", "T Zs3", "U Aufwertung Mwtfstr", "V Zl", "W Zs3v", "X Zs2", "Y Zs2v"),
+            *("Z Zs6", "AA Zs13", "AB Zs3 im Fahrweg", "AC Zs6 im Fahrweg", "AD Kennlicht"),
+        ),
+        legend=(
+            *LAGE,
+            ("R, U, E", "Regelfahrstraße, Umfahrstraße, Ersatzsignal (Fahrt auf besetzte Abschnitte)"),
+            ("D1*", "Vorzugs-D-Weg"),
+            (
+                "immer",
+                "Anrückabschnitte werden nicht erfasst: der Anrückverschluss gilt, sobald das Signal Fahrt zeigt",
             ),
-            f"{', '.join(r.approach.sections) or 'immer'}, {r.approach.delay_s:g} s",
-            ", ".join(h.route for h in r.hostile),
-            ", ".join([*r.requirements, *([f"{r.speed.kmh} km/h"] if r.speed.kmh is not None else [])]),
-        )
-        for r in table.listed
-        if r.kind is RouteKind.MAIN
-    ]
-    return Sheet("de_sslz", "de", Heading("Train routes", "列车进路", "Sslz Zugstraßen"), SSLZ, tuple(rows), True)
+        ),
+    )
+
+
+def _onto(x: Reading, r: RouteRow) -> str:
+    """Whether opposing shunt routes onto the same track are excluded; empty where there is none."""
+    last = x.way(r.traversals[-1])
+    against = {
+        t.id
+        for t in x.table.routes
+        if t.kind is RouteKind.SHUNT and (way := x.way(t.traversals[-1])).section == last.section
+        if way.entry != last.entry
+    }
+    return ("ja" if against <= set(r.hostile.routes) else "nein") if against else ""
+
+
+def _with_flank(r: RouteRow) -> str:
+    """The points of the path for which the route asks for flank protection."""
+    found = (c for c in r.flank if all(p.kind is not ProviderKind.WAIVED for p in c.providers))
+    names = (c.requester.rpartition(".") for c in found)
+    return ", ".join(dict.fromkeys(name for name, _, leg in names if leg in ("normal", "reverse")))
 
 
 def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
     """Sslr."""
+    x, automatic = Reading(layout, table), set(table.automatic)
+    fields: tuple[Field[RouteRow], ...] = (
+        Field(heading("A", "Bezeichnung", "Route", "进路"), _name),
+        Field(heading("B", "Start", "Start", "始端"), lambda r: r.entry),
+        Field(heading("C", "Ziel", "Destination", "终端"), lambda r: r.exit),
+        Field(heading("D", "Nr.", "No.", "号码"), lambda r: str(r.variant - 1) if r.variant > 1 else ""),
+        Field(heading("E", "Entscheidungsweiche", "Deciding points", "决定道岔"), lambda r: _deciding(x, r)),
+        Field(heading("F", "Art", "Kind", "性质"), _kind),
+        Field(heading("G", "Autom. Einstellung", "Automatic", "自动"), lambda r: "x" if r.id in automatic else ""),
+        Field(heading("J", "Gegenfahrtausschluss", "Opposing excluded", "迎面进路"), lambda r: _onto(x, r)),
+        Field(heading("K", "Gleisfreimeldung", "Sections clear", "轨道区段"), lambda r: tuple(x.sections(r))),
+        Field(heading("L", "Fahrwegweichen mit Flankenschutz", "Points with flank", "要求防护道岔"), _with_flank),
+        Field(heading("M", "Überwachte Ssp", "Keys supervised", "钥匙锁"), lambda r: _keys(x, r)),
+        Field(
+            heading("N", "Abhängiger BÜ", "Level crossings", "道口"),
+            lambda r: ", ".join(_devices(x, r, DeviceKind.LEVEL_CROSSING)),
+        ),
+        Field(
+            heading("O", "Ziel erlaubnisabhängig", "Token at the end", "终端方向闭锁"),
+            lambda r: "x" if r.token is not None else "",
+        ),
+        Field(
+            heading("P", "Auflösung nicht angefahrener Fahrstraßen", "Release when not used", "未使用解锁"),
+            lambda r: f"{r.approach.delay_s:g} s",
+        ),
+        Field(heading("Q", "Bemerkung", "Remarks", "备注"), lambda r: _remarks(x, r)),
+        Field(heading("", "Fahrstraße", "Route in the other tables", "进路名"), lambda r: x.printed.ways[r.id].id),
+    )
+    headings, rows = by_way(fields, [w for w in x.printed.listed if w.rows[0].kind is RouteKind.SHUNT], _d_way)
+    return Sheet(
+        "de_sslr",
+        "de",
+        Heading("Shunt routes", "调车进路", "Sslr Rangierstraßen"),
+        headings,
+        rows,
+        True,
+        SOURCE.format("Sslr"),
+        ("H F-Bedienung", "I Inselgleis"),
+        legend=(
+            *LAGE,
+            ("R, U", "Regelfahrstraße, Umfahrstraße"),
+            ("J", "ja: gleichzeitige Rangierfahrten von der anderen Seite in das Zielgleis sind ausgeschlossen"),
+        ),
+    )
+
+
+def locking(layout: Layout, table: InterlockingTable) -> Sheet:
+    """Verschlusstafel: what each route locks and excludes."""
     x = Reading(layout, table)
-    rows = [
-        (
-            r.id,
-            r.entry,
-            r.exit,
-            str(r.number),
-            _deciding(x, r),
-            ", ".join(h.route for h in r.hostile if h.kind.value == "opposing"),
-            ", ".join(x.sections(r)),
-            _lying(x, r, Role.PATH),
-            _lying(x, r, Role.FLANK, Role.ADDED),
-            _devices(x, r),
-            f"{r.approach.delay_s:g} s",
-            f"Zielgleis {r.berth} darf besetzt sein" if r.berth else "",
-        )
-        for r in table.listed
-        if r.kind is RouteKind.SHUNT
-    ]
-    return Sheet("de_sslr", "de", Heading("Shunt routes", "调车进路", "Sslr Rangierstraßen"), SSLR, tuple(rows), True)
-
-
-def overlaps(layout: Layout, table: InterlockingTable) -> Sheet:
-    """Ssld: every alternative once."""
-    x = Reading(layout, table)
-    rows = {}
-    for r in table.routes:
-        if r.overlap is None:
-            continue
-        o = r.overlap
-        rows[o.signal, o.option] = (
-            o.signal,
-            f"D{o.option}",
-            "" if isinf(length := layout.overlap_of[o.signal]) else f"{length:g}",
-            f"{o.metres:g}",
-            _lying(x, r, Role.OVERLAP),
-            ", ".join(s for s, _ in o.ways),
-            r.traversals[-1][0],
-            f"{layout.principles.overlap_release_s:g}",
-        )
-    title = Heading("Overlaps", "保护区段", "Ssld Durchrutschwege")
-    return Sheet("de_ssld", "de", title, SSLD, tuple(rows[k] for k in sorted(rows)))
-
-
-def _by_kind(c: FlankCell, *kinds: ProviderKind) -> str:
-    return ", ".join(p.name for p in c.providers if p.kind in kinds)
-
-
-def flank(layout: Layout, table: InterlockingTable) -> Sheet:
-    """Sslf: every requester with what protects it."""
-    cells = dict.fromkeys(c for t in table.locks for c in t.flank)
-    rows = []
-    for c in sorted(cells, key=lambda c: (c.requester, [str(p) for p in c.providers])):
-        point, _, leg = c.requester.partition(".")
-        used = {"normal": "−", "reverse": "+"}.get(leg, "")
-        turned = [p for p in c.providers if p.position is not None]
-        rows.append(
-            (
-                point if used else c.requester,
-                used,
-                ", ".join(p.name for p in turned),
-                ", ".join(LAGE[p.position] for p in turned if p.position is not None),
-                _by_kind(c, ProviderKind.SIGNAL),
-                _by_kind(c, ProviderKind.BUFFER, ProviderKind.BOUNDARY, ProviderKind.ONE_WAY),
-                _by_kind(c, ProviderKind.WAIVED),
-                "" if c.providers else "Ringschluss",
-            )
-        )
-    return Sheet("de_sslf", "de", Heading("Flank protection", "侧面防护", "Sslf Flankenschutz"), SSLF, tuple(rows))
-
-
-def two_way(layout: Layout, table: InterlockingTable) -> Sheet:
-    """Sslw: points wanted as flank protection in both positions, by different ways: those exclude each other."""
-    wanted: dict[MachineId, dict[Position, list[str]]] = {}
-    for t in table.locks:
-        for p in t.points:
-            if p.role is Role.FLANK:
-                wanted.setdefault(p.machine, {}).setdefault(p.position, []).append(f"{t.section}:{t.number}")
-    rows = [
-        (m, ", ".join(w[Position.NORMAL]), ", ".join(w[Position.REVERSE]), "echt")
-        for m, w in sorted(wanted.items())
-        if len(w) == 2
-    ]
-    title = Heading("Two-way protection points", "双向防护道岔", "Sslw Zwieschutzweichen")
-    return Sheet("de_sslw", "de", title, SSLW, tuple(rows))
+    fields: tuple[Field[RouteRow], ...] = (
+        Field(heading("", "Fahrstraße", "Route", "进路"), lambda r: x.printed.ways[r.id].id),
+        Field(
+            heading("", "Art", "Kind", "性质"),
+            lambda r: {RouteKind.MAIN: "Zug", RouteKind.SHUNT: "Rangier", RouteKind.CALL_ON: "Ersatz"}[r.kind],
+        ),
+        Field(heading("", "Fahrwegweichen", "Points", "道岔"), lambda r: lying(x, r, Role.PATH)),
+        Field(heading("", "Weichen im D-Weg", "Overlap points", "保护区段道岔"), lambda r: lying(x, r, Role.OVERLAP)),
+        Field(
+            heading("", "Flankenschutzweichen", "Flank points", "防护道岔"),
+            lambda r: lying(x, r, Role.FLANK, Role.ADDED),
+        ),
+        Field(heading("", "Gleissperren", "Derailers", "脱轨器"), lambda r: _derailers(x, r)),
+        Field(heading("", "Signale in Halt", "Signals at stop", "禁止信号"), lambda r: tuple(x.stops(r))),
+        Field(heading("", "Freimeldung", "Sections clear", "轨道区段"), lambda r: tuple(x.sections(r))),
+        Field(heading("", "Ausschlüsse", "Routes excluded", "敌对进路"), lambda r: x.named(r.hostile.routes, by=r)),
+        Field(
+            heading("", "Verzögerung bei Rücknahme (s)", "Release delay (s)", "解锁延时 (s)"),
+            lambda r: f"{r.approach.delay_s:g}",
+        ),
+    )
+    headings, rows = by_way(fields, x.printed.listed, _d_way)
+    title = Heading("Locking table", "联锁表", "Verschlusstafel")
+    return Sheet(
+        "de_verschluss",
+        "de",
+        title,
+        headings,
+        rows,
+        True,
+        "after the classic Verschlusstafel (routes against what they lock); no worked example was at hand",
+        legend=LAGE,
+    )

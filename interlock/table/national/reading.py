@@ -2,15 +2,36 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
-from interlock.model.elements import MachineId, NodeId, Position, SectionId
+from interlock.model.elements import Hand, MachineId, NodeId, PointId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, Traversal, topology
-from interlock.table.rows import InterlockingTable, PointDemand, Role, RouteRow
+from interlock.table.printed import Printed, PrintedRoute, grouped
+from interlock.table.rows import (
+    Hostile,
+    HostileClass,
+    InterlockingTable,
+    PointDemand,
+    ProviderKind,
+    Role,
+    RouteRow,
+)
 
 ON_PATH = (Role.PATH, Role.OVERLAP)
+
+
+@dataclass(frozen=True)
+class Opposing:
+    """An opposing route that the points do not exclude: the tracks, in its order, over which a train of it must have
+    gone; `by_overlap`: only its overlap is in the way, so that the train may also have come to a stand in `berth`."""
+
+    hostile: Hostile
+    tracks: tuple[SectionId, ...]
+    by_overlap: bool
+    berth: SectionId
 
 
 @dataclass(frozen=True)
@@ -19,6 +40,25 @@ class Reading:
 
     layout: Layout
     table: InterlockingTable
+
+    @cached_property
+    def printed(self) -> Printed:
+        """The table as it is printed, a row for each way."""
+        return Printed(self.table)
+
+    def named(
+        self,
+        routes: Iterable[RouteId],
+        name: Callable[[PrintedRoute], str] = lambda w: w.id,
+        by: RouteRow | None = None,
+    ) -> tuple[str, ...]:
+        """Routes as they are printed, a way once where all of its overlaps are meant.
+
+        by: the route that says it; that its own way cannot be set twice is not said.
+        """
+        said = grouped(((r, None) for r in routes), self.printed.ways, by)
+        own = None if by is None else self.printed.ways[by.id]
+        return tuple(x.name(name) for x in said if x.way is not own)
 
     @cached_property
     def topo(self) -> Topology:
@@ -57,8 +97,75 @@ class Reading:
         space = [c.name for c in r.space if not c.lamp]
         return list(dict.fromkeys([*(c.section for c in r.sections), *foul, *over, *space]))
 
-    def facing(self, r: RouteRow) -> list[tuple[str, Position]]:
-        """The points that the route passes facing, in order: they decide where it goes."""
+    def side(self, p: PointId, x: Position) -> Hand | None:
+        """The side to which a point lies, seen from its toe; None where the layout does not state its hand."""
+        hand = self.layout.hand.get(p)
+        return hand if hand is None or x is Position.REVERSE else hand.other
+
+    def machine_side(self, m: MachineId, x: Position) -> Hand | None:
+        """The side to which all ends of a machine lie, where it is stated and they agree."""
+        sides = {self.side(p.id, x) for p in self.layout.ends_of_machine.get(m, ())}
+        return sides.pop() if len(sides) == 1 else None
+
+    def overlap_release_s(self, r: RouteRow) -> float:
+        """Seconds after which the overlap of a route is given up behind a train that stands."""
+        return self.layout.principles.overlap_release_s if r.overlap is not None else 0.0
+
+    def stops(self, r: RouteRow) -> list[str]:
+        """The signals that protect the flank of a route at stop."""
+        return sorted({p.name for c in r.flank for p in c.providers if p.kind is ProviderKind.SIGNAL})
+
+    @cached_property
+    def _by_entry(self) -> dict[str, list[RouteRow]]:
+        out: dict[str, list[RouteRow]] = {}
+        for r in self.table.routes:
+            out.setdefault(r.entry, []).append(r)
+        return out
+
+    def choices(self, r: RouteRow) -> list[tuple[PointId, Position]]:
+        """The points that a route passes facing where another route from its signal, of its kind, goes the other way,
+        in order: there the operator's choice decides."""
+        others = [dict(self.facing_ends(t)) for t in self._by_entry[r.entry] if t.kind is r.kind and t is not r]
+        out = []
+        for p, x in self.facing_ends(r):
+            if any(o.get(p, x) is not x for o in others):
+                out.append((p, x))
+                others = [o for o in others if o.get(p) is x]
+        return out
+
+    def opposing(self, r: RouteRow) -> list[Opposing]:
+        """The opposing routes that stay in the way of a route although, or after, the points are free.
+
+        A train gives back the points behind it (sectional release).  Of a hostile route what counts is therefore the
+        track that it shares with this one beyond the last of its points that lie otherwise.
+        """
+        mine = self._stretch(r)
+        needs = {p.machine: p.position for p in r.points}
+        out = []
+        for h in r.hostile:
+            if HostileClass.OPPOSING not in h.kinds:
+                continue
+            other = self.table.route[h.route]
+            theirs = [k[0] for k in other.traversals]
+            over = [] if other.overlap is None else [s for s, _ in other.overlap.ways]
+            first = 1 + max((i for i, k in enumerate(other.traversals) if self._differs(k, needs)), default=-1)
+            ahead = [*theirs[first:], *over]
+            last = max((i for i, s in enumerate(ahead) if s in mine), default=-1)
+            if last >= 0:
+                by_overlap = not any(s in mine for s in theirs[first:])
+                out.append(Opposing(h, tuple(dict.fromkeys(ahead[: last + 1])), by_overlap, theirs[-1]))
+        return out
+
+    def _stretch(self, r: RouteRow) -> frozenset[SectionId]:
+        over = () if r.overlap is None else r.overlap.ways
+        return frozenset(s for s, _ in (*r.traversals, *over))
+
+    def _differs(self, key: tuple[SectionId, int], needs: dict[MachineId, Position]) -> bool:
+        points = ((self.layout.point[p].machine, x) for p, x in self.way(key).points)
+        return any(needs.get(m, x) is not x for m, x in points)
+
+    def facing_ends(self, r: RouteRow) -> list[tuple[PointId, Position]]:
+        """The point ends that the route passes facing, in order."""
         out = []
         for key in r.traversals:
             t = self.way(key)
@@ -67,5 +174,9 @@ class Reading:
                 node = self.layout.far(here, node)
                 p = self.layout.point_at.get(node)
                 if p is not None and here == p.toe:
-                    out.append((str(p.machine), Position.NORMAL if onward == p.normal else Position.REVERSE))
+                    out.append((p.id, Position.NORMAL if onward == p.normal else Position.REVERSE))
         return out
+
+    def facing(self, r: RouteRow) -> list[tuple[str, Position]]:
+        """The points that the route passes facing, in order: they decide where it goes."""
+        return [(str(self.layout.point[p].machine), x) for p, x in self.facing_ends(r)]

@@ -1,116 +1,269 @@
-"""British control tables in the columns of examination papers: routes, and points in two halves."""
+"""British control tables: routes, and points in two halves.
+
+The columns of the route table are those of the control tables of the IRSE examination as its study forum describes
+them (irseexam.signalpost.org, "2009 CTs, to IRSE CT format"): nomenclature, destination, class, points, opposing
+locking with its tracks and its time, tracks in the aspect, aspect sequence, approach locking.  NR/L2/SIG/11201 itself
+was not read.  A point's entry names the routes that hold it with the tracks of route locking.
+"""
 
 from __future__ import annotations
 
-from interlock.model.elements import MachineId, Position, RouteId
+from collections.abc import Callable
+
+from interlock.model.elements import Hand, MachineId, Position, RouteId
 from interlock.model.layout import Layout
-from interlock.table.national.reading import ON_PATH, Reading
-from interlock.table.national.sheet import Heading, Sheet
-from interlock.table.rows import InterlockingTable, Role, RouteKind, RouteRow
+from interlock.table.national.reading import ON_PATH, Opposing, Reading
+from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
+from interlock.table.printed import PrintedRoute
+from interlock.table.rows import HostileClass, InterlockingTable, PointDemand, Role, RouteKind, RouteRow, Shows
 
-ROUTES = (
-    Heading("Route", "进路", "Fahrstraße"),
-    Heading("Exit", "终端", "Ziel"),
-    Heading("Class", "类别", "Art"),
-    Heading("Points N", "道岔定位", "Weichen +"),
-    Heading("Points R", "道岔反位", "Weichen −"),
-    Heading("Flank N", "防护道岔定位", "Flankenschutz +"),
-    Heading("Flank R", "防护道岔反位", "Flankenschutz −"),
-    Heading("Conflicting routes", "敌对进路", "Feindliche Fahrstraßen"),
-    Heading("Tracks clear (route, foul, overlap)", "轨道区段", "Freimeldung"),
-    Heading("Overlap", "保护区段", "Durchrutschweg"),
-    Heading("Overlap released after", "保护区段解锁", "Auflösung D-Weg"),
-    Heading("Approach locked", "接近锁闭", "Annäherungsverschluss"),
-    Heading("Approach release", "接近解锁", "Auflösung"),
-    Heading("Remarks", "备注", "Bemerkung"),
-)
-POINTS = (
-    Heading("Points", "道岔", "Weiche"),
-    Heading("N to R: called by routes", "定位到反位：进路", "+ nach −: durch Fahrstraßen"),
-    Heading("N to R: locked by routes", "定位到反位：锁闭", "+ nach −: verschlossen durch"),
-    Heading("R to N: called by routes", "反位到定位：进路", "− nach +: durch Fahrstraßen"),
-    Heading("R to N: locked by routes", "反位到定位：锁闭", "− nach +: verschlossen durch"),
-    Heading("Tracks that lock both ways", "锁闭区段", "verschließende Abschnitte"),
-)
+SOURCE = "after the columns of the IRSE examination's control tables, as its study forum describes them"
+CLASS = {RouteKind.MAIN: "M", RouteKind.SHUNT: "S", RouteKind.CALL_ON: "C"}
 
 
-def uk_names(table: InterlockingTable) -> dict[RouteId, str]:
-    """Route names: signal, letter from the left, class: 1A(M)."""
-    letters: dict[str, int] = {}
-    out = {}
-    for r in table.routes:
-        k = letters.get(r.entry, 0)
-        letters[r.entry] = k + 1
-        out[r.id] = f"{r.entry}{_letter(k)}({_class(r)})"
-    return out
+Naming = Callable[[PrintedRoute], str]
+"""The British name of a printed route."""
+
+
+def uk_names(x: Reading) -> Naming:
+    """Route names: signal, letter of the way, counted from the left as the driver sees it, and class: 1A(M).
+
+    A main, call-on or shunt route over the same way shares the letter.  Where the layout does not state the hand of
+    points, the normal leg counts as the left one.
+    """
+    ways: dict[str, dict[tuple[object, ...], tuple[object, ...]]] = {}
+    for r in x.table.routes:
+        ways.setdefault(r.entry, {}).setdefault((r.exit, r.traversals), (_turns(x, r), r.length, r.number))
+    letters = {
+        (entry, way): _letter(k)
+        for entry, found in ways.items()
+        for k, way in enumerate(sorted(found, key=lambda w: found[w]))
+    }
+
+    def name(way: PrintedRoute) -> str:
+        r = way.rows[0]
+        return f"{r.entry}{letters[r.entry, (r.exit, r.traversals)]}({CLASS[r.kind]})"
+
+    return name
+
+
+def _turns(x: Reading, r: RouteRow) -> tuple[int, ...]:
+    return tuple(_turn(x.side(p, position), position) for p, position in x.facing_ends(r))
+
+
+def _turn(side: Hand | None, position: Position) -> int:
+    return int(position is Position.REVERSE if side is None else side is Hand.RIGHT)
 
 
 def _letter(k: int) -> str:
     return (_letter(k // 26 - 1) if k >= 26 else "") + chr(ord("A") + k % 26)
 
 
-def _class(r: RouteRow) -> str:
-    return {RouteKind.MAIN: "M", RouteKind.SHUNT: "S", RouteKind.CALL_ON: "C"}[r.kind]
+def _by_normal(x: Reading) -> list[str]:
+    """Facing points of unknown hand at which ways part, so that the normal leg was counted as the left one."""
+    return sorted({p for r in x.table.routes for p, position in x.choices(r) if x.side(p, position) is None})
+
+
+def _opposing(x: Reading, name: Naming, r: RouteRow) -> tuple[str, ...]:
+    """`118A(M) – CK CN [or CM occ 60 s]`, for each opposing route that the points do not exclude; those with the same
+    tracks together."""
+    found: dict[str, list[RouteId]] = {}
+    for o in x.opposing(r):
+        found.setdefault(_tracks(x, o), []).append(o.hostile.route)
+    return _held_by(x, name, found)
+
+
+def _held_by(x: Reading, name: Naming, found: dict[str, list[RouteId]]) -> tuple[str, ...]:
+    return tuple(f"{' + '.join(x.named(routes, name))} – {tracks}" for tracks, routes in found.items())
+
+
+def _tracks(x: Reading, o: Opposing) -> str:
+    other = x.table.route[o.hostile.route]
+    after = f" [or {o.berth} occ {x.overlap_release_s(other):g} s]" if o.by_overlap else ""
+    return " ".join(o.tracks) + after
+
+
+def _normal(x: Reading, name: Naming, r: RouteRow) -> tuple[str, ...]:
+    """Routes that must be normal: hostile ones that neither points nor opposing locking exclude."""
+    told = {HostileClass.POINTS, HostileClass.OPPOSING}
+    return x.named((h.route for h in r.hostile if not told & set(h.kinds)), name, r)
+
+
+def _sequence(r: RouteRow) -> str:
+    shows, ahead = r.aspect.shows, r.aspect.next
+    if shows is Shows.NEXT:
+        return f"Y → {ahead} at R; G → {ahead} at Y or G"
+    return {Shows.CLEAR: "G", Shows.CAUTION: "Y", Shows.SHUNT: "PL", Shows.CALL_ON: "R with PL"}[shows]
+
+
+def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
+    said = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
+    said += [f"{p.machine} {x.layout.word(p.machine, p.position)}" for p in r.points if x.is_derailer(p.machine)]
+    said += [*r.requirements] + [f"{b.section} clear (line)" for b in r.block]
+    if r.closing.whole is not None:
+        said.append(f"replaced by last wheel: {r.closing.whole} clear")
+    if r.berth is not None:
+        said.append(f"{r.berth} may be occupied")
+    if r.overlap is not None and r.overlap.swings:
+        said.append(f"overlap may swing to {', '.join(f'o{k}' for k in r.overlap.swings)}")
+    stops = x.stops(r)
+    if stops:
+        said.append(f"{', '.join(stops)} at stop")
+    return tuple(said)
+
+
+def _approach(r: RouteRow) -> str:
+    rear = ", ".join(r.approach.sections)
+    return f"when cleared, {rear} occ" if rear else "when cleared"
+
+
+def _approach_release(r: RouteRow) -> str:
+    rear = ", ".join(r.approach.sections)
+    return f"{rear} clear, or {r.approach.delay_s:g} s" if rear else f"{r.approach.delay_s:g} s"
 
 
 def route_table(layout: Layout, table: InterlockingTable) -> Sheet:
-    """One line per route; a route with several overlaps has one for each."""
-    reading, names = Reading(layout, table), uk_names(table)
-    return Sheet(
-        "uk_routes",
-        "en",
-        Heading("Control table: routes", "控制表：进路", "Kontrolltabelle: Fahrstraßen"),
-        ROUTES,
-        tuple(_route(reading, names, r) for r in table.listed),
-        True,
+    """One line per route, with its overlaps."""
+    x = Reading(layout, table)
+    name = uk_names(x)
+    normal, reverse = Position.NORMAL, Position.REVERSE
+    flank = (Role.FLANK, Role.ADDED)
+    fields: tuple[Field[RouteRow], ...] = (
+        Field(Heading("Route", "进路", "Fahrstraße", "1"), lambda r: name(x.printed.ways[r.id])),
+        Field(Heading("Destination", "终端", "Ziel", "2"), lambda r: r.exit),
+        Field(Heading("Class", "类别", "Art", "3"), lambda r: CLASS[r.kind]),
+        Field(Heading("Points N", "道岔定位", "Weichen +", "4"), lambda r: x.points(r, normal, *ON_PATH)),
+        Field(Heading("Points R", "道岔反位", "Weichen −", "5"), lambda r: x.points(r, reverse, *ON_PATH)),
+        Field(Heading("Flank N", "防护道岔定位", "Flankenschutz +"), lambda r: x.points(r, normal, *flank)),
+        Field(Heading("Flank R", "防护道岔反位", "Flankenschutz −"), lambda r: x.points(r, reverse, *flank)),
+        Field(
+            Heading("Opposing locking: routes – tracks [or time]", "迎面锁闭", "Gegenfahrten", "6–8"),
+            lambda r: _opposing(x, name, r),
+        ),
+        Field(Heading("Requires normal", "敌对进路", "Feindliche Fahrstraßen"), lambda r: _normal(x, name, r)),
+        Field(
+            Heading("Tracks clear (route, foul, overlap, flank)", "轨道区段", "Freimeldung"),
+            lambda r: tuple(x.sections(r)),
+        ),
+        Field(
+            Heading("Overlap", "保护区段", "Durchrutschweg"),
+            lambda r: ", ".join(s for s, _ in r.overlap.ways) if r.overlap is not None else "",
+        ),
+        Field(
+            Heading("Overlap released after", "保护区段解锁", "Auflösung D-Weg"),
+            lambda r: f"{r.traversals[-1][0]} occ {x.overlap_release_s(r):g} s" if r.overlap is not None else "",
+        ),
+        Field(Heading("Aspect sequence", "信号显示", "Signalbegriffe"), _sequence),
+        Field(
+            Heading("Speed (km/h)", "速度 (km/h)", "Geschwindigkeit (km/h)"),
+            lambda r: "" if r.speed.kmh is None else str(r.speed.kmh),
+        ),
+        Field(Heading("Approach locked", "接近锁闭", "Annäherungsverschluss"), _approach),
+        Field(Heading("Approach locking released", "接近解锁", "Auflösung"), _approach_release),
+        Field(Heading("Remarks", "备注", "Bemerkung"), lambda r: _remarks(x, r)),
+        Field(Heading("In the other tables", "进路名", "Fahrstraße"), lambda r: x.printed.ways[r.id].id),
     )
+    headings, rows = by_way(fields, x.printed.listed)
+    title = Heading("Control table: routes", "控制表：进路", "Kontrolltabelle: Fahrstraßen")
+    return Sheet("uk_routes", "en", title, headings, rows, True, SOURCE, ROUTES_LEAVE_OUT, legend=_legend(x))
 
 
-def _route(x: Reading, names: dict[RouteId, str], r: RouteRow) -> tuple[str, ...]:
-    seconds = x.layout.principles.overlap_release_s
-    rear = ", ".join(r.approach.sections)
-    remarks = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
-    remarks += [f"{p.machine} {x.layout.word(p.machine, p.position)}" for p in r.points if x.is_derailer(p.machine)]
-    remarks += [*r.requirements] + [f"{b.section} clear (line)" for b in r.block]
-    if r.closing.whole is not None:
-        remarks.append(f"replaced by last wheel: {r.closing.whole} clear")
-    if r.berth is not None:
-        remarks.append(f"{r.berth} may be occupied")
-    if r.overlap is not None and r.overlap.swings:
-        remarks.append(f"overlap may swing to {', '.join(f'o{k}' for k in r.overlap.swings)}")
-    flank = [c for c in r.flank if any(p.kind.value == "signal" for p in c.providers)]
-    stops = sorted({p.name for c in flank for p in c.providers if p.kind.value == "signal"})
-    if stops:
-        remarks.append(f"{', '.join(stops)} at stop")
+ROUTES_LEAVE_OUT = (
+    *("tracks occupied for a time (approach release)", "route indicators", "AWS, TPWS", "stick, TORR"),
+    "warning class",
+)
+
+
+def _legend(x: Reading) -> tuple[tuple[str, str], ...]:
+    unknown = ", ".join(_by_normal(x))
+    by_normal = ("Letters", f"the normal leg counts as the left one, as no hand is stated of {unknown}")
     return (
-        names[r.id],
-        r.exit,
-        _class(r),
-        x.points(r, Position.NORMAL, *ON_PATH),
-        x.points(r, Position.REVERSE, *ON_PATH),
-        x.points(r, Position.NORMAL, Role.FLANK, Role.ADDED),
-        x.points(r, Position.REVERSE, Role.FLANK, Role.ADDED),
-        ", ".join(names[h.route] for h in r.hostile),
-        ", ".join(x.sections(r)),
-        ", ".join(s for s, _ in r.overlap.ways) if r.overlap else "",
-        f"{r.traversals[-1][0]} occupied {seconds:g} s" if r.overlap else "",
-        f"when cleared, {rear} occupied" if rear else "when cleared",
-        f"{rear} clear, or {r.approach.delay_s:g} s" if rear else f"{r.approach.delay_s:g} s",
-        "; ".join(remarks),
+        ("M, C, S", "main, call-on, shunt"),
+        ("1A, 1B", "ways from signal 1, counted from the left as the driver sees them"),
+        *((by_normal,) if unknown else ()),
+        (
+            "X + Z – AB AC",
+            "X and Z are normal, or their train has cleared AB and AC, beyond the last of its points",
+        ),
+        ("[or AB occ 60 s]", "or it has come to a stand: only its overlap is in the way"),
+        ("Not listed", "routes that points in another position exclude"),
     )
 
 
 def points_table(layout: Layout, table: InterlockingTable) -> Sheet:
     """One line per set of points: a route that needs a position locks against leaving it."""
-    names = uk_names(table)
-    rows = []
-    for m in sorted(layout.ends_of_machine):
-        by = {x: ", ".join(names[r.id] for r in table.routes if _needs(r, m, x)) for x in Position}
-        tracks = ", ".join(layout.sections_of_machine[m])
-        rows.append((m, by[Position.REVERSE], by[Position.NORMAL], by[Position.NORMAL], by[Position.REVERSE], tracks))
+    x = Reading(layout, table)
+    name = uk_names(x)
+    needs = _needs(table)
+
+    def called(m: MachineId, position: Position) -> tuple[str, ...]:
+        return x.named((r.id for r, _ in needs.get((m, position), ())), name)
+
+    def locked(m: MachineId, position: Position) -> tuple[str, ...]:
+        found: dict[str, list[RouteId]] = {}
+        for r, p in needs.get((m, position), ()):
+            found.setdefault(_held(x, r, p), []).append(r.id)
+        return _held_by(x, name, found)
+
+    normal, reverse = Position.NORMAL, Position.REVERSE
+    fields: tuple[Field[MachineId], ...] = (
+        Field(Heading("Points", "道岔", "Weiche"), lambda m: m),
+        Field(Heading("N to R: called by", "定位到反位：进路", "+ nach −: durch"), lambda m: called(m, reverse)),
+        Field(
+            Heading("N to R: locked by routes – tracks", "定位到反位：锁闭", "+ nach −: verschlossen"),
+            lambda m: locked(m, normal),
+        ),
+        Field(Heading("R to N: called by", "反位到定位：进路", "− nach +: durch"), lambda m: called(m, normal)),
+        Field(
+            Heading("R to N: locked by routes – tracks", "反位到定位：锁闭", "− nach +: verschlossen"),
+            lambda m: locked(m, reverse),
+        ),
+        Field(
+            Heading("Tracks that lock both ways", "锁闭区段", "verschließende Abschnitte"),
+            lambda m: ", ".join(layout.sections_of_machine[m]),
+        ),
+    )
+    headings, rows = filled(fields, sorted(layout.ends_of_machine))
     title = Heading("Control table: points", "控制表：道岔", "Kontrolltabelle: Weichen")
-    return Sheet("uk_points", "en", title, POINTS, tuple(rows))
+    return Sheet(
+        "uk_points",
+        "en",
+        title,
+        headings,
+        rows,
+        False,
+        SOURCE,
+        ("foul tracks with conditions", "time of operation locking", "points–points locking", "self-restoration"),
+        legend=(
+            (
+                "X + Z – AB AC",
+                "locked while X or Z is set or approach locked, and until its train has cleared AB and AC",
+            ),
+            ("[or AB occ 60 s]", "or until it has come to a stand, where only its overlap needs the points"),
+        ),
+    )
 
 
-def _needs(r: RouteRow, m: MachineId, x: Position) -> bool:
-    return any(p.machine == m and p.position is x for p in r.points)
+Needs = dict[tuple[MachineId, Position], list[tuple[RouteRow, PointDemand]]]
+
+
+def _needs(table: InterlockingTable) -> Needs:
+    """The routes that need points in a position, each once."""
+    out: Needs = {}
+    for r in table.routes:
+        for p in {(p.machine, p.position): p for p in reversed(r.points)}.values():
+            out.setdefault((p.machine, p.position), []).append((r, p))
+    return out
+
+
+def _held(x: Reading, r: RouteRow, p: PointDemand) -> str:
+    """The tracks of a route up to the last one that demands the points; over its overlap, also the time."""
+    path = list(r.section_ids)
+    over = [] if r.overlap is None else [s for s, _ in r.overlap.ways]
+    asking = {q.section for q in r.points if q.machine == p.machine}
+    last = max((i for i, s in enumerate(path) if s in asking), default=-1)
+    if asking & set(over) and r.overlap is not None:
+        ahead = [*path, *over[: 1 + max(i for i, s in enumerate(over) if s in asking)]]
+        after = "" if last >= 0 else f" [or {path[-1]} occ {x.overlap_release_s(r):g} s]"
+        return " ".join(dict.fromkeys(ahead)) + after
+    return " ".join(dict.fromkeys(path[: last + 1] if last >= 0 else path))

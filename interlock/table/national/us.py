@@ -1,63 +1,164 @@
-"""An American route locking sheet: one line per route.
+"""American sheets: route locking, route and aspect chart, switch table.
 
-The columns follow what is usual; no worked example was at hand.
+The columns are those that railroads usually print; no worked example was at hand, and the AREMA manual was not read.
 """
 
 from __future__ import annotations
 
-from interlock.model.elements import Position
+from interlock.model.elements import MachineId, Position, RouteId, Work
 from interlock.model.layout import Layout
 from interlock.table.national.reading import Reading
-from interlock.table.national.sheet import Heading, Sheet
-from interlock.table.rows import ExitKind, InterlockingTable, RouteKind
+from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
+from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, Shows
 
-COLUMNS = (
-    Heading("Entering signal", "始端", "Start"),
-    Heading("Exit", "终端", "Ziel"),
-    Heading("Movement", "性质", "Art"),
-    Heading("Switches normal", "道岔定位", "Weichen +"),
-    Heading("Switches reverse", "道岔反位", "Weichen −"),
-    Heading("Derails", "脱轨器", "Gleissperren"),
-    Heading("Opposing and conflicting signals locked", "敌对信号", "Gesperrte Signale"),
-    Heading("Track circuits (OS)", "轨道区段", "Freimeldung"),
-    Heading("Approach circuit", "接近区段", "Annäherung"),
-    Heading("Time locking (s)", "延时", "Zeitverschluss"),
-    Heading("Traffic locking", "方向闭锁", "Streckenblock"),
-    Heading("Remarks", "备注", "Bemerkung"),
-)
-
-
+SOURCE = "after usual American practice; no worked example was at hand, and no standard was read"
 _KINDS = {RouteKind.MAIN: "train", RouteKind.SHUNT: "shunt", RouteKind.CALL_ON: "call-on"}
 
 
+def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
+    said = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
+    said += [*r.requirements]
+    if r.overlap is not None:
+        said.append("overlap " + ", ".join(s for s, _ in r.overlap.ways))
+    if r.berth is not None:
+        said.append(f"{r.berth} may be occupied")
+    return tuple(said)
+
+
+def _conflicting(x: Reading, r: RouteRow) -> tuple[str, ...]:
+    entries = {x.table.route[h].entry for h in r.hostile.routes}
+    return tuple(sorted(entries - {r.entry}))
+
+
 def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
-    """The sheet of a layout."""
+    """Route locking: one line per route."""
     x = Reading(layout, table)
-    rows = []
-    for r in table.listed:
-        signals = sorted({table.route[h.route].entry for h in r.hostile if table.route[h.route].entry != r.entry})
-        remarks = [f"{p.machine} closed" for p in r.points if p.machine in layout.device]
-        remarks += [*r.requirements]
-        if r.overlap is not None:
-            remarks.append("overlap " + ", ".join(s for s, _ in r.overlap.ways))
-        if r.berth is not None:
-            remarks.append(f"{r.berth} may be occupied")
-        rows.append(
-            (
-                r.entry,
-                r.exit,
-                _KINDS[r.kind],
-                x.points(r, Position.NORMAL),
-                x.points(r, Position.REVERSE),
-                x.derailers(r),
-                ", ".join(signals),
-                ", ".join(x.sections(r)),
-                ", ".join(r.approach.sections),
-                f"{r.approach.delay_s:g}",
-                ", ".join(b.section for b in r.block) if r.exit_kind is ExitKind.BOUNDARY else "",
-                "; ".join(remarks),
-            )
-        )
-    return Sheet(
-        "us_locking", "en", Heading("Route locking sheet", "进路锁闭表", "Verschlussblatt"), COLUMNS, tuple(rows), True
+    fields: tuple[Field[RouteRow], ...] = (
+        Field(Heading("Route", "进路", "Fahrstraße"), lambda r: x.printed.ways[r.id].id),
+        Field(Heading("Entering signal", "始端", "Start"), lambda r: r.entry),
+        Field(Heading("Exit", "终端", "Ziel"), lambda r: r.exit),
+        Field(Heading("Movement", "性质", "Art"), lambda r: _KINDS[r.kind]),
+        Field(Heading("Switches normal", "道岔定位", "Weichen +"), lambda r: x.points(r, Position.NORMAL)),
+        Field(Heading("Switches reverse", "道岔反位", "Weichen −"), lambda r: x.points(r, Position.REVERSE)),
+        Field(Heading("Derails", "脱轨器", "Gleissperren"), x.derailers),
+        Field(
+            Heading("Opposing and conflicting signals locked", "敌对信号", "Gesperrte Signale"),
+            lambda r: _conflicting(x, r),
+        ),
+        Field(Heading("Track circuits (OS)", "轨道区段", "Freimeldung"), lambda r: tuple(x.sections(r))),
+        Field(Heading("Approach circuit", "接近区段", "Annäherung"), lambda r: ", ".join(r.approach.sections)),
+        Field(Heading("Time locking (s)", "延时", "Zeitverschluss"), lambda r: f"{r.approach.delay_s:g}"),
+        Field(
+            Heading("Traffic locking", "方向闭锁", "Streckenblock"),
+            lambda r: ", ".join(b.section for b in r.block) if r.exit_kind is ExitKind.BOUNDARY else "",
+        ),
+        Field(Heading("Remarks", "备注", "Bemerkung"), lambda r: _remarks(x, r)),
     )
+    headings, rows = by_way(fields, x.printed.listed)
+    title = Heading("Route locking sheet", "进路锁闭表", "Verschlussblatt")
+    return Sheet("us_locking", "en", title, headings, rows, True, SOURCE)
+
+
+def _over(x: Reading, r: RouteRow) -> str:
+    """The switches along the way, in order: 1 N, 3 R."""
+    ends = [(p, position) for key in r.traversals for p, position in x.way(key).points]
+    return ", ".join(f"{p} {position}" for p, position in ends)
+
+
+_ALWAYS = {Shows.CLEAR: "clear", Shows.CAUTION: "caution", Shows.SHUNT: "shunt", Shows.CALL_ON: "call-on"}
+
+
+def _at_stop(r: RouteRow) -> str:
+    return "caution" if r.aspect.shows is Shows.NEXT else _ALWAYS[r.aspect.shows]
+
+
+def _at_proceed(r: RouteRow) -> str:
+    return "clear" if r.aspect.shows is Shows.NEXT else _ALWAYS[r.aspect.shows]
+
+
+def aspect_chart(layout: Layout, table: InterlockingTable) -> Sheet:
+    """Route and aspect chart: what the entering signal shows for each route, by the next signal."""
+    x = Reading(layout, table)
+    fields: tuple[Field[RouteRow], ...] = (
+        Field(Heading("Entering signal", "始端", "Start"), lambda r: r.entry),
+        Field(Heading("Exit", "终端", "Ziel"), lambda r: r.exit),
+        Field(Heading("Movement", "性质", "Art"), lambda r: _KINDS[r.kind]),
+        Field(Heading("Switches in order", "道岔", "Weichen"), lambda r: _over(x, r)),
+        Field(Heading("Track circuits", "轨道区段", "Abschnitte"), lambda r: ", ".join(r.section_ids)),
+        Field(
+            Heading("Speed (km/h)", "速度 (km/h)", "Geschwindigkeit (km/h)"),
+            lambda r: "" if r.speed.kmh is None else str(r.speed.kmh),
+        ),
+        Field(Heading("Next signal", "次架信号", "Nächstes Signal"), lambda r: r.aspect.next or ""),
+        Field(Heading("Aspect, next at stop", "次架停车时", "Begriff, nächstes Halt"), _at_stop),
+        Field(Heading("Aspect, next at proceed", "次架开放时", "Begriff, nächstes Fahrt"), _at_proceed),
+        Field(
+            Heading("Returns to stop", "关闭", "Haltfall"),
+            lambda r: "first axle" if r.closing.whole is None else f"{r.closing.whole} clear",
+        ),
+        Field(Heading("Route", "进路", "Fahrstraße"), lambda r: x.printed.ways[r.id].id),
+    )
+    headings, rows = by_way(fields, x.printed.listed)
+    title = Heading("Route and aspect chart", "进路与显示表", "Fahrstraßen und Signalbegriffe")
+    return Sheet(
+        "us_aspects",
+        "en",
+        title,
+        headings,
+        rows,
+        True,
+        SOURCE,
+        ("heads and lamps of each aspect", "rule numbers"),
+        legend=(
+            ("clear, caution", "by meaning; their names and lamps are the railroad's"),
+            ("1 N, 1 R", "switch 1 normal, reverse"),
+        ),
+    )
+
+
+def switch_table(layout: Layout, table: InterlockingTable) -> Sheet:
+    """Switch table: what works each machine, and which routes hold it in either position."""
+    x = Reading(layout, table)
+    users: dict[tuple[MachineId, Position, bool], dict[RouteId, None]] = {}
+    for r in (r for way in x.printed.listed for r in way.rows):
+        for p in r.points:
+            flank = p.role in (Role.FLANK, Role.ADDED)
+            users.setdefault((p.machine, p.position, flank), {})[r.id] = None
+
+    def by(m: MachineId, position: Position, flank: bool = False) -> tuple[str, ...]:
+        return x.named(users.get((m, position, flank), ()))
+
+    def hand(m: MachineId) -> str:
+        side = x.machine_side(m, Position.REVERSE)
+        return "" if side is None else f"{side} hand"
+
+    def speed(m: MachineId) -> str:
+        return ", ".join(dict.fromkeys(str(p.speed) for p in layout.ends_of_machine[m] if p.speed is not None))
+
+    normal, reverse = Position.NORMAL, Position.REVERSE
+    fields: tuple[Field[MachineId], ...] = (
+        Field(Heading("Switch", "道岔", "Weiche"), lambda m: m),
+        Field(Heading("Ends", "岔尖", "Enden"), lambda m: ", ".join(p.id for p in layout.ends_of_machine[m])),
+        Field(Heading("Kind", "种类", "Art"), lambda m: _kind_of(layout, m)),
+        Field(Heading("Turnout", "开向", "Abzweig"), hand),
+        Field(Heading("Reverse (km/h)", "反位速度 (km/h)", "− (km/h)"), speed),
+        Field(
+            Heading("Detector locking (track circuits)", "区段锁闭", "Abschnitte"),
+            lambda m: ", ".join(layout.sections_of_machine[m]),
+        ),
+        Field(Heading("Normal for routes", "定位进路", "+ für"), lambda m: by(m, normal)),
+        Field(Heading("Reverse for routes", "反位进路", "− für"), lambda m: by(m, reverse)),
+        Field(Heading("Normal, protecting", "定位防护", "+ Flankenschutz"), lambda m: by(m, normal, True)),
+        Field(Heading("Reverse, protecting", "反位防护", "− Flankenschutz"), lambda m: by(m, reverse, True)),
+        Field(Heading("Supervision (s)", "监视 (s)", "Überwachung (s)"), lambda m: f"{layout.supervision_s(m):g}"),
+    )
+    headings, rows = filled(fields, sorted(layout.ends_of_machine))
+    title = Heading("Switch table", "道岔表", "Weichentabelle")
+    return Sheet("us_switches", "en", title, headings, rows, False, SOURCE, ("type of machine", "lock rods"))
+
+
+def _kind_of(layout: Layout, m: MachineId) -> str:
+    ends = layout.ends_of_machine[m]
+    if any(p.derailer for p in ends):
+        return "derail"
+    return "hand-worked, keyed" if any(p.work is Work.HAND for p in ends) else "switch"
