@@ -10,6 +10,7 @@ from math import isinf
 
 from interlock.model.elements import MachineId, Position
 from interlock.model.layout import Layout
+from interlock.model.overlap import entry_speed, own_way
 from interlock.table.national.reading import Reading
 from interlock.table.national.sheet import Cell, Heading, Sheet, route_rows
 from interlock.table.printed import PrintedRoute
@@ -56,6 +57,7 @@ SSLR = _headings(
 SSLD = _headings(
     ("von", "From", "始端"),
     ("Bezeichnung", "Overlap", "名称"),
+    ("v Ziel möglich (km/h)", "Entry speed (km/h)", "允许速度"),
     ("Länge soll (m)", "Length needed (m)", "要求长度"),
     ("Länge freigemeldet (m)", "Length proved clear (m)", "检查长度"),
     ("Weichen mit Verschluss", "Points locked", "锁闭道岔"),
@@ -158,16 +160,20 @@ def overlaps(layout: Layout, table: InterlockingTable) -> Sheet:
     for r in table.routes:
         if r.overlap is None:
             continue
-        o = r.overlap
+        o, ways = r.overlap, [x.way(key) for key in r.overlap.ways]
+        own = own_way(layout, o.signal, ways)
+        length = layout.overlap_of[o.signal] if own is None else own.length
+        kmh = entry_speed(layout, o.signal, ways)
         rows[o.signal, o.option] = (
             o.signal,
             f"D{o.option}",
-            "" if isinf(length := layout.overlap_of[o.signal]) else f"{length:g}",
+            "" if kmh is None else str(kmh),
+            "" if isinf(length) else f"{length:g}",
             f"{o.metres:g}",
             _lying(x, r, Role.OVERLAP),
             ", ".join(s for s, _ in o.ways),
             r.traversals[-1][0],
-            f"{layout.principles.overlap_release_s:g}",
+            f"{layout.overlap_release_s(o.signal):g}",
         )
     title = Heading("Overlaps", "保护区段", "Ssld Durchrutschwege")
     return Sheet("de_ssld", "de", title, SSLD, tuple(rows[k] for k in sorted(rows)))

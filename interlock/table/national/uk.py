@@ -70,7 +70,7 @@ def route_table(layout: Layout, table: InterlockingTable) -> Sheet:
 
 
 def _route(x: Reading, names: dict[str, str], way: PrintedRoute, r: RouteRow) -> tuple[Cell, ...]:
-    seconds = x.layout.principles.overlap_release_s
+    seconds = x.layout.overlap_release_s(r.overlap.signal) if r.overlap else 0.0
     rear = ", ".join(r.approach.sections)
     remarks = [f"{p.machine} closed" for p in r.points if p.machine in x.layout.device]
     remarks += [f"{p.machine} {x.layout.word(p.machine, p.position)}" for p in r.points if x.is_derailer(p.machine)]
