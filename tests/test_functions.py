@@ -15,7 +15,8 @@ from interlock.proof.system.transition import System
 from tests.layouts import SHIPPED, built
 from tests.test_operations import put
 
-OTHERS = ("added", "closing", "devices", "driven", "foul_joint", "overlaps", "shunt_yard", "speeds", "swing", "token")
+OTHERS = ("added", "closing", "devices", "driven", "entry_speeds", "foul_joint", "overlaps", "shunt_yard", "speeds")
+OTHERS = (*OTHERS, "swing", "token")
 
 
 @pytest.mark.parametrize("name", [*SHIPPED, *(f"../tests/layouts_for_tests/{x}" for x in OTHERS)])

@@ -30,6 +30,7 @@ CLOSING = "../tests/layouts_for_tests/closing"
 TOKEN = "../tests/layouts_for_tests/token"
 ADDED = "../tests/layouts_for_tests/added"
 SWING = "../tests/layouts_for_tests/swing"
+ENTRY = "../tests/layouts_for_tests/entry_speeds"
 # the layout on which a kind has mutants
 ON = {
     "way-not-available": "../tests/layouts_for_tests/foul_joint",
@@ -47,6 +48,7 @@ ON = {
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("direction-")), TOKEN),
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("swing-")), SWING),
     "speed-too-high": "../tests/layouts_for_tests/speeds",
+    "entry-speed-forgotten": ENTRY,
     **dict.fromkeys(("declared-not-excluded", "added-point-not-detected"), ADDED),
     "zone-not-checked": "heishan",
     "fault-ignored": "pit_bottom",
@@ -126,6 +128,7 @@ def _killers() -> dict[str, tuple[str, str]]:
         "S-AGAIN": (two, "opens-by-itself"),
         "S-TRAILED": (two, "trailed-not-kept-back"),
         "S-SPEED": ("../tests/layouts_for_tests/speeds", "speed-too-high"),
+        "S-ENTRY": (ENTRY, "entry-speed-forgotten"),
         "S-LAMP": (SHUNT, "lamp-not-proved"),
         "S-CANCELLED": (two, "cancel-not-obeyed"),
         "L-CLEAR": (two, "clear-not-counted"),

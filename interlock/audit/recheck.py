@@ -19,6 +19,7 @@ from interlock.audit.walk import (
     Trip,
     distances,
     left_standing,
+    overlap_way,
     overruns,
     standing_place,
     trips,
@@ -236,8 +237,12 @@ def _in_the_way(layout: Layout, table: InterlockingTable, matched: dict[str, Tri
 
 
 def _slowest(layout: Layout, trip: Trip) -> int | None:
-    """The lowest speed stated along the trip: of its sections, and of points passed over their reverse leg."""
+    """The lowest speed stated along the trip: of its sections, of points passed over their reverse leg, and for the
+    overlap that it has."""
     limits = [layout.speed_of[s] for s in trip.sections]
+    if trip.over:
+        own = overlap_way(layout, trip)
+        limits += [own.entry] if own is not None else [v for g, v in layout.entry_speeds if g == trip.exit]
     over = {m.edge for m in trip.moves}
     here = [p for s in trip.sections for p in layout.points_in.get(s, ())]
     limits += [p.speed for p in here if p.reverse in over and p.toe in over]

@@ -10,7 +10,7 @@ import itertools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
-from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, Position, SectionId, Signal
+from interlock.model.elements import BoundaryKind, EdgeId, MachineId, NodeId, OverlapWay, Position, SectionId, Signal
 from interlock.model.layout import Layout, of_layout
 
 Frozen = Mapping[MachineId, Position]
@@ -154,13 +154,28 @@ def overruns(layout: Layout, trip: Trip) -> list[Trip]:
     if g is None or trip.shunt or length <= 0:
         return [trip]
     free = replace(trip, moves=(), sections=(), positions=())
+    own = [w for w in layout.overlap_ways if w.signal == g.id]
+    wanted = [(None, length), *((w, w.length) for w in own)]
     joined = frozenset(
         (a.node, layout.section_of(b.edge))
-        for path in _overruns(layout, g, free, length, frozenset(), checked=False)
+        for way, metres in wanted
+        for path in _overruns(layout, g, free, metres, frozenset(), checked=False)
+        if overlap_way(layout, path) is way
         for a, b in itertools.pairwise(path.over)
         if layout.section_of(a.edge) != layout.section_of(b.edge)
     )
-    return _overruns(layout, g, trip, length, joined, checked=True)
+    return [
+        path
+        for way, metres in wanted
+        for path in _overruns(layout, g, trip, metres, joined, checked=True)
+        if overlap_way(layout, path) is way
+    ]
+
+
+def overlap_way(layout: Layout, trip: Trip) -> OverlapWay | None:
+    """What the layout states of the overlap of a trip alone, if anything: the first entry whose sections it passes."""
+    passed = {layout.section_of(m.edge) for m in trip.over}
+    return next((w for w in layout.overlap_ways if w.signal == trip.exit and passed >= set(w.over)), None)
 
 
 def _overruns(

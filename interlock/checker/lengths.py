@@ -41,6 +41,15 @@ class Approach:
     further: tuple[tuple[Way, Approach], ...] = ()
 
 
+@dataclass(frozen=True)
+class Wanted:
+    """What is asked of the alternatives of an overlap over some sections; `kmh`: it is made for that speed."""
+
+    over: frozenset[str]
+    metres: float
+    kmh: float | None
+
+
 class Lengths:
     """Of one railway."""
 
@@ -53,19 +62,55 @@ class Lengths:
     def overlaps(self) -> dict[str, list[Path]]:
         """For each signal with an overlap its alternatives: those over fewest reversed points first."""
         found = {}
-        told = self.r.body.get("overlaps") or {}
         for g in self.r.signals.values():
-            metres = self._metres(told.get(g.name))
-            if not g.main or g.node in self.r.boundaries or metres <= 0:
+            wanted = self._wanted(g)
+            if not g.main or g.node in self.r.boundaries or wanted[-1].metres <= 0:
                 continue
-            plain = [ways for ways in self._reach(g, metres, frozenset()) if _agrees(ways)]
+            plain = self._those(g, wanted, frozenset())
             # where a shorter alternative joins a longer one, it goes on as far: nobody knows how a train came there
             steps = frozenset((a.section, a.exit, b.section) for ways in plain for a, b in pairwise(ways))
-            those = [ways for ways in self._reach(g, metres, steps) if _agrees(ways)]
+            those = self._those(g, wanted, steps)
             those.sort(key=lambda ws: (_reversed(ws), [(w.section, w.number) for w in ws]))
             if those:
                 found[g.name] = [Path(ways) for ways in those]
         return found
+
+    def _wanted(self, g: Signal) -> list[Wanted]:
+        """What is asked of the alternatives of a signal's overlap: the first that fits counts, the last fits all."""
+        told = (self.r.body.get("overlaps") or {}).get(g.name)
+        own = (
+            []
+            if told is None
+            else [Wanted(frozenset(x["over"]), self._metres(x), _entry(x)) for x in told.get("ways") or ()]
+        )
+        return [*own, Wanted(frozenset(), self._metres(told), _entry(told or {}))]
+
+    def entry_kmh(self, g: Signal, overlap: Path) -> float | None:
+        """The speed for which an alternative of a signal's overlap is made."""
+        passed = {w.section for w in overlap.ways}
+        return next(x.kmh for x in self._wanted(g) if x.over <= passed)
+
+    def _those(self, g: Signal, wanted: list[Wanted], steps: frozenset[tuple[str, str, str]]) -> list[tuple[Way, ...]]:
+        """The alternatives, each as long as the entry says that is the first to fit it."""
+        found = []
+        for x in wanted:
+            for ways in self._reach(g, x.metres, steps):
+                passed = {w.section for w in ways}
+                if _agrees(ways) and next(y for y in wanted if y.over <= passed) is x:
+                    found.append(ways)
+        return found
+
+    def overlap_release(self, g: Signal) -> int:
+        """When the overlap of a signal may be released: as stated, by length, or as the principles have it."""
+        told = (self.r.body.get("overlaps") or {}).get(g.name) or {}
+        if "release" in told:
+            return round(1000 * float(told["release"]))
+        if told.get("release_by_length") in ("yes", "true"):
+            before = self.before(g)
+            kmh = self.kmh(before)
+            longest = max((w.length for w in self.r.ways[before] if w.exit == g.node), default=0.0) if before else 0.0
+            return 1000 * -(-(round(1000 * longest / (kmh / 3.6 / 2)) + self.halt(kmh)) // 1000)
+        return round(1000 * self.d.rule("overlap_release_s"))
 
     def _metres(self, told: dict[str, str] | None) -> float:
         """As stated; or as German examples have it: 50, 100 or 200 m to 40, 60 km/h or above, 10 % more for each
@@ -76,7 +121,7 @@ class Lengths:
             return float("inf")
         if "length" in told:
             return float(told["length"])
-        kmh, falling = float(told["speed"]), float(told.get("falling", 0))
+        kmh, falling = float(told.get("speed") or told["entry_speed"]), float(told.get("falling", 0))
         base = 50.0 if kmh <= 40 else 100.0 if kmh <= 60 else 200.0
         return base * max(0.0, 1.0 + (0.10 if falling > 0 else 0.05) * falling)
 
@@ -259,6 +304,10 @@ class Lengths:
         kmh = self.kmh(section) if g.main else min(self.kmh(section), self.d.rule("shunt_speed_kmh"))
         acts = kmh / 3.6 * (self.d.rule("output_delay_s") + self.d.rule("reaction_s"))
         return max(self.braking(kmh), 0.0 if tells is None else tells + acts)
+
+
+def _entry(told: dict[str, str]) -> float | None:
+    return float(told["entry_speed"]) if "entry_speed" in told else None
 
 
 def _agrees(ways: tuple[Way, ...]) -> bool:

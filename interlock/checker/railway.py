@@ -169,6 +169,11 @@ class Railway:
         for g, v in (self.body.get("signals") or {}).items():
             if set(v) - {"from", "into", "at", "kind", "call_on", "stops_trains"}:
                 raise Unread(f"something of signal {g}")
+        for g, v in (self.body.get("overlaps") or {}).items():
+            known = {"length", "speed", "falling", "successive", "swing", "entry_speed", "release", "release_by_length"}
+            own = [set(x) - {"over", "length", "falling", "entry_speed"} for x in v.get("ways") or ()]
+            if set(v) - {*known, "ways"} or any(own):
+                raise Unread(f"something of the overlap of {g}")
         for s, v in self.told.items():
             if set(v) - {"lane", "one_way", "speed", "detected"}:
                 raise Unread(f"something of section {s}")

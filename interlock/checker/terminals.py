@@ -132,6 +132,19 @@ class Terminals(Ahead):
         kmh = self.lengths.path_kmh(p)
         return [n for n, v in self._speeds[c.name].items() if kmh is not None and v > kmh and not c.shunt]
 
+    def w_slow_lamps(self, g: Signal, p: Path, o: Path) -> list[str]:
+        """Indicators of no more than an overlap beyond a path is made for."""
+        kmh = self._entry(p, o)
+        return [n for n, v in self._speeds[g.name].items() if kmh is not None and v <= kmh]
+
+    def w_too_fast_lamps(self, g: Signal, p: Path, o: Path) -> list[str]:
+        """Indicators of more than that."""
+        kmh = self._entry(p, o)
+        return [n for n, v in self._speeds[g.name].items() if kmh is not None and v > kmh]
+
+    def w_overlap_release(self, g: Signal) -> int:
+        return self.lengths.overlap_release(g)
+
     def w_stop(self, g: Signal) -> Formula:
         return leaf(f"YS_{g.safe}")
 
@@ -142,9 +155,12 @@ class Terminals(Ahead):
     def w_calling_on(self) -> list[Signal]:
         return [g for g in self.w_signals() if g.call_on]
 
+    def w_main_signals(self) -> list[Signal]:
+        return [g for g in self.w_signals() if g.main]
+
     def w_cautioning(self) -> list[Signal]:
         """Main signals, where the principles have a caution aspect."""
-        return [g for g in self.w_signals() if g.main and self.r.drawn.rules["caution"] != "never"]
+        return self.w_main_signals() if self.r.drawn.rules["caution"] != "never" else []
 
     def w_lamp_proved(self) -> list[Calling]:
         return self.w_all_callings() if self.r.drawn.asks("lamp_proof") else []

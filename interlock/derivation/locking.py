@@ -8,6 +8,7 @@ from interlock.derivation.routes import Path
 from interlock.model.approach import approach
 from interlock.model.elements import BlockKind, Position, SignalId
 from interlock.model.layout import Layout
+from interlock.model.overlap import route_speed
 from interlock.model.principles import Caution, Closes
 from interlock.model.traversal import path_speed, topology
 from interlock.table.rows import (
@@ -106,9 +107,10 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
         return AspectCell(Shows.SHUNT, None, Because("R11", f"{path.entry} calls a shunting movement"))
     if rule is Caution.NEVER:
         return AspectCell(Shows.CLEAR, None, Because("R11", "signals have two aspects"))
-    kmh = path_speed(layout, path.ways)
-    if kmh is not None and kmh < layout.principles.slow_below_kmh:
-        return AspectCell(Shows.CAUTION, None, Because("R11", f"{kmh} km/h along the path"))
+    speed = derive_speed(layout, path)
+    if speed.kmh is not None and speed.kmh < layout.principles.slow_below_kmh:
+        text = speed.because.text if speed.because.rule == "R4" else f"{speed.kmh} km/h along the path"
+        return AspectCell(Shows.CAUTION, None, Because("R11", text))
     boundary = layout.boundary_at.get(path.ways[-1].exit)
     if boundary is not None and boundary.checked:
         return AspectCell(Shows.CLEAR, None, Because("R11", f"the line beyond {path.exit} is checked"))
@@ -124,8 +126,11 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
 
 
 def derive_speed(layout: Layout, path: Path) -> SpeedCell:
-    """The lowest speed that the layout states along the path (R11)."""
-    kmh = path_speed(layout, path.ways)
+    """The lowest speed that the layout states along the path, or for its overlap (R11, R4)."""
+    kmh, along = route_speed(layout, path.ways, path.exit, path.overlap), path_speed(layout, path.ways)
+    if kmh is not None and kmh != along:
+        over = ", ".join(t.section for t in path.overlap)
+        return SpeedCell(kmh, Because("R4", f"the overlap of {path.exit} over {over} is made for {kmh} km/h"))
     why = "the layout states no speed along the path" if kmh is None else f"{kmh} km/h is the lowest along the path"
     return SpeedCell(kmh, Because("R11", why))
 

@@ -30,6 +30,7 @@ from interlock.diag import Element, Sink
 from interlock.diag.suggest import did_you_mean
 from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
 from interlock.model.layout import Layout
+from interlock.model.overlap import entry_speed
 from interlock.model.traversal import topology
 from interlock.table.rows import (
     Because,
@@ -160,7 +161,9 @@ def _overlap(layout: Layout, path: Path, swinging: Mapping[SignalId, tuple[int, 
         return None
     metres = sum(t.length for t in path.overlap)
     over = ", ".join(t.section for t in path.overlap)
-    why = Because("R4", f"a train may overrun {path.exit} over {over}: {metres:g} m to the next joint")
+    kmh = entry_speed(layout, SignalId(path.exit), path.overlap)
+    made = "" if kmh is None else f", made for {kmh} km/h"
+    why = Because("R4", f"a train may overrun {path.exit} over {over}: {metres:g} m to the next joint{made}")
     if isinf(layout.overlap_of[SignalId(path.exit)]):
         why = Because("R2", f"successive route: a train that does not stop before {path.exit} runs on over {over}")
     swings = tuple(k for k in swinging.get(SignalId(path.exit), ()) if k != path.option)

@@ -219,7 +219,8 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
 
 
 def _wanted(layout: Layout, g: str) -> str:
-    return next(o.text for o in layout.overlaps if o.signal == g)
+    own = [f"{w.length:g} m over {', '.join(w.over)}" for w in layout.overlap_ways if w.signal == g]
+    return " or ".join([next(o.text for o in layout.overlaps if o.signal == g), *own])
 
 
 def _ends_in_berth(layout: Layout, f: _Found) -> bool:

@@ -17,6 +17,7 @@ from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.encoding import decode
 from interlock.frontend.names import check_names
+from interlock.frontend.overlaps import resolve_overlaps, with_releases
 from interlock.frontend.places import Places
 from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import (
@@ -28,7 +29,6 @@ from interlock.frontend.resolve import (
     resolve_devices,
     resolve_distants,
     resolve_excludes,
-    resolve_overlaps,
     resolve_routes,
     resolve_signals,
     resolve_supervision,
@@ -137,7 +137,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         else Section(SectionId(s))
         for s in wiring.sections
     ] + [Section(SectionId(s), True) for s in wiring.approaches]
-    overlaps = resolve_overlaps(ctx, principles, signals, wiring)
+    over = resolve_overlaps(ctx, principles, signals, wiring)
     distants = resolve_distants(ctx, signals)
     substations = resolve_substations(ctx, wiring)
     drawing = resolve_drawing(ctx, wiring)
@@ -160,7 +160,9 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         waivers=waivers,
         named_routes=routes,
         excluded=excluded,
-        overlaps=overlaps,
+        overlaps=over.all,
+        overlap_ways=over.ways,
+        entry_speeds=over.entry,
         distants=distants,
         voyages=voyages,
         automatic=automatic,
@@ -179,6 +181,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )
+    layout = with_releases(ctx, layout)
     for check in CHECKS:
         check(ctx, layout)
     return (None if sink.has_errors else layout), source

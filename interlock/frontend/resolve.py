@@ -7,8 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from pydantic_core import PydanticCustomError
-
 from interlock.diag import Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
@@ -29,7 +27,6 @@ from interlock.model.elements import (
     MachineId,
     NamedRoute,
     NodeId,
-    Overlap,
     PointId,
     Position,
     SectionId,
@@ -40,7 +37,6 @@ from interlock.model.elements import (
     Waiver,
     Zone,
 )
-from interlock.model.principles import Principles
 
 
 def _edges_at(wiring: Wiring) -> dict[NodeId, list[Edge]]:
@@ -356,42 +352,6 @@ def resolve_distants(ctx: Context, signals: tuple[Signal, ...]) -> tuple[Distant
         else:
             out.append(Distant(SignalId(name), SignalId(spec.of)))
     return tuple(out)
-
-
-def resolve_overlaps(
-    ctx: Context, principles: Principles, signals: tuple[Signal, ...], wiring: Wiring
-) -> tuple[Overlap, ...]:
-    """The overlap of each main signal inside the layout: stated, or as the principle says."""
-    inside = {g.id for g in signals if g.main and g.node not in {b.node for b in wiring.boundaries}}
-    stated: dict[str, float] = {}
-    for name, spec in ctx.file.overlaps.items():
-        if name not in inside:
-            what = "stands at a boundary, or is no main signal" if name in ctx.file.signals else "does not exist"
-            ctx.add(
-                "IL2006",
-                f"an overlap lies beyond a main signal inside the layout: {name} {what}",
-                ctx.at_key("overlaps", name),
-                did_you_mean(name, inside),
-            )
-            continue
-        try:
-            metres = spec.metres()
-        except PydanticCustomError as error:
-            ctx.add("IL1013", f"overlaps.{name}: {error.message()}", ctx.at_key("overlaps", name), "write metres")
-            continue
-        ways = [spec.length is not None, spec.speed is not None, spec.successive]
-        if sum(ways) != 1 or not (spec.successive or 0 <= metres <= 2000):
-            ctx.add(
-                "IL1014",
-                f"overlaps.{name}: give a length of 0 to 2000 m, or a speed, or `successive: yes`",
-                ctx.at_key("overlaps", name),
-                "for instance `{length: 180}`, `{speed: 60, falling: 5}` or `{successive: yes}`",
-            )
-            continue
-        stated[name] = metres
-    lengths = {g: stated.get(g, principles.overlap_m) for g in sorted(inside)}
-    swing = {g for g in stated if ctx.file.overlaps[g].swing}
-    return tuple(Overlap(SignalId(g), x, g in swing) for g, x in lengths.items() if x > 0)
 
 
 def resolve_zones(ctx: Context, wiring: Wiring) -> tuple[Zone, ...]:

@@ -219,6 +219,21 @@ class ZoneSpec(_Part):
     trains: Trains = key("how many trains may be there at once")
 
 
+class OverlapWaySpec(_Part):
+    """Alternatives of an overlap that lead over some sections, with values of their own."""
+
+    over: list[Name] = key("all of these sections; of several entries that fit, the first counts", least=1)
+    length: Metres | None = key("their length in metres; without it, what `entry_speed` and `falling` say", None)
+    falling: Permille = key("permille by which the track falls towards the signal; negative when it rises", 0.0)
+    entry_speed: Speed | None = key(
+        "km/h: no train is shown more while one of them is held for it; without it, their length limits no speed", None
+    )
+
+    def metres(self) -> float:
+        """The length; raises PydanticCustomError when it is no number."""
+        return number(self.length) if self.length is not None else overlap_length(self.entry_speed or 0.0, self.falling)
+
+
 class OverlapSpec(_Part):
     """The overlap beyond a main signal inside the layout: `length`, or `speed` and `falling`, or `successive`."""
 
@@ -235,6 +250,21 @@ class OverlapSpec(_Part):
     swing: YesNo = key(
         "another alternative may take its place while a route leads to the signal, no train close", False
     )
+    entry_speed: Speed | None = key(
+        "km/h: no train to the signal is shown more; where nothing else says the length, it follows from this; without "
+        "it, the overlap limits no speed",
+        None,
+    )
+    release: Seconds | None = key(
+        "seconds for which the section before the signal must have been occupied until the overlap is released; "
+        "without it, the principle `overlap_release_s`",
+        None,
+    )
+    release_by_length: YesNo = key(
+        "released after the time to run through the section before the signal at half the speed there, and to stop",
+        False,
+    )
+    ways: list[OverlapWaySpec] = key("alternatives over certain sections, with values of their own", [])
 
     def metres(self) -> float:
         """The length, infinite for a successive route; raises PydanticCustomError when a number is malformed."""
@@ -242,7 +272,7 @@ class OverlapSpec(_Part):
             return float("inf")
         if self.length is not None:
             return number(self.length)
-        return overlap_length(self.speed or 0.0, self.falling)
+        return overlap_length(self.speed or self.entry_speed or 0.0, self.falling)
 
 
 class ChoiceSpec(_Part):

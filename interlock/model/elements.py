@@ -338,6 +338,17 @@ class Overlap:
         return "as far as the next main signal" if isinf(self.length) else f"{self.length:g} m"
 
 
+@dataclass(frozen=True)
+class OverlapWay:
+    """Those alternatives of a signal's overlap that lead over all of some sections, with values of their own: metres
+    needed, and the highest speed that is shown to a train for which one of them is held (entry speed, km/h)."""
+
+    signal: SignalId
+    over: tuple[SectionId, ...]
+    length: float
+    entry: int | None = None
+
+
 class TelegramForm(StrEnum):
     """How point commands travel to the machines, if not by a wire each (document C)."""
 

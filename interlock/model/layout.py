@@ -31,6 +31,7 @@ from interlock.model.elements import (
     NamedRoute,
     NodeId,
     Overlap,
+    OverlapWay,
     Point,
     PointId,
     Position,
@@ -88,6 +89,13 @@ class Layout:
     """Boards without lamps, of the kind of signal whose routes end there; no route begins at one."""
     stops: tuple[SignalId, ...] = ()
     """Where train routes end and none begins: stop boards, and shunt signals that the author says so of."""
+    overlap_ways: tuple[OverlapWay, ...] = ()
+    """Alternatives of overlaps with values of their own; of several that fit, the first counts."""
+    entry_speeds: tuple[tuple[SignalId, int], ...] = ()
+    """Signals with an overlap that is made for a speed (km/h): no train to it is shown more, but where its alternative
+    has a speed of its own."""
+    overlap_releases: tuple[tuple[SignalId, float], ...] = ()
+    """Seconds after which the overlap of a signal is released, where it has a time of its own."""
     supervision: tuple[tuple[MachineId, float], ...] = ()
     """Seconds of supervision of machines that have a time of their own."""
     unlisted: tuple[str, ...] = ()
@@ -231,6 +239,10 @@ class Layout:
         """Seconds after which the machine, commanded and not detected, raises an alarm (R10)."""
         return dict(self.supervision).get(machine, self.principles.point_supervision_s)
 
+    def overlap_release_s(self, signal: SignalId) -> float:
+        """Seconds for which a train must have been before a signal until its overlap is released (R4)."""
+        return dict(self.overlap_releases).get(signal, self.principles.overlap_release_s)
+
     @cached_property
     def longest_supervision_s(self) -> float:
         """For as long any machine may turn before an alarm."""
@@ -268,6 +280,7 @@ class Layout:
             edges=tuple(replace(e, length=0.0) for e in self.edges),
             points=tuple(replace(p, fouling=0.0) for p in self.points),
             overlaps=tuple(replace(o, length=0.0) for o in self.overlaps),
+            overlap_ways=tuple(replace(o, length=0.0) for o in self.overlap_ways),
             boundaries=tuple(replace(b, approach_m=0.0) for b in self.boundaries),
             hands=(),
         )
@@ -283,7 +296,10 @@ class Layout:
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 
-_ONLY_STATED = frozenset({"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands"})
+_ONLY_STATED = frozenset(
+    {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands"}
+    | {"overlap_ways", "entry_speeds", "overlap_releases"}
+)
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
 
 

@@ -1,17 +1,19 @@
 """Overlaps (R4): the track beyond a signal into which a train may run that fails to stop at it.
 
 Lengths are metres.  An overlap ends at the first joint at or beyond its length, at a boundary, or at the end of the
-track; one of infinite length, a successive route, also at the next main signal.
+track; one of infinite length, a successive route, also at the next main signal.  Alternatives over different points may
+have lengths of their own, and speeds for which they are made.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from math import isinf
 
-from interlock.model.elements import NodeId, PointId, Position, SectionId, SignalId
+from interlock.model.elements import NodeId, OverlapWay, PointId, Position, SectionId, SignalId
 from interlock.model.layout import Layout, of_layout
-from interlock.model.traversal import Traversal, topology
+from interlock.model.traversal import Traversal, path_speed, topology
 
 
 def overlap_length(speed_kmh: float, falling_permille: float) -> float:
@@ -20,6 +22,12 @@ def overlap_length(speed_kmh: float, falling_permille: float) -> float:
     base = 50.0 if speed_kmh <= 40 else 100.0 if speed_kmh <= 60 else 200.0
     share = 0.10 * falling_permille if falling_permille > 0 else 0.05 * falling_permille
     return base * max(0.0, 1.0 + share)
+
+
+def stand_s(length_m: float, kmh: float, halt_ms: int) -> float:
+    """When an overlap may be released, by length and speed (whole seconds): a train that is wholly in a section of so
+    many metres before the signal runs on through it at half the speed at least, and brakes (our choice)."""
+    return float(-(-(round(1000 * length_m / (kmh / 3.6 / 2)) + halt_ms) // 1000))
 
 
 @of_layout
@@ -31,17 +39,46 @@ def overlap_paths(layout: Layout, signal: SignalId) -> tuple[tuple[Traversal, ..
     """
     if layout.overlap_of.get(signal, 0.0) <= 0:
         return ()
-    plain = [ways for ways in _search(layout, signal, frozenset()) if _agrees(layout, ways)]
+    plain = _found(layout, signal, frozenset())
     steps = frozenset((a.section, a.exit, b.section) for ways in plain for a, b in pairwise(ways))
-    found = [ways for ways in _search(layout, signal, steps) if _agrees(layout, ways)]
+    found = _found(layout, signal, steps)
     return tuple(sorted(found, key=lambda ws: (_reversed(ws), [t.key for t in ws])))
 
 
-def _search(
-    layout: Layout, signal: SignalId, steps: frozenset[tuple[SectionId, NodeId, SectionId]]
-) -> list[tuple[Traversal, ...]]:
+def own_way(layout: Layout, signal: SignalId, ways: Iterable[Traversal]) -> OverlapWay | None:
+    """What the layout states of an alternative, if it states anything of it."""
+    over = {t.section for t in ways}
+    return next((w for w in layout.overlap_ways if w.signal == signal and over.issuperset(w.over)), None)
+
+
+def entry_speed(layout: Layout, signal: SignalId, ways: Iterable[Traversal]) -> int | None:
+    """The highest speed (km/h) shown to a train for which an alternative of a signal's overlap is held; None: any."""
+    own = own_way(layout, signal, ways)
+    return dict(layout.entry_speeds).get(signal) if own is None else own.entry
+
+
+def route_speed(layout: Layout, ways: Iterable[Traversal], signal: str, overlap: Sequence[Traversal]) -> int | None:
+    """The highest speed (km/h) for a route to a signal: the lowest stated along its path, or for its overlap (R11)."""
+    found = [path_speed(layout, ways), entry_speed(layout, SignalId(signal), overlap) if overlap else None]
+    return min((v for v in found if v is not None), default=None)
+
+
+Steps = frozenset[tuple[SectionId, NodeId, SectionId]]
+
+
+def _found(layout: Layout, signal: SignalId, steps: Steps) -> list[tuple[Traversal, ...]]:
+    """The alternatives, each as long as it must be."""
+    lengths = [(None, layout.overlap_of[signal]), *((w, w.length) for w in layout.overlap_ways if w.signal == signal)]
+    return [
+        ways
+        for own, length in lengths
+        for ways in _search(layout, signal, length, steps)
+        if _agrees(layout, ways) and own_way(layout, signal, ways) is own
+    ]
+
+
+def _search(layout: Layout, signal: SignalId, length: float, steps: Steps) -> list[tuple[Traversal, ...]]:
     """Paths that are long enough and do not end where one of the steps goes on."""
-    length = layout.overlap_of[signal]
     g = layout.signal[signal]
     topo = topology(layout)
     found: list[tuple[Traversal, ...]] = []

@@ -157,7 +157,7 @@ class Called:
         """What stands in the overlap of the signal at the end, and which points of it were not detected."""
         if end == NONE:
             return []
-        metres = self.world.drivers.overlap[end]
+        metres = self.world.drivers.overlap(end).metres
         endless = isinf(metres)
         s, sight, d, found = self.track.stretches, self.world.sight, self.track.begins[end], []
         while metres > 0.0 and d != NONE and not s[d].outside and d not in found:
@@ -174,7 +174,7 @@ class Called:
         return wrong
 
     def _aspects(self, path: list[int], end: int, signal: int, shown: Mapping[str, int]) -> list[str]:
-        """Clear before a signal at stop; a speed that the path does not permit."""
+        """Clear before a signal at stop; a speed that the path does not permit, or the overlap at its end."""
         w, s, wrong = self.world, self.track.stretches, []
         clear = w.drivers.lit[signal][0]
         if shown.get(clear) and w.drivers.three and end != NONE:
@@ -182,6 +182,9 @@ class Called:
             if not any(shown.get(x) for x in after[:2]):
                 wrong.append(f"by clear, though {self.track.signals[end]} is at stop")
         told = [kmh for kmh, names in w.speeds if shown.get(names[signal])]
+        made = w.drivers.overlap(end).kmh if end != NONE else None
+        if made is not None and (not told or max(told) > made):
+            wrong.append(f"at {max(told, default='any')} km/h to an overlap for {made} km/h")
         for d in path:
             for most in (self.slow.get(s[d].edge), self.permits[s[d].section] if s[d].section != NONE else None):
                 if most is not None and told and max(told) > most:

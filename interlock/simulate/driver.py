@@ -8,6 +8,7 @@ rear of it or beyond is physics.  Who has passed a signal that he had accepted i
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from math import inf, sqrt
 from typing import TYPE_CHECKING
 
@@ -22,6 +23,15 @@ if TYPE_CHECKING:
 
 READS_S = 1.0
 """Seconds to read a signal; a second train reads none before the first has passed it (A-HEADWAY)."""
+
+
+@dataclass(frozen=True)
+class Ground:
+    """An overlap, or what holds of it over all of some sections: metres, and km/h for which it is made (None: any)."""
+
+    over: frozenset[int]
+    metres: float
+    kmh: int | None
 
 
 class Drivers:
@@ -42,8 +52,32 @@ class Drivers:
         self.line_speed = line_speed
         self.limit = [line_speed if s.speed is None else s.speed / 3.6 for s in layout.sections]
         self.fastest = max([line_speed, *self.limit])
-        self.overlap = {i: layout.overlap_of.get(g.id, 0.0) for i, g in enumerate(layout.signals)}
+        entry = dict(layout.entry_speeds)
+        section = {s: i for i, s in enumerate(self.track.sections)}
+        self.overlaps = [
+            [
+                *(
+                    Ground(frozenset(section[str(s)] for s in w.over), w.length, w.entry)
+                    for w in layout.overlap_ways
+                    if w.signal == g.id
+                ),
+                Ground(frozenset(), layout.overlap_of.get(g.id, 0.0), entry.get(g.id)),
+            ]
+            for g in layout.signals
+        ]
         self.view = (self.fastest * self.reaction + self.fastest**2 / (2 * rules.braking_ms2)) * 1.1 + 30.0
+
+    def overlap(self, signal: int) -> Ground:
+        """The overlap of a signal, as its points lie: what counts of those that may be stated."""
+        stated = self.overlaps[signal]
+        if len(stated) == 1:
+            return stated[0]
+        s, d, gone, over = self.track.stretches, self.track.begins[signal], 0.0, set[int]()
+        while d != NONE and gone <= max(x.metres for x in stated) and not s[d].outside:
+            over.add(s[d].section)
+            gone += s[d].metres
+            d = self.sight.follows(s[d])
+        return next(x for x in stated if x.over <= over)
 
     def proceed(self, t: Train, signal: int, shown: Mapping[str, int]) -> bool | None:
         """What a driver reads: None stop, False to trains, True to shunting movements."""
@@ -192,7 +226,7 @@ class Drivers:
 
     def _fails(self, t: Train) -> None:
         """A driver fails to stop, within the overlap; not while points of it turn (A-OVERRUN, A-SWING)."""
-        metres = min(self.overlap[t.target], 400.0)
+        metres = min(self.overlap(t.target).metres, 400.0)
         near = metres and t.gap < 60.0 and self.rng.random() < self.world.faults.overrun * 0.1
         if near and self.sight.rails_lie(t, t.gap + metres):
             t.overruns = t.margin + metres * self.rng.uniform(0.05, 0.95)

@@ -70,7 +70,10 @@ def report_html(
     def hostile_parts(way: PrintedRoute) -> list[tuple[RouteRow | None, str]]:
         if large:
             return [(r if way.several else None, f"{len(r.hostile)} routes") for r in way.rows if r.hostile]
-        told = [(r, [x.name() for x in grouped(((h.route, None) for h in r.hostile), way.ways, r)]) for r in way.rows]
+        told = [
+            (r, [x.name() for x in grouped(((h.route, None) for h in r.hostile), way.ways, r) if x.way is not way])
+            for r in way.rows
+        ]
         return [(p.row, ", ".join(p.items)) for p in parts(told) if p.items]
 
     return (

@@ -46,7 +46,7 @@ def _route(x: Reading, r: RouteRow) -> dict[str, object]:
             "designator": f"{r.overlap.signal}:{r.overlap.option}",
             "length": r.overlap.metres,
             "hasTvdSection": [s for s, _ in r.overlap.ways],
-            "releaseDelay": x.layout.principles.overlap_release_s,
+            "releaseDelay": x.layout.overlap_release_s(r.overlap.signal),
         }
     return {
         "id": r.id,

@@ -14,7 +14,8 @@ def check_delays(ctx: Context, layout: Layout) -> None:
     why = f"{rules.output_delay_s:g} s until stop is seen, {rules.reaction_s:g} s of reaction, and braking"
     trains = [least.stop[g.id] for g in layout.signals if g.main]
     shunts = [least.shunt for g in layout.signals if g.shunt][:1]
-    overlapped = [least.stand[o.signal] for o in layout.overlaps if o.length]
+    own_times = dict(layout.overlap_releases)
+    overlapped = [least.stand[o.signal] for o in layout.overlaps if o.length and o.signal not in own_times]
     tokens = [least.agreed for b in layout.boundaries if b.block == "token"]
     ordered = (
         ("approach_release_s", trains, f"until a train that saw proceed stands or has passed: {why}"),
@@ -34,6 +35,16 @@ def check_delays(ctx: Context, layout: Layout) -> None:
                 f"{name} is {own:g} s, and {need / 1000:.1f} s are needed {words}",
                 ctx.at_key(*at),
                 f"state `principles: {{{name}: {-(-need // 1000)}}}`, or the lower speeds that are run there",
+            )
+    for g, own in layout.overlap_releases:
+        if round(own * 1000) < least.stand[g]:
+            needed = f"{least.stand[g] / 1000:.1f} s are needed until a train before it stands: {why}"
+            at_least = f"state at least {-(-least.stand[g] // 1000)} s, or the lower speed that is run before {g}"
+            ctx.add(
+                "IL3023",
+                f"the overlap of {g} is released after {own:g} s, and {needed}",
+                ctx.at_key("overlaps", g),
+                at_least,
             )
     for m, own in layout.supervision:
         if round(own * 1000) < least.run:

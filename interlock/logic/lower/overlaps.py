@@ -28,7 +28,7 @@ def standing(d: Draft) -> None:
         ]
         d.wire(names.STANDING_RUNS(g), Join.ALL, terms, f"overlap {g}", f"the train before {g} is wholly in {b} (R4)")
     for g in signals:
-        seconds = d.layout.principles.overlap_release_s
+        seconds = d.layout.overlap_release_s(g)
         d.timer(names.STANDING(g), names.STANDING_RUNS(g), seconds, f"{g}: the train before it stands (R4)")
     for g in signals:
         b = d.before(g)

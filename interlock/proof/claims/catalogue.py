@@ -12,6 +12,7 @@ from interlock.logic.expr import FALSE, TRUE, Expr, at_most_one, conj, disj, eq,
 from interlock.logic.plant import accepted, came, has_token, lies, o, rests, shunting
 from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
+from interlock.model.overlap import entry_speed
 from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed
 from interlock.proof.claims.added import declared, demanded
@@ -61,6 +62,8 @@ CLAIMS: dict[str, str] = {
     "S-LOST-INPUT": "When inputs are lost, every signal shows stop at once, and nothing is granted or released.",
     "S-ASPECT": "Clear is shown only when the next signal is open, and by a distant only when its signal shows clear.",
     "S-SPEED": "No signal shows a higher speed than its path permits, as the points lie.",
+    "S-ENTRY": "A main signal that is open to a signal shows a speed, and none above the one for which the overlap "
+    "there is made, as its points lie.",
     "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, and shows nothing else "
     "than stop while no lamp for it is.",
     "S-STOP": "At every signal stop is lit exactly when no main or white lamp is; no two of these are lit at once, a "
@@ -249,8 +252,9 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
     exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
     over = () if exit_ is None or shunt else f.overlap_paths(exit_)
-    if over:
+    if over and exit_ is not None:
         yield "S-OVERLAP", "", implies(here, disj(_overlap(f, ways) for ways in over))
+        yield from _entry(f, signal, path, exit_, over)
     if not shunt and f.layout.principles.caution is not Caution.NEVER:
         clear = conj((_clear_aspect(f, signal), after(lie(f, path.ways))))
         yield "S-ASPECT", "", implies(clear, allows_clear(f, path, exit_))
@@ -395,6 +399,24 @@ def _overlap(f: Facts, ways: tuple[Traversal, ...]) -> Expr:
             *(neg(var(f.sym.detected[m, x.other])) for m, x in points),
         ]
     )
+
+
+def _entry(
+    f: Facts, signal: SignalId, path: SignalPath, exit_: SignalId, over: Sequence[tuple[Traversal, ...]]
+) -> Iterator[tuple[str, str, Expr]]:
+    """A train is shown no more than the speed for which its overlap is made: (claim, what of the path, claim)."""
+    after = f.system.after
+    shown = {v: var(n) for (g, v), n in f.sym.speed_shown.items() if g == signal}
+    for k, ways in enumerate(over, 1):
+        kmh = entry_speed(f.layout, exit_, ways)
+        if kmh is None:
+            continue
+        main = after(disj(map(var, f.sym.main_lamps(signal))))
+        lying = after(lie(f, (*path.ways, *ways)))
+        slow, faster = (disj(x for v, x in shown.items() if (v <= kmh) is fits) for fits in (True, False))
+        yield "S-ENTRY", f" overlap {k}", implies(conj((main, lying)), conj((after(slow), neg(after(faster)))))
+        if f.layout.principles.caution is not Caution.NEVER and kmh < f.layout.principles.slow_below_kmh:
+            yield "S-ASPECT", f" overlap {k}", implies(lying, neg(_clear_aspect(f, signal)))
 
 
 def _not_foul(f: Facts, fj: FoulJoint) -> Expr:

@@ -82,7 +82,7 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         trains = [rules.approach_release_s, needs.stop[g] / 1000] if False in kinds else []
         ordered[name] = [*trains, *([rules.shunt_release_s, needs.shunt / 1000] if True in kinds else [])]
     for g, name in f.sym.overlap_timer.items():
-        ordered[name] = [rules.overlap_release_s, needs.stand[g] / 1000]
+        ordered[name] = [f.layout.overlap_release_s(g), needs.stand[g] / 1000]
     ordered |= {x.timer: [rules.token_delay_s, needs.agreed / 1000] for x in f.sym.token.values()}
     ordered |= {name: [f.layout.supervision_s(m), needs.run / 1000] for m, name in f.sym.late_timer.items()}
     ordered |= {name: [rules.release_delay_s] for name in f.sym.release_timer.values()}

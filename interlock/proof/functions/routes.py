@@ -8,7 +8,7 @@ from interlock.logic.controller import RouteSymbols
 from interlock.logic.expr import FALSE, Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.names import Name
 from interlock.model.elements import Position, SectionId, SignalId
-from interlock.model.traversal import path_speed
+from interlock.model.overlap import route_speed
 from interlock.proof.claims.catalogue import allows_clear
 from interlock.proof.claims.paths import SignalPath
 from interlock.proof.functions.words import Way, Words
@@ -58,7 +58,7 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
             r.id,
             implies(conj((after(shows), _may_show_clear(w, r))), after(var(sym.clear_aspect[r.entry]))),
         )
-    speed = path_speed(w.layout, [w.way(s, n) for s, n in r.ways])
+    speed = _speed(w, r)
     if speed is not None and (r.entry, speed) in sym.speed_shown and not r.shunt and not r.call_on:
         is_open = after(disj(map(var, r.open_while)))
         yield "F-SPEED", r.id, implies(is_open, after(var(sym.speed_shown[r.entry, speed])))
@@ -89,7 +89,16 @@ def _may_show_clear(w: Words, r: RouteSymbols) -> Expr:
     ahead = w.topo.beyond(last.section, last.exit)
     exit_ = None if ahead is None else w.topo.main_into.get((last.exit, ahead))
     lamp = [var(w.sym.clear_lamp[r.entry])] if r.entry in w.sym.clear_lamp else []
+    speed = _speed(w, r)
+    if speed is not None and speed < w.layout.principles.slow_below_kmh:
+        return FALSE
     return conj((allows_clear(w.f, path, exit_), *lamp))
+
+
+def _speed(w: Words, r: RouteSymbols) -> int | None:
+    """The highest speed for a route: of its path, and for its overlap (R11, R4)."""
+    over = [] if r.overlap is None else [w.way(s, n) for s, n in w.sym.overlap_ways[r.overlap]]
+    return route_speed(w.layout, [w.way(s, n) for s, n in r.ways], "" if r.overlap is None else r.overlap[0], over)
 
 
 def _kept_clear(w: Words, r: RouteSymbols) -> list[SectionId]:

@@ -18,6 +18,7 @@ from interlock.logic.controller import Controller, Equation, Join, StateVar, Ter
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, var
 from interlock.logic.lower import lower
 from interlock.model.layout import Layout
+from interlock.model.traversal import path_speed, topology
 from interlock.proof.claims import Facts, claims
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.inductive import inductive, open_claims
@@ -249,16 +250,26 @@ def _short_approach(layout: Layout, table: InterlockingTable) -> Iterator[Mutant
         yield g, lower(layout, replace(table, routes=tuple(short.get(r.id, r) for r in table.routes)))
 
 
+def _at_speed(layout: Layout, table: InterlockingTable, r: RouteRow, kmh: int | None) -> Controller:
+    """A route shows another speed."""
+    faster = replace(r, speed=replace(r.speed, kmh=kmh))
+    return lower(layout, replace(table, routes=tuple(faster if x is r else x for x in table.routes)))
+
+
+def _entry_speed_forgotten(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A route shows the speed of its path, whatever its overlap is made for."""
+    for r in table.routes:
+        along = path_speed(layout, [topology(layout).traversals[s][n - 1] for s, n in r.traversals])
+        if r.kind is RouteKind.MAIN and r.speed.kmh != along:
+            yield r.id, _at_speed(layout, table, r, along)
+
+
 def _too_fast(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """A route shows the speed of another one from the same signal."""
     for r in table.routes:
         others = {x.speed.kmh for x in table.routes if x.entry == r.entry and x.kind is r.kind is RouteKind.MAIN}
         for kmh in sorted(v for v in others if v is not None and v > (r.speed.kmh or v)):
-            faster = replace(r, speed=replace(r.speed, kmh=kmh))
-            yield (
-                f"{r.id} at {kmh}",
-                lower(layout, replace(table, routes=tuple(faster if x is r else x for x in table.routes))),
-            )
+            yield f"{r.id} at {kmh}", _at_speed(layout, table, r, kmh)
 
 
 SWINGS = "SW"
@@ -461,6 +472,7 @@ KINDS: tuple[Kind, ...] = (
     ),
     Kind("direction-not-handed-over", "the direction stays here although it was given", without("BH", "not given")),
     Kind("speed-too-high", "a signal shows the speed of another route", _too_fast),
+    Kind("entry-speed-forgotten", "a route shows more than its overlap is made for", _entry_speed_forgotten),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),
     Kind("opens-by-itself", "a signal opens again when a lost condition returns", without("W", "conditions kept")),
     Kind("trailed-not-kept-back", "proceed over a trailed point", without("WD", "not trailed")),
@@ -535,7 +547,8 @@ def judge(layout: Layout, kind: str, place: str, controller: Controller, limits:
     kept, _, _ = inductive(system, limits)
     wanted = claims(Facts(system))
     open_ = open_claims(system, kept, wanted, limits)
-    at_restart = [n for n in system.symbols.restart.values() if not _initial(controller, n)]
+    initial = {s.name: s.initial for s in controller.state}
+    at_restart = [n for n in system.symbols.restart.values() if not initial[n]]
     failing = [*open_, *(["P-START"] if at_restart else [])]
     if not failing:
         return Outcome(kind, place, Fate.REDUNDANT, (), ())
@@ -544,7 +557,3 @@ def judge(layout: Layout, kind: str, place: str, controller: Controller, limits:
         return Outcome(kind, place, Fate.STRICT, tuple(failing), ())
     order = [run.claim.id, *(f for f in failing if f != run.claim.id)]
     return Outcome(kind, place, Fate.KILLED, tuple(order), tell(system, run).steps)
-
-
-def _initial(controller: Controller, name: str) -> bool:
-    return next(s.initial for s in controller.state if s.name == name)

@@ -109,7 +109,7 @@ class Reading:
 
     def overlap_release_s(self, r: RouteRow) -> float:
         """Seconds after which the overlap of a route is given up behind a train that stands."""
-        return self.layout.principles.overlap_release_s if r.overlap is not None else 0.0
+        return self.layout.overlap_release_s(r.overlap.signal) if r.overlap is not None else 0.0
 
     def stops(self, r: RouteRow) -> list[str]:
         """The signals that protect the flank of a route at stop."""

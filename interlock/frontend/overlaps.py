@@ -1,0 +1,143 @@
+"""Overlaps (R4): how long each is, for which speed it is made, over which ways it differs, and when it is released."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from pydantic_core import PydanticCustomError
+
+from interlock.diag.suggest import did_you_mean
+from interlock.frontend.context import Context
+from interlock.frontend.ports import Wiring
+from interlock.frontend.schema import OverlapSpec, OverlapWaySpec
+from interlock.model.elements import Overlap, OverlapWay, SectionId, Signal, SignalId
+from interlock.model.layout import Layout
+from interlock.model.needs import needs
+from interlock.model.overlap import stand_s
+from interlock.model.principles import Principles
+from interlock.model.traversal import topology
+
+
+@dataclass(frozen=True)
+class Overlaps:
+    """What the layout says of overlaps, and what follows from the principle."""
+
+    all: tuple[Overlap, ...]
+    ways: tuple[OverlapWay, ...]
+    entry: tuple[tuple[SignalId, int], ...]
+
+
+def resolve_overlaps(ctx: Context, principles: Principles, signals: tuple[Signal, ...], wiring: Wiring) -> Overlaps:
+    """The overlap of each main signal inside the layout: stated, or as the principle says."""
+    inside = {g.id for g in signals if g.main and g.node not in {b.node for b in wiring.boundaries}}
+    stated: dict[str, float] = {}
+    ways: list[OverlapWay] = []
+    for name, spec in ctx.file.overlaps.items():
+        if name not in inside:
+            what = "stands at a boundary, or is no main signal" if name in ctx.file.signals else "does not exist"
+            ctx.add(
+                "IL2006",
+                f"an overlap lies beyond a main signal inside the layout: {name} {what}",
+                ctx.at_key("overlaps", name),
+                did_you_mean(name, inside),
+            )
+            continue
+        metres = _metres(ctx, name, spec)
+        if metres is not None:
+            stated[name] = metres
+            ways += _ways(ctx, name, spec, wiring)
+    lengths = {g: stated.get(g, principles.overlap_m) for g in sorted(inside)}
+    swing = {g for g in stated if ctx.file.overlaps[g].swing}
+    entry = ((SignalId(g), v) for g in sorted(stated) if (v := ctx.file.overlaps[g].entry_speed) is not None)
+    ways.sort(key=lambda w: w.signal)  # of one signal they stay in the order in which they are stated
+    overlaps = tuple(Overlap(SignalId(g), x, g in swing) for g, x in lengths.items() if x > 0)
+    return Overlaps(overlaps, tuple(ways), tuple(entry))
+
+
+def _metres(ctx: Context, name: str, spec: OverlapSpec) -> float | None:
+    """The length of an overlap, or None where something is wrong."""
+    at = ctx.at_key("overlaps", name)
+    try:
+        metres = spec.metres()
+    except PydanticCustomError as error:
+        ctx.add("IL1013", f"overlaps.{name}: {error.message()}", at, "write metres")
+        return None
+    said = [spec.length is not None, spec.speed is not None, spec.successive]
+    follows = spec.entry_speed is not None and not any(said)
+    if (sum(said) != 1 and not follows) or not (spec.successive or 0 <= metres <= 2000):
+        ctx.add(
+            "IL1014",
+            f"overlaps.{name}: give a length of 0 to 2000 m, or a speed, or `successive: yes`",
+            at,
+            "for instance `{length: 180}`, `{speed: 60, falling: 5}` or `{successive: yes}`",
+        )
+        return None
+    if metres == 0 and (spec.ways or spec.entry_speed or spec.release or spec.release_by_length):
+        ctx.add("IL1014", f"overlaps.{name}: there is no overlap of 0 m", at, "give its length, or its `entry_speed`")
+        return None
+    if spec.swing and (spec.ways or spec.entry_speed):
+        ctx.add(
+            "IL1014",
+            f"overlaps.{name}: an overlap with a speed, or with `ways` of its own, does not swing: the signal in rear "
+            "would have to show another speed",
+            at,
+            "remove `swing: yes`, or the speeds",
+        )
+        return None
+    if spec.release is not None and spec.release_by_length:
+        ctx.add("IL1014", f"overlaps.{name}: `release` and `release_by_length` are two times", at, "remove one of them")
+        return None
+    return metres
+
+
+def _ways(ctx: Context, name: str, spec: OverlapSpec, wiring: Wiring) -> list[OverlapWay]:
+    out = []
+    for i, way in enumerate(spec.ways):
+        for k, s in enumerate(way.over):
+            if s not in wiring.sections:
+                at = ctx.at("overlaps", name, "ways", i, "over", k)
+                ctx.add("IL2004", f"there is no section {s}", at, did_you_mean(s, wiring.sections))
+        metres = _way_metres(ctx, name, i, way)
+        if metres is not None:
+            over = tuple(sorted(map(SectionId, way.over)))
+            out.append(OverlapWay(SignalId(name), over, metres, way.entry_speed))
+    return out
+
+
+def _way_metres(ctx: Context, name: str, i: int, way: OverlapWaySpec) -> float | None:
+    at = ctx.at("overlaps", name, "ways", i)
+    try:
+        metres = way.metres()
+    except PydanticCustomError as error:
+        ctx.add("IL1013", f"overlaps.{name}.ways: {error.message()}", at, "write metres")
+        return None
+    if (way.length is None and way.entry_speed is None) or not 0 < metres <= 2000:
+        ctx.add(
+            "IL1014",
+            f"overlaps.{name}.ways: give a length above 0, to 2000 m, or an `entry_speed`",
+            at,
+            "for instance `{over: [q7], length: 50, entry_speed: 40}`",
+        )
+        return None
+    return metres
+
+
+def with_releases(ctx: Context, layout: Layout) -> Layout:
+    """The layout with the times of its own after which overlaps are released (R4)."""
+    found = []
+    for o in layout.overlaps:
+        spec = ctx.file.overlaps.get(o.signal)
+        if spec is not None and spec.release is not None:
+            found.append((o.signal, spec.release))
+        elif spec is not None and spec.release_by_length:
+            found.append((o.signal, _by_length(layout, o.signal)))
+    return replace(layout, overlap_releases=tuple(found)) if found else layout
+
+
+def _by_length(layout: Layout, g: SignalId) -> float:
+    signal, topo = layout.signal[g], topology(layout)
+    before = topo.beyond(layout.section_of(signal.into), signal.node)
+    assert before is not None  # the signal stands inside the layout
+    metres = max((t.length for t in topo.traversals[before] if t.exit == signal.node), default=0.0)
+    kmh = layout.section[before].speed or layout.principles.line_speed_kmh
+    return stand_s(metres, kmh, needs(layout).stand[g])
