@@ -232,7 +232,15 @@ class Symbol:
     name: str
 
 
-Term = Expr | Constant | Symbol
+@dataclass(frozen=True)
+class Cases:
+    """An integer by cases in symbolic execution: the value beside the first condition that holds, else the last."""
+
+    cases: tuple[tuple[Expr, Term], ...]
+    otherwise: Term
+
+
+Term = Expr | Constant | Symbol | Cases
 
 
 @dataclass
@@ -246,11 +254,15 @@ class Symbols:
     timers: dict[str, tuple[Expr, int]] = field(default_factory=dict)
     timer_names: dict[str, str] = field(default_factory=dict)
     known: Mapping[str, tuple[Expr, Expr]] = field(default_factory=dict)
+    words: Mapping[str, Term] = field(default_factory=dict)
+    """By a word's name its cases; its name stands for it once a variable of this name got these very cases."""
 
     def assigned(self, name: str, x: Term) -> Term:
         """What a variable holds after an assignment."""
         found = self.known.get(name)
-        return found[1] if found is not None and found[0] is x else x
+        if found is not None and found[0] is x:
+            return found[1]
+        return Symbol(name) if isinstance(x, Cases) and self.words.get(name) == x else x
 
     def literal(self, x: Bool | Int | Time) -> Term:
         """Constants."""
@@ -287,8 +299,11 @@ class Symbols:
         raise BadText(f"a comparison outside the subset: {op}")
 
     def choose(self, c: Term, a: Term, b: Term) -> Term:
-        """a if c else b."""
-        x, y, z = self._bool(c), self._bool(a), self._bool(b)
+        """a if c else b; integers stay apart case by case."""
+        x = self._bool(c)
+        if not isinstance(a, Expr) and not isinstance(b, Expr):
+            return Cases(((x, a), *b.cases), b.otherwise) if isinstance(b, Cases) else Cases(((x, a),), b)
+        y, z = self._bool(a), self._bool(b)
         return disj((conj((x, y)), conj((neg(x), z))))
 
     def timer(self, path: str, on: Term, preset: Term) -> Term:
