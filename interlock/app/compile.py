@@ -20,7 +20,7 @@ from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
 from interlock.emit.drawing import place, plan_svg
-from interlock.emit.io import channels_csv, equipment_csv, tags_xlsx
+from interlock.emit.io import channels_csv, equipment_csv, tags_xlsx, words_csv
 from interlock.emit.report import player_html, report_html
 from interlock.emit.tables.export import (
     matrix_csv,
@@ -114,6 +114,7 @@ def _documents(checked: Checked, proved: Proved, plan: str) -> dict[str, bytes]:
         **{f"table_{form.key}.csv": sheet_csv(form).encode() for form in national_sheets(layout, table)},
         "io/channels.csv": channels_csv(layout, controller, allocation).encode(),
         "io/equipment.csv": equipment_csv(layout, allocation).encode(),
+        "io/words.csv": words_csv(controller).encode(),
         "io/tags_tia.xlsx": tags_xlsx(layout, allocation),
         "proof.json": (json.dumps(body, indent=1, ensure_ascii=False) + "\n").encode(),
     }

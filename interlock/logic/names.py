@@ -425,6 +425,7 @@ WANTED = _route("W_R{}", "proceed wanted")
 SHOWING = _route("S_R{}", "proceed")
 SHOWN = _route("H_R{}", "has been open")
 STATUS = _route("YX_R{}", "word: free, set, open, being cancelled, what it waits for, why it is refused")
+WHAT_IT_DOES = _route("XW_R{}", "word: what it does while it is set and its signal is at stop")
 HOLDS_ADDED = _route("AH_R{}", "holds what the author added to it")
 
 # --- the controller: lines, conditions, zones ----------------------------------------------------

@@ -19,7 +19,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from interlock.logic.expr import Expr
+from interlock.logic.expr import TRUE, Expr, conj, disj, neg, variables
 from interlock.logic.names import Name
 
 UNKNOWN, FREE, SET, OPEN, CANCELLING = range(5)
@@ -56,6 +56,15 @@ class Word:
     group: str
     note: str
 
+    @cached_property
+    def reads(self) -> tuple[Name, ...]:
+        """Variables and words that it reads, in order of appearance."""
+        read = dict.fromkeys(variables(c.condition for c in self.cases))
+        return (
+            *read,
+            *dict.fromkeys(v for v in (*(c.value for c in self.cases), self.otherwise) if isinstance(v, Name)),
+        )
+
     def value(self, true: Callable[[Expr], bool], of: Mapping[Name, int]) -> int:
         """The code, where `true` tells what holds and `of` has the words before it."""
         found = next((c.value for c in self.cases if true(c.condition)), self.otherwise)
@@ -87,6 +96,20 @@ class Words:
     def by_name(self) -> dict[Name, Word]:
         """Words by name."""
         return {w.name: w for w in self.words}
+
+    def when(self) -> dict[Name, dict[int, Expr]]:
+        """By word and code: when it is said."""
+        found: dict[Name, dict[int, Expr]] = {}
+        for w in self.words:
+            said: dict[int, list[Expr]] = {}
+            before: list[Expr] = []
+            for c in (*w.cases, Case(TRUE, w.otherwise)):
+                inner = {c.value: TRUE} if isinstance(c.value, int) else found[c.value]
+                for code, x in inner.items():
+                    said.setdefault(code, []).append(conj((*before, c.condition, x)))
+                before.append(neg(c.condition))
+            found[w.name] = {code: disj(xs) for code, xs in said.items()}
+        return found
 
     def told(self, true: Callable[[Expr], bool]) -> dict[Name, int]:
         """Every word's code, where `true` tells what holds in the scan."""

@@ -12,6 +12,7 @@ import xlsxwriter
 from interlock.emit.tables.export import reproducible
 from interlock.logic.cabinet import Allocation, Channel
 from interlock.logic.controller import Controller
+from interlock.logic.words import SAID
 from interlock.model.elements import Position, Work
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
@@ -51,6 +52,17 @@ def channels_csv(layout: Layout, controller: Controller, a: Allocation) -> str:
         if key not in seen:
             card = "DI" if c.direction == "I" else "DO"
             rows.append((c.substation, "as stated", card, c.byte, c.bit, c.address, *told(c)))
+    return _csv(rows)
+
+
+def words_csv(controller: Controller) -> str:
+    """What the words of routes say: the word of each route, and each code with its sentence, rule and elements."""
+    ids = {r.number: r.id for r in controller.symbols.routes}
+    rows: list[tuple[object, ...]] = [("Word", "Code", "Says", "Rule", "About")]
+    rows += [(name, "", f"route {ids[number]}", "", "") for number, name in controller.words.routes.items()]
+    rows += [("", code, text, "", "") for code, text in SAID.items()]
+    for r in controller.words.reasons.values():
+        rows.append(("", r.code, r.text, r.rule, " ".join(x.partition(":")[2] for x in r.at)))
     return _csv(rows)
 
 

@@ -12,7 +12,7 @@ from itertools import chain
 
 from interlock.logic import names
 from interlock.logic.controller import Equation, Join, Term
-from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, conj, disj, neg, var
+from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.logic.names import Family, Name, computed
 from interlock.logic.sentences import RULES, SENTENCES, about, sentence
@@ -51,6 +51,10 @@ class _Writer:
     def __init__(self, d: Draft) -> None:
         self.d = d
         self.equations: dict[Name, Equation] = {e.name: e for e in d.steps if isinstance(e, Equation)}
+        named = (*(i.name for i in d.inputs), *(x.name for x in d.state), *(x.name for x in d.steps))
+        self.names: dict[str, Name] = {n: n for n in named}
+        """Names with their fields: a node may bear the same name as it was read from a text."""
+        self.number = {m: i for i, m in enumerate(d.machines)}
         self.words: dict[Name, Word] = {}
         self.codes: dict[tuple[object, ...], int] = {}
         self.reasons: dict[int, Reason] = {}
@@ -67,6 +71,10 @@ class _Writer:
             self.reasons.setdefault(found, Reason(found, condition, text, rule, at))
         return found
 
+    def _name(self, x: Expr) -> Name:
+        """The name of a variable, with its fields."""
+        return self.names.get(x.name, x.name)
+
     def _cases(self, terms: Sequence[Term], held: MachineId | None = None) -> Iterator[Case]:
         """The terms that may fail, each with what it is called then; `held`: they hold this machine."""
         for t in terms:
@@ -78,11 +86,12 @@ class _Writer:
         """What a condition that does not hold is called: by a word of its own, or by its number."""
         if held is not None:
             said = self._text(x, t)
-            if x.op is VAR and x.name.family is names.LONG_CLEAR:
-                said = f"section {x.name.at[0]} is occupied, or not clear for long enough"
+            if x.op is VAR and self._name(x).family is names.LONG_CLEAR:
+                said = f"section {self._name(x).at[0]} is occupied, or not clear for long enough"
             return self._code(x, f"{self._called(held)} cannot move: {said}", "R10", (f"m:{held}", *self._at(x)), held)
         if x.op is VAR:
-            name, place = x.name, x.name.at
+            name = self._name(x)
+            place = name.at
             if name.family is names.LONG_CLEAR:
                 return self._not_clear(name)
             if name.family is names.POINT_AVAILABLE:
@@ -120,12 +129,15 @@ class _Writer:
     def _text(self, x: Expr, t: Term) -> str:
         """What is said of a condition that does not hold."""
         inner = x.args[0] if x.op is NOT else x
-        said = sentence(inner.name, x.op is NOT) if inner.op is VAR else ""
-        if inner.op is VAR and inner.name.family is names.LOCK:
-            return said + self._way(inner.name)
-        if inner.op is VAR and inner.name.family is names.HOLDS_ADDED:
-            row = next(r for r in self.d.table.routes if r.number == inner.name.number)
-            return f"route {row.id}, declared hostile, is set or not yet cleared"
+        said = ""
+        if inner.op is VAR:
+            name = self._name(inner)
+            said = sentence(name, x.op is NOT)
+            if name.family is names.LOCK:
+                return said + self._way(name)
+            if name.family is names.HOLDS_ADDED:
+                row = next(r for r in self.d.table.routes if r.number == name.number)
+                return f"route {row.id}, declared hostile, is set or not yet cleared"
         if t.kind == "zone not full":
             return f"the zone is full: {t.note}"
         return said or f"it needs: {t.note or t.kind}"
@@ -138,59 +150,56 @@ class _Writer:
         routes = " or ".join(over if len(over) <= MANY else [*over[: MANY - 1], "another"])
         return f" from {ends[0]} to {ends[1]}" + (f" for route {routes}" if over else "")
 
-    @staticmethod
-    def _rule(x: Expr, t: Term) -> str:
+    def _rule(self, x: Expr, t: Term) -> str:
         """The page of the rule that asks for a condition."""
         inner = x.args[0] if x.op is NOT else x
-        known = SENTENCES.get(inner.name.family) if inner.op is VAR else None
+        known = SENTENCES.get(self._name(inner).family) if inner.op is VAR else None
         return known.rule if known is not None and t.kind not in RULES else RULES.get(t.kind, "R6")
 
-    @staticmethod
-    def _at(x: Expr) -> tuple[str, ...]:
+    def _at(self, x: Expr) -> tuple[str, ...]:
         """The elements that a condition is about."""
         found: dict[str, None] = {}
         stack = [x]
         while stack:
             y = stack.pop()
             stack += y.args
-            found.update(dict.fromkeys(about(y.name) if y.op is VAR else ()))
+            found.update(dict.fromkeys(about(self._name(y)) if y.op is VAR else ()))
         return tuple(sorted(found))
 
     # --- routes ------------------------------------------------------------------------------------
 
-    def _waits(self, r: RouteRow) -> Iterator[Case]:
-        """The machines of a route that are not yet detected as it needs them."""
-        number = {m: WAITING + i for i, m in enumerate(self.d.machines, 1)}
-        for x in dict.fromkeys(self._detections(self.equations[names.LOCKS(r.number)])):
-            m = MachineId(str(x.name.at[0]))
-            code = number[m]
-            self.reasons.setdefault(code, Reason(code, None, f"set, waiting for {self._called(m)}", "R10", (f"m:{m}",)))
-            yield Case(neg(x), code)
-
-    def _detections(self, e: Equation) -> Iterator[Expr]:
-        """What of machines an equation asks for, itself or by a wire that it reads."""
-        for t in e.terms:
+    def _waits(self, of: Equation) -> Iterator[Case]:
+        """The machines that an equation asks for, itself or by ways, and that are not yet detected as it needs them."""
+        for t in of.terms:
             for x in conditions(t.expr):
-                if x.op is VAR and x.name.family is names.DETECTED:
-                    yield x
-                elif x.op is VAR and x.name in self.equations and self.equations[x.name].join is Join.ALL:
-                    yield from self._detections(self.equations[x.name])
+                e = self.equations.get(x.name) if x.op is VAR else None
+                if e is not None and e.name.family is names.DETECTED:
+                    yield Case(neg(x), self._waiting(MachineId(str(e.name.at[0]))))
+                elif e is not None and e.join is Join.ALL:
+                    yield from self._waits(e)
+
+    def _waiting(self, m: MachineId) -> int:
+        code = WAITING + 1 + self.number[m]
+        self.reasons.setdefault(code, Reason(code, None, f"set, waiting for {self._called(m)}", "R10", (f"m:{m}",)))
+        return code
+
+    def _set(self, r: RouteRow) -> Name:
+        """What a route does that is set, and whose signal is at stop."""
+        name, group = names.WHAT_IT_DOES(r.number), f"route {r.id}"
+        cancelling, locked = (var(computed(n)) for n in (names.CANCELLING(r.entry), names.LOCKED(r.number)))
+        waits = dict.fromkeys(self._waits(self.equations[names.LOCKS(r.number)]))
+        cases = (Case(cancelling, CANCELLING), Case(locked, SET), *waits)
+        self.words[name] = Word(name, cases, SET, group, f"route {r.id}: what it does while it is set")
+        return name
 
     def route(self, r: RouteRow) -> Name:
         """The word of a route: what it does after this scan, or why a request in this scan is refused."""
         name, active = names.STATUS(r.number), var(computed(names.ACTIVE(r.number)))
         whole = (names.SHOWING, names.PASSING) if r.closing.whole is not None else (names.SHOWING,)
         shows = disj(var(computed(family(r.number))) for family in whole)
-        stands = neg(var(computed(names.LOCKED(r.number))))
-        waits = [Case(conj((active, stands, c.condition)), c.value) for c in self._waits(r)]
         grant = self.equations[names.GRANTED(r.number)]
-        does = (
-            Case(shows, OPEN),
-            Case(conj((active, var(computed(names.CANCELLING(r.entry))))), CANCELLING),
-            *waits,
-            Case(active, SET),
-        )
         refused = self._cases([t for t in grant.terms if t.kind != "requested"])
+        does = (Case(shows, OPEN), Case(active, self._set(r)))
         said = f"route {r.id}: what it does, or why it would be refused"
         self.words[name] = Word(name, (*does, *refused), FREE, f"route {r.id}", said)
         return name

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, iff, neg, var, variables
 from interlock.logic.names import Name, computed, spelled
+from interlock.logic.words import UNKNOWN
 from interlock.proof.engines import Answer
 from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.engines.z3_sat import Z3Sat
@@ -70,12 +71,15 @@ class Scan:
     after: dict[str, Term]
     outputs: dict[str, Term]
     timers: dict[str, tuple[Expr, int]]
-    words: dict[str, Term] | None = None
-    """None: the text has none."""
+    words: Mapping[str, Term]
 
 
 def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting: bool = False) -> Scan:
-    algebra = Symbols(timer_names={f"TON_{t.name}": t.name for t in controller.timers}, known=wires(controller))
+    algebra = Symbols(
+        timer_names={f"TON_{t.name}": t.name for t in controller.timers},
+        known=wires(controller),
+        words=words(controller),
+    )
     run: Execution[Term] = Execution(unit, algebra)
     holders = _holders(run)
     base = {n: values[n] for n, values in holders.items()}
@@ -87,7 +91,8 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
         inputs[RESTART] = TRUE if restarting else FALSE
     outputs = run.scan(inputs)
     after = {n: values[n] for n, values in _holders(run).items()}
-    return Scan(base, after, outputs, dict(algebra.timers))
+    said: dict[str, Term] = {n: outputs.pop(n) for n in controller.words.routes.values() if n in outputs}
+    return Scan(base, after, outputs, dict(algebra.timers), said)
 
 
 def wires(controller: Controller) -> dict[str, tuple[Expr, Expr]]:
@@ -140,6 +145,9 @@ def _restarted(controller: Controller, unit: Unit, found: Translation) -> Transl
     for o in controller.outputs:
         if scan.outputs.get(o.name) is not start(o.expr):
             wrong.append(Difference(o.name, "RESTART does not make it restrictive"))
+    for n in controller.words.routes.values():
+        if scan.words.get(n) != Constant(UNKNOWN):
+            wrong.append(Difference(n, "RESTART does not make it say that nothing is known"))
     for t in controller.timers:
         if scan.timers.get(t.name, (TRUE, 0))[0] is not FALSE:
             wrong.append(Difference(t.name, "RESTART does not stop it"))
@@ -184,8 +192,7 @@ def compare_scan(controller: Controller, scan: Scan, query_ms: int) -> Translati
         else:
             pairs.append((t.name, got[0], var(t.input)))
     wrong.extend(Difference(n, "a timer that the controller lacks") for n in by_name)
-    if scan.words is not None:
-        pairs.extend(_words(controller, scan.words, wrong))
+    pairs.extend(_words(controller, scan.words, wrong))
     if other := [(n, a, b) for n, a, b in pairs if a is not b]:
         wrong.extend(_different(controller, other, query_ms))
     return Translation(len(pairs) + len(controller.state), tuple(wrong))
