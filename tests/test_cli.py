@@ -131,6 +131,7 @@ def test_compile_writes_everything_and_check_tells_whether_it_is_current(tmp_pat
         "io/channels.csv",
         "io/equipment.csv",
         "io/tags_tia.xlsx",
+        "io/words.csv",
         "table.csv",
         "index.html",
         "plan.svg",

@@ -38,7 +38,7 @@ def test_each_function_is_asked_somewhere() -> None:
     others = (f"../tests/layouts_for_tests/{x}" for x in OTHERS)
     for name in ("passing_loop", "heishan", "flank_lab", "cn6502", *others):
         layout, _, controller = built(name)
-        found |= {what for what, _, _ in functions(Facts(System(layout, controller)))}
+        found |= {what for what, _, _ in functions(Facts(System(layout, controller)), controller)}
     assert found == set(FUNCTIONS)
 
 

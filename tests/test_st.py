@@ -22,7 +22,7 @@ from interlock.logic.lower import lower
 from interlock.proof.equivalence.structured_text import Scan, compare_scan, compare_st, wires
 from interlock.st.ast import Assign, Expression, Nary, Not
 from interlock.st.lower import MAX_OPERANDS, lower_st
-from interlock.st.meaning import Symbols
+from interlock.st.meaning import Symbol, Symbols
 from interlock.st.order import by_place
 from interlock.st.parser import NotInSubset, parse_block, parse_unit
 from interlock.st.printer import MAX_COLUMNS, comment, print_unit
@@ -238,6 +238,7 @@ def test_a_wire_is_only_what_its_variable_holds_when_it_is_read() -> None:
         dict(controller.next_state),
         {o.name: Substitution(controller.next_state)(o.expr) for o in controller.outputs},
         {t.name: (controller.expanded[t.input], t.preset_ms) for t in controller.timers},
+        {name: Symbol(name) for name in controller.words.routes.values()},
     )
     assert compare_scan(controller, right, 20_000).proved
     wrong = replace(right, after={**right.after, a: var(f"N_{a}")})

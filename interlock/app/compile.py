@@ -20,7 +20,7 @@ from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
 from interlock.emit.drawing import place, plan_svg
-from interlock.emit.io import channels_csv, equipment_csv, names_csv, tags_xlsx
+from interlock.emit.io import channels_csv, equipment_csv, names_csv, tags_xlsx, words_csv
 from interlock.emit.report import player_html, report_html
 from interlock.emit.tables.export import (
     matrix_csv,
@@ -115,6 +115,7 @@ def _documents(checked: Checked, proved: Proved, plan: str) -> dict[str, bytes]:
         "io/channels.csv": channels_csv(layout, controller, allocation).encode(),
         "io/equipment.csv": equipment_csv(layout, allocation).encode(),
         **({"io/names.csv": told.encode()} if (told := names_csv(layout)) else {}),
+        "io/words.csv": words_csv(controller).encode(),
         "io/tags_tia.xlsx": tags_xlsx(layout, allocation),
         "proof.json": (json.dumps(body, indent=1, ensure_ascii=False) + "\n").encode(),
     }

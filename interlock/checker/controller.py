@@ -28,7 +28,8 @@ def compare(text: Scan, w: Written) -> str:
     _initial(text, w)
     _kept(text, w)
     presets = len(text.timers)
-    return f"{len(text.definitions)} equations, {len(text.initial)} initial values, {presets} timers with presets"
+    said = f", {len(text.words)} words that nothing reads" if text.words else ""
+    return f"{len(text.definitions)} equations, {len(text.initial)} initial values, {presets} timers with presets{said}"
 
 
 def _said(name: str) -> str:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Container
 from dataclasses import dataclass, field
+from typing import Any
 
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no, some
 from interlock.checker.structured_text import Block, Expression, Reader
@@ -16,7 +17,11 @@ from interlock.verify import Rejected, need
 
 PRIME = "'"
 Value = Formula
-"""A formula, `("number", name)` for an input with a small range, or `("timer", instance)`."""
+"""A formula, `("number", name)` for an input with a small range, `("timer", instance)`, or `("word", name)` for a
+number that says something of a route: it may be handed on and shown, and nothing else may read it."""
+NUMBERS = ("number", "timer", "word")
+LARGEST = 32_767
+"""The largest number of an INT."""
 
 
 @dataclass
@@ -28,6 +33,11 @@ class Scan:
     initial: dict[str, bool] = field(default_factory=dict)
     definitions: dict[str, Formula] = field(default_factory=dict)
     timers: dict[str, tuple[str, int]] = field(default_factory=dict)
+    words: dict[str, Word] = field(default_factory=dict)
+
+
+Word = tuple[tuple[Formula, int | str], ...]
+"""Conditions and codes, or other words, in order; the last condition is TRUE."""
 
 
 class Execution:
@@ -51,7 +61,10 @@ class Execution:
             found.inputs[name] = v.type
             env[name] = leaf(name) if v.type == "BOOL" else ("number", name)
         for name, v in main.outputs.items():
-            need(v.type == "BOOL", f"{name} is an output of type {v.type}")
+            need(v.type in ("BOOL", "INT"), f"{name} is an output of type {v.type}")
+            if v.type == "INT":
+                need(v.initial in (None, ("int", 0)), f"{name} does not begin with 0: nothing is known")
+                continue
             found.outputs[name] = found.initial[name] = self._start(name, v.initial)
         self.instances = {n: self._kind(n, v.type) for n, v in main.locals.items()}
         used = [b.name for b in self.instances.values()]
@@ -62,9 +75,14 @@ class Execution:
                 self._call(statement[1], statement[2], env)
                 continue
             _, name, x = statement
+            need(statement[0] == "assign", "the main block decides something by IF")
             need(name in main.outputs and name not in written, f"{name} is written twice, or is no output")
             written.add(name)
-            self._define(name, self._value(x, env))
+            value = self._value(x, env)
+            if main.outputs[name].type == "INT":
+                need(value == ("word", name), f"{name} shows what is no word of this name")
+            else:
+                self._define(name, value)
         need(written == set(main.outputs), f"{min(set(main.outputs) - written, default='')} is never written")
         need(set(self.called) == set(self.instances), "a function block is never called")
 
@@ -85,11 +103,15 @@ class Execution:
         need(list(given) == list(block.inputs), f"{instance} is called without one of its inputs, or with another")
         env = {name: self._value(x, outer) for name, x in given.items()}
         for name, v in block.inputs.items():
-            need(v.type == ("INT" if env[name][0] == "number" else "BOOL"), f"{name} of {instance} has another type")
+            number = env[name][0] in ("number", "word")
+            need(v.type == ("INT" if number else "BOOL"), f"{name} of {instance} has another type")
         timers: dict[str, tuple[Value, int]] = {}
         for statement in block.body:
             if statement[0] == "call":
                 self._time(block, statement[1], statement[2], env, timers)
+                continue
+            if statement[0] == "if":
+                self._say(block, statement[1], env)
                 continue
             _, name, x = statement
             need(name in block.outputs or name in block.locals, f"{instance} writes {name}, which is not its own")
@@ -110,6 +132,31 @@ class Execution:
         left = [n for n in block.outputs if n not in env]
         need(not left, f"{instance} never writes {left[:1]}")
         self.called[instance] = {n: env[n] for n in block.outputs}
+
+    def _say(self, block: Block, arms: list[tuple[Expression, list[tuple[Any, ...]]]], env: dict[str, Value]) -> None:
+        """A number gets the code, or the word, of the first condition that holds."""
+        said: list[tuple[Formula, int | str]] = []
+        targets = set()
+        for condition, body in arms:
+            need(len(body) == 1 and body[0][0] == "assign", f"{block.name}: more than one thing is said at once")
+            targets.add(body[0][1])
+            said.append((self._bool(condition, env), self._code(block, body[0][2], env)))
+        need(len(targets) == 1, f"{block.name}: an IF writes several variables")
+        (name,) = targets
+        need(name in block.outputs and block.outputs[name].type == "INT", f"{name} of {block.name} is no word")
+        need(name not in env and name not in self.found.words, f"{block.name} writes {name} twice")
+        need(name not in self.state and name not in self.defined, f"{name} is a word, and in the written system")
+        need(said[-1][0] == TRUE, f"{name} is not written where no condition holds")
+        self.found.words[name] = tuple(said)
+        env[name] = ("word", name)
+
+    def _code(self, block: Block, x: Expression, env: dict[str, Value]) -> int | str:
+        if x[0] == "int":
+            need(0 <= x[1] <= LARGEST, f"{block.name}: {x[1]} is no INT")
+            return int(x[1])
+        value = self._value(x, env)
+        need(value[0] == "word", f"{block.name}: a word gets what is neither a code nor a word")
+        return str(value[1])
 
     @staticmethod
     def _time(
@@ -134,7 +181,7 @@ class Execution:
 
     def _define(self, name: str, x: Value) -> Value:
         """A value is written to an output of a block; what stands for it from now on."""
-        need(x[0] not in ("number", "timer"), f"{name} is written with a number")
+        need(x[0] not in NUMBERS, f"{name} is written with a number")
         own = name + PRIME if name in self.state else name
         if own == name and name not in self.defined:
             return x
@@ -163,7 +210,7 @@ class Execution:
 
     def _bool(self, x: Expression, env: dict[str, Value]) -> Formula:
         found = self._value(x, env)
-        need(found[0] not in ("number", "timer"), "a number where TRUE or FALSE is meant")
+        need(found[0] not in NUMBERS, "a number where TRUE or FALSE is meant")
         return found
 
     def _read(self, name: tuple[str, ...], env: dict[str, Value]) -> Value:

@@ -71,7 +71,8 @@ class Block:
         default_factory=lambda: {"VAR_INPUT": {}, "VAR_OUTPUT": {}, "VAR": {}}
     )
     body: list[tuple[Any, ...]] = field(default_factory=list)
-    """`("assign", name, expression)` or `("call", instance, {argument: expression})`."""
+    """`("assign", name, expression)`, `("call", instance, {argument: expression})`, or
+    `("if", [(condition, [statement, ...]), ...])`, of which the last condition is TRUE, for ELSE."""
 
     @property
     def inputs(self) -> dict[str, Variable]:
@@ -167,7 +168,9 @@ class Reader:
         return self.primary()
 
     def statement(self) -> tuple[Any, ...]:
-        """An assignment or a call."""
+        """An assignment, a call, or IF with an ELSE."""
+        if self.word() == "IF":
+            return self.branch()
         name = self.kind("name")
         if self.take(":=", "(") == ":=":
             value = self.expression()
@@ -184,6 +187,26 @@ class Reader:
         self.take(")")
         self.take(";")
         return ("call", name, given)
+
+    def branch(self) -> tuple[Any, ...]:
+        """IF, any number of ELSIF, and ELSE, each with at least one statement."""
+        arms: list[tuple[Expression, list[tuple[Any, ...]]]] = []
+        end = ""
+        while end != "END_IF":
+            end = self.take("ELSIF", "ELSE") if arms else self.take("IF")
+            condition: Expression = ("bool", True)
+            if end != "ELSE":
+                condition = self.expression()
+                self.take("THEN")
+            body = []
+            while self.word() not in ("ELSIF", "ELSE", "END_IF"):
+                body.append(self.statement())
+            need(body != [], f"the text, line {self.tokens[self.at][2]}: nothing is done where a condition holds")
+            arms.append((condition, body))
+            if end == "ELSE":
+                end = self.take("END_IF")
+        self.take(";")
+        return ("if", arms)
 
     def expression(self) -> Expression:
         """OR binds least."""

@@ -29,7 +29,8 @@ from interlock.logic.expr import (
     var,
     variables,
 )
-from interlock.logic.names import Name
+from interlock.logic.names import Name, computed
+from interlock.logic.words import Words
 from interlock.model.elements import (
     ConditionId,
     MachineId,
@@ -362,6 +363,8 @@ class Controller:
     next: tuple[Equation, ...]
     outputs: tuple[Output, ...]
     symbols: Symbols = field(repr=False)
+    words: Words = field(default=Words(), repr=False)
+    """What it says of routes as numbers, in every scan; nothing above reads one."""
     nodes: UniqueTable = field(default_factory=current_table, repr=False, compare=False)
     """The table with which its expressions are made, and others that are to be compared with them."""
 
@@ -391,6 +394,21 @@ class Controller:
                 raise MalformedController(f"output {o.name} reads more than the new state")
             if evaluate(o.expr, initial.__getitem__, {}) != o.restrictive:
                 raise MalformedController(f"output {o.name} is not restrictive in the initial state")
+        self._look_at_words(defined | {computed(name) for name in kept})
+
+    def _look_at_words(self, readable: set[str]) -> None:
+        """Words read what a scan reads and computes, and words before them; nothing else can read a word."""
+        told: set[str] = set()
+        for w in self.words.words:
+            if w.name in readable or w.name in told:
+                raise MalformedController(f"the word {w.name} is defined twice")
+            for name in variables(c.condition for c in w.cases):
+                if name not in readable:
+                    raise MalformedController(f"the word {w.name} reads {name}, which is not computed")
+            for value in (*(c.value for c in w.cases), w.otherwise):
+                if not isinstance(value, int) and value not in told:
+                    raise MalformedController(f"the word {w.name} reads the word {value} before it is computed")
+            told.add(w.name)
 
     def with_outputs(self, outputs: tuple[Output, ...]) -> Controller:
         """The same controller with other outputs, restrictive at the restart or not: for weakenings."""

@@ -11,7 +11,9 @@ from collections.abc import Mapping
 
 from interlock.logic.controller import Controller, Equation
 from interlock.logic.expr import evaluate
+from interlock.logic.names import Name, computed
 from interlock.logic.on_delay import CYCLE_MAX_MS, on_delay
+from interlock.logic.words import UNKNOWN
 
 
 class Machine:
@@ -22,6 +24,15 @@ class Machine:
         self.state: dict[str, int] = {s.name: int(s.initial) for s in controller.state}
         self.elapsed: dict[str, int | None] = {t.name: None for t in controller.timers}
         self.wires: dict[str, int] = {}
+
+    def words(self) -> dict[Name, int]:
+        """What the words say of the last scan; UNKNOWN before the first."""
+        told = self.controller.words
+        if not self.wires:
+            return {w.name: UNKNOWN for w in told.words}
+        values = self.wires | {computed(s.name): self.state[s.name] for s in self.controller.state}
+        memo: dict[int, bool] = {}
+        return told.told(lambda x: evaluate(x, values.__getitem__, memo))
 
     def scan(self, inputs: Mapping[str, int], dt_ms: int) -> dict[str, bool]:
         """One scan after `dt_ms` milliseconds; a missing input takes its restrictive value."""

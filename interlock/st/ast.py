@@ -1,6 +1,6 @@
 """Syntax tree of the Structured Text subset: what is emitted and what is read back.
 
-No loops, no pointers, no enumerations: BOOL, INT and TIME scalars, function blocks, TON, assignments and calls.
+No loops, no pointers, no enumerations: BOOL, INT and TIME scalars, function blocks, TON, assignments, calls and IF.
 """
 
 from __future__ import annotations
@@ -89,11 +89,17 @@ class Call:
 
 @dataclass(frozen=True, slots=True)
 class If:
-    """IF condition THEN ... ELSE ... END_IF."""
+    """IF condition THEN ... ELSIF condition THEN ... ELSE ... END_IF; `elsif`: conditions, and what is done then."""
 
     condition: Expression
     then: tuple[Statement, ...]
     otherwise: tuple[Statement, ...] = ()
+    elsif: tuple[tuple[Expression, tuple[Statement, ...]], ...] = ()
+
+    @property
+    def arms(self) -> tuple[tuple[Expression, tuple[Statement, ...]], ...]:
+        """Every condition in order, and what is done when it is the first that holds."""
+        return ((self.condition, self.then), *self.elsif)
 
 
 Statement = Assign | Call | If

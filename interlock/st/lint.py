@@ -79,7 +79,8 @@ def _flat(body: tuple[Statement, ...]) -> Iterator[Statement]:
     for s in body:
         yield s
         if isinstance(s, If):
-            yield from _flat(s.then)
+            for _, then in s.arms:
+                yield from _flat(then)
             yield from _flat(s.otherwise)
 
 
@@ -90,7 +91,8 @@ def _expressions(s: Statement) -> Iterator[Expression]:
         for _, x in s.params:
             yield x
     else:
-        yield s.condition
+        for condition, _ in s.arms:
+            yield condition
 
 
 def _parts(x: Expression) -> Iterator[Expression]:
@@ -142,7 +144,7 @@ def _written_before_read(b: Block, unit: Unit) -> Iterator[str]:
     state = {x.name for x in unit.blocks if all(d.initial is not None for d in x.outputs)}
     ready |= {n for n, kind in kinds.items() if kind in state}  # its state of the last scan
     for s in b.body:
-        for n in _reads(s):
+        for n in (n for x in _flat((s,)) for n in _reads(x)):
             if n not in ready:
                 yield f"{n} is read before it is written"
         ready |= {str(t.target) for t in _flat((s,)) if isinstance(t, Assign)}
@@ -154,7 +156,7 @@ def _written_once(b: Block, unit: Unit) -> Iterator[str]:
     inputs = {d.name for d in b.inputs}
     found: dict[str, int] = {}
     for s in b.body:
-        branches = ((s,),) if not isinstance(s, If) else (s.then, s.otherwise)
+        branches = ((s,),) if not isinstance(s, If) else (*(then for _, then in s.arms), s.otherwise)
         names = {str(t.target) for part in branches for t in _flat(part) if isinstance(t, Assign)}
         for n in names:
             found[n] = found.get(n, 0) + 1

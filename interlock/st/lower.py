@@ -1,17 +1,18 @@
 """From the controller to Structured Text.
 
 The steps are cut into small function blocks in their order; a block gets what it reads as inputs and gives what it
-computes as outputs.  Timers stand in blocks of their own.  State lives in blocks that are called last, so that every
-equation of a scan sees the old state.  The main block calls them all in one fixed order.
+computes as outputs.  Timers stand in blocks of their own, and so do words.  State lives in blocks that are called last,
+so that every equation of a scan sees the old state.  The main block calls them all in one fixed order.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
 from interlock.logic.names import computed
+from interlock.logic.words import UNKNOWN, Value, Word, Words
 from interlock.model.portable import portable
 from interlock.st.ast import (
     Assign,
@@ -21,6 +22,7 @@ from interlock.st.ast import (
     Compare,
     Declaration,
     Expression,
+    If,
     Int,
     Name,
     Nary,
@@ -67,6 +69,11 @@ def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS
         body.append(Call(instance, tuple((d.name, where[d.name]) for d in block.inputs)))
         for x in piece:
             where[x.name] = Name((instance, x.name))
+    for instance, block in _words(controller, prefix, rows, where):
+        blocks.append(block)
+        locals_.append(Declaration(instance, block.name, None, block.note))
+        body.append(Call(instance, tuple((d.name, where[d.name]) for d in block.inputs)))
+        where |= {d.name: Name((instance, d.name)) for d in block.outputs}
     for k, part in enumerate(state_blocks, 1):
         block = _keeping(f"{prefix}_S{k:02d}", part)
         blocks.append(block)
@@ -74,15 +81,72 @@ def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS
         body.append(Call(f"S{k:02d}", tuple((d.name, where[d.name]) for d in block.inputs)))
     for o in controller.outputs:
         body.append(Assign(Name((o.name,)), _expression(o.expr, where), o.note))
+    said = [controller.words.by_name[n] for n in controller.words.routes.values()]
+    body += [Assign(Name((w.name,)), where[w.name], w.note) for w in said]
     main = Block(
         prefix,
         tuple(_input(i) for i in controller.inputs),
-        tuple(Declaration(o.name, "BOOL", Bool(o.restrictive), o.note) for o in controller.outputs),
+        (
+            *(Declaration(o.name, "BOOL", Bool(o.restrictive), o.note) for o in controller.outputs),
+            *(Declaration(w.name, "INT", Int(UNKNOWN), w.note) for w in said),
+        ),
         tuple(locals_),
         tuple(body),
         f"interlocking {controller.name}: one call per cycle; the order of the calls is part of the proof",
     )
     return Unit((*blocks, main), tuple(header))
+
+
+def _words(controller: Controller, prefix: str, rows: int, where: Mapping[str, Name]) -> Iterator[tuple[str, Block]]:
+    """The blocks that say words, each with the name of its instance; they are called before the state is committed."""
+    words = controller.words.words
+    ranges = {w.name for w in words}
+    pieces: list[list[Word]] = []
+    length, reads = 0, set[str]()
+    for w in words:
+        read = set(w.reads)
+        size = 4 + 2 * len(w.cases)
+        if not pieces or length + size + len(reads | read) > rows:
+            pieces.append([])
+            length, reads = 0, set()
+        pieces[-1].append(w)
+        length += size
+        reads |= read
+    named = _Named(ranges)
+    for k, piece in enumerate(pieces, 1):
+        yield f"W{k:02d}", _saying(f"{prefix}_W{k:02d}", piece, named, controller.words)
+
+
+def _saying(name: str, piece: Sequence[Word], named: _Named, words: Words) -> Block:
+    """A block of words: IF the first condition THEN its code."""
+    made = {w.name for w in piece}
+    reads = {n: None for w in piece for n in w.reads if n not in made}
+    where: dict[str, Name] = {n: named[n][0] for n in [*reads, *made]}
+    extra: list[Declaration] = []
+    body: list[Statement] = []
+    for w in piece:
+        arms: list[tuple[Expression, tuple[Statement, ...]]] = []
+        for c in w.cases:
+            x = c.condition
+            condition = where[x.name] if x.op is VAR else _short(x, where, extra, body)
+            arms.append((condition, (_said(where[w.name], c.value, where, words),)))
+        last = _said(where[w.name], w.otherwise, where, words)
+        body.append(If(*arms[0], (last,), tuple(arms[1:])) if arms else last)
+    return Block(
+        name,
+        tuple([named[n][1] for n in reads]),
+        tuple([Declaration(w.name, "INT", None, w.note) for w in piece]),
+        tuple(extra),
+        tuple(body),
+        "words: what is said of routes; nothing of the interlocking reads them",
+    )
+
+
+def _said(target: Name, value: Value, where: Mapping[str, Name], words: Words) -> Assign:
+    """A word gets a code, with its sentence, or the value of another word."""
+    if isinstance(value, int):
+        return Assign(target, Int(value), words.said(value) if value else "")
+    return Assign(target, where[value])
 
 
 def _input(i: Input) -> Declaration:

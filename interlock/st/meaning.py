@@ -134,17 +134,20 @@ class Execution(Generic[V]):
             raise BadText(f"{inst.block.name}: cannot call {s.instance}")
 
     def _branch(self, inst: Instance[V], s: If) -> None:
-        condition = self._value(inst, s.condition)
-        for x in (*s.then, *s.otherwise):
-            if not isinstance(x, Assign):
-                raise BadText(f"{inst.block.name}: only assignments may stand under IF")
-        before = dict(inst.values)
-        self._run(inst, s.then)
-        then, inst.values = inst.values, before.copy()
-        self._run(inst, s.otherwise)
-        inst.values = {
-            n: v if then[n] is v else self.algebra.choose(condition, then[n], v) for n, v in inst.values.items()
-        }
+        """Each arm is carried out from where all begin; of what they leave behind the first that holds has its way."""
+        a, values = self.algebra, inst.values
+        conditions = [self._value(inst, c) for c, _ in s.arms]
+        targets = _targets(inst.block, s)
+        before = {n: values[n] for n in targets if n in values}
+        left: list[dict[str, V]] = []
+        for body in (*(then for _, then in s.arms), s.otherwise):
+            self._run(inst, body)
+            left.append({n: values[n] for n in before})
+            values.update(before)
+        found = left.pop()
+        for condition, then in zip(reversed(conditions), reversed(left), strict=True):
+            found = {n: v if then[n] is v else a.choose(condition, then[n], v) for n, v in found.items()}
+        values.update({n: a.assigned(n, v) for n, v in found.items()})
 
     def _value(self, inst: Instance[V], x: Expression) -> V:
         a = self.algebra
@@ -177,6 +180,19 @@ class Execution(Generic[V]):
         if str(x) in inst.values:
             return inst.values[str(x)]
         raise BadText(f"{inst.block.name}: unknown name {x}")
+
+
+def _targets(block: Block, s: If) -> dict[str, None]:
+    """What is written under an IF, where nothing may be called."""
+    found: dict[str, None] = {}
+    for x in (*(x for _, then in s.arms for x in then), *s.otherwise):
+        if isinstance(x, Assign):
+            found[x.target.parts[0]] = None
+        elif isinstance(x, If):
+            found |= _targets(block, x)
+        else:
+            raise BadText(f"{block.name}: nothing may be called under IF")
+    return found
 
 
 @dataclass
@@ -232,7 +248,15 @@ class Symbol:
     name: str
 
 
-Term = Expr | Constant | Symbol
+@dataclass(frozen=True)
+class Cases:
+    """An integer by cases in symbolic execution: the value beside the first condition that holds, else the last."""
+
+    cases: tuple[tuple[Expr, Term], ...]
+    otherwise: Term
+
+
+Term = Expr | Constant | Symbol | Cases
 
 
 @dataclass
@@ -246,11 +270,15 @@ class Symbols:
     timers: dict[str, tuple[Expr, int]] = field(default_factory=dict)
     timer_names: dict[str, str] = field(default_factory=dict)
     known: Mapping[str, tuple[Expr, Expr]] = field(default_factory=dict)
+    words: Mapping[str, Term] = field(default_factory=dict)
+    """By a word's name its cases; its name stands for it once a variable of this name got these very cases."""
 
     def assigned(self, name: str, x: Term) -> Term:
         """What a variable holds after an assignment."""
         found = self.known.get(name)
-        return found[1] if found is not None and found[0] is x else x
+        if found is not None and found[0] is x:
+            return found[1]
+        return Symbol(name) if isinstance(x, Cases) and self.words.get(name) == x else x
 
     def literal(self, x: Bool | Int | Time) -> Term:
         """Constants."""
@@ -287,8 +315,13 @@ class Symbols:
         raise BadText(f"a comparison outside the subset: {op}")
 
     def choose(self, c: Term, a: Term, b: Term) -> Term:
-        """a if c else b."""
-        x, y, z = self._bool(c), self._bool(a), self._bool(b)
+        """a if c else b; integers stay apart case by case."""
+        x = self._bool(c)
+        if x is TRUE or x is FALSE:
+            return a if x is TRUE else b
+        if not isinstance(a, Expr) and not isinstance(b, Expr):
+            return Cases(((x, a), *b.cases), b.otherwise) if isinstance(b, Cases) else Cases(((x, a),), b)
+        y, z = self._bool(a), self._bool(b)
         return disj((conj((x, y)), conj((neg(x), z))))
 
     def timer(self, path: str, on: Term, preset: Term) -> Term:

@@ -3,7 +3,8 @@
     unit        = block+
     block       = FUNCTION_BLOCK name part* statement* END_FUNCTION_BLOCK, or the same with PROGRAM
     part        = (VAR_INPUT | VAR_OUTPUT | VAR) (name [AT address] : name [:= expr] ;)* END_VAR
-    statement   = name := expr ; | name ( [name := expr {, name := expr}] ) ; | IF expr THEN body [ELSE body] END_IF ;
+    statement   = name := expr ; | name ( [name := expr {, name := expr}] ) ; | IF expr THEN body {ELSIF expr THEN body}
+                  [ELSE body] END_IF ;
     expr        = xor {OR xor}        xor = and {XOR and}        and = comparison {AND comparison}
     comparison  = unary [(= | <> | < | > | <= | >=) unary]       unary = NOT unary | literal | name {. name} | ( expr )
 
@@ -55,7 +56,7 @@ _JOINING = ("AND", "OR", "XOR")
 _OPERATORS = (*_JOINING, "NOT", "TRUE", "FALSE")
 _DECLARING = ("VAR_INPUT", "VAR_OUTPUT", "VAR")
 _BLOCKS = ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK", "PROGRAM", "END_PROGRAM")
-_RESERVED = frozenset((*_DECLARING, *_BLOCKS, "AT", "END_VAR", "IF", "THEN", "ELSE", "END_IF", *_OPERATORS))
+_RESERVED = frozenset((*_DECLARING, *_BLOCKS, "AT", "END_VAR", "IF", "THEN", "ELSIF", "ELSE", "END_IF", *_OPERATORS))
 _ENDING = frozenset((";", ",", ")"))
 _AFTER = _ENDING | {"AND", "OR"}
 _PLAIN = [":", "BOOL", ";"]
@@ -337,12 +338,14 @@ class _Reader:
         return Assign(target, value)
 
     def branch(self) -> If:
-        self.at += 1
-        condition = self.expression()
-        self._word("THEN")
-        then = self.body("ELSE", "END_IF", _END)
+        arms: list[tuple[Expression, tuple[Statement, ...]]] = []
+        while not arms or self._is("ELSIF"):
+            self.at += 1
+            condition = self.expression()
+            self._word("THEN")
+            arms.append((condition, self.body("ELSIF", "ELSE", "END_IF", _END)))
         otherwise: tuple[Statement, ...] = ()
-        empty = not then
+        empty = not all(then for _, then in arms)
         if self._is("ELSE"):
             self.at += 1
             otherwise = self.body("END_IF", _END)
@@ -351,7 +354,7 @@ class _Reader:
         self._take(";")
         if empty:
             self._fail("a statement in each branch of the IF above")
-        return If(condition, then, otherwise)
+        return If(*arms[0], otherwise, tuple(arms[1:]))
 
     def qualified(self, first: str) -> Name:
         tokens = self.tokens

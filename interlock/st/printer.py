@@ -127,9 +127,11 @@ class _Body:
             return self.assign(s, indent)
         if isinstance(s, Call):
             return self.call(s, indent)
-        out = [f"{indent}IF {self.expression(s.condition, 0)} THEN"]
-        for x in s.then:
-            out.extend(self.statement(x, indent + "  "))
+        out: list[str] = []
+        for condition, then in s.arms:
+            out.append(f"{indent}{'ELSIF' if out else 'IF'} {self.expression(condition, 0)} THEN")
+            for x in then:
+                out.extend(self.statement(x, indent + "  "))
         if s.otherwise:
             out.append(f"{indent}ELSE")
             for x in s.otherwise:

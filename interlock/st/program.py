@@ -1,6 +1,7 @@
 """The mapping program: the only place with addresses.
 
-It watches the cycle and the heartbeats, calls the interlocking once, and carries every wire to its variable and back.
+It watches the cycle and the heartbeats, calls the interlocking once, and carries every wire to its variable and back,
+and every word to a variable of its own.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from collections.abc import Sequence
 from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller, Input
 from interlock.logic.on_delay import CYCLE_MAX_MS
+from interlock.logic.words import UNKNOWN
 from interlock.model.portable import portable
 from interlock.st.ast import Assign, Block, Bool, Call, Declaration, Expression, Int, Name, Nary, Not, Task, Time, Unit
 
@@ -101,6 +103,8 @@ def io_program(controller: Controller, a: Allocation, header: Sequence[str]) -> 
         initial: Expression = Int(i.restrictive) if i.size else Bool(bool(i.restrictive))
         declared.append(Declaration(n, "INT" if i.size else "BOOL", initial, i.note))
     declared += [Declaration(n, "BOOL", None, notes[n]) for n in a.read]
+    words = [controller.words.by_name[n] for n in controller.words.routes.values()]
+    declared += [Declaration(w.name, "INT", Int(UNKNOWN), w.note) for w in words]
     declared.append(Declaration(valid, "BOOL", Bool(False), sizes[valid].note))
     watches = [(c, f"W_{portable(c.substation)}") for c in a.heartbeats]
     declared += [Declaration(w, guard.name, None, f"watches substation {c.substation}") for c, w in watches]
@@ -112,6 +116,7 @@ def io_program(controller: Controller, a: Allocation, header: Sequence[str]) -> 
     body.append(Assign(Name((valid,)), Nary("AND", tuple(healthy))))
     body.append(Call("RUN", tuple((i.name, Name((i.name,))) for i in controller.inputs)))
     body += [Assign(Name((o.name,)), Name(("RUN", o.name))) for o in controller.outputs]
+    body += [Assign(Name((w.name,)), Name(("RUN", w.name))) for w in words]
     note = "inputs, interlocking, outputs: run it in one task with a constant cycle"
     program = Block(f"{prefix}_IO", (), (), tuple(declared), tuple(body), note, "PROGRAM")
     return Unit((guard, clock, program), tuple(header), task=io_task(controller))

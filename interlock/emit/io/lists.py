@@ -13,6 +13,7 @@ import xlsxwriter
 from interlock.emit.tables.export import reproducible
 from interlock.logic.cabinet import Allocation, Channel
 from interlock.logic.controller import Controller
+from interlock.logic.words import SAID
 from interlock.model.elements import Position, Work
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
@@ -71,6 +72,17 @@ def names_csv(layout: Layout) -> str:
     if all(len(name) == len(written) and written.isascii() for _, name, written in rows):
         return ""
     return _csv([("Kind", "Name", "Name in PLC text"), *rows])
+
+
+def words_csv(controller: Controller) -> str:
+    """What the words of routes say: the word of each route, and each code with its sentence, rule and elements."""
+    ids = {r.number: r.id for r in controller.symbols.routes}
+    rows: list[tuple[object, ...]] = [("Word", "Code", "Says", "Rule", "About")]
+    rows += [(name, "", f"route {ids[number]}", "", "") for number, name in controller.words.routes.items()]
+    rows += [("", code, text, "", "") for code, text in SAID.items()]
+    for r in controller.words.reasons.values():
+        rows.append(("", r.code, r.text, r.rule, " ".join(x.partition(":")[2] for x in r.at)))
+    return _csv(rows)
 
 
 def _blades(layout: Layout, controller: Controller) -> dict[str, str]:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from interlock.logic.controller import Controller, Equation, Join
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
 from interlock.logic.on_delay import CYCLE_MAX_MS
+from interlock.logic.words import CANCELLING, REFUSED, SAID
 
 
 def _code(x: Expr, outer: str = "") -> str:
@@ -42,6 +43,16 @@ def route_numbers(c: Controller) -> dict[str, int]:
     return found
 
 
+def cancelled_after(c: Controller) -> dict[int, str]:
+    """The timer of approach locking by the number of each route."""
+    return {r.number: str(c.symbols.approach_timer[r.entry]) for r in c.symbols.routes}
+
+
+def said(c: Controller) -> dict[int, tuple[str, str]]:
+    """What the words of a controller say by their codes, and the rule behind each."""
+    return {k: (x, "") for k, x in SAID.items()} | {r.code: (_plain(r.text), r.rule) for r in c.words.reasons.values()}
+
+
 FIXED = f'''class Controller:
     """A running controller; `state` and `elapsed` are all that it remembers."""
 
@@ -50,6 +61,7 @@ FIXED = f'''class Controller:
     def __init__(self):
         self.state = dict(STATE)
         self.elapsed = dict.fromkeys(TIMERS)
+        self._last = None
 
     def _timer(self, name, on, dt_ms):
         """An on-delay timer: in the scan in which `on` becomes true no time has passed yet."""
@@ -67,8 +79,47 @@ FIXED = f'''class Controller:
             raise ValueError(f'there is no route {{route}}; ROUTES has the names of all')
         return {{'REQ': ROUTES[route]}}
 
-    def scan(self, inputs, dt_ms):
+    @staticmethod
+    def _first(*cases):
+        """The value after the first condition that holds; the last value where none does."""
+        for i in range(0, len(cases) - 1, 2):
+            if cases[i]:
+                return cases[i + 1]
+        return cases[-1]
+
+    def words(self):
+        """What the last scan says of every route by its number, as a code; 0 before the first scan."""
+        if self._last is None:
+            return dict.fromkeys(ROUTES.values(), 0)
+        before = Controller()
+        before.state, before.elapsed, inputs, dt_ms = self._last
+        before.elapsed = dict(before.elapsed)
+        return before.scan(inputs, dt_ms, True)
+
+    def status(self, route):
+        """What the last scan says of a route by its name: its code, and what that means."""
+        code = self.words()[self.request(route)['REQ']]
+        return code, SAID[code][0]
+
+    def why_not(self, route):
+        """Why the route was refused, or would have been, if it was not set: the first condition that did not hold.
+
+        Its code, the sentence, and the rule that asks for it; None while it is free, set, open or being cancelled.
+        """
+        code = self.words()[self.request(route)['REQ']]
+        return (code, *SAID[code]) if code > {REFUSED} else None
+
+    def countdown_ms(self, route):
+        """How long it takes until the cancelled route is given up: None while none is, or the delay does not run."""
+        timer = CANCELLED_AFTER[self.request(route)['REQ']]
+        if self.words()[self.request(route)['REQ']] != {CANCELLING} or self.elapsed[timer] is None:
+            return None
+        return TIMERS[timer] - self.elapsed[timer]
+
+    def scan(self, inputs, dt_ms, say=False):
         """One scan, `dt_ms` milliseconds after the last; returns the outputs.
+
+        `say`: nothing is changed but timers, and the words are returned instead (`words` asks for it).
 
         After a cycle longer than `cycle_max_ms` the inputs count as lost: nobody knows what happened meanwhile.
         Raises ValueError for a name that is no input, and TypeError for a value that is no whole number or truth
@@ -87,6 +138,7 @@ FIXED = f'''class Controller:
             value = int(value)
             impossible = size - 1 if size > 2 else restrictive  # a number that names nothing
             read[name] = value if 0 <= value < size else impossible
+        self._last = self.state, dict(self.elapsed), read, dt_ms
         if dt_ms > self.cycle_max_ms:
             read['VALID'] = 0
         old = self.state
@@ -94,17 +146,21 @@ FIXED = f'''class Controller:
 """What every runtime has in common, up to the first line that depends on the controller."""
 
 
-def runtime_py(controller: Controller, header: Sequence[str]) -> str:
-    """The text of the runtime."""
-    c = controller
-    lines = [f"# {_plain(h)}" for h in header]
-    lines += [
-        f'"""Interlocking {c.name}: call `Controller().scan(inputs, dt_ms)` once per cycle.',
-        "",
-        "Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.  ROUTES has the",
-        "number of each route by its name: `request(name)` asks for it.",
-        '"""',
-        "",
+def _words(c: Controller) -> list[str]:
+    """The words, computed only where they are asked for."""
+    lines = ["        if say:"]
+    for w in c.words.words:
+        cases = "".join(f"{_code(x.condition)}, {x.value}, " for x in w.cases)
+        lines.append(f"            {w.name} = self._first({cases}{w.otherwise})  # {_plain(w.note)}")
+    lines.append("            return {")
+    lines += [f"                {number}: {name}," for number, name in c.words.routes.items()]
+    lines.append("            }")
+    return lines
+
+
+def _tables(c: Controller) -> list[str]:
+    """What there is, by name, number and code."""
+    return [
         "# name: (restrictive value, number of values), meaning",
         "INPUTS = {",
         *(f"    {i.name!r}: ({i.restrictive}, {i.size or 2}),  # {_plain(i.note)}" for i in c.inputs),
@@ -125,6 +181,29 @@ def runtime_py(controller: Controller, header: Sequence[str]) -> str:
         "ROUTES = {",
         *(f"    {name!r}: {number}," for name, number in route_numbers(c).items()),
         "}",
+        "# number of a route: the timer that runs while it is being cancelled",
+        "CANCELLED_AFTER = {",
+        *(f"    {number}: {timer!r}," for number, timer in cancelled_after(c).items()),
+        "}",
+        "# code: what a word says by it, and the rule behind it",
+        "SAID = {",
+        *(f"    {code}: ({_plain(text)!r}, {rule!r})," for code, (text, rule) in said(c).items()),
+        "}",
+    ]
+
+
+def runtime_py(controller: Controller, header: Sequence[str]) -> str:
+    """The text of the runtime."""
+    c = controller
+    lines = [f"# {_plain(h)}" for h in header]
+    lines += [
+        f'"""Interlocking {c.name}: call `Controller().scan(inputs, dt_ms)` once per cycle.',
+        "",
+        "Inputs and outputs are dictionaries of names; a missing input takes its restrictive value.  ROUTES has the",
+        "number of each route by its name: `request(name)` asks for it, `status(name)` and `why_not(name)` tell of it.",
+        '"""',
+        "",
+        *_tables(c),
         "",
         "",
         *FIXED.splitlines(),
@@ -139,6 +218,7 @@ def runtime_py(controller: Controller, header: Sequence[str]) -> str:
                 f"        {step.name} = self._timer({step.name!r}, {step.input}, dt_ms)  # {_plain(step.note)}"
             )
     lines += [_equation(e, f"N_{e.name}") for e in c.next]
+    lines += _words(c)
     lines.append("        self.state = {")
     lines += [f"            {e.name!r}: bool(N_{e.name})," for e in c.next]
     lines.append("        }")

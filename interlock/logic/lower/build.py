@@ -9,6 +9,7 @@ from interlock.logic.controller import Controller, RouteSymbols, Symbols, Timer
 from interlock.logic.expr import TRUE
 from interlock.logic.lower import added, aspects, block, overlaps, points, requests, routes, sections, ways, zones
 from interlock.logic.lower.draft import Draft
+from interlock.logic.lower.words import words
 from interlock.model.elements import Position
 from interlock.model.layout import Layout
 from interlock.model.principles import Local
@@ -64,7 +65,14 @@ def lower(layout: Layout, table: InterlockingTable) -> Controller:
     for add in PASSES:
         add(d)
     return Controller(
-        layout.name, tuple(d.inputs), tuple(d.state), tuple(d.steps), tuple(d.next), tuple(d.outputs), _symbols(d)
+        layout.name,
+        tuple(d.inputs),
+        tuple(d.state),
+        tuple(d.steps),
+        tuple(d.next),
+        tuple(d.outputs),
+        _symbols(d),
+        words(d),
     )
 
 

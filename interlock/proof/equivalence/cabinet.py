@@ -1,8 +1,9 @@
 """The mapping program carries every wire to its variable and back: read back from its text and compared, name by name.
 
 The interlocking is proved for every value of its inputs, so nothing more is asked of the mapping than this: each input
-gets its own wire (or the operator's variable of its name), each wire to the outside gets its own output, no address
-twice, VALID only while no cycle was too long and every substation's watch says that it is alive, and one task.
+gets its own wire (or the operator's variable of its name), each wire to the outside gets its own output, each word a
+variable, no address twice, VALID only while no cycle was too long and every substation's watch says that it is alive,
+and one task.
 """
 
 from __future__ import annotations
@@ -47,6 +48,7 @@ def compare_program(controller: Controller, a: Allocation, text: str) -> tuple[D
     steps.append(Assign(Name((valid,)), Nary("AND", alive)))
     steps.append(Call("RUN", tuple((i.name, Name((i.name,))) for i in controller.inputs)))
     steps += [Assign(Name((o.name,)), Name(("RUN", o.name))) for o in controller.outputs]
+    steps += [Assign(Name((n,)), Name(("RUN", n))) for n in controller.words.routes.values()]
     for mine, should in zip(program.body, steps, strict=False):
         if mine != should:
             name = mine.target if isinstance(mine, Assign) else getattr(mine, "instance", "IF")

@@ -9,15 +9,16 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from keyword import iskeyword
+from typing import Any
 
-from interlock.emit.python.runtime import FIXED, route_numbers
+from interlock.emit.python.runtime import FIXED, cancelled_after, route_numbers, said
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
 from interlock.logic.names import spelled
-from interlock.proof.equivalence.structured_text import Difference, Scan, Translation, compare_scan, wires
-from interlock.st.meaning import Symbol, Symbols, Term
+from interlock.proof.equivalence.structured_text import Difference, Scan, Translation, compare_scan, wires, words
+from interlock.st.meaning import Cases, Constant, Symbol, Symbols, Term
 
 
 class BadRuntime(Exception):
@@ -40,12 +41,15 @@ def _names(fixed: str) -> frozenset[str]:
     )
 
 
+TABLES = ("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES", "CANCELLED_AFTER", "SAID")
 RESERVED = _names(FIXED) | {"bool", "OUTPUTS", "Controller"}
 
 
 _ASSIGNED = re.compile(r"^ {8}([A-Za-z_][A-Za-z0-9_]*) = ([^#\n]*?)(?:  #.*)?$")
 _ENTRY = re.compile(r"^ {12}'([A-Za-z_][A-Za-z0-9_]*)': bool\((.*)\),$")
 _TAKEN = re.compile(r"^(read|old|self\.state)\['([A-Za-z_][A-Za-z0-9_]*)'\]$")
+_WORD = re.compile(r"^ {12}([A-Za-z_][A-Za-z0-9_]*) = self\._first\(([^#\n]*)\)(?:  #.*)?$")
+_TOLD = re.compile(r"^ {16}([0-9]+): ([A-Za-z_][A-Za-z0-9_]*),$")
 _TIMED = re.compile(r"^self\._timer\('([A-Za-z_][A-Za-z0-9_]*)', ([A-Za-z_][A-Za-z0-9_]*), dt_ms\)$")
 _TOKEN = re.compile(r"==|[()]|[A-Za-z0-9_]+")
 DEEP = 60  # brackets in brackets; Python itself reads 200
@@ -57,24 +61,28 @@ class _Reader:
         self.values: dict[str, Term] = {}
         self.after: dict[str, Term] = {}
         self.timers: dict[str, tuple[Expr, int]] = {}
-        self.algebra = Symbols(known=wires(controller))
+        self.algebra = Symbols(known=wires(controller), words=words(controller))
+        self.words: dict[str, Term] = {}
+        self.routes = controller.words.routes
         self.sizes: dict[str, int] = {i.name: i.size for i in controller.inputs}
         head, fixed, own = text.partition(FIXED)
         self.lines = own.split("\n")  # and nowhere else: what Python takes for the end of a line is not printable
         self.at = 0
         self.before = head.count("\n") + FIXED.count("\n")
         doc, *rest = ast.parse(head + fixed).body
-        if not _is_docstring(doc) or len(rest) != 6:
+        if not _is_docstring(doc) or len(rest) != len(TABLES) + 1:
             raise BadRuntime("the parts of the module")
-        tables = [_table(x, n) for x, n in zip(rest, ("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES"), strict=False)]
-        inputs, self.state, self.presets, self.restrictive, routes = tables
+        tables = [_table(x, n) for x, n in zip(rest, TABLES, strict=False)]
+        inputs, self.state, self.presets, self.restrictive, routes, timers, codes = tables
         if inputs != {i.name: (i.restrictive, i.size or 2) for i in controller.inputs}:
             raise BadRuntime("INPUTS are not those of the controller")
         if self.restrictive != {o.name: o.restrictive for o in controller.outputs}:
             raise BadRuntime("OUTPUTS are not those of the controller")
         if routes != route_numbers(controller):
             raise BadRuntime("ROUTES are not those of the controller")
-        if ast.dump(rest[5]) != ast.dump(ast.parse(FIXED).body[0]):
+        if (timers, codes) != (cancelled_after(controller), said(controller)):
+            raise BadRuntime("CANCELLED_AFTER or SAID are not those of the controller")
+        if ast.dump(rest[-1]) != ast.dump(ast.parse(FIXED).body[0]):
             raise BadRuntime("the fixed part of the class is changed")
 
     def scan(self) -> Scan:
@@ -97,6 +105,8 @@ class _Reader:
                 raise self._bad("something follows the outputs")
             if line == "        return {":
                 outputs = self._dictionary()
+            elif line == "        if say:" and not self.words and not self.after:
+                self.words = self._told_routes()
             elif line == "        self.state = {" and not self.after:
                 self.after = self._dictionary()
             else:
@@ -106,7 +116,7 @@ class _Reader:
             raise self._bad("the outputs are not returned at the end")
         if set(self.timers) != set(self.presets):
             raise BadRuntime("TIMERS are not those that run")
-        return Scan(base, self.after, outputs, self.timers)
+        return Scan(base, self.after, outputs, self.timers, self.words)
 
     def _bad(self, what: str) -> BadRuntime:
         return BadRuntime(f"line {self.before + self.at + 1}: {what}")
@@ -136,6 +146,48 @@ class _Reader:
                 self.timers[name] = (self._value(on), preset)
                 return var(spelled(name))
         return self._value(text)
+
+    def _told_routes(self) -> dict[str, Term]:
+        """The words from the next line on, and what is returned of them: each route's own by its number."""
+        told: dict[str, Term] = {}
+        numbers: dict[int, str] = {}
+        lines = iter(self.lines[self.at + 1 :])
+        for line in lines:
+            self.at += 1
+            if line == "            return {":
+                break
+            found = _WORD.match(line)
+            if found is None or found[1] in told or found[1] in self.values or found[1] in RESERVED:
+                raise self._bad(f"{line.strip()[:60]!r} is no word as it is emitted")
+            told[found[1]] = self.algebra.assigned(found[1], self._cases(found[2], told))
+        for line in lines:
+            self.at += 1
+            if line == "            }":
+                break
+            entry = _TOLD.match(line)
+            if entry is None or int(entry[1]) in numbers or entry[2] not in told:
+                raise self._bad("an entry that is no word, or comes twice")
+            numbers[int(entry[1])] = entry[2]
+        if numbers != self.routes:
+            raise self._bad("the words are not those of the routes")
+        self.at += 1
+        return {name: told[name] for name in numbers.values()}
+
+    def _cases(self, text: str, told: Mapping[str, Term]) -> Term:
+        """Conditions and values in turn, and the last value."""
+        parts = text.split(", ")
+        if len(parts) % 2 == 0:
+            raise self._bad("a condition without a value")
+
+        def value(part: str) -> Term:
+            if part in told:
+                return told[part]
+            if not part.isdigit() or str(int(part)) != part:
+                raise self._bad(f"{part[:60]!r} is no word and no number")
+            return Constant(int(part))
+
+        cases = tuple((self._value(c), value(v)) for c, v in zip(parts[:-1:2], parts[1::2], strict=True))
+        return Cases(cases, value(parts[-1]))
 
     def _dictionary(self) -> dict[str, Term]:
         """The entries from the next line on, and the bracket after them."""
@@ -220,10 +272,10 @@ def _is_docstring(x: ast.stmt) -> bool:
     return isinstance(x, ast.Expr) and isinstance(x.value, ast.Constant) and isinstance(x.value.value, str)
 
 
-def _table(x: ast.stmt, name: str) -> dict[str, object]:
+def _table(x: ast.stmt, name: str) -> dict[Any, object]:
     if isinstance(x, ast.Assign) and [ast.unparse(t) for t in x.targets] == [name] and isinstance(x.value, ast.Dict):
         keys = [k.value for k in x.value.keys if isinstance(k, ast.Constant)]
         if len(set(keys)) == len(x.value.keys):
-            found: dict[str, object] = ast.literal_eval(x.value)
+            found: dict[Any, object] = ast.literal_eval(x.value)
             return found
     raise BadRuntime(f"{name} is no table, or has a name twice")

@@ -10,18 +10,20 @@ stands for it in what follows: by the order of the text, each name then stands f
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from interlock.logic.controller import Controller
-from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, iff, var, variables
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, iff, neg, var, variables
 from interlock.logic.names import Name, computed, spelled
+from interlock.logic.words import UNKNOWN
 from interlock.proof.engines import Answer
 from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.engines.z3_sat import Z3Sat
 from interlock.st.ast import Unit
 from interlock.st.dialects import BY_NAME, Dialect, Files
 from interlock.st.dialects.restart import RESTART
-from interlock.st.meaning import BadText, Execution, Instance, Symbol, Symbols, Term
+from interlock.st.meaning import BadText, Cases, Constant, Execution, Instance, Symbol, Symbols, Term
 from interlock.st.parser import NotInSubset
 
 
@@ -69,10 +71,15 @@ class Scan:
     after: dict[str, Term]
     outputs: dict[str, Term]
     timers: dict[str, tuple[Expr, int]]
+    words: Mapping[str, Term]
 
 
 def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting: bool = False) -> Scan:
-    algebra = Symbols(timer_names={f"TON_{t.name}": t.name for t in controller.timers}, known=wires(controller))
+    algebra = Symbols(
+        timer_names={f"TON_{t.name}": t.name for t in controller.timers},
+        known=wires(controller),
+        words=words(controller),
+    )
     run: Execution[Term] = Execution(unit, algebra)
     holders = _holders(run)
     base = {n: values[n] for n, values in holders.items()}
@@ -84,7 +91,8 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
         inputs[RESTART] = TRUE if restarting else FALSE
     outputs = run.scan(inputs)
     after = {n: values[n] for n, values in _holders(run).items()}
-    return Scan(base, after, outputs, dict(algebra.timers))
+    said: dict[str, Term] = {n: outputs.pop(n) for n in controller.words.routes.values() if n in outputs}
+    return Scan(base, after, outputs, dict(algebra.timers), said)
 
 
 def wires(controller: Controller) -> dict[str, tuple[Expr, Expr]]:
@@ -95,6 +103,19 @@ def wires(controller: Controller) -> dict[str, tuple[Expr, Expr]]:
     for name in other | {s.name for s in controller.state}:
         found.pop(name, None)
     return found
+
+
+def words(controller: Controller) -> dict[str, Term]:
+    """The words of a controller by name, as a text has them: next values by a name that no text can have."""
+    put = Substitution({computed(s.name): _next(s.name) for s in controller.state})
+
+    def told(value: int | Name) -> Term:
+        return Constant(value) if isinstance(value, int) else Symbol(value)
+
+    return {
+        w.name: Cases(tuple((put(c.condition), told(c.value)) for c in w.cases), told(w.otherwise))
+        for w in controller.words.words
+    }
 
 
 def _following(state: Name) -> Name:
@@ -124,6 +145,9 @@ def _restarted(controller: Controller, unit: Unit, found: Translation) -> Transl
     for o in controller.outputs:
         if scan.outputs.get(o.name) is not start(o.expr):
             wrong.append(Difference(o.name, "RESTART does not make it restrictive"))
+    for n in controller.words.routes.values():
+        if scan.words.get(n) != Constant(UNKNOWN):
+            wrong.append(Difference(n, "RESTART does not make it say that nothing is known"))
     for t in controller.timers:
         if scan.timers.get(t.name, (TRUE, 0))[0] is not FALSE:
             wrong.append(Difference(t.name, "RESTART does not stop it"))
@@ -168,9 +192,53 @@ def compare_scan(controller: Controller, scan: Scan, query_ms: int) -> Translati
         else:
             pairs.append((t.name, got[0], var(t.input)))
     wrong.extend(Difference(n, "a timer that the controller lacks") for n in by_name)
+    pairs.extend(_words(controller, scan.words, wrong))
     if other := [(n, a, b) for n, a, b in pairs if a is not b]:
         wrong.extend(_different(controller, other, query_ms))
     return Translation(len(pairs) + len(controller.state), tuple(wrong))
+
+
+def _words(controller: Controller, given: Mapping[str, Term], wrong: list[Difference]) -> list[tuple[str, Expr, Expr]]:
+    """What is left to compare of the words of routes: a word whose cases are those of the controller, name by name, is
+    equal; of another, when it has each of its codes."""
+    out: list[tuple[str, Expr, Expr]] = []
+    known = words(controller)
+    told: dict[str, dict[int, Expr]] = {}
+    for name in controller.words.routes.values():
+        mine = given.get(name)
+        if mine is None or isinstance(mine, Expr):
+            wrong.append(Difference(name, "missing in the text, or a truth value"))
+        elif mine == Symbol(name):
+            out.append((name, TRUE, TRUE))
+        else:
+            if not told:
+                for n, x in known.items():
+                    told[n] = _codes(x, told)
+            try:
+                codes = _codes(mine, told)
+            except KeyError as error:
+                wrong.append(Difference(name, f"reads {error}, which is no word"))
+                continue
+            both = codes.keys() | told[name].keys()
+            out += [(f"{name} = {k}", codes.get(k, FALSE), told[name].get(k, FALSE)) for k in sorted(both)]
+    if set(given) != set(controller.words.routes.values()):
+        wrong.append(Difference("words", "the text has other words"))
+    return out
+
+
+def _codes(x: Term, told: Mapping[str, dict[int, Expr]]) -> dict[int, Expr]:
+    """When an integer has each of its values.  Raises KeyError for one that is no word."""
+    if isinstance(x, Constant):
+        return {x.value: TRUE}
+    if not isinstance(x, Cases):
+        return told[x.name if isinstance(x, Symbol) else repr(x)]
+    found: dict[int, list[Expr]] = {}
+    before: list[Expr] = []
+    for condition, value in (*x.cases, (TRUE, x.otherwise)):
+        for code, when in _codes(value, told).items():
+            found.setdefault(code, []).append(conj((*before, condition, when)))
+        before.append(neg(condition))
+    return {code: disj(xs) for code, xs in found.items()}
 
 
 def _different(controller: Controller, pairs: list[tuple[str, Expr, Expr]], query_ms: int) -> list[Difference]:
@@ -197,4 +265,4 @@ def _names(a: Expr, b: Expr) -> set[str]:
     return set(variables((a, b)))
 
 
-__all__ = ["Difference", "Scan", "Translation", "compare_dialect", "compare_scan", "compare_st", "wires"]
+__all__ = ["Difference", "Scan", "Translation", "compare_dialect", "compare_scan", "compare_st", "wires", "words"]

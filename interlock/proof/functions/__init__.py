@@ -3,19 +3,22 @@
 A controller that refuses every route is safe, and most small defects make one a little less useful, not less safe.  So
 each rule is said from its other side too: a route is refused, a signal stays at stop, a section stays locked, a delay
 does not run only for a reason that the rule names.  They are written from the rules over layout, inputs and states, as
-claims are, and proved by induction in the same way; `interlock mutate` and the tests ask them, `prove` does not.
+claims are (F-WORD alone over wires too, since words name conditions of the controller), and proved by induction in the
+same way; `interlock mutate` and the tests ask them, `prove` does not.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
+from interlock.logic.controller import Controller
 from interlock.logic.expr import TRUE, Expr
 from interlock.proof.claims import Facts
 from interlock.proof.functions.delays import delays, start
 from interlock.proof.functions.overlaps import overlaps
 from interlock.proof.functions.points import points
 from interlock.proof.functions.routes import routes
+from interlock.proof.functions.said import words
 from interlock.proof.functions.sections import sections
 from interlock.proof.functions.words import Words
 
@@ -55,14 +58,23 @@ FUNCTIONS: dict[str, str] = {
     "F-SWING": "An overlap swings to another alternative when that is asked for and R4 permits it.",
     "F-ZONE": "A zone is told to be full exactly while as many of its sections count as trains may be in it (R17).",
     "F-TOKEN": "The direction is taken, given and kept exactly as R12 says.",
+    "F-WORD": "What is said of a route is so: open exactly while its signal shows proceed for it; free only where a "
+    "request would set it; refused only where it is not set, and by a condition that does not hold.",
 }
 
 
-def functions(f: Facts) -> list[tuple[str, str, Expr]]:
-    """Function, place and what is required of a step."""
+def functions(f: Facts, c: Controller) -> list[tuple[str, str, Expr]]:
+    """Function, place and what is required of a step of a controller."""
     w = Words(f)
     out: list[tuple[str, str, Expr]] = []
-    parts: tuple[Iterator[tuple[str, str, Expr]], ...] = (delays(w), routes(w), sections(w), points(w), overlaps(w))
+    parts: tuple[Iterator[tuple[str, str, Expr]], ...] = (
+        delays(w),
+        routes(w),
+        sections(w),
+        points(w),
+        overlaps(w),
+        words(w, c),
+    )
     for part in parts:
         out += [x for x in part if x[2] is not TRUE]
     return out

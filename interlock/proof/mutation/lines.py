@@ -34,7 +34,7 @@ class Lines:
             tuple(dict.fromkeys(a.expr for a in system.assumptions)),
             tuple((f"{i.id} at {i.place}", i.expr) for i in strengthening(facts)),
             tuple((f"{c.id} at {c.place}", c.expr) for c in claims(facts)),
-            tuple((f"{name} at {place}", x) for name, place, x in functions(facts)),
+            tuple((f"{name} at {place}", x) for name, place, x in functions(facts, system.controller)),
             tuple(dict.fromkeys(system.initial_parts)),
             (("P-START", start_claim(system)), ("F-START", function_start(facts))),
         )

@@ -1,14 +1,15 @@
 """A restart as an input, for tools whose data keep their values over a restart.
 
 While RESTART is true the scan ends in the initial state with all timers stopped, whatever was kept; the outputs follow
-from it.
+from it, and the words say that nothing is known.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from interlock.st.ast import Assign, Block, Bool, Call, Declaration, If, Name, Nary, Not, Statement, Unit
+from interlock.logic.words import UNKNOWN
+from interlock.st.ast import Assign, Block, Bool, Call, Declaration, If, Int, Name, Nary, Not, Statement, Unit
 
 RESTART = "RESTART"
 
@@ -17,17 +18,24 @@ def with_restart(unit: Unit) -> Unit:
     """The unit with an input RESTART in its main block and in every block that keeps state or has timers."""
     timing = {b.name for b in unit.blocks[:-1] if any(d.type == "TON" for d in b.locals)}
     keeping = {b.name for b in unit.blocks[:-1] if b.outputs and all(f"N_{d.name}" in b.input_names for d in b.outputs)}
+    saying = {b.name for b in unit.blocks[:-1] if any(d.type == "INT" for d in b.outputs)}
     main = unit.blocks[-1]
     types = {d.name: d.type for d in main.locals}
     signal = Declaration(RESTART, "BOOL", Bool(True), "true in the first scan after a restart: everything is locked")
 
     def passed(s: Statement) -> Statement:
-        if isinstance(s, Call) and types.get(s.instance) in keeping | timing:
+        if isinstance(s, Call) and types.get(s.instance) in keeping | timing | saying:
             return replace(s, params=((RESTART, Name((RESTART,))), *s.params))
         return s
 
     blocks = [
-        _keeping(b, signal) if b.name in keeping else _timing(b, signal) if b.name in timing else b
+        _keeping(b, signal)
+        if b.name in keeping
+        else _timing(b, signal)
+        if b.name in timing
+        else _saying(b, signal)
+        if b.name in saying
+        else b
         for b in unit.blocks[:-1]
     ]
     whole = replace(main, inputs=(signal, *main.inputs), body=tuple(map(passed, main.body)))
@@ -37,6 +45,12 @@ def with_restart(unit: Unit) -> Unit:
 def _keeping(b: Block, signal: Declaration) -> Block:
     initial = tuple(Assign(Name((d.name,)), d.initial or Bool(False)) for d in b.outputs)
     return replace(b, inputs=(signal, *b.inputs), body=(If(Name((RESTART,)), initial, b.body),))
+
+
+def _saying(b: Block, signal: Declaration) -> Block:
+    """Words say that nothing is known."""
+    unknown = tuple(Assign(Name((d.name,)), Int(UNKNOWN)) for d in b.outputs)
+    return replace(b, inputs=(signal, *b.inputs), body=(If(Name((RESTART,)), unknown, b.body),))
 
 
 def _timing(b: Block, signal: Declaration) -> Block:

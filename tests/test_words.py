@@ -1,0 +1,250 @@
+"""The words of routes: every refusal of a hostile hour is explained, and what is named was in the way."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from random import Random
+
+import pytest
+
+from interlock.app.check import check_file
+from interlock.checker.scan import execute
+from interlock.checker.structured_text import Reader
+from interlock.emit.python.runtime import runtime_py
+from interlock.logic import names
+from interlock.logic.controller import Controller, MalformedController, Term
+from interlock.logic.eval import Machine
+from interlock.logic.expr import TRUE, conj, interning, var
+from interlock.logic.lower import lower
+from interlock.logic.words import CANCELLING, FREE, OPEN, REFUSED, SET, UNKNOWN, Case, Word, Words
+from interlock.model.elements import Position
+from interlock.proof.equivalence.python_text import compare_runtime
+from interlock.proof.equivalence.structured_text import compare_dialect
+from interlock.proof.mutation.lines import Lines
+from interlock.proof.mutation.switched import Switched
+from interlock.proof.system.transition import System
+from interlock.st.dialects import BY_NAME, DIALECTS, write_st
+from interlock.verify import Rejected
+from tests.layouts import SHIPPED, built
+from tests.refusals import hostile_hour, module_of
+
+LAYOUTS = ("fig2_3_split", "crossing_line", "junction")
+RULES = {f"R{n}" for n in range(1, 19)}
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_every_refusal_of_a_hostile_hour_is_explained(name: str) -> None:
+    """The named condition is false, and with it and those named after it true the route is granted."""
+    hour = hostile_hour(name, 7, 700)
+    assert hour.granted >= 10 and hour.refused.total() >= 150 and hour.at_once >= 40, hour
+    assert len(hour.refused) >= 6, hour.refused
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_every_route_has_a_word_and_every_code_a_sentence_and_a_rule(name: str) -> None:
+    _, table, c = built(name)
+    assert set(c.words.routes) == {r.number for r in table.routes}
+    values = {x.value for w in c.words.words for x in w.cases if isinstance(x.value, int)}
+    assert values - c.words.reasons.keys() <= {OPEN, CANCELLING, SET}
+    assert c.words.reasons.keys() <= values
+    for r in c.words.reasons.values():
+        assert r.text and not r.text.startswith("it needs: no ") and r.rule in RULES, r
+    assert len({r.text for r in c.words.reasons.values()}) > len(c.words.reasons) * 0.9
+
+
+def longest(c: Controller) -> Word:
+    """The word of a route with the most cases."""
+    return max((c.words.by_name[n] for n in c.words.routes.values()), key=lambda w: len(w.cases))
+
+
+def quiet(controller: Controller) -> dict[str, int]:
+    """Everything clear, points normal, nothing asked for."""
+    sym = controller.symbols
+    lying = [name for (_, position), name in sym.detected.items() if position is Position.NORMAL]
+    on = [sym.valid, *sym.clear.values(), *lying, *sym.stop_lamp.values(), *sym.clear_lamp.values()]
+    return {i.name: 0 for i in controller.inputs} | dict.fromkeys(on, 1)
+
+
+def test_the_word_of_a_route_from_restart_to_cancellation() -> None:
+    _, _, controller = built("fig2_2")
+    module = module_of(controller)
+    one, sym, base = module.Controller(), controller.symbols, quiet(controller)
+    route = sym.routes[0]
+    assert one.status(route.id) == (UNKNOWN, "not known: no scan since the restart") and one.why_not(route.id) is None
+    one.scan(base, 100)
+    assert "is not released since the restart" in one.why_not(route.id)[1] and one.why_not(route.id)[2] == "R16"
+    for _ in range(4000):
+        one.scan({**base, sym.release_all: 1}, 100)
+        one.scan(base, 100)
+    assert one.status(route.id) == (FREE, "free") and one.why_not(route.id) is None
+    first = route.ways[0][0]
+    one.scan({**base, **one.request(route.id), sym.clear[first]: 0}, 100)
+    assert one.why_not(route.id)[1:] == (f"section {first} is occupied", "R3")
+    for _ in range(300):
+        one.scan(base, 100)
+    one.scan({**base, **one.request(route.id)}, 100)
+    assert one.why_not(route.id) is None
+    one.scan(base, 100)
+    one.scan(base, 100)
+    assert one.status(route.id) == (OPEN, "open") and one.countdown_ms(route.id) is None
+    approach = sym.approach_of[route.entry]
+    coming = {sym.clear[approach]: 0} if approach in sym.clear else {}
+    one.scan({**base, **coming, sym.cancel[route.entry]: 1}, 100)
+    one.scan({**base, **coming}, 100)
+    left = one.countdown_ms(route.id)
+    assert one.status(route.id) == (CANCELLING, "being cancelled")
+    one.scan({**base, **coming}, 100)
+    assert one.countdown_ms(route.id) == left - 100 > 0
+    assert one.status(route.id)[0] == CANCELLING
+
+
+@pytest.mark.parametrize("name", ["fig2_2", "junction"])
+def test_the_reference_and_the_runtime_say_the_same(name: str) -> None:
+    _, _, c = built(name)
+    one, other, chance = module_of(c).Controller(), Machine(c), Random(3)
+    assert set(other.words().values()) == {UNKNOWN}
+    for _ in range(40):
+        inputs = quiet(c) | {i.name: chance.randrange(i.size or 2) for i in c.inputs if chance.random() < 0.05}
+        dt_ms = chance.choice((100, 5000, 60_000))
+        before = one.scan(inputs, dt_ms), dict(one.state), dict(one.elapsed)
+        other.scan(inputs, dt_ms)
+        told = other.words()
+        assert one.words() == {number: told[n] for number, n in c.words.routes.items()}
+        assert before[1:] == (one.state, one.elapsed)  # who asks changes nothing
+
+
+def test_nothing_reads_a_word() -> None:
+    _, _, c = built("fig2_2")
+    word = c.words.words[-1]
+    for wrong in (
+        lambda: replace(c, next=(replace(c.next[0], terms=(Term(var(word.name), "word"),)), *c.next[1:])),
+        lambda: replace(c, words=replace(c.words, words=(word, *c.words.words))),
+        lambda: replace(c, words=Words((replace(word, cases=(Case(var(names.spelled("nobody")), 1),)),))),
+    ):
+        with pytest.raises(MalformedController):
+            wrong()
+
+
+def test_a_runtime_with_another_word_is_refused() -> None:
+    _, _, c = built("fig2_2")
+    text = runtime_py(c, [])
+    assert compare_runtime(c, text).proved
+    word = longest(c)
+    line = next(x for x in text.split("\n") if x.startswith(f"            {word.name} = self._first("))
+    inside = line.split("self._first(")[1].split(")  #")[0].split(", ")
+    swapped = [*inside[:-5], *inside[-3:-1], *inside[-5:-3], inside[-1]]
+    for other in (inside[2:], [inside[0], "1", *inside[2:]], [*inside[:-1], "2"], swapped, ["True", "0", *inside]):
+        changed = text.replace(", ".join(inside), ", ".join(other), 1)
+        assert changed != text and not compare_runtime(c, changed).proved, other
+    code = max(c.words.reasons)
+    for old, new in (
+        (f"    {code}: (", f"    {code}: ('not ' + "),
+        (f"    {code}: ('", f"    {code}: ('x"),
+        ("if cases[i]:", "if not cases[i]:"),
+        (f"1: {c.words.routes[1]},", f"1: {c.words.routes[2]},"),
+        ("        if say:\n", "        if not say:\n"),
+        (f"    1: '{c.symbols.approach_timer[c.symbols.routes[0].entry]}'", "    1: 'RST'"),
+    ):
+        assert text.count(old) >= 1 and not compare_runtime(c, text.replace(old, new, 1)).proved, old
+
+
+def test_the_same_word_written_otherwise_is_proved() -> None:
+    """A word is compared code by code where its cases are not those of the controller."""
+    _, _, c = built("fig2_2")
+    word = longest(c)
+    first = word.cases[0]
+    twice = replace(word, cases=(first, Case(conj((first.condition, word.cases[1].condition)), 2), *word.cases[1:]))
+    said = tuple(twice if w is word else w for w in c.words.words)
+    text = runtime_py(replace(c, words=replace(c.words, words=said)), [])
+    assert compare_runtime(c, text).proved
+
+
+def test_a_name_that_was_read_from_a_text_before_is_known() -> None:
+    """A unique table may hold nodes of the same names, read from a text, which know nothing of families."""
+    checked = check_file("layouts/fig2_2.yaml")
+    assert checked.layout is not None and checked.table is not None
+    with interning():
+        told = lower(checked.layout, checked.table)
+    with interning():
+        for name in [*(i.name for i in told.inputs), *(s.name for s in told.state), *(s.name for s in told.steps)]:
+            var(names.spelled(str(name)))
+        again = lower(checked.layout, checked.table)
+    assert [r.text for r in again.words.reasons.values()] == [r.text for r in told.words.reasons.values()]
+    assert [r.at for r in again.words.reasons.values()] == [r.at for r in told.words.reasons.values()]
+
+
+@pytest.mark.parametrize("dialect", [d.name for d in DIALECTS])
+def test_a_text_with_another_word_is_refused(dialect: str) -> None:
+    _, _, c = built("fig2_2")
+    d = BY_NAME[dialect]
+    files = write_st(c, d, [])
+    assert compare_dialect(c, d, files).proved
+    word = longest(c)
+    value, does = word.cases[-1].value, word.cases[1].value
+    mark = "#" if dialect == "scl1500" else ""
+    for old, new in (
+        (f"{mark}{word.name} := {mark}{value};", f"{mark}{word.name} := 1;"),
+        (f"{mark}{word.name} := 1;", f"{mark}{word.name} := 3;"),
+        (f"{mark}{does} := 4;", f"{mark}{does} := 3;"),
+        (f"    {mark}{does} := 2;", f"    {mark}{does} := 32767;"),
+        (f"    {mark}{does} := 2;", f"    {mark}{does} := {mark}{value};"),
+    ):
+        changed = {n: text.replace(old, new, 1) for n, text in files.items()}
+        assert changed != files and not compare_dialect(c, d, changed).proved, old
+
+
+def test_the_second_checker_refuses_whoever_reads_a_word() -> None:
+    _, _, c = built("fig2_2")
+    text = write_st(c, BY_NAME["iec"], [])["fig2_2.st"]
+    state = [*(s.name for s in c.state), *(o.name for o in c.outputs)]
+    wires = [*(e.name for e in c.equations), *(f"{s.name}'" for s in c.state), *(f"{o.name}'" for o in c.outputs)]
+    assert set(execute(text, state, wires).words) == {w.name for w in c.words.words}
+    route, other = c.words.routes[1], c.words.routes[2]
+    for old, new, said in (
+        (f"{route} := W01.{route};", f"{route} := W01.{other};", "no word of this name"),
+        (f"{route} := W01.{route};", f"{route} := REQ;", "no word of this name"),
+        ("  YS_X1 := ", f"  YS_X1 := W01.{route} OR ", "where TRUE or FALSE is meant"),
+        ("  YS_X1 := ", f"  YS_X1 := (W01.{route} = 3) OR ", "no number"),
+        (f"    {route} := 3;", f"    {other} := 3;", "several variables"),
+        (f"    {route} := 3;", f"    {route} := 40000;", "no INT"),
+        (f"    {route} := 3;", f"    {route} := 3; {route} := 5;", "at once"),
+        (f"    {route} := 3;", f"    {route} := RT_DP;", "neither a code nor a word"),
+        (f"  {route} : INT := 0;", f"  {route} : INT := 1;", "begin with 0"),
+    ):
+        assert text.count(old) >= 1, old
+        with pytest.raises(Rejected, match=said):
+            execute(text.replace(old, new, 1), state, wires)
+
+
+def test_if_without_else_says_nothing_to_the_checker() -> None:
+    head = "FUNCTION_BLOCK A\nVAR_INPUT X : BOOL; END_VAR\nVAR_OUTPUT W : INT; END_VAR\n"
+    whole = "IF X THEN W := 1; ELSIF NOT X THEN W := 2; ELSE W := 3; END_IF;\nEND_FUNCTION_BLOCK\n"
+    assert Reader(head + whole).unit()[0].body[0][0] == "if"
+    for other in (whole.replace(" ELSE W := 3;", ""), whole.replace("W := 2;", "", 1), whole.replace("END_IF;", ";")):
+        with pytest.raises(Rejected):
+            Reader(head + other).unit()
+
+
+@pytest.mark.parametrize(
+    ("change", "code"),
+    [("open at stop", OPEN), ("free that is refused", FREE), ("refused that is free", REFUSED), ("another name", 0)],
+)
+def test_a_word_that_is_not_so_is_found(change: str, code: int) -> None:
+    """F-WORD: of words that say what is not so."""
+    layout, _, c = built("fig2_2")
+    word = next(w for w in c.words.words if w.name == c.words.routes[1])
+    first, last = word.cases[0], word.cases[-1]
+    cases = {
+        OPEN: (Case(var(c.symbols.routes[0].active), OPEN), *word.cases[1:]),
+        FREE: word.cases[:-1],
+        REFUSED: (*word.cases, Case(TRUE, last.value)),
+        0: (first, *(replace(x, value=c.words.words[0].name) for x in word.cases[1:])),
+    }[code]
+    wrong = replace(word, cases=cases)
+    told = Words(tuple(wrong if w is word else w for w in c.words.words), c.words.reasons, c.words.routes)
+    for controller, good in ((c, True), (replace(c, words=told), False)):
+        lines, step = Lines.of(System(layout, controller)), Switched()
+        known = [step.define(n, x) for n, x in lines.definitions.items()]
+        known += [step.fact(x) for x in (*lines.assumptions, *(x for _, x in lines.invariants))]
+        said = [x for n, x in lines.functions if n.startswith("F-WORD")]
+        assert (step.model(*known, step.any_false(said)) is None) is good, change
