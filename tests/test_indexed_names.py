@@ -31,6 +31,8 @@ READ = {
     "proof/mutation/weakenings.py": "lists of families, as they stand in this module",
     "proof/mutation/judge.py": "ids of claims",
     "proof/equivalence/python_text.py": "the emitted runtime",
+    "proof/equivalence/c_text.py": "the emitted C",
+    "emit/c99/runtime.py": "names of files",
     "proof/induction/story.py": "ids of claims, notes of inputs",
     "proof/mutation/texts.py": "emitted texts",
     "st/dialects/dialect.py": "names of blocks",
