@@ -45,6 +45,7 @@ from interlock.model.elements import (
     Zone,
 )
 from interlock.model.principles import Principles
+from interlock.model.target import Target
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -91,6 +92,8 @@ class Layout:
     """Seconds of supervision of machines that have a time of their own."""
     unlisted: tuple[str, ...] = ()
     """Names of routes that are not printed."""
+    target: Target | None = None
+    """The controller for which the text is meant; no text and no proof depends on it."""
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -254,9 +257,10 @@ class Layout:
 
     @cached_property
     def bare(self) -> Layout:
-        """The same railway without lengths."""
+        """The same railway without lengths, for whatever controller."""
         return replace(
             self,
+            target=None,
             edges=tuple(replace(e, length=0.0) for e in self.edges),
             points=tuple(replace(p, fouling=0.0) for p in self.points),
             overlaps=tuple(replace(o, length=0.0) for o in self.overlaps),
@@ -274,7 +278,7 @@ class Layout:
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 
-_ONLY_STATED = frozenset({"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted"})
+_ONLY_STATED = frozenset({"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "target"})
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
 
 

@@ -33,8 +33,13 @@ def write_delivery(
     controller: Controller, allocation: Allocation, dialect: Dialect, header: Sequence[str]
 ) -> dict[str, str]:
     """The same with the mapping program, and with what runs it."""
+    return dialect.write(delivered(controller, allocation, dialect, header))
+
+
+def delivered(controller: Controller, allocation: Allocation, dialect: Dialect, header: Sequence[str]) -> Unit:
+    """The interlocking of a dialect with its mapping program, as a tree."""
     io = io_program(controller, allocation, header, dialect.runs, dialect.restart)
-    return dialect.write(joined(_core(controller, dialect, header), io))
+    return joined(_core(controller, dialect, header), io)
 
 
 def _core(controller: Controller, dialect: Dialect, header: Sequence[str]) -> Unit:
@@ -42,4 +47,4 @@ def _core(controller: Controller, dialect: Dialect, header: Sequence[str]) -> Un
     return with_restart(unit) if dialect.restart else unit
 
 
-__all__ = ["BY_NAME", "DIALECTS", "Dialect", "Files", "Unsupported", "write_delivery", "write_st"]
+__all__ = ["BY_NAME", "DIALECTS", "Dialect", "Files", "Unsupported", "delivered", "write_delivery", "write_st"]
