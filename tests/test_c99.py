@@ -9,8 +9,10 @@ from dataclasses import replace
 from functools import cache
 
 import pytest
+from click.testing import CliRunner
 
 from interlock.app.texts import writers
+from interlock.cli.main import cli
 from interlock.emit.c99.runtime import literal, runtime_c
 from interlock.logic.controller import Controller, Equation, Input, Join, Output, StateVar, Term, Timer
 from interlock.logic.expr import Expr, conj, eq, neg, var
@@ -69,6 +71,12 @@ def test_it_is_written_when_it_is_asked_for() -> None:
             assert verdict.equal
             files |= made
         assert ("c99/fig2_2.c" in files and "c99/fig2_2.h" in files) is wanted
+
+
+def test_without_its_parser_it_is_refused_with_advice(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("interlock.cli.compile.find_spec", lambda _: None)
+    done = CliRunner().invoke(cli, ["compile", "layouts/fig2_2.yaml", "--dialect", "c99"])
+    assert done.exit_code == 2 and "pip install 'interlock[c99]'" in done.output
 
 
 CHANGES: list[tuple[str, str | Callable[[re.Match[str]], str]]] = [
