@@ -7,6 +7,7 @@ import random
 import re
 import zipfile
 from functools import cache
+from pathlib import Path
 
 import pytest
 
@@ -14,6 +15,7 @@ from interlock.emit.io import tags_xlsx
 from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller
 from interlock.logic.eval import Machine
+from interlock.logic.lower import lower
 from interlock.model.layout import Layout
 from interlock.proof.equivalence.cabinet import compare_delivery
 from interlock.proof.equivalence.tags import BadTags, read_tags
@@ -22,7 +24,7 @@ from interlock.st.dialects import BY_NAME, write_delivery
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.program import parted
 from interlock.st.restart import RESTART
-from tests.layouts import built
+from tests.layouts import built, grown
 
 VENDORS = [n for n in BY_NAME if n != "iec"]
 
@@ -78,6 +80,13 @@ SCL = [
     ('  "IL_fig2_2_IO"();\n', '  "IL_fig2_2_IO"();\n  "IL_fig2_2_IO"();\n'),
     ("HB AND ", "HB OR "),
 ]
+
+
+def classic(text: str) -> str:
+    """The same with the shorter names of STEP 7 classic."""
+    return text.replace("IL_fig2_2_W_main", "DB_W_main").replace('"IL_fig2_2_CYC"', '"DB_CYC"')
+
+
 CHANGES = {
     "codesys": XML,
     "plcopen": XML[:4],
@@ -91,16 +100,16 @@ CHANGES = {
     ],
     "scl1500": [(old.replace("HB AND ", "#HB AND "), new.replace("HB OR ", "#HB OR ")) for old, new in SCL],
     "scl300": [
-        *SCL,
+        *((classic(old), classic(new)) for old, new in SCL),
         ('"IL_fig2_2_HMI".RESTART := TRUE', '"IL_fig2_2_HMI".RESTART := FALSE'),
         ('  "IL_fig2_2_HMI".RESTART := FALSE;', ""),
         ("RESTART : BOOL := TRUE", "RESTART : BOOL := FALSE"),
-        ('"IL_fig2_2_WATCH"."IL_fig2_2_W_main"(', '"IL_fig2_2_CYCLE"."IL_fig2_2_W_main"('),
+        ('"IL_fig2_2_WATCH"."DB_W_main"(', '"IL_fig2_2_CYCLE"."DB_W_main"('),
         ("(RESTART := RESTART", "("),
         ("    RUNS := FALSE;\n", ""),
         ('"CLR_SA","I 0.2"', '"CLR_SA","I 0.7"'),
         ('"CLR_SA","I 0.2"', '"CLR_SA","M 0.2"'),
-        ('"IL_fig2_2_W_main","DB 1","FB 12"', '"IL_fig2_2_W_main","DB 1","FB 13"'),
+        ('"DB_W_main","DB 1","FB 12"', '"DB_W_main","DB 1","FB 13"'),
         ('"TON","SFB 4","SFB 4"', '"TON","SFB 5","SFB 5"'),
         ("I_T01 : ", "T01 : "),
     ],
@@ -179,6 +188,18 @@ def test_no_name_for_step_7_looks_like_an_address() -> None:
     assert '"IL_fig2_2","FB 11","FB 11",""' in table and '"DB_IL_fig2_2","DB 3","FB 11",""' in table
     long = table.replace('"CLR_SA"', '"CLR_' + "A" * 21 + '"')
     assert "a symbol has 24" in str(wrong("scl300", {**files_of("scl300"), "fig2_2.sdf": long}))
+
+
+def test_the_longest_names_of_layout_and_substation_fit_into_a_symbol() -> None:
+    text = Path("layouts/fig2_2.yaml").read_text("utf-8").replace("name: fig2_2", "name: n2345678901234")
+    made = grown(text + "substations: {s2345678901234: []}\n")
+    assert made is not None
+    layout, table, _ = made
+    controller = lower(layout, table)
+    a = allocate(layout, controller)
+    files = write_delivery(controller, a, BY_NAME["scl300"], [])
+    assert '"DB_W_s2345678901234"' in files["n2345678901234.sdf"]
+    assert compare_delivery(controller, a, BY_NAME["scl300"], files) == ()
 
 
 def test_a_project_with_its_configuration_fits_the_classes_made_from_its_schema() -> None:

@@ -67,7 +67,7 @@ class Family:
         files[f"{name}_io.scl"] = self._mapping(program, helpers, unit.header, main)
         files[f"{name}_ob.scl"] = self._organization(unit.task, main, unit.header)
         if self.classic:
-            files[f"{name}.sdf"] = symbol_table((*core.blocks, *helpers), program, _held_in(program, main))
+            files[f"{name}.sdf"] = symbol_table((*core.blocks, *helpers), program, self._kept(program, main))
         return files
 
     def _mapping(self, program: Block, helpers: Sequence[Block], header: Sequence[str], main: str) -> str:
@@ -78,7 +78,7 @@ class Family:
             if n != INSTANCE:
                 lines += [
                     "",
-                    f'DATA_BLOCK "{_data(main, n)}"',
+                    f'DATA_BLOCK "{self._data(main, n)}"',
                     *self.attributes,
                     f'"{kind}"',
                     "BEGIN",
@@ -106,13 +106,26 @@ class Family:
         lines = [f"ORGANIZATION_BLOCK {name}", *self.attributes, *taken, "BEGIN", f"  {statement}"]
         return [*lines, "END_ORGANIZATION_BLOCK"]
 
+    def _data(self, main: str, instance: str) -> str:
+        """The data block of an instance; that of the interlocking itself stands with it.
+
+        A symbol of STEP 7 classic has 24 characters at most: there is no room for the names of layout and substation.
+        """
+        if instance == INSTANCE:
+            return f"DB_{main}"
+        return f"DB_{instance}" if self.classic else f"{main}_{instance}"
+
+    def _kept(self, program: Block, main: str) -> dict[str, str]:
+        """Data blocks, and the block of which each is an instance ("" for the global one)."""
+        return {**{self._data(main, n): kind for n, kind in _instances(program).items()}, f"{main}_{OPERATOR}": ""}
+
     def _shown(self, program: Block, main: str) -> dict[str, str]:
         """How each name of the program is written; that of an instance with a bracket is its call."""
         shown: dict[str, str] = {}
         operators = {d.name for d in _operators(program)}
         for d in program.locals:
             if d.type not in ("BOOL", "INT"):
-                shown[d.name] = f'"{_data(main, d.name)}"'
+                shown[d.name] = f'"{self._data(main, d.name)}"'
                 shown[f"{d.name}("] = f'"{d.type}".{shown[d.name]}(' if self.classic else f"{shown[d.name]}("
             else:
                 shown[d.name] = f'"{main}_{OPERATOR}".{d.name}' if d.name in operators else f'"{d.name}"'
@@ -144,7 +157,7 @@ class Family:
         if set(files) != expected:
             raise NotInSubset(f"files are not {', '.join(sorted(expected))}")
         if self.classic:
-            wires = read_symbols(files[f"{name}.sdf"], (*core.blocks, *helpers), program, _held_in(program, main))
+            wires = read_symbols(files[f"{name}.sdf"], (*core.blocks, *helpers), program, self._kept(program, main))
             placed = {n: Declaration(n, "BOOL", address=where) for n, where in wires.items()}
             others = tuple(d for d in program.locals if d.name not in placed)
             program = replace(program, locals=(*placed.values(), *others))
@@ -153,7 +166,8 @@ class Family:
     def _held(self, text: str, main: str) -> tuple[Declaration, ...]:
         """An instance, or the variables of the operator's place."""
         own = "".join(f"{re.escape(x)}\n" for x in self.attributes)
-        frame = rf'DATA_BLOCK "{main}_(\w+)"\n{own}"(\w+)"\nBEGIN\nEND_DATA_BLOCK\n'
+        prefix = self._data(main, "")
+        frame = rf'DATA_BLOCK "{prefix}(\w+)"\n{own}"(\w+)"\nBEGIN\nEND_DATA_BLOCK\n'
         if found := re.fullmatch(frame, text, re.ASCII):
             return (Declaration(found[1], found[2]),)
         data = "".join(f"{re.escape(x)}\n" for x in self.data)
@@ -201,11 +215,6 @@ def _name(main: str) -> str:
     return main.removeprefix("IL_")
 
 
-def _data(main: str, instance: str) -> str:
-    """The data block of an instance; that of the interlocking itself stands with it."""
-    return f"DB_{main}" if instance == INSTANCE else f"{main}_{instance}"
-
-
 def _instances(program: Block) -> dict[str, str]:
     return {d.name: d.type for d in program.locals if d.type not in ("BOOL", "INT")}
 
@@ -213,11 +222,6 @@ def _instances(program: Block) -> dict[str, str]:
 def _operators(program: Block) -> tuple[Declaration, ...]:
     """The variables of the operator's place, and those of the program itself: what has no address."""
     return tuple(d for d in program.locals if d.type in ("BOOL", "INT") and not d.address)
-
-
-def _held_in(program: Block, main: str) -> dict[str, str]:
-    """Data blocks, and the block of which each is an instance ("" for the global one)."""
-    return {**{_data(main, n): kind for n, kind in _instances(program).items()}, f"{main}_{OPERATOR}": ""}
 
 
 def _printed(s: Statement) -> list[str]:
