@@ -125,6 +125,11 @@ CHANGES: list[tuple[str, str | Callable[[re.Match[str]], str]]] = [
     (r"(typedef struct \{\n  bool \w+;)", r"\1\n  bool other;"),
     (r"\Z", "static void unseen(void)\n{\n}\n"),
     (r"\Z", "int other;\n"),
+    (r"  now = next;\n", "  now = next;\n  begun = false;\n"),
+    (r"  begun = true;\n", "  begun = false;\n"),
+    (r"  now = next;\n", "  next = now;\n"),
+    (r"  now = next;\n", "  now = next;\n  IL_small_init();\n"),
+    (r"  now = next;\n", "  now = next;\n  delay.RT.runs = false;\n"),
 ]
 
 

@@ -259,7 +259,8 @@ class _Reader:
                 raise self._bad(x, f"a statement that is not emitted: {kind}")
 
     def _assign(self, x: Any) -> None:
-        if type(x.lvalue).__name__ == "ID" and x.lvalue.name == "begun":
+        starting = f"{self.p}_init" in self.called
+        if starting and type(x.lvalue).__name__ == "ID" and x.lvalue.name == "begun":
             self.values["begun"] = self._value(x.rvalue)
             return
         if type(x.lvalue).__name__ == "ID":
@@ -282,7 +283,6 @@ class _Reader:
             if self._kind(x, place) != "bool":
                 raise self._bad(x, "a truth value where a number is needed")
             value = self._value(x.rvalue)
-        starting = f"{self.p}_init" in self.called
         if root == "in" or (root in ("now", "delay", f"{self.p}_in") and not starting):
             raise self._bad(x, f"{root} is written")
         shown = spelled(name) if root == "wire" else computed(spelled(name)) if root == "next" else ""
