@@ -14,13 +14,15 @@ TOP = Path(__file__).resolve().parent.parent
 LEFT = pytest.StashKey[int]()
 
 
-NEEDED = {"ABC": ("berkeley-abc", "abc"), "Chromium": ("chromium", "chromium-browser")}
+NEEDED = {"ABC": ("berkeley-abc", "abc"), "Chromium": ("chromium", "chromium-browser"), "gcc": ("gcc",)}
 """What tests of the group `external` need on the machine, and the names by which it is found."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """`--external` runs the tests that need ABC or Chromium, and those alone."""
-    parser.addoption("--external", action="store_true", help="run the tests that need ABC or Chromium, and no others")
+    """`--external` runs the tests that need ABC, Chromium or gcc, and those alone."""
+    parser.addoption(
+        "--external", action="store_true", help="run the tests that need ABC, Chromium or gcc, and no others"
+    )
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -41,7 +43,7 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: p
         return
     if not config.getoption("--external"):
         count = f"{left} tests" if left else "the tests"
-        terminalreporter.write_line(f"not run: {count} that need ABC or Chromium (`pytest --external` runs them)")
+        terminalreporter.write_line(f"not run: {count} that need ABC, Chromium or gcc (`pytest --external` runs them)")
 
 
 @pytest.fixture(autouse=True, scope="module")

@@ -34,6 +34,8 @@ ELSEWHERE = {
     "IL5005",
     "IL5006",
     "IL5008",
+    "IL5009",
+    "IL5010",
     *(c for c in CODES if c.startswith("IL6")),  # test_dispatch_language, test_record
 }
 

@@ -19,11 +19,11 @@ from interlock.frontend import load_text
 from interlock.logic.controller import Equation, Input, Step
 from interlock.logic.expr import FALSE, TRUE, Substitution, var
 from interlock.logic.lower import lower
+from interlock.logic.order import by_place
 from interlock.proof.equivalence.structured_text import Scan, compare_scan, compare_st, wires
 from interlock.st.ast import Assign, Expression, Nary, Not
 from interlock.st.lower import MAX_OPERANDS, lower_st
 from interlock.st.meaning import Symbol, Symbols
-from interlock.st.order import by_place
 from interlock.st.parser import NotInSubset, parse_block, parse_unit
 from interlock.st.printer import MAX_COLUMNS, comment, print_unit
 from tests.layouts import SHIPPED, built

@@ -17,6 +17,7 @@ from interlock.app.draw import plan_notes
 from interlock.app.making import claims_json
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
+from interlock.app.target import target_notes
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.emit.bundle import differences, is_bundle, with_manifest, write_folder
 from interlock.emit.drawing import place, plan_svg
@@ -71,7 +72,8 @@ def build_derived(
     assert checked.layout is not None
     drawing = place(checked.layout)
     proved = replace(proved, notes=(*proved.notes, *plan_notes(drawing.notes, checked.source)))
-    files = _documents(checked, proved, plan_svg(checked.layout, drawing))
+    files, notes = _documents(checked, proved, plan_svg(checked.layout, drawing))
+    proved = replace(proved, notes=(*proved.notes, *notes))
     if proved.green or unproved:
         files |= texts
     for claim, trace in proved.traces:
@@ -81,12 +83,14 @@ def build_derived(
     return replace(proved, files=tuple(sorted(files))), files
 
 
-def _documents(checked: Checked, proved: Proved, plan: str) -> dict[str, bytes]:
+def _documents(checked: Checked, proved: Proved, plan: str) -> tuple[dict[str, bytes], tuple[Diagnostic, ...]]:
+    """Everything but texts and report, and what there is to say of the controller for which it is meant."""
     layout, table, proof = checked.layout, checked.table, proved.proof
     assert layout is not None and table is not None and proof is not None
     with interning():
         controller = lower(layout, table)
         allocation = allocate(layout, controller)
+        notes = target_notes(layout, controller, checked.source)
     body = {
         "schema": "interlock-proof/1",
         "layout": layout.name,
@@ -103,7 +107,7 @@ def _documents(checked: Checked, proved: Proved, plan: str) -> dict[str, bytes]:
             {"claim": c.id, "place": c.story.place, "steps": list(c.story.steps)} for c in proof.claims if c.story
         ],
     }
-    return {
+    files = {
         "table.json": table_json(layout, table).encode(),
         "table.csv": table_csv(table).encode(),
         "table.xlsx": table_xlsx(layout, table),
@@ -119,6 +123,7 @@ def _documents(checked: Checked, proved: Proved, plan: str) -> dict[str, bytes]:
         "io/tags_tia.xlsx": tags_xlsx(layout, allocation),
         "proof.json": (json.dumps(body, indent=1, ensure_ascii=False) + "\n").encode(),
     }
+    return files, notes
 
 
 def _report(checked: Checked, proved: Proved, files: dict[str, bytes]) -> str:

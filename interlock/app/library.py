@@ -134,7 +134,8 @@ def prove(
 def compile(layout: Layout, *, jobs: int = 1, dialects: tuple[str, ...] = (), progress: Progress = quiet) -> Compiled:
     """Derive, audit, lower and prove a layout, write its texts, read them back and compare them: all outputs.
 
-    Raises `LayoutError`.  `dialects`: other tools' forms of the PLC text, beside the portable one.
+    Raises `LayoutError`.  `dialects`: other tools' forms of the PLC text, beside the portable one; `c99` (extra
+    `c99`) is the C runtime.
     """
     from interlock.app.compile import build_derived, finish
 

@@ -6,20 +6,26 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from interlock.app.proved import TextVerdict
+from interlock.emit.c99.runtime import runtime_c
+from interlock.emit.io import tags_xlsx
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.cabinet import allocate
 from interlock.logic.controller import Controller
 from interlock.model.elements import TelegramForm
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
-from interlock.proof.equivalence.cabinet import compare_program
+from interlock.proof.equivalence.c_text import compare_c
+from interlock.proof.equivalence.cabinet import compare_delivery, compare_program
 from interlock.proof.equivalence.python_text import compare_runtime
 from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.proof.equivalence.telegram import compare_telegram
-from interlock.st.dialects import DIALECTS, Dialect, write_st
+from interlock.st.dialects import DIALECTS, Dialect, write_delivery, write_st
 from interlock.st.printer import print_unit
 from interlock.st.program import io_program
 from interlock.st.telegram import telegram_unit
+
+C99 = "c99"
+"""The C runtime among the texts that are asked for: no form of Structured Text."""
 
 Written = tuple[TextVerdict, dict[str, bytes]]
 """A verdict and the very files that it speaks of."""
@@ -29,13 +35,20 @@ def writers(
     layout: Layout, controller: Controller, header: list[str], dialects: Sequence[str], keep: bool = True
 ) -> list[Callable[[], Written]]:
     """What writes and compares each text: the portable one, other dialects that are asked for, the mapping program,
-    the telegrams, and the runtime; `keep`: the files themselves are wanted too."""
+    the telegrams, the runtime, and the C runtime if it is asked for; `keep`: the files themselves are wanted too."""
     wanted = [d for d in DIALECTS if d.name == "iec" or d.name in dialects]
-    out: list[Callable[[], Written]] = [partial(_structured_text, controller, d, header) for d in wanted]
+    out: list[Callable[[], Written]] = []
+    for d in wanted:
+        if d.name == "iec":
+            out.append(partial(_structured_text, controller, d, header))
+        else:
+            out.append(partial(_delivery, layout, controller, d, header))
     out.append(partial(_mapping, layout, controller, header))
     if layout.telegram is not TelegramForm.NONE and controller.symbols.trailed:
         out.append(partial(_telegrams, layout, controller, header))
     out.append(partial(_runtime, controller, header))
+    if C99 in dialects:
+        out.append(partial(_c_runtime, controller, header))
     return out if keep else [partial(_compared, task) for task in out]
 
 
@@ -49,6 +62,18 @@ def _structured_text(controller: Controller, dialect: Dialect, header: list[str]
     folder = f"st/{dialect.name}"
     name = f"{folder}/{next(iter(written))}" if len(written) == 1 else folder
     return TextVerdict(name, found.differences), {f"{folder}/{n}": text.encode() for n, text in written.items()}
+
+
+def _delivery(layout: Layout, controller: Controller, dialect: Dialect, header: list[str]) -> Written:
+    """The interlocking in a vendor's form with its mapping program, and the table of tags that this reads."""
+    folder, allocation = f"st/{dialect.name}", allocate(layout, controller)
+    texts = write_delivery(controller, allocation, dialect, header)
+    files = {f"{folder}/{n}": text.encode() for n, text in texts.items()}
+    book = tags_xlsx(layout, allocation) if dialect.tags else None
+    if book is not None:
+        files[f"{folder}/{portable(layout.name)}_tags.xlsx"] = book
+    found = compare_delivery(controller, allocation, dialect, texts, book)
+    return TextVerdict(next(iter(files)) if len(files) == 1 else folder, found), files
 
 
 def _mapping(layout: Layout, controller: Controller, header: list[str]) -> Written:
@@ -68,3 +93,10 @@ def _telegrams(layout: Layout, controller: Controller, header: list[str]) -> Wri
 def _runtime(controller: Controller, header: list[str]) -> Written:
     text = runtime_py(controller, header)
     return TextVerdict("runtime.py", compare_runtime(controller, text).differences), {"runtime.py": text.encode()}
+
+
+def _c_runtime(controller: Controller, header: list[str]) -> Written:
+    written = runtime_c(controller, header)
+    found = compare_c(controller, written)
+    files = {f"{C99}/{n}": text.encode() for n, text in written.items()}
+    return TextVerdict(next(n for n in files if n.endswith(".c")), found.differences), files

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import click
 
 from interlock.app.compile import compile_file, names_twice
+from interlock.app.texts import C99
 from interlock.cli.common import (
     FINDINGS,
     each,
@@ -39,8 +41,9 @@ from interlock.st.dialects import DIALECTS
     "--dialect",
     "dialects",
     multiple=True,
-    type=click.Choice([*(d.name for d in DIALECTS), "all"]),
-    help="Write the PLC text for this tool as well (several times, or `all`); iec is always written.",
+    type=click.Choice([*(d.name for d in DIALECTS), "all", C99]),
+    help="Write the PLC text for this tool as well (several times, or `all`); iec is always written.  "
+    "c99 is the C runtime.",
 )
 @click.option("--check", is_flag=True, help="Write nothing; tell whether the outputs are current.")
 @click.option("--unproved", is_flag=True, help="Write PLC text although something is not proved, with a mark.")
@@ -57,7 +60,9 @@ def command(
     form: str,
 ) -> None:
     """Derive the table, prove the controller, and write all outputs."""
-    tools = tuple(d.name for d in DIALECTS) if "all" in dialects else dialects
+    tools = (*dialects, *(d.name for d in DIALECTS)) if "all" in dialects else dialects
+    if C99 in dialects and find_spec("pycparser") is None:
+        raise click.UsageError("c99 needs the extra `c99`: pip install 'interlock[c99]'")
     clashes = names_twice(layouts) if len(layouts) > 1 else ()
     if clashes:
         show(clashes, {}, form)

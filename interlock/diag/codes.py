@@ -101,6 +101,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL5006": (_E, "nothing is written without a proof"),
     "IL5007": (_E, "a certificate that is not current"),
     "IL5008": (_W, "a plan that shows something otherwise than it lies"),
+    "IL5009": (_W, "a program that the target may not hold"),
+    "IL5010": (_I, "what a program takes of its target"),
     # 6: dispatch
     "IL6001": (_E, "a file that is no dispatch file of this layout"),
     "IL6002": (_E, "a dispatch file speaks of something that the layout does not have"),

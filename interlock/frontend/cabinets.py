@@ -6,11 +6,14 @@ Output: diagnostics IL2004, IL2014, IL2015, and the elements.
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
+from interlock.frontend.schema import TargetSpec
 from interlock.model.elements import SectionId, Substation
+from interlock.model.target import CPUS, KB, Target
 
 
 def _wired(ctx: Context, wiring: Wiring) -> list[str]:
@@ -85,3 +88,15 @@ def resolve_drawing(ctx: Context, wiring: Wiring) -> tuple[tuple[SectionId, int]
             hint = did_you_mean(name, wiring.sections)
             ctx.add("IL2004", f"drawing: there is no section {name}", ctx.at_key("drawing", name), hint)
     return tuple(sorted((SectionId(n), level) for n, level in ctx.file.drawing.items()))
+
+
+def resolve_target(given: TargetSpec) -> Target | None:
+    """The limits of a CPU, with those that the author states instead; None when there are none."""
+    base = CPUS[given.cpu] if given.cpu is not None else Target("the target")
+    found = replace(
+        base,
+        blocks=given.blocks or base.blocks,
+        block_bytes=KB * given.block_kb if given.block_kb else base.block_bytes,
+        memory_bytes=KB * given.memory_kb if given.memory_kb else base.memory_bytes,
+    )
+    return found if any((found.blocks, found.block_bytes, found.memory_bytes)) else None

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.added import resolve_barred, resolve_demanded, unlisted
-from interlock.frontend.cabinets import resolve_addresses, resolve_drawing, resolve_substations
+from interlock.frontend.cabinets import resolve_addresses, resolve_drawing, resolve_substations, resolve_target
 from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.encoding import decode
@@ -170,6 +170,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         substations=substations,
         addresses=resolve_addresses(ctx),
         telegram=data.telegram,
+        target=resolve_target(data.target),
         drawing=drawing,
         barred=barred,
         boards=boards(ctx),

@@ -229,6 +229,14 @@ def _trains(value: object) -> object:
     return int(value)
 
 
+def _count(value: object) -> object:
+    """A whole number of things, at least one."""
+    if not isinstance(value, str) or not re.fullmatch(r"\d{1,6}", value) or not int(value):
+        fix = "write a whole number, for instance 64"
+        raise PydanticCustomError("range", "{v} is no whole number from 1 to 999999", {"v": value, "fix": fix})
+    return int(value)
+
+
 def _level(value: object) -> int:
     """Tracks above or below the longest run."""
     text = str(value).strip()
@@ -239,4 +247,5 @@ def _level(value: object) -> int:
 
 
 Trains = Annotated[int, BeforeValidator(_trains), WithJsonSchema({"type": "integer", "minimum": 1, "maximum": 99})]
+Count = Annotated[int, BeforeValidator(_count), WithJsonSchema({"type": "integer", "minimum": 1, "maximum": 999_999})]
 Level = Annotated[int, BeforeValidator(_level), WithJsonSchema({"type": "integer", "minimum": -999, "maximum": 999})]

@@ -15,6 +15,7 @@ from interlock.diag.codes import LINTS
 from interlock.frontend.scalars import (
     Amount,
     Approach,
+    Count,
     End,
     Item,
     Length,
@@ -36,6 +37,7 @@ from interlock.frontend.scalars import (
 from interlock.model.elements import BlockKind, Hand, SignalKind, TelegramForm, Work
 from interlock.model.overlap import overlap_length
 from interlock.model.principles import KNOBS, MEANING, PROFILES, Caution, Closes, FlankChoice, Local, Principles
+from interlock.model.target import CPUS
 
 
 class _Part(BaseModel):
@@ -419,6 +421,17 @@ class PrinciplesSpec(_Part):
         return replace(base, **{k: v for k in KNOBS if (v := getattr(self, k)) is not None})
 
 
+class TargetSpec(_Part):
+    """The controller for which the text is meant: its sizes are estimated as for an S7-300, and compared."""
+
+    cpu: Annotated[str | None, choice("CPU", tuple(CPUS)), WithJsonSchema({"enum": list(CPUS)})] = key(
+        "a CPU whose limits are known; without it, only the limits that stand beside it", None
+    )
+    blocks: Count | None = key("function blocks at most; without it, those of the CPU", None)
+    block_kb: Count | None = key("1,024 bytes that a block may have at most; without it, those of the CPU", None)
+    memory_kb: Count | None = key("1,024 bytes of work memory; without it, those of the CPU", None)
+
+
 class LayoutFile(_Part):
     """A track layout for interlock."""
 
@@ -471,6 +484,9 @@ class LayoutFile(_Part):
     )
     telegram: Annotated[TelegramForm, choice("telegram", tuple(TelegramForm))] = key(
         "point commands go out as telegrams of document C; those of `tagged` bear their number", TelegramForm.NONE
+    )
+    target: TargetSpec = key(
+        "the controller: whether what is written may fit into it is told as a diagnostic", TargetSpec()
     )
     addresses: dict[Text, Text] = key(
         "PLC variables with their addresses, where these are not given in order: `CLR_q1: I4.0`", {}

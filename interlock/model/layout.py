@@ -47,6 +47,7 @@ from interlock.model.elements import (
     Zone,
 )
 from interlock.model.principles import Principles
+from interlock.model.target import Target
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -102,6 +103,8 @@ class Layout:
     """Names of routes that are not printed."""
     hands: tuple[tuple[PointId, Hand], ...] = ()
     """The side to which the reverse leg of a point lies, where the layout states it; only printed."""
+    target: Target | None = None
+    """The controller for which the text is meant; no text and no proof depends on it."""
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -274,9 +277,10 @@ class Layout:
 
     @cached_property
     def bare(self) -> Layout:
-        """The same railway without lengths, and without the hands of points."""
+        """The same railway without lengths and hands of points, for whatever controller."""
         return replace(
             self,
+            target=None,
             edges=tuple(replace(e, length=0.0) for e in self.edges),
             points=tuple(replace(p, fouling=0.0) for p in self.points),
             overlaps=tuple(replace(o, length=0.0) for o in self.overlaps),
@@ -297,7 +301,7 @@ class Layout:
 
 
 _ONLY_STATED = frozenset(
-    {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands"}
+    {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target"}
     | {"overlap_ways", "entry_speeds", "overlap_releases"}
 )
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""

@@ -141,7 +141,11 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """A CONFIGURATION with one resource, in which one task runs an instance of a program at an interval in ms."""
+    """A CONFIGURATION with one resource, in which one task runs an instance of a program at an interval in ms.
+
+    interval_ms 0: the program is run as often as the controller can, and nothing is named but task and program.
+    startup: the variable of the program that whatever begins after a restart sets, where a tool keeps variables.
+    """
 
     configuration: str
     resource: str
@@ -149,6 +153,7 @@ class Task:
     interval_ms: int
     instance: str
     program: str
+    startup: str = ""
 
 
 @dataclass(frozen=True, slots=True)

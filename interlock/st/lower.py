@@ -12,6 +12,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
 from interlock.logic.names import computed
+from interlock.logic.order import by_place
 from interlock.logic.words import UNKNOWN, Value, Word, Words
 from interlock.model.portable import portable
 from interlock.st.ast import (
@@ -31,7 +32,6 @@ from interlock.st.ast import (
     Time,
     Unit,
 )
-from interlock.st.order import by_place
 
 MAX_OPERANDS = 10
 MAX_ROWS = 400  # the strictest guide found allows 500

@@ -73,17 +73,17 @@ def parse_unit(text: str, style: Style = IEC) -> Unit:
     return _Reader(text, style).unit()
 
 
-def parse_block(name: str, declarations: str, body: str) -> Block:
-    """A block whose declarations and statements come in two texts; raises `NotInSubset`."""
+def parse_block(name: str, declarations: str, body: str, kind: str = "FUNCTION_BLOCK") -> Block:
+    """A block, or a program (`kind`), whose declarations and statements come in two texts; raises `NotInSubset`."""
     head = _Reader(declarations, IEC)
     parts = head.declarations()
     head.end()
     rest = _Reader(body, IEC)
     statements = rest.body(_END)
     rest.end()
-    if any(d.address for part in parts for d in part):
+    if kind != "PROGRAM" and any(d.address for part in parts for d in part):
         raise NotInSubset(f"{name}: an address in a function block")
-    return Block(name, *parts, statements)
+    return Block(name, *parts, statements, kind=kind)
 
 
 def _tokens(text: str, begin: int, end: int) -> list[str]:

@@ -7,6 +7,7 @@ and every word to a variable of its own.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from enum import StrEnum
 
 from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller, Input
@@ -14,8 +15,10 @@ from interlock.logic.on_delay import CYCLE_MAX_MS
 from interlock.logic.words import UNKNOWN
 from interlock.model.portable import portable
 from interlock.st.ast import Assign, Block, Bool, Call, Declaration, Expression, Int, Name, Nary, Not, Task, Time, Unit
+from interlock.st.restart import RESTART, restarted
 
 CYCLE_MS = 100  # our choice
+INSTANCE = "RUN"
 HEARTBEAT_MS = 1000  # our choice: ten polls of 100 ms; document D asks for more than the ring's 50 ms
 
 
@@ -80,19 +83,64 @@ def cycle(name: str) -> Block:
     )
 
 
-def io_task(controller: Controller) -> Task:
-    """The configuration that runs the mapping program."""
+class Runs(StrEnum):
+    """What runs the mapping program: a task of a configuration, a task that is a file of its own, or what a Siemens
+    controller calls in each of its cycles."""
+
+    CONFIGURATION = "configuration"
+    TASK = "task"
+    CYCLE = "OB1"
+
+
+def io_task(controller: Controller, runs: Runs = Runs.CONFIGURATION, restart: bool = False) -> Task:
+    """What runs the mapping program, and after a restart tells it so."""
     prefix = f"IL_{portable(controller.name)}"
-    names = [f"{prefix}_{x}" for x in ("CONF", "RES", "TASK")]
-    return Task(names[0], names[1], names[2], CYCLE_MS, f"{prefix}_MAIN", f"{prefix}_IO")
+    program, startup = f"{prefix}_IO", RESTART if restart else ""
+    if runs is Runs.CYCLE:
+        return Task("", "", runs.value, 0, "", program, startup)
+    if runs is Runs.TASK:
+        return Task("", "", f"{prefix}_TASK", CYCLE_MS, "", program, startup)
+    return Task(f"{prefix}_CONF", f"{prefix}_RES", f"{prefix}_TASK", CYCLE_MS, f"{prefix}_MAIN", program, startup)
 
 
-def io_program(controller: Controller, a: Allocation, header: Sequence[str]) -> Unit:
-    """The watch and the program; the interlocking itself stands in a file of its own."""
+def watches(prefix: str, restart: bool) -> tuple[Block, Block]:
+    """The watch of a heartbeat and that of the cycle."""
+    both = watch(f"{prefix}_WATCH"), cycle(f"{prefix}_CYCLE")
+    return (restarted(both[0]), restarted(both[1])) if restart else both
+
+
+def joined(core: Unit, io: Unit) -> Unit:
+    """The interlocking with its mapping program, which comes last."""
+    return Unit((*io.blocks[:-1], *core.blocks, io.blocks[-1]), io.header, task=io.task)
+
+
+def parted(unit: Unit) -> tuple[Unit, Unit]:
+    """The interlocking, its main block last, and the mapping program with its watches.  Raises ValueError."""
+    *blocks, program = unit.blocks
+    types = {d.name: d.type for d in program.locals}
+    helpers = {t for n, t in types.items() if n != INSTANCE}
+    mains = [b for b in blocks if b.name == types.get(INSTANCE)]
+    if program.kind != "PROGRAM" or len(mains) != 1:
+        raise ValueError("no program that calls one interlocking")
+    core = [b for b in blocks if b.name not in helpers and b is not mains[0]]
+    return Unit((*core, *mains)), Unit((*(b for b in blocks if b.name in helpers), program), task=unit.task)
+
+
+def io_program(
+    controller: Controller,
+    a: Allocation,
+    header: Sequence[str],
+    runs: Runs = Runs.CONFIGURATION,
+    restart: bool = False,
+) -> Unit:
+    """The watches and the program; the interlocking itself stands before them, or in a file of its own.
+
+    `restart`: the tool keeps variables over a restart; the program tells it to all that it calls, then forgets it.
+    """
     prefix = f"IL_{portable(controller.name)}"
     sizes: dict[str, Input] = {i.name: i for i in controller.inputs}
     notes: dict[str, str] = {o.name: o.note for o in controller.outputs}
-    guard, clock = watch(f"{prefix}_WATCH"), cycle(f"{prefix}_CYCLE")
+    guard, clock = watches(prefix, restart)
     valid = controller.symbols.valid
     declared = [
         Declaration(c.variable, "BOOL", None, f"{c.substation}: {c.note}", c.located)
@@ -106,17 +154,22 @@ def io_program(controller: Controller, a: Allocation, header: Sequence[str]) -> 
     words = [controller.words.by_name[n] for n in controller.words.routes.values()]
     declared += [Declaration(w.name, "INT", Int(UNKNOWN), w.note) for w in words]
     declared.append(Declaration(valid, "BOOL", Bool(False), sizes[valid].note))
-    watches = [(c, f"W_{portable(c.substation)}") for c in a.heartbeats]
-    declared += [Declaration(w, guard.name, None, f"watches substation {c.substation}") for c, w in watches]
+    if restart:
+        declared.append(Declaration(RESTART, "BOOL", Bool(True), "true until the first call after a restart"))
+    guards = [(c, f"W_{portable(c.substation)}") for c in a.heartbeats]
+    declared += [Declaration(w, guard.name, None, f"watches substation {c.substation}") for c, w in guards]
     declared.append(Declaration("CYC", clock.name, None, "watches the cycle"))
-    declared.append(Declaration("RUN", prefix, None, "the interlocking"))
-    healthy: list[Expression] = [Name(("CYC", "OK")), *(Name((w, "OK")) for _, w in watches)]
-    body: list[Assign | Call] = [Call("CYC", ())]
-    body += [Call(w, (("HB", Name((c.variable,))),)) for c, w in watches]
+    declared.append(Declaration(INSTANCE, prefix, None, "the interlocking"))
+    told: tuple[tuple[str, Expression], ...] = ((RESTART, Name((RESTART,))),) if restart else ()
+    healthy: list[Expression] = [Name(("CYC", "OK")), *(Name((w, "OK")) for _, w in guards)]
+    body: list[Assign | Call] = [Call("CYC", told)]
+    body += [Call(w, (*told, ("HB", Name((c.variable,))))) for c, w in guards]
     body.append(Assign(Name((valid,)), Nary("AND", tuple(healthy))))
-    body.append(Call("RUN", tuple((i.name, Name((i.name,))) for i in controller.inputs)))
-    body += [Assign(Name((o.name,)), Name(("RUN", o.name))) for o in controller.outputs]
-    body += [Assign(Name((w.name,)), Name(("RUN", w.name))) for w in words]
+    body.append(Call(INSTANCE, (*told, *((i.name, Name((i.name,))) for i in controller.inputs))))
+    body += [Assign(Name((o.name,)), Name((INSTANCE, o.name))) for o in controller.outputs]
+    body += [Assign(Name((w.name,)), Name((INSTANCE, w.name))) for w in words]
+    if restart:
+        body.append(Assign(Name((RESTART,)), Bool(False), "the restart is over"))
     note = "inputs, interlocking, outputs: run it in one task with a constant cycle"
     program = Block(f"{prefix}_IO", (), (), tuple(declared), tuple(body), note, "PROGRAM")
-    return Unit((guard, clock, program), tuple(header), task=io_task(controller))
+    return Unit((guard, clock, program), tuple(header), task=io_task(controller, runs, restart))

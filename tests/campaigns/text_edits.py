@@ -20,8 +20,8 @@ from interlock.proof.equivalence.python_text import compare_runtime
 from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.proof.mutation.texts import PYTHON_EDITS, ST_EDITS
 from interlock.st.dialects import DIALECTS, Dialect, write_st
-from interlock.st.dialects.restart import RESTART
 from interlock.st.meaning import Execution, Numbers
+from interlock.st.restart import RESTART
 from tests.layouts import built
 from tests.test_equal import random_inputs
 

@@ -22,9 +22,9 @@ from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.engines.z3_sat import Z3Sat
 from interlock.st.ast import Unit
 from interlock.st.dialects import BY_NAME, Dialect, Files
-from interlock.st.dialects.restart import RESTART
 from interlock.st.meaning import BadText, Cases, Constant, Execution, Instance, Symbol, Symbols, Term
 from interlock.st.parser import NotInSubset
+from interlock.st.restart import RESTART
 
 
 @dataclass(frozen=True)
@@ -57,9 +57,17 @@ def compare_dialect(controller: Controller, dialect: Dialect, files: Files, quer
     """Compare the files of a dialect with their controller."""
     try:
         unit = dialect.read(files)
-        found = compare_scan(controller, _scan(controller, unit, dialect.restart), query_ms)
-        return _restarted(controller, unit, found) if dialect.restart else found
-    except (NotInSubset, BadText, KeyError) as error:
+    except (NotInSubset, KeyError) as error:
+        return Translation(0, (Difference("text", f"cannot be read: {error}"),))
+    return compare_unit(controller, unit, dialect.restart, query_ms)
+
+
+def compare_unit(controller: Controller, unit: Unit, restart: bool, query_ms: int = 20_000) -> Translation:
+    """Compare what was read of an interlocking with its controller; `restart`: it has an input RESTART."""
+    try:
+        found = compare_scan(controller, _scan(controller, unit, restart), query_ms)
+        return _restarted(controller, unit, found) if restart else found
+    except (BadText, KeyError) as error:
         return Translation(0, (Difference("text", f"cannot be read: {error}"),))
 
 
@@ -265,4 +273,14 @@ def _names(a: Expr, b: Expr) -> set[str]:
     return set(variables((a, b)))
 
 
-__all__ = ["Difference", "Scan", "Translation", "compare_dialect", "compare_scan", "compare_st", "wires", "words"]
+__all__ = [
+    "Difference",
+    "Scan",
+    "Translation",
+    "compare_dialect",
+    "compare_scan",
+    "compare_st",
+    "compare_unit",
+    "wires",
+    "words",
+]

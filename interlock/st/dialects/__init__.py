@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
+from interlock.st.ast import Unit
 from interlock.st.dialects import iec, plcopen, scl300, scl1500, twincat
 from interlock.st.dialects.dialect import Dialect, Files, Unsupported
-from interlock.st.dialects.restart import with_restart
 from interlock.st.lower import lower_st
+from interlock.st.program import io_program, joined
+from interlock.st.restart import with_restart
 
 DIALECTS: tuple[Dialect, ...] = (
     iec.DIALECT,
@@ -23,8 +26,25 @@ BY_NAME = {d.name: d for d in DIALECTS}
 
 def write_st(controller: Controller, dialect: Dialect, header: Sequence[str]) -> dict[str, str]:
     """The files of a controller in a dialect."""
+    return dialect.write(_core(controller, dialect, header))
+
+
+def write_delivery(
+    controller: Controller, allocation: Allocation, dialect: Dialect, header: Sequence[str]
+) -> dict[str, str]:
+    """The same with the mapping program, and with what runs it."""
+    return dialect.write(delivered(controller, allocation, dialect, header))
+
+
+def delivered(controller: Controller, allocation: Allocation, dialect: Dialect, header: Sequence[str]) -> Unit:
+    """The interlocking of a dialect with its mapping program, as a tree."""
+    io = io_program(controller, allocation, header, dialect.runs, dialect.restart)
+    return joined(_core(controller, dialect, header), io)
+
+
+def _core(controller: Controller, dialect: Dialect, header: Sequence[str]) -> Unit:
     unit = lower_st(controller, header, dialect.rows)
-    return dialect.write(with_restart(unit) if dialect.restart else unit)
+    return with_restart(unit) if dialect.restart else unit
 
 
-__all__ = ["BY_NAME", "DIALECTS", "Dialect", "Files", "Unsupported", "write_st"]
+__all__ = ["BY_NAME", "DIALECTS", "Dialect", "Files", "Unsupported", "delivered", "write_delivery", "write_st"]

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from interlock.st.ast import Unit
 from interlock.st.parser import parse_unit
 from interlock.st.printer import print_unit
+from interlock.st.program import Runs
 from interlock.st.style import Style
 
 Files = Mapping[str, str]
@@ -22,8 +23,10 @@ class Unsupported(Exception):
 class Dialect:
     """One way to write a controller for a vendor's tool.
 
+    write: files of a unit, which may end with the mapping program; read: the unit of files, the program last.
     rows: most rows of a computing block.  restart: the tool keeps variables over a restart, so that the main block
-    has an input RESTART that sets every state variable to its initial value.
+    has an input RESTART that sets every state variable to its initial value.  runs: what runs the mapping program.
+    tags: its addresses stand in a table of tags beside the text.
     """
 
     name: str
@@ -32,6 +35,8 @@ class Dialect:
     read: Callable[[Files], Unit]
     rows: int = 400
     restart: bool = False
+    runs: Runs = Runs.CONFIGURATION
+    tags: bool = False
 
 
 def one_file(suffix: str, style: Style) -> tuple[Callable[[Unit], dict[str, str]], Callable[[Files], Unit]]:

@@ -6,7 +6,7 @@ import re
 import xml.etree.ElementTree as ElementTree
 from xml.sax.saxutils import escape, quoteattr
 
-from interlock.st.ast import Block, Bool, Declaration, Expression, Int, Unit
+from interlock.st.ast import Block, Bool, Declaration, Expression, Int, Task, Unit
 from interlock.st.dialects.dialect import Dialect, Files, Unsupported
 from interlock.st.dialects.strict import Rule, expect, parse
 from interlock.st.parser import NotInSubset, parse_block
@@ -14,11 +14,16 @@ from interlock.st.printer import body
 
 XHTML = "http://www.w3.org/1999/xhtml"
 _PARTS = (("inputVars", "VAR_INPUT"), ("outputVars", "VAR_OUTPUT"), ("localVars", "VAR"))
+_KINDS = {"FUNCTION_BLOCK": "functionBlock", "PROGRAM": "program"}
+_RUN = ("resource", "task", "pouInstance")
 _WHEN = "2000-01-01T00:00:00"  # the same bytes for the same controller
 
 
-def _rules(space: str) -> dict[str, Rule]:
-    """The part of the schema that is written: nothing retained or constant, no address, no action, no instance."""
+def _rules(space: str, shown: str) -> dict[str, Rule]:
+    """The part of the schema that is written: nothing retained or constant, no action, one configuration at most.
+
+    `shown`: the element of XHTML that holds a text.
+    """
     note = "documentation"
     rules = {
         "project": Rule(children="fileHeader contentHeader types instances"),
@@ -32,34 +37,43 @@ def _rules(space: str) -> dict[str, Rule]:
         "pou": Rule("name pouType", f"interface body {note}"),
         "interface": Rule(children=" ".join(p for p, _ in _PARTS)),
         **dict.fromkeys((p for p, _ in _PARTS), Rule(children="variable*")),
-        "variable": Rule("name", f"type initialValue {note}"),
+        "variable": Rule("name address", f"type initialValue {note}"),
         "type": Rule(children="BOOL INT derived"),
         "derived": Rule("name"),
         "initialValue": Rule(children="simpleValue"),
         "simpleValue": Rule("value"),
         "body": Rule(children="ST"),
-        "ST": Rule(children="p"),
-        note: Rule(children="p"),
+        "ST": Rule(children=shown),
+        note: Rule(children=shown),
         "instances": Rule(children="configurations"),
-        **dict.fromkeys(("dataTypes", "configurations", "BOOL", "INT"), Rule()),
-        "p": Rule(text=True),
+        "configurations": Rule(children="configuration"),
+        "configuration": Rule("name", "resource"),
+        "resource": Rule("name", "task"),
+        "task": Rule("name interval priority", "pouInstance"),
+        "pouInstance": Rule("name typeName"),
+        **dict.fromkeys(("dataTypes", "BOOL", "INT"), Rule()),
+        shown: Rule(text=True),
     }
 
     def full(name: str) -> str:
-        return f"{{{XHTML if name.rstrip('*') == 'p' else space}}}{name}"
+        return f"{{{XHTML if name.rstrip('*') == shown else space}}}{name}"
 
     return {full(n): Rule(r.attributes, " ".join(map(full, r.children.split())), r.text) for n, r in rules.items()}
 
 
 class PlcOpen:
-    """Writer and reader for one version of the schema."""
+    """Writer and reader for one version of the schema.
 
-    def __init__(self, version: str) -> None:
+    `whole`: a text stands in an element `xhtml`, as CODESYS writes it; else in a paragraph, as Beremiz does.
+    """
+
+    def __init__(self, version: str, whole: bool) -> None:
         self.space = f"http://www.plcopen.org/xml/tc6_{version}"
+        self.shown = "xhtml" if whole else "p"
 
     def write(self, unit: Unit) -> dict[str, str]:
-        """One project file with a POU for each block."""
-        main = unit.blocks[-1].name
+        """One project file with a POU for each block, and the configuration that runs a program."""
+        main = next(b.name for b in reversed(unit.blocks) if b.kind == "FUNCTION_BLOCK")
         note = " ".join(unit.header)
         lines = [
             '<?xml version="1.0" encoding="utf-8"?>',
@@ -76,12 +90,12 @@ class PlcOpen:
             "    <pous>",
         ]
         for b in unit.blocks:
-            lines += _pou(b)
+            lines += self._pou(b)
         lines += [
             "    </pous>",
             "  </types>",
             "  <instances>",
-            "    <configurations/>",
+            *_configurations(unit.task),
             "  </instances>",
             "</project>",
             "",
@@ -92,20 +106,41 @@ class PlcOpen:
         """The blocks of a project file."""
         (text,) = files.values()
         root = parse(text)
-        expect(root, _rules(self.space))
+        expect(root, _rules(self.space, self.shown))
         if root.tag != f"{{{self.space}}}project":
             raise NotInSubset("no PLCopen XML project of this version")
-        return Unit(tuple(self._block(p) for p in root.findall(self._path("types/pous/pou"))))
+        found = root.find(self._path("instances/configurations/configuration"))
+        task = self._task(found) if found is not None else None
+        return Unit(tuple(self._block(p) for p in root.findall(self._path("types/pous/pou"))), task=task)
+
+    def _task(self, configuration: ElementTree.Element) -> Task:
+        """The one task of a configuration, and the program that it runs."""
+        found = [configuration, *(configuration.find(self._path("/".join(_RUN[: n + 1]))) for n in range(len(_RUN)))]
+        wanted = {"name"}, {"name"}, {"name", "interval", "priority"}, {"name", "typeName"}
+        for x, attributes in zip(found, wanted, strict=True):
+            if (
+                x is None
+                or set(x.attrib) != attributes
+                or not all(re.fullmatch(r"[\w#]+", v) for v in x.attrib.values())
+            ):
+                raise NotInSubset("a configuration that is not one task with one program")
+        parts = [dict(x.attrib) for x in found if x is not None]
+        interval = re.fullmatch(r"T#([0-9]+)ms", parts[2]["interval"])
+        if interval is None or parts[2]["priority"] != "0":
+            raise NotInSubset("a task without an interval in milliseconds, or of another priority")
+        names = [p["name"] for p in parts]
+        return Task(names[0], names[1], names[2], int(interval[1]), names[3], parts[3]["typeName"])
 
     def _path(self, path: str) -> str:
         return "/".join(f"{{{self.space}}}{p}" for p in path.split("/"))
 
     def _block(self, pou: ElementTree.Element) -> Block:
         name = pou.get("name", "")
-        if pou.get("pouType") != "functionBlock":
-            raise NotInSubset(f"{name} is no function block")
+        kind = {text: k for k, text in _KINDS.items()}.get(pou.get("pouType", ""))
+        if kind is None:
+            raise NotInSubset(f"{name} is no function block and no program")
         interface = pou.find(self._path("interface"))
-        text = pou.findtext(f"{self._path('body/ST')}/{{{XHTML}}}p")
+        text = pou.findtext(f"{self._path('body/ST')}/{{{XHTML}}}{self.shown}")
         if interface is None or text is None:
             raise NotInSubset(f"{name} has no interface or no text")
         declared = []
@@ -114,7 +149,7 @@ class PlcOpen:
             if title is None:
                 raise NotInSubset(f"{name}: unknown part {part.tag}")
             declared += [title, *(self._variable(v) for v in part), "END_VAR"]
-        return parse_block(name, "\n".join(declared), text)
+        return parse_block(name, "\n".join(declared), text, kind)
 
     def _variable(self, v: ElementTree.Element) -> str:
         kind = v.find(self._path("type"))
@@ -125,29 +160,50 @@ class PlcOpen:
         words = (v.get("name", ""), own, *((value.get("value", ""),) if value is not None else ()))
         if not all(re.fullmatch(r"\w+", w, re.ASCII) for w in words):
             raise NotInSubset(f"{v.get('name')}: a name, type or value that is not one word")
-        return f"{words[0]} : {words[1]}" + (f" := {words[2]};" if words[2:] else ";")
+        address = v.get("address")
+        if address is not None and not re.fullmatch(r"%[IQ]X[0-9]+\.[0-7]", address):
+            raise NotInSubset(f"{v.get('name')}: an address that is no bit of an input or output")
+        where = f" AT {address}" if address is not None else ""
+        return f"{words[0]}{where} : {words[1]}" + (f" := {words[2]};" if words[2:] else ";")
+
+    def _pou(self, b: Block) -> list[str]:
+        lines = [f'      <pou name="{b.name}" pouType="{_KINDS[b.kind]}">', "        <interface>"]
+        for (tag, _), part in zip(_PARTS, (b.inputs, b.outputs, b.locals), strict=True):
+            if part:
+                lines += [f"          <{tag}>", *(self._declared(d) for d in part), f"          </{tag}>"]
+        return [
+            *lines,
+            "        </interface>",
+            f"        <body><ST>{self._text(chr(10).join(body(b)))}</ST></body>",
+            f"        <documentation>{self._text(b.note)}</documentation>",
+            "      </pou>",
+        ]
+
+    def _text(self, text: str) -> str:
+        if self.shown == "p":
+            return f"<xhtml:p>{escape(text)}</xhtml:p>"
+        return f'<xhtml xmlns="{XHTML}">{escape(text)}</xhtml>'
+
+    def _declared(self, d: Declaration) -> str:
+        kind = f"<{d.type}/>" if d.type in ("BOOL", "INT") else f'<derived name="{d.type}"/>'
+        value = f'<initialValue><simpleValue value="{_literal(d.initial)}"/></initialValue>' if d.initial else ""
+        note = f"<documentation>{self._text(d.note)}</documentation>" if d.note else ""
+        where = f' address="{d.address}"' if d.address else ""
+        return f'            <variable name="{d.name}"{where}><type>{kind}</type>{value}{note}</variable>'
 
 
-def _pou(b: Block) -> list[str]:
-    lines = [f'      <pou name="{b.name}" pouType="functionBlock">', "        <interface>"]
-    for (tag, _), part in zip(_PARTS, (b.inputs, b.outputs, b.locals), strict=True):
-        if part:
-            lines += [f"          <{tag}>", *(_variable(d) for d in part), f"          </{tag}>"]
-    text = "\n".join(body(b))
+def _configurations(t: Task | None) -> list[str]:
+    if t is None:
+        return ["    <configurations/>"]
     return [
-        *lines,
-        "        </interface>",
-        f"        <body><ST><xhtml:p>{escape(text)}</xhtml:p></ST></body>",
-        f"        <documentation><xhtml:p>{escape(b.note)}</xhtml:p></documentation>",
-        "      </pou>",
+        "    <configurations>",
+        f'      <configuration name="{t.configuration}"><resource name="{t.resource}">',
+        f'        <task name="{t.name}" interval="T#{t.interval_ms}ms" priority="0">',
+        f'          <pouInstance name="{t.instance}" typeName="{t.program}"/>',
+        "        </task>",
+        "      </resource></configuration>",
+        "    </configurations>",
     ]
-
-
-def _variable(d: Declaration) -> str:
-    kind = f"<{d.type}/>" if d.type in ("BOOL", "INT") else f'<derived name="{d.type}"/>'
-    value = f'<initialValue><simpleValue value="{_literal(d.initial)}"/></initialValue>' if d.initial else ""
-    note = f"<documentation><xhtml:p>{escape(d.note)}</xhtml:p></documentation>" if d.note else ""
-    return f'            <variable name="{d.name}"><type>{kind}</type>{value}{note}</variable>'
 
 
 def _literal(x: Expression) -> str:
@@ -158,7 +214,7 @@ def _literal(x: Expression) -> str:
     raise Unsupported(f"an initial value that is no literal: {x}")
 
 
-_TC6_201, _TC6_200 = PlcOpen("0201"), PlcOpen("0200")
+_TC6_201, _TC6_200 = PlcOpen("0201", False), PlcOpen("0200", True)
 
-DIALECT = Dialect("plcopen", "PLCopen XML TC6 2.01: Beremiz, TwinCAT and others", _TC6_201.write, _TC6_201.read)
-CODESYS = Dialect("codesys", "CODESYS V3, PLCopen XML TC6 2.00", _TC6_200.write, _TC6_200.read)
+DIALECT = Dialect("plcopen", "PLCopen XML TC6 2.01: Beremiz and others", _TC6_201.write, _TC6_201.read)
+CODESYS = Dialect("codesys", "CODESYS V3 and TwinCAT, PLCopen XML TC6 2.00", _TC6_200.write, _TC6_200.read)

@@ -1,8 +1,10 @@
-"""SCL of Siemens S7-1200 and S7-1500: an external source for TIA Portal."""
+"""SCL of Siemens S7-1200 and S7-1500: external sources for TIA Portal."""
 
 from __future__ import annotations
 
-from interlock.st.dialects.dialect import Dialect, one_file
+from interlock.st.dialects.dialect import Dialect
+from interlock.st.dialects.siemens import Family
+from interlock.st.program import Runs
 from interlock.st.style import Style
 
 STYLE = Style(
@@ -14,5 +16,13 @@ STYLE = Style(
     timer_note="{InstructionName := 'TON_TIME'; LibVersion := '1.0'}",
     instance="DB_",
 )
+FAMILY = Family(STYLE, STYLE.attributes, (*STYLE.attributes, "NON_RETAIN"), "Void", '"Main"', '"Startup"')
 
-DIALECT = Dialect("scl1500", "Siemens S7-1200/1500, TIA Portal external source", *one_file(".scl", STYLE))
+DIALECT = Dialect(
+    "scl1500",
+    "Siemens S7-1200/1500, TIA Portal external sources",
+    FAMILY.write,
+    FAMILY.read,
+    runs=Runs.CYCLE,
+    tags=True,
+)

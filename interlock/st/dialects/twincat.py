@@ -1,4 +1,7 @@
-"""TwinCAT 3: one .TcPOU file for each block, declarations and statements apart."""
+"""TwinCAT 3: one .TcPOU file for each block, declarations and statements apart; a .TcTTO file for the task.
+
+The form of the task's file is that of public projects; no TwinCAT was at hand.
+"""
 
 from __future__ import annotations
 
@@ -6,11 +9,12 @@ import re
 import uuid
 from xml.sax.saxutils import quoteattr
 
-from interlock.st.ast import Block, Unit
+from interlock.st.ast import Block, Task, Unit
 from interlock.st.dialects.dialect import Dialect, Files
 from interlock.st.dialects.strict import Rule, expect, parse
 from interlock.st.parser import NotInSubset, parse_block
 from interlock.st.printer import body, comment, declarations
+from interlock.st.program import Runs
 
 _RULES = {
     "TcPlcObject": Rule("Version ProductVersion", "POU"),
@@ -19,19 +23,32 @@ _RULES = {
     "Implementation": Rule(children="ST"),
     "ST": Rule(text=True),
 }
-_HEAD = re.compile(r"(?:\(\*(?:[^*]|\*(?!\)))*\*\)\s*)*FUNCTION_BLOCK (\w+)\n")
+_TASK_RULES = {
+    "TcPlcObject": Rule("Version ProductVersion", "Task"),
+    "Task": Rule("Name Id", "CycleTime Priority PouCall TaskFBGuid"),
+    "PouCall": Rule(children="Name"),
+    **dict.fromkeys(("CycleTime", "Priority", "Name", "TaskFBGuid"), Rule(text=True)),
+}
+_HEAD = re.compile(r"(?:\(\*(?:[^*]|\*(?!\)))*\*\)\s*)*(FUNCTION_BLOCK|PROGRAM) (\w+)\n")
+_OBJECT = '<TcPlcObject Version="1.1.0.1" ProductVersion="3.1.4024.0">'
+PRIORITY = 20  # that of the task in a new project
 
 _SPACE = uuid.UUID("6b1c1d52-3f0e-4c44-8b5e-0d5d6c6f1a11")
 
 
+def _identity(what: str) -> str:
+    """The same for the same name."""
+    return "{" + str(uuid.uuid5(_SPACE, what)) + "}"
+
+
 def _file(b: Block, header: tuple[str, ...]) -> str:
     note = [comment(b.note)] if b.note else []
-    head = [*map(comment, header), f"FUNCTION_BLOCK {b.name}", *note, *declarations(b)]
-    identity = "{" + str(uuid.uuid5(_SPACE, b.name)) + "}"
+    head = [*map(comment, header), f"{b.kind} {b.name}", *note, *declarations(b)]
+    identity = _identity(b.name)
     return "\n".join(
         [
             '<?xml version="1.0" encoding="utf-8"?>',
-            '<TcPlcObject Version="1.1.0.1" ProductVersion="3.1.4024.0">',
+            _OBJECT,
             f'  <POU Name={quoteattr(b.name)} Id="{identity}" SpecialFunc="None">',
             "    <Declaration><![CDATA[" + "\n".join(head) + "\n]]></Declaration>",
             "    <Implementation>",
@@ -45,18 +62,54 @@ def _file(b: Block, header: tuple[str, ...]) -> str:
 
 
 def write(unit: Unit) -> dict[str, str]:
-    """A file for each block."""
-    return {f"{b.name}.TcPOU": _file(b, unit.header) for b in unit.blocks}
+    """A file for each block, and one for the task."""
+    files = {f"{b.name}.TcPOU": _file(b, unit.header) for b in unit.blocks}
+    return files if unit.task is None else files | {f"{unit.task.name}.TcTTO": _task_file(unit.task)}
+
+
+def _task_file(t: Task) -> str:
+    """A task that runs a program; its interval is told in microseconds."""
+    return "\n".join(
+        [
+            '<?xml version="1.0" encoding="utf-8"?>',
+            _OBJECT,
+            f"  <Task Name={quoteattr(t.name)} Id={quoteattr(_identity(t.name))}>",
+            f"    <CycleTime>{1000 * t.interval_ms}</CycleTime>",
+            f"    <Priority>{PRIORITY}</Priority>",
+            "    <PouCall>",
+            f"      <Name>{t.program}</Name>",
+            "    </PouCall>",
+            f"    <TaskFBGuid>{_identity(f'{t.name} block')}</TaskFBGuid>",
+            "  </Task>",
+            "</TcPlcObject>",
+            "",
+        ]
+    )
 
 
 def read(files: Files) -> Unit:
     """The blocks of all files; the one that no other declares an instance of comes last."""
-    blocks = [_block(name, text) for name, text in sorted(files.items())]
+    tasks = [_task(name, text) for name, text in files.items() if name.endswith(".TcTTO")]
+    if len(tasks) > 1:
+        raise NotInSubset("more than one task")
+    blocks = [_block(name, text) for name, text in sorted(files.items()) if not name.endswith(".TcTTO")]
     used = {d.type for b in blocks for d in b.locals}
     mains = [b for b in blocks if b.name not in used]
     if len(mains) != 1:
         raise NotInSubset(f"{len(mains)} blocks that no other block calls")
-    return Unit((*(b for b in blocks if b is not mains[0]), mains[0]))
+    return Unit((*(b for b in blocks if b is not mains[0]), mains[0]), task=tasks[0] if tasks else None)
+
+
+def _task(name: str, text: str) -> Task:
+    root = parse(text)
+    expect(root, _TASK_RULES)
+    task = root.find("Task")
+    cycle, program = root.findtext("Task/CycleTime", ""), root.findtext("Task/PouCall/Name", "")
+    if root.tag != "TcPlcObject" or task is None or name != f"{task.get('Name')}.TcTTO":
+        raise NotInSubset(f"{name}: no task of that name")
+    if not cycle.isdigit() or int(cycle) % 1000 or root.findtext("Task/Priority") != str(PRIORITY):
+        raise NotInSubset(f"{name}: a cycle that is no whole number of milliseconds, or another priority")
+    return Task("", "", task.get("Name", ""), int(cycle) // 1000, "", program)
 
 
 def _block(name: str, text: str) -> Block:
@@ -67,9 +120,9 @@ def _block(name: str, text: str) -> Block:
     if root.tag != "TcPlcObject" or pou is None or declared is None or implemented is None:
         raise NotInSubset(f"{name}: no POU with declaration and implementation")
     own, head = pou.get("Name", ""), _HEAD.match(declared)
-    if head is None or head[1] != own or name != f"{own}.TcPOU" or pou.get("SpecialFunc") != "None":
+    if head is None or head[2] != own or name != f"{own}.TcPOU" or pou.get("SpecialFunc") != "None":
         raise NotInSubset(f"{name}: the names of file, object and block differ, or more than comments stand before")
-    return parse_block(own, declared[head.end() :], implemented)
+    return parse_block(own, declared[head.end() :], implemented, head[1])
 
 
-DIALECT = Dialect("twincat", "Beckhoff TwinCAT 3, .TcPOU files", write, read)
+DIALECT = Dialect("twincat", "Beckhoff TwinCAT 3, .TcPOU files", write, read, runs=Runs.TASK)

@@ -67,3 +67,12 @@ def _timing(b: Block, signal: Declaration) -> Block:
         else:
             statements.append(s)
     return replace(b, inputs=(signal, *b.inputs), locals=(*b.locals, *extra), body=tuple(statements))
+
+
+def restarted(b: Block) -> Block:
+    """A block that keeps values and has timers of its own: while RESTART is true its timers stop, and it ends as it
+    begins."""
+    timed = _timing(b, Declaration(RESTART, "BOOL", Bool(True), "true in the first scan after a restart"))
+    kept = [(d.name, d.initial) for d in (*b.outputs, *b.locals) if d.type == "BOOL"]
+    initial = tuple(Assign(Name((n,)), x) for n, x in kept if x is not None)
+    return replace(timed, body=(*timed.body, If(Name((RESTART,)), initial)))

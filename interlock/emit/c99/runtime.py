@@ -1,0 +1,329 @@
+"""The controller as one C99 file and its header: the equations of the Structured Text, in its order, memory all static.
+
+MISRA C was kept in mind (no allocation, recursion, loop or pointer arithmetic, fixed-width types, one exit a
+function), but its text was not at hand: no compliance is claimed.  The only headers are stdbool.h and stdint.h, so
+that it needs no library.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from string import ascii_letters, digits
+
+from interlock.emit.python.runtime import route_numbers
+from interlock.logic.controller import Controller, Equation, Join, Step, Timer
+from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
+from interlock.logic.names import Name, computed
+from interlock.logic.on_delay import CYCLE_MAX_MS
+from interlock.logic.order import by_place
+from interlock.model.portable import portable
+
+ROWS = 200
+"""Equations or timers in a function, at most: our choice; compilers for small controllers take long over long ones."""
+
+NUMBER = "int16_t"
+"""What a number is, as INT in Structured Text."""
+
+_PLAIN = f"{ascii_letters}{digits} _-+.,:>()"
+
+
+@dataclass(frozen=True)
+class Fixed:
+    """What all files have in common but for names and counts: types of tables, declarations, the timer, the cycle."""
+
+    prefix: str
+    counts: Mapping[str, int]
+    valid: Name
+
+    @property
+    def guard(self) -> str:
+        """The name that keeps the header from being read twice."""
+        return f"{self.prefix.upper()}_H"
+
+    @property
+    def declared(self) -> str:
+        """In the header, after the structures."""
+        p, n = self.prefix, self.counts
+        return f"""\
+/* A bit that may be written, by name. */
+typedef struct {{
+  const char *name;
+  bool *bit;
+}} {p}_input_bit;
+
+/* A number that may be written, by name, with the number of its values. */
+typedef struct {{
+  const char *name;
+  {NUMBER} *number;
+  {NUMBER} values;
+}} {p}_input_number;
+
+/* A bit to be read, by name. */
+typedef struct {{
+  const char *name;
+  const bool *bit;
+}} {p}_bit;
+
+/* A route by name, and the number that asks for it. */
+typedef struct {{
+  const char *name;
+  {NUMBER} number;
+}} {p}_route;
+
+extern {p}_inputs {p}_in;
+extern {p}_outputs {p}_out;
+extern const {p}_input_bit {p}_input_bits[{n["input_bits"]}];
+extern const {p}_input_number {p}_input_numbers[{n["input_numbers"]}];
+extern const {p}_bit {p}_output_bits[{n["output_bits"]}];
+extern const {p}_bit {p}_state_bits[{n["state_bits"]}];
+extern const {p}_route {p}_routes[{n["routes"]}];
+
+/* As after a restart: everything locked, signals at stop, timers stopped, inputs restrictive. */
+void {p}_init(void);
+
+/* One scan, so many milliseconds after the last: reads {p}_in, writes {p}_out. */
+void {p}_scan(uint32_t ms);
+"""
+
+    @property
+    def delay(self) -> str:
+        """The type of a timer's memory."""
+        return f"""\
+/* An on-delay timer: whether its input was true in the last scan, and for how long it has been. */
+typedef struct {{
+  bool runs;
+  uint32_t elapsed_ms;
+}} {self.prefix}_delay;
+"""
+
+    @property
+    def objects(self) -> str:
+        """All memory."""
+        p = self.prefix
+        return f"""\
+{p}_inputs {p}_in;
+{p}_outputs {p}_out;
+
+static bool begun = false;
+static {p}_inputs in;
+static {p}_wires wire;
+static {p}_state now;
+static {p}_state next;
+static {p}_delays delay;
+"""
+
+    @property
+    def on_delay(self) -> str:
+        """TON of IEC 61131-3: in the scan in which the input rises no time has passed yet."""
+        return f"""\
+/* TON of IEC 61131-3: in the scan in which the input rises no time has passed yet. */
+static bool on_delay({self.prefix}_delay *timer, bool on, uint32_t preset_ms, uint32_t ms)
+{{
+  if (!on)
+  {{
+    timer->elapsed_ms = 0u;
+  }}
+  else if (!timer->runs)
+  {{
+    timer->elapsed_ms = 0u;
+  }}
+  else if (ms < (preset_ms - timer->elapsed_ms))
+  {{
+    timer->elapsed_ms += ms;
+  }}
+  else
+  {{
+    timer->elapsed_ms = preset_ms;
+  }}
+  timer->runs = on;
+  return on && (timer->elapsed_ms >= preset_ms);
+}}
+"""
+
+    @property
+    def begin(self) -> str:
+        """How a scan begins: a copy of the inputs, lost after a cycle that was too long."""
+        p = self.prefix
+        return f"""\
+  if (!begun)
+  {{
+    {p}_init();
+  }}
+  in = {p}_in;
+  if (ms > {CYCLE_MAX_MS}u)
+  {{
+    in.{self.valid} = false; /* nobody knows what happened meanwhile */
+  }}
+"""
+
+
+def fixed(c: Controller) -> Fixed:
+    """The fixed parts for a controller."""
+    numbers = sum(i.size > 0 for i in c.inputs)
+    counts = {
+        "input_bits": len(c.inputs) - numbers,
+        "input_numbers": numbers,
+        "output_bits": len(c.outputs),
+        "state_bits": len(c.state),
+        "routes": len(route_numbers(c)),
+    }
+    return Fixed(f"IL_{portable(c.name)}", counts, c.symbols.valid)
+
+
+def runtime_c(controller: Controller, header: Sequence[str]) -> dict[str, str]:
+    """The C file and its header, by name."""
+    c, parts = controller, fixed(controller)
+    name = parts.prefix.removeprefix("IL_")
+    top = [_comment(h) for h in header]
+    return {f"{name}.h": _header(c, parts, top), f"{name}.c": _source(c, parts, top, name)}
+
+
+def literal(text: str) -> str:
+    """A string literal of C: what is no plain character is an octal escape of its UTF-8 bytes."""
+    return '"' + "".join(chr(b) if chr(b) in _PLAIN else f"\\{b:03o}" for b in text.encode()) + '"'
+
+
+def _comment(text: str) -> str:
+    kept = "".join(ch if 32 <= ord(ch) < 127 and ch not in "\\?" else "_" for ch in text)
+    return f"/* {kept.replace('*/', '* /').replace('/*', '/ *')} */"
+
+
+def _noted(line: str, note: str) -> str:
+    return f"{line} {_comment(note)}" if note else line
+
+
+def _struct(name: str, members: Sequence[tuple[str, str, str]], note: str) -> list[str]:
+    """A structure of type, name and note of each member."""
+    lines = [_noted(f"  {kind} {member};", said) for kind, member, said in members]
+    return [_comment(note), "typedef struct {", *lines, f"}} {name};", ""]
+
+
+def _header(c: Controller, parts: Fixed, top: list[str]) -> str:
+    p = parts.prefix
+    inputs = [(NUMBER if i.size else "bool", i.name, i.note) for i in c.inputs]
+    lines = [
+        *top,
+        _comment(f"Interlocking {c.name}: call {p}_init once, then {p}_scan once in each cycle."),
+        f"#ifndef {parts.guard}",
+        f"#define {parts.guard}",
+        "",
+        "#include <stdbool.h>",
+        "#include <stdint.h>",
+        "",
+        *_struct(f"{p}_inputs", inputs, "What a scan reads."),
+        *_struct(f"{p}_outputs", [("bool", o.name, o.note) for o in c.outputs], "What a scan writes."),
+        *_struct(f"{p}_state", [("bool", s.name, s.note) for s in c.state], "What is kept from scan to scan."),
+        parts.declared,
+        "#endif",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _source(c: Controller, parts: Fixed, top: list[str], name: str) -> str:
+    p = parts.prefix
+    where: dict[str, str] = {i.name: f"in.{i.name}" for i in c.inputs}
+    where |= {s.name: f"now.{s.name}" for s in c.state}
+    where |= {s.name: f"wire.{s.name}" for s in c.steps}
+    wires = [("bool", s.name, "") for s in c.steps]
+    delays = [(f"{p}_delay", t.name, t.note) for t in c.timers]
+    following = {e.name: Equation(computed(e.name), e.join, e.terms, e.group, e.note) for e in c.next}
+    targets = {e.name: f"next.{state}" for state, e in following.items()}
+    lines = [
+        *top,
+        f'#include "{name}.h"',
+        "",
+        *_struct(f"{p}_wires", wires, "What is computed anew in each scan."),
+        parts.delay,
+        *_struct(f"{p}_delays", delays, "Timers."),
+        parts.objects,
+        *_tables(c, p),
+        parts.on_delay,
+    ]
+    calls = []
+    for n, piece in enumerate(_cut(by_place(c.steps, following)), 1):
+        timed = isinstance(piece[0], Timer)
+        calls.append(f"  {'timers' if timed else 'part'}_{n:03d}({'ms' if timed else ''});")
+        lines.append(f"static void {'timers' if timed else 'part'}_{n:03d}({'uint32_t ms' if timed else 'void'})")
+        lines.append("{")
+        for step in piece:
+            lines += _timer(step, where) if isinstance(step, Timer) else _equation(step, targets, where)
+        lines += ["}", ""]
+    lines += ["static void report(void)", "{"]
+    lines += [f"  {p}_out.{o.name} = {_code(o.expr, where)};" for o in c.outputs]
+    lines += ["}", "", f"void {p}_init(void)", "{", "  begun = true;"]
+    lines += [f"  {p}_in.{i.name} = {i.restrictive if i.size else _bool(bool(i.restrictive))};" for i in c.inputs]
+    lines += [f"  now.{s.name} = {_bool(s.initial)};" for s in c.state]
+    for t in c.timers:
+        lines += [f"  delay.{t.name}.runs = false;", f"  delay.{t.name}.elapsed_ms = 0u;"]
+    lines += ["  report();", "}", "", f"void {p}_scan(uint32_t ms)", "{", parts.begin.rstrip("\n")]
+    lines += [*calls, "  now = next;", "  report();", "}"]
+    return "\n".join(lines) + "\n"
+
+
+def _tables(c: Controller, p: str) -> Iterator[str]:
+    """Names with what they stand for."""
+    bits = [f'"{i.name}", &{p}_in.{i.name}' for i in c.inputs if not i.size]
+    numbers = [f'"{i.name}", &{p}_in.{i.name}, {i.size}' for i in c.inputs if i.size]
+    rows = {
+        f"{p}_input_bit {p}_input_bits": bits,
+        f"{p}_input_number {p}_input_numbers": numbers,
+        f"{p}_bit {p}_output_bits": [f'"{o.name}", &{p}_out.{o.name}' for o in c.outputs],
+        f"{p}_bit {p}_state_bits": [f'"{s.name}", &now.{s.name}' for s in c.state],
+        f"{p}_route {p}_routes": [f"{literal(name)}, {number}" for name, number in route_numbers(c).items()],
+    }
+    for kind, entries in rows.items():
+        yield f"const {kind}[{len(entries)}] = {{"
+        yield from (f"  {{ {e} }}{',' if n < len(entries) else ''}" for n, e in enumerate(entries, 1))
+        yield "};"
+        yield ""
+
+
+def _cut(steps: Sequence[Step]) -> Iterator[list[Step]]:
+    """Consecutive equations, and consecutive timers, a function each."""
+    for _, run in groupby(steps, key=type):
+        whole = list(run)
+        yield from (whole[i : i + ROWS] for i in range(0, len(whole), ROWS))
+
+
+def _timer(t: Timer, where: Mapping[str, str]) -> list[str]:
+    call = f"on_delay(&delay.{t.name}, {where[t.input]}, {t.preset_ms}u, ms)"
+    return [_noted(f"  {where[t.name]} = {call};", t.note)]
+
+
+def _equation(e: Equation, targets: Mapping[Name, str], where: Mapping[str, str]) -> list[str]:
+    """An assignment, an operand a line."""
+    neutral = TRUE if e.join is Join.ALL else FALSE
+    terms = [t for t in e.terms if t.expr is not neutral]
+    op = "&&" if e.join is Join.ALL else "||"
+    lead = f"  {targets.get(e.name) or where[e.name]} ="
+    if not terms:
+        return [_noted(f"{lead} {_bool(e.join is Join.ALL)};", e.note)]
+    single = len(terms) == 1
+    texts = [_code(t.expr, where, not single) for t in terms]
+    notes = [t.note or t.kind for t in terms]
+    if single:
+        return [_noted(f"{lead} {texts[0]};", e.note)]
+    lines = [_noted(lead, e.note)]
+    for n, (text, note) in enumerate(zip(texts, notes, strict=True)):
+        ending = ";" if n == len(texts) - 1 else ""
+        lines.append(_noted(f"    {op + ' ' if n else ''}{text}{ending}", note))
+    return lines
+
+
+def _bool(x: bool) -> str:
+    return "true" if x else "false"
+
+
+def _code(x: Expr, where: Mapping[str, str], inner: bool = False) -> str:
+    if x is TRUE or x is FALSE:
+        return _bool(x is TRUE)
+    if x.op is VAR:
+        return where[x.name]
+    if x.op is EQ:
+        return f"({where[x.name]} == {x.value})"
+    if x.op is NOT:
+        return f"!{_code(x.args[0], where, True)}"
+    body = (" && " if x.op is AND else " || ").join(_code(a, where, True) for a in x.args)
+    return f"({body})" if inner else body

