@@ -51,7 +51,7 @@ def test_every_variable_has_one_place_and_every_address_one_variable(name: str) 
     assert {c.variable for c in a.channels if c.direction == "Q"} <= outputs
     assert all(0 <= c.bit < 8 for c in a.channels)
     for kind in "IQ":
-        room = sum(size for *_, d, size in a.cards if d == kind)
+        room = sum(c.size for c in a.cards if c.direction == kind)
         used = sum(c.direction == kind for c in (*a.channels, *a.heartbeats))
         assert used * 1.1 <= room  # a tenth is spare
     assert all(i.restrictive == 0 for i in controller.inputs if i.name in wires)  # a broken wire reads 0
@@ -110,7 +110,7 @@ def test_stated_addresses_count_against_the_spare_channels() -> None:
         stated = ", ".join(f"{n}: I{k // 8}.{k % 8}" for k, n in enumerate(names[:count]))
         layout, controller = made(f"addresses: {{{stated}}}\n")
         a = allocate(layout, controller)
-        room = sum(size for *_, d, size in a.cards if d == "I")
+        room = sum(c.size for c in a.cards if c.direction == "I")
         assert (len(names) + 1) * 1.1 <= room
         assert len({c.address for c in (*a.channels, *a.heartbeats)}) == len(a.channels) + len(a.heartbeats)
 
@@ -212,7 +212,7 @@ def test_the_lists_say_the_same_as_the_allocation() -> None:
     assert {n: r["Address"] for n, r in by_variable.items()} == {
         c.variable: c.address for c in (*a.heartbeats, *a.channels)
     }
-    assert len({r["Address"] for r in rows}) == len(rows) == sum(size for *_, size in a.cards)
+    assert len({r["Address"] for r in rows}) == len(rows) == sum(c.size for c in a.cards)
     assert by_variable["YS_X"]["At restart"] == "1" and by_variable["YP_X"]["At restart"] == "0"
     assert tags_xlsx(layout, a) == tags_xlsx(layout, a)
     sheet = openpyxl.load_workbook(io.BytesIO(tags_xlsx(layout, a)))["PLC Tags"]

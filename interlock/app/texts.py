@@ -52,6 +52,7 @@ def _structured_text(controller: Controller, dialect: Dialect, header: list[str]
 
 def _mapping(layout: Layout, controller: Controller, header: list[str]) -> Written:
     allocation = allocate(layout, controller)
+    header = [*header, f"pins {layout.pins.digest}"] if layout.pins else header
     text, place = print_unit(io_program(controller, allocation, header)), f"st/iec/{layout.name}_io.st"
     return TextVerdict(place, compare_program(controller, allocation, text)), {place: text.encode()}
 

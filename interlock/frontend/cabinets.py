@@ -5,11 +5,10 @@ Output: diagnostics IL2004, IL2014, IL2015, and the elements.
 
 from __future__ import annotations
 
-import re
-
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
+from interlock.frontend.scalars import ADDRESS
 from interlock.model.elements import SectionId, Substation
 
 
@@ -64,8 +63,7 @@ def resolve_addresses(ctx: Context) -> tuple[tuple[str, str], ...]:
     seen: dict[str, str] = {}
     for name, address in ctx.file.addresses.items():
         span = ctx.at("addresses", name)
-        m = re.fullmatch(r"([IQ])(\d{1,4})\.([0-7])", address)
-        if m is None:
+        if ADDRESS.fullmatch(address) is None:
             ctx.add(
                 "IL2015",
                 f"{address!r} is no address",

@@ -7,7 +7,7 @@ before it left something to work on, so that one mistake is reported once.
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
@@ -17,6 +17,7 @@ from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.encoding import decode
 from interlock.frontend.names import check_names
+from interlock.frontend.pins import PinsRead, beside, read_pins
 from interlock.frontend.places import Places
 from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import (
@@ -48,11 +49,19 @@ MAX_BYTES = 4_000_000
 
 @dataclass(frozen=True)
 class Source:
-    """A layout file as read: its name, its text, and the context for later diagnostics."""
+    """A layout file as read: its name, its text, and the context for later diagnostics; the same of the pins beside it
+    (their text even where it cannot be read)."""
 
     file: str
     text: str
     context: Context | None = None
+    pins: PinsRead | None = None
+    beside: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def texts(self) -> dict[str, str]:
+        """The text of every file of which diagnostics may speak."""
+        return {self.file: self.text, **dict(self.beside)}
 
     def check_allowed(self, sink: Sink) -> None:
         """Report what `allow` allows and nothing needs; all warnings have been given by now."""
@@ -91,11 +100,18 @@ def read(path: str, sink: Sink) -> tuple[str | None, str]:
 
 
 def load(path: str, sink: Sink) -> tuple[Layout | None, Source]:
-    """Read and resolve a layout file; the layout is None when there are errors."""
+    """Read and resolve a layout file, and the pins beside it; the layout is None when there are errors."""
     text, shown = read(path, sink)
     if text is None:
         return None, Source(path, shown)
-    return load_text(path, text, sink)
+    layout, source = load_text(path, text, sink)
+    file = beside(path)
+    if layout is None or not os.path.lexists(file):
+        return layout, source
+    text, shown = read(file, sink)
+    pins = None if text is None else read_pins(file, text, layout.name, sink)
+    source = replace(source, pins=pins, beside=((file, shown if text is None else text),))
+    return None if pins is None else replace(layout, pins=pins.pins), source
 
 
 def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:

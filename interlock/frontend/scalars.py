@@ -15,6 +15,8 @@ from pydantic_core import PydanticCustomError
 NAME = re.compile(r"[A-Za-z0-9]+([_/-][A-Za-z0-9]+)*")
 MAX_NAME = 14
 MAX_LENGTH_M = 100_000.0
+ADDRESS = re.compile(r"([IQ])(\d{1,4})\.([0-7])")
+"""I or Q, byte, bit."""
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)")
 
 

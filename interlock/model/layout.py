@@ -44,6 +44,7 @@ from interlock.model.elements import (
     Work,
     Zone,
 )
+from interlock.model.pins import Pins
 from interlock.model.principles import Principles
 
 K = TypeVar("K")
@@ -92,6 +93,8 @@ class Layout:
     unlisted: tuple[str, ...] = ()
     """Names of routes that are not printed."""
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
+    pins: Pins = field(default_factory=Pins)
+    """Addresses that stay, of a file beside the layout; no fact about the railway, and not in its digest."""
 
     def __getstate__(self) -> dict[str, Any]:
         """The facts alone; what was found about them is found again elsewhere."""
@@ -270,7 +273,7 @@ class Layout:
 
     def to_text(self) -> str:
         """One readable, canonical text form."""
-        facts = {k: v for k, v in asdict(self).items() if v or k not in _ONLY_STATED}
+        facts = {k: v for k, v in asdict(self).items() if k != "pins" and (v or k not in _ONLY_STATED)}
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 
