@@ -101,7 +101,7 @@ def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: S
             fix = "see io/channels.csv of a compiled layout for the variables with a wire"
             sink.add("IL2015", str(error), source.at("addresses", error.variable), fix)
             return
-    new = [c for c in (*made.heartbeats, *made.channels) if c.variable not in layout.pins.by_variable]
+    new = [c for c in made.wires if c.variable not in layout.pins.by_variable]
     if layout.pins and new:
         shown = ", ".join(f"{c.variable} {c.address}" for c in new[:8]) + (" ..." if len(new) > 8 else "")
         said = f"{shown}: not pinned yet, so that the next change may move {'it' if len(new) == 1 else 'them'}"

@@ -9,7 +9,10 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
 from interlock.frontend.scalars import ADDRESS
-from interlock.model.elements import SectionId, Substation
+from interlock.model.elements import Health, SectionId, Substation
+
+ONLY = "main"
+"""The cabinet of a layout that names none."""
 
 
 def _wired(ctx: Context, wiring: Wiring) -> list[str]:
@@ -56,6 +59,16 @@ def resolve_substations(ctx: Context, wiring: Wiring) -> tuple[Substation, ...]:
             "name each of them, or add a substation with an empty list for the rest",
         )
     return tuple(Substation(n, tuple(elements)) for n, elements in given.items())
+
+
+def resolve_health(ctx: Context) -> tuple[Health, ...]:
+    """How substations are seen to be well."""
+    known = list(ctx.file.substations) or [ONLY]
+    for name in ctx.file.health:
+        if name not in known:
+            ctx.add("IL2014", f"there is no substation {name}", ctx.at_key("health", name), did_you_mean(name, known))
+    found = (Health(n, x.by, round(1000 * x.within)) for n, x in ctx.file.health.items())
+    return tuple(sorted(found, key=lambda h: h.substation))
 
 
 def resolve_addresses(ctx: Context) -> tuple[tuple[str, str], ...]:

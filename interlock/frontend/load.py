@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.added import resolve_barred, resolve_demanded, unlisted
-from interlock.frontend.cabinets import resolve_addresses, resolve_drawing, resolve_substations
+from interlock.frontend.cabinets import resolve_addresses, resolve_drawing, resolve_health, resolve_substations
 from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.encoding import decode
@@ -155,6 +155,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     overlaps = resolve_overlaps(ctx, principles, signals, wiring)
     distants = resolve_distants(ctx, signals)
     substations = resolve_substations(ctx, wiring)
+    health = resolve_health(ctx)
     drawing = resolve_drawing(ctx, wiring)
     if sink.has_errors:
         return None, source
@@ -181,6 +182,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         automatic=automatic,
         zones=zones,
         substations=substations,
+        health=health,
         addresses=resolve_addresses(ctx),
         telegram=data.telegram,
         drawing=drawing,

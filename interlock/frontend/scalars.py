@@ -240,5 +240,17 @@ def _level(value: object) -> int:
     return int(text)
 
 
+def _within(value: object) -> object:
+    """Seconds of a heartbeat: two cycles of 100 ms at least."""
+    if not isinstance(value, str):
+        raise PydanticCustomError("number", "a number is expected")
+    x = number(value)
+    if not 0.2 <= x <= 1:
+        fix = "write seconds, 0.2 to 1; where it takes longer, nobody knows what has happened meanwhile"
+        raise PydanticCustomError("range", "{v} s is no time for a heartbeat", {"v": value, "fix": fix})
+    return x
+
+
+Within = Annotated[float, BeforeValidator(_within), WithJsonSchema({"type": "number", "minimum": 0.2, "maximum": 1})]
 Trains = Annotated[int, BeforeValidator(_trains), WithJsonSchema({"type": "integer", "minimum": 1, "maximum": 99})]
 Level = Annotated[int, BeforeValidator(_level), WithJsonSchema({"type": "integer", "minimum": -999, "maximum": 999})]

@@ -1,7 +1,8 @@
 """Which variable goes over which wire: substation, slot, bit, address (document B 2.2; DI 1 = clear).
 
 Every detection, detector contact, lamp proof and external condition is a digital input, every machine command and lamp
-a digital output; each substation has a heartbeat input besides.  Everything else is written and read by the operator's
+a digital output.  Each substation besides has a heartbeat input, or a diagnosis bit, or both, and where it has outputs,
+an output by which it sees that the controller is alive.  Everything else is written and read by the operator's
 place.  Cards have 16 channels; every substation keeps at least a tenth of its channels spare.
 
 What is pinned (`model/pins.py`) stays where it is, and so does the channel of what is gone.  What is new takes free
@@ -17,7 +18,7 @@ from typing import Literal
 
 from interlock.logic import names
 from interlock.logic.controller import Controller
-from interlock.model.elements import Position, Substation
+from interlock.model.elements import Health, Position, Substation
 from interlock.model.layout import Layout
 from interlock.model.pins import CARD, Card, Pin, Pins, Place
 from interlock.model.portable import portable
@@ -65,16 +66,33 @@ class Channel:
 
 @dataclass(frozen=True)
 class Allocation:
-    """All channels in the order substation, slot, bit; what the operator's place writes and reads; the heartbeats; the
-    cards, and channels that are kept for what the layout no longer has (on cards of substations that are gone, too)."""
+    """All channels in the order substation, slot, bit; what the operator's place writes and reads; the cards, and
+    channels that are kept for what the layout no longer has (on cards of substations that are gone, too).
+
+    `health`: of each substation, in their order; `heartbeats` and `diagnoses` come from them, `sent` goes to them and
+    changes in every cycle.
+    """
 
     channels: tuple[Channel, ...]
+    health: tuple[Health, ...]
     heartbeats: tuple[Channel, ...]
+    diagnoses: tuple[Channel, ...]
+    sent: tuple[Channel, ...]
     written: tuple[str, ...]
     read: tuple[str, ...]
     cards: tuple[Card, ...]
     reserved: tuple[Pin, ...] = ()
     left: tuple[Card, ...] = ()
+
+    @property
+    def stations(self) -> tuple[str, ...]:
+        """The substations."""
+        return tuple(h.substation for h in self.health)
+
+    @cached_property
+    def wires(self) -> tuple[Channel, ...]:
+        """Everything that has a channel: first what tells that somebody is alive."""
+        return (*self.heartbeats, *self.diagnoses, *self.sent, *self.channels)
 
     @cached_property
     def by_variable(self) -> dict[str, Channel]:
@@ -84,8 +102,7 @@ class Allocation:
     @property
     def pins(self) -> Pins:
         """All of it as pins, so that the next allocation moves nothing."""
-        wires = (*self.heartbeats, *self.channels)
-        pinned = tuple(Pin(c.variable, c.substation, c.element, c.direction, c.byte, c.bit) for c in wires)
+        pinned = tuple(Pin(c.variable, c.substation, c.element, c.direction, c.byte, c.bit) for c in self.wires)
         return Pins((*self.cards, *self.left), pinned, self.reserved)
 
 
@@ -149,15 +166,31 @@ def _substations(layout: Layout) -> tuple[Substation, ...]:
     return layout.substations or (Substation("main", ()),)
 
 
+def _health(layout: Layout) -> tuple[Health, ...]:
+    stated = {h.substation: h for h in layout.health}
+    return tuple(stated.get(s.name, Health(s.name)) for s in _substations(layout))
+
+
 def wires(layout: Layout, controller: Controller) -> tuple[Wire, ...]:
-    """Everything that hangs on a substation, heartbeats first."""
+    """Everything that hangs on a substation: first heartbeats and diagnosis bits, last what is sent to it."""
     stations = _substations(layout)
     rest = next((s.name for s in stations if not s.elements), stations[0].name)
     holder = {e: s.name for s in stations for e in s.elements}
-    beats = (Wire(f"HB_{portable(s.name)}", "I", s.name, s.name) for s in stations)
+    health = _health(layout)
+    beats = [Wire(f"HB_{portable(h.substation)}", "I", h.substation, h.substation) for h in health if h.beats]
+    bits = [Wire(f"OK_{portable(h.substation)}", "I", h.substation, h.substation) for h in health if h.diagnosed]
     # a condition that a block makes has no name in the layout: it goes where all the rest goes
-    found = (Wire(v, d, holder.get(e, rest), e) for v, d, e in _wires(layout, controller))
-    return (*beats, *found)
+    found = [Wire(v, d, holder.get(e, rest), e) for v, d, e in _wires(layout, controller)]
+    worked = {w.substation for w in found if w.direction == "Q"}
+    sent = [Wire(f"HO_{portable(s.name)}", "Q", s.name, s.name) for s in stations if s.name in worked]
+    return (*beats, *bits, *found, *sent)
+
+
+_SIGNS = {
+    "HB": "substation {} is alive: changes at least once in {} ms",
+    "OK": "the master of the bus finds substation {} well",
+    "HO": "the controller is alive: changes in every cycle; substation {} lets go of its outputs when it does not",
+}
 
 
 def clashes(layout: Layout, controller: Controller) -> tuple[Clash, ...]:
@@ -197,21 +230,22 @@ def allocate(layout: Layout, controller: Controller) -> Allocation:
     notes: dict[str, str] = {i.name: i.note for i in controller.inputs}
     notes |= {o.name: o.note for o in controller.outputs}
     hanging = wires(layout, controller)
-    stated = _stated(layout, {w.variable: w.direction for w in hanging if w.variable in notes})
+    stated = _stated(layout, {w.variable: w.direction for w in hanging})
+    health = _health(layout)
+    signs = {f"{kind}_{portable(h.substation)}": kind for h in health for kind in _SIGNS}
+    for h in health:
+        notes |= {f"{k}_{portable(h.substation)}": x.format(h.substation, h.within_ms) for k, x in _SIGNS.items()}
     for clash in _clashes(layout.pins, hanging, layout.addresses):
         raise BadAddress(clash.variable, clash.text)
     room = _Room(layout.pins, hanging, stated)
-    heartbeats: list[Channel] = []
     channels: list[Channel] = []
     for station in _substations(layout):
         for direction in ("I", "Q"):
             here = [w for w in hanging if (w.substation, w.direction) == (station.name, direction)]
             room.take(station.name, direction, [w for w in here if w.variable not in room.place])
-            made = [_channel(w, room, notes, w.variable in stated) for w in here]
-            first = [c for c in made if c.variable in stated]
-            rest = sorted((c for c in made if c.variable not in stated), key=lambda c: (c.byte, c.bit))
-            heartbeats += [c for c in rest if c.variable not in notes]
-            channels += [*first, *(c for c in rest if c.variable in notes)]
+            made = [_channel(w, room, notes[w.variable], w.variable in stated) for w in here]
+            channels += [c for c in made if c.variable in stated]
+            channels += sorted((c for c in made if c.variable not in stated), key=lambda c: (c.byte, c.bit))
     for c in channels:
         card = room.holder.get((c.direction, c.byte))
         if card is not None and card.substation != c.substation:
@@ -222,14 +256,15 @@ def allocate(layout: Layout, controller: Controller) -> Allocation:
     read = tuple(o.name for o in controller.outputs if o.name not in used)
     cards = tuple(c for s in _substations(layout) for c in room.cards if c.substation == s.name)
     left = tuple(c for c in room.cards if c not in cards)
-    return Allocation(tuple(channels), tuple(heartbeats), written, read, cards, room.reserved, left)
+    beats, bits, sent = (tuple(c for c in channels if signs.get(c.variable) == kind) for kind in _SIGNS)
+    plain = tuple(c for c in channels if c.variable not in signs)
+    return Allocation(plain, health, beats, bits, sent, written, read, cards, room.reserved, left)
 
 
-def _channel(w: Wire, room: _Room, notes: Mapping[str, str], stated: bool) -> Channel:
+def _channel(w: Wire, room: _Room, note: str, stated: bool) -> Channel:
     direction, byte, bit = room.place[w.variable]
     card = room.holder.get((direction, byte))
     slot = 0 if stated or card is None or card.substation != w.substation else card.slot
-    note = notes.get(w.variable, f"substation {w.substation} is alive: changes in every cycle")
     return Channel(w.variable, direction, w.substation, w.element, note, slot, byte, bit)
 
 

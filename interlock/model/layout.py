@@ -26,6 +26,7 @@ from interlock.model.elements import (
     Edge,
     EdgeId,
     Exclude,
+    Health,
     MachineId,
     NamedRoute,
     NodeId,
@@ -92,6 +93,8 @@ class Layout:
     """Seconds of supervision of machines that have a time of their own."""
     unlisted: tuple[str, ...] = ()
     """Names of routes that are not printed."""
+    health: tuple[Health, ...] = ()
+    """How substations are seen to be well, where that is stated."""
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
     pins: Pins = field(default_factory=Pins)
     """Addresses that stay, of a file beside the layout; no fact about the railway, and not in its digest."""
@@ -277,7 +280,7 @@ class Layout:
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 
-_ONLY_STATED = frozenset({"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted"})
+_ONLY_STATED = frozenset({"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "health"})
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
 
 

@@ -34,7 +34,7 @@ def channels_csv(layout: Layout, controller: Controller, a: Allocation) -> str:
         return c.variable, c.element, c.note + blades.get(c.variable, ""), start.get(c.variable, "")
 
     start: dict[str, str] = {o.name: str(int(o.restrictive)) for o in controller.outputs}
-    used = {(c.direction, c.byte, c.bit): c for c in (*a.heartbeats, *a.channels)}
+    used = {(c.direction, c.byte, c.bit): c for c in a.wires}
     rows: list[tuple[object, ...]] = [HEADINGS]
     kept = {p.place: f"reserved for {p.variable} of {p.element}" for p in a.reserved}
     seen = set()
@@ -85,10 +85,10 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
     for d in layout.devices:
         kinds[str(d.kind)] += 1
     kinds["external condition"] = len(layout.conditions)
-    kinds["substation"] = len(a.heartbeats)
+    kinds["substation"] = len(a.stations)
     for card in a.cards:
         kinds[f"card, {card.size} digital {'inputs' if card.direction == 'I' else 'outputs'}"] += 1
-    kinds["channel in use"] = len(a.channels) + len(a.heartbeats)
+    kinds["channel in use"] = len(a.wires)
     kinds["channel"] = sum(card.size for card in a.cards)
     kinds["channel, reserved"] = len(a.reserved)
     return _csv([("Item", "Count"), *sorted((k, n) for k, n in kinds.items() if n)])
@@ -116,7 +116,7 @@ def tags_xlsx(layout: Layout, a: Allocation) -> bytes:
         sheet = book.add_worksheet("PLC Tags")
         for x, title in enumerate(_TIA):
             sheet.write_string(0, x, title)
-        for y, c in enumerate((*a.heartbeats, *a.channels), 1):
+        for y, c in enumerate(a.wires, 1):
             row = (c.variable, f"IL_{layout.name}", "Bool", f"%{c.address}", c.note, "True", "True", "False", "", "")
             for x, value in enumerate(row):
                 sheet.write_string(y, x, value)
