@@ -60,6 +60,9 @@ def free_port() -> int:
 class Station:
     """A substation process, and a wire to its inputs."""
 
+    lives_s = 60
+    """Seconds after which it ends by itself."""
+
     def __init__(self, ready: Ready, name: str) -> None:
         assert ready.allocation is not None
         self.name = name
@@ -73,7 +76,7 @@ class Station:
     def start(self) -> None:
         """Start the process; sections are clear and points lie normal."""
         ones = [str(self.places[c.variable]) for c in self.own if c.variable.startswith(("CLR_", "DN_"))]
-        args = [str(self.port), "60", str(self.places[self.beat.variable]), *ones]
+        args = [str(self.port), str(self.lives_s), str(self.places[self.beat.variable]), *ones]
         command = [sys.executable, "-m", "tests.substation", *args]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         assert self.process.stdout is not None and self.process.stdout.readline().strip() == "ready"

@@ -226,6 +226,12 @@ class OnTheBus(Server):
         return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=120).returncode
 
 
+class Lasting(Station):
+    """A substation for all of it."""
+
+    lives_s = 7200
+
+
 def ill(s: Station, how: str, on: bool) -> None:
     """A substation falls ill, or is well again."""
     match how:
@@ -244,7 +250,7 @@ def bus(folder: Path, count: int, rng: Random) -> list[str]:
     layout = folder / "mine.yaml"
     layout.write_text(Path("layouts/mine11.yaml").read_text("utf-8") + TWO, "utf-8")
     ready = prepare(str(layout))
-    stations = [Station(ready, "west"), Station(ready, "east")]
+    stations = [Lasting(ready, "west"), Lasting(ready, "east")]
     record, torn, before, refused, done = folder / "bus.log", 0, 0, 0, Counter[str]()
     try:
         for k in range(count):
