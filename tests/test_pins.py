@@ -172,7 +172,7 @@ def pinned(tmp_path_factory: pytest.TempPathFactory) -> str:
     """The pins of mine11."""
     path = tmp_path_factory.mktemp("pins") / "mine.yaml"
     path.write_text(MINE, "utf-8")
-    assert run("pin", path).endswith("mine.pins: 36 channels\n")
+    assert run("pin", path).endswith("mine.pins: 37 channels\n")
     return path.with_suffix(".pins").read_text("utf-8")
 
 
