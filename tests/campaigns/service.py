@@ -6,7 +6,8 @@
 substation is cut off, the client drops its connection, or the record cannot be written (the process may write no longer
 files, `RLIMIT_FSIZE`), each for a while.  *Kills*: the server is killed with SIGKILL at random moments and started
 again on the same record.  *Bus*: a mine on two substations over Modbus TCP on the loopback; they die, answer late, and
-their heartbeats freeze; a second start on the same outputs is tried; the server is killed and started again.
+their heartbeats freeze; a second start on the same outputs is tried; the server is killed and started again.  The
+three go on beside each other.
 """
 
 from __future__ import annotations
@@ -22,11 +23,12 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from random import Random
+from typing import Any
 
-from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
 from interlock.panel.journal import page
@@ -85,6 +87,16 @@ def tried(client: Client) -> bool:
     return unrecorded(client)
 
 
+@contextlib.contextmanager
+def at_work(server: Server) -> Iterator[ClientConnection]:
+    """A connection to a server, which does not outlive a failure."""
+    try:
+        with connect(f"ws{server.url}talk", max_size=None, ping_interval=None) as ws:
+            yield ws
+    finally:
+        server.process.kill()
+
+
 class Shift:
     """Ten hours at one panel."""
 
@@ -98,7 +110,7 @@ class Shift:
         self.client = self._come()
 
     def _come(self) -> Client:
-        self.connection = connect(f"ws{self.server.url}talk", max_size=None)
+        self.connection = connect(f"ws{self.server.url}talk", max_size=None, ping_interval=None)
         client = Client(self.connection, self.rng)
         client.done = self.done
         return client
@@ -151,8 +163,11 @@ class Shift:
 def hours(folder: Path, count: float, rng: Random) -> list[str]:
     """So many simulated hours in one process: memory, losses, and what is recorded and printed."""
     shift = Shift(folder, rng)
-    passed, wall = shift.run(count)
-    code = shift.server.end(signal.SIGINT)
+    try:
+        passed, wall = shift.run(count)
+        code = shift.server.end(signal.SIGINT)
+    finally:
+        shift.server.process.kill()
     found = read_file(shift.record)
     need(code == 130 and found.ended, f"exit code {code}, record {'closed' if found.ended else 'not closed'}")
     kinds = Counter(e["kind"] for e in found.events)
@@ -189,7 +204,7 @@ def kills(folder: Path, count: int, rng: Random) -> list[str]:
     for _ in range(count):
         server = Server(record)
         end = time.monotonic() + rng.uniform(0.1, 8.0)
-        with contextlib.suppress(ConnectionClosed), connect(f"ws{server.url}talk", max_size=None) as ws:
+        with at_work(server) as ws:
             client = Client(ws, rng)
             while time.monotonic() < end:
                 client.act()
@@ -255,7 +270,10 @@ def bus(folder: Path, count: int, rng: Random) -> list[str]:
     try:
         for k in range(count):
             server = OnTheBus(layout, record, stations)
-            with contextlib.suppress(ConnectionClosed), connect(f"ws{server.url}talk", max_size=None) as ws:
+            if k % 5 == 0:
+                need(server.second() == 2, "a second start on the same outputs was not refused")
+                refused += 1
+            with at_work(server) as ws:
                 client = Client(ws, rng)
                 until(client, valid, "valid")
                 for how in rng.sample(("stands still", "dies", "answers late", "freezes"), 2):
@@ -266,9 +284,6 @@ def bus(folder: Path, count: int, rng: Random) -> list[str]:
                     ill(s, how, False)
                     until(client, valid, f"valid after one {how}")
                     done[how] += 1
-                if k % 5 == 0:
-                    need(server.second() == 2, "a second start on the same outputs was not refused")
-                    refused += 1
                 for _ in range(rng.randrange(60)):
                     client.act()
                 server.end(signal.SIGKILL if k < count - 1 else signal.SIGINT)
@@ -289,6 +304,13 @@ def bus(folder: Path, count: int, rng: Random) -> list[str]:
     ]
 
 
+def _told(part: Callable[[Path, Any, Random], list[str]], folder: Path, count: float, seed: str) -> list[str]:
+    """A part, and what it says when it has ended."""
+    lines = part(folder, count, Random(seed))
+    print(*lines, sep="\n", flush=True)
+    return lines
+
+
 def main() -> None:
     """Run it."""
     parser = argparse.ArgumentParser()
@@ -298,14 +320,12 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("-o", "--out", type=Path)
     given = parser.parse_args()
-    rng, began = Random(given.seed), time.monotonic()
+    began = time.monotonic()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
-    with tempfile.TemporaryDirectory() as folder:
-        told = bus(Path(folder), given.bus, rng)
-        print(*told, sep="\n", flush=True)
-        told += kills(Path(folder), given.kills, rng)
-        print(told[-1], flush=True)
-        told += hours(Path(folder), given.hours, rng)
+    parts = ((hours, given.hours), (kills, given.kills), (bus, given.bus))
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(3) as beside:
+        found = [beside.submit(_told, part, Path(folder), n, f"{given.seed} {part.__name__}") for part, n in parts]
+        told = [line for part in found for line in part.result()]
     call = f"--hours {given.hours:g} --kills {given.kills} --bus {given.bus} --seed {given.seed}"
     text = (
         f"# Service for days\n\n`python -m tests.campaigns.service {call}` at commit {commit}, {processor()}, "
