@@ -3,7 +3,8 @@
     python -m tests.substation PORT SECONDS HEARTBEAT INPUT...
 
 HEARTBEAT is the discrete input that changes every 50 ms, INPUT... those that are 1.  A coil from 4000 on is a wire to
-the discrete input with 4000 less, so that a test can move the railway.
+the discrete input with 4000 less, so that a test can move the railway; while the one of FROZEN is 1 the heartbeat
+stands still, while the one of LATE is 1 inputs are told half a second late.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from pymodbus.server import ModbusTcpServer
 from pymodbus.simulator import DataType, SimData, SimDevice
 
 WIRE = 4000
+FROZEN, LATE = 3999, 3998
 READ_INPUTS, WRITE_COIL, WRITE_COILS = 2, 5, 15
 
 
@@ -32,7 +34,10 @@ async def serve(port: int, seconds: float, heartbeat: int, ones: list[int]) -> N
         if function in (WRITE_COIL, WRITE_COILS) and address >= WIRE and values:
             inputs[address - WIRE : address - WIRE + len(values)] = [int(v) for v in values]
         if function == READ_INPUTS:
-            inputs[heartbeat] = int(time.monotonic() / 0.05) % 2
+            if not inputs[FROZEN]:
+                inputs[heartbeat] = int(time.monotonic() / 0.05) % 2
+            if inputs[LATE]:
+                await asyncio.sleep(0.5)
             for k in range(WIRE // 16):  # sixteen inputs a register
                 registers[k] = sum(bit << n for n, bit in enumerate(inputs[16 * k : 16 * k + 16]))
 

@@ -223,6 +223,7 @@ def certified_loop(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with a small layout, its outputs, its certificate, and one that is refuted with a trace."""
     folder = tmp_path_factory.mktemp("json")
     (folder / "l.yaml").write_text(Path("layouts/fig2_2.yaml").read_text("utf-8"), "utf-8")
+    (folder / "pinned.yaml").write_text(Path("layouts/fig2_2.yaml").read_text("utf-8"), "utf-8")
     (folder / "bad.yaml").write_text("interlock: 1\nname: bad\ncolour: red\n", "utf-8")
     args = ["certify", str(folder / "l.yaml"), "--outputs", str(folder / "g"), "-o", str(folder / "p")]
     assert run("compile", str(folder / "l.yaml"), "-o", str(folder / "g")).exit_code == 0
@@ -239,6 +240,9 @@ JSON = (
     ("check", "{}/l.yaml", "{}/bad.yaml"),
     ("compile", "{}/l.yaml", "-o", "{}/g2"),
     ("compile", "{}/l.yaml", "{}/l.yaml", "{}/bad.yaml", "-o", "{}/g2"),
+    ("pin", "{}/pinned.yaml"),
+    ("pin", "{}/pinned.yaml", "--release", "nothing"),
+    ("pin", "{}/bad.yaml"),
     ("prove", "{}/l.yaml"),
     ("certify", "{}/l.yaml", "--outputs", "{}/g", "-o", "{}/p", "--check"),
     ("certify", "{}/bad.yaml", "--outputs", "{}/g", "-o", "{}/p"),

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import queue
 import random
+import signal
 import socket
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -15,16 +18,17 @@ import pytest
 from click.testing import CliRunner
 from pymodbus.client import ModbusTcpClient
 
-from interlock.app.run import BadCommand, Operator, Ready, operate, prepare
+from interlock.app.run import BadCommand, Operator, Ready, operate, prepare, run
 from interlock.cli.main import cli
 from interlock.field.alone import InUse, hold
-from interlock.field.modbus import ModbusLink, _runs, heartbeat_coil
+from interlock.field.modbus import ModbusLink, _runs
 from interlock.field.plc import Cycle, LinkLost, SoftPlc, Watch, runtime_scan
+from interlock.field.polling import LAST_S, Beside, InTurn, Poll
 from interlock.panel.desk import Desk, Person
 from interlock.st.ast import Unit
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.program import watch
-from tests.substation import WIRE
+from tests.substation import FROZEN, LATE, WIRE
 
 TWO = """
 substations:
@@ -56,10 +60,13 @@ def free_port() -> int:
 class Station:
     """A substation process, and a wire to its inputs."""
 
+    lives_s = 60
+    """Seconds after which it ends by itself."""
+
     def __init__(self, ready: Ready, name: str) -> None:
         assert ready.allocation is not None
         self.name = name
-        wires = (*ready.allocation.heartbeats, *ready.allocation.channels)
+        wires = ready.allocation.wires
         self.places = {c.variable: 8 * c.byte + c.bit for c in wires}
         self.own = [c for c in ready.allocation.channels if c.substation == name]
         self.beat = next(c for c in ready.allocation.heartbeats if c.substation == name)
@@ -69,7 +76,7 @@ class Station:
     def start(self) -> None:
         """Start the process; sections are clear and points lie normal."""
         ones = [str(self.places[c.variable]) for c in self.own if c.variable.startswith(("CLR_", "DN_"))]
-        args = [str(self.port), "60", str(self.places[self.beat.variable]), *ones]
+        args = [str(self.port), str(self.lives_s), str(self.places[self.beat.variable]), *ones]
         command = [sys.executable, "-m", "tests.substation", *args]
         self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         assert self.process.stdout is not None and self.process.stdout.readline().strip() == "ready"
@@ -78,7 +85,11 @@ class Station:
 
     def put(self, variable: str, value: int) -> None:
         """Move the railway."""
-        self.client.write_coils(WIRE + self.places[variable], [bool(value)], device_id=1)
+        self.wire(self.places[variable], value)
+
+    def wire(self, place: int, value: int) -> None:
+        """Set an input."""
+        self.client.write_coils(WIRE + place, [bool(value)], device_id=1)
 
     def lamp(self, variable: str) -> bool:
         """What hangs on an output."""
@@ -94,11 +105,11 @@ class Station:
 
 
 @contextmanager
-def running(ready: Ready) -> Iterator[tuple[SoftPlc, Station, Station]]:
+def running(ready: Ready, poll: Poll | None = None) -> Iterator[tuple[SoftPlc, Station, Station]]:
     assert ready.allocation is not None
     west, east = Station(ready, "west"), Station(ready, "east")
     links = {s.name: ModbusLink(ready.allocation, s.name, "127.0.0.1", s.port) for s in (west, east)}
-    plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, links)
+    plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, links, poll=poll or InTurn())
     try:
         yield plc, west, east
     finally:
@@ -139,10 +150,11 @@ def test_a_route_is_set_over_the_bus_and_closed_by_its_train(ready: Ready) -> No
             result = cycle(ready, plc)
         assert result.valid and not result.lost
         assert west.lamp("YP_X7") and not west.lamp("YS_X7") and east.lamp("YS_X4")
-        beats = {plc.links["west"]._client.read_coils(heartbeat_coil(plc.allocation), count=1, device_id=1).bits[0]}  # type: ignore[attr-defined]
-        cycle(ready, plc)
-        beats |= {west.client.read_coils(heartbeat_coil(plc.allocation), count=1, device_id=1).bits[0]}
-        assert beats == {True, False}  # our heartbeat goes out too
+        beats = set()
+        for _ in range(2):
+            beats.add((west.lamp("HO_west"), east.lamp("HO_east")))
+            cycle(ready, plc)
+        assert beats == {(False, False), (True, True)}  # our heartbeat goes out too
         west.put("CLR_ap_W", 0)
         west.put("CLR_q1", 0)
         cycle(ready, plc)
@@ -205,6 +217,108 @@ def test_a_heartbeat_that_hangs_is_noticed(ready: Ready) -> None:
     assert valid[0] and not valid[-1] and valid.index(False) <= 11
     with pytest.raises(ValueError, match="links for"):
         SoftPlc(runtime_scan(ready.runtime), ready.allocation, {"west": Hung(True)})
+
+
+def timed(ready: Ready, plc: SoftPlc) -> tuple[Cycle, float]:
+    began = time.monotonic()
+    return cycle(ready, plc), time.monotonic() - began
+
+
+def test_a_substation_that_dies_or_answers_late_holds_nobody_up(ready: Ready) -> None:
+    """Stopped in mid-flight it takes connections and never answers; late, its answers are of another cycle."""
+    with running(ready, Beside()) as (plc, west, east):
+        until_valid(ready, plc)
+        for ill, well in (
+            (lambda: os.kill(east.process.pid, signal.SIGSTOP), lambda: os.kill(east.process.pid, signal.SIGCONT)),
+            (lambda: east.wire(LATE, 1), lambda: east.wire(LATE, 0)),
+        ):
+            ill()
+            first, _ = timed(ready, plc)
+            took = []
+            for k in range(12):
+                west.put("CLR_q1", k % 2)
+                found, seconds = timed(ready, plc)
+                took.append(seconds)
+                assert [x.split(":")[0] for x in found.lost] == ["east"] and not found.valid
+                assert found.inputs["CLR_q1"] == k % 2 and found.outputs["YS_X7"] and west.lamp("YS_X7")
+            assert not first.valid and sorted(took)[6] < 0.15, took  # 0.03 of them are slept here
+            well()
+            until_valid(ready, plc)
+        began = time.monotonic()
+        east.kill()
+        assert (
+            list(plc._write(plc.runtime.restrictive, last=True)) == ["east"] and time.monotonic() - began < LAST_S + 1
+        )
+        assert west.lamp("YS_X7") and not west.lamp("YP_X7")
+
+
+def test_a_heartbeat_that_freezes_while_its_substation_answers(ready: Ready) -> None:
+    with running(ready, Beside()) as (plc, _, east):
+        until_valid(ready, plc)
+        east.wire(FROZEN, 1)
+        found = [cycle(ready, plc) for _ in range(14)]
+        assert found[0].valid and not found[-1].valid and [c.valid for c in found].index(False) <= 11
+        assert found[-1].lost == ("east: its heartbeat does not change",)
+        east.wire(FROZEN, 0)
+        until_valid(ready, plc)
+
+
+def test_what_comes_too_late_is_thrown_away_and_nobody_is_asked_twice_at_once() -> None:
+    poll, gate, asked = Beside(limit_s=0.05), threading.Event(), [0]
+
+    def slow() -> int:
+        asked[0] += 1
+        gate.wait(5)
+        return asked[0]
+
+    try:
+        found = poll.ask({"slow": slow, "quick": lambda: 7})
+        assert isinstance(found["slow"], LinkLost) and found["quick"] == 7
+        began = time.monotonic()
+        assert all(isinstance(poll.ask({"slow": slow})["slow"], LinkLost) for _ in range(20))
+        assert asked == [1] and time.monotonic() - began < 0.05  # it is not waited for any more
+        gate.set()
+        poll._under_way["slow"].result(5)
+        assert poll.ask({"slow": slow})["slow"] == 2  # not the first answer, which came too late
+    finally:
+        gate.set()
+        poll.close()
+
+
+def test_a_cycle_that_took_too_long_is_not_believed_from_end_to_end(ready: Ready) -> None:
+    """The clock of the run says so; the inputs of that cycle are not valid, its signals are at stop, and stay there."""
+    assert ready.allocation is not None
+    at, beat, stalls = [0.0], [0], {60: 1.0, 80: 1.001}
+
+    class Well:
+        def read(self) -> Mapping[str, int]:
+            return {c.variable: beat[0] if c.variable.startswith("HB") else ones(c.variable) for c in wires}
+
+        def write(self, values: Mapping[str, bool], heartbeat: bool) -> None:
+            pass
+
+        def close(self) -> None:
+            pass
+
+    def ones(name: str) -> int:
+        return int(not name.startswith("DR_"))
+
+    wires = [c for c in ready.allocation.wires if c.direction == "I"]
+    count, lines = [0], {20: "release", 40: "set X7-X1"}
+
+    def ask(last: Cycle | None, dt_ms: int) -> Mapping[str, int]:
+        count[0] += 1
+        beat[0] ^= 1
+        line = lines.get(count[0], "")
+        return dict.fromkeys(ready.allocation.written, 0) | (operate(ready, line) if line else {})  # type: ignore[union-attr]
+
+    def sleep(seconds: float) -> None:
+        at[0] += stalls.get(count[0], 0.1)
+
+    done = [c for c, _ in run(ready, {"west": Well(), "east": Well()}, 100, 100, ask, lambda: at[0], sleep)]
+    assert done[58].outputs["YP_X7"] and done[60].valid and done[60].outputs["YP_X7"]  # a second exactly
+    assert not done[80].valid and done[80].lost == ("cycle: 1001 ms since the last one, more than 1000",)
+    assert all(c.outputs["YS_X7"] and not c.outputs["YP_X7"] for c in done[80:]) and done[81].valid
 
 
 def test_the_watch_is_the_one_of_the_mapping_program() -> None:

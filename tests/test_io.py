@@ -6,6 +6,7 @@ import csv
 import io
 import random
 import re
+from collections.abc import Mapping
 
 import openpyxl
 import pytest
@@ -13,6 +14,8 @@ import pytest
 from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.emit.io import channels_csv, equipment_csv, tags_xlsx
+from interlock.emit.python.runtime import runtime_py
+from interlock.field.plc import SoftPlc, runtime_scan
 from interlock.frontend import load_text
 from interlock.logic.cabinet import BadAddress, allocate
 from interlock.logic.controller import Controller
@@ -43,7 +46,7 @@ def test_every_variable_has_one_place_and_every_address_one_variable(name: str) 
     layout, _, controller = built(name)
     a = allocate(layout, controller)
     wires = [c.variable for c in a.channels]
-    assert len({c.address for c in (*a.channels, *a.heartbeats)}) == len(a.channels) + len(a.heartbeats)
+    assert len({c.address for c in a.wires}) == len(a.wires)
     inputs, outputs = {i.name for i in controller.inputs}, {o.name for o in controller.outputs}
     assert set(wires) | set(a.written) | set(a.read) | {"VALID"} == inputs | outputs
     assert len(wires) == len(set(wires)) and not set(wires) & {*a.written, *a.read}
@@ -51,8 +54,8 @@ def test_every_variable_has_one_place_and_every_address_one_variable(name: str) 
     assert {c.variable for c in a.channels if c.direction == "Q"} <= outputs
     assert all(0 <= c.bit < 8 for c in a.channels)
     for kind in "IQ":
-        room = sum(size for *_, d, size in a.cards if d == kind)
-        used = sum(c.direction == kind for c in (*a.channels, *a.heartbeats))
+        room = sum(c.size for c in a.cards if c.direction == kind)
+        used = sum(c.direction == kind for c in a.wires)
         assert used * 1.1 <= room  # a tenth is spare
     assert all(i.restrictive == 0 for i in controller.inputs if i.name in wires)  # a broken wire reads 0
 
@@ -110,9 +113,9 @@ def test_stated_addresses_count_against_the_spare_channels() -> None:
         stated = ", ".join(f"{n}: I{k // 8}.{k % 8}" for k, n in enumerate(names[:count]))
         layout, controller = made(f"addresses: {{{stated}}}\n")
         a = allocate(layout, controller)
-        room = sum(size for *_, d, size in a.cards if d == "I")
+        room = sum(c.size for c in a.cards if c.direction == "I")
         assert (len(names) + 1) * 1.1 <= room
-        assert len({c.address for c in (*a.channels, *a.heartbeats)}) == len(a.channels) + len(a.heartbeats)
+        assert len({c.address for c in a.wires}) == len(a.wires)
 
 
 def test_check_tells_of_an_address_that_cannot_be(tmp_path_factory: pytest.TempPathFactory) -> None:
@@ -157,6 +160,10 @@ def test_a_changed_mapping_is_refuted() -> None:
         ("T#1s", "T#100s"),
         ("W_main(HB := HB_main)", "W_main(HB := CLR_q1)"),
         ("HB AND LAST", "HB OR LAST"),
+        ("BEAT := NOT BEAT", "BEAT := BEAT"),
+        ("HO_main := BEAT", "HO_main := TRUE"),
+        ("  HO_main := BEAT;\n", ""),
+        ("BEAT : BOOL := FALSE", "BEAT : BOOL := TRUE"),
     ]
     for old, new in changes:
         assert old in text, old
@@ -185,6 +192,100 @@ def test_cabinet_text_and_runtime_run_alike() -> None:
         assert {o.name: bool(run.main.values[o.name]) for o in controller.outputs} == expected, k
 
 
+HEALTH = """substations:
+  west: [ap_W, q1, q2, P1, X7, X1]
+  mid: [q3, q4]
+  east: []
+health:
+  west: {by: both, within: 0.5}
+  mid: {by: diagnosis}
+addresses: {OK_mid: I90.0}
+"""
+
+
+def test_health_is_declared_proved_and_read_restrictive() -> None:
+    """A heartbeat of its own time, a diagnosis bit, or both; a substation without outputs gets no heartbeat of ours."""
+    layout, controller = made(HEALTH)
+    a = allocate(layout, controller)
+    assert [c.variable for c in a.heartbeats] == ["HB_west", "HB_east"]
+    assert {c.variable: c.address for c in a.diagnoses}["OK_mid"] == "I90.0"
+    assert [c.variable for c in a.sent] == ["HO_west", "HO_east"]
+    text = print_unit(io_program(controller, a, []))
+    assert "VALID := CYC.OK AND W_west.OK AND W_east.OK AND OK_west AND OK_mid;" in text
+    assert "W_west : IL_mine11_W500;" in text and "W_east : IL_mine11_WATCH;" in text
+    assert compare_program(controller, a, text) == ()
+    for old, new in (
+        (" AND OK_mid;", ";"),
+        ("W_west.OK AND W_east.OK", "W_east.OK AND W_east.OK"),
+        ("W_west : IL_mine11_W500", "W_west : IL_mine11_WATCH"),
+        ("T#500ms", "T#5s"),
+        ("OK_west AND OK_mid", "OK_mid AND OK_mid"),
+        ("HO_east := BEAT", "HO_west := BEAT"),
+        ("HO_east := BEAT", "HO_east := NOT BEAT"),
+        ("HO_west AT %QX", "HO_west AT %QX7"),
+    ):
+        assert old in text and compare_program(controller, a, text.replace(old, new, 1)), old
+
+
+@pytest.mark.parametrize(
+    ("health", "code", "message"),
+    [
+        ("{north: {}}", "IL2014", "there is no substation north"),
+        ("{main: {by: hope}}", "IL1017", "'hope' is not a sign of health"),
+        ("{main: {within: 5}}", "IL1014", "5 s is no time for a heartbeat"),
+        ("{main: {with: 0.5}}", "IL1011", "unknown key `with`"),
+    ],
+)
+def test_health_that_cannot_be(health: str, code: str, message: str) -> None:
+    sink = Sink()
+    assert load_text("mine11.yaml", MINE + f"health: {health}\n", sink)[0] is None
+    assert [d.code for d in sink.diagnostics if message in d.message] == [code], sink.diagnostics
+
+
+def test_mapping_and_soft_plc_see_the_same_health_and_both_tell_that_they_are_alive() -> None:
+    """Heartbeats that stand still, diagnosis bits, long cycles: VALID, outputs and our heartbeat, scan by scan."""
+    layout, controller = made(HEALTH)
+    a = allocate(layout, controller)
+    core = BY_NAME["iec"].read(write_st(controller, BY_NAME["iec"], []))
+    program, numbers, rng = io_program(controller, a, []), Numbers(), random.Random(7)
+    run: Execution[int] = Execution(Unit((*program.blocks[:-1], *core.blocks, program.blocks[-1])), numbers)
+
+    class Wired:
+        def __init__(self, station: str) -> None:
+            self.own = [c.variable for c in a.wires if c.substation == station and c.direction == "I"]
+
+        def read(self) -> dict[str, int]:
+            return {n: wires[n] for n in self.own}
+
+        def write(self, values: Mapping[str, bool], heartbeat: bool) -> None:
+            self.heartbeat = heartbeat
+
+        def close(self) -> None:
+            pass
+
+    links = {s: Wired(s) for s in a.stations}
+    plc = SoftPlc(runtime_scan(runtime_py(controller, [])), a, links)
+    wires = dict.fromkeys((c.variable for c in a.wires if c.direction == "I"), 0)
+    seen: set[tuple[int, tuple[str, ...]]] = set()
+    for k in range(300):
+        numbers.dt_ms = rng.choice((100, 100, 100, 300, CYCLE_MAX_MS, CYCLE_MAX_MS + 1 if k % 10 == 0 else 100))
+        for n in wires:
+            if n.startswith("HB_"):
+                wires[n] ^= rng.random() < (0.1 if k // 30 % 3 == 2 else 0.9)
+            elif rng.random() < 0.3:
+                wires[n] = int(rng.random() < (0.9 if n.startswith("OK_") else 0.8))
+        operator = {i.name: rng.randrange(i.size) if i.size else 0 for i in controller.inputs if i.name in a.written}
+        run.main.values.update({**wires, **operator})
+        run.scan({})
+        cycle = plc.cycle(operator, numbers.dt_ms)
+        values = run.main.values
+        assert bool(values["VALID"]) is cycle.valid, (k, cycle.lost)
+        assert {o.name: bool(values[o.name]) for o in controller.outputs} == cycle.outputs, k
+        assert {bool(values[c.variable]) for c in a.sent} == {links["west"].heartbeat} == {k % 2 == 0}
+        seen |= {(int(cycle.valid), tuple(x.split(":")[0] for x in cycle.lost))}
+    assert len(seen) > 6 and (1, ()) in seen and (0, ("cycle",)) in seen
+
+
 def test_a_heartbeat_that_stops_is_noticed_in_time_and_one_that_never_came_too() -> None:
     numbers = Numbers(dt_ms=100)
     run: Execution[int] = Execution(Unit((watch("W"),)), numbers)
@@ -209,16 +310,14 @@ def test_the_lists_say_the_same_as_the_allocation() -> None:
     a = allocate(layout, controller)
     rows = list(csv.DictReader(io.StringIO(channels_csv(layout, controller, a))))
     by_variable = {r["Variable"]: r for r in rows if r["Variable"]}
-    assert {n: r["Address"] for n, r in by_variable.items()} == {
-        c.variable: c.address for c in (*a.heartbeats, *a.channels)
-    }
-    assert len({r["Address"] for r in rows}) == len(rows) == sum(size for *_, size in a.cards)
+    assert {n: r["Address"] for n, r in by_variable.items()} == {c.variable: c.address for c in a.wires}
+    assert len({r["Address"] for r in rows}) == len(rows) == sum(c.size for c in a.cards)
     assert by_variable["YS_X"]["At restart"] == "1" and by_variable["YP_X"]["At restart"] == "0"
     assert tags_xlsx(layout, a) == tags_xlsx(layout, a)
     sheet = openpyxl.load_workbook(io.BytesIO(tags_xlsx(layout, a)))["PLC Tags"]
     tags = list(sheet.iter_rows(values_only=True))
     assert tags[0][:4] == ("Name", "Path", "Data Type", "Logical Address")
-    assert {t[0]: t[3] for t in tags[1:]} == {c.variable: f"%{c.address}" for c in (*a.heartbeats, *a.channels)}
+    assert {t[0]: t[3] for t in tags[1:]} == {c.variable: f"%{c.address}" for c in a.wires}
     assert all(re.fullmatch(r"%[IQ]\d+\.[0-7]", str(t[3])) for t in tags[1:])
     equipment = dict(csv.reader(io.StringIO(equipment_csv(layout, a))))
     assert equipment["point machine"] == str(len(layout.machines))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -55,6 +57,36 @@ def test_a_log_that_was_killed_goes_on(tmp_path: Path) -> None:
         assert len(found.events) == 3 and found.torn == 12
         log.add(99, "end")
     assert read_file(file).ended and len(read_file(file).events) == 4
+
+
+def test_a_log_goes_on_where_there_was_no_room_without_being_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file, write, full = tmp_path / "a.log", os.write, [False]
+
+    def writes(handle: int, data: bytes) -> int:
+        if full[0]:
+            write(handle, data[:7])  # a part of it finds room
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        return write(handle, data)
+
+    monkeypatch.setattr("interlock.record.log.os.write", writes)
+    with Log.create(file) as log:
+        for k in range(3):
+            log.add(k, "event", k=k)
+        full[0] = True
+        for _ in range(2):
+            with pytest.raises(OSError, match="No space"):
+                log.add(9, "event", k=9)
+        full[0] = False
+    monkeypatch.setattr("interlock.record.log.read", lambda data: pytest.fail("the log was read"))
+    with Log.again(file, log) as again:
+        again.add(4, "end")
+    monkeypatch.undo()
+    assert read_file(file).ended and [e.get("k") for e in read_file(file).events] == [0, 1, 2, None]
+    file.write_bytes(b"".join(made(3)))
+    with pytest.raises(ValueError, match="is not the log that was written until then"):
+        Log.again(file, log)
 
 
 @pytest.mark.parametrize("seed", range(200))

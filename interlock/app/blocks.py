@@ -32,7 +32,7 @@ class Blocks:
     def sources(self) -> Mapping[str, str]:
         """The texts, by file, for rendering diagnostics."""
         own = {} if self.orders is None else {self.orders.name: self.orders.text}
-        return {self.checked.source.file: self.checked.source.text, **own}
+        return {**self.checked.source.texts, **own}
 
     @property
     def findings(self) -> bool:

@@ -14,6 +14,7 @@ from interlock.table.rows import InterlockingTable
 
 if TYPE_CHECKING:
     from interlock.audit import Finding
+    from interlock.logic.cabinet import Clash
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,7 @@ def derived(path: str, layout: Layout, source: Source, sink: Sink) -> Checked:
     from interlock.derivation import derive
 
     table = derive(layout, sink)
-    if layout.addresses and not sink.has_errors:
+    if (layout.addresses or layout.pins) and not sink.has_errors:
         _addresses(layout, table, source, sink)
     if not sink.has_errors:
         source.check_allowed(sink)
@@ -83,13 +84,39 @@ def audited(checked: Checked, findings: Sequence[Finding]) -> Checked:
 
 
 def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: Sink) -> None:
-    from interlock.logic.cabinet import BadAddress, allocate
+    from interlock.logic.cabinet import BadAddress, allocate, clashes
     from interlock.logic.expr import interning
     from interlock.logic.lower import lower
 
-    try:
-        with interning():
-            allocate(layout, lower(layout, table))
-    except BadAddress as error:
-        fix = "see io/channels.csv of a compiled layout for the variables with a wire"
-        sink.add("IL2015", str(error), source.at("addresses", error.variable), fix)
+    with interning():
+        controller = lower(layout, table)
+        found = clashes(layout, controller)
+        for clash in found:
+            _contradicted(layout, clash, source, sink)
+        if found:
+            return
+        try:
+            made = allocate(layout, controller)
+        except BadAddress as error:
+            fix = "see io/channels.csv of a compiled layout for the variables with a wire"
+            sink.add("IL2015", str(error), source.at("addresses", error.variable), fix)
+            return
+    new = [c for c in made.wires if c.variable not in layout.pins.by_variable]
+    if layout.pins and new:
+        shown = ", ".join(f"{c.variable} {c.address}" for c in new[:8]) + (" ..." if len(new) > 8 else "")
+        said = f"{shown}: not pinned yet, so that the next change may move {'it' if len(new) == 1 else 'them'}"
+        sink.add("IL2023", said, source.at("name"), f"run `interlock pin {source.file}` when it is wired so")
+
+
+def _contradicted(layout: Layout, clash: Clash, source: Source, sink: Sink) -> None:
+    """A pin that the layout contradicts, with both places."""
+    pinned = None if source.pins is None else source.pins.at(clash.pin.variable)
+    if clash.where == "pin":
+        sink.add("IL2022", clash.text, pinned, f"correct it, or run `interlock pin {source.file} --yes`")
+        return
+    holder = {e: (s.name, i) for s in layout.substations for i, e in enumerate(s.elements)}
+    place = (clash.variable,) if clash.where == "addresses" else holder.get(clash.pin.element, ())
+    at = source.at(clash.where, *place) if layout.substations or clash.where == "addresses" else source.at("name")
+    line = "" if pinned is None else f" ({pinned.file}, line {pinned.line})"
+    fix = f"undo that here, or let it move: `interlock pin {source.file} --yes`"
+    sink.add("IL2022", clash.text + line, at, fix)

@@ -84,7 +84,7 @@ def loads(text: str, name: str = "layout.yaml") -> Layout:
 
 def _sound(layout: Layout | None, source: Source, sink: Sink) -> Layout:
     if layout is None or sink.has_errors:
-        raise LayoutError(sink.diagnostics, {source.file: source.text})
+        raise LayoutError(sink.diagnostics, source.texts)
     return layout
 
 

@@ -11,8 +11,8 @@ import re
 from pathlib import Path
 
 MARK = b"written by interlock, sha256 "
-LINE = re.compile(rb"(?:<!-- )?" + MARK + rb"([0-9a-f]{64})(?: -->)?\n\Z")
-FRAMES = {".aig": (b"", b"\n")}
+LINE = re.compile(rb"(?:<!-- |# )?" + MARK + rb"([0-9a-f]{64})(?: -->)?\n\Z")
+FRAMES = {".aig": (b"", b"\n"), ".pins": (b"# ", b"\n")}
 """What stands around the mark, by ending; elsewhere (SVG, HTML) it is a comment."""
 
 

@@ -13,6 +13,7 @@ from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
 from interlock.dispatch.plan.railway import NoVoyage, Railway, TooManyPlaces
 from interlock.field.plc import Cycle, Link, SoftPlc, runtime_scan
+from interlock.field.polling import InTurn, Poll
 from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller, Input
 from interlock.logic.expr import interning
@@ -158,15 +159,18 @@ def run(
     ask: Callable[[Cycle | None, int], Mapping[str, int]],
     now: Callable[[], float] = time.monotonic,
     sleep: Callable[[float], None] = time.sleep,
+    poll: Poll | None = None,
 ) -> Generator[tuple[Cycle, float], None, None]:
     """Cycles in their time, each with the seconds that it took.
 
     `ask` gives the inputs of the operator's place, from the cycle before and the milliseconds since it.  `now` and
-    `sleep`: the clock in seconds, another one where time is simulated, too.  When the generator is closed, or anything
-    is thrown, every output is written restrictive.
+    `sleep`: the clock in seconds, another one where time is simulated, too.  `poll`: how substations are asked.  When
+    the generator is closed, or anything is thrown, every output is written restrictive.
     """
     assert ready.controller is not None and ready.allocation is not None
-    plc = SoftPlc(runtime_scan(ready.runtime), ready.allocation, links, ready.controller.symbols.valid)
+    plc = SoftPlc(
+        runtime_scan(ready.runtime), ready.allocation, links, ready.controller.symbols.valid, poll or InTurn()
+    )
     try:
         before = now()
         done = 0

@@ -67,6 +67,7 @@ def _structured_text(controller: Controller, dialect: Dialect, header: list[str]
 def _delivery(layout: Layout, controller: Controller, dialect: Dialect, header: list[str]) -> Written:
     """The interlocking in a vendor's form with its mapping program, and the table of tags that this reads."""
     folder, allocation = f"st/{dialect.name}", allocate(layout, controller)
+    header = _with_pins(layout, header)
     texts = write_delivery(controller, allocation, dialect, header)
     files = {f"{folder}/{n}": text.encode() for n, text in texts.items()}
     book = tags_xlsx(layout, allocation) if dialect.tags else None
@@ -76,8 +77,13 @@ def _delivery(layout: Layout, controller: Controller, dialect: Dialect, header: 
     return TextVerdict(next(iter(files)) if len(files) == 1 else folder, found), files
 
 
+def _with_pins(layout: Layout, header: list[str]) -> list[str]:
+    return [*header, f"pins {layout.pins.digest}"] if layout.pins else header
+
+
 def _mapping(layout: Layout, controller: Controller, header: list[str]) -> Written:
     allocation = allocate(layout, controller)
+    header = _with_pins(layout, header)
     text, place = print_unit(io_program(controller, allocation, header)), f"st/iec/{portable(layout.name)}_io.st"
     return TextVerdict(place, compare_program(controller, allocation, text)), {place: text.encode()}
 

@@ -27,7 +27,7 @@ def command(layout: str, traces: Path, form: str) -> None:
     opens."""
     tried = try_file(layout)
     if tried.found is None:
-        show(tried.checked.diagnostics, {tried.checked.source.file: tried.checked.source.text}, form)
+        show(tried.checked.diagnostics, tried.checked.source.texts, form)
         sys.exit(FINDINGS)
     found = tried.found
     failed = [p for p in found.pairs if p.failure is not None]

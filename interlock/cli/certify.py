@@ -54,7 +54,7 @@ def command(layouts: tuple[str, ...], outputs: Path, out: Path, jobs: int, check
             show_proof(r.proved, form, False)
             continue
         source = r.proved.checked.source
-        show(r.notes, {source.file: source.text}, form)
+        show(r.notes, source.texts, form)
         if r.ok:
             click.echo(f"{r.proved.checked.path}: {click.style(done, fg='green')}  {r.summary}, {r.seconds:.1f} s")
     open_or_wrong = exit_code([r.proved for r in results])

@@ -29,7 +29,7 @@ def command(layouts: tuple[str, ...], form: str) -> None:
                 {
                     "file": r.path,
                     "ok": r.ok,
-                    "diagnostics": render.as_json(r.diagnostics, {r.source.file: r.source.text}),
+                    "diagnostics": render.as_json(r.diagnostics, r.source.texts),
                     "routes": len(r.table.routes) if r.table else None,
                 }
                 for r, _ in results
@@ -37,7 +37,7 @@ def command(layouts: tuple[str, ...], form: str) -> None:
         )
     else:
         for r, time_taken in results:
-            show(r.diagnostics, {r.source.file: r.source.text}, form)
+            show(r.diagnostics, r.source.texts, form)
             count = f", {len(r.table.routes)} routes" if r.ok and r.table else ""
             click.echo(f"{r.path}: {render.summary(r.diagnostics) or 'no problems'}{count}, {time_taken}")
     sys.exit(OK if all(r.ok for r, _ in results) else FINDINGS)

@@ -199,9 +199,7 @@ def proof_body(p: Proved) -> dict[str, Any]:
     body: dict[str, Any] = {
         "file": p.checked.path,
         "ok": p.green,
-        "diagnostics": renderers.as_json(
-            [*p.checked.diagnostics, *p.notes], {p.checked.source.file: p.checked.source.text}
-        ),
+        "diagnostics": renderers.as_json([*p.checked.diagnostics, *p.notes], p.checked.source.texts),
         "files": list(p.files),
     }
     if p.proof is not None:
@@ -230,7 +228,7 @@ def proof_body(p: Proved) -> dict[str, Any]:
 
 def show_proof(p: Proved, form: str, verbose: bool) -> None:
     """A proof for people."""
-    sources = {p.checked.source.file: p.checked.source.text}
+    sources = p.checked.source.texts
     if not p.checked.ok:
         show(p.checked.diagnostics, sources, form)
         click.echo(f"{p.checked.path}: {renderers.summary(p.checked.diagnostics) or 'errors'}")

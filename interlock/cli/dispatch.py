@@ -106,7 +106,7 @@ def _replay(layout: str, plan: str, form: str) -> int:
         body = None if done is None else {"wrong": done.wrong, "grant_scans": done.grant, "scans": done.scans}
         put_json({"file": checked.path, "diagnostics": render.as_json(list(problems)), "replayed": body})
     elif done is None:
-        show(problems, {checked.source.file: checked.source.text}, form)
+        show(problems, checked.source.texts, form)
     elif done.wrong:
         click.echo(f"{plan}: fails on the controller: {done.wrong}")
     else:
@@ -140,7 +140,7 @@ def _body(found: Dispatched) -> dict[str, object]:
 
 def _print(found: Dispatched, form: str) -> None:
     if not found.ok or found.answer is None:
-        show(found.diagnostics, {found.checked.source.file: found.checked.source.text, **found.texts}, form)
+        show(found.diagnostics, {**found.checked.source.texts, **found.texts}, form)
         if found.answer is None:
             return
     for d in found.derived:

@@ -21,7 +21,7 @@ def command(layout: str, output: Path | None, force: bool, form: str) -> None:
     """Draw the track plan of LAYOUT as SVG, from its topology alone."""
     drawn = draw_file(layout)
     if drawn.svg is None:
-        show(drawn.diagnostics, {drawn.source.file: drawn.source.text}, form)
+        show(drawn.diagnostics, drawn.source.texts, form)
         sys.exit(FINDINGS)
     target = output or Path(Path(layout).stem + ".svg")
     try:

@@ -25,7 +25,7 @@ def command(layout: str, engine: str, output: Path, force: bool, form: str) -> N
         raise click.UsageError(f"{output}: a circuit in binary AIGER is called NAME.aig")
     checked, data = aiger_file(layout)
     if data is None:
-        show(checked.diagnostics, {checked.source.file: checked.source.text}, form)
+        show(checked.diagnostics, checked.source.texts, form)
         sys.exit(FINDINGS)
     try:
         size = write_own(output, data, Path(layout), force)

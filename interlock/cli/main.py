@@ -21,6 +21,7 @@ VERBS = {
     "init": "Write a layout to begin with, or a large one for trials.",
     "check": "Report every problem of the layouts (fast, no proof).",
     "compile": "Derive the table, prove the controller, write all outputs.",
+    "pin": "Write the channels of a layout's cabinets, so that they stay.",
     "prove": "Prove every safety claim for every possible train movement.",
     "availability": "Use every two routes together that are not hostile.",
     "certify": "Write the proof as files that can be checked again.",
@@ -36,7 +37,7 @@ VERBS = {
     "blocks": "Lengths of block sections from the traffic, and the layout's own against them.",
     "explain": "Explain a diagnostic, rule, claim, assumption or principle.",
     "mutate": "Change table, controller and texts on purpose, one change at a time; see what notices.",
-    "schema": "Print the JSON Schema of the layout language, or of table.json.",
+    "schema": "Print the JSON Schema of the layout language, of pins, or of table.json.",
 }
 
 

@@ -66,7 +66,7 @@ def command(
     show that nothing has changed; what survives otherwise must be on the published list."""
     checked = check_file(layout)
     if not checked.ok or checked.layout is None or checked.table is None:
-        show(checked.diagnostics, {checked.source.file: checked.source.text}, form)
+        show(checked.diagnostics, checked.source.texts, form)
         sys.exit(FINDINGS)
     _known(layout, families)
     campaign = Campaign(_made, {layout: every}, frozenset(families), weakened=True)

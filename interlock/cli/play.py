@@ -72,7 +72,7 @@ def _shift(data: bytes, log: Path, path: str, first: str, last: str, form: str) 
     sink = Sink()
     layout, source = load(path, sink)
     if layout is None:
-        show(sink.diagnostics, {source.file: source.text}, form)
+        show(sink.diagnostics, source.texts, form)
         sys.exit(FINDINGS)
     found = read(data)
     if found.problem is not None:

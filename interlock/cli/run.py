@@ -21,11 +21,12 @@ from interlock.cli.common import exit_code, format_option, progress, proof_body,
 from interlock.field.alone import InUse, hold
 from interlock.field.modbus import ModbusLink
 from interlock.field.plc import Cycle, Link
+from interlock.field.polling import Beside
 
 
 def _links(ready: Ready, given: tuple[str, ...]) -> dict[str, Link]:
     assert ready.allocation is not None
-    stations = [c.substation for c in ready.allocation.heartbeats]
+    stations = ready.allocation.stations
     links: dict[str, Link] = {}
     places: list[str] = []
     for text in given:
@@ -154,7 +155,7 @@ def command(
     said: tuple[object, ...] = ()
     longest = 0.0
     try:
-        with closing(run(ready, links, cycle_ms, cycles, ask)) as cycles_run:
+        with closing(run(ready, links, cycle_ms, cycles, ask, poll=Beside())) as cycles_run:
             for result, took in cycles_run:
                 longest = max(longest, took)
                 if (result.valid, result.lost) != said:

@@ -68,7 +68,7 @@ def command(
     """
     checked, problems, setting, orders = prepare(layout, file)
     if setting is None:
-        sources = {checked.source.file: checked.source.text}
+        sources = checked.source.texts
         show(problems, sources | ({orders.name: orders.text} if orders else {}), form)
         sys.exit(FINDINGS)
     options = Options(

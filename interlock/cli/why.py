@@ -25,16 +25,14 @@ def command(layout: str, route: str, column: str | None, form: str) -> None:
             {
                 "route": route,
                 "reasons": [{"column": r.column, "item": r.item, "rule": r.rule, "text": r.text} for r in reasons],
-                "diagnostics": render.as_json(
-                    [*checked.diagnostics, *problems], {checked.source.file: checked.source.text}
-                ),
+                "diagnostics": render.as_json([*checked.diagnostics, *problems], checked.source.texts),
             }
         )
         sys.exit(FINDINGS if failed else OK)
     if failed:
         show(
             [*(d for d in checked.diagnostics if not checked.ok), *problems],
-            {checked.source.file: checked.source.text},
+            checked.source.texts,
             form,
         )
         sys.exit(FINDINGS)

@@ -51,6 +51,10 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2017": (_E, "a direction token where trains run one way"),
     "IL2015": (_E, "an address that cannot be"),
     "IL2019": (_E, "an addition that fits no route"),
+    "IL2020": (_E, "a file of pins that is none, or is another layout's"),
+    "IL2021": (_E, "a pin that cannot be"),
+    "IL2022": (_E, "the layout contradicts a pin"),
+    "IL2023": (_W, "channels that are not pinned yet"),
     "IL2018": (_W, "an allowance that allows nothing"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),

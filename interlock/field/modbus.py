@@ -1,7 +1,7 @@
 """A substation on Modbus TCP: its inputs are discrete inputs, its outputs coils, numbered byte times 8 plus bit.
 
-The coil after the last output of the whole allocation (rounded up to a byte) is our heartbeat: it changes in every
-cycle, and a substation should let go of its outputs when it does not.  Needs the extra `field` (pymodbus).
+One of its coils (`HO_...`) is our heartbeat: it changes in every cycle, and a substation should let go of its outputs
+when it does not.  Needs the extra `field` (pymodbus).
 """
 
 from __future__ import annotations
@@ -13,11 +13,6 @@ from interlock.field.plc import LinkLost
 from interlock.logic.cabinet import Allocation
 
 
-def heartbeat_coil(a: Allocation) -> int:
-    """The coil that carries our heartbeat."""
-    return 8 * (1 + max((c.byte for c in a.channels if c.direction == "Q"), default=0))
-
-
 class ModbusLink:
     """One substation; connects when it is first used, and again after it was lost."""
 
@@ -26,10 +21,10 @@ class ModbusLink:
     ) -> None:
         from pymodbus.client import ModbusTcpClient
 
-        own = [c for c in (*a.heartbeats, *a.channels) if c.substation == station]
+        own = [c for c in a.wires if c.substation == station]
         self._inputs = {c.variable: 8 * c.byte + c.bit for c in own if c.direction == "I"}
         self._outputs = {c.variable: 8 * c.byte + c.bit for c in own if c.direction == "Q"}
-        self._beat = heartbeat_coil(a)
+        self._beats = [c.variable for c in a.sent if c.substation == station]
         self._device = device
         self._client: Any = ModbusTcpClient(host, port=port, timeout=timeout_s, retries=0)
 
@@ -58,11 +53,11 @@ class ModbusLink:
         return {n: int(bits[at]) for n, at in self._inputs.items()}
 
     def write(self, values: Mapping[str, bool], heartbeat: bool) -> None:
-        """All outputs of the substation, and our heartbeat after them; coils between them are not ours."""
-        wanted = {at: values[n] for n, at in self._outputs.items()}
+        """All outputs of the substation, our heartbeat among them; coils between them are not ours."""
+        told = {**values, **dict.fromkeys(self._beats, heartbeat)}
+        wanted = {at: told[n] for n, at in self._outputs.items()}
         for first, count in _runs(wanted, 1900, gaps=False):
             self._ask("write_coils", first, [wanted[first + k] for k in range(count)])
-        self._ask("write_coil", self._beat, heartbeat)
 
     def close(self) -> None:
         """Close the connection."""

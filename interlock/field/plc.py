@@ -1,9 +1,10 @@
 """The generated runtime as a soft PLC: poll the substations, scan, write; a substation that is lost stops everything.
 
-A cycle: (1) read each substation; (2) the inputs are valid only if all of them answered and their heartbeats change;
-(3) one scan of the runtime; (4) write each substation, with a heartbeat of ours, so that it can let go of its outputs
-when we are gone.  A run that ends, however it ends, writes every output restrictive before it lets go.  What could not
-be read or written counts as lost, and lost inputs are not valid (R16).
+A cycle: (1) read each substation; (2) the inputs are valid only if all of them answered, are seen to be well by their
+heartbeats and diagnosis bits, and the cycle was not too long; (3) one scan of the runtime; (4) write each substation,
+with a heartbeat of ours, so that it can let go of its outputs when we are gone.  A run that ends, however it ends,
+writes every output restrictive before it lets go.  What could not be read or written counts as lost, and lost inputs
+are not valid (R16).
 """
 
 from __future__ import annotations
@@ -11,11 +12,15 @@ from __future__ import annotations
 import types
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Protocol
 
+from interlock.field.polling import InTurn, LinkLost, Poll
 from interlock.logic.cabinet import Allocation
-from interlock.logic.on_delay import on_delay
-from interlock.st.program import HEARTBEAT_MS
+from interlock.logic.on_delay import CYCLE_MAX_MS, on_delay
+from interlock.model.elements import HEARTBEAT_MS, Health
+
+__all__ = ["Cycle", "Link", "LinkLost", "Memory", "Runtime", "SoftPlc", "Watch", "runtime_scan"]
 
 Scan = Callable[[dict[str, int], int], dict[str, bool]]
 
@@ -36,10 +41,6 @@ class Runtime:
     scan: Scan
     restrictive: Mapping[str, bool]
     remembers: Callable[[], Memory]
-
-
-class LinkLost(Exception):
-    """A substation did not answer, or not as it should."""
 
 
 class Link(Protocol):
@@ -70,6 +71,7 @@ def runtime_scan(text: str) -> Runtime:
 class Watch:
     """Alive while the heartbeat changes in time; as the block WATCH of the mapping program, scan by scan."""
 
+    within_ms: int = HEARTBEAT_MS
     alive: bool = False
     _last: int = 0
     _runs: bool = False
@@ -78,7 +80,7 @@ class Watch:
     def step(self, heartbeat: int, dt_ms: int) -> bool:
         """One scan."""
         same = heartbeat == self._last
-        self._still_ms, over = on_delay(self._still_ms, same, HEARTBEAT_MS, dt_ms)
+        self._still_ms, over = on_delay(self._still_ms, same, self.within_ms, dt_ms)
         self.alive = self._runs and not over and (self.alive or not same)
         self._last, self._runs = heartbeat, True
         return self.alive
@@ -98,59 +100,75 @@ class Cycle:
 
 @dataclass
 class SoftPlc:
-    """The runtime between its substations; `links` by substation, in the order in which they are polled."""
+    """The runtime between its substations; `links` by substation, asked as `poll` says."""
 
     runtime: Runtime
     allocation: Allocation
     links: Mapping[str, Link]
     valid_name: str = "VALID"
+    poll: Poll = field(default_factory=InTurn)
     watches: dict[str, Watch] = field(init=False)
     heartbeat: bool = field(default=False, init=False)
     scan: Scan = field(init=False)
 
     def __post_init__(self) -> None:
         self.scan = self.runtime.scan
-        stations = [c.substation for c in self.allocation.heartbeats]
+        stations = self.allocation.stations
         if sorted(stations) != sorted(self.links):
             raise ValueError(f"links for {sorted(self.links)}, substations {sorted(stations)}")
-        self.watches = {s: Watch() for s in stations}
+        self._signs = {c.variable for c in (*self.allocation.heartbeats, *self.allocation.diagnoses)}
+        self._beats = {c.substation: c.variable for c in self.allocation.heartbeats}
+        self._bits = {c.substation: c.variable for c in self.allocation.diagnoses}
+        self.watches = {}
+        for h in self.allocation.health:
+            self._forget(h)
+
+    def _forget(self, h: Health) -> None:
+        """A substation that was lost has to show a change of its heartbeat again."""
+        self.watches[h.substation] = Watch(h.within_ms)
 
     def cycle(self, operator: Mapping[str, int], dt_ms: int) -> Cycle:
         """One cycle, `dt_ms` milliseconds after the last; `operator`: what the operator's place writes."""
         inputs = {n: operator[n] for n in self.allocation.written if n in operator}
-        lost: list[str] = []
-        alive = []
-        beats = {c.variable for c in self.allocation.heartbeats}
-        for c in self.allocation.heartbeats:
-            watch = self.watches[c.substation]
-            try:
-                values = self.links[c.substation].read()
-                inputs |= {n: v for n, v in values.items() if n not in beats}
-                alive.append(watch.step(values[c.variable], dt_ms))
-            except LinkLost as error:
-                self.watches[c.substation] = Watch()  # it has to show a change of its heartbeat again
-                alive.append(False)
-                lost.append(f"{c.substation}: {error}")
-        valid = all(alive)
+        lost: dict[str, str] = {}
+        answers = self.poll.ask({s: link.read for s, link in self.links.items()})
+        for h in self.allocation.health:
+            answer = answers[h.substation]
+            if isinstance(answer, LinkLost):
+                self._forget(h)
+                lost[h.substation] = str(answer)
+                continue
+            inputs |= {n: v for n, v in answer.items() if n not in self._signs}
+            if ill := self._ill(h, answer, dt_ms):
+                lost[h.substation] = ill
+        if dt_ms > CYCLE_MAX_MS:
+            lost["cycle"] = f"{dt_ms} ms since the last one, more than {CYCLE_MAX_MS}"
+        valid = not lost
         inputs[self.valid_name] = int(valid)
         outputs = self.scan(inputs, dt_ms)
         self.heartbeat = not self.heartbeat
-        for station, why in self._write(outputs).items():
-            self.watches[station] = Watch()
-            if not any(x.startswith(f"{station}:") for x in lost):
-                lost.append(f"{station}: {why}")
-        return Cycle(inputs, outputs, valid, tuple(lost), self.runtime.remembers())
+        unwritten = self._write(outputs)
+        for h in self.allocation.health:
+            if h.substation in unwritten:
+                self._forget(h)
+        told = tuple(f"{name}: {why}" for name, why in {**unwritten, **lost}.items())
+        return Cycle(inputs, outputs, valid, told, self.runtime.remembers())
 
-    def _write(self, outputs: Mapping[str, bool]) -> dict[str, str]:
+    def _ill(self, h: Health, values: Mapping[str, int], dt_ms: int) -> str:
+        """Why a substation that has answered is not well; empty when it is."""
+        beats = not h.beats or self.watches[h.substation].step(values[self._beats[h.substation]], dt_ms)
+        if h.diagnosed and not values[self._bits[h.substation]]:
+            return "its diagnosis bit says that it is not well"
+        return "" if beats else "its heartbeat does not change"
+
+    def _write(self, outputs: Mapping[str, bool], last: bool = False) -> dict[str, str]:
         """Write every substation its outputs; those that cannot be written, and why."""
-        lost: dict[str, str] = {}
+        calls = {}
         for station, link in self.links.items():
             wired = [x.variable for x in self.allocation.channels if x.direction == "Q" and x.substation == station]
-            try:
-                link.write({n: outputs[n] for n in wired}, self.heartbeat)
-            except LinkLost as error:
-                lost[station] = str(error)
-        return lost
+            calls[station] = partial(link.write, {n: outputs[n] for n in wired}, self.heartbeat)
+        answers = self.poll.ask(calls, last)
+        return {station: str(answer) for station, answer in answers.items() if isinstance(answer, LinkLost)}
 
     def close(self) -> dict[str, str]:
         """Write every output restrictive, with a heartbeat that changes no more, and let go of all substations.
@@ -158,7 +176,8 @@ class SoftPlc:
         Returns the substations that could not be written, and why: those have to let go by themselves.
         """
         try:
-            return self._write(self.runtime.restrictive)
+            return self._write(self.runtime.restrictive, last=True)
         finally:
+            self.poll.close()
             for link in self.links.values():
                 link.close()

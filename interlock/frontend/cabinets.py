@@ -5,15 +5,18 @@ Output: diagnostics IL2004, IL2014, IL2015, and the elements.
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
+from interlock.frontend.scalars import ADDRESS
 from interlock.frontend.schema import TargetSpec
-from interlock.model.elements import SectionId, Substation
+from interlock.model.elements import Health, SectionId, Substation
 from interlock.model.target import CPUS, KB, Target
+
+ONLY = "main"
+"""The cabinet of a layout that names none."""
 
 
 def _wired(ctx: Context, wiring: Wiring) -> list[str]:
@@ -62,13 +65,22 @@ def resolve_substations(ctx: Context, wiring: Wiring) -> tuple[Substation, ...]:
     return tuple(Substation(n, tuple(elements)) for n, elements in given.items())
 
 
+def resolve_health(ctx: Context) -> tuple[Health, ...]:
+    """How substations are seen to be well."""
+    known = list(ctx.file.substations) or [ONLY]
+    for name in ctx.file.health:
+        if name not in known:
+            ctx.add("IL2014", f"there is no substation {name}", ctx.at_key("health", name), did_you_mean(name, known))
+    found = (Health(n, x.by, round(1000 * x.within)) for n, x in ctx.file.health.items())
+    return tuple(sorted(found, key=lambda h: h.substation))
+
+
 def resolve_addresses(ctx: Context) -> tuple[tuple[str, str], ...]:
     """Addresses that the author wants, by PLC variable; whether the variable exists is seen when they are allocated."""
     seen: dict[str, str] = {}
     for name, address in ctx.file.addresses.items():
         span = ctx.at("addresses", name)
-        m = re.fullmatch(r"([IQ])(\d{1,4})\.([0-7])", address)
-        if m is None:
+        if ADDRESS.fullmatch(address) is None:
             ctx.add(
                 "IL2015",
                 f"{address!r} is no address",

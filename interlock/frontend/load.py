@@ -7,17 +7,24 @@ before it left something to work on, so that one mistake is reported once.
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.added import resolve_barred, resolve_demanded, unlisted
-from interlock.frontend.cabinets import resolve_addresses, resolve_drawing, resolve_substations, resolve_target
+from interlock.frontend.cabinets import (
+    resolve_addresses,
+    resolve_drawing,
+    resolve_health,
+    resolve_substations,
+    resolve_target,
+)
 from interlock.frontend.checks import CHECKS
 from interlock.frontend.context import Context
 from interlock.frontend.encoding import decode
 from interlock.frontend.names import check_names
 from interlock.frontend.overlaps import resolve_overlaps, with_releases
+from interlock.frontend.pins import PinsRead, beside, read_pins
 from interlock.frontend.places import Places
 from interlock.frontend.ports import Wiring
 from interlock.frontend.resolve import (
@@ -49,11 +56,19 @@ MAX_BYTES = 4_000_000
 
 @dataclass(frozen=True)
 class Source:
-    """A layout file as read: its name, its text, and the context for later diagnostics."""
+    """A layout file as read: its name, its text, and the context for later diagnostics; the same of the pins beside it
+    (their text even where it cannot be read)."""
 
     file: str
     text: str
     context: Context | None = None
+    pins: PinsRead | None = None
+    beside: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def texts(self) -> dict[str, str]:
+        """The text of every file of which diagnostics may speak."""
+        return {self.file: self.text, **dict(self.beside)}
 
     def check_allowed(self, sink: Sink) -> None:
         """Report what `allow` allows and nothing needs; all warnings have been given by now."""
@@ -92,11 +107,18 @@ def read(path: str, sink: Sink) -> tuple[str | None, str]:
 
 
 def load(path: str, sink: Sink) -> tuple[Layout | None, Source]:
-    """Read and resolve a layout file; the layout is None when there are errors."""
+    """Read and resolve a layout file, and the pins beside it; the layout is None when there are errors."""
     text, shown = read(path, sink)
     if text is None:
         return None, Source(path, shown)
-    return load_text(path, text, sink)
+    layout, source = load_text(path, text, sink)
+    file = beside(path)
+    if layout is None or not os.path.lexists(file):
+        return layout, source
+    text, shown = read(file, sink)
+    pins = None if text is None else read_pins(file, text, layout.name, sink)
+    source = replace(source, pins=pins, beside=((file, shown if text is None else text),))
+    return None if pins is None else replace(layout, pins=pins.pins), source
 
 
 def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
@@ -140,6 +162,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     over = resolve_overlaps(ctx, principles, signals, wiring)
     distants = resolve_distants(ctx, signals)
     substations = resolve_substations(ctx, wiring)
+    health = resolve_health(ctx)
     drawing = resolve_drawing(ctx, wiring)
     if sink.has_errors:
         return None, source
@@ -168,6 +191,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         automatic=automatic,
         zones=zones,
         substations=substations,
+        health=health,
         addresses=resolve_addresses(ctx),
         telegram=data.telegram,
         target=resolve_target(data.target),

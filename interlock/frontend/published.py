@@ -30,11 +30,11 @@ class _Plain(GenerateJsonSchema):
         return {} if isinstance(dft, BaseModel) else super().encode_default(dft)
 
 
-def json_schema() -> dict[str, Any]:
-    """The JSON Schema (draft-07) of the layout language, for completion in editors."""
-    schema = _draft_07(LayoutFile.model_json_schema(by_alias=True, schema_generator=_Plain))
+def json_schema(model: type[BaseModel] = LayoutFile, title: str = "interlock layout") -> dict[str, Any]:
+    """The JSON Schema (draft-07) of the layout language, or of another file, for completion in editors."""
+    schema = _draft_07(model.model_json_schema(by_alias=True, schema_generator=_Plain))
     assert isinstance(schema, dict)
-    return {"$schema": DRAFT, **schema, "title": "interlock layout"}
+    return {"$schema": DRAFT, **schema, "title": title}
 
 
 def _draft_07(value: Any) -> Any:

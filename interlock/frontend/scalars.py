@@ -16,6 +16,8 @@ from pydantic_core import PydanticCustomError
 NAME = re.compile(r"[^\W_]+#?([_/-][^\W_]+#?)*")
 """Letters and digits of any script, a `#` after them, and single signs between."""
 MAX_LENGTH_M = 100_000.0
+ADDRESS = re.compile(r"([IQ])(\d{1,4})\.([0-7])")
+"""I or Q, byte, bit."""
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)")
 
 
@@ -246,6 +248,18 @@ def _level(value: object) -> int:
     return int(text)
 
 
+def _within(value: object) -> object:
+    """Seconds of a heartbeat: two cycles of 100 ms at least."""
+    if not isinstance(value, str):
+        raise PydanticCustomError("number", "a number is expected")
+    x = number(value)
+    if not 0.2 <= x <= 1:
+        fix = "write seconds, 0.2 to 1; where it takes longer, nobody knows what has happened meanwhile"
+        raise PydanticCustomError("range", "{v} s is no time for a heartbeat", {"v": value, "fix": fix})
+    return x
+
+
+Within = Annotated[float, BeforeValidator(_within), WithJsonSchema({"type": "number", "minimum": 0.2, "maximum": 1})]
 Trains = Annotated[int, BeforeValidator(_trains), WithJsonSchema({"type": "integer", "minimum": 1, "maximum": 99})]
 Count = Annotated[int, BeforeValidator(_count), WithJsonSchema({"type": "integer", "minimum": 1, "maximum": 999_999})]
 Level = Annotated[int, BeforeValidator(_level), WithJsonSchema({"type": "integer", "minimum": -999, "maximum": 999})]

@@ -29,12 +29,13 @@ from interlock.frontend.scalars import (
     Speed,
     Text,
     Trains,
+    Within,
     YesNo,
     choice,
     number,
     version,
 )
-from interlock.model.elements import BlockKind, Hand, SignalKind, TelegramForm, Work
+from interlock.model.elements import BlockKind, Hand, HealthBy, SignalKind, TelegramForm, Work
 from interlock.model.overlap import overlap_length
 from interlock.model.principles import KNOBS, MEANING, PROFILES, Caution, Closes, FlankChoice, Local, Principles
 from interlock.model.target import CPUS
@@ -190,6 +191,17 @@ class DistantSpec(_Part):
     """A distant or repeating signal: clear only while its main signal shows clear."""
 
     of: Name = key("the main signal that it announces")
+
+
+class HealthSpec(_Part):
+    """How a substation is seen to be well; while one is not, all inputs count as lost."""
+
+    by: Annotated[HealthBy, choice("sign of health", tuple(HealthBy))] = key(
+        "`heartbeat`: an input that it changes by itself; `diagnosis`: an input that is 1 while the master of the bus "
+        "finds it well (PROFINET, a Modbus gateway); `both`",
+        HealthBy.HEARTBEAT,
+    )
+    within: Within = key("seconds in which the heartbeat must change, 0.2 to 1", 1.0)
 
 
 class SectionSpec(_Part):
@@ -476,6 +488,9 @@ class LayoutFile(_Part):
         "cabinets, each with the elements wired to it; one list may be empty and takes the rest; without it, one "
         "cabinet for all",
         {},
+    )
+    health: dict[Name, HealthSpec] = key(
+        "how each substation is seen to be well; without it, by a heartbeat that changes at least once a second", {}
     )
     drawing: dict[Name, Level] = key(
         "on the plan the track with this section lies so many tracks above (or, negative, below) the longest run; wins "

@@ -27,6 +27,7 @@ _CODES = {
     "name": "IL1016",
     "choice": "IL1017",
     "reason": "IL2009",
+    "address": "IL2021",
 }
 _WANT = {
     "dict_type": "a mapping",

@@ -44,6 +44,7 @@ _KEYS: dict[str, tuple[str, ...]] = {
     "sections": _names(schema.SectionSpec),
     "conditions": _names(schema.ConditionSpec),
     "zones": _names(schema.ZoneSpec),
+    "health": _names(schema.HealthSpec),
     "hostile": _names(schema.HostileSpec, schema.ChoiceSpec),
     "demand": _names(schema.DemandSpec, schema.ChoiceSpec),
     "routes": _names(schema.NamedSpec),

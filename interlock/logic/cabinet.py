@@ -1,23 +1,28 @@
 """Which variable goes over which wire: substation, slot, bit, address (document B 2.2; DI 1 = clear).
 
 Every detection, detector contact, lamp proof and external condition is a digital input, every machine command and lamp
-a digital output; each substation has a heartbeat input besides.  Everything else is written and read by the operator's
+a digital output.  Each substation besides has a heartbeat input, or a diagnosis bit, or both, and where it has outputs,
+an output by which it sees that the controller is alive.  Everything else is written and read by the operator's
 place.  Cards have 16 channels; every substation keeps at least a tenth of its channels spare.
+
+What is pinned (`model/pins.py`) stays where it is, and so does the channel of what is gone.  What is new takes free
+channels of its substation's cards, then those of a new card in bytes that nobody has.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal
 
 from interlock.logic import names
 from interlock.logic.controller import Controller
-from interlock.model.elements import Position, Substation
+from interlock.model.elements import Health, Position, Substation
 from interlock.model.layout import Layout
+from interlock.model.pins import CARD, Card, Pin, Pins, Place
 from interlock.model.portable import portable
 
-CARD = 16
 SPARE = 0.1
 
 _LAMPS = (names.STOP_ASPECT, names.CAUTION_ASPECT, names.CLEAR_ASPECT, names.SHUNT_ASPECT, names.CALL_ASPECT)
@@ -35,7 +40,8 @@ class BadAddress(Exception):
 class Channel:
     """One wire: I or Q, the substation, the element at its other end, and what it means when it is 1.
 
-    slot 0: the address was stated in the layout.  byte and bit count from 0 for inputs and outputs apart.
+    slot 0: the address was stated in the layout, or lies on no card.  byte and bit count from 0 for inputs and outputs
+    apart.
     """
 
     variable: str
@@ -60,18 +66,65 @@ class Channel:
 
 @dataclass(frozen=True)
 class Allocation:
-    """All channels in the order substation, slot, bit; what the operator's place writes and reads; the heartbeats."""
+    """All channels in the order substation, slot, bit; what the operator's place writes and reads; the cards, and
+    channels that are kept for what the layout no longer has (on cards of substations that are gone, too).
+
+    `health`: of each substation, in their order; `heartbeats` and `diagnoses` come from them, `sent` goes to them and
+    changes in every cycle.
+    """
 
     channels: tuple[Channel, ...]
+    health: tuple[Health, ...]
     heartbeats: tuple[Channel, ...]
+    diagnoses: tuple[Channel, ...]
+    sent: tuple[Channel, ...]
     written: tuple[str, ...]
     read: tuple[str, ...]
-    cards: tuple[tuple[str, int, str, int], ...]
+    cards: tuple[Card, ...]
+    reserved: tuple[Pin, ...] = ()
+    left: tuple[Card, ...] = ()
+
+    @property
+    def stations(self) -> tuple[str, ...]:
+        """The substations."""
+        return tuple(h.substation for h in self.health)
+
+    @cached_property
+    def wires(self) -> tuple[Channel, ...]:
+        """Everything that has a channel: first what tells that somebody is alive."""
+        return (*self.heartbeats, *self.diagnoses, *self.sent, *self.channels)
 
     @cached_property
     def by_variable(self) -> dict[str, Channel]:
         """Channels by the controller's variable."""
         return {c.variable: c for c in self.channels}
+
+    @property
+    def pins(self) -> Pins:
+        """All of it as pins, so that the next allocation moves nothing."""
+        pinned = tuple(Pin(c.variable, c.substation, c.element, c.direction, c.byte, c.bit) for c in self.wires)
+        return Pins((*self.cards, *self.left), pinned, self.reserved)
+
+
+@dataclass(frozen=True)
+class Wire:
+    """A variable that hangs on a substation: I or Q, and the element at the wire's other end."""
+
+    variable: str
+    direction: str
+    substation: str
+    element: str
+
+
+@dataclass(frozen=True)
+class Clash:
+    """A pin that the layout contradicts, by what the text says of a variable; `where` that stands: among the layout's
+    `addresses` or `substations`, or in the pin itself."""
+
+    pin: Pin
+    variable: str
+    text: str
+    where: Literal["addresses", "substations", "pin"]
 
 
 def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, str]]:
@@ -113,89 +166,172 @@ def _substations(layout: Layout) -> tuple[Substation, ...]:
     return layout.substations or (Substation("main", ()),)
 
 
-def allocate(layout: Layout, controller: Controller) -> Allocation:
-    """Addresses in the order substation, slot, bit; stated addresses first.  Raises `BadAddress`."""
-    notes: dict[str, str] = {i.name: i.note for i in controller.inputs}
-    notes |= {o.name: o.note for o in controller.outputs}
+def _health(layout: Layout) -> tuple[Health, ...]:
+    stated = {h.substation: h for h in layout.health}
+    return tuple(stated.get(s.name, Health(s.name)) for s in _substations(layout))
+
+
+def wires(layout: Layout, controller: Controller) -> tuple[Wire, ...]:
+    """Everything that hangs on a substation: first heartbeats and diagnosis bits, last what is sent to it."""
     stations = _substations(layout)
     rest = next((s.name for s in stations if not s.elements), stations[0].name)
     holder = {e: s.name for s in stations for e in s.elements}
-    wires: dict[tuple[str, str], list[tuple[str, str]]] = {}
-    for variable, direction, element in _wires(layout, controller):
-        # a condition that a block makes has no name in the layout: it goes where all the rest goes
-        wires.setdefault((holder.get(element, rest), direction), []).append((variable, element))
-    stated = _stated(layout, {v: d for (_, d), ws in wires.items() for v, _ in ws})
-    taken = {(d, byte, bit) for d, byte, bit in stated.values()}
+    health = _health(layout)
+    beats = [Wire(f"HB_{portable(h.substation)}", "I", h.substation, h.substation) for h in health if h.beats]
+    bits = [Wire(f"OK_{portable(h.substation)}", "I", h.substation, h.substation) for h in health if h.diagnosed]
+    # a condition that a block makes has no name in the layout: it goes where all the rest goes
+    found = [Wire(v, d, holder.get(e, rest), e) for v, d, e in _wires(layout, controller)]
+    worked = {w.substation for w in found if w.direction == "Q"}
+    sent = [Wire(f"HO_{portable(s.name)}", "Q", s.name, s.name) for s in stations if s.name in worked]
+    return (*beats, *bits, *found, *sent)
+
+
+_SIGNS = {
+    "HB": "substation {} is alive: changes at least once in {} ms",
+    "OK": "the master of the bus finds substation {} well",
+    "HO": "the controller is alive: changes in every cycle; substation {} lets go of its outputs when it does not",
+}
+
+
+def clashes(layout: Layout, controller: Controller) -> tuple[Clash, ...]:
+    """Pins that the layout contradicts: by another substation, by an address, or by what the variable is."""
+    return tuple(_clashes(layout.pins, wires(layout, controller), layout.addresses))
+
+
+def _clashes(pins: Pins, hanging: tuple[Wire, ...], addresses: tuple[tuple[str, str], ...]) -> Iterator[Clash]:
+    at = {p.place: p for p in pins.by_variable.values()}
+    stated = dict(addresses)
+    for w in hanging:
+        p = pins.by_variable.get(w.variable)
+        address = stated.get(w.variable)
+        if p is not None and p.direction != w.direction:
+            kind = "an input" if w.direction == "I" else "an output"
+            yield Clash(p, w.variable, f"{w.variable} is {kind}, but it is pinned to {p.address}", "pin")
+        elif p is not None and p.substation != w.substation:
+            said = f"{w.element} hangs on substation {w.substation}, but {w.variable} is pinned to {p.address} of"
+            yield Clash(p, w.variable, f"{said} {p.substation}", "substations")
+        elif p is not None and address is not None and address != p.address:
+            said = f"{w.variable} is to lie at {address}, but it is pinned to {p.address}"
+            yield Clash(p, w.variable, said, "addresses")
+        other = None if address is None else at.get(_place(address))
+        if other is not None and other.variable != w.variable:
+            gone = "" if any(x.variable == other.variable for x in hanging) else ", which is gone"
+            said = f"{w.variable} is to lie at {address}, but that is pinned to {other.variable}{gone}"
+            yield Clash(other, w.variable, said, "addresses")
+
+
+def _place(address: str) -> Place:
+    byte, _, bit = address[1:].partition(".")
+    return address[0], int(byte), int(bit)
+
+
+def allocate(layout: Layout, controller: Controller) -> Allocation:
+    """Addresses in the order substation, slot, bit: first what is pinned or stated.  Raises `BadAddress`."""
+    notes: dict[str, str] = {i.name: i.note for i in controller.inputs}
+    notes |= {o.name: o.note for o in controller.outputs}
+    hanging = wires(layout, controller)
+    stated = _stated(layout, {w.variable: w.direction for w in hanging})
+    health = _health(layout)
+    signs = {f"{kind}_{portable(h.substation)}": kind for h in health for kind in _SIGNS}
+    for h in health:
+        notes |= {f"{k}_{portable(h.substation)}": x.format(h.substation, h.within_ms) for k, x in _SIGNS.items()}
+    for clash in _clashes(layout.pins, hanging, layout.addresses):
+        raise BadAddress(clash.variable, clash.text)
+    room = _Room(layout.pins, hanging, stated)
     channels: list[Channel] = []
-    heartbeats: list[Channel] = []
-    cards: list[tuple[str, int, str, int]] = []
-    first = {"I": 0, "Q": 0}
-    owner: dict[tuple[str, int], str] = {}
-    for station in stations:
-        slot = 0
+    for station in _substations(layout):
         for direction in ("I", "Q"):
-            here = [(v, e) for v, e in wires.get((station.name, direction), []) if v not in stated]
-            for variable, element in wires.get((station.name, direction), []):
-                if variable in stated:
-                    _, byte, bit = stated[variable]
-                    channels.append(Channel(variable, direction, station.name, element, notes[variable], 0, byte, bit))
-            if direction == "I":
-                here = [(f"HB_{portable(station.name)}", station.name), *here]
-            if not here:
-                continue
-            count = _cards(len(here), direction, first[direction], taken)
-            places = _places(direction, first[direction], taken)
-            for variable, element in here:
-                card, byte, bit = next(places)
-                note = notes.get(variable, f"substation {station.name} is alive: changes in every cycle")
-                made = Channel(variable, direction, station.name, element, note, slot + card + 1, byte, bit)
-                (heartbeats if variable not in notes else channels).append(made)
-            for k in range(count):
-                cards.append((station.name, slot + k + 1, direction, CARD))
-                owner |= {(direction, first[direction] + b): station.name for b in range(2 * k, 2 * k + 2)}
-            slot += count
-            first[direction] += count * CARD // 8
+            here = [w for w in hanging if (w.substation, w.direction) == (station.name, direction)]
+            room.take(station.name, direction, [w for w in here if w.variable not in room.place])
+            made = [_channel(w, room, notes[w.variable], w.variable in stated) for w in here]
+            channels += [c for c in made if c.variable in stated]
+            channels += sorted((c for c in made if c.variable not in stated), key=lambda c: (c.byte, c.bit))
     for c in channels:
-        if not c.slot and owner.get((c.direction, c.byte), c.substation) != c.substation:
-            holds = owner[c.direction, c.byte]
-            text = f"{c.variable} belongs to substation {c.substation}, but {c.address} is on a card of {holds}"
-            raise BadAddress(c.variable, text)
+        card = room.holder.get((c.direction, c.byte))
+        if card is not None and card.substation != c.substation:
+            text = f"{c.variable} belongs to substation {c.substation}, but {c.address} is on a card of"
+            raise BadAddress(c.variable, f"{text} {card.substation}")
     used = {c.variable for c in channels}
     written = tuple(i.name for i in controller.inputs if i.name not in used and i.name != controller.symbols.valid)
     read = tuple(o.name for o in controller.outputs if o.name not in used)
-    return Allocation(tuple(channels), tuple(heartbeats), written, read, tuple(cards))
+    cards = tuple(c for s in _substations(layout) for c in room.cards if c.substation == s.name)
+    left = tuple(c for c in room.cards if c not in cards)
+    beats, bits, sent = (tuple(c for c in channels if signs.get(c.variable) == kind) for kind in _SIGNS)
+    plain = tuple(c for c in channels if c.variable not in signs)
+    return Allocation(plain, health, beats, bits, sent, written, read, cards, room.reserved, left)
 
 
-def _cards(wires: int, direction: str, first: int, taken: set[tuple[str, int, int]]) -> int:
-    """How many cards hold so many wires, with a tenth spare, beside the stated addresses that lie on them."""
-    count = 1
-    while True:
-        on_them = sum(d == direction and first <= byte < first + count * CARD // 8 for d, byte, _ in taken)
-        if (wires + on_them) * (1 + SPARE) <= count * CARD:
-            return count
-        count += 1
+def _channel(w: Wire, room: _Room, note: str, stated: bool) -> Channel:
+    direction, byte, bit = room.place[w.variable]
+    card = room.holder.get((direction, byte))
+    slot = 0 if stated or card is None or card.substation != w.substation else card.slot
+    return Channel(w.variable, direction, w.substation, w.element, note, slot, byte, bit)
 
 
-def _places(direction: str, first: int, taken: set[tuple[str, int, int]]) -> Iterator[tuple[int, int, int]]:
-    """Card, byte and bit of each free channel from a byte on."""
-    k = 0
-    while True:
-        byte, bit = first + k // 8, k % 8
-        if (direction, byte, bit) not in taken:
-            yield k // CARD, byte, bit
-        k += 1
+class _Room:
+    """The cards, what lies where, and what is still free."""
+
+    def __init__(self, pins: Pins, hanging: tuple[Wire, ...], stated: Mapping[str, Place]) -> None:
+        known, stations = {w.variable for w in hanging}, {w.substation for w in hanging}
+        self.reserved = tuple(p for n, p in sorted(pins.by_variable.items()) if n not in known)
+        self.place = {n: p.place for n, p in pins.by_variable.items() if n in known} | dict(stated)
+        self.taken = {*self.place.values(), *(p.place for p in self.reserved)}
+        kept = {(p.direction, p.byte) for p in self.reserved}
+        self.cards: list[Card] = []
+        self.holder: dict[tuple[str, int], Card] = {}
+        for c in sorted(pins.cards, key=lambda c: (c.substation, c.slot)):
+            # the cards of a substation that is gone stay as long as anything is kept on them
+            if c.substation in stations or any((c.direction, b) in kept for b in c.bytes):
+                self._add(c)
+        self._closed = {(d, byte) for d, byte, _ in self.taken} if pins else set()
+
+    def _add(self, card: Card) -> None:
+        self.cards.append(card)
+        self.holder |= {(card.direction, b): card for b in card.bytes}
+
+    def take(self, station: str, direction: str, new: list[Wire]) -> None:
+        """Give channels to wires of a substation, on further cards where its own have no room, a tenth being spare."""
+        if not new:
+            return
+        own = [c for c in self.cards if (c.substation, c.direction) == (station, direction)]
+        while (len(new) + self._used(own)) * (1 + SPARE) > len(own) * CARD:
+            slot = 1 + max((c.slot for c in self.cards if c.substation == station), default=0)
+            own.append(Card(station, slot, direction, self._first(direction)))
+            self._add(own[-1])
+        free = (x for x in _places(own) if x not in self.taken)
+        self.place |= {w.variable: next(free) for w in new}
+        self.taken |= {self.place[w.variable] for w in new}
+
+    def _used(self, cards: list[Card]) -> int:
+        """Channels on these cards that are taken."""
+        bytes_ = {(c.direction, b) for c in cards for b in c.bytes}
+        return sum((d, byte) in bytes_ for d, byte, _ in self.taken)
+
+    def _first(self, direction: str) -> int:
+        """The first two bytes together in which there is no card, nor anything that is pinned."""
+        byte = 0
+        while any((direction, b) in self.holder or (direction, b) in self._closed for b in (byte, byte + 1)):
+            byte += CARD // 8
+        return byte
 
 
-def _stated(layout: Layout, wires: dict[str, str]) -> dict[str, tuple[str, int, int]]:
-    """The addresses that the layout states, by variable."""
+def _places(cards: list[Card]) -> Iterator[Place]:
+    """The channels of cards in their order."""
+    for c in sorted(cards, key=lambda c: c.byte):
+        for byte in c.bytes:
+            for bit in range(8):
+                yield c.direction, byte, bit
+
+
+def _stated(layout: Layout, known: Mapping[str, str]) -> dict[str, Place]:
+    """The addresses that the layout states, by variable; `known`: the direction of what has a wire."""
     found = {}
     for variable, address in layout.addresses:
-        direction = wires.get(variable)
+        direction = known.get(variable)
         if direction is None:
             raise BadAddress(variable, f"{variable} is no variable with a wire")
         if address[0] != direction:
             kind = "an input" if direction == "I" else "an output"
             raise BadAddress(variable, f"{variable} is {kind}: its address begins with {direction}")
-        byte, _, bit = address[1:].partition(".")
-        found[variable] = (direction, int(byte), int(bit))
+        found[variable] = _place(address)
     return found

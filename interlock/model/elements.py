@@ -365,6 +365,38 @@ class Substation:
     elements: tuple[str, ...]
 
 
+class HealthBy(StrEnum):
+    """By what it is seen that a substation is well."""
+
+    HEARTBEAT = "heartbeat"
+    DIAGNOSIS = "diagnosis"
+    BOTH = "both"
+
+
+HEARTBEAT_MS = 1000
+"""Milliseconds in which a heartbeat must change: ten polls (our choice; document D asks for more than a ring's 50)."""
+
+
+@dataclass(frozen=True)
+class Health:
+    """How a substation is seen to be well: by a heartbeat, which it changes by itself at least once in `within_ms`, by
+    a diagnosis bit of what masters the bus (PROFINET, a Modbus gateway), which is 1 while it is, or by both."""
+
+    substation: str
+    by: HealthBy = HealthBy.HEARTBEAT
+    within_ms: int = HEARTBEAT_MS
+
+    @property
+    def beats(self) -> bool:
+        """It has a heartbeat."""
+        return self.by is not HealthBy.DIAGNOSIS
+
+    @property
+    def diagnosed(self) -> bool:
+        """It has a diagnosis bit."""
+        return self.by is not HealthBy.HEARTBEAT
+
+
 @dataclass(frozen=True)
 class Choice:
     """Routes chosen by the author: all that begin, end and pass as given (None: anything)."""

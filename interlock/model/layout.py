@@ -27,6 +27,7 @@ from interlock.model.elements import (
     EdgeId,
     Exclude,
     Hand,
+    Health,
     MachineId,
     NamedRoute,
     NodeId,
@@ -46,6 +47,7 @@ from interlock.model.elements import (
     Work,
     Zone,
 )
+from interlock.model.pins import Pins
 from interlock.model.principles import Principles
 from interlock.model.target import Target
 
@@ -105,7 +107,11 @@ class Layout:
     """The side to which the reverse leg of a point lies, where the layout states it; only printed."""
     target: Target | None = None
     """The controller for which the text is meant; no text and no proof depends on it."""
+    health: tuple[Health, ...] = ()
+    """How substations are seen to be well, where that is stated."""
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
+    pins: Pins = field(default_factory=Pins)
+    """Addresses that stay, of a file beside the layout; no fact about the railway, and not in its digest."""
 
     def __getstate__(self) -> dict[str, Any]:
         """The facts alone; what was found about them is found again elsewhere."""
@@ -296,12 +302,12 @@ class Layout:
 
     def to_text(self) -> str:
         """One readable, canonical text form."""
-        facts = {k: v for k, v in asdict(self).items() if v or k not in _ONLY_STATED}
+        facts = {k: v for k, v in asdict(self).items() if k != "pins" and (v or k not in _ONLY_STATED)}
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 
 _ONLY_STATED = frozenset(
-    {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target"}
+    {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target", "health"}
     | {"overlap_ways", "entry_speeds", "overlap_releases"}
 )
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""

@@ -13,14 +13,12 @@ Causes = dict[str, tuple[str, tuple[str, ...]]]
 
 def causes(ready: Ready, cycle: Cycle) -> Causes:
     """By key: what is wrong, and the elements that it is about."""
-    assert ready.controller is not None
+    assert ready.controller is not None and ready.allocation is not None
     y = ready.controller.symbols
     out: Causes = {}
     for text in cycle.lost:
         station = text.partition(":")[0]
-        out[f"lost {station}"] = (f"substation {text}", ())
-    if not cycle.valid and not cycle.lost:
-        out["invalid"] = ("inputs are not valid: a substation shows no heartbeat", ())
+        out[f"lost {station}"] = (f"{'substation ' if station in ready.allocation.stations else ''}{text}", ())
     for m in dict.fromkeys(str(m) for m, _ in y.detected):
         late = y.indication.get(f"late {m}")
         if late is not None and cycle.outputs.get(late):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 
 SPEEDS = (1, 2, 5, 10, 60)
 """How many times as fast as on the wall."""
@@ -15,13 +16,14 @@ controller's cycle is not too long for it."""
 class Clock:
     """Seconds of simulated time, and sleep in them."""
 
-    def __init__(self) -> None:
-        self.speed = 1
-        self._wall, self._now = time.monotonic(), 0.0
+    def __init__(self, wall: Callable[[], float] = time.monotonic) -> None:
+        """`wall`: seconds by the clock on the wall."""
+        self.speed, self._look = 1, wall
+        self._wall, self._now = wall(), 0.0
 
     def now(self) -> float:
         """Seconds since it was made."""
-        wall = time.monotonic()
+        wall = self._look()
         self._now += min((wall - self._wall) * self.speed, MOST_S)
         self._wall = wall
         return self._now

@@ -19,6 +19,7 @@ from typing import Any
 
 from interlock.app.run import Operator, Ready, run
 from interlock.field.plc import Cycle, Link
+from interlock.field.polling import Beside, InTurn
 from interlock.panel.alarms import Alarm, Alarms
 from interlock.panel.asked import Asked
 from interlock.panel.causes import causes, fallen_back
@@ -160,7 +161,8 @@ class Desk:
         self._last = Cycle({}, {}, False, ())
         self._ran_ms = 0
         self._once("the controller starts: every section stays locked until it is released")
-        with closing(run(self.ready, self.links, self.cycle_ms, None, self._inputs, now, sleep)) as cycles:
+        poll = InTurn() if self.field is not None else Beside()
+        with closing(run(self.ready, self.links, self.cycle_ms, None, self._inputs, now, sleep, poll)) as cycles:
             for cycle, _ in cycles:
                 self._after(cycle)
                 if self._stop.is_set() or not self.power:
@@ -268,6 +270,7 @@ class Desk:
                 "releasing": cycle is not None and bool(cycle.inputs.get(y.release_all)),
                 "releases": self.releases,
                 "speed": self.clock.speed if self.field is not None else 0,
+                "minutes": int(self.clock.now() // 60) if self.field is not None else 0,
                 "failed": [] if self.field is None else sorted(map(list, self.field.failed)),
                 "voyages": [[r.name, r.reason] for r in (*dispatcher.runs, *dispatcher.pending)],
             },

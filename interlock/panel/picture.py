@@ -52,7 +52,7 @@ def still(ready: Ready, field: SimulatedField | None) -> dict[str, Any]:
         "conditions": {str(c.id): [c.text, y.condition[c.id]] for c in layout.conditions},
         "zones": [z.id for z in layout.zones],
         "boundaries": {str(b.node): _boundary(layout, str(b.node)) for b in layout.boundaries},
-        "stations": [c.substation for c in ready.allocation.heartbeats],
+        "stations": list(ready.allocation.stations),
         "voyages": [v.name for v in table.voyages],
         "swings": [str(g) for g in y.swing_request],
         "simulated": field is not None,

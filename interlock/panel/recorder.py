@@ -67,6 +67,8 @@ class Recorder:
         self.releases = 0
         """Releases by hand that the log counts already."""
         self._log: Log | None = None
+        self._left: Log | None = None
+        """Where writing had to stop."""
         if path.exists() and path.stat().st_size:
             self._log, found = Log.resume(path)
             first = found.events[0] if found.events else {}
@@ -133,13 +135,14 @@ class Recorder:
         self._tried = time.monotonic()
         if self._log is not None:
             self._log.close()
-            self._log = None
+            self._left, self._log = self._log, None
 
     def _again(self) -> None:
         """Try to go on: what was torn off is cut away, what was kept is written."""
         self._tried = time.monotonic()
         try:
-            self._log = Log.resume(self.path)[0] if self.path.exists() else Log.create(self.path)
+            left = self._left if self.path.exists() else None
+            self._log = Log.create(self.path) if left is None else Log.again(self.path, left)
             self._log.add(round(time.time() * 1000), "gap", text=self.lost, dropped=self._dropped)
             while self._waiting:
                 t_ms, kind, fields = self._waiting[0]

@@ -117,7 +117,7 @@ class SimulatedField:
         self.coming: list[tuple[Beyond, float, str]] = []
         self._fastest: dict[int, float] = {}
         self.failed: set[tuple[str, str]] = set()
-        self.links = {c.substation: _Link(self, c.substation) for c in allocation.heartbeats}
+        self.links = {s: _Link(self, s) for s in allocation.stations}
 
     def step(self, dt: float, operator: Mapping[str, int]) -> None:
         """The railway runs on under the outputs as shown; `operator`: what is written at the operator's place."""
@@ -347,6 +347,7 @@ class _Link:
         a = field.allocation
         self.wired = [c.variable for c in a.channels if c.direction == "I" and c.substation == station]
         self.beats = [c.variable for c in a.heartbeats if c.substation == station]
+        self.bits = [c.variable for c in a.diagnoses if c.substation == station]
         self.beat = 0
 
     def _alive(self) -> None:
@@ -358,7 +359,8 @@ class _Link:
         self._alive()
         self.beat ^= 1
         inputs = self.field.world.inputs
-        return {**{n: inputs[n] for n in self.wired}, **dict.fromkeys(self.beats, self.beat)}
+        told = {**{n: inputs[n] for n in self.wired}, **dict.fromkeys(self.beats, self.beat)}
+        return {**told, **dict.fromkeys(self.bits, 1)}
 
     def write(self, values: Mapping[str, bool], heartbeat: bool) -> None:
         """Outputs as they are shown from now on."""

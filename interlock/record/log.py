@@ -18,7 +18,7 @@ import hashlib
 import json
 import os
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -113,6 +113,8 @@ class Log:
 
     def __init__(self, handle: int, chain: Chain, sync: bool = False) -> None:
         self._handle, self.chain, self._sync = handle, chain, sync
+        self.size = os.fstat(handle).st_size
+        """Bytes of the events that are whole."""
 
     @staticmethod
     def create(path: Path, sync: bool = False) -> Log:
@@ -136,13 +138,40 @@ class Log:
             os.ftruncate(handle, os.fstat(handle).st_size - found.torn)
         return Log(handle, found.chain, sync), found
 
+    @staticmethod
+    def again(path: Path, before: Log) -> Log:
+        """Go on where the same process could not write: what is torn off at the end is cut away.  Nothing is read but
+        the last digest, so that a long log takes no longer than a short one.
+
+        Raises `ValueError` where the file does not end as it was left, `OSError`.
+        """
+        handle = os.open(path, os.O_RDWR | os.O_APPEND)
+        try:
+            end = f'"chain":"{before.chain.digest}"}}\n'.encode() if before.chain.number else b""
+            os.lseek(handle, before.size - len(end), os.SEEK_SET)
+            if os.read(handle, len(end)) != end:
+                raise ValueError(f"{path} is not the log that was written until then")
+            os.ftruncate(handle, before.size)
+            return Log(handle, before.chain, before._sync)
+        except (OSError, ValueError):
+            os.close(handle)
+            raise
+
     def add(self, t_ms: int, kind: str, **fields: Any) -> None:
-        """Append an event.  Raises `OSError` where there is no room: then the log ends within a line."""
+        """Append an event.  Raises `OSError` where there is no room: then the log ends within a line, and stands
+        where it stood before."""
+        before = replace(self.chain)
         line = self.chain.line(t_ms, kind, fields)
-        while line:
-            line = line[os.write(self._handle, line) :]
-        if self._sync:
-            os.fsync(self._handle)
+        size = len(line)
+        try:
+            while line:
+                line = line[os.write(self._handle, line) :]
+            if self._sync:
+                os.fsync(self._handle)
+        except OSError:
+            self.chain = before
+            raise
+        self.size += size
 
     def close(self) -> None:
         """Let go of the file."""

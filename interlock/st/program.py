@@ -1,7 +1,7 @@
 """The mapping program: the only place with addresses.
 
-It watches the cycle and the heartbeats, calls the interlocking once, and carries every wire to its variable and back,
-and every word to a variable of its own.
+It watches the cycle and the substations, calls the interlocking once, carries every wire to its variable and back,
+every word to a variable of its own, and tells the substations that it is alive.
 """
 
 from __future__ import annotations
@@ -13,16 +13,17 @@ from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller, Input
 from interlock.logic.on_delay import CYCLE_MAX_MS
 from interlock.logic.words import UNKNOWN
+from interlock.model.elements import HEARTBEAT_MS
 from interlock.model.portable import portable
 from interlock.st.ast import Assign, Block, Bool, Call, Declaration, Expression, Int, Name, Nary, Not, Task, Time, Unit
 from interlock.st.restart import RESTART, restarted
 
 CYCLE_MS = 100  # our choice
 INSTANCE = "RUN"
-HEARTBEAT_MS = 1000  # our choice: ten polls of 100 ms; document D asks for more than the ring's 50 ms
+BEAT = "BEAT"
 
 
-def watch(name: str) -> Block:
+def watch(name: str, within_ms: int = HEARTBEAT_MS) -> Block:
     """OK while the heartbeat changes at least once in the time; never before it has changed once since the restart."""
     hb, last, run, ok = (Name((n,)) for n in ("HB", "LAST", "RUNS", "OK"))
     same = Name(("SAME",))
@@ -40,7 +41,7 @@ def watch(name: str) -> Block:
         ),
         (
             Assign(same, both, "no change since the last scan"),
-            Call("STILL", (("IN", same), ("PT", Time(HEARTBEAT_MS)))),
+            Call("STILL", (("IN", same), ("PT", Time(within_ms)))),
             Assign(ok, alive, "alive"),
             Assign(last, hb),
             Assign(run, Bool(True)),
@@ -103,10 +104,17 @@ def io_task(controller: Controller, runs: Runs = Runs.CONFIGURATION, restart: bo
     return Task(f"{prefix}_CONF", f"{prefix}_RES", f"{prefix}_TASK", CYCLE_MS, f"{prefix}_MAIN", program, startup)
 
 
-def watches(prefix: str, restart: bool) -> tuple[Block, Block]:
-    """The watch of a heartbeat and that of the cycle."""
-    both = watch(f"{prefix}_WATCH"), cycle(f"{prefix}_CYCLE")
-    return (restarted(both[0]), restarted(both[1])) if restart else both
+def watch_name(prefix: str, within_ms: int) -> str:
+    """The block that watches heartbeats of a time."""
+    return f"{prefix}_WATCH" if within_ms == HEARTBEAT_MS else f"{prefix}_W{within_ms}"
+
+
+def watches(controller: Controller, a: Allocation, restart: bool = False) -> tuple[Block, ...]:
+    """The blocks that watch: one for each time of a heartbeat, and the one of the cycle."""
+    prefix = f"IL_{portable(controller.name)}"
+    times = sorted({h.within_ms for h in a.health if h.beats}, reverse=True)
+    made = (*(watch(watch_name(prefix, ms), ms) for ms in times), cycle(f"{prefix}_CYCLE"))
+    return tuple(map(restarted, made)) if restart else made
 
 
 def joined(core: Unit, io: Unit) -> Unit:
@@ -140,12 +148,9 @@ def io_program(
     prefix = f"IL_{portable(controller.name)}"
     sizes: dict[str, Input] = {i.name: i for i in controller.inputs}
     notes: dict[str, str] = {o.name: o.note for o in controller.outputs}
-    guard, clock = watches(prefix, restart)
+    blocks = watches(controller, a, restart)
     valid = controller.symbols.valid
-    declared = [
-        Declaration(c.variable, "BOOL", None, f"{c.substation}: {c.note}", c.located)
-        for c in (*a.heartbeats, *a.channels)
-    ]
+    declared = [Declaration(c.variable, "BOOL", None, f"{c.substation}: {c.note}", c.located) for c in a.wires]
     for n in a.written:
         i = sizes[n]
         initial: Expression = Int(i.restrictive) if i.size else Bool(bool(i.restrictive))
@@ -156,20 +161,29 @@ def io_program(
     declared.append(Declaration(valid, "BOOL", Bool(False), sizes[valid].note))
     if restart:
         declared.append(Declaration(RESTART, "BOOL", Bool(True), "true until the first call after a restart"))
-    guards = [(c, f"W_{portable(c.substation)}") for c in a.heartbeats]
-    declared += [Declaration(w, guard.name, None, f"watches substation {c.substation}") for c, w in guards]
-    declared.append(Declaration("CYC", clock.name, None, "watches the cycle"))
+    within = {h.substation: h.within_ms for h in a.health}
+    watched = [(c, f"W_{portable(c.substation)}") for c in a.heartbeats]
+    for c, w in watched:
+        kind = watch_name(prefix, within[c.substation])
+        declared.append(Declaration(w, kind, None, f"watches substation {c.substation}"))
+    declared.append(Declaration("CYC", blocks[-1].name, None, "watches the cycle"))
     declared.append(Declaration(INSTANCE, prefix, None, "the interlocking"))
+    if a.sent:
+        declared.append(Declaration(BEAT, "BOOL", Bool(False), "changes in every cycle"))
     told: tuple[tuple[str, Expression], ...] = ((RESTART, Name((RESTART,))),) if restart else ()
-    healthy: list[Expression] = [Name(("CYC", "OK")), *(Name((w, "OK")) for _, w in guards)]
+    well: list[Expression] = [Name(("CYC", "OK")), *(Name((w, "OK")) for _, w in watched)]
+    well += [Name((c.variable,)) for c in a.diagnoses]
     body: list[Assign | Call] = [Call("CYC", told)]
-    body += [Call(w, (*told, ("HB", Name((c.variable,))))) for c, w in guards]
-    body.append(Assign(Name((valid,)), Nary("AND", tuple(healthy))))
+    body += [Call(w, (*told, ("HB", Name((c.variable,))))) for c, w in watched]
+    body.append(Assign(Name((valid,)), Nary("AND", tuple(well))))
     body.append(Call(INSTANCE, (*told, *((i.name, Name((i.name,))) for i in controller.inputs))))
     body += [Assign(Name((o.name,)), Name((INSTANCE, o.name))) for o in controller.outputs]
     body += [Assign(Name((w.name,)), Name((INSTANCE, w.name))) for w in words]
+    if a.sent:
+        body.append(Assign(Name((BEAT,)), Not(Name((BEAT,)))))
+        body += [Assign(Name((c.variable,)), Name((BEAT,))) for c in a.sent]
     if restart:
         body.append(Assign(Name((RESTART,)), Bool(False), "the restart is over"))
     note = "inputs, interlocking, outputs: run it in one task with a constant cycle"
     program = Block(f"{prefix}_IO", (), (), tuple(declared), tuple(body), note, "PROGRAM")
-    return Unit((guard, clock, program), tuple(header), task=io_task(controller, runs, restart))
+    return Unit((*blocks, program), tuple(header), task=io_task(controller, runs, restart))

@@ -1,10 +1,9 @@
-"""The panel for a shift and more: memory, its record under kill -9, and how long a change takes to the page.
+"""The panel at work: how long a change takes to the page; and the server and the client of longer trials.
 
-    python -m tests.campaigns.panel [--hours N] [--kills N] [--seed N] [-o proofs/panel.md]
+    python -m tests.campaigns.panel [-o proofs/panel.md]
 
-`interlock run --panel` runs Heishan at sixty times the speed; a client works it at random: routes, cancellations,
-releases, blocks, trains, faults, lost substations, power cuts.  Then the server is killed at random moments with a
-signal that it cannot catch, and started again on the same record.
+The client works a panel at random: routes, cancellations, releases, blocks, trains, faults, lost substations, power
+cuts.  `tests.campaigns.service` lets it do so for hours.
 """
 
 from __future__ import annotations
@@ -13,21 +12,17 @@ import argparse
 import json
 import os
 import platform
-import signal
 import statistics
 import subprocess
 import sys
-import tempfile
-import time
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 from random import Random
 from typing import Any
 
-from websockets.sync.client import ClientConnection, connect
+from websockets.sync.client import ClientConnection
 
-from interlock.panel.journal import page
-from interlock.record import read_file
 from tests.campaigns.deadlock import processor
 from tests.test_panel_browser import changes
 
@@ -37,8 +32,8 @@ LAYOUT = Path("layouts/heishan.yaml").resolve()
 class Server:
     """The command as a process."""
 
-    def __init__(self, record: Path) -> None:
-        command = [sys.executable, "-m", "interlock.cli.main", "run", str(LAYOUT), "--panel", "--port", "0"]
+    def __init__(self, record: Path, layout: Path = LAYOUT, more: Sequence[str] = ()) -> None:
+        command = [sys.executable, "-m", "interlock.cli.main", "run", str(layout), "--panel", "--port", "0", *more]
         self.process = subprocess.Popen(
             [*command, "--record", str(record)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
         )
@@ -66,6 +61,7 @@ class Client:
         self.ws.send(json.dumps({"name": f"client {rng.randrange(100)}"}))
         self.sys: dict[str, Any] = {}
         self.trains: list[Any] = []
+        self.alarms: list[Any] = []
         self.done: Counter[str] = Counter()
         self.still = self._hear()["still"]
         self.ask(do="speed", times=60)
@@ -73,6 +69,7 @@ class Client:
     def _hear(self) -> dict[str, Any]:
         m: dict[str, Any] = json.loads(self.ws.recv(timeout=20))
         self.sys, self.trains = m.get("sys", self.sys), m.get("trains", self.trains)
+        self.alarms = m.get("alarms", self.alarms)
         return m
 
     def ask(self, **command: Any) -> bool:
@@ -123,90 +120,19 @@ class Client:
                     self.ask(do="remind", at=f"m:{machine}", text=rng.choice(("", "being oiled")))
 
 
-def endures(folder: Path, hours: float, rng: Random) -> list[str]:
-    """So many simulated hours in one process: its memory, what was done, and its record."""
-    record = folder / "endures.log"
-    server = Server(record)
-    began, seen = time.monotonic(), list[float]()
-    with connect(f"ws{server.url}talk", max_size=None) as ws:
-        client = Client(ws, rng)
-        while (passed := (time.monotonic() - began) * 60 / 3600) < hours:
-            client.act()
-            if passed > len(seen) * hours / 20:
-                seen.append(server.mib())
-        seen.append(server.mib())
-    code = server.end(signal.SIGINT)
-    found = read_file(record)
-    if code != 130 or not found.ended:
-        raise RuntimeError(f"exit code {code}, record {'closed' if found.ended else 'not closed'}")
-    kinds = Counter(e["kind"] for e in found.events)
-    text = page(found)
-    if f">{kinds['release']}</td>" not in text or f">{kinds['alarm']}</td>" not in text:
-        raise RuntimeError("the page of the shift counts otherwise than the record")
-    seen_harm = [e["text"] for e in found.events if e.get("text", "").startswith("the bystander sees")]
-    minutes, size = (time.monotonic() - began) / 60, record.stat().st_size / 2**20
-    accepted = sum(n for k, n in client.done.items() if not k.endswith("refused"))
-    return [
-        f"{hours:g} simulated hours in {minutes:.0f} minutes; {client.done.total():,} commands, {accepted:,} of them "
-        f"for the controller or the railway, the others refused at the desk; harm seen by the bystander: "
-        f"{len(seen_harm)}.",
-        f"Resident memory: {seen[1]:.1f} MiB after a twentieth of the time, {max(seen):.1f} MiB at most, "
-        f"{seen[-1]:.1f} MiB at the end.",
-        f"Record: {len(found.events):,} events, {size:.1f} MiB; {kinds['operation']:,} operations, "
-        f"{kinds['refusal']:,} refusals, {kinds['release']:,} releases by hand, {kinds['alarm']:,} alarms: "
-        "as many on its page.",
-        *seen_harm[:5],
-    ]
-
-
-def killed(folder: Path, kills: int, rng: Random) -> list[str]:
-    """Killed and started again on one record: whether it is whole, and the count of releases goes on."""
-    record, torn, before, told = folder / "killed.log", 0, 0, 0
-    for _ in range(kills):
-        server = Server(record)
-        until = time.monotonic() + rng.uniform(0.2, 4.0)
-        with connect(f"ws{server.url}talk", max_size=None) as ws:
-            client = Client(ws, rng)
-            while time.monotonic() < until:
-                client.act()
-            server.end(signal.SIGKILL)
-        told = client.done["release"] + client.done["release all"]
-        found = read_file(record)
-        if found.problem is not None:
-            raise RuntimeError(f"line {found.problem.line}: {found.problem.text}")
-        torn += bool(found.torn)
-        releases = sum(e["kind"] == "release" for e in found.events)
-        if releases < before + told:
-            raise RuntimeError(f"{before + told} releases were told, {releases} are recorded")
-        before = releases
-    return [
-        f"{kills} kills (`SIGKILL`) of a server at work, started again on the same record: it is whole up to its last "
-        f"event each time ({torn} times torn within one), and none of {before} releases that clients were "
-        "told of is missing."
-    ]
-
-
 def main() -> None:
     """Run it."""
     parser = argparse.ArgumentParser()
-    parser.add_argument("--hours", type=float, default=10.0)
-    parser.add_argument("--kills", type=int, default=50)
-    parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("-o", "--out", type=Path)
     given = parser.parse_args()
-    rng = Random(given.seed)
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True).stdout.strip()
     took = changes()
-    drawn = (
-        f"A change in a yard of 1,000 routes, from what a detector reports until Chromium draws it, at cycles of 100 "
-        f"ms: median {statistics.median(took):.0f} ms, {max(took):.0f} ms at most ({len(took)} changes)."
-    )
-    with tempfile.TemporaryDirectory() as folder:
-        told = [drawn, *killed(Path(folder), given.kills, rng), *endures(Path(folder), given.hours, rng)]
-    call = f"python -m tests.campaigns.panel --hours {given.hours:g} --kills {given.kills} --seed {given.seed}"
     text = (
-        f"# The panel at work\n\n`{call}` at commit {commit}, {processor()}, {os.cpu_count()} cores, "
-        f"Python {platform.python_version()}.\n\n" + "\n".join(f"- {line}" for line in told) + "\n"
+        f"# The panel at work\n\n`python -m tests.campaigns.panel` at commit {commit}, {processor()}, "
+        f"{os.cpu_count()} cores, Python {platform.python_version()}.\n\n"
+        "- A change in a yard of 1,000 routes, from what a detector reports until Chromium draws it, at cycles of 100 "
+        f"ms: median {statistics.median(took):.0f} ms, {max(took):.0f} ms at most ({len(took)} changes).\n"
+        "- Hours, kills, and what is lost and comes back: [service](service.md).\n"
     )
     print(text)
     if given.out is not None:

@@ -102,7 +102,9 @@ class _Cabinet:
         allocation = recorder.railway.allocation
         self.beats = {c.variable: self.rng.randrange(2) for c in allocation.heartbeats}
         self.still: dict[str, int] = {}
-        self.links = {c.substation: _Wire() for c in allocation.heartbeats}
+        self.links = {s: _Wire() for s in allocation.stations}
+        self.well = {c.variable: 1 for c in allocation.diagnoses}
+        self.sent = [c.variable for c in allocation.sent]
         self.wires = [(c.variable, c.substation) for c in allocation.channels if c.direction == "I"]
         runtime = runtime_scan(recorder.railway.runtime)
         self.plc = SoftPlc(runtime, allocation, self.links, recorder.railway.controller.symbols.valid)
@@ -111,15 +113,18 @@ class _Cabinet:
         """One scan, recorded."""
         recorder, allocation = self.recorder, self.recorder.railway.allocation
         self._beat(bool(inputs[self.plc.valid_name]), dt_ms)
-        for c in allocation.heartbeats:
-            self.links[c.substation].values = {c.variable: self.beats[c.variable]}
+        signs = {**self.beats, **self.well}
+        for s in allocation.stations:
+            self.links[s].values = {}
+        for c in (*allocation.heartbeats, *allocation.diagnoses):
+            self.links[c.substation].values[c.variable] = signs[c.variable]
         for name, station in self.wires:
             self.links[station].values[name] = inputs[name]
         cycle = self.plc.cycle({n: inputs[n] for n in allocation.written}, dt_ms)
         recorder.stalls += dt_ms > recorder.cycle_max_ms
         recorder.invalid += not cycle.valid or dt_ms > recorder.cycle_max_ms
-        self.segment.given += recorder.wiring.given({**inputs, **self.beats}, dt_ms)
-        self.segment.told += recorder.wiring.told(cycle.outputs)
+        self.segment.given += recorder.wiring.given({**inputs, **signs}, dt_ms)
+        self.segment.told += recorder.wiring.told({**cycle.outputs, **dict.fromkeys(self.sent, self.plc.heartbeat)})
         self.segment.scans += 1
         return cycle.outputs
 

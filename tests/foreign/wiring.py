@@ -33,7 +33,7 @@ class Wiring:
         """The mapping program of a controller."""
         types = {i.name: "INT" if i.size else "BOOL" for i in controller.inputs}
         written = tuple((n, types[n]) for n in allocation.written)
-        return Wiring(io_task(controller), (*allocation.heartbeats, *allocation.channels), written, allocation.read)
+        return Wiring(io_task(controller), allocation.wires, written, allocation.read)
 
     def _bytes(self, direction: str) -> int:
         return max((c.byte for c in self.wires if c.direction == direction), default=0) + 1

@@ -36,23 +36,22 @@ def channels_csv(layout: Layout, controller: Controller, a: Allocation) -> str:
         return c.variable, c.element, c.note + blades.get(c.variable, ""), start.get(c.variable, "")
 
     start: dict[str, str] = {o.name: str(int(o.restrictive)) for o in controller.outputs}
-    used = {(c.direction, c.byte, c.bit): c for c in (*a.heartbeats, *a.channels)}
+    used = {(c.direction, c.byte, c.bit): c for c in a.wires}
     rows: list[tuple[object, ...]] = [HEADINGS]
-    first = {"I": 0, "Q": 0}
+    kept = {p.place: f"reserved for {p.variable} of {p.element}" for p in a.reserved}
     seen = set()
-    for station, slot, direction, size in a.cards:
-        for k in range(size):
-            byte, bit = first[direction] + k // 8, k % 8
-            c = used.get((direction, byte, bit))
-            card = "DI" if direction == "I" else "DO"
-            what = told(c) if c else ("", "", "spare", "")
-            rows.append((station, slot, card, byte, bit, f"{direction}{byte}.{bit}", *what))
-            seen.add((direction, byte, bit))
-        first[direction] += size // 8
+    for card in a.cards:
+        for byte, bit in ((b, bit) for b in card.bytes for bit in range(8)):
+            place = (card.direction, byte, bit)
+            kind = "DI" if card.direction == "I" else "DO"
+            what = told(used[place]) if place in used else ("", "", kept.get(place, "spare"), "")
+            address = f"{card.direction}{byte}.{bit}"
+            rows.append((card.substation, card.slot, kind, byte, bit, address, *what))
+            seen.add(place)
     for key, c in sorted(used.items()):
         if key not in seen:
-            card = "DI" if c.direction == "I" else "DO"
-            rows.append((c.substation, "as stated", card, c.byte, c.bit, c.address, *told(c)))
+            kind = "DI" if c.direction == "I" else "DO"
+            rows.append((c.substation, "as stated", kind, c.byte, c.bit, c.address, *told(c)))
     return _csv(rows)
 
 
@@ -117,11 +116,12 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
     for d in layout.devices:
         kinds[str(d.kind)] += 1
     kinds["external condition"] = len(layout.conditions)
-    kinds["substation"] = len(a.heartbeats)
-    for _, _, direction, size in a.cards:
-        kinds[f"card, {size} digital {'inputs' if direction == 'I' else 'outputs'}"] += 1
-    kinds["channel in use"] = len(a.channels) + len(a.heartbeats)
-    kinds["channel"] = sum(size for *_, size in a.cards)
+    kinds["substation"] = len(a.stations)
+    for card in a.cards:
+        kinds[f"card, {card.size} digital {'inputs' if card.direction == 'I' else 'outputs'}"] += 1
+    kinds["channel in use"] = len(a.wires)
+    kinds["channel"] = sum(card.size for card in a.cards)
+    kinds["channel, reserved"] = len(a.reserved)
     return _csv([("Item", "Count"), *sorted((k, n) for k, n in kinds.items() if n)])
 
 
@@ -147,7 +147,7 @@ def tags_xlsx(layout: Layout, a: Allocation) -> bytes:
         sheet = book.add_worksheet("PLC Tags")
         for x, title in enumerate(_TIA):
             sheet.write_string(0, x, title)
-        for y, c in enumerate((*a.heartbeats, *a.channels), 1):
+        for y, c in enumerate(a.wires, 1):
             row = (c.variable, f"IL_{layout.name}", "Bool", f"%{c.address}", c.note, "True", "True", "False", "", "")
             for x, value in enumerate(row):
                 sheet.write_string(y, x, value)

@@ -2,23 +2,23 @@
 
 The interlocking is proved for every value of its inputs, so nothing more is asked of the mapping than this: each input
 gets its own wire (or the operator's variable of its name), each wire to the outside gets its own output, each word a
-variable, no address twice, VALID only while no cycle was too long and every substation's watch says that it is alive,
-and one task.
+variable, no address twice, VALID only while no cycle was too long and every substation is seen to be well (its watch,
+its diagnosis bit, or both), each substation with outputs gets a heartbeat that changes in every cycle, and one task.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
 from interlock.model.portable import portable
 from interlock.proof.equivalence.structured_text import Difference, compare_unit
 from interlock.proof.equivalence.tags import BadTags, read_tags
-from interlock.st.ast import Assign, Bool, Call, Declaration, Expression, Name, Nary, Unit
+from interlock.st.ast import Assign, Block, Bool, Call, Expression, Name, Nary, Not, Unit
 from interlock.st.dialects import Dialect, Files
 from interlock.st.parser import NotInSubset, parse_unit
-from interlock.st.program import INSTANCE, Runs, io_task, parted, watches
+from interlock.st.program import BEAT, INSTANCE, Runs, io_task, parted, watch_name, watches
 from interlock.st.restart import RESTART
 
 
@@ -63,7 +63,7 @@ def compare_mapping(
     """
     prefix = f"IL_{portable(controller.name)}"
     *before, program = unit.blocks
-    made = {b.name: b for b in watches(prefix, restart)}
+    made = {b.name: b for b in watches(controller, a, restart)}
     if (
         {b.name: b for b in before} != made
         or len(before) != len(made)
@@ -74,55 +74,77 @@ def compare_mapping(
     wrong: list[Difference] = []
     if unit.task != io_task(controller, runs, restart):
         wrong.append(Difference("task", "does not run the program as it should"))
-    wanted = {c.variable: c.located for c in (*a.heartbeats, *a.channels)}
-    found = dict(tags) if tags is not None else {d.name: d.address for d in program.locals if d.address}
-    wrong += [Difference(n, f"has address {found.get(n)}, not {x}") for n, x in wanted.items() if found.get(n) != x]
-    wrong += [Difference(n, "has an address that nobody gave it") for n in found if n not in wanted]
-    if len(set(found.values())) != len(found):
-        wrong.append(Difference("addresses", "one is given twice"))
-    instances = {d.name: d.type for d in program.locals if d.type not in ("BOOL", "INT")}
-    guards = {f"W_{portable(c.substation)}": c.variable for c in a.heartbeats}
-    if instances != {**dict.fromkeys(guards, f"{prefix}_WATCH"), "CYC": f"{prefix}_CYCLE", INSTANCE: prefix}:
-        wrong.append(Difference("instances", "are not a watch for each substation and the cycle, and the interlocking"))
-    steps = _steps(controller, guards, restart)
+    wrong += _declared(controller, a, program, tags, restart)
+    steps = _steps(controller, a, restart)
     for mine, should in zip(program.body, steps, strict=False):
         if mine != should:
             name = mine.target if isinstance(mine, Assign) else getattr(mine, "instance", "IF")
             wrong.append(Difference(str(name), "is not as it should be"))
     if len(program.body) != len(steps):
         wrong.append(Difference("body", f"has {len(program.body)} statements, not {len(steps)}"))
-    return (*wrong, *_beginnings(controller, a, program.locals, restart))
+    return tuple(wrong)
 
 
-def _steps(controller: Controller, guards: Mapping[str, str], restart: bool) -> list[Assign | Call]:
-    """What the program has to do, in order."""
+def _steps(controller: Controller, a: Allocation, restart: bool) -> list[Assign | Call]:
+    """What the program has to do, in this order."""
     told: tuple[tuple[str, Expression], ...] = ((RESTART, Name((RESTART,))),) if restart else ()
-    alive: tuple[Expression, ...] = (Name(("CYC", "OK")), *(Name((w, "OK")) for w in guards))
+    beats = {c.substation: c.variable for c in a.heartbeats}
+    bits = {c.substation: c.variable for c in a.diagnoses}
+    watched = [(f"W_{portable(h.substation)}", beats[h.substation]) for h in a.health if h.beats]
+    well: list[Expression] = [Name(("CYC", "OK")), *(Name((w, "OK")) for w, _ in watched)]
+    well += [Name((bits[h.substation],)) for h in a.health if h.diagnosed]
     steps: list[Assign | Call] = [Call("CYC", told)]
-    steps += [Call(w, (*told, ("HB", Name((hb,))))) for w, hb in guards.items()]
-    steps.append(Assign(Name((controller.symbols.valid,)), Nary("AND", alive)))
+    steps += [Call(w, (*told, ("HB", Name((hb,))))) for w, hb in watched]
+    steps.append(Assign(Name((controller.symbols.valid,)), Nary("AND", tuple(well))))
     steps.append(Call(INSTANCE, (*told, *((i.name, Name((i.name,))) for i in controller.inputs))))
     steps += [Assign(Name((o.name,)), Name((INSTANCE, o.name))) for o in controller.outputs]
     steps += [Assign(Name((n,)), Name((INSTANCE, n))) for n in controller.words.routes.values()]
+    if a.sent:
+        steps.append(Assign(Name((BEAT,)), Not(Name((BEAT,)))))
+    steps += [Assign(Name((c.variable,)), Name((BEAT,))) for c in a.sent]
     return [*steps, Assign(Name((RESTART,)), Bool(False))] if restart else steps
 
 
-def _beginnings(
-    controller: Controller, a: Allocation, declared: tuple[Declaration, ...], restart: bool
-) -> list[Difference]:
+def _declared(
+    controller: Controller, a: Allocation, program: Block, tags: Mapping[str, str] | None, restart: bool
+) -> Iterator[Difference]:
+    """What is wrong with the variables: addresses, instances, values at the start."""
+    prefix = f"IL_{portable(controller.name)}"
+    wanted = {c.variable: c.located for c in a.wires}
+    found = dict(tags) if tags is not None else {d.name: d.address for d in program.locals if d.address}
+    for n, x in wanted.items():
+        if found.get(n) != x:
+            yield Difference(n, f"has address {found.get(n)}, not {x}")
+    for n in found:
+        if n not in wanted:
+            yield Difference(n, "has an address that nobody gave it")
+    worked = {c.substation for c in a.channels if c.direction == "Q"}
+    if {c.substation for c in a.sent} != worked or {h.substation for h in a.health} < worked:
+        yield Difference(BEAT, "does not go to each substation that has outputs")
+    if len(set(found.values())) != len(found):
+        yield Difference("addresses", "one is given twice")
+    instances = {d.name: d.type for d in program.locals if d.type not in ("BOOL", "INT")}
+    own = {f"W_{portable(h.substation)}": watch_name(prefix, h.within_ms) for h in a.health if h.beats}
+    if instances != {**own, "CYC": f"{prefix}_CYCLE", INSTANCE: prefix}:
+        yield Difference("instances", "are not a watch for each heartbeat and the cycle, and the interlocking")
+    yield from _beginnings(controller, a, program, restart)
+
+
+def _beginnings(controller: Controller, a: Allocation, program: Block, restart: bool) -> Iterator[Difference]:
     """What the operator's place writes begins with what permits least, each variable is there once."""
     start: dict[str, int] = {i.name: i.restrictive for i in controller.inputs}
     sizes: dict[str, int] = {i.name: i.size for i in controller.inputs}
     wires: set[str] = {*a.written, controller.symbols.valid}
-    if restart:
-        start[RESTART], sizes[RESTART] = 1, 0
-        wires.add(RESTART)
-    wrong = [Difference(n, "is not declared") for n in sorted({*wires, *a.read} - {d.name for d in declared})]
-    if len({d.name for d in declared}) != len(declared):
-        wrong.append(Difference("names", "one is declared twice"))
-    for d in declared:
+    for name, value in ((BEAT, 0), (RESTART, 1)):
+        if restart if name == RESTART else a.sent:
+            start[name], sizes[name] = value, 0
+            wires.add(name)
+    for n in sorted({*wires, *a.read} - {d.name for d in program.locals}):
+        yield Difference(n, "is not declared")
+    if len({d.name for d in program.locals}) != len(program.locals):
+        yield Difference("names", "one is declared twice")
+    for d in program.locals:
         if d.name in wires:
             value = getattr(d.initial, "value", None)
             if value is None or int(value) != start[d.name] or d.type != ("INT" if sizes[d.name] else "BOOL"):
-                wrong.append(Difference(d.name, "does not begin with its restrictive value"))
-    return wrong
+                yield Difference(d.name, "does not begin with its restrictive value")
