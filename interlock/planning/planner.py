@@ -3,7 +3,7 @@
 The first plan comes from the rules (`rules.py`), within moments; so whoever runs out of time has theirs.  Then, until
 the time is over or nothing can be better: local search (`recreate.py`), the whole problem put to CP-SAT, which may show
 that nothing is better, and by turns CP-SAT on some trains with the paths of the others fixed (large neighbourhood
-search), and local search again.  Without OR-tools local search has all the time.
+search), and local search again.  Without OR-tools there is local search alone.
 """
 
 from __future__ import annotations

@@ -17,6 +17,9 @@ from interlock.planning.problem import Plan, Problem
 WARMTH = 0.005
 """The part of the cost that a plan may typically be worse by, at the beginning."""
 
+PATIENCE = 250
+"""Rounds for each train without a better plan, after which a search ends."""
+
 MOST = 7
 """Trains that are taken out at a time."""
 
@@ -27,7 +30,7 @@ class Recreation:
     def __init__(self, problem: Problem, plan: Plan, random: Random, note: Callable[[Plan], None]) -> None:
         self.problem, self.random, self.note = problem, random, note
         self.best = plan
-        self.rounds = 0
+        self.rounds = self._better = 0
         self._from(plan, None)
 
     def _from(self, plan: Plan, before: Diary | None) -> None:
@@ -39,9 +42,12 @@ class Recreation:
         return sum(d.of(tick // TICK) for o, tick in path for d in delays[o])
 
     def run(self, until: float) -> Plan:
-        """The best plan at a moment of the monotonic clock."""
+        """The best plan at a moment of the monotonic clock, or when nothing better was found for a long while."""
         began, count = clock.monotonic(), len(self.problem.trains)
+        self._better, patience = self.rounds, PATIENCE * count
         while count > 1 and self.best.cost > 0 and (now := clock.monotonic()) < until:
+            if self.rounds - self._better > patience:
+                break
             warm = WARMTH * self.best.cost * (until - now) / (until - began)
             self._round(min(count, self.random.randint(2, MOST)), -warm * log(1 - self.random.random()))
             self.rounds += 1
@@ -73,6 +79,7 @@ class Recreation:
         if sum(self.costs) < self.best.cost:
             self.best = without_waste(self.problem, self.diary.plan())
             self._from(self.best, self.diary)
+            self._better = self.rounds
             self.note(self.best)
         elif self.random.random() < 0.05:
             self._from(without_waste(self.problem, self.diary.plan()), self.diary)
