@@ -269,6 +269,8 @@ JSON = (
     ("dispatch", "{}/bad.yaml", "1:W>E"),
     ("blocks", "layouts/mine11.yaml"),
     ("blocks", "{}/bad.yaml"),
+    ("schedule", "tests/schedules/swap.json"),
+    ("schedule", "{}/l.yaml"),
     ("simulate", "layouts/heishan.yaml", "--hours", "1"),
     ("simulate", "{}/bad.yaml"),
     ("record", "{}/l.yaml"),

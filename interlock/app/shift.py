@@ -306,7 +306,8 @@ class Shift:
 
     def _time(self, place: str) -> float:
         """Seconds of work at a place: between four fifths and seven fifths of what the file says, most often that."""
-        return 60.0 * (self.file.places[place].minutes or 0.0) * self.work.triangular(0.8, 1.4, 1.0)
+        spread = 1.0 if self.options.steady else self.work.triangular(0.8, 1.4, 1.0)
+        return 60.0 * (self.file.places[place].minutes or 0.0) * spread
 
     def _loaded(self, trip: Trip) -> None:
         trip.phase = "away"

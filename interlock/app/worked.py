@@ -53,7 +53,9 @@ class Worked:
 
 @dataclass(frozen=True)
 class Options:
-    """How shifts are run.  rule: ask only if a completion plan exists after it.  keep: the record's bytes, too."""
+    """How shifts are run.  rule: ask only if a completion plan exists after it.  keep: the record's bytes, too.
+
+    steady: work takes exactly the minutes of the file."""
 
     hours: float | None = None
     how: Assigning = Assigning.IN_TURN
@@ -61,6 +63,7 @@ class Options:
     look_ahead: int = 1
     faults: Rates = field(default_factory=Rates)
     keep: bool = True
+    steady: bool = False
 
 
 def summary(worked: Worked) -> Mapping[str, int]:

@@ -35,6 +35,7 @@ VERBS = {
     "simulate": "Run shifts of a fleet on the emitted runtime.",
     "record": "Check event logs; write them as Parquet, ask them with SQL.",
     "blocks": "Lengths of block sections from the traffic, and the layout's own against them.",
+    "schedule": "Plan the trains of a dispatching problem of the library DISPLIB.",
     "explain": "Explain a diagnostic, rule, claim, assumption or principle.",
     "mutate": "Change table, controller and texts on purpose, one change at a time; see what notices.",
     "schema": "Print the JSON Schema of the layout language, of pins, or of table.json.",

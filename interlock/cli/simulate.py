@@ -9,6 +9,7 @@ from pathlib import Path
 
 import click
 
+from interlock.app.horizon import Compared, NoHorizon, compared
 from interlock.app.setting import Setting, prepare
 from interlock.app.shifts import NoCluster, executing, many, mean
 from interlock.app.worked import Options, Worked, summary
@@ -40,6 +41,9 @@ from interlock.simulate.mishaps import TRIAL, Rates
 @click.option("--look-ahead", type=click.IntRange(1, 50), default=1, show_default=True, help="Routes ahead of a train.")
 @click.option("--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them.")
 @click.option("--faults", is_flag=True, help="Detectors, points, the link and wagons fail, far too often.")
+@click.option("--steady", is_flag=True, help="Work takes exactly the minutes of the file.")
+@click.option("--optimum", type=click.FloatRange(0, min_open=True), metavar="SECONDS",
+              help="Plan the same hours for so long, and compare (with --steady).")  # fmt: skip
 @click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), help="A folder for the records.")
 @click.option("--dask", metavar="ADDRESS", help="A Dask cluster that does the work, instead of processes here.")
 @jobs_option
@@ -55,6 +59,8 @@ def command(
     look_ahead: int,
     without_rule: bool,
     faults: bool,
+    steady: bool,
+    optimum: float | None,
     output: Path | None,
     dask: str | None,
     jobs: int,
@@ -66,13 +72,15 @@ def command(
     The same seed gives the same record, byte for byte.  Ends with 1 if trains stood for ever, came to a wrong place, or
     came to harm.
     """
+    if optimum is not None and not steady:
+        raise click.UsageError("--optimum compares with work of fixed length: it needs --steady")
     checked, problems, setting, orders = prepare(layout, file)
     if setting is None:
         sources = checked.source.texts
         show(problems, sources | ({orders.name: orders.text} if orders else {}), form)
         sys.exit(FINDINGS)
     options = Options(
-        hours, Assigning(assign), not without_rule, look_ahead, TRIAL if faults else Rates(), output is not None
+        hours, Assigning(assign), not without_rule, look_ahead, TRIAL if faults else Rates(), output is not None, steady
     )
     began = time.monotonic()
     seeds = range(seed, seed + shifts)
@@ -86,17 +94,28 @@ def command(
                 layout, file, seeds, options, executor, lambda k: report(f"{10 * k // shifts * 10} % done", k, shifts)
             )
         files = _write(output, setting, done, force) if output is not None else []
-    except NoCluster as error:
+        best = None if optimum is None else compared(setting, hours or setting.orders.file.shift_h, optimum, jobs)
+    except (NoCluster, NoHorizon) as error:
         failed(str(error), form)
         sys.exit(FINDINGS)
     except OSError as error:
         failed(told(error, Path(error.filename or str(output))), form)
         sys.exit(FINDINGS)
     if form == "json":
-        put_json(_body(done, files))
+        put_json(_body(done, files) | ({} if best is None else {"planned": best.planned, "most": best.most}))
     else:
         _print(setting, done, files, took(began))
+        if best is not None:
+            _compare(done, best)
     sys.exit(FINDINGS if any(any(summary(w).values()) for w in done) else OK)
+
+
+def _compare(done: Sequence[Worked], best: Compared) -> None:
+    """How near the shifts come to what can be brought out at all."""
+    m = mean([w.trains for w in done]).value
+    ratio = f"{m / best.planned:.2f} of it" if best.planned else "nothing to compare with"
+    most = "no plan has more" if best.most == best.planned else f"none has more than {best.most} ({m / best.most:.2f})"
+    click.echo(f"  a plan without signals and drivers brings out {best.planned}: {ratio}; {most}")
 
 
 def _write(output: Path, setting: Setting, done: Sequence[Worked], force: bool) -> list[str]:

@@ -85,6 +85,7 @@ COMMANDS: tuple[tuple[int, str], ...] = (
     (0, "availability s.yaml"),
     (0, "dispatch s.yaml 1:W>E --plan plan.json"),
     (1, "blocks s.yaml"),
+    (1, "schedule s.yaml"),
     (0, "simulate heishan.yaml --hours 1 -o ."),
     (0, "record heishan-0.log --report report"),
     (0, "play heishan-0.log --layout heishan.yaml"),

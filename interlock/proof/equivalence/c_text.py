@@ -227,7 +227,7 @@ class _Reader:
             raise BadC("a function that no scan calls")
         after: dict[str, Term] = {s.name: self.values[f"now.{s.name}"] for s in c.state}
         outputs: dict[str, Term] = {o.name: self.values.get(f"{p}_out.{o.name}", Constant(-1)) for o in c.outputs}
-        return Scan(base, after, outputs, dict(self.algebra.timers))
+        return Scan(base, after, outputs, dict(self.algebra.timers), None)
 
     def _statements(self, name: str) -> list[Any]:
         """The statements of a function of the emitted shape."""

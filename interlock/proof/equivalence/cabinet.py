@@ -135,9 +135,9 @@ def _beginnings(controller: Controller, a: Allocation, program: Block, restart: 
     start: dict[str, int] = {i.name: i.restrictive for i in controller.inputs}
     sizes: dict[str, int] = {i.name: i.size for i in controller.inputs}
     wires: set[str] = {*a.written, controller.symbols.valid}
-    for name, value in ((BEAT, 0), (RESTART, 1)):
+    for name, first in ((BEAT, 0), (RESTART, 1)):
         if restart if name == RESTART else a.sent:
-            start[name], sizes[name] = value, 0
+            start[name], sizes[name] = first, 0
             wires.add(name)
     for n in sorted({*wires, *a.read} - {d.name for d in program.locals}):
         yield Difference(n, "is not declared")

@@ -1,0 +1,70 @@
+"""A span of a shift as a problem of dispatching: turns, bound, what it is compared with, and the screen."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from interlock.app.horizon import compared, horizon
+from interlock.app.setting import prepared
+from interlock.app.shifts import one
+from interlock.app.worked import Options
+from interlock.cli.simulate import command
+from interlock.planning.rules import soonest
+from tests.campaigns import horizon as campaign
+from tests.campaigns.shift import HEISHAN, fleet_of
+
+
+def test_a_train_alone_makes_the_turns_that_the_clock_allows(tmp_path: Path) -> None:
+    """c1: 200 m of approach, 40 and 240 m, to 5 m before the end of 260 m, 20 minutes, back out, 300 m and 300 m beyond
+    at 10 km/h; 6 minutes to tip, 10 outside."""
+    setting = prepared(HEISHAN, fleet_of(tmp_path, 1))
+    out = 72 + 14 + 86 + (91 + 1200 + 70) + 86 + 14 + 108 + 108 + 360
+    for hours, turns in ((out / 3600 - 0.001, 0), (out / 3600 + 0.001, 1), ((2 * out + 600) / 3600 + 0.001, 2)):
+        h = horizon(setting, hours)
+        assert h.turns == turns
+        best = compared(setting, hours, 2)
+        assert best.planned == best.most == turns
+    h = horizon(setting, 2)
+    first = next(k for k, o in enumerate(h.problem.trains[0]) if o.latest is not None)
+    assert soonest(h.problem, 0)[first] == out, "tipped, and on its way back"
+
+
+def test_no_shift_brings_out_more_than_the_bound(tmp_path: Path) -> None:
+    file = fleet_of(tmp_path, 3)
+    best = compared(prepared(HEISHAN, file), 2, 5)
+    done = one(HEISHAN, file, 0, Options(2, keep=False, steady=True))
+    assert best.planned == best.most == 6 and 0 < done.trains <= best.most
+    again = one(HEISHAN, file, 1, Options(2, keep=False, steady=True))
+    assert done.trains == again.trains, "the work of one seed takes as long as that of another"
+
+
+def test_trains_wait_for_the_tippler(tmp_path: Path) -> None:
+    """It takes one train at a time: with eight of them it decides."""
+    setting = prepared(HEISHAN, fleet_of(tmp_path, 8))
+    out = horizon(setting, 1).problem.trains[0]
+    assert sum(u.resource == "crush" and o.duration == 360 for o in out for u in o.uses) == 5
+    assert compared(setting, 0.65, 1).planned < 8
+
+
+def test_the_screen(tmp_path: Path) -> None:
+    file = fleet_of(tmp_path, 2)
+    args = [HEISHAN, "--dispatch", file, "--hours", "2", "--optimum", "2"]
+    done = CliRunner().invoke(command, args)
+    assert done.exit_code == 2 and "it needs --steady" in done.output
+    done = CliRunner().invoke(command, [*args, "--steady"])
+    assert done.exit_code == 0 and "a plan without signals and drivers brings out 4: 1.00 of it; no plan has more" in (
+        done.output
+    )
+    done = CliRunner().invoke(command, [*args, "--steady", "--format", "json"])
+    assert json.loads(done.stdout)["planned"] == json.loads(done.stdout)["most"] == 4
+
+
+def test_the_campaign(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    out = tmp_path / "page.md"
+    monkeypatch.setattr("sys.argv", ["horizon", "--hours", "1", "--seconds", "1", "--fleets", "2", "-o", str(out)])
+    assert campaign.main() == 0
+    assert "| 2 | 2 | **2** |" in out.read_text("utf-8")
