@@ -3,8 +3,9 @@
 Trains run in turns from their waiting place over the loading place that they choose to the tippler and back.  What
 costs is each turn that a train does not make within the span.  Where shift and problem differ the problem allows more:
 trains run at full speed at once and never brake, nobody waits for signals, points or the rule, a section is free as
-soon as the tail has left it, and zones have room.  So no dispatcher brings out more trains than a bound on the problem says.
-What the drivers of the simulator always do is in it: they run to the end of a loading place, and stop 2 m before it.
+soon as the tail has left it, and zones have room.  So no dispatcher brings out more trains than a bound on the problem
+says. What the drivers of the simulator always do is in it: they run to the end of a loading place, and stop 2 m before
+it.
 """
 
 from __future__ import annotations
