@@ -67,9 +67,9 @@ def main() -> int:
         "*Plan*: trains tipped by the best plan that was found (`interlock/app/horizon.py`: full speed at once, no "
         "signals, points or rule, sections free behind the tail).  *Most*: no dispatcher brings out more; bold where "
         "the plan does.  With five trains and more the zone's limit of four trains inside is in the plan, not in the "
-        "bound.  For each way of giving orders: trains tipped in the simulated shift on the emitted runtime, divided by "
-        "the plan, divided by the bound.  *Seconds*: of planning, by the clock on the wall, on a machine that others "
-        "were using too.",
+        "bound.  For each way of giving orders: trains tipped in the simulated shift on the emitted runtime, divided "
+        "by the plan, divided by the bound.  *Seconds*: of planning, by the clock on the wall, on a machine that "
+        "others were using too.",
         "",
         f"| fleet | plan | most | found by | seconds | {' | '.join(f'{w} | /plan | /most' for w in WAYS.values())} |",
         f"|---:|---:|---:|---|---:|{'---:|' * 9}",
