@@ -13,6 +13,8 @@ from interlock.app.setting import prepared
 from interlock.app.shifts import one
 from interlock.app.worked import Options
 from interlock.cli.simulate import command
+from interlock.planning.planner import schedule
+from interlock.planning.problem import Plan, Problem
 from interlock.planning.rules import soonest
 from tests.campaigns import horizon as campaign
 from tests.campaigns.shift import HEISHAN, fleet_of
@@ -48,6 +50,25 @@ def test_trains_wait_for_the_tippler(tmp_path: Path) -> None:
     out = horizon(setting, 1).problem.trains[0]
     assert sum(u.resource == "crush" and o.duration == 360 for o in out for u in o.uses) == 5
     assert compared(setting, 0.65, 1).planned < 8
+
+
+def test_a_zone_lets_no_more_trains_in(tmp_path: Path) -> None:
+    setting = prepared(HEISHAN, fleet_of(tmp_path, 5))
+    h = horizon(setting, 0.8, zones=True)
+    found = schedule(h.problem, 1).plan
+    assert found is not None and inside(h.problem, found) <= 4
+    assert {u.resource for t in h.problem.trains for o in t for u in o.uses} >= {f"INSIDE {k}" for k in (1, 2, 3, 4)}
+
+
+def inside(problem: Problem, plan: Plan) -> int:
+    """The most trains that hold a section of the zone at one time."""
+    at: dict[int, bool] = {}
+    most = 0
+    for e in plan.events:
+        uses = problem.trains[e.train][e.operation].uses
+        at[e.train] = any(u.resource[:2] in ("s3", "s4", "s5", "s6", "s7", "s8", "s9") for u in uses)
+        most = max(most, sum(at.values()))
+    return most
 
 
 def test_the_screen(tmp_path: Path) -> None:

@@ -2,10 +2,9 @@
 
 Trains run in turns from their waiting place over the loading place that they choose to the tippler and back.  What
 costs is each turn that a train does not make within the span.  Where shift and problem differ the problem allows more:
-trains run at full speed at once and never brake, nobody waits for signals, points or the rule, a section is free as
-soon as the tail has left it, and zones have room.  So no dispatcher brings out more trains than a bound on the problem
-says. What the drivers of the simulator always do is in it: they run to the end of a loading place, and stop 2 m before
-it.
+trains run at full speed at once and never brake, nobody waits for signals, points or the rule, a section is free when
+the tail has left it.  So no dispatcher brings out more trains than a bound on the problem says.
+What the drivers of the simulator always do is in it: they run to the end of a loading place, and stop 2 m before it.
 """
 
 from __future__ import annotations
@@ -48,19 +47,36 @@ class Compared:
 
 
 def compared(setting: Setting, hours: float, seconds: float, workers: int = 1) -> Compared:
-    """The best that is found in some seconds, and the bound.  Raises `NoHorizon`."""
+    """The best that is found in some seconds, and the bound.  Raises `NoHorizon`.
+
+    Where a zone may be full half of the time goes to the problem without its limit, whose bound holds all the same."""
     h = horizon(setting, hours)
-    found: Planned = schedule(h.problem, seconds, workers)
+    slots = _slots(setting)
+    found: Planned = schedule(h.problem, seconds / 2 if slots else seconds, workers)
+    most, spent = h.turns - found.bound, found.seconds
+    if slots:
+        found = schedule(horizon(setting, hours, zones=True).problem, seconds / 2, workers)
+        most, spent = min(most, h.turns - found.bound), spent + found.seconds
     planned = 0 if found.plan is None else h.turns - found.plan.cost
-    return Compared(planned, h.turns - found.bound, found.by, found.seconds)
+    return Compared(planned, most, found.by, spent)
 
 
-def horizon(setting: Setting, hours: float) -> Horizon:
-    """The problem of some hours.  Raises `NoHorizon`."""
+def _slots(setting: Setting) -> tuple[str, ...]:
+    """The zone that the fleet can fill, as so many places of which each train inside has one; none: there is no such
+    zone.  Of several zones the tightest one is looked at."""
+    full = [z for z in setting.layout.zones if z.trains < len(setting.orders.file.fleet)]
+    tight = min(full, key=lambda z: (z.trains, str(z.id)), default=None)
+    return () if tight is None else tuple(f"{tight.id} {k}" for k in range(1, tight.trains + 1))
+
+
+def horizon(setting: Setting, hours: float, zones: bool = False) -> Horizon:
+    """The problem of some hours.  zones: with the limit of a zone, by as many ways as it has places.  Raises
+    `NoHorizon`."""
+    slots = _slots(setting) if zones else ("",)
     end = floor(3600 * hours)
     trains, delays, total = [], [], 0
     for number, train in enumerate(setting.orders.file.fleet):
-        ways = [_Way(setting, d, train) for d in setting.derived if train in d.journeys]
+        ways = [_Way(setting, d, train, s) for d in setting.derived if train in d.journeys for s in slots]
         if not ways:
             raise NoHorizon(f"{train} has no order")
         turns = _turns(ways, end)
@@ -107,14 +123,17 @@ def _train(ways: Sequence[_Way], turns: int, end: int) -> tuple[tuple[Operation,
 
 
 class _Way:
-    """A turn over one loading place.  `operations`: the last one begins when the train is tipped; `out`: seconds until
-    then, `back`: from there until it is ready again."""
+    """A turn over one loading place, with a place in a zone.
 
-    def __init__(self, setting: Setting, order: Derived, train: str) -> None:
+    `operations`: the last one begins when the train is tipped; `out`: seconds until then; `back`: from there until it
+    is ready again."""
+
+    def __init__(self, setting: Setting, order: Derived, train: str, slot: str) -> None:
         file = setting.orders.file
         build, load, tip = file.fleet[train], file.places[order.order.from_], file.places[order.order.to]
         self.speed, self.length = build.speed / 3.6, build.length
         journey = order.journeys[train]
+        inner = {str(s) for z in setting.layout.zones if slot.startswith(f"{z.id} ") for s in z.sections}
         line = next(b for b in setting.track.beyond if b.name == file.places[build.at].at)
         found = [Operation(self._seconds(line.approach_m))]
         for section, metres, turned in _sections(journey):
@@ -125,7 +144,8 @@ class _Way:
                 seconds = self._seconds(inside) + work + self._seconds(inside - self.length)
             elif turned:
                 raise NoHorizon(f"{order.name} turns in {section}, where nothing is loaded")
-            found.append(Operation(seconds, (), (Use(section, self._seconds(self.length)),)))
+            held = [section, *([slot] if slot and section in inner else [])]
+            found.append(Operation(seconds, (), tuple(Use(x, self._seconds(self.length)) for x in held)))
         found.append(Operation(self._seconds(LEAVES_M)))
         found.append(Operation(floor(60 * (tip.minutes or 0)), (), (Use(order.order.to),) if tip.capacity == 1 else ()))
         self.back = floor(60 * tip.back)

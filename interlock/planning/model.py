@@ -8,6 +8,7 @@ happens at one time; an order in which trains change places at one time is found
 from __future__ import annotations
 
 import heapq
+import time as clock
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -45,13 +46,20 @@ class Order:
     literal: Literal | None
 
 
+class OutOfTime(Exception):
+    """The problem is too large to be written down in time."""
+
+
 @dataclass
 class Model:
-    """The constraints of a problem.  `paths`: trains that keep their paths, and their order, in the known plan."""
+    """The constraints of a problem.  `paths`: trains that keep their paths, and their order, in the known plan.
+
+    until: the moment of the monotonic clock after which making it ends with `OutOfTime`."""
 
     problem: Problem
     known: Plan
     paths: Mapping[int, Sequence[int]] = field(default_factory=dict)
+    until: float = float("inf")
     cp: cp_model.CpModel = field(default_factory=cp_model.CpModel)
     present: dict[tuple[int, int], Literal] = field(default_factory=dict)
     """Of operations that are not on every path."""
@@ -127,6 +135,10 @@ class Model:
         if real:
             made.only_enforce_if(real)
 
+    def _in_time(self) -> None:
+        if clock.monotonic() > self.until:
+            raise OutOfTime
+
     # --- resources ---------------------------------------------------------------------------------
 
     def _resources(self) -> None:
@@ -135,7 +147,7 @@ class Model:
             live = self.windows.live[i]
             found = spans(i, operations, live)
             by_train.append([self._held(s) for s in found])
-            near.append(touching(operations, set(live), found))
+            near.append(touching(operations, set(live), found, self._in_time))
         by: dict[str, list[tuple[int, int]]] = {}
         for i, helds in enumerate(by_train):
             for n, h in enumerate(helds):
@@ -143,8 +155,10 @@ class Model:
         pairs: dict[tuple[int, int, int, int], Literal] = {}
         same: dict[tuple[int, tuple[int, ...], int, tuple[int, ...]], Literal] = {}
         for users in by.values():
+            self._in_time()
             self._kept_order([by_train[i][n] for i, n in users if i in self.paths])
             for x, (i, n) in enumerate(users):
+                self._in_time()
                 for j, m in users[x + 1 :]:
                     if i != j and not (i in self.paths and j in self.paths):
                         pairs[i, n, j, m] = self._pair(by_train[i][n], by_train[j][m], same)
@@ -236,6 +250,7 @@ class Model:
         """Orders at resources that two trains both go over at once are the same."""
         told = set()
         for (i, n, j, m), literal in pairs.items():
+            self._in_time()
             if literal is None:
                 continue
             for n2 in near[i][n]:

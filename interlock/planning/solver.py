@@ -50,11 +50,14 @@ class Solver:
     def _asked(self, known: Plan | None, paths: Mapping[int, Sequence[int]], until: float) -> Answer:
         from ortools.sat.python import cp_model
 
-        from interlock.planning.model import Model
+        from interlock.planning.model import Model, OutOfTime
 
         start = known if known is not None else Plan((), dearest(self.problem))
-        model = Model(self.problem, start, paths)
         bound = least(self.problem)
+        try:
+            model = Model(self.problem, start, paths, until=until)
+        except OutOfTime:
+            return Answer(None, bound)
         while (left := until - clock.monotonic()) > 0:
             solver = cp_model.CpSolver()
             solver.parameters.num_workers = self.workers

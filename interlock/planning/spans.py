@@ -8,7 +8,7 @@ would have to change places.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from interlock.planning.problem import Operation
@@ -79,14 +79,19 @@ def apart(operations: Sequence[Operation], live: set[int], a: frozenset[int], b:
     return False
 
 
-def touching(operations: Sequence[Operation], live: set[int], found: Sequence[Span]) -> list[list[int]]:
-    """By span: those that the train holds at the same time or right after it, on every path over both."""
+def touching(
+    operations: Sequence[Operation], live: set[int], found: Sequence[Span], check: Callable[[], None] = lambda: None
+) -> list[list[int]]:
+    """By span: those that the train holds at the same time or right after it, on every path over both.
+
+    check: called again and again; what it raises ends the work."""
     at: dict[int, list[int]] = {}
     for n, s in enumerate(found):
         for k in s.operations:
             at.setdefault(k, []).append(n)
     near: list[list[int]] = [[] for _ in found]
     for n, s in enumerate(found):
+        check()
         others: set[int] = set()
         for k in s.operations:
             for q in (k, *(p for p in operations[k].following if p in live)):

@@ -122,11 +122,11 @@ def chosen(folder: Path, groups: Sequence[str]) -> list[Path]:
     return list(dict.fromkeys(paths))
 
 
-def page(rows: Sequence[Row], verifier: bool) -> str:
-    """The table."""
+def page(rows: Sequence[Row], verifier: bool, note: str = "") -> str:
+    """The table.  note: sentences on how it was measured."""
     commits = ", ".join(dict.fromkeys(r.commit for r in rows))
     gaps = [r.gap for r in rows if r.gap is not None]
-    limits = ", ".join(sorted({f"{r.limit:g} s with {r.workers} worker(s)" for r in rows}))
+    limits = "; ".join(sorted({f"{r.limit:g} s, {r.workers} thread{'s' if r.workers > 1 else ''}" for r in rows}))
     good = sum(r.cost is not None and not r.wrong for r in rows)
     lines = [
         "# Train dispatching problems",
@@ -135,8 +135,8 @@ def page(rows: Sequence[Row], verifier: bool) -> str:
         f"cores, Python {platform.python_version()}, on problems of the public library DISPLIB "
         "(`displib/displib.github.io`), none of which is kept here.",
         "",
-        f"Limit by the clock on the wall: {limits}, at low priority on a machine that others were using too: "
-        "*processor* is what the planner really had.  The aim is ten minutes on two cores.  *Rules*: the first plan, "
+        f"Limit by the clock on the wall: {limits}.  {note}"
+        "*Processor*: seconds that the planner had.  The aim is ten minutes on two cores.  *Rules*: the first plan, "
         "without search.  *Bound*: no plan costs less; bold: the plan is shown to be best.  *Known*: the published "
         "solution of least cost.  *Gap*: per cent above that."
         + ("  Plans are verified by `planning/verify.py` and by the library's own verifier." if verifier else ""),
@@ -174,6 +174,7 @@ def main() -> int:
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--only", default=",".join(GROUPS), help="groups or instances, separated by commas")
     parser.add_argument("--kept", type=Path, help="instances that are done")
+    parser.add_argument("--note", default="", help="sentences on how it was measured, for the page")
     parser.add_argument("-o", "--output", type=Path, default=Path("proofs/displib.md"))
     parser.add_argument(
         "--page", action="store_true", help="write the page from the instances that are done, and no more"
@@ -197,7 +198,7 @@ def main() -> int:
                 with options.kept.open("a", encoding="utf-8") as file:
                     file.write(json.dumps(asdict(row)) + "\n")
     done = [rows[p.stem] for p in paths if p.stem in rows]
-    options.output.write_text(page(done, all("DISPLIB" in r.verified_by for r in done)), encoding="utf-8")
+    options.output.write_text(page(done, all("DISPLIB" in r.verified_by for r in done), options.note), encoding="utf-8")
     return 1 if any(r.wrong or r.cost is None for r in done) else 0
 
 
