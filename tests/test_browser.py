@@ -282,3 +282,22 @@ def test_a_yard_of_a_thousand_routes_stays_usable(tmp_path_factory: pytest.TempP
         assert spent < 2000
         assert page.locator("#plan .lit-path").count() > 3
         assert page.locator("canvas.heat").count() == 1
+
+
+@pytest.mark.external
+def test_each_overlap_of_a_printed_row_can_be_chosen(tmp_path: Path) -> None:
+    sink = Sink()
+    text = Path("tests/layouts_for_tests/entry_speeds.yaml").read_text("utf-8")
+    layout, _ = load_text("speeds.yaml", text, sink)
+    assert layout is not None
+    path = tmp_path / "speeds.html"
+    path.write_text(report_html(layout, derive(layout, sink), plan_svg(layout), [], [], {}, {}, ""), "utf-8")
+    with opened(path) as page:
+        assert page.locator("#routes tr").count() == 5 and "5 of 5 routes" in page.inner_text("#shown")
+        row = page.locator("#routes tr", has=page.locator("button.of")).first
+        for mark, track in (("o2", "edge-drag"), ("o1", "edge-east")):
+            row.locator("button.of", has_text=mark).first.click()
+            lit = page.eval_on_selector_all("#plan .lit-overlap", "es => es.map(e => e.id)")
+            assert any(x.startswith(track) for x in lit), (mark, lit)
+            assert page.input_value("#route") == ("X2-X3.o2" if mark == "o2" else "X2-X3")
+            assert row.locator("button.of[aria-pressed]").first.inner_text() == mark
