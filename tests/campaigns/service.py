@@ -186,8 +186,8 @@ def hours(folder: Path, count: float, rng: Random) -> list[str]:
         f"Resident memory: {m[2]:.1f} MiB after a twentieth of the time, {m[len(m) // 2]:.1f} MiB at half of it, "
         f"{max(m):.1f} MiB at most, {m[-1]:.1f} MiB at the end.",
         f"Record: whole, {len(found.events):,} events, {shift.record.stat().st_size / 2**20:.1f} MiB; "
-        f"{kinds['operation']:,} operations, {kinds['refusal']:,} refusals; {kinds['release']:,} releases by hand and "
-        f"{kinds['alarm']:,} alarms, as many as clients were told of and as the shift's printed page counts.",
+        f"{kinds['operation']:,} operations, {kinds['refusal']:,} refusals; {kinds['release']:,} releases by hand, as "
+        f"many as the client was told of, and {kinds['alarm']:,} alarms: the shift's printed page counts as many.",
         *harm[:5],
     ]
 
