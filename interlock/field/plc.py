@@ -31,11 +31,13 @@ class Memory:
 
 @dataclass(frozen=True)
 class Runtime:
-    """A generated runtime: its scan, the restrictive value of every output, and what it remembers."""
+    """A generated runtime: its scan, the restrictive value of every output, what it remembers, and what its last scan
+    says of every route by its number."""
 
     scan: Scan
     restrictive: Mapping[str, bool]
     remembers: Callable[[], Memory]
+    words: Callable[[], Mapping[int, int]]
 
 
 class LinkLost(Exception):
@@ -63,7 +65,12 @@ def runtime_scan(text: str) -> Runtime:
     module = types.ModuleType("runtime")
     exec(compile(text, "runtime.py", "exec"), module.__dict__)
     controller = module.Controller()
-    return Runtime(controller.scan, dict(module.OUTPUTS), lambda: Memory(controller.state, dict(controller.elapsed)))
+    return Runtime(
+        controller.scan,
+        dict(module.OUTPUTS),
+        lambda: Memory(controller.state, dict(controller.elapsed)),
+        controller.words,
+    )
 
 
 @dataclass
@@ -87,13 +94,14 @@ class Watch:
 @dataclass(frozen=True)
 class Cycle:
     """What a cycle did: inputs as sampled, outputs, whether the inputs were valid, what was lost in words, and what the
-    controller remembers."""
+    controller remembers.  `words`: what its scan says of every route, to be asked for before the next cycle."""
 
     inputs: Mapping[str, int]
     outputs: Mapping[str, bool]
     valid: bool
     lost: tuple[str, ...]
     memory: Memory = field(default=Memory({}, {}))
+    words: Callable[[], Mapping[int, int]] = field(default=dict, compare=False)
 
 
 @dataclass
@@ -139,7 +147,7 @@ class SoftPlc:
             self.watches[station] = Watch()
             if not any(x.startswith(f"{station}:") for x in lost):
                 lost.append(f"{station}: {why}")
-        return Cycle(inputs, outputs, valid, tuple(lost), self.runtime.remembers())
+        return Cycle(inputs, outputs, valid, tuple(lost), self.runtime.remembers(), self.runtime.words)
 
     def _write(self, outputs: Mapping[str, bool]) -> dict[str, str]:
         """Write every substation its outputs; those that cannot be written, and why."""
