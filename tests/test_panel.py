@@ -79,7 +79,9 @@ def test_a_refusal_says_why_and_where(at_work: tuple[Desk, Any]) -> None:
         told = b.events[-1]["reasons"] if b.events[-1]["kind"] == "refusal" else []
         told = told or next(e["reasons"] for e in b.events if e["kind"] == "refusal")
         assert ["section s7 is locked for route XI7-XC3", ["s:s7"]] in told
-        assert any(text.startswith("points P3 cannot go normal") for text, _ in told) or len(told) == 1
+        assert "points P3 cannot move: section s7 is locked" in [text for text, _ in told] or len(told) == 1
+        refusal = next(e for e in b.events if e["kind"] == "refusal")
+        assert len(refusal["rules"]) == len(refusal["reasons"]) and refusal["rules"][0] == "R6"
         assert b.ask("cancel", signal="XI7")["ok"]
         b.until(lambda: not b.state["g:XI7"][3])
         no = b.ask("cancel", signal="XI7")

@@ -16,7 +16,7 @@ from typing import Any
 
 import click
 
-from interlock.app.run import BadCommand, Operator, Ready, prepare, run
+from interlock.app.run import BadCommand, Operator, Ready, prepare, refused, run
 from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
 from interlock.field.alone import InUse, hold
 from interlock.field.modbus import ModbusLink
@@ -152,6 +152,7 @@ def command(
     for ending in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(ending, _end)
     before: dict[str, bool] = {}
+    last: Cycle | None = None
     said: tuple[object, ...] = ()
     longest = 0.0
     try:
@@ -164,7 +165,9 @@ def command(
                 for name, value in result.outputs.items():
                     if before.get(name) is not value and (before or value):
                         say({"output": name, "value": int(value)})
-                before = dict(result.outputs)
+                if no := refused(ready, last, result):
+                    say(no)
+                before, last = dict(result.outputs), result
     except KeyboardInterrupt:
         pass
     say(
@@ -180,6 +183,8 @@ def _json(event: dict[str, Any]) -> None:
 def _text(event: dict[str, Any]) -> None:
     """The same for people."""
     match event:
+        case {"route": route, "refused": text, "rule": rule}:
+            click.echo(f"  route {route} is refused: {text} ({rule})")
         case {"refused": text} | {"voyage": text}:
             click.echo(f"  {text}")
         case {"held": held}:

@@ -36,11 +36,13 @@ class Memory:
 
 @dataclass(frozen=True)
 class Runtime:
-    """A generated runtime: its scan, the restrictive value of every output, and what it remembers."""
+    """A generated runtime: its scan, the restrictive value of every output, what it remembers, and what its last scan
+    says of every route by its number."""
 
     scan: Scan
     restrictive: Mapping[str, bool]
     remembers: Callable[[], Memory]
+    words: Callable[[], Mapping[int, int]]
 
 
 class Link(Protocol):
@@ -64,7 +66,12 @@ def runtime_scan(text: str) -> Runtime:
     module = types.ModuleType("runtime")
     exec(compile(text, "runtime.py", "exec"), module.__dict__)
     controller = module.Controller()
-    return Runtime(controller.scan, dict(module.OUTPUTS), lambda: Memory(controller.state, dict(controller.elapsed)))
+    return Runtime(
+        controller.scan,
+        dict(module.OUTPUTS),
+        lambda: Memory(controller.state, dict(controller.elapsed)),
+        controller.words,
+    )
 
 
 @dataclass
@@ -89,13 +96,14 @@ class Watch:
 @dataclass(frozen=True)
 class Cycle:
     """What a cycle did: inputs as sampled, outputs, whether the inputs were valid, what was lost in words, and what the
-    controller remembers."""
+    controller remembers.  `words`: what its scan says of every route, to be asked for before the next cycle."""
 
     inputs: Mapping[str, int]
     outputs: Mapping[str, bool]
     valid: bool
     lost: tuple[str, ...]
     memory: Memory = field(default=Memory({}, {}))
+    words: Callable[[], Mapping[int, int]] = field(default=dict, compare=False)
 
 
 @dataclass
@@ -152,7 +160,7 @@ class SoftPlc:
             if h.substation in unwritten:
                 self._forget(h)
         told = tuple(f"{name}: {why}" for name, why in {**unwritten, **lost}.items())
-        return Cycle(inputs, outputs, valid, told, self.runtime.remembers())
+        return Cycle(inputs, outputs, valid, told, self.runtime.remembers(), self.runtime.words)
 
     def _ill(self, h: Health, values: Mapping[str, int], dt_ms: int) -> str:
         """Why a substation that has answered is not well; empty when it is."""

@@ -20,7 +20,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from interlock.logic.expr import TRUE, Expr, conj, disj, neg, variables
-from interlock.logic.names import Name
+from interlock.logic.names import WHY_NOT_CLEAR, Name
 
 UNKNOWN, FREE, SET, OPEN, CANCELLING = range(5)
 SAID = {
@@ -128,5 +128,7 @@ class Words:
         for c in self.by_name[name].cases:
             if true(c.condition):
                 codes = [c.value] if isinstance(c.value, int) else self.failing(c.value, true)
+                if not isinstance(c.value, int) and c.value.family is WHY_NOT_CLEAR:
+                    del codes[1:]  # what is occupied is not clear for long enough either
                 found.update(dict.fromkeys(codes))
         return list(found)

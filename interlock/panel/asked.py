@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from interlock.dispatch.arbiter import Source
 from interlock.field.plc import Cycle
+from interlock.logic.words import UNKNOWN
 from interlock.panel.commands import Buttons
 from interlock.panel.event import Event
 from interlock.panel.reasons import Moment, Reason, Reasons
@@ -45,7 +46,7 @@ class Asked:
                 "operation", f"route {name}: its signal is asked for again", who or "dispatcher", (signal,), told
             )
         else:
-            told = tuple(reasons.of_request(number, moment))
+            told = tuple(reasons.of_request(number, moment, cycle.words().get(number, UNKNOWN)))
             yield Event("refusal", f"route {name} is refused", who or "dispatcher", (signal,), told)
         if who:
             self._withdraw(buttons, number)

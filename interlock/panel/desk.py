@@ -20,6 +20,7 @@ from typing import Any
 from interlock.app.run import Operator, Ready, run
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside, InTurn
+from interlock.logic.words import UNKNOWN
 from interlock.panel.alarms import Alarm, Alarms
 from interlock.panel.asked import Asked
 from interlock.panel.causes import causes, fallen_back
@@ -335,6 +336,9 @@ class Desk:
     def _waits(self, route: str) -> list[Reason]:
         row = self.buttons.routes[route]
         moment = Moment(self._last.inputs, self._last.memory, self._dt_ms)
+        active = next(r.active for r in self.picture.symbols.routes if r.number == row.number)
+        if not self._last.memory.state.get(active):
+            return self.reasons.of_request(row.number, moment, self._last.words().get(row.number, UNKNOWN))
         return self.reasons.of_stop(row.number, moment)
 
     def _operate(self, who: Person, what: str, c: Mapping[str, Any]) -> str:

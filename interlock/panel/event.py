@@ -14,6 +14,11 @@ def stamp() -> str:
     return datetime.now().astimezone().isoformat(timespec="milliseconds")
 
 
+def rules(event: Event) -> list[str]:
+    """The rule behind each reason, empty where none is named."""
+    return [r.rule for r in event.reasons]
+
+
 @dataclass
 class Event:
     """Something that happened: `kind` is operation, refusal, release, alarm, acknowledged, cleared or note."""
@@ -29,4 +34,8 @@ class Event:
     def told(self) -> dict[str, Any]:
         """As it is sent and recorded."""
         body = {"n": self.number, "time": self.time, "kind": self.kind, "text": self.text, "who": self.who}
-        return body | {"at": list(self.at), "reasons": [[r.text, list(r.at)] for r in self.reasons]}
+        return body | {
+            "at": list(self.at),
+            "reasons": [[r.text, list(r.at)] for r in self.reasons],
+            "rules": rules(self),
+        }

@@ -112,6 +112,12 @@ def _sentence(e: Event) -> str:
     return f"{who}{e.get('text', e['kind'])}{f' ({reasons})' if reasons else ''}"
 
 
+def _with_rules(e: Event) -> list[str]:
+    """The reasons of an event, each with its rule where one is named."""
+    rules = [*e.get("rules", ()), *[""] * len(e.get("reasons", ()))]
+    return [f"{r[0]} ({rule})" if rule else r[0] for r, rule in zip(e.get("reasons", ()), rules, strict=False)]
+
+
 def page(found: Recorded, first: str = "", last: str = "") -> str:
     """The page of a shift: what was done, refused, released by hand and alarmed.  Raises `NotAPanels`."""
     begin, start, end = span(found, first, last)
@@ -124,7 +130,7 @@ def page(found: Recorded, first: str = "", last: str = "") -> str:
             "kind": e["kind"],
             "who": e.get("who", ""),
             "text": e.get("text") or {"begin": "the panel begins", END: "the panel ends"}.get(e["kind"], e["kind"]),
-            "reasons": [text for text, _ in e.get("reasons", ())],
+            "reasons": _with_rules(e),
         }
         for _, e in inside
     ]

@@ -1,7 +1,9 @@
-"""Why a request is refused, or a signal stays at stop: in words, from the controller's own equations.
+"""Why a request is refused, or a signal stays at stop: as the controller says it, or as its own equations tell.
 
-The equation that did not come true is followed down to what was read or remembered; each of those is told as a person
-at the panel would say it, with the elements that it is about.  Nothing is decided here.
+A refusal is the word that the controller has for the route; after it, the other conditions of that word that do not
+hold either.  Where there is no word, the equation that did not come true is followed down to what was read or
+remembered; each of those is told as a person at the panel would say it, with the elements that it is about.  Nothing is
+decided here.
 """
 
 from __future__ import annotations
@@ -11,13 +13,13 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from interlock.field.plc import Memory
-from interlock.logic.controller import Controller, Equation, Input, Step, Symbols, Term, Timer
+from interlock.logic.controller import Controller, Equation, Input, Step, Symbols, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr, evaluate
-from interlock.model.elements import Position, SectionId
+from interlock.logic.names import Name, computed
+from interlock.logic.sentences import about, sentence
+from interlock.logic.words import REFUSED
+from interlock.model.elements import SectionId
 from interlock.model.layout import Layout
-from interlock.model.portable import portable
-
-LIES = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
 
 
 @dataclass(frozen=True)
@@ -26,6 +28,8 @@ class Reason:
 
     text: str
     at: tuple[str, ...] = ()
+    rule: str = ""
+    """The page of the rule that asks for it, where the controller names one."""
 
 
 @dataclass(frozen=True)
@@ -45,19 +49,38 @@ class Reasons:
         self.symbols: Symbols = controller.symbols
         self._steps: dict[str, Step] = {s.name: s for s in controller.steps}
         self._inputs: dict[str, Input] = {i.name: i for i in controller.inputs}
+        named = (*(s.name for s in controller.steps), *(s.name for s in controller.state), *self._inputs)
+        self._names: dict[str, Name] = {n: n for n in named if isinstance(n, Name)}
+        self._following: dict[str, Equation] = {computed(e.name): e for e in controller.next}
         self._notes: dict[str, str] = {s.name: s.note for s in controller.state}
         self._notes |= {i.name: i.note for i in controller.inputs}
 
     # --- what is asked -----------------------------------------------------------------------------
 
-    def of_request(self, number: int, moment: Moment) -> list[Reason]:
-        """Why a route was not set when its number was read."""
+    def of_request(self, number: int, moment: Moment, code: int) -> list[Reason]:
+        """Why a route was not set when its number was read; `code`: what the controller says of it."""
         r = next((x for x in self.symbols.routes if x.number == number), None)
         if r is None:
             return [Reason("the overlap cannot swing now: a train is near, or what it would lie over is not free")]
         if moment.before.state.get(r.shown) and any(moment.before.state.get(n) for n in r.open_while):
             return [Reason("the route is set, and its signal open", (f"g:{r.entry}",))]
-        return self._told(f"G_R{number}", moment, {"requested"}) or [Reason("it was asked for in a scan too short")]
+        if code <= REFUSED:
+            return [Reason(f"the route is {self.controller.words.said(code)}", (f"g:{r.entry}",))]
+        look = _Look(self, moment)
+        others = self.controller.words.failing(self.controller.words.routes[number], look.true)
+        codes = dict.fromkeys((code, *(k for k in others if k > REFUSED)))
+        found: dict[str, Reason] = {}
+        for reason in map(self._of_code, codes, [moment] * len(codes)):
+            found.setdefault(reason.text, reason)
+        return list(found.values())
+
+    def _of_code(self, code: int, moment: Moment) -> Reason:
+        """What a code says; of a lock, by whom it is held in this moment."""
+        said = self.controller.words.reasons[code]
+        x = said.condition
+        if x is not None and x.op is NOT and x.args[0].op is VAR and x.args[0].name in self.locks:
+            return Reason(self.locked(x.args[0].name, moment), said.at, said.rule)
+        return Reason(said.text, said.at, said.rule)
 
     def of_stop(self, number: int, moment: Moment) -> list[Reason]:
         """What a route that is set still waits for before its signal opens."""
@@ -78,51 +101,31 @@ class Reasons:
         found: dict[str, Reason] = {}
         for t in step.terms:
             if t.kind not in leave and not look.true(t.expr):
-                for reason in look.term(t):
+                for reason in look.why(t.expr, True):
                     found.setdefault(reason.text, reason)
         return list(found.values())
 
     # --- names ---------------------------------------------------------------------------------------
 
+    def said(self, name: str, is_true: bool) -> tuple[str, tuple[str, ...]]:
+        """What is said of an input or state variable, empty where nothing is, and the element that it is about."""
+        known = self._names.get(name)
+        if known is None:
+            return "", ()
+        more = self._conditions.get(known, "") if not is_true else ""
+        return sentence(known, is_true) + more, about(known)
+
     @cached_property
-    def words(self) -> dict[str, tuple[str, str, str]]:
-        """By name of an input or state variable: what is said when it is 0, when it is 1, and the element."""
-        y = self.symbols
-        out: dict[str, tuple[str, str, str]] = {}
-        for s, n in y.clear.items():
-            out[n] = (f"section {s} is occupied", f"section {s} is clear", f"s:{s}")
-        for s, n in y.healthy.items():
-            out[n] = (f"the detector of section {s} is out of order", "", f"s:{s}")
-        for s, n in y.blocked.items():
-            out[n] = ("", f"section {s} is blocked", f"s:{s}")
-        for s, n in y.restart.items():
-            out[n] = ("", f"section {s} is not released since the restart", f"s:{s}")
-        for s, n in y.stale.items():
-            out[n] = ("", f"section {s}: inputs were lost, or a train was called on; release it by hand", f"s:{s}")
-        for s, n in y.used.items():
-            out[n] = (f"no train has come into section {s}", f"a train is in section {s}", f"s:{s}")
-        for s, n in y.train.items():
-            out[n] = ("", f"section {s} is locked for a train", f"s:{s}")
-        for m, n in y.trailed.items():
-            out[n] = ("", f"points {m} were trailed: look at them, and confirm it", f"m:{m}")
-        for (m, x), n in y.detected.items():
-            out[n] = (f"{m} is not detected {LIES[x]}", f"{m} is detected {LIES[x]}", f"m:{m}")
-        for c, n in y.condition.items():
-            text = next((k.text for k in self.layout.conditions if k.id == c and k.text), "")
-            out[n] = (f"condition {c} does not hold{': ' + text if text else ''}", "", f"c:{c}")
-        for lamps, what in ((y.stop_lamp, "stop"), (y.clear_lamp, "clear"), (y.caution_lamp, "caution")):
-            for g, n in lamps.items():
-                out[n] = (f"the {what} lamp of {g} is out", "", f"g:{g}")
-        for g, n in y.cancelling.items():
-            out[n] = ("", f"the route from {g} is being cancelled", f"g:{g}")
-        for (g, _), n in y.overlap.items():
-            out[n] = ("no overlap is held", f"the overlap of {g} is held there", f"g:{g}")
-        for b, x_ in y.token.items():
-            out[x_.have] = (f"the direction at {b} is not ours", "", f"b:{b}")
-            out[x_.clear] = (f"the line at {b} is not clear", "", f"b:{b}")
-        out[y.valid] = ("inputs are not valid: a substation is lost", "", "")
-        out[y.restart_timer] = ("the restart delay is not over", "", "")
-        return out
+    def _conditions(self) -> dict[str, str]:
+        texts = {c.id: c.text for c in self.layout.conditions if c.text}
+        return {n: f": {texts[c]}" for c, n in self.symbols.condition.items() if c in texts}
+
+    def locked(self, lock: str, moment: Moment) -> str:
+        """By whom a section is locked."""
+        section, way = self.locks[lock]
+        routes = self.holders(section, way, moment.before.state)
+        of = f" for route {', '.join(routes)}" if routes else " for a train that has passed its signal"
+        return f"section {section} is locked{of}"
 
     def holders(self, section: str, way: int, state: Mapping[str, bool]) -> tuple[str, ...]:
         """The routes that are set over a way."""
@@ -133,11 +136,6 @@ class Reasons:
     def locks(self) -> dict[str, tuple[str, int]]:
         """By variable of a lock: section and way."""
         return {n: (str(s), k) for (s, k), n in self.symbols.lock.items()}
-
-    @cached_property
-    def moves(self) -> dict[str, tuple[str, str]]:
-        """By wire that tells whether a machine can be demanded in a position: the machine and the position."""
-        return {f"AV{x}_{portable(m)}": (str(m), LIES[x]) for m in self.layout.machines for x in Position}
 
 
 class _Look:
@@ -156,7 +154,7 @@ class _Look:
         return self._values[name]
 
     def _find(self, name: str) -> int:
-        step = self.r._steps.get(name)
+        step = self.r._steps.get(name) or self.r._following.get(name)
         if isinstance(step, Equation):
             return int(self.true(step.expr))
         if isinstance(step, Timer):
@@ -170,14 +168,6 @@ class _Look:
     def true(self, x: Expr) -> bool:
         """Whether an expression holds; wires below it are evaluated first, so that no stack grows."""
         return evaluate(x, self.value, self._memo)
-
-    def term(self, t: Term) -> Iterator[Reason]:
-        """Why a term does not hold."""
-        if t.kind == "zone not full":
-            zone = next((z.id for z in self.r.layout.zones if z.id in t.note.replace(":", " ").split()), "")
-            yield Reason(f"zone {zone} is full: {t.note}", (f"z:{zone}",))
-            return
-        yield from self.why(t.expr, True)
 
     def why(self, x: Expr, wanted: bool) -> Iterator[Reason]:
         """What makes an expression other than wanted."""
@@ -208,9 +198,6 @@ class _Look:
     def _name(self, name: str, wanted: bool) -> Iterator[Reason]:
         if (name, wanted) in self._seen:
             return
-        if wanted and name in self.r.moves:
-            yield from self._cannot_move(*self.r.moves[name], name)
-            return
         step = self.r._steps.get(name)
         if isinstance(step, Timer):
             yield from self._timer(step, wanted)
@@ -218,7 +205,7 @@ class _Look:
             self._seen.add((name, wanted))
             for t in step.terms:
                 if self.true(t.expr) is (not wanted):
-                    yield from self.term(t) if wanted else self.why(t.expr, False)
+                    yield from self.why(t.expr, wanted)
         else:
             yield from self._leaf(name, not wanted)
 
@@ -232,31 +219,13 @@ class _Look:
         left = max(0, step.preset_ms - ran) / 1000
         yield Reason(f"{step.note.split(' (')[0]}: {left:.0f} s to go")
 
-    def _cannot_move(self, machine: str, position: str, name: str) -> Iterator[Reason]:
-        """A machine lies elsewhere and may not move: for what holds it, unless that has been told already."""
-        self._seen.add((name, True))
-        at = f"m:{machine}"
-        move = self.r._steps[f"MOV_{portable(machine)}"]
-        assert isinstance(move, Equation)
-        causes: dict[str, Reason] = {}
-        for t in move.terms:
-            if not self.true(t.expr):
-                for c in self.why(t.expr, True):
-                    causes.setdefault(c.text, c)
-        for c in causes.values():
-            yield Reason(f"points {machine} cannot go {position}: {c.text}", (at, *c.at))
-
     def _leaf(self, name: str, is_true: bool) -> Iterator[Reason]:
         if is_true and name in self.r.locks:
-            section, way = self.r.locks[name]
-            routes = self.r.holders(section, way, self.moment.before.state)
-            of = f" for route {', '.join(routes)}" if routes else " for a train that has passed its signal"
-            yield Reason(f"section {section} is locked{of}", (f"s:{section}",))
+            yield Reason(self.r.locked(name, self.moment), (f"s:{self.r.locks[name][0]}",))
             return
-        said = self.r.words.get(name)
-        text = said[is_true] if said is not None else ""
+        text, at = self.r.said(name, is_true)
         if text:
-            yield Reason(text, (said[2],) if said is not None and said[2] else ())
-        elif said is None or not any(said[:2]):
+            yield Reason(text, at)
+        elif not any(self.r.said(name, x)[0] for x in (False, True)):
             note = self.r._notes.get(name, name)
             yield Reason(note if is_true else f"not: {note}")

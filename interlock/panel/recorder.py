@@ -16,7 +16,7 @@ from interlock.app.run import Ready
 from interlock.emit.drawing import plan_svg
 from interlock.field.plc import Cycle
 from interlock.model.traversal import topology
-from interlock.panel.event import Event
+from interlock.panel.event import Event, rules
 from interlock.panel.journal import PICTURE
 from interlock.record.log import END, Log
 
@@ -90,7 +90,7 @@ class Recorder:
     def event(self, e: Event) -> None:
         """Something has happened."""
         reasons = [[r.text, list(r.at)] for r in e.reasons]
-        self._put(e.kind, text=e.text, who=e.who, at=list(e.at), reasons=reasons, time=e.time)
+        self._put(e.kind, text=e.text, who=e.who, at=list(e.at), reasons=reasons, rules=rules(e), time=e.time)
 
     def cycle(self, cycle: Cycle | None) -> None:
         """A cycle has ended; None while there is no power."""

@@ -156,7 +156,11 @@ const clock = time => time.slice(11, 19);
 function log(e, old) {
   const line = element("li", `${clock(e.time)} ${e.who ? `${e.who}: ` : ""}${e.text}`);
   line.className = e.kind;
-  for (const [text] of e.reasons) line.append(element("span", text));
+  e.reasons.forEach(([text], i) => {
+    const part = element("span", text), rule = e.rules?.[i];
+    if (rule) part.title = `${rule}: interlock explain ${rule}`;
+    line.append(part);
+  });
   $("log").prepend(line);
   while ($("log").children.length > 200) $("log").lastChild.remove();
   if (!old && e.kind === "refusal" && e.who === ($("name").value.trim() || "operator") && e.reasons.length) say(e.text, e.reasons);
