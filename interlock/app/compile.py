@@ -28,10 +28,10 @@ from interlock.emit.tables.export import (
     sheet_csv,
     table_csv,
     table_json,
-    table_xlsx,
     voyages_csv,
 )
 from interlock.emit.tables.railml import railml_json
+from interlock.emit.tables.workbook import table_xlsx
 from interlock.frontend import load
 from interlock.logic.cabinet import allocate
 from interlock.logic.expr import interning

@@ -20,7 +20,7 @@ from interlock.verify import Rejected, need
 _KEYS = """
 interlock name title profile principles boundaries buffers traps tracks points crossings slips derailers
 level_crossings interlocks signals distants sections conditions zones overlaps waive exclude hostile demand automatic
-routes voyages substations addresses health drawing telegram target allow
+routes voyages substations addresses health drawing telegram target allow title_block
 """
 KEYS = frozenset(_KEYS.split())
 """The keys that are known; those of the last line say nothing of what is claimed."""

@@ -43,6 +43,7 @@ from interlock.frontend.resolve import (
     resolve_waivers,
     resolve_zones,
     stops,
+    title_block,
 )
 from interlock.frontend.validate import validate
 from interlock.frontend.wiring import Wirer
@@ -200,6 +201,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         boards=boards(ctx),
         supervision=resolve_supervision(ctx, wiring),
         hands=hands(ctx),
+        title_block=title_block(ctx),
         stops=stops(ctx),
         demanded=demanded,
         unlisted=unlisted(ctx),

@@ -33,6 +33,7 @@ from interlock.model.elements import (
     Signal,
     SignalId,
     SignalKind,
+    TitleBlock,
     Voyage,
     Waiver,
     Zone,
@@ -134,6 +135,12 @@ def _kind(spec: SignalSpec) -> SignalKind:
     if spec.kind == "limit":
         return SignalKind.SHUNT
     return SignalKind.COMBINED if spec.stops_trains else SignalKind(spec.kind)
+
+
+def title_block(ctx: Context) -> TitleBlock | None:
+    """The title block of printed forms, where anything of it is stated."""
+    block = TitleBlock(**ctx.file.title_block.model_dump())
+    return None if block == TitleBlock() else block
 
 
 def hands(ctx: Context) -> tuple[tuple[PointId, Hand], ...]:

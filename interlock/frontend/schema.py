@@ -444,6 +444,16 @@ class TargetSpec(_Part):
     memory_kb: Count | None = key("1,024 bytes of work memory; without it, those of the CPU", None)
 
 
+class TitleBlockSpec(_Part):
+    """The title block of printed forms; the station's name is the layout's `title`."""
+
+    company: Text = key("who has the forms made", "")
+    author: Text = key("who made them", "")
+    number: Text = key("the number of the drawing", "")
+    revision: Text = key("the revision", "")
+    date: Text = key("the date, as it shall be printed; without it, none: forms never bear the day of the run", "")
+
+
 class LayoutFile(_Part):
     """A track layout for interlock."""
 
@@ -503,6 +513,7 @@ class LayoutFile(_Part):
     target: TargetSpec = key(
         "the controller: whether what is written may fit into it is told as a diagnostic", TargetSpec()
     )
+    title_block: TitleBlockSpec = key("the title block of printed forms", TitleBlockSpec())
     addresses: dict[Text, Text] = key(
         "PLC variables with their addresses, where these are not given in order: `CLR_q1: I4.0`", {}
     )

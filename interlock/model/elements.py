@@ -424,6 +424,17 @@ class Exclude(Choice):
 
 
 @dataclass(frozen=True)
+class TitleBlock:
+    """What the title block of printed forms says besides the layout's own title; only printed."""
+
+    company: str = ""
+    author: str = ""
+    number: str = ""
+    revision: str = ""
+    date: str = ""
+
+
+@dataclass(frozen=True)
 class Barred:
     """Routes that the author declares hostile, each of the one choice to each of the other, with the reason (R6)."""
 

@@ -42,6 +42,7 @@ from interlock.model.elements import (
     SignalId,
     Substation,
     TelegramForm,
+    TitleBlock,
     Voyage,
     Waiver,
     Work,
@@ -109,6 +110,8 @@ class Layout:
     """The controller for which the text is meant; no text and no proof depends on it."""
     health: tuple[Health, ...] = ()
     """How substations are seen to be well, where that is stated."""
+    title_block: TitleBlock | None = None
+    """What the title block of printed forms says, where the layout states it."""
     labels: Mapping[str, str] = field(default_factory=dict, compare=False)
     pins: Pins = field(default_factory=Pins)
     """Addresses that stay, of a file beside the layout; no fact about the railway, and not in its digest."""
@@ -283,7 +286,8 @@ class Layout:
 
     @cached_property
     def bare(self) -> Layout:
-        """The same railway without lengths and hands of points, for whatever controller."""
+        """The same railway without lengths, for whatever controller, and without what is only printed: hands of
+        points, the title block."""
         return replace(
             self,
             target=None,
@@ -293,6 +297,7 @@ class Layout:
             overlap_ways=tuple(replace(o, length=0.0) for o in self.overlap_ways),
             boundaries=tuple(replace(b, approach_m=0.0) for b in self.boundaries),
             hands=(),
+            title_block=None,
         )
 
     @cached_property
@@ -308,6 +313,7 @@ class Layout:
 
 _ONLY_STATED = frozenset(
     {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target", "health"}
+    | {"title_block"}
     | {"overlap_ways", "entry_speeds", "overlap_releases"}
 )
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""

@@ -24,12 +24,17 @@ class Matrix:
 
     def m_mt(self) -> tuple[tuple[int, ...], ...]:
         """Shared sections of every pair of routes."""
-        return tuple(tuple(sum(x * y for x, y in zip(a, b, strict=True)) for b in self.rows) for a in self.rows)
+        return _products(self.rows)
 
     def mt_m(self) -> tuple[tuple[int, ...], ...]:
         """Shared routes of every pair of sections."""
-        columns = tuple(zip(*self.rows, strict=True))
-        return tuple(tuple(sum(x * y for x, y in zip(a, b, strict=True)) for b in columns) for a in columns)
+        return _products(tuple(zip(*self.rows, strict=True)))
+
+
+def _products(rows: tuple[tuple[int, ...], ...]) -> tuple[tuple[int, ...], ...]:
+    """In how many columns two rows of zeros and ones have both a one, for every two rows."""
+    bits = [int("0" + "".join(map(str, row)), 2) for row in rows]
+    return tuple(tuple((a & b).bit_count() for b in bits) for a in bits)
 
 
 def _natural(name: str) -> tuple[tuple[int, int, str], ...]:

@@ -10,7 +10,7 @@ from datetime import datetime
 
 import xlsxwriter
 
-from interlock.emit.tables.export import reproducible
+from interlock.emit.tables.workbook import reproducible
 from interlock.logic.cabinet import Allocation, Channel
 from interlock.logic.controller import Controller
 from interlock.logic.words import SAID

@@ -6,7 +6,6 @@ Everything that is printed stands in the page itself; scripts only light up, fil
 
 from __future__ import annotations
 
-import hashlib
 import json
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
@@ -15,11 +14,13 @@ from importlib import resources
 from jinja2 import Environment, PackageLoader, select_autoescape
 from markupsafe import Markup
 
+from interlock.emit.bundle import digest_of
+from interlock.emit.tables.paper import SIGNED, title_block
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 from interlock.table.matrix import beyond_matrix, matrix
-from interlock.table.national import national_sheets
+from interlock.table.national import SHEETS, national_sheets
 from interlock.table.printed import Printed, PrintedRoute, grouped, parts
 from interlock.table.rows import HostileClass, InterlockingTable, ProviderKind, RouteRow, TraversalKey
 
@@ -87,6 +88,9 @@ def report_html(
             css=Markup(asset("report.css")),
             js=asset("report.js"),
             data=script_json(_data(layout, table)),
+            title_block=lambda language: title_block(layout, table.layout_digest, language),
+            signatures=SIGNED,
+            has_forms=layout.profile in SHEETS,
             columns=[c for c in COLUMNS if any(map(c.items, table.routes))],
             empty=[c.en for c in COLUMNS if not any(map(c.items, table.routes))],
             voyage_columns=VOYAGE_COLUMNS,
@@ -103,7 +107,7 @@ def report_html(
             forms=[f.printed() for f in national_sheets(layout, table)] if not large else [],
             kinds_of_routes=sorted({str(r.kind) for r in table.routes}),
             places=sorted({*(s for r in table.routes for s in r.section_ids), *(r.entry for r in table.routes)}),
-            digests=[(n, hashlib.sha256(data).hexdigest()) for n, data in sorted(files.items())],
+            digests=[(n, digest_of(n, data)) for n, data in sorted(files.items())],
         )
     )
 

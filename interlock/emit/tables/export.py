@@ -5,20 +5,15 @@ from __future__ import annotations
 import csv
 import io
 import json
-import zipfile
+from collections.abc import Iterator
 from dataclasses import asdict
-from datetime import datetime
-
-import xlsxwriter
-from xlsxwriter.format import Format
-from xlsxwriter.worksheet import Worksheet
 
 from interlock.model.layout import Layout
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 from interlock.table.matrix import Matrix, beyond_matrix, matrix
-from interlock.table.national import Sheet, national_sheets
+from interlock.table.national import Sheet
 from interlock.table.printed import Printed
-from interlock.table.rows import SCHEMA_VERSION, InterlockingTable
+from interlock.table.rows import SCHEMA_VERSION, Hostile, InterlockingTable
 
 SCHEMA = f"interlock-table/{SCHEMA_VERSION}"
 
@@ -31,8 +26,14 @@ def table_json(layout: Layout, table: InterlockingTable) -> str:
     topology = {kind: [asdict(x) for x in getattr(layout, kind)] for kind in TOPOLOGY}
     body = {"schema": SCHEMA, **asdict(table), "topology": topology}
     for row, r in zip(body["routes"], table.routes, strict=True):
-        row["hostile"] = [asdict(h) for h in r.hostile]
+        row["hostile"] = [_pair(h) for h in r.hostile]
     return json.dumps(body, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _pair(h: Hostile) -> dict[str, object]:
+    """As `asdict`, which takes a minute for a million pairs."""
+    because = {"rule": h.because.rule, "text": h.because.text}
+    return {"route": h.route, "kind": h.kind, "kinds": h.kinds, "witness": h.witness, "because": because}
 
 
 def table_csv(table: InterlockingTable) -> str:
@@ -40,11 +41,11 @@ def table_csv(table: InterlockingTable) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow([c.en for c in COLUMNS])
-    writer.writerows(_printed(table))
+    writer.writerows(printed_rows(table))
     return out.getvalue()
 
 
-def _printed(table: InterlockingTable) -> list[list[str]]:
+def printed_rows(table: InterlockingTable) -> list[list[str]]:
     """The rows of the routes that are listed, and one that tells how many are not."""
     printed = Printed(table)
     rows = [[c.printed(w) for c in COLUMNS] for w in printed.listed]
@@ -83,7 +84,8 @@ def _matrix_rows(
     return [[name, *columns], *body, []]
 
 
-def _matrices(table: InterlockingTable) -> list[list[str]]:
+def matrix_rows(table: InterlockingTable) -> list[list[str]]:
+    """M, M.M^T and M^T.M of document A, and the hostile pairs that they miss, as lines."""
     rows: list[list[str]] = []
     parts: list[tuple[str, Matrix]] = [("all routes", matrix(table))]
     named = matrix(table, named_only=True)
@@ -102,83 +104,15 @@ def _matrices(table: InterlockingTable) -> list[list[str]]:
 def matrix_csv(table: InterlockingTable) -> str:
     """M, M.M^T and M^T.M of document A, and the hostile pairs that they miss."""
     out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows(_matrices(table))
+    csv.writer(out, lineterminator="\n").writerows(matrix_rows(table))
     return out.getvalue()
 
 
-def _reasons(why: Worksheet, table: InterlockingTable, head: Format, cell: Format) -> None:
-    """Rule and reason of every printed cell."""
-    for x, (title, width) in enumerate((("Route", 14), ("Column", 20), ("Item", 30), ("Rule", 8), ("Reason", 90))):
-        why.set_column(x, x, width)
-        why.write_string(0, x, title, head)
-    line = 1
+def reason_rows(table: InterlockingTable, pairs: bool = True) -> Iterator[tuple[str, ...]]:
+    """Route, column, item, rule and reason of every printed cell; with `pairs`, of hostile routes, too."""
     for way in Printed(table).all:
         for c in COLUMNS:
-            for part in c.parts(way):
+            for part in c.parts(way) if pairs or c.key != "hostile" else ():
                 route = way.id if part.row is None else f"{way.id}.{way.mark(part.row)}"
                 for text, because in part.items:
-                    for x, value in enumerate((route, c.en, text, because.rule, because.text)):
-                        why.write_string(line, x, value, cell)
-                    line += 1
-
-
-def table_xlsx(layout: Layout, table: InterlockingTable) -> bytes:
-    """A workbook: table, reasons, matrices.  Dates are fixed, so that the bytes are reproducible."""
-    out = io.BytesIO()
-    with xlsxwriter.Workbook(out, {"in_memory": True}) as book:
-        book.set_properties({"title": f"Interlocking table {layout.name}", "created": datetime(2000, 1, 1)})
-        head = book.add_format({"bold": True, "text_wrap": True, "valign": "top", "bottom": 1})
-        cell = book.add_format({"text_wrap": True, "valign": "top"})
-        sheet = book.add_worksheet("Table")
-        sheet.set_landscape()
-        sheet.set_paper(8)
-        sheet.fit_to_pages(1, 0)
-        sheet.repeat_rows(0)
-        sheet.freeze_panes(1, 2)
-        printed = _printed(table)
-        for x, c in enumerate(COLUMNS):
-            width = max([len(c.en), *(len(row[x]) for row in printed)], default=10)
-            sheet.set_column(x, x, min(34, max(6, width + 1)))
-            sheet.write_string(0, x, f"{c.en}\n{c.zh}", head)
-            for y, row in enumerate(printed, 1):
-                sheet.write_string(y, x, row[x], cell)
-        if table.voyages:
-            page = book.add_worksheet("Voyages")
-            for x, v in enumerate(VOYAGE_COLUMNS):
-                page.set_column(x, x, min(60, max([len(v.en), *(len(v.text(row)) for row in table.voyages)]) + 1))
-                page.write_string(0, x, f"{v.en}\n{v.zh}", head)
-                for y, voyage in enumerate(table.voyages, 1):
-                    page.write_string(y, x, v.text(voyage), cell)
-        for form in map(Sheet.printed, national_sheets(layout, table)):
-            page = book.add_worksheet(form.key)
-            page.set_landscape()
-            page.set_paper(8)
-            page.fit_to_pages(1, 0)
-            page.repeat_rows(0)
-            page.freeze_panes(1, 2)
-            for x, h in enumerate(form.headings):
-                width = max([8, *(len(row[x]) for row in form.rows)])
-                page.set_column(x, x, min(34, width + 1))
-                native = h.native(form.language)
-                page.write_string(0, x, native if native == h.en else f"{native}\n{h.en}", head)
-            for y, cells in enumerate(form.rows, 1):
-                for x, value in enumerate(cells):
-                    page.write_string(y, x, value, cell)
-        _reasons(book.add_worksheet("Reasons"), table, head, cell)
-        sheet = book.add_worksheet("Matrices")
-        for y, row in enumerate(_matrices(table)):
-            for x, value in enumerate(row):
-                if value.isdigit() and x:
-                    sheet.write_number(y, x, int(value))
-                else:
-                    sheet.write_string(y, x, value)
-    return reproducible(out.getvalue())
-
-
-def reproducible(data: bytes) -> bytes:
-    """The same archive without compression and with fixed dates: equal bytes whatever zlib the machine has."""
-    out = io.BytesIO()
-    with zipfile.ZipFile(io.BytesIO(data)) as old, zipfile.ZipFile(out, "w", zipfile.ZIP_STORED) as new:
-        for item in old.infolist():
-            new.writestr(zipfile.ZipInfo(item.filename, (2000, 1, 1, 0, 0, 0)), old.read(item))
-    return out.getvalue()
+                    yield route, c.en, text, because.rule, because.text

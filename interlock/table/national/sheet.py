@@ -82,9 +82,9 @@ class Sheet:
         return WORDS[self.language]
 
     def printed(self) -> Sheet:
-        """Without its empty columns, which it names; a sheet without rows keeps its headings."""
+        """Without its empty columns, which it names; of a sheet without rows nothing is left but that."""
         if not self.rows:
-            return self
+            return replace(self, headings=())
         full = [x for x in range(len(self.headings)) if any(row[x] for row in self.rows)]
         return replace(
             self,
