@@ -139,6 +139,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             heading("Q", "v Fahrweg (km/h)", "Speed of the path (km/h)", "进路速度 (km/h)"),
             lambda r: "" if r.speed.kmh is None else str(r.speed.kmh),
         ),
+        Field(heading("R", "v D-Weg (km/h)", "Speed of the overlap (km/h)", "保护区段速度 (km/h)"), x.entry_kmh),
         Field(heading("AE", "Vorsignalisierung Ziel", "Next signal shown", "预告信号"), lambda r: r.aspect.next or ""),
         Field(heading("AF", "Bemerkung", "Remarks", "备注"), lambda r: _remarks(x, r)),
         Field(heading("", "Fahrstraße", "Route in the other tables", "进路名"), lambda r: x.printed.ways[r.id].id),
@@ -154,7 +155,7 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         SOURCE.format("Sslz"),
         (
             *("I F-Bedienung", "J Inselgleis", "M Nichthaltfallabschnitt", "N 2. Haltfallkriterium", "P Hg"),
-            *("R v D-Weg", "S v Besonders", "T Zs3", "U Aufwertung Mwtfstr", "V Zl", "W Zs3v", "X Zs2", "Y Zs2v"),
+            *("S v Besonders", "T Zs3", "U Aufwertung Mwtfstr", "V Zl", "W Zs3v", "X Zs2", "Y Zs2v"),
             *("Z Zs6", "AA Zs13", "AB Zs3 im Fahrweg", "AC Zs6 im Fahrweg", "AD Kennlicht"),
         ),
         legend=(

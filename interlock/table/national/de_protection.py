@@ -12,7 +12,7 @@ from math import isinf
 
 from interlock.model.elements import MachineId, PointId, Position
 from interlock.model.layout import Layout
-from interlock.model.overlap import entry_speed, own_way
+from interlock.model.overlap import own_way
 from interlock.table.national.de import LAGE, SOURCE, end_lage, heading, lage, lying, overlap_name
 from interlock.table.national.protection import Protection
 from interlock.table.national.reading import Reading
@@ -27,7 +27,9 @@ def overlaps(layout: Layout, table: InterlockingTable) -> Sheet:
     fields: tuple[Field[tuple[OverlapCell, RouteRow]], ...] = (
         Field(heading("A", "von", "From", "始端"), lambda o: o[0].signal),
         Field(heading("E", "Bezeichnung", "Overlap", "名称"), lambda o: overlap_name(o[1])),
-        Field(heading("F", "v Ziel möglich (km/h)", "Entry speed (km/h)", "允许速度"), lambda o: _entry(x, o[0])),
+        Field(
+            heading("F", "v Ziel möglich (km/h)", "Entry speed (km/h)", "允许速度 (km/h)"), lambda o: x.entry_kmh(o[1])
+        ),
         Field(heading("G", "Länge soll (m)", "Length needed (m)", "要求长度 (m)"), lambda o: _needed(x, o[0])),
         Field(heading("H", "Länge ist (m)", "Length (m)", "实际长度 (m)"), lambda o: f"{o[0].metres:g}"),
         Field(heading("I", "Länge freigemeldet (m)", "Proved clear (m)", "检查长度 (m)"), lambda o: f"{o[0].metres:g}"),
@@ -60,13 +62,8 @@ def overlaps(layout: Layout, table: InterlockingTable) -> Sheet:
     )
 
 
-def _entry(x: Reading, o: OverlapCell) -> str:
-    kmh = entry_speed(x.layout, o.signal, [x.way(key) for key in o.ways])
-    return "" if kmh is None else str(kmh)
-
-
 def _needed(x: Reading, o: OverlapCell) -> str:
-    own = own_way(x.layout, o.signal, [x.way(key) for key in o.ways])
+    own = own_way(x.layout, o.signal, x.overlap_ways(o))
     metres = x.layout.overlap_of[o.signal] if own is None else own.length
     return "bis zum nächsten Hauptsignal" if isinf(metres) else f"{metres:g}"
 

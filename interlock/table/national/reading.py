@@ -8,12 +8,14 @@ from functools import cached_property
 
 from interlock.model.elements import Hand, MachineId, NodeId, PointId, Position, RouteId, SectionId
 from interlock.model.layout import Layout
+from interlock.model.overlap import entry_speed
 from interlock.model.traversal import Topology, Traversal, topology
 from interlock.table.printed import Printed, PrintedRoute, grouped
 from interlock.table.rows import (
     Hostile,
     HostileClass,
     InterlockingTable,
+    OverlapCell,
     PointDemand,
     ProviderKind,
     Role,
@@ -110,6 +112,15 @@ class Reading:
     def overlap_release_s(self, r: RouteRow) -> float:
         """Seconds after which the overlap of a route is given up behind a train that stands."""
         return self.layout.overlap_release_s(r.overlap.signal) if r.overlap is not None else 0.0
+
+    def overlap_ways(self, o: OverlapCell) -> list[Traversal]:
+        """The ways over which an overlap lies."""
+        return [self.way(key) for key in o.ways]
+
+    def entry_kmh(self, r: RouteRow) -> str:
+        """The speed for which the overlap of a route is made, where one is stated."""
+        kmh = None if r.overlap is None else entry_speed(self.layout, r.overlap.signal, self.overlap_ways(r.overlap))
+        return "" if kmh is None else str(kmh)
 
     def stops(self, r: RouteRow) -> list[str]:
         """The signals that protect the flank of a route at stop."""
