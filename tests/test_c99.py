@@ -17,6 +17,7 @@ from interlock.emit.c99.runtime import literal, runtime_c
 from interlock.logic.controller import Controller, Equation, Input, Join, Output, StateVar, Term, Timer
 from interlock.logic.expr import Expr, conj, eq, neg, var
 from interlock.logic.names import spelled
+from interlock.logic.words import Words
 from interlock.proof.equivalence import c_text
 from interlock.proof.equivalence.c_text import BadC, compare_c
 from tests.c_driver import answers, built_by_gcc, driven
@@ -49,7 +50,9 @@ def smallest() -> tuple[Controller, dict[str, str]]:
         Output(spelled("YS"), bits["K"], True, "stop"),
         Output(spelled("YP"), conj((bits["L"], neg(bits["K"]))), False, "proceed"),
     )
-    controller = replace(whole, name="small", inputs=inputs, state=state, steps=steps, next=following, outputs=outputs)
+    controller = replace(
+        whole, name="small", inputs=inputs, state=state, steps=steps, next=following, outputs=outputs, words=Words()
+    )
     return controller, runtime_c(controller, ["made for a test"])
 
 

@@ -109,7 +109,7 @@ CHANGES = {
         ("    RUNS := FALSE;\n", ""),
         ('"CLR_SA","I 0.2"', '"CLR_SA","I 0.7"'),
         ('"CLR_SA","I 0.2"', '"CLR_SA","M 0.2"'),
-        ('"DB_W_main","DB 1","FB 12"', '"DB_W_main","DB 1","FB 13"'),
+        ('"DB_W_main","DB 1","FB 14"', '"DB_W_main","DB 1","FB 15"'),
         ('"TON","SFB 4","SFB 4"', '"TON","SFB 5","SFB 5"'),
         ("I_T01 : ", "T01 : "),
     ],
@@ -131,7 +131,7 @@ def test_a_changed_delivery_is_refuted(dialect: str) -> None:
 def test_a_table_of_tags_is_read_from_its_workbook() -> None:
     layout, _, a = smallest()
     book = tags_xlsx(layout, a)
-    assert read_tags(book) == {c.variable: c.located for c in (*a.heartbeats, *a.channels)}
+    assert read_tags(book) == {c.variable: c.located for c in a.wires}
     files = files_of("scl1500")
 
     def edited(old: str, new: str) -> bytes:
@@ -185,7 +185,7 @@ def test_no_name_for_step_7_looks_like_an_address() -> None:
     names = set(re.findall(r"^ +(\w+) : ", text, re.MULTILINE))
     assert names and not [n for n in names if re.fullmatch(r"[TCZMIQEA]\d+", n)]
     table = files_of("scl300")["fig2_2.sdf"]
-    assert '"IL_fig2_2","FB 11","FB 11",""' in table and '"DB_IL_fig2_2","DB 3","FB 11",""' in table
+    assert '"IL_fig2_2","FB 13","FB 13",""' in table and '"DB_IL_fig2_2","DB 3","FB 13",""' in table
     long = table.replace('"CLR_SA"', '"CLR_' + "A" * 21 + '"')
     assert "a symbol has 24" in str(wrong("scl300", {**files_of("scl300"), "fig2_2.sdf": long}))
 

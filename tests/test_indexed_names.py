@@ -46,6 +46,9 @@ READ = {
     "st/meaning.py": "paths of instances in a text",
     "st/parser.py": "Structured Text",
     "emit/report/player.py": "pictures",
+    "emit/bundle.py": "names of files",
+    "emit/io/lists.py": "elements of which a word speaks",
+    "emit/tables/paper.py": "cells of printed tables",
 }
 """Modules that take texts apart, and which; none of these texts is the name of a variable."""
 

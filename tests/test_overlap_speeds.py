@@ -72,8 +72,8 @@ def test_each_overlap_has_its_speed_its_points_and_its_end_in_one_printed_row() 
     assert sum(",X2,X3," in line for line in table_csv(table).splitlines()) == 1
     form = {s.key: s for s in national_sheets(layout, table)}
     assert form["de_ssld"].rows[:2] == (
-        ("X3", "D1", "", "200", "330", "P2+, P3+", "q4, q5, q6", "q3", "88"),
-        ("X3", "D2", "40", "60", "100", "P2−", "q4, q7", "q3", "88"),
+        ("X3", "D1", "", "200", "330", "330", "P2+, P3+", "q4, q5, q6", "q3", "500", "88", ""),
+        ("X3", "D2", "40", "60", "100", "100", "P2−", "q4, q7", "q3", "500", "88", ""),
     )
     # the lower of two speeds counts: the points permit 60 km/h, the overlap 50
     assert {r.speed.kmh for r in table.routes if r.exit == "X8"} == {50}

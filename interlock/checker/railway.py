@@ -109,12 +109,15 @@ class Path:
         return self.ways[-1]
 
 
-@lru_cache(maxsize=4096)
 def safe(name: str) -> str:
     """A layout's name as part of a variable: what the page of the language says under "Names in PLC text"."""
     text = re.sub("[-/]", "_", name)
-    if re.fullmatch("[A-Za-z0-9_]{1,14}", text):
-        return text
+    return text if re.fullmatch("[A-Za-z0-9_]{1,14}", text) else _read(name, text)
+
+
+@lru_cache(maxsize=1024)
+def _read(name: str, text: str) -> str:
+    """What can be read of a name, and four signs that depend on all of it."""
     read = ""
     for sign in unicodedata.normalize("NFKD", text):
         told = unicodedata.name(sign, "").split(" LETTER ")

@@ -16,7 +16,6 @@ _CHECK = 4
 _SIGNS = "abcdefghijkmnpqrstuvwxyz23456789"  # 32, none like another
 
 
-@lru_cache(maxsize=4096)
 def portable(name: str) -> str:
     """The name with `-` and `/` as `_`, if that is short and ASCII; else its first letters and digits and a check.
 
@@ -25,6 +24,12 @@ def portable(name: str) -> str:
     plain = name.replace("-", "_").replace("/", "_")
     if len(plain) <= LONGEST and plain.isascii() and "#" not in plain:
         return plain
+    return _shortened(name, plain)
+
+
+@lru_cache(maxsize=1024)
+def _shortened(name: str, plain: str) -> str:
+    """What can be read of a name, and a check of it."""
     letters = "".join(map(readable, unicodedata.normalize("NFKD", plain))).replace("#", "").replace("?", "")
     near = letters[: LONGEST - _CHECK - 1].strip("_")
     number = int.from_bytes(sha256(name.encode()).digest()[:3], "big")

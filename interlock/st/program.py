@@ -106,7 +106,7 @@ def io_task(controller: Controller, runs: Runs = Runs.CONFIGURATION, restart: bo
 
 def watch_name(prefix: str, within_ms: int) -> str:
     """The block that watches heartbeats of a time."""
-    return f"{prefix}_WATCH" if within_ms == HEARTBEAT_MS else f"{prefix}_W{within_ms}"
+    return f"{prefix}_WATCH" if within_ms == HEARTBEAT_MS else f"{prefix}_H{within_ms}"
 
 
 def watches(controller: Controller, a: Allocation, restart: bool = False) -> tuple[Block, ...]:

@@ -64,9 +64,7 @@ def report_html(
     m = named if named.routes else matrix(table)
     small = len(m.routes) <= 80
     mmt = m.m_mt() if small else ()
-    large = len(table.routes) > LARGE
-
-    printed = Printed(table)
+    large, printed = len(table.routes) > LARGE, Printed(table)
 
     def hostile_parts(way: PrintedRoute) -> list[tuple[RouteRow | None, str]]:
         if large:
