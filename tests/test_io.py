@@ -212,12 +212,12 @@ def test_health_is_declared_proved_and_read_restrictive() -> None:
     assert [c.variable for c in a.sent] == ["HO_west", "HO_east"]
     text = print_unit(io_program(controller, a, []))
     assert "VALID := CYC.OK AND W_west.OK AND W_east.OK AND OK_west AND OK_mid;" in text
-    assert "W_west : IL_mine11_W500;" in text and "W_east : IL_mine11_WATCH;" in text
+    assert "W_west : IL_mine11_H500;" in text and "W_east : IL_mine11_WATCH;" in text
     assert compare_program(controller, a, text) == ()
     for old, new in (
         (" AND OK_mid;", ";"),
         ("W_west.OK AND W_east.OK", "W_east.OK AND W_east.OK"),
-        ("W_west : IL_mine11_W500", "W_west : IL_mine11_WATCH"),
+        ("W_west : IL_mine11_H500", "W_west : IL_mine11_WATCH"),
         ("T#500ms", "T#5s"),
         ("OK_west AND OK_mid", "OK_mid AND OK_mid"),
         ("HO_east := BEAT", "HO_west := BEAT"),
