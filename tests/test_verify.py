@@ -274,3 +274,23 @@ def test_a_certificate_that_is_not_current_is_named(tmp_path: Path) -> None:
     assert run.exit_code == 0 and "CURRENT" in run.output
     run = CliRunner().invoke(command, ["layouts/fig2_2.yaml", "--outputs", str(tmp_path)])
     assert run.exit_code == 1 and "IL5003" in run.output
+
+
+def test_a_certificate_ties_the_texts_of_every_dialect_that_was_written(tmp_path: Path) -> None:
+    from click.testing import CliRunner
+
+    from interlock.cli.certify import command
+    from interlock.cli.compile import command as compile_
+
+    outputs, proofs = tmp_path / "generated", tmp_path / "proofs"
+    wanted = ["layouts/fig2_2.yaml", "-o", str(outputs), "--dialect", "scl300", "--dialect", "c99"]
+    assert CliRunner().invoke(compile_, wanted).exit_code == 0
+    made = CliRunner().invoke(command, ["layouts/fig2_2.yaml", "--outputs", str(outputs), "-o", str(proofs)])
+    assert made.exit_code == 0, made.output
+    written = (proofs / "fig2_2" / "manifest.json").read_text()
+    assert "st/iec/fig2_2.st" in written and "c99/fig2_2.c" in written
+    source = next((outputs / "fig2_2" / "st").rglob("*.scl"))
+    assert str(source.relative_to(outputs)) in written
+    source.write_text(source.read_text() + "\n")
+    with pytest.raises(Rejected, match=source.name):
+        verify(proofs / "fig2_2")

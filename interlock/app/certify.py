@@ -7,8 +7,10 @@ import time
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from interlock.app.compile import build, finish
+from interlock.app.check import derive_file
+from interlock.app.compile import build_derived, finish
 from interlock.app.proved import Proved
+from interlock.app.texts import C99, written_for
 from interlock.diag import Diagnostic, Severity
 from interlock.emit.bundle import MANIFEST as OUTPUTS
 from interlock.emit.bundle import differences, is_bundle, write_folder
@@ -49,14 +51,17 @@ def certify_file(
     check: bool = False,
     progress: Progress = quiet,
 ) -> Certified:
-    """Write (or check) the certificate of a layout whose outputs are current."""
+    """Write (or check) the certificate of a layout whose outputs are current, in whatever dialects they are there."""
     began = time.monotonic()
     return replace(_certified(path, outputs, proofs, check, progress), seconds=time.monotonic() - began)
 
 
 @interning()
 def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Progress) -> Certified:
-    proved, files = build(path, progress=progress)
+    progress("deriving", 0, 0)
+    derived = derive_file(path)
+    others = written_for(outputs / derived.layout.name) if derived.layout is not None else ()
+    proved, files = build_derived(derived, progress=progress, dialects=others)
     layout, table = proved.checked.layout, proved.checked.table
     if not proved.green or layout is None or table is None:
         return Certified(proved)
@@ -78,7 +83,7 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
         return Certified(proved, notes=(note,))
     tied = {os.path.relpath(path, target): Path(path).read_bytes()}
     # the texts themselves, and the manifest, which ties every other output by its digest
-    own = {n: data for n, data in emitted.items() if n.startswith("st/") or n == OUTPUTS}
+    own = {n: data for n, data in emitted.items() if n.startswith(("st/", f"{C99}/")) or n == OUTPUTS}
     tied |= {os.path.relpath(outputs / layout.name / n, target): data for n, data in own.items()}
     error: Exception | None = None
     # shapes that are known already are a hint: where a certificate with them is rejected, it is made without them

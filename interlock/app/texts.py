@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from pathlib import Path
 
 from interlock.app.proved import TextVerdict
 from interlock.emit.c99.runtime import runtime_c
@@ -29,6 +30,12 @@ C99 = "c99"
 
 Written = tuple[TextVerdict, dict[str, bytes]]
 """A verdict and the very files that it speaks of."""
+
+
+def written_for(folder: Path) -> tuple[str, ...]:
+    """The dialects, beside the portable one, whose texts a folder of outputs holds."""
+    vendors = [d.name for d in DIALECTS if d.name != "iec" and (folder / "st" / d.name).is_dir()]
+    return (*vendors, *([C99] if (folder / C99).is_dir() else []))
 
 
 def writers(
