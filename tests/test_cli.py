@@ -30,7 +30,7 @@ def run(*args: str) -> Result:
 
 def process(*args: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-m", "interlock.cli.main", *args], capture_output=True, text=True, check=False
+        [sys.executable, "-m", "interlock", *args], capture_output=True, text=True, check=False
     )
 
 
@@ -51,12 +51,12 @@ def test_nothing_said_is_lost_at_the_end(tmp_path: Path) -> None:
         done = process(*args)
         assert done.returncode == code and said in done.stdout + done.stderr
     with Path("/dev/full").open("w") as full:
-        args = [sys.executable, "-m", "interlock.cli.main", "prove", "layouts/fig2_2.yaml"]
+        args = [sys.executable, "-m", "interlock", "prove", "layouts/fig2_2.yaml"]
         lost = subprocess.run(args, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
     assert lost.returncode != 0 and "Traceback" not in lost.stderr
     out = tmp_path / "out.json"
     with out.open("w") as file:
-        args = [sys.executable, "-m", "interlock.cli.main", "prove", "layouts/passing_loop.yaml", "--format", "json"]
+        args = [sys.executable, "-m", "interlock", "prove", "layouts/passing_loop.yaml", "--format", "json"]
         subprocess.run(args, stdout=file, check=True)
     assert json.loads(out.read_text())[0]["text_equals_controller"] is True
 
@@ -327,7 +327,7 @@ def test_colour_is_for_terminals(monkeypatch: pytest.MonkeyPatch) -> None:
 def on_a_terminal(*args: str) -> str:
     """What a command writes to a terminal."""
     controller, terminal = os.openpty()
-    command = [sys.executable, "-m", "interlock.cli.main", *args]
+    command = [sys.executable, "-m", "interlock", *args]
     with subprocess.Popen(command, stdout=terminal, stderr=terminal, env={**os.environ, "TERM": "xterm"}) as running:
         os.close(terminal)
         said = b""
@@ -395,7 +395,7 @@ def test_the_bytes_do_not_depend_on_the_process(tmp_path: Path) -> None:
     import os
 
     for seed in ("1", "2"):
-        args = [sys.executable, "-m", "interlock.cli.main", "compile", "layouts/passing_loop.yaml", "-o", str(tmp_path)]
+        args = [sys.executable, "-m", "interlock", "compile", "layouts/passing_loop.yaml", "-o", str(tmp_path)]
         check = ["--check"] if seed == "2" else []
         done = subprocess.run(
             [*args, *check], env={**os.environ, "PYTHONHASHSEED": seed}, capture_output=True, text=True
@@ -450,7 +450,7 @@ def test_an_interrupt_ends_the_proofs_of_several_layouts(tmp_path: Path) -> None
 
 def interrupted(given: tuple[str, ...], after: int, folder: Path) -> None:
     """Run a command, press Ctrl-C after some seconds, and see that nothing is left of it."""
-    program = [sys.executable, "-m", "interlock.cli.main", *given]
+    program = [sys.executable, "-m", "interlock", *given]
     with subprocess.Popen(
         program, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True, text=True
     ) as running:

@@ -225,7 +225,7 @@ def test_a_broken_file_of_3_mb_gives_twenty_messages_and_a_count(kind: str, mess
     path.write_text(broken(kind, 60_000))
     assert 3e6 < path.stat().st_size < 4e6
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    args = [sys.executable, "-m", "interlock.cli.main", "check", str(path)]
+    args = [sys.executable, "-m", "interlock", "check", str(path)]
     shown = subprocess.run(args, capture_output=True, text=True, check=False).stdout
     assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before < 30
     assert shown.count("error[") == messages and len(shown.splitlines()) < 140

@@ -45,7 +45,7 @@ class Server:
     """`interlock run --panel` as a process."""
 
     def __init__(self, layout: Path, port: int = 0) -> None:
-        command = [sys.executable, "-m", "interlock.cli.main", "run", layout.name, "--panel", "--port", str(port)]
+        command = [sys.executable, "-m", "interlock", "run", layout.name, "--panel", "--port", str(port)]
         command += ["--record", "panel.log"]
         environment = {**os.environ, "PYTHONPATH": str(Path.cwd()), "INTERLOCK_DEBUG": "1"}
         self.process = subprocess.Popen(
@@ -243,7 +243,7 @@ def test_nothing_is_said_with_a_traceback(tmp_path: Path) -> None:
     with socket.socket() as s:
         s.bind(("127.0.0.1", 0))
         s.listen()
-        command = [sys.executable, "-m", "interlock.cli.main", "run", str(path), "--panel", "--port"]
+        command = [sys.executable, "-m", "interlock", "run", str(path), "--panel", "--port"]
         done = subprocess.run(
             [*command, str(s.getsockname()[1])], env={**os.environ, "PYTHONPATH": "."}, capture_output=True, text=True
         )

@@ -289,6 +289,6 @@ def test_the_command_writes_records_and_tells_its_counts(tmp_path: Path) -> None
 
 
 def test_an_address_without_a_cluster_is_told() -> None:
-    asked = [sys.executable, "-m", "interlock.cli.main", "simulate", HEISHAN, "--dask", "tcp://127.0.0.1:9"]
+    asked = [sys.executable, "-m", "interlock", "simulate", HEISHAN, "--dask", "tcp://127.0.0.1:9"]
     done = subprocess.run(asked, capture_output=True, text=True, check=False, timeout=120)
     assert done.returncode == 1 and "no cluster at" in done.stderr and "Traceback" not in done.stderr

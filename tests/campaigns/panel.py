@@ -33,7 +33,7 @@ class Server:
     """The command as a process."""
 
     def __init__(self, record: Path, layout: Path = LAYOUT, more: Sequence[str] = ()) -> None:
-        command = [sys.executable, "-m", "interlock.cli.main", "run", str(layout), "--panel", "--port", "0", *more]
+        command = [sys.executable, "-m", "interlock", "run", str(layout), "--panel", "--port", "0", *more]
         self.process = subprocess.Popen(
             [*command, "--record", str(record)], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
         )

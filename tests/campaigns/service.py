@@ -237,7 +237,7 @@ class OnTheBus(Server):
 
     def second(self) -> int:
         """The exit code of a second start on the same outputs."""
-        command = [sys.executable, "-m", "interlock.cli.main", "run", str(self.layout), *self.links, "--cycles", "1"]
+        command = [sys.executable, "-m", "interlock", "run", str(self.layout), *self.links, "--cycles", "1"]
         return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=120).returncode
 
 

@@ -111,7 +111,7 @@ def try_out(wheel: Path, folder: Path) -> list[str]:
         return [f"another interlock is run: {where}"]
     wrong = []
     for code, line in COMMANDS:
-        done = run("-m", "interlock.cli.main", *shlex.split(line))
+        done = run("-m", "interlock", *shlex.split(line))
         if done.returncode != code or "Traceback" in done.stderr:
             wrong.append(f"interlock {line}: {done.returncode}, not {code}\n{done.stdout[-500:]}{done.stderr[-500:]}")
     alone = run(str(site / "interlock/verify.py"), "proofs/starter")
