@@ -1,7 +1,7 @@
 """SAT engines behind one question: can the clauses hold together with some literals?
 
-MiniSat answers the many small questions of the induction; Z3 the searches, and on request (`--engine z3`) everything.
-cvc5 is a second opinion of other makers still (`--engine cvc5`, extra `recheck`).
+MiniSat answers the many small questions of the induction, and searches; Z3 answers the former on request
+(`--engine z3`), and cvc5 is a second opinion of other makers still (`--engine cvc5`, extra `recheck`).
 """
 
 from __future__ import annotations

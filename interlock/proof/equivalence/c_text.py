@@ -25,12 +25,12 @@ class BadC(Exception):
     """The text is not a C runtime as it is emitted."""
 
 
-def compare_c(controller: Controller, files: Mapping[str, str], query_ms: int = 20_000) -> Translation:
+def compare_c(controller: Controller, files: Mapping[str, str]) -> Translation:
     """Compare a C runtime, the file and its header, with its controller; needs the extra `c99`."""
     from pycparser.c_parser import ParseError
 
     try:
-        return compare_scan(controller, _Reader(controller, files).scan(), query_ms)
+        return compare_scan(controller, _Reader(controller, files).scan())
     except (BadC, ParseError, RecursionError) as error:
         return Translation(0, (Difference("c99", f"cannot be read: {error}"),))
 

@@ -25,10 +25,10 @@ class BadRuntime(Exception):
     """The text is not a runtime as it is emitted."""
 
 
-def compare_runtime(controller: Controller, text: str, query_ms: int = 20_000) -> Translation:
+def compare_runtime(controller: Controller, text: str) -> Translation:
     """Compare a Python runtime with its controller."""
     try:
-        return compare_scan(controller, _Reader(controller, text).scan(), query_ms)
+        return compare_scan(controller, _Reader(controller, text).scan())
     except (BadRuntime, SyntaxError, ValueError) as error:
         return Translation(0, (Difference("runtime", f"cannot be read: {error}"),))
 

@@ -18,8 +18,8 @@ from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, if
 from interlock.logic.names import Name, computed, spelled
 from interlock.logic.words import UNKNOWN
 from interlock.proof.engines import Answer
+from interlock.proof.engines.minisat import MiniSat
 from interlock.proof.engines.tseitin import Cnf
-from interlock.proof.engines.z3_sat import Z3Sat
 from interlock.st.ast import Unit
 from interlock.st.dialects import BY_NAME, Dialect, Files
 from interlock.st.meaning import BadText, Cases, Constant, Execution, Instance, Symbol, Symbols, Term
@@ -48,24 +48,24 @@ class Translation:
         return not self.differences
 
 
-def compare_st(controller: Controller, text: str, query_ms: int = 20_000) -> Translation:
+def compare_st(controller: Controller, text: str) -> Translation:
     """Compare a Structured Text file with its controller."""
-    return compare_dialect(controller, BY_NAME["iec"], {"text": text}, query_ms)
+    return compare_dialect(controller, BY_NAME["iec"], {"text": text})
 
 
-def compare_dialect(controller: Controller, dialect: Dialect, files: Files, query_ms: int = 20_000) -> Translation:
+def compare_dialect(controller: Controller, dialect: Dialect, files: Files) -> Translation:
     """Compare the files of a dialect with their controller."""
     try:
         unit = dialect.read(files)
     except (NotInSubset, KeyError) as error:
         return Translation(0, (Difference("text", f"cannot be read: {error}"),))
-    return compare_unit(controller, unit, dialect.restart, query_ms)
+    return compare_unit(controller, unit, dialect.restart)
 
 
-def compare_unit(controller: Controller, unit: Unit, restart: bool, query_ms: int = 20_000) -> Translation:
+def compare_unit(controller: Controller, unit: Unit, restart: bool) -> Translation:
     """Compare what was read of an interlocking with its controller; `restart`: it has an input RESTART."""
     try:
-        found = compare_scan(controller, _scan(controller, unit, restart), query_ms)
+        found = compare_scan(controller, _scan(controller, unit, restart))
         return _restarted(controller, unit, found) if restart else found
     except (BadText, KeyError) as error:
         return Translation(0, (Difference("text", f"cannot be read: {error}"),))
@@ -173,7 +173,7 @@ def _holders(run: Execution[Term]) -> dict[str, dict[str, Term]]:
     return out
 
 
-def compare_scan(controller: Controller, scan: Scan, query_ms: int) -> Translation:
+def compare_scan(controller: Controller, scan: Scan) -> Translation:
     """Compare what a text computes with the controller."""
     wrong: list[Difference] = []
     pairs: list[tuple[str, Expr, Expr]] = []
@@ -206,7 +206,7 @@ def compare_scan(controller: Controller, scan: Scan, query_ms: int) -> Translati
     if scan.words is not None:
         pairs.extend(_words(controller, scan.words, wrong))
     if other := [(n, a, b) for n, a, b in pairs if a is not b]:
-        wrong.extend(_different(controller, other, query_ms))
+        wrong.extend(_different(controller, other))
     return Translation(len(pairs) + len(controller.state), tuple(wrong))
 
 
@@ -253,14 +253,14 @@ def _codes(x: Term, told: Mapping[str, dict[int, Expr]]) -> dict[int, Expr]:
     return {code: disj(xs) for code, xs in found.items()}
 
 
-def _different(controller: Controller, pairs: list[tuple[str, Expr, Expr]], query_ms: int) -> list[Difference]:
+def _different(controller: Controller, pairs: list[tuple[str, Expr, Expr]]) -> list[Difference]:
     """Pairs of expressions that differ for some inputs and state, every wire's name written out."""
     meaning = controller.expanded | {_following(n): x for n, x in controller.next_state.items()}
     put = Substitution(meaning)
     open_ = [(n, x, y) for n, a, b in pairs if (x := put(a)) is not (y := put(b))]
     cnf = Cnf()
     literals = [cnf.literal(iff(a, b)) for _, a, b in open_]
-    solver = Z3Sat(cnf, query_ms)
+    solver = MiniSat(cnf)
     wrong = []
     for (name, a, b), lit in zip(open_, literals, strict=True):
         answer = solver.ask(-lit)

@@ -2,22 +2,23 @@
 
 **Theorem.**  A model of the initial condition and k copies of the step, with the claim denied in the last of them, is
 a run of k steps that violates it; where there is none for a smaller k, the run is a shortest one.  (Bounded model
-checking: Biere, Cimatti, Clarke and Zhu, 1999.)  The step is encoded once and copied for each depth.  A found run is
-then thinned: every event and input that can be left out is left out, and what remains is checked to be a run still.
+checking: Biere, Cimatti, Clarke and Zhu, 1999.)  The step is encoded once and copied for each depth, into one solver:
+what it has learnt of the shorter runs serves for the longer (Een and Sorensson, 2003).  A found run is then thinned:
+every event and input that can be left out is left out, and what remains is a run that the solver found.
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from interlock.logic.expr import Expr, disj, eq, evaluate, neg, var, variables
 from interlock.logic.names import STANDS, Form
 from interlock.proof.claims import Claim
 from interlock.proof.engines import Answer
+from interlock.proof.engines.minisat import MiniSat
 from interlock.proof.engines.tseitin import Cnf
-from interlock.proof.engines.z3_sat import Z3Sat
 from interlock.proof.system.transition import System
 
 
@@ -60,21 +61,19 @@ class _Unrolled:
         self.template.clauses.append((-self.bad, *self.goals))
         self.size = self.template.count
 
-    def cnf(self, depth: int) -> Cnf:
-        """Clauses of `depth` chained steps; variable n of step k is n + k * size."""
-        out = Cnf()
-        out.clauses = []
-        out.count = self.size * depth
-        for k in range(depth):
-            shift = k * self.size
-            out.clauses.extend(tuple(x + shift if x > 0 else x - shift for x in c) for c in self.template.clauses)
-            if k:
-                for n, lit in self.now.items():
-                    a, b = lit + shift, self.then[n]
-                    b = b + shift - self.size if b > 0 else b - shift + self.size
-                    out.clauses += [(-a, b), (a, -b)]
-        out.clauses.append((self.initial,))
-        return out
+    def step(self, k: int) -> Iterator[tuple[int, ...]]:
+        """The clauses of step k, chained to the step before; variable n of step k is n + k * size."""
+        shift = k * self.size
+        for c in self.template.clauses:
+            yield tuple(x + shift if x > 0 else x - shift for x in c)
+        if not k:
+            yield (self.initial,)
+            return
+        for n, lit in self.now.items():
+            a, b = lit + shift, self.then[n]
+            b = b + shift - self.size if b > 0 else b - shift + self.size
+            yield (-a, b)
+            yield (a, -b)
 
 
 def search(
@@ -89,25 +88,45 @@ def search(
         return None
     steps = _Unrolled(system, [c.expr for c in claims])
     end = time.monotonic() + seconds
-    for depth in range(1, max_depth + 1):
-        progress(depth - 1, max_depth)
-        left = end - time.monotonic()
-        if left <= 0:
+    solver = MiniSat(until=end)
+    for k in range(max_depth):
+        progress(k, max_depth)
+        if time.monotonic() >= end:
             return None
-        solver = Z3Sat(steps.cnf(depth), int(left * 1000))
-        shift = (depth - 1) * steps.size
-        answer = solver.ask(steps.bad + shift)
+        solver.add(steps.step(k))
+        bad = steps.bad + k * steps.size
+        answer = solver.ask(bad)
         if answer is Answer.UNKNOWN:
             return None
         if answer is Answer.SAT:
-            return _thin(system, steps, claims, solver, depth)
+            return _thin(system, steps, claims, solver, k + 1)
+        solver.add([(-bad,)])
     return None
 
 
-def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: Z3Sat, depth: int) -> Run:
+class _Thinned:
+    """Literals that a run is to have, more and more, and the last run that was found with all of them."""
+
+    def __init__(self, solver: MiniSat, must: int) -> None:
+        self._solver = solver
+        self.values = solver.values()
+        solver.add([(must,)])
+
+    def keep(self, *literals: int) -> None:
+        """If there is a run with these as well, they stay."""
+        if not all(self.has(x) for x in literals):
+            if self._solver.ask(*literals) is not Answer.SAT:
+                return
+            self.values = self._solver.values()
+        self._solver.add((x,) for x in literals)
+
+    def has(self, literal: int) -> bool:
+        """Whether it holds in the run that was found last."""
+        return self.values.get(abs(literal), False) == (literal > 0)
+
+
+def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: MiniSat, depth: int) -> Run:
     """Leave out every input that can be left out, one by one."""
-    values = solver.values()
-    shift = (depth - 1) * steps.size
     valid = system.symbols.valid
     healthy = {
         valid,
@@ -115,12 +134,9 @@ def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: Z3Sat, 
         *system.symbols.healthy.values(),
         *system.symbols.detected.values(),
     }  # else a fault is told
-    kept: list[int] = [steps.bad + shift]
+    run = _Thinned(solver, steps.bad + (depth - 1) * steps.size)
     for k in range(depth):
-        lit = steps.inputs[valid] + k * steps.size
-        if solver.ask(*kept, lit) is Answer.SAT:
-            kept.append(lit)
-    values = solver.values() if solver.ask(*kept) is Answer.SAT else values
+        run.keep(steps.inputs[valid] + k * steps.size)
     names = sorted((n for n in steps.inputs if n != valid), key=lambda n: n.form is not Form.CHOICE)
     wishes = [-steps.now[n] for n in steps.now if n.family is STANDS]
     for name in names:
@@ -129,18 +145,11 @@ def _thin(system: System, steps: _Unrolled, claims: list[Claim], solver: Z3Sat, 
             wishes.append(lit if name in healthy else -lit)
     wishes += [-(n + k * steps.size) for k in range(depth) for n in steps.template.value_literals()]
     # first keep what already is as wished, then try to add the others one at a time
-    pending = [lit for lit in wishes if values.get(abs(lit), False) == (lit > 0)]
-    if solver.ask(*kept, *pending) is Answer.SAT:
-        kept += pending
-    held = set(kept)
-    for lit in wishes:
-        if lit not in held and solver.ask(*kept, lit) is Answer.SAT:
-            kept.append(lit)
-    solver.ask(*kept)
-    values = solver.values()
+    for lit in sorted(wishes, key=lambda lit: not run.has(lit)):
+        run.keep(lit)
     frames = []
     for k in range(depth):
-        shifted = {n: values.get(n + k * steps.size, False) for n in range(1, steps.size + 1)}
+        shifted = {n: run.values.get(n + k * steps.size, False) for n in range(1, steps.size + 1)}
         named = steps.template.read(shifted)
         frames.append(Frame({n: named.get(n, 0) for n in system.state}, {n: named.get(n, 0) for n in system.inputs}))
     last = named
