@@ -29,9 +29,7 @@ def run(*args: str) -> Result:
 
 
 def process(*args: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "interlock", *args], capture_output=True, text=True, check=False
-    )
+    return subprocess.run([sys.executable, "-m", "interlock", *args], capture_output=True, text=True, check=False)
 
 
 def test_help_names_every_verb_and_the_first_command() -> None:
