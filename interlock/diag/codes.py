@@ -56,6 +56,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2022": (_E, "the layout contradicts a pin"),
     "IL2023": (_W, "channels that are not pinned yet"),
     "IL2018": (_W, "an allowance that allows nothing"),
+    "IL2024": (_W, "a name or a switch that fits several routes"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),
     "IL3002": (_E, "one end is joined twice"),

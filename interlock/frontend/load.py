@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
-from interlock.frontend.added import resolve_barred, resolve_demanded, unlisted
+from interlock.frontend.added import named_kinds, resolve_barred, resolve_demanded, unlisted
 from interlock.frontend.cabinets import (
     resolve_addresses,
     resolve_drawing,
@@ -205,6 +205,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         stops=stops(ctx),
         demanded=demanded,
         unlisted=unlisted(ctx),
+        named_kinds=named_kinds(ctx),
         blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )

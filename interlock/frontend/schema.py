@@ -336,6 +336,9 @@ class RouteSpec(_Part):
 class NamedSpec(RouteSpec):
     """A name for one derived route."""
 
+    kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
+        "whether the train route or the shunt route is meant; without it, the train route where there is one", None
+    )
     listed: YesNo = key("no: it exists, is controlled and proved as any, and printed tables only count it", True)
 
 

@@ -104,6 +104,8 @@ class Layout:
     """Seconds of supervision of machines that have a time of their own."""
     unlisted: tuple[str, ...] = ()
     """Names of routes that are not printed."""
+    named_kinds: tuple[tuple[str, bool], ...] = ()
+    """Names of routes of which the kind is stated: whether it is a shunt route."""
     hands: tuple[tuple[PointId, Hand], ...] = ()
     """The side to which the reverse leg of a point lies, where the layout states it; only printed."""
     target: Target | None = None
@@ -313,7 +315,7 @@ class Layout:
 
 _ONLY_STATED = frozenset(
     {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target", "health"}
-    | {"title_block"}
+    | {"title_block", "named_kinds"}
     | {"overlap_ways", "entry_speeds", "overlap_releases"}
 )
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
