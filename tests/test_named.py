@@ -28,6 +28,9 @@ signals:
 """
 
 
+STRAIGHT = "routes:\n  through: {from: X2, to: E}\n  loop: {from: X2, to: E, via: [q4]}\n"
+
+
 def names(text: str) -> tuple[dict[str, str], list[str]]:
     """Each name with the route that bears it, and what is said of the names."""
     made = grown(YARD + text)
@@ -75,6 +78,17 @@ def test_that_more_routes_fit_than_one_is_said(what: str) -> None:
     assert said.startswith("IL2024") and said.endswith("fits 2 routes from X2 to E, and means X2-E")
     via = what.replace("to: E}", "to: E, via: [q4]}")
     assert names(via)[1] == []
+
+
+def test_the_way_without_a_section_of_its_own_is_meant_by_none() -> None:
+    """Two points that meet without track between them, beside a loop: no section tells the straight way."""
+    straight = YARD.replace("  odd:  [q3 300]\n", "").replace("odd.start", "P2.normal").replace(", normal: odd.end", "")
+    made = grown(straight.replace("  X3: {from: q3, into: q5, kind: shunt}\n", "") + STRAIGHT)
+    assert made is not None
+    _, table, sink = made
+    named = {n: [s.section for s in r.sections] for r in table.routes for n in r.names}
+    assert named == {"through": ["q2", "q5", "q6"], "loop": ["q2", "q4", "q5", "q6"]}
+    assert "IL2024" not in {d.code for d in sink.diagnostics}
 
 
 @pytest.mark.parametrize(

@@ -178,7 +178,7 @@ class Railway:
             if set(v) - {*known, "ways"} or any(own):
                 raise Unread(f"something of the overlap of {g}")
         for s, v in self.told.items():
-            if set(v) - {"lane", "one_way", "speed", "detected"}:
+            if set(v) - {"lane", "one_way", "speed", "detected", "berth"}:
                 raise Unread(f"something of section {s}")
 
     def _told(self, section: str, key: str) -> str | None:
@@ -258,8 +258,10 @@ class Railway:
 
     @cached_property
     def berths(self) -> frozenset[str]:
-        """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing."""
-        return self.standing - {s for over in self.devices.values() for s in over}
+        """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing, nor
+        where the layout says no."""
+        denied = {s for s in self.told if self._told(s, "berth") in ("no", "false")}
+        return self.standing - denied - {s for over in self.devices.values() for s in over}
 
     @cached_property
     def machines(self) -> dict[str, list[str]]:

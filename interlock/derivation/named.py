@@ -59,13 +59,20 @@ def _fits(n: NamedRoute, p: Path) -> bool:
 
 
 def _one(n: NamedRoute, fits: Sequence[Path], what: str, sink: Sink, at: Element) -> Path:
-    """The first, which is preferred; said aloud where they are different ways."""
+    """The first, which is preferred; said aloud where `via` could tell it from others and does not.
+
+    A way of which every section lies on all the others, too, has none to name: without more sections it is meant.
+    """
+    over = {p.id: {t.section for t in p.ways} for p in fits}
+    within = [p for p in fits if p.kind is fits[0].kind and all(over[p.id] <= o for o in over.values())]
+    if within:
+        return within[0]
     first = fits[0]
     others = [p for p in fits if p.kind is first.kind and p.ways != first.ways]
     if others:
         ways = 1 + len({p.ways for p in others})
         text = f"{what} fits {ways} routes from {n.entry} to {n.exit}, and means {first.id}"
-        own = [t.section for t in first.ways if all(t.section not in {u.section for u in p.ways} for p in others)]
+        own = [t.section for t in first.ways if all(t.section not in over[p.id] for p in others)]
         fix = f"add `via: [{own[0]}]`, or a section of the one that is meant" if own else "add `via`"
         sink.add("IL2024", text, None, fix, about=at)
     return first

@@ -82,6 +82,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3027": (_E, "a key of shunt signals at another signal"),
     "IL3026": (_E, "blades of a slip are placed where there is no choice"),
     "IL3025": (_I, "a road that is no berth, for what lies over it"),
+    "IL3028": (_W, "a berth is denied where there is none"),
     "IL3021": (_I, "an inclined lane without a condition"),
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation

@@ -206,6 +206,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         demanded=demanded,
         unlisted=unlisted(ctx),
         named_kinds=named_kinds(ctx),
+        no_berths=tuple(sorted(SectionId(s) for s, x in data.sections.items() if not x.berth)),
         blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )

@@ -212,6 +212,11 @@ class SectionSpec(_Part):
         "kind of line in a mine; an `inclined` one goes first among voyages", "level"
     )
     detected: YesNo = key("no: a siding without detection, which always counts as occupied", True)
+    berth: YesNo = key(
+        "no: shunting movements come into it only when it is clear, and lock it for themselves alone (R2); without it, "
+        "vehicles may stand in it where it is plain and left only on a signal",
+        True,
+    )
     one_way: Annotated[Literal["forward", "backward"] | None, choice("direction", ("forward", "backward"))] = key(
         "the only way in which trains run, along the track as it is written; without it, both", None
     )

@@ -106,6 +106,8 @@ class Layout:
     """Names of routes that are not printed."""
     named_kinds: tuple[tuple[str, bool], ...] = ()
     """Names of routes of which the kind is stated: whether it is a shunt route."""
+    no_berths: tuple[SectionId, ...] = ()
+    """Roads that would be berths, and into which shunting movements are to come only when they are clear."""
     hands: tuple[tuple[PointId, Hand], ...] = ()
     """The side to which the reverse leg of a point lies, where the layout states it; only printed."""
     target: Target | None = None
@@ -315,7 +317,7 @@ class Layout:
 
 _ONLY_STATED = frozenset(
     {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target", "health"}
-    | {"title_block", "named_kinds"}
+    | {"title_block", "named_kinds", "no_berths"}
     | {"overlap_ways", "entry_speeds", "overlap_releases"}
 )
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
