@@ -79,7 +79,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3022": (_E, "trains in a zone cannot be counted"),
     "IL3023": (_E, "a delay is shorter than the world needs"),
     "IL3024": (_E, "an overlap cannot swing in time"),
-    "IL3027": (_E, "a key of shunt signals at another signal"),
+    "IL3027": (_E, "a key at a signal of which it says nothing"),
     "IL3026": (_E, "blades of a slip are placed where there is no choice"),
     "IL3025": (_I, "a road that is no berth, for what lies over it"),
     "IL3028": (_W, "a berth is denied where there is none"),

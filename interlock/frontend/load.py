@@ -42,6 +42,7 @@ from interlock.frontend.resolve import (
     resolve_voyages,
     resolve_waivers,
     resolve_zones,
+    signal_releases,
     stops,
     title_block,
 )
@@ -203,6 +204,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         hands=hands(ctx),
         title_block=title_block(ctx),
         stops=stops(ctx),
+        signal_releases=signal_releases(ctx),
         demanded=demanded,
         unlisted=unlisted(ctx),
         named_kinds=named_kinds(ctx),

@@ -119,6 +119,9 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
         if spec.stops_trains and spec.kind != "shunt":
             text = f"{name} is no shunt signal: `stops_trains` says nothing of it"
             ctx.add("IL3027", text, ctx.at("signals", name, "stops_trains"), "remove `stops_trains`")
+        if spec.release is not None and spec.kind in ("board", "limit"):
+            text = f"no route begins at {name}: `release` says nothing of it"
+            ctx.add("IL3027", text, ctx.at("signals", name, "release"), "remove `release`")
         signals.append(Signal(SignalId(name), node, into.id, _kind(spec), spec.call_on))
     return tuple(sorted(signals, key=lambda g: g.id))
 
@@ -165,6 +168,11 @@ def boards(ctx: Context) -> tuple[SignalId, ...]:
 def stops(ctx: Context) -> tuple[SignalId, ...]:
     """Where train routes end and none begins."""
     return tuple(sorted(SignalId(g) for g, x in ctx.file.signals.items() if x.kind == "board" or x.stops_trains))
+
+
+def signal_releases(ctx: Context) -> tuple[tuple[SignalId, float], ...]:
+    """Seconds for which the routes of a signal are held, where it has a time of its own (R8)."""
+    return tuple(sorted((SignalId(g), x.release) for g, x in ctx.file.signals.items() if x.release is not None))
 
 
 def _near(wiring: Wiring, at: dict[NodeId, list[Edge]], node: NodeId, point: str) -> bool:

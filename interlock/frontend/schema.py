@@ -182,6 +182,11 @@ class SignalSpec(_Part):
         "main",
     )
     stops_trains: YesNo = key("a shunt signal at which train routes end, too; none begins there", False)
+    release: Seconds | None = key(
+        "seconds for which its routes are held after a cancellation while the approach is occupied (R8); without it, "
+        "the principles `approach_release_s` and `shunt_release_s`",
+        None,
+    )
     call_on: YesNo = key(
         "a main or combined signal that can call a train on over sections that are reported occupied", False
     )
