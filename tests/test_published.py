@@ -49,7 +49,7 @@ def test_komano_is_proved_and_the_second_checker_agrees() -> None:
 
 
 def test_what_differs_and_what_does_not() -> None:
-    assert count(compared("komano")) == {"ends": 24, "points": 10, "clear": 5, "locked": 28, "hostile": 12, "delay": 40}
+    assert count(compared("komano")) == {"ends": 24, "points": 10, "clear": 5, "locked": 28, "hostile": 12, "delay": 8}
     assert count(compared("swtbahn")) == {"points": 65}
     assert count(compared("cranz")) == {"route": 19, "points": 25, "clear": 48}
 
