@@ -21,8 +21,10 @@ from interlock.model.layout import Layout
 from tests.campaigns.plans import measured, random_layouts
 from tests.layouts import SHIPPED
 from tests.plans import examine
+from tests.published import STATIONS
 
 FIXED = [*(f"layouts/{n}.yaml" for n in SHIPPED), *map(str, sorted(Path("tests/layouts_for_tests").glob("*.yaml")))]
+FIXED += [f"tests/stations/{n}.yaml" for n in STATIONS]
 SPOILED = ("layouts/junction.yaml", "layouts/terminus.yaml")
 BRIDGE = 12
 """Of the random layouts below, that whose tracks cannot lie in a plane: its plan crosses, and says so."""

@@ -76,8 +76,10 @@ def signal_facing(layout: Layout, node: NodeId, onto: EdgeId) -> Signal | None:
 
 @of_layout
 def standing_place(layout: Layout, section: SectionId) -> bool:
-    """Whether shunting movements end in a section and may find vehicles there: none that a device lies over."""
-    return left_standing(layout, section) and not any(section in d.over for d in layout.devices)
+    """Whether shunting movements end in a section and may find vehicles there: none that a device lies over, none that
+    the layout says is no berth."""
+    barred = section in layout.no_berths or any(section in d.over for d in layout.devices)
+    return left_standing(layout, section) and not barred
 
 
 def left_standing(layout: Layout, section: SectionId) -> bool:

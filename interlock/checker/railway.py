@@ -170,7 +170,7 @@ class Railway:
             if v.get("block", "none") not in ("none", "semi-automatic", "automatic", "token"):
                 raise Unread(f"the block of boundary {b}")
         for g, v in (self.body.get("signals") or {}).items():
-            if set(v) - {"from", "into", "at", "kind", "call_on", "stops_trains"}:
+            if set(v) - {"from", "into", "at", "kind", "call_on", "stops_trains", "release"}:
                 raise Unread(f"something of signal {g}")
         for g, v in (self.body.get("overlaps") or {}).items():
             known = {"length", "speed", "falling", "successive", "swing", "entry_speed", "release", "release_by_length"}
@@ -178,7 +178,7 @@ class Railway:
             if set(v) - {*known, "ways"} or any(own):
                 raise Unread(f"something of the overlap of {g}")
         for s, v in self.told.items():
-            if set(v) - {"lane", "one_way", "speed", "detected"}:
+            if set(v) - {"lane", "one_way", "speed", "detected", "berth"}:
                 raise Unread(f"something of section {s}")
 
     def _told(self, section: str, key: str) -> str | None:
@@ -258,8 +258,10 @@ class Railway:
 
     @cached_property
     def berths(self) -> frozenset[str]:
-        """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing."""
-        return self.standing - {s for over in self.devices.values() for s in over}
+        """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing, nor
+        where the layout says no."""
+        denied = {s for s in self.told if self._told(s, "berth") in ("no", "false")}
+        return self.standing - denied - {s for over in self.devices.values() for s in over}
 
     @cached_property
     def machines(self) -> dict[str, list[str]]:

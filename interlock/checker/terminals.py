@@ -440,6 +440,9 @@ class Terminals(Ahead):
         return max(trains if self._routes_by(g, (*MAIN, *CALL_ON)) else 0, shunts if self._routes_by(g, WHITE) else 0)
 
     def w_approach_release(self, g: Signal) -> int:
+        own = self.r.body["signals"][g.name].get("release")
+        if own is not None:
+            return round(1000 * float(own))
         return self._kinds(g, self.seconds("approach_release_s"), self.seconds("shunt_release_s"))
 
     def w_until_standing(self, g: Signal) -> int:

@@ -28,15 +28,9 @@ from interlock.table.rows import (
 )
 
 
-def approach_delay(layout: Layout, signal: SignalId) -> float:
-    """Seconds before a cancelled signal's route is released with a train in rear of it: one delay for a signal."""
-    g, p = layout.signal[signal], layout.principles
-    return max(p.approach_release_s if g.main else 0.0, p.shunt_release_s if g.shunt else 0.0)
-
-
 def derive_approach(layout: Layout, path: Path) -> ApproachCell:
     """From where a train may come, and the delay of a cancellation while one may."""
-    delay = approach_delay(layout, path.entry)
+    delay = layout.approach_release_s(path.entry)
     found = approach(layout, path.entry)
     if found.section is None:
         why = f"{path.entry} has no approach section: always approach locked"

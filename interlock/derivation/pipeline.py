@@ -1,7 +1,7 @@
 """The derivation as a visible order of steps.
 
 Input: a `Layout`.  Output: an `InterlockingTable`; diagnostics
-IL4001-IL4005, IL4010-IL4012, IL2007, IL2008, IL2019, IL3012.
+IL4001-IL4005, IL4010-IL4012, IL2007, IL2008, IL2019, IL2024, IL3012.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ from interlock.derivation.locking import (
     derive_zones,
 )
 from interlock.derivation.locks import derive_locks, route_demands
+from interlock.derivation.named import derive_automatic, derive_names
 from interlock.derivation.practice import check_practice
 from interlock.derivation.routes import Path, find_routes
-from interlock.derivation.voyages import derive_automatic, derive_voyages
+from interlock.derivation.voyages import derive_voyages
 from interlock.diag import Element, Sink
-from interlock.diag.suggest import did_you_mean
-from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
+from interlock.model.elements import BufferKind, MachineId, Position, SignalId
 from interlock.model.layout import Layout
 from interlock.model.overlap import entry_speed
 from interlock.model.traversal import topology
@@ -74,7 +74,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     _cannot_swing(layout, swinging, sink)
     hostile = Conflicts(paths, by_key, demands, barred)
     idle_barred(layout, paths, hostile.derived, sink)
-    names = _names(layout, paths, sink)
+    names = derive_names(layout, paths, sink)
     hidden = {_way(p) for p in paths if set(names.get(p.id, ())) & set(layout.unlisted)}
     _notes(layout, paths, sink)
     rows = tuple(
@@ -116,7 +116,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     )
     _foul_themselves(rows, sink)
     voyages = derive_voyages(layout, rows, by_key, sink)
-    automatic = derive_automatic(layout, rows, sink)
+    automatic = derive_automatic(layout, paths, sink)
     check_practice(layout, paths, sink)
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
@@ -200,26 +200,6 @@ def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:
         text = f"{why}, and {section} is on the path of {which}"
         fix = "move the joint out of the fouling point, or exclude the route: `exclude:`"
         sink.add("IL4002", text, None, fix, about=Element("sections", section))
-
-
-def _names(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> dict[RouteId, tuple[str, ...]]:
-    out: dict[RouteId, tuple[str, ...]] = {}
-    for n in layout.named_routes:
-        fits = [
-            p for p in paths if p.entry == n.entry and p.exit == n.exit and set(n.via) <= {t.section for t in p.ways}
-        ]
-        if not fits:
-            ends = sorted({p.exit for p in paths if p.entry == n.entry})
-            sink.add(
-                "IL2007",
-                f"there is no route from {n.entry} to {n.exit} (named {n.name})",
-                None,
-                did_you_mean(n.exit, ends),
-                about=Element("routes", n.name),
-            )
-        else:
-            out[fits[0].id] = (*out.get(fits[0].id, ()), n.name)
-    return out
 
 
 def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:

@@ -11,8 +11,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import groupby
 
 from interlock.diag import Element, Sink
-from interlock.diag.suggest import did_you_mean
-from interlock.model.elements import Lane, NamedRoute, RouteId, SectionId, SignalId, Voyage
+from interlock.model.elements import Lane, SectionId, SignalId, Voyage
 from interlock.model.layout import Layout
 from interlock.table.rows import (
     Because,
@@ -28,33 +27,10 @@ from interlock.table.rows import (
 Locks = Mapping[TraversalKey, TraversalRow]
 
 
-def derive_automatic(layout: Layout, routes: tuple[RouteRow, ...], sink: Sink) -> tuple[RouteId, ...]:
-    """The routes that may work automatically (R14: an explicit mode), in the order in which they are offered.
-
-    As the layout names them; where the principle `priorities` asks for it, the class of priority comes first.
-    """
-    out: list[RouteRow] = []
-    for n in layout.automatic:
-        fits = [r for r in routes if r.kind is RouteKind.MAIN and _fits(n, r)]
-        if fits:
-            out.append(fits[0])
-            continue
-        ends = sorted({r.exit for r in routes if r.entry == n.entry})
-        text, hint = f"there is no train route from {n.entry} to {n.exit}", did_you_mean(n.exit, ends)
-        sink.add("IL2007", text, None, hint, about=Element("automatic", int(n.name)))
-    if layout.principles.priorities:
-        out.sort(key=lambda r: priority(layout, r.section_ids, True))
-    return tuple(dict.fromkeys(r.id for r in out))
-
-
 def priority(layout: Layout, sections: Collection[SectionId], forward: bool) -> int:
     """Document A: an inclined lane first, for the danger of runaways; then the main direction, for fewer stops."""
     inclined = any(s.lane is Lane.INCLINED and s.id in sections for s in layout.sections)
     return 1 + 2 * (not inclined) + (not forward)
-
-
-def _fits(n: NamedRoute, r: RouteRow) -> bool:
-    return r.entry == n.entry and r.exit == n.exit and set(n.via) <= set(r.section_ids)
 
 
 def derive_voyages(layout: Layout, routes: tuple[RouteRow, ...], locks: Locks, sink: Sink) -> tuple[VoyageRow, ...]:

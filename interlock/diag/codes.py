@@ -56,6 +56,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL2022": (_E, "the layout contradicts a pin"),
     "IL2023": (_W, "channels that are not pinned yet"),
     "IL2018": (_W, "an allowance that allows nothing"),
+    "IL2024": (_W, "a name or a switch that fits several routes"),
     # 3: topology and geometry
     "IL3001": (_E, "an element is wired to itself"),
     "IL3002": (_E, "one end is joined twice"),
@@ -78,9 +79,10 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3022": (_E, "trains in a zone cannot be counted"),
     "IL3023": (_E, "a delay is shorter than the world needs"),
     "IL3024": (_E, "an overlap cannot swing in time"),
-    "IL3027": (_E, "a key of shunt signals at another signal"),
+    "IL3027": (_E, "a key at a signal of which it says nothing"),
     "IL3026": (_E, "blades of a slip are placed where there is no choice"),
     "IL3025": (_I, "a road that is no berth, for what lies over it"),
+    "IL3028": (_W, "a berth is denied where there is none"),
     "IL3021": (_I, "an inclined lane without a condition"),
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation

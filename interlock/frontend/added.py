@@ -45,3 +45,8 @@ def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded, ...]:
 def unlisted(ctx: Context) -> tuple[str, ...]:
     """Names of routes that are not printed."""
     return tuple(sorted(name for name, x in ctx.file.routes.items() if not x.listed))
+
+
+def named_kinds(ctx: Context) -> tuple[tuple[str, bool], ...]:
+    """Names of routes of which the kind is stated: whether it is a shunt route."""
+    return tuple(sorted((name, x.kind == "shunt") for name, x in ctx.file.routes.items() if x.kind is not None))

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
-from interlock.frontend.added import resolve_barred, resolve_demanded, unlisted
+from interlock.frontend.added import named_kinds, resolve_barred, resolve_demanded, unlisted
 from interlock.frontend.cabinets import (
     resolve_addresses,
     resolve_drawing,
@@ -42,6 +42,7 @@ from interlock.frontend.resolve import (
     resolve_voyages,
     resolve_waivers,
     resolve_zones,
+    signal_releases,
     stops,
     title_block,
 )
@@ -203,8 +204,11 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         hands=hands(ctx),
         title_block=title_block(ctx),
         stops=stops(ctx),
+        signal_releases=signal_releases(ctx),
         demanded=demanded,
         unlisted=unlisted(ctx),
+        named_kinds=named_kinds(ctx),
+        no_berths=tuple(sorted(SectionId(s) for s, x in data.sections.items() if not x.berth)),
         blades=tuple(sorted(wiring.blades, key=lambda b: b.point)),
         labels={n: b.label for n, b in data.boundaries.items() if b.label},
     )

@@ -105,12 +105,7 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
             continue
         node, into = places[0]
         if (node, into.section) in taken:
-            ctx.add(
-                "IL3007",
-                f"signal {name} stands where {taken[node, into.section]} stands, in the same direction",
-                ctx.at_key("signals", name),
-                "remove one of them, or turn it round: swap `from` and `into`",
-            )
+            _two_in_one(ctx, name, taken[node, into.section])
             continue
         taken[node, into.section] = name
         if spec.call_on and spec.kind not in ("main", "combined"):
@@ -124,6 +119,9 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
         if spec.stops_trains and spec.kind != "shunt":
             text = f"{name} is no shunt signal: `stops_trains` says nothing of it"
             ctx.add("IL3027", text, ctx.at("signals", name, "stops_trains"), "remove `stops_trains`")
+        if spec.release is not None and spec.kind in ("board", "limit"):
+            text = f"no route begins at {name}: `release` says nothing of it"
+            ctx.add("IL3027", text, ctx.at("signals", name, "release"), "remove `release`")
         signals.append(Signal(SignalId(name), node, into.id, _kind(spec), spec.call_on))
     return tuple(sorted(signals, key=lambda g: g.id))
 
@@ -170,6 +168,11 @@ def boards(ctx: Context) -> tuple[SignalId, ...]:
 def stops(ctx: Context) -> tuple[SignalId, ...]:
     """Where train routes end and none begins."""
     return tuple(sorted(SignalId(g) for g, x in ctx.file.signals.items() if x.kind == "board" or x.stops_trains))
+
+
+def signal_releases(ctx: Context) -> tuple[tuple[SignalId, float], ...]:
+    """Seconds for which the routes of a signal are held, where it has a time of its own (R8)."""
+    return tuple(sorted((SignalId(g), x.release) for g, x in ctx.file.signals.items() if x.release is not None))
 
 
 def _near(wiring: Wiring, at: dict[NodeId, list[Edge]], node: NodeId, point: str) -> bool:
@@ -261,6 +264,15 @@ def resolve_devices(ctx: Context, wiring: Wiring) -> tuple[Device, ...]:
                     _unknown(ctx, "section", s, ctx.at(room, name, "over", i), wiring.sections, f"{kind} {name}")
             out.append(Device(MachineId(name), kind, spec.text, tuple(sorted(map(SectionId, spec.over)))))
     return tuple(sorted(out, key=lambda d: d.id))
+
+
+def _two_in_one(ctx: Context, name: str, first: str) -> None:
+    """A second signal at a joint: on drawings often the shunt signal on the post of the main one."""
+    kinds = {ctx.file.signals[n].kind for n in (first, name)}
+    both = "shunt" in kinds and kinds & {"main", "combined"}
+    fix = f"one signal gives both: `{first}: {{..., kind: combined}}`; remove {name}" if both else "remove one of them"
+    text = f"signal {name} stands where {first} stands, in the same direction"
+    ctx.add("IL3007", text, ctx.at_key("signals", name), f"{fix}, or turn it round: swap `from` and `into`")
 
 
 def resolve_routes(ctx: Context, wiring: Wiring) -> tuple[NamedRoute, ...]:

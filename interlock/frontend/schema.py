@@ -182,6 +182,11 @@ class SignalSpec(_Part):
         "main",
     )
     stops_trains: YesNo = key("a shunt signal at which train routes end, too; none begins there", False)
+    release: Seconds | None = key(
+        "seconds for which its routes are held after a cancellation while the approach is occupied (R8); without it, "
+        "the principles `approach_release_s` and `shunt_release_s`",
+        None,
+    )
     call_on: YesNo = key(
         "a main or combined signal that can call a train on over sections that are reported occupied", False
     )
@@ -212,6 +217,11 @@ class SectionSpec(_Part):
         "kind of line in a mine; an `inclined` one goes first among voyages", "level"
     )
     detected: YesNo = key("no: a siding without detection, which always counts as occupied", True)
+    berth: YesNo = key(
+        "no: shunting movements come into it only when it is clear, and lock it for themselves alone (R2); without it, "
+        "vehicles may stand in it where it is plain and left only on a signal",
+        True,
+    )
     one_way: Annotated[Literal["forward", "backward"] | None, choice("direction", ("forward", "backward"))] = key(
         "the only way in which trains run, along the track as it is written; without it, both", None
     )
@@ -336,6 +346,9 @@ class RouteSpec(_Part):
 class NamedSpec(RouteSpec):
     """A name for one derived route."""
 
+    kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
+        "whether the train route or the shunt route is meant; without it, the train route where there is one", None
+    )
     listed: YesNo = key("no: it exists, is controlled and proved as any, and printed tables only count it", True)
 
 

@@ -100,10 +100,16 @@ class Layout:
     has a speed of its own."""
     overlap_releases: tuple[tuple[SignalId, float], ...] = ()
     """Seconds after which the overlap of a signal is released, where it has a time of its own."""
+    signal_releases: tuple[tuple[SignalId, float], ...] = ()
+    """Seconds for which the routes of a signal are held after a cancellation, where it has a time of its own."""
     supervision: tuple[tuple[MachineId, float], ...] = ()
     """Seconds of supervision of machines that have a time of their own."""
     unlisted: tuple[str, ...] = ()
     """Names of routes that are not printed."""
+    named_kinds: tuple[tuple[str, bool], ...] = ()
+    """Names of routes of which the kind is stated: whether it is a shunt route."""
+    no_berths: tuple[SectionId, ...] = ()
+    """Roads that would be berths, and into which shunting movements are to come only when they are clear."""
     hands: tuple[tuple[PointId, Hand], ...] = ()
     """The side to which the reverse leg of a point lies, where the layout states it; only printed."""
     target: Target | None = None
@@ -251,6 +257,12 @@ class Layout:
         """Seconds after which the machine, commanded and not detected, raises an alarm (R10)."""
         return dict(self.supervision).get(machine, self.principles.point_supervision_s)
 
+    def approach_release_s(self, signal: SignalId) -> float:
+        """Seconds for which the routes of a signal are held after a cancellation: one time for a signal (R8)."""
+        g, p = self.signal[signal], self.principles
+        rules = max(p.approach_release_s if g.main else 0.0, p.shunt_release_s if g.shunt else 0.0)
+        return dict(self.signal_releases).get(signal, rules)
+
     def overlap_release_s(self, signal: SignalId) -> float:
         """Seconds for which a train must have been before a signal until its overlap is released (R4)."""
         return dict(self.overlap_releases).get(signal, self.principles.overlap_release_s)
@@ -313,7 +325,7 @@ class Layout:
 
 _ONLY_STATED = frozenset(
     {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target", "health"}
-    | {"title_block"}
+    | {"title_block", "named_kinds", "no_berths", "signal_releases"}
     | {"overlap_ways", "entry_speeds", "overlap_releases"}
 )
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""

@@ -73,8 +73,9 @@ class Topology:
         self.standing: frozenset[SectionId] = frozenset(s for s in self.sections if self._is_standing(s))
         """Where vehicles may be left standing, so that a signal at the end is closed by the first axle (R2, R3)."""
         under = {s for d in layout.devices for s in d.over}
-        self.berths: frozenset[SectionId] = self.standing - under
-        """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing."""
+        self.berths: frozenset[SectionId] = self.standing - under - set(layout.no_berths)
+        """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing, nor
+        where the layout says no."""
 
     def is_end(self, node: NodeId) -> bool:
         """Whether sections end at this node."""

@@ -51,10 +51,12 @@ def _lines(d: Drawing) -> None:
     for line in d.edges.values():
         for (x0, y0), (x1, y1) in pairwise(line):
             if y0 != y1:
-                steps = max(1, int(abs(y1 - y0) / 5))
+                steps = max(1, int(max(abs(x1 - x0), abs(y1 - y0)) / 5))
                 for k in range(steps + 1):
                     x, y = x0 + (x1 - x0) * k / steps, y0 + (y1 - y0) * k / steps
                     d.taken.add((x - 3, y - 3, x + 3, y + 3))
+            else:
+                d.taken.add((min(x0, x1), y0 - 1, max(x0, x1), y0 + 1))
     for device in d.layout.devices:
         for x, y in device_spots(d, device.over):
             d.taken.add((x - 10, y - 16, x + 10, y + 16))

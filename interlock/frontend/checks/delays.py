@@ -12,8 +12,10 @@ def check_delays(ctx: Context, layout: Layout) -> None:
     """Compare what the principles order with what speeds, braking and reaction need; the claim D-PRESET does it too."""
     rules, least = layout.principles, needs(layout)
     why = f"{rules.output_delay_s:g} s until stop is seen, {rules.reaction_s:g} s of reaction, and braking"
-    trains = [least.stop[g.id] for g in layout.signals if g.main]
-    shunts = [least.shunt for g in layout.signals if g.shunt][:1]
+    _signals(ctx, layout)
+    timed = dict(layout.signal_releases)
+    trains = [least.stop[g.id] for g in layout.signals if g.main and g.id not in timed]
+    shunts = [least.shunt for g in layout.signals if g.shunt and g.id not in timed][:1]
     own_times = dict(layout.overlap_releases)
     overlapped = [least.stand[o.signal] for o in layout.overlaps if o.length and o.signal not in own_times]
     tokens = [least.agreed for b in layout.boundaries if b.block == "token"]
@@ -63,3 +65,18 @@ def check_delays(ctx: Context, layout: Layout) -> None:
                 ctx.at_key("overlaps", o.signal),
                 "give up `swing`, lower the `speed` of that section, or shorten `point_supervision_s`",
             )
+
+
+def _signals(ctx: Context, layout: Layout) -> None:
+    """Times of single signals, each against what whoever obeys it needs; no train obeys one where trains only end."""
+    least, rules = needs(layout), layout.principles
+    for g, own in layout.signal_releases:
+        signal = layout.signal[g]
+        trains = least.stop[g] if signal.main and g not in layout.stops else 0
+        need = max(trains, least.shunt if signal.shunt else 0)
+        if round(own * 1000) < need:
+            until = f"{need / 1000:.1f} s are needed until whoever saw proceed stands or has passed"
+            why = f"{rules.output_delay_s:g} s until stop is seen, {rules.reaction_s:g} s of reaction, and braking"
+            text = f"the routes of {g} are held for {own:g} s, and {until}: {why}"
+            fix = f"state at least {-(-need // 1000)} s, or the lower speed that is run before {g}"
+            ctx.add("IL3023", text, ctx.at("signals", g, "release"), fix)

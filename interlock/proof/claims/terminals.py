@@ -77,10 +77,12 @@ def _delays(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     rules, needs = f.layout.principles, f.system.measured.needs
     presets = f.system.presets
     ordered: dict[Name, list[float]] = {}
+    own = dict(f.layout.signal_releases)
     for g, name in f.sym.approach_timer.items():
         kinds = {r.shunt for r in f.sym.routes_from.get(g, ())}
-        trains = [rules.approach_release_s, needs.stop[g] / 1000] if False in kinds else []
-        ordered[name] = [*trains, *([rules.shunt_release_s, needs.shunt / 1000] if True in kinds else [])]
+        trains = [own.get(g, rules.approach_release_s), needs.stop[g] / 1000] if False in kinds else []
+        shunts = [own.get(g, rules.shunt_release_s), needs.shunt / 1000] if True in kinds else []
+        ordered[name] = [*trains, *shunts]
     for g, name in f.sym.overlap_timer.items():
         ordered[name] = [f.layout.overlap_release_s(g), needs.stand[g] / 1000]
     ordered |= {x.timer: [rules.token_delay_s, needs.agreed / 1000] for x in f.sym.token.values()}

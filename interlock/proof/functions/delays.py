@@ -34,7 +34,8 @@ def delays(w: Words) -> Iterator[tuple[str, str, Expr]]:
     for g, name in sym.approach_timer.items():  # whatever routes it has today
         signal = w.layout.signal[g]
         trains = rules.approach_release_s if signal.main else 0.0
-        ordered = max(trains, rules.shunt_release_s if signal.shunt else 0.0)
+        kind = max(trains, rules.shunt_release_s if signal.shunt else 0.0)
+        ordered = dict(w.layout.signal_releases).get(g, kind)
         yield "F-DELAY", f"{name} as its signal's kind", TRUE if presets[name] >= round(1000 * ordered) else FALSE
     yield "F-DELAY", f"{sym.restart_timer} goes on", w.after(var(sym.running))
 

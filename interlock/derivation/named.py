@@ -1,0 +1,83 @@
+"""The routes that names and switches for automatic working mean.
+
+Input: the layout and its paths.  Output: names of routes, automatic routes; diagnostics IL2007 and IL2024.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from interlock.derivation.routes import Path
+from interlock.derivation.voyages import priority
+from interlock.diag import Element, Sink
+from interlock.diag.suggest import did_you_mean
+from interlock.model.elements import NamedRoute, RouteId
+from interlock.model.layout import Layout
+from interlock.table.rows import RouteKind
+
+
+def derive_names(layout: Layout, paths: Sequence[Path], sink: Sink) -> dict[RouteId, tuple[str, ...]]:
+    """The names of each route that has any; without a kind, a name is the train route's where there is one."""
+    out: dict[RouteId, tuple[str, ...]] = {}
+    shunt = dict(layout.named_kinds)
+    for n in layout.named_routes:
+        fits = [p for p in paths if _fits(n, p)]
+        kinds = {p.kind is RouteKind.SHUNT for p in fits}
+        of = shunt.get(n.name, kinds == {True})
+        fits = [p for p in fits if (p.kind is RouteKind.SHUNT) is of]
+        at = Element("routes", n.name)
+        if fits:
+            meant = _one(n, fits, f"the name {n.name}", sink, at)
+            out[meant.id] = (*out.get(meant.id, ()), n.name)
+        else:
+            kind = {None: "", True: "shunt ", False: "train "}[shunt.get(n.name)]
+            _none(n, paths, f"there is no {kind}route from {n.entry} to {n.exit} (named {n.name})", sink, at)
+    return out
+
+
+def derive_automatic(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[RouteId, ...]:
+    """The routes that may work automatically (R14: an explicit mode), in the order in which they are offered.
+
+    As the layout names them; where the principle `priorities` asks for it, the class of priority comes first.
+    """
+    out: list[Path] = []
+    for n in layout.automatic:
+        fits = [p for p in paths if p.kind is RouteKind.MAIN and _fits(n, p)]
+        at = Element("automatic", int(n.name))
+        if fits:
+            out.append(_one(n, fits, "automatic working", sink, at))
+        else:
+            _none(n, paths, f"there is no train route from {n.entry} to {n.exit}", sink, at)
+    if layout.principles.priorities:
+        out.sort(key=lambda p: priority(layout, {t.section for t in p.ways}, True))
+    return tuple(dict.fromkeys(p.id for p in out))
+
+
+def _fits(n: NamedRoute, p: Path) -> bool:
+    ends = (p.exit, p.ways[-1].section)
+    return p.entry == n.entry and n.exit in ends and set(n.via) <= {t.section for t in p.ways}
+
+
+def _one(n: NamedRoute, fits: Sequence[Path], what: str, sink: Sink, at: Element) -> Path:
+    """The first, which is preferred; said aloud where `via` could tell it from others and does not.
+
+    A way of which every section lies on all the others, too, has none to name: without more sections it is meant.
+    """
+    over = {p.id: {t.section for t in p.ways} for p in fits}
+    within = [p for p in fits if p.kind is fits[0].kind and all(over[p.id] <= o for o in over.values())]
+    if within:
+        return within[0]
+    first = fits[0]
+    others = [p for p in fits if p.kind is first.kind and p.ways != first.ways]
+    if others:
+        ways = 1 + len({p.ways for p in others})
+        text = f"{what} fits {ways} routes from {n.entry} to {n.exit}, and means {first.id}"
+        own = [t.section for t in first.ways if all(t.section not in over[p.id] for p in others)]
+        fix = f"add `via: [{own[0]}]`, or a section of the one that is meant" if own else "add `via`"
+        sink.add("IL2024", text, None, fix, about=at)
+    return first
+
+
+def _none(n: NamedRoute, paths: Sequence[Path], text: str, sink: Sink, at: Element) -> None:
+    ends = sorted({p.exit for p in paths if p.entry == n.entry})
+    sink.add("IL2007", text, None, did_you_mean(n.exit, ends), about=at)

@@ -1,0 +1,137 @@
+"""Published interlocking tables of three stations, row by row against what is derived; each proved and verified.
+
+python -m tests.campaigns.published [-o proofs/stations.md]
+
+1 when a difference is not explained, an explanation explains nothing, or a station is not proved and verified.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import platform
+import subprocess
+import sys
+import time
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from interlock.app.certify import certify_file
+from interlock.app.compile import compile_file
+from interlock.checker.check import check
+from tests.campaigns.deadlock import processor
+from tests.published import COLUMNS, HERE, STATIONS, Comparison, additions, compare, station
+
+
+def proved(name: str) -> tuple[str, bool]:
+    """A row of what compiling, certifying and verifying a station says, and whether all is well."""
+    path = str(HERE / f"{name}.yaml")
+    with TemporaryDirectory() as top:
+        compiled = compile_file(path, Path(top) / "generated")
+        done = certify_file(path, Path(top) / "generated", Path(top) / "proofs")
+        if compiled.proof is None or not compiled.green or not done.ok:
+            return f"| {name} | **NOT PROVED** | | | | | |", False
+        began = time.monotonic()
+        said = check(HERE / f"{name}.yaml", Path(top) / "proofs" / name)
+        seconds = time.monotonic() - began
+    claims = [c for c in compiled.proof.claims if c.places]
+    routes = len(compiled.checked.table.routes) if compiled.checked.table else 0
+    verdict = "VERIFIED" if not said.left else f"**left: {', '.join(said.left)}**"
+    places = sum(c.places for c in claims)
+    took = f"{compiled.seconds:.1f} | {done.seconds:.0f} | {verdict}, {seconds:.1f} s"
+    return f"| {name} | {routes} | PROVED | {len(claims)} at {places:,} places | {took} |", not said.left
+
+
+def table_lines(c: Comparison) -> list[str]:
+    """One row for each published row: `=`, or who has what besides."""
+    columns = [k for k in c.station.columns if k != "route"]
+    lines = [f"| row | derived | {' | '.join(columns)} |", "|---" * (2 + len(columns)) + "|"]
+    for name in c.station.published:
+        cells = []
+        for k in columns:
+            found = [f"{'+' if d.side == 'derived' else '−'}{d.item} {mark}" for d, mark in c.in_cell(name, k)]
+            cells.append(", ".join(found) or "=")
+        lines.append(f"| {name} | {c.station.derived[name].id} | {' | '.join(cells)} |")
+    return lines
+
+
+def why_lines(c: Comparison) -> list[str]:
+    """The explanations, each once, with the number of its differences."""
+    lines = ["| mark | column | differences | why |", "|---|---|---:|---|"]
+    for mark in dict.fromkeys(w.mark for w in c.why):
+        those = [w for w in c.why if w.mark == mark]
+        n = sum(any(w.covers(d) for w in those) for d in c.differences)
+        lines.append(f"| {mark} | {those[0].column} | {n} | {those[0].text.strip()} |")
+    return lines
+
+
+def of_station(c: Comparison) -> list[str]:
+    """The part of the page on a station."""
+    s = c.station
+    lines = [f"## {s.layout.title}", "", f"**Source.** {s.about['source'].strip()}", ""]
+    lines += [f"**What was read.** {s.about['read'].strip()}  {s.about['drawn'].strip()}", ""]
+    same = sum(not any(d.route == n for d in c.differences) for n in s.published)
+    lines += [
+        f"{len(s.rows)} published rows, {len(s.table.routes)} derived routes; {same} rows have no difference.",
+        "",
+    ]
+    added = additions(s.name)
+    if added:
+        bare = compare(station(s.name, bare=True))
+        by = [f"{sum(d.column == k for d in bare.differences)} of {k}" for k in COLUMNS]
+        lines += [
+            f"**What the layout says beyond its track**, so that its table is the published one: "
+            f"{', '.join(f'{n} under `{k}`' for k, n in added.items())}.  Without them there are "
+            f"{len(bare.differences)} differences: {', '.join(x for x in by if not x.startswith('0'))}.",
+            "",
+        ]
+    lines += ["**Why they differ.**", "", *why_lines(c), ""]
+    lines += [
+        "**Row by row.**  `+`: derived and not published; `−`: published and not derived.",
+        "",
+        *table_lines(c),
+        "",
+    ]
+    extra = [d.item for d in c.differences if d.column == "route"]
+    if extra:
+        lines += [f"Derived and not published: {', '.join(extra)}.", ""]
+    return lines
+
+
+def main() -> int:
+    """Write the page."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("-o", "--output", type=Path, default=Path("proofs/stations.md"))
+    options = parser.parse_args()
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=True)
+    compared = [compare(station(n)) for n in STATIONS]
+    results = [proved(n) for n in STATIONS]
+    lines = [
+        "# Stations whose interlocking tables others have published",
+        "",
+        f"`python -m tests.campaigns.published` at commit {commit.stdout.strip()}, {processor()}, {os.cpu_count()} "
+        f"cores, Python {platform.python_version()}.  Layouts, published rows and explanations: `tests/stations/`; a "
+        "difference that nothing explains fails `tests/test_published.py`.",
+        "",
+        "| station | routes | verdict | claims | seconds to compile with proof | to certify | `interlock verify` |",
+        "|---|---:|---|---|---:|---:|---|",
+        *(r for r, _ in results),
+        "",
+        "| station | rows | differences | " + " | ".join(COLUMNS) + " | not explained |",
+        "|---|---:|---:|" + "---:|" * len(COLUMNS) + "---:|",
+    ]
+    for c in compared:
+        by = [sum(d.column == k for d in c.differences) if k in c.station.columns else "" for k in COLUMNS]
+        lines.append(
+            f"| {c.station.name} | {len(c.station.rows)} | {len(c.differences)} | {' | '.join(map(str, by))} | "
+            f"**{len(c.unexplained)}** |"
+        )
+    lines += ["", "An empty cell: the source has no such column.", ""]
+    for c in compared:
+        lines += of_station(c)
+    options.output.write_text("\n".join(lines), encoding="utf-8")
+    return 0 if all(ok for _, ok in results) and not any(c.unexplained or c.idle for c in compared) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

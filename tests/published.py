@@ -1,0 +1,209 @@
+"""Interlocking tables that others have published, row by row against what is derived of the same stations.
+
+`stations/NAME.yaml` is the layout, whose routes bear the names of the published rows; `NAME.csv` what was published, as
+facts; `NAME.why.yaml` the source, how its words are read, and why the two differ.  A difference that nothing explains,
+and an explanation of nothing, are told (`Comparison.unexplained`, `idle`).
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from interlock.model.elements import RouteId
+from interlock.model.layout import Layout
+from interlock.table.rows import InterlockingTable, Role, RouteRow
+from tests.layouts import grown
+
+HERE = Path(__file__).resolve().parent / "stations"
+STATIONS = ("komano", "swtbahn", "cranz")
+COLUMNS = ("route", "ends", "points", "clear", "locked", "hostile", "delay")
+ROLES = {Role.PATH: "", Role.DEVICE: "", Role.FLANK: " (flank)", Role.ADDED: " (added)", Role.OVERLAP: " (overlap)"}
+
+
+@dataclass(frozen=True)
+class Difference:
+    """Something that one of the two has in a column of a row, and the other has not."""
+
+    route: str
+    column: str
+    side: str
+    """`published` or `derived`: who has it."""
+    item: str
+
+
+@dataclass(frozen=True)
+class Why:
+    """An explanation, and which differences it is of."""
+
+    mark: str
+    column: str
+    side: str
+    items: str
+    routes: str
+    text: str
+
+    def covers(self, d: Difference) -> bool:
+        """Whether it explains a difference."""
+        same = (d.column, d.side) == (self.column, self.side)
+        return same and bool(re.fullmatch(self.items, d.item)) and bool(re.fullmatch(self.routes, d.route))
+
+
+@dataclass(frozen=True)
+class Station:
+    """A published table, with what is derived of the layout."""
+
+    name: str
+    about: Mapping[str, Any]
+    rows: tuple[Mapping[str, str], ...]
+    layout: Layout
+    table: InterlockingTable
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """The columns that were published."""
+        given = {"route", "ends", *self.rows[0]} | (
+            {"hostile"} if {"levers", "conflicts"} & set(self.rows[0]) else set()
+        )
+        return tuple(c for c in COLUMNS if c in given)
+
+    @cached_property
+    def derived(self) -> Mapping[str, RouteRow]:
+        """Each derived route by the name of the row that it stands for."""
+        return {n: r for r in self.table.routes for n in r.names}
+
+    @cached_property
+    def published(self) -> Mapping[str, Mapping[str, str]]:
+        """Each row by its name."""
+        return {self.called("route", r["route"]): r for r in self.rows}
+
+    def called(self, column: str, word: str) -> str:
+        """A word of a row as the layout writes it: some sources print numbers alone."""
+        return self.about.get("prefix", {}).get(column, "") + word
+
+    def points(self, row: Mapping[str, str]) -> set[str]:
+        """The positions of a row: `41 43R` are 41 N and 43 R; some words stand for others."""
+        reads = self.about.get("reads", {})
+        words = [w for cell in ("points", "crossings") for w in row.get(cell, "").split()]
+        return {self._position(x) for w in words for x in reads.get(w, w).split()}
+
+    def _position(self, word: str) -> str:
+        return self.called("points", word[:-1] if word[-1] in "RN" else word) + (" R" if word[-1] == "R" else " N")
+
+    def words(self, row: Mapping[str, str], column: str) -> set[str]:
+        """Sections of a row."""
+        return {self.called("clear", w) for w in row[column].split()}
+
+    def sections(self, sections: Iterable[str]) -> set[str]:
+        """Derived sections by the names that the source has for them: it may know larger pieces."""
+        piece = re.compile(self.about.get("pieces", "(.*)"))
+        return {m[1] if (m := piece.fullmatch(s)) else s for s in sections}
+
+    def apart(self, one: str, other: str) -> bool:
+        """Whether two rows are hostile as published: one names the other or its lever, or (where the source leaves
+        such pairs to the points) they have a point in different positions."""
+        a, b = self.published[one], self.published[other]
+        if "levers" not in a:
+            return other in {self.called("route", w) for w in a["conflicts"].split()}
+        said = any({y["route"], y["entry"]} & set(x["levers"].split()) for x, y in ((a, b), (b, a)))
+        theirs = self.points(b)
+        return said or any(p[:-1] + "NR"[p[-1] == "N"] in theirs for p in self.points(a))
+
+
+ADDITIONS = re.compile(r"^(exclude|demand|hostile|sections):\n((?:[ #].*\n|\n)*)", re.MULTILINE)
+"""What the author of a layout says beyond its track, so that its table is the one that he has before him."""
+
+
+def text_of(name: str) -> str:
+    """The layout of a station."""
+    return (HERE / f"{name}.yaml").read_text("utf-8")
+
+
+def additions(name: str) -> dict[str, int]:
+    """How many entries the layout has of each kind of addition."""
+    return {m[1]: sum(line.startswith("  ") for line in m[2].splitlines()) for m in ADDITIONS.finditer(text_of(name))}
+
+
+def station(name: str, bare: bool = False) -> Station:
+    """A station with its published table; `bare`: without what its author adds."""
+    about = yaml.safe_load((HERE / f"{name}.why.yaml").read_text("utf-8"))
+    with (HERE / f"{name}.csv").open(encoding="utf-8") as file:
+        rows = tuple(csv.DictReader(file))
+    made = grown(ADDITIONS.sub("", text_of(name)) if bare else text_of(name))
+    assert made is not None and not made[2].has_errors
+    return Station(name, about, rows, made[0], made[1])
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """All differences of a station, and what explains them."""
+
+    station: Station
+    differences: tuple[Difference, ...]
+    why: tuple[Why, ...]
+
+    @property
+    def unexplained(self) -> tuple[Difference, ...]:
+        """Differences that nothing explains."""
+        return tuple(d for d in self.differences if not any(w.covers(d) for w in self.why))
+
+    def in_cell(self, route: str, column: str) -> tuple[tuple[Difference, str], ...]:
+        """The differences of one cell, each with the mark of what explains it."""
+        here = [d for d in self.differences if (d.route, d.column) == (route, column)]
+        return tuple((d, next((w.mark for w in self.why if w.covers(d)), "?")) for d in here)
+
+    @property
+    def idle(self) -> tuple[Why, ...]:
+        """Explanations of differences that are not there."""
+        return tuple(w for w in self.why if not any(map(w.covers, self.differences)))
+
+
+def compare(s: Station) -> Comparison:
+    """Row by row, column by column."""
+    found = [*_routes(s), *(d for n in s.published if n in s.derived for d in _row(s, n))]
+    why = tuple(
+        Why(w["mark"], w["column"], w["side"], str(w["items"]), str(w.get("routes", ".*")), w["why"])
+        for w in s.about["differences"]
+    )
+    return Comparison(s, tuple(found), why)
+
+
+def _routes(s: Station) -> Iterator[Difference]:
+    for n in s.published:
+        if n not in s.derived:
+            yield Difference(n, "route", "published", n)
+    for r in s.table.routes:
+        if not set(r.names) & set(s.published):
+            yield Difference(r.id, "route", "derived", r.id)
+
+
+def _row(s: Station, name: str) -> Iterator[Difference]:
+    row, r = s.published[name], s.derived[name]
+    yield from _both(name, "ends", {s.called("entry", row["entry"])}, {str(r.entry)})
+    yield from _both(name, "ends", {s.called("exit", row["exit"])}, {str(r.exit)})
+    roles = {f"{p.machine} {p.position}": ROLES[p.role] for p in r.points}
+    theirs = s.points(row)
+    for d in _both(name, "points", theirs, set(roles)):
+        yield Difference(name, d.column, d.side, d.item + (roles[d.item] if d.side == "derived" else ""))
+    pieces = {"clear": {str(c.section) for c in r.sections}, "locked": set(map(str, r.section_ids))}
+    for column, mine in pieces.items():
+        if column in s.columns:
+            yield from _both(name, column, s.words(row, "clear" if column == "clear" else column), s.sections(mine))
+    if "delay" in s.columns:
+        yield from _both(name, "delay", {f"{row['delay']} s"}, {f"{r.approach.delay_s:g} s"})
+    if "hostile" in s.columns:
+        named: dict[RouteId, str] = {x.id: n for n, x in s.derived.items()}
+        mine = {named[h] for h in r.hostile.routes if h in named}
+        yield from _both(name, "hostile", {n for n in s.published if n != name and s.apart(name, n)}, mine)
+
+
+def _both(name: str, column: str, published: set[str], derived: set[str]) -> Iterator[Difference]:
+    for side, items in (("published", published - derived), ("derived", derived - published)):
+        yield from (Difference(name, column, side, i) for i in sorted(items))

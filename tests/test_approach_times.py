@@ -1,0 +1,83 @@
+"""`release` of a signal: how long its routes are held after a cancellation, instead of the principles' times (R8)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from interlock.audit import audit
+from interlock.checker import specification
+from interlock.checker.check import agree
+from interlock.checker.drawing import loaded
+from interlock.diag import Sink
+from interlock.frontend import load_text
+from interlock.logic.lower import lower
+from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.verdict import Verdict
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
+from interlock.verify import Rejected
+from tests.layouts import grown
+from tests.seen.test_wrong_timers import with_presets
+from tests.written import told
+
+YARD = Path("tests/layouts_for_tests/shunt_yard.yaml").read_text("utf-8")
+S1, D1 = "S1: {from: g1, into: p1, kind: combined", "D1: {from: l1, into: l2, kind: shunt"
+
+
+def own(seconds: str, signal: str = S1) -> str:
+    """The yard with a time of its own at a signal."""
+    return YARD.replace(signal, f"{signal}, release: {seconds}")
+
+
+def delays(text: str) -> dict[str, float]:
+    """The delay of each signal's routes in the table."""
+    made = grown(text)
+    assert made is not None and audit(made[0], made[1]) == ()
+    return {str(r.entry): r.approach.delay_s for r in made[1].routes}
+
+
+def test_a_time_of_its_own_is_the_delay_of_all_routes_of_a_signal() -> None:
+    assert delays(own("60")) == {**delays(YARD), "S1": 60.0}
+    assert delays(YARD)["S1"] == delays(YARD)["X"] == 180.0 and delays(own("240", D1))["D1"] == 240.0
+
+
+def test_it_is_proved_and_the_second_checker_agrees() -> None:
+    made = grown(own("60"))
+    assert made is not None
+    controller = lower(made[0], made[1])
+    name = controller.symbols.approach_timer[next(g.id for g in made[0].signals if g.id == "S1")]
+    assert {t.preset_ms for t in controller.timers if t.name == name} == {60_000}
+    assert prove(System(made[0], controller), limits=Limits(search_s=0)).proved
+    assert agree(*told(own("60")), specification.shipped()).left == ()
+    shorter = with_presets(controller, 59_999, name)
+    refuted = prove(System(made[0], shorter), limits=Limits(search_s=0))
+    assert {c.id for c in refuted.claims if c.verdict is not Verdict.PROVED} == {"D-PRESET"}
+
+
+@pytest.mark.parametrize(("one", "other"), [(own("60"), YARD), (YARD, own("240"))])
+def test_a_controller_that_holds_routes_for_less_is_not_accepted(one: str, other: str) -> None:
+    _, system, text = told(one)
+    with pytest.raises(Rejected):
+        agree(loaded(other), system, text, specification.shipped())
+
+
+def codes(text: str) -> list[str]:
+    """What is said of a layout."""
+    sink = Sink()
+    load_text("yard.yaml", text, sink)
+    return [f"{d.code} {d.message}" for d in sink.diagnostics if d.severity == "error"]
+
+
+def test_no_time_is_shorter_than_a_train_needs_to_stand() -> None:
+    (said,) = codes(own("20"))
+    assert said.startswith("IL3023 the routes of S1 are held for 20 s, and 42.0 s are needed")
+    (said,) = codes(own("20", D1))
+    assert said.startswith("IL3023 the routes of D1 are held for 20 s, and 23.5 s are needed")
+    assert codes(own("24", D1)) == [], "no train obeys it"
+
+
+def test_a_board_holds_nothing() -> None:
+    text = YARD.replace("D3: {from: l2, into: l1, kind: shunt", "D3: {from: l2, into: l1, kind: limit, release: 60")
+    assert codes(text) == ["IL3027 no route begins at D3: `release` says nothing of it"]

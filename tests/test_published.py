@@ -1,0 +1,99 @@
+"""Published interlocking tables of three stations against what is derived: every difference has its explanation.
+
+[The page](../proofs/stations.md) is written by `python -m tests.campaigns.published`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import pytest
+
+from interlock.audit import audit
+from interlock.checker import specification
+from interlock.checker.check import agree
+from interlock.logic.lower import lower
+from interlock.proof.engines.limits import Limits
+from interlock.proof.prover import prove
+from interlock.proof.system.transition import System
+from tests.campaigns.published import table_lines
+from tests.published import COLUMNS, STATIONS, Comparison, Station, additions, compare, station, text_of
+from tests.written import told
+
+
+@cache
+def compared(name: str) -> Comparison:
+    """A station as it is shipped for the tests."""
+    return compare(station(name))
+
+
+def count(c: Comparison) -> dict[str, int]:
+    """Differences by column."""
+    return {k: n for k in COLUMNS if (n := sum(d.column == k for d in c.differences))}
+
+
+@pytest.mark.parametrize("name", STATIONS)
+def test_every_difference_is_explained_and_every_explanation_is_of_one(name: str) -> None:
+    c = compared(name)
+    assert c.unexplained == () and c.idle == ()
+    assert len(c.station.rows) >= 30 and set(c.station.published) <= set(c.station.derived)
+    assert audit(c.station.layout, c.station.table) == ()
+
+
+def test_komano_is_proved_and_the_second_checker_agrees() -> None:
+    """The page has all three, certified."""
+    s = compared("komano").station
+    assert prove(System(s.layout, lower(s.layout, s.table)), Limits(search_s=0)).proved
+    assert agree(*told(text_of("komano")), specification.shipped()).left == ()
+
+
+def test_what_differs_and_what_does_not() -> None:
+    assert count(compared("komano")) == {"ends": 24, "points": 10, "clear": 5, "locked": 28, "hostile": 12, "delay": 8}
+    assert count(compared("swtbahn")) == {"points": 65}
+    assert count(compared("cranz")) == {"route": 19, "points": 25, "clear": 48}
+
+
+def test_all_thousand_and_four_conflicts_of_swtbahn_are_derived() -> None:
+    s = compared("swtbahn").station
+    assert sum(len(r.hostile) for r in s.table.routes) == 1004 == sum(len(r["conflicts"].split()) for r in s.rows)
+
+
+def test_what_the_author_of_komano_adds_is_what_the_table_has_beyond_the_track() -> None:
+    assert additions("komano") == {"exclude": 4, "demand": 9, "hostile": 16, "sections": 7}
+    bare, full = compare(station("komano", bare=True)), compared("komano")
+    assert {d.column for d in bare.unexplained} == {"route", "points", "clear", "hostile"}
+    assert not [d for d in bare.unexplained if d.side == "derived" and d.column != "route"], "additions only restrict"
+    assert count(bare)["hostile"] > 5 * count(full)["hostile"]
+
+
+def changed(name: str, route: str, column: str, cell: str) -> Station:
+    """A station whose source had another word in one cell."""
+    s = station(name)
+    return replace(s, rows=tuple({**r, column: cell} if r["route"] == route else r for r in s.rows))
+
+
+@pytest.mark.parametrize(
+    ("name", "route", "column", "cell"),
+    [
+        ("komano", "5RA", "points", "46 49"),
+        ("komano", "9LC", "clear", "9LT 50ﾛT"),
+        ("komano", "9LC", "locked", "9LT 9LCT"),
+        ("komano", "24R", "levers", "7R 15L 34L 2L"),
+        ("komano", "6L", "delay", "30"),
+        ("komano", "6L", "exit", "TO"),
+        ("swtbahn", "44", "conflicts", "6"),
+        ("swtbahn", "44", "clear", "2 1 3"),
+        ("cranz", "R_09", "points", "Sw06R Sw07RR"),
+        ("cranz", "R_01", "crossings", ""),
+        ("cranz", "R_12", "route", "R_99"),
+    ],
+)
+def test_another_word_in_the_source_is_noticed(name: str, route: str, column: str, cell: str) -> None:
+    assert compare(changed(name, route, column, cell)).unexplained
+
+
+def test_the_page_has_a_row_for_each_published_row() -> None:
+    lines = table_lines(compared("komano"))
+    assert len(lines) == 2 + 43
+    assert lines[2] == "| 1RD5 | 1R-25R | = | +42 N (flank) K2 | +43ﾛT K3 | = | = | = |"
