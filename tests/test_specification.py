@@ -23,7 +23,10 @@ from tests.written import shipped, told
 
 CLAIMS_TEXT = (FOLDER / "claims.yaml").read_text("utf-8")
 PLANT_TEXT = (FOLDER / "plant.yaml").read_text("utf-8")
-OTHERS = ("balloon", "closing", "devices", "foul_beyond", "overlap_head", "scripts", "speeds", "token", "undetected")
+OTHERS = (
+    *("balloon", "closing", "closing_next", "devices", "foul_beyond"),
+    *("overlap_head", "scripts", "speeds", "token", "undetected"),
+)
 """Layouts with what no shipped one has; the others are for the campaign of certificates."""
 
 
@@ -290,6 +293,11 @@ WEAKENED = {
         "mine11",
         'says: "tail_out(s) and not astray(s)"',
         'says: "tail_out(s) and not astray(s) and not standing(s)"',
+    ),
+    "what a train passes is open for the next one": (
+        "../tests/layouts_for_tests/closing_next",
+        "opens'(c) and not passing'(c))\"",
+        "opens'(c))\"",
     ),
     "a claim is left out": ("junction", "  - id: T-DIAMOND\n", "  - id: T-ELSEWHERE\n"),
 }

@@ -180,13 +180,13 @@ class Terminals(Ahead):
         kmh = self.lengths.path_kmh(p)
         return kmh is not None and kmh < self.r.drawn.rule("slow_below_kmh")
 
-    def w_next_open_for_clear(self, p: Path) -> list[Signal]:
-        """The next main signal, which clear needs open; under `turnout` no way over a reversed point is clear (R11)."""
+    def w_next_open_for_clear(self, p: Path) -> list[Calling]:
+        """What the next main signal calls, which clear needs; under `turnout` no way over a reversed point is (R11)."""
         if p.last.exit in self.r.boundaries or self._slow(p):
             return []
         turned = any(d.position == "R" for w in p.ways for _, d in w.points)
         g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
-        return [] if g is None or (turned and self.r.drawn.rules["caution"] == "turnout") else [g]
+        return [] if g is None or (turned and self.r.drawn.rules["caution"] == "turnout") else [Calling(g, False)]
 
     def w_distants(self) -> list[str]:
         return list(self.r.body.get("distants") or {})
