@@ -25,7 +25,7 @@ CLAIMS_TEXT = (FOLDER / "claims.yaml").read_text("utf-8")
 PLANT_TEXT = (FOLDER / "plant.yaml").read_text("utf-8")
 OTHERS = (
     *("balloon", "closing", "closing_next", "devices", "foul_beyond"),
-    *("overlap_head", "scripts", "speeds", "token", "undetected"),
+    *("overlap_head", "scripts", "speeds", "token", "trap_beyond", "undetected"),
 )
 """Layouts with what no shipped one has; the others are for the campaign of certificates."""
 
@@ -41,6 +41,13 @@ def test_text_and_written_system_of_a_shipped_layout_say_what_the_specification_
 def test_so_do_those_of_other_layouts(name: str) -> None:
     source = Path(f"tests/layouts_for_tests/{name}.yaml").read_text("utf-8")
     assert agree(*told(source), specification.shipped()).left == ()
+
+
+@pytest.mark.parametrize("trains", [1, 9])
+def test_so_do_zones_that_cannot_fill_or_that_nothing_enters_on_one_side(trains: int) -> None:
+    source = Path("tests/layouts_for_tests/closing_next.yaml").read_text("utf-8")
+    zone = f"zones:\n  Z: {{sections: [l3], trains: {trains}}}\n"
+    assert agree(*told(source + zone), specification.shipped()).left == ()
 
 
 # --- forged bundles, for layouts of different kinds --------------------------------------------------

@@ -318,8 +318,9 @@ class Railway:
         return go(c.signal.into, c.signal.node, ())
 
     def excluded(self, c: Calling, p: Path) -> bool:
-        """The author does not want a route over this path."""
-        return not self._opens(c) or any(self.chosen(x, c, p) for x in self.body.get("exclude") or ())
+        """No route leads into a trap, nor where the author does not want one."""
+        into_trap = p.last.exit in (self.body.get("traps") or ())
+        return into_trap or not self._opens(c) or any(self.chosen(x, c, p) for x in self.body.get("exclude") or ())
 
     def _opens(self, c: Calling) -> bool:
         """Nothing begins at a board, and no train at a shunt signal at which trains end."""

@@ -138,7 +138,8 @@ def _says(c: Claim) -> bool:
 
 def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for z in f.layout.zones:
-        yield "T-ZONE", z.id, neg(var(names.OVERFULL(z.id)))
+        if names.OVERFULL(z.id) in f.system.definitions:
+            yield "T-ZONE", z.id, neg(var(names.OVERFULL(z.id)))
         for s, j in f.system.zone_joints(z):
             rear = f.topo.beyond(s, j)
             boundary = f.layout.boundary_at.get(j)

@@ -222,11 +222,12 @@ class System:
             now: list[Expr] = []
             for k in range(1, min(i, z.trains + 1) + 1):
                 more = x if k == 1 else conj((before[k - 2], x))
-                out[names.ZONE_SUM(z.id, i, k)] = disj((more, before[k - 1])) if k <= len(before) else more
-                now.append(var(names.ZONE_SUM(z.id, i, k)))
+                name = names.ZONE_SUM(z.id, i, k)
+                out[name] = disj((more, before[k - 1])) if k <= len(before) else more
+                now.append(FALSE if out[name] is FALSE else var(name))
             before = now
         out[names.OVERFULL(z.id)] = conj((before[z.trains], disj(called))) if len(before) > z.trains else FALSE
-        return out
+        return {name: x for name, x in out.items() if x is not FALSE}
 
     def _beyond(self, s: SectionId, j: NodeId) -> str:
         ahead = self.topo.beyond(s, j)
