@@ -138,8 +138,7 @@ def _says(c: Claim) -> bool:
 
 def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for z in f.layout.zones:
-        if names.OVERFULL(z.id) in f.system.definitions:
-            yield "T-ZONE", z.id, neg(var(names.OVERFULL(z.id)))
+        yield "T-ZONE", z.id, neg(f.system.overfull.get(z.id, FALSE))
         for s, j in f.system.zone_joints(z):
             rear = f.topo.beyond(s, j)
             boundary = f.layout.boundary_at.get(j)

@@ -52,6 +52,8 @@ class SystemView(Protocol):
     symbols: Symbols
     plant: Plant
     ties: tuple[Tie, ...]
+    overfull: Mapping[str, Expr]
+    """Of each zone that can be so: a train is called into it, and then there are more than its maximum."""
 
     @property
     def waits_for(self) -> Mapping[Name, Name]:

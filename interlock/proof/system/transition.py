@@ -74,6 +74,8 @@ class System:
         self.definitions |= {n.next: self._after(x) for n, x in shown.items()}
         for z in layout.zones:
             self.definitions |= self._zone(z)
+        too_full = {z.id: names.OVERFULL(z.id) for z in layout.zones}
+        self.overfull = {z: var(name) for z, name in too_full.items() if name in self.definitions}
         self.assumptions: list[Assumption] = list(self.plant.assumptions)
         for t in controller.timers:
             # an on-delay with a positive preset is true only while its input is true
