@@ -14,7 +14,7 @@ from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.overlap import entry_speed
 from interlock.model.principles import Caution
-from interlock.model.traversal import Traversal, path_speed
+from interlock.model.traversal import Traversal, path_speed, zone_joints
 from interlock.proof.claims.added import declared, demanded
 from interlock.proof.claims.flank import flank, flank_space, scissors
 from interlock.proof.claims.kinds import Claim, Facts
@@ -139,7 +139,7 @@ def _says(c: Claim) -> bool:
 def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for z in f.layout.zones:
         yield "T-ZONE", z.id, neg(f.system.overfull.get(z.id, FALSE))
-        for s, j in f.system.zone_joints(z):
+        for s, j in zone_joints(f.topo, z):
             rear = f.topo.beyond(s, j)
             boundary = f.layout.boundary_at.get(j)
             where = rear or (boundary.approach if boundary and boundary.approach else names.outside(j))
