@@ -50,6 +50,13 @@ def test_so_do_zones_that_cannot_fill_or_that_nothing_enters_on_one_side(trains:
     assert agree(*told(source + zone), specification.shipped()).left == ()
 
 
+def test_so_does_one_where_an_overlap_leads_towards_a_boundary_at_which_trains_only_come_in() -> None:
+    source = Path("tests/layouts_for_tests/trap_beyond.yaml").read_text("utf-8")
+    other = source.replace("traps: [sand]\n", "").replace("normal: sand", "normal: F")
+    other = other.replace("tracks:", "  F: {approach: fa 300, trains: in}\ntracks:") + "  XF: {from: F, into: p1}\n"
+    assert agree(*told(other), specification.shipped()).left == ()
+
+
 # --- forged bundles, for layouts of different kinds --------------------------------------------------
 
 KINDS = ("mine11", "junction", "cn6502", "passing_loop")
