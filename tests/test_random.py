@@ -111,7 +111,11 @@ def test_voyages_and_automatic_working_on_random_layouts_are_proved(seed: int) -
 
 
 @pytest.mark.parametrize(
-    "name", ["overlaps_join", "overlap_unused", "overlap_berth", "overlap_head", "balloon", "foul_beyond"]
+    "name",
+    [
+        *("overlaps_join", "overlap_unused", "overlap_berth", "overlap_head", "balloon", "foul_beyond"),
+        "one_way_rear",
+    ],
 )
 def test_layouts_on_which_random_growth_once_found_a_fault(name: str) -> None:
     layout, table, controller = built(f"../tests/layouts_for_tests/{name}")

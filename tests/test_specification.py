@@ -50,6 +50,16 @@ def test_so_do_zones_that_cannot_fill_or_that_nothing_enters_on_one_side(trains:
     assert agree(*told(source + zone), specification.shipped()).left == ()
 
 
+def test_a_layout_with_automatic_routes_has_switches_for_these_and_for_no_others() -> None:
+    source = Path("layouts/fig2_2.yaml").read_text("utf-8")
+    entry, other = "  - {from: X1, to: A}\n", "  - {from: X3, to: C}\n"
+    one, both = (f"{source}automatic:\n{x}" for x in (entry, entry + other))
+    assert agree(*told(one), specification.shipped()).left == ()
+    _, system, text = told(both)
+    with pytest.raises(Rejected, match="S-REQUEST"):
+        agree(loaded(one), system, text, specification.shipped())
+
+
 def test_so_does_one_where_an_overlap_leads_towards_a_boundary_at_which_trains_only_come_in() -> None:
     source = Path("tests/layouts_for_tests/trap_beyond.yaml").read_text("utf-8")
     other = source.replace("traps: [sand]\n", "").replace("normal: sand", "normal: F")

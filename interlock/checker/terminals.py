@@ -330,14 +330,27 @@ class Terminals(Ahead):
         taken = set()
         for g in self.w_opening():
             for c in self.r.callings(g):
+                calls = bool(self.lamps(g, CALL_ON)) and not c.shunt
                 for p in self.r.paths(c):
-                    on = bool(self.lamps(g, CALL_ON)) and not c.shunt and not self.r.excluded(c, p)
-                    taken |= {w for w in p.ways if on} | {w for w in p.ways[-1:] if p.berth}
+                    if not self.r.excluded(c, p):
+                        taken |= {w for w in p.ways if calls} | {w for w in p.ways[-1:] if p.berth}
         return [w for w in self.w_lockable(s) if w not in taken]
 
     def w_automatic(self, r: int) -> Formula:
-        """The switch for automatic working of the route; a layout that names no automatic route has none."""
-        return leaf(f"AUTO_R{r}") if self.r.body.get("automatic") else FALSE
+        """The switch for automatic working of a train route, where the layout names such routes from its signal; there
+        are no more of them than it names."""
+        return leaf(f"AUTO_R{r}") if r in self._automatic else FALSE
+
+    @cached_property
+    def _automatic(self) -> set[int]:
+        """The routes that are also asked for by a switch."""
+        named, found = [x["from"] for x in self.r.body.get("automatic") or ()], set()
+        for g in dict.fromkeys(named):
+            asked = {k: self.w.definitions.get(f"RQ_R{k}", FALSE) for k in self.train_routes(self.r.signals[g])}
+            switched = {k for k, x in asked.items() if f"AUTO_R{k}" in set(names(x))}
+            need(len(switched) <= named.count(g), f"more routes from {g} work automatically than the layout names")
+            found |= switched
+        return found
 
     def w_requests(self) -> list[str]:
         """The inputs at which routes are asked for by number, the one that is heard first before the other."""
