@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from interlock.audit import audit
 from interlock.audit.flank import open_flanks
 from interlock.audit.walk import trips
+from interlock.diag import Sink
+from interlock.frontend import load_text
 from interlock.logic.lower import lower
 from interlock.proof.engines.limits import Limits
 from interlock.proof.equivalence.structured_text import compare_st
@@ -114,7 +118,7 @@ def test_voyages_and_automatic_working_on_random_layouts_are_proved(seed: int) -
     "name",
     [
         *("overlaps_join", "overlap_unused", "overlap_berth", "overlap_head", "balloon", "foul_beyond"),
-        "one_way_rear",
+        *("one_way_rear", "no_calling_on"),
     ],
 )
 def test_layouts_on_which_random_growth_once_found_a_fault(name: str) -> None:
@@ -122,3 +126,13 @@ def test_layouts_on_which_random_growth_once_found_a_fault(name: str) -> None:
     assert audit(layout, table) == ()
     result = prove(System(layout, controller), Limits(search_s=5))
     assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+
+
+def test_a_signal_to_which_no_train_comes_is_refused() -> None:
+    """Whoever stood before it at a restart would be called on against the only direction of his track."""
+    text = Path("tests/layouts_for_tests/one_way_rear.yaml").read_text("utf-8")
+    sink = Sink()
+    load_text("layout.yaml", f"{text}  M: {{from: l1, into: l2}}\n", sink)
+    assert [(d.code, d.message) for d in sink.diagnostics] == [
+        ("IL3019", "no train comes to M: the only direction of l1 leads away from it")
+    ]

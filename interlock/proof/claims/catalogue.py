@@ -237,7 +237,7 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     after = f.system.after
     opened = conj((after(_open(f, signal, shunt)), after(lie(f, path.ways))))
     yield "S-CLEAR", "", implies(opened, conj(f.steadily_clear(t.section) for t in path.kept_clear))
-    if f.layout.signal[signal].call_on and not shunt:
+    if signal in f.sym.call_aspect and not shunt:
         called = conj((after(var(f.sym.call_aspect[signal])), here))
         yield "S-CALL-ON", "", implies(called, _may_call_on(f, path))
     yield "S-DETECTED", "", implies(here, _points_detected(f, path))
