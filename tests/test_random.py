@@ -9,6 +9,8 @@ import pytest
 from interlock.audit import audit
 from interlock.audit.flank import open_flanks
 from interlock.audit.walk import trips
+from interlock.checker import specification
+from interlock.checker.check import agree
 from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.lower import lower
@@ -20,7 +22,9 @@ from interlock.proof.system.transition import System
 from interlock.st.lower import lower_st
 from interlock.st.printer import print_unit
 from tests.grow import grow
+from tests.grow_all import grow_all, words
 from tests.layouts import built, grown
+from tests.written import told
 
 REFUSABLE = {"IL4001", "IL4002", "IL4003", "IL4008", "IL3006", "IL3015", "IL3019", "IL3022"}
 
@@ -40,6 +44,20 @@ def test_derivation_and_audit_agree(block: int) -> None:
         assert audit(layout, table) == (), seed
         compared += 1
     assert compared >= 12  # eight blocks: at least 100 layouts
+
+
+def test_derivation_audit_and_second_checker_agree_on_layouts_with_every_kind_of_element() -> None:
+    seen: set[str] = set()
+    for seed in range(20):
+        text = grow_all(seed)
+        made = grown(text)
+        if made is None or made[2].has_errors:
+            continue
+        assert audit(made[0], made[1]) == (), seed
+        assert agree(*told(text), specification.shipped()).left == (), seed
+        seen |= words(text)
+    assert {"kind: board", "kind: limit", "stops_trains", "tracks end to end", "names of other scripts"} <= seen
+    assert {"listed: no", "automatic", "demand", "hostile", "overlaps: entry_speed", "conditions", "health"} <= seen
 
 
 def test_what_the_derivation_calls_unprotected_the_audit_reaches_however_points_lie() -> None:
