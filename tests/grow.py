@@ -38,6 +38,8 @@ class Grown:
     signals: list[str] = field(default_factory=list)
     main: list[str] = field(default_factory=list)
     count: int = 0
+    end_to_end = False
+    """Whether tracks are joined to tracks, too."""
 
     def name(self, prefix: str) -> str:
         self.count += 1
@@ -51,9 +53,9 @@ class Grown:
             self.joints.append((a.section, section, a.point))
 
     def track(self, at: End) -> End:
-        """A track from a point's end; tracks join only to points and boundaries."""
+        """A track from an open end; one that goes on from another track names its end."""
         name = self.name("t")
-        items: list[str] = []
+        items = [at.ref] if self.is_track(at) else []
         section = at.section if self.rng.random() < 0.2 else self.name("s")
         self.joint(at, section)
         for i in range(self.rng.choice([1, 1, 2, 3])):
@@ -63,7 +65,8 @@ class Grown:
                 section = new
             items.append(f"{section} {self.length()}")
         self.tracks[name] = items
-        self.join(at, f"{name}.start")
+        if not self.is_track(at):
+            self.join(at, f"{name}.start")
         return End(f"{name}.end", section)
 
     def join(self, at: End, ref: str) -> None:
@@ -158,7 +161,7 @@ class Grown:
             self.rng.shuffle(open_)
             at = open_.pop()
             choice = self.rng.random()
-            if choice < 0.25 and not self.is_track(at):
+            if choice < 0.25 and (self.end_to_end or not self.is_track(at)):
                 open_.append(self.track(at))
             elif choice < 0.6:
                 open_.extend(self.point(at, "toe").values())
@@ -197,6 +200,8 @@ class Grown:
         for name, items in self.tracks.items():
             if self.shunting and len(items) > 2 and items[-1] in self.buffers and self.rng.random() < 0.6:
                 last, before = items[-2].split()[0], items[-3].split()[0]
+                if "." in before:  # the end of another track
+                    continue
                 others = [n for n, rest in self.tracks.items() if n != name and any(last in x.split() for x in rest)]
                 if last == before or others or any(last in s for s in self.signals):
                     continue
@@ -240,13 +245,12 @@ class Grown:
                     at = f", at: {point}" if point and self.rng.random() < 0.5 else ""
                     kind = self.rng.choice(self.kinds)
                     name = self.name("G")
-                    if kind != "shunt":
+                    if kind in ("", "combined"):
                         self.main.append(name)
                     self.signals.append(f"  {name}: {{from: {x}, into: {y}{at}{f', kind: {kind}' if kind else ''}}}")
 
-    def text(self) -> str:
-        more = [*self.furnish(), *self.blind()]
-        profile = self.rng.choice(["mine", "generic", "cn", "de"])
+    def rule(self, swings: bool) -> str:
+        """Principles of the layout's own, if any."""
         rules = [
             "",
             "",
@@ -256,10 +260,16 @@ class Grown:
             "principles: {main_closes: whole-movement, shunt_closes: whole-movement}",
         ]
         rule = self.rng.choice(rules)
-        if any("swing: yes" in x for x in more):  # slow trains, or no overlap could swing in time
+        if swings:  # slow trains, or no overlap could swing in time
             slow = "line_speed_kmh: 10, restart_delay_s: 36000, output_delay_s: 0.1"
             slow += ", point_run_s: 0.1, point_supervision_s: 0.2"
             rule = f"{rule[:-1]}, {slow}}}" if rule else f"principles: {{{slow}}}"
+        return rule
+
+    def text(self) -> str:
+        more = [*self.furnish(), *self.blind()]
+        profile = self.rng.choice(["mine", "generic", "cn", "de"])
+        rule = self.rule(any("swing: yes" in x for x in more))
         out = ["interlock: 1", "name: grown", f"profile: {profile}", rule, "boundaries:"]
         out += [f"  {n}: {b}" for n, b in self.boundaries.items()]
         if self.buffers:

@@ -37,6 +37,7 @@ from interlock.table.printed import Printed
 from interlock.table.rows import InterlockingTable, RouteKind
 from interlock.verify import Rejected
 from tests.grow import grow
+from tests.grow_all import hostile_and_demand
 from tests.layouts import grown
 from tests.written import told
 
@@ -141,17 +142,7 @@ def with_additions(seed: int) -> tuple[str, str] | None:
     found = grown(text)
     if found is None or found[2].has_errors or len(found[1].routes) < 4:
         return None
-    layout, table, _ = found
-    hostile, demand = [], []
-    for _ in range(3):
-        one, other = rng.sample(table.routes, 2)
-        choices = [f"{{from: {r.entry}, to: {r.exit}, kind: {'main' if r.train else 'shunt'}}}" for r in (one, other)]
-        hostile.append(f"  - {{one: {choices[0]}, other: {choices[1]}, reason: by chance}}")
-    free = [(r, p) for r in table.routes for p in layout.points if all(d.machine != p.machine for d in r.points)]
-    for r, p in rng.sample(free, min(2, len(free))):
-        lies = rng.choice(("normal", "reverse"))
-        chosen = f"{{from: {r.entry}, to: {r.exit}, via: [{', '.join(r.section_ids)}]}}"
-        demand.append(f"  - {{point: {p.id}, lies: {lies}, routes: {chosen}, reason: by chance}}")
+    hostile, demand = hostile_and_demand(rng, found[0], found[1])
     added = ["hostile:", *hostile, *(["demand:", *demand] if demand else [])]
     return text, text + "\n".join(added) + "\n"
 

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from interlock.audit import audit
 from interlock.audit.flank import open_flanks
 from interlock.audit.walk import trips
+from interlock.checker import specification
+from interlock.checker.check import agree
+from interlock.diag import Sink
+from interlock.frontend import load_text
 from interlock.logic.lower import lower
 from interlock.proof.engines.limits import Limits
 from interlock.proof.equivalence.structured_text import compare_st
@@ -16,7 +22,9 @@ from interlock.proof.system.transition import System
 from interlock.st.lower import lower_st
 from interlock.st.printer import print_unit
 from tests.grow import grow
+from tests.grow_all import grow_all, words
 from tests.layouts import built, grown
+from tests.written import told
 
 REFUSABLE = {"IL4001", "IL4002", "IL4003", "IL4008", "IL3006", "IL3015", "IL3019", "IL3022"}
 
@@ -36,6 +44,20 @@ def test_derivation_and_audit_agree(block: int) -> None:
         assert audit(layout, table) == (), seed
         compared += 1
     assert compared >= 12  # eight blocks: at least 100 layouts
+
+
+def test_derivation_audit_and_second_checker_agree_on_layouts_with_every_kind_of_element() -> None:
+    seen: set[str] = set()
+    for seed in range(20):
+        text = grow_all(seed)
+        made = grown(text)
+        if made is None or made[2].has_errors:
+            continue
+        assert audit(made[0], made[1]) == (), seed
+        assert agree(*told(text), specification.shipped()).left == (), seed
+        seen |= words(text)
+    assert {"kind: board", "kind: limit", "stops_trains", "tracks end to end", "names of other scripts"} <= seen
+    assert {"listed: no", "automatic", "demand", "hostile", "overlaps: entry_speed", "conditions", "health"} <= seen
 
 
 def test_what_the_derivation_calls_unprotected_the_audit_reaches_however_points_lie() -> None:
@@ -111,10 +133,24 @@ def test_voyages_and_automatic_working_on_random_layouts_are_proved(seed: int) -
 
 
 @pytest.mark.parametrize(
-    "name", ["overlaps_join", "overlap_unused", "overlap_berth", "overlap_head", "balloon", "foul_beyond"]
+    "name",
+    [
+        *("overlaps_join", "overlap_unused", "overlap_berth", "overlap_head", "balloon", "foul_beyond"),
+        *("one_way_rear", "no_calling_on", "overlap_one_way"),
+    ],
 )
 def test_layouts_on_which_random_growth_once_found_a_fault(name: str) -> None:
     layout, table, controller = built(f"../tests/layouts_for_tests/{name}")
     assert audit(layout, table) == ()
     result = prove(System(layout, controller), Limits(search_s=5))
     assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
+
+
+def test_a_signal_to_which_no_train_comes_is_refused() -> None:
+    """Whoever stood before it at a restart would be called on against the only direction of his track."""
+    text = Path("tests/layouts_for_tests/one_way_rear.yaml").read_text("utf-8")
+    sink = Sink()
+    load_text("layout.yaml", f"{text}  M: {{from: l1, into: l2}}\n", sink)
+    assert [(d.code, d.message) for d in sink.diagnostics] == [
+        ("IL3019", "no train comes to M: the only direction of l1 leads away from it")
+    ]

@@ -23,7 +23,10 @@ from tests.written import shipped, told
 
 CLAIMS_TEXT = (FOLDER / "claims.yaml").read_text("utf-8")
 PLANT_TEXT = (FOLDER / "plant.yaml").read_text("utf-8")
-OTHERS = ("balloon", "closing", "devices", "foul_beyond", "overlap_head", "scripts", "speeds", "token", "undetected")
+OTHERS = (
+    *("balloon", "closing", "closing_next", "devices", "foul_beyond"),
+    *("overlap_head", "scripts", "speeds", "token", "trap_beyond", "undetected"),
+)
 """Layouts with what no shipped one has; the others are for the campaign of certificates."""
 
 
@@ -38,6 +41,30 @@ def test_text_and_written_system_of_a_shipped_layout_say_what_the_specification_
 def test_so_do_those_of_other_layouts(name: str) -> None:
     source = Path(f"tests/layouts_for_tests/{name}.yaml").read_text("utf-8")
     assert agree(*told(source), specification.shipped()).left == ()
+
+
+@pytest.mark.parametrize("trains", [1, 9])
+def test_so_do_zones_that_cannot_fill_or_that_nothing_enters_on_one_side(trains: int) -> None:
+    source = Path("tests/layouts_for_tests/closing_next.yaml").read_text("utf-8")
+    zone = f"zones:\n  Z: {{sections: [l3], trains: {trains}}}\n"
+    assert agree(*told(source + zone), specification.shipped()).left == ()
+
+
+def test_a_layout_with_automatic_routes_has_switches_for_these_and_for_no_others() -> None:
+    source = Path("layouts/fig2_2.yaml").read_text("utf-8")
+    entry, other = "  - {from: X1, to: A}\n", "  - {from: X3, to: C}\n"
+    one, both = (f"{source}automatic:\n{x}" for x in (entry, entry + other))
+    assert agree(*told(one), specification.shipped()).left == ()
+    _, system, text = told(both)
+    with pytest.raises(Rejected, match="S-REQUEST"):
+        agree(loaded(one), system, text, specification.shipped())
+
+
+def test_so_does_one_where_an_overlap_leads_towards_a_boundary_at_which_trains_only_come_in() -> None:
+    source = Path("tests/layouts_for_tests/trap_beyond.yaml").read_text("utf-8")
+    other = source.replace("traps: [sand]\n", "").replace("normal: sand", "normal: F")
+    other = other.replace("tracks:", "  F: {approach: fa 300, trains: in}\ntracks:") + "  XF: {from: F, into: p1}\n"
+    assert agree(*told(other), specification.shipped()).left == ()
 
 
 # --- forged bundles, for layouts of different kinds --------------------------------------------------
@@ -290,6 +317,11 @@ WEAKENED = {
         "mine11",
         'says: "tail_out(s) and not astray(s)"',
         'says: "tail_out(s) and not astray(s) and not standing(s)"',
+    ),
+    "what a train passes is open for the next one": (
+        "../tests/layouts_for_tests/closing_next",
+        "opens'(c) and not passing'(c))\"",
+        "opens'(c))\"",
     ),
     "a claim is left out": ("junction", "  - id: T-DIAMOND\n", "  - id: T-ELSEWHERE\n"),
 }

@@ -28,11 +28,12 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
         return unaware(section) + speed(section) ** 2 / (2 * rules.braking_ms2)
 
     def back(edge: EdgeId, node: NodeId, run: float, stop: float, told: bool, been: frozenset[SectionId]) -> None:
-        """Away from the signal over an edge that ends at `node`: no train comes to it against a one-way track."""
+        """Away from the signal over an edge that ends at `node`.  No train comes over it against its one way; its
+        section, in which one may stand after a restart, counts all the same."""
         e = layout.edge[edge]
+        found.add(e.section)
         if e.one_way and e.b != node:
             return
-        found.add(e.section)
         stop = max(stop, stops(e.section))
         at, run = layout.far(edge, node), run + e.length
         boundary = layout.boundary_at.get(at)

@@ -195,7 +195,8 @@ def _overruns(
         if here.node in layout.buffer_at and layout.buffer_at[here.node].kind == "derail":
             continue
         ends = here.node in layout.boundary_at or here.node in layout.buffer_at
-        at_joint = ends or any(layout.section_of(m.edge) != section for m, _ in steps(layout, here))
+        beside = () if here.node in layout.crossing_at else layout.edges_at[here.node]
+        at_joint = ends or any(layout.section_of(e.id) != section for e in beside)  # even if no train goes on there
         next_signal = [h for m, _ in steps(layout, here) if (h := signal_facing(layout, here.node, m.edge)) is not None]
         through = length == float("inf") and any(h.kind != "shunt" for h in next_signal)
         onward = {layout.section_of(m.edge) for m, _ in steps(layout, here)} - {section}

@@ -272,15 +272,15 @@ class World(Protection):
 
     def w_one_fewer_before(self, n: Count) -> Formula:
         """Of the items before it one fewer."""
-        return leaf(f"zone.{n.zone}.{n.item - 1}.{n.count - 1}") if n.count > 1 else self.w_true()
+        return self.event(f"zone.{n.zone}.{n.item - 1}.{n.count - 1}") if n.count > 1 else self.w_true()
 
     def w_as_many_before(self, n: Count) -> Formula:
         """Of the items before it as many already."""
-        return leaf(f"zone.{n.zone}.{n.item - 1}.{n.count}") if n.count < n.item else FALSE
+        return self.event(f"zone.{n.zone}.{n.item - 1}.{n.count}") if n.count < n.item else FALSE
 
     def w_too_many(self, z: str) -> Formula:
         most, items = self._most(z), len(self._items(z))
-        return leaf(f"zone.{z}.{items}.{most + 1}") if items > most else FALSE
+        return self.event(f"zone.{z}.{items}.{most + 1}") if items > most else FALSE
 
     def w_too_full(self, z: str) -> Formula:
         return self.event(f"zone.{z}")

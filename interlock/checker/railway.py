@@ -320,8 +320,21 @@ class Railway:
         return go(c.signal.into, c.signal.node, ())
 
     def excluded(self, c: Calling, p: Path) -> bool:
-        """The author does not want a route over this path."""
-        return not self._opens(c) or any(self.chosen(x, c, p) for x in self.body.get("exclude") or ())
+        """No route runs over this path: none can, or the author does not want one."""
+        out = self.boundaries.get(p.last.exit, {}).get("trains", "both") != "in"
+        leads_on = out and p.last.exit not in (self.body.get("traps") or ())
+        runs = (leads_on or p.berth) and self._opens(c) and self._can_be_run(p)
+        return not runs or any(self.chosen(x, c, p) for x in self.body.get("exclude") or ())
+
+    def _can_be_run(self, p: Path) -> bool:
+        """Every machine is needed in one position, as its key permits; a diamond is passed once; all is detected."""
+        demands = {d for w in p.ways for _, d in w.points}
+        once = len({d.machine for d in demands}) == len(demands)
+        arms = [d for w in p.ways for d, _ in w.arms]
+        locked = {x.machine for x in self.points.values() if x.keyed}
+        keyed = any(d.machine in locked and d.position == "R" for d in demands)
+        seen = all(w.section not in self.undetected for w in p.ways[: -1 if p.berth else None])
+        return once and len(set(arms)) == len(arms) and not keyed and seen
 
     def _opens(self, c: Calling) -> bool:
         """Nothing begins at a board, and no train at a shunt signal at which trains end."""

@@ -180,13 +180,13 @@ class Terminals(Ahead):
         kmh = self.lengths.path_kmh(p)
         return kmh is not None and kmh < self.r.drawn.rule("slow_below_kmh")
 
-    def w_next_open_for_clear(self, p: Path) -> list[Signal]:
-        """The next main signal, which clear needs open; under `turnout` no way over a reversed point is clear (R11)."""
+    def w_next_open_for_clear(self, p: Path) -> list[Calling]:
+        """What the next main signal calls, which clear needs; under `turnout` no way over a reversed point is (R11)."""
         if p.last.exit in self.r.boundaries or self._slow(p):
             return []
         turned = any(d.position == "R" for w in p.ways for _, d in w.points)
         g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
-        return [] if g is None or (turned and self.r.drawn.rules["caution"] == "turnout") else [g]
+        return [] if g is None or (turned and self.r.drawn.rules["caution"] == "turnout") else [Calling(g, False)]
 
     def w_distants(self) -> list[str]:
         return list(self.r.body.get("distants") or {})
@@ -330,14 +330,27 @@ class Terminals(Ahead):
         taken = set()
         for g in self.w_opening():
             for c in self.r.callings(g):
+                calls = bool(self.lamps(g, CALL_ON)) and not c.shunt
                 for p in self.r.paths(c):
-                    on = bool(self.lamps(g, CALL_ON)) and not c.shunt and not self.r.excluded(c, p)
-                    taken |= {w for w in p.ways if on} | {w for w in p.ways[-1:] if p.berth}
+                    if not self.r.excluded(c, p):
+                        taken |= {w for w in p.ways if calls} | {w for w in p.ways[-1:] if p.berth}
         return [w for w in self.w_lockable(s) if w not in taken]
 
     def w_automatic(self, r: int) -> Formula:
-        """The switch for automatic working of the route; a layout that names no automatic route has none."""
-        return leaf(f"AUTO_R{r}") if self.r.body.get("automatic") else FALSE
+        """The switch for automatic working of a train route, where the layout names such routes from its signal; there
+        are no more of them than it names."""
+        return leaf(f"AUTO_R{r}") if r in self._automatic else FALSE
+
+    @cached_property
+    def _automatic(self) -> set[int]:
+        """The routes that are also asked for by a switch."""
+        named, found = [x["from"] for x in self.r.body.get("automatic") or ()], set()
+        for g in dict.fromkeys(named):
+            asked = {k: self.w.definitions.get(f"RQ_R{k}", FALSE) for k in self.train_routes(self.r.signals[g])}
+            switched = {k for k, x in asked.items() if f"AUTO_R{k}" in set(names(x))}
+            need(len(switched) <= named.count(g), f"more routes from {g} work automatically than the layout names")
+            found |= switched
+        return found
 
     def w_requests(self) -> list[str]:
         """The inputs at which routes are asked for by number, the one that is heard first before the other."""

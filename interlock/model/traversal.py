@@ -19,6 +19,7 @@ from interlock.model.elements import (
     Position,
     SectionId,
     SignalId,
+    Zone,
 )
 from interlock.model.layout import Layout, of_layout
 
@@ -189,6 +190,12 @@ def onward_edges(layout: Layout, node: NodeId, arriving: EdgeId) -> tuple[EdgeId
                 return (a,)
         return ()
     return tuple(e.id for e in layout.edges_at[node] if e.id != arriving)
+
+
+def zone_joints(topo: Topology, z: Zone) -> list[tuple[SectionId, NodeId]]:
+    """Where trains come into a zone: each section of it with an end beyond which the zone does not lie."""
+    ends = [(s, j) for s in z.sections for j in topo.ends[s] if j not in topo.layout.buffer_at]
+    return [(s, j) for s, j in ends if topo.beyond(s, j) not in z.sections]
 
 
 @of_layout

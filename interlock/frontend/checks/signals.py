@@ -34,3 +34,11 @@ def check_signals(ctx: Context, layout: Layout) -> None:
                 ctx.at_key("signals", g.id),
                 "turn the signal round, or change `one_way`",
             )
+        behind = next((x for x in layout.edges_at[g.node] if x.id != g.into), None)
+        if behind is not None and behind.one_way and behind.b != g.node:
+            ctx.add(
+                "IL3019",
+                f"no train comes to {g.id}: the only direction of {behind.section} leads away from it",
+                ctx.at_key("signals", g.id),
+                "turn the signal round, or change `one_way`",
+            )

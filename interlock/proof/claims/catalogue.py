@@ -14,7 +14,7 @@ from interlock.model.elements import MachineId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.overlap import entry_speed
 from interlock.model.principles import Caution
-from interlock.model.traversal import Traversal, path_speed
+from interlock.model.traversal import Traversal, path_speed, zone_joints
 from interlock.proof.claims.added import declared, demanded
 from interlock.proof.claims.flank import flank, flank_space, scissors
 from interlock.proof.claims.kinds import Claim, Facts
@@ -138,8 +138,8 @@ def _says(c: Claim) -> bool:
 
 def _zones(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for z in f.layout.zones:
-        yield "T-ZONE", z.id, neg(var(names.OVERFULL(z.id)))
-        for s, j in f.system.zone_joints(z):
+        yield "T-ZONE", z.id, neg(f.system.overfull.get(z.id, FALSE))
+        for s, j in zone_joints(f.topo, z):
             rear = f.topo.beyond(s, j)
             boundary = f.layout.boundary_at.get(j)
             where = rear or (boundary.approach if boundary and boundary.approach else names.outside(j))
@@ -237,7 +237,7 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     after = f.system.after
     opened = conj((after(_open(f, signal, shunt)), after(lie(f, path.ways))))
     yield "S-CLEAR", "", implies(opened, conj(f.steadily_clear(t.section) for t in path.kept_clear))
-    if f.layout.signal[signal].call_on and not shunt:
+    if signal in f.sym.call_aspect and not shunt:
         called = conj((after(var(f.sym.call_aspect[signal])), here))
         yield "S-CALL-ON", "", implies(called, _may_call_on(f, path))
     yield "S-DETECTED", "", implies(here, _points_detected(f, path))

@@ -12,7 +12,7 @@ from interlock.logic.controller import Symbols
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.names import Name
 from interlock.logic.plant import Plant, lies, old_command
-from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, SignalId, Zone
+from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, SignalId
 from interlock.model.foul import FoulJoint
 from interlock.model.layout import Layout
 from interlock.model.measured import Beyond, Measured
@@ -52,6 +52,8 @@ class SystemView(Protocol):
     symbols: Symbols
     plant: Plant
     ties: tuple[Tie, ...]
+    overfull: Mapping[str, Expr]
+    """Of each zone that can be so: a train is called into it, and then there are more than its maximum."""
 
     @property
     def waits_for(self) -> Mapping[Name, Name]:
@@ -65,10 +67,6 @@ class SystemView(Protocol):
 
     def after(self, x: Expr) -> Expr:
         """The expression one step later."""
-        ...
-
-    def zone_joints(self, z: Zone) -> list[tuple[SectionId, NodeId]]:
-        """Where trains come into a zone."""
         ...
 
     def called_in(self, s: SectionId, j: NodeId) -> Expr:

@@ -17,7 +17,7 @@ from interlock.logic.plant import Assumption, Plant, TokenWires, Wiring, across,
 from interlock.model.elements import NodeId, SectionId, Zone
 from interlock.model.layout import Layout
 from interlock.model.measured import measured
-from interlock.model.traversal import topology
+from interlock.model.traversal import topology, zone_joints
 from interlock.proof.system.clocks import arithmetic, history, ties
 from interlock.proof.system.neighbourhood import homes, places, routes_of
 from interlock.proof.system.restart import Kept, kept_values
@@ -74,6 +74,8 @@ class System:
         self.definitions |= {n.next: self._after(x) for n, x in shown.items()}
         for z in layout.zones:
             self.definitions |= self._zone(z)
+        too_full = {z.id: names.OVERFULL(z.id) for z in layout.zones}
+        self.overfull: Mapping[str, Expr] = {z: var(name) for z, name in too_full.items() if name in self.definitions}
         self.assumptions: list[Assumption] = list(self.plant.assumptions)
         for t in controller.timers:
             # an on-delay with a positive preset is true only while its input is true
@@ -191,11 +193,6 @@ class System:
             out[names.BEEN(s)] = conj((disj((var(names.BEEN(s)), came_in)), var(self.symbols.firm[s].next)))
         return out
 
-    def zone_joints(self, z: Zone) -> list[tuple[SectionId, NodeId]]:
-        """Where trains come into a zone: each section of it with an end beyond which the zone does not lie."""
-        ends = [(s, j) for s in z.sections for j in self.topo.ends[s] if j not in self.layout.buffer_at]
-        return [(s, j) for s, j in ends if self.topo.beyond(s, j) not in z.sections]
-
     def called_in(self, s: SectionId, j: NodeId) -> Expr:
         """A section is locked for a train that comes in at j and has not come yet."""
         ways = self.symbols.locks_of.get(s, [])
@@ -208,7 +205,7 @@ class System:
 
         A train counts in the rearmost of its sections in the zone.
         """
-        joints = self.zone_joints(z)
+        joints = zone_joints(self.topo, z)
         items: list[Expr] = []
         for s in z.sections:
             inner = [(j, r) for j in self.topo.ends[s] if (r := self.topo.beyond(s, j)) in z.sections]
@@ -222,11 +219,12 @@ class System:
             now: list[Expr] = []
             for k in range(1, min(i, z.trains + 1) + 1):
                 more = x if k == 1 else conj((before[k - 2], x))
-                out[names.ZONE_SUM(z.id, i, k)] = disj((more, before[k - 1])) if k <= len(before) else more
-                now.append(var(names.ZONE_SUM(z.id, i, k)))
+                name = names.ZONE_SUM(z.id, i, k)
+                out[name] = disj((more, before[k - 1])) if k <= len(before) else more
+                now.append(FALSE if out[name] is FALSE else var(name))
             before = now
         out[names.OVERFULL(z.id)] = conj((before[z.trains], disj(called))) if len(before) > z.trains else FALSE
-        return out
+        return {name: x for name, x in out.items() if x is not FALSE}
 
     def _beyond(self, s: SectionId, j: NodeId) -> str:
         ahead = self.topo.beyond(s, j)
