@@ -18,6 +18,7 @@ from interlock.frontend.scalars import (
     Count,
     End,
     Item,
+    Kilometre,
     Length,
     Level,
     Metres,
@@ -91,6 +92,11 @@ class PointSpec(_Part):
     machine: Name | None = key("the machine, where one works two ends; without it, a machine of its own name", None)
     legs: Length | None = key("metres of each of the three legs; without it, the principle `leg_m`", None)
     fouling: Length | None = key("metres to the fouling point; without it, the principle `fouling_m`", None)
+    km: Kilometre | None = key(
+        "position of its blades along the line; tracks that are joined to it begin or end a leg's length from there; "
+        "without it, none is stated",
+        None,
+    )
     speed: Speed | None = key("km/h permitted over the reverse leg; without it, none is stated (R11)", None)
     hand: Annotated[Literal["left", "right"] | None, choice("side", tuple(Hand))] = key(
         "the side to which the reverse leg lies, seen from the toe; printed in national forms (L and R, letters of "
@@ -176,6 +182,7 @@ class SignalSpec(_Part):
     from_: Name = key("the section in rear of it, or, for an entry signal, the boundary", name="from")
     into: Name = key("the section into which it leads")
     at: Name | None = key("a point next to the joint; without it, the sections meet in one joint only", None)
+    km: Kilometre | None = key("position of its joint along the line; without it, what the track says", None)
     kind: Annotated[Literal["main", "shunt", "combined", "board", "limit"], choice("kind of signal", _KINDS)] = key(
         "for trains, for shunting movements, or for both; `board`: a stop board, where routes end and none begins; "
         "`limit`: a limit-of-shunt board, where shunt routes end, and which trains pass",
