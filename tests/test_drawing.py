@@ -275,3 +275,44 @@ signals:
     assert abs(labels["1"].x - one[0]) < 40 and abs(labels["2"].x - two[0]) < 40
     up, down = sorted(d.at[n.node][1] for n in layout.boundaries if n.node in "CD")
     assert up < one[1] == two[1] < down, "its two curved ways lie on either side of the straight one"
+
+
+LOOP = """interlock: 1
+name: loop
+boundaries: {W: {approach: aw 600, xy: [0, 300]}, E: {approach: ae 600}}
+buffers: [B]
+tracks: {west: [W, w1 200], main: [m1 300], side: [s2 300], east: [e1 250, E], dead: [d1 100, B]}
+points:
+  1: {section: T1, toe: west.end, normal: main.start, reverse: side.start, xy: [400, 300]}
+  2: {section: T2, toe: 3.toe, normal: main.end, reverse: side.end}
+  3: {section: T2, normal: east.start, reverse: dead.start, xy: [1000, 120]}
+signals:
+  A: {from: W, into: w1}
+  C: {from: E, into: e1, xy: [1500, 150]}
+  N1: {from: m1, into: T2, xy: [700, 180]}
+"""
+
+
+def test_what_has_coordinates_keeps_them_and_the_rest_moves_along() -> None:
+    layout, _ = load_text("loop.yaml", LOOP, Sink())
+    assert layout is not None
+    d = place(layout)
+    nodes = {"W": (0, 300), "1": (400, 300), "3": (1000, 120), "E": (1500, 150)}
+    nodes[layout.signal["N1"].node] = (700, 180)  # type: ignore[index]
+    (x0, y0) = d.at["W"]  # type: ignore[index]
+    for n, (x, y) in nodes.items():
+        assert d.at[n] == pytest.approx((x0 + x, y0 + y - 300)), n  # type: ignore[index]
+    _check(layout, d)
+    assert examine(plan_svg(layout, d), layout).clean and d.notes == []
+    one, two, three = (d.at[layout.point[p].node] for p in layout.point)
+    assert one[0] < two[0] < three[0], "what has none lies between its neighbours"
+    assert layout.digest != load_text("loop.yaml", LOOP.replace(", xy: [400, 300]", ""), Sink())[0].digest  # type: ignore[union-attr]
+    assert layout.bare.anchors == (), "no proof depends on places on the plan"
+
+
+def test_two_elements_in_one_place_have_one_pair_of_coordinates() -> None:
+    sink = Sink()
+    wrong = LOOP.replace("A: {from: W, into: w1", "A: {from: W, into: w1, xy: [0, 301]")
+    assert load_text("loop.yaml", wrong, sink)[0] is None
+    assert [d.code for d in sink.diagnostics if d.severity == "error"] == ["IL3030"]
+    assert load_text("loop.yaml", wrong.replace("301", "300"), Sink())[0] is not None

@@ -80,6 +80,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3024": (_E, "an overlap cannot swing in time"),
     "IL3028": (_E, "positions along the line that contradict each other"),
     "IL3029": (_E, "a length that does not follow from positions"),
+    "IL3030": (_E, "coordinates that contradict each other"),
     "IL3027": (_E, "a key of shunt signals at another signal"),
     "IL3026": (_E, "blades of a slip are placed where there is no choice"),
     "IL3025": (_I, "a road that is no berth, for what lies over it"),

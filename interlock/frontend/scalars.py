@@ -133,6 +133,18 @@ def _position(value: object) -> object:
     return position(value)
 
 
+WIDE = 1_000_000  # pixels of a plan
+
+
+def _coordinate(value: object) -> object:
+    if not isinstance(value, str):
+        raise PydanticCustomError("number", "a coordinate is expected")
+    x = number(value)
+    if not abs(x) <= WIDE:
+        raise PydanticCustomError("range", "{v} is no place on a plan", {"v": value})
+    return x
+
+
 def _seconds(value: object) -> object:
     x = _amount(value)
     if x == 0:
@@ -232,7 +244,11 @@ Length = Annotated[
     BeforeValidator(_length),
     WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": MAX_LENGTH_M}),
 ]
+Coordinate = Annotated[
+    float, BeforeValidator(_coordinate), WithJsonSchema({"type": "number", "minimum": -WIDE, "maximum": WIDE})
+]
 Kilometre = Annotated[float, BeforeValidator(_position), WithJsonSchema(_KM_SCHEMA)]
+XY = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
 Seconds = Annotated[
     float,
     BeforeValidator(_seconds),

@@ -13,6 +13,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSche
 
 from interlock.diag.codes import LINTS
 from interlock.frontend.scalars import (
+    XY,
     Amount,
     Approach,
     Count,
@@ -44,6 +45,12 @@ from interlock.model.target import CPUS
 
 class _Part(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+def place() -> Any:
+    """The key `xy`."""
+    text = "its place on the plan, to the right and downwards, in pixels; without it, what is found"
+    return key(text, None)
 
 
 def key(text: str, default: Any = ..., *, name: str | None = None, least: int = 0, most: int = 0) -> Any:
@@ -80,6 +87,7 @@ class BoundarySpec(_Part):
     )
     button: Text = key("the button that ends departure routes here, as national forms print it", "")
     indicator: YesNo = key("departures this way have a route indicator; printed in national forms", False)
+    xy: XY | None = place()
 
 
 class PointSpec(_Part):
@@ -106,6 +114,7 @@ class PointSpec(_Part):
     work: Annotated[Literal["motor", "hand"], choice("kind of work", tuple(Work))] = key(
         "`hand`: worked on the spot once its key is released; the key locks it in normal", "motor"
     )
+    xy: XY | None = place()
     supervision: Seconds | None = key(SUPERVISION, None)
 
 
@@ -118,6 +127,7 @@ class DerailerSpec(_Part):
     )
     inner: End | None = key("the side that it protects; without it, what names this end", None)
     legs: Length | None = key("metres of track to either side; without it, the principle `leg_m`", None)
+    xy: XY | None = place()
     supervision: Seconds | None = key(SUPERVISION, None)
 
 
@@ -148,6 +158,7 @@ class SlipSpec(_Part):
     )
     legs: Length | None = key("metres of each leg; without it, the principle `leg_m`", None)
     fouling: Length | None = key("metres to the fouling point; without it, the principle `fouling_m`", None)
+    xy: XY | None = place()
     supervision: Seconds | None = key(SUPERVISION, None)
 
 
@@ -171,6 +182,7 @@ class CrossingSpec(_Part):
 
     arms: list[ArmSpec] = key("its two arms", least=2, most=2)
     legs: Length | None = key("metres of each of the four legs; without it, the principle `leg_m`", None)
+    xy: XY | None = place()
 
 
 _KINDS = (*SignalKind, "board", "limit")
@@ -188,6 +200,7 @@ class SignalSpec(_Part):
         "`limit`: a limit-of-shunt board, where shunt routes end, and which trains pass",
         "main",
     )
+    xy: XY | None = place()
     stops_trains: YesNo = key("a shunt signal at which train routes end, too; none begins there", False)
     call_on: YesNo = key(
         "a main or combined signal that can call a train on over sections that are reported occupied", False

@@ -11,6 +11,7 @@ from math import dist
 
 import networkx as nx
 
+from interlock.emit.drawing.anchors import moved
 from interlock.emit.drawing.canvas import ARC, LEAST, MARGIN, SIGNAL, UNIT, Drawing, Spot, width
 from interlock.emit.drawing.names import put_names
 from interlock.emit.drawing.narrowest import narrowest
@@ -190,7 +191,8 @@ def _cut_at(line: list[Spot], far: float) -> tuple[list[Spot], list[Spot]]:
 
 
 def finish(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
-    """Slips, strokes that lead off the rails, signals and names, and the size of the whole."""
+    """Coordinates, slips, strokes that lead off the rails, signals and names, and the size of the whole."""
+    moved(d)
     _slips(d)
     for s in d.plan.stubs:
         knot, end = (s.left, s.right) if s.left in d.at else (s.right, s.left)
