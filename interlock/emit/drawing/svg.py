@@ -47,9 +47,7 @@ def _path(line: list[Spot]) -> str:
 def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
     """The plan as a document of its own."""
     d = drawing or place(layout)
-    body = "\n".join(
-        [*_tracks(d), *_crossings(d), *_joints(d), *_points(d), *_ends(d), *_devices(d), *_signals(d), *_texts(d)]
-    )
+    body = "\n".join(plan_body(d))
     w, h = _n(d.width), _n(d.height)
     title = escape(layout.title or layout.name)
     return (
@@ -59,6 +57,11 @@ def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
         f'<rect width="{w}" height="{h}" fill="#fff"/>\n<text class="title" x="12" y="22">{title}</text>\n'
         f"{body}\n</svg>\n"
     )
+
+
+def plan_body(d: Drawing) -> list[str]:
+    """What is drawn, part by part."""
+    return [*_tracks(d), *_crossings(d), *_joints(d), *_points(d), *_ends(d), *_devices(d), *_signals(d), *_texts(d)]
 
 
 def _tracks(d: Drawing) -> list[str]:
@@ -254,4 +257,4 @@ def _text(t: Label) -> str:
     )
 
 
-__all__ = ["plan_svg"]
+__all__ = ["plan_body", "plan_svg"]
