@@ -56,8 +56,8 @@ def test_a_controller_that_has_another_berth_is_not_accepted(one: str, other: st
 def test_where_no_berth_is_none_is_denied() -> None:
     made = grown(YARD + "sections:\n  p1: {berth: no}\n")
     assert made is not None
-    assert [d.message for d in made[2].diagnostics if d.code == "IL3028"] == ["p1 is no berth anyway: points lie in it"]
-    assert "IL3028" not in {d.code for d in grown(DENIED)[2].diagnostics}  # type: ignore[index]
+    assert [d.message for d in made[2].diagnostics if d.code == "IL3031"] == ["p1 is no berth anyway: points lie in it"]
+    assert "IL3031" not in {d.code for d in grown(DENIED)[2].diagnostics}  # type: ignore[index]
 
 
 def test_a_layout_that_denies_none_has_the_digest_that_it_had() -> None:

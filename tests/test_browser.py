@@ -98,6 +98,11 @@ def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+def data_of(page: Any) -> dict[str, Any]:
+    """The data of a report, with what its script puts together for each route."""
+    return json.loads(page.evaluate("JSON.stringify(data)"))
+
+
 def large_report(folder: Path) -> tuple[Path, int]:
     """The report of a yard of a thousand routes, without its proof, and how many rows its table has."""
     sink = Sink()
@@ -113,17 +118,17 @@ def large_report(folder: Path) -> tuple[Path, int]:
 @pytest.mark.external
 def test_a_chosen_route_lights_up_on_plan_and_table(reports: Path, name: str) -> None:
     with opened(reports / name / "index.html") as page:
-        data = json.loads(page.inner_text("#data") or page.evaluate("document.getElementById('data').textContent"))
+        data = data_of(page)
         for i in (0, len(data["routes"]) // 2, len(data["routes"]) - 1):
             r = data["routes"][i]
             page.select_option("#route", r["id"])
             lit = page.eval_on_selector_all("#plan .lit-path", "es => es.map(e => e.id)")
             assert sorted(lit) == sorted(f"edge-{e}" for e in r["edges"])
             over = page.eval_on_selector_all("#plan .lit-overlap", "es => es.map(e => e.id)")
-            assert sorted(over) == sorted({f"edge-{e}" for e in r["overlap"]})
+            assert sorted(over) == sorted({f"edge-{e}" for e in r["over"]})
             assert page.locator("#routes tr.chosen").count() == 1
             assert page.locator("#routes tr.hostile").count() == len(
-                {data["routes"][h[0]]["row"] for h in r["hostile"]}
+                {data["routes"][k]["row"] for k, _ in r["against"]}
             )
             assert r["id"] in page.inner_text("#why")
         page.keyboard.press("Escape")
@@ -144,7 +149,7 @@ def test_the_table_is_filtered_and_tells_reasons_and_works_by_keyboard(reports: 
         page.fill("#text", "nothing like this")
         assert page.locator("#routes tr:visible").count() == 0
         page.fill("#text", "")
-        page.locator("#routes button.why").nth(8).click()
+        page.locator("#routes button[data-why]").nth(8).click()
         assert re.match(r"R\d+", page.inner_text("#why"))
         page.locator("#routes button[data-hostile]").first.click()
         assert page.inner_text("#why").startswith("Hostile to")
@@ -165,7 +170,7 @@ def test_the_table_is_filtered_and_tells_reasons_and_works_by_keyboard(reports: 
 @pytest.mark.external
 def test_a_route_has_its_own_link_and_its_reasons_stand_where_one_looks(reports: Path) -> None:
     with opened(reports / "cn6502" / "index.html") as page:
-        data = json.loads(page.evaluate("document.getElementById('data').textContent"))
+        data = data_of(page)
         one, two = data["routes"][3]["id"], data["routes"][7]["id"]
         fits = "(() => { const p = document.getElementById('plan'); return p.scrollWidth <= p.clientWidth; })()"
         assert page.evaluate(fits)
@@ -186,7 +191,7 @@ def test_a_route_has_its_own_link_and_its_reasons_stand_where_one_looks(reports:
         assert seen
         page.click("#fit")
         assert page.evaluate(fits)
-        button = page.locator("#routes tr:visible button.why").nth(8)
+        button = page.locator("#routes tr:visible button[data-why]").nth(8)
         button.click()
         box, tip = button.bounding_box(), page.locator("#tip").bounding_box()
         below, above = tip["y"] - box["y"] - box["height"], box["y"] - tip["y"] - tip["height"]
@@ -204,7 +209,7 @@ def test_the_report_works_on_a_phone(reports: Path) -> None:
         page.reload()
         assert page.evaluate("document.documentElement.scrollWidth") <= 392
         assert page.evaluate("document.querySelector('#plan svg').getBoundingClientRect().width") <= 390
-        page.locator("#routes button.why").first.click()
+        page.locator("#routes button[data-why]").first.click()
         tip = page.locator("#tip").bounding_box()
         assert tip["x"] >= 0 and tip["x"] + tip["width"] <= 390
 

@@ -186,3 +186,133 @@ def test_draw_writes_a_file_or_tells_why_not(tmp_path_factory: pytest.TempPathFa
     assert broken.exit_code == 1 and "IL2004" in broken.output and not (folder / "k.svg").exists()
     nowhere = CliRunner().invoke(cli, ["draw", "layouts/junction.yaml", "-o", str(folder / "no" / "j.svg")])
     assert nowhere.exit_code == 1 and "Traceback" not in nowhere.output
+
+
+SLIP = """interlock: 1
+name: slips
+boundaries: {A: {approach: aa 300}, B: {approach: bb 300}, C: {approach: cc 300}, D: {approach: dd 300}}
+tracks: {a: [A, a1 200], b: [b1 200, B], c: [C, c1 200], d: [d1 200, D]}
+slips:
+  7: {section: T, arms: [[a.end, b.start], [c.end, d.start]]%s}
+signals:
+  SA: {from: A, into: a1}
+  SB: {from: B, into: b1}
+  SC: {from: C, into: c1}
+  SD: {from: D, into: d1}
+"""
+
+
+def _slip(said: str) -> tuple[Layout, Drawing]:
+    layout, _ = load_text("slips.yaml", SLIP % said, Sink())
+    assert layout is not None
+    d = place(layout)
+    _check(layout, d)
+    assert examine(plan_svg(layout, d), layout).clean and d.notes == []
+    return layout, d
+
+
+@pytest.mark.parametrize(
+    ("said", "ends"),
+    [
+        ("", {"7a": ("1b", "2b"), "7b": ("1a", "2a")}),
+        (", blades: near", {"7a": ("1a", "2a"), "7b": ("1b", "2b")}),
+        (", single: 1a-2b", {"7a": ("1a",), "7b": ("2b",)}),
+        (", single: 2a-1b", {"7a": ("2a",), "7b": ("1b",)}),
+        (", machines: [7]", {f"7/{end}": (end,) for end in ("1a", "1b", "2a", "2b")}),
+    ],
+)
+def test_a_name_of_a_slip_stands_where_its_blades_lie(said: str, ends: dict[str, tuple[str, ...]]) -> None:
+    layout, d = _slip(said)
+    labels = {t.text: t for t in d.labels}
+    spots = [d.at[p.node] for p in layout.points]
+    middle = sum(x for x, _ in spots) / len(spots)
+    leftward = {end[1] for end in ("1a", "1b") if _outer_end(layout, d, end)[0] < middle}
+    assert len(leftward) == 1
+    for name, own in ends.items():
+        assert ({end[1] for end in own} == leftward) is (labels[name].x < middle), name
+    marks = {p: re.search(rf'<g id="point-{p}" class="point"><title>(.*?)</title>', plan_svg(layout, d)) for p in ends}
+    for name, found in marks.items():
+        assert found is not None and f"blades at {' and '.join(ends[name])}, N to" in found[1]
+
+
+def _outer_end(layout: Layout, d: Drawing, end: str) -> tuple[float, float]:
+    """Where the track begins that an end of slip 7 is joined to."""
+    e = layout.edge[EdgeId(f"7.{end}")]
+    return d.at[e.a if e.a in d.at and "@" in e.a else e.b]
+
+
+def test_a_slip_with_a_diamond_is_one_symbol() -> None:
+    """All blades within a diamond's reach, slip rails between those that they join, arms that cross."""
+    for said, rails in ((", single: 1a-2b", 1), (", machines: [7]", 2)):
+        layout, d = _slip(said)
+        (x, y) = d.at[layout.crossings[0].node]
+        spots = [d.at[p.node] for p in layout.points]
+        assert all(0 < abs(a - x) <= 41 and abs(b - y) <= 41 for a, b in spots)
+        assert len(d.plan.rails) == rails
+        for rail in d.plan.rails:
+            (x0, _), (x1, _) = d.edges[rail]
+            assert x0 < x < x1  # a slip leads on, never back
+
+
+def test_of_a_three_way_point_both_machines_are_named() -> None:
+    text = """interlock: 1
+name: threeway
+boundaries: {A: {approach: aa 300}, B: {trains: out}, C: {trains: out}, D: {trains: out}}
+tracks: {a: [A, a1 200], b: [b1 200, B], c: [c1 200, C], d: [d1 200, D]}
+points:
+  1: {section: T, toe: a.end, normal: 2.toe, reverse: c.start, legs: 6}
+  2: {section: T, normal: b.start, reverse: d.start, legs: 20}
+signals:
+  SA: {from: A, into: a1}
+"""
+    layout, _ = load_text("threeway.yaml", text, Sink())
+    assert layout is not None
+    d = place(layout)
+    _check(layout, d)
+    assert examine(plan_svg(layout, d), layout).clean
+    labels = {t.text: t for t in d.labels if t.kind == "point"}
+    one, two = (d.at[layout.point[p].node] for p in layout.point)
+    assert abs(labels["1"].x - one[0]) < 40 and abs(labels["2"].x - two[0]) < 40
+    up, down = sorted(d.at[n.node][1] for n in layout.boundaries if n.node in "CD")
+    assert up < one[1] == two[1] < down, "its two curved ways lie on either side of the straight one"
+
+
+LOOP = """interlock: 1
+name: loop
+boundaries: {W: {approach: aw 600, xy: [0, 300]}, E: {approach: ae 600}}
+buffers: [B]
+tracks: {west: [W, w1 200], main: [m1 300], side: [s2 300], east: [e1 250, E], dead: [d1 100, B]}
+points:
+  1: {section: T1, toe: west.end, normal: main.start, reverse: side.start, xy: [400, 300]}
+  2: {section: T2, toe: 3.toe, normal: main.end, reverse: side.end}
+  3: {section: T2, normal: east.start, reverse: dead.start, xy: [1000, 120]}
+signals:
+  A: {from: W, into: w1}
+  C: {from: E, into: e1, xy: [1500, 150]}
+  N1: {from: m1, into: T2, xy: [700, 180]}
+"""
+
+
+def test_what_has_coordinates_keeps_them_and_the_rest_moves_along() -> None:
+    layout, _ = load_text("loop.yaml", LOOP, Sink())
+    assert layout is not None
+    d = place(layout)
+    nodes = {"W": (0, 300), "1": (400, 300), "3": (1000, 120), "E": (1500, 150)}
+    nodes[layout.signal["N1"].node] = (700, 180)  # type: ignore[index]
+    (x0, y0) = d.at["W"]  # type: ignore[index]
+    for n, (x, y) in nodes.items():
+        assert d.at[n] == pytest.approx((x0 + x, y0 + y - 300)), n  # type: ignore[index]
+    _check(layout, d)
+    assert examine(plan_svg(layout, d), layout).clean and d.notes == []
+    one, two, three = (d.at[layout.point[p].node] for p in layout.point)
+    assert one[0] < two[0] < three[0], "what has none lies between its neighbours"
+    assert layout.digest != load_text("loop.yaml", LOOP.replace(", xy: [400, 300]", ""), Sink())[0].digest  # type: ignore[union-attr]
+    assert layout.bare.anchors == (), "no proof depends on places on the plan"
+
+
+def test_two_elements_in_one_place_have_one_pair_of_coordinates() -> None:
+    sink = Sink()
+    wrong = LOOP.replace("A: {from: W, into: w1", "A: {from: W, into: w1, xy: [0, 301]")
+    assert load_text("loop.yaml", wrong, sink)[0] is None
+    assert [d.code for d in sink.diagnostics if d.severity == "error"] == ["IL3030"]
+    assert load_text("loop.yaml", wrong.replace("301", "300"), Sink())[0] is not None

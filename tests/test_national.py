@@ -130,7 +130,14 @@ def test_every_form_is_a_rectangle_and_names_every_route(name: str) -> None:
         assert all(len(r) == len(sheet.headings) for r in sheet.rows), sheet.key
     body = json.loads(railml_json(layout, table))
     assert [r["id"] for r in body["routes"]] == [r.id for r in table.routes]
-    assert {c["refersToRoute"] for c in body["conflictingRoutes"]} == {r.id for r in table.routes}
+    told = [
+        (c["refersToRoute"], other, c["reasonForConflict"])
+        for c in body["conflictingRoutes"]
+        for other in c["conflictsWithRoute"]
+    ]
+    number = {r.id: r.number for r in table.routes}
+    once = [(r.id, h.route, h.kind) for r in table.routes for h in r.hostile if r.number < number[h.route]]
+    assert sorted(told) == sorted(once)
 
 
 def test_a_chinese_through_route_bears_the_numbers_of_its_two_routes() -> None:

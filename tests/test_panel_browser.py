@@ -248,3 +248,41 @@ def test_nothing_is_said_with_a_traceback(tmp_path: Path) -> None:
             [*command, str(s.getsockname()[1])], env={**os.environ, "PYTHONPATH": "."}, capture_output=True, text=True
         )
     assert done.returncode == 2 and "Traceback" not in done.stderr and "cannot listen" in done.stderr
+
+
+SLIPS = """interlock: 1
+name: slips
+boundaries: {A: {approach: aa 300}, B: {approach: bb 300}, C: {approach: cc 300}, D: {approach: dd 300}}
+tracks: {a: [A, a1 200], b: [b1 200, B], c: [C, c1 200], d: [d1 200, D]}
+slips:
+  7: {section: T, arms: [[a.end, b.start], [c.end, d.start]]%s}
+signals:
+  SA: {from: A, into: a1}
+  SB: {from: B, into: b1}
+  SC: {from: C, into: c1}
+  SD: {from: D, into: d1}
+"""
+
+
+@pytest.mark.parametrize(("said", "points"), [(", single: 1a-2b", 2), ("", 2), (", machines: [7]", 4)])
+def test_each_blade_of_a_slip_shows_how_it_lies(said: str, points: int, tmp_path: Path) -> None:
+    path = tmp_path / "slips.yaml"
+    path.write_text(SLIPS % said, "utf-8")
+    one = Server(path)
+    try:
+        with browser() as found:
+            page, wrong = opened(found, one.url)
+            page.wait_for_function(f"document.querySelectorAll('#plan .lie.N.lies').length === {points}")
+            apart = page.evaluate(
+                "[...document.querySelectorAll('#plan .point .reach')]"
+                ".map(c => [+c.getAttribute('cx'), +c.getAttribute('cy')])"
+            )
+            assert len(apart) == points
+            for i, (x, y) in enumerate(apart):  # each is clicked by itself
+                assert all(abs(x - a) + abs(y - b) > 22 for a, b in apart[i + 1 :]), apart
+            assert page.locator("#plan .lie.R.lies").count() == 0
+            if os.environ.get("INTERLOCK_PICTURES"):
+                page.screenshot(path=Path(os.environ["INTERLOCK_PICTURES"]) / f"slip{points}{len(said)}.png")
+            assert wrong == []
+    finally:
+        one.end()

@@ -14,7 +14,8 @@ import pytest
 from interlock.app.init import yard
 from interlock.emit.drawing import plan_svg
 from interlock.emit.report import report_html
-from interlock.emit.tables.export import matrix_csv, table_csv, table_json
+from interlock.emit.tables.document import table_json
+from interlock.emit.tables.export import matrix_csv, table_csv
 from interlock.model.layout import Layout
 from interlock.table.columns import COLUMNS
 from interlock.table.national import national_sheets
@@ -55,7 +56,8 @@ def test_a_row_for_each_way_with_its_overlaps() -> None:
     assert cell["overlap"] == "o1: Wf1n, Wf1, Ws1, Wa1; o2: Wf1n, Wf1, Ws1, Ws2", cell["overlap"]
     assert cell["overlap_points"].startswith("o1: ") and "; o2: " in cell["overlap_points"]
     assert re.fullmatch(r"o1: \d+; o2: \d+", cell["number"]) and cell["kind"] == "main"
-    assert "HE1-SW1 with another overlap (same entry)" in cell["hostile"]
+    same = re.search(r"(?:^|[,;] )same entry: (.*?)(?:, |;|$)", cell["hostile"])
+    assert same is not None and "HE1-SW1 with another overlap" in same[1].split(" + ")
 
 
 @pytest.mark.parametrize("profile", ["generic", "uk", "de", "cn"])
@@ -104,13 +106,26 @@ def test_hostile_routes_of_a_row_are_those_of_its_routes() -> None:
             assert names == {re.sub(r" \(.*", "", t) for t in holds(way, r, column) if "another overlap" not in t}
 
 
+def test_the_printed_cell_says_each_reason_once_with_all_its_routes() -> None:
+    _, table = station()
+    column = next(c for c in COLUMNS if c.key == "hostile")
+    for way in Printed(table).all:
+        for part, text in zip(column.parts(way), column.printed(way).split("; "), strict=True):
+            text = text.removeprefix(f"{way.mark(part.row)}: ") if part.row else text
+            groups = [g.partition(": ") for g in text.split(", ")]
+            assert len({kind for kind, _, _ in groups}) == len(groups)
+            said = sorted(f"{name} ({kind})" for kind, _, names in groups for name in names.split(" + "))
+            assert said == sorted(t for t, _ in part.items), way.id
+
+
 def test_one_overlap_of_a_way_is_named_with_its_mark() -> None:
     made = grown(SWING)
     assert made is not None
     table = made[1]
     hostile = next(c for c in COLUMNS if c.key == "hostile")
     way = Printed(table).ways[next(r.id for r in table.routes if r.id == "X8-E")]
-    assert "X2-X3.o1 (overlap)" in hostile.printed(way) and "X2-X3.o2" not in hostile.printed(way)
+    assert hostile.printed(way).startswith("overlap: X2-X3.o1, points")
+    assert "X2-X3.o2" not in hostile.printed(way)
     assert "X2-X3 (overlap)" in hostile.text(way.rows[0]), "by itself a route is named as the controller does"
 
 

@@ -6,8 +6,10 @@ import copy
 import json
 import re
 from collections.abc import Iterator
+from dataclasses import fields, is_dataclass
 from pathlib import Path
-from typing import Any
+from types import UnionType
+from typing import Any, get_args, get_origin, get_type_hints
 
 import jsonschema
 import pytest
@@ -15,15 +17,25 @@ import yaml
 from click.testing import CliRunner
 
 from interlock.app.check import check_file
+from interlock.app.init import yard
 from interlock.cli.main import cli
+from interlock.derivation import derive
 from interlock.diag import Sink
-from interlock.emit.tables.export import table_json
+from interlock.emit.tables.document import CELLS, table_json
 from interlock.emit.tables.schema import table_schema
 from interlock.frontend import load_text
 from interlock.frontend.published import WITHOUT, json_schema, language_keys
 from interlock.frontend.schema import LayoutFile
 from interlock.model.principles import KNOBS, MEANING
-from interlock.table.rows import HostileClass
+from interlock.table.rows import (
+    Because,
+    HostileClass,
+    HostileRoutes,
+    InterlockingTable,
+    RouteRow,
+    TraversalRow,
+    VoyageRow,
+)
 from tests.layouts import SHIPPED
 
 LANGUAGE = json_schema()
@@ -147,7 +159,61 @@ def test_every_table_is_as_its_schema_says(name: str) -> None:
     for route in body["routes"]:  # whatever a row names, a reader finds
         assert route["entry_node"] in nodes and {s for s, _ in route["traversals"]} <= sections
         for h in route["hostile"]:
-            assert h["kind"] == h["kinds"][0] and len(set(h["kinds"])) == len(h["kinds"])
+            assert h["routes"] == sorted(set(h["routes"]))
+    for how in body["hostilities"]:
+        assert how["kind"] == how["kinds"][0] and len(set(how["kinds"])) == len(how["kinds"])
+
+
+def expanded(body: dict[str, Any], value: Any, kind: Any) -> Any:
+    """A written value with everything that it tells the place of, as a reader of table.json would fill it in."""
+    if kind is Because:
+        rule, text = body["reasons"][value].values()
+        return {"rule": rule, "text": text}
+    if kind is HostileRoutes:
+        told = {n: body["hostilities"][h["how"]] for h in value for n in h["routes"]}
+        return [{"number": n, **told[n]} for n in sorted(told)]
+    if get_origin(kind) is UnionType:
+        return None if value is None else expanded(body, value, get_args(kind)[0])
+    if get_origin(kind) is tuple and get_args(kind)[-1] is ...:
+        return [expanded(body, v, get_args(kind)[0]) for v in value]
+    if is_dataclass(kind):
+        told = body["cells"][kind.__name__][value] if kind in CELLS else value
+        hints = get_type_hints(kind)
+        assert list(told) == list(hints)
+        return {name: expanded(body, told[name], hint) for name, hint in hints.items()}
+    return value
+
+
+def whole(table: InterlockingTable, value: Any) -> Any:
+    """The same of the table itself."""
+    if isinstance(value, HostileRoutes):
+        return [{"number": table.route[h.route].number, **whole(table, h.how)} for h in value]
+    if isinstance(value, tuple):
+        return [whole(table, v) for v in value]
+    if is_dataclass(value):
+        return {f.name: whole(table, getattr(value, f.name)) for f in fields(value)}
+    return value
+
+
+@pytest.mark.parametrize("name", ["cn6502", "junction", "pit_bottom", "tests/layouts_for_tests/entry_speeds.yaml"])
+def test_what_is_said_once_is_all_there(name: str) -> None:
+    checked = check_file(name if "/" in name else f"layouts/{name}.yaml")
+    assert checked.layout is not None and checked.table is not None
+    body = json.loads(table_json(checked.layout, checked.table))
+    for part, kind in (("routes", RouteRow), ("locks", TraversalRow), ("voyages", VoyageRow)):
+        rows = [expanded(body, row, kind) for row in body[part]]
+        assert rows == whole(checked.table, getattr(checked.table, part))
+    for shared in (*body["cells"].values(), body["reasons"], body["hostilities"]):
+        told = [json.dumps(x) for x in shared]
+        assert len(set(told)) == len(told)
+
+
+def test_a_large_table_is_small() -> None:
+    """A yard of 328 routes and 48,020 entries of hostile routes: 22 MB when each of them told its own reason."""
+    sink = Sink()
+    layout, _ = load_text("yard.yaml", yard(40), sink)
+    assert layout is not None
+    assert len(table_json(layout, derive(layout, sink)).encode()) < 1_100_000
 
 
 def test_a_table_that_says_something_else_is_refused() -> None:
@@ -161,7 +227,10 @@ def test_a_table_that_says_something_else_is_refused() -> None:
         lambda b: b.pop("topology"),
         lambda b: b["routes"][0].update(colour="red"),
         lambda b: b["routes"][0].pop("overlap"),
-        lambda b: b["routes"][0]["hostile"][0]["kinds"].append("unfriendly"),
+        lambda b: b["hostilities"][0]["kinds"].append("unfriendly"),
+        lambda b: b["routes"][0]["hostile"][0]["routes"].append("X"),
+        lambda b: b["routes"][0]["points"].append(-1),
+        lambda b: b["cells"]["ClearCell"][0].pop("because"),
         lambda b: b["topology"]["edges"][0].update(length="long"),
     ):
         other = copy.deepcopy(body)

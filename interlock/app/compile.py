@@ -23,11 +23,11 @@ from interlock.emit.bundle import differences, is_bundle, with_manifest, write_f
 from interlock.emit.drawing import place, plan_svg
 from interlock.emit.io import channels_csv, equipment_csv, names_csv, tags_xlsx, words_csv
 from interlock.emit.report import player_html, report_html
+from interlock.emit.tables.document import table_json
 from interlock.emit.tables.export import (
     matrix_csv,
     sheet_csv,
     table_csv,
-    table_json,
     voyages_csv,
 )
 from interlock.emit.tables.railml import railml_json

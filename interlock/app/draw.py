@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import StrEnum
 from pathlib import Path
 
 from interlock.app.proved import Proved
 from interlock.diag import Diagnostic, Severity, Sink
-from interlock.emit.drawing import place, plan_svg
+from interlock.emit.drawing import folded, place, plan_svg, sheets
 from interlock.emit.report import player_html
 from interlock.frontend import Source, load
 
@@ -24,24 +25,36 @@ def plan_notes(notes: Sequence[str], source: Source) -> tuple[Diagnostic, ...]:
     )
 
 
+class Paper(StrEnum):
+    """How a plan is laid out: all of it on one page, on sheets of A3, or folded into rows."""
+
+    WHOLE = "whole"
+    SHEETS = "sheets"
+    FOLDED = "folded"
+
+
 @dataclass(frozen=True)
 class Drawn:
-    """A plan, what the drawing could not do, and the diagnostics when there is none."""
+    """A plan, page by page, what the drawing could not do, and the diagnostics when there is none."""
 
     source: Source
-    svg: str | None
+    pages: tuple[str, ...]
     notes: tuple[str, ...] = ()
     diagnostics: tuple[Diagnostic, ...] = ()
 
 
-def draw_file(path: str) -> Drawn:
+def draw_file(path: str, paper: Paper = Paper.WHOLE) -> Drawn:
     """The plan of a layout file; nothing needs to be derived or proved for it."""
     sink = Sink()
     layout, source = load(path, sink)
     if layout is None:
-        return Drawn(source, None, (), sink.diagnostics)
+        return Drawn(source, (), (), sink.diagnostics)
     drawing = place(layout)
-    return Drawn(source, plan_svg(layout, drawing), tuple(drawing.notes))
+    if paper is Paper.SHEETS:
+        pages = sheets(drawing)
+    else:
+        pages = [folded(drawing) if paper is Paper.FOLDED else plan_svg(layout, drawing)]
+    return Drawn(source, tuple(pages), tuple(drawing.notes))
 
 
 def write_traces(proved: Proved, folder: Path) -> list[Path]:

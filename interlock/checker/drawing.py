@@ -15,6 +15,7 @@ from typing import Any
 
 import yaml
 
+from interlock.checker.kilometres import Measures, Parts, parted
 from interlock.verify import Rejected, need
 
 _KEYS = """
@@ -146,8 +147,11 @@ class _Drawer:
         self.tracks = {name: self._track(items) for name, items in self._part("tracks")}
         self.mates: dict[str, str] = {}
         self._join_all()
-        for name, (_, parts, _) in self.tracks.items():
-            self._draw_track(name, parts)
+        tracks = {name: (parts, places) for name, (_, parts, places, _) in self.tracks.items()}
+        sides = {name: (self._beyond(f"{name}.start"), self._beyond(f"{name}.end")) for name in self.tracks}
+        measures = Measures(body, tracks, sides, float(d.rules["leg_m"]))
+        for name in self.tracks:
+            self._draw_track(name, measures.lengths(name))
         for name, v in self._part("points"):
             self._draw_point(name, v)
         for name, v in self._part("crossings"):
@@ -163,17 +167,17 @@ class _Drawer:
     def _part(self, key: str) -> Iterator[tuple[str, Any]]:
         yield from (self.body.get(key) or {}).items()
 
-    @staticmethod
-    def _track(items: list[str]) -> tuple[str, list[tuple[str, float]], str]:
+    def _track(self, items: list[str]) -> tuple[str, Parts, dict[int, float], str]:
         words = [x.split() for x in items]
-        first = words[0][0] if len(words[0]) == 1 else ""
-        last = words[-1][0] if len(words[-1]) == 1 else ""
-        return first, [(w[0], float(w[1])) for w in words if len(w) == 2], last
+        ends = {*self.drawn.boundaries, *self.drawn.buffers}
+        outer = (w[0] if len(w) == 1 and "+" not in w[0] else "" for w in (words[0], words[-1]))
+        first, last = (x if x in ends or "." in x else "" for x in outer)
+        return first, *parted(words, ends), last
 
     # --- what is joined to what: `track.start`, `point.toe`, `crossing.1a`, the name of a boundary or buffer ---
 
     def _join_all(self) -> None:
-        for t, (first, _, last) in self.tracks.items():
+        for t, (first, _, _, last) in self.tracks.items():
             self._join(f"{t}.start", first)
             self._join(f"{t}.end", last)
         for part, ends in (("points", ("toe", "normal", "reverse")), ("derailers", ("outer", "inner"))):
@@ -197,6 +201,11 @@ class _Drawer:
         need(known, f"the layout knows no end {b}")
         for x, y in ((a, b), (b, a)):
             need(self.mates.setdefault(x, y) == y, f"the layout joins {x} twice")
+
+    def _beyond(self, port: str) -> tuple[str, str]:
+        """What lies beyond an end of track: its section, or the boundary or buffer; and what is joined there."""
+        other = self.mates.get(port, "")
+        return (self._section_at(other) if "." in other else other), other
 
     def _section_at(self, port: str) -> str:
         name, _, end = port.partition(".")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from interlock.app.draw import draw_file
+from interlock.app.draw import Paper, draw_file
 from interlock.app.own import NotOurs, write_own
 from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, put_json, show, told
 
@@ -15,24 +15,38 @@ from interlock.cli.common import FINDINGS, OK, failed, force_option, format_opti
 @click.command("draw")
 @click.argument("layout", type=click.Path())
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="The file; else NAME.svg here.")
+@click.option(
+    "--sheets",
+    "paper",
+    flag_value=Paper.SHEETS.value,
+    help="On sheets of A3 with match lines: NAME-1.svg, NAME-2.svg and so on.",
+)
+@click.option("--fold", "paper", flag_value=Paper.FOLDED.value, help="In rows under each other, for lines.")
 @force_option
 @format_option
-def command(layout: str, output: Path | None, force: bool, form: str) -> None:
+def command(layout: str, output: Path | None, paper: str | None, force: bool, form: str) -> None:
     """Draw the track plan of LAYOUT as SVG, from its topology alone."""
-    drawn = draw_file(layout)
-    if drawn.svg is None:
+    drawn = draw_file(layout, Paper(paper or Paper.WHOLE))
+    if not drawn.pages:
         show(drawn.diagnostics, drawn.source.texts, form)
         sys.exit(FINDINGS)
     target = output or Path(Path(layout).stem + ".svg")
-    try:
-        size = write_own(target, drawn.svg.encode(), Path(layout), force)
-    except (NotOurs, OSError) as error:
-        failed(told(error, target), form)
-        sys.exit(FINDINGS)
+    files = [target]
+    if paper == Paper.SHEETS:
+        files = [target.with_stem(f"{target.stem}-{k}") for k in range(1, len(drawn.pages) + 1)]
+    sizes = []
+    for file, page in zip(files, drawn.pages, strict=True):
+        try:
+            sizes.append(write_own(file, page.encode(), Path(layout), force))
+        except (NotOurs, OSError) as error:
+            failed(told(error, file), form)
+            sys.exit(FINDINGS)
     if form == "json":
-        put_json({"ok": True, "file": str(target), "bytes": size, "notes": list(drawn.notes)})
+        written = [{"file": str(f), "bytes": n} for f, n in zip(files, sizes, strict=True)]
+        put_json({"ok": True, **written[0], "notes": list(drawn.notes), **({"sheets": written} if paper else {})})
     else:
         for note in drawn.notes:
             click.echo(f"note: {note}")
-        click.echo(f"{target}: {size} bytes")
+        for file, size in zip(files, sizes, strict=True):
+            click.echo(f"{file}: {size} bytes")
     sys.exit(OK)

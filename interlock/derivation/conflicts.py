@@ -16,10 +16,10 @@ from interlock.model.bits import bits_of
 from interlock.model.elements import MachineId, Position, RouteId, SectionId
 from interlock.model.traversal import Traversal
 from interlock.table.rows import (
-    Because,
     Hostile,
     HostileClass,
     HostileRoutes,
+    Hostility,
     PointDemand,
     Role,
     RouteKind,
@@ -47,6 +47,8 @@ class Conflicts:
         self.derived = dict(zip(self._ids, _hostile(paths, locks, self._needs), strict=True))
         """For each route the hostile ones but for those that are only declared so, as bits by number less one."""
         self._hostile = dict(self.derived)
+        self._told: dict[tuple[RouteId, RouteId], Hostility] = {}
+        self._alike: dict[Hostility, Hostility] = {}
         for r, cells in self._barred.items():
             for other in cells:
                 self._hostile[r] |= 1 << self._path[other].number - 1
@@ -56,15 +58,21 @@ class Conflicts:
         return HostileRoutes(self._ids, self._hostile[path.id], partial(self.tell, path.id))
 
     def tell(self, one: RouteId, other: RouteId) -> Hostile:
-        """Class, witness and reason of a pair of hostile routes."""
-        a, b = sorted((self._path[one], self._path[other]), key=lambda p: p.number)
-        found = list(reasons(a, b, self._locks, self._needs))
-        declared = self._barred.get(one, {}).get(other)
-        if declared is not None:
-            found.append((HostileClass.ADDED, declared.text, "R6"))
-        kind, witness, rule = found[0]
-        kinds = tuple(dict.fromkeys(k for k, _, _ in found))
-        return Hostile(other, kind, kinds, witness, Because(rule, f"{one} and {other}: {kind}, {witness}"))
+        """Why a route is hostile to another."""
+        first = self._path[one].number < self._path[other].number
+        return Hostile(one, other, first, self._how(*((one, other) if first else (other, one))))
+
+    def _how(self, a: RouteId, b: RouteId) -> Hostility:
+        """How a pair is hostile, the route of the lower number first."""
+        if (a, b) not in self._told:
+            found = list(reasons(self._path[a], self._path[b], self._locks, self._needs))
+            declared = self._barred.get(a, {}).get(b)
+            if declared is not None:
+                found.append((HostileClass.ADDED, declared.text.replace("{", "{{").replace("}", "}}"), "R6"))
+            kind, witness, rule = found[0]
+            how = Hostility(kind, tuple(dict.fromkeys(k for k, _, _ in found)), witness, rule)
+            self._told[a, b] = self._alike.setdefault(how, how)
+        return self._told[a, b]
 
 
 def set_apart(
@@ -167,7 +175,7 @@ class Needs:
 
 
 Reason = tuple[HostileClass, str, str]
-"""Class, witness and rule."""
+"""Class, witness (`{one}` and `{other}`: the pair, as in `Hostility`) and rule."""
 
 
 def classify(
@@ -186,7 +194,7 @@ def reasons(
     path_a, path_b = needs[a.id].path, needs[b.id].path
     for m, x in path_a.items():
         if path_b.get(m, x) is not x:
-            yield HostileClass.POINTS, f"machine {m} lies {x} for {a.id} and {path_b[m]} for {b.id}", "R6.1"
+            yield HostileClass.POINTS, f"machine {m} lies {x} for {{one}} and {path_b[m]} for {{other}}", "R6.1"
     yield from _shared(a, needs[b.id].ways)
     for t in a.ways:
         for ex in locks[t.key].exclusions:
@@ -195,24 +203,25 @@ def reasons(
                     kind = HostileClass.CROSSING if ex.because.rule == "R6" else HostileClass.FOUL
                     rule = "R6.4" if kind is HostileClass.CROSSING else "R6.10"
                     yield kind, f"{t.section} and {o.section}: {ex.because.text}", rule
-    overlap = _overlap(a, b, locks) or _overlap(b, a, locks)
+    overlap = _overlap(a, b, locks, "{one}") or _overlap(b, a, locks, "{other}")
     if overlap is not None:
         yield overlap
     all_a, all_b = needs[a.id].held, needs[b.id].held
     for m, x in all_a.items():
         if all_b.get(m, x) is not x and not (m in path_a and m in path_b):
-            yield HostileClass.FLANK, f"machine {m} must lie {x} for {a.id} and {all_b[m]} for {b.id}", "R6.9"
+            yield HostileClass.FLANK, f"machine {m} must lie {x} for {{one}} and {all_b[m]} for {{other}}", "R6.9"
 
 
-def _overlap(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow]) -> Reason | None:
-    """The overlap of a against the path and overlap of b; a route onward from a's exit may lie over the same ways."""
+def _overlap(a: Path, b: Path, locks: Mapping[TraversalKey, TraversalRow], of: str) -> Reason | None:
+    """The overlap of a (named as `of`) against the path and overlap of b; a route onward from a's exit may lie over the
+    same ways."""
     for t in a.overlap:
         for o in b.overlap:
             if o.section == t.section:
                 return HostileClass.OVERLAP, f"both need {t.section} as overlap", "R6.8"
         for o in b.ways:
             if o.section == t.section and not (b.kind is RouteKind.MAIN and b.entry == a.exit and o.key == t.key):
-                return HostileClass.OVERLAP, f"{t.section} is the overlap of {a.id}", "R6.7"
+                return HostileClass.OVERLAP, f"{t.section} is the overlap of {of}", "R6.7"
         for ex in locks[t.key].exclusions:
             for o in (*b.ways, *b.overlap):
                 if o.section == ex.section and (ex.whole or o.number in ex.numbers):

@@ -248,6 +248,11 @@ def point_demands(providers: Sequence[Provider]) -> dict[MachineId, Position] | 
 
 def told(providers: Sequence[Provider]) -> str:
     """A set of providers in words."""
+    stops = [p.name for p in providers if p.kind is ProviderKind.SIGNAL]
+    if len(stops) > 1:
+        others = [p for p in providers if p.kind is not ProviderKind.SIGNAL]
+        signals = f"signals {', '.join(stops[:-1])} and {stops[-1]} at stop, clear of the fouling point"
+        return " and ".join([*([told(others)] if others else []), signals])
     words = {
         ProviderKind.POINT: "point {} turns vehicles away",
         ProviderKind.SIGNAL: "signal {} at stop, clear of the fouling point",

@@ -80,9 +80,12 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL3023": (_E, "a delay is shorter than the world needs"),
     "IL3024": (_E, "an overlap cannot swing in time"),
     "IL3027": (_E, "a key at a signal of which it says nothing"),
+    "IL3028": (_E, "positions along the line that contradict each other"),
+    "IL3029": (_E, "a length that does not follow from positions"),
+    "IL3030": (_E, "coordinates that contradict each other"),
     "IL3026": (_E, "blades of a slip are placed where there is no choice"),
     "IL3025": (_I, "a road that is no berth, for what lies over it"),
-    "IL3028": (_W, "a berth is denied where there is none"),
+    "IL3031": (_W, "a berth is denied where there is none"),
     "IL3021": (_I, "an inclined lane without a condition"),
     "IL3019": (_E, "a signal for a direction in which no train runs"),
     # 4: derivation

@@ -1,6 +1,6 @@
 """What hangs on a layout beside its logic: cabinets and addresses (document B 2.2), and hints for the plan.
 
-Output: diagnostics IL2004, IL2014, IL2015, and the elements.
+Output: diagnostics IL2004, IL2014, IL2015, IL3030, and the elements.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from interlock.frontend.context import Context
 from interlock.frontend.ports import Wiring
 from interlock.frontend.scalars import ADDRESS
 from interlock.frontend.schema import TargetSpec
-from interlock.model.elements import Health, SectionId, Substation
+from interlock.model.elements import Anchor, Health, NodeId, SectionId, Signal, Substation
 from interlock.model.target import CPUS, KB, Target
 
 ONLY = "main"
@@ -100,6 +100,33 @@ def resolve_drawing(ctx: Context, wiring: Wiring) -> tuple[tuple[SectionId, int]
             hint = did_you_mean(name, wiring.sections)
             ctx.add("IL2004", f"drawing: there is no section {name}", ctx.at_key("drawing", name), hint)
     return tuple(sorted((SectionId(n), level) for n, level in ctx.file.drawing.items()))
+
+
+def resolve_anchors(ctx: Context, wiring: Wiring, signals: tuple[Signal, ...]) -> tuple[Anchor, ...]:
+    """Elements with coordinates, in order of node; reports IL3030."""
+    f, there = ctx.file, {e.a for e in wiring.edges} | {e.b for e in wiring.edges}
+    at = {str(g.id): g.node for g in signals}
+    found: dict[tuple[NodeId, ...], tuple[Anchor, str]] = {}
+    for room, one in (
+        ("boundaries", "boundary"),
+        ("points", "point"),
+        ("crossings", "crossing"),
+        ("slips", "slip"),
+        ("derailers", "derailer"),
+        ("signals", "signal"),
+    ):
+        for name, spec in getattr(f, room).items():
+            if spec.xy is None:
+                continue
+            nodes: tuple[NodeId, ...] = (at[name],) if room == "signals" else (NodeId(name),)
+            if nodes[0] not in there:  # a slip of two points
+                nodes = (NodeId(f"{name}a"), NodeId(f"{name}b"))
+            anchor = Anchor(nodes, *spec.xy)
+            before, told = found.setdefault(nodes, (anchor, f"{one} {name}"))
+            if before != anchor:
+                text = f"{one} {name} stands where {told} does, at other coordinates: {before.x:g}, {before.y:g}"
+                ctx.add("IL3030", text, ctx.at(room, name, "xy"), "leave one of them out")
+    return tuple(a for _, (a, _) in sorted(found.items()))
 
 
 def resolve_target(given: TargetSpec) -> Target | None:

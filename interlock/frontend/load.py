@@ -14,6 +14,7 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.added import named_kinds, resolve_barred, resolve_demanded, unlisted
 from interlock.frontend.cabinets import (
     resolve_addresses,
+    resolve_anchors,
     resolve_drawing,
     resolve_health,
     resolve_substations,
@@ -165,7 +166,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
     distants = resolve_distants(ctx, signals)
     substations = resolve_substations(ctx, wiring)
     health = resolve_health(ctx)
-    drawing = resolve_drawing(ctx, wiring)
+    drawing, anchors = resolve_drawing(ctx, wiring), resolve_anchors(ctx, wiring, signals)
     if sink.has_errors:
         return None, source
     layout = Layout(
@@ -198,6 +199,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
         telegram=data.telegram,
         target=resolve_target(data.target),
         drawing=drawing,
+        anchors=anchors,
         barred=barred,
         boards=boards(ctx),
         supervision=resolve_supervision(ctx, wiring),

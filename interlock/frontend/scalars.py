@@ -107,6 +107,44 @@ def _length(value: object) -> object:
     return x
 
 
+KILOMETRE = re.compile(r"(\d{1,4})\+(\d{3}(?:\.\d{1,3})?)")
+"""`12+345.6`: kilometres, and three digits of metres with decimals."""
+
+
+def position(text: str) -> float:
+    """Metres of a position along the line; raises PydanticCustomError otherwise."""
+    found = KILOMETRE.fullmatch(text)
+    if found is None:
+        fix = "write kilometres, a plus, and three digits of metres: 12+345.6 is 12,345.6 m"
+        raise PydanticCustomError("number", "'{v}' is not a position along the line", {"v": text, "fix": fix})
+    return round(1000 * int(found[1]) + float(found[2]), 3)
+
+
+def written_km(metres: float) -> str:
+    """A position as it is written."""
+    whole, rest = divmod(round(metres * 1000), 1_000_000)
+    text = f"{rest / 1000:07.3f}".rstrip("0").rstrip(".")
+    return f"{whole}+{text}"
+
+
+def _position(value: object) -> object:
+    if not isinstance(value, str):
+        raise PydanticCustomError("number", "a position along the line is expected")
+    return position(value)
+
+
+WIDE = 1_000_000  # pixels of a plan
+
+
+def _coordinate(value: object) -> object:
+    if not isinstance(value, str):
+        raise PydanticCustomError("number", "a coordinate is expected")
+    x = number(value)
+    if not abs(x) <= WIDE:
+        raise PydanticCustomError("range", "{v} is no place on a plan", {"v": value})
+    return x
+
+
 def _seconds(value: object) -> object:
     x = _amount(value)
     if x == 0:
@@ -179,12 +217,15 @@ _ENDS = "start|end|toe|normal|reverse|1a|1b|2a|2b|outer|inner"
 _END_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^{_PLAIN}(?:\.(?:{_ENDS}))?$"}
 _LONG = r"(?:\d+(?:\.\d*)?|\.\d+)"
 
-_ITEM_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^{_PLAIN}(?: +\+?{_LONG}|\.(?:{_ENDS}))?$"}
+_KM = r"\d{1,4}\+\d{3}(?:\.\d{1,3})?"
+_KM_SCHEMA = {"type": "string", "pattern": f"^{_KM}$"}
+_ITEM_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^(?:{_PLAIN}(?: +\+?{_LONG}|\.(?:{_ENDS}))?|{_KM})$"}
 _APPROACH_SCHEMA = {"type": "string", "pattern": rf"^{_PLAIN} +\+?{_LONG}$"}
 PATTERNS = {
     str(_NAME_SCHEMA["pattern"]): "name",
     str(_END_SCHEMA["pattern"]): "end",
-    str(_ITEM_SCHEMA["pattern"]): "`NAME LENGTH`, or a boundary, a buffer or an end",
+    str(_ITEM_SCHEMA["pattern"]): "`NAME LENGTH`, or a boundary, a buffer, an end, a position, or a name between two",
+    str(_KM_SCHEMA["pattern"]): "`KM+METRES`",
     str(_APPROACH_SCHEMA["pattern"]): "`NAME LENGTH`",
 }
 """What texts of these patterns are, in words."""
@@ -203,6 +244,11 @@ Length = Annotated[
     BeforeValidator(_length),
     WithJsonSchema({"type": "number", "exclusiveMinimum": 0, "maximum": MAX_LENGTH_M}),
 ]
+Coordinate = Annotated[
+    float, BeforeValidator(_coordinate), WithJsonSchema({"type": "number", "minimum": -WIDE, "maximum": WIDE})
+]
+Kilometre = Annotated[float, BeforeValidator(_position), WithJsonSchema(_KM_SCHEMA)]
+XY = Annotated[list[Coordinate], Field(min_length=2, max_length=2)]
 Seconds = Annotated[
     float,
     BeforeValidator(_seconds),

@@ -13,11 +13,13 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, WithJsonSche
 
 from interlock.diag.codes import LINTS
 from interlock.frontend.scalars import (
+    XY,
     Amount,
     Approach,
     Count,
     End,
     Item,
+    Kilometre,
     Length,
     Level,
     Metres,
@@ -43,6 +45,12 @@ from interlock.model.target import CPUS
 
 class _Part(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+
+def place() -> Any:
+    """The key `xy`."""
+    text = "its place on the plan, to the right and downwards, in pixels; without it, what is found"
+    return key(text, None)
 
 
 def key(text: str, default: Any = ..., *, name: str | None = None, least: int = 0, most: int = 0) -> Any:
@@ -79,6 +87,7 @@ class BoundarySpec(_Part):
     )
     button: Text = key("the button that ends departure routes here, as national forms print it", "")
     indicator: YesNo = key("departures this way have a route indicator; printed in national forms", False)
+    xy: XY | None = place()
 
 
 class PointSpec(_Part):
@@ -91,6 +100,11 @@ class PointSpec(_Part):
     machine: Name | None = key("the machine, where one works two ends; without it, a machine of its own name", None)
     legs: Length | None = key("metres of each of the three legs; without it, the principle `leg_m`", None)
     fouling: Length | None = key("metres to the fouling point; without it, the principle `fouling_m`", None)
+    km: Kilometre | None = key(
+        "position of its blades along the line; tracks that are joined to it begin or end a leg's length from there; "
+        "without it, none is stated",
+        None,
+    )
     speed: Speed | None = key("km/h permitted over the reverse leg; without it, none is stated (R11)", None)
     hand: Annotated[Literal["left", "right"] | None, choice("side", tuple(Hand))] = key(
         "the side to which the reverse leg lies, seen from the toe; printed in national forms (L and R, letters of "
@@ -100,6 +114,7 @@ class PointSpec(_Part):
     work: Annotated[Literal["motor", "hand"], choice("kind of work", tuple(Work))] = key(
         "`hand`: worked on the spot once its key is released; the key locks it in normal", "motor"
     )
+    xy: XY | None = place()
     supervision: Seconds | None = key(SUPERVISION, None)
 
 
@@ -112,6 +127,7 @@ class DerailerSpec(_Part):
     )
     inner: End | None = key("the side that it protects; without it, what names this end", None)
     legs: Length | None = key("metres of track to either side; without it, the principle `leg_m`", None)
+    xy: XY | None = place()
     supervision: Seconds | None = key(SUPERVISION, None)
 
 
@@ -142,6 +158,7 @@ class SlipSpec(_Part):
     )
     legs: Length | None = key("metres of each leg; without it, the principle `leg_m`", None)
     fouling: Length | None = key("metres to the fouling point; without it, the principle `fouling_m`", None)
+    xy: XY | None = place()
     supervision: Seconds | None = key(SUPERVISION, None)
 
 
@@ -165,6 +182,7 @@ class CrossingSpec(_Part):
 
     arms: list[ArmSpec] = key("its two arms", least=2, most=2)
     legs: Length | None = key("metres of each of the four legs; without it, the principle `leg_m`", None)
+    xy: XY | None = place()
 
 
 _KINDS = (*SignalKind, "board", "limit")
@@ -176,11 +194,13 @@ class SignalSpec(_Part):
     from_: Name = key("the section in rear of it, or, for an entry signal, the boundary", name="from")
     into: Name = key("the section into which it leads")
     at: Name | None = key("a point next to the joint; without it, the sections meet in one joint only", None)
+    km: Kilometre | None = key("position of its joint along the line; without it, what the track says", None)
     kind: Annotated[Literal["main", "shunt", "combined", "board", "limit"], choice("kind of signal", _KINDS)] = key(
         "for trains, for shunting movements, or for both; `board`: a stop board, where routes end and none begins; "
         "`limit`: a limit-of-shunt board, where shunt routes end, and which trains pass",
         "main",
     )
+    xy: XY | None = place()
     stops_trains: YesNo = key("a shunt signal at which train routes end, too; none begins there", False)
     release: Seconds | None = key(
         "seconds for which its routes are held after a cancellation while the approach is occupied (R8); without it, "

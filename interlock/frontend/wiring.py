@@ -9,16 +9,24 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from pydantic_core import PydanticCustomError
 
 from interlock.diag import Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
+from interlock.frontend.kilometres import Kilometres, Measured, Stretch, has_positions, is_section, measured
 from interlock.frontend.parts import build_derailer, build_slip
 from interlock.frontend.ports import Port, Wiring
-from interlock.frontend.scalars import MAX_LENGTH_M, NAME, name_fix, number, number_fix, number_text, slip_of
+from interlock.frontend.scalars import (
+    MAX_LENGTH_M,
+    NAME,
+    name_fix,
+    number,
+    number_fix,
+    number_text,
+    slip_of,
+)
 from interlock.model.elements import (
     BlockKind,
     Boundary,
@@ -44,12 +52,6 @@ _ITEM = re.compile(r"(\S+)\s+(\S+)")
 def _after_comma(items: Sequence[str], i: int) -> bool:
     """Whether an item is what follows the decimal comma of the length before it: `[q3 600,5]` are two items."""
     return i > 0 and items[i].strip().isdigit() and re.fullmatch(r"\S+\s+\d+", items[i - 1].strip()) is not None
-
-
-@dataclass
-class _Stretch:
-    section: str
-    length: float
 
 
 def section_and_length(ctx: Context, text: str, span: Span, example: str = "q1") -> tuple[str, float] | None:
@@ -95,11 +97,12 @@ class Wirer:
         self.principles = principles
         self.out = Wiring()
         self.mate: dict[Port, tuple[Port, Span]] = {}
-        self.tracks: dict[str, list[_Stretch]] = {}
+        self.tracks: dict[str, Measured] = {}
         f = ctx.file
         self._read_into = dict.fromkeys(n for g in f.signals.values() for n in (g.from_, g.into) if not n.isdigit())
         self._joinable = [*f.tracks, *f.points, *f.crossings, *f.slips, *f.derailers, *f.boundaries]
         self._joinable += [*f.buffers, *f.traps]
+        self._positions = has_positions(f)
         self.lengths: dict[str, tuple[str, float]] = {}
         """Approach section and its metres, by boundary."""
 
@@ -113,6 +116,9 @@ class Wirer:
         self._join_slips()
         self._join_derailers()
         self._check_complete()
+        if self._positions and not self.ctx.sink.has_errors:
+            beyond = {p: self._side(other) for p, (other, _) in self.mate.items()}
+            Kilometres(self.ctx, self.tracks, self.mate, beyond, self.principles.leg_m).resolve()
         if not self.ctx.sink.has_errors:
             self._build()
         return self.out
@@ -140,10 +146,16 @@ class Wirer:
         f = self.ctx.file
         ends = set(f.boundaries) | set(f.buffers) | set(f.traps)
         for name, items in f.tracks.items():
-            stretches: list[_Stretch] = []
+            track = Measured([])
             head: Port | None = None
             for i, item in enumerate(items):
                 span = self.ctx.at("tracks", name, i)
+                if measured(self.ctx, track, item.strip(), span):
+                    continue
+                if self._positions and item not in ends and is_section(item):
+                    track.stretches.append(Stretch(item, None, span))
+                    self.out.sections.setdefault(item, span)
+                    continue
                 if len(item.split()) < 2:
                     if self._decimals(items, i, span):
                         continue
@@ -152,7 +164,7 @@ class Wirer:
                         continue
                     if i == 0:
                         head = port
-                    elif stretches:
+                    elif track.stretches:
                         self._join(Port("track", name, "end"), port, span)
                     continue
                 if i + 1 < len(items) and _after_comma(items, i + 1):
@@ -160,9 +172,9 @@ class Wirer:
                 got = section_and_length(self.ctx, item, span)
                 if got is None:
                     continue
-                stretches.append(_Stretch(*got))
+                track.stretches.append(Stretch(*got, span))
                 self.out.sections.setdefault(got[0], span)
-            if not stretches:
+            if not track.stretches:
                 if not self.ctx.sink.has_errors:
                     self.ctx.add(
                         "IL3017",
@@ -173,7 +185,7 @@ class Wirer:
                 continue
             if head is not None:
                 self._join(Port("track", name, "start"), head, self.ctx.at("tracks", name, 0))
-            self.tracks[name] = stretches
+            self.tracks[name] = track
 
     def _decimals(self, items: Sequence[str], i: int, span: Span) -> bool:
         """Report `q3 600,5`, which YAML reads as two items, at what stands after the comma."""
@@ -431,10 +443,14 @@ class Wirer:
         first, second = sorted((str(port), str(other)))
         return NodeId(f"{a}|{b}@{first}") if a != b else NodeId(f"{a}@{first}+{second}")
 
+    def _side(self, port: Port) -> str:
+        """What lies at an end: a section, or the boundary or buffer itself."""
+        return port.name if port.kind in ("boundary", "buffer") else self._section_at(port)
+
     def _section_at(self, port: Port) -> str:
         f = self.ctx.file
         if port.kind == "track":
-            return self.tracks[port.name][0 if port.end == "start" else -1].section
+            return self.tracks[port.name].stretches[0 if port.end == "start" else -1].section
         if port.kind == "point":
             return f.points[port.name].section
         if port.kind == "slip":
@@ -455,8 +471,8 @@ class Wirer:
 
     def _build(self) -> None:
         f = self.ctx.file
-        for name, stretches in self.tracks.items():
-            here = self.node(Port("track", name, "start"))
+        for name, track in self.tracks.items():
+            here, stretches = self.node(Port("track", name, "start")), track.stretches
             for i, s in enumerate(stretches):
                 if i == len(stretches) - 1:
                     there = self.node(Port("track", name, "end"))
@@ -465,6 +481,7 @@ class Wirer:
                 else:
                     a, b = sorted((s.section, stretches[i + 1].section))
                     there = NodeId(f"{a}|{b}@{name}.{i}")
+                assert s.length is not None
                 self.edge(f"{name}.{i}", here, there, s.length, s.section)
                 here = there
         for name, p in f.points.items():

@@ -155,6 +155,16 @@ class Blades:
 
 
 @dataclass(frozen=True)
+class Anchor:
+    """Where the layout says that an element lies on the plan: to the right and downwards, in pixels; of a slip that is
+    two points the middle of both."""
+
+    nodes: tuple[NodeId, ...]
+    x: float
+    y: float
+
+
+@dataclass(frozen=True)
 class Crossing:
     """A diamond crossing: two arms through one node, each a pair of edges."""
 

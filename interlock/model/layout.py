@@ -13,6 +13,7 @@ from functools import cached_property, wraps
 from typing import Any, TypeVar, TypeVarTuple
 
 from interlock.model.elements import (
+    Anchor,
     Barred,
     Blades,
     Boundary,
@@ -86,6 +87,8 @@ class Layout:
     addresses: tuple[tuple[str, str], ...] = ()
     telegram: TelegramForm = TelegramForm.NONE
     drawing: tuple[tuple[SectionId, int], ...] = ()
+    anchors: tuple[Anchor, ...] = ()
+    """Elements that have a place on the plan."""
     blades: tuple[Blades, ...] = ()
     barred: tuple[Barred, ...] = ()
     demanded: tuple[Demanded, ...] = ()
@@ -299,7 +302,7 @@ class Layout:
     @cached_property
     def bare(self) -> Layout:
         """The same railway without lengths, for whatever controller, and without what is only printed: hands of
-        points, the title block."""
+        points, the title block, places on the plan."""
         return replace(
             self,
             target=None,
@@ -310,6 +313,7 @@ class Layout:
             boundaries=tuple(replace(b, approach_m=0.0) for b in self.boundaries),
             hands=(),
             title_block=None,
+            anchors=(),
         )
 
     @cached_property
@@ -325,7 +329,7 @@ class Layout:
 
 _ONLY_STATED = frozenset(
     {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target", "health"}
-    | {"title_block", "named_kinds", "no_berths", "signal_releases"}
+    | {"title_block", "named_kinds", "no_berths", "signal_releases", "anchors"}
     | {"overlap_ways", "entry_speeds", "overlap_releases"}
 )
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""

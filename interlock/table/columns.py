@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from interlock.model.elements import RouteId
 from interlock.table.printed import Part, PrintedRoute, grouped, joined, parts
 from interlock.table.rows import Because, FoulCell, Hostile, HostileClass, PointDemand, Role, RouteRow, VoyageRow
 
@@ -16,7 +17,7 @@ class Column:
     """Key, headings in English, Chinese and German, the cell's text and the reason of each of its items.
 
     in_print: the items of a route's cell where all overlaps of its way share a row, if they are not these.  apart: the
-    items are one thing, and are never told in two parts.
+    items are one thing, and are never told in two parts.  cell: the text of the printed cell, if it is not its items.
     """
 
     key: str
@@ -26,6 +27,7 @@ class Column:
     items: Callable[[RouteRow], Reasons]
     in_print: Callable[[PrintedRoute, RouteRow], Reasons] | None = None
     apart: bool = False
+    cell: Callable[[PrintedRoute], str] | None = None
 
     def text(self, row: RouteRow) -> str:
         """The cell of one route by itself."""
@@ -38,6 +40,8 @@ class Column:
 
     def printed(self, way: PrintedRoute) -> str:
         """The text of the printed cell."""
+        if self.cell is not None:
+            return self.cell(way)
         return joined([Part(p.row, tuple(t for t, _ in p.items)) for p in self.parts(way)], way.mark)
 
 
@@ -61,13 +65,30 @@ def _hostile(r: RouteRow) -> Reasons:
     return [(f"{h.route} ({_why_hostile(h)})", h.because) for h in r.hostile]
 
 
-def _hostile_ways(way: PrintedRoute, r: RouteRow) -> Reasons:
-    why = {h.route: h for h in r.hostile}
-    out: Reasons = []
-    for x in grouped([(route, _why_hostile(h)) for route, h in why.items()], way.ways, r):
+def _said_hostile(way: PrintedRoute, r: RouteRow) -> list[tuple[str, str, RouteId]]:
+    """Why, which printed route, and one of its routes."""
+    out = []
+    for x in grouped([(h.route, _why_hostile(h)) for h in r.hostile], way.ways, r):
         name = f"{way.id} with another overlap" if x.whole and x.way is way else x.name()
-        out.append((f"{name} ({x.what})", why[x.route].because))
+        out.append((x.what, name, x.route))
     return out
+
+
+def _hostile_ways(way: PrintedRoute, r: RouteRow) -> Reasons:
+    why = {h.route: h.because for h in r.hostile}
+    return [(f"{name} ({what})", why[route]) for what, name, route in _said_hostile(way, r)]
+
+
+def _hostile_cell(way: PrintedRoute) -> str:
+    """Each reason once, with all routes that are hostile for it: `same entry: A-B + A-C, opposing: D-E`."""
+    said = [(r, [(what, name) for what, name, _ in _said_hostile(way, r)]) for r in way.rows]
+    cell = []
+    for p in parts(said):
+        by: dict[str, list[str]] = {}
+        for what, name in p.items:
+            by.setdefault(what, []).append(name)
+        cell.append(Part(p.row, tuple(f"{what}: {' + '.join(names)}" for what, names in by.items())))
+    return joined(cell, way.mark)
 
 
 def _names(r: RouteRow) -> Reasons:
@@ -184,6 +205,7 @@ COLUMNS: tuple[Column, ...] = (
         "Feindliche Fahrstraßen",
         _hostile,
         _hostile_ways,
+        cell=_hostile_cell,
     ),
     Column(
         "conditions",

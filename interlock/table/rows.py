@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import cached_property
-from typing import Any, overload
+from typing import overload
 
 from interlock.model.bits import chosen
 from interlock.model.elements import (
@@ -25,7 +25,7 @@ from interlock.model.elements import (
 )
 from interlock.model.places import Approach
 
-SCHEMA_VERSION = 5
+SCHEMA_VERSION = 6
 TraversalKey = tuple[SectionId, int]
 
 
@@ -154,14 +154,49 @@ class HostileClass(StrEnum):
 
 
 @dataclass(frozen=True)
-class Hostile:
-    """A hostile route: the first class that makes it so, with the shared resource that shows it, and every class."""
+class Hostility:
+    """How two routes are hostile: the first class that makes them so, every class, the shared resource that shows the
+    first, and its rule.
 
-    route: RouteId
+    In `witness` `{one}` is the route of the lower number and `{other}` that of the higher; what many pairs have in
+    common is the same value.
+    """
+
     kind: HostileClass
     kinds: tuple[HostileClass, ...]
     witness: str
-    because: Because
+    rule: str
+
+
+@dataclass(frozen=True)
+class Hostile:
+    """A route that is hostile to the route `of`; first: `of` has the lower number."""
+
+    of: RouteId
+    route: RouteId
+    first: bool
+    how: Hostility
+
+    @property
+    def kind(self) -> HostileClass:
+        """The first class that makes it so."""
+        return self.how.kind
+
+    @property
+    def kinds(self) -> tuple[HostileClass, ...]:
+        """Every class that does."""
+        return self.how.kinds
+
+    @property
+    def witness(self) -> str:
+        """The shared resource that shows the first class."""
+        one, other = (self.of, self.route) if self.first else (self.route, self.of)
+        return self.how.witness.format(one=one, other=other)
+
+    @property
+    def because(self) -> Because:
+        """Rule and reason."""
+        return Because(self.how.rule, f"{self.of} and {self.route}: {self.kind}, {self.witness}")
 
 
 class HostileRoutes(Sequence[Hostile]):
@@ -200,15 +235,6 @@ class HostileRoutes(Sequence[Hostile]):
 
     def __hash__(self) -> int:
         return hash(self.routes)
-
-    @classmethod
-    def __get_pydantic_core_schema__(cls, source: object, handler: Any) -> Any:
-        """For the published schema: a list of them."""
-        return handler.generate_schema(tuple[Hostile, ...])
-
-    def __deepcopy__(self, memo: object) -> HostileRoutes:
-        """Nothing of it changes."""
-        return self
 
 
 @dataclass(frozen=True)

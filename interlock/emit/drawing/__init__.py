@@ -2,6 +2,7 @@
 
 from interlock.emit.drawing.canvas import Drawing
 from interlock.emit.drawing.place import place
+from interlock.emit.drawing.sheets import folded, sheets
 from interlock.emit.drawing.svg import plan_svg
 
-__all__ = ["Drawing", "place", "plan_svg"]
+__all__ = ["Drawing", "folded", "place", "plan_svg", "sheets"]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 from interlock.emit.drawing.strands import Plan
-from interlock.model.elements import EdgeId, NodeId, SectionId
+from interlock.model.elements import EdgeId, NodeId, Point, SectionId
 from interlock.model.layout import Layout
 
 UNIT = 42  # pixels of a level: half a track's distance
@@ -112,8 +112,16 @@ def bend(d: Drawing, point: str) -> Spot:
     return line[1] if line[0] == d.at[p.node] else line[-2]
 
 
-def fouling_mark(d: Drawing, point: str) -> Spot:
-    """Where the fouling point of a point is marked: between its legs."""
+def worked(d: Drawing, p: Point) -> Point:
+    """The point at which the blades of a point lie: itself, or of a double slip the one across."""
+    return d.plan.blades_at.get(p.id, p)
+
+
+def fouling_mark(d: Drawing, point: str) -> Spot | None:
+    """Where the fouling point of a point is marked: between its legs; nowhere at a derailer, and within a slip."""
+    p = d.layout.point[point]  # type: ignore[index]
+    if p.derailer or p.reverse in d.plan.rails:
+        return None
     (x, y), far = d.at[d.layout.point[point].node], bend(d, point)  # type: ignore[index]
     return (x + (27 if far[0] > x else -27), y + (12 if far[1] > y else -12))
 

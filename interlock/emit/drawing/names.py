@@ -19,6 +19,7 @@ from interlock.emit.drawing.canvas import (
     flat,
     fouling_mark,
     width,
+    worked,
 )
 from interlock.model.elements import BufferKind, EdgeId, SectionId
 
@@ -29,9 +30,9 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
     _joints(d)
     _signals(d)
     _outside(d)
-    for p in d.layout.points:
-        x, y = d.at[p.node]
-        far = bend(d, p.id)
+    for p in d.layout.points:  # names stand where blades lie
+        x, y = d.at[worked(d, p).node]
+        far = bend(d, worked(d, p).id)
         below = far[1] < y
         way = 1 if far[0] < x else -1
         _put(
@@ -63,8 +64,9 @@ def _lines(d: Drawing) -> None:
     for p in d.layout.points:
         x, y = d.at[p.node]
         d.taken.add((x - 6, y - 8, x + 6, y + 8))
-        x, y = fouling_mark(d, p.id)
-        d.taken.add((x - 4, y - 4, x + 4, y + 4))
+        mark = fouling_mark(d, p.id)
+        if mark is not None:
+            d.taken.add((mark[0] - 4, mark[1] - 4, mark[0] + 4, mark[1] + 4))
 
 
 def _joints(d: Drawing) -> None:

@@ -12,7 +12,7 @@ from collections import deque
 from dataclasses import dataclass
 from functools import cached_property
 
-from interlock.model.elements import BufferKind, EdgeId, NodeId, Point
+from interlock.model.elements import BufferKind, EdgeId, NodeId, Point, PointId
 from interlock.model.layout import Layout
 
 CROSSOVER = 250.0  # metres: what is longer between two turned legs is a track
@@ -48,11 +48,16 @@ class Plan:
         self.turns = turns
         self.parts = 0
         self._mirrored = mirrored
+        self.slip_points = [layout.point[b.point] for b in layout.blades if len(b.at) == 1]
+        """Points of slips with a diamond: on the arms, close to it, and no knots."""
+        self.rails = {p.reverse for p in self.slip_points}
+        """Slip rails: chords of their diamond, without a place of their own."""
+        on_arms = {p.node for p in self.slip_points}
         self.knots = {
             n
             for n, edges in layout.edges_at.items()
             if len(edges) != 2 or n in layout.point_at or n in layout.crossing_at or n in layout.boundary_at
-        }
+        } - on_arms
         self.knots |= set(layout.buffer_at) | turns
         oriented = self._oriented(self._contracted())
         off = {b.node for b in layout.buffers if b.kind is BufferKind.DERAIL}
@@ -64,7 +69,7 @@ class Plan:
         out: list[Strand] = []
         done: set[EdgeId] = set()
         for e in self.layout.edges:
-            if e.id in done:
+            if e.id in done or e.id in self.rails:
                 continue
             back, behind = self._walk(e.id, e.a)  # back to the beginning, then forward
             edges, nodes = self._walk(back[-1], self.layout.far(back[-1], behind[-1]))
@@ -76,7 +81,9 @@ class Plan:
         """From an edge on to the next knot; the nodes begin with the one behind."""
         edges, nodes = [edge], [self.layout.far(edge, towards), towards]
         while nodes[-1] not in self.knots:
-            onward = next((x.id for x in self.layout.edges_at[nodes[-1]] if x.id != edges[-1]), None)
+            onward = next(
+                (x.id for x in self.layout.edges_at[nodes[-1]] if x.id != edges[-1] and x.id not in self.rails), None
+            )
             if onward is None or onward == edges[0]:
                 break
             edges.append(onward)
@@ -120,6 +127,19 @@ class Plan:
             out.append(s if keeps else Strand(s.number, s.edges[::-1], s.nodes[::-1]))
         return out
 
+    @cached_property
+    def slips(self) -> frozenset[NodeId]:
+        """Diamonds with slip rails."""
+        far = {self.layout.far(p.normal, p.node) for p in self.slip_points}
+        return frozenset(far & set(self.layout.crossing_at))
+
+    @cached_property
+    def blades_at(self) -> dict[PointId, Point]:
+        """For each point of a double slip that is two points toe to toe the other one: its blades lie at the legs
+        there, from which trains are led to one of its own."""
+        far = {b.point: self.layout.point[b.point] for b in self.layout.blades if len(b.at) == 2}
+        return {k: self.layout.point_at[self.layout.far(p.toe, p.node)] for k, p in far.items()}
+
     def _declared(self, s: Strand) -> bool:
         """Whether most edges of a strand run as they are declared."""
         ahead = sum(self.layout.edge[e].a == n for e, n in zip(s.edges, s.nodes, strict=False))
@@ -137,6 +157,8 @@ class Plan:
             for arm in crossing.arms:
                 if a in arm and b in arm:
                     return a == b
+            if node in self.slips:  # slip rails lead across: ends of one letter lie on one side
+                return any(a in side and b in side for side in zip(*crossing.arms, strict=True))
         return None  # the other arm may lie either way
 
     # --- which ends bend --------------------------------------------------------------------------

@@ -7,9 +7,11 @@ narrow as that allows, diagonals first (the dual of a flow gives the optimum).
 from __future__ import annotations
 
 from itertools import pairwise
+from math import dist
 
 import networkx as nx
 
+from interlock.emit.drawing.anchors import moved
 from interlock.emit.drawing.canvas import ARC, LEAST, MARGIN, SIGNAL, UNIT, Drawing, Spot, width
 from interlock.emit.drawing.names import put_names
 from interlock.emit.drawing.narrowest import narrowest
@@ -21,7 +23,8 @@ from interlock.model.layout import Layout
 def named_edges(plan: Plan) -> dict[EdgeId, SectionId]:
     """The edge on which each section's name stands: the longest one that is not all diagonal."""
     layout = plan.layout
-    diagonal = {e for s in plan.strands if plan.diverges(s, s.left) and plan.diverges(s, s.right) for e in s.edges}
+    slanting = (s for s in plan.strands if plan.diverges(s, s.left) and plan.diverges(s, s.right))
+    diagonal = plan.rails | {e for s in slanting for e in s.edges}
     best: dict[SectionId, EdgeId] = {}
     for e in layout.edges:
         old = best.get(e.section)
@@ -156,8 +159,41 @@ def _spot(line: list[Spot], x: float) -> Spot:
     return line[-1]
 
 
+BLADES = 40.0
+"""Pixels from the middle of a diamond to the blades of its slip rails."""
+
+
+def _slips(d: Drawing) -> None:
+    """Points of slips close to their diamond, on its arms, and slip rails as chords between them."""
+    for p in d.plan.slip_points:
+        toe, straight = d.edges[p.toe], d.edges[p.normal]
+        middle = next(n for n in (d.layout.edge[p.normal].a, d.layout.edge[p.normal].b) if n != p.node)
+        onward = straight[0] == d.at[middle]  # the arm leads to the right
+        line = [*straight, *toe[1:]] if onward else [*toe, *straight[1:]]
+        inner, outer = _cut_at(line if onward else line[::-1], BLADES)
+        d.at[p.node] = inner[-1]
+        d.edges[p.normal], d.edges[p.toe] = (inner, outer) if onward else (inner[::-1], outer[::-1])
+    for rail in d.plan.rails:
+        e = d.layout.edge[rail]
+        d.edges[rail] = sorted((d.at[e.a], d.at[e.b]))
+
+
+def _cut_at(line: list[Spot], far: float) -> tuple[list[Spot], list[Spot]]:
+    """A line in two, so far from its beginning, but not beyond half of it."""
+    far = min(far, sum(dist(a, b) for a, b in pairwise(line)) / 2)
+    for k, (a, b) in enumerate(pairwise(line)):
+        long = dist(a, b)
+        if far <= long:
+            spot = (a[0] + (b[0] - a[0]) * far / long, a[1] + (b[1] - a[1]) * far / long)
+            return [*line[: k + 1], spot], [spot, *line[k + 1 :]]
+        far -= long
+    return line, line[-1:]
+
+
 def finish(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
-    """Strokes that lead off the rails, signals and names, and the size of the whole."""
+    """Coordinates, slips, strokes that lead off the rails, signals and names, and the size of the whole."""
+    moved(d)
+    _slips(d)
     for s in d.plan.stubs:
         knot, end = (s.left, s.right) if s.left in d.at else (s.right, s.left)
         (kx, ky), way = d.at[knot], 1 if knot == s.left else -1

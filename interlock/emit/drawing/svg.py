@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from xml.sax.saxutils import escape, quoteattr
 
-from interlock.emit.drawing.canvas import Drawing, Label, Spot, bend, device_spots, flat, fouling_mark
+from interlock.emit.drawing.canvas import Drawing, Label, Spot, bend, device_spots, flat, fouling_mark, worked
 from interlock.emit.drawing.place import place
 from interlock.model.elements import BufferKind, DeviceKind, Lane, Point, Signal, Work
 from interlock.model.foul import foul_joints
@@ -47,9 +47,7 @@ def _path(line: list[Spot]) -> str:
 def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
     """The plan as a document of its own."""
     d = drawing or place(layout)
-    body = "\n".join(
-        [*_tracks(d), *_crossings(d), *_joints(d), *_points(d), *_ends(d), *_devices(d), *_signals(d), *_texts(d)]
-    )
+    body = "\n".join(plan_body(d))
     w, h = _n(d.width), _n(d.height)
     title = escape(layout.title or layout.name)
     return (
@@ -59,6 +57,11 @@ def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
         f'<rect width="{w}" height="{h}" fill="#fff"/>\n<text class="title" x="12" y="22">{title}</text>\n'
         f"{body}\n</svg>\n"
     )
+
+
+def plan_body(d: Drawing) -> list[str]:
+    """What is drawn, part by part."""
+    return [*_tracks(d), *_crossings(d), *_joints(d), *_points(d), *_ends(d), *_devices(d), *_signals(d), *_texts(d)]
 
 
 def _tracks(d: Drawing) -> list[str]:
@@ -103,15 +106,46 @@ def _joints(d: Drawing) -> list[str]:
 
 
 def _points(d: Drawing) -> list[str]:
+    """Each point where its blades lie; of a slip with a word on where that is, and where they lead."""
+    told = {b.point: b for b in d.layout.blades}
     out = []
     for p in d.layout.points:
-        x, y = d.at[p.node]
-        far = bend(d, p.id)
-        length = max(1.0, ((far[0] - x) ** 2 + (far[1] - y) ** 2) ** 0.5)
-        ux, uy = (far[0] - x) / length, (far[1] - y) / length
-        gap = f'<path class="gap" d="M{_n(x + 5 * ux)} {_n(y + 5 * uy)} L{_n(x + 11 * ux)} {_n(y + 11 * uy)}"/>'
-        out.append(f'<g id={quoteattr(f"point-{p.id}")} class="point">{gap}{_machine(p, x, y, uy)}{_fouling(d, p)}</g>')
+        at = worked(d, p)
+        x, y = d.at[at.node]
+        far = bend(d, at.id)
+        ux, uy = _towards((x, y), far)
+        near = 14 if p.reverse in d.plan.rails else 5
+        a, b = ((x + k * ux, y + k * uy) for k in (near, near + 6))
+        gap = f'<path class="gap" d="{_path([a, b])}"/>'
+        words = ""
+        if p.id in told:
+            lie = told[p.id]
+            ends = " and ".join(lie.at)
+            words = f"<title>{escape(f'{p.id}: blades at {ends}, N to {lie.normal}, R to {lie.reverse}')}</title>"
+        blades = _blades(d, at) if at is not p else ""
+        parts = f"{words}{gap}{blades}{_machine(p, x, y, uy)}{_fouling(d, at)}"
+        out.append(f'<g id={quoteattr(f"point-{p.id}")} class="point">{parts}</g>')
     return out
+
+
+def _towards(a: Spot, b: Spot) -> Spot:
+    length = max(1.0, ((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) ** 0.5)
+    return ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
+
+
+def _blades(d: Drawing, at: Point) -> str:
+    """Blades at both ends of one side of a double slip: strokes within its legs, beside the rails."""
+    ways = []
+    for edge in (at.normal, at.reverse):
+        line = d.edges[edge]
+        ways.append(_towards(d.at[at.node], line[1] if line[0] == d.at[at.node] else line[-2]))
+    (x, y), (a, b) = d.at[at.node], ways
+    inward = 1 if a[0] * b[1] - a[1] * b[0] > 0 else -1
+    strokes = []
+    for (ux, uy), side in ((a, inward), (b, -inward)):
+        px, py = x + 12 * ux - 3.6 * side * uy, y + 12 * uy + 3.6 * side * ux
+        strokes.append(f"M{_n(px)} {_n(py)} l{_n(9 * ux)} {_n(9 * uy)}")
+    return f'<path class="mark" d="{" ".join(strokes)}"/>'
 
 
 def _machine(p: Point, x: float, y: float, uy: float) -> str:
@@ -126,9 +160,10 @@ def _machine(p: Point, x: float, y: float, uy: float) -> str:
 
 def _fouling(d: Drawing, p: Point) -> str:
     """The fouling point: a cross between the legs, as far out as the layout's scale has no say in."""
-    if p.derailer:
+    mark = fouling_mark(d, p.id)
+    if mark is None:
         return ""
-    cx, cy = fouling_mark(d, p.id)
+    cx, cy = mark
     return f'<path class="foul" d="M{_n(cx - 2.5)} {_n(cy - 2.5)} l5 5 M{_n(cx - 2.5)} {_n(cy + 2.5)} l5 -5"/>'
 
 
@@ -222,4 +257,4 @@ def _text(t: Label) -> str:
     )
 
 
-__all__ = ["plan_svg"]
+__all__ = ["plan_body", "plan_svg"]

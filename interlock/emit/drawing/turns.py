@@ -85,6 +85,8 @@ def _port(plan: Plan, node: NodeId, edge: EdgeId) -> tuple[object, bool] | None:
     if point is not None:
         return (node, edge != point.toe)
     crossing = plan.layout.crossing_at.get(node)
+    if crossing is not None and node in plan.slips:
+        return (node, edge in (crossing.arms[0][1], crossing.arms[1][1]))
     if crossing is not None:
         return next(((node, k), edge == arm[1]) for k, arm in enumerate(crossing.arms) if edge in arm)
     return None

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field
 from functools import lru_cache
 from importlib import resources
 
@@ -17,12 +18,12 @@ from markupsafe import Markup
 from interlock.emit.bundle import digest_of
 from interlock.emit.tables.paper import SIGNED, title_block
 from interlock.model.layout import Layout
-from interlock.model.traversal import topology
+from interlock.model.traversal import Topology, topology
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 from interlock.table.matrix import beyond_matrix, matrix
 from interlock.table.national import SHEETS, national_sheets
 from interlock.table.printed import Printed, PrintedRoute, grouped, parts
-from interlock.table.rows import HostileClass, InterlockingTable, ProviderKind, RouteRow, TraversalKey
+from interlock.table.rows import Because, FlankCell, Hostility, InterlockingTable, ProviderKind, RouteRow, TraversalKey
 
 LARGE = 200  # routes: from here on hostile routes are counted in the table, and named when asked for
 
@@ -64,16 +65,8 @@ def report_html(
     m = named if named.routes else matrix(table)
     small = len(m.routes) <= 80
     mmt = m.m_mt() if small else ()
-    large, printed = len(table.routes) > LARGE, Printed(table)
-
-    def hostile_parts(way: PrintedRoute) -> list[tuple[RouteRow | None, str]]:
-        if large:
-            return [(r if way.several else None, f"{len(r.hostile)} routes") for r in way.rows if r.hostile]
-        told = [
-            (r, [x.name() for x in grouped(((h.route, None) for h in r.hostile), way.ways, r) if x.way is not way])
-            for r in way.rows
-        ]
-        return [(p.row, ", ".join(p.items)) for p in parts(told) if p.items]
+    large, printed, shared = len(table.routes) > LARGE, Printed(table), _Shared()
+    routes = _routes(layout, table, shared)
 
     return (
         environment()
@@ -85,7 +78,8 @@ def report_html(
             plan=plan,
             css=Markup(asset("report.css")),
             js=asset("report.js"),
-            data=script_json(_data(layout, table)),
+            place=shared.reason,
+            data=lambda: script_json({"routes": routes, **asdict(shared)}),
             title_block=lambda language: title_block(layout, table.layout_digest, language),
             signatures=SIGNED,
             has_forms=layout.profile in SHEETS,
@@ -100,7 +94,7 @@ def report_html(
             mmt=mmt,
             most=max((x for row in mmt for x in row), default=1),
             heat=_heat,
-            hostile_parts=hostile_parts,
+            hostile_parts=lambda way: _hostile_parts(way, large),
             beyond=beyond_matrix(table),
             forms=[f.printed() for f in national_sheets(layout, table)] if not large else [],
             kinds_of_routes=sorted({str(r.kind) for r in table.routes}),
@@ -110,6 +104,17 @@ def report_html(
     )
 
 
+def _hostile_parts(way: PrintedRoute, large: bool) -> list[tuple[RouteRow | None, str]]:
+    """The hostile routes of a row by name, or how many they are; of which route of the row, where there are several."""
+    if large:
+        return [(r if way.several else None, f"{len(r.hostile)} routes") for r in way.rows if r.hostile]
+    told = [
+        (r, [x.name() for x in grouped(((h.route, None) for h in r.hostile), way.ways, r) if x.way is not way])
+        for r in way.rows
+    ]
+    return [(p.row, ", ".join(p.items)) for p in parts(told) if p.items]
+
+
 def _heat(value: int, most: int) -> Markup:
     """The colour of a number in a matrix."""
     if not value:
@@ -117,39 +122,68 @@ def _heat(value: int, most: int) -> Markup:
     return Markup(' style="background:rgba(0,114,178,{:.2f})"').format(0.12 + 0.5 * value / max(1, most))
 
 
-def _data(layout: Layout, table: InterlockingTable) -> dict[str, object]:
+@dataclass
+class _Shared:
+    """What rows of the page share, each once; they tell the place in the list."""
+
+    reasons: list[str] = field(default_factory=list)
+    hows: list[list[str]] = field(default_factory=list)
+    """How routes are hostile: class and witness, with `{one}` and `{other}` as in `Hostility`."""
+    ways: list[list[str]] = field(default_factory=list)
+    """Ways through sections: the section, its edges on the plan, then `|` and its points."""
+    flanks: list[list[str]] = field(default_factory=list)
+    """Signals that protect a leg."""
+
+    def reason(self, because: Because) -> int:
+        """The place of a reason."""
+        return self._in("reasons", f"{because.rule}: {because.text}")
+
+    def flank(self, cell: FlankCell) -> int:
+        """The place of the signals that protect a leg."""
+        return self._in("flanks", [p.name for p in cell.providers if p.kind is ProviderKind.SIGNAL])
+
+    def way(self, key: TraversalKey, topo: Topology) -> int:
+        """The place of a way."""
+        t = topo.traversals[key[0]][key[1] - 1]
+        return self._in("ways", [key[0], *t.edges, "|", *(p for p, _ in t.points)])
+
+    def how(self, how: Hostility) -> int:
+        """The place of a manner of being hostile."""
+        return self._in("hows", [str(how.kind), how.witness])
+
+    def __post_init__(self) -> None:
+        self._places: dict[tuple[str, str], int] = {}
+
+    def _in(self, name: str, value: object) -> int:
+        shared = getattr(self, name)
+        at = self._places.setdefault((name, repr(value)), len(shared))
+        if at == len(shared):
+            shared.append(value)
+        return at
+
+
+def _routes(layout: Layout, table: InterlockingTable, shared: _Shared) -> list[dict[str, object]]:
     topo = topology(layout)
-    kinds = [str(k) for k in HostileClass]
-    large = len(table.routes) > LARGE
-
-    def edges(keys: Sequence[TraversalKey]) -> list[str]:
-        return [e for s, n in keys for e in topo.traversals[s][n - 1].edges]
-
-    def points(keys: Sequence[TraversalKey]) -> list[str]:
-        return [p for s, n in keys for p, _ in topo.traversals[s][n - 1].points]
-
-    index = {r.id: i for i, r in enumerate(table.routes)}
     line = {r.id: k for k, way in enumerate(Printed(table).all) for r in way.rows}
     routes = []
     for r in table.routes:
         providers = [p for c in r.flank for p in c.providers]
         machines = {p.name for p in providers if p.kind is ProviderKind.POINT}
-        ends = [str(p.id) for p in layout.points if p.id in machines or p.machine in machines]
-        over = r.overlap.ways if r.overlap is not None else ()
+        hostile: dict[int, list[int]] = {}
+        for h in r.hostile:
+            hostile.setdefault(shared.how(h.how), []).append(table.route[h.route].number - 1)
         routes.append(
             {
                 "id": r.id,
                 "row": line[r.id],
                 "kind": str(r.kind),
                 "entry": r.entry,
-                "sections": list(r.section_ids),
-                "edges": edges(r.traversals),
-                "overlap": edges(over),
-                "points": points((*r.traversals, *over)),
-                "flank_points": ends,
-                "flank_signals": [p.name for p in providers if p.kind is ProviderKind.SIGNAL],
-                "hostile": [[index[h.route], kinds.index(str(h.kind)), "" if large else h.witness] for h in r.hostile],
-                "words": f"{r.kind} route from {r.entry} to {r.exit} over {', '.join(r.section_ids)}",
+                "exit": r.exit,
+                "path": [shared.way(k, topo) for k in r.traversals],
+                "overlap": [shared.way(k, topo) for k in (r.overlap.ways if r.overlap is not None else ())],
+                "flank_points": [str(p.id) for p in layout.points if p.id in machines or p.machine in machines],
+                "flank": [shared.flank(c) for c in r.flank],
+                "hostile": sorted(hostile.items()),
             }
         )
-    return {"routes": routes, "kinds": kinds}
+    return routes

@@ -5,6 +5,16 @@ const why = document.getElementById("why");
 const ofRow = rows.map(() => []); // the routes of a row: one, or one for each of its overlaps
 data.routes.forEach((r, i) => ofRow[r.row].push(i));
 const byId = new Map(data.routes.map((r, i) => [r.id, i]));
+for (const r of data.routes) { // what is said once of each way, put together for the route
+  const ways = (which) => which.map((k) => data.ways[k]);
+  r.sections = ways(r.path).map((w) => w[0]);
+  r.edges = ways(r.path).flatMap((w) => w.slice(1, w.indexOf("|")));
+  r.points = ways([...r.path, ...r.overlap]).flatMap((w) => w.slice(w.indexOf("|") + 1));
+  r.over = ways(r.overlap).flatMap((w) => w.slice(1, w.indexOf("|")));
+  r.flank_signals = r.flank.flatMap((k) => data.flanks[k]);
+  r.words = `${r.kind} route from ${r.entry} to ${r.exit} over ${r.sections.join(", ")}`;
+  r.against = r.hostile.flatMap(([how, others]) => others.map((i) => [i, how])).sort((a, b) => a[0] - b[0]);
+}
 let chosen = -1;
 
 function lit(kind, ids, prefix) {
@@ -30,7 +40,7 @@ function choose(i, scroll) {
   if (i < 0) { say("Choose a route: its path, overlap and flank protection light up, and its hostile routes are marked."); return; }
   const r = data.routes[i];
   lit("lit-path", r.edges, "edge-");
-  lit("lit-overlap", r.overlap, "edge-");
+  lit("lit-overlap", r.over, "edge-");
   lit("lit-point", r.points, "point-");
   lit("lit-entry", [r.entry], "signal-");
   lit("lit-flank", r.flank_signals, "signal-");
@@ -39,13 +49,13 @@ function choose(i, scroll) {
   row.classList.add("chosen");
   row.setAttribute("aria-selected", "true");
   for (const b of row.querySelectorAll(`button.of[data-route="${i}"]`)) b.setAttribute("aria-pressed", "true");
-  for (const h of r.hostile) if (data.routes[h[0]].row !== r.row) rows[data.routes[h[0]].row].classList.add("hostile");
+  for (const [k] of r.against) if (data.routes[k].row !== r.row) rows[data.routes[k].row].classList.add("hostile");
   if (scroll) {
     const box = row.closest(".scroll");
     box.scrollTop = row.offsetTop - box.querySelector("thead").offsetHeight;
   }
   show(r.edges);
-  say(r.id + ": " + r.words + "; " + r.hostile.length + " hostile routes.");
+  say(r.id + ": " + r.words + "; " + r.against.length + " hostile routes.");
 }
 
 function say(text) { why.textContent = text; }
@@ -139,21 +149,30 @@ rows.forEach((row, i) => {
   });
 });
 document.addEventListener("keydown", (e) => { if (e.key === "Escape") choose(-1, false); });
-document.addEventListener("click", (e) => { if (!e.target.closest("button.why, #tip")) tell(null); });
+document.addEventListener("click", (e) => { if (!e.target.closest("button[data-why], button[data-hostile], #tip")) tell(null); });
 document.addEventListener("scroll", () => { if (told) place(told); }, true);
 document.getElementById("larger").addEventListener("click", () => resize((zoom || fit()) * 1.5));
 document.getElementById("smaller").addEventListener("click", () => resize((zoom || fit()) / 1.5));
 document.getElementById("fit").addEventListener("click", () => resize(0));
 addEventListener("resize", () => resize(zoom));
 addEventListener("hashchange", () => { if (linked() >= 0) choose(linked(), true); });
+function hostility(i, k, how) {
+  const [kind, witness] = data.hows[how], [one, other] = i < k ? [i, k] : [k, i];
+  const told = { "{one}": data.routes[one].id, "{other}": data.routes[other].id, "{{": "{", "}}": "}" };
+  return data.routes[k].id + " (" + kind + ": " + witness.replace(/{one}|{other}|{{|}}/g, (x) => told[x]) + ")";
+}
 document.getElementById("routes").addEventListener("click", (e) => {
-  const b = e.target.closest("button.why");
+  const b = e.target.closest("button[data-why], button[data-hostile]");
   if (!b) return;
   if (b.dataset.hostile !== undefined) {
-    const r = data.routes[+b.dataset.hostile];
-    say("Hostile to " + r.id + ": " + r.hostile.map((h) => data.routes[h[0]].id + " (" + data.kinds[h[1]] + (h[2] ? ": " + h[2] : "") + ")").join("; "));
-  } else say(b.title);
+    const i = +b.dataset.hostile;
+    say("Hostile to " + data.routes[i].id + ": " + data.routes[i].against.map(([k, how]) => hostility(i, k, how)).join("; "));
+  } else say(data.reasons[+b.dataset.why]);
   tell(b, why.textContent);
+});
+document.getElementById("routes").addEventListener("mouseover", (e) => {
+  const b = e.target.closest("button[data-why]");
+  if (b) b.title = data.reasons[+b.dataset.why];
 });
 for (const id of ["text", "kind", "over"]) document.getElementById(id).addEventListener("input", filter);
 document.getElementById("route").addEventListener("change", (e) => choose(byId.has(e.target.value) ? byId.get(e.target.value) : -1, true));

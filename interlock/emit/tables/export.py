@@ -4,36 +4,13 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from collections.abc import Iterator
-from dataclasses import asdict
 
-from interlock.model.layout import Layout
 from interlock.table.columns import COLUMNS, VOYAGE_COLUMNS
 from interlock.table.matrix import Matrix, beyond_matrix, matrix
 from interlock.table.national import Sheet
 from interlock.table.printed import Printed
-from interlock.table.rows import SCHEMA_VERSION, Hostile, InterlockingTable
-
-SCHEMA = f"interlock-table/{SCHEMA_VERSION}"
-
-TOPOLOGY = ("sections", "edges", "points", "crossings", "signals", "boundaries", "buffers", "devices")
-"""What a reader of the table needs of the layout: the graph in which its nodes, edges and sections are found."""
-
-
-def table_json(layout: Layout, table: InterlockingTable) -> str:
-    """Canonical JSON with a versioned schema (`schema.py`); every derived cell carries rule and text of its reason."""
-    topology = {kind: [asdict(x) for x in getattr(layout, kind)] for kind in TOPOLOGY}
-    body = {"schema": SCHEMA, **asdict(table), "topology": topology}
-    for row, r in zip(body["routes"], table.routes, strict=True):
-        row["hostile"] = [_pair(h) for h in r.hostile]
-    return json.dumps(body, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
-
-
-def _pair(h: Hostile) -> dict[str, object]:
-    """As `asdict`, which takes a minute for a million pairs."""
-    because = {"rule": h.because.rule, "text": h.because.text}
-    return {"route": h.route, "kind": h.kind, "kinds": h.kinds, "witness": h.witness, "because": because}
+from interlock.table.rows import InterlockingTable
 
 
 def table_csv(table: InterlockingTable) -> str:

@@ -7,8 +7,9 @@ requiredLevelCrossingState), conflictingRoute (refersToRoute, conflictsWithRoute
 
 from __future__ import annotations
 
-import json
+from collections.abc import Iterator
 
+from interlock.emit.tables.document import document
 from interlock.model.elements import DeviceKind, Position
 from interlock.model.layout import Layout
 from interlock.table.national.reading import Reading
@@ -20,21 +21,29 @@ IN = {Position.NORMAL: "normal", Position.REVERSE: "reverse"}
 def railml_json(layout: Layout, table: InterlockingTable) -> str:
     """Routes, their relations and conflicts."""
     x = Reading(layout, table)
-    body = {
-        "note": "element names of railML 3.2 interlocking; not a railML document",
+    head = {
+        "note": "element names of railML 3.2 interlocking; not a railML document. "
+        "conflictingRoutes has each pair once, with the route that comes first in routes",
         "layout": table.layout,
-        "routes": [_route(x, r) for r in table.routes],
-        "routeRelations": [_relation(x, r) for r in table.routes],
-        "conflictingRoutes": [
-            {
-                "refersToRoute": r.id,
-                "conflictsWithRoute": [h.route for h in r.hostile],
-                "reasonForConflict": [h.kind for h in r.hostile],
-            }
-            for r in table.routes
-        ],
     }
-    return json.dumps(body, indent=1, ensure_ascii=False) + "\n"
+    return document(
+        head,
+        {
+            "routes": [_route(x, r) for r in table.routes],
+            "routeRelations": [_relation(x, r) for r in table.routes],
+            "conflictingRoutes": [c for r in table.routes for c in _conflicts(table, r)],
+        },
+    )
+
+
+def _conflicts(table: InterlockingTable, r: RouteRow) -> Iterator[dict[str, object]]:
+    """The routes after this one that conflict with it, those together that do for one reason."""
+    found: dict[str, list[str]] = {}
+    for h in r.hostile:
+        if table.route[h.route].number > r.number:
+            found.setdefault(h.kind, []).append(h.route)
+    for kind, routes in found.items():
+        yield {"refersToRoute": r.id, "conflictsWithRoute": routes, "reasonForConflict": kind}
 
 
 def _route(x: Reading, r: RouteRow) -> dict[str, object]:
@@ -89,7 +98,7 @@ def _relation(x: Reading, r: RouteRow) -> dict[str, object]:
             }
             for c in r.foul
         ],
-        "requiredSignalAspect": [{"refersTo": g, "showsAspect": "closed"} for g in sorted(stops)],
+        "requiredSignalAspect": [{"refersTo": sorted(stops), "showsAspect": "closed"}] if stops else [],
         "requiredLevelCrossingState": [
             {"refersTo": p.machine, "inState": "closed"}
             for p in crossings

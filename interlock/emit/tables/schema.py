@@ -2,29 +2,77 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, get_type_hints
+from dataclasses import is_dataclass
+from types import UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_type_hints
 
-from pydantic import Field, create_model
+from pydantic import BaseModel, Field, create_model
 
-from interlock.emit.tables.export import SCHEMA, TOPOLOGY
+from interlock.emit.tables.document import CELLS, SCHEMA, TOPOLOGY
 from interlock.model.layout import Layout
-from interlock.table.rows import InterlockingTable
+from interlock.table.rows import Because, HostileRoutes, Hostility, InterlockingTable
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 
 def table_schema() -> dict[str, Any]:
     """The JSON Schema (2020-12) of table.json; every object has all of its keys, and no other."""
+    models = _Models()
     kinds, parts = get_type_hints(Layout), get_type_hints(InterlockingTable)
     topology = create_model("Topology", __doc__=TOPOLOGY_TEXT, **_required({k: kinds[k] for k in TOPOLOGY}))
+    cells = create_model("Cells", __doc__=CELLS_TEXT, **_required({c.__name__: list[models.of(c)] for c in CELLS}))  # type: ignore[misc]
+    shared = {
+        "hostilities": Annotated[list[models.of(Hostility)], Field(description=HOSTILITIES_TEXT)],  # type: ignore[misc]
+        "reasons": Annotated[list[models.of(Because)], Field(description=REASONS_TEXT)],  # type: ignore[misc]
+        "cells": cells,
+        "topology": topology,
+    }
     named: Any = {"schema_": (Literal[SCHEMA], Field(alias="schema"))}
-    table = create_model("Table", **named, **_required({**parts, "topology": topology}))
+    rows = {name: models.written(kind) for name, kind in parts.items()}
+    table = create_model("Table", **named, **_required(rows | shared))
     made = _closed(table.model_json_schema(mode="serialization"))
     about = "An interlocking table as interlock writes it: routes, the locks of which they are made, and the track."
     return {"$schema": DRAFT, **made, "title": SCHEMA, "description": about}
 
 
 TOPOLOGY_TEXT = "The track as a graph: edges, each within one section, meet at nodes; what stands at a node names it."
+CELLS_TEXT = "The cells of the table by kind, each once; rows tell the place of theirs, counted from 0."
+HOSTILITIES_TEXT = "The ways in which routes are hostile, each once; `hostile` of a route tells places, counted from 0."
+REASONS_TEXT = "Rules and reasons, each once; whatever has a reason tells its place, counted from 0, as `because`."
+
+
+class HostileGroup(BaseModel):
+    """Routes, by number, that are hostile in one way: `how` is its place in `hostilities`, counted from 0."""
+
+    how: Annotated[int, Field(ge=0)]
+    routes: list[Annotated[int, Field(ge=1)]]
+
+
+class _Models:
+    """Rows and cells as they are written: places for cells and reasons, and numbers for hostile routes."""
+
+    def __init__(self) -> None:
+        self._made: dict[type, type[BaseModel]] = {}
+
+    def of(self, kind: type) -> type[BaseModel]:
+        """The written form of a row or cell."""
+        if kind not in self._made:
+            hints = {name: self.written(hint) for name, hint in get_type_hints(kind).items()}
+            self._made[kind] = create_model(kind.__name__, __doc__=kind.__doc__, **_required(hints))
+        return self._made[kind]
+
+    def written(self, hint: Any) -> Any:
+        """The written form of a type."""
+        if hint is HostileRoutes:
+            return list[HostileGroup]
+        if hint is Because or hint in CELLS:
+            text = "place in `reasons`" if hint is Because else f"place in `{hint.__name__}` of `cells`"
+            return Annotated[int, Field(ge=0, description=text)]
+        if get_origin(hint) is tuple and get_args(hint)[-1] is ...:
+            return list[self.written(get_args(hint)[0])]  # type: ignore[misc]
+        if get_origin(hint) in (Union, UnionType):
+            return Union[tuple(map(self.written, get_args(hint)))]  # noqa: UP007
+        return self.of(hint) if is_dataclass(hint) and isinstance(hint, type) else hint
 
 
 def _required(kinds: dict[str, Any]) -> dict[str, Any]:

@@ -10,6 +10,8 @@ from collections.abc import Iterator
 
 from interlock.diag import Element, Span
 from interlock.frontend.context import Context
+from interlock.frontend.scalars import NAME
+from interlock.model.elements import EdgeId
 from interlock.model.layout import Layout
 
 SHORT_M, LONG_M = 5.0, 30_000.0
@@ -19,8 +21,7 @@ LEG_M = (2.0, 300.0)
 
 def check_lengths(ctx: Context, layout: Layout) -> None:
     """Report each length outside the usual range."""
-    del layout
-    for text, metres, (least, most), at, about in _stated(ctx):
+    for text, metres, (least, most), at, about in (*_stated(ctx), *_computed(ctx, layout)):
         if not least <= metres <= most:
             what = f"shorter than {least:g} m" if metres < least else f"longer than {_distance(most)}"
             ctx.add(
@@ -55,6 +56,23 @@ def _stated(ctx: Context) -> Iterator[tuple[str, float, tuple[float, float], Spa
                 stated = getattr(spec, key, None)
                 if stated is not None:
                     yield text, stated, LEG_M, ctx.at(room, name, key), Element(room, name)
+
+
+def _computed(ctx: Context, layout: Layout) -> Iterator[tuple[str, float, tuple[float, float], Span, Element]]:
+    """Lengths that follow from positions."""
+    f = ctx.file
+    ends = {*f.boundaries, *f.buffers, *f.traps}
+    for track, items in f.tracks.items():
+        count = 0
+        for i, item in enumerate(items):
+            words = item.split()
+            if len(words) == 1 and (words[0] in ends or not NAME.fullmatch(words[0])):
+                continue
+            if len(words) == 1:
+                metres = layout.edge[EdgeId(f"{track}.{count}")].length
+                at, about = ctx.at("tracks", track, i), Element("sections", words[0])
+                yield f"section {words[0]}", metres, (SHORT_M, LONG_M), at, about
+            count += 1
 
 
 def _distance(metres: float) -> str:

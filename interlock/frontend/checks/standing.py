@@ -1,4 +1,4 @@
-"""Tell the author which road is no berth for what lies over it, and where none is denied (R2).  IL3025, IL3028."""
+"""Tell the author which road is no berth for what lies over it, and where none is denied (R2).  IL3025, IL3031."""
 
 from __future__ import annotations
 
@@ -26,4 +26,4 @@ def check_standing(ctx: Context, layout: Layout) -> None:
         if s not in topo.standing:
             points = any(t.points or t.crossings for t in topo.traversals[s])
             why = "points lie in it" if points else "it can be left without a signal"
-            ctx.add("IL3028", f"{s} is no berth anyway: {why}", ctx.at("sections", s, "berth"), "remove `berth: no`")
+            ctx.add("IL3031", f"{s} is no berth anyway: {why}", ctx.at("sections", s, "berth"), "remove `berth: no`")

@@ -24,14 +24,14 @@ export class Plan {
       const path = by(`edge-${id}`);
       if (path) this.edge[id] = {path, metres: still.edges[id][0], forward: still.edges[id][1], length: path.getTotalLength()};
     }
-    this.lies = {};
-    for (const [m, one] of Object.entries(still.machines)) this.lies[m] = one.points.map(p => this.point(p)).filter(Boolean);
     this.keys = new Map();
     for (const s of Object.keys(still.sections)) this.key(`s:${s}`, by(`section-${s}`), `section ${s}`);
     for (const [m, one] of Object.entries(still.machines)) {
       if (one.device) this.key(`m:${m}`, by(`device-${m}`), `${one.kind} ${m}`);
       for (const p of one.points) this.key(`m:${m}`, by(`point-${p.id}`), `points ${m}`, 11);
     }
+    this.lies = {}; // after what is clicked: of a slip the legs chosen between lie beside the blades
+    for (const [m, one] of Object.entries(still.machines)) this.lies[m] = one.points.map(p => this.point(p)).filter(Boolean);
     for (const g of Object.keys(still.signals)) this.key(`g:${g}`, by(`signal-${g}`), `signal ${g}`, 9);
     for (const [b, one] of Object.entries(still.boundaries)) this.key(`b:${b}`, by(`boundary-${b}`), `boundary ${one.label}`, 12);
     for (const e of svg.querySelectorAll(".buffer")) this.key(`x:${e.id.slice(7)}`, e, `end of track ${e.id.slice(7)}`, 10);

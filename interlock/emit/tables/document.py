@@ -1,0 +1,142 @@
+"""table.json: every row of the table, and each thing that many rows share said once.
+
+Reasons, cells and the ways in which routes are hostile stand in lists of their own (`reasons`, `cells`, `hostilities`),
+and rows tell the place in the list, counted from 0.  Routes are named by id, in `hostile` by number.  A line is an item
+of a list, so that two tables can be compared line by line.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, field, fields
+from typing import Any
+
+from interlock.model.elements import RouteId
+from interlock.model.layout import Layout
+from interlock.table.rows import (
+    SCHEMA_VERSION,
+    ApproachCell,
+    AspectCell,
+    BarredCell,
+    Because,
+    BlockCell,
+    ClearCell,
+    ClosingCell,
+    ConditionCell,
+    Exclusion,
+    FlankCell,
+    FoulCell,
+    Hostile,
+    HostileRoutes,
+    Hostility,
+    InterlockingTable,
+    OverlapCell,
+    PointDemand,
+    ReleaseStep,
+    SpaceCell,
+    SpeedCell,
+    TokenCell,
+    ZoneCell,
+)
+
+SCHEMA = f"interlock-table/{SCHEMA_VERSION}"
+
+TOPOLOGY = ("sections", "edges", "points", "crossings", "signals", "boundaries", "buffers", "devices")
+"""What a reader of the table needs of the layout: the graph in which its nodes, edges and sections are found."""
+
+CELLS: tuple[type, ...] = (
+    PointDemand,
+    ClearCell,
+    FoulCell,
+    FlankCell,
+    SpaceCell,
+    Exclusion,
+    BarredCell,
+    ConditionCell,
+    ZoneCell,
+    BlockCell,
+    TokenCell,
+    OverlapCell,
+    AspectCell,
+    ApproachCell,
+    SpeedCell,
+    ClosingCell,
+    ReleaseStep,
+)
+"""What stands in `cells`, under these names; each tells rule and text of its reason."""
+
+
+def table_json(layout: Layout, table: InterlockingTable) -> str:
+    """Canonical JSON with a versioned schema (`schema.py`)."""
+    writer = _Writer({r.id: r.number for r in table.routes})
+    rows = {f.name: [writer.value(x) for x in getattr(table, f.name)] for f in fields(table) if f.name not in _HEAD}
+    head = {"schema": SCHEMA, **{name: getattr(table, name) for name in _HEAD}}
+    cells = {c.__name__: writer.cells[c] for c in CELLS}
+    topology = {kind: [asdict(x) for x in getattr(layout, kind)] for kind in TOPOLOGY}
+    shared = {"hostilities": writer.hostilities, "reasons": writer.reasons, "cells": cells, "topology": topology}
+    return document(head, rows | shared)
+
+
+_HEAD = ("layout", "layout_digest")
+
+
+def document(head: Mapping[str, str], lists: Mapping[str, Any]) -> str:
+    """A JSON object of texts, and of lists and mappings of lists: a line is an item of a list."""
+    parts = [*((name, _text(x)) for name, x in head.items()), *((name, _lines(x)) for name, x in lists.items())]
+    return "{" + ",\n".join(f'"{name}": {text}' for name, text in parts) + "}\n"
+
+
+def _lines(value: Mapping[str, Any] | Sequence[Any]) -> str:
+    if isinstance(value, Mapping):
+        return "{\n" + ",\n".join(f'"{name}": {_lines(x)}' for name, x in value.items()) + "}"
+    return "[\n" + ",\n".join(map(_text, value)) + "]" if value else "[]"
+
+
+def _text(value: object) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+
+
+@dataclass
+class _Writer:
+    """The lists of what rows share, as they are met."""
+
+    number: Mapping[RouteId, int]
+    reasons: list[Any] = field(default_factory=list)
+    hostilities: list[Any] = field(default_factory=list)
+    cells: dict[type, list[Any]] = field(default_factory=lambda: {c: [] for c in CELLS})
+    _place: dict[Any, int] = field(default_factory=dict)
+
+    def value(self, x: Any) -> Any:
+        """A value as it is written in a row."""
+        kind = type(x)
+        if kind is tuple:
+            return [self.value(v) for v in x]
+        if kind is HostileRoutes:
+            return self._hostile(x)
+        if kind is Because:
+            return self._in(self.reasons, x)
+        if kind in self.cells:
+            return self._in(self.cells[kind], x)
+        return self._fields(x) if hasattr(kind, "__dataclass_fields__") else x
+
+    def _fields(self, x: Any) -> dict[str, Any]:
+        return {f: self.value(getattr(x, f)) for f in x.__dataclass_fields__}
+
+    def _in(self, shared: list[Any], x: Any) -> int:
+        """The place of a value in the list of its kind."""
+        if x not in self._place:
+            written = self._fields(x)
+            self._place[x] = len(shared)
+            shared.append(written)
+        return self._place[x]
+
+    def _hostile(self, routes: HostileRoutes) -> list[dict[str, Any]]:
+        """Hostile routes by number, those together that are hostile in the same way."""
+        found: dict[Hostility, list[Hostile]] = {}
+        for h in routes:
+            found.setdefault(h.how, []).append(h)
+        return [
+            {"how": self._in(self.hostilities, how), "routes": [self.number[h.route] for h in those]}
+            for how, those in found.items()
+        ]
