@@ -82,9 +82,42 @@ SCL = [
 ]
 
 
-def classic(text: str) -> str:
-    """The same with the shorter names of STEP 7 classic."""
-    return text.replace("IL_fig2_2_W_main", "DB_W_main").replace('"IL_fig2_2_CYC"', '"DB_CYC"')
+CLASSIC = [
+    ('"IL_fig2_2_I".CLR_SA := "CLR_SA"', '"IL_fig2_2_I".CLR_SA := "CLR_SB"'),
+    ('"IL_fig2_2_I".CLR_SA := "CLR_SA"', '"IL_fig2_2_I".CLR_SA := CLR_SA'),
+    ('"IL_fig2_2_I".CLR_SA := "CLR_SA"', '"IL_fig2_2_I".CLR_SA := "IL_fig2_2_HMI".CLR_SA'),
+    ('"IL_fig2_2_I".CLR_SA := "CLR_SA"', '"IL_fig2_2_D".CLR_SA := "CLR_SA"'),
+    ('  "IL_fig2_2_I".CLR_SA := "CLR_SA";\n', ""),
+    ('REQ := "IL_fig2_2_HMI".REQ', 'REQ := "REQ"'),
+    ('"YN_P1" := "IL_fig2_2_Q".YN_P1', '"YN_P1" := "IL_fig2_2_Q".YR_P1'),
+    ('"YN_P1" := "IL_fig2_2_Q".YN_P1', '"YN_P1" := "DB_CYC".YN_P1'),
+    ('"YN_P1" := "IL_fig2_2_Q".YN_P1', '"YN_P1" := "IL_fig2_2_D".YN_P1'),
+    ('"YN_P1" := "IL_fig2_2_Q".YN_P1', '"IL_fig2_2_Q".YN_P1 := "YN_P1"'),
+    ('AND "DB_W_main".OK', ""),
+    ('  "IL_fig2_2_IN01"();\n  "IL_fig2_2"();\n', '  "IL_fig2_2"();\n  "IL_fig2_2_IN01"();\n'),
+    ('  "IL_fig2_2"();\n', '  "IL_fig2_2"();\n  "IL_fig2_2"();\n'),
+    ('  "IL_fig2_2"();\n', '  "IL_fig2_2_G01"();\n  "IL_fig2_2"();\n'),
+    ('  "IL_fig2_2"();\n', ""),
+    ('  "IL_fig2_2_OUT01"();\n', ""),
+    ('  "IL_fig2_2_B02"();', '  "IL_fig2_2_B03"();'),
+    ('  "IL_fig2_2_S01"();', ""),
+    ('  "IL_fig2_2_S01"();', '  "IL_fig2_2_D".VALID := TRUE;\n  "IL_fig2_2_S01"();'),
+    ('  "IL_fig2_2_S01"();', '  "IL_fig2_2_I".VALID := TRUE;\n  "IL_fig2_2_S01"();'),
+    ('  "IL_fig2_2_S01"();', '  "CLR_SA" := TRUE;\n  "IL_fig2_2_S01"();'),
+    ('  "IL_fig2_2_S01"();', '  IL_fig2_2_D.OCC_DP := TRUE;\n  "IL_fig2_2_S01"();'),
+    ("BLK_DP : BOOL := TRUE", "BLK_DP : BOOL := FALSE"),
+    ("  REQ : INT := 0;", "  REQ : BOOL := FALSE;"),
+    ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR_TEMP\n"),
+    ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR_TEMP\n  T_1 : BOOL;\n  T_1 : BOOL;\n"),
+    ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR\n  T_1 : BOOL;\n"),
+    ("END_FUNCTION\n", "  #x := TRUE;\nEND_FUNCTION\n"),
+    ("END_FUNCTION\n", "  // x\nEND_FUNCTION\n"),
+    ("END_FUNCTION\n", 'END_FUNCTION\nFUNCTION "other" : VOID\nBEGIN\nEND_FUNCTION\n'),
+    ("END_FUNCTION\n", "END_FUNCTION\nTYPE x\nEND_TYPE\n"),
+    ('  "IL_fig2_2_IO"();\n', ""),
+    ('  "IL_fig2_2_IO"();\n', '  "IL_fig2_2_IO"();\n  "IL_fig2_2_IO"();\n'),
+    ("HB AND ", "HB OR "),
+]
 
 
 CHANGES = {
@@ -100,18 +133,18 @@ CHANGES = {
     ],
     "scl1500": [(old.replace("HB AND ", "#HB AND "), new.replace("HB OR ", "#HB OR ")) for old, new in SCL],
     "scl300": [
-        *((classic(old), classic(new)) for old, new in SCL),
+        *CLASSIC,
         ('"IL_fig2_2_HMI".RESTART := TRUE', '"IL_fig2_2_HMI".RESTART := FALSE'),
         ('  "IL_fig2_2_HMI".RESTART := FALSE;', ""),
         ("RESTART : BOOL := TRUE", "RESTART : BOOL := FALSE"),
         ('"IL_fig2_2_WATCH"."DB_W_main"(', '"IL_fig2_2_CYCLE"."DB_W_main"('),
-        ("(RESTART := RESTART", "("),
+        ('(RESTART := "IL_fig2_2_HMI".RESTART', "("),
         ("    RUNS := FALSE;\n", ""),
         ('"CLR_SA","I 0.2"', '"CLR_SA","I 0.7"'),
         ('"CLR_SA","I 0.2"', '"CLR_SA","M 0.2"'),
-        ('"DB_W_main","DB 1","FB 14"', '"DB_W_main","DB 1","FB 15"'),
+        ('"DB_W_main","DB 5","FB 2"', '"DB_W_main","DB 5","FB 3"'),
         ('"TON","SFB 4","SFB 4"', '"TON","SFB 5","SFB 5"'),
-        ("I_T01 : ", "T01 : "),
+        ("  OCC_DP : BOOL;", "  T01 : BOOL;\n  OCC_DP : BOOL;"),
     ],
 }
 
@@ -185,7 +218,7 @@ def test_no_name_for_step_7_looks_like_an_address() -> None:
     names = set(re.findall(r"^ +(\w+) : ", text, re.MULTILINE))
     assert names and not [n for n in names if re.fullmatch(r"[TCZMIQEA]\d+", n)]
     table = files_of("scl300")["fig2_2.sdf"]
-    assert '"IL_fig2_2","FB 13","FB 13",""' in table and '"DB_IL_fig2_2","DB 3","FB 13",""' in table
+    assert '"IL_fig2_2","FC 8","FC 8",""' in table and '"DB_IL_fig2_2_T01","DB 4","FB 1",""' in table
     long = table.replace('"CLR_SA"', '"CLR_' + "A" * 21 + '"')
     assert "a symbol has 24" in str(wrong("scl300", {**files_of("scl300"), "fig2_2.sdf": long}))
 

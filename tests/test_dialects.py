@@ -286,13 +286,13 @@ def test_a_restart_that_forgets_something_is_refuted() -> None:
     files = write_st(controller, dialect, [])
     ((name, text),) = files.items()
     for old, new in (
-        ("      K_DP := TRUE;\n", ""),
-        ("      K_DP := TRUE;", "      K_DP := FALSE;"),
-        ("T_1 := NOT RESTART AND ", "T_1 := "),
+        ('    "IL_fig2_2_D".K_DP := TRUE;\n', ""),
+        ('    "IL_fig2_2_D".K_DP := TRUE;', '    "IL_fig2_2_D".K_DP := FALSE;'),
+        ('T_1 := NOT "IL_fig2_2_I".RESTART AND ', "T_1 := "),
+        ('    "IL_fig2_2_Q".YX_R1 := 0;\n', '    "IL_fig2_2_Q".YX_R1 := 1;\n'),
     ):
-        indented = old if old in text else old.replace("      ", "    ")
-        assert indented in text, old
-        changed = text.replace(indented, new if new.strip() else "", 1)
+        assert old in text, old
+        changed = text.replace(old, new, 1)
         assert not compare_dialect(controller, dialect, {name: changed}).proved, old
 
 

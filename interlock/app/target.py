@@ -17,7 +17,8 @@ DIALECT = "scl300"
 
 def estimated(layout: Layout, controller: Controller) -> Size:
     """What the text for an S7-300 takes, the mapping program included."""
-    return size_of(delivered(controller, allocate(layout, controller), BY_NAME[DIALECT], ()))
+    dialect = BY_NAME[DIALECT]
+    return size_of(dialect.form(delivered(controller, allocate(layout, controller), dialect, ())))
 
 
 def too_large(size: Size, target: Target) -> list[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from interlock.model.portable import readable
 from interlock.st.ast import (
+    HEADLINE,
     Assign,
     Block,
     Bool,
@@ -66,7 +67,7 @@ def print_block(b: Block, style: Style = IEC) -> list[str]:
 
 
 def _head(b: Block, style: Style) -> list[str]:
-    note = [comment(b.note[: MAX_COLUMNS - 10])] if b.note else []
+    note = [comment(b.note[:HEADLINE])] if b.note else []
     return [f"{b.kind} {style.block(b.name)}", *style.attributes, *note]
 
 

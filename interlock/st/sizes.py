@@ -1,7 +1,7 @@
 """How large a text becomes in an S7-300 or S7-400: an estimate, not measured on hardware.
 
 No compiler of these controllers was at hand.  The rule follows what their code looks like: a bit is read or written by
-one instruction of two words where its address lies in an instance's data; the rest is rounded up.
+one instruction of two words, and one in a data block by a word more, which opens it; the rest is rounded up.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from functools import cached_property
 
 from interlock.st.ast import (
     Assign,
-    Block,
     Bool,
     Call,
     Compare,
@@ -26,20 +25,23 @@ from interlock.st.ast import (
     Unit,
 )
 
-OPERAND, BRACKETS, CALL, HEAD, TIMER = 4, 4, 24, 36, 22
+OPERAND, MEMBER, BRACKETS, CALL, HEAD, TIMER, JUMP = 4, 6, 4, 24, 36, 22, 4
 RULE = (
-    f"{OPERAND} bytes for each bit that is read or written, {2 * OPERAND} for a parameter, {BRACKETS} for brackets, "
+    f"{OPERAND} bytes for each bit of a block's own or of a terminal that is read or written, {MEMBER} for one in a "
+    f"data block, {OPERAND} more for a parameter or a time, {BRACKETS} for brackets, {2 * JUMP} for a condition of IF, "
     f"{CALL} for a call, {HEAD} for the head of a block; of data a bit for each BOOL, 2 bytes for an INT, {TIMER} for "
     "a timer"
 )
-SOURCE = "our assumption: a bit instruction on instance data has two words, as in the instruction list of the S7-300"
+SOURCE = (
+    "our assumption: a bit instruction has two words, as in the instruction list of the S7-300, and one more opens the "
+    "data block, as industrialmonitordirect.com has it of S7-300/400 data block access"
+)
 CAVEAT = "estimated, not measured on hardware"
 
 
 @dataclass(frozen=True)
 class Size:
-    """What a unit takes: bytes of each block's code, and of the data blocks that hold instances and the operator's
-    variables."""
+    """What a unit takes: bytes of each block's code, and of the data blocks."""
 
     code: Mapping[str, int]
     data: Mapping[str, int]
@@ -57,30 +59,34 @@ class Size:
 
 
 def size_of(unit: Unit) -> Size:
-    """The size of an interlocking with its mapping program."""
+    """The size of an interlocking with its mapping program whose variables lie in data blocks."""
     blocks = {b.name: b for b in unit.blocks if b.kind == "FUNCTION_BLOCK"}
-    code = {b.name: HEAD + sum(map(_statement, b.body)) for b in unit.blocks}
+    code = {
+        b.name: HEAD + sum(map(_statement, b.body)) for b in unit.blocks if b.kind in ("FUNCTION", "FUNCTION_BLOCK")
+    }
     data: dict[str, int] = {}
-    for program in unit.blocks:
-        if program.kind == "PROGRAM":
-            held = [d for d in program.locals if d.type in ("BOOL", "INT") and not d.address]
-            data["the operator's place"] = HEAD + _held(held, blocks)
-            for d in program.locals:
-                if d.type in blocks:
-                    data[d.name] = HEAD + _data(blocks[d.type], blocks)
+    for b in unit.blocks:
+        if b.kind == "DATA_BLOCK":
+            data[b.name] = HEAD + _held(b.locals)
+        elif b.kind == "INSTANCE":
+            of = blocks[b.locals[0].type]
+            data[b.name] = HEAD + sum(_held(part) for part in (of.inputs, of.outputs, of.locals))
     return Size(code, data)
 
 
 def _statement(s: Statement) -> int:
     if isinstance(s, Assign):
-        return _read(s.value) + OPERAND
+        return _read(s.value) + _read(s.target)
     if isinstance(s, Call):
         return CALL + sum(_read(x) + OPERAND for _, x in s.params)
-    return _read(s.condition) + OPERAND + sum(map(_statement, (*s.then, *s.otherwise)))
+    arms = sum(_read(c) + 2 * JUMP + sum(map(_statement, then)) for c, then in s.arms)
+    return arms + sum(map(_statement, s.otherwise))
 
 
 def _read(x: Expression) -> int:
-    if isinstance(x, Name | Bool | Int | Time):
+    if isinstance(x, Name):
+        return OPERAND if len(x.parts) == 1 else MEMBER
+    if isinstance(x, Bool | Int | Time):
         return 2 * OPERAND if isinstance(x, Time) else OPERAND
     if isinstance(x, Not):
         return _read(x.arg) + (0 if isinstance(x.arg, Name) else BRACKETS)
@@ -89,16 +95,10 @@ def _read(x: Expression) -> int:
     return sum(_read(a) + (0 if isinstance(a, Name | Not) else BRACKETS) for a in x.args)
 
 
-def _data(b: Block, blocks: Mapping[str, Block]) -> int:
-    """Bytes of an instance: inputs, outputs and variables each begin at a word."""
-    return sum(_held(part, blocks) for part in (b.inputs, b.outputs, b.locals))
-
-
-def _held(part: Sequence[Declaration], blocks: Mapping[str, Block]) -> int:
+def _held(part: Sequence[Declaration]) -> int:
+    """Bytes of variables: inputs, outputs and others each begin at a word."""
     bits = sum(d.type == "BOOL" for d in part)
-    words = 2 * sum(d.type == "INT" for d in part) + 2 * -(-bits // 16)
-    timers = TIMER * sum(d.type == "TON" for d in part)
-    return words + timers + sum(_data(blocks[d.type], blocks) for d in part if d.type in blocks)
+    return 2 * sum(d.type == "INT" for d in part) + 2 * -(-bits // 16) + TIMER * sum(d.type == "TON" for d in part)
 
 
 __all__ = ["CAVEAT", "RULE", "SOURCE", "Size", "size_of"]

@@ -92,7 +92,7 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
         words=words(controller),
     )
     run: Execution[Term] = Execution(unit, algebra)
-    holders = _holders(run)
+    holders = _holders(controller, run)
     base = {n: values[n] for n, values in holders.items()}
     _forget(run.main)
     for s in controller.state:
@@ -101,7 +101,7 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
     if restart:
         inputs[RESTART] = TRUE if restarting else FALSE
     outputs = run.scan(inputs)
-    after = {n: values[n] for n, values in _holders(run).items()}
+    after = {n: values[n] for n, values in _holders(controller, run).items()}
     said: dict[str, Term] = {n: outputs.pop(n) for n in controller.words.routes.values() if n in outputs}
     return Scan(base, after, outputs, dict(algebra.timers), said)
 
@@ -165,9 +165,10 @@ def _restarted(controller: Controller, unit: Unit, found: Translation) -> Transl
     return Translation(found.compared + len(initial), (*found.differences, *wrong))
 
 
-def _holders(run: Execution[Term]) -> dict[str, dict[str, Term]]:
-    """For each state variable, the variables of the block that keeps it."""
-    out: dict[str, dict[str, Term]] = {}
+def _holders(controller: Controller, run: Execution[Term]) -> dict[str, dict[str, Term]]:
+    """For each state variable, the variables of the block that keeps it: one for state, or the one for everything."""
+    own = {d.name for d in run.main.block.locals}
+    out: dict[str, dict[str, Term]] = {s.name: run.main.values for s in controller.state if s.name in own}
     for inst in run.main.inner.values():
         out |= {n: inst.values for n in inst.block.output_names if f"N_{n}" in inst.values}
     return out

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
+from interlock.logic.order import by_place, together
 from interlock.st.ast import Unit
 from interlock.st.dialects import iec, plcopen, scl300, scl1500, twincat
 from interlock.st.dialects.dialect import Dialect, Files, Unsupported
+from interlock.st.index import index
 from interlock.st.lower import lower_st
 from interlock.st.program import io_program, joined
 from interlock.st.restart import with_restart
@@ -43,7 +46,9 @@ def delivered(controller: Controller, allocation: Allocation, dialect: Dialect, 
 
 
 def _core(controller: Controller, dialect: Dialect, header: Sequence[str]) -> Unit:
-    unit = lower_st(controller, header, dialect.rows)
+    unit = lower_st(controller, header, dialect.rows, together if dialect.places else by_place)
+    if dialect.places:
+        unit = replace(unit, index=index(controller, unit))
     return with_restart(unit) if dialect.restart else unit
 
 
