@@ -75,14 +75,14 @@ def compare_unit(controller: Controller, unit: Unit, restart: bool, query_ms: in
 class Scan:
     """What a text computes in one scan from its initial state variables by name.
 
-    words: those of the routes; None for a text that is written without them, which is C.
+    words: those of the routes.
     """
 
     base: dict[str, Term]
     after: dict[str, Term]
     outputs: dict[str, Term]
     timers: dict[str, tuple[Expr, int]]
-    words: Mapping[str, Term] | None
+    words: Mapping[str, Term]
 
 
 def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting: bool = False) -> Scan:
@@ -157,7 +157,7 @@ def _restarted(controller: Controller, unit: Unit, found: Translation) -> Transl
         if scan.outputs.get(o.name) is not start(o.expr):
             wrong.append(Difference(o.name, "RESTART does not make it restrictive"))
     for n in controller.words.routes.values():
-        if (scan.words or {}).get(n) != Constant(UNKNOWN):
+        if scan.words.get(n) != Constant(UNKNOWN):
             wrong.append(Difference(n, "RESTART does not make it say that nothing is known"))
     for t in controller.timers:
         if scan.timers.get(t.name, (TRUE, 0))[0] is not FALSE:
@@ -204,8 +204,7 @@ def compare_scan(controller: Controller, scan: Scan, query_ms: int) -> Translati
         else:
             pairs.append((t.name, got[0], var(t.input)))
     wrong.extend(Difference(n, "a timer that the controller lacks") for n in by_name)
-    if scan.words is not None:
-        pairs.extend(_words(controller, scan.words, wrong))
+    pairs.extend(_words(controller, scan.words, wrong))
     if other := [(n, a, b) for n, a, b in pairs if a is not b]:
         wrong.extend(_different(controller, other, query_ms))
     return Translation(len(pairs) + len(controller.state), tuple(wrong))

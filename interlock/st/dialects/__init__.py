@@ -29,7 +29,7 @@ BY_NAME = {d.name: d for d in DIALECTS}
 
 def write_st(controller: Controller, dialect: Dialect, header: Sequence[str]) -> dict[str, str]:
     """The files of a controller in a dialect."""
-    return dialect.write(_core(controller, dialect, header))
+    return dialect.write(core(controller, dialect, header))
 
 
 def write_delivery(
@@ -42,14 +42,15 @@ def write_delivery(
 def delivered(controller: Controller, allocation: Allocation, dialect: Dialect, header: Sequence[str]) -> Unit:
     """The interlocking of a dialect with its mapping program, as a tree."""
     io = io_program(controller, allocation, header, dialect.runs, dialect.restart)
-    return joined(_core(controller, dialect, header), io)
+    return joined(core(controller, dialect, header), io)
 
 
-def _core(controller: Controller, dialect: Dialect, header: Sequence[str]) -> Unit:
+def core(controller: Controller, dialect: Dialect, header: Sequence[str]) -> Unit:
+    """The interlocking of a dialect as a tree of function blocks."""
     unit = lower_st(controller, header, dialect.rows, together if dialect.places else by_place)
     if dialect.places:
         unit = replace(unit, index=index(controller, unit))
     return with_restart(unit) if dialect.restart else unit
 
 
-__all__ = ["BY_NAME", "DIALECTS", "Dialect", "Files", "Unsupported", "delivered", "write_delivery", "write_st"]
+__all__ = ["BY_NAME", "DIALECTS", "Dialect", "Files", "Unsupported", "core", "delivered", "write_delivery", "write_st"]
