@@ -51,6 +51,7 @@ READ = {
     "st/parser.py": "Structured Text",
     "emit/report/player.py": "pictures",
     "emit/bundle.py": "names of files",
+    "emit/report/page.py": "names of files",
     "emit/io/lists.py": "elements of which a word speaks",
     "emit/tables/paper.py": "cells of printed tables",
 }

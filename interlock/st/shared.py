@@ -275,12 +275,29 @@ def _names(x: Expression) -> Iterator[Name]:
         assert isinstance(x, Bool | Int | Time)
 
 
-def _written(s: Statement) -> Iterator[Name]:
+def writes(s: Statement) -> Iterator[Name]:
+    """Every name that a statement writes."""
     if isinstance(s, Assign):
         yield s.target
     elif isinstance(s, If):
         for t in (*(t for _, then in s.arms for t in then), *s.otherwise):
-            yield from _written(t)
+            yield from writes(t)
+
+
+def reads(s: Statement) -> Iterator[Name]:
+    """Every name that a statement reads; what a call only hands on, as a parameter of the same name, is not read."""
+    if isinstance(s, Assign):
+        yield from _names(s.value)
+    elif isinstance(s, Call):
+        for n, x in s.params:
+            yield from (y for y in _names(x) if y.parts[-1] != n)
+    else:
+        for c, then in s.arms:
+            yield from _names(c)
+            for t in then:
+                yield from reads(t)
+        for t in s.otherwise:
+            yield from reads(t)
 
 
 class _Walk:
@@ -359,7 +376,7 @@ class _Core(_Walk):
             else:
                 made = _put(s, put)
                 given = {d.name for d in self.inputs}
-                if wrong := [str(n) for n in _written(made) if str(n) in given]:
+                if wrong := [str(n) for n in writes(made) if str(n) in given]:
                     raise NotInSubset(f"{b.name} writes {wrong[0]}, which is an input")
                 self.body.append(made)
 
@@ -411,7 +428,7 @@ class _Program(_Walk):
                 self.once(s.instance)
                 self.body.append(_put(replace(s, instance=s.instance.removeprefix("DB_")), self._name))
             else:
-                if any(len(n.parts) == 2 and n.parts[0] != self.main + OPERATOR for n in _written(s)):
+                if any(len(n.parts) == 2 and n.parts[0] != self.main + OPERATOR for n in writes(s)):
                     raise NotInSubset(f"{b.name} writes what is not the operator's")
                 self.body.append(_put(s, self._name))
 
@@ -426,6 +443,3 @@ class _Program(_Walk):
         if first in self.instances:
             return Name((first.removeprefix("DB_"), last))
         raise NotInSubset(f"{n} is not declared")
-
-
-__all__ = ["INNER", "INPUTS", "OPERATOR", "OUTPUTS", "Frame", "flat", "frame", "names_in", "renamed", "shared"]
