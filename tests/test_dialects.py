@@ -168,7 +168,14 @@ def test_edits_of_any_dialect_are_refuted_unless_they_change_nothing() -> None:
 
 def test_a_dialect_is_not_read_as_another() -> None:
     _, _, controller = built("fig2_2")
-    for a, b in (("iec", "scl1500"), ("scl1500", "scl300"), ("codesys", "plcopen"), ("iec", "twincat")):
+    for a, b in (
+        ("iec", "scl1500"),
+        ("scl1500", "scl300"),
+        ("scl300", "awl"),
+        ("awl", "scl300"),
+        ("codesys", "plcopen"),
+        ("iec", "twincat"),
+    ):
         files = write_st(controller, BY_NAME[a], [])
         with pytest.raises((NotInSubset, ValueError)):
             BY_NAME[b].read(files)

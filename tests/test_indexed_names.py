@@ -40,6 +40,7 @@ READ = {
     "st/dialects/strict.py": "rules of XML",
     "st/dialects/twincat.py": "printed texts",
     "st/dialects/siemens.py": "names of blocks and files, printed texts",
+    "st/dialects/awl.py": "printed texts",
     "st/dialects/classic.py": "names of blocks and files",
     "st/dialects/scl300.py": "printed texts",
     "st/shared.py": "names of blocks",

@@ -93,6 +93,11 @@ def body(b: Block, style: Style = IEC) -> list[str]:
     return [line for s in b.body for line in _Body(style).statement(s, "  ")]
 
 
+def print_expression(x: Expression) -> str:
+    """An expression as the portable text has it."""
+    return _Body(IEC).expression(x, 0)
+
+
 def _declaration(d: Declaration, style: Style) -> str:
     if d.type == "BOOL" and d.initial is None and not d.address:
         return _noted(f"  {d.name} : BOOL;", d.note)

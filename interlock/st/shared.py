@@ -48,9 +48,10 @@ PLAIN = ("BOOL", "INT", "TON")
 
 @dataclass(frozen=True)
 class Frame:
-    """By name what is data block, instance (with its block) and function in a unit of this form."""
+    """By name what is data block, number in one, instance (with its block) and function in a unit of this form."""
 
     data: frozenset[str]
+    numbers: frozenset[tuple[str, str]]
     instances: Mapping[str, str]
     functions: frozenset[str]
 
@@ -59,6 +60,7 @@ def frame(blocks: Sequence[Block]) -> Frame:
     """What the blocks are."""
     return Frame(
         frozenset(b.name for b in blocks if b.kind == "DATA_BLOCK"),
+        frozenset((b.name, d.name) for b in blocks if b.kind == "DATA_BLOCK" for d in b.locals if d.type == "INT"),
         {b.name: b.locals[0].type for b in blocks if b.kind == "INSTANCE"},
         frozenset(b.name for b in blocks if b.kind == "FUNCTION"),
     )
