@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from interlock.app.compile import compile_file
-from interlock.app.target import too_large
+from interlock.app.target import estimated, target_notes, too_large
 from interlock.diag import Diagnostic, Sink
 from interlock.frontend import load_text
 from interlock.model.layout import Layout
@@ -16,7 +16,7 @@ from interlock.st.parser import parse_unit
 from interlock.st.shared import shared
 from interlock.st.sizes import CALL, HEAD, JUMP, MEMBER, OPERAND, Size, size_of
 from tests.campaigns.targets import PAGE, head, row
-from tests.layouts import SHIPPED
+from tests.layouts import SHIPPED, built
 
 TEXT = Path("layouts/fig2_2.yaml").read_text("utf-8")
 
@@ -92,6 +92,23 @@ def test_what_does_not_suffice_is_told_limit_by_limit() -> None:
         "data of I of 200 bytes, where 199 are allowed",
         "350 bytes of memory of 349",
     ]
+
+
+def test_an_s7_1500_has_memory_for_data_apart() -> None:
+    size = Size({"A": 100, "B": 50}, {"I": 200})
+    assert too_large(size, Target("t", memory_bytes=150, data_bytes=200)) == []
+    assert too_large(size, Target("t", memory_bytes=149, data_bytes=199)) == [
+        "150 bytes of code of 149",
+        "200 bytes of data of 199",
+    ]
+    layout, _, controller = built("fig2_2")
+    own, other = estimated(layout, controller, True), estimated(layout, controller)
+    assert sum(own.code.values()) > 3 * sum(other.code.values()) and own.largest[0] == "IL_fig2_2"
+    sink = Sink()
+    made, source = load_text("fig2_2.yaml", f"{TEXT}\ntarget: {{cpu: s7-1510sp-1pn}}\n", sink)
+    assert made is not None
+    (told,) = target_notes(made, controller, source)
+    assert told.code == "IL5010" and "scl1500: " in told.message and "four times the work memory" in told.fix
 
 
 @pytest.mark.parametrize(("target", "code"), [("{cpu: s7-313}", "IL5010"), ("{memory_kb: 1}", "IL5009")])
