@@ -25,7 +25,7 @@ from interlock.logic.controller import Controller
 from interlock.logic.lower import lower
 from interlock.proof.equivalence.python_text import compare_runtime
 from interlock.proof.equivalence.structured_text import compare_dialect
-from interlock.st.dialects import BY_NAME, DIALECTS, write_st
+from interlock.st.dialects import BY_NAME, DIALECTS, core, write_st
 from interlock.st.lint import lint, rows_of
 from interlock.st.lower import lower_st
 
@@ -51,20 +51,25 @@ def dialects() -> None:
         controller = lower(checked.layout, checked.table)
         for d in DIALECTS:
             files = write_st(controller, d, ["interlock"])
-            unit = lower_st(controller, ["interlock"], d.rows)
-            verdict = "PROVED" if compare_dialect(controller, d, files).proved and not lint(unit) else "NO"
+            unit = core(controller, d, ["interlock"])
+            *blocks, main = [b for b in d.form(unit).blocks if b.body]
+            verdict = (
+                "PROVED"
+                if compare_dialect(controller, d, files).proved and not lint(lower_st(controller, [], d.rows))
+                else "NO"
+            )
             lines = sum(t.count("\n") for t in files.values())
-            largest = max(rows_of(b) for b in unit.blocks[:-1])
+            largest = max(map(rows_of, blocks))
             print(
-                f"| {path.stem} | {len(checked.table.routes)} | {d.name} | {len(files)} | {lines} | {len(unit.blocks)} "
-                f"| {largest} rows | {rows_of(unit.blocks[-1])} rows | {verdict} |"
+                f"| {path.stem} | {len(checked.table.routes)} | {d.name} | {len(files)} | {lines} | {len(blocks) + 1} "
+                f"| {largest} rows | {rows_of(main)} rows | {verdict} |"
             )
 
 
 def scans(tracks: int = 36, count: int = 400) -> None:
     """The time of a scan of the runtime."""
     routes, controller = large(tracks)
-    scan = runtime_scan(runtime_py(controller, []))
+    scan = runtime_scan(runtime_py(controller, [])).scan
     rng = random.Random(1)
     times = []
     for _ in range(count):

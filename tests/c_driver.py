@@ -65,6 +65,11 @@ int main(void)
     {{
       putchar(*{p}_state_bits[i].bit ? 1 : 0);
     }}
+    for (i = 0u; i < COUNT({p}_routes); i++)
+    {{
+      putchar(*{p}_routes[i].word % 256);
+      putchar(*{p}_routes[i].word / 256);
+    }}
   }}
   return 0;
 }}
@@ -96,6 +101,8 @@ class Pair:
         self.given += bytes(int(inputs[i.name]) for i in c.inputs if not i.size)
         self.given += b"".join(struct.pack("<h", inputs[i.name]) for i in c.inputs if i.size)
         self.told += bytes(outputs[o.name] for o in c.outputs) + bytes(self.one.state[s.name] for s in c.state)
+        words = self.one.words()
+        self.told += b"".join(struct.pack("<h", words[number]) for number in self.names["ROUTES"].values())
         self.scans += 1
         self.stalls += dt_ms > self.cycle_max_ms
         return outputs
@@ -131,5 +138,5 @@ def built_by_gcc(controller: Controller, files: Mapping[str, str], folder: Path)
 
 
 def answers(program: Path, given: bytes) -> bytes:
-    """Outputs and state after each scan."""
+    """Outputs, state and the words of routes after each scan."""
     return subprocess.run([str(program)], input=given, capture_output=True, check=True, timeout=300).stdout

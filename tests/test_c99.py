@@ -136,6 +136,36 @@ CHANGES: list[tuple[str, str | Callable[[re.Match[str]], str]]] = [
 ]
 
 
+SAID: list[tuple[str, str]] = [
+    (r"IL_fig2_2_said\.YX_R1 = 10001;", "IL_fig2_2_said.YX_R1 = 10002;"),
+    (r"IL_fig2_2_said\.YX_R1 = 10001;", "IL_fig2_2_said.YX_R1 = 40001;"),
+    (r"IL_fig2_2_said\.YX_R1 = 10001;", "IL_fig2_2_said.YX_R1 = 010001;"),
+    (r"IL_fig2_2_said\.YX_R1 = 10001;", "IL_fig2_2_said.YX_R2 = 10001;"),
+    (r"IL_fig2_2_said\.YX_R1 = 10001;", "now.K_DP = true;"),
+    (r"IL_fig2_2_said\.YX_R1 = 10001;", "IL_fig2_2_said.YX_R1 = 10001;\n    now.K_DP = true;"),
+    (r"  else if \(.*\)\n  \{\n    IL_fig2_2_said\.YX_R1 = 10001;.*\n  \}\n", ""),
+    (r"  else\n  \{\n    IL_fig2_2_said\.YX_R1 = \S+;.*\n  \}\n", ""),
+    (r"= reason\.(\w+);", "= reason.XW_R2;"),
+    (r"  IL_fig2_2_said\.YX_R1 = 0;\n", ""),
+    (r"  IL_fig2_2_said\.YX_R1 = 0;\n", "  IL_fig2_2_said.YX_R1 = 1;\n"),
+    (r"  words_001\(\);\n", ""),
+    (r"(  words_001\(\);\n)(.*)(  now = next;\n)", r"\2\3\1"),
+    (r"&IL_fig2_2_said\.YX_R1", "&IL_fig2_2_said.YX_R2"),
+    (r"(  int16_t) YX_R1;", r"\1 YX_R9;"),
+    (r"static IL_fig2_2_reasons reason;", "static IL_fig2_2_words reason;"),
+    (r"= now\.", "= reason."),
+]
+
+
+@pytest.mark.parametrize(("old", "new"), SAID)
+def test_a_c_file_that_says_something_else_of_a_route_is_refuted(old: str, new: str) -> None:
+    _, _, controller = built("fig2_2")
+    files = runtime_c(controller, [])
+    (name,) = [n for n, text in files.items() if re.search(old, text)]
+    changed = re.sub(old, new, files[name], count=1)
+    assert changed != files[name] and not compare_c(controller, {**files, name: changed}).proved
+
+
 @pytest.mark.parametrize(("old", "new"), CHANGES)
 def test_a_changed_c_file_is_refuted(old: str, new: str | Callable[[re.Match[str]], str]) -> None:
     controller, files = smallest()
@@ -198,7 +228,7 @@ def test_what_the_preprocessor_might_take_otherwise_is_refused() -> None:
 def test_compiled_by_gcc_it_answers_as_the_python_runtime_in_every_scan(
     name: str, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
-    """Trains, stalled cycles, lost inputs, power cuts; outputs and state; without a warning."""
+    """Trains, stalled cycles, lost inputs, power cuts; outputs, state and words of routes; without a warning."""
     layout, table, controller = built(name)
     files = runtime_c(controller, ["made for a test"])
     assert compare_c(controller, files).proved

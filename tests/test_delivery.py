@@ -82,9 +82,88 @@ SCL = [
 ]
 
 
-def classic(text: str) -> str:
-    """The same with the shorter names of STEP 7 classic."""
-    return text.replace("IL_fig2_2_W_main", "DB_W_main").replace('"IL_fig2_2_CYC"', '"DB_CYC"')
+CLASSIC = [
+    ('"IL_fig2_2_I".CLR_SA := "CLR_SA"', '"IL_fig2_2_I".CLR_SA := "CLR_SB"'),
+    ('"IL_fig2_2_I".CLR_SA := "CLR_SA"', '"IL_fig2_2_I".CLR_SA := CLR_SA'),
+    ('"IL_fig2_2_I".CLR_SA := "CLR_SA"', '"IL_fig2_2_I".CLR_SA := "IL_fig2_2_HMI".CLR_SA'),
+    ('"IL_fig2_2_I".CLR_SA := "CLR_SA"', '"IL_fig2_2_D".CLR_SA := "CLR_SA"'),
+    ('  "IL_fig2_2_I".CLR_SA := "CLR_SA";\n', ""),
+    ('REQ := "IL_fig2_2_HMI".REQ', 'REQ := "REQ"'),
+    ('"YN_P1" := "IL_fig2_2_Q".YN_P1', '"YN_P1" := "IL_fig2_2_Q".YR_P1'),
+    ('"YN_P1" := "IL_fig2_2_Q".YN_P1', '"YN_P1" := "DB_CYC".YN_P1'),
+    ('"YN_P1" := "IL_fig2_2_Q".YN_P1', '"YN_P1" := "IL_fig2_2_D".YN_P1'),
+    ('"YN_P1" := "IL_fig2_2_Q".YN_P1', '"IL_fig2_2_Q".YN_P1 := "YN_P1"'),
+    ('AND "DB_W_main".OK', ""),
+    ('  "IL_fig2_2_IN01"();\n  "IL_fig2_2"();\n', '  "IL_fig2_2"();\n  "IL_fig2_2_IN01"();\n'),
+    ('  "IL_fig2_2"();\n', '  "IL_fig2_2"();\n  "IL_fig2_2"();\n'),
+    ('  "IL_fig2_2"();\n', '  "IL_fig2_2_G01"();\n  "IL_fig2_2"();\n'),
+    ('  "IL_fig2_2"();\n', ""),
+    ('  "IL_fig2_2_OUT01"();\n', ""),
+    ('  "IL_fig2_2_B02"();', '  "IL_fig2_2_B03"();'),
+    ('  "IL_fig2_2_S01"();', ""),
+    ('  "IL_fig2_2_S01"();', '  "IL_fig2_2_D".VALID := TRUE;\n  "IL_fig2_2_S01"();'),
+    ('  "IL_fig2_2_S01"();', '  "IL_fig2_2_I".VALID := TRUE;\n  "IL_fig2_2_S01"();'),
+    ('  "IL_fig2_2_S01"();', '  "CLR_SA" := TRUE;\n  "IL_fig2_2_S01"();'),
+    ('  "IL_fig2_2_S01"();', '  IL_fig2_2_D.OCC_DP := TRUE;\n  "IL_fig2_2_S01"();'),
+    ("BLK_DP : BOOL := TRUE", "BLK_DP : BOOL := FALSE"),
+    ("  REQ : INT := 0;", "  REQ : BOOL := FALSE;"),
+    ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR_TEMP\n"),
+    ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR_TEMP\n  T_1 : BOOL;\n  T_1 : BOOL;\n"),
+    ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR\n  T_1 : BOOL;\n"),
+    ("END_FUNCTION\n", "  #x := TRUE;\nEND_FUNCTION\n"),
+    ("END_FUNCTION\n", "  // x\nEND_FUNCTION\n"),
+    ("END_FUNCTION\n", 'END_FUNCTION\nFUNCTION "other" : VOID\nBEGIN\nEND_FUNCTION\n'),
+    ("END_FUNCTION\n", "END_FUNCTION\nTYPE x\nEND_TYPE\n"),
+    ('  "IL_fig2_2_IO"();\n', ""),
+    ('  "IL_fig2_2_IO"();\n', '  "IL_fig2_2_IO"();\n  "IL_fig2_2_IO"();\n'),
+    ("HB AND ", "HB OR "),
+]
+
+
+STL = [
+    ('      A     "CLR_SA";\n', '      A     "CLR_SB";\n'),
+    ('      A     "CLR_SA";\n', '      AN    "CLR_SA";\n'),
+    ('      A     "CLR_SA";\n', '      O     "CLR_SA";\n      A     "CLR_SB";\n'),
+    ('      A     "CLR_SA";\n', "      A     #CLR_SA;\n"),
+    ('      A     "CLR_SA";\n', '      A     "IL_fig2_2_D".OCC_SA;\n'),
+    ('      A     "CLR_SA";\n      =     "IL_fig2_2_I".CLR_SA;\n', ""),
+    ('      =     "YN_P1";', '      =     "YR_P1";'),
+    ('      A     "IL_fig2_2_Q".YN_P1;\n', '      L     "IL_fig2_2_Q".YN_P1;\n'),
+    ('      T     "IL_fig2_2_HMI".YX_R1;', '      =     "IL_fig2_2_HMI".YX_R1;'),
+    ('      L     "IL_fig2_2_HMI".REQ;', '      L     "REQ";'),
+    ('      A     "DB_W_main".OK;\n', ""),
+    ('      CALL  "IL_fig2_2";\n', ""),
+    ('      CALL  "IL_fig2_2";\n', '      CALL  "IL_fig2_2";\nNETWORK\n      CALL  "IL_fig2_2";\n'),
+    ('      CALL  "IL_fig2_2_WATCH", "DB_W_main"', '      CALL  "IL_fig2_2_CYCLE", "DB_W_main"'),
+    ('(RESTART := "IL_fig2_2_HMI".RESTART, ', "("),
+    ('      CALL  "IL_fig2_2_S01";\n', '      CALL  "IL_fig2_2_B02";\n'),
+    ('      CALL  "IL_fig2_2_S01";\n', '      UC    "IL_fig2_2_S01";\n'),
+    ('      CALL  "IL_fig2_2_S01";\n', '      BEC;\n      CALL  "IL_fig2_2_S01";\n'),
+    ('      CALL  "IL_fig2_2_S01";\n', '      CALL  "IL_fig2_2_S01";\n      SET;\n      =     "IL_fig2_2_D".K_DP;\n'),
+    ('      CLR;\n      =     "IL_fig2_2_HMI".RESTART;\n', '      SET;\n      =     "IL_fig2_2_HMI".RESTART;\n'),
+    ("      SET;\n", "      CLR;\n"),
+    ("      ==I;\n", "      >I;\n"),
+    ("      ON    ", "      O     "),
+    ("      ON    ", "      AN    "),
+    ("      A(;", "      AN(;"),
+    ("      );\n", ""),
+    ("      JCN   M002;", "      JCN   M001;"),
+    ("      JCN   M002;", "      JC    M002;"),
+    ("      JU    M001;\n", ""),
+    ("M002: NOP   0;\n", ""),
+    ("      L     10001;", "      L     10002;"),
+    ("      L     10001;", "      L     10001;\n      L     10002;"),
+    ("PT := T#13s", "PT := T#14s"),
+    ("IN := #T_1", "IN := #T_2"),
+    ("#TON_RT_DP.Q;", "#TON_RT_SA.Q;"),
+    ("BLK_DP : BOOL := TRUE", "BLK_DP : BOOL := FALSE"),
+    ("  REQ : INT := 0;", "  REQ : BOOL := FALSE;"),
+    ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR_TEMP\n"),
+    ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR\n  T_1 : BOOL;\n"),
+    ("END_FUNCTION\n", 'END_FUNCTION\nFUNCTION "other" : VOID\nBEGIN\nNETWORK\nEND_FUNCTION\n'),
+    ('"CLR_SA","I 0.2"', '"CLR_SA","I 0.7"'),
+    ("ORGANIZATION_BLOCK OB 100", "ORGANIZATION_BLOCK OB 101"),
+]
 
 
 CHANGES = {
@@ -99,19 +178,20 @@ CHANGES = {
         ("<PouCall>", "<PouCall><Name>MAIN</Name>"),
     ],
     "scl1500": [(old.replace("HB AND ", "#HB AND "), new.replace("HB OR ", "#HB OR ")) for old, new in SCL],
+    "awl": STL,
     "scl300": [
-        *((classic(old), classic(new)) for old, new in SCL),
+        *CLASSIC,
         ('"IL_fig2_2_HMI".RESTART := TRUE', '"IL_fig2_2_HMI".RESTART := FALSE'),
         ('  "IL_fig2_2_HMI".RESTART := FALSE;', ""),
         ("RESTART : BOOL := TRUE", "RESTART : BOOL := FALSE"),
         ('"IL_fig2_2_WATCH"."DB_W_main"(', '"IL_fig2_2_CYCLE"."DB_W_main"('),
-        ("(RESTART := RESTART", "("),
+        ('(RESTART := "IL_fig2_2_HMI".RESTART', "("),
         ("    RUNS := FALSE;\n", ""),
         ('"CLR_SA","I 0.2"', '"CLR_SA","I 0.7"'),
         ('"CLR_SA","I 0.2"', '"CLR_SA","M 0.2"'),
-        ('"DB_W_main","DB 1","FB 14"', '"DB_W_main","DB 1","FB 15"'),
+        ('"DB_W_main","DB 5","FB 2"', '"DB_W_main","DB 5","FB 3"'),
         ('"TON","SFB 4","SFB 4"', '"TON","SFB 5","SFB 5"'),
-        ("I_T01 : ", "T01 : "),
+        ("  OCC_DP : BOOL;", "  T01 : BOOL;\n  OCC_DP : BOOL;"),
     ],
 }
 
@@ -155,16 +235,16 @@ def run_of(unit: Unit) -> tuple[Execution[int], Numbers]:
     return Execution(Unit((*io_.blocks[:-1], *core.blocks, io_.blocks[-1])), numbers), numbers
 
 
-@pytest.mark.parametrize("dialect", ["codesys", "scl300"])
+@pytest.mark.parametrize("dialect", ["codesys", "scl300", "awl"])
 def test_what_is_delivered_runs_as_the_controller(dialect: str) -> None:
-    """By the names of its wires; in scl300 what was kept before a restart is forgotten in its first scan."""
+    """By the names of its wires; on an S7-300 what was kept before a restart is forgotten in its first scan."""
     _, controller, _ = smallest()
     unit = BY_NAME[dialect].read(files_of(dialect))
     run, _ = run_of(unit)
     rng = random.Random(4)
-    for life in range(2 if dialect == "scl300" else 1):
+    for life in range(1 if dialect == "codesys" else 2):
         machine = Machine(controller)
-        if dialect == "scl300":
+        if dialect != "codesys":
             assert run.main.values[RESTART] == (life == 0)  # set when it is loaded, later by OB100
             run.main.values[RESTART] = 1
             run.scan({})
@@ -185,7 +265,7 @@ def test_no_name_for_step_7_looks_like_an_address() -> None:
     names = set(re.findall(r"^ +(\w+) : ", text, re.MULTILINE))
     assert names and not [n for n in names if re.fullmatch(r"[TCZMIQEA]\d+", n)]
     table = files_of("scl300")["fig2_2.sdf"]
-    assert '"IL_fig2_2","FB 13","FB 13",""' in table and '"DB_IL_fig2_2","DB 3","FB 13",""' in table
+    assert '"IL_fig2_2","FC 8","FC 8",""' in table and '"DB_IL_fig2_2_T01","DB 4","FB 1",""' in table
     long = table.replace('"CLR_SA"', '"CLR_' + "A" * 21 + '"')
     assert "a symbol has 24" in str(wrong("scl300", {**files_of("scl300"), "fig2_2.sdf": long}))
 

@@ -168,7 +168,14 @@ def test_edits_of_any_dialect_are_refuted_unless_they_change_nothing() -> None:
 
 def test_a_dialect_is_not_read_as_another() -> None:
     _, _, controller = built("fig2_2")
-    for a, b in (("iec", "scl1500"), ("scl1500", "scl300"), ("codesys", "plcopen"), ("iec", "twincat")):
+    for a, b in (
+        ("iec", "scl1500"),
+        ("scl1500", "scl300"),
+        ("scl300", "awl"),
+        ("awl", "scl300"),
+        ("codesys", "plcopen"),
+        ("iec", "twincat"),
+    ):
         files = write_st(controller, BY_NAME[a], [])
         with pytest.raises((NotInSubset, ValueError)):
             BY_NAME[b].read(files)
@@ -286,13 +293,13 @@ def test_a_restart_that_forgets_something_is_refuted() -> None:
     files = write_st(controller, dialect, [])
     ((name, text),) = files.items()
     for old, new in (
-        ("      K_DP := TRUE;\n", ""),
-        ("      K_DP := TRUE;", "      K_DP := FALSE;"),
-        ("T_1 := NOT RESTART AND ", "T_1 := "),
+        ('    "IL_fig2_2_D".K_DP := TRUE;\n', ""),
+        ('    "IL_fig2_2_D".K_DP := TRUE;', '    "IL_fig2_2_D".K_DP := FALSE;'),
+        ('T_1 := NOT "IL_fig2_2_I".RESTART AND ', "T_1 := "),
+        ('    "IL_fig2_2_Q".YX_R1 := 0;\n', '    "IL_fig2_2_Q".YX_R1 := 1;\n'),
     ):
-        indented = old if old in text else old.replace("      ", "    ")
-        assert indented in text, old
-        changed = text.replace(indented, new if new.strip() else "", 1)
+        assert old in text, old
+        changed = text.replace(old, new, 1)
         assert not compare_dialect(controller, dialect, {name: changed}).proved, old
 
 

@@ -9,15 +9,16 @@ from interlock.logic.controller import Controller
 from interlock.model.layout import Layout
 from interlock.model.target import Target
 from interlock.st.dialects import BY_NAME, delivered
-from interlock.st.sizes import CAVEAT, RULE, SOURCE, Size, size_of
+from interlock.st.sizes import CAVEAT, RULE, SOURCE, TIA_RULE, TIA_SOURCE, Size, size_of
 
-DIALECT = "scl300"
-"""The text whose size is estimated: the rule is one for its controllers."""
+DIALECT, TIA_DIALECT = "scl300", "scl1500"
+"""The texts whose size is estimated: the rules are for their controllers."""
 
 
-def estimated(layout: Layout, controller: Controller) -> Size:
-    """What the text for an S7-300 takes, the mapping program included."""
-    return size_of(delivered(controller, allocate(layout, controller), BY_NAME[DIALECT], ()))
+def estimated(layout: Layout, controller: Controller, tia: bool = False) -> Size:
+    """What the text for an S7-300, or for an S7-1500 (`tia`), takes, the mapping program included."""
+    dialect = BY_NAME[TIA_DIALECT if tia else DIALECT]
+    return size_of(dialect.form(delivered(controller, allocate(layout, controller), dialect, ())), tia)
 
 
 def too_large(size: Size, target: Target) -> list[str]:
@@ -28,8 +29,13 @@ def too_large(size: Size, target: Target) -> list[str]:
         found.append(f"{len(size.code)} blocks of {target.blocks}")
     if target.block_bytes is not None and most > target.block_bytes:
         found.append(f"{name} of {most} bytes, where {target.block_bytes} are allowed")
-    if target.memory_bytes is not None and size.memory > target.memory_bytes:
-        found.append(f"{size.memory} bytes of memory of {target.memory_bytes}")
+    apart = target.data_bytes is not None
+    code, data = sum(size.code.values()), sum(size.data.values())
+    if target.memory_bytes is not None and (code if apart else size.memory) > target.memory_bytes:
+        what = f"{code} bytes of code" if apart else f"{size.memory} bytes of memory"
+        found.append(f"{what} of {target.memory_bytes}")
+    if target.data_bytes is not None and data > target.data_bytes:
+        found.append(f"{data} bytes of data of {target.data_bytes}")
     return found
 
 
@@ -38,16 +44,17 @@ def target_notes(layout: Layout, controller: Controller, source: Source) -> tupl
     target = layout.target
     if target is None:
         return ()
-    size = estimated(layout, controller)
+    size = estimated(layout, controller, target.tia)
     wrong = too_large(size, target)
     name, most = size.largest
     told = (
-        f"{DIALECT}: {len(size.code)} blocks, the largest {name} with {most} bytes, {size.memory} bytes of memory; "
-        f"{CAVEAT}"
+        f"{TIA_DIALECT if target.tia else DIALECT}: {len(size.code)} blocks, the largest {name} with {most} bytes, "
+        f"{size.memory} bytes of memory; {CAVEAT}"
     )
-    rule = f"the rule: {RULE} ({SOURCE}); the limits: {target.source}"
+    rule, whence = (TIA_RULE, TIA_SOURCE) if target.tia else (RULE, SOURCE)
     span = source.at("target")
+    fix = f"the rule: {rule} ({whence}); the limits: {target.source}"
     if wrong:
         message = f"{target.name} may not hold it: {'; '.join(wrong)}; {told}"
-        return (Diagnostic("IL5009", Severity.WARNING, message, span, rule),)
-    return (Diagnostic("IL5010", Severity.INFO, f"fits into {target.name} by estimate; {told}", span, rule),)
+        return (Diagnostic("IL5009", Severity.WARNING, message, span, fix),)
+    return (Diagnostic("IL5010", Severity.INFO, f"fits into {target.name} by estimate; {told}", span, fix),)

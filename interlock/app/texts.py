@@ -8,9 +8,9 @@ from pathlib import Path
 
 from interlock.app.proved import TextVerdict
 from interlock.emit.c99.runtime import runtime_c
-from interlock.emit.io import tags_xlsx
+from interlock.emit.io import CROSS_REFERENCE, cross_reference_csv, tags_xlsx
 from interlock.emit.python.runtime import runtime_py
-from interlock.logic.cabinet import allocate
+from interlock.logic.cabinet import Allocation, allocate
 from interlock.logic.controller import Controller
 from interlock.model.elements import TelegramForm
 from interlock.model.layout import Layout
@@ -20,7 +20,8 @@ from interlock.proof.equivalence.cabinet import compare_delivery, compare_progra
 from interlock.proof.equivalence.python_text import compare_runtime
 from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.proof.equivalence.telegram import compare_telegram
-from interlock.st.dialects import DIALECTS, Dialect, write_delivery, write_st
+from interlock.st.dialects import DIALECTS, Dialect, delivered, write_delivery, write_st
+from interlock.st.index import HEADINGS, cross_reference
 from interlock.st.printer import print_unit
 from interlock.st.program import io_program
 from interlock.st.telegram import telegram_unit
@@ -47,7 +48,7 @@ def writers(
     out: list[Callable[[], Written]] = []
     for d in wanted:
         if d.name == "iec":
-            out.append(partial(_structured_text, controller, d, header))
+            out.append(partial(_structured_text, layout, controller, d, header, d.name in dialects))
         else:
             out.append(partial(_delivery, layout, controller, d, header))
     out.append(partial(_mapping, layout, controller, header))
@@ -63,12 +64,17 @@ def _compared(task: Callable[[], Written]) -> Written:
     return task()[0], {}
 
 
-def _structured_text(controller: Controller, dialect: Dialect, header: list[str]) -> Written:
+def _structured_text(
+    layout: Layout, controller: Controller, dialect: Dialect, header: list[str], referred: bool
+) -> Written:
+    """The portable text; with its cross-reference where it is asked for by name."""
     written = write_st(controller, dialect, header)
     found = compare_dialect(controller, dialect, written)
     folder = f"st/{dialect.name}"
     name = f"{folder}/{next(iter(written))}" if len(written) == 1 else folder
-    return TextVerdict(name, found.differences), {f"{folder}/{n}": text.encode() for n, text in written.items()}
+    files = {f"{folder}/{n}": text.encode() for n, text in written.items()}
+    more = _cross_reference(controller, allocate(layout, controller), dialect) if referred else {}
+    return TextVerdict(name, found.differences), files | more
 
 
 def _delivery(layout: Layout, controller: Controller, dialect: Dialect, header: list[str]) -> Written:
@@ -81,7 +87,15 @@ def _delivery(layout: Layout, controller: Controller, dialect: Dialect, header: 
     if book is not None:
         files[f"{folder}/{portable(layout.name)}_tags.xlsx"] = book
     found = compare_delivery(controller, allocation, dialect, texts, book)
-    return TextVerdict(next(iter(files)) if len(files) == 1 else folder, found), files
+    place = next(iter(files)) if len(files) == 1 else folder
+    return TextVerdict(place, found), files | _cross_reference(controller, allocation, dialect)
+
+
+def _cross_reference(controller: Controller, allocation: Allocation, dialect: Dialect) -> dict[str, bytes]:
+    """Where each variable is written and read, block by block as the dialect has them."""
+    unit = dialect.form(delivered(controller, allocation, dialect, ()))
+    rows = cross_reference(controller, allocation, unit)
+    return {f"{CROSS_REFERENCE}{dialect.name}.csv": cross_reference_csv(HEADINGS, rows).encode()}
 
 
 def _with_pins(layout: Layout, header: list[str]) -> list[str]:

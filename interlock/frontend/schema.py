@@ -467,7 +467,7 @@ class PrinciplesSpec(_Part):
 
 
 class TargetSpec(_Part):
-    """The controller for which the text is meant: its sizes are estimated as for an S7-300, and compared."""
+    """The controller for which the text is meant: its sizes are estimated as for an S7-300 or S7-1500, and compared."""
 
     cpu: Annotated[str | None, choice("CPU", tuple(CPUS)), WithJsonSchema({"enum": list(CPUS)})] = key(
         "a CPU whose limits are known; without it, only the limits that stand beside it", None

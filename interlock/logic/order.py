@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Mapping, Sequence
+from heapq import heappop, heappush
 
 from interlock.logic.controller import Equation, Step, Timer
 from interlock.logic.names import Name
@@ -37,6 +38,39 @@ def by_place(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[
             _after_inputs(root.name, reads, names, done)
         out += [of[n] for n in done]
         out += [s for s in here if isinstance(s, Timer)]
+    return out
+
+
+def together(steps: Sequence[Step], following: Mapping[Name, Equation]) -> list[Step]:
+    """The same, what belongs to one place in as few pieces as may be: as long as anything more of a place can be
+    computed, it is.
+
+    For a text in which a block may read what any other computes, whatever that costs elsewhere.
+    """
+    every = by_place(steps, following)
+    at = {s.name: k for k, s in enumerate(every)}
+    place = {s.name: s.group if isinstance(s, Equation) else "timers" for s in every}
+    waits = {s.name: sum(n in at for n in dict.fromkeys(_reads(s))) for s in every}
+    readers: dict[Name, list[Name]] = {}
+    for s in every:
+        for n in dict.fromkeys(_reads(s)):
+            readers.setdefault(n, []).append(s.name)
+    ready: dict[str, list[int]] = {}
+    for n, k in at.items():
+        if not waits[n]:
+            heappush(ready.setdefault(place[n], []), k)
+    out: list[Step] = []
+    while ready:
+        here = min(ready, key=lambda p: ready[p][0])
+        while here in ready:
+            s = every[heappop(ready[here])]
+            if not ready[here]:
+                del ready[here]
+            out.append(s)
+            for n in readers.get(s.name, ()):
+                waits[n] -= 1
+                if not waits[n]:
+                    heappush(ready.setdefault(place[n], []), at[n])
     return out
 
 

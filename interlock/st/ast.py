@@ -116,6 +116,10 @@ class Declaration:
     address: str = ""
 
 
+HEADLINE = 100
+"""Characters of a block's note where it stands on one line."""
+
+
 @dataclass(frozen=True)
 class Block:
     """A function block, or a program (`kind`)."""
@@ -158,8 +162,10 @@ class Task:
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """A file: function blocks, callees first; the last one is the interlocking.  `task`: what runs a program."""
+    """A file: function blocks, callees first; the last one is the interlocking.  `task`: what runs a program.  `index`:
+    lines that say in which block what belongs to an element stands."""
 
     blocks: tuple[Block, ...]
     task: Task | None = field(default=None, kw_only=True)
     header: tuple[str, ...] = field(default=(), compare=False)
+    index: tuple[str, ...] = field(default=(), compare=False, kw_only=True)

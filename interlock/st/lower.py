@@ -7,15 +7,17 @@ so that every equation of a scan sees the old state.  The main block calls them 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 
-from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Timer
+from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Step, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
+from interlock.logic.names import Name as NameOf
 from interlock.logic.names import computed
 from interlock.logic.order import by_place
 from interlock.logic.words import UNKNOWN, Value, Word, Words
 from interlock.model.portable import portable
 from interlock.st.ast import (
+    HEADLINE,
     Assign,
     Block,
     Bool,
@@ -38,14 +40,18 @@ MAX_ROWS = 400  # the strictest guide found allows 500
 MAX_STATE = 120
 
 
-def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS) -> Unit:
+Order = Callable[[Sequence[Step], Mapping[NameOf, Equation]], list[Step]]
+"""The steps of a scan and the equations of next values in an order in which each comes after what it reads."""
+
+
+def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS, order: Order = by_place) -> Unit:
     """The whole text of a controller as a tree; `rows`: of equations and declarations in a computing block."""
     prefix = f"IL_{portable(controller.name)}"
     ranges = {i.name for i in controller.inputs if i.size}
     following = {
         e.name: Equation(computed(e.name), e.join, e.terms, e.group, f"next: {e.note}") for e in controller.next
     }
-    pieces = _cut(by_place(controller.steps, following), rows)
+    pieces = _cut(order(controller.steps, following), rows)
     blocks: list[Block] = []
     where: dict[str, Name] = {i.name: Name((i.name,)) for i in controller.inputs}
     body: list[Statement] = []
@@ -65,13 +71,13 @@ def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS
         name = f"{prefix}_{instance}"
         block = _timing(name, timers) if timers else _computing(name, equations, named)
         blocks.append(block)
-        locals_.append(Declaration(instance, block.name, None, block.note))
+        locals_.append(Declaration(instance, block.name, None, block.note[:HEADLINE]))
         body.append(Call(instance, tuple((d.name, where[d.name]) for d in block.inputs)))
         for x in piece:
             where[x.name] = Name((instance, x.name))
     for instance, block in _words(controller, prefix, rows, where):
         blocks.append(block)
-        locals_.append(Declaration(instance, block.name, None, block.note))
+        locals_.append(Declaration(instance, block.name, None, block.note[:HEADLINE]))
         body.append(Call(instance, tuple((d.name, where[d.name]) for d in block.inputs)))
         where |= {d.name: Name((instance, d.name)) for d in block.outputs}
     for k, part in enumerate(state_blocks, 1):
@@ -219,7 +225,7 @@ def _computing(name: str, equations: Sequence[Equation], named: _Named) -> Block
         tuple([Declaration(e.name, "BOOL", None, e.note) for e in equations]),
         tuple(extra),
         tuple(body),
-        ", ".join(dict.fromkeys(e.group for e in equations))[:100],
+        ", ".join(dict.fromkeys(e.group for e in equations)),
     )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from interlock.model.portable import readable
 from interlock.st.ast import (
+    HEADLINE,
     Assign,
     Block,
     Bool,
@@ -66,7 +67,7 @@ def print_block(b: Block, style: Style = IEC) -> list[str]:
 
 
 def _head(b: Block, style: Style) -> list[str]:
-    note = [comment(b.note[: MAX_COLUMNS - 10])] if b.note else []
+    note = [comment(b.note[:HEADLINE])] if b.note else []
     return [f"{b.kind} {style.block(b.name)}", *style.attributes, *note]
 
 
@@ -90,6 +91,11 @@ def declarations(b: Block, style: Style = IEC) -> list[str]:
 def body(b: Block, style: Style = IEC) -> list[str]:
     """The lines of a block's statements."""
     return [line for s in b.body for line in _Body(style).statement(s, "  ")]
+
+
+def print_expression(x: Expression) -> str:
+    """An expression as the portable text has it."""
+    return _Body(IEC).expression(x, 0)
 
 
 def _declaration(d: Declaration, style: Style) -> str:

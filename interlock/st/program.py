@@ -119,7 +119,7 @@ def watches(controller: Controller, a: Allocation, restart: bool = False) -> tup
 
 def joined(core: Unit, io: Unit) -> Unit:
     """The interlocking with its mapping program, which comes last."""
-    return Unit((*io.blocks[:-1], *core.blocks, io.blocks[-1]), io.header, task=io.task)
+    return Unit((*io.blocks[:-1], *core.blocks, io.blocks[-1]), io.header, task=io.task, index=core.index)
 
 
 def parted(unit: Unit) -> tuple[Unit, Unit]:

@@ -18,6 +18,7 @@ from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
 from interlock.logic.names import Name, computed
 from interlock.logic.on_delay import CYCLE_MAX_MS
 from interlock.logic.order import by_place
+from interlock.logic.words import UNKNOWN, Value, Word, Words
 from interlock.model.portable import portable
 
 ROWS = 200
@@ -36,6 +37,8 @@ class Fixed:
     prefix: str
     counts: Mapping[str, int]
     valid: Name
+    words: bool
+    reasons: bool
 
     @property
     def guard(self) -> str:
@@ -46,6 +49,9 @@ class Fixed:
     def declared(self) -> str:
         """In the header, after the structures."""
         p, n = self.prefix, self.counts
+        word = f"\n  const {NUMBER} *word;" if self.words else ""
+        said = f"\nextern {p}_words {p}_said;" if self.words else ""
+        told, shown = (" and its word", f" and {p}_said") if self.words else ("", "")
         return f"""\
 /* A bit that may be written, by name. */
 typedef struct {{
@@ -66,14 +72,14 @@ typedef struct {{
   const bool *bit;
 }} {p}_bit;
 
-/* A route by name, and the number that asks for it. */
+/* A route by name, the number that asks for it{told}. */
 typedef struct {{
   const char *name;
-  {NUMBER} number;
+  {NUMBER} number;{word}
 }} {p}_route;
 
 extern {p}_inputs {p}_in;
-extern {p}_outputs {p}_out;
+extern {p}_outputs {p}_out;{said}
 extern const {p}_input_bit {p}_input_bits[{n["input_bits"]}];
 extern const {p}_input_number {p}_input_numbers[{n["input_numbers"]}];
 extern const {p}_bit {p}_output_bits[{n["output_bits"]}];
@@ -83,7 +89,7 @@ extern const {p}_route {p}_routes[{n["routes"]}];
 /* As after a restart: everything locked, signals at stop, timers stopped, inputs restrictive. */
 void {p}_init(void);
 
-/* One scan, so many milliseconds after the last: reads {p}_in, writes {p}_out. */
+/* One scan, so many milliseconds after the last: reads {p}_in, writes {p}_out{shown}. */
 void {p}_scan(uint32_t ms);
 """
 
@@ -102,16 +108,18 @@ typedef struct {{
     def objects(self) -> str:
         """All memory."""
         p = self.prefix
+        said = f"\n{p}_words {p}_said;" if self.words else ""
+        reason = f"\nstatic {p}_reasons reason;" if self.reasons else ""
         return f"""\
 {p}_inputs {p}_in;
-{p}_outputs {p}_out;
+{p}_outputs {p}_out;{said}
 
 static bool begun = false;
 static {p}_inputs in;
 static {p}_wires wire;
 static {p}_state now;
 static {p}_state next;
-static {p}_delays delay;
+static {p}_delays delay;{reason}
 """
 
     @property
@@ -169,7 +177,14 @@ def fixed(c: Controller) -> Fixed:
         "state_bits": len(c.state),
         "routes": len(route_numbers(c)),
     }
-    return Fixed(f"IL_{portable(c.name)}", counts, c.symbols.valid)
+    shown, inner = _told(c)
+    return Fixed(f"IL_{portable(c.name)}", counts, c.symbols.valid, bool(shown), bool(inner))
+
+
+def _told(c: Controller) -> tuple[list[Word], list[Word]]:
+    """The words of routes, and those that only other words read."""
+    shown = set(c.words.routes.values())
+    return [w for w in c.words.words if w.name in shown], [w for w in c.words.words if w.name not in shown]
 
 
 def runtime_c(controller: Controller, header: Sequence[str]) -> dict[str, str]:
@@ -215,10 +230,16 @@ def _header(c: Controller, parts: Fixed, top: list[str]) -> str:
         *_struct(f"{p}_inputs", inputs, "What a scan reads."),
         *_struct(f"{p}_outputs", [("bool", o.name, o.note) for o in c.outputs], "What a scan writes."),
         *_struct(f"{p}_state", [("bool", s.name, s.note) for s in c.state], "What is kept from scan to scan."),
+        *_numbers(f"{p}_words", _told(c)[0], "What is said of each route after a scan; 0 before the first."),
         parts.declared,
         "#endif",
     ]
     return "\n".join(lines) + "\n"
+
+
+def _numbers(name: str, words: Sequence[Word], note: str) -> list[str]:
+    """A structure of words, where there are any."""
+    return _struct(name, [(NUMBER, w.name, w.note) for w in words], note) if words else []
 
 
 def _source(c: Controller, parts: Fixed, top: list[str], name: str) -> str:
@@ -237,6 +258,7 @@ def _source(c: Controller, parts: Fixed, top: list[str], name: str) -> str:
         *_struct(f"{p}_wires", wires, "What is computed anew in each scan."),
         parts.delay,
         *_struct(f"{p}_delays", delays, "Timers."),
+        *_numbers(f"{p}_reasons", _told(c)[1], "What words of routes read of each other."),
         parts.objects,
         *_tables(c, p),
         parts.on_delay,
@@ -250,10 +272,20 @@ def _source(c: Controller, parts: Fixed, top: list[str], name: str) -> str:
         for step in piece:
             lines += _timer(step, where) if isinstance(step, Timer) else _equation(step, targets, where)
         lines += ["}", ""]
+    shown, inner = _told(c)
+    where |= {str(e.name): targets[e.name] for e in following.values()}
+    where |= {w.name: f"{p}_said.{w.name}" for w in shown}
+    where |= {w.name: f"reason.{w.name}" for w in inner}
+    for n, at in enumerate(range(0, len(c.words.words), ROWS // 4), 1):
+        calls.append(f"  words_{n:03d}();")
+        lines += [f"static void words_{n:03d}(void)", "{"]
+        lines += [line for w in c.words.words[at : at + ROWS // 4] for line in _word(w, where, c.words)]
+        lines += ["}", ""]
     lines += ["static void report(void)", "{"]
     lines += [f"  {p}_out.{o.name} = {_code(o.expr, where)};" for o in c.outputs]
     lines += ["}", "", f"void {p}_init(void)", "{", "  begun = true;"]
     lines += [f"  {p}_in.{i.name} = {i.restrictive if i.size else _bool(bool(i.restrictive))};" for i in c.inputs]
+    lines += [f"  {where[w.name]} = {UNKNOWN};" for w in shown]
     lines += [f"  now.{s.name} = {_bool(s.initial)};" for s in c.state]
     for t in c.timers:
         lines += [f"  delay.{t.name}.runs = false;", f"  delay.{t.name}.elapsed_ms = 0u;"]
@@ -271,13 +303,36 @@ def _tables(c: Controller, p: str) -> Iterator[str]:
         f"{p}_input_number {p}_input_numbers": numbers,
         f"{p}_bit {p}_output_bits": [f'"{o.name}", &{p}_out.{o.name}' for o in c.outputs],
         f"{p}_bit {p}_state_bits": [f'"{s.name}", &now.{s.name}' for s in c.state],
-        f"{p}_route {p}_routes": [f"{literal(name)}, {number}" for name, number in route_numbers(c).items()],
+        f"{p}_route {p}_routes": [", ".join(row) for row in route_rows(c, p)],
     }
     for kind, entries in rows.items():
         yield f"const {kind}[{len(entries)}] = {{"
         yield from (f"  {{ {e} }}{',' if n < len(entries) else ''}" for n, e in enumerate(entries, 1))
         yield "};"
         yield ""
+
+
+def route_rows(c: Controller, p: str) -> list[tuple[str, ...]]:
+    """A route's name, number and word, as the table has them."""
+    words = {n: (f"&{p}_said.{name}",) for n, name in c.words.routes.items()}
+    return [(literal(name), str(number), *words.get(number, ())) for name, number in route_numbers(c).items()]
+
+
+def _word(w: Word, where: Mapping[str, str], words: Words) -> list[str]:
+    """IF the first condition, its code."""
+
+    def said(value: Value) -> str:
+        if not isinstance(value, int):
+            return f"{where[w.name]} = {where[value]};"
+        return _noted(f"{where[w.name]} = {value};", words.said(value) if value else "")
+
+    lines = [f"  {_comment(w.note)}"] if w.note else []
+    for n, case in enumerate(w.cases):
+        lead = "else if" if n else "if"
+        lines += [f"  {lead} ({_code(case.condition, where)})", "  {", f"    {said(case.value)}", "  }"]
+    if not w.cases:
+        return [*lines, f"  {said(w.otherwise)}"]
+    return [*lines, "  else", "  {", f"    {said(w.otherwise)}", "  }"]
 
 
 def _cut(steps: Sequence[Step]) -> Iterator[list[Step]]:

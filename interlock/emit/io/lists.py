@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from datetime import datetime
 
 import xlsxwriter
@@ -18,6 +18,8 @@ from interlock.model.elements import Position, Work
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
 
+CROSS_REFERENCE = "io/xref_"
+"""What the names of files begin with that tell where each variable is written and read."""
 HEADINGS = ("Substation", "Slot", "Card", "Byte", "Bit", "Address", "Variable", "Element", "When 1", "At restart")
 
 
@@ -71,6 +73,11 @@ def names_csv(layout: Layout) -> str:
     if all(len(name) == len(written) and written.isascii() for _, name, written in rows):
         return ""
     return _csv([("Kind", "Name", "Name in PLC text"), *rows])
+
+
+def cross_reference_csv(headings: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """Where each variable of a text is written and read."""
+    return _csv([tuple(headings), *map(tuple, rows)])
 
 
 def words_csv(controller: Controller) -> str:

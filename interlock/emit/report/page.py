@@ -6,6 +6,8 @@ Everything that is printed stands in the page itself; scripts only light up, fil
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
@@ -16,6 +18,7 @@ from jinja2 import Environment, PackageLoader, select_autoescape
 from markupsafe import Markup
 
 from interlock.emit.bundle import digest_of
+from interlock.emit.io import CROSS_REFERENCE
 from interlock.emit.tables.paper import SIGNED, title_block
 from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, topology
@@ -99,6 +102,7 @@ def report_html(
             forms=[f.printed() for f in national_sheets(layout, table)] if not large else [],
             kinds_of_routes=sorted({str(r.kind) for r in table.routes}),
             places=sorted({*(s for r in table.routes for s in r.section_ids), *(r.entry for r in table.routes)}),
+            references=[(n, _sheet(data)) for n, data in sorted(files.items()) if n.startswith(CROSS_REFERENCE)],
             digests=[(n, digest_of(n, data)) for n, data in sorted(files.items())],
         )
     )
@@ -113,6 +117,11 @@ def _hostile_parts(way: PrintedRoute, large: bool) -> list[tuple[RouteRow | None
         for r in way.rows
     ]
     return [(p.row, ", ".join(p.items)) for p in parts(told) if p.items]
+
+
+def _sheet(data: bytes) -> list[list[str]]:
+    """The rows of a file of cells, its headings first."""
+    return list(csv.reader(io.StringIO(data.decode())))
 
 
 def _heat(value: int, most: int) -> Markup:

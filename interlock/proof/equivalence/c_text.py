@@ -17,7 +17,8 @@ from interlock.emit.python.runtime import route_numbers
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, eq, neg, var
 from interlock.logic.names import computed, spelled
-from interlock.proof.equivalence.structured_text import Difference, Scan, Translation, compare_scan, wires
+from interlock.logic.words import LAST, UNKNOWN
+from interlock.proof.equivalence.structured_text import Difference, Scan, Translation, compare_scan, wires, words
 from interlock.st.meaning import Constant, Symbol, Symbols, Term
 
 
@@ -80,7 +81,8 @@ class _Reader:
         self.controller = controller
         self.fixed: Fixed = fixed(controller)
         self.p = self.fixed.prefix
-        self.algebra = Symbols(known=wires(controller))
+        self.algebra = Symbols(known=wires(controller), words=words(controller))
+        self.told = (f"{self.p}_said", "reason")
         self.values: dict[str, Term] = {}
         self.functions: dict[str, Any] = {}
         self.called: set[str] = set()
@@ -95,8 +97,8 @@ class _Reader:
             files[f"{name}.h"], rf"(\s*#ifndef {guard}\n#define {guard}\n\s*{include})(.*)#endif\s*", f"{name}.h"
         )
         source = _body(files[f"{name}.c"], rf'(\s*#include "{re.escape(name)}\.h"\n)(.*)', f"{name}.c")
-        words = set(re.findall(r"[A-Za-z_]\w*", head + source))
-        if replaced := sorted(w for w in words if _REPLACED.fullmatch(w) or w == self.fixed.guard):
+        names = set(re.findall(r"[A-Za-z_]\w*", head + source))
+        if replaced := sorted(w for w in names if _REPLACED.fullmatch(w) or w == self.fixed.guard):
             raise BadC(f"{replaced[0]} is a name that C or its headers give another meaning")
         self._sort(_parsed(f'# 1 "{name}.h"\n{head}\n# 1 "{name}.c"\n{source}'))
 
@@ -104,7 +106,7 @@ class _Reader:
 
     def _sort(self, parts: list[Any]) -> None:
         """Structures, tables and functions by name; what is left must be the fixed parts."""
-        own = {f"{self.p}_{x}" for x in ("inputs", "outputs", "state", "wires", "delays")}
+        own = {f"{self.p}_{x}" for x in ("inputs", "outputs", "state", "wires", "delays", "words", "reasons")}
         left: list[object] = []
         for x in parts:
             kind = type(x).__name__
@@ -137,6 +139,14 @@ class _Reader:
             "wires": {s.name: "bool" for s in c.steps},
             "delays": {t.name: f"{self.p}_delay" for t in c.timers},
         }
+        shown = set(c.words.routes.values())
+        told = {
+            "words": {w.name: "int16_t" for w in c.words.words if w.name in shown},
+            "reasons": {w.name: "int16_t" for w in c.words.words if w.name not in shown},
+        }
+        wanted |= {name: members for name, members in told.items() if members}
+        if set(self.structures) != {f"{self.p}_{name}" for name in wanted}:
+            raise BadC("not the structures that are emitted")
         for name, members in wanted.items():
             if self.structures.get(f"{self.p}_{name}") != members:
                 raise BadC(f"the structure of {name} is another")
@@ -184,7 +194,7 @@ class _Reader:
             ),
             "output_bits": ("bit", [(f'"{o.name}"', f"&{p}_out.{o.name}") for o in c.outputs]),
             "state_bits": ("bit", [(f'"{s.name}"', f"&now.{s.name}") for s in c.state]),
-            "routes": ("route", [(literal(r), str(number)) for r, number in route_numbers(c).items()]),
+            "routes": ("route", self._routes()),
         }
         if set(self.tables) != {f"{p}_{name}" for name in wanted}:
             raise BadC("not the tables that are emitted")
@@ -193,6 +203,12 @@ class _Reader:
             expected: tuple[tuple[str, ...], ...] = tuple(rows)
             if self.tables[f"{p}_{name}"] != (_tree(_parsed(stub)[1]), expected):
                 raise BadC(f"table {name} is another")
+
+    def _routes(self) -> list[tuple[str, ...]]:
+        """Each route's name with its number, and its word."""
+        c = self.controller
+        word = {number: (f"&{self.p}_said.{name}",) for number, name in c.words.routes.items()}
+        return [(literal(r), str(number), *word.get(number, ())) for r, number in route_numbers(c).items()]
 
     # --- what it computes ------------------------------------------------------------------------
 
@@ -208,6 +224,9 @@ class _Reader:
         for o in c.outputs:
             if self.values.get(f"{p}_out.{o.name}") is not (TRUE if o.restrictive else FALSE):
                 raise BadC(f"{o.name} does not begin with its restrictive value")
+        said = {n: f"{p}_said.{n}" for n in c.words.routes.values()}
+        if wrong := [n for n, place in said.items() if self.values.get(place) != Constant(UNKNOWN)]:
+            raise BadC(f"{wrong[0]} does not begin with {UNKNOWN}: nothing is known")
         stopped = {f"delay.{t.name}.{x}" for t in c.timers for x in ("runs", "elapsed_ms")}
         if any(self.values.get(x) not in (FALSE, Constant(0)) for x in stopped) or self.values.get("begun") is not TRUE:
             raise BadC("a timer is not stopped at the beginning, or the beginning is not noted")
@@ -227,7 +246,8 @@ class _Reader:
             raise BadC("a function that no scan calls")
         after: dict[str, Term] = {s.name: self.values[f"now.{s.name}"] for s in c.state}
         outputs: dict[str, Term] = {o.name: self.values.get(f"{p}_out.{o.name}", Constant(-1)) for o in c.outputs}
-        return Scan(base, after, outputs, dict(self.algebra.timers), None)
+        told: dict[str, Term] = {n: self.values[place] for n, place in said.items() if place in self.values}
+        return Scan(base, after, outputs, dict(self.algebra.timers), told)
 
     def _statements(self, name: str) -> list[Any]:
         """The statements of a function of the emitted shape."""
@@ -255,8 +275,47 @@ class _Reader:
                 if given != (["ms"] if x.name.name.startswith("timers_") else []) or x.name.name.startswith(self.p):
                     raise self._bad(x, "a call that is not emitted")
                 self._call(x.name.name, self._statements(x.name.name))
+            elif kind == "If" and name.startswith("words_"):
+                self._say(x)
             else:
                 raise self._bad(x, f"a statement that is not emitted: {kind}")
+
+    def _say(self, x: Any) -> None:
+        """A word gets the code, or the word, of the first condition that holds."""
+        arms: list[tuple[Expr, Term]] = []
+        places: set[str] = set()
+        at: Any = x
+        while type(at).__name__ == "If":
+            arms.append((self._value(at.cond), self._said(at.iftrue, places)))
+            at = at.iffalse
+        found = self._said(at, places)
+        for condition, value in reversed(arms):
+            found = self.algebra.choose(condition, value, found)
+        if len(places) != 1:
+            raise self._bad(x, "several words at once")
+        (place,) = places
+        self.values[place] = self.algebra.assigned(place.partition(".")[2], found)
+
+    def _said(self, body: Any, places: set[str]) -> Term:
+        """What is assigned in a branch that does nothing else."""
+        items = list(getattr(body, "block_items", None) or ()) if type(body).__name__ == "Compound" else []
+        if len(items) != 1 or type(items[0]).__name__ != "Assignment" or items[0].op != "=":
+            raise BadC("a condition under which not one word is said")
+        place = self._place(items[0].lvalue)
+        places.add(place)
+        return self._code(items[0], place)
+
+    def _code(self, x: Any, place: str) -> Term:
+        """A code, or the value of another word, which a word gets."""
+        if place.partition(".")[0] not in self.told or self._kind(x, place) != "int16_t":
+            raise self._bad(x, f"{place} is no word")
+        kind = type(x.rvalue).__name__
+        if kind == "Constant" and _plain(x.rvalue.value) and int(x.rvalue.value) <= LAST:
+            return Constant(int(x.rvalue.value))
+        other = self._place(x.rvalue) if kind == "StructRef" else ""
+        if other.partition(".")[0] in self.told:
+            return self._held(x, other)
+        raise self._bad(x, "neither a code nor a word")
 
     def _assign(self, x: Any) -> None:
         starting = f"{self.p}_init" in self.called
@@ -271,6 +330,10 @@ class _Reader:
             return
         place = self._place(x.lvalue)
         root, _, name = place.partition(".")
+        if root in self.told:
+            value = self._code(x, place)
+            self.values[place] = value if starting else self.algebra.assigned(name, value)
+            return
         if type(x.rvalue).__name__ == "FuncCall":
             value = self._timed(x, root, name)
         elif type(x.rvalue).__name__ == "Constant":
@@ -316,7 +379,7 @@ class _Reader:
         """The type of a member."""
         root, *members = place.split(".")
         own = {"in": "inputs", "wire": "wires", "now": "state", "next": "state", "delay": "delays"}
-        own |= {f"{self.p}_in": "inputs", f"{self.p}_out": "outputs"}
+        own |= {f"{self.p}_in": "inputs", f"{self.p}_out": "outputs", f"{self.p}_said": "words", "reason": "reasons"}
         kind = f"{self.p}_{own[root]}" if root in own else ""
         fields = {**self.structures, f"{self.p}_delay": {"runs": "bool", "elapsed_ms": "uint32_t"}}
         for m in members:

@@ -75,14 +75,14 @@ def compare_unit(controller: Controller, unit: Unit, restart: bool) -> Translati
 class Scan:
     """What a text computes in one scan from its initial state variables by name.
 
-    words: those of the routes; None for a text that is written without them, which is C.
+    words: those of the routes.
     """
 
     base: dict[str, Term]
     after: dict[str, Term]
     outputs: dict[str, Term]
     timers: dict[str, tuple[Expr, int]]
-    words: Mapping[str, Term] | None
+    words: Mapping[str, Term]
 
 
 def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting: bool = False) -> Scan:
@@ -92,7 +92,7 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
         words=words(controller),
     )
     run: Execution[Term] = Execution(unit, algebra)
-    holders = _holders(run)
+    holders = _holders(controller, run)
     base = {n: values[n] for n, values in holders.items()}
     _forget(run.main)
     for s in controller.state:
@@ -101,7 +101,7 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
     if restart:
         inputs[RESTART] = TRUE if restarting else FALSE
     outputs = run.scan(inputs)
-    after = {n: values[n] for n, values in _holders(run).items()}
+    after = {n: values[n] for n, values in _holders(controller, run).items()}
     said: dict[str, Term] = {n: outputs.pop(n) for n in controller.words.routes.values() if n in outputs}
     return Scan(base, after, outputs, dict(algebra.timers), said)
 
@@ -157,7 +157,7 @@ def _restarted(controller: Controller, unit: Unit, found: Translation) -> Transl
         if scan.outputs.get(o.name) is not start(o.expr):
             wrong.append(Difference(o.name, "RESTART does not make it restrictive"))
     for n in controller.words.routes.values():
-        if (scan.words or {}).get(n) != Constant(UNKNOWN):
+        if scan.words.get(n) != Constant(UNKNOWN):
             wrong.append(Difference(n, "RESTART does not make it say that nothing is known"))
     for t in controller.timers:
         if scan.timers.get(t.name, (TRUE, 0))[0] is not FALSE:
@@ -165,9 +165,10 @@ def _restarted(controller: Controller, unit: Unit, found: Translation) -> Transl
     return Translation(found.compared + len(initial), (*found.differences, *wrong))
 
 
-def _holders(run: Execution[Term]) -> dict[str, dict[str, Term]]:
-    """For each state variable, the variables of the block that keeps it."""
-    out: dict[str, dict[str, Term]] = {}
+def _holders(controller: Controller, run: Execution[Term]) -> dict[str, dict[str, Term]]:
+    """For each state variable, the variables of the block that keeps it: one for state, or the one for everything."""
+    own = {d.name for d in run.main.block.locals}
+    out: dict[str, dict[str, Term]] = {s.name: run.main.values for s in controller.state if s.name in own}
     for inst in run.main.inner.values():
         out |= {n: inst.values for n in inst.block.output_names if f"N_{n}" in inst.values}
     return out
@@ -203,8 +204,7 @@ def compare_scan(controller: Controller, scan: Scan) -> Translation:
         else:
             pairs.append((t.name, got[0], var(t.input)))
     wrong.extend(Difference(n, "a timer that the controller lacks") for n in by_name)
-    if scan.words is not None:
-        pairs.extend(_words(controller, scan.words, wrong))
+    pairs.extend(_words(controller, scan.words, wrong))
     if other := [(n, a, b) for n, a, b in pairs if a is not b]:
         wrong.extend(_different(controller, other))
     return Translation(len(pairs) + len(controller.state), tuple(wrong))

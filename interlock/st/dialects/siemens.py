@@ -1,13 +1,11 @@
-"""The files for Siemens controllers: the interlocking, the mapping program as a function, the organization blocks.
+"""The files for Siemens S7-1200 and S7-1500: the interlocking, the mapping program as a function, OB1.
 
-The function reads terminals by their names in the table of tags or symbols; what the operator's place writes and reads
+The function reads terminals by their names in the table of tags; what the operator's place writes and reads
 lies in one global data block; each block that keeps something has an instance data block.  In the tree it is the same
 program as in all dialects: a name in double quotes stands for a wire, a member of the global block for a variable of
 the operator's place, an instance data block for an instance.
 
-The forms are those of public manuals (S7-SCL for S7-300/400: a call by the names of block and data block, 20 bytes of
-start information in an organization block; Programming with STEP 7: the symbol table) and of exported sources of TIA
-Portal; neither tool was at hand.
+The forms are those of exported sources of TIA Portal; the tool was not at hand.
 """
 
 from __future__ import annotations
@@ -16,9 +14,8 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from interlock.st.ast import Assign, Block, Call, Declaration, Expression, Name, Nary, Not, Statement, Task, Unit
+from interlock.st.ast import Block, Call, Declaration, Statement, Task, Unit
 from interlock.st.dialects.dialect import Files
-from interlock.st.dialects.symbols import read_symbols, symbol_table
 from interlock.st.parser import NotInSubset, parse_block, parse_unit
 from interlock.st.printer import body, comment, declarations, print_block, print_unit
 from interlock.st.program import INSTANCE, Runs
@@ -28,20 +25,16 @@ from interlock.st.style import Style
 OPERATOR = "HMI"
 """The global data block: what the operator's place writes and reads, and VALID."""
 _MARKED = Style(local="#")
-_ABSOLUTE = re.compile(r"(?:[TCZMIQEA]|DB|DI|FB|FC|OB|SFB|SFC|UDT|P[IQEA])[BWDX]?[0-9]+")
-"""What S7-SCL takes for an address, a timer or a block, whoever declares it."""
 _COMMENT = re.compile(r"\(\*(?:[^*]|\*(?!\)))*\*\)")
 _QUOTED = re.compile(r'"\w+"(?:\."\w+")?(?:\(|\.\w+)?', re.ASCII)
 
 
 @dataclass(frozen=True)
 class Family:
-    """What differs between STEP 7 classic and TIA Portal.
+    """What a tool of this family wants.
 
     attributes: after the name of a block; data: after that of the global data block.  void: the type of a function
-    without a result.  cycle, startup: what the organization blocks are called.  classic: an instance is called by the
-    names of block and data block, organization blocks declare their start information, names come from a symbol table
-    beside the sources, and names that look like addresses are taken for addresses.
+    without a result.  cycle, startup: what the organization blocks are called.
     """
 
     style: Style
@@ -50,12 +43,10 @@ class Family:
     void: str = "VOID"
     cycle: str = "OB1"
     startup: str = "OB100"
-    classic: bool = False
 
     def write(self, unit: Unit) -> dict[str, str]:
-        """The interlocking; with a mapping program that too, the organization blocks, and the symbol table."""
+        """The interlocking; with a mapping program that too, and the organization blocks."""
         if unit.blocks[-1].kind != "PROGRAM":
-            unit = _renamed(unit) if self.classic else unit
             return {f"{_name(unit.blocks[-1].name)}.scl": print_unit(unit, self.style)}
         *blocks, program = unit.blocks
         instances = _instances(program)
@@ -66,8 +57,6 @@ class Family:
         files = self.write(core)
         files[f"{name}_io.scl"] = self._mapping(program, helpers, unit.header, main)
         files[f"{name}_ob.scl"] = self._organization(unit.task, main, unit.header)
-        if self.classic:
-            files[f"{name}.sdf"] = symbol_table((*core.blocks, *helpers), program, self._kept(program, main))
         return files
 
     def _mapping(self, program: Block, helpers: Sequence[Block], header: Sequence[str], main: str) -> str:
@@ -102,22 +91,12 @@ class Family:
         return "\n".join([*lines, ""])
 
     def _block(self, name: str, statement: str) -> list[str]:
-        taken = ["VAR_TEMP", "  START_INFO : ARRAY[0..19] OF BYTE;", "END_VAR"] if self.classic else []
-        lines = [f"ORGANIZATION_BLOCK {name}", *self.attributes, *taken, "BEGIN", f"  {statement}"]
+        lines = [f"ORGANIZATION_BLOCK {name}", *self.attributes, "BEGIN", f"  {statement}"]
         return [*lines, "END_ORGANIZATION_BLOCK"]
 
     def _data(self, main: str, instance: str) -> str:
-        """The data block of an instance; that of the interlocking itself stands with it.
-
-        A symbol of STEP 7 classic has 24 characters at most: there is no room for the names of layout and substation.
-        """
-        if instance == INSTANCE:
-            return f"DB_{main}"
-        return f"DB_{instance}" if self.classic else f"{main}_{instance}"
-
-    def _kept(self, program: Block, main: str) -> dict[str, str]:
-        """Data blocks, and the block of which each is an instance ("" for the global one)."""
-        return {**{self._data(main, n): kind for n, kind in _instances(program).items()}, f"{main}_{OPERATOR}": ""}
+        """The data block of an instance; that of the interlocking itself stands with it."""
+        return f"DB_{main}" if instance == INSTANCE else f"{main}_{instance}"
 
     def _shown(self, program: Block, main: str) -> dict[str, str]:
         """How each name of the program is written; that of an instance with a bracket is its call."""
@@ -126,7 +105,7 @@ class Family:
         for d in program.locals:
             if d.type not in ("BOOL", "INT"):
                 shown[d.name] = f'"{self._data(main, d.name)}"'
-                shown[f"{d.name}("] = f'"{d.type}".{shown[d.name]}(' if self.classic else f"{shown[d.name]}("
+                shown[f"{d.name}("] = f"{shown[d.name]}("
             else:
                 shown[d.name] = f'"{main}_{OPERATOR}".{d.name}' if d.name in operators else f'"{d.name}"'
         return shown
@@ -134,33 +113,26 @@ class Family:
     def read(self, files: Files) -> Unit:
         """The blocks of the files; a mapping program is last.
 
-        Addresses are those of the symbol table; without one, each wire is declared without an address.
+        Each wire is declared without an address: that stands in the table of tags.
         """
         sources = [t for n, t in files.items() if n.endswith(".scl") and not n.endswith(("_io.scl", "_ob.scl"))]
         if len(sources) != 1:
             raise NotInSubset("not one file with the interlocking")
         core = parse_unit(sources[0], self.style)
         main = core.blocks[-1].name
-        if self.classic:
-            _no_addresses(core)
         if len(files) == 1:
             return core
         name = _name(main)
-        sections = _sections(_uncommented(files[f"{name}_io.scl"]))
+        sections = _sections(uncommented(files[f"{name}_io.scl"]))
         helpers = parse_unit("\n".join(sections["FUNCTION_BLOCK"]), replace(self.style, instance="")).blocks
         (function,) = sections["FUNCTION"]
         held = [self._held(x, main) for x in sections["DATA_BLOCK"]]
         declared = (*(d for part in held for d in part), Declaration(INSTANCE, main))
         program = self._function(function, main, declared)
-        task = self._task(_uncommented(files[f"{name}_ob.scl"]), program.name, main)
-        expected = {f"{name}{x}" for x in (".scl", "_io.scl", "_ob.scl", *((".sdf",) if self.classic else ()))}
+        task = self._task(uncommented(files[f"{name}_ob.scl"]), program.name, main)
+        expected = {f"{name}{x}" for x in (".scl", "_io.scl", "_ob.scl")}
         if set(files) != expected:
             raise NotInSubset(f"files are not {', '.join(sorted(expected))}")
-        if self.classic:
-            wires = read_symbols(files[f"{name}.sdf"], (*core.blocks, *helpers), program, self._kept(program, main))
-            placed = {n: Declaration(n, "BOOL", address=where) for n, where in wires.items()}
-            others = tuple(d for d in program.locals if d.name not in placed)
-            program = replace(program, locals=(*placed.values(), *others))
         return Unit((*helpers, *core.blocks, program), task=task)
 
     def _held(self, text: str, main: str) -> tuple[Declaration, ...]:
@@ -206,7 +178,7 @@ class Family:
         """What the organization blocks do: exactly as they are written, or it is refused."""
         for startup in ("", RESTART):
             task = Task("", "", Runs.CYCLE.value, 0, "", program, startup)
-            if text == _uncommented(self._organization(task, main, ())):
+            if text == uncommented(self._organization(task, main, ())):
                 return task
         raise NotInSubset("organization blocks that do something else")
 
@@ -237,7 +209,7 @@ def _put(line: str, shown: Mapping[str, str]) -> str:
     return re.sub(r"#(\w+\(?)", lambda m: shown[m[1]], line, flags=re.ASCII)
 
 
-def _uncommented(text: str) -> str:
+def uncommented(text: str) -> str:
     """Without comments and empty lines; what other tools might take for a comment is refused."""
     text = re.sub(r"[ \t]+$", "", _COMMENT.sub("", text), flags=re.MULTILINE)
     if not text.isascii() or any(x in text for x in ("//", "/*", "(*", "*)", "\r", "\f", "\v")):
@@ -257,34 +229,3 @@ def _sections(text: str) -> dict[str, list[str]]:
     if at != len(text) or len(found["FUNCTION"]) != 1 or not found["FUNCTION_BLOCK"]:
         raise NotInSubset(f"something that is no block of a mapping program: {text[at : at + 40]!r}")
     return found
-
-
-def _renamed(unit: Unit) -> Unit:
-    """Instances whose names would be taken for addresses (T01 is a timer) get others."""
-    main = unit.blocks[-1]
-    other = {d.name: f"I_{d.name}" for d in main.locals if _ABSOLUTE.fullmatch(d.name)}
-
-    def value(x: Expression) -> Expression:
-        if isinstance(x, Name):
-            return Name((other.get(x.parts[0], x.parts[0]), *x.parts[1:]))
-        if isinstance(x, Not):
-            return Not(value(x.arg))
-        return replace(x, args=tuple(map(value, x.args))) if isinstance(x, Nary) else x
-
-    def statement(s: Statement) -> Statement:
-        if isinstance(s, Call):
-            called = other.get(s.instance, s.instance)
-            return replace(s, instance=called, params=tuple((n, value(x)) for n, x in s.params))
-        return replace(s, value=value(s.value)) if isinstance(s, Assign) else s
-
-    locals_ = tuple(replace(d, name=other.get(d.name, d.name)) for d in main.locals)
-    whole = replace(main, locals=locals_, body=tuple(map(statement, main.body)))
-    return replace(unit, blocks=(*unit.blocks[:-1], whole))
-
-
-def _no_addresses(unit: Unit) -> None:
-    """Raise `NotInSubset` at a name that S7-SCL would take for an address."""
-    for b in unit.blocks:
-        for d in (*b.inputs, *b.outputs, *b.locals):
-            if _ABSOLUTE.fullmatch(d.name.upper()):
-                raise NotInSubset(f"{b.name}: {d.name} is an address in S7-SCL")

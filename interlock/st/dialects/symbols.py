@@ -10,25 +10,26 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
-from interlock.st.ast import Block
+from interlock.st.ast import Block, Declaration
 from interlock.st.parser import NotInSubset
 
 LONGEST = 24
 """Characters of a symbol, at most."""
+_KINDS = {"FUNCTION_BLOCK": "FB", "FUNCTION": "FC", "DATA_BLOCK": "DB", "INSTANCE": "DB"}
 
 
-def symbol_table(blocks: Sequence[Block], program: Block, data: Mapping[str, str]) -> str:
-    """The table; `data`: each data block with the block of which it is an instance, or "" for a global one."""
-    rows = [*_blocks(blocks, program, data), *_wires(program)]
+def symbol_table(blocks: Sequence[Block], wires: Block) -> str:
+    """The table: blocks in their order, then terminals."""
+    rows = [*_blocks(blocks), *_wires(wires)]
     out = io.StringIO()
     csv.writer(out, quoting=csv.QUOTE_ALL, lineterminator="\n").writerows(rows)
     return out.getvalue()
 
 
-def read_symbols(text: str, blocks: Sequence[Block], program: Block, data: Mapping[str, str]) -> dict[str, str]:
-    """The addresses of terminals by name, as IEC writes them; raises `NotInSubset`.
+def read_symbols(text: str, blocks: Sequence[Block]) -> tuple[Declaration, ...]:
+    """The terminals with their addresses as IEC writes them; raises `NotInSubset`.
 
     Everything else must be the blocks that there are.
     """
@@ -40,30 +41,35 @@ def read_symbols(text: str, blocks: Sequence[Block], program: Block, data: Mappi
         raise NotInSubset("a symbol table with a name or an address twice")
     if long := [n for n in names if len(n) > LONGEST]:
         raise NotInSubset(f"{long[0]} has {len(long[0])} characters; a symbol has {LONGEST} at most")
-    wanted = [r[:3] for r in _blocks(blocks, program, data)]
+    wanted = [r[:3] for r in _blocks(blocks)]
     if [r[:3] for r in rows[: len(wanted)]] != wanted:
         raise NotInSubset("a symbol table with other blocks")
-    found = {}
+    found = []
     for name, address, kind, _ in rows[len(wanted) :]:
         place = re.fullmatch(r"([IQ]) ([0-9]+\.[0-7])", address)
         if place is None or kind != "BOOL":
             raise NotInSubset(f"{name} is no bit of an input or output")
-        found[name] = f"%{place[1]}X{place[2]}"
-    return found
+        found.append(Declaration(name, "BOOL", address=f"%{place[1]}X{place[2]}"))
+    return tuple(found)
 
 
-def _blocks(blocks: Sequence[Block], program: Block, data: Mapping[str, str]) -> list[list[str]]:
-    number = {b.name: f"FB {n}" for n, b in enumerate(blocks, 1)}
+def _blocks(blocks: Sequence[Block]) -> list[list[str]]:
+    """A row for each block, numbered kind by kind; an instance names its block."""
+    number: dict[str, str] = {}
+    count = dict.fromkeys(_KINDS.values(), 0)
     rows = [["TON", "SFB 4", "SFB 4", "on-delay timer"]]
-    rows += [[n, x, x, ""] for n, x in number.items()]
-    rows += [[n, f"DB {k}", number.get(of, f"DB {k}"), ""] for k, (n, of) in enumerate(data.items(), 1)]
-    return [*rows, [program.name, "FC 1", "FC 1", "mapping program"]]
+    for b in blocks:
+        kind = _KINDS[b.kind]
+        count[kind] += 1
+        number[b.name] = own = f"{kind} {count[kind]}"
+        rows.append([b.name, own, number.get(b.locals[0].type, own) if b.kind == "INSTANCE" else own, ""])
+    return rows
 
 
-def _wires(program: Block) -> list[list[str]]:
+def _wires(wires: Block) -> list[list[str]]:
     plain = re.compile(r"[^ -~]|\"")
     return [
         [d.name, f"{d.address[1]} {d.address[3:]}", "BOOL", plain.sub("_", d.note)[:80]]
-        for d in program.locals
+        for d in wires.locals
         if d.address
     ]

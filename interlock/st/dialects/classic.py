@@ -1,0 +1,129 @@
+"""The files for STEP 7 classic (S7-300, S7-400): data blocks, functions, organization blocks, the symbol table.
+
+Variables lie in data blocks (`interlock.st.shared`), so that no block hands one to another: an FB that hands thousands
+of values to others is larger than these controllers allow.  The forms are those of public manuals (S7-SCL and STL for
+S7-300/400: sources, a call by the names of block and data block, 20 bytes of start information in an organization
+block; Programming with STEP 7: the symbol table); the tool was not at hand.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+from interlock.st.ast import Block, Task, Unit
+from interlock.st.dialects.dialect import Files
+from interlock.st.dialects.symbols import read_symbols, symbol_table
+from interlock.st.parser import NotInSubset
+from interlock.st.printer import MAX_COLUMNS
+from interlock.st.program import Runs
+from interlock.st.restart import RESTART
+from interlock.st.shared import INPUTS, OPERATOR, Frame, flat, frame, shared
+
+_ABSOLUTE = re.compile(r"(?:[TCZMIQEA]|DB|DI|FB|FC|OB|SFB|SFC|UDT|P[IQEA])[BWDX]?[0-9]+")
+"""What STEP 7 takes for an address, a timer or a block, whoever declares it."""
+
+
+@dataclass(frozen=True)
+class Language:
+    """How a language of STEP 7 classic is written.
+
+    suffix: of a source.  comment: a line of it.  block: the lines of a block.  cycle, startup: the lines of OB1, which
+    calls a function, and of OB100, which sets a variable.  read: the blocks of a source, given what is defined
+    elsewhere.  uncommented: its text without comments.
+    """
+
+    suffix: str
+    comment: Callable[[str], str]
+    block: Callable[[Block, Frame], list[str]]
+    cycle: Callable[[str], list[str]]
+    startup: Callable[[str, str], list[str]]
+    read: Callable[[str, Sequence[Block]], list[Block]]
+    uncommented: Callable[[str], str]
+
+    def write(self, unit: Unit) -> dict[str, str]:
+        """The interlocking; with a mapping program that too, the organization blocks, and the symbol table."""
+        made = shared(unit)
+        name, core, rest = _parted(made.blocks)
+        known = frame(made.blocks)
+        head = [self.comment(x) for x in unit.header]
+        index = [self.comment(x) for line in made.index for x in wrapped(line)]
+        files = {f"{name}{self.suffix}": self._text([*head, *index], core, known)}
+        if not rest:
+            return files
+        assert unit.task is not None and unit.task.startup == RESTART
+        *program, wires = rest
+        files[f"{name}_io{self.suffix}"] = self._text(head, program, known)
+        files[f"{name}_ob{self.suffix}"] = "\n".join([*head, "", *self._organization(f"IL_{name}"), ""])
+        files[f"{name}.sdf"] = symbol_table((*core, *program), wires)
+        return files
+
+    def _text(self, head: Sequence[str], blocks: Sequence[Block], known: Frame) -> str:
+        lines = [*head]
+        for b in blocks:
+            lines += ["", *self.block(b, known)]
+        return "\n".join([*lines, ""])
+
+    def _organization(self, main: str) -> list[str]:
+        return [*self.cycle(f"{main}_IO"), "", *self.startup(main + OPERATOR, RESTART)]
+
+    def read_files(self, files: Files) -> Unit:
+        """What the files do, as in all dialects; a mapping program is last."""
+        sources = [n for n in files if n.endswith(self.suffix) and not re.search(r"_(io|ob)\.\w+$", n)]
+        if len(sources) != 1:
+            raise NotInSubset("not one file with the interlocking")
+        core = self.read(files[sources[0]], ())
+        name = core[0].name.removeprefix("IL_").removesuffix(INPUTS)
+        if len(files) == 1:
+            _no_addresses(core)
+            return flat(Unit(tuple(core)))
+        expected = {f"{name}{x}" for x in (self.suffix, f"_io{self.suffix}", f"_ob{self.suffix}", ".sdf")}
+        if set(files) != expected:
+            raise NotInSubset(f"files are not {', '.join(sorted(expected))}")
+        program = self.read(files[f"{name}_io{self.suffix}"], core)
+        _no_addresses((*core, *program))
+        _, mine, rest = _parted((*core, *program))
+        if [*mine] != core or [*rest] != program:
+            raise NotInSubset("blocks that do not stand in their own file")
+        ob = self.uncommented(files[f"{name}_ob{self.suffix}"])
+        if ob != self.uncommented("\n".join([*self._organization(f"IL_{name}"), ""])):
+            raise NotInSubset("organization blocks that do something else")
+        wires = Block("", (), (), read_symbols(files[f"{name}.sdf"], (*core, *program)), (), kind="WIRES")
+        return flat(Unit((*core, *program, wires), task=organized(f"IL_{name}_IO")))
+
+
+def organized(program: str) -> Task:
+    """OB1 runs the program; OB100 tells it of a restart."""
+    return Task("", "", Runs.CYCLE.value, 0, "", program, RESTART)
+
+
+def _parted(blocks: Sequence[Block]) -> tuple[str, Sequence[Block], Sequence[Block]]:
+    """The name of the layout, the blocks of the interlocking, its main block last, and all others."""
+    main = blocks[0].name.removesuffix(INPUTS)
+    at = next((k for k, b in enumerate(blocks, 1) if b.name == main), 0)
+    if not at or main == blocks[0].name:
+        raise NotInSubset("no interlocking that begins with its data blocks and ends with its main block")
+    return main.removeprefix("IL_"), blocks[:at], blocks[at:]
+
+
+def wrapped(line: str) -> Iterator[str]:
+    """A long line of a comment in pieces."""
+    room = MAX_COLUMNS - 10
+    while len(line) > room:
+        cut = line.rfind(" ", 0, room)
+        cut = cut if cut > 0 else room
+        yield line[:cut]
+        line = f"    {line[cut:].lstrip()}"
+    yield line
+
+
+def _no_addresses(blocks: Sequence[Block]) -> None:
+    """Raise `NotInSubset` at a name that STEP 7 would take for an address."""
+    for b in blocks:
+        for d in (*b.inputs, *b.outputs, *b.locals):
+            if _ABSOLUTE.fullmatch(d.name.upper()):
+                raise NotInSubset(f"{b.name}: {d.name} is an address in STEP 7")
+
+
+__all__ = ["Language", "wrapped"]

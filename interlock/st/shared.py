@@ -1,0 +1,447 @@
+"""The same text with its variables in data blocks: no block hands a value to another, it lies where all can see it.
+
+A controller whose blocks hand each wire on as a parameter needs one calling block that is larger than a small
+controller allows.  Here three data blocks hold inputs (`_I`), outputs and words (`_Q`), and all that is computed or
+kept (`_D`); blocks without parameters are called, in the same order, by a few group blocks (`_G..`), and these by one
+block.  Timers keep something of their own: their blocks are function blocks with an instance data block each.
+
+A unit in this form has blocks of these kinds, callees first: DATA_BLOCK (its locals are its members), INSTANCE (its
+one local is of the type of which it is an instance), FUNCTION (its locals are temporary), FUNCTION_BLOCK, and last
+WIRES, the terminals with their addresses.  A name of two parts is a member of a data block; one of one part is a
+block's own variable, or in the mapping program a terminal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from interlock.st.ast import (
+    HEADLINE,
+    Assign,
+    Block,
+    Bool,
+    Call,
+    Compare,
+    Declaration,
+    Expression,
+    If,
+    Int,
+    Name,
+    Nary,
+    Not,
+    Statement,
+    Time,
+    Unit,
+)
+from interlock.st.parser import NotInSubset
+from interlock.st.program import INSTANCE
+
+INPUTS, OUTPUTS, INNER, OPERATOR = "_I", "_Q", "_D", "_HMI"
+"""What a data block is called after the main block: inputs, outputs and words, all else, the operator's variables."""
+GROUP = 24
+"""Blocks that one group block calls, at most."""
+MOST = 150
+"""Wires that one block of the mapping program carries, and outputs that one block sets, at most."""
+PLAIN = ("BOOL", "INT", "TON")
+
+
+@dataclass(frozen=True)
+class Frame:
+    """By name what is data block, number in one, instance (with its block) and function in a unit of this form."""
+
+    data: frozenset[str]
+    numbers: frozenset[tuple[str, str]]
+    instances: Mapping[str, str]
+    functions: frozenset[str]
+
+
+def frame(blocks: Sequence[Block]) -> Frame:
+    """What the blocks are."""
+    return Frame(
+        frozenset(b.name for b in blocks if b.kind == "DATA_BLOCK"),
+        frozenset((b.name, d.name) for b in blocks if b.kind == "DATA_BLOCK" for d in b.locals if d.type == "INT"),
+        {b.name: b.locals[0].type for b in blocks if b.kind == "INSTANCE"},
+        frozenset(b.name for b in blocks if b.kind == "FUNCTION"),
+    )
+
+
+def renamed(x: Expression, name: Callable[[Name], Expression]) -> Expression:
+    """An expression with something else for each name."""
+    if isinstance(x, Name):
+        return name(x)
+    if isinstance(x, Not):
+        return Not(renamed(x.arg, name))
+    if isinstance(x, Nary):
+        return replace(x, args=tuple([renamed(a, name) for a in x.args]))
+    return replace(x, left=renamed(x.left, name), right=renamed(x.right, name)) if isinstance(x, Compare) else x
+
+
+def _put(s: Statement, name: Callable[[Name], Name]) -> Statement:
+    """A statement with other names."""
+    if isinstance(s, Assign):
+        return replace(s, target=name(s.target), value=renamed(s.value, name))
+    if isinstance(s, Call):
+        return replace(s, params=tuple((n, renamed(x, name)) for n, x in s.params))
+    arms = [(renamed(c, name), tuple(_put(t, name) for t in then)) for c, then in s.arms]
+    return If(*arms[0], tuple(_put(t, name) for t in s.otherwise), tuple(arms[1:]))
+
+
+def instance(block: str) -> str:
+    """The data block of a block that keeps something."""
+    return f"DB_{block}"
+
+
+# --- from parameters to data blocks --------------------------------------------------------------
+
+
+def shared(unit: Unit) -> Unit:
+    """An interlocking, which may end with its mapping program, in this form."""
+    if unit.blocks[-1].kind != "PROGRAM":
+        return replace(unit, blocks=tuple(_interlocking(unit.blocks)))
+    *blocks, program = unit.blocks
+    types = {d.name: d.type for d in program.locals}
+    main = types[INSTANCE]
+    helpers = [b for b in blocks if b.name in types.values() and b.name != main]
+    core = _interlocking([b for b in blocks if b not in helpers])
+    return replace(unit, blocks=(*core, *helpers, *_mapping(program, main)))
+
+
+def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
+    """Data blocks, the blocks in the order in which they are called, group blocks, and the one that calls these."""
+    *callees, main = blocks
+    kinds = {b.name: b for b in callees}
+    types = {d.name: d.type for d in main.locals}
+    data = {d.name: main.name + INPUTS for d in main.inputs} | {d.name: main.name + OUTPUTS for d in main.outputs}
+    inner = [d for b in callees for d in b.outputs if d.name not in data]
+    data |= {d.name: main.name + INNER for d in inner}
+
+    def place(n: Name) -> Name:
+        return Name((data[n.parts[-1]], n.parts[-1]))
+
+    yield Block(main.name + INPUTS, (), (), main.inputs, (), "inputs", "DATA_BLOCK")
+    yield Block(main.name + OUTPUTS, (), (), main.outputs, (), "outputs, and what is said of routes", "DATA_BLOCK")
+    yield Block(main.name + INNER, (), (), tuple(inner), (), "what is computed and kept", "DATA_BLOCK")
+    calls: list[Call] = []
+    for s in main.body:
+        if isinstance(s, Call):
+            b = kinds[types[s.instance]]
+            made, called = _placed(b, data)
+            yield from made
+            calls.append(Call(called, (), b.note[:HEADLINE]))
+    settings = [_put(s, place) for s in main.body if isinstance(s, Assign)]
+    settings = [s for s in settings if not (isinstance(s, Assign) and s.target == s.value)]  # written where it is made
+    for k, part in enumerate(_parts(settings, MOST), 1):
+        yield Block(f"{main.name}_Y{k:02d}", (), (), (), tuple(part), "outputs", "FUNCTION")
+        calls.append(Call(f"{main.name}_Y{k:02d}", (), "outputs"))
+    groups = _parts(calls, GROUP)
+    for k, part in enumerate(groups, 1):
+        yield Block(f"{main.name}_G{k:02d}", (), (), (), tuple(part), "calls in the order of the proof", "FUNCTION")
+    body = tuple(Call(f"{main.name}_G{k:02d}", ()) for k in range(1, len(groups) + 1))
+    yield Block(main.name, (), (), (), body, main.note, "FUNCTION")
+
+
+def _placed(b: Block, data: Mapping[str, str]) -> tuple[list[Block], str]:
+    """A block that reads and writes data blocks, and what is called; one with timers has an instance."""
+    own = {d.name for d in b.locals}
+
+    def place(n: Name) -> Name:
+        return n if n.parts[0] in own else Name((data[n.parts[0]], n.parts[0]))
+
+    body = tuple(_put(s, place) for s in b.body)
+    if all(d.type != "TON" for d in b.locals):
+        return [Block(b.name, (), (), b.locals, body, b.note, "FUNCTION")], b.name
+    kept = Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), "", "INSTANCE")
+    return [Block(b.name, (), (), b.locals, body, b.note), kept], kept.name
+
+
+def _parts(xs: Sequence[Statement], most: int) -> list[Sequence[Statement]]:
+    return [xs[i : i + most] for i in range(0, len(xs), most)]
+
+
+def _mapping(program: Block, main: str) -> Iterator[Block]:
+    """Instances, the operator's variables, the blocks that carry wires in and out, the program, and the terminals."""
+    instances = {d.name: d.type for d in program.locals if d.type not in PLAIN and d.name != INSTANCE}
+    operators = tuple(d for d in program.locals if d.type in PLAIN and not d.address)
+    wires = tuple(d for d in program.locals if d.address)
+    for n, kind in instances.items():
+        yield Block(instance(n), (), (), (Declaration("OF", kind),), (), "", "INSTANCE")
+    yield Block(main + OPERATOR, (), (), operators, (), "the operator's place", "DATA_BLOCK")
+    data = {d.name: main + OPERATOR for d in operators}
+
+    def place(n: Name) -> Name:
+        first = n.parts[0]
+        if first == INSTANCE:
+            return Name((main + OUTPUTS, n.parts[1]))
+        if first in instances:
+            return Name((instance(first), *n.parts[1:]))
+        return Name((data[first], first)) if first in data else n
+
+    body: list[Statement] = []
+    out: list[Statement] = []
+    for s in program.body:
+        made = _put(s, place)
+        if isinstance(s, Call) and s.instance == INSTANCE:
+            assert isinstance(made, Call)
+            carried = [Assign(Name((main + INPUTS, n)), x) for n, x in made.params]
+            for k, part in enumerate(_parts(carried, MOST), 1):
+                yield Block(f"{main}_IN{k:02d}", (), (), (), tuple(part), "wires to inputs", "FUNCTION")
+                body.append(Call(f"{main}_IN{k:02d}", ()))
+            body.append(Call(main, ()))
+        elif isinstance(s, Call):
+            assert isinstance(made, Call)
+            body.append(replace(made, instance=instance(s.instance)))
+        elif isinstance(s, Assign) and isinstance(s.value, Name) and s.value.parts[0] == INSTANCE:
+            out.append(made)
+        else:
+            if out:
+                for k, part in enumerate(_parts(out, MOST), 1):
+                    yield Block(f"{main}_OUT{k:02d}", (), (), (), tuple(part), "outputs to wires", "FUNCTION")
+                    body.append(Call(f"{main}_OUT{k:02d}", ()))
+                out = []
+            body.append(made)
+    assert not out
+    yield Block(program.name, (), (), (), tuple(body), program.note, "FUNCTION")
+    yield Block("", (), (), wires, (), "", "WIRES")
+
+
+# --- and back ------------------------------------------------------------------------------------
+
+
+def flat(unit: Unit) -> Unit:
+    """What a unit of this form does, as one function block, and its mapping program if there is one; raises
+    `NotInSubset`.
+
+    The blocks' statements stand in the order in which they are carried out; what is temporary in a block has a name
+    that no text can have, so that nobody else reads it.
+    """
+    by_name: dict[str, Block] = {}
+    for b in unit.blocks:
+        if by_name.setdefault(b.name.upper(), b) is not b:
+            raise NotInSubset(f"{b.name} is there twice")
+    main = unit.blocks[0].name.removesuffix(INPUTS)
+    called: set[str] = set()
+    core = _Core(unit, main, called)
+    block = core.block()
+    programs = [b for b in unit.blocks if b.name == f"{main}_IO"]
+    rest = [b for b in unit.blocks if b.kind == "WIRES"]
+    known = {main + x for x in (INPUTS, OUTPUTS, INNER, *((OPERATOR,) if programs else ()))}
+    if {b.name for b in unit.blocks if b.kind == "DATA_BLOCK"} != known:
+        raise NotInSubset(f"data blocks are not {', '.join(sorted(known))}")
+    if not programs and not rest:
+        _all_called(unit, called)
+        return Unit((block,), task=unit.task)
+    if len(programs) != 1 or len(rest) != 1:
+        raise NotInSubset("not one mapping program with its terminals")
+    program = _Program(unit, main, called, rest[0].locals).block(programs[0])
+    _all_called(unit, called | {programs[0].name})
+    helpers = [b for b in unit.blocks if b.kind == "FUNCTION_BLOCK" and b.name not in core.timing]
+    return Unit((*helpers, block, program), task=unit.task)
+
+
+def _all_called(unit: Unit, called: set[str]) -> None:
+    left = [b.name for b in unit.blocks if b.kind in ("FUNCTION", "INSTANCE") and b.name not in called]
+    if left:
+        raise NotInSubset(f"{left[0]} is never called")
+
+
+def names_in(s: Statement) -> Iterator[Name]:
+    """Every name that a statement reads or writes."""
+    if isinstance(s, Assign):
+        yield s.target
+        yield from _names(s.value)
+    elif isinstance(s, Call):
+        for _, x in s.params:
+            yield from _names(x)
+    else:
+        for c, then in s.arms:
+            yield from _names(c)
+            for t in then:
+                yield from names_in(t)
+        for t in s.otherwise:
+            yield from names_in(t)
+
+
+def _names(x: Expression) -> Iterator[Name]:
+    if isinstance(x, Name):
+        yield x
+    elif isinstance(x, Not):
+        yield from _names(x.arg)
+    elif isinstance(x, Nary):
+        for a in x.args:
+            yield from _names(a)
+    elif isinstance(x, Compare):
+        yield from _names(x.left)
+        yield from _names(x.right)
+    else:
+        assert isinstance(x, Bool | Int | Time)
+
+
+def writes(s: Statement) -> Iterator[Name]:
+    """Every name that a statement writes."""
+    if isinstance(s, Assign):
+        yield s.target
+    elif isinstance(s, If):
+        for t in (*(t for _, then in s.arms for t in then), *s.otherwise):
+            yield from writes(t)
+
+
+def reads(s: Statement) -> Iterator[Name]:
+    """Every name that a statement reads; what a call only hands on, as a parameter of the same name, is not read."""
+    if isinstance(s, Assign):
+        yield from _names(s.value)
+    elif isinstance(s, Call):
+        for n, x in s.params:
+            yield from (y for y in _names(x) if y.parts[-1] != n)
+    else:
+        for c, then in s.arms:
+            yield from _names(c)
+            for t in then:
+                yield from reads(t)
+        for t in s.otherwise:
+            yield from reads(t)
+
+
+class _Walk:
+    """The calls of a unit, each carried out once."""
+
+    def __init__(self, unit: Unit, main: str, called: set[str]) -> None:
+        self.main, self.called = main, called
+        self.functions = {b.name: b for b in unit.blocks if b.kind == "FUNCTION"}
+        self.blocks = {b.name: b for b in unit.blocks if b.kind == "FUNCTION_BLOCK"}
+        self.instances = {b.name: b.locals[0].type for b in unit.blocks if b.kind == "INSTANCE"}
+        self.data = {b.name: b.locals for b in unit.blocks if b.kind == "DATA_BLOCK"}
+
+    def once(self, name: str) -> None:
+        """Raises `NotInSubset` at a second call."""
+        if name in self.called:
+            raise NotInSubset(f"{name} is called twice")
+        self.called.add(name)
+
+
+class _Core(_Walk):
+    """The interlocking as one function block."""
+
+    def __init__(self, unit: Unit, main: str, called: set[str]) -> None:
+        super().__init__(unit, main, called)
+        try:
+            self.inputs, self.outputs, inner = (self.data[main + x] for x in (INPUTS, OUTPUTS, INNER))
+        except KeyError as missing:
+            raise NotInSubset(f"no data block {missing}") from missing
+        self.members = {d.name: main + x for x in (INPUTS, OUTPUTS, INNER) for d in self.data[main + x]}
+        if len(self.members) != len(self.inputs) + len(self.outputs) + len(inner):
+            raise NotInSubset("two variables of one name")
+        self.locals = list(inner)
+        self.timing: set[str] = set()
+        self.body: list[Statement] = []
+
+    def block(self) -> Block:
+        """The function block."""
+        if self.main not in self.functions:
+            raise NotInSubset(f"no block {self.main}")
+        self._carry(self.main, self.functions[self.main])
+        return Block(self.main, self.inputs, self.outputs, tuple(self.locals), tuple(self.body))
+
+    def _carry(self, name: str, b: Block) -> None:
+        """The statements of a block, those of what it calls in their place."""
+        self.once(name)
+        if b.inputs or b.outputs:
+            raise NotInSubset(f"{b.name} has parameters")
+        own: dict[str, str] = {}
+        for d in b.locals:
+            if d.name in own or d.initial is not None or (d.type == "TON") > (b.kind == "FUNCTION_BLOCK"):
+                raise NotInSubset(f"{b.name}: {d.name} is declared twice, or otherwise than as its own")
+            own[d.name] = d.name if d.type == "TON" else f"{b.name} {d.name}"
+            self.locals.append(replace(d, name=own[d.name]))
+
+        def put(n: Name) -> Name:
+            first, last = n.parts[0], n.parts[-1]
+            if first in own and (len(n.parts) == 1 or last == "Q"):
+                return Name((own[first], *n.parts[1:]))
+            if len(n.parts) == 2 and self.members.get(last) == first:
+                return Name((last,))
+            raise NotInSubset(f"{b.name}: {n} is not declared")
+
+        for s in b.body:
+            if isinstance(s, Call) and s.instance in self.functions and not s.params:
+                self._carry(s.instance, self.functions[s.instance])
+            elif isinstance(s, Call) and s.instance in self.instances and not s.params:
+                kind = self.instances[s.instance]
+                if kind not in self.blocks or kind in self.timing:
+                    raise NotInSubset(f"{s.instance} is no instance of a block, or a second one")
+                self.timing.add(kind)
+                self._carry(s.instance, self.blocks[kind])
+            elif isinstance(s, Call):
+                if s.instance not in own:
+                    raise NotInSubset(f"{b.name} calls {s.instance}")
+                self.body.append(_put(s, put))
+            else:
+                made = _put(s, put)
+                given = {d.name for d in self.inputs}
+                if wrong := [str(n) for n in writes(made) if str(n) in given]:
+                    raise NotInSubset(f"{b.name} writes {wrong[0]}, which is an input")
+                self.body.append(made)
+
+
+class _Program(_Walk):
+    """The mapping program as it is in all forms."""
+
+    def __init__(self, unit: Unit, main: str, called: set[str], wires: Sequence[Declaration]) -> None:
+        super().__init__(unit, main, called)
+        self.wires, self.terminals = wires, {d.name for d in wires}
+        self.operators = self.data.get(main + OPERATOR, ())
+        self.held = {d.name for d in self.operators}
+        self.given: list[tuple[str, Expression]] = []
+        self.body: list[Statement] = []
+
+    def block(self, program: Block) -> Block:
+        """The program."""
+        self._carry(program)
+        if self.given:
+            raise NotInSubset("an input is written after the interlocking was called")
+        names = {d.name for d in (*self.wires, *self.operators)}
+        used = {n.removeprefix("DB_"): kind for n, kind in self.instances.items() if kind in self._helpers()}
+        if len(names) != len(self.wires) + len(self.operators) or names & {*used, INSTANCE}:
+            raise NotInSubset("two variables of one name")
+        instances = (*(Declaration(n, kind) for n, kind in used.items()), Declaration(INSTANCE, self.main))
+        locals_ = (*self.wires, *self.operators, *instances)
+        return Block(program.name, (), (), locals_, tuple(self.body), kind="PROGRAM")
+
+    def _helpers(self) -> set[str]:
+        return {self.instances[n] for n in self.instances if n.removeprefix("DB_") not in self.blocks}
+
+    def _carry(self, b: Block) -> None:
+        if b.locals or b.inputs or b.outputs:
+            raise NotInSubset(f"{b.name} has variables of its own")
+        for s in b.body:
+            if isinstance(s, Call) and s.instance == self.main and not s.params:
+                self.body.append(Call(INSTANCE, tuple(self.given)))
+                self.given = []
+            elif isinstance(s, Call) and s.instance in self.functions and not s.params:
+                self.once(s.instance)
+                self._carry(self.functions[s.instance])
+            elif isinstance(s, Assign) and s.target.parts[0] == self.main + INPUTS:
+                self.given.append((s.target.parts[1], renamed(s.value, self._name)))
+            elif self.given:
+                raise NotInSubset("something else stands between the inputs and the call of the interlocking")
+            elif isinstance(s, Call):
+                if s.instance not in self.instances:
+                    raise NotInSubset(f"{b.name} calls {s.instance}")
+                self.once(s.instance)
+                self.body.append(_put(replace(s, instance=s.instance.removeprefix("DB_")), self._name))
+            else:
+                if any(len(n.parts) == 2 and n.parts[0] != self.main + OPERATOR for n in writes(s)):
+                    raise NotInSubset(f"{b.name} writes what is not the operator's")
+                self.body.append(_put(s, self._name))
+
+    def _name(self, n: Name) -> Name:
+        first, last = n.parts[0], n.parts[-1]
+        if len(n.parts) == 1 and first in self.terminals:
+            return n
+        if first == self.main + OPERATOR and last in self.held:
+            return Name((last,))
+        if first == self.main + OUTPUTS:
+            return Name((INSTANCE, last))
+        if first in self.instances:
+            return Name((first.removeprefix("DB_"), last))
+        raise NotInSubset(f"{n} is not declared")
