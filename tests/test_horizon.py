@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
 from click.testing import CliRunner
 
-from interlock.app.horizon import compared, horizon
+from interlock.app.horizon import by_stages, compared, horizon
 from interlock.app.setting import prepared
 from interlock.app.shifts import one
 from interlock.app.worked import Options
 from interlock.cli.simulate import command
+from interlock.planning.displib import write
 from interlock.planning.planner import schedule
 from interlock.planning.problem import Plan, Problem
 from interlock.planning.rules import soonest
+from interlock.planning.verify import verified
 from tests.campaigns import horizon as campaign
 from tests.campaigns.shift import HEISHAN, fleet_of
 
@@ -33,6 +36,38 @@ def test_a_train_alone_makes_the_turns_that_the_clock_allows(tmp_path: Path) -> 
     h = horizon(setting, 2)
     first = next(k for k, o in enumerate(h.problem.trains[0]) if o.latest is not None)
     assert soonest(h.problem, 0)[first] == out, "tipped, and on its way back"
+
+
+def written(problem: Problem) -> dict[str, Any]:
+    """A problem as a file of DISPLIB has it."""
+    trains = [
+        [
+            {
+                "start_lb": o.earliest,
+                **({} if o.latest is None else {"start_ub": o.latest}),
+                "min_duration": o.duration,
+                "resources": [{"resource": u.resource, "release_time": u.release} for u in o.uses],
+                "successors": list(o.following),
+            }
+            for o in t
+        ]
+        for t in problem.trains
+    ]
+    objective = [
+        {"train": d.train, "operation": d.operation, "coeff": d.rate, "increment": d.once, "threshold": d.due}
+        for d in problem.delays
+    ]
+    return {"trains": trains, "objective": objective}
+
+
+@pytest.mark.parametrize(("trains", "turns"), [(3, 6), (5, 10), (6, 12), (8, 13)])
+def test_a_plan_by_stages_keeps_every_rule_of_the_problem(tmp_path: Path, trains: int, turns: int) -> None:
+    """Two hours; the zone has room for four."""
+    setting = prepared(HEISHAN, fleet_of(tmp_path, trains))
+    h = horizon(setting, 2, zones=trains > 4)
+    plan = by_stages(setting, 2, zones=trains > 4, widths=(50,))
+    assert verified(written(h.problem), json.loads(write(plan))) == (plan.cost, [])
+    assert h.turns - plan.cost == turns and (trains < 5 or inside(h.problem, plan) <= 4)
 
 
 def test_no_shift_brings_out_more_than_the_bound(tmp_path: Path) -> None:

@@ -185,6 +185,26 @@ def test_no_standstill_whatever_fails(tmp_path: Path) -> None:
     assert {"fault", "mended", "alarm", "pressed"} <= kinds
 
 
+def test_a_route_that_nobody_uses_is_cancelled_before_its_sections_are_released() -> None:
+    """Inputs are lost while a train passes XB, so that its route stays set for nobody: no section of it is released by
+    hand before the route is cancelled, and the next train waits for them."""
+    shift = Shift(prepared(HEISHAN, None), 0, Options(hours=1.5))
+    say, write = shift.yard.say, shift.yard.write
+
+    def told(kind: str, **fields: object) -> None:
+        say(kind, **fields)
+        if kind == "runs" and fields["section"] == "s1_wait" and not lost:
+            lost.append(shift.agenda.now_ms)
+            shift.agenda.after(3.0, lambda: write("VALID", 0))
+            shift.agenda.after(33.0, lambda: write("VALID", 1))
+
+    lost: list[int] = []
+    shift.yard.say = told
+    w = shift.run()
+    released = [e for e in read(w.log).events if e["kind"] == "pressed" and e["button"] == "REL_s2"]
+    assert lost and released and not any(summary(w).values()) and w.trains > 2
+
+
 def test_without_the_rule_a_fleet_stands_for_ever(tmp_path: Path) -> None:
     w = one(HEISHAN, fleet_of(tmp_path, 8), 0, Options(rule=False))
     assert w.standstill and w.seconds < 8 * 3600

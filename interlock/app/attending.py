@@ -66,7 +66,7 @@ class Attendant:
         self.look()
 
     def operate(self) -> None:
-        """What stays locked for nobody is released by hand, points that were trailed are confirmed."""
+        """What stays locked for nobody is cancelled and released by hand, points that were trailed are confirmed."""
         seen = self.seen()
         near = {s for run in self.dispatcher.runs for s in run.wanted(seen)}
         for s in self.setting.layout.sections:
@@ -77,6 +77,7 @@ class Attendant:
             clear = seen.get(self.setting.symbols.clear[s.id], 0)
             if seen.get(locked) and clear and s.id not in near:
                 self._press(name, RELEASE_S)
+                self._cancel(s.id)
         ahead = {s.entry for run in self.dispatcher.runs for s in run.granted[run.at :]}
         opened = {s.entry for s in self.dispatcher.stages.values() if s.entry not in ahead and s.open(seen)}
         for g in sorted(opened):
@@ -85,6 +86,11 @@ class Attendant:
             if seen.get(name.replace("TC_", "YT_", 1)):
                 self._press(name, 1.0)
         self.yard.agenda.after(OPERATOR_S, self.operate)
+
+    def _cancel(self, first: SectionId) -> None:
+        """A route that begins in a section may still be set, since nobody was seen to pass its signal."""
+        for g in sorted({x.entry for x in self.dispatcher.stages.values() if x.sections[0] == first}):
+            self._press(self.setting.symbols.cancel[g], 1.0)
 
     def _press(self, name: str, seconds: float) -> None:
         self.yard.write(name, 1)

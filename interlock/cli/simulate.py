@@ -9,9 +9,10 @@ from pathlib import Path
 
 import click
 
-from interlock.app.horizon import Compared, NoHorizon, compared
+from interlock.app.horizon import Compared, compared
 from interlock.app.setting import Setting, prepare
 from interlock.app.shifts import NoCluster, executing, many, mean
+from interlock.app.turns import NoHorizon
 from interlock.app.worked import Options, Worked, summary
 from interlock.cli.common import (
     FINDINGS,

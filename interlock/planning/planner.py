@@ -45,10 +45,19 @@ Note = Callable[[Plan, str], None]
 
 
 def schedule(
-    problem: Problem, seconds: float, workers: int = 1, seed: int = 0, note: Note = lambda plan, by: None
+    problem: Problem,
+    seconds: float,
+    workers: int = 1,
+    seed: int = 0,
+    note: Note = lambda plan, by: None,
+    known: Plan | None = None,
+    by: str = "",
 ) -> Planned:
-    """The best plan that is found in some seconds.  note: told of each better one, and of what found it."""
-    return _Planning(problem, seconds, workers, seed, note).run()
+    """The best plan that is found in some seconds.  note: told of each better one, and of what found it.  known: a plan
+    to begin with, and what it was made `by`."""
+    planning = _Planning(problem, seconds, workers, seed, note)
+    planning.found(known, by)
+    return planning.run()
 
 
 class _Planning:
@@ -63,15 +72,16 @@ class _Planning:
 
     def run(self) -> Planned:
         seconds = self.end - self.began
-        self._found(by_rules(self.problem, until=lambda: clock.monotonic() > self.began + 0.4 * seconds), "rules")
         self.bound = least(self.problem)
+        if self.plan is None:
+            self.found(by_rules(self.problem, until=lambda: clock.monotonic() > self.began + 0.4 * seconds), "rules")
         solver = Solver(self.problem, self.workers, self.random) if installed() else None
         if self.open and self.plan is not None:
             self._recreated(self.began + FIRST * seconds)
         if self.open and solver is not None:
             share = WHOLE if self.plan is not None else 1.0
             answer = solver.whole(self.plan, min(self.end, clock.monotonic() + share * seconds))
-            self._found(answer.plan, "CP-SAT")
+            self.found(answer.plan, "CP-SAT")
             self.bound = max(self.bound, answer.bound)
             if answer.none and self.plan is None:
                 return self._planned(none=True)
@@ -88,7 +98,7 @@ class _Planning:
 
     def _recreated(self, until: float) -> None:
         assert self.plan is not None
-        Recreation(self.problem, self.plan, self.random, lambda p: self._found(p, "recreation")).run(until)
+        Recreation(self.problem, self.plan, self.random, lambda p: self.found(p, "recreation")).run(until)
 
     def _by_turns(self, solver: Solver) -> None:
         count, size = len(self.problem.trains), 3.0
@@ -101,7 +111,7 @@ class _Planning:
             began, before = clock.monotonic(), self.plan.cost
             answer = solver.part(self.plan, free, min(self.end, began + turn))
             quick = answer.done and clock.monotonic() - began < 0.4 * turn
-            self._found(answer.plan, "CP-SAT, some trains at a time")
+            self.found(answer.plan, "CP-SAT, some trains at a time")
             if wanted == count and answer.done:
                 self.bound = max(self.bound, answer.bound)
                 return
@@ -110,7 +120,8 @@ class _Planning:
             if not quick and self.open:
                 self._recreated(min(self.end, clock.monotonic() + turn))
 
-    def _found(self, plan: Plan | None, by: str) -> None:
+    def found(self, plan: Plan | None, by: str) -> None:
+        """A plan, perhaps a better one."""
         if plan is None or (self.plan is not None and plan.cost >= self.plan.cost):
             return
         self.plan, self.by = without_waste(self.problem, plan), by
