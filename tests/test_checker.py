@@ -64,6 +64,14 @@ def test_what_belongs_together_is_accepted(made: Path, capsys: pytest.CaptureFix
     assert ("VERIFIED" in capsys.readouterr().out) is not bool(found.left)
 
 
+OWN_TIMER = """FUNCTION_BLOCK TON
+VAR_INPUT IN : BOOL; PT : TIME; END_VAR
+VAR_OUTPUT Q : BOOL; END_VAR
+  Q := IN;
+END_FUNCTION_BLOCK
+"""
+"""A delay that is over at once: a compiler takes it for the timer."""
+
 EDITS = {
     "an output": ("YP_X1 := S01.S_R1 OR S01.S_R2;", "YP_X1 := S01.S_R1;", "YP_X1"),
     "outputs swapped": ("YN_P1 := S01.CN_P1;", "YN_P1 := S01.CR_P1;", "YN_P1"),
@@ -77,6 +85,18 @@ EDITS = {
     "a statement twice": ("YN_P1 := S01.CN_P1;", "YN_P1 := S01.CN_P1; YN_P1 := FALSE;", "YN_P1 is written twice"),
     "a statement that is not known": ("YN_P1 := S01.CN_P1;", "IF VALID THEN YN_P1 := TRUE; END_IF;", "expected"),
     "a statement left out": ("YN_P1 := S01.CN_P1;", "", "YN_P1 is never written"),
+    "a timer of its own": ("FUNCTION_BLOCK", f"{OWN_TIMER}FUNCTION_BLOCK", "the text defines TON itself"),
+    "the same in small letters": ("FUNCTION_BLOCK", f"{OWN_TIMER.lower()}FUNCTION_BLOCK", "expected"),
+    "a block beside": ("FUNCTION_BLOCK", f"{OWN_TIMER.replace('TON', 'TOFF')}FUNCTION_BLOCK", "used by nobody"),
+    "a variable called as a type": ("  T_1 : BOOL;", "  TON : BOOL;", "the text defines TON itself"),
+    "NOT before a number": (
+        "VALID (* inputs valid *)\n    AND (REQ = 0);",
+        "NOT (NOT VALID OR NOT REQ = 0);",
+        "a number",
+    ),
+    "a comment within a comment": ("RSTI := PWR;", "RSTI := PWR; (* (* *)", "is not known here"),
+    "a line that only some compilers end": ("RSTI := PWR;", "RSTI :=\u2028PWR;", "is not known here"),
+    "a duration that no compiler takes": ("T#3s", "T#1s2s", "malformed duration T#1s2s"),
 }
 
 

@@ -60,6 +60,16 @@ XML = [
     ("<configurations>", "<configurations><configuration/>"),
     ("HB AND LAST", "HB OR LAST"),
     ("  YS_X1 := RUN.YS_X1;\n", ""),
+    ("YS_X1 := RUN", "YS_X1 := <!-- only some read on -->RUN"),
+    ("YS_X1 := RUN", "YS_X1 := <?only some read on?>RUN"),
+    (
+        'name="YP_X1"><type><BOOL/></type><initialValue><simpleValue value="FALSE"/>',
+        'name="YP_X1"><type><BOOL/></type><initialValue><simpleValue value="TRUE"/>',
+    ),
+    (
+        'name="YX_R1"><type><INT/></type><initialValue><simpleValue value="0"/>',
+        'name="YX_R1"><type><INT/></type><initialValue><simpleValue value="1"/>',
+    ),
 ]
 SCL = [
     ('CLR_SA := "CLR_SA"', 'CLR_SA := "CLR_SB"'),
@@ -176,6 +186,9 @@ CHANGES = {
         ("<Priority>20<", "<Priority>1<"),
         ("<Name>IL_fig2_2_IO<", "<Name>IL_fig2_2<"),
         ("<PouCall>", "<PouCall><Name>MAIN</Name>"),
+        ("  YX_R1 : INT := 0;", "  YX_R1 : INT := 1;"),
+        ("  YX_R1 : INT := 0;", "  YX_R1 : BOOL := FALSE;"),
+        ("  YX_R1 : INT := 0;", ""),
     ],
     "scl1500": [(old.replace("HB AND ", "#HB AND "), new.replace("HB OR ", "#HB OR ")) for old, new in SCL],
     "awl": STL,
@@ -280,6 +293,20 @@ def test_the_longest_names_of_layout_and_substation_fit_into_a_symbol() -> None:
     files = write_delivery(controller, a, BY_NAME["scl300"], [])
     assert '"DB_W_s2345678901234"' in files["n2345678901234.sdf"]
     assert compare_delivery(controller, a, BY_NAME["scl300"], files) == ()
+
+
+@pytest.mark.parametrize("dialect", VENDORS)
+def test_what_an_author_writes_of_a_condition_ends_no_comment_and_no_part_of_an_xml_file(dialect: str) -> None:
+    said = "a *) X := TRUE; (* b ＊） ］］＞ ]]> */ // {x} $ " + "门" * 100
+    made = grown(
+        Path("layouts/fig2_2.yaml").read_text("utf-8") + f"conditions: {{KEY: {{text: '{said}', over: [DP]}}}}\n"
+    )
+    assert made is not None
+    layout, table, _ = made
+    controller = lower(layout, table)
+    a = allocate(layout, controller)
+    files = write_delivery(controller, a, BY_NAME[dialect], [said])
+    assert compare_delivery(controller, a, BY_NAME[dialect], files, tags_xlsx(layout, a)) == ()
 
 
 def test_a_project_with_its_configuration_fits_the_classes_made_from_its_schema() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import random
 import re
+from dataclasses import replace
 from itertools import product
 
 import pytest
@@ -16,13 +17,13 @@ from interlock.logic.expr import FALSE, TRUE, Substitution, var
 from interlock.proof.equivalence import python_text
 from interlock.proof.equivalence.cabinet import compare_delivery
 from interlock.proof.equivalence.python_text import compare_runtime
-from interlock.proof.equivalence.structured_text import compare_dialect
+from interlock.proof.equivalence.structured_text import compare_dialect, compare_unit
 from interlock.st.ast import Unit
 from interlock.st.dialects import BY_NAME, DIALECTS, Dialect, write_delivery, write_st
 from interlock.st.lint import RULES, lint, rows_of
 from interlock.st.lower import lower_st
 from interlock.st.meaning import Execution, Numbers
-from interlock.st.parser import NotInSubset, parse_unit
+from interlock.st.parser import NotInSubset, parse_block, parse_unit
 from interlock.st.restart import RESTART
 from tests.campaigns.text_edits import alike, one_edit, python
 from tests.layouts import SHIPPED, built
@@ -192,6 +193,9 @@ def test_a_dialect_is_not_read_as_another() -> None:
         ("plcopen", "</pous>", "</pous><globalVars/>"),
         ("plcopen", "<configurations/>", '<configurations><configuration name="c"/></configurations>'),
         ("plcopen", "<ST>", "<IL/><ST>"),
+        ("plcopen", "</pous>", "</pous><!-- x -->"),
+        ("plcopen", " AND ", " <!-- x --> AND "),
+        ("twincat", "</Implementation>", "<?x?></Implementation>"),
         ("plcopen", "</xhtml:p></ST>", "<xhtml:b>x := 1;</xhtml:b></xhtml:p></ST>"),
         ("twincat", "FUNCTION_BLOCK", "VAR_GLOBAL x : BOOL; END_VAR FUNCTION_BLOCK"),
         ("twincat", "FUNCTION_BLOCK", "{attribute 'call_after_init'}\nFUNCTION_BLOCK"),
@@ -219,6 +223,17 @@ def test_a_runtime_that_takes_a_name_of_the_fixed_part_is_refused(name: str) -> 
     assert f"{name} is a name of the fixed part" in found.text
     two = compare_runtime(controller, text.replace("INPUTS = {", f"INPUTS = {name} = {{", 1))
     assert not two.proved
+
+
+@pytest.mark.parametrize("dialect", ALL)
+@pytest.mark.parametrize("name", ["TON", "ton", "TON_TIME", "BESIDE"])
+def test_a_text_that_defines_its_own_timer_or_what_nobody_calls_is_refuted(dialect: str, name: str) -> None:
+    """A tool would take the block for the timer: its delay is over at once."""
+    _, _, controller = built("fig2_2")
+    unit = BY_NAME[dialect].read(write_st(controller, BY_NAME[dialect], []))
+    own = parse_block(name, "VAR_INPUT IN : BOOL; END_VAR VAR_OUTPUT Q : BOOL; END_VAR", "Q := IN;")
+    assert compare_unit(controller, unit, BY_NAME[dialect].restart).proved
+    assert not compare_unit(controller, replace(unit, blocks=(own, *unit.blocks)), BY_NAME[dialect].restart).proved
 
 
 def test_scl_marks_its_variables_and_quotes_its_blocks() -> None:

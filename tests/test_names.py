@@ -7,13 +7,17 @@ import itertools
 import re
 from pathlib import Path
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from interlock.app.compile import build
 from interlock.checker.railway import safe
+from interlock.diag import Severity, Sink
+from interlock.frontend import load_text
 from interlock.frontend.scalars import NAME
 from interlock.logic.lower import lower
+from interlock.logic.names import Kind, families
 from interlock.model.portable import LONGEST, portable
 from tests.layouts import grown
 
@@ -55,6 +59,48 @@ WORDS = st.text(st.characters(categories=["L", "N"]), min_size=1, max_size=12)
 NAMES = st.lists(WORDS, min_size=1, max_size=3).flatmap(
     lambda words: st.sampled_from("_-/").map(lambda between: between.join(words))
 )
+
+
+LINE = """interlock: 1
+name: demo
+boundaries:
+  {0}: {{approach: wa 300, block: token}}
+  E: {{trains: out}}
+tracks:
+  main: [{0}, {1} 200, q2 200, E]
+signals:
+  X1: {{from: {0}, into: {1}}}
+  X2: {{from: {1}, into: q2}}
+substations:
+  {2}: [X1]
+  {3}: []
+"""
+
+
+@pytest.mark.parametrize(
+    ("names", "code"),
+    [
+        (("a", "a_b", "s-1", "s2"), ""),
+        (("a-b", "a_b", "s1", "s2"), "IL2010"),  # BT_a_b: released behind the train, and the hand that takes the token
+        (("a-b", "A_b", "s1", "s2"), "IL2010"),
+        (("a", "b", "s-1", "s_1"), "IL2010"),  # HB_s_1: whose heartbeat?
+        (("a", "b", "s1", "S1"), "IL2002"),
+    ],
+)
+def test_whatever_shares_a_variable_in_plc_text_is_told_apart(names: tuple[str, ...], code: str) -> None:
+    sink = Sink()
+    layout, _ = load_text("line.yaml", LINE.format(*names), sink)
+    assert {d.code for d in sink.diagnostics if d.severity is Severity.ERROR} == ({code} if code else set())
+    assert (layout is None) == bool(code)
+
+
+def test_families_that_are_written_alike_belong_to_elements_that_never_are() -> None:
+    """Sections and boundaries have one room of names; whatever else is written alike would need one, too."""
+    written: dict[str, set[Kind]] = {}
+    for f in families():
+        if f.portable:
+            written.setdefault(f.pattern, set()).add(f.kind)
+    assert {frozenset(kinds) for kinds in written.values() if len(kinds) > 1} == {frozenset((Kind.SECTION, Kind.LINE))}
 
 
 @given(NAMES)

@@ -282,3 +282,6 @@ def test_what_stands_between_two_blocks_is_read(text: str, place: str) -> None:
 
 def test_a_comment_cannot_be_ended_by_a_name() -> None:
     assert comment("a *) b (* c") == "(* a * ) b ( * c *)"
+    assert comment("a ＊） b （＊ c") == "(* a * ) b ( * c *)", "full-width signs are read as these"
+    assert comment("a ]]> b ］］＞ c") == "(* a ] ]> b ] ]> c *)", "a text in XML may end so"
+    assert len(comment("门" * 100, 40)) == 46, "a sign may be read as several"

@@ -69,6 +69,7 @@ class Execution:
         self.instances = {n: self._kind(n, v.type) for n, v in main.locals.items()}
         used = [b.name for b in self.instances.values()]
         need(len(set(used)) == len(used), "a function block is used twice")
+        need(len(used) == len(self.kinds) - 1, "a function block is used by nobody")
         written: set[str] = set()
         for statement in main.body:
             if statement[0] == "call":

@@ -12,10 +12,13 @@ from typing import Any
 from interlock.verify import Rejected, need
 
 TOKEN = re.compile(
-    r"\s+|\(\*.*?\*\)|(?P<time>T#[0-9a-z_]+)|(?P<number>[0-9]+)|(?P<name>[A-Za-z_][A-Za-z0-9_]*)|(?P<sign>:=|[;:,().=])",
-    re.DOTALL,
+    r"""[ \t\r\n]+ | \(\*(?:[^*(] | \*(?!\)) | \((?!\*))*\*\)  # compilers differ on what begins a comment within one
+    | (?P<time>T\#[0-9a-z_]+) | (?P<number>[0-9]+) | (?P<name>[A-Za-z_][A-Za-z0-9_]*) | (?P<sign>:=|[;:,().=])""",
+    re.VERBOSE,
 )
 UNITS = {"d": 86_400_000, "h": 3_600_000, "m": 60_000, "s": 1000, "ms": 1}
+STANDARD = frozenset({"BOOL", "INT", "TIME", "TON"})
+"""Types that a text uses and must not define: a compiler would take its own block TON for the timer."""
 KEYWORDS = frozenset(
     {
         "AND",
@@ -89,9 +92,10 @@ class Block:
 
 def milliseconds(text: str) -> int:
     """A duration such as T#1m30s."""
-    parts = re.findall(r"([0-9]+)(ms|d|h|m|s)", text[2:])
-    need("".join(n + u for n, u in parts) == text[2:] and parts != [], f"malformed duration {text}")
-    return sum(int(n) * UNITS[u] for n, u in parts)
+    found = re.fullmatch("T#" + "".join(f"([0-9]+{u})?" for u in UNITS), text)
+    if found is None or not any(found.groups()):
+        raise Rejected(f"malformed duration {text}")
+    return sum(int(n.removesuffix(u)) * ms for n, (u, ms) in zip(found.groups("0"), UNITS.items(), strict=True))
 
 
 class Reader:
@@ -130,6 +134,12 @@ class Reader:
         self.at += 1
         return word
 
+    def own(self) -> str:
+        """The name of what is defined here."""
+        name = self.kind("name")
+        need(name.upper() not in STANDARD, f"the text defines {name} itself")
+        return name
+
     def unit(self) -> list[Block]:
         """All function blocks, each with a name of its own."""
         blocks = []
@@ -142,12 +152,12 @@ class Reader:
     def block(self) -> Block:
         """One function block."""
         self.take("FUNCTION_BLOCK")
-        block = Block(self.kind("name"))
+        block = Block(self.own())
         taken: set[str] = set()
         while self.word() in block.parts:
             part = block.parts[self.take(*block.parts)]
             while self.word() != "END_VAR":
-                name = self.kind("name")
+                name = self.own()
                 need(name.upper() not in taken, f"{block.name} declares {name} twice")
                 taken.add(name.upper())
                 self.take(":")
@@ -210,7 +220,7 @@ class Reader:
 
     def expression(self) -> Expression:
         """OR binds least."""
-        return self.joined("OR", lambda: self.joined("AND", self.negation))
+        return self.joined("OR", lambda: self.joined("AND", self.comparison))
 
     def joined(self, word: str, inner: Any) -> Expression:
         """Operands with one operator between them."""
@@ -220,16 +230,20 @@ class Reader:
             found.append(inner())
         return found[0] if len(found) == 1 else (word.lower(), found)
 
+    def comparison(self) -> Expression:
+        """A comparison binds more than AND."""
+        left = self.negation()
+        if self.word() == "=":
+            self.take("=")
+            return ("=", left, self.negation())
+        return left
+
     def negation(self) -> Expression:
-        """NOT binds more than AND; a comparison stands in brackets of its own."""
+        """NOT binds more than a comparison."""
         if self.word() == "NOT":
             self.take("NOT")
             return ("not", self.negation())
-        left = self.primary()
-        if self.word() == "=":
-            self.take("=")
-            return ("=", left, self.primary())
-        return left
+        return self.primary()
 
     def primary(self) -> Expression:
         """A name, a constant, or an expression in brackets."""

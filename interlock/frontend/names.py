@@ -27,6 +27,7 @@ def _declared(ctx: Context) -> list[tuple[str, str, Span]]:
         ("distant", f.distants),
         ("condition", f.conditions),
         ("zone", f.zones),
+        ("substation", f.substations),
     ):
         room = {"boundary": "boundaries"}.get(kind, kind.replace(" ", "_") + "s")
         found.extend((kind, n, ctx.at_key(room, n)) for n in names)
@@ -41,6 +42,8 @@ ROOMS: tuple[tuple[str, ...], ...] = (
     ("point", "crossing", "slip", "derailer", "boundary", "buffer"),
     ("signal", "distant", "boundary", "buffer"),
     ("condition",),
+    ("zone",),
+    ("substation",),
     ("machine", "derailer", "level crossing", "interlock"),
 )
 
@@ -73,13 +76,14 @@ def check_names(ctx: Context, sections: dict[str, Span]) -> None:
     for name in ctx.file.tracks:
         if name in joinable:
             _clash(ctx, ("track", name, ctx.at_key("tracks", name)), joinable[name])
-    written: dict[tuple[str, str], tuple[str, Span]] = {}
+    written: dict[tuple[str, str], tuple[str, str]] = {}
     for kind, name, span in [(("machine" if k in MOVED else k), n, s) for k, n, s in elements]:
-        first = written.setdefault((kind, portable(name).lower()), (name, span))
-        if first[0].lower() != name.lower():
+        shared = "section" if kind == "boundary" else kind
+        first = written.setdefault((shared, portable(name).lower()), (kind, name))
+        if first[1].lower() != name.lower():
             ctx.add(
                 "IL2010",
-                f"the {kind}s {first[0]} and {name} would both be written {portable(name)} in PLC text",
+                f"the {first[0]} {first[1]} and the {kind} {name} would both be written {portable(name)} in PLC text",
                 span,
                 "rename one of them",
             )

@@ -31,6 +31,8 @@ from interlock.st.ast import (
 )
 
 V = TypeVar("V")
+STANDARD = frozenset(("BOOL", "INT", "TIME", "TON", "TON_TIME"))
+"""Types that a text uses and must not define: a tool would take its own block TON for the timer."""
 
 
 class BadText(Exception):
@@ -67,6 +69,8 @@ class Execution(Generic[V]):
         self.blocks = {b.name.upper(): b for b in unit.blocks}
         if len(self.blocks) != len(unit.blocks):
             raise BadText("two blocks of one name")
+        if own := STANDARD & set(self.blocks):
+            raise BadText(f"the text defines {min(own)} itself")
         self.main = self._instance(unit.blocks[-1], "")
 
     def _instance(self, block: Block, path: str) -> Instance[V]:

@@ -26,11 +26,16 @@ from interlock.st.style import IEC, Style
 MAX_COLUMNS = 150
 
 
-def comment(text: str) -> str:
-    """A comment that no name or note can end early."""
-    if "*" in text or not (text.isascii() and text.isprintable()):
-        text = text.replace("(*", "( *").replace("*)", "* )")
+def comment(text: str, room: int | None = None) -> str:
+    """A comment of so many characters at most that no note can end early, nor the part of an XML file where it stands.
+
+    What counts is what is read of a text: a full-width `＊）` is read as `*)`.
+    """
+    if not (text.isascii() and text.isprintable()):
         text = "".join(map(readable, text))
+    text = text[:room]
+    if "*" in text or "]]>" in text:
+        text = text.replace("(*", "( *").replace("*)", "* )").replace("]]>", "] ]>")
     return f"(* {text} *)"
 
 
@@ -67,7 +72,7 @@ def print_block(b: Block, style: Style = IEC) -> list[str]:
 
 
 def _head(b: Block, style: Style) -> list[str]:
-    note = [comment(b.note[:HEADLINE])] if b.note else []
+    note = [comment(b.note, HEADLINE)] if b.note else []
     return [f"{b.kind} {style.block(b.name)}", *style.attributes, *note]
 
 
@@ -115,7 +120,7 @@ def _noted(line: str, note: str) -> str:
     if not note:
         return line
     room = MAX_COLUMNS - len(line) - 7
-    return f"{line} {comment(note[:room])}" if room > 8 else line
+    return f"{line} {comment(note, room)}" if room > 8 else line
 
 
 _RANK = {"OR": 1, "XOR": 1, "AND": 2}
@@ -150,7 +155,7 @@ class _Body:
         if not isinstance(s.value, Nary) or not any(s.value.notes):
             text = f"{indent}{target} := {self.expression(s.value, 0)};"
             return [_noted(text, s.note)] if len(text) <= MAX_COLUMNS - 10 else _wrapped(text, s.note, indent)
-        out = [indent + comment(s.note[: MAX_COLUMNS - 12])] if s.note else []
+        out = [indent + comment(s.note, MAX_COLUMNS - 12)] if s.note else []
         last = len(s.value.args) - 1
         lead, joint = f"{indent}{target} := ", f"{indent}  {s.value.op} "
         for i, (x, note) in enumerate(zip(s.value.args, s.value.notes, strict=True)):
@@ -197,7 +202,7 @@ class _Body:
 
 def _wrapped(text: str, note: str, indent: str) -> list[str]:
     """A long line cut at spaces, its note before it."""
-    out = [indent + comment(note[: MAX_COLUMNS - 12])] if note else []
+    out = [indent + comment(note, MAX_COLUMNS - 12)] if note else []
     while len(text) > MAX_COLUMNS - 10:
         cut = text.rindex(" ", 0, MAX_COLUMNS - 10)
         out.append(text[:cut])

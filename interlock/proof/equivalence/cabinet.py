@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 
 from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
+from interlock.logic.words import UNKNOWN
 from interlock.model.portable import portable
 from interlock.proof.equivalence.structured_text import Difference, compare_unit
 from interlock.proof.equivalence.tags import BadTags, read_tags
@@ -131,10 +132,12 @@ def _declared(
 
 
 def _beginnings(controller: Controller, a: Allocation, program: Block, restart: bool) -> Iterator[Difference]:
-    """What the operator's place writes begins with what permits least, each variable is there once."""
+    """What the operator's place writes begins restrictive, words say nothing, each variable is there once."""
     start: dict[str, int] = {i.name: i.restrictive for i in controller.inputs}
     sizes: dict[str, int] = {i.name: i.size for i in controller.inputs}
-    wires: set[str] = {*a.written, controller.symbols.valid}
+    words = dict.fromkeys(controller.words.routes.values(), UNKNOWN)
+    start, sizes = start | words, sizes | dict.fromkeys(words, 1)
+    wires: set[str] = {*a.written, controller.symbols.valid, *words}
     for name, first in ((BEAT, 0), (RESTART, 1)):
         if restart if name == RESTART else a.sent:
             start[name], sizes[name] = first, 0

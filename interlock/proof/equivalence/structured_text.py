@@ -10,8 +10,8 @@ stands for it in what follows: by the order of the text, each name then stands f
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 
 from interlock.logic.controller import Controller
 from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, iff, neg, var, variables
@@ -66,9 +66,24 @@ def compare_unit(controller: Controller, unit: Unit, restart: bool) -> Translati
     """Compare what was read of an interlocking with its controller; `restart`: it has an input RESTART."""
     try:
         found = compare_scan(controller, _scan(controller, unit, restart))
+        found = replace(found, differences=(*found.differences, *_beginning(controller, unit)))
         return _restarted(controller, unit, found) if restart else found
     except (BadText, KeyError) as error:
         return Translation(0, (Difference("text", f"cannot be read: {error}"),))
+
+
+def _beginning(controller: Controller, unit: Unit) -> Iterator[Difference]:
+    """What is wrong with the outputs before the first scan, and with blocks that no other calls."""
+    start: dict[str, int] = {o.name: int(o.restrictive) for o in controller.outputs}
+    start |= dict.fromkeys(controller.words.routes.values(), UNKNOWN)
+    for d in unit.blocks[-1].outputs:
+        first = int(getattr(d.initial, "value", 0))
+        if first != start.get(d.name, first):
+            yield Difference(d.name, "begins with another value")
+    used = {d.type.upper() for b in unit.blocks for d in b.locals}
+    for b in unit.blocks[:-1]:
+        if b.name.upper() not in used:
+            yield Difference(b.name, "is a block that no other calls")
 
 
 @dataclass(frozen=True)

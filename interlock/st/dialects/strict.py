@@ -22,8 +22,9 @@ def parse(text: str) -> ElementTree.Element:
     """The root of a file without a document type; raises `NotInSubset`."""
     if "<!DOCTYPE" in text or "<!ENTITY" in text:
         raise NotInSubset("a document type declaration")
+    whole = ElementTree.TreeBuilder(insert_comments=True, insert_pis=True)  # a tool may read a text as far as these
     try:
-        return ElementTree.fromstring(text)
+        return ElementTree.fromstring(text, ElementTree.XMLParser(target=whole))
     except ElementTree.ParseError as error:
         raise NotInSubset(str(error)) from None
 

@@ -33,7 +33,10 @@ def read_symbols(text: str, blocks: Sequence[Block]) -> tuple[Declaration, ...]:
 
     Everything else must be the blocks that there are.
     """
-    rows = list(csv.reader(io.StringIO(text)))
+    try:
+        rows = list(csv.reader(io.StringIO(text)))
+    except csv.Error as error:
+        raise NotInSubset(str(error)) from None
     if any(len(r) != 4 for r in rows) or not text.isascii():
         raise NotInSubset("a symbol table whose rows have not four parts")
     names = [r[0] for r in rows]
