@@ -19,7 +19,7 @@ from interlock.cli.common import FINDINGS, OK, format_option, put_json, show
     type=click.Path(path_type=Path, file_okay=False),
     default=Path("counterexamples"),
     show_default=True,
-    help="Folder for a page that plays each pair that fails, and its trace.",
+    help="Folder for each pair that fails: its trace, and a page that replays it.",
 )
 @format_option
 def command(layout: str, traces: Path, form: str) -> None:

@@ -17,10 +17,12 @@ _COLOURS = {"fine": "green", "no reserve": "yellow", "too long": "red", "too sho
 @click.command("blocks")
 @click.argument("layout")
 @click.option("--dispatch", type=click.Path(), help="The dispatch file; by default LAYOUT with the ending .dispatch.")
-@click.option("--rounding", type=click.Choice(["up", "none"]), help="Round loaded trains up, or not, on every line.")
+@click.option(
+    "--rounding", type=click.Choice(["up", "none"]), help="Whether loaded trains are rounded up, on every line."
+)
 @format_option
 def command(layout: str, dispatch: str | None, rounding: str | None, form: str) -> None:
-    """Lengths of block sections (formulas 3-1 to 3-9 of document B), and the layout's own sections against them."""
+    """Compute block section lengths (formulas 3-1 to 3-9 of document B), and compare the layout's own sections."""
     found = block_lengths(layout, dispatch, rounding)
     if form == "json":
         put_json(_body(found))

@@ -16,7 +16,7 @@ from interlock.diag import render
 @layouts_argument
 @format_option
 def command(layouts: tuple[str, ...], form: str) -> None:
-    """Report every problem of the layouts with place, code and fix (fast, no proof)."""
+    """Report every problem in the layouts with its place, code and fix (fast, without proof)."""
     results = []
     for p in layouts:
         began = time.monotonic()

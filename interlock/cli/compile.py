@@ -46,7 +46,7 @@ from interlock.st.dialects import DIALECTS
     "c99 is the C runtime.",
 )
 @click.option("--check", is_flag=True, help="Write nothing; tell whether the outputs are current.")
-@click.option("--unproved", is_flag=True, help="Write PLC text although something is not proved, with a mark.")
+@click.option("--unproved", is_flag=True, help="Write PLC text even if something is not proved, marked as such.")
 @click.option("-v", "--verbose", is_flag=True, help="Show every claim.")
 @format_option
 def command(
@@ -59,7 +59,7 @@ def command(
     verbose: bool,
     form: str,
 ) -> None:
-    """Derive the table, prove the controller, and write all outputs."""
+    """Derive the tables, prove the controller, and write all outputs."""
     tools = (*dialects, *(d.name for d in DIALECTS)) if "all" in dialects else dialects
     if C99 in dialects and find_spec("pycparser") is None:
         raise click.UsageError("c99 needs the extra `c99`: pip install 'interlock[c99]'")

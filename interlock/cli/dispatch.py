@@ -20,16 +20,26 @@ POLICIES = [str(p) for p in Policy]
 @click.command("dispatch")
 @click.argument("layout")
 @click.argument("commands", nargs=-1, metavar="[COMMAND]...")
-@click.option("--length", type=click.FloatRange(1, 2000), default=60.0, show_default=True, help="Metres of each train.")
-@click.option("--timings", type=click.IntRange(0, 10_000), default=0, help="Run the commands so many times.")
-@click.option("--gap", type=click.IntRange(1, 1000), default=5, show_default=True, help="Scans from timing to timing.")
-@click.option("--look-ahead", type=click.IntRange(1, 50), default=1, show_default=True, help="Routes ahead of a train.")
+@click.option(
+    "--length", type=click.FloatRange(1, 2000), default=60.0, show_default=True, help="Length of each train in metres."
+)
+@click.option("--timings", type=click.IntRange(0, 10_000), default=0, help="Run the commands this many times.")
+@click.option(
+    "--gap", type=click.IntRange(1, 1000), default=5, show_default=True, help="Scans between one timing and the next."
+)
+@click.option(
+    "--look-ahead",
+    type=click.IntRange(1, 50),
+    default=1,
+    show_default=True,
+    help="How many routes ahead of a train are opened.",
+)
 @click.option("--policy", type=click.Choice(POLICIES), help="Who goes first on a single line that two voyages share.")
-@click.option("--explore", "exploring", is_flag=True, help="Look at every state; tell the shortest deadlock.")
+@click.option("--explore", "exploring", is_flag=True, help="Explore every state; tell the shortest deadlock.")
 @click.option("--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them.")
-@click.option("--plan", type=click.Path(dir_okay=False), help="Write the completion plan.")
+@click.option("--plan", type=click.Path(dir_okay=False), help="Write the completion plan to this file.")
 @click.option("--orders", type=click.Path(), help="The dispatch file; by default LAYOUT with the ending .dispatch.")
-@click.option("--replay", type=click.Path(dir_okay=False), help="Replay a plan file instead.")
+@click.option("--replay", type=click.Path(dir_okay=False), help="Replay this plan file instead.")
 @force_option
 @format_option
 def command(

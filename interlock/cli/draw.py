@@ -14,14 +14,21 @@ from interlock.cli.common import FINDINGS, OK, failed, force_option, format_opti
 
 @click.command("draw")
 @click.argument("layout", type=click.Path())
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="The file; else NAME.svg here.")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="The file to write; by default NAME.svg here.",
+)
 @click.option(
     "--sheets",
     "paper",
     flag_value=Paper.SHEETS.value,
-    help="On sheets of A3 with match lines: NAME-1.svg, NAME-2.svg and so on.",
+    help="Draw on A3 sheets with match lines: NAME-1.svg, NAME-2.svg and so on.",
 )
-@click.option("--fold", "paper", flag_value=Paper.FOLDED.value, help="In rows under each other, for lines.")
+@click.option(
+    "--fold", "paper", flag_value=Paper.FOLDED.value, help="Fold the plan into rows, one below the other, for lines."
+)
 @force_option
 @format_option
 def command(layout: str, output: Path | None, paper: str | None, force: bool, form: str) -> None:

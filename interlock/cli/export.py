@@ -15,7 +15,9 @@ from interlock.cli.common import FINDINGS, OK, failed, force_option, format_opti
 @click.command("export")
 @click.argument("layout", type=click.Path())
 @click.option("--aiger", "engine", flag_value="aiger", default="aiger", help="Binary AIGER (the default).")
-@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), required=True, help="The file.")
+@click.option(
+    "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), required=True, help="The file to write."
+)
 @force_option
 @format_option
 def command(layout: str, engine: str, output: Path, force: bool, form: str) -> None:

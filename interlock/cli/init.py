@@ -12,9 +12,11 @@ from interlock.cli.common import FINDINGS, OK, failed, force_option, format_opti
 
 
 @click.command("init")
-@click.option("--yard", "tracks", type=click.IntRange(4, 2000), help="A yard with that many parallel tracks.")
-@click.option("--line", "stations", type=click.IntRange(1, 5000), help="A single line with that many stations.")
-@click.option("-o", "--output", type=click.Path(dir_okay=False), default="-", help="The file; - for the screen.")
+@click.option("--yard", "tracks", type=click.IntRange(4, 2000), help="A yard with this many parallel tracks.")
+@click.option("--line", "stations", type=click.IntRange(1, 5000), help="A single line with this many stations.")
+@click.option(
+    "-o", "--output", type=click.Path(dir_okay=False), default="-", help="The file to write; - for the screen."
+)
 @force_option
 @format_option
 def command(tracks: int | None, stations: int | None, output: str, force: bool, form: str) -> None:

@@ -44,10 +44,14 @@ class _Shard(click.ParamType[tuple[int, int]]):
 @click.argument("layout")
 @click.option("--all", "every", is_flag=True, help="Every mutant; otherwise the first of every form in every family.")
 @click.option("--family", "families", multiple=True, help="Only this family, as the table names it.")
-@click.option("--kept", type=click.Path(dir_okay=False, path_type=Path), help="Keep verdicts in this file, and go on.")
+@click.option(
+    "--kept", type=click.Path(dir_okay=False, path_type=Path), help="Keep verdicts in this file, and resume from it."
+)
 @click.option("--shard", type=_Shard(), default=(1, 1), help="Judge only the K-th of N parts.")
-@click.option("--stories", is_flag=True, help="Search a movement to harm for one mutant of each family.")
-@click.option("--search-seconds", type=float, default=30.0, show_default=True)
+@click.option("--stories", is_flag=True, help="Search for a movement to harm for one mutant of each family.")
+@click.option(
+    "--search-seconds", type=float, default=30.0, show_default=True, help="Seconds to search for one movement to harm."
+)
 @jobs_option
 @format_option
 def command(

@@ -17,7 +17,11 @@ from interlock.diag.render import as_json
 @click.command("pin")
 @click.argument("layout", type=click.Path())
 @click.option(
-    "--release", "names", multiple=True, metavar="NAME", help="Give back what is reserved for this element or variable."
+    "--release",
+    "names",
+    multiple=True,
+    metavar="NAME",
+    help="Release the channels reserved for this element or variable.",
 )
 @click.option("--yes", is_flag=True, help="Let channels of elements that are kept move where the layout says so.")
 @force_option

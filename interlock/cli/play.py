@@ -25,11 +25,16 @@ from interlock.record.shift import NoShift
 @click.command("play")
 @click.argument("trace", type=click.Path(path_type=Path, dir_okay=False))
 @click.option("--layout", help="The layout of a shift's record, as `simulate` writes it.")
-@click.option("--from", "first", default="", metavar="TIME", help="Of a record: from H:MM on (a panel's: HH:MM[:SS]).")
-@click.option("--to", "last", default="", metavar="TIME", help="Of a record: until then.")
-@click.option("--journal", is_flag=True, help="Of a panel's record: the page of the shift, for printing.")
 @click.option(
-    "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="The page; else beside the trace."
+    "--from", "first", default="", metavar="TIME", help="Replay a record from H:MM on (a panel's: HH:MM[:SS])."
+)
+@click.option("--to", "last", default="", metavar="TIME", help="Replay a record until then.")
+@click.option("--journal", is_flag=True, help="Make the printable page of the shift from a panel's record.")
+@click.option(
+    "-o",
+    "--output",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="The page to write; by default beside the trace.",
 )
 @force_option
 @format_option

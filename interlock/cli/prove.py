@@ -33,28 +33,28 @@ from interlock.proof.engines.limits import Limits
     type=click.IntRange(1, 60),
     default=16,
     show_default=True,
-    help="Scans to search for a counterexample.",
+    help="Length in scans up to which a counterexample is searched for.",
 )
 @click.option(
     "--search-seconds",
     type=click.FloatRange(0.1, 36000),
     default=60.0,
     show_default=True,
-    help="Time to search for a counterexample to one claim.",
+    help="Seconds to search for a counterexample to one claim.",
 )
 @click.option(
     "--engine",
     type=click.Choice(ENGINES),
     default=ENGINES[0],
     show_default=True,
-    help="What decides the obligations; Z3 and cvc5 (extra `recheck`) are slower, and second opinions.",
+    help="What decides the obligations; Z3 and cvc5 (extra `recheck`) are slower second opinions.",
 )
 @click.option(
     "--traces",
     type=click.Path(path_type=Path, file_okay=False),
     default=Path("counterexamples"),
     show_default=True,
-    help="Folder for a page that plays each counterexample, and its trace.",
+    help="Folder for each counterexample: its trace, and a page that replays it.",
 )
 @click.option(
     "--cache",

@@ -23,14 +23,14 @@ PARQUET = b"PAR1"
 @click.command("record")
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", type=click.Path(path_type=Path, dir_okay=False))
 @click.option("--parquet", type=click.Path(path_type=Path, dir_okay=False), help="Write all events as Parquet.")
-@click.option("--sql", help="Ask the table `events`: log, n, t (milliseconds), kind, and every field of the events.")
+@click.option("--sql", help="Query the table `events`: log, n, t (milliseconds), kind, and every field of the events.")
 @click.option("--report", type=click.Path(path_type=Path, file_okay=False), help="A folder for reports of shifts.")
 @force_option
 @format_option
 def command(
     logs: tuple[Path, ...], parquet: Path | None, sql: str | None, report: Path | None, force: bool, form: str
 ) -> None:
-    """Check event LOGs against their digests; write them as Parquet, ask them with SQL, report shifts."""
+    """Check event LOGs against their digests, convert them to Parquet, query them with SQL, report shifts."""
     if sum(x is not None for x in (sql, parquet, report)) > 1:
         raise click.UsageError("--parquet, --sql and --report are asked for one at a time")
     found: dict[str, Recorded] = {}

@@ -64,17 +64,32 @@ def _end(number: int, frame: object) -> None:
 @click.argument("layout", type=click.Path())
 @click.option("--modbus", multiple=True, help="SUBSTATION=HOST:PORT[/DEVICE], one for each substation.")
 @click.option("--panel", is_flag=True, help="The mimic panel in a browser; without --modbus on a simulated railway.")
-@click.option("--host", default="127.0.0.1", show_default=True, help="With --panel: where it listens.")
-@click.option("--port", type=click.IntRange(0, 65535), default=8420, show_default=True, help="With --panel; 0: any.")
-@click.option("--token", envvar="INTERLOCK_TOKEN", default="", help="With --panel: what a browser gives to operate.")
-@click.option("--look-token", envvar="INTERLOCK_LOOK_TOKEN", default="", help="With --panel: what it gives to look.")
+@click.option("--host", default="127.0.0.1", show_default=True, help="With --panel: the address on which it listens.")
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=8420,
+    show_default=True,
+    help="With --panel: the port; 0 takes any that is free.",
+)
+@click.option(
+    "--token", envvar="INTERLOCK_TOKEN", default="", help="With --panel: the token that lets a browser operate."
+)
+@click.option(
+    "--look-token",
+    envvar="INTERLOCK_LOOK_TOKEN",
+    default="",
+    help="With --panel: the token that lets a browser look only.",
+)
 @click.option(
     "--record",
     type=click.Path(path_type=Path, dir_okay=False),
-    help="With --panel: the log in which everything is recorded, begun or gone on with; else NAME-DATE-TIME.log.",
+    help="With --panel: the log in which everything is recorded, continued if it exists; else NAME-DATE-TIME.log.",
 )
-@click.option("--cycle", "cycle_ms", type=click.IntRange(10, 1000), default=100, show_default=True, help="In ms.")
-@click.option("--cycles", type=click.IntRange(1), default=None, help="Stop after so many cycles (otherwise: Ctrl-C).")
+@click.option(
+    "--cycle", "cycle_ms", type=click.IntRange(10, 1000), default=100, show_default=True, help="Cycle time in ms."
+)
+@click.option("--cycles", type=click.IntRange(1), default=None, help="Stop after this many cycles (otherwise: Ctrl-C).")
 @format_option
 def command(
     layout: str,

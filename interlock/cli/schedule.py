@@ -21,15 +21,19 @@ KEYS = {"objective_value", "events"}
 @click.command("schedule")
 @click.argument("problem", type=click.Path(path_type=Path, dir_okay=False))
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Write the solution here.")
-@click.option("--seconds", type=click.FloatRange(0, 86400), default=60, show_default=True, help="Stop after so long.")
+@click.option(
+    "--seconds", type=click.FloatRange(0, 86400), default=60, show_default=True, help="Stop after this many seconds."
+)
 @click.option("--workers", type=click.IntRange(1, 64), default=1, show_default=True, help="Threads of the solver.")
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of all that is drawn at random.")
+@click.option(
+    "--seed", type=click.IntRange(0), default=0, show_default=True, help="Seed of everything that is drawn at random."
+)
 @force_option
 @format_option
 def command(
     problem: Path, output: Path | None, seconds: float, workers: int, seed: int, force: bool, form: str
 ) -> None:
-    """Plan the trains of PROBLEM, a file of the library DISPLIB: by rules at once, then better as time allows."""
+    """Plan the trains of PROBLEM, a DISPLIB file: by rules at once, then better as time allows."""
     if output is not None and output.exists() and not force and not _solution(output):
         failed(f"{output} exists and is no solution; --force overwrites it", form)
         sys.exit(FINDINGS)

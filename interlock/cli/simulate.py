@@ -33,18 +33,28 @@ from interlock.simulate.mishaps import TRIAL, Rates
 
 @click.command("simulate")
 @click.argument("layout")
-@click.option("--dispatch", "file", type=click.Path(), help="The dispatch file; by default LAYOUT with .dispatch.")
-@click.option("--shifts", type=click.IntRange(1, 100_000), default=1, show_default=True, help="How many.")
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Of the first shift.")
-@click.option("--hours", type=click.FloatRange(0, 240, min_open=True), help="Of a shift, instead of the file's.")
+@click.option(
+    "--dispatch", "file", type=click.Path(), help="The dispatch file; by default LAYOUT with the ending .dispatch."
+)
+@click.option("--shifts", type=click.IntRange(1, 100_000), default=1, show_default=True, help="Number of shifts.")
+@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Seed of the first shift.")
+@click.option("--hours", type=click.FloatRange(0, 240, min_open=True), help="Hours of a shift, instead of the file's.")
 @click.option("--assign", type=click.Choice([str(a) for a in Assigning]), default="in_turn", show_default=True,
               help="Which order an idle train takes.")  # fmt: skip
-@click.option("--look-ahead", type=click.IntRange(1, 50), default=1, show_default=True, help="Routes ahead of a train.")
+@click.option(
+    "--look-ahead",
+    type=click.IntRange(1, 50),
+    default=1,
+    show_default=True,
+    help="How many routes ahead of a train are opened.",
+)
 @click.option("--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them.")
-@click.option("--faults", is_flag=True, help="Detectors, points, the link and wagons fail, far too often.")
-@click.option("--steady", is_flag=True, help="Work takes exactly the minutes of the file.")
+@click.option(
+    "--faults", is_flag=True, help="Let detectors, points, the link and wagons fail, far more often than in service."
+)
+@click.option("--steady", is_flag=True, help="Let work take exactly the minutes in the file.")
 @click.option("--optimum", type=click.FloatRange(0, min_open=True), metavar="SECONDS",
-              help="Plan the same hours for so long, and compare (with --steady).")  # fmt: skip
+              help="Plan the same hours for this many seconds, and compare (with --steady).")  # fmt: skip
 @click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), help="A folder for the records.")
 @click.option("--dask", metavar="ADDRESS", help="A Dask cluster that does the work, instead of processes here.")
 @jobs_option

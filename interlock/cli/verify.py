@@ -1,4 +1,4 @@
-"""`interlock verify`: check certificates again, with nothing of what made them."""
+"""`interlock verify`: check certificates, with code that shares nothing with the prover."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ from interlock.diag import render
 @click.argument("column", required=False)
 @format_option
 def command(layout: str, route: str, column: str | None, form: str) -> None:
-    """Print why each cell of a route's row is as it is (all columns, or one)."""
+    """Print the reason for each cell of a route's row (all columns, or one)."""
     checked, reasons, problems = why(layout, route, column)
     failed = bool(problems) or not checked.ok
     if form == "json":

@@ -520,7 +520,7 @@ ZONE_SUM = Family(Kind.ZONE, "zone.{}.{}.{}", "so many of the first that count i
 
 
 def accepted(g: str, shunt: bool = False) -> Name:
-    """A train has accepted the proceed of a signal, or a shunting movement its shunt aspect."""
+    """A train has accepted the proceed aspect of a signal, or a shunting movement its shunt aspect."""
     return (SHUNT_ACCEPTED if shunt else ACCEPTED)(g)
 
 

@@ -13,7 +13,7 @@ State, by prefix (s a section, j an end of it, g a signal, m a machine):
     rest.s    it has stood in s since the restart and moves only when a signal calls it
     called.s  it has been called by a signal, or is part of a train that has
     part.s    it is the rear part of a train that parted, and stays
-    go.g      a train has accepted the proceed of g and will pass it
+    go.g      a train has accepted the proceed aspect of g and will pass it
     at.m.N/R  the machine really lies normal / reverse; neither means it is moving
     img.s     s was reported occupied in the last scan
     sh.s      the train in s moves as a shunting movement (layouts with shunt signals)

@@ -55,7 +55,7 @@ def overran(g: str, s: str) -> Expr:
 
 
 def accepted(g: str, shunt: bool = False) -> Expr:
-    """A train has accepted the proceed of g, or a shunting movement its shunt aspect."""
+    """A train has accepted the proceed aspect of g, or a shunting movement its shunt aspect."""
     return var(names.accepted(g, shunt))
 
 
