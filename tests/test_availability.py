@@ -55,6 +55,17 @@ def test_two_parallel_trains_run_at_once_where_each_is_in_the_section_of_the_poi
     assert manner is Manner.BESIDE and {x.how for x in runs} == {How.THEN, How.TOGETHER}
 
 
+def test_a_point_that_the_author_has_a_route_demand_lies_so_before_the_route_is_tried_with_others() -> None:
+    text = Path("tests/layouts_for_tests/added.yaml").read_text("utf-8")
+    made = derived(text.replace("{point: 3, lies: normal,", "{point: 3, lies: reverse,"))
+    assert made is not None
+    layout, table = made
+    system = System(layout, lower(layout, table))
+    found = availability(system, table)
+    assert [(r.bound.route, r.failure) for r in found.routes if r.failure] == []
+    assert found.shown and {r.bound.route: r.bound.machines for r in found.routes}["S1-W"] == 2
+
+
 @pytest.mark.parametrize("case", list(weakened()), ids=lambda c: f"{c[0]} {c[1]}")
 def test_weakenings_are_found_out(case: tuple) -> None:  # type: ignore[type-arg]
     _, _, layout, table, controller = case

@@ -8,11 +8,12 @@ staggered starts each machine after the first waits for its turn.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import ceil
 
-from interlock.logic.controller import RouteSymbols
-from interlock.model.elements import MachineId
+from interlock.logic.controller import RouteSymbols, Symbols
+from interlock.model.elements import MachineId, Position
 from interlock.proof.system.transition import System
 
 SET, LOCKED, OPEN = 1, 2, 3
@@ -57,10 +58,18 @@ def opening(system: System, r: RouteSymbols) -> Opening:
     return Opening(r.id, machines, OPEN, scans, seconds, rules.token_delay_s if token else 0.0)
 
 
+def demanded(symbols: Symbols, r: RouteSymbols, overlap: bool = True) -> Iterator[tuple[MachineId, Position]]:
+    """The machines of a route with the positions in which it needs them: for its path, its flanks, what the author
+    adds, and its overlap."""
+    over = symbols.overlap_ways[r.overlap] if overlap and r.overlap is not None else ()
+    for way in (*r.ways, *over):
+        yield from symbols.demands[way]
+    yield from r.demands
+
+
 def machines_of(system: System, r: RouteSymbols) -> set[MachineId]:
-    """The machines that a route needs to lie somehow, for its path, its flanks and its overlap."""
-    over = () if r.overlap is None else system.symbols.overlap_ways[r.overlap]
-    return {m for way in (*r.ways, *over) for m, _ in system.symbols.demands[way]}
+    """The machines that a route needs to lie somehow."""
+    return {m for m, _ in demanded(system.symbols, r)}
 
 
 def devices(system: System) -> set[MachineId]:

@@ -20,6 +20,7 @@ from interlock.model.layout import Layout
 from interlock.model.traversal import Topology, topology
 from interlock.proof.induction.verdict import Witness
 from interlock.proof.system.transition import System
+from interlock.proof.witnesses import opening
 from interlock.sim.lanes import NOTHING, Driver, Lane, Lanes, Record, Wish
 
 MAX_STEPS = 400
@@ -332,12 +333,11 @@ def _not(lane: Lane, equation: str) -> str:
 def _lying(railway: Railway, r: RouteSymbols) -> dict[str, int]:
     """Points as the route needs them, so that none has to move under the waiting train."""
     state: dict[str, int] = {}
-    for way in r.ways:
-        for m, x in railway.symbols.demands[way]:
-            state |= {
-                names.LIES(m, Position.NORMAL): int(x is Position.NORMAL),
-                names.LIES(m, Position.REVERSE): int(x is Position.REVERSE),
-            }
+    for m, x in opening.demanded(railway.symbols, r, overlap=False):
+        state |= {
+            names.LIES(m, Position.NORMAL): int(x is Position.NORMAL),
+            names.LIES(m, Position.REVERSE): int(x is Position.REVERSE),
+        }
     return state
 
 
