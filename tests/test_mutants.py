@@ -30,6 +30,7 @@ CLOSING = "../tests/layouts_for_tests/closing"
 TOKEN = "../tests/layouts_for_tests/token"
 ADDED = "../tests/layouts_for_tests/added"
 SWING = "../tests/layouts_for_tests/swing"
+BOARDS = "../tests/layouts_for_tests/boards"
 ENTRY = "../tests/layouts_for_tests/entry_speeds"
 # the layout on which a kind has mutants
 ON = {
@@ -50,6 +51,7 @@ ON = {
     "speed-too-high": "../tests/layouts_for_tests/speeds",
     "entry-speed-forgotten": ENTRY,
     **dict.fromkeys(("declared-not-excluded", "added-point-not-detected"), ADDED),
+    "board-passed": BOARDS,
     "zone-not-checked": "heishan",
     "fault-ignored": "pit_bottom",
     "zone-miscounted": "heishan",
@@ -114,6 +116,7 @@ def _killers() -> dict[str, tuple[str, str]]:
         "S-HOSTILE": (SHUNT, "berth-under-train"),
         "S-CLEAR": (split, "section-not-checked"),
         "S-FLANK-SPACE": ("flank_lab", "flank-space-not-checked"),
+        "S-BOARD": (BOARDS, "board-passed"),
         "T-ZONE": ("heishan", "zone-not-checked"),
         "S-PASSING": (CLOSING, "stays-open"),
         "S-CALL-ON": ("passing_loop", "call-on-blind"),

@@ -323,6 +323,11 @@ WEAKENED = {
         "opens'(c) and not passing'(c))\"",
         "opens'(c))\"",
     ),
+    "shunting movements pass their board": (
+        "../tests/layouts_for_tests/boards",
+        "locked'(w) and not locked(w) -> for_train'(into_of(g))",
+        "locked'(w) and not locked(w) -> for_train'(into_of(g)) or valid",
+    ),
     "a claim is left out": ("junction", "  - id: T-DIAMOND\n", "  - id: T-ELSEWHERE\n"),
 }
 

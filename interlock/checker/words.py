@@ -261,6 +261,21 @@ class Topology:
     def w_first_of(self, c: Calling) -> str:
         return c.signal.into
 
+    def _told_so(self, key: str, values: tuple[str, ...]) -> list[Signal]:
+        told = self.r.body["signals"]
+        return [g for g in self.r.signals.values() if told[g.name].get(key) in values]
+
+    def w_stop_boards(self) -> list[Signal]:
+        """Where everybody's movement ends."""
+        return self._told_so("kind", ("board",))
+
+    def w_limit_boards(self) -> list[Signal]:
+        """Where shunting movements end, and trains pass."""
+        return self._told_so("kind", ("limit",))
+
+    def w_shunt_signals_that_end_trains(self) -> list[Signal]:
+        return self._told_so("stops_trains", ("yes", "true"))
+
     def w_into_of(self, g: Signal) -> str:
         return g.into
 

@@ -74,6 +74,8 @@ CLAIMS: dict[str, str] = {
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "S-SET": "A section is locked for a movement only when inputs are valid, it is not blocked or locked, and it is "
     "steadily clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
+    "S-BOARD": "No section is locked past the place where a movement must end: past a stop board for nobody, past a "
+    "limit-of-shunt board for trains only, past a shunt signal at which trains end for shunting movements only.",
     "L-REASON": "No lock ends without its reason: a train has used the section, the lock before it was withdrawn, its "
     "signal was cancelled, or somebody releases it by hand, alone or with all that may have missed a train; after a "
     "restart by hand, or behind a train that stood there.",
@@ -119,6 +121,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         *((*x, False) for x in _again(f)),
         *((*x, False) for x in _requests(f)),
         *((*x, False) for x in _set(f)),
+        *((*x, False) for x in _boards(f)),
         *((*x, False) for x in reasons(f)),
         *((*x, False) for x in _locks(f)),
         *((*x, False) for x in _points(f)),
@@ -372,6 +375,19 @@ def _set(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         occupied = any(r.call_on or r.berth == (s, n) for r in f.sym.routes_over.get((s, n), ()))
         free = [] if occupied else [neg(f.locked(s)), *([f.steadily_clear(s)] if s in f.sym.clear else [])]
         yield "S-SET", f"{s} {n}", implies(new, conj((var(f.sym.valid), *blocked, *free)))
+
+
+def _boards(f: Facts) -> Iterator[tuple[str, str, Expr]]:
+    """Way by way past a board, or past a shunt signal at which trains end, in the scan in which it is locked."""
+    for g in sorted({*f.layout.boards, *f.layout.stops}):
+        signal = f.layout.signal[g]
+        s = f.layout.section_of(signal.into)
+        train = f.system.after(f.train(s))
+        past = FALSE if g in f.layout.boards and g in f.layout.stops else train if g in f.layout.boards else neg(train)
+        for n, name in f.sym.locks_of.get(s, ()):
+            if f.topo.traversals[s][n - 1].entry == signal.node:
+                new = conj((f.system.after(var(name)), neg(var(name))))
+                yield "S-BOARD", f"{g}:{s}:{n}", implies(new, past)
 
 
 def _again(f: Facts) -> Iterator[tuple[str, str, Expr]]:

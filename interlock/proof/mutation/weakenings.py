@@ -25,10 +25,10 @@ from interlock.proof.induction.inductive import inductive, open_claims
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import tell
 from interlock.proof.mutation.points import Mutation
+from interlock.proof.mutation.ways import Mutant, other_direction, overlap_shorter, past_the_board, shorter
 from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable, PointDemand, RouteKind, RouteRow, TraversalRow
 
-Mutant = tuple[str, Controller]
 Make = Callable[[Layout, InterlockingTable], Iterator[Mutant]]
 
 
@@ -143,36 +143,6 @@ def _exclusions(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
             yield f"{t.section}:{t.number} against {e.section}", _relower(layout, table, t.key, row)
 
 
-def _direction(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
-    """A route locks one of its sections for the opposite direction."""
-    back = {(t.section, t.exit, t.entry): t.key for t in table.locks}
-    for r in table.routes:
-        for i, key in enumerate(r.traversals):
-            t = table.lock[key]
-            other = back.get((t.section, t.entry, t.exit))
-            if other is None or (t.section, t.entry) == (t.section, t.exit):
-                continue
-            turned = replace(r, traversals=(*r.traversals[:i], other, *r.traversals[i + 1 :]))
-            routes = tuple(turned if x is r else x for x in table.routes)
-            yield f"{r.id} in {t.section}", lower(layout, replace(table, routes=routes))
-
-
-def _shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
-    for r in table.routes:
-        if len(r.traversals) > 1 and r.berth is None:
-            less: RouteRow = replace(
-                r,
-                traversals=r.traversals[:-1],
-                sections=r.sections[:-1],
-                release=r.release[:-1],
-                points=tuple(p for p in r.points if p.section != r.traversals[-1][0]),
-            )
-            yield (
-                f"{r.id} without {r.traversals[-1][0]}",
-                lower(layout, replace(table, routes=tuple(less if x is r else x for x in table.routes))),
-            )
-
-
 def _unguarded(kind: str) -> Callable[[Layout, InterlockingTable], Iterator[Mutant]]:
     """A machine follows a driven demand, or opens by itself, whether it may move or not."""
 
@@ -186,20 +156,6 @@ def _unguarded(kind: str) -> Callable[[Layout, InterlockingTable], Iterator[Muta
                     yield f"{e.name} although {t.note or t.kind}", _with(c, e, more)
 
     return make
-
-
-def _overlap_shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
-    """The last section of an overlap is left out."""
-    for r in table.routes:
-        if r.overlap is None:
-            continue
-        cell = replace(r.overlap, ways=r.overlap.ways[:-1])
-        kept = {s for s, _ in (*r.traversals, *cell.ways)}
-        points = tuple(p for p in r.points if p.section in kept)
-        less = replace(r, overlap=cell if cell.ways else None, points=points)
-        same = [x for x in table.routes if x.overlap is not None and x.overlap.ways == r.overlap.ways and x is not r]
-        if not same:
-            yield r.id, lower(layout, replace(table, routes=tuple(less if x is r else x for x in table.routes)))
 
 
 def _blind_call_on(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
@@ -354,12 +310,13 @@ KINDS: tuple[Kind, ...] = (
         without("CO", "added point detected"),
     ),
     Kind("diamond-not-excluded", "the exclusion over a diamond or foul joint is missing", _exclusions),
+    Kind("board-passed", "a shunt route locks beyond its limit-of-shunt board", past_the_board),
     Kind("two-grants", "a route is granted without having been asked for, beside another", without("G", "requested")),
     Kind("point-missing", "a point demand of the path is missing", _points("path", False)),
     Kind("point-wrong", "a point demand of the path is in the wrong position", _points("path", True)),
     Kind("flank-missing", "a flank demand is missing", _points("flank", False)),
     Kind("flank-wrong", "a flank demand is in the wrong position", _points("flank", True)),
-    Kind("section-missing", "the last section of a route is left out", _shorter),
+    Kind("section-missing", "the last section of a route is left out", shorter),
     Kind(
         "detection-not-required",
         "locked, and proceed shown, without detection of a point",
@@ -425,7 +382,7 @@ KINDS: tuple[Kind, ...] = (
         "a machine is moved by hand in the scan of a grant",
         without("MAN", "no grant in this scan"),
     ),
-    Kind("wrong-direction", "a lock stands for the wrong direction of travel", _direction),
+    Kind("wrong-direction", "a lock stands for the wrong direction of travel", other_direction),
     Kind("fault-ignored", "a faulty detector is believed", without("OCC", "detector faulty")),
     Kind("lost-input-ignored", "lost inputs do not read as occupied", without("OCC", "inputs lost")),
     Kind("validity-not-wired", "the health of the inputs is not looked at", _validity_not_wired),
@@ -490,7 +447,7 @@ KINDS: tuple[Kind, ...] = (
     Kind("overlap-not-clear", "locked although the overlap is not in order", without("LK", "overlap lies")),
     Kind("overlap-not-checked", "proceed although the overlap is not in order", without("CO", "overlap lies")),
     Kind("overlap-not-held", "the overlap is given up at once", without("V", "held")),
-    Kind("overlap-shorter", "an overlap without its last section", _overlap_shorter),
+    Kind("overlap-shorter", "an overlap without its last section", overlap_shorter),
     Kind(
         "overlap-timed-early",
         "the overlap's time runs before the train is wholly in",
