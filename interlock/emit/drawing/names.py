@@ -59,6 +59,8 @@ def _lines(d: Drawing) -> None:
         for a, b in pairwise(line):
             if a[1] != b[1]:
                 _keep_off(d, a, b)
+            else:
+                d.taken.add((min(a[0], b[0]), a[1] - 1.5, max(a[0], b[0]), a[1] + 1.5))
     for device in d.layout.devices:
         for x, y in device_spots(d, device.over):
             d.taken.add((x - 10, y - 16, x + 10, y + 16))
@@ -151,6 +153,8 @@ def _put(d: Drawing, label: Label) -> None:
             if not d.taken.meets(moved.box, names_only):
                 d.labels.append(moved)
                 d.taken.add(moved.box, name=True)
+                if names_only:
+                    d.notes.append(f"the name {label.text} lies over a line or symbol")
                 return
     d.notes.append(f"the name {label.text} lies over another")
     d.labels.append(label)
