@@ -287,6 +287,15 @@ def test_a_yard_of_a_thousand_routes_stays_usable(tmp_path_factory: pytest.TempP
         assert spent < 2000
         assert page.locator("#plan .lit-path").count() > 3
         assert page.locator("canvas.heat").count() == 1
+        frame = page.locator("#plan").bounding_box()
+        lit = page.eval_on_selector_all(
+            "#plan .lit-path", "es => es.map(e => e.getBoundingClientRect()).map(b => [b.left, b.right])"
+        )
+        wide = max(right for _, right in lit) - min(left for left, _ in lit)
+        assert 0.5 * frame["width"] < wide < frame["width"], "the plan comes as near as the route fills its frame"
+        page.locator("#routes tr.chosen button[data-hostile]").first.click()
+        told, count = page.inner_text("#why"), page.evaluate("data.routes[chosen].against.length")
+        assert told.startswith("Hostile to ") and told.count("(") < count / 3, "what is hostile in one way is told once"
 
 
 @pytest.mark.external

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ElementTree
+from collections import Counter
 from itertools import pairwise
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from click.testing import CliRunner
 from interlock.cli.main import cli
 from interlock.diag import Sink
 from interlock.emit.drawing import Drawing, place, plan_svg
+from interlock.emit.drawing.slips import CHORDS, blades, double_slips
 from interlock.frontend import load_text
 from interlock.model.elements import BufferKind, EdgeId
 from interlock.model.layout import Layout
@@ -230,7 +232,9 @@ def test_a_name_of_a_slip_stands_where_its_blades_lie(said: str, ends: dict[str,
     assert len(leftward) == 1
     for name, own in ends.items():
         assert ({end[1] for end in own} == leftward) is (labels[name].x < middle), name
-    marks = {p: re.search(rf'<g id="point-{p}" class="point"><title>(.*?)</title>', plan_svg(layout, d)) for p in ends}
+    marks = {
+        p: re.search(rf'<g id="point-{p}" class="point"[^>]*><title>(.*?)</title>', plan_svg(layout, d)) for p in ends
+    }
     for name, found in marks.items():
         assert found is not None and f"blades at {' and '.join(ends[name])}, N to" in found[1]
 
@@ -252,6 +256,30 @@ def test_a_slip_with_a_diamond_is_one_symbol() -> None:
         for rail in d.plan.rails:
             (x0, _), (x1, _) = d.edges[rail]
             assert x0 < x < x1  # a slip leads on, never back
+
+
+@pytest.mark.parametrize("said", ["", ", blades: near", ", machines: [7L, 7R]"])
+def test_a_double_slip_with_two_machines_has_four_blades_that_lie_as_their_machines(said: str) -> None:
+    layout, d = _slip(said)
+    (slip,) = double_slips(layout)
+    there = list(blades(d, slip))
+    x = (d.at[slip.nodes[0]][0] + d.at[slip.nodes[1]][0]) / 2
+    told = {b.point: b for b in layout.blades}
+    tips = {end: _outer_end(layout, d, end) for end in ("1a", "1b", "2a", "2b")}
+    assert {tips[e][0] < x for e in ("1a", "2a")} == {tips["1a"][0] < x} != {tips["1b"][0] < x}
+    assert (tips["2a"][1] < tips["1a"][1]) is (tips["2b"][1] > tips["1b"][1]), "its arms cross"
+    assert Counter(b.point for b in there) == dict.fromkeys(told, 2)
+    ends = [end for b in slip.blades for end in b.at]
+    for b, end in zip(there, ends, strict=True):
+        assert abs(b.at[0] - x) < 42 and (b.at[0] < x) is (tips[end][0] < x)
+        for normal, to in ((True, told[b.point].normal), (False, told[b.point].reverse)):
+            leads = b.towards(normal)  # straight on over the diamond, or over the slip rail to the blades across
+            assert (leads == b.arm) is (to[0] == end[0]), (end, to)
+            assert leads in (b.arm, next(o.at for o, e in zip(there, ends, strict=True) if e == CHORDS[end]))
+    svg = plan_svg(layout, d)
+    assert svg.count('class="rail"') == 2
+    for p in told:
+        assert re.search(rf'<g id="point-{p}" class="point" data-n="M[^"]* M[^"]*" data-r="M[^"]* M', svg)
 
 
 def test_of_a_three_way_point_both_machines_are_named() -> None:

@@ -274,8 +274,8 @@ def test_each_blade_of_a_slip_shows_how_it_lies(said: str, points: int, tmp_path
             page, wrong = opened(found, one.url)
             page.wait_for_function(f"document.querySelectorAll('#plan .lie.N.lies').length === {points}")
             apart = page.evaluate(
-                "[...document.querySelectorAll('#plan .point .reach')]"
-                ".map(c => [+c.getAttribute('cx'), +c.getAttribute('cy')])"
+                "[...document.querySelectorAll('#plan .point .reach')].map(c => c.getBBox())"
+                ".map(b => [b.x + b.width / 2, b.y + b.height / 2])"
             )
             assert len(apart) == points
             for i, (x, y) in enumerate(apart):  # each is clicked by itself

@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from math import dist
 
 from interlock.emit.drawing.strands import Plan
-from interlock.model.elements import EdgeId, NodeId, Point, SectionId
+from interlock.model.elements import EdgeId, NodeId, SectionId
 from interlock.model.layout import Layout
 
 UNIT = 42  # pixels of a level: half a track's distance
 LEAST = 26  # of an edge without any name
 SIGNAL = 34  # of a signal's symbol
 MARGIN, TOP = 40, 84
+BLADES = 40.0  # from the middle of a slip's diamond to its blades
 ARC = 1.5 * UNIT  # the largest radius of a track that turns back
 
 Spot = tuple[float, float]
@@ -96,6 +98,18 @@ class Drawing:
     notes: list[str] = field(default_factory=list)
 
 
+def cut_at(line: list[Spot], far: float) -> tuple[list[Spot], list[Spot]]:
+    """A line in two, so far from its beginning, but not beyond half of it."""
+    far = min(far, sum(dist(a, b) for a, b in pairwise(line)) / 2)
+    for k, (a, b) in enumerate(pairwise(line)):
+        long = dist(a, b)
+        if far <= long:
+            spot = (a[0] + (b[0] - a[0]) * far / long, a[1] + (b[1] - a[1]) * far / long)
+            return [*line[: k + 1], spot], [spot, *line[k + 1 :]]
+        far -= long
+    return line, line[-1:]
+
+
 def flat(line: list[Spot]) -> tuple[Spot, Spot]:
     """The longest level part of an edge, or its longest part."""
     parts = list(pairwise(line))
@@ -110,11 +124,6 @@ def bend(d: Drawing, point: str) -> Spot:
     p = d.layout.point[point]  # type: ignore[index]
     line = d.edges[d.plan.turned_leg(p)]
     return line[1] if line[0] == d.at[p.node] else line[-2]
-
-
-def worked(d: Drawing, p: Point) -> Point:
-    """The point at which the blades of a point lie: itself, or of a double slip the one across."""
-    return d.plan.blades_at.get(p.id, p)
 
 
 def fouling_mark(d: Drawing, point: str) -> Spot | None:

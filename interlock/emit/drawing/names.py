@@ -19,8 +19,8 @@ from interlock.emit.drawing.canvas import (
     flat,
     fouling_mark,
     width,
-    worked,
 )
+from interlock.emit.drawing.slips import blades, double_slips
 from interlock.model.elements import BufferKind, EdgeId, SectionId
 
 
@@ -30,14 +30,20 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
     _joints(d)
     _signals(d)
     _outside(d)
-    for p in d.layout.points:  # names stand where blades lie
-        x, y = d.at[worked(d, p).node]
-        far = bend(d, worked(d, p).id)
+    for p in d.layout.points:
+        x, y = d.at[p.node]
+        far = bend(d, p.id)
         below = far[1] < y
         way = 1 if far[0] < x else -1
         _put(
             d, Label("point", p.id, p.id, x + way * 8, y + 15 if below else y - 8, anchor="start" if way > 0 else "end")
         )
+    for slip in double_slips(d.layout):
+        middle = d.at[slip.nodes[0]][0]
+        for b in blades(d, slip):
+            way, (x, y) = 1 if b.at[0] > middle else -1, b.at
+            side, dy = "start" if way > 0 else "end", 15 if b.chord[1] < y else -8
+            _put(d, Label("point", b.point, b.point, x + way * 8, y + dy, anchor=side))
     for edge, section in sorted(named.items()):
         (x0, y0), (x1, y1) = flat(d.edges[edge])
         length = sum(e.length for e in d.layout.edges if e.section == section)
@@ -50,23 +56,33 @@ def put_names(d: Drawing, named: dict[EdgeId, SectionId]) -> None:
 def _lines(d: Drawing) -> None:
     """What names should keep away from: diagonals, and the marks of points."""
     for line in d.edges.values():
-        for (x0, y0), (x1, y1) in pairwise(line):
-            if y0 != y1:
-                steps = max(1, int(max(abs(x1 - x0), abs(y1 - y0)) / 5))
-                for k in range(steps + 1):
-                    x, y = x0 + (x1 - x0) * k / steps, y0 + (y1 - y0) * k / steps
-                    d.taken.add((x - 3, y - 3, x + 3, y + 3))
+        for a, b in pairwise(line):
+            if a[1] != b[1]:
+                _keep_off(d, a, b)
             else:
-                d.taken.add((min(x0, x1), y0 - 1, max(x0, x1), y0 + 1))
+                d.taken.add((min(a[0], b[0]), a[1] - 1.5, max(a[0], b[0]), a[1] + 1.5))
     for device in d.layout.devices:
         for x, y in device_spots(d, device.over):
             d.taken.add((x - 10, y - 16, x + 10, y + 16))
+    for slip in double_slips(d.layout):
+        for blade in blades(d, slip):
+            (x, y), far = blade.at, blade.chord
+            _keep_off(d, (x, y), far)
+            d.taken.add((x - 6, y - 8, x + 6, y + 8))
     for p in d.layout.points:
         x, y = d.at[p.node]
         d.taken.add((x - 6, y - 8, x + 6, y + 8))
         mark = fouling_mark(d, p.id)
         if mark is not None:
             d.taken.add((mark[0] - 4, mark[1] - 4, mark[0] + 4, mark[1] + 4))
+
+
+def _keep_off(d: Drawing, a: Spot, b: Spot) -> None:
+    """No name lies on this stroke."""
+    steps = max(1, int(abs(b[1] - a[1]) / 5))
+    for k in range(steps + 1):
+        x, y = a[0] + (b[0] - a[0]) * k / steps, a[1] + (b[1] - a[1]) * k / steps
+        d.taken.add((x - 3, y - 3, x + 3, y + 3))
 
 
 def _joints(d: Drawing) -> None:
@@ -137,6 +153,8 @@ def _put(d: Drawing, label: Label) -> None:
             if not d.taken.meets(moved.box, names_only):
                 d.labels.append(moved)
                 d.taken.add(moved.box, name=True)
+                if names_only:
+                    d.notes.append(f"the name {label.text} lies over a line or symbol")
                 return
     d.notes.append(f"the name {label.text} lies over another")
     d.labels.append(label)

@@ -13,9 +13,10 @@ from interlock.emit.drawing.canvas import MARGIN, TOP, UNIT, Drawing, Spot
 from interlock.emit.drawing.embedding import Bridges
 from interlock.emit.drawing.exact import exact_drawing
 from interlock.emit.drawing.levels import FEW, Runs, cost, place_levels
+from interlock.emit.drawing.slips import restore, with_diamonds
 from interlock.emit.drawing.strands import Plan, Strand
 from interlock.emit.drawing.stretch import Behind, along, finish, length_of, named_edges, outer, put_strand
-from interlock.emit.drawing.turns import unrolled
+from interlock.emit.drawing.turns import Unrolled, unrolled
 from interlock.model.elements import NodeId
 from interlock.model.layout import Layout
 
@@ -39,10 +40,18 @@ def _levelled(layout: Layout, mirrored: int) -> Levelled:
 
 def place(layout: Layout) -> Drawing:
     """The plan of a layout: its runs put next to each other, or, where lines would cross that way, exact levels."""
+    drawn = _placed(with_diamonds(layout))
+    restore(drawn, layout)
+    return drawn
+
+
+def _placed(layout: Layout) -> Drawing:
     cut = unrolled(layout)
     large = len(layout.points) > FEW
     hints = bool(layout.drawing)
     drawn = _settled(layout) if hints or not (cut.turns or large) else None
+    if drawn is not None and drawn.plan.slips and not hints:  # a slip's arms decide on which side much else lies
+        drawn = _smaller(drawn, cut)
     if drawn is None or (_crossed(drawn) and not hints):
         for variant in range(1 if large else VARIANTS):
             try:
@@ -59,6 +68,17 @@ def place(layout: Layout) -> Drawing:
     if crossed:
         drawn.notes.append(f"lines cross at {crossed} places where the tracks do not")
     return drawn
+
+
+def _smaller(drawn: Drawing, cut: Unrolled) -> Drawing:
+    """The plan with exact levels instead, if it takes less room."""
+    try:
+        exact = exact_drawing(cut.layout, cut)
+    except Bridges:
+        return drawn
+    if exact is None or _crossed(exact):
+        return drawn
+    return exact if exact.width * exact.height < drawn.width * drawn.height else drawn
 
 
 def _settled(layout: Layout) -> Drawing:

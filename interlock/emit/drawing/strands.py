@@ -12,7 +12,7 @@ from collections import deque
 from dataclasses import dataclass
 from functools import cached_property
 
-from interlock.model.elements import BufferKind, EdgeId, NodeId, Point, PointId
+from interlock.model.elements import BufferKind, EdgeId, NodeId, Point
 from interlock.model.layout import Layout
 
 CROSSOVER = 250.0  # metres: what is longer between two turned legs is a track
@@ -131,14 +131,8 @@ class Plan:
     def slips(self) -> frozenset[NodeId]:
         """Diamonds with slip rails."""
         far = {self.layout.far(p.normal, p.node) for p in self.slip_points}
+        far |= {NodeId(b.point) for b in self.layout.blades if len(b.at) == 2}  # of `with_diamonds`
         return frozenset(far & set(self.layout.crossing_at))
-
-    @cached_property
-    def blades_at(self) -> dict[PointId, Point]:
-        """For each point of a double slip that is two points toe to toe the other one: its blades lie at the legs
-        there, from which trains are led to one of its own."""
-        far = {b.point: self.layout.point[b.point] for b in self.layout.blades if len(b.at) == 2}
-        return {k: self.layout.point_at[self.layout.far(p.toe, p.node)] for k, p in far.items()}
 
     def _declared(self, s: Strand) -> bool:
         """Whether most edges of a strand run as they are declared."""

@@ -7,14 +7,14 @@ narrow as that allows, diagonals first (the dual of a flow gives the optimum).
 from __future__ import annotations
 
 from itertools import pairwise
-from math import dist
 
 import networkx as nx
 
 from interlock.emit.drawing.anchors import moved
-from interlock.emit.drawing.canvas import ARC, LEAST, MARGIN, SIGNAL, UNIT, Drawing, Spot, width
+from interlock.emit.drawing.canvas import ARC, BLADES, LEAST, MARGIN, SIGNAL, UNIT, Drawing, Spot, cut_at, width
 from interlock.emit.drawing.names import put_names
 from interlock.emit.drawing.narrowest import narrowest
+from interlock.emit.drawing.slips import double_slips
 from interlock.emit.drawing.strands import Plan, Strand
 from interlock.model.elements import EdgeId, NodeId, SectionId, Signal
 from interlock.model.layout import Layout
@@ -51,11 +51,19 @@ def _content(plan: Plan, s: Strand, k: int, named: dict[EdgeId, SectionId]) -> f
             toe = edge == layout.point_at[node].toe
             need += 10 if turned else width(str(layout.point_at[node].id)) + 4 if toe else 40
         else:
-            need += 6
+            need += _slip_room(plan, node)
     if edge in named:
         metres = sum(e.length for e in layout.edges if e.section == named[edge])
         need += max(width(named[edge]), 0.82 * width(f"{metres:g}")) + 14
     return max(LEAST, need)
+
+
+def _slip_room(plan: Plan, node: NodeId) -> float:
+    """Pixels that an arm needs at a diamond: of a double slip with two machines, for its blades and their name."""
+    if node not in plan.slips:
+        return 6
+    double = any(node == s.nodes[0] for s in double_slips(plan.layout))
+    return BLADES + width(node) + 20 if double else 6
 
 
 def length_of(
@@ -159,10 +167,6 @@ def _spot(line: list[Spot], x: float) -> Spot:
     return line[-1]
 
 
-BLADES = 40.0
-"""Pixels from the middle of a diamond to the blades of its slip rails."""
-
-
 def _slips(d: Drawing) -> None:
     """Points of slips close to their diamond, on its arms, and slip rails as chords between them."""
     for p in d.plan.slip_points:
@@ -170,24 +174,12 @@ def _slips(d: Drawing) -> None:
         middle = next(n for n in (d.layout.edge[p.normal].a, d.layout.edge[p.normal].b) if n != p.node)
         onward = straight[0] == d.at[middle]  # the arm leads to the right
         line = [*straight, *toe[1:]] if onward else [*toe, *straight[1:]]
-        inner, outer = _cut_at(line if onward else line[::-1], BLADES)
+        inner, outer = cut_at(line if onward else line[::-1], BLADES)
         d.at[p.node] = inner[-1]
         d.edges[p.normal], d.edges[p.toe] = (inner, outer) if onward else (inner[::-1], outer[::-1])
     for rail in d.plan.rails:
         e = d.layout.edge[rail]
         d.edges[rail] = sorted((d.at[e.a], d.at[e.b]))
-
-
-def _cut_at(line: list[Spot], far: float) -> tuple[list[Spot], list[Spot]]:
-    """A line in two, so far from its beginning, but not beyond half of it."""
-    far = min(far, sum(dist(a, b) for a, b in pairwise(line)) / 2)
-    for k, (a, b) in enumerate(pairwise(line)):
-        long = dist(a, b)
-        if far <= long:
-            spot = (a[0] + (b[0] - a[0]) * far / long, a[1] + (b[1] - a[1]) * far / long)
-            return [*line[: k + 1], spot], [spot, *line[k + 1 :]]
-        far -= long
-    return line, line[-1:]
 
 
 def finish(d: Drawing, named: dict[EdgeId, SectionId]) -> None:

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 from xml.sax.saxutils import escape, quoteattr
 
-from interlock.emit.drawing.canvas import Drawing, Label, Spot, bend, device_spots, flat, fouling_mark, worked
+from interlock.emit.drawing.canvas import Drawing, Label, Spot, bend, device_spots, flat, fouling_mark
 from interlock.emit.drawing.place import place
-from interlock.model.elements import BufferKind, DeviceKind, Lane, Point, Signal, Work
+from interlock.emit.drawing.slips import DoubleSlip, blades, double_slips
+from interlock.model.elements import Blades, BufferKind, DeviceKind, Lane, Point, Signal, Work
 from interlock.model.foul import foul_joints
 from interlock.model.layout import Layout
 
@@ -106,26 +107,32 @@ def _joints(d: Drawing) -> list[str]:
 
 
 def _points(d: Drawing) -> list[str]:
-    """Each point where its blades lie; of a slip with a word on where that is, and where they lead."""
+    """Each point with its machine; of a slip with a word on where its blades lie, and where they lead."""
     told = {b.point: b for b in d.layout.blades}
-    out = []
+    slips = double_slips(d.layout)
+    parts = {s.blades[0].point: _double(d, s) for s in slips}
+    shared = {b.point for s in slips for b in s.blades}
     for p in d.layout.points:
-        at = worked(d, p)
-        x, y = d.at[at.node]
-        far = bend(d, at.id)
-        ux, uy = _towards((x, y), far)
-        near = 14 if p.reverse in d.plan.rails else 5
-        a, b = ((x + k * ux, y + k * uy) for k in (near, near + 6))
-        gap = f'<path class="gap" d="{_path([a, b])}"/>'
-        words = ""
-        if p.id in told:
-            lie = told[p.id]
-            ends = " and ".join(lie.at)
-            words = f"<title>{escape(f'{p.id}: blades at {ends}, N to {lie.normal}, R to {lie.reverse}')}</title>"
-        blades = _blades(d, at) if at is not p else ""
-        parts = f"{words}{gap}{blades}{_machine(p, x, y, uy)}{_fouling(d, at)}"
-        out.append(f'<g id={quoteattr(f"point-{p.id}")} class="point">{parts}</g>')
-    return out
+        if p.id in shared:
+            continue
+        x, y = d.at[p.node]
+        gap, uy = _gap((x, y), bend(d, p.id), 14 if p.reverse in d.plan.rails else 5)
+        words = _words(told[p.id]) if p.id in told else ""
+        inner = f"{words}{gap}{_machine(p, x, y, uy)}{_fouling(d, p)}"
+        parts[p.id] = f'<g id={quoteattr(f"point-{p.id}")} class="point">{inner}</g>'
+    return [parts[k] for k in sorted(parts)]
+
+
+def _words(b: Blades) -> str:
+    ends = " and ".join(b.at)
+    return f"<title>{escape(f'{b.point}: blades at {ends}, N to {b.normal}, R to {b.reverse}')}</title>"
+
+
+def _gap(a: Spot, b: Spot, near: float) -> tuple[str, float]:
+    """The gap in a leg that is not set, and how the leg falls."""
+    ux, uy = _towards(a, b)
+    spots = [(a[0] + k * ux, a[1] + k * uy) for k in (near, near + 6)]
+    return f'<path class="gap" d="{_path(spots)}"/>', uy
 
 
 def _towards(a: Spot, b: Spot) -> Spot:
@@ -133,19 +140,28 @@ def _towards(a: Spot, b: Spot) -> Spot:
     return ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
 
 
-def _blades(d: Drawing, at: Point) -> str:
-    """Blades at both ends of one side of a double slip: strokes within its legs, beside the rails."""
-    ways = []
-    for edge in (at.normal, at.reverse):
-        line = d.edges[edge]
-        ways.append(_towards(d.at[at.node], line[1] if line[0] == d.at[at.node] else line[-2]))
-    (x, y), (a, b) = d.at[at.node], ways
-    inward = 1 if a[0] * b[1] - a[1] * b[0] > 0 else -1
-    strokes = []
-    for (ux, uy), side in ((a, inward), (b, -inward)):
-        px, py = x + 12 * ux - 3.6 * side * uy, y + 12 * uy + 3.6 * side * ux
-        strokes.append(f"M{_n(px)} {_n(py)} l{_n(9 * ux)} {_n(9 * uy)}")
-    return f'<path class="mark" d="{" ".join(strokes)}"/>'
+RAIL = 'fill="none" stroke="#222" stroke-width="2.6"'  # a slip rail, as a track
+LIES = 17  # pixels of a leg that show how its point lies
+
+
+def _double(d: Drawing, s: DoubleSlip) -> str:
+    """A double slip with two machines: slip rails, and the four pairs of blades; how they lead in either position is
+    told for whoever shows it (`data-n`, `data-r`)."""
+    those = list(blades(d, s))
+    rails = {tuple(sorted((b.at, b.chord))) for b in those}
+    out = [f'<path class="rail" {RAIL} d="{_path(list(r))}"/>' for r in sorted(rails)]
+    for lie in s.blades:
+        p, own = d.layout.point[lie.point], [b for b in those if b.point == lie.point]
+        inner, lies = _words(lie), {True: list[str](), False: list[str]()}
+        for b in own:
+            gap, uy = _gap(b.at, b.chord, 14)
+            inner += gap + _machine(p, *b.at, uy)
+            for normal, paths in lies.items():
+                ux, vy = _towards(b.at, b.towards(normal))
+                paths.append(_path([b.at, (b.at[0] + LIES * ux, b.at[1] + LIES * vy)]))
+        data = f'data-n="{" ".join(lies[True])}" data-r="{" ".join(lies[False])}"'
+        out.append(f'<g id={quoteattr(f"point-{p.id}")} class="point" {data}>{inner}</g>')
+    return "\n".join(out)
 
 
 def _machine(p: Point, x: float, y: float, uy: float) -> str:

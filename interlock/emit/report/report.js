@@ -54,6 +54,7 @@ function choose(i, scroll) {
     const box = row.closest(".scroll");
     box.scrollTop = row.offsetTop - box.querySelector("thead").offsetHeight;
   }
+  approach(r.edges);
   show(r.edges);
   say(r.id + ": " + r.words + "; " + r.against.length + " hostile routes.");
 }
@@ -87,8 +88,21 @@ function resize(to) {
   if (chosen >= 0) show(data.routes[chosen].edges);
 }
 
+function boxesOf(edges) {
+  return edges.map((e) => document.getElementById("edge-" + e)).filter(Boolean).map((e) => e.getBoundingClientRect());
+}
+
+// on a plan that fits only when it is small, a chosen route fills the frame
+function approach(edges) {
+  if (zoom || fit() >= 0.5) return;
+  const boxes = boxesOf(edges);
+  if (!boxes.length) return;
+  const wide = Math.max(...boxes.map((b) => b.right)) - Math.min(...boxes.map((b) => b.left));
+  resize(Math.min(1, 0.9 * fit() * frame.clientWidth / Math.max(1, wide)));
+}
+
 function show(edges) {
-  const boxes = edges.map((e) => document.getElementById("edge-" + e)).filter(Boolean).map((e) => e.getBoundingClientRect());
+  const boxes = boxesOf(edges);
   if (!boxes.length) return;
   const at = frame.getBoundingClientRect();
   const left = Math.min(...boxes.map((b) => b.left)), right = Math.max(...boxes.map((b) => b.right));
@@ -156,17 +170,27 @@ document.getElementById("smaller").addEventListener("click", () => resize((zoom 
 document.getElementById("fit").addEventListener("click", () => resize(0));
 addEventListener("resize", () => resize(zoom));
 addEventListener("hashchange", () => { if (linked() >= 0) choose(linked(), true); });
-function hostility(i, k, how) {
-  const [kind, witness] = data.hows[how], [one, other] = i < k ? [i, k] : [k, i];
-  const told = { "{one}": data.routes[one].id, "{other}": data.routes[other].id, "{{": "{", "}}": "}" };
-  return data.routes[k].id + " (" + kind + ": " + witness.replace(/{one}|{other}|{{|}}/g, (x) => told[x]) + ")";
+// those that are hostile in one way stand together: `A-B, A-C (same entry: both begin at A)`
+function hostilities(i) {
+  const groups = new Map();
+  for (const [k, how] of data.routes[i].against) {
+    const key = how + (i < k ? "<" : ">");
+    if (!groups.has(key)) groups.set(key, [how, i < k, []]);
+    groups.get(key)[2].push(data.routes[k].id);
+  }
+  return [...groups.values()].map(([how, first, ids]) => {
+    const own = data.routes[i].id, others = ids.length > 1 ? "each of them" : ids[0];
+    const told = { "{one}": first ? own : others, "{other}": first ? others : own, "{{": "{", "}}": "}" };
+    const [kind, witness] = data.hows[how];
+    return ids.join(", ") + " (" + kind + ": " + witness.replace(/{one}|{other}|{{|}}/g, (x) => told[x]) + ")";
+  }).join("; ");
 }
 document.getElementById("routes").addEventListener("click", (e) => {
   const b = e.target.closest("button[data-why], button[data-hostile]");
   if (!b) return;
   if (b.dataset.hostile !== undefined) {
     const i = +b.dataset.hostile;
-    say("Hostile to " + data.routes[i].id + ": " + data.routes[i].against.map(([k, how]) => hostility(i, k, how)).join("; "));
+    say("Hostile to " + data.routes[i].id + ": " + hostilities(i));
   } else say(data.reasons[+b.dataset.why]);
   tell(b, why.textContent);
 });

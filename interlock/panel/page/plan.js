@@ -73,7 +73,7 @@ export class Plan {
     const b = group.getBBox();
     const x = Math.min(b.x, b.x + b.width / 2 - reach), y = Math.min(b.y, b.y + b.height / 2 - reach);
     const w = Math.max(b.width, 2 * reach), h = Math.max(b.height, 2 * reach);
-    if (key[0] !== "m") make("rect", {class: "reach", x, y, width: w, height: h, rx: 4}, group);
+    if (key[0] !== "m" || group.dataset.n) make("rect", {class: "reach", x, y, width: w, height: h, rx: 4}, group);
     else make("circle", {class: "reach", cx: b.x + b.width / 2, cy: b.y + b.height / 2, r: reach}, group);
   }
 
@@ -85,6 +85,8 @@ export class Plan {
     const near = (a, b) => Math.hypot(a.x - b.x, a.y - b.y);
     const out = {group};
     for (const leg of ["N", "R"]) {
+      const told = group.dataset[leg.toLowerCase()]; // of a double slip: at its blades, which lie across
+      if (told) { out[leg] = make("path", {class: `lie ${leg}`, d: told}); group.prepend(out[leg]); continue; }
       const edge = this.edge[p[leg]];
       if (!edge) continue;
       const [a, b] = ends(edge.path), from = Math.min(...ends(toe).map(t => near(t, a))) <= Math.min(...ends(toe).map(t => near(t, b)));

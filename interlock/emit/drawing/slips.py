@@ -1,0 +1,122 @@
+"""Double slips with two machines.
+
+In the layout such a slip is two points toe to toe, the blades of each lying at the legs of the other.  On the plan it
+is a diamond with two slip rails and blades at all four ends, as on the ground: it is placed as a diamond, and then
+given its points back, which lie in its middle.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from interlock.emit.drawing.canvas import BLADES, Drawing, Spot, cut_at
+from interlock.model.elements import Blades, Crossing, CrossingId, Edge, EdgeId, NodeId, PointId
+from interlock.model.layout import Layout
+
+CHORDS = {"1a": "2b", "2b": "1a", "2a": "1b", "1b": "2a"}
+"""The ends that slip rails join."""
+
+
+@dataclass(frozen=True)
+class DoubleSlip:
+    """Its name, the blades of its two points, and its four legs by the end to which they lead."""
+
+    name: str
+    blades: tuple[Blades, Blades]
+    legs: Mapping[str, EdgeId]
+
+    @property
+    def nodes(self) -> tuple[NodeId, NodeId]:
+        """Where its points lie; the first is the node of its diamond."""
+        one, two = self.blades
+        return NodeId(one.point), NodeId(two.point)
+
+
+def double_slips(layout: Layout) -> list[DoubleSlip]:
+    """Those of a layout, whether it has their points or their diamonds."""
+    pairs: dict[str, list[Blades]] = {}
+    for b in layout.blades:
+        if len(b.at) == 2:
+            pairs.setdefault(b.point[:-1], []).append(b)  # NAMEa and NAMEb
+    out = []
+    for name, (one, two) in sorted(pairs.items()):
+        legs = {end: EdgeId(f"{name}.{end}") for end in CHORDS}
+        diamond = layout.crossing_at.get(NodeId(one.point))
+        if diamond is not None:
+            ends = zip(("1a", "1b", "2a", "2b"), (*diamond.arms[0], *diamond.arms[1]), strict=True)
+            legs = dict(ends)
+        out.append(DoubleSlip(name, (one, two), legs))
+    return out
+
+
+def with_diamonds(layout: Layout) -> Layout:
+    """The layout with a diamond in the place of each of them, at the node of its first point."""
+    slips = double_slips(layout)
+    if not slips:
+        return layout
+    gone = {b.point for s in slips for b in s.blades}
+    middles = {layout.point[s.blades[0].point].toe for s in slips}
+    inward = {s.legs[end] for s in slips for end in ("1a", "2a")}
+    to = {two: one for one, two in (s.nodes for s in slips)}
+
+    def joined(e: Edge) -> Edge:
+        a, b = to.get(e.a, e.a), to.get(e.b, e.b)
+        centre = {s.nodes[0] for s in slips}
+        return replace(e, a=b, b=a) if e.id in inward and a in centre else replace(e, a=a, b=b)
+
+    diamonds = [
+        Crossing(CrossingId(s.nodes[0]), s.nodes[0], ((s.legs["1a"], s.legs["1b"]), (s.legs["2a"], s.legs["2b"])))
+        for s in slips
+    ]
+    return replace(
+        layout,
+        edges=tuple(joined(e) for e in layout.edges if e.id not in middles),
+        points=tuple(p for p in layout.points if p.id not in gone),
+        crossings=tuple(sorted((*layout.crossings, *diamonds), key=lambda c: c.id)),
+        anchors=tuple(replace(a, nodes=tuple(dict.fromkeys(to.get(n, n) for n in a.nodes))) for a in layout.anchors),
+    )
+
+
+def restore(d: Drawing, layout: Layout) -> None:
+    """Give the plan of `with_diamonds` the points of the layout, and the edges between them."""
+    d.layout = layout
+    for s in double_slips(layout):
+        x, y = d.at[s.nodes[0]]
+        for n in s.nodes:
+            p = layout.point_at[n]
+            left = d.edges[p.normal][-1] == (x, y)
+            d.at[n] = here = (x - 1, y) if left else (x + 1, y)
+            for e in (p.normal, p.reverse):
+                d.edges[e] = [*d.edges[e][:-1], here] if left else [here, *d.edges[e][1:]]
+            d.edges[p.toe] = [(x - 1, y), (x + 1, y)]
+
+
+@dataclass(frozen=True)
+class Blade:
+    """A pair of blades: whose they are, where they lie, the next spot along the arm and along the slip rail, and
+    whether they lead along the rail in normal."""
+
+    point: PointId
+    at: Spot
+    arm: Spot
+    chord: Spot
+    turned: bool
+
+    def towards(self, normal: bool) -> Spot:
+        """Where they lead in a position."""
+        return self.chord if normal is self.turned else self.arm
+
+
+def blades(d: Drawing, s: DoubleSlip) -> Iterator[Blade]:
+    """The four pairs of blades of a slip."""
+    there = [d.at[n] for n in s.nodes if n in d.at]
+    middle = (sum(x for x, _ in there) / len(there), there[0][1])
+    spots = {}
+    for end, edge in s.legs.items():
+        line = d.edges[edge]
+        outward = line if abs(line[0][0] - middle[0]) <= abs(line[-1][0] - middle[0]) else line[::-1]
+        spots[end] = cut_at([middle, *outward[1:]], BLADES)[0][-1]
+    for b in s.blades:
+        for end in b.at:
+            yield Blade(b.point, spots[end], middle, spots[CHORDS[end]], b.normal == CHORDS[end])
