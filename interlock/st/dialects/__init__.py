@@ -9,7 +9,7 @@ from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
 from interlock.logic.order import by_place, together
 from interlock.st.ast import Unit
-from interlock.st.dialects import awl, iec, plcopen, scl300, scl1500, twincat
+from interlock.st.dialects import awl, iec, ladder, plcopen, scl300, scl1500, twincat
 from interlock.st.dialects.dialect import Dialect, Files, Unsupported
 from interlock.st.index import index
 from interlock.st.lower import lower_st
@@ -24,6 +24,7 @@ DIALECTS: tuple[Dialect, ...] = (
     scl300.DIALECT,
     awl.DIALECT,
     plcopen.DIALECT,
+    ladder.DIALECT,
 )
 BY_NAME = {d.name: d for d in DIALECTS}
 

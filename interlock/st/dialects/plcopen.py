@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ElementTree
+from collections.abc import Mapping
+from types import MappingProxyType
 from xml.sax.saxutils import escape, quoteattr
 
 from interlock.st.ast import Block, Bool, Declaration, Expression, Int, Task, Unit
@@ -19,13 +21,13 @@ _RUN = ("resource", "task", "pouInstance")
 _WHEN = "2000-01-01T00:00:00"  # the same bytes for the same controller
 
 
-def _rules(space: str, shown: str) -> dict[str, Rule]:
+def rules(space: str, shown: str, more: Mapping[str, Rule] = MappingProxyType({})) -> dict[str, Rule]:
     """The part of the schema that is written: nothing retained or constant, no action, one configuration at most.
 
-    `shown`: the element of XHTML that holds a text.
+    `shown`: the element of XHTML that holds a text; `more`: what a further language of bodies has.
     """
     note = "documentation"
-    rules = {
+    found = {
         "project": Rule(children="fileHeader contentHeader types instances"),
         "fileHeader": Rule("companyName productName productVersion creationDateTime contentDescription"),
         "contentHeader": Rule("name modificationDateTime", "coordinateInfo"),
@@ -55,10 +57,12 @@ def _rules(space: str, shown: str) -> dict[str, Rule]:
         shown: Rule(text=True),
     }
 
+    found |= more
+
     def full(name: str) -> str:
         return f"{{{XHTML if name.rstrip('*') == shown else space}}}{name}"
 
-    return {full(n): Rule(r.attributes, " ".join(map(full, r.children.split())), r.text) for n, r in rules.items()}
+    return {full(n): Rule(r.attributes, " ".join(map(full, r.children.split())), r.text) for n, r in found.items()}
 
 
 class PlcOpen:
@@ -70,6 +74,7 @@ class PlcOpen:
     def __init__(self, version: str, whole: bool) -> None:
         self.space = f"http://www.plcopen.org/xml/tc6_{version}"
         self.shown = "xhtml" if whole else "p"
+        self.rules = rules(self.space, self.shown)
 
     def write(self, unit: Unit) -> dict[str, str]:
         """One project file with a POU for each block, and the configuration that runs a program."""
@@ -106,7 +111,7 @@ class PlcOpen:
         """The blocks of a project file."""
         (text,) = files.values()
         root = parse(text)
-        expect(root, _rules(self.space, self.shown))
+        expect(root, self.rules)
         if root.tag != f"{{{self.space}}}project":
             raise NotInSubset("no PLCopen XML project of this version")
         found = root.find(self._path("instances/configurations/configuration"))
@@ -140,16 +145,22 @@ class PlcOpen:
         if kind is None:
             raise NotInSubset(f"{name} is no function block and no program")
         interface = pou.find(self._path("interface"))
-        text = pou.findtext(f"{self._path('body/ST')}/{{{XHTML}}}{self.shown}")
-        if interface is None or text is None:
-            raise NotInSubset(f"{name} has no interface or no text")
+        if interface is None:
+            raise NotInSubset(f"{name} has no interface")
         declared = []
         for part in interface:
             title = dict(_PARTS).get(part.tag.rsplit("}", 1)[1])
             if title is None:
                 raise NotInSubset(f"{name}: unknown part {part.tag}")
             declared += [title, *(self._variable(v) for v in part), "END_VAR"]
-        return parse_block(name, "\n".join(declared), text, kind)
+        return self._read_body(pou, name, "\n".join(declared), kind)
+
+    def _read_body(self, pou: ElementTree.Element, name: str, declared: str, kind: str) -> Block:
+        """The block with its statements."""
+        text = pou.findtext(f"{self._path('body/ST')}/{{{XHTML}}}{self.shown}")
+        if text is None:
+            raise NotInSubset(f"{name} has no text")
+        return parse_block(name, declared, text, kind)
 
     def _variable(self, v: ElementTree.Element) -> str:
         kind = v.find(self._path("type"))
@@ -174,10 +185,14 @@ class PlcOpen:
         return [
             *lines,
             "        </interface>",
-            f"        <body><ST>{self._text(chr(10).join(body(b)))}</ST></body>",
+            *self._body(b),
             f"        <documentation>{self._text(b.note)}</documentation>",
             "      </pou>",
         ]
+
+    def _body(self, b: Block) -> list[str]:
+        """The statements of a block as Structured Text."""
+        return [f"        <body><ST>{self._text(chr(10).join(body(b)))}</ST></body>"]
 
     def _text(self, text: str) -> str:
         if self.shown == "p":
