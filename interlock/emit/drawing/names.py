@@ -79,7 +79,7 @@ def _lines(d: Drawing) -> None:
 
 def _keep_off(d: Drawing, a: Spot, b: Spot) -> None:
     """No name lies on this stroke."""
-    steps = max(1, int(abs(b[1] - a[1]) / 5))
+    steps = max(1, int(max(abs(b[0] - a[0]), abs(b[1] - a[1])) / 5))
     for k in range(steps + 1):
         x, y = a[0] + (b[0] - a[0]) * k / steps, a[1] + (b[1] - a[1]) * k / steps
         d.taken.add((x - 3, y - 3, x + 3, y + 3))
