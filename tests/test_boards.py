@@ -35,6 +35,12 @@ def test_trains_end_at_a_stop_board_and_at_a_shunt_signal_and_movements_at_a_lim
     assert {"N1-LS.s", "N2-LS.s"} <= routes and {"N1-W", "N2-W"} <= routes, "movements end there, trains run past"
     assert {r.entry for r in table.routes} & {"H", "LS"} == set(), "nothing begins at a board"
     assert {r.kind for r in table.routes if r.entry == "D2"} == {"shunt"}
+    ends = [table.route[RouteId(r)].because.text for r in ("A2-H", "N1-LS.s", "A2-D2")]
+    assert ends == [
+        "found from A2 to stop board H",
+        "found from N1 to limit-of-shunt board LS",
+        "found from A2 to signal D2",
+    ]
     aspect = {c.key: c for c in COLUMNS}["aspect"]
     assert [aspect.text(table.route[RouteId(r)]) for r in ("A2-H", "A2-D2")] == ["caution", "caution"]
 

@@ -110,7 +110,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             approach=derive_approach(layout, p),
             release=derive_release(layout, p),
             listed=_way(p) not in hidden,
-            because=Because("R1", f"found from {p.entry} to {p.exit_kind} {p.exit}"),
+            because=Because("R1", f"found from {p.entry} to {_end(layout, p)} {p.exit}"),
         )
         for p in paths
     )
@@ -186,6 +186,13 @@ def _driven(layout: Layout, path: Path, demands: tuple[PointDemand, ...]) -> tup
 
 def _foul(path: Path, locks: Mapping[TraversalKey, TraversalRow]) -> tuple[FoulCell, ...]:
     return tuple(dict.fromkeys(c for t in (*path.ways, *path.overlap) for c in locks[t.key].foul))
+
+
+def _end(layout: Layout, p: Path) -> str:
+    """What stands where a route ends."""
+    if p.exit not in layout.boards:
+        return str(p.exit_kind)
+    return "stop board" if p.exit in layout.stops else "limit-of-shunt board"
 
 
 def _foul_themselves(rows: Sequence[RouteRow], sink: Sink) -> None:
