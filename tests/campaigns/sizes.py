@@ -32,8 +32,9 @@ All that `interlock compile` writes of `interlock init --yard {yard}`, {routes} 
 At commit 6e00d36 all files together had 508.93 MB; at ec6e9fb, when the workbook was compressed, 293.77 in 66 processor
 seconds, 26 of them for documents and plan: every one of {pairs} entries of hostile routes told its own reason, in
 table.json, table.csv, the railML names and the report.  Now each reason is said once, and rows tell its place.  What
-remains is text of the controller, of which a PLC needs every line ({controller:.2f} MB), and {rest:.2f} MB for everything
-else: 20 MB in all are not to be had while that text is plain.
+remains is text of the controller, of which a PLC needs
+every line ({controller:.2f} MB), and {rest:.2f} MB for everything else:
+20 MB in all are not to be had while that text is plain.
 """
 
 
