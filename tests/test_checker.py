@@ -118,6 +118,20 @@ def test_a_preset_that_only_the_written_system_has(copy: Path) -> None:
     assert "RT_DP has 3000 ms in the text, 9000 ms as written" in refused(copy)
 
 
+def test_which_text_was_read_is_told(copy: Path) -> None:
+    """A certificate may name a text that is none of those which are loaded into a controller."""
+    layout, folder, text = files(copy)
+    assert str(text.resolve()) in check(layout, folder).compared[-1]
+    aside = copy / "aside/fig2_2/st/iec/fig2_2.st"
+    aside.parent.mkdir(parents=True)
+    shutil.copy(text, aside)
+    edit(folder / "manifest.json", "../../generated/fig2_2/st/iec/fig2_2.st", "../../aside/fig2_2/st/iec/fig2_2.st")
+    edit(text, "YP_X1 := S01.S_R1 OR S01.S_R2;", "YP_X1 := TRUE;")
+    signed(folder)
+    said = check(layout, folder).compared[-1]
+    assert str(aside.resolve()) in said and "no mapping program" in said
+
+
 def test_another_layouts_certificate(made: Path) -> None:
     with pytest.raises(Rejected, match="of another layout"):
         check(Path("layouts/fig2_1.yaml"), files(made)[1])

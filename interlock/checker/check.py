@@ -38,7 +38,8 @@ def check(layout: Path, folder: Path) -> Checked:
     text = _text(folder, files, str(body["name"]))
     system = (folder / "system.txt").read_text("utf-8")
     found = agree(body, system, text.read_text("utf-8"), shipped())
-    return Checked((proof, *found.compared), found.left)
+    read = f"read: {text.resolve()}, and of the outputs nothing else: no mapping program, no other dialect"
+    return Checked((proof, *found.compared, read), found.left)
 
 
 def agree(body: dict[str, Any], system: str, text: str, spec: Specification) -> Checked:
