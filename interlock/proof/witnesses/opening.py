@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from math import ceil
 
 from interlock.logic.controller import RouteSymbols
-from interlock.model.elements import MachineId
+from interlock.model.elements import MachineId, Position
 from interlock.proof.system.transition import System
 
 SET, LOCKED, OPEN = 1, 2, 3
@@ -58,9 +58,14 @@ def opening(system: System, r: RouteSymbols) -> Opening:
 
 
 def machines_of(system: System, r: RouteSymbols) -> set[MachineId]:
-    """The machines that a route needs to lie somehow, for its path, its flanks and its overlap."""
+    """The machines that a route needs to lie somehow."""
+    return {m for m, _ in demands_of(system, r)}
+
+
+def demands_of(system: System, r: RouteSymbols) -> list[tuple[MachineId, Position]]:
+    """How a route needs machines to lie, for its path, its flanks and its overlap, or by the author's wish."""
     over = () if r.overlap is None else system.symbols.overlap_ways[r.overlap]
-    return {m for way in (*r.ways, *over) for m, _ in system.symbols.demands[way]}
+    return [d for way in (*r.ways, *over) for d in system.symbols.demands[way]] + list(r.demands)
 
 
 def devices(system: System) -> set[MachineId]:

@@ -178,8 +178,7 @@ def turned(system: System, r: RouteSymbols, standing: dict[str, int]) -> dict[st
     """Every machine of a route the other way, but for those on which its train stands."""
     return {
         name: value
-        for way in (*r.ways, *(() if r.overlap is None else system.symbols.overlap_ways[r.overlap]))
-        for m, x in system.symbols.demands[way]
+        for m, x in opening.demands_of(system, r)
         for name, value in ((names.LIES(m, x), 0), (names.LIES(m, x.other), 1))
         if name not in standing
     }
@@ -187,11 +186,9 @@ def turned(system: System, r: RouteSymbols, standing: dict[str, int]) -> dict[st
 
 def to_move(system: System, r: RouteSymbols, start: dict[str, int]) -> int:
     """The machines that a route has to move."""
-    over = () if r.overlap is None else system.symbols.overlap_ways[r.overlap]
     wrong = {
         m
-        for way in (*r.ways, *over)
-        for m, x in system.symbols.demands[way]
+        for m, x in opening.demands_of(system, r)
         if not start.get(names.LIES(m, x), int(x is Position.NORMAL)) or m in opening.devices(system)
     }
     return len(wrong)
