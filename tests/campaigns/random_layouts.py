@@ -201,9 +201,8 @@ def main() -> int:
     print(*(f"| {w} | {k} |" for w, k in sorted(t.words.items())), sep="\n")
     print(*(f"\n- {x}" for x in t.bad[:50]), sep="")
     if t.driven:
-        print(
-            "\nThe first pairs of routes that failed in their runs: a request is refused, or a signal late.  Not looked into one by one:"
-        )
+        said = "a request is refused, or a signal late.  Not looked into one by one:"
+        print(f"\nThe first pairs of routes that failed in their runs: {said}")
         print(*(f"\n- {x}" for x in t.driven[:40]), sep="")
     return 1 if t.bad else 0
 
