@@ -20,7 +20,7 @@ from interlock.proof.witnesses.availability import Manner, Trial, availability, 
 from interlock.proof.witnesses.opening import OPEN, steps
 from interlock.proof.witnesses.together import How
 from tests.campaigns.availability import derived, space_to_the_point, under, weakened
-from tests.layouts import SHIPPED, built
+from tests.layouts import SHIPPED, built, grown
 
 CASES = ("bare_signal", "both_ways", "door", "parallel", "scissors_apart", "through", "triangle")
 
@@ -139,3 +139,13 @@ def test_a_road_under_a_door_closes_its_signal_with_the_first_axle() -> None:
     assert checked.ok and checked.table is not None
     assert {d.code for d in checked.diagnostics} == {"IL3025"}
     assert all(r.closing.whole is None for r in checked.table.routes if r.entry == "S3")
+
+
+def test_a_point_that_the_author_has_a_route_lock_is_moved_like_its_own() -> None:
+    text = Path("tests/layouts_for_tests/added.yaml").read_text("utf-8").replace("lies: normal", "lies: reverse")
+    found = grown(text)
+    assert found is not None and not found[2].has_errors
+    layout, table, _ = found
+    routes = {r.bound.route: r for r in availability(System(layout, lower(layout, table)), table).routes}
+    assert routes["S1-W"].bound.machines == 2, "its own, and point 3"
+    assert [r.failure for r in routes.values()] == [None] * len(routes)

@@ -176,9 +176,9 @@ def main() -> int:
     parser.add_argument("--verify", type=int, default=0, help="how many of them to certify, and to verify")
     parser.add_argument("--drive", type=int, default=0, help="how many of them to drive in pairs of routes")
     args = parser.parse_args()
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
     began = time.process_time()
     t, grew = count({k: getattr(args, k) for k in ("prove", "verify", "drive")}, args.count)
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False)
     n = t.counts
     print("# Random layouts\n")
     print(f"`python -m tests.campaigns.random_layouts {' '.join(sys.argv[1:])}`")
@@ -201,7 +201,8 @@ def main() -> int:
     print(*(f"| {w} | {k} |" for w, k in sorted(t.words.items())), sep="\n")
     print(*(f"\n- {x}" for x in t.bad[:50]), sep="")
     if t.driven:
-        print("\nPairs of routes that failed in their runs (none is a hazard: a request is refused, or a signal late):")
+        said = "a request is refused, or a signal late.  Not looked into one by one:"
+        print(f"\nThe first pairs of routes that failed in their runs: {said}")
         print(*(f"\n- {x}" for x in t.driven[:40]), sep="")
     return 1 if t.bad else 0
 
