@@ -43,6 +43,7 @@ from interlock.simulate.mishaps import TRIAL, Rates
 @click.option("--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them.")
 @click.option("--faults", is_flag=True, help="Detectors, points, the link and wagons fail, far too often.")
 @click.option("--steady", is_flag=True, help="Work takes exactly the minutes of the file.")
+@click.option("--planned", is_flag=True, help="A plan of the next hour and a half orders the requests.")
 @click.option("--optimum", type=click.FloatRange(0, min_open=True), metavar="SECONDS",
               help="Plan the same hours for so long, and compare (with --steady).")  # fmt: skip
 @click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), help="A folder for the records.")
@@ -61,6 +62,7 @@ def command(
     without_rule: bool,
     faults: bool,
     steady: bool,
+    planned: bool,
     optimum: float | None,
     output: Path | None,
     dask: str | None,
@@ -81,7 +83,14 @@ def command(
         show(problems, sources | ({orders.name: orders.text} if orders else {}), form)
         sys.exit(FINDINGS)
     options = Options(
-        hours, Assigning(assign), not without_rule, look_ahead, TRIAL if faults else Rates(), output is not None, steady
+        hours,
+        Assigning(assign),
+        not without_rule,
+        look_ahead,
+        TRIAL if faults else Rates(),
+        output is not None,
+        steady,
+        planned,
     )
     began = time.monotonic()
     seeds = range(seed, seed + shifts)
@@ -148,6 +157,8 @@ def _body(done: Sequence[Worked], files: Sequence[str]) -> dict[str, object]:
                 "movements": w.movements,
                 "held_back": w.refused,
                 "alarms": len(w.alarms),
+                "plans": w.plans,
+                "by_rules": w.by_rules,
                 "chain": w.chain,
                 **{k.replace(" ", "_"): v for k, v in summary(w).items()},
             }
@@ -180,6 +191,8 @@ def _print(setting: Setting, done: Sequence[Worked], files: Sequence[str], took:
         f"  {sum(w.scans for w in done):,} scans, {sum(w.movements for w in done):,} signals passed, "
         f"{sum(w.refused for w in done):,} requests held back, {sum(len(w.alarms) for w in done):,} alarms; {took}"
     )
+    if plans := sum(w.plans for w in done):
+        click.echo(f"  {plans:,} plans made; given up for the rules {sum(w.by_rules for w in done)} times")
     if len(done) == 1:
         click.echo(f"  chain of the record: {done[0].chain}")
     if files:
