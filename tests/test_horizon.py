@@ -9,10 +9,11 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
+from interlock.app.guided import Guide
 from interlock.app.horizon import by_stages, compared, horizon
 from interlock.app.setting import prepared
 from interlock.app.shifts import one
-from interlock.app.worked import Options
+from interlock.app.worked import Options, summary
 from interlock.cli.simulate import command
 from interlock.planning.displib import write
 from interlock.planning.planner import schedule
@@ -68,6 +69,27 @@ def test_a_plan_by_stages_keeps_every_rule_of_the_problem(tmp_path: Path, trains
     plan = by_stages(setting, 2, zones=trains > 4, widths=(50,))
     assert verified(written(h.problem), json.loads(write(plan))) == (plan.cost, [])
     assert h.turns - plan.cost == turns and (trains < 5 or inside(h.problem, plan) <= 4)
+
+
+def test_a_plan_orders_the_requests_of_a_shift(tmp_path: Path) -> None:
+    """Five trains, two hours: one more than in turn; nothing stands, nobody is held back for good; the same again."""
+    file, planned = fleet_of(tmp_path, 5), Options(2, steady=True, planned=True)
+    done, rules = one(HEISHAN, file, 0, planned), one(HEISHAN, file, 0, Options(2, keep=False, steady=True))
+    assert done.trains > rules.trains and done.plans > 20 and not any(summary(done).values())
+    assert one(HEISHAN, file, 0, planned).log == done.log
+
+
+def test_a_plan_that_leads_nowhere_is_given_up_for_the_rules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A plan that lets every loaded train wait for ever: after a while the rules take over, and trains are tipped."""
+    make = Guide._make
+
+    def never(self: Guide) -> None:
+        make(self)
+        self._at = {t: at if self.trips[t].phase != "away" else 1 << 40 for t, at in self._at.items()}
+
+    monkeypatch.setattr(Guide, "_make", never)
+    done = one(HEISHAN, fleet_of(tmp_path, 2), 0, Options(2, steady=True, planned=True, keep=False))
+    assert done.by_rules and done.trains and not any(summary(done).values())
 
 
 def test_no_shift_brings_out_more_than_the_bound(tmp_path: Path) -> None:

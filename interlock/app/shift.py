@@ -6,12 +6,14 @@ tipped, and come back.  All is written to the record.  The same seed gives the s
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from random import Random
 from typing import Any
 
 from interlock.app.attending import DOUBT, OPERATOR_S, Attendant
+from interlock.app.guided import Guide, Where
 from interlock.app.setting import Setting
 from interlock.app.standing import ways_under
 from interlock.app.worked import Options, Trip, Worked
@@ -20,6 +22,7 @@ from interlock.dispatch.assign import Assigner
 from interlock.dispatch.causes import cause
 from interlock.dispatch.describer import Describer
 from interlock.dispatch.dispatcher import waiting
+from interlock.dispatch.orders import Derived
 from interlock.dispatch.plan.railway import NoVoyage, TooManyPlaces
 from interlock.model.elements import SectionId
 from interlock.record.log import END, Chain
@@ -79,6 +82,10 @@ class Shift:
             self._alarm,
             self._look,
         )
+        hours = options.hours or self.file.shift_h
+        self.guide = Guide(setting, self.trips, self.assigner, round(3_600_000 * hours)) if options.planned else None
+        if self.guide is not None:
+            self.dispatcher.guide = self.guide.waits
         self.mishaps = Mishaps(self.yard, Random(f"{seed} faults"), options.faults, self._lost_wagon)
         work = [p.minutes or 0.0 for p in self.file.places.values()]
         self.quiet_ms = round(1000 * (QUIET_S + 120 * max([*work, *(p.back for p in self.file.places.values())])))
@@ -155,12 +162,18 @@ class Shift:
         self._stepped_ms = self.agenda.now_ms
         before, asked, said = d.refused, len(d.asked), len(d.said)
         self.attendant.in_doubt()
+        if self.guide is not None:
+            self.guide.look(self._now)
+            self._give()
         for name, value in d.step(self.scans.seen, dt).items():
             self.yard.write(name, value)
         for name, value in self.describer.writes().items():
             self.yard.write(name, value)  # taken back by whoever has looked
         if d.refused != before:
             self.worked.refused += d.refused - before
+        if len(d.asked) > asked and self.guide is not None:
+            self.guide.granted_ms = self._now
+            self.guide.happened()
         for train, route in d.asked[asked:]:
             self._say("granted", train=train, route=route)
         for text in d.said[said:]:
@@ -171,7 +184,7 @@ class Shift:
         self._come()
         self._wait()
         rests = [r.rest_ms / 1000 for r in d.runs if r.rest_ms]
-        if d.runs or d.pending:
+        if d.runs or d.pending or self.guide is not None:
             self.agenda.after(min([LOOKS_S, *rests]), self._look, "dispatch")
 
     def _look(self) -> None:
@@ -266,7 +279,7 @@ class Shift:
     def _give(self) -> None:
         """Orders for the trains that have none."""
         for train in tuple(self.idle):
-            order = self.assigner.next(train)
+            order = self._order(train)
             if order is None:
                 if train not in self._waits:
                     self._waits[train] = ("no order", self.agenda.now_ms)
@@ -283,8 +296,22 @@ class Shift:
                 self.describer.expected.setdefault(approach, []).append(train)
             self._fresh = True
 
+    def _order(self, train: str) -> Derived | None:
+        """The order for an idle train: that of the plan, if there is one."""
+        decides, order = self.guide.order(train) if self.guide is not None else (False, None)
+        if not decides:
+            return self.assigner.next(train)
+        return order if order is not None and self.assigner.takes(train, order) else None
+
+    @property
+    def _now(self) -> int:
+        """Milliseconds since the shift began."""
+        return self.agenda.now_ms - self._zero_ms
+
     def _entered(self, r: Rolling, section: str) -> None:
         trip = self.trips[r.name]
+        if self.guide is not None:
+            self.guide.where[r.name] = Where(section, self._now)
         place = self.file.places[trip.order.order.from_]
         loading = {p.at for p in self.file.places.values() if p.kind == "loading"}
         if section in loading and section != place.at:
@@ -301,8 +328,18 @@ class Shift:
             self.dispatcher.held[trip.run.name] = "it is being loaded"
             self.describer.read(SectionId(at), r.name)
             self._say("loads", train=r.name, place=place, ore=trip.order.order.ore or "")
-            self.agenda.after(self._time(place), lambda: self._loaded(trip))
+            self._works(trip, place, lambda: self._loaded(trip))
         self._fresh = True
+
+    def _works(self, trip: Trip, place: str, what: Callable[[], None]) -> None:
+        """Work begins; the dispatcher expects that it takes the minutes of the file."""
+        self.agenda.after(self._time(place), what)
+        self._expects(trip.train, self.file.places[place].minutes or 0.0)
+
+    def _expects(self, train: str, minutes: float) -> None:
+        if self.guide is not None:
+            self.guide.ready[train] = self._now + round(60_000 * minutes)
+            self.guide.happened()
 
     def _time(self, place: str) -> float:
         """Seconds of work at a place: between four fifths and seven fifths of what the file says, most often that."""
@@ -312,6 +349,7 @@ class Shift:
     def _loaded(self, trip: Trip) -> None:
         trip.phase = "away"
         trip.run.reason = ""
+        self._expects(trip.train, 0)
         self.dispatcher.held.pop(trip.run.name, None)
         self._say("loaded", train=trip.train, place=trip.order.order.from_)
         self._fresh = True
@@ -337,7 +375,7 @@ class Shift:
             if trip.phase == "tips":
                 trip.phase = "tipping"
                 self._say("tips", train=train, place=place)
-                self.agenda.after(self._time(place), partial(self._tipped, trip))
+                self._works(trip, place, partial(self._tipped, trip))
 
     def _tipped(self, trip: Trip) -> None:
         place, order = trip.order.order.to, trip.order
@@ -358,11 +396,15 @@ class Shift:
         del self.trips[trip.train]
         self.dispatcher.end(trip.run.name)
         self.dispatcher.held.pop(trip.run.name, None)
+        self._expects(trip.train, self.file.places[place].back)
+        if self.guide is not None:
+            self.guide.where.pop(trip.train, None)
         self.agenda.after(60.0 * self.file.places[place].back, lambda: self._back(trip.train))
         self._tips(place)
 
     def _back(self, train: str) -> None:
         self._say("back", train=train)
+        self._expects(train, 0)
         self.idle.append(train)
         self._give()
 
@@ -382,6 +424,8 @@ class Shift:
         for train in tuple(self._waits):
             self._ends_wait(train)
         w.hazards, w.passed_at_stop = list(yard.watch.found), list(yard.passed_at_stop)
+        if self.guide is not None:
+            w.plans, w.by_rules = self.guide.plans, self.guide.by_rules
         w.scans, w.movements = self.scans.runs, yard.movements
         w.seconds = (self.agenda.now_ms - self._zero_ms) / 1000
         for text in (*w.hazards, *w.passed_at_stop):

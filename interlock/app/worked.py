@@ -42,6 +42,10 @@ class Worked:
     passed_at_stop: list[str] = field(default_factory=list)
     alarms: list[str] = field(default_factory=list)
     longest_wait_s: float = 0.0
+    plans: int = 0
+    """Made in the shift."""
+    by_rules: int = 0
+    """How often the plan was given up, so that the rules took over for a while."""
     chain: str = ""
     log: bytes = b""
 
@@ -55,7 +59,7 @@ class Worked:
 class Options:
     """How shifts are run.  rule: ask only if a completion plan exists after it.  keep: the record's bytes, too.
 
-    steady: work takes exactly the minutes of the file."""
+    steady: work takes exactly the minutes of the file.  planned: a plan orders the requests."""
 
     hours: float | None = None
     how: Assigning = Assigning.IN_TURN
@@ -64,6 +68,7 @@ class Options:
     faults: Rates = field(default_factory=Rates)
     keep: bool = True
     steady: bool = False
+    planned: bool = False
 
 
 def summary(worked: Worked) -> Mapping[str, int]:

@@ -53,6 +53,7 @@ from interlock.simulate.mishaps import TRIAL, Rates
     "--faults", is_flag=True, help="Let detectors, points, the link and wagons fail, far more often than in service."
 )
 @click.option("--steady", is_flag=True, help="Let work take exactly the minutes in the file.")
+@click.option("--planned", is_flag=True, help="Let a plan of the next hour and a half order the requests.")
 @click.option("--optimum", type=click.FloatRange(0, min_open=True), metavar="SECONDS",
               help="Plan the same hours for this many seconds, and compare (with --steady).")  # fmt: skip
 @click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), help="A folder for the records.")
@@ -71,6 +72,7 @@ def command(
     without_rule: bool,
     faults: bool,
     steady: bool,
+    planned: bool,
     optimum: float | None,
     output: Path | None,
     dask: str | None,
@@ -91,7 +93,14 @@ def command(
         show(problems, sources | ({orders.name: orders.text} if orders else {}), form)
         sys.exit(FINDINGS)
     options = Options(
-        hours, Assigning(assign), not without_rule, look_ahead, TRIAL if faults else Rates(), output is not None, steady
+        hours,
+        Assigning(assign),
+        not without_rule,
+        look_ahead,
+        TRIAL if faults else Rates(),
+        output is not None,
+        steady,
+        planned,
     )
     began = time.monotonic()
     seeds = range(seed, seed + shifts)
@@ -158,6 +167,8 @@ def _body(done: Sequence[Worked], files: Sequence[str]) -> dict[str, object]:
                 "movements": w.movements,
                 "held_back": w.refused,
                 "alarms": len(w.alarms),
+                "plans": w.plans,
+                "by_rules": w.by_rules,
                 "chain": w.chain,
                 **{k.replace(" ", "_"): v for k, v in summary(w).items()},
             }
@@ -190,6 +201,8 @@ def _print(setting: Setting, done: Sequence[Worked], files: Sequence[str], took:
         f"  {sum(w.scans for w in done):,} scans, {sum(w.movements for w in done):,} signals passed, "
         f"{sum(w.refused for w in done):,} requests held back, {sum(len(w.alarms) for w in done):,} alarms; {took}"
     )
+    if plans := sum(w.plans for w in done):
+        click.echo(f"  {plans:,} plans made; given up for the rules {sum(w.by_rules for w in done)} times")
     if len(done) == 1:
         click.echo(f"  chain of the record: {done[0].chain}")
     if files:

@@ -75,9 +75,20 @@ class Assigner:
         if not free:
             return None
         best = min(free, key=self._rank)
-        self.given[best.name] = self.given.get(best.name, 0) + 1
-        self.busy[train] = best.order.from_
+        self._gives(train, best)
         return best
+
+    def takes(self, train: str, order: Derived) -> bool:
+        """An idle train takes an order that somebody has chosen for it, if its loading place has room."""
+        room = list(self.busy.values()).count(order.order.from_) < self._room(order)
+        if room and self.left(order) > 0:
+            self._gives(train, order)
+            return True
+        return False
+
+    def _gives(self, train: str, order: Derived) -> None:
+        self.given[order.name] = self.given.get(order.name, 0) + 1
+        self.busy[train] = order.order.from_
 
     def loaded(self, train: str) -> None:
         """A train has left its loading place."""

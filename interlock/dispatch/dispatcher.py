@@ -12,7 +12,7 @@ It can do no harm: whatever it asks for is refused by the interlocking if it is 
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from interlock.dispatch.arbiter import Arbiter, Key, Request, Source, key
@@ -73,6 +73,8 @@ class Dispatcher:
         self.said: list[str] = []
         self.asked: list[tuple[str, str]] = []
         """Train and route of every request that was granted, in order."""
+        self.guide: Callable[[Run, Step], str] = lambda run, step: ""
+        """Why a train is to wait though it could go on; whoever gives one sees to it that it ends."""
         self.turns: list[tuple[str, SectionId]] = []
         """Trains that change direction for a route that was granted, and where; in order."""
         self._writes, self._for = 0, None  # type: tuple[int, tuple[Run, Stage] | None]
@@ -331,7 +333,9 @@ class Dispatcher:
             ):
                 run.reason = f"{first.route}: {why}"
                 continue
-            if (why := self._waits(run, step, seen)) or (self.rule and not self._holding.safe(run, move)):
+            if (why := self._waits(run, step, seen) or self.guide(run, step)) or (
+                self.rule and not self._holding.safe(run, move)
+            ):
                 run.reason = f"{first.route}: {why}" if why else run.reason
                 continue
             run.step = step
