@@ -56,6 +56,7 @@ READ = {
     "emit/report/page.py": "names of files",
     "emit/io/lists.py": "elements of which a word speaks",
     "emit/tables/paper.py": "cells of printed tables",
+    "emit/drawing/sheets.py": "parts of a picture",
 }
 """Modules that take texts apart, and which; none of these texts is the name of a variable."""
 

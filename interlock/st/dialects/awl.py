@@ -43,7 +43,8 @@ _JOIN = {"AND": "A", "OR": "O"}
 
 
 def _comment(text: str) -> str:
-    return f"// {_TEXT.sub('_', text)}"
+    """A comment to the end of the line, with nothing in it that begins or ends one of another kind."""
+    return f"// {_TEXT.sub('_', text).replace('*', ' * ')}"
 
 
 # --- writing -------------------------------------------------------------------------------------
