@@ -11,6 +11,7 @@ from interlock.proof.mutation.judge import Fate, Judge
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.points import Mutation
 from interlock.proof.mutation.switched import Switched
+from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.system.transition import System
 from tests.layouts import SHIPPED, built
 from tests.test_operations import put
@@ -56,3 +57,13 @@ def test_a_function_tells_what_no_claim_asks(name: str, wire: str, value: Expr, 
     layout, _, controller = built(name)
     verdict = Judge(layout, controller).judge(Mutation("", "", (wire,), lambda: put(controller, wire, value)))
     assert verdict.fate is Fate.FUNCTION and verdict.why.startswith(function)
+
+
+def test_a_signal_that_closes_later_than_the_layout_has_it_fails_a_function() -> None:
+    """Nobody can come to harm by it where nothing follows, so no claim tells; and the mutant has a state more."""
+    layout, table, controller = built("mine11")
+    closes = next(k for k in KINDS if k.name == "closes-late")
+    name, late = next(closes.make(layout, table))
+    verdict = Judge(layout, controller).judge(Mutation("", str(name), (), lambda: late))
+    assert len(late.state) > len(controller.state)
+    assert verdict.fate is Fate.FUNCTION and verdict.why.startswith("F-PASSING")

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.logic.controller import RouteSymbols
-from interlock.logic.expr import FALSE, Expr, conj, disj, iff, implies, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, iff, implies, neg, var
 from interlock.logic.names import Name
 from interlock.model.elements import Position, SectionId, SignalId
 from interlock.model.overlap import route_speed
+from interlock.model.principles import Closes
 from interlock.proof.claims.catalogue import allows_clear
 from interlock.proof.claims.paths import SignalPath
 from interlock.proof.functions.words import Way, Words
@@ -66,6 +67,8 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
         yield "F-ADDED", r.id, _holds_added(w, r, r.added)
     if r.passing is not None:
         yield "F-PASSING", r.id, _passing(w, r, r.passing)
+        closes = w.layout.principles.shunt_closes if r.shunt else w.layout.principles.main_closes
+        yield "F-PASSING", f"{r.id} as the layout has it", FALSE if r.call_on or closes is Closes.FIRST_AXLE else TRUE
     yield "F-SHOWN", r.id, iff(after(shown), conj((stays, disj((shown, after(shows))))))
     first, number = r.ways[0]
     node = w.f.way(first, number)[0]

@@ -45,6 +45,8 @@ def same(s: Switched, one: Side, other: Side, reads: Mapping[Name, frozenset[Nam
     if set(other.lines.assumptions) - set(one.lines.assumptions) - set(_on_delays(other.controller)):
         return None
     starts = {x.name: x.initial for x in one.controller.state}
+    if starts.keys() != {x.name for x in other.controller.state}:
+        return None
     dropped: set[tuple[Name, Name]] = set()
     others = {x.name for x in other.controller.state if x.initial is not starts[x.name]}
     if others:
