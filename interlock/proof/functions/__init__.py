@@ -34,8 +34,8 @@ FUNCTIONS: dict[str, str] = {
     "F-SPEED": "A main signal shows the speed of the path for which it is open (R11).",
     "F-WANT": "A signal is wanted from when its route is locked, or asked for again, until a condition is lost while "
     "it is open, or it is cancelled (R14).",
-    "F-PASSING": "A signal stays open until the whole movement has passed, unless a condition is lost, where the layout "
-    "has it so, and nowhere else; none does that calls on (R2, R3).",
+    "F-PASSING": "A signal stays open until the whole movement has passed, unless a condition is lost, where the "
+    "layout has it so, and nowhere else; none does that calls on (R2, R3).",
     "F-ADDED": "A route holds what the author has added to it exactly from its grant until its train is wholly in its "
     "last section, or has left (R5, R6).",
     "F-SHOWN": "A route remembers that its signal has been open, from then on and only from then on (R8).",
