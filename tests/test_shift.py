@@ -14,7 +14,7 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
-from math import inf
+from math import ceil, inf
 from multiprocessing import get_context
 from pathlib import Path
 from random import Random
@@ -34,10 +34,13 @@ from interlock.dispatch.causes import CAUSES
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.lower import lower
 from interlock.record import read
+from interlock.simulate.agenda import Agenda, not_before
 from interlock.simulate.mishaps import TRIAL
 from interlock.simulate.motion import Motion, runs, standing
 from interlock.simulate.run import load
 from interlock.simulate.scans import Scans
+from interlock.simulate.track import NONE, Track
+from interlock.simulate.yard import MARGIN_M, Build, Rolling, Yard
 from tests.campaigns.shift import fleet_of
 from tests.layouts import built
 from tests.weakened import WEAKENED
@@ -91,6 +94,37 @@ def test_motion_is_continuous_and_when_is_the_inverse_of_at() -> None:
         if to < inf:
             assert m.when(m.at(1e6)[0] + 1.0) == inf
     assert standing(0.0, 7.0).when(7.1) == inf and standing(0.0, 7.0).at(9.0) == (7.0, 0.0)
+
+
+def test_a_planned_time_is_not_rounded_to_before_it() -> None:
+    rng, rounded = Random(1), 0
+    for _ in range(2000):
+        m = runs(rng.randrange(30_000_000) / 1000, 0.0, 0.0, rng.randrange(1, 400), 2.5, 0.5, 0.5)
+        ms = not_before(m.stands)
+        assert ms / 1000 >= m.stands and m.at(ms / 1000)[1] == 0.0
+        assert (ms - 2) / 1000 < m.stands
+        rounded += ceil(1000 * m.stands) / 1000 < m.stands
+    assert rounded > 5  # as often as this a train would have come to a stand a little too early
+
+
+def test_a_train_that_comes_into_sight_of_a_signal_at_a_whole_millisecond_runs_on() -> None:
+    """It would read the signal from where it is, but for the rounding: then no time went by until it did."""
+    layout = prepared(HEISHAN, None).layout
+    track = Track.of(layout)
+    way_in = next(b.name for b in track.beyond if b.comes != NONE)
+    for k in range(500, 700):
+        agenda, stood = Agenda(), list[Rolling]()
+        yard = Yard(layout, track, {}, agenda, Random(0), lambda kind, **fields: None)
+        yard.stopped = stood.append
+        yard.comes("1", Build(20.0, yard.line_speed, 0.5, 0.5, k / 1000), way_in)
+        for _ in range(20):
+            agenda.now_ms = agenda.next_ms() or agenda.now_ms
+            if agenda.next_ms() is not None:
+                agenda.step()
+        assert len(stood) == 1, f"reacts within {k} ms"
+        yard.sight.look(stood[0].train)
+        assert stood[0].train.gap == pytest.approx(MARGIN_M)
+        assert agenda.next_ms() is None
 
 
 # --- scans -----------------------------------------------------------------------------------------
