@@ -107,24 +107,49 @@ def test_a_planned_time_is_not_rounded_to_before_it() -> None:
     assert rounded > 5  # as often as this a train would have come to a stand a little too early
 
 
-def test_a_train_that_comes_into_sight_of_a_signal_at_a_whole_millisecond_runs_on() -> None:
-    """It would read the signal from where it is, but for the rounding: then no time went by until it did."""
+def yard_with_a_train(reaction: float = 1.0) -> tuple[Yard, Rolling]:
+    """Heishan, and a train that comes in."""
     layout = prepared(HEISHAN, None).layout
     track = Track.of(layout)
+    yard = Yard(layout, track, {}, Agenda(), Random(0), lambda kind, **fields: None)
     way_in = next(b.name for b in track.beyond if b.comes != NONE)
+    return yard, yard.comes("1", Build(20.0, yard.line_speed, 0.5, 0.5, reaction), way_in)
+
+
+def run_on(yard: Yard) -> list[Rolling]:
+    """Who stands, once nothing is left to happen; which takes no more than twenty things."""
+    stood: list[Rolling] = []
+    yard.stopped = stood.append
+    for _ in range(20):
+        due = yard.agenda.next_ms()
+        if due is None:
+            return stood
+        yard.agenda.now_ms = due
+        yard.agenda.step()
+    raise AssertionError(f"time does not go on after {yard.agenda.now_ms} ms")
+
+
+def test_a_train_that_comes_into_sight_of_a_signal_at_a_whole_millisecond_runs_on() -> None:
+    """It would read the signal from where it is, but for the rounding: then no time went by until it did."""
     for k in range(500, 700):
-        agenda, stood = Agenda(), list[Rolling]()
-        yard = Yard(layout, track, {}, agenda, Random(0), lambda kind, **fields: None)
-        yard.stopped = stood.append
-        yard.comes("1", Build(20.0, yard.line_speed, 0.5, 0.5, k / 1000), way_in)
-        for _ in range(20):
-            agenda.now_ms = agenda.next_ms() or agenda.now_ms
-            if agenda.next_ms() is not None:
-                agenda.step()
+        yard, _ = yard_with_a_train(k / 1000)
+        stood = run_on(yard)
         assert len(stood) == 1, f"reacts within {k} ms"
         yard.sight.look(stood[0].train)
         assert stood[0].train.gap == pytest.approx(MARGIN_M)
-        assert agenda.next_ms() is None
+
+
+@pytest.mark.parametrize("accepted", [False, True])
+def test_a_train_that_derails_stands_there_and_time_goes_on(accepted: bool) -> None:
+    yard, r = yard_with_a_train()
+    end = next(d for d, s in enumerate(yard.track.stretches) if s.on == NONE and s.facing is None and not s.outside)
+    metres = yard.track.stretches[end].metres
+    r.train.body[:], r.head_0, r.tail_0, r.accepted = [end], 8.0 - metres, 13.0 - metres, accepted
+    r.train.speed, r.motion = 5.0, runs(0.0, 0.0, 5.0, 100.0, 5.0, 0.5, 0.5)
+    yard.agenda.at(1600, lambda: yard._happens(r), "train 1")  # eight metres at 5 m/s
+    assert run_on(yard) == [r]
+    assert yard.watch.found == ["1.6 s: train 1 runs off the rails"]
+    assert r.train.body == [end] and not r.accepted
 
 
 # --- scans -----------------------------------------------------------------------------------------

@@ -266,8 +266,11 @@ class Yard:
         return found
 
     def _plan(self, r: Rolling) -> None:
-        """When something happens to a train next."""
+        """When something happens to a train next: never, where it stands, be it at the joint at which it derailed."""
         t, s, m = r.train, self.track.stretches, r.motion
+        if t.speed == 0.0 and m.stands <= self.clock:
+            self.agenda.forget(f"train {r.name}")
+            return
         times = [m.when(r.head_0 + s[t.body[-1]].metres), m.when(r.tail_0 + s[t.body[0]].metres)]
         if t.target != NONE and not r.accepted and not self._in_sight(r):
             times.append(m.when(m.at(self.clock)[0] + t.gap - self._view(r)))
@@ -293,7 +296,8 @@ class Yard:
                     self._goes(r)
                     return
                 self.watch.derails(self, t)
-                r.motion = standing(self.clock, r.motion.at(self.clock)[0])
+                r.motion, r.accepted = standing(self.clock, r.motion.at(self.clock)[0]), False
+                self._sync(r)
                 break
             r.head_0 += s[t.body[-1]].metres
             t.head -= s[t.body[-1]].metres

@@ -94,9 +94,9 @@ TOLD = (
     "Heishan, eight hours on the emitted runtime, 20 minutes to load, 6 to tip, 10 outside, 60 m trains at 10 km/h "
     "(all of it ours: document D gives no lengths and no times, and nothing is fitted to its 30 and 38 trains a "
     "shift).  *Trains*: tipped in a shift, mean with its 95 % confidence interval.  *Standstills*: shifts in which "
-    "all trains with orders stood for ever.  *Wrong place*: trains in a cross-cut that is not theirs, or out over another "
-    "boundary.  *Harm*: hazards and signals passed at stop.  *Held back*: requests that the rule did not make.  "
-    "*Wait*: the longest of a train for one cause, in minutes.  *s*: processor seconds a shift."
+    "all trains with orders stood for ever.  *Wrong place*: trains in a cross-cut that is not theirs, or out over "
+    "another boundary.  *Harm*: hazards and signals passed at stop.  *Held back*: requests that the rule did not "
+    "make.  *Wait*: the longest of a train for one cause, in minutes.  *s*: processor seconds a shift."
 )
 
 STOOD = (
