@@ -58,7 +58,7 @@ WAYS = (
     Way("orders in turn", Options(keep=False)),
     Way("the nearest first", Options(how=Assigning.NEAREST, keep=False), often=False),
     Way("fixed cross-cuts", Options(how=Assigning.FIXED, keep=False), often=False),
-    Way("in turn, with faults", Options(faults=TRIAL, keep=False), often=False),
+    Way("in turn, with faults", Options(faults=TRIAL, keep=False)),
     Way("in turn, without the rule", Options(rule=False, keep=False), clean=False),
 )
 
