@@ -14,7 +14,7 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
-from math import inf
+from math import ceil, inf
 from multiprocessing import get_context
 from pathlib import Path
 from random import Random
@@ -34,10 +34,13 @@ from interlock.dispatch.causes import CAUSES
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.lower import lower
 from interlock.record import read
+from interlock.simulate.agenda import Agenda, not_before
 from interlock.simulate.mishaps import TRIAL
 from interlock.simulate.motion import Motion, runs, standing
 from interlock.simulate.run import load
 from interlock.simulate.scans import Scans
+from interlock.simulate.track import NONE, Track
+from interlock.simulate.yard import MARGIN_M, Build, Rolling, Yard
 from tests.campaigns.shift import fleet_of
 from tests.layouts import built
 from tests.weakened import WEAKENED
@@ -91,6 +94,62 @@ def test_motion_is_continuous_and_when_is_the_inverse_of_at() -> None:
         if to < inf:
             assert m.when(m.at(1e6)[0] + 1.0) == inf
     assert standing(0.0, 7.0).when(7.1) == inf and standing(0.0, 7.0).at(9.0) == (7.0, 0.0)
+
+
+def test_a_planned_time_is_not_rounded_to_before_it() -> None:
+    rng, rounded = Random(1), 0
+    for _ in range(2000):
+        m = runs(rng.randrange(30_000_000) / 1000, 0.0, 0.0, rng.randrange(1, 400), 2.5, 0.5, 0.5)
+        ms = not_before(m.stands)
+        assert ms / 1000 >= m.stands and m.at(ms / 1000)[1] == 0.0
+        assert (ms - 2) / 1000 < m.stands
+        rounded += ceil(1000 * m.stands) / 1000 < m.stands
+    assert rounded > 5  # as often as this a train would have come to a stand a little too early
+
+
+def yard_with_a_train(reaction: float = 1.0) -> tuple[Yard, Rolling]:
+    """Heishan, and a train that comes in."""
+    layout = prepared(HEISHAN, None).layout
+    track = Track.of(layout)
+    yard = Yard(layout, track, {}, Agenda(), Random(0), lambda kind, **fields: None)
+    way_in = next(b.name for b in track.beyond if b.comes != NONE)
+    return yard, yard.comes("1", Build(20.0, yard.line_speed, 0.5, 0.5, reaction), way_in)
+
+
+def run_on(yard: Yard) -> list[Rolling]:
+    """Who stands, once nothing is left to happen; which takes no more than twenty things."""
+    stood: list[Rolling] = []
+    yard.stopped = stood.append
+    for _ in range(20):
+        due = yard.agenda.next_ms()
+        if due is None:
+            return stood
+        yard.agenda.now_ms = due
+        yard.agenda.step()
+    raise AssertionError(f"time does not go on after {yard.agenda.now_ms} ms")
+
+
+def test_a_train_that_comes_into_sight_of_a_signal_at_a_whole_millisecond_runs_on() -> None:
+    """It would read the signal from where it is, but for the rounding: then no time went by until it did."""
+    for k in range(500, 700):
+        yard, _ = yard_with_a_train(k / 1000)
+        stood = run_on(yard)
+        assert len(stood) == 1, f"reacts within {k} ms"
+        yard.sight.look(stood[0].train)
+        assert stood[0].train.gap == pytest.approx(MARGIN_M)
+
+
+@pytest.mark.parametrize("accepted", [False, True])
+def test_a_train_that_derails_stands_there_and_time_goes_on(accepted: bool) -> None:
+    yard, r = yard_with_a_train()
+    end = next(d for d, s in enumerate(yard.track.stretches) if s.on == NONE and s.facing is None and not s.outside)
+    metres = yard.track.stretches[end].metres
+    r.train.body[:], r.head_0, r.tail_0, r.accepted = [end], 8.0 - metres, 13.0 - metres, accepted
+    r.train.speed, r.motion = 5.0, runs(0.0, 0.0, 5.0, 100.0, 5.0, 0.5, 0.5)
+    yard.agenda.at(1600, lambda: yard._happens(r), "train 1")  # eight metres at 5 m/s
+    assert run_on(yard) == [r]
+    assert yard.watch.found == ["1.6 s: train 1 runs off the rails"]
+    assert r.train.body == [end] and not r.accepted
 
 
 # --- scans -----------------------------------------------------------------------------------------

@@ -7,6 +7,12 @@ from heapq import heappop, heappush
 from math import ceil
 
 
+def not_before(seconds: float) -> int:
+    """The first millisecond at which the clock, in seconds, shows so many or more, however products are rounded."""
+    ms = ceil(1000 * seconds)
+    return ms if ms / 1000 >= seconds else ms + 1
+
+
 class Agenda:
     """Things to be done at times in milliseconds.  A thing with a name replaces the one of that name before it."""
 

@@ -15,7 +15,7 @@ from random import Random
 
 from interlock.model.layout import Layout
 from interlock.model.portable import portable
-from interlock.simulate.agenda import Agenda
+from interlock.simulate.agenda import Agenda, not_before
 from interlock.simulate.hazards import Watch
 from interlock.simulate.motion import Motion, runs, standing
 from interlock.simulate.points import Points
@@ -28,6 +28,9 @@ MARGIN_M = 2.0
 
 SIGHT_M = 30.0
 """Metres more than its braking distance from which a signal is read (our choice)."""
+
+ROUNDED_M = 1e-6
+"""Metres by which a sum of lengths may be rounded: a train that near to where it sees a signal sees it."""
 
 SETS_OFF_S = 3.0
 """Seconds until a standing train moves, once its driver has acted (our choice)."""
@@ -205,7 +208,7 @@ class Yard:
         if t.target == NONE:
             return
         told = self._open[t.target]
-        if told == r.accepted or (told and t.speed > 0 and t.gap > self._view(r)):
+        if told == r.accepted or (told and t.speed > 0 and not self._in_sight(r)):
             return
         if not told:
             if t.speed**2 / (2 * t.brakes) >= t.gap - 0.2:
@@ -218,6 +221,10 @@ class Yard:
         r.accepted = told
         self._drives(r)
 
+    def _in_sight(self, r: Rolling) -> bool:
+        """Whether a driver is so near to the signal ahead that he reads it."""
+        return r.train.gap <= self._view(r) + ROUNDED_M
+
     def _view(self, r: Rolling) -> float:
         top = min(r.build.speed, self.line_speed)
         return top * r.build.reaction + top**2 / (2 * r.build.brakes) + SIGHT_M
@@ -228,7 +235,7 @@ class Yard:
         self._sync(r)
         ran = r.motion.at(now)[0]
         self.sight.look(t)
-        near = t.target != NONE and (t.speed == 0.0 or t.gap <= self._view(r))
+        near = t.target != NONE and (t.speed == 0.0 or self._in_sight(r))
         if near and not r.accepted and self._open[t.target]:
             r.accepted = True
         to = self._until(r)
@@ -259,17 +266,20 @@ class Yard:
         return found
 
     def _plan(self, r: Rolling) -> None:
-        """When something happens to a train next."""
+        """When something happens to a train next: never, where it stands, be it at the joint at which it derailed."""
         t, s, m = r.train, self.track.stretches, r.motion
+        if t.speed == 0.0 and m.stands <= self.clock:
+            self.agenda.forget(f"train {r.name}")
+            return
         times = [m.when(r.head_0 + s[t.body[-1]].metres), m.when(r.tail_0 + s[t.body[0]].metres)]
-        if t.target != NONE and not r.accepted and t.gap > self._view(r):
+        if t.target != NONE and not r.accepted and not self._in_sight(r):
             times.append(m.when(m.at(self.clock)[0] + t.gap - self._view(r)))
         stands = m.stands
         if stands > self.clock or t.speed > 0.0:
             times.append(stands)
         at = min(times)
         if at < inf:
-            self.agenda.at(1000 * at, lambda: self._happens(r), f"train {r.name}")
+            self.agenda.at(not_before(at), lambda: self._happens(r), f"train {r.name}")
         else:
             self.agenda.forget(f"train {r.name}")
 
@@ -286,7 +296,8 @@ class Yard:
                     self._goes(r)
                     return
                 self.watch.derails(self, t)
-                r.motion = standing(self.clock, r.motion.at(self.clock)[0])
+                r.motion, r.accepted = standing(self.clock, r.motion.at(self.clock)[0]), False
+                self._sync(r)
                 break
             r.head_0 += s[t.body[-1]].metres
             t.head -= s[t.body[-1]].metres

@@ -21,6 +21,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache, partial
 from pathlib import Path
 from random import Random
+from textwrap import wrap
 
 from interlock.simulate.agenda import Agenda
 from interlock.simulate.motion import Motion
@@ -35,6 +36,8 @@ CYCLE_MS = 500
 LAYOUTS = ("mine11", "heishan", "pit_bottom", "fig2_1", "two_loops", "junction")
 MOST = 8
 """Trains at once."""
+AT_ONCE = 1000
+"""More things at one millisecond than ever happen while time goes on."""
 
 
 @dataclass
@@ -45,6 +48,9 @@ class Found:
     moves: int = 0
     trains: int = 0
     hazards: list[str] = field(default_factory=list)
+
+
+FIGURES = ("scans", "moves", "trains")
 
 
 class Hostile:
@@ -68,9 +74,13 @@ class Hostile:
         self.yard.write("RELALL", 1)
         self.agenda.after(1.0, self._acts)
         self.agenda.after(2.0, self._comes)
+        at_once = 0
         while self.scans.runs < scans and not self.yard.watch.found and not self.yard.passed_at_stop:
             event, due = self.agenda.next_ms(), self.scans.due(self.yard.changed_ms)
             now = min(t for t in (event, due) if t is not None)
+            at_once = at_once + 1 if now == self.agenda.now_ms else 0
+            if at_once > AT_ONCE:
+                raise RuntimeError(f"time does not go on after {now} ms")
             self.agenda.now_ms = now
             if event == now:
                 self.agenda.step()
@@ -169,8 +179,30 @@ def _short(total: dict[str, Found], scans: int, moves: int) -> bool:
     return sum(f.scans for f in found) < scans or sum(f.moves for f in found) < moves
 
 
+def page(total: dict[str, Found], made: str) -> str:
+    """The page: how it was made, and what each layout showed."""
+    rows = {**total, "**all**": Found(*(sum(getattr(f, k) for f in total.values()) for k in FIGURES))}
+    harm = [f"{n}: {h}" for n, f in total.items() for h in f.hazards]
+    counts = [str(len(f.hazards)) for f in total.values()] + [f"**{len(harm)}**"]
+    lines = [
+        "# A hostile dispatcher",
+        "",
+        *wrap(made, 120, break_long_words=False, break_on_hyphens=False),
+        "",
+        "Fleets on the emitted runtimes; routes asked for, cancelled, released by hand, blocked, points moved by hand",
+        "and confirmed at random, every second or so.  Only scans that can change something are run, and counted.",
+        "*Moves*: signals passed at proceed.  *Harm*: `interlock/simulate/hazards.py`, and signals passed at stop.",
+        "",
+        "| layout | scans | trains | moves | harm |",
+        "|---|---:|---:|---:|---:|",
+    ]
+    for (name, f), count in zip(rows.items(), counts, strict=True):
+        lines.append(f"| {name} | {f.scans:,} | {f.trains:,} | {f.moves:,} | {count} |")
+    return "\n".join([*lines, "", *(f"- {h}" for h in harm)])
+
+
 def main() -> int:
-    """Write the table; 1 when harm was done."""
+    """Write the page after each seed; 1 when harm was done."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("layouts", nargs="*", default=LAYOUTS)
     parser.add_argument("--scans", type=int, default=1_000_000)
@@ -179,40 +211,26 @@ def main() -> int:
     parser.add_argument("-o", "--output", type=Path, default=Path("proofs/hostile_shift.md"))
     options = parser.parse_args()
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=True)
-    began, total = time.monotonic(), {n: Found() for n in options.layouts}
+    began, total, seed = time.monotonic(), {n: Found() for n in options.layouts}, 0
+    text = ""
     with ProcessPoolExecutor(options.jobs) as pool:
-        seed = 0
-        while (
-            sum(f.scans for f in total.values()) < options.scans or sum(f.moves for f in total.values()) < options.moves
-        ):
+        while _short(total, options.scans, options.moves):
             work = {n: pool.submit(drive, path_of(n), seed, 20_000) for n in options.layouts}
             for n, future in work.items():
                 found, f = future.result(), total[n]
                 f.scans, f.moves, f.trains = f.scans + found.scans, f.moves + found.moves, f.trains + found.trains
                 f.hazards += [f"seed {seed}: {h}" for h in found.hazards]
             seed += 1
-    lines = [
-        "# A hostile dispatcher",
-        "",
-        f"`python -m tests.campaigns.hostile_shift --scans {options.scans} --moves {options.moves} -j {options.jobs}` "
-        f"at commit {commit.stdout.strip()}, {processor()}, {os.cpu_count()} cores, Python "
-        f"{platform.python_version()}; {(time.monotonic() - began) / 60:.0f} minutes.",
-        "",
-        "Fleets on the emitted runtimes; routes asked for, cancelled, released by hand, blocked, points moved by hand "
-        "and confirmed at random, every second or so.  Only scans that can change something are run, and counted.  "
-        "*Moves*: signals passed at proceed.  *Harm*: `interlock/simulate/hazards.py`, and signals passed at stop.",
-        "",
-        "| layout | scans | trains | moves | harm |",
-        "|---|---:|---:|---:|---:|",
-    ]
-    lines += [f"| {n} | {f.scans:,} | {f.trains:,} | {f.moves:,} | {len(f.hazards)} |" for n, f in total.items()]
-    harm = [f"{n}: {h}" for n, f in total.items() for h in f.hazards]
-    scans, moves = sum(f.scans for f in total.values()), sum(f.moves for f in total.values())
-    lines += [f"| **all** | {scans:,} | {sum(f.trains for f in total.values()):,} | {moves:,} | **{len(harm)}** |", ""]
-    lines += [f"- {h}" for h in harm]
-    options.output.write_text("\n".join(lines), encoding="utf-8")
-    print("\n".join(lines))
-    return 1 if harm else 0
+            made = (
+                f"`python -m tests.campaigns.hostile_shift --scans {options.scans} --moves {options.moves} "
+                f"-j {options.jobs}` at commit {commit.stdout.strip()}, {processor()}, {os.cpu_count()} cores, Python "
+                f"{platform.python_version()}; seeds 0 to {seed - 1}, {(time.monotonic() - began) / 60:.0f} minutes"
+                f"{', not at its end yet' if _short(total, options.scans, options.moves) else ''}."
+            )
+            text = page(total, made)
+            options.output.write_text(text, encoding="utf-8")
+    print(text)
+    return 1 if any(f.hazards for f in total.values()) else 0
 
 
 if __name__ == "__main__":

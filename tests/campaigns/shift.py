@@ -1,6 +1,6 @@
 """Shifts at heishan with fleets of 2 to 8: standstills, trains in a wrong cross-cut, trains a shift with their spread.
 
-    python -m tests.campaigns.shift [--shifts N] [--few N] [-j N] [--kept FILE] [-o proofs/shift.md]
+    python -m tests.campaigns.shift [--shifts N] [--few N] [--way WAY] [--fleet N] [-j N] [--kept FILE] [-o FILE]
 
 Every train has more to do than it can.  Beside the dispatcher as it is stand two other ways of giving orders, the same
 without the rule (a route only if a completion plan exists after it), and the same with faults far more often than on a
@@ -19,6 +19,7 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from textwrap import wrap
 
 from interlock.app.shifts import mean, one
 from interlock.app.worked import Options, Worked, summary
@@ -57,7 +58,7 @@ WAYS = (
     Way("orders in turn", Options(keep=False)),
     Way("the nearest first", Options(how=Assigning.NEAREST, keep=False), often=False),
     Way("fixed cross-cuts", Options(how=Assigning.FIXED, keep=False), often=False),
-    Way("in turn, with faults", Options(faults=TRIAL, keep=False), often=False),
+    Way("in turn, with faults", Options(faults=TRIAL, keep=False)),
     Way("in turn, without the rule", Options(rule=False, keep=False), clean=False),
 )
 
@@ -89,11 +90,53 @@ def _kept(file: Path | None) -> list[tuple[str, str]]:
     return [(commit, text) for commit, _, text in found]
 
 
+TOLD = (
+    "Heishan, eight hours on the emitted runtime, 20 minutes to load, 6 to tip, 10 outside, 60 m trains at 10 km/h "
+    "(all of it ours: document D gives no lengths and no times, and nothing is fitted to its 30 and 38 trains a "
+    "shift).  *Trains*: tipped in a shift, mean with its 95 % confidence interval.  *Standstills*: shifts in which "
+    "all trains with orders stood for ever.  *Wrong place*: trains in a cross-cut that is not theirs, or out over "
+    "another boundary.  *Harm*: hazards and signals passed at stop.  *Held back*: requests that the rule did not "
+    "make.  *Wait*: the longest of a train for one cause, in minutes.  *s*: processor seconds a shift."
+)
+
+STOOD = (
+    "Before commit e66a7a4 one shift with faults (fleet of 8, seed 2) stood for ever: inputs were lost while a train "
+    "passed XB, its route stayed set for nobody, and the operator who is simulated released its sections without "
+    "cancelling it.  Since then it is cancelled first."
+)
+
+
+def page(kept: list[tuple[str, str]]) -> str:
+    """The page: of each way and fleet the row of the most shifts, of those the latest."""
+    rows = []
+    for way in WAYS:
+        for trains in FLEETS:
+            found = [(c, r) for c, r in kept if r.startswith(f"| {way.name} | {trains} |")]
+            rows += [f"{r} {c} |" for c, r in sorted(found, key=lambda f: int(f[1].split("|")[3]))[-1:]]
+    made = (
+        f"`python -m tests.campaigns.shift`, each row with as many shifts as it says, from seed 0 on, at the "
+        f"commit that it names, {processor()}, {os.cpu_count()} cores, Python {platform.python_version()}."
+    )
+    head = (
+        "| orders | fleet | shifts | trains | standstills | wrong place | harm | held back | passed | wait | s "
+        "| commit |",
+        "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---|",
+    )
+    texts = (*_wrapped(made), "", *_wrapped(TOLD), "", *head, *rows, "", *_wrapped(STOOD), "")
+    return "\n".join(["# Shifts", "", *texts])
+
+
+def _wrapped(text: str) -> list[str]:
+    return wrap(text, 120, break_long_words=False, break_on_hyphens=False)
+
+
 def main() -> int:
     """Write the table; 1 when a train stood for ever with the rule, came to a wrong place, or came to harm."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--shifts", type=int, default=100)
     parser.add_argument("--few", type=int, default=20, help="for the ways that are only compared")
+    parser.add_argument("--way", action="append", choices=[w.name for w in WAYS], help="only this one")
+    parser.add_argument("--fleet", action="append", type=int, choices=FLEETS, help="only so many trains")
     parser.add_argument("-j", "--jobs", type=int, default=2)
     parser.add_argument("-o", "--output", type=Path, default=Path("proofs/shift.md"))
     parser.add_argument("--kept", type=Path, help="rows that are done")
@@ -102,9 +145,10 @@ def main() -> int:
     told = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=True)
     commit, bad = told.stdout.strip(), False
     kept = _kept(options.kept)
+    ways = [w for w in WAYS if not options.page and w.name in (options.way or [w.name])]
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(options.jobs) as pool:
-        for way in () if options.page else WAYS:
-            for trains in FLEETS:
+        for way in ways:
+            for trains in options.fleet or FLEETS:
                 shifts = options.shifts if way.often else options.few
                 if any(text.startswith(f"| {way.name} | {trains} | {shifts} |") for _, text in kept):
                     continue
@@ -116,31 +160,7 @@ def main() -> int:
                 if options.kept is not None:
                     options.kept.write_text("".join(f"{c}\t{r}\n" for c, r in kept), encoding="utf-8")
                 bad |= wrong
-    rows = []
-    for way in WAYS:
-        for trains in FLEETS:
-            found = [r for _, r in kept if r.startswith(f"| {way.name} | {trains} |")]
-            rows += sorted(found, key=lambda r: int(r.split("|")[3]))[-1:]  # that of the most shifts
-    made = ", ".join(dict.fromkeys(c for c, _ in kept))
-    page = [
-        "# Shifts",
-        "",
-        f"`python -m tests.campaigns.shift`, each row with as many shifts as it says, at commit {made}, {processor()}, "
-        f"{os.cpu_count()} cores, Python {platform.python_version()}.",
-        "",
-        "Heishan, eight hours on the emitted runtime, 20 minutes to load, 6 to tip, 10 outside, 60 m trains at 10 km/h "
-        "(all of it ours: document D gives no lengths and no times, and nothing is fitted to its 30 and 38 trains a "
-        "shift).  *Trains*: tipped in a shift, mean with its 95 % confidence interval.  *Standstills*: shifts in which "
-        "all trains with orders stood for ever.  *Wrong place*: trains in a cross-cut that is not theirs, or out over "
-        "another boundary.  *Harm*: hazards and signals passed at stop.  *Held back*: requests that the rule did not "
-        "make.  *Wait*: the longest of a train for one cause, in minutes.  *s*: processor seconds a shift.",
-        "",
-        "| orders | fleet | shifts | trains | standstills | wrong place | harm | held back | passed | wait | s |",
-        "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|",
-        *rows,
-        "",
-    ]
-    options.output.write_text("\n".join(page), encoding="utf-8")
+    options.output.write_text(page(kept), encoding="utf-8")
     return 1 if bad else 0
 
 
