@@ -85,7 +85,7 @@ class Words:
         return disj((neg(self.long(x.section)), *further))
 
     def safe(self, g: SignalId) -> Expr:
-        """No train can be about to pass the signal: none is on its way, the delay is over, or nobody starts there (R8)."""
+        """No train can be about to pass the signal: none is on its way or starts there, or the delay is over (R8)."""
         if g not in self.sym.approach_timer:
             return TRUE
         return disj((self.nobody(g), var(self.sym.approach_timer[g])))
