@@ -142,6 +142,7 @@ def driven(x: Case, t: Tally) -> None:
     t.counts["runs"] += sum(p.runs for p in pairs)
     failed = [p for p in pairs if p.failure is not None]
     t.counts["pairs failed"] += len(failed)
+    t.counts["pairs apart"] += sum(p.apart is not None for p in pairs)
     t.driven += [f"seed {x.seed}: {p.first} and {p.second}, {p.manner.value}: {p.failure}" for p in failed]
 
 
@@ -192,6 +193,7 @@ def main() -> int:
         "compared by the second checker, without a certificate": f"{n['compared']} layouts",
         "driven in pairs of routes": f"{n['driven']} layouts, {n['pairs']} pairs, {n['runs']} runs, "
         f"{n['pairs failed']} pairs failed",
+        "of these pairs, a train before one signal stands in the way of the other route": f"{n['pairs apart']}",
         "disagreements": f"{len(t.bad)}",
         "processor time": f"{time.process_time() - began:.0f} s",
     }
@@ -201,7 +203,7 @@ def main() -> int:
     print(*(f"| {w} | {k} |" for w, k in sorted(t.words.items())), sep="\n")
     print(*(f"\n- {x}" for x in t.bad[:50]), sep="")
     if t.driven:
-        said = "a request is refused, or a signal late.  Not looked into one by one:"
+        said = "a request is refused, or a signal late, and not because of where a train stands:"
         print(f"\nThe first pairs of routes that failed in their runs: {said}")
         print(*(f"\n- {x}" for x in t.driven[:40]), sep="")
     return 1 if t.bad else 0
