@@ -124,8 +124,8 @@ class Simulator:
 
 def missing(controller: Controller, equation: str, value: Callable[[str], int]) -> list[str]:
     """The terms of an equation that are false, in words; instead of one that is a wire of which every term must hold,
-    those of its own terms."""
-    every = {e.name: e for e in controller.equations if e.join is Join.ALL}
+    those of its own terms, if they are told in words."""
+    every = {e.name: e for e in controller.equations if e.join is Join.ALL and all(t.note for t in e.terms)}
     sub = Substitution(controller.expanded)
     memo: dict[int, bool] = {}
 

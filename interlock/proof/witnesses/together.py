@@ -18,6 +18,7 @@ from interlock.proof.witnesses.routes import (
     _before,
     _closing,
     _failed_section,
+    _given_up,
     _kept,
     _not,
     _set,
@@ -98,15 +99,6 @@ def _placed(railway: Railway, run: PairRun, lane: Lane) -> Driver:
         if not lane.is_on(names.STANDS(_before(railway, r))):
             return f"{BEFORE}both trains have to begin in one place"
     return None
-
-
-def _given_up(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
-    """A train that stands at the end of its route needs its overlap no more (R4): it goes after the time of release."""
-    held = [v for (g, _), v in railway.symbols.overlap.items() if r.overlap is not None and g == r.overlap[0]]
-    for _ in range(MAX_STEPS):
-        if not any(map(lane.is_on, held)):
-            return
-        yield NOTHING
 
 
 def _there(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
