@@ -271,7 +271,7 @@ def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | No
 
 def _set(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
     """Ask for a route until its signal is open, and for the direction of the line beyond where that has a token."""
-    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), 2)):
+    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), opening.SET)):
         return "the request is refused: " + _not(lane, names.GRANTED(r.number))
     token = railway.symbols.token.get(railway.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
     if token is not None and not r.shunt and not lane.is_on(token.have):
