@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -18,7 +19,9 @@ from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.proof.witnesses.availability import Manner, Trial, availability, compatible
 from interlock.proof.witnesses.opening import OPEN, steps
+from interlock.proof.witnesses.routes import witnesses
 from interlock.proof.witnesses.together import How
+from interlock.table.rows import Because, Exclusion
 from tests.campaigns.availability import derived, space_to_the_point, under, weakened
 from tests.layouts import SHIPPED, built, grown
 
@@ -149,3 +152,36 @@ def test_a_point_that_the_author_has_a_route_lock_is_moved_like_its_own() -> Non
     routes = {r.bound.route: r for r in availability(System(layout, lower(layout, table)), table).routes}
     assert routes["S1-W"].bound.machines == 2, "its own, and point 3"
     assert [r.failure for r in routes.values()] == [None] * len(routes)
+
+
+def test_a_train_that_stands_foul_of_the_other_route_is_told_and_the_pair_is_driven_without_it() -> None:
+    layout, table, controller = built("../tests/layouts_for_tests/foul_berth")
+    found = availability(System(layout, controller), table)
+    (pair,) = [p for p in found.pairs if p.apart]
+    assert found.shown and (pair.first, pair.second, pair.manner, pair.runs) == ("G-W", "H-N", Manner.ALONE, 1)
+    assert pair.apart == "H-N: the request is refused: not s4: the joint s4|s6 is foul of point P"
+
+
+def test_a_pair_of_which_one_refuses_the_other_fails_though_a_train_stands_in_the_way_as_well() -> None:
+    layout, table, _ = built("../tests/layouts_for_tests/foul_berth")
+    (a, b) = (table.route[r].locked[0] for r in ("G-W", "H-N"))  # type: ignore[index]
+    extra = Exclusion(a[0], True, (), Because("R6", "too much"))
+    locks = tuple(replace(t, exclusions=(*t.exclusions, extra)) if t.key == b else t for t in table.locks)
+    found = availability(System(layout, lower(layout, replace(table, locks=locks))), table)
+    failed = {(p.first, p.second): p.failure for p in found.pairs if p.failure}
+    assert failed["G-W", "H-N"] == "H-N: the request is refused: not s2: too much"
+
+
+def test_a_train_that_came_over_another_route_is_called_on_when_its_overlap_is_given_up() -> None:
+    layout, table, controller = built("../tests/layouts_for_tests/called_on_over_overlap")
+    system = System(layout, controller)
+    came = {w.route: w for w in witnesses(system)}["G-E.c"]
+    assert came.ok and came.text == "set, driven and released, coming over F-G"
+    assert availability(system, table).shown
+
+
+def test_the_sections_of_a_train_that_is_called_on_fill_a_zone() -> None:
+    layout, table, controller = built("../tests/layouts_for_tests/zone_of_called")
+    found = availability(System(layout, controller), table)
+    manners = {(p.first, p.second): p.manner for p in found.pairs}
+    assert found.shown and manners["G-E.c", "Y-S"] is Manner.ZONE and manners["G-E", "Y-S"] is Manner.BESIDE

@@ -49,7 +49,13 @@ def command(layout: str, traces: Path, form: str) -> None:
                 ],
                 "hostile_pairs": found.hostile,
                 "pairs": [
-                    {"first": p.first, "second": p.second, "manner": str(p.manner), "failure": p.failure}
+                    {
+                        "first": p.first,
+                        "second": p.second,
+                        "manner": str(p.manner),
+                        "apart": p.apart,
+                        "failure": p.failure,
+                    }
                     for p in found.pairs
                 ],
             }

@@ -14,11 +14,11 @@ from operator import or_
 from interlock.logic import names
 from interlock.logic.bits import Bits
 from interlock.logic.controller import Controller
-from interlock.logic.expr import Substitution, evaluate, var
+from interlock.logic.expr import Substitution, var
 from interlock.logic.names import Name
 from interlock.logic.plant import Plant
 from interlock.model.elements import Position
-from interlock.sim.run import independent
+from interlock.sim.run import independent, missing
 
 
 @dataclass(frozen=True)
@@ -58,10 +58,6 @@ class Lane:
 
     def missing(self, equation: str) -> list[str]:
         """The terms of an equation that were false in the last step, in words."""
-        controller = self.lanes.controller
-        found = next(e for e in controller.equations if e.name == equation)
-        sub = Substitution(controller.expanded)
-        memo: dict[int, bool] = {}
 
         def value(name: str) -> int:
             size = self.lanes.sizes.get(name)
@@ -69,7 +65,7 @@ class Lane:
                 return int(bool(self.lanes.last.get(name, 0) & self.bit))
             return next((k for k in range(1, size) if self.lanes.last[f"{name}={k}"] & self.bit), 0)
 
-        return [t.note or t.kind for t in found.terms if not evaluate(sub(t.expr), value, memo)]
+        return missing(self.lanes.controller, equation, value)
 
 
 _MOVES = (names.STANDS, names.LIES, names.TELEGRAM, names.ON_LINE)

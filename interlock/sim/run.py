@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 
 from interlock.logic import names
 from interlock.logic.compile import compile_exprs
-from interlock.logic.controller import Controller, Equation, Timer
-from interlock.logic.expr import Substitution, evaluate
+from interlock.logic.controller import Controller, Equation, Join, Timer
+from interlock.logic.expr import VAR, Substitution, evaluate
 from interlock.logic.names import Name
 from interlock.logic.on_delay import on_delay
 from interlock.logic.plant import Plant
@@ -104,10 +104,7 @@ class Simulator:
 
     def missing(self, equation: str) -> list[str]:
         """The terms of an equation that were false in the last scan, in words."""
-        found = next(e for e in self.controller.equations if e.name == equation)
-        sub = Substitution(self.controller.expanded)
-        memo: dict[int, bool] = {}
-        return [t.note or t.kind for t in found.terms if not evaluate(sub(t.expr), lambda n: self.last.get(n, 0), memo)]
+        return missing(self.controller, equation, lambda n: self.last.get(n, 0))
 
     def possible(self) -> list[str]:
         """Events that could happen now."""
@@ -123,6 +120,22 @@ class Simulator:
                 before = self.elapsed[t.name]
                 self.elapsed[t.name], over = on_delay(before, bool(running[t.name]), t.preset_ms, self.dt_ms)
                 values[t.name] = int(over)
+
+
+def missing(controller: Controller, equation: str, value: Callable[[str], int]) -> list[str]:
+    """The terms of an equation that are false, in words; instead of one that is a wire of which every term must hold,
+    those of its own terms, if they are told in words."""
+    every = {e.name: e for e in controller.equations if e.join is Join.ALL and all(t.note for t in e.terms)}
+    sub = Substitution(controller.expanded)
+    memo: dict[int, bool] = {}
+
+    def those(e: Equation) -> Iterator[str]:
+        for t in e.terms:
+            if not evaluate(sub(t.expr), value, memo):
+                under = every.get(t.expr.name) if t.expr.op is VAR else None
+                yield from those(under) if under is not None else (t.note or t.kind,)
+
+    return list(dict.fromkeys(those(next(e for e in controller.equations if e.name == equation))))
 
 
 def independent(controller: Controller) -> list[list[Timer]]:

@@ -55,7 +55,10 @@ nowhere else, which is what a waiver without a good reason comes to.  *Undrivabl
 witness run fails: one machine works two distant ends, or the train itself stands foul of what the route needs, in its
 flank space, or in its zone; `compile` reports them as IL4006.  A layout with one, or with a waiver found out, has no
 certificate: of these the second checker compares layout, text and written system, and no refutation.  Undrivable
-routes are left out of the pairs that are driven.
+routes are left out of the pairs that are driven.  *Apart*: the train of one route, standing before its signal, keeps
+the other one from being set whether or not its own is: it stands foul of it, across a diamond, on points that one
+machine works with points of the other, or cannot come past the other train.  These pairs are set and open together, and
+driven as far as that train permits.
 """
 
 FLANKS = {"T-FLANK", "S-FLANK"}
@@ -142,6 +145,7 @@ def driven(x: Case, t: Tally) -> None:
     t.counts["runs"] += sum(p.runs for p in pairs)
     failed = [p for p in pairs if p.failure is not None]
     t.counts["pairs failed"] += len(failed)
+    t.counts["pairs apart"] += sum(p.apart is not None for p in pairs)
     t.driven += [f"seed {x.seed}: {p.first} and {p.second}, {p.manner.value}: {p.failure}" for p in failed]
 
 
@@ -192,6 +196,7 @@ def main() -> int:
         "compared by the second checker, without a certificate": f"{n['compared']} layouts",
         "driven in pairs of routes": f"{n['driven']} layouts, {n['pairs']} pairs, {n['runs']} runs, "
         f"{n['pairs failed']} pairs failed",
+        "of these pairs apart": f"{n['pairs apart']}",
         "disagreements": f"{len(t.bad)}",
         "processor time": f"{time.process_time() - began:.0f} s",
     }
@@ -201,7 +206,7 @@ def main() -> int:
     print(*(f"| {w} | {k} |" for w, k in sorted(t.words.items())), sep="\n")
     print(*(f"\n- {x}" for x in t.bad[:50]), sep="")
     if t.driven:
-        said = "a request is refused, or a signal late.  Not looked into one by one:"
+        said = "a request is refused, or a signal late, and not because of where a train stands:"
         print(f"\nThe first pairs of routes that failed in their runs: {said}")
         print(*(f"\n- {x}" for x in t.driven[:40]), sep="")
     return 1 if t.bad else 0

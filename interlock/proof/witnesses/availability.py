@@ -14,7 +14,7 @@ one train at a time: it is driven while the other signal stays open, and the oth
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import partial
 from itertools import pairwise
@@ -38,7 +38,18 @@ from interlock.proof.witnesses.routes import (
     _stand,
     _start,
 )
-from interlock.proof.witnesses.together import BEFORE, How, PairRun, opens_alone, pair_run, settling, to_move, turned
+from interlock.proof.witnesses.together import (
+    BEFORE,
+    REFUSED,
+    How,
+    PairRun,
+    lone_request,
+    opens_alone,
+    pair_run,
+    settling,
+    to_move,
+    turned,
+)
 from interlock.sim.lanes import Driver, Lane, Lanes
 from interlock.table.rows import InterlockingTable
 
@@ -57,7 +68,8 @@ class Manner(StrEnum):
 
 @dataclass(frozen=True)
 class PairResult:
-    """What became of two routes; `failure`: what went wrong in the first run that failed, or None."""
+    """What became of two routes; `failure`: what went wrong in the first run that failed, or None; `apart`: why their
+    trains cannot be where they would have to be for more than what was run, or None."""
 
     first: str
     second: str
@@ -65,6 +77,7 @@ class PairResult:
     runs: int
     failure: str | None = None
     failed: PairRun | None = None
+    apart: str | None = None
 
 
 @dataclass(frozen=True)
@@ -102,9 +115,10 @@ def availability(system: System, table: InterlockingTable) -> Availability:
     pairs = list(compatible(system, table))
     planned = [(a, b, *trial.plan(a, b)) for a, b in pairs]
     results = trial.results(planned)
-    unmet = [i for i, x in enumerate(results) if x.failed is not None and not trial.meet(x.failed)]
-    for i, x in zip(unmet, trial.results([trial.apart(*pairs[i]) for i in unmet]), strict=True):
-        results[i] = x
+    for otherwise in (trial.apart, trial.empty):
+        unmet = [i for i, x in enumerate(results) if x.failed is not None and not trial.meet(x.failed)]
+        for i, x in zip(unmet, trial.results([otherwise(*pairs[i]) for i in unmet]), strict=True):
+            results[i] = replace(x, apart=results[i].apart or results[i].failure)
     count = len(system.symbols.routes)
     return Availability(trial.opened(), tuple(results), count * (count - 1) // 2 - len(pairs))
 
@@ -126,11 +140,13 @@ class _Failure:
     """What went wrong in a run."""
 
     text: str
+    standing: bool = False
+    """The route was refused because of where the trains stand: it is refused too while the other one is not set."""
 
     @property
     def coming(self) -> bool:
         """It was about how trains came to be where they are: over other routes, or there since a restart."""
-        return self.text.startswith(BEFORE) or "the restart" in self.text
+        return self.standing or self.text.startswith(BEFORE) or "the restart" in self.text
 
 
 class Trial:
@@ -194,7 +210,11 @@ class Trial:
     def apart(self, a: RouteSymbols, b: RouteSymbols) -> Plan:
         """Runs of two routes with one train at a time."""
         runs = [self._run(x, y, How.ALONE) for x, y in self._alone(a, b)]
-        return a, b, Manner.ALONE, runs or [self._run(a, b, How.GIVEN_BACK)]
+        return (a, b, Manner.ALONE, runs) if runs else self.empty(a, b)
+
+    def empty(self, a: RouteSymbols, b: RouteSymbols) -> Plan:
+        """A run of two routes without trains."""
+        return a, b, Manner.ALONE, [self._run(a, b, How.GIVEN_BACK)]
 
     def _alone(self, a: RouteSymbols, b: RouteSymbols) -> list[tuple[RouteSymbols, RouteSymbols]]:
         """Those of two routes, first, whose train may stand before its signal while the other one is set."""
@@ -219,13 +239,16 @@ class Trial:
         return [self._run(run.first, run.second, run.how, choice) for choice in choices]
 
     def _full(self, zone: int, a: RouteSymbols, b: RouteSymbols) -> bool:
-        """Whether a zone does not admit the trains of both routes, where they stand or are called."""
+        """Whether a zone does not admit the trains of both routes, where they stand or are called.
+
+        Where a train is called on, vehicles may stand in each section of its route: all of them count (R17).
+        """
         z = self.railway.layout.zones[zone]
         trains = 0
         for r in (a, b):
             over = [_before(self.railway, r), *(s for s, _ in r.ways)]
             trains += over[0] in z.sections
-            trains += sum(y in z.sections and x not in z.sections for x, y in pairwise(over))
+            trains += sum(y in z.sections and (r.call_on or x not in z.sections) for x, y in pairwise(over))
         return trains > z.trains
 
     def _standing(self, *routes: RouteSymbols) -> dict[str, int] | None:
@@ -249,7 +272,8 @@ class Trial:
         found = []
         for a, b, manner, runs in planned:
             tried = [(x, next(outcomes)) for x in runs]
-            failed, why = next(((x, failure.text) for x, failure in tried if failure is not None), (None, None))
+            went_wrong = [(x, failure.text) for x, failure in tried if failure is not None]
+            failed, why = min(went_wrong, key=lambda y: not self.meet(y[0]), default=(None, None))
             why = str(manner) if manner is Manner.NONE else why
             found.append(PairResult(a.id, b.id, manner, len(runs), why, failed))
         return found
@@ -283,6 +307,17 @@ class Trial:
             drivers = [partial(pair_run, self.system, self.railway, x) for x in some]
             done = self._lanes.run([self.start(x) for x in some], drivers)
             found += [None if text is None else _Failure(text) for text, _ in done]
+        refused = [
+            (i, r)
+            for i, (run, why) in enumerate(zip(runs, found, strict=True))
+            for r in ((run.first, run.second) if why is not None and run.trains else ())
+            if why is not None and why.text.startswith(f"{r.id}: {REFUSED}")
+        ]
+        drivers = [partial(lone_request, self.railway, runs[i], r) for i, r in refused]
+        done = self._lanes.run([self.start(runs[i]) for i, _ in refused], drivers)
+        for (i, _), (text, _), why in zip(refused, done, [found[i] for i, _ in refused], strict=True):
+            if text is not None and why is not None:
+                found[i] = _Failure(why.text, standing=True)
         return found
 
     def story(self, result: PairResult) -> Story | None:

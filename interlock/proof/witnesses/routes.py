@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import pairwise
 
 from interlock.logic import names
 from interlock.logic.controller import Controller, RouteSymbols, Symbols
@@ -176,10 +177,20 @@ def _journey(railway: Railway, r: RouteSymbols, berth: str, onward: tuple[RouteS
     for _ in range(2):
         yield Wish((), {names.RELEASE_ALL: 1, **closing})
     failure = yield from _run(railway, lane, r)
-    for after in onward:
+    for before, after in pairwise((r, *onward)):
         if failure is None:
+            yield from _given_up(railway, lane, before)
             failure = yield from _run(railway, lane, after, turning=_before(railway, after))
     return failure
+
+
+def _given_up(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
+    """A train that stands at the end of its route needs its overlap no more (R4): it goes after the time of release."""
+    held = [v for (g, _), v in railway.symbols.overlap.items() if r.overlap is not None and g == r.overlap[0]]
+    for _ in range(MAX_STEPS):
+        if not any(map(lane.is_on, held)):
+            return
+        yield NOTHING
 
 
 def _closing(railway: Railway, section: str) -> list[str]:
@@ -260,7 +271,7 @@ def _drive(railway: Railway, lane: Lane, r: RouteSymbols, failed: SectionId | No
 
 def _set(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
     """Ask for a route until its signal is open, and for the direction of the line beyond where that has a token."""
-    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), 2)):
+    if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), opening.SET)):
         return "the request is refused: " + _not(lane, names.GRANTED(r.number))
     token = railway.symbols.token.get(railway.topo.traversals[r.ways[-1][0]][r.ways[-1][1] - 1].exit)
     if token is not None and not r.shunt and not lane.is_on(token.have):

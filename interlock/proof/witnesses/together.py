@@ -18,6 +18,7 @@ from interlock.proof.witnesses.routes import (
     _before,
     _closing,
     _failed_section,
+    _given_up,
     _kept,
     _not,
     _set,
@@ -27,6 +28,7 @@ from interlock.proof.witnesses.routes import (
 from interlock.sim.lanes import NOTHING, Driver, Lane, Wish
 
 BEFORE = "before that, "
+REFUSED = "the request is refused: "
 
 
 class How(StrEnum):
@@ -58,6 +60,29 @@ class PairRun:
 
 def pair_run(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driver:
     """Release after the restart, bring the trains before their signals, open both, drive, and see all free again."""
+    failure = yield from _placed(railway, run, lane)
+    if failure is not None:
+        return failure
+    failure = yield from _disturbed_for(railway, (run.first, run.second), _used(system, railway, run, lane))
+    troubles = lane.troubles()
+    return failure or (f"the run meets {', '.join(troubles)}" if troubles else None)
+
+
+def lone_request(railway: Railway, run: PairRun, r: RouteSymbols, lane: Lane) -> Driver:
+    """One of two routes is asked for with the trains of a run before their signals, while the other is not set."""
+    failure = yield from _placed(railway, run, lane)
+    if failure is not None:
+        return failure
+    asking = _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), opening.SET)
+    return (yield from _disturbed_for(railway, (run.first, run.second), _granted(lane, r, asking)))
+
+
+def _granted(lane: Lane, r: RouteSymbols, asking: Generator[Wish, None, bool]) -> Driver:
+    return None if (yield from asking) else REFUSED + _not(lane, names.GRANTED(r.number))
+
+
+def _placed(railway: Railway, run: PairRun, lane: Lane) -> Driver:
+    """Release after the restart, and bring the trains before their signals."""
     yield from settling(railway, [r for chain, r in zip(run.before, run.trains, strict=False) for r in (*chain, r)])
     for chain, last in zip(run.before, (run.first, run.second), strict=True):
         if chain:
@@ -67,14 +92,13 @@ def pair_run(system: System, railway: Railway, run: PairRun, lane: Lane) -> Driv
             failure = failure or (yield from _freed(railway, lane, (r,), _stays(railway, r)))
             if failure is not None:
                 return f"{BEFORE}over {r.id}: {failure}"
+            yield from _given_up(railway, lane, r)
             yield from _turn(railway, after)
     for r in run.trains:
         yield from _there(railway, lane, r)
         if not lane.is_on(names.STANDS(_before(railway, r))):
             return f"{BEFORE}both trains have to begin in one place"
-    failure = yield from _disturbed_for(railway, (run.first, run.second), _used(system, railway, run, lane))
-    troubles = lane.troubles()
-    return failure or (f"the run meets {', '.join(troubles)}" if troubles else None)
+    return None
 
 
 def _there(railway: Railway, lane: Lane, r: RouteSymbols) -> Generator[Wish, None, None]:
@@ -154,7 +178,7 @@ def _disturbed_for(railway: Railway, routes: Sequence[RouteSymbols], run: Driver
 def _opens(railway: Railway, lane: Lane, r: RouteSymbols, steps: int) -> Driver:
     """Asked for, the route is set at once, and its signal opens within some scans."""
     if not (yield from _until(lane, r.active, Wish((), {railway.symbols.request: r.number}), opening.SET)):
-        return "the request is refused: " + _not(lane, names.GRANTED(r.number))
+        return REFUSED + _not(lane, names.GRANTED(r.number))
     token = railway.symbols.token.get(_exit(railway, r))
     if token is not None and not r.shunt and not lane.is_on(token.have):
         yield from _until(lane, token.have, Wish((), {token.manual: 1}), MAX_STEPS)
