@@ -230,7 +230,7 @@ bound and a millisecond more; heartbeats stand still; power is cut, and the PLC'
 Then come scans with inputs at random, as no railway gives them.
 
 A *movement* is a signal passed at proceed, a *stall* a cycle longer than the bound; *outputs that changed* have been
-seen with both values.  Point telegrams are compiled, not driven.
+seen with both values.  Point telegrams are compiled, not driven; words of routes are compiled, not compared.
 """
 
 
