@@ -80,7 +80,8 @@ def _told(unit: Unit, recording: Recording, cells: dict[str, int]) -> bytes:
         if d.address is not None and d.address.startswith("%QX") and cells[d.name]:
             byte, _, bit = d.address.removeprefix("%QX").partition(".")
             image[int(byte)] |= 1 << int(bit)
-    return bytes(image) + bytes(int(cells[n]) for n in recording.wiring.read)
+    words = b"".join(cells[n].to_bytes(2, "little") for n in recording.wiring.words)
+    return bytes(image) + bytes(int(cells[n]) for n in recording.wiring.read) + words
 
 
 def test_the_text_with_its_mapping_program_answers_as_was_recorded() -> None:
@@ -115,9 +116,11 @@ def test_one_bit_more_is_told_by_scan_output_and_address() -> None:
     told = bytearray(answers[0])
     told[7 * r.wiring.length + wire.byte] ^= 1 << wire.bit
     told[9 * r.wiring.length + r.wiring.image_q + r.wiring.read.index("YL_DP")] ^= 1
-    first, second = differences(r.wiring, r.segments, [bytes(told), *answers[1:]])
+    told[12 * r.wiring.length - 1] ^= 1
+    first, second, third = differences(r.wiring, r.segments, [bytes(told), *answers[1:]])
     assert str(first) == f"power-on 1, scan 8: YP_X2 at {wire.located}"
     assert (second.segment, second.scan, second.outputs) == (1, 10, ("YL_DP",))
+    assert (third.segment, third.scan, third.outputs) == (1, 12, (r.wiring.words[-1],))
     with pytest.raises(ValueError, match="bytes, not"):
         differences(r.wiring, r.segments, [answers[0][:-1], *answers[1:]])
 

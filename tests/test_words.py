@@ -15,7 +15,7 @@ from interlock.emit.python.runtime import runtime_py
 from interlock.logic import names
 from interlock.logic.controller import Controller, MalformedController, Term
 from interlock.logic.eval import Machine
-from interlock.logic.expr import TRUE, conj, interning, var
+from interlock.logic.expr import NOT, TRUE, conj, interning, var, walk
 from interlock.logic.lower import lower
 from interlock.logic.words import CANCELLING, FREE, OPEN, REFUSED, SET, UNKNOWN, Case, Word, Words
 from interlock.model.elements import Position
@@ -51,6 +51,15 @@ def test_every_route_has_a_word_and_every_code_a_sentence_and_a_rule(name: str) 
     for r in c.words.reasons.values():
         assert r.text and not r.text.startswith("it needs: no ") and r.rule in RULES, r
     assert len({r.text for r in c.words.reasons.values()}) > len(c.words.reasons) * 0.9
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_no_case_asks_for_not_of_what_itself_says_not(name: str) -> None:
+    """a AND b, not NOT (NOT a OR NOT b): STruC++ makes C++ of the latter that does not compile."""
+    _, _, c = built(name)
+    for w in c.words.words:
+        nots = [x for x in walk(case.condition for case in w.cases) if x.op is NOT and x.args[0].args]
+        assert not [x for x in nots for y in walk(x.args) if y.op is NOT], w.name
 
 
 def longest(c: Controller) -> Word:

@@ -224,10 +224,10 @@ INTRODUCTION = """\
 `python -m tests.campaigns.foreign`: the Structured Text of each layout with its mapping program, as `interlock
 compile` writes it, compiled by compilers that are not ours, against the emitted Python runtime in its cabinet.  Both
 get the same inputs in each scan: the bits of %I, what the operator's place writes, and the time since the scan before;
-compared are the bits of %Q and what the operator's place reads, in every scan.  Trains run in metres on the runtime
-(`interlock/simulate`), with a random and a hostile operator; cycles are stalled up to four times the bound, exactly the
-bound and a millisecond more; heartbeats stand still; power is cut, and the PLC's clock then says something else.
-Then come scans with inputs at random, as no railway gives them.
+compared are the bits of %Q, what the operator's place reads, and the word of each route, in every scan.  Trains run in
+metres on the runtime (`interlock/simulate`), with a random and a hostile operator; cycles are stalled up to four times
+the bound, exactly the bound and a millisecond more; heartbeats stand still; power is cut, and the PLC's clock then says
+something else.  Then come scans with inputs at random, as no railway gives them.
 
 A *movement* is a signal passed at proceed, a *stall* a cycle longer than the bound; *outputs that changed* have been
 seen with both values.  Point telegrams are compiled, not driven.

@@ -46,5 +46,5 @@ def bundle(path: str) -> Bundle:
         len(table.routes),
         "\n".join(texts[f"{place}{part}.st"] for part in ("", "_telegram", "_io") if f"{place}{part}.st" in texts),
         {name: text for name, text in texts.items() if name.endswith(".xml")},
-        Railway(layout, controller, allocate(layout, controller), texts["runtime.py"], routes),
+        Railway(layout, controller, allocate(layout, controller), texts["runtime.py"], routes, controller.words.routes),
     )

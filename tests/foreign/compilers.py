@@ -32,13 +32,16 @@ def _run(command: Sequence[str | Path], folder: Path) -> None:
 def _wiring_h(wiring: Wiring, names: Mapping[str, str]) -> str:
     written = " ".join(f"X({k}, {n.upper()}, {t})" for k, (n, t) in enumerate(wiring.written))
     read = " ".join(f"X({k}, {n.upper()})" for k, n in enumerate(wiring.read))
+    words = " ".join(f"X({k}, {n.upper()})" for k, n in enumerate(wiring.words))
     numbers = {
         "IMAGE_I": wiring.image_i,
         "IMAGE_Q": wiring.image_q,
         "WRITTEN_COUNT": len(wiring.written),
         "READ_COUNT": len(wiring.read),
+        "WORD_COUNT": len(wiring.words),
     }
-    defined = {**{n: str(k) for n, k in numbers.items()}, **names, "WRITTEN(X)": written, "READ(X)": read}
+    listed = {"WRITTEN(X)": written, "READ(X)": read, "WORDS(X)": words}
+    defined = {**{n: str(k) for n, k in numbers.items()}, **names, **listed}
     return "".join(f"#define {name} {value}\n" for name, value in defined.items())
 
 

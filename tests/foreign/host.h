@@ -25,6 +25,11 @@ int main(void) {
     host_scan(now_ms);
     if (fwrite(image_q, 1, IMAGE_Q, stdout) != IMAGE_Q) return 4;
     if (fwrite(told, 1, READ_COUNT, stdout) != READ_COUNT) return 4;
+    for (k = 0; k < WORD_COUNT; k++) {
+      uint8_t word[2];
+      word[0] = (uint16_t)words[k] & 0xFF, word[1] = (uint16_t)words[k] >> 8;
+      if (fwrite(word, 1, 2, stdout) != 2) return 4;
+    }
   }
   return fflush(stdout) ? 4 : 0;
 }

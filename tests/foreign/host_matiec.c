@@ -9,6 +9,7 @@
 #include "wiring.h"
 
 static uint8_t image_i[IMAGE_I], image_q[IMAGE_Q], told[READ_COUNT + 1];
+static int16_t words[WORD_COUNT + 1];
 static int16_t written[WRITTEN_COUNT + 1];
 
 TIME __CURRENT_TIME;
@@ -49,6 +50,8 @@ static void host_scan(uint64_t now_ms) {
 #undef __LOCATED_VAR
 #define GET(k, name) told[k] = PROGRAM_INSTANCE.name.value;
   READ(GET)
+#define SAY(k, name) words[k] = PROGRAM_INSTANCE.name.value;
+  WORDS(SAY)
 }
 
 #include "host.h"

@@ -7,6 +7,7 @@
 #include "wiring.h"
 
 static uint8_t image_i[IMAGE_I], image_q[IMAGE_Q], told[READ_COUNT + 1];
+static int16_t words[WORD_COUNT + 1];
 static int16_t written[WRITTEN_COUNT + 1];
 
 using namespace strucpp;
@@ -35,6 +36,8 @@ static void host_scan(uint64_t now_ms) {
   }
 #define GET(k, name) told[k] = static_cast<bool>(configuration->PROGRAM_INSTANCE.name);
   READ(GET)
+#define SAY(k, name) words[k] = static_cast<int16_t>(configuration->PROGRAM_INSTANCE.name);
+  WORDS(SAY)
 }
 
 #include "host.h"

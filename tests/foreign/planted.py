@@ -44,10 +44,16 @@ def _slow_heartbeat(source: str) -> str:
     return _put(source, "STILL(IN := SAME, PT := T#1s)", "STILL(IN := SAME, PT := T#1001ms)")
 
 
+def _open_said_otherwise(source: str) -> str:
+    """A route that is open says that it is only set."""
+    return source.replace(" := 3; (* open *)", " := 2; (* open *)")
+
+
 TEXTS: dict[str, Callable[[str], str]] = {
     "a lamp no longer hears of one route: one term less in one output equation": _output_term,
     "two wires exchanged in the mapping program": _exchanged_wires,
     "the watch of the cycle: one millisecond later": _long_cycle,
     "the watch of the heartbeat: one millisecond later": _slow_heartbeat,
+    "a route that is open says that its signal is at stop: another number in its word": _open_said_otherwise,
 }
 """Faults of the text with its mapping program."""

@@ -8,7 +8,7 @@ more; each power cut ends a segment.  A second recording has inputs at random, t
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from random import Random
 from typing import Any
 
@@ -35,13 +35,15 @@ STARTS_MS = (0, 1, 86_400_000, 31 * 86_400_000)
 
 @dataclass(frozen=True)
 class Railway:
-    """What is recorded: a layout, its runtime's text, its wires, what an operator knows of its routes."""
+    """What is recorded: a layout, its runtime's text, its wires, what an operator knows of its routes, and the words
+    of routes that are compared, by the routes' numbers."""
 
     layout: Layout
     controller: Controller
     allocation: Allocation
     runtime: str
     routes: Mapping[str, tuple[int, ...]]
+    words: Mapping[int, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -83,7 +85,7 @@ class Recorder:
 
     def __init__(self, railway: Railway, rng: Random) -> None:
         self.railway, self.rng = railway, rng
-        self.wiring = Wiring.of(railway.controller, railway.allocation)
+        self.wiring = Wiring.of(railway.controller, railway.allocation, [*railway.words.values()])
         self.segments: list[Segment] = []
         self.stalls = self.invalid = 0
         self.cycle_max_ms: int = load(railway.runtime)["Controller"].cycle_max_ms
@@ -124,7 +126,10 @@ class _Cabinet:
         recorder.stalls += dt_ms > recorder.cycle_max_ms
         recorder.invalid += not cycle.valid or dt_ms > recorder.cycle_max_ms
         self.segment.given += recorder.wiring.given({**inputs, **signs}, dt_ms)
-        self.segment.told += recorder.wiring.told({**cycle.outputs, **dict.fromkeys(self.sent, self.plc.heartbeat)})
+        beats = dict.fromkeys(self.sent, self.plc.heartbeat)
+        said = cycle.words() if recorder.railway.words else {}
+        words = {name: said[number] for number, name in recorder.railway.words.items()}
+        self.segment.told += recorder.wiring.told({**cycle.outputs, **beats, **words})
         self.segment.scans += 1
         return cycle.outputs
 

@@ -18,8 +18,8 @@ class Wiring:
     """A program with its configuration: its wires (heartbeats among them), what the operator's place writes and reads.
 
     A scan's inputs: milliseconds since the scan before (4 bytes), the image of %I, and two bytes for each variable that
-    is written.  Its outputs: the image of %Q, and a byte for each variable that is read.  Numbers begin with their low
-    byte.
+    is written.  Its outputs: the image of %Q, a byte for each variable that is read, and two for each word of a route.
+    Numbers begin with their low byte.
     """
 
     task: Task
@@ -27,13 +27,14 @@ class Wiring:
     written: tuple[tuple[str, str], ...]
     """Name and type, BOOL or INT."""
     read: tuple[str, ...]
+    words: tuple[str, ...] = ()
 
     @staticmethod
-    def of(controller: Controller, allocation: Allocation) -> Wiring:
-        """The mapping program of a controller."""
+    def of(controller: Controller, allocation: Allocation, words: Sequence[str] = ()) -> Wiring:
+        """The mapping program of a controller; `words`: those that are compared."""
         types = {i.name: "INT" if i.size else "BOOL" for i in controller.inputs}
         written = tuple((n, types[n]) for n in allocation.written)
-        return Wiring(io_task(controller), allocation.wires, written, allocation.read)
+        return Wiring(io_task(controller), allocation.wires, written, allocation.read, tuple(words))
 
     def _bytes(self, direction: str) -> int:
         return max((c.byte for c in self.wires if c.direction == direction), default=0) + 1
@@ -51,7 +52,7 @@ class Wiring:
     @property
     def outputs(self) -> int:
         """Outputs that are compared in each scan."""
-        return sum(c.direction == "Q" for c in self.wires) + len(self.read)
+        return sum(c.direction == "Q" for c in self.wires) + len(self.read) + len(self.words)
 
     def given(self, values: Mapping[str, int], dt_ms: int) -> bytes:
         """One scan's inputs."""
@@ -60,7 +61,8 @@ class Wiring:
 
     def told(self, values: Mapping[str, int]) -> bytes:
         """One scan's outputs."""
-        return self._image("Q", values) + bytes(int(values[n]) for n in self.read)
+        words = b"".join(values[n].to_bytes(2, "little") for n in self.words)
+        return self._image("Q", values) + bytes(int(values[n]) for n in self.read) + words
 
     def _image(self, direction: str, values: Mapping[str, int]) -> bytes:
         image = bytearray(self.image_i if direction == "I" else self.image_q)
@@ -72,13 +74,15 @@ class Wiring:
     @property
     def length(self) -> int:
         """Bytes of one scan's outputs."""
-        return self.image_q + len(self.read)
+        return self.image_q + len(self.read) + 2 * len(self.words)
 
     def names(self, a: bytes, b: bytes) -> tuple[str, ...]:
         """The outputs in which two scans differ."""
         wires = [c for c in self.wires if c.direction == "Q" and (a[c.byte] ^ b[c.byte]) >> c.bit & 1]
         told = [n for k, n in enumerate(self.read, self.image_q) if a[k] != b[k]]
-        return (*(f"{c.variable} at {c.located}" for c in wires), *told)
+        first = self.image_q + len(self.read)
+        words = [n for k, n in enumerate(self.words) if any(a[i] != b[i] for i in (first + 2 * k, first + 2 * k + 1))]
+        return (*(f"{c.variable} at {c.located}" for c in wires), *told, *words)
 
 
 @dataclass

@@ -12,7 +12,7 @@ from itertools import chain
 
 from interlock.logic import names
 from interlock.logic.controller import Equation, Join, Term
-from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, disj, neg, var
+from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, conj, disj, neg, var
 from interlock.logic.lower.draft import Draft
 from interlock.logic.names import Family, Name, computed
 from interlock.logic.sentences import RULES, SENTENCES, about, sentence
@@ -80,7 +80,7 @@ class _Writer:
         for t in terms:
             for x in conditions(t.expr):
                 if x is not TRUE:
-                    yield Case(neg(x), self._value(x, t, held))
+                    yield Case(fails(x), self._value(x, t, held))
 
     def _value(self, x: Expr, t: Term, held: MachineId | None) -> Value:
         """What a condition that does not hold is called: by a word of its own, or by its number."""
@@ -215,6 +215,16 @@ def conditions(x: Expr) -> Iterator[Expr]:
             yield from conditions(neg(y))
     else:
         yield x
+
+
+def fails(x: Expr) -> Expr:
+    """That a condition does not hold, said of its parts: NOT before a parenthesis in which NOT stands is hard to read,
+    and STruC++ makes C++ of it that g++ refuses (`bool | bool` is an int there, and its NOT takes none)."""
+    if x.op is OR:
+        return conj(fails(y) for y in x.args)
+    if x.op is AND:
+        return disj(fails(y) for y in x.args)
+    return neg(x)
 
 
 def words(d: Draft) -> Words:
