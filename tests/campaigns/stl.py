@@ -162,7 +162,7 @@ def main() -> None:
     faults = planted(given.python, given.scans, given.seed)
     lines += [
         "",
-        "Faults planted in mine11, each noticed:",
+        "Faults planted in mine11, and in how many scans each shows (0: these scans do not notice it):",
         "",
         "| fault | scans that differ | first |",
         "|---|---:|---|",
