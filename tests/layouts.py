@@ -30,3 +30,18 @@ def grown(text: str) -> tuple[Layout, InterlockingTable, Sink] | None:
     if layout is None:
         return None
     return layout, derive(layout, sink), sink
+
+
+SLIPS = """interlock: 1
+name: slips
+boundaries: {A: {approach: aa 300}, B: {approach: bb 300}, C: {approach: cc 300}, D: {approach: dd 300}}
+tracks: {a: [A, a1 200], b: [b1 200, B], c: [C, c1 200], d: [d1 200, D]}
+slips:
+  7: {section: T, arms: [[a.end, b.start], [c.end, d.start]]%s}
+signals:
+  SA: {from: A, into: a1}
+  SB: {from: B, into: b1}
+  SC: {from: C, into: c1}
+  SD: {from: D, into: d1}
+"""
+"""Four tracks at a slip, which gets further keys at `%s`."""

@@ -19,7 +19,7 @@ from interlock.frontend import load_text
 from interlock.model.elements import BufferKind, EdgeId
 from interlock.model.layout import Layout
 from tests.grow import grow
-from tests.layouts import SHIPPED, built
+from tests.layouts import SHIPPED, SLIPS, built
 from tests.plans import examine
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -190,22 +190,8 @@ def test_draw_writes_a_file_or_tells_why_not(tmp_path_factory: pytest.TempPathFa
     assert nowhere.exit_code == 1 and "Traceback" not in nowhere.output
 
 
-SLIP = """interlock: 1
-name: slips
-boundaries: {A: {approach: aa 300}, B: {approach: bb 300}, C: {approach: cc 300}, D: {approach: dd 300}}
-tracks: {a: [A, a1 200], b: [b1 200, B], c: [C, c1 200], d: [d1 200, D]}
-slips:
-  7: {section: T, arms: [[a.end, b.start], [c.end, d.start]]%s}
-signals:
-  SA: {from: A, into: a1}
-  SB: {from: B, into: b1}
-  SC: {from: C, into: c1}
-  SD: {from: D, into: d1}
-"""
-
-
 def _slip(said: str) -> tuple[Layout, Drawing]:
-    layout, _ = load_text("slips.yaml", SLIP % said, Sink())
+    layout, _ = load_text("slips.yaml", SLIPS % said, Sink())
     assert layout is not None
     d = place(layout)
     _check(layout, d)

@@ -19,6 +19,7 @@ import pytest
 
 from interlock.panel.desk import Desk
 from interlock.panel.server import Access, listening, serve
+from tests.layouts import SLIPS
 from tests.panels import large, quick
 from tests.test_browser import BROWSER, FLAGS
 
@@ -248,20 +249,6 @@ def test_nothing_is_said_with_a_traceback(tmp_path: Path) -> None:
             [*command, str(s.getsockname()[1])], env={**os.environ, "PYTHONPATH": "."}, capture_output=True, text=True
         )
     assert done.returncode == 2 and "Traceback" not in done.stderr and "cannot listen" in done.stderr
-
-
-SLIPS = """interlock: 1
-name: slips
-boundaries: {A: {approach: aa 300}, B: {approach: bb 300}, C: {approach: cc 300}, D: {approach: dd 300}}
-tracks: {a: [A, a1 200], b: [b1 200, B], c: [C, c1 200], d: [d1 200, D]}
-slips:
-  7: {section: T, arms: [[a.end, b.start], [c.end, d.start]]%s}
-signals:
-  SA: {from: A, into: a1}
-  SB: {from: B, into: b1}
-  SC: {from: C, into: c1}
-  SD: {from: D, into: d1}
-"""
 
 
 @pytest.mark.parametrize(("said", "points"), [(", single: 1a-2b", 2), ("", 2), (", machines: [7]", 4)])

@@ -32,6 +32,18 @@ format_option = click.option(
     show_default=True,
     help="How results are shown.",
 )
+look_ahead_option = click.option(
+    "--look-ahead",
+    type=click.IntRange(1, 50),
+    default=1,
+    show_default=True,
+    help="How many routes ahead of a train are opened.",
+)
+
+without_rule_option = click.option(
+    "--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them."
+)
+
 jobs_option = click.option(
     "-j",
     "--jobs",

@@ -9,7 +9,19 @@ import click
 
 from interlock.app.dispatch import Dispatched, dispatch, replay_file
 from interlock.app.replay import BadPlan, from_text, to_text
-from interlock.cli.common import FINDINGS, NOT_PROVED, OK, failed, force_option, format_option, put_json, show, told
+from interlock.cli.common import (
+    FINDINGS,
+    NOT_PROVED,
+    OK,
+    failed,
+    force_option,
+    format_option,
+    look_ahead_option,
+    put_json,
+    show,
+    told,
+    without_rule_option,
+)
 from interlock.diag import render
 from interlock.dispatch.plan.search import Verdict
 from interlock.dispatch.policy import Policy
@@ -27,16 +39,10 @@ POLICIES = [str(p) for p in Policy]
 @click.option(
     "--gap", type=click.IntRange(1, 1000), default=5, show_default=True, help="Scans between one timing and the next."
 )
-@click.option(
-    "--look-ahead",
-    type=click.IntRange(1, 50),
-    default=1,
-    show_default=True,
-    help="How many routes ahead of a train are opened.",
-)
+@look_ahead_option
 @click.option("--policy", type=click.Choice(POLICIES), help="Who goes first on a single line that two voyages share.")
 @click.option("--explore", "exploring", is_flag=True, help="Explore every state; tell the shortest deadlock.")
-@click.option("--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them.")
+@without_rule_option
 @click.option("--plan", type=click.Path(dir_okay=False), help="Write the completion plan to this file.")
 @click.option("--orders", type=click.Path(), help="The dispatch file; by default LAYOUT with the ending .dispatch.")
 @click.option("--replay", type=click.Path(dir_okay=False), help="Replay this plan file instead.")

@@ -21,11 +21,13 @@ from interlock.cli.common import (
     force_option,
     format_option,
     jobs_option,
+    look_ahead_option,
     progress,
     put_json,
     show,
     told,
     took,
+    without_rule_option,
 )
 from interlock.dispatch.assign import Assigning
 from interlock.simulate.mishaps import TRIAL, Rates
@@ -41,14 +43,8 @@ from interlock.simulate.mishaps import TRIAL, Rates
 @click.option("--hours", type=click.FloatRange(0, 240, min_open=True), help="Hours of a shift, instead of the file's.")
 @click.option("--assign", type=click.Choice([str(a) for a in Assigning]), default="in_turn", show_default=True,
               help="Which order an idle train takes.")  # fmt: skip
-@click.option(
-    "--look-ahead",
-    type=click.IntRange(1, 50),
-    default=1,
-    show_default=True,
-    help="How many routes ahead of a train are opened.",
-)
-@click.option("--without-rule", is_flag=True, help="Ask for routes whether or not a plan exists after them.")
+@look_ahead_option
+@without_rule_option
 @click.option(
     "--faults", is_flag=True, help="Let detectors, points, the link and wagons fail, far more often than in service."
 )

@@ -56,9 +56,10 @@ witness run fails: one machine works two distant ends, or the train itself stand
 flank space, or in its zone; `compile` reports them as IL4006.  A layout with one, or with a waiver found out, has no
 certificate: of these the second checker compares layout, text and written system, and no refutation.  Undrivable
 routes are left out of the pairs that are driven.  *Apart*: the train of one route, standing before its signal, keeps
-the other one from being set whether or not its own is: it stands foul of it, across a diamond, on points that one
-machine works with points of the other, or cannot come past the other train.  These pairs are set and open together, and
-driven as far as that train permits.
+the other one from being set: it stands foul of it, across a diamond, or on points that one machine works with points of
+the other (such a request is refused as well while the first route is not set); or one train cannot come past the other,
+or both begin in one place, which is told from the track alone.  These pairs are set and open together, and driven as
+far as that train permits; that its lock is needed is not shown.
 """
 
 FLANKS = {"T-FLANK", "S-FLANK"}

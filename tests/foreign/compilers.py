@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import shutil
 import subprocess
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -46,7 +47,7 @@ def _wiring_h(wiring: Wiring, names: Mapping[str, str]) -> str:
 
 
 @dataclass(frozen=True)
-class Compiler:
+class Compiler(ABC):
     """A compiler in the folder in which it was built."""
 
     folder: Path
@@ -58,9 +59,9 @@ class Compiler:
         command = ["git", "-C", str(self.folder), "rev-parse", "HEAD"]
         return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
 
+    @abstractmethod
     def build(self, source: str, wiring: Wiring, folder: Path) -> Path:
         """The program of a text with its mapping program, made in a folder that is empty.  Raises `Refused`."""
-        raise NotImplementedError
 
 
 class Matiec(Compiler):
