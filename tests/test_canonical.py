@@ -64,6 +64,7 @@ def test_a_name_may_stand_for_another_in_one_list() -> None:
 
 def asked(system: System, monkeypatch: pytest.MonkeyPatch, near: int) -> tuple[list[bool], int]:
     """Which goals follow in the end, and how many goals were put to a solver first."""
+    monkeypatch.setattr(parts, "SMALL", 0)
     monkeypatch.setattr(parts, "NEAR", near)
     monkeypatch.setattr(parts, "FEW", 1)
     monkeypatch.setattr(parts, "LARGE", 10**9)  # parts only: no goal is looked at
