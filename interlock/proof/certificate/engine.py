@@ -1,9 +1,9 @@
 """Decide every goal: as an instance of a known shape, or by a SAT solver that names the facts it needed.
 
-The facts stand in one solver, each behind a switch; a goal is asked with switches on, and the switches in the core name
-the facts.  What is the least far from the goal is asked first: what was proved of the step, then
-definitions and assumptions, and all.  Facts that are not needed are taken out one by one, and the shape gets its
-refutation.  A goal of the step that is proved is a fact from then on.
+The facts stand in one solver, each behind a switch; a goal is asked with groups of facts, then with the facts of the
+groups in the core, and the switches in the core name the facts.  What is the least far from the goal is asked first:
+what was proved of the step, then definitions and assumptions, and all.  Facts that are not needed are taken out one by
+one, and the shape gets its refutation.  A goal of the step that is proved is a fact from then on.
 """
 
 from __future__ import annotations
@@ -58,9 +58,13 @@ TIERS = (
 PATIENCE = 1.4
 """Propagations for each fact that is switched on, beyond which more facts are switched on."""
 
+GROUP = 48
+"""Facts behind one switch: a solver that has to set a switch for each fact is slow."""
+
 
 class Room:
-    """Facts of one kind, and a solver in which each stands behind a switch; it is filled when it is first asked."""
+    """Facts of one kind, and a solver in which each stands behind a switch, and neighbours behind one in common; it is
+    filled when it is first asked."""
 
     def __init__(self, facts: Sequence[Fact], patterns: Patterns) -> None:
         self.facts = list(facts)
@@ -68,7 +72,8 @@ class Room:
         self.cnf = Cnf(values=False)
         self.fed = 0
         self.number: dict[int, int] = {}
-        self.tiers = [[self.cnf.fresh()] for _ in TIERS]
+        self.tiers: list[dict[int, list[int]]] = [{} for _ in TIERS]
+        """The switches of each tier's groups, with those of their facts."""
 
     @cached_property
     def solver(self) -> Minisat22:
@@ -81,37 +86,42 @@ class Room:
         self.index.add(pattern)
 
     def _feed(self) -> None:
-        """Give the solver all facts that it has not.  A tier has a switch for all its facts, and one for each."""
+        """Give the solver all facts that it has not."""
         for n in range(len(self.number), len(self.facts)):
             f = self.facts[n]
-            tier = next(those for those, kinds in zip(self.tiers, TIERS, strict=True) if f.kind in kinds)
+            groups = next(those for those, kinds in zip(self.tiers, TIERS, strict=True) if f.kind in kinds)
+            group = next(reversed(groups), 0)
+            if not group or len(groups[group]) >= GROUP:
+                group = self.cnf.fresh()
+                groups[group] = []
             switch = self.cnf.fresh()
             self.number[switch] = n
-            tier.append(switch)
-            self.cnf.clauses += [(-tier[0], switch), (-switch, *[self.cnf.literal(p) for p in _parts(f.clause)])]
+            groups[group].append(switch)
+            self.cnf.clauses += [(-group, switch), (-switch, *[self.cnf.literal(p) for p in _parts(f.clause)])]
         for c in self.cnf.clauses[self.fed :]:
-            self.solver.add_clause(list(c))
+            self.solver.add_clause(c)
         self.fed = len(self.cnf.clauses)
 
     def core(self, goal: Expr) -> list[int] | None:
         """Facts that together refute the negated goal, or None when all facts do not."""
         assumed = [-self.cnf.literal(p) for p in _parts(goal)]
         self._feed()
-        for k in range(len(TIERS)):
-            tiers = self.tiers[: k + 1]
-            if len(tiers[-1]) > 1 and self._contradicts([*assumed, *[t[0] for t in tiers]], tiers):
-                on = [switch for _, *switches in tiers for switch in switches]
+        groups: dict[int, list[int]] = {}
+        for tier in self.tiers:
+            groups |= tier
+            if tier and self._contradicts([*assumed, *groups], 0 if tier is self.tiers[-1] else len(groups)):
+                on = [switch for x in self.solver.get_core() or () for switch in groups.get(x, ())]
                 if self.solver.solve(assumptions=[*assumed, *on]) is False:
                     core = self.solver.get_core() or ()
                     return self._smaller(goal, [self.number[x] for x in core if x in self.number])
         return None
 
-    def _contradicts(self, assumed: list[int], tiers: Sequence[Sequence[int]]) -> bool:
-        """Whether there is a contradiction; with some tiers alone it is looked for only a while, as to find out that
-        there is none takes a value for every variable."""
-        if len(tiers) == len(TIERS):
+    def _contradicts(self, assumed: list[int], groups: int) -> bool:
+        """Whether there is a contradiction; with so many groups alone it is looked for only a while, as to find out
+        that there is none takes a value for every variable."""
+        if not groups:
             return self.solver.solve(assumptions=assumed) is False
-        self.solver.prop_budget(int(PATIENCE * sum(map(len, tiers))))
+        self.solver.prop_budget(int(PATIENCE * GROUP * groups))
         return self.solver.solve_limited(assumptions=assumed) is False
 
     def _smaller(self, goal: Expr, core: list[int]) -> list[int]:
@@ -125,9 +135,7 @@ class Room:
         back = {x: n for n, x in switch.items()}
         kept = core
         tried: set[int] = set()
-        with Minisat22(bootstrap_with=[list(c) for c in cnf.clauses]) as solver:
-            if solver.solve(assumptions=[switch[n] for n in kept]) is False:
-                kept = [back[x] for x in solver.get_core() or ()]
+        with Minisat22(bootstrap_with=cnf.clauses) as solver:
             while True:
                 following = next((n for n in kept if n not in tried), None)
                 if following is None:

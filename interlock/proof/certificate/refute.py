@@ -90,7 +90,10 @@ def clauses_of(shape: Shape) -> tuple[int, list[Clause]]:
 def refutation(shape: Shape) -> tuple[Step, ...] | None:
     """Steps that end in the empty clause, or None when the shape is satisfiable."""
     _, clauses = clauses_of(shape)
-    with Glucose4(bootstrap_with=[list(c) for c in clauses], with_proof=True) as solver:
+    propagation = Propagation(clauses)
+    if (hints := propagation.hints(())) is not None:
+        return (((), hints),)
+    with Glucose4(bootstrap_with=clauses, with_proof=True) as solver:
         if solver.solve() is not False:
             return None
         lines = solver.get_proof() or []
@@ -98,7 +101,6 @@ def refutation(shape: Shape) -> tuple[Step, ...] | None:
     if not learned or learned[-1]:
         learned.append(())
     base = len(clauses)
-    propagation = Propagation(clauses)
     steps: list[Step] = []
     for lits in learned:
         hints = propagation.hints(lits)

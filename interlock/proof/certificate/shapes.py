@@ -156,20 +156,21 @@ def shape_of(goal: Pattern, core: Sequence[int], index: Index) -> tuple[Shape, t
         for place, name in enumerate(index.patterns[n].leaves):
             having.setdefault(name, []).append((n, place))
     left = dict.fromkeys(core)
-    alike: dict[int, int] = {}
+    alike: dict[int, tuple[int, int, int]] = {}
 
     def know(name: Leaf) -> None:
         for n, place in having.get(name, ()):
             if n in left:
-                count = len(index.places(index.patterns[n].text)[place].get(name, ()))
-                alike[n] = min(count, alike.get(n, count))
+                pattern = index.patterns[n]
+                found = len(index.places(pattern.text)[place].get(name, ())), len(pattern.leaves), n
+                alike[n] = min(found, alike.get(n, found))
 
     for name in goal.leaves:
         know(name)
     parts: list[Part] = []
     order: list[int] = []
     while left:
-        best = min(alike or left, key=lambda n: (alike.get(n, 0), len(index.patterns[n].leaves), n))
+        best = min(alike.values())[2] if alike else min(left, key=lambda n: (len(index.patterns[n].leaves), n))
         del left[best]
         alike.pop(best, None)
         order.append(best)
