@@ -52,8 +52,8 @@ def foci(local: LocalAbstractions, goals: Iterable[tuple[int, Expr]]) -> list[Fo
 
 
 def _named(local: LocalAbstractions, names: Iterable[Name]) -> tuple[Owner, ...]:
-    """The elements to which names belong."""
-    return tuple(dict.fromkeys(local.homes[v] for v in names if v in local.homes))
+    """The elements to which names belong, in one order."""
+    return tuple(sorted({local.homes[v] for v in names if v in local.homes}))
 
 
 def _of_route(local: LocalAbstractions, piece: Expr, number: int) -> tuple[Owner, ...]:

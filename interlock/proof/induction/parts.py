@@ -31,7 +31,7 @@ from interlock.proof.engines.pool import run
 from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.induction.one_state import OfState, States
 
-SMALL = 14_000  # so many goals are asked of one solver
+SMALL = 9_500  # so many goals are asked of one solver
 GOALS = 4000  # in a part: fewer would encode the same definitions more often
 FEW = 800  # at first a part of fewer goals is joined with the next place: neighbours share what they depend on
 NEAR = 3000  # a part of a place that depends on more names than this is joined with those of the next places
