@@ -21,7 +21,6 @@ from interlock.proof.engines import solver
 from interlock.proof.engines.batch import decisions
 from interlock.proof.engines.limits import Limits
 from interlock.proof.engines.plaisted_greenbaum import OneSided
-from interlock.proof.engines.pool import Board
 
 CHUNK = 60  # foci that one process takes one after the other
 
@@ -54,18 +53,14 @@ class LocalQueries:
         self.limits = limits
         self._forms = CanonicalForms({})
         self._known: dict[str, list[bool]] = {}
-        self._shown = Board() if limits.jobs > 1 else None
-        """Canonical forms in which all that is asked follows, whoever has asked."""
 
     def batches(self, goals: Iterable[tuple[int, Expr]]) -> list[Batch]:
         """Numbered goals in so many batches; some are in none."""
         found = foci(self.local, goals)
-        batches = [
+        return [
             Batch(some, tuple(dict.fromkeys(n for s in some for n in s.goals)))
             for some in (found[k : k + CHUNK] for k in range(0, len(found), CHUNK))
         ]
-        each = -(-len(batches) // self.limits.jobs)  # a process begins where no other has been: neighbours are alike
-        return [x for k in range(each) for x in batches[k::each]]
 
     def answer(self, batch: Batch) -> Answers:
         """What a batch shows."""
@@ -97,8 +92,6 @@ class LocalQueries:
         """What follows in an abstraction; in one that is another but for names, the same."""
         form = self._forms.of(made.definitions, [x for x, _ in made.asked], made.facts)
         found = self._known.get(form)
-        if found is None and self._shown is not None and bytes.fromhex(form) in self._shown:
-            found = self._known[form] = [True] * len(made.asked)
         if found is None:
             key = self.limits.cache.key(lambda: form, self.limits.engine)
             found = self.limits.cache.known(key, len(made.asked))
@@ -106,8 +99,6 @@ class LocalQueries:
                 found = self._asked(made)
                 self.limits.cache.keep(key, found)
             self._known[form] = found
-            if self._shown is not None and all(found):
-                self._shown.write(bytes.fromhex(form))
         return found
 
     def _asked(self, made: LocalAbstraction) -> list[bool]:

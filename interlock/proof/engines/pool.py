@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import mmap
 import multiprocessing
 import signal
 from collections.abc import Callable, Sequence
@@ -12,8 +11,6 @@ from typing import Any
 
 Task = Callable[[], Any]
 """A piece of work; its result can be pickled."""
-
-NOTE = 32  # bytes
 
 
 def undisturbed() -> None:
@@ -96,36 +93,6 @@ class Begun:
         for process in self._processes:
             process.terminate()
             process.join()
-
-
-class Board:
-    """Notes of 32 bytes that processes share: each sees what another wrote, if both were begun after the board."""
-
-    def __init__(self, most: int = 4096) -> None:
-        """`most`: notes; what is written after that many is forgotten."""
-        self._most = most
-        self._notes = mmap.mmap(-1, NOTE * most)
-        fork = multiprocessing.get_context("fork" if _forks() else None)
-        self._count = fork.Value("i", 0)
-        self._read = 0
-        self._seen: set[bytes] = set()
-
-    def write(self, note: bytes) -> None:
-        """Tell all others."""
-        assert len(note) == NOTE
-        with self._count.get_lock():
-            n = self._count.value
-            if n < self._most:
-                self._notes[NOTE * n : NOTE * (n + 1)] = note
-                self._count.value += 1
-
-    def __contains__(self, note: object) -> bool:
-        """Whether it was written."""
-        count = self._count.get_obj().value  # no lock: a process that is ended while it holds one would stop all others
-        for n in range(self._read, count):
-            self._seen.add(self._notes[NOTE * n : NOTE * (n + 1)])
-        self._read = count
-        return note in self._seen
 
 
 def _forks() -> bool:

@@ -14,17 +14,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import chain
 
 from interlock.logic.expr import Expr, variables
 from interlock.logic.names import Name
 from interlock.proof.abstraction.canonical import CanonicalForms
 from interlock.proof.abstraction.local import Located
 from interlock.proof.engines import solver
-from interlock.proof.engines.batch import Decision, decisions, together
+from interlock.proof.engines.batch import Decision, decisions
 from interlock.proof.engines.limits import Limits
 from interlock.proof.engines.plaisted_greenbaum import OneSided
-from interlock.proof.engines.tseitin import Cnf
 
 MOST = 25_000  # goals asked of one solver: each has to read every invariant
 PATIENCE = 50  # what does not follow takes long to find out, with so many names: after so many, others look
@@ -99,26 +97,10 @@ class States:
         for x in facts:
             cnf.require(x)
         denials = [cnf.denial(x) for x in goals]
-        if after:
-            cnf.clauses += self._lead(cnf, goals, denials)
-        asked = together(cnf, denials)
         sat = solver(self.limits.engine, cnf, self.limits.query_ms)
-        found = decisions(sat, denials, known, PATIENCE, asked)
+        found = decisions(sat, denials, known, PATIENCE)
         self.limits.cache.keep(key, [d.follows for d in found])
         return found
-
-    def _lead(self, cnf: Cnf, goals: Sequence[Expr], denials: Iterable[Sequence[int]]) -> list[tuple[int, int]]:
-        """What the routes of which goals speak imply of the places of which they speak.
-
-        A signal is open for one route or another, and the points lie as for one of them.  A solver would have to try
-        each of the others to see that it needs the points otherwise, as that comes in several steps.
-        """
-        named = variables(goals)
-        named |= variables(self.system.definitions[v] for v in named if v in self._shown)
-        asked = [(v, n) for v in named if (n := cnf.names.get(v, 0)) > 0]
-        routes = [n for v, n in asked if v in self.system.indexed]
-        places = {n for v, n in asked if v not in self.system.indexed}
-        return implied(cnf.clauses, routes, places.intersection(*[chain.from_iterable(denials)]))
 
     def told(self, goals: Sequence[Expr], after: bool) -> tuple[Mapping[Name, Expr], Sequence[Expr]]:
         """What is defined and known of one state.
@@ -153,36 +135,3 @@ class States:
             todo += reads
         inputs = [a.expr for a in system.assumptions if all(v in seen for v in variables((a.expr,)))]
         return definitions, [*map(system.after, self.hypotheses), *inputs]
-
-
-def implied(clauses: Iterable[Sequence[int]], starts: Iterable[int], wanted: set[int]) -> list[tuple[int, int]]:
-    """Clauses that say of a start what is implied by it, of that which is wanted: by short clauses, step by step, with
-    nothing denied on the way."""
-    alone: dict[int, list[int]] = {}
-    paired: dict[int, list[tuple[int, int]]] = {}
-    for c in clauses:
-        if len(c) == 2:
-            a, then = c
-            if a > 0:
-                a, then = then, a
-            if a < 0 < then:
-                alone.setdefault(-a, []).append(then)
-        elif len(c) == 3:
-            a, b, then = c
-            if (a > 0) + (b > 0) + (then > 0) == 1:
-                a, b, then = sorted(c)
-                paired.setdefault(-a, []).append((-b, then))
-                paired.setdefault(-b, []).append((-a, then))
-    found: list[tuple[int, int]] = []
-    for start in starts:
-        true = {start}
-        todo = [start]
-        while todo:
-            n = todo.pop()
-            new = set(alone.get(n, ()))
-            new.update([then for other, then in paired.get(n, ()) if other in true])
-            new -= true
-            true |= new
-            todo += new
-        found += [(-start, n) for n in sorted(true & wanted) if n != start]
-    return found
