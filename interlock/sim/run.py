@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from interlock.logic import names
-from interlock.logic.compile import compile_exprs
+from interlock.logic.bits import Bits
 from interlock.logic.controller import Controller, Equation, Join, Timer
-from interlock.logic.expr import VAR, Substitution, evaluate
+from interlock.logic.expr import VAR, Expr, Substitution, evaluate
 from interlock.logic.names import Name
 from interlock.logic.on_delay import on_delay
 from interlock.logic.plant import Plant
 from interlock.model.elements import Position
+
+
+class _Values(dict[str, int]):
+    """Values of variables, and of comparisons with numbers."""
+
+    def __missing__(self, key: str) -> int:
+        name, _, number = key.rpartition("=")
+        return int(self[name] == int(number))
+
+
+def _computed(roots: Mapping[Name, Expr]) -> Callable[[Mapping[str, int]], dict[str, bool]]:
+    """A function from values of variables to values of the named roots."""
+    bits = Bits(roots)
+    return lambda values: {n: bool(x) for n, x in bits(_Values({k: int(v) for k, v in values.items()}), 1).items()}
 
 
 class Simulator:
@@ -22,17 +36,17 @@ class Simulator:
         self.plant = plant
         self.dt_ms = dt_ms
         flat = plant.flat
-        self._events = compile_exprs(flat.events)
+        self._events = _computed(flat.events)
         # the plant's next state, except the parts that depend on this scan's inputs (img.*)
-        self._move = compile_exprs({n: e for n, e in flat.next.items() if n.family is not names.IMAGE})
+        self._move = _computed({n: e for n, e in flat.next.items() if n.family is not names.IMAGE})
         self._timers = [
-            (group, compile_exprs({t.name: controller.expanded[t.input] for t in group}))
+            (group, _computed({t.name: controller.expanded[t.input] for t in group}))
             for group in independent(controller)
         ]
         shows = Substitution(controller.next_state)
-        self._next = compile_exprs(controller.next_state | {x.name: shows(x.expr) for x in controller.outputs})
-        self._rules = compile_exprs({f"{i}": x for i, (_, x) in enumerate(flat.assumptions)})
-        self._hazards = compile_exprs(dict(flat.hazards))
+        self._next = _computed(controller.next_state | {x.name: shows(x.expr) for x in controller.outputs})
+        self._rules = _computed({names.spelled(f"{i}"): x for i, (_, x) in enumerate(flat.assumptions)})
+        self._hazards = _computed({names.spelled(h): x for h, x in flat.hazards})
         self._choices = dict.fromkeys(plant.choices, 0)
         self.reset({})
 
