@@ -7,7 +7,18 @@ from pathlib import Path
 
 import pytest
 
-from tests.campaigns.rooms import LINES, OPTIMISATION, OUT, PUBLIC, TOP, House, code_lines, counted, public_members, room_of
+from tests.campaigns.rooms import (
+    LINES,
+    OPTIMISATION,
+    OUT,
+    PUBLIC,
+    TOP,
+    House,
+    code_lines,
+    counted,
+    public_members,
+    room_of,
+)
 
 LONG = frozenset(("cli", "frontend"))
 """Rooms with functions that are longer; no other room may have one."""
