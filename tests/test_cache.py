@@ -15,9 +15,9 @@ from interlock.app.proved import Proved
 from interlock.cli.prove import command
 from interlock.model.contents import digest
 from interlock.model.elements import Position, SectionId
+from interlock.proof.engines import batch
 from interlock.proof.engines.cache import Cache, key_file
 from interlock.proof.engines.limits import Limits
-from interlock.proof.induction import parts
 from interlock.proof.induction.verdict import ProofResult, Verdict
 from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.prover import prove
@@ -30,13 +30,13 @@ from tests.layouts import built
 def solvers(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The engines of the solvers that were made for parts of the induction."""
     made: list[str] = []
-    make = parts.solver
+    make = batch.solver
 
     def counted(engine: str, *rest: object) -> object:
         made.append(engine)
         return make(engine, *rest)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(parts, "solver", counted)
+    monkeypatch.setattr(batch, "solver", counted)
     return made
 
 

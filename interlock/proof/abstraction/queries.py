@@ -17,10 +17,8 @@ from interlock.proof.abstraction.canonical import CanonicalForms
 from interlock.proof.abstraction.focus import foci
 from interlock.proof.abstraction.local import Focus, LocalAbstraction, LocalAbstractions, Located
 from interlock.proof.abstraction.quotient import abstraction
-from interlock.proof.engines import solver
-from interlock.proof.engines.batch import decisions
+from interlock.proof.engines.batch import decided
 from interlock.proof.engines.limits import Limits
-from interlock.proof.engines.plaisted_greenbaum import OneSided
 
 CHUNK = 60  # foci that one process takes one after the other
 
@@ -52,7 +50,6 @@ class LocalQueries:
         self.local = LocalAbstractions(system, hypotheses)
         self.limits = limits
         self._forms = CanonicalForms({})
-        self._known: dict[str, list[bool]] = {}
 
     def batches(self, goals: Iterable[tuple[int, Expr]]) -> list[Batch]:
         """Numbered goals in so many batches; some are in none."""
@@ -85,26 +82,9 @@ class LocalQueries:
     def _open(self, focus: Focus, truncated: bool) -> dict[int, None]:
         """The goals of a focus that do not follow in its abstraction."""
         made = abstraction(self.local, focus, truncated)
-        decided = zip(made.asked, self._decided(made), strict=True)
-        return {n: None for (_, goals), follows in decided if not follows for n in goals}
+        asked = [x for x, _ in made.asked]
+        found = decided(asked, made.facts, made.definitions, self.limits, lambda: self._form(made))
+        return {n: None for (_, goals), d in zip(made.asked, found, strict=True) if not d.follows for n in goals}
 
-    def _decided(self, made: LocalAbstraction) -> list[bool]:
-        """What follows in an abstraction; in one that is another but for names, the same."""
-        form = self._forms.of(made.definitions, [x for x, _ in made.asked], made.facts)
-        found = self._known.get(form)
-        if found is None:
-            key = self.limits.cache.key(lambda: form, self.limits.engine)
-            found = self.limits.cache.known(key, len(made.asked))
-            if not all(found):
-                found = self._asked(made)
-                self.limits.cache.keep(key, found)
-            self._known[form] = found
-        return found
-
-    def _asked(self, made: LocalAbstraction) -> list[bool]:
-        cnf = OneSided(made.definitions)
-        for x in made.facts:
-            cnf.require(x)
-        denials = [cnf.denial(x) for x, _ in made.asked]
-        sat = solver(self.limits.engine, cnf, self.limits.query_ms)
-        return [d.follows for d in decisions(sat, denials)]
+    def _form(self, made: LocalAbstraction) -> str:
+        return self._forms.of(made.definitions, [x for x, _ in made.asked], made.facts)

@@ -1,12 +1,16 @@
-"""Goals asked of a solver one after the other."""
+"""Goals asked of a solver one after the other; what was answered before is not asked again."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from interlock.proof.engines import Answer, Sat
+from interlock.logic.expr import Expr
+from interlock.logic.names import Name
+from interlock.proof.engines import Answer, Sat, solver
+from interlock.proof.engines.limits import Limits
+from interlock.proof.engines.plaisted_greenbaum import OneSided
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,6 +19,28 @@ class Decision:
 
     follows: bool
     seconds: float
+
+
+def decided(
+    goals: Sequence[Expr],
+    facts: Iterable[Expr],
+    meaning: Mapping[Name, Expr],
+    limits: Limits,
+    form: Callable[[], str],
+    patience: int = 0,
+) -> list[Decision]:
+    """Which goals follow from facts over names that have a meaning; `form`: the canonical form of all of it."""
+    key = limits.cache.key(form, limits.engine)
+    known = limits.cache.known(key, len(goals))
+    if all(known):
+        return [Decision(True, 0.0)] * len(goals)
+    cnf = OneSided(meaning)
+    for x in facts:
+        cnf.require(x)
+    denials = [cnf.denial(x) for x in goals]
+    found = decisions(solver(limits.engine, cnf, limits.query_ms), denials, known, patience)
+    limits.cache.keep(key, [d.follows for d in found])
+    return found
 
 
 def decisions(

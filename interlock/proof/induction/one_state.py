@@ -19,10 +19,8 @@ from interlock.logic.expr import Expr, variables
 from interlock.logic.names import Name
 from interlock.proof.abstraction.canonical import CanonicalForms
 from interlock.proof.abstraction.local import Located
-from interlock.proof.engines import solver
-from interlock.proof.engines.batch import Decision, decisions
+from interlock.proof.engines.batch import Decision, decided
 from interlock.proof.engines.limits import Limits
-from interlock.proof.engines.plaisted_greenbaum import OneSided
 
 MOST = 25_000  # goals asked of one solver: each has to read every invariant
 PATIENCE = 50  # what does not follow takes long to find out, with so many names: after so many, others look
@@ -87,20 +85,8 @@ class States:
     def decide(self, goals: Sequence[Expr], after: bool) -> list[Decision]:
         """Which goals follow from the invariants before a step, or after it."""
         definitions, facts = self.told(goals, after)
-        key = self.limits.cache.key(
-            lambda: CanonicalForms(definitions).of(definitions, goals, facts), self.limits.engine
-        )
-        known = self.limits.cache.known(key, len(goals))
-        if all(known):
-            return [Decision(True, 0.0)] * len(goals)
-        cnf = OneSided(definitions)
-        for x in facts:
-            cnf.require(x)
-        denials = [cnf.denial(x) for x in goals]
-        sat = solver(self.limits.engine, cnf, self.limits.query_ms)
-        found = decisions(sat, denials, known, PATIENCE)
-        self.limits.cache.keep(key, [d.follows for d in found])
-        return found
+        forms = CanonicalForms(definitions)
+        return decided(goals, facts, definitions, self.limits, lambda: forms.of(definitions, goals, facts), PATIENCE)
 
     def told(self, goals: Sequence[Expr], after: bool) -> tuple[Mapping[Name, Expr], Sequence[Expr]]:
         """What is defined and known of one state.

@@ -23,12 +23,9 @@ from interlock.logic.plant import Assumption
 from interlock.proof.abstraction.canonical import CanonicalForms
 from interlock.proof.abstraction.local import Located
 from interlock.proof.abstraction.queries import Answers, Batch, LocalQueries
-from interlock.proof.engines import solver
-from interlock.proof.engines.batch import Decision, decisions
+from interlock.proof.engines.batch import Decision, decided
 from interlock.proof.engines.limits import Limits
-from interlock.proof.engines.plaisted_greenbaum import OneSided
 from interlock.proof.engines.pool import run
-from interlock.proof.engines.tseitin import Cnf
 from interlock.proof.induction.one_state import OfState, States
 
 SMALL = 9_500  # so many goals are asked of one solver
@@ -170,27 +167,15 @@ class Parts:
         now = [g.expr for g in goals if not g.later]
         return self.forms.digest(order, ((later, self.system.later), (now, {}), ([self.facts[n] for n in facts], {})))
 
-    def cnf(self, goals: Sequence[Goal], facts: Iterable[int]) -> tuple[Cnf, list[list[int]]]:
-        """Clauses of some facts, and the literals that deny each goal."""
-        cnf = OneSided(self.system.definitions)
-        for n in facts:
-            cnf.require(self.facts[n])
-        return cnf, [cnf.denial(self.system.after(g.expr) if g.later else g.expr) for g in goals]
-
     def decide(self, goals: Sequence[Goal], limits: Limits, rings: int) -> list[Decision]:
         """Which of the goals follow from the facts so many steps around."""
         seen: dict[Name, None] = {}
         if rings:
             self.cone(chain.from_iterable(map(self.read_by, goals)), seen)
         facts = self.around(seen, rings)
-        key = limits.cache.key(lambda: self.form(goals, facts), limits.engine)
-        known = limits.cache.known(key, len(goals))
-        if all(known):
-            return [Decision(True, 0.0)] * len(goals)
-        cnf, denials = self.cnf(goals, facts)
-        found = decisions(solver(limits.engine, cnf, limits.query_ms), denials, known)
-        limits.cache.keep(key, [d.follows for d in found])
-        return found
+        asked = [self.system.after(g.expr) if g.later else g.expr for g in goals]
+        known = [self.facts[n] for n in facts]
+        return decided(asked, known, self.system.definitions, limits, lambda: self.form(goals, facts))
 
 
 def _places(names: Sequence[Name], known: Mapping[Name, tuple[int, ...]]) -> set[int]:
