@@ -37,7 +37,7 @@ from interlock.proof.abstraction.indexed import GuardedClause, HasFamilies, Inde
 
 _KEPT = Kind.KEPT
 
-WIDE = 30  # of a fact that reads more names than this, an abstraction takes what it says of the abstraction's names
+WIDE = 30  # a fact that reads more names than this is in no abstraction
 HUB = 60  # a name in more facts than this says nothing about what lies together
 
 
@@ -159,7 +159,6 @@ class LocalAbstractions:
     def _of_places(self, m: IndexedFamilies) -> None:
         """What facts read that speak of places, and what names lead to."""
         self.facts_at: dict[Name, list[int]] = {}
-        self.wide_at: dict[Name, list[int]] = {}
         self.alone_at: dict[Name, list[int]] = {}
         """Facts that speak of one name."""
         self.mixed_at: dict[Name, list[int]] = {}
@@ -167,7 +166,8 @@ class LocalAbstractions:
         """What each fact about places reads."""
         for n, (x, _) in enumerate(m.plain):
             names = self.names_of[n]
-            _note(self.facts_at if len(names) <= WIDE else self.wide_at, names, n)
+            if len(names) <= WIDE:
+                _note(self.facts_at, names, n)
             if len(names) == 1:
                 _note(self.alone_at, names, n)
             if len(names) == 2 and x.op is OR:

@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import chain
 
-from interlock.logic.expr import AND, FALSE, NOT, TRUE, Expr, conj, disj, implies, neg, rebuild, var
+from interlock.logic.expr import AND, FALSE, Expr, conj, disj, implies, neg, rebuild, var
 from interlock.logic.names import Form, Name, Owner, of_block
 from interlock.model.bits import bits, bits_of
 from interlock.proof.abstraction.indexed import GuardedClause, IndexedVariable, Kind
@@ -134,17 +134,7 @@ class _Quotient:
         names_of = self.local.names_of
         found |= _at(self.local.alone_at, self.cone)
         told = [m.plain[n][0] for n in found if cone.issuperset(names_of[n])]
-        wide, mixed = _at(self.local.wide_at, self.cone), _at(self.local.mixed_at, self.cone)
-        parts = [x for n in wide if (x := self.said(m.plain[n][0], True)) is not TRUE]
-        return [*told, *parts], [m.mixed[n][0] for n in mixed]
-
-    def said(self, x: Expr, side: bool) -> Expr:
-        """What a fact says of the names that are cone."""
-        if x.op is NOT:
-            return neg(self.said(x.args[0], not side))
-        if not x.args:
-            return x if x.name in self.cone else (TRUE if side else FALSE)
-        return rebuild(x, tuple(self.said(a, side) for a in x.args))
+        return told, [m.mixed[n][0] for n in _at(self.local.mixed_at, self.cone)]
 
     # --- blocks --------------------------------------------------------------------------------
 
