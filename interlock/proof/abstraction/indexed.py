@@ -65,7 +65,7 @@ class GuardedClause:
     """A variable of the family implies the expression, for each of the members.
 
     families: those that it reads.  lifts: it reads them only as true, so that what holds of each of some members holds
-    of them all together.  spreads: what it says of them together is just what it says of one of them or another.
+    of them all together.
     """
 
     number: int
@@ -75,7 +75,6 @@ class GuardedClause:
     names: tuple[Name, ...]
     families: tuple[Name, ...]
     lifts: bool
-    spreads: bool
     members: int = 0
     """By number, as bits: one that is told the same twice counts once."""
 
@@ -216,7 +215,6 @@ class IndexedFamilies:
         if clause is None:
             names = self.read(expr)[0]
             families = tuple(n for n in names if n.indexed)
-            spreads = not families or _any_of(expr)
             clause = self._guarded[family, kind, expr] = GuardedClause(
                 len(self._guarded),
                 family,
@@ -225,7 +223,6 @@ class IndexedFamilies:
                 tuple(n for n in names if not n.indexed),
                 families,
                 _positive(expr, True),
-                spreads,
             )
         clause.members |= 1 << number
         return clause
@@ -297,8 +294,3 @@ def _positive(x: Expr, side: bool) -> bool:
     if x.args:
         return all(_positive(a, side) for a in x.args)
     return side or not x.name.indexed
-
-
-def _any_of(x: Expr) -> bool:
-    """A disjunction of families."""
-    return all(a.op is VAR and a.name.indexed for a in (x.args if x.op is OR else (x,)))

@@ -4,14 +4,13 @@ apart.
 **Theorem.**  Let the routes be partitioned, and read the variable of a block as the disjunction of that variable over
 its routes; then every line of a local abstraction holds in the large system, whichever partition and names were
 chosen, so that a goal which follows from the lines follows from the system.  (Existential abstraction: Clarke,
-Grumberg and Long, *Model Checking and Abstraction*, 1994; the five cases below.  `tests/test_abstraction.py` asks a
+Grumberg and Long, *Model Checking and Abstraction*, 1994; the cases below.  `tests/test_abstraction.py` asks a
 solver for each line.)
 
 - a disjunction over routes is the disjunction over their blocks;
 - what a variable of each route implies, its block's variable implies, if the routes' variables stand in it only as
   true;
-- a definition (A or B) and C, with A and B of the route and C the same for all, is the definition of the block's
-  variable;
+- the definition of a route's variable is that of its block's, where the block has no other route;
 - of the values that a variable has in the routes of different blocks, it has one at most;
 - what is left out, and definitions that are, make an abstraction say less.
 
@@ -164,14 +163,11 @@ class LocalAbstractions:
         self.mixed_at: dict[Name, list[int]] = {}
         self.names_of = [m.read(x)[0] for x, _ in m.plain]
         """What each fact about places reads."""
-        for n, (x, _) in enumerate(m.plain):
-            names = self.names_of[n]
+        for n, names in enumerate(self.names_of):
             if len(names) <= WIDE:
                 _note(self.facts_at, names, n)
             if len(names) == 1:
                 _note(self.alone_at, names, n)
-            if len(names) == 2 and x.op is OR:
-                self._timer(x)
         self.next_to = [tuple(v for v in names if v not in m.meaning) for names in self.names_of]
         """What facts read that has no meaning: states and inputs."""
         self.leads = {
@@ -218,14 +214,6 @@ class LocalAbstractions:
             kinds[tuple(of)] = kinds.get(tuple(of), 0) | 1 << number
         self.bare = list(kinds.values())
         """Members of which the same is said without names."""
-
-    def _timer(self, x: Expr) -> None:
-        """An on-delay timer reads its input."""
-        a, b = x.args
-        if a.op is NOT and a.args[0].op is VAR and b.op is VAR and b.name in self.members.meaning:
-            timer = a.args[0].name
-            if timer not in self.members.meaning and timer not in self.system.later:
-                self.reads[timer] = (b.name,)
 
     def _enter(self, t: GuardedClause) -> None:
         """Note what a clause reads."""

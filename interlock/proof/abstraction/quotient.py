@@ -233,7 +233,7 @@ class _Quotient:
         x = self.variable(family, block)
         mine = [t for t in self.guarded.get(family, ()) if t.members & first]
         defining = self.members.defining.get((family, i)) or []
-        if self.whole.get(family, 0) & first and (single or self.spread(defining, i)):
+        if single and self.whole.get(family, 0) & first:
             self.definitions[x.name] = conj(self.of_block(t.expr, block) for t in defining)
         else:
             told = set(mine)
@@ -241,17 +241,6 @@ class _Quotient:
         facts = [t for t in self.members.telling.get((family, i), ()) if not t.names]
         facts += [t for t in mine if t.kind is not _DEFINED]
         self.imply([t for t in facts if single or t.lifts], block)
-
-    def spread(self, defining: Sequence[GuardedClause], i: int) -> bool:
-        """The definition of a member is that of its block too: one clause of it differs from member to member at most,
-        and that one is a disjunction."""
-        varying = [t for t in defining if not all(self.common(f, i) for f in t.families)]
-        return all(t.spreads for t in defining) and len(varying) <= 1
-
-    def common(self, family: Name, i: int) -> bool:
-        """The family is defined, and the same for all members of a block."""
-        defining = self.members.defining.get((family, i))
-        return bool(self.whole.get(family, 0) >> i & 1) and not any(t.families for t in defining or ())
 
     def imply(self, guarded: Iterable[GuardedClause], block: int) -> None:
         """A block's variable implies what is said of its members."""
