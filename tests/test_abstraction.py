@@ -13,7 +13,7 @@ from interlock.logic import names
 from interlock.logic.controller import Controller
 from interlock.logic.expr import Expr, Substitution, conj, disj, iff, implies, neg, var, variables
 from interlock.logic.lower import lower
-from interlock.logic.names import Form, Kind, Name, each, each_value
+from interlock.logic.names import Form, Kind, Name, Owner, each, each_value
 from interlock.logic.plant import Assumption
 from interlock.model.layout import Layout
 from interlock.proof.abstraction.focus import foci
@@ -240,6 +240,14 @@ class Told:
     definitions: dict[Name, Expr] = field(default_factory=dict)
     assumptions: tuple[Assumption, ...] = ()
     requests: tuple[Name, ...] = ()
+    later: dict[Name, Name] = field(default_factory=dict)
+    homes: dict[Name, Owner] = field(default_factory=dict)
+    beside: dict[Owner, tuple[Owner, ...]] = field(default_factory=dict)
+    lamps: frozenset[Name] = frozenset()
+    waits_for: dict[Name, Name] = field(default_factory=dict)
+
+    def after(self, x: Expr) -> Expr:
+        return x
 
 
 def told_of(*those: Name) -> Told:
@@ -262,3 +270,18 @@ def test_a_fact_that_is_a_disjunction_in_one_tells_all_of_its_parts() -> None:
     fact = disj((neg(conj((var(active), neg(var(locked))))), neg(X)))
     (clause,) = IndexedFamilies(told_of(active, locked), [fact]).guarded
     assert (clause.family, clause.expr) == (each(active), disj((var(each(locked)), neg(X))))
+
+
+@pytest.mark.parametrize("denied", [False, True])
+def test_what_reads_a_route_as_false_is_said_of_no_two_of_them(denied: bool) -> None:
+    """Of each route: while it is set it is locked (or, denied: not), or X.  Of both together that is so only undenied:
+    the one may be set and the other locked.  No yard has such a fact."""
+    routes = (1, 2)
+    place = names.spelled("place")
+    told = told_of(*(f(i) for f in (names.ACTIVE, names.LOCKED) for i in routes))
+    told.definitions[place] = disj(var(names.ACTIVE(i)) for i in routes)
+    locked = {i: neg(var(names.LOCKED(i))) if denied else var(names.LOCKED(i)) for i in routes}
+    kept = [implies(var(names.ACTIVE(i)), disj((locked[i], X))) for i in routes]
+    seen = abstraction(LocalAbstractions(told, kept), Focus((), ((0, implies(var(place), X)),)))
+    assert seen.blocks == [0b110]
+    assert any(each(names.LOCKED(1)) == v.base for v in variables(seen.facts) if v.form is Form.BLOCK) is not denied
