@@ -7,25 +7,22 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from interlock.logic import names
 from interlock.logic.bits import Bits
 from interlock.logic.controller import Controller, Equation, Join, Timer
-from interlock.logic.expr import VAR, Expr, Substitution, evaluate
+from interlock.logic.expr import EQ, VAR, Expr, Substitution, evaluate, walk
 from interlock.logic.names import Name
 from interlock.logic.on_delay import on_delay
 from interlock.logic.plant import Plant
 from interlock.model.elements import Position
 
 
-class _Values(dict[str, int]):
-    """Values of variables, and of comparisons with numbers."""
-
-    def __missing__(self, key: str) -> int:
-        name, _, number = key.rpartition("=")
-        return int(self[name] == int(number))
-
-
 def _computed(roots: Mapping[Name, Expr]) -> Callable[[Mapping[str, int]], dict[str, bool]]:
     """A function from values of variables to values of the named roots."""
-    bits = Bits(roots)
-    return lambda values: {n: bool(x) for n, x in bits(_Values({k: int(v) for k, v in values.items()}), 1).items()}
+    bits, compared = Bits(roots), [x for x in walk(roots.values()) if x.op is EQ]
+
+    def values(given: Mapping[str, int]) -> dict[str, bool]:
+        numbers = {f"{x.name}={x.value}": int(given[x.name] == x.value) for x in compared}
+        return {n: bool(x) for n, x in bits({k: int(v) for k, v in given.items()} | numbers, 1).items()}
+
+    return values
 
 
 class Simulator:
