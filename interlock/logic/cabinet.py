@@ -25,7 +25,10 @@ from interlock.model.portable import portable
 
 SPARE = 0.1
 
-_LAMPS = (names.STOP_ASPECT, names.CAUTION_ASPECT, names.CLEAR_ASPECT, names.SHUNT_ASPECT, names.CALL_ASPECT)
+_LAMPS = (
+    *(names.STOP_ASPECT, names.CAUTION_ASPECT, names.CLEAR_ASPECT, names.SHUNT_ASPECT, names.CALL_ASPECT),
+    names.IDENTIFIER_ASPECT,
+)
 
 
 class BadAddress(Exception):

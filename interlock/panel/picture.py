@@ -173,6 +173,7 @@ class Picture:
                     (word, aspect[g.id])
                     for word, aspect in (
                         ("call", y.call_aspect),
+                        ("identifier", y.identifier_aspect),
                         ("clear", y.clear_aspect),
                         ("caution", y.caution_aspect),
                         ("shunt", y.shunt_aspect),

@@ -65,6 +65,7 @@ def lamps(d: Draft) -> dict[str, Any]:
         "clear_aspect": each(names.CLEAR_ASPECT, mains),
         "caution_aspect": each(names.CAUTION_ASPECT, mains if cautions(d) else []),
         "call_aspect": each(names.CALL_ASPECT, calls),
+        "identifier_aspect": each(names.IDENTIFIER_ASPECT, [g for g in signals if d.identifies(g.id)]),
         "shunt_aspect": each(names.SHUNT_ASPECT, [g for g in signals if g.shunt]),
         "stop_aspect": each(names.STOP_ASPECT, signals),
     }
@@ -104,7 +105,11 @@ def outputs(d: Draft) -> None:
             d.outputs.append(
                 Output(names.CALL_ASPECT(signal.id), disj(calls), False, f"signal {signal.id}: call-on, beside stop")
             )
-        stop = neg(disj((mains, shunts)))
+        identified = disj(var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.IDENTIFIER)
+        if d.identifies(signal.id):
+            note = f"signal {signal.id}: identifier light, neither stop nor proceed"
+            d.outputs.append(Output(names.IDENTIFIER_ASPECT(signal.id), identified, False, note))
+        stop = neg(disj((mains, shunts, identified)))
         d.outputs.append(Output(names.STOP_ASPECT(signal.id), stop, True, f"signal {signal.id}: stop"))
     for distant in d.layout.distants:
         clear = _clear(d, distant.of)
