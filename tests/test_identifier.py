@@ -65,6 +65,13 @@ def test_trains_stop_at_the_signal_or_run_past_it() -> None:
     assert [c.text(long) for c in COLUMNS if c.key == "exit"] == ["Z past Y"]
 
 
+def test_the_approach_of_the_next_signal_goes_back_past_the_light() -> None:
+    """Whoever has seen X clear because Z is open learns nothing at Y (R8)."""
+    for text, sections in ((TEXT, {"p2", "p1", "T1", "w1"}), (TEXT.replace(", identifier: yes", ""), {"p2", "p1"})):
+        _, table, _ = said(text)
+        assert set(table.route[RouteId("Z-E")].approach.sections) == sections
+
+
 def test_a_route_may_end_there_or_run_past_or_both() -> None:
     every = set(routes(TEXT))
     assert every - set(routes(without("from: X, to: Y"))) == {"X-Y"}
@@ -113,7 +120,11 @@ class Desk:
         self.one: Any = module.__dict__["Controller"]()
         sym = controller.symbols
         lying = [name for (_, x), name in sym.detected.items() if x is Position.NORMAL]
-        lamps = [n for those in (sym.stop_lamp, sym.clear_lamp, sym.caution_lamp) for n in those.values()]
+        lamps = [
+            n
+            for those in (sym.stop_lamp, sym.clear_lamp, sym.caution_lamp, sym.identifier_lamp)
+            for n in those.values()
+        ]
         self.reads: dict[str, int] = dict.fromkeys([sym.valid, *sym.clear.values(), *lying, *lamps], 1)
         self.reads |= dict.fromkeys(sym.blocked.values(), 0)
         for _ in range(4000):
@@ -153,6 +164,17 @@ def test_the_light_is_lit_exactly_for_the_route_past_the_signal() -> None:
     assert desk.occupied("p1") == {"YS_X", "YI_Y"}
     assert desk.occupied("p1", "p2") == {"YS_X", "YS_Y"}, "the first axle puts it out"
     assert desk.occupied("p2") == {"YS_X", "YS_Y"}
+
+
+def test_with_its_lamp_out_neither_signal_opens() -> None:
+    desk = Desk()
+    desk.occupied("w1")
+    desk.reads["NL_Y"] = 0
+    assert desk.ask("X-Y-Z") == {"YS_X", "YS_Y"}
+    desk.reads["NL_Y"] = 1
+    assert desk.scan() == {"YS_X", "YI_Y"} or desk.scan() == {"YY_X", "YI_Y"}
+    desk.reads["NL_Y"] = 0
+    assert desk.scan() == {"YS_X", "YS_Y"}, "it goes out: both fall to stop"
 
 
 def test_a_route_that_is_asked_for_alone_is_never_what_lies_beyond() -> None:

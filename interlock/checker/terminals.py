@@ -78,6 +78,13 @@ class Terminals(Ahead):
     def w_clear_intact(self, g: Signal) -> Formula:
         return leaf(f"GL_{g.safe}")
 
+    def w_identifier_intact(self, g: Signal) -> Formula:
+        return leaf(f"NL_{g.safe}")
+
+    def w_identifier_lamp_proved(self) -> list[Signal]:
+        """Signals with an identifier light, where lamps are reported."""
+        return [g for g in self.w_opening() if self.r.drawn.asks("lamp_proof") and self.lamps(g, IDENTIFIER)]
+
     def w_last_intact(self, g: Signal) -> Formula:
         """The lamp of the most restrictive proceed: caution, if there is one."""
         return leaf(f"{'GL' if self.r.drawn.rules['caution'] == 'never' else 'CL'}_{g.safe}")

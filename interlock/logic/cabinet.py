@@ -140,7 +140,7 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
         yield name, "I", s
     for (m, _), name in sym.detected.items():
         yield name, "I", m
-    for lamps in (sym.stop_lamp, sym.clear_lamp, sym.caution_lamp):
+    for lamps in (sym.stop_lamp, sym.clear_lamp, sym.caution_lamp, sym.identifier_lamp):
         for g, name in lamps.items():
             yield name, "I", g
     for c, name in sym.condition.items():

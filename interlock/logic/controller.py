@@ -228,6 +228,7 @@ class Symbols:
     condition: Mapping[ConditionId, Name]
     stop_lamp: Mapping[SignalId, Name]
     clear_lamp: Mapping[SignalId, Name]
+    identifier_lamp: Mapping[SignalId, Name]
     caution_lamp: Mapping[SignalId, Name]
     drive: Mapping[tuple[MachineId, Position], Name]
     turn: Mapping[MachineId, Name]

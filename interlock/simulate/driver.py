@@ -46,6 +46,7 @@ class Drivers:
         names = [portable(str(g.id)) for g in layout.signals]
         self.lit = [(f"YP_{n}", f"YY_{n}", f"YO_{n}", f"YW_{n}", f"YS_{n}", f"YI_{n}") for n in names]
         self.clear_out = [f"GL_{n}" for n in names]
+        self.identifier_out = [f"NL_{n}" for n in names]
         self.caution_out = [f"CL_{n}" for n in names]
         line_speed = rules.line_speed_kmh / 3.6
         self.shunt_speed = min(rules.shunt_speed_kmh / 3.6, line_speed)
@@ -88,9 +89,10 @@ class Drivers:
         yellow = shown.get(caution) and self.caution_out[signal] not in out
         if ((green or yellow or shown.get(white)) and shown.get(stop)) or (shown.get(clear) and shown.get(caution)):
             self.world.watch.contradicts(self.world, signal)
-        if shown.get(identifier) and any(map(shown.get, (clear, caution, call, white, stop))):
+        passes = shown.get(identifier) and self.identifier_out[signal] not in out
+        if passes and any(map(shown.get, (clear, caution, call, white, stop))):
             self.world.watch.contradicts(self.world, signal)
-        if green or yellow or shown.get(call) or shown.get(identifier):
+        if green or yellow or shown.get(call) or passes:
             return False
         if shown.get(white) and (t.shunting or t.speed == 0.0):
             return True

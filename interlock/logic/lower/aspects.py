@@ -25,6 +25,9 @@ def cautions(d: Draft) -> bool:
 
 def lamp_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Proceed needs a lamp to show it; the most restrictive proceed lamp is the last (R11)."""
+    if d.layout.principles.lamp_proof and r.kind is RouteKind.IDENTIFIER:
+        note = f"identifier lamp of {r.entry} intact"
+        return [Term(var(names.IDENTIFIER_LAMP(r.entry)), "proceed lamp intact", note)]
     if not d.layout.principles.lamp_proof or r.kind is not RouteKind.MAIN:
         return []
     lamp, word = (names.CAUTION_LAMP, "caution") if cautions(d) else (names.CLEAR_LAMP, "clear")

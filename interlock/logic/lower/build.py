@@ -146,6 +146,7 @@ def _symbols(d: Draft) -> Symbols:
         condition={c.id: names.CONDITION(c.id) for c in d.layout.conditions},
         stop_lamp={g.id: names.STOP_LAMP(g.id) for g in d.layout.signals} if d.layout.principles.lamp_proof else {},
         clear_lamp={g: names.CLEAR_LAMP(g) for g in lit},
+        identifier_lamp={g: names.IDENTIFIER_LAMP(g) for g in signals if lit and d.identifies(g)},
         caution_lamp={g: names.CAUTION_LAMP(g) for g in lit if aspects.cautions(d)},
         turn={m: names.MAY_RUN(m) for m in d.machines if d.started(m) is not TRUE},
         started=names.STARTED if any(isinstance(s, Timer) and s.name == names.GAP_OVER for s in d.steps) else None,

@@ -33,6 +33,8 @@ def inputs(d: Draft) -> None:
             d.inputs.append(Input(names.CLEAR_LAMP(lit), f"clear lamp of {lit} intact, or not lit"))
             if aspects.cautions(d):
                 d.inputs.append(Input(names.CAUTION_LAMP(lit), f"caution lamp of {lit} intact, or not lit"))
+        for passed in filter(d.identifies, d.routes_from):
+            d.inputs.append(Input(names.IDENTIFIER_LAMP(passed), f"identifier lamp of {passed} intact, or not lit"))
     for c in d.layout.conditions:
         d.inputs.append(Input(names.CONDITION(c.id), f"external condition {c.id}: {c.text or 'holds'}"))
 

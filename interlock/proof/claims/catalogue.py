@@ -237,6 +237,9 @@ def _signal(
         lit = implies(_clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
         main = after(disj(map(var, f.sym.main_lamps(signal))))
         yield "S-LAMP", f"{who} proceed", conj((implies(main, var(last)), lit))
+    if signal in f.sym.identifier_lamp and not shunt:
+        lit = implies(after(f.sym.identifies(signal)), var(f.sym.identifier_lamp[signal]))
+        yield "S-LAMP", f"{who} identifier", lit
     if signal in f.sym.cancelling:
         yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
 

@@ -295,7 +295,9 @@ def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iter
     if not r.call_on:
         yield neg(f.stale(r.ways[0][0]))
         last = sym.caution_lamp.get(r.entry, sym.clear_lamp.get(r.entry))
-        if last is not None and not r.shunt and not r.identifier:
+        if r.identifier:
+            last = sym.identifier_lamp.get(r.entry)
+        if last is not None and not r.shunt:
             yield var(last)
     if r.overlap is not None:
         yield disj(var(name) for o, name in sym.overlap.items() if o[0] == r.overlap[0])
