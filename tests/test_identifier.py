@@ -240,4 +240,8 @@ def test_plan_lists_and_german_form_tell_of_it() -> None:
     marks = [h.mark for h in sheet.headings]
     column = marks.index("AD")
     told_of = {row[0].text if hasattr(row[0], "text") else str(row[0]): str(row[column]) for row in sheet.rows}
+    chinese = said(TEXT.replace("profile: de", "profile: cn"))
+    form = next(s for s in national_sheets(*chinese[:2]) if s.key == "cn")
+    past = [row for row in form.rows if "越过Y至Z" in map(str, row)]
+    assert len(past) == 1 and "p2" in str(past[0]), "with what lies beyond, in one row"
     assert told_of["X/Z"] == "Y" and told_of["X/Y"] == "" and len(told_of) == 7
