@@ -28,6 +28,7 @@ from interlock.table.columns import COLUMNS
 from interlock.table.national import national_sheets
 from interlock.verify import Rejected
 from tests.campaigns.simulate import Case
+from tests.scenarios import Scenario, run_to
 from tests.test_stations import proved, said
 from tests.written import told
 
@@ -209,6 +210,14 @@ def test_between_the_two_signals_a_lost_condition_leaves_stop_until_a_new_route_
         desk.scan()
     assert not desk.held(), "given back after the delay of approach locking"
     assert desk.ask("Y-Z") == {"YS_X", "YY_Y"}
+
+
+def test_in_the_world_of_the_proof_a_driver_passes_the_light() -> None:
+    """And X, by which he came, is at stop behind him."""
+    passes = Scenario(
+        "A driver takes the light for himself.", f"../{PATH.with_suffix('')}", ("accept.Y", "YI_Y", "YS_X")
+    )
+    assert run_to(passes) is not None
 
 
 # --- trains in metres, and what is printed --------------------------------------------------------

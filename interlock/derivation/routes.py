@@ -204,6 +204,10 @@ def _past(
                 text = f"no route from {a.signal.id} past {a.exit} to {b.exit}: {why}"
                 fix = "exclude it: `exclude: [{from: ..., to: ..., via: [...], reason: ...}]`, or change what it tells"
                 sink.add("IL4014", text, None, fix, about=Element("signals", a.exit), cause=a.exit, note=text)
+    for f in out:
+        if f.end in layout.identifiers:
+            text = f"a route past {f.exit} ends at {f.end}, which could be passed, too: a route passes one signal"
+            sink.add("IL3033", text, None, "", about=Element("signals", f.end), cause=f"{f.exit} {f.end}")
     for g in layout.identifiers:
         if not any(f.exit == g for f in out):
             text = f"no route passes {g}: it never shows its identifier light"
