@@ -101,6 +101,39 @@ def test_the_second_checker_agrees_and_takes_no_light_that_the_layout_does_not_g
         agree(loaded(TEXT.replace(", identifier: yes", "")), system, text, specification.shipped())
 
 
+OTHERWISE = {
+    "of two aspects, in a mine": ("profile: de", "profile: mine"),
+    "closing behind the whole movement, by turns": ("lamp_proof: yes", "main_closes: whole-movement, flank_space: yes"),
+    "where trains are called on": ("identifier: yes", "identifier: yes, call_on: yes"),
+    "at slow sections, to an overlap for a speed": (
+        "signals:",
+        "sections: {p2: {speed: 30}}\nsignals:",
+        "  Z: {length: 0}",
+        "  Z: {length: 30, entry_speed: 25}",
+    ),
+    "with points and hostile routes that the author adds": (
+        "overlaps:",
+        "demand:\n  - {point: 2, lies: normal, routes: {from: Y, to: Z}, reason: wagons}\n"
+        "hostile:\n  - {one: {from: Y, to: Z}, other: {from: X, to: Q}, reason: narrow}\noverlaps:",
+    ),
+    "past a gate, into a zone": (
+        "overlaps:",
+        "level_crossings: {LC: {over: [p2]}}\nconditions: {C: {over: [p2]}}\n"
+        "zones: {N: {sections: [p1, p2], trains: 1}}\noverlaps:",
+    ),
+}
+
+
+@pytest.mark.parametrize("which", OTHERWISE)
+def test_it_is_proved_beside_other_words(which: str) -> None:
+    text = TEXT
+    for before, after in zip(OTHERWISE[which][::2], OTHERWISE[which][1::2], strict=True):
+        assert before in text
+        text = text.replace(before, after)
+    layout, table, _ = said(text)
+    assert proved(layout, table) and agree(*told(text), specification.shipped()).left == ()
+
+
 def test_every_two_routes_can_be_used_together() -> None:
     layout, table, _ = said(TEXT)
     result = availability(System(layout, lower(layout, table)), table)
