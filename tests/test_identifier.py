@@ -14,9 +14,12 @@ from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
 from interlock.checker.drawing import loaded
+from interlock.derivation import derive
+from interlock.diag import Sink
 from interlock.emit.drawing.svg import plan_svg
 from interlock.emit.io import equipment_csv
 from interlock.emit.python.runtime import runtime_py
+from interlock.frontend import load_text
 from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.model.elements import Position, RouteId
@@ -77,6 +80,12 @@ def test_a_route_may_end_there_or_run_past_or_both() -> None:
     every = set(routes(TEXT))
     assert every - set(routes(without("from: X, to: Y"))) == {"X-Y"}
     assert every - set(routes(without("from: X, to: Q"))) == {"X-Q"}
+    nothing = "exclude:\n  - {from: X, to: Z, reason: not wanted}\n"
+    sink = Sink()
+    layout, _ = load_text("none.yaml", TEXT + nothing, sink)
+    assert layout is not None
+    left = {str(r.id) for r in derive(layout, sink).routes}
+    assert every - left == {"X-Y-Z", "Y-Z.i"} and {d.code for d in sink.diagnostics} == {"IL4013"}
     named = f"{TEXT}routes:\n  long: {{from: X, to: Z}}\n  short: {{from: X, to: Y}}\nautomatic: [{{from: X, to: Z}}]\n"
     _, table, _ = said(named)
     assert {n: r.id for r in table.routes for n in r.names} == {"long": "X-Y-Z", "short": "X-Y"}

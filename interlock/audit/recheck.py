@@ -57,7 +57,8 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     mine += [replace(t, call_on=True) for t in trains if _calls_on(layout, t)]
     passed = [replace(t, identifier=True) for t in trains if t.entry in layout.identifiers]
     past = past_signals(layout, [t for t in every if not t.shunt and t.exit in layout.identifiers], passed)
-    mine += passed + [t for t in past if not _unwanted(layout, t.run)]
+    past = [t for t in past if not _unwanted(layout, t.run)]
+    mine += past + [t for t in passed if any(p.onward == t for p in past)]
     between: dict[tuple[str, str], list[Trip]] = {}
     for t in mine:
         between.setdefault((t.entry, t.exit), []).append(t)

@@ -172,7 +172,9 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                 "check its direction (`from`, `into`) and where the track goes",
                 about=Element("signals", g.id),
             )
-    found += _past(layout, found, ahead, fits, sink)
+    past = _past(layout, found, ahead, fits, sink)
+    used = {(f.exit, f.beyond) for f in past}
+    found = [f for f in found if f.kind is not RouteKind.IDENTIFIER or (f.signal.id, f.ways) in used] + past
     for i, (x, n) in enumerate(zip(layout.excluded, fits, strict=True)):
         if not n:
             fix = "remove it, or correct its ends"
