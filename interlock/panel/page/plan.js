@@ -233,6 +233,7 @@ export class Plan {
   async test(say) {
     const kinds = [["free", ".track"], ["locked", ".track"], ["occupied", ".track"], ["stop", ".signal"], ["caution", ".signal"],
       ["clear", ".signal"], ["shunt", ".signal"], ["normal", ".point"], ["reverse", ".point"]];
+    if (this.svg.querySelector(".lamp.identifier")) kinds.push(["identifier", ".lamp.identifier"]);
     let count = 0;
     for (const [kind, what] of kinds) {
       const those = this.svg.querySelectorAll(what).length;
