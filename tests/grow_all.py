@@ -3,8 +3,8 @@
 To what `tests.grow` grows come names of any script, tracks joined end to end, slips with one machine, boards and shunt
 signals at which trains end, conditions, speeds, single directions, supervision of each machine, substations and their
 health, and single knobs of the profile.  What speaks of routes, signals or overlaps by name is chosen once these are
-known: overlaps of several lengths and speeds, additions of the author, exclusions, waivers, names, automatic routes and
-voyages.  What the layout does not bear is left out again.
+known: overlaps of several lengths and speeds, identifier lights, additions of the author, exclusions, waivers, names,
+automatic routes and voyages.  What the layout does not bear is left out again.
 """
 
 from __future__ import annotations
@@ -153,6 +153,7 @@ def words(text: str) -> frozenset[str]:
     found |= {"supervision of a machine" for x in machines if "supervision" in x}
     found |= {f"sections: {k}" for x in sections for k in ("speed", "one_way", "lane") if k in x}
     found |= {"tracks end to end" for x in tracks if re.search(r"\.end$", str(x))}
+    found |= {"identifier" for g in signals if "identifier" in g}
     found |= {"listed: no" for x in (body.get("routes") or {}).values() if "listed" in x}
     found |= {"names of other scripts" for g in body.get("signals") or {} if not g.isascii()}
     return frozenset(found)
@@ -182,7 +183,7 @@ Added = Callable[[random.Random, Layout, InterlockingTable], list[str]]
 
 def routes_text(r) -> str:  # type: ignore[no-untyped-def]
     """A route as the language names it."""
-    return f"from: {r.entry}, to: {r.exit}, via: [{', '.join(r.section_ids)}]"
+    return f"from: {r.entry}, to: {r.destination or r.exit}, via: [{', '.join(r.section_ids)}]"
 
 
 def hostile_and_demand(rng: random.Random, layout: Layout, table: InterlockingTable) -> tuple[list[str], list[str]]:
@@ -275,6 +276,15 @@ def waived(text: str, sink: Sink) -> str:
     return with_part(text, ["waive:", *(f"  - {{flank: {x}, reason: by chance}}" for x in flanks)] if flanks else [])
 
 
+def with_lights(rng: random.Random, text: str, table: InterlockingTable) -> str:
+    """A text in which main signals to which a train route leads, and from which one leads on, may be passed."""
+    trains = [r for r in table.routes if r.kind is RouteKind.MAIN]
+    for g in sorted({r.exit for r in trains} & {str(r.entry) for r in trains}):
+        if rng.random() < 0.6:
+            text = re.sub(rf"(?m)^(  {re.escape(g)}: {{from: .*)}}$", r"\1, identifier: yes}", text)
+    return text
+
+
 def without_idle(text: str, sink: Sink) -> str:
     """A text without the signals from which no route leads."""
     idle = {d.message.split(" signal ")[1] for d in sink.diagnostics if d.code == "IL4003"}
@@ -298,6 +308,12 @@ def grow_all(seed: int) -> str:
     if found is not None and found[2].has_errors and rng.random() < 0.5:
         text = waived(text, found[2])
         found = grown(text)
+    lights = random.Random(f"lights {seed}")
+    if found is not None and not found[2].has_errors and lights.random() < 0.4:
+        more = with_lights(lights, text, found[1])
+        again = grown(more)
+        if again is not None and not again[2].has_errors:
+            text, found = more, again
     for chance, part in LATER:
         if found is None or found[2].has_errors or not found[1].routes or rng.random() >= chance:
             continue

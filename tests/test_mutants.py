@@ -31,6 +31,7 @@ TOKEN = "../tests/layouts_for_tests/token"
 ADDED = "../tests/layouts_for_tests/added"
 SWING = "../tests/layouts_for_tests/swing"
 BOARDS = "../tests/layouts_for_tests/boards"
+IDENTIFIER = "../tests/layouts_for_tests/identifier"
 ENTRY = "../tests/layouts_for_tests/entry_speeds"
 # the layout on which a kind has mutants
 ON = {
@@ -52,6 +53,7 @@ ON = {
     "entry-speed-forgotten": ENTRY,
     **dict.fromkeys(("declared-not-excluded", "added-point-not-detected"), ADDED),
     "board-passed": BOARDS,
+    **dict.fromkeys((k.name for k in KINDS if k.name.startswith("identifier-")), IDENTIFIER),
     "zone-not-checked": "heishan",
     "fault-ignored": "pit_bottom",
     "zone-miscounted": "heishan",
@@ -117,6 +119,7 @@ def _killers() -> dict[str, tuple[str, str]]:
         "S-CLEAR": (split, "section-not-checked"),
         "S-FLANK-SPACE": ("flank_lab", "flank-space-not-checked"),
         "S-BOARD": (BOARDS, "board-passed"),
+        "S-IDENTIFIER": (IDENTIFIER, "identifier-not-shown"),
         "T-ZONE": ("heishan", "zone-not-checked"),
         "S-PASSING": (CLOSING, "stays-open"),
         "S-CALL-ON": ("passing_loop", "call-on-blind"),

@@ -21,7 +21,7 @@ from interlock.app.init import yard
 from interlock.cli.main import cli
 from interlock.derivation import derive
 from interlock.diag import Sink
-from interlock.emit.tables.document import CELLS, table_json
+from interlock.emit.tables.document import CELLS, ONLY_STATED, table_json
 from interlock.emit.tables.schema import table_schema
 from interlock.frontend import load_text
 from interlock.frontend.published import WITHOUT, json_schema, language_keys
@@ -179,6 +179,11 @@ def expanded(body: dict[str, Any], value: Any, kind: Any) -> Any:
     if is_dataclass(kind):
         told = body["cells"][kind.__name__][value] if kind in CELLS else value
         hints = get_type_hints(kind)
+        told = {
+            name: told.get(name) if name in ONLY_STATED else told[name]
+            for name in hints
+            if name in told or name in ONLY_STATED
+        }
         assert list(told) == list(hints)
         return {name: expanded(body, told[name], hint) for name, hint in hints.items()}
     return value

@@ -320,8 +320,18 @@ WEAKENED = {
     ),
     "what a train passes is open for the next one": (
         "../tests/layouts_for_tests/closing_next",
-        "opens'(c) and not passing'(c))\"",
-        "opens'(c))\"",
+        "opens_to_train'(c) and not passing'(c)) or (some",
+        "opens_to_train'(c)) or (some",
+    ),
+    "nothing is asked of the way past an identifier light": (
+        "../tests/layouts_for_tests/identifier",
+        "(opens'(c) and not passing'(c) or calls_past'(c)) and",
+        "opens'(c) and not passing'(c) and",
+    ),
+    "a route runs past a signal at stop": (
+        "../tests/layouts_for_tests/identifier",
+        "\"opened'(r) -> identifies'(i)\"",
+        "\"opened'(r) -> identifies'(i) or valid\"",
     ),
     "shunting movements pass their board": (
         "../tests/layouts_for_tests/boards",

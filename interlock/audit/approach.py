@@ -42,7 +42,7 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
         if leaves:
             if told and run >= stop:
                 return
-            here = not told and any(s.node == at and s.into == edge and s.main for s in layout.signals)
+            here = not told and (at, edge) in _tellers(layout)
             told = told or here
         if boundary is not None:
             if boundary.approach is not None and boundary.kind is not BoundaryKind.OUT:
@@ -67,6 +67,11 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
         found.add(layout.section_of(edge))
         back(edge, g.node, 0.0, 0.0, not announces, frozenset({first, layout.section_of(edge)}))
     return frozenset(found)
+
+
+def _tellers(layout: Layout) -> set[tuple[NodeId, EdgeId]]:
+    """Where a main signal tells what the next one shows: not one that may be passed at identifier light."""
+    return {(s.node, s.into) for s in layout.signals if s.main and s.id not in layout.identifiers}
 
 
 def _onward(layout: Layout, edge: EdgeId, node: NodeId) -> list[EdgeId]:

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import pairwise, product
 
 from interlock.audit.added import added, chosen, declared
 from interlock.audit.approach import approach_sections
+from interlock.audit.aspect import aspect
 from interlock.audit.flank import Movements, crossovers_to_lie_normal, flank_space, open_flanks, pairs
 from interlock.audit.walk import (
     Move,
@@ -21,13 +22,13 @@ from interlock.audit.walk import (
     left_standing,
     overlap_way,
     overruns,
+    past_signals,
     standing_place,
     trips,
 )
-from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId, Signal, SignalId
+from interlock.model.elements import EdgeId, MachineId, NodeId, Position, RouteId, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
-from interlock.model.principles import Caution
-from interlock.table.rows import InterlockingTable, RouteRow, Shows
+from interlock.table.rows import InterlockingTable, RouteRow
 
 
 @dataclass(frozen=True)
@@ -43,25 +44,31 @@ def audit(layout: Layout, table: InterlockingTable) -> tuple[Finding, ...]:
     """Every disagreement, in the order of the table."""
     found: list[Finding] = []
     matched: dict[str, Trip] = {}
-    mine = [
+    every = [
         over
         for g in layout.signals
         for k in _functions(g)
         if g.id not in layout.boards and (k or g.id not in layout.stops)
         for t in trips(layout, g, k)
-        if not _unwanted(layout, t)
         for over in overruns(layout, t)
     ]
-    mine += [replace(t, call_on=True) for t in mine if _calls_on(layout, t)]
+    mine = [t for t in every if not _unwanted(layout, t)]
+    trains = [t for t in mine if not t.shunt]
+    mine += [replace(t, call_on=True) for t in trains if _calls_on(layout, t)]
+    passed = [replace(t, identifier=True) for t in trains if t.entry in layout.identifiers]
+    past = past_signals(layout, [t for t in every if not t.shunt and t.exit in layout.identifiers], passed)
+    past = [t for t in past if not _unwanted(layout, t.run)]
+    mine += past + [t for t in passed if any(p.onward == t for p in past)]
     between: dict[tuple[str, str], list[Trip]] = {}
     for t in mine:
         between.setdefault((t.entry, t.exit), []).append(t)
-    for r in table.routes:
+    for r in sorted(table.routes, key=lambda r: r.onward is not None):  # parts beyond a signal first
         left = between.get((r.entry, r.exit), [])
         same = [
             t
             for t in left
-            if (t.shunt, t.call_on) == (r.kind == "shunt", r.kind == "call-on")
+            if (t.shunt, t.call_on, t.identifier) == tuple(r.kind == k for k in ("shunt", "call-on", "identifier"))
+            and t.onward == (None if r.onward is None else matched.get(r.onward))
             and t.berth == r.berth
             and t.sections == r.section_ids
             and _path_positions(r) == dict(t.positions)
@@ -167,7 +174,7 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
     }
     if {p.machine: p.position for p in r.driven} != (beside if layout.principles.drive_points else {}):
         yield Finding(r.id, "driven", f"beside the path lie {', '.join(sorted(beside)) or 'no points'}")
-    if (r.aspect.shows, r.aspect.next) != (shown := _aspect(layout, trip)):
+    if (r.aspect.shows, r.aspect.next) != (shown := aspect(layout, trip, _slowest(layout, trip))):
         yield Finding(r.id, "aspect", f"an open {r.entry} shows {shown[0]}")
     out = {b.node for b in layout.boundaries if b.block == "token" and b.node == trip.moves[-1].node and not trip.shunt}
     if ({r.token.boundary} if r.token else set()) != out:
@@ -176,7 +183,7 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
         yield Finding(r.id, "speed", f"the lowest speed along the path is {slowest}")
     if r.closing.whole != (left := _left_behind(layout, trip, rear)):
         yield Finding(r.id, "closing", f"{r.entry} closes with {f'{left} clear' if left else 'the first axle'}")
-    over = [next(iter(rear), None), *trip.sections]
+    over = [next(iter(rear), None), *trip.run.sections]
     into = {z.id: sum(a not in z.sections and b in z.sections for a, b in pairwise(over)) for z in layout.zones}
     if {c.zone: c.entries for c in r.zones} != {z: n for z, n in into.items() if n}:
         yield Finding(r.id, "zones", f"leads into {', '.join(z for z, n in into.items() if n) or 'none'}")
@@ -239,6 +246,9 @@ def _in_the_way(layout: Layout, table: InterlockingTable, matched: dict[str, Tri
 def _slowest(layout: Layout, trip: Trip) -> int | None:
     """The lowest speed stated along the trip: of its sections, of points passed over their reverse leg, and for the
     overlap that it has."""
+    if trip.onward is not None:
+        both = (_slowest(layout, replace(trip, onward=None)), _slowest(layout, trip.onward))
+        return min((v for v in both if v is not None), default=None)
     limits = [layout.speed_of[s] for s in trip.sections]
     if trip.over:
         own = overlap_way(layout, trip)
@@ -253,40 +263,10 @@ def _left_behind(layout: Layout, trip: Trip, rear: set[SectionId]) -> SectionId 
     """The section before the signal whose clearing closes it; None where the first axle does."""
     rules = layout.principles
     asked = rules.shunt_closes if trip.shunt else rules.main_closes
-    if trip.call_on or asked != "whole-movement" or not rear:
+    if trip.call_on or trip.identifier or asked != "whole-movement" or not rear:
         return None
     (section,) = rear
     return None if left_standing(layout, section) else section
-
-
-def _aspect(layout: Layout, trip: Trip) -> tuple[Shows, SignalId | None]:
-    """What the open signal shows: the last track of the trip and the signal at its end decide."""
-    rule = layout.principles.caution
-    if trip.call_on:
-        return Shows.CALL_ON, None
-    if trip.shunt:
-        return Shows.SHUNT, None
-    slowest = _slowest(layout, trip)
-    if rule is not Caution.NEVER and slowest is not None and slowest < layout.principles.slow_below_kmh:
-        return Shows.CAUTION, None
-    last = trip.moves[-1]
-    out = layout.boundary_at.get(last.node)
-    if rule is Caution.NEVER or (out is not None and (out.approach is not None or out.block != "none")):
-        return Shows.CLEAR, None
-    if rule is Caution.TURNOUT and _reversed(layout, trip):
-        return Shows.CAUTION, None
-    onward = [e.id for e in layout.edges_at[last.node] if e.id != last.edge]
-    facing = [layout.signal_facing.get((last.node, e)) for e in onward]
-    ahead = [g for g in facing if g is not None and g.kind != "shunt"]
-    if not ahead or ahead[0].id in layout.stops:
-        return Shows.CAUTION, None
-    return Shows.NEXT, ahead[0].id
-
-
-def _reversed(layout: Layout, trip: Trip) -> bool:
-    """Whether the trip passes some point over its reverse leg."""
-    passed = [(layout.point_at.get(a.node), a.edge, b.edge) for a, b in pairwise(trip.moves)]
-    return any(p is not None and p.reverse in edges for p, *edges in passed)
 
 
 def frozen_machines(r: RouteRow) -> set[MachineId]:
@@ -384,7 +364,7 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
     grounds = [_ground(layout, r, matched[r.id]) for r in table.routes if r.id in matched]
     number = {g.row.id: i for i, g in enumerate(grounds)}
     pairs, certain = _meeting(grounds)
-    size = len(grounds)
+    size, own = len(grounds), _onward(grounds, number, pairs, certain)
     lists = bytearray(size * size)  # row by row whom it lists, column by column who lists it
     for i, g in enumerate(grounds):
         for j in map(number.get, g.row.hostile.routes):
@@ -396,7 +376,10 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
         agreed = certain[i] & listed[i] & told
         for j in _bits((pairs[i] | listed[i] | told) & ~agreed & -(1 << i + 1)):
             b = grounds[j]
-            why = _cannot_both(layout, a, b)
+            parts = [[x, *([grounds[own[k]]] if k in own else [])] for k, x in ((i, a), (j, b))]
+            why = next((w for x, y in product(*parts) if (w := _cannot_both(layout, x, y)) is not None), None)
+            if own.get(i) == j or own.get(j) == i:
+                why = None
             if why is None and declared(layout, matched[a.row.id], matched[b.row.id]):
                 why = "declared, with", frozenset({b.row.id})
             for x, y, says in ((a, b, listed[i] >> j & 1), (b, a, listed[j] >> i & 1)):
@@ -405,6 +388,22 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
                     yield Finding(x.row.id, "hostile", text)
                 if not why and says:
                     yield Finding(x.row.id, "hostile", f"{y.row.id} is not hostile")
+
+
+def _onward(grounds: list[_Ground], number: dict[RouteId, int], pairs: list[int], certain: list[int]) -> dict[int, int]:
+    """Of those that lead past a signal, what they lock beyond it: whatever that may clash with, they may, but with
+    itself, which is set with them."""
+    found = {i: number[g.row.onward] for i, g in enumerate(grounds) if g.row.onward in number}
+    for i, k in found.items():
+        for of in (pairs, certain):
+            of[i] |= of[k]
+            for j in _bits(of[k]):
+                of[j] |= 1 << i
+            of[i] &= ~(1 << i)
+        for x, y in ((i, k), (k, i)):
+            certain[x] &= ~(1 << y)
+            pairs[x] |= 1 << y
+    return found
 
 
 Thing = tuple[str, str]

@@ -38,6 +38,41 @@ class Trip:
     over: tuple[Move, ...] = ()
     over_positions: tuple[tuple[MachineId, Position], ...] = ()
     call_on: bool = False
+    identifier: bool = False
+    """What a train that passes its signal at identifier light runs over."""
+    onward: Trip | None = None
+    """Past the signal at its exit it leads on over this one."""
+
+    @property
+    def run(self) -> Trip:
+        """The whole way of its train."""
+        b = self.onward
+        if b is None:
+            return self
+        positions = tuple(sorted({**dict(self.positions), **dict(b.positions)}.items()))
+        moves, sections = (*self.moves, *b.moves), (*self.sections, *b.sections)
+        return replace(self, exit=b.exit, moves=moves, sections=sections, positions=positions, onward=None)
+
+
+def past_signals(layout: Layout, ahead: list[Trip], beyond: list[Trip]) -> list[Trip]:
+    """Trips past a signal that shows its identifier light: one to it and one on from it, which one train can run over.
+
+    The overlap of the signal, where it has one, is the longest that lies on the way beyond.
+    """
+    found: dict[tuple[str, tuple[Move, ...], Trip], Trip] = {}
+    for b in beyond:
+        for t in ahead:
+            clash = any(dict(t.positions).get(m, x) is not x for m, x in b.positions)
+            over = {n for m in (*t.moves[:-1], *b.moves[:-1]) for n in [m.node] if n in layout.crossing_at}
+            twice = len(over) < sum(m.node in layout.crossing_at for m in (*t.moves[:-1], *b.moves[:-1]))
+            if t.exit != b.entry or clash or twice or set(t.sections) & set(b.sections):
+                continue
+            if layout.overlap_of.get(b.entry, 0.0) > 0 and not (t.over and set(t.over) <= set(b.moves)):  # type: ignore[call-overload]
+                continue
+            key = (t.entry, t.moves, b)
+            if key not in found or len(t.over) > len(found[key].over):
+                found[key] = replace(t, onward=b)
+    return list(found.values())
 
 
 def steps(

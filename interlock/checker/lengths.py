@@ -292,12 +292,17 @@ class Lengths:
         needed = max(needed, self._metres_to_act(g, s, tells))
         further = []
         for w in self.r.ways[s]:
-            first = not announced and (w.entry, s) in self.r.main_into
+            teller = self.r.main_into.get((w.entry, s))
+            first = not announced and teller is not None and not self._may_be_passed(teller)
             run = gone + w.length
             if w.exit == node and not (announced and run >= needed):
                 x = self._before(g, s, w.entry, run, needed, announced or first, run if first else None, seen | {s})
                 further += [] if x is None else [(w, x)]
         return Approach(s, tuple(further))
+
+    def _may_be_passed(self, g: Signal) -> bool:
+        """A signal at identifier light tells nothing: then the one before it announces."""
+        return self.r.body["signals"][g.name].get("identifier") in ("yes", "true")
 
     def _metres_to_act(self, g: Signal, section: str, tells: float | None) -> float:
         """Until a train stands; from a signal that announces this one, until its driver acts on it."""

@@ -12,8 +12,8 @@ from interlock.checker.railway import Calling, Path, Signal, Way, safe
 from interlock.checker.words import fact
 from interlock.verify import need
 
-MAIN, CALL_ON, WHITE = ("YP", "YY"), ("YO",), ("YW",)
-"""Outputs of clear and caution, of the call-on aspect beside stop, of the shunt aspect."""
+MAIN, CALL_ON, WHITE, IDENTIFIER = ("YP", "YY"), ("YO",), ("YW",), ("YI",)
+"""Outputs of clear and caution, of the call-on aspect beside stop, of the shunt aspect, of the identifier light."""
 
 REQUESTS = {"REQ": ("RQZ", "YRQ"), "LREQ": ("LRQZ", "YLRQ")}
 """For each input of numbers the bit that tells that 0 was read there, and the output that acknowledges a number."""
@@ -78,6 +78,13 @@ class Terminals(Ahead):
     def w_clear_intact(self, g: Signal) -> Formula:
         return leaf(f"GL_{g.safe}")
 
+    def w_identifier_intact(self, g: Signal) -> Formula:
+        return leaf(f"NL_{g.safe}")
+
+    def w_identifier_lamp_proved(self) -> list[Signal]:
+        """Signals with an identifier light, where lamps are reported."""
+        return [g for g in self.w_opening() if self.r.drawn.asks("lamp_proof") and self.lamps(g, IDENTIFIER)]
+
     def w_last_intact(self, g: Signal) -> Formula:
         """The lamp of the most restrictive proceed: caution, if there is one."""
         return leaf(f"{'GL' if self.r.drawn.rules['caution'] == 'never' else 'CL'}_{g.safe}")
@@ -91,12 +98,40 @@ class Terminals(Ahead):
         return leaf(lamp)
 
     def w_shows(self, c: Calling) -> Formula:
-        """Proceed to whom it speaks: trains by main lamps or by calling on, shunting movements by the white one."""
-        return some(map(leaf, self.lamps(c.signal, WHITE if c.shunt else (*MAIN, *CALL_ON))))
+        """Whom it speaks to may pass it: trains by main lamps, called on, or at the identifier light, shunting
+        movements by the white one."""
+        return some(map(leaf, self.lamps(c.signal, WHITE if c.shunt else (*MAIN, *CALL_ON, *IDENTIFIER))))
 
     def w_opens(self, c: Calling) -> Formula:
-        """The same, but not by calling on."""
+        """Proceed, but not by calling on."""
         return some(map(leaf, self.lamps(c.signal, WHITE if c.shunt else MAIN)))
+
+    def w_calls_past(self, c: Calling) -> Formula:
+        """The identifier light: a train passes without being told anything."""
+        return FALSE if c.shunt else self.w_identifies(c.signal)
+
+    def w_opens_to_train(self, c: Calling) -> Formula:
+        """Clear or caution."""
+        return self.w_opens_main(c.signal)
+
+    def w_identifies(self, g: Signal) -> Formula:
+        return some(map(leaf, self.lamps(g, IDENTIFIER)))
+
+    def w_may_identify(self, g: Signal) -> Formula:
+        """The layout gives it an identifier light."""
+        return fact(g in self._told_so("identifier", ("yes", "true")))
+
+    def w_passed_by(self, c: Calling, p: Path) -> list[Signal]:
+        """The signal at the end of a train's path, if it may be passed at identifier light."""
+        return [] if c.shunt else self.w_passed_beyond(p)
+
+    def w_passed_beyond(self, p: Path) -> list[Signal]:
+        g = self.r.main_into.get((p.last.exit, self.r.beyond(p.last.section, p.last.exit) or ""))
+        return [] if g is None or self.w_may_identify(g) == FALSE else [g]
+
+    def w_passed_for_clear(self, p: Path) -> list[Signal]:
+        """The same, where clear may be shown over the path."""
+        return self.w_passed_beyond(p) if self.w_next_open_for_clear(p) else []
 
     def w_opens_main(self, g: Signal) -> Formula:
         return some(map(leaf, self.lamps(g, MAIN)))
@@ -110,8 +145,11 @@ class Terminals(Ahead):
     def w_calls_on(self, g: Signal) -> Formula:
         return some(map(leaf, self.lamps(g, CALL_ON)))
 
-    def w_main_and_white(self, g: Signal) -> list[str]:
-        return self.lamps(g, (*MAIN, *WHITE))
+    def w_lamps_instead_of_stop(self, g: Signal) -> list[str]:
+        return self.lamps(g, (*MAIN, *WHITE, *IDENTIFIER))
+
+    def w_lamps_but_identifier(self, g: Signal) -> list[str]:
+        return self.lamps(g, ("YS", *MAIN, *WHITE, *CALL_ON))
 
     @cached_property
     def _speeds(self) -> dict[str, dict[str, float]]:
@@ -292,7 +330,7 @@ class Terminals(Ahead):
         """For each lamp of a signal the routes whose proceed lights it."""
         found: dict[str, dict[int, None]] = {}
         for g in self.w_opening():
-            for lamp in self.lamps(g, (*MAIN, *CALL_ON, *WHITE)):
+            for lamp in self.lamps(g, (*MAIN, *CALL_ON, *WHITE, *IDENTIFIER)):
                 need(f"{lamp}'" in self.w.definitions, f"nothing says when {lamp} is lit")
                 read = {n.removesuffix("'") for n in names(self.w.definitions[f"{lamp}'"])}
                 found[lamp] = dict.fromkeys(int(n[3:]) for n in sorted(read) if n.startswith("S_R"))
@@ -306,14 +344,46 @@ class Terminals(Ahead):
         return self._routes_by(g, MAIN)
 
     def w_routes_from(self, g: Signal) -> list[int]:
-        return self._routes_by(g, (*MAIN, *CALL_ON, *WHITE))
+        return self._routes_by(g, (*MAIN, *CALL_ON, *WHITE, *IDENTIFIER))
+
+    def w_identifier_routes(self) -> list[int]:
+        """Those that are set with a route past their signal, and light its identifier."""
+        return sorted({r for g in self.w_opening() for r in self._routes_by(g, IDENTIFIER)})
+
+    def w_own_routes(self) -> list[int]:
+        return [r for r in self.w_routes() if r not in self.w_identifier_routes()]
+
+    @cached_property
+    def _past(self) -> dict[int, list[int]]:
+        """For each route of a main lamp those that it waits for before it opens: of an identifier light."""
+        beyond = {f"PR_R{b}": b for b in self.w_identifier_routes()}
+        found: dict[int, list[int]] = {}
+        for r in self.w_routes() if beyond else ():
+            opens = names(self.w.definitions.get(f"PR_R{r}", FALSE))
+            found[r] = sorted({beyond[n] for n in opens if n in beyond and beyond[n] != r})
+        return found
+
+    def w_leading_past(self, b: int) -> list[int]:
+        """The routes that are set with one that lights an identifier."""
+        return [r for r, those in self._past.items() if b in those]
+
+    def w_passed_with(self, r: int) -> list[Signal]:
+        """The signals that a route passes at identifier light."""
+        return [g for b in self._past.get(r, ()) for g in self.w_signal_of_route(b)]
+
+    def w_signal_of_route(self, r: int) -> list[Signal]:
+        return [g for g in self.w_opening() if r in self.w_routes_from(g)]
+
+    def w_asked_for(self, r: int) -> Formula:
+        """A route is asked for by its number, or by that of one with which it is set."""
+        return some(map(self.w_asked, self.w_leading_past(r))) if r in self.w_identifier_routes() else self.w_asked(r)
 
     def w_routes_calling_on(self) -> list[int]:
         return sorted({r for g in self.w_opening() for r in self._routes_by(g, CALL_ON)})
 
     def w_passing(self, c: Calling) -> Formula:
         """The signal is still open for a movement that has begun to pass it."""
-        kinds = WHITE if c.shunt else (*MAIN, *CALL_ON)
+        kinds = WHITE if c.shunt else (*MAIN, *CALL_ON, *IDENTIFIER)
         return some(self.known(f"PA_R{r}") for r in self._routes_by(c.signal, kinds))
 
     def w_opened(self, r: int) -> Formula:
@@ -450,7 +520,10 @@ class Terminals(Ahead):
 
     def _kinds(self, g: Signal, trains: int, shunts: int) -> int:
         """The longer of two times, of those movements to which the signal opens."""
-        return max(trains if self._routes_by(g, (*MAIN, *CALL_ON)) else 0, shunts if self._routes_by(g, WHITE) else 0)
+        return max(
+            trains if self._routes_by(g, (*MAIN, *CALL_ON, *IDENTIFIER)) else 0,
+            shunts if self._routes_by(g, WHITE) else 0,
+        )
 
     def w_approach_release(self, g: Signal) -> int:
         own = self.r.body["signals"][g.name].get("release")

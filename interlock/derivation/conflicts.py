@@ -7,8 +7,9 @@ positions, cross on a diamond, or foul each other.  The first class that applies
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
+from itertools import product
 
 from interlock.derivation.added import Barred
 from interlock.derivation.routes import Path
@@ -53,6 +54,15 @@ class Conflicts:
             for other in cells:
                 self._hostile[r] |= 1 << self._path[other].number - 1
 
+    def between_parts(self, path: Path, onward: Path) -> str | None:
+        """Why a route that leads past a signal is hostile to what it locks beyond it; None where it is not."""
+        declared = self._barred.get(path.id, {}).get(onward.id)
+        if declared is not None:
+            return declared.text
+        as_train = replace(onward, kind=RouteKind.MAIN)
+        found = next(reasons(replace(path, onward=None), as_train, self._locks, self._needs), None)
+        return None if found is None else found[1].format(one=path.id, other=onward.id)
+
     def of(self, path: Path) -> HostileRoutes:
         """The hostile routes of a route."""
         return HostileRoutes(self._ids, self._hostile[path.id], partial(self.tell, path.id))
@@ -65,7 +75,9 @@ class Conflicts:
     def _how(self, a: RouteId, b: RouteId) -> Hostility:
         """How a pair is hostile, the route of the lower number first."""
         if (a, b) not in self._told:
-            found = list(reasons(self._path[a], self._path[b], self._locks, self._needs))
+            parts = [[p, *([p.onward] if p.onward is not None else [])] for p in (self._path[a], self._path[b])]
+            found = [x for p, q in product(*parts) for x in reasons(p, q, self._locks, self._needs)]
+            found.sort(key=lambda x: list(HostileClass).index(x[0])) if len(parts[0]) + len(parts[1]) > 2 else None
             declared = self._barred.get(a, {}).get(b)
             if declared is not None:
                 found.append((HostileClass.ADDED, declared.text.replace("{", "{{").replace("}", "}}"), "R6"))
@@ -105,6 +117,20 @@ def _hostile(
         found[i] |= told & ~(1 << i)
         for j in bits_of(told & ~both[i] & ~(1 << i)):
             found[j] |= 1 << i
+    return _led_on(paths, found)
+
+
+def _led_on(paths: Sequence[Path], found: list[int]) -> list[int]:
+    """A route that leads past a signal is hostile to all that is hostile to what it locks beyond it, not to that."""
+    for i, p in enumerate(paths):
+        if p.onward is None:
+            continue
+        beyond = p.onward.number - 1
+        found[i] |= found[beyond]
+        for j in bits_of(found[i]):
+            found[j] |= 1 << i
+        found[i] &= ~(1 << beyond | 1 << i)
+        found[beyond] &= ~(1 << i)
     return found
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 from interlock.derivation.routes import Path
@@ -97,6 +98,9 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
     if path.kind is RouteKind.CALL_ON:
         why = f"{path.entry} stays at stop and calls a train on; it runs on sight"
         return AspectCell(Shows.CALL_ON, None, Because("R2", why))
+    if path.kind is RouteKind.IDENTIFIER:
+        why = f"{path.entry} shows its identifier light: a train that runs past it disregards it"
+        return AspectCell(Shows.IDENTIFIER, None, Because("R11", why))
     if path.kind is RouteKind.SHUNT:
         return AspectCell(Shows.SHUNT, None, Because("R11", f"{path.entry} calls a shunting movement"))
     if rule is Caution.NEVER:
@@ -105,15 +109,21 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
     if speed.kmh is not None and speed.kmh < layout.principles.slow_below_kmh:
         text = speed.because.text if speed.because.rule == "R4" else f"{speed.kmh} km/h along the path"
         return AspectCell(Shows.CAUTION, None, Because("R11", text))
-    boundary = layout.boundary_at.get(path.ways[-1].exit)
+    if path.onward is not None and rule is Caution.TURNOUT:
+        turned = [p for t in path.ways for p, x in t.points if x is Position.REVERSE]
+        if turned:
+            why = f"over {', '.join(turned)} reversed, before {path.exit}"
+            return AspectCell(Shows.CAUTION, None, Because("R11", why))
+    last = path.onward or path
+    boundary = layout.boundary_at.get(last.ways[-1].exit)
     if boundary is not None and boundary.checked:
-        return AspectCell(Shows.CLEAR, None, Because("R11", f"the line beyond {path.exit} is checked"))
-    turned = [p for t in path.ways for p, x in t.points if x is Position.REVERSE]
+        return AspectCell(Shows.CLEAR, None, Because("R11", f"the line beyond {last.exit} is checked"))
+    turned = [p for t in path.run for p, x in t.points if x is Position.REVERSE]
     if rule is Caution.TURNOUT and turned:
         return AspectCell(Shows.CAUTION, None, Because("R11", f"into a track over {', '.join(turned)} reversed"))
-    if path.exit_kind is not ExitKind.SIGNAL:
-        return AspectCell(Shows.CAUTION, None, Because("R11", f"nothing is known beyond {path.exit}"))
-    next_ = SignalId(path.exit)
+    if last.exit_kind is not ExitKind.SIGNAL:
+        return AspectCell(Shows.CAUTION, None, Because("R11", f"nothing is known beyond {last.exit}"))
+    next_ = SignalId(last.exit)
     if not layout.opens(next_, False):
         return AspectCell(Shows.CAUTION, None, Because("R11", f"trains end at {next_}: it never opens for one"))
     return AspectCell(Shows.NEXT, next_, Because("R11", f"{next_} is the next main signal"))
@@ -121,6 +131,10 @@ def derive_aspect(layout: Layout, path: Path) -> AspectCell:
 
 def derive_speed(layout: Layout, path: Path) -> SpeedCell:
     """The lowest speed that the layout states along the path, or for its overlap (R11, R4)."""
+    if path.onward is not None:
+        cells = [derive_speed(layout, replace(path, onward=None)), derive_speed(layout, path.onward)]
+        stated = [c for c in cells if c.kmh is not None]
+        return min(stated, key=lambda c: c.kmh or 0, default=cells[0])
     kmh, along = route_speed(layout, path.ways, path.exit, path.overlap), path_speed(layout, path.ways)
     if kmh is not None and kmh != along:
         over = ", ".join(t.section for t in path.overlap)
@@ -138,6 +152,8 @@ def derive_closing(layout: Layout, path: Path) -> ClosingCell:
     rules, topo = layout.principles, topology(layout)
     if path.kind is RouteKind.CALL_ON:
         return ClosingCell(None, Because("R2", f"{path.entry} calls on once, to the first axle"))
+    if path.kind is RouteKind.IDENTIFIER:
+        return ClosingCell(None, Because("R3", f"{path.entry} returns to stop with the first axle that passes it"))
     wanted = rules.shunt_closes if path.kind is RouteKind.SHUNT else rules.main_closes
     if wanted is Closes.FIRST_AXLE:
         return ClosingCell(None, Because("R3", f"{path.entry} returns to stop with the first axle"))
@@ -156,7 +172,7 @@ def derive_zones(layout: Layout, path: Path) -> tuple[ZoneCell, ...]:
     """The zones into which the route leads from outside (R17)."""
     first = path.ways[0]
     behind = topology(layout).beyond(first.section, path.entry_node)
-    over = [behind, *(t.section for t in path.ways)]
+    over = [behind, *(t.section for t in path.run)]
     out = []
     for z in layout.zones:
         entries = sum(b in z.sections and a not in z.sections for a, b in pairwise(over))

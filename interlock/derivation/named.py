@@ -54,8 +54,8 @@ def derive_automatic(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple
 
 
 def _fits(n: NamedRoute, p: Path) -> bool:
-    ends = (p.exit, p.ways[-1].section)
-    return p.entry == n.entry and n.exit in ends and set(n.via) <= {t.section for t in p.ways}
+    own = p.kind is not RouteKind.IDENTIFIER  # a part of the routes that lead past its signal
+    return own and p.entry == n.entry and n.exit in p.ends and set(n.via) <= {t.section for t in p.run}
 
 
 def _one(n: NamedRoute, fits: Sequence[Path], what: str, sink: Sink, at: Element) -> Path:
@@ -63,21 +63,21 @@ def _one(n: NamedRoute, fits: Sequence[Path], what: str, sink: Sink, at: Element
 
     A way of which every section lies on all the others, too, has none to name: without more sections it is meant.
     """
-    over = {p.id: {t.section for t in p.ways} for p in fits}
+    over = {p.id: {t.section for t in p.run} for p in fits}
     within = [p for p in fits if p.kind is fits[0].kind and all(over[p.id] <= o for o in over.values())]
     if within:
         return within[0]
     first = fits[0]
-    others = [p for p in fits if p.kind is first.kind and p.ways != first.ways]
+    others = [p for p in fits if p.kind is first.kind and p.run != first.run]
     if others:
-        ways = 1 + len({p.ways for p in others})
+        ways = 1 + len({p.run for p in others})
         text = f"{what} fits {ways} routes from {n.entry} to {n.exit}, and means {first.id}"
-        own = [t.section for t in first.ways if all(t.section not in over[p.id] for p in others)]
+        own = [t.section for t in first.run if all(t.section not in over[p.id] for p in others)]
         fix = f"add `via: [{own[0]}]`, or a section of the one that is meant" if own else "add `via`"
         sink.add("IL2024", text, None, fix, about=at)
     return first
 
 
 def _none(n: NamedRoute, paths: Sequence[Path], text: str, sink: Sink, at: Element) -> None:
-    ends = sorted({p.exit for p in paths if p.entry == n.entry})
+    ends = sorted({p.ends[0] for p in paths if p.entry == n.entry})
     sink.add("IL2007", text, None, did_you_mean(n.exit, ends), about=at)

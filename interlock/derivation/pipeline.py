@@ -28,7 +28,7 @@ from interlock.derivation.practice import check_practice
 from interlock.derivation.routes import Path, find_routes
 from interlock.derivation.voyages import derive_voyages
 from interlock.diag import Element, Sink
-from interlock.model.elements import BufferKind, MachineId, Position, SignalId
+from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.overlap import entry_speed
 from interlock.model.traversal import topology
@@ -73,6 +73,7 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     swinging = _swinging(layout, paths)
     _cannot_swing(layout, swinging, sink)
     hostile = Conflicts(paths, by_key, demands, barred)
+    _apart(paths, hostile, sink)
     idle_barred(layout, paths, hostile.derived, sink)
     names = derive_names(layout, paths, sink)
     hidden = {_way(p) for p in paths if set(names.get(p.id, ())) & set(layout.unlisted)}
@@ -110,7 +111,9 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
             approach=derive_approach(layout, p),
             release=derive_release(layout, p),
             listed=_way(p) not in hidden,
-            because=Because("R1", f"found from {p.entry} to {_end(layout, p)} {p.exit}"),
+            because=Because("R1", _found(layout, p)),
+            onward=None if p.onward is None else p.onward.id,
+            destination=None if p.onward is None else p.onward.exit,
         )
         for p in paths
     )
@@ -121,9 +124,26 @@ def derive(layout: Layout, sink: Sink) -> InterlockingTable:
     return InterlockingTable(layout.name, layout.digest, rows, locks, voyages, automatic)
 
 
-def _way(p: Path) -> tuple[SignalId, RouteKind, str, int]:
+def _way(p: Path) -> tuple[SignalId, RouteKind, str, int, RouteId | None]:
     """What the routes have in common that differ in their overlaps alone."""
-    return p.entry, p.kind, p.exit, p.variant
+    return p.entry, p.kind, p.exit, p.variant, None if p.onward is None else p.onward.id
+
+
+def _found(layout: Layout, p: Path) -> str:
+    if p.onward is None:
+        return f"found from {p.entry} to {_end(layout, p)} {p.exit}"
+    return f"found from {p.entry} past {p.exit} to {_end(layout, p.onward)} {p.onward.exit}"
+
+
+def _apart(paths: Sequence[Path], hostile: Conflicts, sink: Sink) -> None:
+    """IL4015: parts of one route that exclude each other."""
+    for p in paths:
+        why = None if p.onward is None else hostile.between_parts(p, p.onward)
+        if p.onward is not None and why is not None:
+            text = f"route {p.id} cannot be set: before and past {p.exit} it is hostile to itself: {why}"
+            end = p.onward.exit
+            fix = f"exclude it: `exclude: [{{from: {p.entry}, to: {end}, via: [{p.run[-1].section}], reason: ...}}]`"
+            sink.add("IL4015", text, None, fix, about=Element("signals", p.exit))
 
 
 def _clear(layout: Layout, path: Path) -> tuple[ClearCell, ...]:

@@ -150,7 +150,7 @@ def _closed(first: Iterable[str | int], further: dict[str | int, set[str | int]]
 
 def _check_waiting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
     """Main signals before which trains wait on points that they have just passed."""
-    ends = {p.exit for p in paths if p.exit_kind is ExitKind.SIGNAL and p.kind is RouteKind.MAIN}
+    ends = {p.exit for p in paths if p.exit_kind is ExitKind.SIGNAL and p.kind is RouteKind.MAIN and not p.onward}
     for g in found.layout.signals:
         behind = found.behind_points(g)
         if g.id not in ends or not g.main or behind is None or behind[1] >= TRAIN_M or found.turned(g):

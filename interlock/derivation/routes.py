@@ -4,13 +4,15 @@ A call-on route runs like a train route; it exists where its signal can call on.
 A train route follows the signal's direction to the next main signal of that direction, a boundary or a buffer.
 A shunt route ends at the next signal of either kind, at a buffer, or in the first berth: a plain section that is left
 only on a signal, where vehicles may stand.  It never leaves over a boundary.
+Past a signal with an identifier light a train route may lead on, to where one that begins there ends: it is made of the
+path to that signal and of a route of kind identifier beyond it.
 A path that meets itself, or that needs one machine in two positions, cannot be run and is reported.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from interlock.diag import Element, Sink
 from interlock.model.elements import (
@@ -51,11 +53,24 @@ class Path:
     berth: SectionId | None
     overlap: Ways = ()
     option: int = 0
+    onward: Path | None = None
+    """Past the signal at its exit, which shows its identifier light, it leads on over this one."""
 
     @property
     def length(self) -> float:
-        """Metres from the entry signal to the exit."""
-        return sum(t.length for t in self.ways)
+        """Metres from the entry signal to where the route ends."""
+        return sum(t.length for t in self.run)
+
+    @property
+    def run(self) -> Ways:
+        """All ways over which its train runs, those past the signal at its exit among them."""
+        return self.ways if self.onward is None else (*self.ways, *self.onward.ways)
+
+    @property
+    def ends(self) -> tuple[str, SectionId]:
+        """Where its train stops or leaves, and the last section."""
+        last = self if self.onward is None else self.onward
+        return last.exit, last.ways[-1].section
 
 
 @dataclass(frozen=True)
@@ -67,6 +82,13 @@ class _Found:
     exit: str
     exit_kind: ExitKind
     ways: Ways
+    beyond: Ways = ()
+    end: str = ""
+
+    @property
+    def leads(self) -> str:
+        """Where it ends, and which signal it passes before."""
+        return f"{self.exit}-{self.end}" if self.beyond else self.exit
 
 
 def machine_positions(layout: Layout, ways: Ways) -> dict[MachineId, Position] | None:
@@ -105,12 +127,15 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
     """Every route, ordered by signal, train before shunt, then exit, then rank of the alternative."""
     topo = topology(layout)
     found: list[_Found] = []
+    ahead: list[_Found] = []  # to signals that can be passed, whether or not a route may end there
     fits = [0] * len(layout.excluded)
     for g in layout.signals:
         kept = 0
         dropped: dict[str, list[Ways]] = {}
         for kind in RouteKind:
-            if not {RouteKind.MAIN: g.main, RouteKind.SHUNT: g.shunt, RouteKind.CALL_ON: g.call_on}[kind]:
+            passed = g.id in layout.identifiers
+            of = {RouteKind.MAIN: g.main, RouteKind.SHUNT: g.shunt, RouteKind.CALL_ON: g.call_on}
+            if not of.get(kind, passed):
                 continue
             if not layout.opens(g.id, kind is RouteKind.SHUNT):
                 continue
@@ -123,6 +148,8 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                 path = _Found(g, kind, name, exit_kind, ways)
                 out = [i for i, x in enumerate(layout.excluded) if _excludes(x, path)]
                 kept += 1
+                if kind is RouteKind.MAIN and name in layout.identifiers:
+                    ahead.append(path)
                 if not out:
                     found.append(path)
                 for i in out:
@@ -145,6 +172,9 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
                 "check its direction (`from`, `into`) and where the track goes",
                 about=Element("signals", g.id),
             )
+    past = _past(layout, found, ahead, fits, sink)
+    used = {(f.exit, f.beyond) for f in past}
+    found = [f for f in found if f.kind is not RouteKind.IDENTIFIER or (f.signal.id, f.ways) in used] + past
     for i, (x, n) in enumerate(zip(layout.excluded, fits, strict=True)):
         if not n:
             fix = "remove it, or correct its ends"
@@ -152,8 +182,67 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
     return _numbered(layout, found, sink)
 
 
+def _past(
+    layout: Layout, found: Sequence[_Found], ahead: Sequence[_Found], fits: list[int], sink: Sink
+) -> list[_Found]:
+    """Train routes past a signal that shows its identifier light: the path to it, and one that leads on."""
+    out: list[_Found] = []
+    for o in layout.overlaps:
+        if o.swing and o.signal in layout.identifiers:
+            text = f"the overlap of {o.signal} swings: no route can pass {o.signal} at identifier light"
+            fix = f"remove `swing` of the overlap, or `identifier` of {o.signal}"
+            sink.add("IL3032", text, None, fix, about=Element("overlaps", o.signal))
+    for a in ahead:
+        for b in found:
+            if b.kind is not RouteKind.IDENTIFIER or b.signal.id != a.exit:
+                continue
+            long = replace(a, beyond=b.ways, end=b.exit)
+            barred = [i for i, x in enumerate(layout.excluded) if _excludes(x, long)]
+            for i in barred:
+                fits[i] += 1
+            if not barred and (why := _why_not_past(layout, a, b)) is None:
+                out.append(long)
+            elif not barred:
+                text = f"no route from {a.signal.id} past {a.exit} to {b.exit}: {why}"
+                fix = "exclude it: `exclude: [{from: ..., to: ..., via: [...], reason: ...}]`, or change what it tells"
+                sink.add("IL4014", text, None, fix, about=Element("signals", a.exit), cause=a.exit, note=text)
+    for f in out:
+        if f.end in layout.identifiers:
+            text = f"a route past {f.exit} ends at {f.end}, which could be passed, too: a route passes one signal"
+            sink.add("IL3033", text, None, "", about=Element("signals", f.end), cause=f"{f.exit} {f.end}")
+    for g in layout.identifiers:
+        if not any(f.exit == g for f in out):
+            text = f"no route passes {g}: it never shows its identifier light"
+            fix = f"remove `identifier` of {g}; a route must lead to it, and another one on from it"
+            sink.add("IL4013", text, None, fix, about=Element("signals", g))
+    return out
+
+
+def _why_not_past(layout: Layout, a: _Found, b: _Found) -> str | None:
+    """Why one route cannot run over both paths; None where it can."""
+    twice = sorted({t.section for t in a.ways} & {t.section for t in b.ways})
+    if twice:
+        return f"it meets {twice[0]} again"
+    if layout.overlap_of.get(SignalId(a.exit), 0.0) > 0 and _overlap_along(layout, a.exit, b.ways) is None:
+        return f"no overlap of {a.exit} lies along it"
+    ways = (*a.ways, *b.ways)
+    return obstacle(layout, ways, ways)
+
+
+def _overlap_along(layout: Layout, signal: str, ways: Ways) -> tuple[int, Ways] | None:
+    """The longest alternative of a signal's overlap that lies wholly on the way beyond it."""
+    keys = {t.key for t in ways}
+    along = [
+        (k, over)
+        for k, over in enumerate(overlap_paths(layout, SignalId(signal)), start=1)
+        if all(t.key in keys for t in over)
+    ]
+    return max(along, key=lambda x: (len(x[1]), -x[0]), default=None)
+
+
 def _excludes(x: Exclude, path: _Found) -> bool:
-    ends, sections = {path.exit, path.ways[-1].section}, {t.section for t in path.ways}
+    ways = (*path.ways, *path.beyond)
+    ends, sections = {path.end or path.exit, ways[-1].section}, {t.section for t in ways}
     return x.fits(path.signal.id, ends, sections, path.kind is RouteKind.SHUNT)
 
 
@@ -161,35 +250,35 @@ def _numbered(layout: Layout, found: Sequence[_Found], sink: Sink) -> tuple[Path
     effect = _Effect(layout, found)
     groups: dict[tuple[SignalId, RouteKind, str], list[_Found]] = {}
     for f in found:
-        groups.setdefault((f.signal.id, f.kind, f.exit), []).append(f)
+        groups.setdefault((f.signal.id, f.kind, f.leads), []).append(f)
     kinds = list(RouteKind)
-    paths: list[Path] = []
-    for (g, kind, exit_), those in sorted(groups.items(), key=lambda x: (x[0][0], kinds.index(x[0][1]), x[0][2])):
+    paths: list[tuple[_Found, Path]] = []
+    in_order = sorted(groups.items(), key=lambda x: (x[0][0], kinds.index(x[0][1]), x[0][2]))
+    for (g, kind, leads), those in in_order:
         ranked = sorted(those, key=effect.rank) if len(those) > 1 else those
         mark = ".s" if kind is RouteKind.SHUNT and those[0].signal.kind is SignalKind.COMBINED else ""
-        mark = ".c" if kind is RouteKind.CALL_ON else mark
+        mark = {RouteKind.CALL_ON: ".c", RouteKind.IDENTIFIER: ".i"}.get(kind, mark)
         for variant, f in enumerate(ranked, start=1):
             suffix = f"{mark}.{variant}" if variant > 1 else mark
             berth = f.ways[-1].section if _ends_in_berth(layout, f) else None
-            for option, overlap in _overlaps(layout, f, f"{g}-{exit_}{suffix}", sink):
-                over = f".o{option}" if option > 1 else ""
-                paths.append(
-                    Path(
-                        RouteId(f"{g}-{exit_}{suffix}{over}"),
-                        len(paths) + 1,
-                        kind,
-                        g,
-                        f.signal.node,
-                        exit_,
-                        f.exit_kind,
-                        variant,
-                        f.ways,
-                        berth,
-                        overlap,
-                        option,
-                    )
-                )
-    return tuple(paths)
+            options = _overlaps(layout, f, f"{g}-{leads}{suffix}", sink)
+            for option, overlap in options:
+                over = f".o{option}" if option > 1 and not f.beyond else ""
+                id_ = RouteId(f"{g}-{leads}{suffix}{over}")
+                to, at = f.exit_kind, f.signal.node
+                path = Path(id_, 0, kind, g, at, f.exit, to, variant, f.ways, berth, overlap, option)
+                paths.append((f, path))
+    every = [x for f, p in paths for x in (_led_on(f, p, paths) if f.beyond else [p])]
+    number = {p.id: n for n, p in enumerate(every, start=1)}
+    numbered = [replace(p, number=number[p.id]) for p in every]
+    by_id = {p.id: p for p in numbered}
+    return tuple(p if p.onward is None else replace(p, onward=by_id[p.onward.id]) for p in numbered)
+
+
+def _led_on(f: _Found, p: Path, paths: Sequence[tuple[_Found, Path]]) -> list[Path]:
+    """A route past a signal, with each overlap that the route beyond may have."""
+    beyond = [q for _, q in paths if q.kind is RouteKind.IDENTIFIER and q.entry == p.exit and q.ways == f.beyond]
+    return [replace(p, id=RouteId(p.id + (f".o{q.option}" if q.option > 1 else "")), onward=q) for q in beyond]
 
 
 def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[int, Ways]]:
@@ -198,6 +287,9 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
         return [(0, ())]
     if SignalId(f.exit) not in layout.overlap_of:
         return [(0, ())]
+    if f.beyond:
+        along = _overlap_along(layout, f.exit, f.beyond)
+        return [] if along is None else [along]
     options = overlap_paths(layout, SignalId(f.exit))
     mine = {t.section for t in f.ways}
     fits = [
@@ -260,7 +352,7 @@ class _Effect:
         trains = sum(o.kind is RouteKind.MAIN for o in others)
         points = [p for t in f.ways for p in t.points]
         length = sum(t.length for t in f.ways)
-        key = tuple(t.key for t in f.ways)
+        key = tuple(t.key for t in (*f.ways, *f.beyond))
         return (receiving, departing, trains, len(others) - trains, length, len(points), key)
 
 

@@ -65,7 +65,7 @@ def _chains(v: Voyage, routes: Sequence[RouteRow]) -> Iterator[tuple[RouteRow, .
     kind = RouteKind.SHUNT if v.shunt else RouteKind.MAIN
     from_: dict[SignalId, list[RouteRow]] = {}
     for r in routes:
-        if r.kind is kind:
+        if r.kind is kind and r.onward is None:  # past a signal a chain runs over routes that begin there
             from_.setdefault(r.entry, []).append(r)
     todo: deque[tuple[RouteRow, ...]] = deque((r,) for r in from_.get(v.entry, ()))
     budget = 20_000

@@ -79,7 +79,8 @@ class Stage:
 
 def stages(table: InterlockingTable, symbols: Symbols) -> dict[RouteId, Stage]:
     """Every route as a panel of this controller sees it."""
-    lamps = (symbols.clear_aspect, symbols.caution_aspect, symbols.call_aspect, symbols.shunt_aspect)
+    trains = (symbols.clear_aspect, symbols.caution_aspect, symbols.call_aspect, symbols.identifier_aspect)
+    lamps = (*trains, symbols.shunt_aspect)
     found: dict[RouteId, Stage] = {}
     for r in table.routes:
         before = symbols.approach_of.get(r.entry)

@@ -116,6 +116,11 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
                 ctx.at("signals", name, "call_on"),
                 "remove `call_on`, or make it a `main` or `combined` signal",
             )
+        if spec.identifier and spec.kind not in ("main", "combined"):
+            what = "shunt signal" if spec.kind == "shunt" else "board"
+            text = f"{name} is a {what}: no train is to obey it, so that none is to be told to disregard it"
+            fix = "remove `identifier`, or make it a `main` or `combined` signal"
+            ctx.add("IL2025", text, ctx.at("signals", name, "identifier"), fix)
         if spec.stops_trains and spec.kind != "shunt":
             text = f"{name} is no shunt signal: `stops_trains` says nothing of it"
             ctx.add("IL3027", text, ctx.at("signals", name, "stops_trains"), "remove `stops_trains`")
@@ -168,6 +173,12 @@ def boards(ctx: Context) -> tuple[SignalId, ...]:
 def stops(ctx: Context) -> tuple[SignalId, ...]:
     """Where train routes end and none begins."""
     return tuple(sorted(SignalId(g) for g, x in ctx.file.signals.items() if x.kind == "board" or x.stops_trains))
+
+
+def identifiers(ctx: Context) -> tuple[SignalId, ...]:
+    """Main signals that show an identifier light while a longer route passes them."""
+    those = (g for g, x in ctx.file.signals.items() if x.identifier and x.kind in ("main", "combined"))
+    return tuple(sorted(map(SignalId, those)))
 
 
 def signal_releases(ctx: Context) -> tuple[tuple[SignalId, float], ...]:

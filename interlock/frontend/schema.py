@@ -207,6 +207,11 @@ class SignalSpec(_Part):
         "the principles `approach_release_s` and `shunt_release_s`",
         None,
     )
+    identifier: YesNo = key(
+        "a main or combined signal that a longer route can pass: it then shows an identifier light (German Kennlicht) "
+        "instead of stop or proceed, and means nothing to the train",
+        False,
+    )
     call_on: YesNo = key(
         "a main or combined signal that can call a train on over sections that are reported occupied", False
     )

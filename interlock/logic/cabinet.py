@@ -25,7 +25,10 @@ from interlock.model.portable import portable
 
 SPARE = 0.1
 
-_LAMPS = (names.STOP_ASPECT, names.CAUTION_ASPECT, names.CLEAR_ASPECT, names.SHUNT_ASPECT, names.CALL_ASPECT)
+_LAMPS = (
+    *(names.STOP_ASPECT, names.CAUTION_ASPECT, names.CLEAR_ASPECT, names.SHUNT_ASPECT, names.CALL_ASPECT),
+    names.IDENTIFIER_ASPECT,
+)
 
 
 class BadAddress(Exception):
@@ -137,7 +140,7 @@ def _wires(layout: Layout, controller: Controller) -> Iterator[tuple[str, str, s
         yield name, "I", s
     for (m, _), name in sym.detected.items():
         yield name, "I", m
-    for lamps in (sym.stop_lamp, sym.clear_lamp, sym.caution_lamp):
+    for lamps in (sym.stop_lamp, sym.clear_lamp, sym.caution_lamp, sym.identifier_lamp):
         for g, name in lamps.items():
             yield name, "I", g
     for c, name in sym.condition.items():

@@ -175,6 +175,12 @@ class RouteSymbols:
     passing: Name | None = None
     names: tuple[str, ...] = ()
     """Names that the author gives to it, beside its id."""
+    identifier: bool = False
+    """Its signal shows its identifier light, for a train that passes it under a route that leads past it."""
+    onward: int | None = None
+    """The number of the route, of kind identifier, that is set with it past the signal at its end."""
+    parts_of: tuple[int, ...] = ()
+    """The numbers of the routes that lead past its signal: it is set with one of them, never alone."""
     added: Name | None = None
     """The variable that tells that it holds what the author has added to it: hostile routes and points."""
     barred: tuple[int, ...] = ()
@@ -222,6 +228,7 @@ class Symbols:
     condition: Mapping[ConditionId, Name]
     stop_lamp: Mapping[SignalId, Name]
     clear_lamp: Mapping[SignalId, Name]
+    identifier_lamp: Mapping[SignalId, Name]
     caution_lamp: Mapping[SignalId, Name]
     drive: Mapping[tuple[MachineId, Position], Name]
     turn: Mapping[MachineId, Name]
@@ -234,6 +241,7 @@ class Symbols:
     clear_aspect: Mapping[SignalId, Name]
     caution_aspect: Mapping[SignalId, Name]
     call_aspect: Mapping[SignalId, Name]
+    identifier_aspect: Mapping[SignalId, Name]
     shunt_aspect: Mapping[SignalId, Name]
     stop_aspect: Mapping[SignalId, Name]
     distant_clear: Mapping[SignalId, Name]
@@ -289,8 +297,10 @@ class Symbols:
         return {s: (k, *(name for _, name in self.locks_of.get(s, ()))) for s, k in self.restart.items()}
 
     def proceed_lamps(self, g: SignalId, shunt: bool = False) -> tuple[Name, ...]:
-        """The outputs that show proceed at a signal: to trains (call-on included), or to shunting movements."""
-        aspects = (self.shunt_aspect,) if shunt else (self.clear_aspect, self.caution_aspect, self.call_aspect)
+        """The outputs at which a movement may pass a signal: a train (called on, or past an identifier light, too), or
+        a shunting movement."""
+        trains = (self.clear_aspect, self.caution_aspect, self.call_aspect, self.identifier_aspect)
+        aspects = (self.shunt_aspect,) if shunt else trains
         return tuple(aspect[g] for aspect in aspects if g in aspect)
 
     @property
@@ -298,6 +308,7 @@ class Symbols:
         """The outputs that are lit at signals and distants, stop lamps among them."""
         for aspect in (self.clear_aspect, self.caution_aspect, self.call_aspect, self.shunt_aspect, self.stop_aspect):
             yield from aspect.values()
+        yield from self.identifier_aspect.values()
         yield from (*self.distant_clear.values(), *self.distant_caution.values())
 
     def main_lamps(self, g: SignalId) -> tuple[Name, ...]:
@@ -305,7 +316,8 @@ class Symbols:
         return tuple(aspect[g] for aspect in (self.clear_aspect, self.caution_aspect) if g in aspect)
 
     def signal(self, g: SignalId, shunt: bool = False) -> Expr:
-        """Whether a signal shows proceed, by its lamps: to trains (call-on included), or to shunting movements."""
+        """Whether a movement may pass a signal, by its lamps: a train (called on, or past an identifier light, too), or
+        a shunting movement."""
         return disj(var(name) for name in self.proceed_lamps(g, shunt))
 
     def opened(self, g: SignalId, shunt: bool = False) -> Expr:
@@ -324,6 +336,14 @@ class Symbols:
         routes = self.routes_from.get(g, ())
         return disj(var(r.passing) for r in routes if r.shunt is shunt and r.passing is not None)
 
+    def identifies(self, g: SignalId) -> Expr:
+        """Whether a signal shows its identifier light."""
+        return var(self.identifier_aspect[g]) if g in self.identifier_aspect else FALSE
+
+    def asked_for(self, r: RouteSymbols) -> Expr:
+        """A route is newly asked for by hand: what lies past a signal with a route that leads past it."""
+        return disj(map(self.asked, r.parts_of)) if r.identifier else self.asked(r.number)
+
     def asked(self, number: int) -> Expr:
         """A route number (0: none) is newly asked for by hand, from the control centre or on the spot."""
         if self.local_request is None:
@@ -333,11 +353,31 @@ class Symbols:
 
     def opens(self, g: SignalId, shunt: bool = False) -> Expr:
         """Whether a signal is open for a movement before it, other than by calling a train on."""
-        return disj(var(r.proceed) for r in self.routes_from.get(g, ()) if r.shunt is shunt and not r.call_on)
+        own = (r for r in self.routes_from.get(g, ()) if not r.call_on and not r.identifier)
+        return disj(var(r.proceed) for r in own if r.shunt is shunt)
 
     def called(self, g: SignalId) -> Expr:
         """Whether a signal calls a train on."""
         return disj(var(r.proceed) for r in self.routes_from.get(g, ()) if r.call_on)
+
+    @cached_property
+    def whole(self) -> tuple[RouteSymbols, ...]:
+        """Routes as trains run over them: one that leads past a signal with what it locks beyond it, which is no route
+        by itself."""
+        out = []
+        for r in self.routes:
+            if r.onward is not None:
+                beyond = self.number[r.onward]
+                demands = (*r.demands, *beyond.demands)
+                out.append(replace(r, ways=(*r.ways, *beyond.ways), overlap=beyond.overlap, demands=demands))
+            elif not r.identifier:
+                out.append(r)
+        return tuple(out)
+
+    @cached_property
+    def number(self) -> dict[int, RouteSymbols]:
+        """Routes by number."""
+        return {r.number: r for r in self.routes}
 
     @cached_property
     def routes_from(self) -> dict[SignalId, list[RouteSymbols]]:

@@ -53,6 +53,7 @@ SENTENCES: dict[Family, Sentence] = {
     names.CONDITION: Sentence("condition {0} does not hold", "", "R17"),
     names.STOP_LAMP: Sentence("the stop lamp of {0} is out", "", "R11"),
     names.CLEAR_LAMP: Sentence("the clear lamp of {0} is out", "", "R11"),
+    names.IDENTIFIER_LAMP: Sentence("the identifier lamp of {0} is out", "", "R11"),
     names.CAUTION_LAMP: Sentence("the caution lamp of {0} is out", "", "R11"),
     names.CANCELLING: Sentence("", "the route from {0} is being cancelled", "R8"),
     names.OVERLAP: Sentence("overlap {1} of {0} is not held", "overlap {1} of {0} is held there", "R4"),

@@ -4,7 +4,8 @@ A driver who has been told that a signal is open may be as far away as the braki
 there, and as far as the first main signal in rear that shows a better aspect because this one is open.  If that signal
 falls back when he is nearer to it than he runs until he reacts, he does not notice, so that this way belongs to the
 approach, too.  Back to the farther of the two every section does, over every way on which a train can be called; where
-detection ends before that, a train may always be on its way unseen.
+detection ends before that, a train may always be on its way unseen.  A signal that may be passed at identifier light
+tells nothing then, so that the one before it counts.
 """
 
 from __future__ import annotations
@@ -78,8 +79,9 @@ def _before(
         return None
     needed = max(needed, metres(s, told_at))
     further = []
+    silent = {None, *layout.identifiers}
     for t in topo.traversals[s]:
-        tells = not announced and (t.entry, s) in topo.main_into
+        tells = not announced and topo.main_into.get((t.entry, s)) not in silent
         run = gone + t.length
         if t.exit != node or (announced and run >= needed):
             continue

@@ -96,6 +96,8 @@ class Layout:
     """Boards without lamps, of the kind of signal whose routes end there; no route begins at one."""
     stops: tuple[SignalId, ...] = ()
     """Where train routes end and none begins: stop boards, and shunt signals that the author says so of."""
+    identifiers: tuple[SignalId, ...] = ()
+    """Main signals that a longer route can pass: they show an identifier light meanwhile."""
     overlap_ways: tuple[OverlapWay, ...] = ()
     """Alternatives of overlaps with values of their own; of several that fit, the first counts."""
     entry_speeds: tuple[tuple[SignalId, int], ...] = ()
@@ -330,7 +332,7 @@ class Layout:
 _ONLY_STATED = frozenset(
     {"blades", "barred", "demanded", "boards", "stops", "supervision", "unlisted", "hands", "target", "health"}
     | {"title_block", "named_kinds", "no_berths", "signal_releases", "anchors"}
-    | {"overlap_ways", "entry_speeds", "overlap_releases"}
+    | {"overlap_ways", "entry_speeds", "overlap_releases", "identifiers"}
 )
 """Written only where there are any: a new element of the language changes no digest of layouts that do not have it."""
 

@@ -26,7 +26,8 @@ def causes(ready: Ready, cycle: Cycle) -> Causes:
         trailed = y.trailed.get(m)  # type: ignore[call-overload]
         if trailed is not None and cycle.memory.state.get(trailed):
             out[f"trailed {m}"] = (f"{m} was trailed: look at it", (f"m:{m}",))
-    for lamps, what in ((y.stop_lamp, "stop"), (y.clear_lamp, "clear"), (y.caution_lamp, "caution")):
+    lamp_inputs = ((y.stop_lamp, "stop"), (y.clear_lamp, "clear"), (y.caution_lamp, "caution"))
+    for lamps, what in (*lamp_inputs, (y.identifier_lamp, "identifier")):
         for g, name in lamps.items():
             if cycle.valid and not cycle.inputs.get(name, 0):
                 out[f"{what} lamp {g}"] = (f"the {what} lamp of {g} is out", (f"g:{g}",))

@@ -101,14 +101,15 @@ def _boundary(layout: Layout, node: str) -> dict[str, Any]:
 
 
 def _route(r: RouteRow, table: InterlockingTable) -> dict[str, Any]:
-    kind = {ExitKind.SIGNAL: "signal", ExitKind.BOUNDARY: "boundary", ExitKind.BUFFER: "buffer"}.get(r.exit_kind)
+    last = r if r.onward is None else table.route[r.onward]
+    kind = {ExitKind.SIGNAL: "signal", ExitKind.BOUNDARY: "boundary", ExitKind.BUFFER: "buffer"}.get(last.exit_kind)
     return {
         "id": str(r.id),
         "names": list(r.names),
         "kind": str(r.kind),
         "entry": str(r.entry),
-        "exit": [kind or "section", str(r.exit)],
-        "sections": [str(s) for s in r.section_ids],
+        "exit": [kind or "section", str(last.exit)],
+        "sections": [str(s) for s in dict.fromkeys((*r.section_ids, *last.section_ids))],
         "automatic": r.id in table.automatic,
     }
 
@@ -173,6 +174,7 @@ class Picture:
                     (word, aspect[g.id])
                     for word, aspect in (
                         ("call", y.call_aspect),
+                        ("identifier", y.identifier_aspect),
                         ("clear", y.clear_aspect),
                         ("caution", y.caution_aspect),
                         ("shunt", y.shunt_aspect),

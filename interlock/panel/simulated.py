@@ -333,7 +333,7 @@ class SimulatedField:
         """By signal: the inputs that report its lamps."""
         out: dict[str, dict[str, str]] = {}
         for g in self.layout.signals:
-            for what, prefix in (("stop", "RL_"), ("clear", "GL_"), ("caution", "CL_")):
+            for what, prefix in (("stop", "RL_"), ("clear", "GL_"), ("caution", "CL_"), ("identifier", "NL_")):
                 if (name := f"{prefix}{portable(g.id)}") in self.world.inputs:
                     out.setdefault(str(g.id), {})[what] = name
         return out

@@ -192,6 +192,7 @@ class Lanes:
         values[sym.valid] = m
         values |= dict.fromkeys(sym.blocked.values(), 0)
         lamps = (*sym.stop_lamp.values(), *sym.clear_lamp.values(), *sym.caution_lamp.values())
+        lamps = (*lamps, *sym.identifier_lamp.values())
         values |= dict.fromkeys((*sym.condition.values(), *sym.healthy.values(), *lamps), m)
         for b, wire in sym.token.items():
             values |= {wire.gives: moved[names.TELEGRAM(b, "gives")], wire.has: moved[names.TELEGRAM(b, "has")]}

@@ -90,6 +90,7 @@ class Simulator:
             values[name] = 0
         sym = self.controller.symbols
         lamps = (*sym.stop_lamp.values(), *sym.clear_lamp.values(), *sym.caution_lamp.values())
+        lamps = (*lamps, *sym.identifier_lamp.values())
         for name in (*sym.condition.values(), *sym.healthy.values(), *lamps):
             values[name] = 1
         for b, wire in sym.token.items():

@@ -63,8 +63,8 @@ class Called:
         def lacking(name: str) -> bool:
             return not now.get(name, 1) and not before.get(name, 1)
 
-        clear, caution, *_ = w.drivers.lit[signal]
-        trusts = not t.shunting and bool(shown.get(clear) or shown.get(caution))
+        clear, caution, *_, identifier = w.drivers.lit[signal]
+        trusts = not t.shunting and any(map(shown.get, (clear, caution, identifier)))
         wrong: list[str] = []
         if lacking("VALID"):
             wrong.append("while inputs are lost")
@@ -74,7 +74,7 @@ class Called:
         wrong += self._zones(t, path)
         if trusts:
             wrong += self._overlap(t, end)
-            wrong += self._aspects(path, end, signal, shown)
+            wrong += self._aspects(t, path, end, signal, shown)
         for what in wrong:
             name = self.track.signals[signal]
             w.watch.tell(w.clock, f"called {t.number} {name} {what}", f"{name} calls train {t.number} {what}")
@@ -173,10 +173,17 @@ class Called:
                 wrong.append(f"to an overlap in {self.track.sections[x]}, occupied")
         return wrong
 
-    def _aspects(self, path: list[int], end: int, signal: int, shown: Mapping[str, int]) -> list[str]:
+    def _aspects(self, t: Train, path: list[int], end: int, signal: int, shown: Mapping[str, int]) -> list[str]:
         """Clear before a signal at stop; a speed that the path does not permit, or the overlap at its end."""
         w, s, wrong = self.world, self.track.stretches, []
-        clear = w.drivers.lit[signal][0]
+        clear, *_, identifier = w.drivers.lit[signal]
+        if shown.get(identifier):
+            return []  # it tells a driver nothing: the signal before has
+        for _ in range(LONGEST):  # he passes those at identifier light
+            if end == NONE or not shown.get(w.drivers.lit[end][-1]):
+                break
+            beyond, end = self._path(t, end)
+            path = [*path, *beyond]
         if shown.get(clear) and w.drivers.three and end != NONE:
             after = w.drivers.lit[end]
             if not any(shown.get(x) for x in after[:2]):

@@ -44,8 +44,9 @@ class Drivers:
         self.reaction = rules.reaction_s
         self.three = rules.caution is not Caution.NEVER
         names = [portable(str(g.id)) for g in layout.signals]
-        self.lit = [(f"YP_{n}", f"YY_{n}", f"YO_{n}", f"YW_{n}", f"YS_{n}") for n in names]
+        self.lit = [(f"YP_{n}", f"YY_{n}", f"YO_{n}", f"YW_{n}", f"YS_{n}", f"YI_{n}") for n in names]
         self.clear_out = [f"GL_{n}" for n in names]
+        self.identifier_out = [f"NL_{n}" for n in names]
         self.caution_out = [f"CL_{n}" for n in names]
         line_speed = rules.line_speed_kmh / 3.6
         self.shunt_speed = min(rules.shunt_speed_kmh / 3.6, line_speed)
@@ -80,14 +81,18 @@ class Drivers:
         return next(x for x in stated if x.over <= over)
 
     def proceed(self, t: Train, signal: int, shown: Mapping[str, int]) -> bool | None:
-        """What a driver reads: None stop, False to trains, True to shunting movements."""
-        clear, caution, call, white, stop = self.lit[signal]
+        """What a driver reads: None stop, False to trains (an identifier light: nothing is meant for them here), True
+        to shunting movements."""
+        clear, caution, call, white, stop, identifier = self.lit[signal]
         out = self.world.out
         green = shown.get(clear) and self.clear_out[signal] not in out
         yellow = shown.get(caution) and self.caution_out[signal] not in out
         if ((green or yellow or shown.get(white)) and shown.get(stop)) or (shown.get(clear) and shown.get(caution)):
             self.world.watch.contradicts(self.world, signal)
-        if green or yellow or shown.get(call):
+        passes = shown.get(identifier) and self.identifier_out[signal] not in out
+        if passes and any(map(shown.get, (clear, caution, call, white, stop))):
+            self.world.watch.contradicts(self.world, signal)
+        if green or yellow or shown.get(call) or passes:
             return False
         if shown.get(white) and (t.shunting or t.speed == 0.0):
             return True
@@ -182,6 +187,8 @@ class Drivers:
             if t.reads < READS_S:
                 return
         announced = self.three and bool(shown.get(self.lit[t.target][0]))
+        if shown.get(self.lit[t.target][5]):  # what the signal before has told him goes on
+            announced = self.three and t.expects
         if t.announced and not announced and t.accepted and t.read == t.target:
             if not self._reacted(t, dt):
                 return

@@ -134,10 +134,10 @@ class World:
         self.rules = layout.principles
         self.inputs: dict[str, int] = {name: restrictive for name, (restrictive, _) in inputs.items()}
         for name in self.inputs:
-            if name.startswith(("RL_", "GL_", "CL_", "E_", "SH_", "VALID")):
+            if name.startswith(("RL_", "GL_", "CL_", "NL_", "E_", "SH_", "VALID")):
                 self.inputs[name] = 1
         self.conditions = [n for n in self.inputs if n.startswith("E_")]
-        self.lamps = [n for n in self.inputs if n.startswith(("RL_", "GL_", "CL_"))]
+        self.lamps = [n for n in self.inputs if n.startswith(("RL_", "GL_", "CL_", "NL_"))]
         self.clear = [f"CLR_{portable(s)}" for s in track.sections]
         self.healthy = [f"SH_{portable(s)}" for s in track.sections]
         self.sensors = [i for i, n in enumerate(self.healthy) if n in self.inputs]

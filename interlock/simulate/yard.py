@@ -78,7 +78,7 @@ class Yard:
         self.changed_ms: int | None = None
         """Since when an input is other than the controller has read it."""
         for name in inputs:  # nothing is pressed, blocked or out of order
-            inputs[name] = int(name.startswith(("RL_", "GL_", "CL_", "E_", "SH_", "VALID", "CLR_")))
+            inputs[name] = int(name.startswith(("RL_", "GL_", "CL_", "NL_", "E_", "SH_", "VALID", "CLR_")))
         self.trains: list[Train] = []
         self.rolling: dict[str, Rolling] = {}
         self.machines = Points(self)

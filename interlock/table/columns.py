@@ -131,6 +131,10 @@ def _closing(r: RouteRow) -> Reasons:
     return [("first axle" if whole is None else f"{whole} clear", r.closing.because)]
 
 
+def _leads(r: RouteRow) -> str:
+    return r.exit if r.onward is None else f"{r.destination} past {r.exit}"
+
+
 COLUMNS: tuple[Column, ...] = (
     Column("number", "No.", "进路号码", "Nr.", lambda r: [(str(r.number), r.because)]),
     Column(
@@ -144,7 +148,7 @@ COLUMNS: tuple[Column, ...] = (
     Column("kind", "Kind", "进路性质", "Art", lambda r: [(r.kind, r.because)]),
     Column("names", "Name", "名称", "Name", _names, lambda w, _: [n for r in w.rows for n in _names(r)]),
     Column("entry", "Entry signal", "始端信号机", "Start", lambda r: [(r.entry, r.because)]),
-    Column("exit", "Exit", "终端", "Ziel", lambda r: [(r.exit, r.because)]),
+    Column("exit", "Exit", "终端", "Ziel", lambda r: [(_leads(r), r.because)]),
     Column(
         "variant",
         "Alternative",

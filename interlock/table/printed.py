@@ -85,9 +85,9 @@ class Printed:
     @cached_property
     def ways(self) -> Mapping[RouteId, PrintedRoute]:
         """The printed row of every route."""
-        found: dict[tuple[str, RouteKind, str, int], list[RouteRow]] = {}
+        found: dict[tuple[str, RouteKind, str, int, RouteId | None], list[RouteRow]] = {}
         for r in self.table.routes:
-            found.setdefault((r.entry, r.kind, r.exit, r.variant), []).append(r)
+            found.setdefault((r.entry, r.kind, r.exit, r.variant, r.onward), []).append(r)
         out: dict[RouteId, PrintedRoute] = {}
         for rows in found.values():
             way = PrintedRoute(tuple(rows), out)

@@ -301,6 +301,7 @@ class Shows(StrEnum):
     NEXT = "clear if the next signal is open"
     SHUNT = "shunt"
     CALL_ON = "call-on"
+    IDENTIFIER = "identifier"
 
 
 @dataclass(frozen=True)
@@ -370,11 +371,13 @@ class ExitKind(StrEnum):
 
 
 class RouteKind(StrEnum):
-    """Train route, shunt route, or call-on route (引导): a train over sections that are reported occupied (R2)."""
+    """Train route, shunt route, call-on route (引导): a train over sections that are reported occupied (R2), or what a
+    train route past a signal locks beyond it, while that signal shows its identifier light."""
 
     MAIN = "main"
     SHUNT = "shunt"
     CALL_ON = "call-on"
+    IDENTIFIER = "identifier"
 
 
 @dataclass(frozen=True)
@@ -405,6 +408,8 @@ class RouteRow:
     `berth`: the shunt route ends in a plain section in which vehicles may stand; it is the last traversal, and the
     only one that need not be clear.  `driven` points are moved along and never checked.  `barred`: those of the hostile
     routes that the author declares so.  `listed`: whether the route is printed.
+    `onward`: past the signal at its exit, which shows its identifier light, the train runs on over this route, of kind
+    identifier; the two are set together.  `destination`: where that ends.
     """
 
     id: RouteId
@@ -439,6 +444,8 @@ class RouteRow:
     release: tuple[ReleaseStep, ...]
     listed: bool
     because: Because
+    onward: RouteId | None = None
+    destination: str | None = None
 
     @property
     def train(self) -> bool:

@@ -38,6 +38,7 @@ MORE = {
     "tests/layouts_for_tests/swing.yaml": tuple(k.name for k in KINDS if k.name.startswith("swing-")),
     "tests/layouts_for_tests/speeds.yaml": ("speed-too-high",),
     "tests/layouts_for_tests/boards.yaml": ("board-passed",),
+    "tests/layouts_for_tests/identifier.yaml": tuple(k.name for k in KINDS if k.name.startswith("identifier-")),
     "tests/layouts_for_tests/entry_speeds.yaml": ("entry-speed-forgotten",),
 }
 

@@ -45,7 +45,8 @@ EXPLAINED = """
 Layouts with every kind of element (`tests/grow_all.py`): points, diamonds, single and double slips, with one machine or
 two, derailers, traps, hand-worked points, level crossings and other interlocks, sidings without detection, tracks
 joined end to end; main, shunt and combined signals, call-on, stop boards, limit-of-shunt boards, shunt signals at which
-trains end, signals that close behind the first axle or the whole movement; overlaps of several lengths and entry
+trains end, signals that are passed at identifier light, signals that close behind the first axle or the whole movement;
+overlaps of several lengths and entry
 speeds, successive, swinging; flank space, zones, conditions, detectors that report faults, blocks and direction tokens,
 speeds, single directions; what the author adds, excludes, waives and names; substations and their health; four profiles
 with knobs of their own, names of several scripts.

@@ -95,7 +95,7 @@ class Railway:
         self._zone_of = {s: z.id for z in layout.zones for s in z.sections}
         self._from: dict[tuple[NodeId, SectionId], list[RouteRow]] = {}
         for r in sorted(table.routes, key=lambda r: (self.rank[r.id], r.number)):
-            if r.kind is not RouteKind.CALL_ON:
+            if r.kind not in (RouteKind.CALL_ON, RouteKind.IDENTIFIER) and r.onward is None:  # one signal after another
                 self._from.setdefault((r.entry_node, r.section_ids[0]), []).append(r)
 
     @cached_property

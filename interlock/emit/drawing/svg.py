@@ -248,10 +248,12 @@ def _signals(d: Drawing) -> list[str]:
 
 def _signal(layout: Layout, g: Signal, x: float, y: float, ahead: bool, leftward: bool) -> str:
     """A foot at the joint, a mast along the track in the direction of travel, and its lamps: full for main signals,
-    open for shunt signals, both for combined ones.  A board has none, but a bar across its mast."""
+    open for shunt signals, both for combined ones; one more, open, for an identifier light.  A board has none, but a
+    bar across its mast."""
     side, way = (-1 if ahead is leftward else 1), (1 if ahead else -1)
     my = y + side * 14
     lamps = [k for k, there in (("main", g.main), ("shunt", g.shunt)) if there and layout.opens(g.id, k == "shunt")]
+    lamps += ["identifier"] if g.id in layout.identifiers else []
     mast = f"M{_n(x)} {_n(y + side * 4)} L{_n(x)} {_n(my + side * 4)} M{_n(x)} {_n(my)} L{_n(x + way * 12)} {_n(my)}"
     if g.id in layout.boards:
         mast += f" M{_n(x + way * 12)} {_n(my - 6)} L{_n(x + way * 12)} {_n(my + 6)}"

@@ -114,6 +114,7 @@ def equipment_csv(layout: Layout, a: Allocation) -> str:
     derailers = {p.machine for p in layout.points if p.derailer}
     motors = [m for m in layout.ends_of_machine if m not in hand]
     kinds["call-on lamp"] = sum(g.call_on for g in layout.signals)
+    kinds["identifier light"] = len(layout.identifiers)
     kinds["distant signal"] = len(layout.distants)
     kinds["section with detection"] = sum(s.detected and not s.approach for s in layout.sections)
     kinds["approach section with detection"] = sum(s.detected and s.approach for s in layout.sections)

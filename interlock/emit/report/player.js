@@ -10,7 +10,7 @@ function views(k) {
   return out;
 }
 
-const words = { occupied: "occupied", locked: "locked", overlap: "held as overlap", restart: "restart lock", proceed: "proceed", N: "normal", R: "reverse" };
+const words = { occupied: "occupied", locked: "locked", overlap: "held as overlap", restart: "restart lock", proceed: "proceed", identifier: "identifier light", N: "normal", R: "reverse" };
 
 function show(k) {
   at = Math.max(0, Math.min(data.texts.length - 1, k));

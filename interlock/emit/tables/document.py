@@ -42,6 +42,9 @@ from interlock.table.rows import (
 
 SCHEMA = f"interlock-table/{SCHEMA_VERSION}"
 
+ONLY_STATED = frozenset({"onward", "destination"})
+"""Keys that are written only where they say something."""
+
 TOPOLOGY = ("sections", "edges", "points", "crossings", "signals", "boundaries", "buffers", "devices")
 """What a reader of the table needs of the layout: the graph in which its nodes, edges and sections are found."""
 
@@ -121,7 +124,8 @@ class _Writer:
         return self._fields(x) if hasattr(kind, "__dataclass_fields__") else x
 
     def _fields(self, x: Any) -> dict[str, Any]:
-        return {f: self.value(getattr(x, f)) for f in x.__dataclass_fields__}
+        said = ((f, getattr(x, f)) for f in x.__dataclass_fields__)
+        return {f: self.value(v) for f, v in said if v is not None or f not in ONLY_STATED}
 
     def _in(self, shared: list[Any], x: Any) -> int:
         """The place of a value in the list of its kind."""

@@ -72,6 +72,7 @@ def _route(x: Reading, r: RouteRow) -> dict[str, object]:
             {"refersTo": p.machine, "inPosition": IN[p.position]} for p in path if p.machine not in facing
         ],
         "hasTvdSection": [s.section for s in r.sections],
+        **({"continuesAs": r.onward} if r.onward is not None else {}),
     }
 
 

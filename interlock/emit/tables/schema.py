@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_typ
 
 from pydantic import BaseModel, Field, create_model
 
-from interlock.emit.tables.document import CELLS, SCHEMA, TOPOLOGY
+from interlock.emit.tables.document import CELLS, ONLY_STATED, SCHEMA, TOPOLOGY
 from interlock.model.layout import Layout
 from interlock.table.rows import Because, HostileRoutes, Hostility, InterlockingTable
 
@@ -87,5 +87,6 @@ def _closed(value: Any) -> Any:
         return value
     out = {k: _closed(v) for k, v in value.items() if k not in ("title", "default") or isinstance(v, dict)}
     if out.get("type") == "object" and "properties" in out:
-        out |= {"required": list(out["properties"]), "additionalProperties": False}
+        required = [key for key in out["properties"] if key not in ONLY_STATED]
+        out |= {"required": required, "additionalProperties": False}
     return out

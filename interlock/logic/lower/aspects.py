@@ -25,6 +25,9 @@ def cautions(d: Draft) -> bool:
 
 def lamp_terms(d: Draft, r: RouteRow) -> list[Term]:
     """Proceed needs a lamp to show it; the most restrictive proceed lamp is the last (R11)."""
+    if d.layout.principles.lamp_proof and r.kind is RouteKind.IDENTIFIER:
+        note = f"identifier lamp of {r.entry} intact"
+        return [Term(var(names.IDENTIFIER_LAMP(r.entry)), "proceed lamp intact", note)]
     if not d.layout.principles.lamp_proof or r.kind is not RouteKind.MAIN:
         return []
     lamp, word = (names.CAUTION_LAMP, "caution") if cautions(d) else (names.CLEAR_LAMP, "clear")
@@ -65,6 +68,7 @@ def lamps(d: Draft) -> dict[str, Any]:
         "clear_aspect": each(names.CLEAR_ASPECT, mains),
         "caution_aspect": each(names.CAUTION_ASPECT, mains if cautions(d) else []),
         "call_aspect": each(names.CALL_ASPECT, calls),
+        "identifier_aspect": each(names.IDENTIFIER_ASPECT, [g for g in signals if d.identifies(g.id)]),
         "shunt_aspect": each(names.SHUNT_ASPECT, [g for g in signals if g.shunt]),
         "stop_aspect": each(names.STOP_ASPECT, signals),
     }
@@ -104,7 +108,11 @@ def outputs(d: Draft) -> None:
             d.outputs.append(
                 Output(names.CALL_ASPECT(signal.id), disj(calls), False, f"signal {signal.id}: call-on, beside stop")
             )
-        stop = neg(disj((mains, shunts)))
+        identified = disj(var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.IDENTIFIER)
+        if d.identifies(signal.id):
+            note = f"signal {signal.id}: identifier light, neither stop nor proceed"
+            d.outputs.append(Output(names.IDENTIFIER_ASPECT(signal.id), identified, False, note))
+        stop = neg(disj((mains, shunts, identified)))
         d.outputs.append(Output(names.STOP_ASPECT(signal.id), stop, True, f"signal {signal.id}: stop"))
     for distant in d.layout.distants:
         clear = _clear(d, distant.of)

@@ -10,7 +10,7 @@ from interlock.logic import names
 from interlock.logic.controller import Equation, Input, Join, Output, StateVar, Step, Term, Timer
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
 from interlock.logic.names import Name
-from interlock.model.elements import MachineId, NodeId, Position, SectionId, SignalId
+from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.places import Approach
 from interlock.model.traversal import Topology, topology
@@ -95,6 +95,31 @@ class Draft:
         for r in self.table.routes:
             out[r.entry].append(r)
         return {g: tuple(v) for g, v in out.items()}
+
+    def leading_past(self, r: RouteRow) -> tuple[RouteRow, ...]:
+        """The routes that lead past the signal of a route of kind identifier, and on over it."""
+        return self._leading_past.get(r.id, ())
+
+    @cached_property
+    def _leading_past(self) -> Mapping[RouteId, tuple[RouteRow, ...]]:
+        out: dict[RouteId, list[RouteRow]] = {}
+        for r in self.table.routes:
+            if r.onward is not None:
+                out.setdefault(r.onward, []).append(r)
+        return {k: tuple(v) for k, v in out.items()}
+
+    def onward(self, r: RouteRow) -> RouteRow | None:
+        """What a route that leads past a signal locks beyond it."""
+        return None if r.onward is None else self.table.route[r.onward]
+
+    def identifies(self, g: SignalId) -> bool:
+        """Whether a signal shows an identifier light."""
+        return any(r.kind is RouteKind.IDENTIFIER for r in self.routes_from[g])
+
+    @cached_property
+    def parts_first(self) -> tuple[RouteRow, ...]:
+        """The routes, those of kind identifier before the ones that lead on over them."""
+        return tuple(sorted(self.table.routes, key=lambda r: r.kind is not RouteKind.IDENTIFIER))
 
     @cached_property
     def automatic(self) -> tuple[RouteRow, ...]:

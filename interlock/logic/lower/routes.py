@@ -4,6 +4,10 @@ Per route: A active, set and not yet entered; B locked, points detected; W wante
 H shown, the signal has been open; PA the signal is still open for the movement that passes it.
 Per signal: X cancelling.
 Who asks for a route is in `requests`.
+
+A route that leads past a signal is set with the route of kind identifier beyond it, and its signal is open only while
+the passed one shows its identifier light.  That light shows first while such a route is set, and from then on while the
+section before the signal is firmly locked towards it: for the train that is on its way.
 """
 
 from __future__ import annotations
@@ -29,6 +33,8 @@ def inputs(d: Draft) -> None:
             d.inputs.append(Input(names.CLEAR_LAMP(lit), f"clear lamp of {lit} intact, or not lit"))
             if aspects.cautions(d):
                 d.inputs.append(Input(names.CAUTION_LAMP(lit), f"caution lamp of {lit} intact, or not lit"))
+        for passed in filter(d.identifies, d.routes_from):
+            d.inputs.append(Input(names.IDENTIFIER_LAMP(passed), f"identifier lamp of {passed} intact, or not lit"))
     for c in d.layout.conditions:
         d.inputs.append(Input(names.CONDITION(c.id), f"external condition {c.id}: {c.text or 'holds'}"))
 
@@ -69,10 +75,18 @@ def _needs(d: Draft, r: RouteRow) -> list[Term]:
 
 def grants(d: Draft) -> None:
     """A route is granted when everything it needs is free (R6, R3); automatic ones in the order of their classes."""
-    by_hand = [r for r in d.table.routes if r not in d.automatic]
+    own = [r for r in d.table.routes if r.kind is not RouteKind.IDENTIFIER]
+    by_hand = [r for r in own if r not in d.automatic]
     for r in [*d.automatic, *by_hand]:
-        terms = [Term(requests.requested(d, r), "requested"), *_needs(d, r)]
+        onward = d.onward(r)
+        beyond = [] if onward is None else _needs(d, onward)
+        terms = [Term(requests.requested(d, r), "requested"), *_needs(d, r), *beyond]
+        terms = list({t.expr: t for t in reversed(terms)}.values())[::-1] if onward is not None else terms
         d.wire(names.GRANTED(r.number), Join.ALL, terms, f"route {r.id}", f"grant of route {r.id} (R6)")
+    for r in d.table.routes:
+        if r.kind is RouteKind.IDENTIFIER:
+            with_ = [Term(var(names.GRANTED(x.number)), "requested", f"route {x.id}") for x in d.leading_past(r)]
+            d.wire(names.GRANTED(r.number), Join.ANY, with_, f"route {r.id}", f"grant of route {r.id}, with another")
 
 
 def locking(d: Draft) -> None:
@@ -88,6 +102,7 @@ def locking(d: Draft) -> None:
                 Term(var(names.VALID), "inputs valid"),
                 Term(neg(var(names.CANCELLING(r.entry))), "not cancelling"),
                 Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
+                *(Term(neg(_withdrawn(x)), "not cancelled", f"{x.id} is not cancelled") for x in d.leading_past(r)),
                 *ways.lying_terms(d, r),
                 *added.detected(d, r),
             ),
@@ -254,11 +269,12 @@ def _passing(d: Draft, r: RouteRow) -> None:
 
 def keep(d: Draft) -> None:
     """Next values of routes and signals."""
-    for r in d.table.routes:
+    for r in d.parts_first:
         stays = Term(var(names.STAYS(r.number)), "stays")
         stop = (
             Term(neg(var(names.CANCELLING(r.entry))), "not cancelling"),
             Term(neg(var(names.CANCEL(r.entry))), "not cancelled"),
+            *(Term(neg(_withdrawn(x)), "not cancelled", f"{x.id} is not cancelled") for x in d.leading_past(r)),
         )
         _opens(d, r, stays, stop)
         _keep_route(d, r, stays, stop)
@@ -267,9 +283,33 @@ def keep(d: Draft) -> None:
             _keep_cancelling(d, signal.id)
 
 
-def _opens(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, Term]) -> None:
+def _withdrawn(r: RouteRow) -> Expr:
+    """A route that is set is being cancelled."""
+    return conj((var(names.ACTIVE(r.number)), disj((var(names.CANCEL(r.entry)), var(names.CANCELLING(r.entry))))))
+
+
+def _past(d: Draft, r: RouteRow) -> list[Term]:
+    """Past a signal: a route that leads past it opens while it shows its identifier light; that shows first while such
+    a route is set, and then while the section before it stays firmly locked towards it."""
+    if r.onward is not None:
+        onward = d.table.route[r.onward]
+        note = f"{onward.entry} shows its identifier light"
+        return [Term(var(names.OPENS(onward.number)), "identifier shown", note)]
+    if r.kind is not RouteKind.IDENTIFIER:
+        return []
+    before = d.before(r.entry)
+    leads = conj((d.locked_out(before, r.entry_node), var(names.FIRM(before)), d.train(before)))
+    set_ = disj((var(names.SHOWING(r.number)), *(var(names.ACTIVE(x.number)) for x in d.leading_past(r))))
+    return [
+        Term(leads, "rear locked", f"{before} is firmly locked towards {r.entry}"),
+        Term(neg(var(names.RELEASED(before))), "rear locked", f"{before} is not released"),
+        Term(set_, "identifier wanted", f"a route past {r.entry} is set, or its train is on its way"),
+    ]
+
+
+def _opens(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> None:
     """Whether a route stays set, whether its signal opens, and whether a condition of that was lost."""
-    k, group = r.number, f"route {r.id}"
+    k, group, past = r.number, f"route {r.id}", _past(d, r)
     used = _entered(d, r)
     d.wire(
         names.STAYS(k),
@@ -292,23 +332,25 @@ def _opens(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, Term]) -> None:
             stays,
             *stop,
             *_lamp_terms(d, r),
+            *past,
         ),
         group,
         f"proceed for route {r.id} (R3, R11)",
     )
+    kept = conj((var(names.CONDITIONS(k)), *(t.expr for t in past)))
     d.wire(
         names.CONDITION_LOST(k),
         Join.ALL,
         (
             Term(var(names.SHOWING(k)), "showing"),
-            Term(neg(var(names.CONDITIONS(k))), "conditions lost"),
+            Term(neg(kept), "conditions lost"),
         ),
         group,
         f"route {r.id}: a condition was lost; no reopening by itself (R14)",
     )
 
 
-def _keep_route(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, Term]) -> None:
+def _keep_route(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, ...]) -> None:
     """Set, locked, proceed wanted, proceed shown, proceed once shown."""
     k, group = r.number, f"route {r.id}"
     d.kept(
@@ -328,7 +370,9 @@ def _keep_route(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, Term]) -> 
         group,
     )
     # what calls a train on closes for good: nothing tells whether the train has passed
-    again = [conj((requests.asked(d, k), var(names.LOCKED(k))))] if r.kind is not RouteKind.CALL_ON else []
+    by = [conj((requests.asked(d, x.number), var(names.ACTIVE(x.number)))) for x in d.leading_past(r)]
+    asked = disj(by) if r.kind is RouteKind.IDENTIFIER else requests.asked(d, k)
+    again = [conj((asked, var(names.LOCKED(k))))] if r.kind is not RouteKind.CALL_ON else []
     d.kept(
         names.WANTED(k),
         False,
@@ -357,8 +401,11 @@ def _keep_route(d: Draft, r: RouteRow, stays: Term, stop: tuple[Term, Term]) -> 
 
 def _keep_cancelling(d: Draft, g: SignalId) -> None:
     """A route from a signal is being cancelled."""
+    withdrawn = [
+        conj((var(names.ACTIVE(r.number)), _withdrawn(x))) for r in d.routes_from[g] for x in d.leading_past(r)
+    ]
     terms = (
-        Term(disj((var(names.CANCELLING(g)), var(names.CANCEL(g)))), "held or asked"),
+        Term(disj((var(names.CANCELLING(g)), var(names.CANCEL(g)), *withdrawn)), "held or asked"),
         Term(d.any_active(g), "active"),
         Term(neg(var(names.CANCELLED(g))), "not done"),
     )

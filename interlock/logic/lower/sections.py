@@ -283,6 +283,10 @@ def _arrival(d: Draft, s: SectionId, rear: list[Term]) -> list[Term]:
         if leads is not FALSE and taken is not FALSE:
             going = conj((leads, taken, *d.passing(ahead, node, s)))
             terms.append(Term(neg(going), "ends here", f"the train does not go on into {ahead}"))
+    for r in d.table.routes:
+        if r.kind is RouteKind.IDENTIFIER and d.before(r.entry) == s:
+            note = f"the train does not go on past {r.entry}"
+            terms.append(Term(neg(var(names.SHOWING(r.number))), "ends here", note))
     return terms
 
 

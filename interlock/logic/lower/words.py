@@ -32,7 +32,7 @@ from interlock.logic.words import (
     Words,
 )
 from interlock.model.elements import MachineId, SectionId
-from interlock.table.rows import RouteRow
+from interlock.table.rows import RouteKind, RouteRow
 
 OWN_WORD: dict[Family, Family] = {
     names.FREE: names.WHY_NOT_FREE,
@@ -201,7 +201,11 @@ class _Writer:
         refused = self._cases([t for t in grant.terms if t.kind != "requested"])
         does = (Case(shows, OPEN), Case(active, self._set(r)))
         said = f"route {r.id}: what it does, or why it would be refused"
-        self.words[name] = Word(name, (*does, *refused), FREE, f"route {r.id}", said)
+        alone: Value = FREE
+        if r.kind is RouteKind.IDENTIFIER:
+            with_ = " or ".join(x.id for x in self.d.leading_past(r))
+            alone = self._code(FALSE, f"it is set with route {with_}, never alone", "R11", (f"g:{r.entry}",), r.id)
+        self.words[name] = Word(name, (*does, *refused), alone, f"route {r.id}", said)
         return name
 
 

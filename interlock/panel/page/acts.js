@@ -1,7 +1,7 @@
 // What can be done with an element: words, and the command that a button sends.
 const act = (label, command, extra = {}) => ({label, command, ...extra});
 
-export function routesFrom(still, signal) { return still.routes.filter(r => r.entry === signal); }
+export function routesFrom(still, signal) { return still.routes.filter(r => r.entry === signal && r.kind !== "identifier"); }
 
 // a failed thing is put right by the button that made it fail
 const fault = (sys, kind, name, label) => {

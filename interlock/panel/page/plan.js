@@ -144,7 +144,7 @@ export class Plan {
   showSignal(name, [aspect, cancelling, left, active, out]) {
     const group = by(`signal-${name}`);
     if (!group) return;
-    for (const a of ["stop", "clear", "caution", "call", "shunt", "dark"]) toggle(group, a, a === aspect);
+    for (const a of ["stop", "clear", "caution", "call", "identifier", "shunt", "dark"]) toggle(group, a, a === aspect);
     toggle(group, "set", active); toggle(group, "cancelling", cancelling); toggle(group, "out", out);
     group.setAttribute("aria-label", `signal ${name}: ${aspect}${active ? `, route ${active[0]}` : ""}`);
     this.note(`g:${name}`, "left", cancelling ? (left === null ? "cancel: waits" : `cancel: ${left} s`) : left === null ? "" : `waits: ${left} s`);
@@ -233,6 +233,7 @@ export class Plan {
   async test(say) {
     const kinds = [["free", ".track"], ["locked", ".track"], ["occupied", ".track"], ["stop", ".signal"], ["caution", ".signal"],
       ["clear", ".signal"], ["shunt", ".signal"], ["normal", ".point"], ["reverse", ".point"]];
+    if (this.svg.querySelector(".lamp.identifier")) kinds.push(["identifier", ".lamp.identifier"]);
     let count = 0;
     for (const [kind, what] of kinds) {
       const those = this.svg.querySelectorAll(what).length;

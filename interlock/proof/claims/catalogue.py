@@ -17,6 +17,7 @@ from interlock.model.principles import Caution
 from interlock.model.traversal import Traversal, path_speed, zone_joints
 from interlock.proof.claims.added import declared, demanded
 from interlock.proof.claims.flank import flank, flank_space, scissors
+from interlock.proof.claims.identifiers import identifiers
 from interlock.proof.claims.kinds import Claim, Facts
 from interlock.proof.claims.paths import Shown, SignalPath, ground_of, lie, shown_over, signal_paths
 from interlock.proof.claims.reasons import reasons
@@ -66,16 +67,20 @@ CLAIMS: dict[str, str] = {
     "there is made, as its points lie.",
     "S-LAMP": "Where lamps are reported: a signal opens only while its stop lamp is intact, and shows nothing else "
     "than stop while no lamp for it is.",
-    "S-STOP": "At every signal stop is lit exactly when no main or white lamp is; no two of these are lit at once, a "
-    "speed only beside a main lamp, and a distant signal shows either clear or caution.",
+    "S-STOP": "At every signal stop is lit exactly when no main, white or identifier lamp is; no two of these are lit "
+    "at once, a speed only beside a main lamp, and a distant signal shows either clear or caution.",
     "S-AGAIN": "A signal that closed while its route stayed set opens again only after it was asked for again.",
     "S-REQUEST": "A route is set only in the scan in which its number comes after 0, or while its switch for automatic "
-    "working is on; a number that is held asks once.",
+    "working is on; a number that is held asks once.  What is locked past a signal that a route passes is set with "
+    "that route alone.",
     "S-CANCELLED": "A cancelled signal shows stop in the same scan.",
     "S-SET": "A section is locked for a movement only when inputs are valid, it is not blocked or locked, and it is "
     "steadily clear; for calling on, and where a shunting movement ends, it need be neither clear nor unlocked.",
     "S-BOARD": "No section is locked past the place where a movement must end: past a stop board for nobody, past a "
     "limit-of-shunt board for trains only, past a shunt signal at which trains end for shunting movements only.",
+    "S-IDENTIFIER": "A signal shows its identifier light alone, neither stop nor proceed beside it, and only while the "
+    "section before it is firmly locked towards it for a train; for a route that leads past it proceed is shown only "
+    "while it does.",
     "L-REASON": "No lock ends without its reason: a train has used the section, the lock before it was withdrawn, its "
     "signal was cancelled, or somebody releases it by hand, alone or with all that may have missed a train; after a "
     "restart by hand, or behind a train that stood there.",
@@ -122,6 +127,7 @@ def claims(f: Facts) -> tuple[Claim, ...]:
         *((*x, False) for x in _requests(f)),
         *((*x, False) for x in _set(f)),
         *((*x, False) for x in _boards(f)),
+        *((*x, False) for x in identifiers(f)),
         *((*x, False) for x in reasons(f)),
         *((*x, False) for x in _locks(f)),
         *((*x, False) for x in _points(f)),
@@ -231,6 +237,9 @@ def _signal(
         lit = implies(_clear_aspect(f, signal), var(f.sym.clear_lamp[signal]))
         main = after(disj(map(var, f.sym.main_lamps(signal))))
         yield "S-LAMP", f"{who} proceed", conj((implies(main, var(last)), lit))
+    if signal in f.sym.identifier_lamp and not shunt:
+        lit = implies(after(f.sym.identifies(signal)), var(f.sym.identifier_lamp[signal]))
+        yield "S-LAMP", f"{who} identifier", lit
     if signal in f.sym.cancelling:
         yield "S-CANCELLED", who, implies(var(f.sym.cancel[signal]), neg(shows))
 
@@ -238,7 +247,8 @@ def _signal(
 def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr) -> Iterator[tuple[str, str, Expr]]:
     """Claims about a path while its signal shows proceed and its points lie (`here`): id, what of the path, claim."""
     after = f.system.after
-    opened = conj((after(_open(f, signal, shunt)), after(lie(f, path.ways))))
+    lit = FALSE if shunt else f.sym.identifies(signal)
+    opened = conj((after(disj((_open(f, signal, shunt), lit))), after(lie(f, path.ways))))
     yield "S-CLEAR", "", implies(opened, conj(f.steadily_clear(t.section) for t in path.kept_clear))
     if signal in f.sym.call_aspect and not shunt:
         called = conj((after(var(f.sym.call_aspect[signal])), here))
@@ -261,6 +271,8 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     if not shunt and f.layout.principles.caution is not Caution.NEVER:
         clear = conj((_clear_aspect(f, signal), after(lie(f, path.ways))))
         yield "S-ASPECT", "", implies(clear, allows_clear(f, path, exit_))
+    if exit_ in f.sym.identifier_aspect and exit_ is not None and not shunt:
+        yield from _past(f, signal, exit_, path, here)
     secured = [
         conj((var(f.sym.detected[d.id, Position.REVERSE]), neg(var(f.sym.detected[d.id, Position.NORMAL]))))
         for d in f.layout.devices
@@ -272,6 +284,25 @@ def _path(f: Facts, signal: SignalId, shunt: bool, path: SignalPath, here: Expr)
     yield "S-BLOCKED", "", implies(here, conj(barred))
     yield "S-LOCKED", "", implies(here, after(_path_locked(f, shunt, path)))
     yield from _beyond_the_path(f, signal, shunt, path, here)
+
+
+def _past(
+    f: Facts, signal: SignalId, passed: SignalId, first: SignalPath, here: Expr
+) -> Iterator[tuple[str, str, Expr]]:
+    """What a signal shows to a train that passes the next one at identifier light counts for the way beyond, too."""
+    after = f.system.after
+    for k, path in enumerate(signal_paths(f, passed), 1):
+        beyond = conj((here, after(f.sym.identifies(passed)), after(lie(f, path.ways))))
+        permitted = path_speed(f.layout, path.ways)
+        faster = [n for (g, v), n in f.sym.speed_shown.items() if g == signal and v > (permitted or v)]
+        if faster:
+            yield "S-SPEED", f" past {passed}:{k}", implies(beyond, neg(after(disj(map(var, faster)))))
+        ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
+        exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
+        if exit_ is not None:
+            lying = after(conj((f.sym.identifies(passed), lie(f, (*first.ways, *path.ways)))))
+            for id_, what, x in _entry(f, signal, path, exit_, f.overlap_paths(exit_)):
+                yield id_, f" past {passed}:{k}{what}", implies(lying, x)
 
 
 def _points_detected(f: Facts, path: SignalPath) -> Expr:
@@ -334,8 +365,9 @@ def _clear_aspect(f: Facts, g: SignalId) -> Expr:
     return f.system.after(var(f.sym.clear_aspect[g])) if g in f.sym.clear_aspect else FALSE
 
 
-def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
-    """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11)."""
+def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None, past: bool = False) -> Expr:
+    """Whether a path may be shown as clear: the line beyond is checked, or the next main signal will be open (R11); one
+    that shows its identifier light is not the next (`past`: the path begins at such a one)."""
     kmh = path_speed(f.layout, path.ways)
     if kmh is not None and kmh < f.layout.principles.slow_below_kmh:
         return FALSE
@@ -345,7 +377,18 @@ def allows_clear(f: Facts, path: SignalPath, exit_: SignalId | None) -> Expr:
     turned = any(x is Position.REVERSE for t in path.ways for _, x in t.points)
     if exit_ is None or (turned and f.layout.principles.caution is Caution.TURNOUT):
         return FALSE
-    return f.system.after(_open(f, exit_))
+    return f.system.after(_open(f, exit_)) if past else disj((f.system.after(_open(f, exit_)), *_clear_past(f, exit_)))
+
+
+def _clear_past(f: Facts, passed: SignalId) -> Iterator[Expr]:
+    """The signal shows its identifier light, and the way beyond, as the points lie, may be shown as clear."""
+    if passed not in f.sym.identifier_aspect:
+        return
+    for path in signal_paths(f, passed):
+        ahead = f.topo.beyond(path.ways[-1].section, path.ways[-1].exit)
+        exit_ = None if ahead is None else f.topo.main_into.get((path.ways[-1].exit, ahead))
+        lit = f.system.after(conj((f.sym.identifies(passed), lie(f, path.ways))))
+        yield conj((lit, allows_clear(f, path, exit_, past=True)))
 
 
 def _may_call_on(f: Facts, path: SignalPath) -> Expr:
@@ -363,6 +406,11 @@ def _requests(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         yield "S-REQUEST", f"{x} seen", iff(after(var(f.sym.seen[x])), neg(after(var(fresh))))
     for r in f.sym.routes:
         new = conj((after(var(r.active)), neg(var(r.active))))
+        if r.identifier:
+            with_ = (f.sym.number[n] for n in r.parts_of)
+            together = disj(conj((after(var(x.active)), neg(var(x.active)))) for x in with_)
+            yield "S-REQUEST", r.id, implies(new, together)
+            continue
         switch = [var(f.sym.automatic[r.number])] if r.number in f.sym.automatic else []
         yield "S-REQUEST", r.id, implies(new, disj((f.sym.asked(r.number), *switch)))
 

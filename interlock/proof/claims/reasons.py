@@ -87,7 +87,12 @@ def _given_up(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         stands = after(var(long)) if long in f.system.plant.clocks else FALSE
         nobody = neg(_coming(f, f.system.measured.approaches[g]))
         asked = conj((after(var(f.sym.cancelling[g])), neg(var(f.sym.cancelling[g]))))
-        yield "L-REASON", f"{g} cancelled", implies(asked, var(f.sym.cancel[g]))
+        withdrawn = (
+            conj((var(r.active), var(x.active), disj((var(f.sym.cancel[x.entry]), var(f.sym.cancelling[x.entry])))))
+            for r in f.sym.routes_from.get(g, ())
+            for x in (f.sym.number[n] for n in r.parts_of)
+        )
+        yield "L-REASON", f"{g} cancelled", implies(asked, disj((var(f.sym.cancel[g]), *withdrawn)))
         yield "L-APPROACH", g, implies(given_up, disj((nobody, stands)))
         for r in routes:
             set_, seen = after(var(r.active)), after(var(r.shown))

@@ -51,9 +51,11 @@ def strengthening(f: Facts) -> tuple[Invariant, ...]:
             out += [Invariant(i, g.id, x) for i, x in _signal(f, g.id, k)]
         if g.id in f.sym.stop_aspect:
             lamps = [*f.sym.main_lamps(g.id), *f.sym.proceed_lamps(g.id, shunt=True)]
+            lamps += [f.sym.identifier_aspect[g.id]] if g.id in f.sym.identifier_aspect else []
             out.append(Invariant("G-STOP", g.id, iff(var(f.sym.stop_aspect[g.id]), neg(disj(map(var, lamps))))))
         routes = f.sym.routes_from.get(g.id, ())
-        if g.call_on or any(r.overlap is not None and r.overlap[0] in f.sym.swings for r in routes):
+        several = g.call_on or any(r.identifier or r.onward is not None for r in routes)
+        if several or any(r.overlap is not None and r.overlap[0] in f.sym.swings for r in routes):
             one = at_most_one(var(r.active) for r in routes)  # they lock the same ways
             out.append(Invariant("G-ONE", g.id, one))
     out += [Invariant("C-COVERED", t.timer.name, var(t.covered)) for t in f.system.ties]
@@ -413,11 +415,29 @@ def _route(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
         yield "R-KIND", implies(active, conj(kind))
     if r.passing is not None:
         yield from _passing(f, r, r.passing)
+    if r.identifier:
+        yield from _identifier(f, r)
+    if r.onward is not None:
+        yield "R-PAST", implies(shows, var(f.sym.number[r.onward].proceed))
     yield from added_invariants(f, r)
     if r.overlap is not None:
         yield "R-OVERLAP", implies(active, _overlap_of(f, r.overlap))
     if r.berth is not None:
         yield "R-BERTH", implies(active, conj((f.locked(r.berth[0]), neg(f.train(r.berth[0])))))
+
+
+def _identifier(f: Facts, r: RouteSymbols) -> Iterator[tuple[str, Expr]]:
+    """While a signal shows its identifier light, the section before it is locked towards it for one route alone: the
+    one that leads past it."""
+    before, node = f.sym.approach_of[r.entry], f.layout.signal[r.entry].node
+    assert before is not None
+    lit = var(r.proceed)
+    yield "R-IDENTIFIER", implies(lit, conj((f.locked_out(before, node), f.firm(before), f.train(before))))
+    for x in f.sym.routes:
+        s, n = x.ways[-1]
+        if s == before and f.way(s, n)[1] == node and x.number not in r.parts_of:
+            own = [x.active] if x.passing is None else [x.active, x.passing]
+            yield f"R-IDENTIFIER-ALONE:{x.number}", implies(lit, neg(disj(map(var, own))))
 
 
 def _overlap_of(f: Facts, option: tuple[SignalId, int]) -> Expr:

@@ -27,6 +27,7 @@ def _lamps(f: Facts) -> Iterator[tuple[str, str, Expr]]:
     for g, stop in f.sym.stop_aspect.items():
         mains = [var(name) for name in f.sym.main_lamps(g)]
         others = [*mains, *(var(name) for name in f.sym.proceed_lamps(g, shunt=True))]
+        others += [var(f.sym.identifier_aspect[g])] if g in f.sym.identifier_aspect else []
         speeds = [var(name) for (h, _), name in f.sym.speed_shown.items() if h == g]
         one = conj((at_most_one(others), implies(disj(speeds), disj(mains))))
         yield "S-STOP", g, after(conj((iff(var(stop), neg(disj(others))), one)))

@@ -21,7 +21,8 @@ def routes(w: Words) -> Iterator[tuple[str, str, Expr]]:
         yield from _route(w, r)
     for g, name in w.sym.cancelling.items():
         x, active, done = var(name), w.active(g), w.given_up(g)
-        going = conj((disj((x, var(w.sym.cancel[g]))), active, neg(done)))
+        withdrawn = (conj((var(r.active), _withdrawn(w, r))) for r in w.sym.routes_from.get(g, ()))
+        going = conj((disj((x, var(w.sym.cancel[g]), *withdrawn)), active, neg(done)))
         yield "F-CANCEL", g, conj((iff(w.after(x), going), implies(done, neg(w.after(active)))))
 
 
@@ -29,10 +30,15 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     after, sym = w.after, w.sym
     active, locked, want, shows, shown = (var(n) for n in (r.active, r.locked, r.want, r.proceed, r.shown))
     cancelling, cancelled = var(sym.cancelling[r.entry]), var(sym.cancel[r.entry])
-    free = conj((neg(cancelling), neg(cancelled)))
-    refused = conj((sym.asked(r.number), neg(active), neg(after(active))))
-    yield "F-GRANT", r.id, implies(refused, disj(_refusing(w, r, True)))
-    yield "F-GRANT", f"{r.id} set", implies(w.set_now(r), neg(disj(_refusing(w, r, False))))
+    free = conj((neg(cancelling), neg(cancelled), neg(_withdrawn(w, r))))
+    if r.identifier:  # it is set with a route that leads past its signal
+        yield "F-GRANT", r.id, iff(w.set_now(r), disj(w.set_now(sym.number[n]) for n in r.parts_of))
+    else:
+        refused = conj((sym.asked(r.number), neg(active), neg(after(active))))
+        parts = [r] if r.onward is None else [r, sym.number[r.onward]]
+        narrow, all_ = (disj(x for p in parts for x in _refusing(w, p, wide)) for wide in (False, True))
+        yield "F-GRANT", r.id, implies(refused, all_)
+        yield "F-GRANT", f"{r.id} set", implies(w.set_now(r), neg(narrow))
     stays = after(active)
     if r.berth is not None:
         unlocked = conj((w.set_now(r), neg(w.f.held(r.berth[0]))))
@@ -45,22 +51,27 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     yield "F-LOCK", f"{r.id} stays", implies(conj((locked, stays)), after(locked))
     order, some = conj(_in_order(w, r, True)), conj(_in_order(w, r, False))
     lamp = disj((shows, var(sym.stop_lamp[r.entry]))) if r.entry in sym.stop_lamp else conj(())
-    opens = conj((active, locked, want, order, free, stays, lamp))
+    past = _past(w, r)
+    opens = conj((active, locked, want, order, free, stays, lamp, past))
     yield "F-OPEN", r.id, implies(opens, after(shows))
-    again = disj((want, FALSE if r.call_on else sym.asked(r.number)))
-    wanted, unwanted = (neg(conj((again, free, disj((neg(shows), x))))) for x in (order, some))
+    asked = sym.asked(r.number)
+    if r.identifier:
+        asked = disj(conj((sym.asked(n), var(sym.number[n].active))) for n in r.parts_of)
+    again = disj((want, FALSE if r.call_on else asked))
+    wanted, unwanted = (neg(conj((again, free, disj((neg(shows), conj((x, past))))))) for x in (order, some))
     kept = conj((disj((wanted, after(want))), implies(unwanted, neg(after(want)))))
     yield "F-WANT", r.id, implies(conj((active, locked, stays)), kept)
     yield "F-WANT", f"{r.id} at first", implies(w.rises(locked), after(want))
     yield "F-WANT", f"{r.id} at last", implies(after(want), after(locked))
-    if r.entry in sym.caution_aspect and not r.shunt and not r.call_on:
+    main = not (r.shunt or r.call_on or r.identifier)
+    if r.entry in sym.caution_aspect and main:
         yield (
             "F-CLEAR",
             r.id,
             implies(conj((after(shows), _may_show_clear(w, r))), after(var(sym.clear_aspect[r.entry]))),
         )
     speed = _speed(w, r)
-    if speed is not None and (r.entry, speed) in sym.speed_shown and not r.shunt and not r.call_on:
+    if speed is not None and (r.entry, speed) in sym.speed_shown and main:
         is_open = after(disj(map(var, r.open_while)))
         yield "F-SPEED", r.id, implies(is_open, after(var(sym.speed_shown[r.entry, speed])))
     if r.added is not None:
@@ -74,6 +85,28 @@ def _route(w: Words, r: RouteSymbols) -> Iterator[tuple[str, str, Expr]]:
     node = w.f.way(first, number)[0]
     ended = disj((w.given_up(r.entry), w.coming_in(first, node)))
     yield "F-CANCEL", f"{r.id} ends", iff(w.ends(active), conj((active, ended)))
+
+
+def _withdrawn(w: Words, r: RouteSymbols) -> Expr:
+    """The route that leads past the signal, and is set with this one, is being cancelled."""
+    with_ = (w.sym.number[n] for n in r.parts_of)
+    cancel, cancelling = w.sym.cancel, w.sym.cancelling
+    return disj(conj((var(x.active), disj((var(cancel[x.entry]), var(cancelling[x.entry]))))) for x in with_)
+
+
+def _past(w: Words, r: RouteSymbols) -> Expr:
+    """A signal opens for a route that leads past the next one while that shows its identifier light; this shows first
+    while such a route is set, and then while the section before it stays firmly locked towards it."""
+    if r.onward is not None:
+        return w.after(w.sym.identifies(w.sym.number[r.onward].entry))
+    if not r.identifier:
+        return TRUE
+    before, node = w.sym.approach_of[r.entry], w.layout.signal[r.entry].node
+    if before is None:
+        return FALSE
+    led = conj((w.f.locked_out(before, node), w.f.firm(before), w.f.train(before)))
+    with_ = (var(w.sym.number[n].active) for n in r.parts_of)
+    return conj((led, w.after(w.f.locked_out(before, node)), disj((var(r.proceed), *with_))))
 
 
 def _passing(w: Words, r: RouteSymbols, name: Name) -> Expr:
@@ -101,7 +134,9 @@ def _may_show_clear(w: Words, r: RouteSymbols) -> Expr:
 def _speed(w: Words, r: RouteSymbols) -> int | None:
     """The highest speed for a route: of its path, and for its overlap (R11, R4)."""
     over = [] if r.overlap is None else [w.way(s, n) for s, n in w.sym.overlap_ways[r.overlap]]
-    return route_speed(w.layout, [w.way(s, n) for s, n in r.ways], "" if r.overlap is None else r.overlap[0], over)
+    own = route_speed(w.layout, [w.way(s, n) for s, n in r.ways], "" if r.overlap is None else r.overlap[0], over)
+    beyond = None if r.onward is None else _speed(w, w.sym.number[r.onward])
+    return min((v for v in (own, beyond) if v is not None), default=None)
 
 
 def _kept_clear(w: Words, r: RouteSymbols) -> list[SectionId]:
@@ -116,7 +151,7 @@ def _refusing(w: Words, r: RouteSymbols, wide: bool) -> Iterator[Expr]:
     yield neg(w.valid)
     for s, n in r.ways:
         own = [o for o, ways in w.sym.overlap_ways.items() if o[0] == r.entry and (s, n) in ways]
-        if r.shunt or r.call_on:
+        if r.shunt or r.call_on or r.identifier:
             own = []
         yield f.locked(s)
         yield disj(var(name) for o, name in f.options(s).items() if o not in own)
@@ -165,7 +200,7 @@ def _not_as_overlap(w: Words, g: SignalId, way: Way, wide: bool) -> Expr:
     onward = disj(
         var(x.active)
         for x in w.sym.routes_over.get(way, ())
-        if x.entry == g and not x.shunt and not x.call_on and way in x.ways
+        if x.entry == g and not x.shunt and not x.call_on and not x.identifier and way in x.ways
     )
     locks = [conj((lock, neg(onward))) if k == n else lock for k, lock in f.locks(s)]
     held = [f.restart(s), *(var(name) for name in f.options(s).values()), *locks]
@@ -260,6 +295,8 @@ def _in_order(w: Words, r: RouteSymbols, wide: bool, clear: bool = True) -> Iter
     if not r.call_on:
         yield neg(f.stale(r.ways[0][0]))
         last = sym.caution_lamp.get(r.entry, sym.clear_lamp.get(r.entry))
+        if r.identifier:
+            last = sym.identifier_lamp.get(r.entry)
         if last is not None and not r.shunt:
             yield var(last)
     if r.overlap is not None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from interlock.logic import words as said
 from interlock.logic.controller import Controller, RouteSymbols
-from interlock.logic.expr import FALSE, Expr, Substitution, conj, disj, iff, implies, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, conj, disj, iff, implies, neg, var
 from interlock.logic.names import computed
 from interlock.proof.functions.words import Words
 
@@ -39,6 +39,7 @@ def _does(w: Words, r: RouteSymbols, told: dict[int, Expr]) -> Iterator[Expr]:
     waits = disj(x for k, x in told.items() if said.WAITING < k < said.REFUSED)
     yield implies(waits, conj((after(active), neg(after(var(r.locked))))))
     yield implies(says(said.SET), after(active))
+    yield FALSE if r.identifier and said.FREE in told else TRUE  # nobody can ask for it alone
     yield implies(conj((says(said.FREE), w.sym.asked(r.number))), after(active))
     refused = disj(x for k, x in told.items() if k > said.REFUSED)
     yield implies(disj((refused, says(said.FREE))), neg(after(active)))

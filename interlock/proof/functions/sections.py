@@ -58,6 +58,9 @@ def _ends_here(w: Words, s: SectionId) -> Iterator[Expr]:
         t = w.topo.beyond(s, j)
         if t is not None and not w.main_at(t, j):
             yield neg(conj((w.f.locked_out(s, j), w.f.locked_in(t, j), w.on(t, j, s))))
+    for r in w.sym.routes:
+        if r.identifier and w.sym.approach_of[r.entry] == s:
+            yield neg(var(r.proceed))
 
 
 def _releasing(w: Words, s: SectionId) -> Iterator[Expr]:

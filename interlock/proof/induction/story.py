@@ -125,7 +125,8 @@ def _changes(system: System, old: dict[str, int], new: dict[str, int]) -> list[s
     for r in system.symbols.routes:
         now, before = (any(x[n] for n in r.open_while) for x in (new, old))
         if now and not before:
-            out.append(f"signal {r.entry} shows proceed for route {r.id}")
+            what = "its identifier light" if r.identifier else "proceed"
+            out.append(f"signal {r.entry} shows {what} for route {r.id}")
         if before and not now:
             out.append(f"signal {r.entry} returns to stop")
     for b, token in system.symbols.token.items():

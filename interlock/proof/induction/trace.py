@@ -28,7 +28,8 @@ def views(system: System) -> dict[str, list[list[str]]]:
     for s_, name in sym.restart.items():
         out[name] = [["section", s_, "restart"]]
     for r in sym.routes:
-        out |= {name: [["signal", r.entry, "proceed"]] for name in r.open_while}
+        shows = "identifier" if r.identifier else "proceed"
+        out |= {name: [["signal", r.entry, shows]] for name in r.open_while}
     for (m, x), _ in sym.command.items():
         ends = [["point", str(p.id), str(x)] for p in layout.ends_of_machine.get(m, ())]
         out[names.LIES(m, x)] = ends or [["device", str(m), str(x)]]

@@ -57,6 +57,14 @@ def past_the_board(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]
                 yield f"{r.id} into {t.section}", lower(layout, replace(table, routes=routes))
 
 
+def nothing_beyond(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A route that leads past a signal ends at it for the controller, and is shown as if it led on."""
+    for r in table.routes:
+        if r.onward is not None:
+            less = replace(r, onward=None)
+            yield r.id, lower(layout, replace(table, routes=tuple(less if x is r else x for x in table.routes)))
+
+
 def overlap_shorter(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """The last section of an overlap is left out."""
     for r in table.routes:

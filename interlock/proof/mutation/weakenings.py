@@ -25,7 +25,14 @@ from interlock.proof.induction.inductive import inductive, open_claims
 from interlock.proof.induction.search import search
 from interlock.proof.induction.story import tell
 from interlock.proof.mutation.points import Mutation
-from interlock.proof.mutation.ways import Mutant, other_direction, overlap_shorter, past_the_board, shorter
+from interlock.proof.mutation.ways import (
+    Mutant,
+    nothing_beyond,
+    other_direction,
+    overlap_shorter,
+    past_the_board,
+    shorter,
+)
 from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable, PointDemand, RouteKind, RouteRow, TraversalRow
 
@@ -428,6 +435,9 @@ KINDS: tuple[Kind, ...] = (
         without("BV", "change complete"),
     ),
     Kind("direction-not-handed-over", "the direction stays here although it was given", without("BH", "not given")),
+    Kind("identifier-unlocked", "an identifier light although nothing leads to it", without("PR", "rear locked")),
+    Kind("identifier-not-shown", "a route past a signal opens at stop there", without("PR", "identifier shown")),
+    Kind("identifier-nothing-beyond", "a route past a signal locks nothing beyond it", nothing_beyond),
     Kind("speed-too-high", "a signal shows the speed of another route", _too_fast),
     Kind("entry-speed-forgotten", "a route shows more than its overlap is made for", _entry_speed_forgotten),
     Kind("lamp-not-proved", "a signal opens with its stop lamp out", without("PR", "stop lamp proved")),

@@ -28,7 +28,14 @@ _AT_HOME = _AT_SECTIONS | frozenset(
         *(names.CLEAR, names.IMAGE, names.RUNNING, names.OVERRAN, names.LOCKED_SHOWN),
         *(names.LIES, names.OLD_COMMAND, names.DRIVE),
         *(names.ACCEPTED, names.SHUNT_ACCEPTED, names.SEEN, names.SHUNT_SEEN, names.STOP_LONG, names.APPROACH_OVER),
-        *(names.CLEAR_ASPECT, names.CAUTION_ASPECT, names.CALL_ASPECT, names.SHUNT_ASPECT, names.STOP_ASPECT),
+        *(
+            names.CLEAR_ASPECT,
+            names.CAUTION_ASPECT,
+            names.CALL_ASPECT,
+            names.IDENTIFIER_ASPECT,
+            names.SHUNT_ASPECT,
+            names.STOP_ASPECT,
+        ),
     )
 )
 """What belongs to its element although no equation of the controller computes it."""

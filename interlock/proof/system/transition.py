@@ -184,7 +184,7 @@ class System:
         out = {}
         for r in self.symbols.routes:
             closes = conj((var(r.proceed), neg(var(r.proceed.next))))
-            asked = self.symbols.asked(r.number)
+            asked = self.symbols.asked_for(r)
             out[names.SHUT(r.number)] = conj(
                 (disj((var(names.SHUT(r.number)), closes)), var(r.active.next), neg(asked))
             )

@@ -119,13 +119,13 @@ def availability(system: System, table: InterlockingTable) -> Availability:
         unmet = [i for i, x in enumerate(results) if x.failed is not None and not trial.meet(x.failed)]
         for i, x in zip(unmet, trial.results([otherwise(*pairs[i]) for i in unmet]), strict=True):
             results[i] = replace(x, apart=results[i].apart or results[i].failure)
-    count = len(system.symbols.routes)
+    count = len(system.symbols.whole)
     return Availability(trial.opened(), tuple(results), count * (count - 1) // 2 - len(pairs))
 
 
 def compatible(system: System, table: InterlockingTable) -> Iterator[tuple[RouteSymbols, RouteSymbols]]:
     """Every two routes that are not hostile."""
-    routes = system.symbols.routes
+    routes = system.symbols.whole
     for i, a in enumerate(routes):
         hostile = set(table.route[a.id].hostile.routes)
         yield from ((a, b) for b in routes[i + 1 :] if b.id not in hostile)
@@ -158,13 +158,13 @@ class Trial:
         self._lanes = Lanes(self.railway.controller, self.railway.plant)
         self._comes = self._find_trains()
         self._unmet: set[PairRun] = set()
-        self._needs = {r.id: _needs_clear(system, self.railway, r) for r in system.symbols.routes}
+        self._needs = {r.id: _needs_clear(system, self.railway, r) for r in system.symbols.whole}
 
     def _find_trains(self) -> dict[RouteId, list[tuple[RouteSymbols, ...]]]:
         """For each route the ways in which its train can come before the signal, each as the routes over which it
         comes; none of them for one that stands there since the restart.  Standing first, then over one route, then over
         as few as it takes."""
-        routes = self.system.symbols.routes
+        routes = self.system.symbols.whole
         found: dict[RouteId, list[tuple[RouteSymbols, ...]]] = {r.id: [] for r in routes}
         tried = _attempt(self.railway, self._lanes, [(r, "", ()) for r in routes])
         for r, (failure, _) in zip(routes, tried, strict=True):
@@ -358,7 +358,7 @@ class Trial:
     def opened(self) -> tuple[Opened, ...]:
         """For each route its bound, and what runs show: with every machine in place, and with the others moved."""
         railway, system = self.railway, self.system
-        routes = [r for r in system.symbols.routes if () in self._comes[r.id] and not r.call_on]
+        routes = [r for r in system.symbols.whole if () in self._comes[r.id] and not r.call_on]
         seen: dict[RouteId, list[int]] = {r.id: [] for r in routes}
         why: dict[RouteId, str] = {}
         for move in (False, True):
@@ -380,7 +380,7 @@ class Trial:
                 (seen[r.id][0], seen[r.id][1]) if r.id in seen else None,
                 why.get(r.id) or (None if self._comes[r.id] else "no train can take it"),
             )
-            for r in system.symbols.routes
+            for r in system.symbols.whole
         )
 
 

@@ -64,7 +64,7 @@ Starts = list[tuple[RouteSymbols, dict[str, int]]]
 
 def _opening(railway: Railway, lanes: Lanes) -> Starts:
     """The routes whose signal a train can be shown from a stand."""
-    routes = [r for r in railway.symbols.routes if not r.call_on]
+    routes = [r for r in railway.symbols.whole if not r.call_on]
     starts = [(r, s) for r in routes if isinstance(s := _start(railway, r, ""), dict)]
     runs = [partial(_after_restart, railway, r, _opened) for r, _ in starts]
     tried = lanes.run([s for _, s in starts], runs)

@@ -8,7 +8,7 @@ to safety proofs).
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
 
@@ -76,7 +76,14 @@ def witnesses(system: System) -> tuple[Witness, ...]:
     First with a train that has stood before the signal since the restart (into a berth a second time, with vehicles
     standing there); where that fails, with a train that came there under another route.
     """
-    return tuple(w for w, _ in _tried(Railway(system.controller, system.plant, system.layout)))
+    found = {w.route: w for w, _ in _tried(Railway(system.controller, system.plant, system.layout))}
+    sym = system.symbols
+    for r in sym.routes:
+        if r.identifier:  # it is set, driven and released with the routes that lead past its signal
+            by = [found[sym.number[n].id] for n in r.parts_of]
+            w = next((w for w in by if w.ok), by[0])
+            found[r.id] = replace(w, route=r.id, text=f"{w.text}, with {w.route}")
+    return tuple(found[r.id] for r in sym.routes)
 
 
 def journeys(system: System) -> list[Trial]:
@@ -93,7 +100,7 @@ def journeys(system: System) -> list[Trial]:
 
 def _tried(railway: Railway) -> list[tuple[Witness, list[Run]]]:
     """Each route's witness, and its runs."""
-    routes = railway.symbols.routes
+    routes = railway.symbols.whole
     lanes = Lanes(railway.controller, railway.plant)
     first = _attempt(railway, lanes, [(r, "", ()) for r in routes])
     again = [r for r, (failure, _) in zip(routes, first, strict=True) if failure is None and r.berth is not None]
@@ -128,7 +135,7 @@ def _over_others(
     """For routes that no train can take from a stand since the restart: the routes over which one comes to them, as few
     as possible, with the route itself, and the number of scans."""
     ends: dict[str, list[RouteSymbols]] = {}
-    for x in railway.symbols.routes:
+    for x in railway.symbols.whole:
         ends.setdefault((x.berth or x.ways[-1])[0], []).append(x)
     chains: list[tuple[RouteSymbols, ...]] = [(r,) for r in failed]
     found: dict[RouteId, tuple[tuple[RouteSymbols, ...], int]] = {}
@@ -289,6 +296,9 @@ def _travel(railway: Railway, lane: Lane, r: RouteSymbols) -> Driver:
         return "no train can accept the signal"
     place, joint = _rear(layout, topo, signal.node, r.ways[0][0]), signal.node
     for section, number in r.ways if r.berth is None else (*r.ways, r.berth):
+        passed = topo.main_into.get((joint, section)) if section != r.ways[0][0] else None
+        if passed is not None and not (yield from _until(lane, names.accepted(passed), Wish((names.accepts(passed),)))):
+            return f"no train can pass {passed}"
         if not (yield from _until(lane, names.STANDS(section), Wish((names.HEAD(joint, place),)))):
             return f"the train cannot enter {section}"
         if not (yield from _until_off(lane, names.ACROSS(joint, place), names.TAIL(joint, place))):

@@ -17,7 +17,7 @@ Input: layout and table.  Everything comes from topology, geometry and the table
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from interlock.model.elements import (
@@ -174,6 +174,8 @@ class _Form:
 
     def row(self, r: RouteRow, number: str) -> tuple[Cell, ...]:
         """The fifteen cells."""
+        if r.onward is not None:
+            return self._past(r, self.table.route[r.onward], number)
         facing = self.facing(r)
         return (
             self.direction(r),
@@ -193,6 +195,28 @@ class _Form:
             number,
         )
 
+    def _past(self, r: RouteRow, onward: RouteRow, number: str) -> tuple[Cell, ...]:
+        """A route that leads past a signal: with the points and sections beyond it, in one row."""
+        beyond = replace(onward, kind=RouteKind.MAIN)
+        facing, told = self.facing(beyond), [self.other(r), self.other(beyond), f"越过{r.exit}（标志灯）"]
+        return (
+            self.direction(r),
+            f"越过{r.exit}至{r.destination}",
+            self.alternative(r),
+            "、".join((*self.buttons(r), self.buttons(beyond)[-1])),
+            self.deciding(r),
+            r.entry,
+            self.aspect(r),
+            self.indicator(beyond),
+            tuple(dict.fromkeys((*self.points(r), *self.points(beyond)))),
+            tuple(self.hostile(r)),
+            tuple(dict.fromkeys((*self.sections(r), *self.sections(beyond)))),
+            facing[0],
+            facing[1],
+            "、".join(filter(None, told)),
+            number,
+        )
+
     def through(self, number: dict[str, str]) -> list[tuple[str, ...]]:
         """Through routes on main tracks: received and departing over points that all lie normal."""
         straight = [(w.rows[0], number[w.id]) for w in self.printed if self._straight(w.rows[0])]
@@ -204,7 +228,8 @@ class _Form:
         return out
 
     def _straight(self, r: RouteRow) -> bool:
-        return r.kind is RouteKind.MAIN and r.variant == 1 and Position.REVERSE not in self.path(r).values()
+        plain = r.kind is RouteKind.MAIN and r.variant == 1 and r.onward is None
+        return plain and Position.REVERSE not in self.path(r).values()
 
     def _through(self, r: RouteRow, d: RouteRow, received: str, departs: str) -> tuple[str, ...]:
         there, on = self.direction(r).removesuffix("接车"), self.direction(d).removesuffix("发车")
@@ -249,7 +274,11 @@ class _Form:
 
     def alternatives(self, r: RouteRow) -> list[RouteRow]:
         """All routes with the same ends, the basic one first."""
-        same = {x.variant: x for x in reversed(self.of_signal[r.entry, r.kind]) if x.exit == r.exit}
+        same = {
+            x.variant: x
+            for x in reversed(self.of_signal[r.entry, r.kind])
+            if (x.exit, x.destination) == (r.exit, r.destination)
+        }
         return [same[k] for k in sorted(same)]
 
     def alternative(self, r: RouteRow) -> str:

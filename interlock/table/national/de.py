@@ -56,7 +56,17 @@ def _is_w(x: Reading, p: PointDemand) -> bool:
 def _name(r: RouteRow) -> str:
     """As PT1 prints it: start/destination, [U1] for the first alternative; the overlaps stand in their column."""
     other = f" [U{r.variant - 1}]" if r.variant > 1 else ""
-    return f"{r.entry}/{r.exit}{other}"
+    return f"{r.entry}/{_destination(r)}{other}"
+
+
+def _destination(r: RouteRow) -> str:
+    """Where the train stops or leaves."""
+    return r.exit if r.destination is None else r.destination
+
+
+def _last(x: Reading, r: RouteRow) -> RouteRow:
+    """The row that tells what lies at the destination."""
+    return r if r.onward is None else x.table.route[r.onward]
 
 
 def overlap_name(r: RouteRow) -> str:
@@ -70,6 +80,8 @@ def _d_way(way: PrintedRoute, r: RouteRow) -> str:
 
 def _overlaps(x: Reading, r: RouteRow) -> tuple[str, ...]:
     """All overlaps of the way, the preferred one with an asterisk."""
+    if r.onward is not None:
+        return tuple(filter(None, (overlap_name(_last(x, r)),)))
     found = (o for o in x.printed.ways[r.id].rows if o.overlap is not None)
     return tuple(overlap_name(o) + "*" * (o.overlap is not None and o.overlap.option == 1) for o in found)
 
@@ -103,6 +115,9 @@ def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
         notes.append(f"Haltfall erst, wenn {r.closing.whole} frei")
     if r.overlap is not None and r.overlap.swings:
         notes.append(f"D-Weg umstellbar auf {', '.join(f'D{k}' for k in r.overlap.swings)}")
+    if r.onward is not None:
+        notes.append(f"{r.exit} zeigt Kennlicht; Fahrweg dahinter wie {r.onward} in der Verschlusstafel")
+        notes += [f"{overlap_name(r)} von {r.exit} mitverschlossen"] if r.overlap is not None else []
     if r.kind is RouteKind.CALL_ON:
         notes.append("Ersatzsignal: besetzte Abschnitte erlaubt")
     if r.berth is not None:
@@ -114,13 +129,19 @@ def _kind(r: RouteRow) -> str:
     return "E" if r.kind is RouteKind.CALL_ON else "R" if r.variant == 1 else "U"
 
 
+_IDENTIFIER = Field[RouteRow](
+    heading("AD", "Kennlicht", "Signals passed at identifier light", "无效标志灯"),
+    lambda r: "" if r.onward is None else r.exit,
+)
+
+
 def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
     """Sslz."""
     x, automatic = Reading(layout, table), set(table.automatic)
     fields: tuple[Field[RouteRow], ...] = (
         Field(heading("A", "Bezeichnung", "Route", "进路"), _name),
         Field(heading("B", "Start", "Start", "始端"), lambda r: r.entry),
-        Field(heading("C", "Ziel", "Destination", "终端"), lambda r: r.exit),
+        Field(heading("C", "Ziel", "Destination", "终端"), _destination),
         Field(heading("D", "Nr.", "No.", "号码"), lambda r: str(r.variant - 1) if r.variant > 1 else ""),
         Field(heading("E", "Entscheidungsweiche", "Deciding points", "决定道岔"), lambda r: _deciding(x, r)),
         Field(heading("F", "D-Weg", "Overlap", "保护区段"), lambda r: _overlaps(x, r)),
@@ -139,12 +160,17 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
             heading("Q", "v Fahrweg (km/h)", "Speed of the path (km/h)", "进路速度 (km/h)"),
             lambda r: "" if r.speed.kmh is None else str(r.speed.kmh),
         ),
-        Field(heading("R", "v D-Weg (km/h)", "Speed of the overlap (km/h)", "保护区段速度 (km/h)"), x.entry_kmh),
+        Field(
+            heading("R", "v D-Weg (km/h)", "Speed of the overlap (km/h)", "保护区段速度 (km/h)"),
+            lambda r: x.entry_kmh(_last(x, r)),
+        ),
+        *([_IDENTIFIER] if layout.identifiers else []),
         Field(heading("AE", "Vorsignalisierung Ziel", "Next signal shown", "预告信号"), lambda r: r.aspect.next or ""),
         Field(heading("AF", "Bemerkung", "Remarks", "备注"), lambda r: _remarks(x, r)),
         Field(heading("", "Fahrstraße", "Route in the other tables", "进路名"), lambda r: x.printed.ways[r.id].id),
     )
-    headings, rows = by_way(fields, [w for w in x.printed.listed if w.rows[0].train], _d_way)
+    listed = [w for w in x.printed.listed if w.rows[0].train and w.rows[0].kind is not RouteKind.IDENTIFIER]
+    headings, rows = by_way(fields, listed, _d_way)
     return Sheet(
         "de_sslz",
         "de",
@@ -156,7 +182,8 @@ def train_routes(layout: Layout, table: InterlockingTable) -> Sheet:
         (
             *("I F-Bedienung", "J Inselgleis", "M Nichthaltfallabschnitt", "N 2. Haltfallkriterium", "P Hg"),
             *("S v Besonders", "T Zs3", "U Aufwertung Mwtfstr", "V Zl", "W Zs3v", "X Zs2", "Y Zs2v"),
-            *("Z Zs6", "AA Zs13", "AB Zs3 im Fahrweg", "AC Zs6 im Fahrweg", "AD Kennlicht"),
+            *("Z Zs6", "AA Zs13", "AB Zs3 im Fahrweg", "AC Zs6 im Fahrweg"),
+            *(() if layout.identifiers else ("AD Kennlicht",)),
         ),
         legend=(
             *LAGE,
@@ -237,6 +264,10 @@ def shunt_routes(layout: Layout, table: InterlockingTable) -> Sheet:
     )
 
 
+_ART = {RouteKind.MAIN: "Zug", RouteKind.SHUNT: "Rangier", RouteKind.CALL_ON: "Ersatz"}
+_ART |= {RouteKind.IDENTIFIER: "Zug, hinter Kennlicht"}
+
+
 def locking(layout: Layout, table: InterlockingTable) -> Sheet:
     """Verschlusstafel: what each route locks and excludes."""
     x = Reading(layout, table)
@@ -244,7 +275,7 @@ def locking(layout: Layout, table: InterlockingTable) -> Sheet:
         Field(heading("", "Fahrstraße", "Route", "进路"), lambda r: x.printed.ways[r.id].id),
         Field(
             heading("", "Art", "Kind", "性质"),
-            lambda r: {RouteKind.MAIN: "Zug", RouteKind.SHUNT: "Rangier", RouteKind.CALL_ON: "Ersatz"}[r.kind],
+            lambda r: _ART[r.kind],
         ),
         Field(heading("", "Fahrwegweichen", "Points", "道岔"), lambda r: lying(x, r, Role.PATH)),
         Field(heading("", "Weichen im D-Weg", "Overlap points", "保护区段道岔"), lambda r: lying(x, r, Role.OVERLAP)),

@@ -18,7 +18,7 @@ from interlock.table.printed import PrintedRoute
 from interlock.table.rows import HostileClass, InterlockingTable, PointDemand, Role, RouteKind, RouteRow, Shows
 
 SOURCE = "after the columns of the IRSE examination's control tables, as its study forum describes them"
-CLASS = {RouteKind.MAIN: "M", RouteKind.SHUNT: "S", RouteKind.CALL_ON: "C"}
+CLASS = {RouteKind.MAIN: "M", RouteKind.SHUNT: "S", RouteKind.CALL_ON: "C", RouteKind.IDENTIFIER: "part"}
 
 
 Naming = Callable[[PrintedRoute], str]
@@ -42,9 +42,16 @@ def uk_names(x: Reading) -> Naming:
 
     def name(way: PrintedRoute) -> str:
         r = way.rows[0]
-        return f"{r.entry}{letters[r.entry, (r.exit, r.traversals)]}({CLASS[r.kind]})"
+        past = "" if r.onward is None else f" past {r.exit} to {_variant(x.table.route[r.onward])}"
+        return f"{r.entry}{letters[r.entry, (r.exit, r.traversals)]}({CLASS[r.kind]}){past}"
 
     return name
+
+
+def _variant(r: RouteRow) -> str:
+    """Where a route ends that is part of another, told from those that end there, too."""
+    mark = f".{r.variant}" if r.variant > 1 else ""
+    return f"{r.exit}{mark}" + (f".o{r.overlap.option}" if r.overlap is not None and r.overlap.option > 1 else "")
 
 
 def _turns(x: Reading, r: RouteRow) -> tuple[int, ...]:
@@ -93,7 +100,8 @@ def _sequence(r: RouteRow) -> str:
     shows, ahead = r.aspect.shows, r.aspect.next
     if shows is Shows.NEXT:
         return f"Y → {ahead} at R; G → {ahead} at Y or G"
-    return {Shows.CLEAR: "G", Shows.CAUTION: "Y", Shows.SHUNT: "PL", Shows.CALL_ON: "R with PL"}[shows]
+    told = {Shows.CLEAR: "G", Shows.CAUTION: "Y", Shows.SHUNT: "PL", Shows.CALL_ON: "R with PL"}
+    return told.get(shows, "identifier")
 
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:

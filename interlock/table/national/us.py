@@ -12,7 +12,7 @@ from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
 from interlock.table.rows import ExitKind, InterlockingTable, Role, RouteKind, RouteRow, Shows
 
 SOURCE = "after usual American practice; no worked example was at hand, and no standard was read"
-_KINDS = {RouteKind.MAIN: "train", RouteKind.SHUNT: "shunt", RouteKind.CALL_ON: "call-on"}
+_KINDS = {RouteKind.MAIN: "train", RouteKind.SHUNT: "shunt", RouteKind.CALL_ON: "call-on", RouteKind.IDENTIFIER: "part"}
 
 
 def _remarks(x: Reading, r: RouteRow) -> tuple[str, ...]:
@@ -36,7 +36,7 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
     fields: tuple[Field[RouteRow], ...] = (
         Field(Heading("Route", "进路", "Fahrstraße"), lambda r: x.printed.ways[r.id].id),
         Field(Heading("Entering signal", "始端", "Start"), lambda r: r.entry),
-        Field(Heading("Exit", "终端", "Ziel"), lambda r: r.exit),
+        Field(Heading("Exit", "终端", "Ziel"), _leads),
         Field(Heading("Movement", "性质", "Art"), lambda r: _KINDS[r.kind]),
         Field(Heading("Switches normal", "道岔定位", "Weichen +"), lambda r: x.points(r, Position.NORMAL)),
         Field(Heading("Switches reverse", "道岔反位", "Weichen −"), lambda r: x.points(r, Position.REVERSE)),
@@ -59,6 +59,10 @@ def locking_sheet(layout: Layout, table: InterlockingTable) -> Sheet:
     return Sheet("us_locking", "en", title, headings, rows, True, SOURCE)
 
 
+def _leads(r: RouteRow) -> str:
+    return r.exit if r.onward is None else f"{r.destination} past {r.exit}"
+
+
 def _over(x: Reading, r: RouteRow) -> str:
     """The switches along the way, in order: 1 N, 3 R."""
     ends = [(p, position) for key in r.traversals for p, position in x.way(key).points]
@@ -66,6 +70,7 @@ def _over(x: Reading, r: RouteRow) -> str:
 
 
 _ALWAYS = {Shows.CLEAR: "clear", Shows.CAUTION: "caution", Shows.SHUNT: "shunt", Shows.CALL_ON: "call-on"}
+_ALWAYS |= {Shows.IDENTIFIER: "identifier"}
 
 
 def _at_stop(r: RouteRow) -> str:

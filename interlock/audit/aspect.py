@@ -1,0 +1,45 @@
+"""What an open signal shows for a trip, found again (R11)."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from interlock.audit.walk import Trip
+from interlock.model.elements import SignalId
+from interlock.model.layout import Layout
+from interlock.model.principles import Caution
+from interlock.table.rows import Shows
+
+
+def aspect(layout: Layout, trip: Trip, slowest: int | None) -> tuple[Shows, SignalId | None]:
+    """What the open signal shows: the last track of the trip and the signal at its end decide."""
+    rule = layout.principles.caution
+    if trip.call_on:
+        return Shows.CALL_ON, None
+    if trip.identifier:
+        return Shows.IDENTIFIER, None
+    if trip.shunt:
+        return Shows.SHUNT, None
+    if rule is not Caution.NEVER and slowest is not None and slowest < layout.principles.slow_below_kmh:
+        return Shows.CAUTION, None
+    if rule is Caution.TURNOUT and trip.onward is not None and _reversed(layout, trip):
+        return Shows.CAUTION, None
+    trip = trip.run
+    last = trip.moves[-1]
+    out = layout.boundary_at.get(last.node)
+    if rule is Caution.NEVER or (out is not None and (out.approach is not None or out.block != "none")):
+        return Shows.CLEAR, None
+    if rule is Caution.TURNOUT and _reversed(layout, trip):
+        return Shows.CAUTION, None
+    onward = [e.id for e in layout.edges_at[last.node] if e.id != last.edge]
+    facing = [layout.signal_facing.get((last.node, e)) for e in onward]
+    ahead = [g for g in facing if g is not None and g.kind != "shunt"]
+    if not ahead or ahead[0].id in layout.stops:
+        return Shows.CAUTION, None
+    return Shows.NEXT, ahead[0].id
+
+
+def _reversed(layout: Layout, trip: Trip) -> bool:
+    """Whether the trip passes some point over its reverse leg."""
+    passed = [(layout.point_at.get(a.node), a.edge, b.edge) for a, b in pairwise(trip.moves)]
+    return any(p is not None and p.reverse in edges for p, *edges in passed)
