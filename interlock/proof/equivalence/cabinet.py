@@ -134,8 +134,8 @@ def _declared(
 
 
 def _beginnings(controller: Controller, a: Allocation, program: Block, restart: bool) -> Iterator[Difference]:
-    """What the operator's place writes begins restrictive, words say nothing, wires and what is shown begin with no value
-    of their own; each variable is there once, and no other."""
+    """What the operator's place writes begins restrictive, words say nothing, wires and what is shown begin with no
+    value of their own; each variable is there once, and no other."""
     start: dict[str, int] = {i.name: i.restrictive for i in controller.inputs}
     sizes: dict[str, int] = {i.name: i.size for i in controller.inputs}
     words = dict.fromkeys(controller.words.routes.values(), UNKNOWN)
