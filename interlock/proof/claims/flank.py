@@ -12,9 +12,7 @@ from interlock.model.elements import (
     BoundaryKind,
     BufferKind,
     CrossingId,
-    EdgeId,
     MachineId,
-    NodeId,
     Position,
     SectionId,
     SignalId,
@@ -63,11 +61,12 @@ def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             for name, danger in _dangers(f, t):
                 yield "T-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, train)), neg(danger))
                 yield "S-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, shown)), neg(danger))
-    for (g, k), held in f.sym.overlap.items():
-        firm = conj((var(held), var(f.sym.overlap_firm[g])))
-        for s, n in f.sym.overlap_ways[g, k]:
+    for option, held in f.sym.overlap.items():
+        firm = conj((var(held), var(f.sym.overlap_firm[option[0]])))
+        for s, n in f.sym.overlap_ways[option]:
             for name, danger in _dangers(f, f.topo.traversals[s][n - 1]):
-                yield "T-FLANK", f"{s}:{n}:{name} as overlap {k} of {g}", implies(firm, neg(danger))
+                place = f"{s}:{n}:{name} as overlap {option[1]} of {option[0]}"
+                yield "T-FLANK", place, implies(firm, neg(danger))
 
 
 def _dangers(f: Facts, t: Traversal) -> Iterator[tuple[str, Expr]]:

@@ -287,7 +287,7 @@ def _held_number(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
 def _overlap_flank_not_held(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
     """A machine is held as flank protection of locked ways, not of overlaps."""
     c = lower(layout, table)
-    put = Substitution({v: FALSE for v in c.symbols.overlap.values()})
+    put = Substitution(dict.fromkeys(c.symbols.overlap.values(), FALSE))
     for e in c.equations:
         terms = tuple(replace(t, expr=put(t.expr)) if t.kind == "flank not held" else t for t in e.terms)
         if e.name.family is names.MOVABLE and any(a.expr is not b.expr for a, b in zip(terms, e.terms, strict=True)):
