@@ -164,6 +164,13 @@ def test_a_changed_mapping_is_refuted() -> None:
         ("HO_main := BEAT", "HO_main := TRUE"),
         ("  HO_main := BEAT;\n", ""),
         ("BEAT : BOOL := FALSE", "BEAT : BOOL := TRUE"),
+        ("YP_X1 AT %QX0.5 : BOOL", "YP_X1 AT %QX0.5 : BOOL := TRUE"),  # proceed until the first cycle is over
+        ("CLR_q1 AT %IX0.3 : BOOL", "CLR_q1 AT %IX0.3 : BOOL := TRUE"),
+        ("YT_P1 : BOOL", "YT_P1 : BOOL := TRUE"),
+        ("  CYC : ", "  Cyc : BOOL;\n  CYC : "),  # to a controller one name
+        ("  CYC : ", "  SPARE : BOOL;\n  CYC : "),
+        ("_IO\n", "_IO\nVAR_INPUT\n  SPARE AT %QX0.0 : BOOL := TRUE;\nEND_VAR\n"),
+        ("_IO\n", "_IO\nVAR_OUTPUT\n  SPARE AT %QX0.0 : BOOL := TRUE;\nEND_VAR\n"),
     ]
     for old, new in changes:
         assert old in text, old

@@ -32,6 +32,7 @@ ADDED = "../tests/layouts_for_tests/added"
 SWING = "../tests/layouts_for_tests/swing"
 BOARDS = "../tests/layouts_for_tests/boards"
 IDENTIFIER = "../tests/layouts_for_tests/identifier"
+OVERLAP_FLANK = "../tests/layouts_for_tests/overlap_flank"
 ENTRY = "../tests/layouts_for_tests/entry_speeds"
 # the layout on which a kind has mutants
 ON = {
@@ -68,6 +69,7 @@ ON = {
     "device-wrong": DEVICES,
     "opens-under-train": DEVICES,
     **dict.fromkeys((k.name for k in KINDS if k.name.startswith("overlap-")), OVERLAPS),
+    "overlap-flank-not-held": OVERLAP_FLANK,
 }
 
 

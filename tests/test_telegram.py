@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import re
 from collections import Counter
+from collections.abc import Callable
 from itertools import pairwise, product
 
 import pytest
@@ -63,6 +64,53 @@ def test_the_text_is_proved_for_every_telegram(form: Form) -> None:
     ):
         assert old in text
         assert compare_telegram("demo", form.machines, form.tagged, text.replace(old, new, 1)), (old, new)
+
+
+def _block(text: str, name: str) -> str:
+    return text[text.index(f"FUNCTION_BLOCK {name}\n") :].partition("END_FUNCTION_BLOCK\n")[0] + "END_FUNCTION_BLOCK\n"
+
+
+def _with_memory(block: str) -> str:
+    """A machine is commanded by what the telegram before said, too."""
+    found = block.replace("END_VAR\n  T_1", "  KEPT : BOOL;\nEND_VAR\n  T_1")
+    return found.replace("END_FUNCTION_BLOCK", "  CN_P1 := CN_P1 OR KEPT;\n  KEPT := D_1;\nEND_FUNCTION_BLOCK")
+
+
+FORGED: dict[str, Callable[[str], str]] = {
+    "a block of the same name before it, which the controller's tool may take": lambda x: (
+        x.replace("OK := ", "OK := NOT ") + x
+    ),
+    "what is kept from the telegram before commands a machine": _with_memory,
+    "a machine is driven before the first telegram": lambda x: x.replace("CN_P1 : BOOL;", "CN_P1 : BOOL := TRUE;"),
+    "another block, whose name is that of the timer": lambda x: f"{x}{x.replace('IL_demo_RECV', 'TON')}",
+    "one more output": lambda x: x.replace("  CN_P1 : BOOL;", "  CN_P9 : BOOL;\n  CN_P1 : BOOL;", 1).replace(
+        "END_FUNCTION_BLOCK", "  CN_P9 := D_5;\nEND_FUNCTION_BLOCK"
+    ),
+}
+
+
+@pytest.mark.parametrize("how", FORGED)
+def test_a_forged_text_of_the_receiver_is_refused(how: str) -> None:
+    form = form_of(ELEVEN.machines[:2])
+    text, receive = text_of(form), _block(text_of(form), "IL_demo_RECV")
+    forged = FORGED[how](receive)
+    assert forged != receive and parse_unit(text.replace(receive, forged))
+    assert compare_telegram("demo", form.machines, form.tagged, text.replace(receive, forged))
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("ALARM := NOT YES AND (ALARM OR FAIL)", "ALARM := NOT YES AND FAIL"),
+        ("NEW OR AGAIN", "NEW OR LOST"),
+        ("T#200ms", "T#200h"),
+        ("THIRD : BOOL := FALSE", "THIRD : BOOL := TRUE"),
+    ],
+)
+def test_a_changed_block_that_repeats_telegrams_is_refused(old: str, new: str) -> None:
+    form = form_of(ELEVEN.machines[:2])
+    assert old in text_of(form)
+    assert compare_telegram("demo", form.machines, form.tagged, text_of(form).replace(old, new))
 
 
 @pytest.mark.parametrize("form", FORMS, ids=str)

@@ -47,6 +47,9 @@ class Ahead(Topology):
     def w_sections_under(self, o: Overlap) -> list[str]:
         return [w.section for w in o.path.ways]
 
+    def w_ways_under(self, o: Overlap) -> tuple[Way, ...]:
+        return o.path.ways
+
     def w_overlaps_held(self, s: str) -> list[Overlap]:
         return [o for o in self.overlaps if any(w.section == s for w in o.path.ways)]
 

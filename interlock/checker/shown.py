@@ -234,11 +234,12 @@ class Protection(Terminals):
     @cached_property
     def _movements(self) -> dict[str, list[frozenset[str]]]:
         """For each section the paths over it, as sections; none at all for what stands there before its path or at the
-        end of one."""
+        end of one.  Nobody is called into a trap."""
         found: dict[str, list[frozenset[str]]] = {}
+        traps = set(self.r.body.get("traps") or ())
         for c in (c for g in self.w_signals() for c in self.r.callings(g)):
             rear = self.r.beyond(c.signal.into, c.signal.node)
-            for p in self.r.paths(c):
+            for p in (x for x in self.r.paths(c) if x.last.exit not in traps):
                 over = frozenset(w.section for w in p.ways)
                 for s in over:
                     found.setdefault(s, []).append(over)

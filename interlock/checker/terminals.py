@@ -264,6 +264,10 @@ class Terminals(Ahead):
     def w_locked_overlap(self, o: Overlap) -> Formula:
         return self.known(f"V_{o.signal.safe}_{o.number}")
 
+    def w_firm_overlap(self, o: Overlap) -> Formula:
+        """The overlap that is held of its signal is locked and detected."""
+        return self.known(f"VF_{o.signal.safe}")
+
     def w_all_overlaps(self) -> list[Overlap]:
         """Those that some route holds."""
         return [o for o in self.overlaps if f"V_{o.signal.safe}_{o.number}" in self.state]

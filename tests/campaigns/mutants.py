@@ -36,6 +36,7 @@ MORE = {
     ),
     "tests/layouts_for_tests/token.yaml": tuple(k.name for k in KINDS if k.name.startswith("direction-")),
     "tests/layouts_for_tests/swing.yaml": tuple(k.name for k in KINDS if k.name.startswith("swing-")),
+    "tests/layouts_for_tests/overlap_flank.yaml": ("overlap-flank-not-held",),
     "tests/layouts_for_tests/speeds.yaml": ("speed-too-high",),
     "tests/layouts_for_tests/boards.yaml": ("board-passed",),
     "tests/layouts_for_tests/identifier.yaml": tuple(k.name for k in KINDS if k.name.startswith("identifier-")),

@@ -30,7 +30,8 @@ CLAIMS: dict[str, str] = {
     "T-DERAIL": "No train meets a point that is moving or set against it.",
     "T-POINT-MOVES": "No point moves under a train, and no train comes to a point that moves.",
     "T-ROAD": "No train is on a level crossing, bridge or other interlock that is not closed for it.",
-    "T-FLANK": "While a train uses a point or diamond, no vehicle can roll into it from the flank.",
+    "T-FLANK": "While a train uses a point or diamond, or may overrun a signal over it, no vehicle can roll into it "
+    "from the flank.",
     "T-SCISSORS": "While a train uses one crossover of a scissors, the other one lies normal.",
     "T-ZONE": "A train comes into a zone only where it was called in, and is called in only while the trains in it or "
     "called into it, this one too, are no more than the zone's maximum.",

@@ -10,15 +10,15 @@ from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, va
 from interlock.logic.plant import accepted, came, lamp, lies, o, rests
 from interlock.model.elements import (
     BoundaryKind,
+    BufferKind,
     CrossingId,
-    EdgeId,
     MachineId,
-    NodeId,
     Position,
     SectionId,
     SignalId,
 )
 from interlock.model.measured import Beyond
+from interlock.model.traversal import Traversal
 from interlock.proof.claims.kinds import Facts
 from interlock.proof.claims.paths import ground_of, shown_over, signal_paths
 
@@ -55,20 +55,29 @@ def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
         for t in f.topo.traversals[s]:
             if (s, t.number) not in f.sym.lock:
                 continue
-            places: list[tuple[str, NodeId, EdgeId]] = []
-            for pid, x in t.points:
-                p = f.layout.point[pid]
-                places.append((f"{pid}.{x.other}", p.node, p.leg(x.other)))
-            for cid, arm in t.crossings:
-                c = f.layout.crossing[cid]
-                places += [(f"{cid}.{edge}", c.node, edge) for edge in c.arms[1 - arm]]
             uses = conj((f.firm(s), f.lock(s, t.number)))
             train = conj((o(s), neg(rests(s)), came(s, t.entry)))
             shown = disj(f.sym.signal(g, k) for g, k in over.get(t.key, ()))
-            for name, node, edge in places:
-                danger = exposed(f, f.beyond[node, edge])
+            for name, danger in _dangers(f, t):
                 yield "T-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, train)), neg(danger))
                 yield "S-FLANK", f"{s}:{t.number}:{name}", implies(conj((uses, shown)), neg(danger))
+    for option, held in f.sym.overlap.items():
+        firm = conj((var(held), var(f.sym.overlap_firm[option[0]])))
+        for s, n in f.sym.overlap_ways[option]:
+            for name, danger in _dangers(f, f.topo.traversals[s][n - 1]):
+                place = f"{s}:{n}:{name} as overlap {option[1]} of {option[0]}"
+                yield "T-FLANK", place, implies(firm, neg(danger))
+
+
+def _dangers(f: Facts, t: Traversal) -> Iterator[tuple[str, Expr]]:
+    """Every place on a way at which a vehicle might come in, and whether one could roll there now."""
+    for pid, x in t.points:
+        p = f.layout.point[pid]
+        yield f"{pid}.{x.other}", exposed(f, f.beyond[p.node, p.leg(x.other)])
+    for cid, arm in t.crossings:
+        c = f.layout.crossing[cid]
+        for edge in c.arms[1 - arm]:
+            yield f"{cid}.{edge}", exposed(f, f.beyond[c.node, edge])
 
 
 def scissors(f: Facts) -> Iterator[tuple[str, str, Expr]]:
@@ -136,12 +145,15 @@ def flank_space(f: Facts) -> Iterator[tuple[str, str, Expr]]:
 
 def _movements(f: Facts) -> dict[SectionId, list[frozenset[SectionId]]]:
     """For each section the paths, as sections, over it; none at all for a train that stands there before its path, or
-    vehicles at its end."""
+    vehicles at its end.  Nobody is called into a trap."""
     found: dict[SectionId, list[frozenset[SectionId]]] = {}
+    traps = {b.node for b in f.layout.buffers if b.kind is BufferKind.TRAP}
     for g in f.layout.signals:
         rear = f.topo.beyond(f.layout.section_of(g.into), g.node)
         for k in f.functions(g.id):
             for path in signal_paths(f, g.id, k):
+                if path.ways[-1].exit in traps:
+                    continue
                 over = frozenset(t.section for t in path.ways)
                 for s in over:
                     found.setdefault(s, []).append(over)

@@ -128,11 +128,14 @@ def _declared(
     own = {f"W_{portable(h.substation)}": watch_name(prefix, h.within_ms) for h in a.health if h.beats}
     if instances != {**own, "CYC": f"{prefix}_CYCLE", INSTANCE: prefix}:
         yield Difference("instances", "are not a watch for each heartbeat and the cycle, and the interlocking")
+    if program.inputs or program.outputs:
+        yield Difference(program.name, "is given something, or gives something, but by its addresses")
     yield from _beginnings(controller, a, program, restart)
 
 
 def _beginnings(controller: Controller, a: Allocation, program: Block, restart: bool) -> Iterator[Difference]:
-    """What the operator's place writes begins restrictive, words say nothing, each variable is there once."""
+    """What the operator's place writes begins restrictive, words say nothing, wires and what is shown begin with no
+    value of their own; each variable is there once, and no other."""
     start: dict[str, int] = {i.name: i.restrictive for i in controller.inputs}
     sizes: dict[str, int] = {i.name: i.size for i in controller.inputs}
     words = dict.fromkeys(controller.words.routes.values(), UNKNOWN)
@@ -142,11 +145,16 @@ def _beginnings(controller: Controller, a: Allocation, program: Block, restart: 
         if restart if name == RESTART else a.sent:
             start[name], sizes[name] = first, 0
             wires.add(name)
+    plain = {*a.read, *(c.variable for c in a.wires)}
     for n in sorted({*wires, *a.read} - {d.name for d in program.locals}):
         yield Difference(n, "is not declared")
-    if len({d.name for d in program.locals}) != len(program.locals):
+    if len({d.name.upper() for d in program.locals}) != len(program.locals):
         yield Difference("names", "one is declared twice")
     for d in program.locals:
+        if d.type in ("BOOL", "INT") and d.name not in wires | plain:
+            yield Difference(d.name, "is a variable that nobody needs")
+        if d.name not in wires and (d.initial is not None or (d.name in plain and d.type != "BOOL")):
+            yield Difference(d.name, "begins with a value that nobody gave it, or is no bit")
         if d.name in wires:
             value = getattr(d.initial, "value", None)
             if value is None or int(value) != start[d.name] or d.type != ("INT" if sizes[d.name] else "BOOL"):

@@ -109,7 +109,7 @@ def _scan(controller: Controller, unit: Unit, restart: bool = False, restarting:
     run: Execution[Term] = Execution(unit, algebra)
     holders = _holders(controller, run)
     base = {n: values[n] for n, values in holders.items()}
-    _forget(run.main)
+    forget(run.main)
     for s in controller.state:
         holders[s.name][s.name] = var(s.name)
     inputs: dict[str, Term] = {i.name: Symbol(i.name) if i.size else var(i.name) for i in controller.inputs}
@@ -153,13 +153,13 @@ def _next(state: Name) -> Expr:
     return var(_following(state))
 
 
-def _forget(inst: Instance[Term]) -> None:
+def forget(inst: Instance[Term]) -> None:
     """What a block keeps from the last scan may be anything: whoever reads it before it is written differs."""
     for name, value in inst.values.items():
         unknown = spelled(f"kept {inst.path}{name}")
         inst.values[name] = var(unknown) if isinstance(value, Expr) else Symbol(unknown)
     for inner in inst.inner.values():
-        _forget(inner)
+        forget(inner)
 
 
 def _restarted(controller: Controller, unit: Unit, found: Translation) -> Translation:
@@ -300,6 +300,7 @@ __all__ = [
     "compare_scan",
     "compare_st",
     "compare_unit",
+    "forget",
     "wires",
     "words",
 ]

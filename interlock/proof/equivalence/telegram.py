@@ -3,12 +3,13 @@
 RECV says OK exactly when every point has 10 or 01, every unused place is 00, every tag is the byte's number, and the
 exclusive or of all bytes is zero; it commands exactly what the telegram says, and nothing otherwise.  SEND is ready
 exactly when the host agrees on every machine, what it then sends is such a telegram for these commands, and what it
-holds otherwise is none.
+holds otherwise is none.  Neither remembers anything: that is proved for every value that a variable may have kept from
+the call before.  TRY, which has memory, is the block that is made, statement by statement; no other block is there.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 
 from interlock.logic.expr import FALSE, Expr, conj, disj, iff, implies, neg, var
@@ -17,20 +18,21 @@ from interlock.model.elements import MachineId
 from interlock.model.portable import portable
 from interlock.proof.engines import Answer, solver
 from interlock.proof.engines.tseitin import Cnf
-from interlock.proof.equivalence.structured_text import Difference
-from interlock.st.ast import Unit
+from interlock.proof.equivalence.structured_text import Difference, forget
+from interlock.st.ast import Block, Unit
 from interlock.st.meaning import BadText, Execution, Symbols, Term
 from interlock.st.parser import NotInSubset, parse_unit
+from interlock.st.telegram import telegram_unit
 
 
 def compare_telegram(name: str, machines: Sequence[MachineId], tagged: bool, text: str) -> tuple[Difference, ...]:
     """What is wrong with the telegram blocks; empty when nothing is."""
     try:
-        blocks = {b.name: b for b in parse_unit(text).blocks}
-        prefix = f"IL_{portable(name)}"
-        received = _run(Unit((blocks[f"{prefix}_RECV"],)))
-        sent = _run(Unit((blocks[f"{prefix}_SEND"],)))
-        claims = {**_receiving(machines, tagged, received), **_sending(machines, tagged, sent)}
+        blocks = parse_unit(text).blocks
+        if wrong := tuple(_otherwise(blocks, telegram_unit(name, machines, tagged, ()).blocks)):
+            return wrong
+        send, receive, _ = blocks
+        claims = {**_receiving(machines, tagged, _run(receive)), **_sending(machines, tagged, _run(send))}
     except (NotInSubset, BadText, KeyError, ValueError) as error:
         return (Difference("telegram", f"cannot be read: {error}"),)
     cnf = Cnf()
@@ -39,10 +41,23 @@ def compare_telegram(name: str, machines: Sequence[MachineId], tagged: bool, tex
     return tuple(Difference(c, "does not hold") for c, x in literals.items() if sat.ask(-x) is not Answer.UNSAT)
 
 
-def _run(unit: Unit) -> dict[str, Expr]:
-    """The outputs of a block without memory."""
-    run: Execution[Term] = Execution(unit, Symbols())
-    found = run.scan({d.name: var(spelled(d.name)) for d in unit.blocks[-1].inputs})
+def _otherwise(blocks: Sequence[Block], made: Sequence[Block]) -> Iterator[Difference]:
+    """Blocks by other names, or twice; inputs and outputs that are not those that are made, or begin otherwise."""
+    if [b.name for b in blocks] != [b.name for b in made]:
+        yield Difference("telegram", f"not the blocks {', '.join(b.name for b in made)}, each once")
+        return
+    for mine, should in zip(blocks, made, strict=True):
+        if (mine.kind, mine.inputs, mine.outputs) != (should.kind, should.inputs, should.outputs):
+            yield Difference(mine.name, "has other inputs or outputs, or begins with other values")
+    if blocks[-1] != made[-1]:
+        yield Difference(blocks[-1].name, "does not send, wait, repeat and alarm as it is made")
+
+
+def _run(block: Block) -> dict[str, Expr]:
+    """The outputs of a block, whatever its variables have kept from the call before."""
+    run: Execution[Term] = Execution(Unit((block,)), Symbols())
+    forget(run.main)
+    found = run.scan({d.name: var(spelled(d.name)) for d in block.inputs})
     return {n: x for n, x in found.items() if isinstance(x, Expr)}
 
 

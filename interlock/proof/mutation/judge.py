@@ -14,8 +14,10 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
 
+from interlock.logic import names
 from interlock.logic.controller import Controller, MalformedController
-from interlock.logic.expr import TRUE, Expr, variables
+from interlock.logic.expr import FALSE, TRUE, Expr, Substitution, variables
+from interlock.model.elements import Position
 from interlock.model.layout import Layout
 from interlock.proof.mutation.lines import Lines
 from interlock.proof.mutation.patterns import Patterns
@@ -27,6 +29,10 @@ from interlock.proof.system.transition import System
 
 RENEWED = 400  # after so many mutants a solver carries more lines that are off than lines that are on
 AT_ONCE = 40  # that one of so many goals is false is one question
+FLANKS = (names.WAY_DETECTED, names.WAY_AVAILABLE, names.MOVABLE, names.TOUCHED, names.DEMANDED, names.SWINGS_TO)
+"""What a demand or a condition of flank protection stands in."""
+WAYS = (names.WAY_DETECTED, names.WAY_AVAILABLE)
+FLANK_CLAIMS = ("T-FLANK ", "S-FLANK ", "T-SCISSORS ", "S-SCISSORS ", "S-FLANK-SPACE ")
 LATER = "the same in every step after the restart delay, from one state"
 
 
@@ -119,7 +125,40 @@ class Judge:
         if noticed is not None:
             return Verdict(Fate.TRAIN if noticed[0] else Fate.OPERATOR, noticed[1])
         later = same_after_restart(self.step, self.side, other, self.reads)
-        return Verdict(Fate.SURVIVES, LATER if later else "")
+        return Verdict(Fate.SURVIVES, LATER if later else self._kept_off(other))
+
+    def _kept_off(self, mutant: Side) -> str:
+        """In what way nothing can roll in at a flank whose protection the mutant lacks, or leaves; empty where claims
+        say nothing of it, or it lacks anything else.
+
+        It has another protection where the claims about the very ways follow although its machines are taken to lie
+        nowhere; where they do not, the claims still hold of it, and every movement that could come in is kept off.
+        """
+        mine = {e.name: e.expr for e in self.controller.equations}
+        changed = [e.name for e in mutant.controller.equations if mine.get(e.name) is not e.expr]
+        if not changed or any(n.family not in FLANKS for n in changed):
+            return ""
+        ways = {n.at for n in changed if n.family in WAYS}
+        machines = sorted({str(n.at[0]) for n in changed if n.family not in WAYS})
+        nowhere = {x for m in machines for p in Position for lies in (names.LIES(m, p),) for x in (lies, lies.next)}
+        about = [
+            (n, x)
+            for n, x in mutant.lines.claims
+            if n.startswith(FLANK_CLAIMS)
+            and x is not TRUE
+            and (nowhere & {*variables((x,))} if machines else any(f" {s}:{k}:" in n for s, k in ways))
+        ]
+        if not about:
+            return ""
+        s, put = self.step, Substitution(dict.fromkeys(nowhere, FALSE))
+        known = [s.define(n, x) for n, x in mutant.lines.definitions.items()]
+        known += [s.fact(x) for x in (*mutant.lines.assumptions, *mutant.invariants)]
+        here = [(n, x) for n, x in about if not ways or any(f" {s}:{k}:" in n for s, k in ways)]
+        alone = machines and here and self._failing(known, [put(x) for _, x in here]) is None
+        if not alone and self._failing(known, [x for _, x in about]) is not None:
+            return ""
+        where = f", wherever {' and '.join(machines)} may lie" if alone else ""
+        return f"nothing can roll in at {len(here if alone else about)} claimed places{where}"
 
     def _proved(self, lines: Lines, system: System) -> list[Expr] | str:
         """The invariants that are kept, or a claim, or else a function, that does not follow from them."""

@@ -36,6 +36,8 @@ class Mutation:
     make: Callable[[], Controller]
     again: int = 1
     """The same words may be said of several places; they are numbered."""
+    alike: str = ""
+    """What many have in common, where the words do not say it."""
 
     @property
     def name(self) -> str:
@@ -46,7 +48,9 @@ class Mutation:
     @property
     def shape(self) -> str:
         """The words without names of elements and numbers: what many mutants have in common."""
-        return "".join(w.sort if isinstance(w, Name) else w if isinstance(w, str) else _shape(w) for w in self.words)
+        return self.alike or "".join(
+            w.sort if isinstance(w, Name) else w if isinstance(w, str) else _shape(w) for w in self.words
+        )
 
 
 def _shape(x: Expr) -> str:

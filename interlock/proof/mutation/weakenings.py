@@ -291,6 +291,16 @@ def _held_number(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
         yield x, _with(c, e, always)
 
 
+def _overlap_flank_not_held(layout: Layout, table: InterlockingTable) -> Iterator[Mutant]:
+    """A machine is held as flank protection of locked ways, not of overlaps."""
+    c = lower(layout, table)
+    put = Substitution(dict.fromkeys(c.symbols.overlap.values(), FALSE))
+    for e in c.equations:
+        terms = tuple(replace(t, expr=put(t.expr)) if t.kind == "flank not held" else t for t in e.terms)
+        if e.name.family is names.MOVABLE and any(a.expr is not b.expr for a, b in zip(terms, e.terms, strict=True)):
+            yield e.name, _with(c, e, replace(e, terms=terms))
+
+
 KINDS: tuple[Kind, ...] = (
     Kind("stop-lamp-dark", "a stop lamp is never lit", _outputs(_dark)),
     Kind("machine-not-driven", "a machine is never driven to a position", _outputs(_undriven)),
@@ -383,6 +393,11 @@ KINDS: tuple[Kind, ...] = (
     Kind("use-while-stale", "the three-point check goes on after inputs were lost", without("NU", "inputs never lost")),
     Kind("point-free-while-locked", "a machine may move in a locked section", without("MOV", "point section free")),
     Kind("point-free-under-train", "a machine may move in an occupied section", without("MOV", "point section clear")),
+    Kind(
+        "overlap-flank-not-held",
+        "a machine may move although it protects the flank of an overlap",
+        _overlap_flank_not_held,
+    ),
     Kind("flank-not-held", "a machine may move although it protects a flank", without("MOV", "flank not held")),
     Kind(
         "hand-beside-grant",
@@ -479,7 +494,8 @@ def weakenings(layout: Layout, table: InterlockingTable, every: bool) -> Iterato
     """The mutants of each kind as mutations: all of them, or the first of each kind."""
     for kind in KINDS:
         for place, controller in islice(kind.make(layout, table), None if every else 1):
-            yield Mutation(f"weakened: {kind.name}", kind.name, (place,), partial(_made, controller))
+            family = f"weakened: {kind.name}"
+            yield Mutation(family, kind.name, (place,), partial(_made, controller), alike=family)
 
 
 def _made(controller: Controller) -> Controller:
