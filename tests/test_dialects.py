@@ -239,11 +239,13 @@ def test_a_text_that_defines_its_own_timer_or_what_nobody_calls_is_refuted(diale
 
 def test_scl_marks_its_variables_and_quotes_its_blocks() -> None:
     text = next(iter(write_st(built("fig2_2")[2], BY_NAME["scl1500"], []).values()))
-    assert "FUNCTION_BLOCK \"IL_fig2_2_B01\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n" in text
+    assert "FUNCTION \"IL_fig2_2_B01\" : Void\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n" in text
     assert "TON_RT_DP {InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME;" in text
-    assert "\n  #B01(" in text and re.search(r"#T\d+\.RT_DP", text)
-    assert 'DATA_BLOCK "DB_IL_fig2_2"\n{ S7_Optimized_Access' in text
-    assert text.endswith('\n"IL_fig2_2"\nBEGIN\nEND_DATA_BLOCK\n')
+    assert '\n  "IL_fig2_2_B01"();' in text and '\n  "IL_fig2_2_D".RT_DP := #TON_RT_DP.Q;' in text
+    assert (
+        'DATA_BLOCK "DB_IL_fig2_2_T01"\n{ S7_Optimized_Access' in text
+        and "\nNON_RETAIN\n(* inputs *)\nSTRUCT\n" in text
+    )
 
 
 @pytest.mark.parametrize("name", ["fig2_2", "cn6502", "terminus_slip"])

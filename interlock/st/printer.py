@@ -47,10 +47,6 @@ def print_unit(unit: Unit, style: Style = IEC) -> str:
         out.extend(print_block(block, style))
     if unit.task is not None:
         out += ["", *_task(unit.task)]
-    if style.instance:
-        main = unit.blocks[-1].name
-        out += ["", f"DATA_BLOCK {style.block(style.instance + main)}", *style.attributes]
-        out += [style.block(main), "BEGIN", "END_DATA_BLOCK"]
     return "\n".join(out) + "\n"
 
 
@@ -73,7 +69,7 @@ def print_block(b: Block, style: Style = IEC) -> list[str]:
 
 def _head(b: Block, style: Style) -> list[str]:
     note = [comment(b.note, HEADLINE)] if b.note else []
-    return [f"{b.kind} {style.block(b.name)}", *style.attributes, *note]
+    return [f"{b.kind} {style.block(b.name)}", *note]
 
 
 def _begin(style: Style) -> list[str]:
