@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import chain
+
 from interlock.model.portable import readable
 from interlock.st.ast import (
     HEADLINE,
@@ -39,9 +42,20 @@ def comment(text: str, room: int | None = None) -> str:
     return f"(* {text} *)"
 
 
+def wrapped(line: str) -> Iterator[str]:
+    """A long line of a comment in pieces."""
+    room = MAX_COLUMNS - 10
+    while len(line) > room:
+        cut = line.rfind(" ", 0, room)
+        cut = cut if cut > 0 else room
+        yield line[:cut]
+        line = f"    {line[cut:].lstrip()}"
+    yield line
+
+
 def print_unit(unit: Unit, style: Style = IEC) -> str:
     """The whole file, newline at the end."""
-    out = [comment(line) for line in unit.header]
+    out = [comment(line) for line in (*unit.header, *chain.from_iterable(map(wrapped, unit.index)))]
     for block in unit.blocks:
         out.append("")
         out.extend(print_block(block, style))

@@ -9,14 +9,14 @@ block; Programming with STEP 7: the symbol table); the tool was not at hand.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from interlock.st.ast import Block, Declaration, Task, Unit
 from interlock.st.dialects.dialect import Files
 from interlock.st.dialects.symbols import read_symbols, symbol_table
 from interlock.st.parser import NotInSubset
-from interlock.st.printer import MAX_COLUMNS
+from interlock.st.printer import wrapped
 from interlock.st.program import Runs
 from interlock.st.restart import RESTART
 from interlock.st.shared import INPUTS, OPERATOR, Frame, flat, frame, names_in, shared
@@ -122,23 +122,9 @@ def _parted(blocks: Sequence[Block]) -> tuple[str, Sequence[Block], Sequence[Blo
     return main.removeprefix("IL_"), blocks[:at], blocks[at:]
 
 
-def wrapped(line: str) -> Iterator[str]:
-    """A long line of a comment in pieces."""
-    room = MAX_COLUMNS - 10
-    while len(line) > room:
-        cut = line.rfind(" ", 0, room)
-        cut = cut if cut > 0 else room
-        yield line[:cut]
-        line = f"    {line[cut:].lstrip()}"
-    yield line
-
-
 def _no_addresses(blocks: Sequence[Block]) -> None:
     """Raise `NotInSubset` at a name that STEP 7 would take for an address."""
     for b in blocks:
         for d in (*b.inputs, *b.outputs, *b.locals):
             if _ABSOLUTE.fullmatch(d.name.upper()):
                 raise NotInSubset(f"{b.name}: {d.name} is an address in STEP 7")
-
-
-__all__ = ["Language", "wrapped"]

@@ -32,5 +32,4 @@ DIALECT = Dialect(
     runs=Runs.CYCLE,
     tags=True,
     form=shared,
-    places=True,
 )

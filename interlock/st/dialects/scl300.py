@@ -22,5 +22,4 @@ DIALECT = Dialect(
     restart=True,
     runs=Runs.CYCLE,
     form=shared,
-    places=True,
 )

@@ -12,9 +12,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from interlock.st.ast import Block, Declaration, Statement
-from interlock.st.dialects.classic import Language, wrapped
+from interlock.st.dialects.classic import Language
 from interlock.st.parser import NotInSubset, parse_unit
-from interlock.st.printer import body, comment, declarations
+from interlock.st.printer import body, comment, declarations, wrapped
 from interlock.st.shared import Frame, frame, names_in
 from interlock.st.style import Style
 
