@@ -18,8 +18,8 @@ from interlock.proof.equivalence import python_text
 from interlock.proof.equivalence.cabinet import compare_delivery
 from interlock.proof.equivalence.python_text import compare_runtime
 from interlock.proof.equivalence.structured_text import compare_dialect, compare_unit
-from interlock.st.ast import Unit
-from interlock.st.dialects import BY_NAME, DIALECTS, Dialect, write_delivery, write_st
+from interlock.st.ast import Call, Unit
+from interlock.st.dialects import BY_NAME, DIALECTS, Dialect, core, write_delivery, write_st
 from interlock.st.lint import RULES, lint, rows_of
 from interlock.st.lower import lower_st
 from interlock.st.meaning import Execution, Numbers
@@ -47,6 +47,39 @@ def test_every_layout_in_every_dialect_is_read_back_and_proved(name: str, dialec
         assert compare_delivery(controller, allocation, BY_NAME[dialect], files, tags_xlsx(layout, allocation)) == ()
     assert all(t.endswith("\n") and t.isascii() for t in files.values())
     assert all("made for a test" in t for n, t in files.items() if not n.endswith((".sdf", ".TcTTO")))
+
+
+@pytest.mark.parametrize("dialect", ALL)
+def test_blocks_called_in_another_order_are_refuted_unless_none_reads_the_other(dialect: str) -> None:
+    """A value that is read before its block ran is that of the scan before."""
+    _, _, controller = built("fig2_3_split")
+    d = BY_NAME[dialect]
+    unit = core(controller, d, ["made for a test"])
+    main = unit.blocks[-1]
+    made = {x.instance: x for x in main.body if isinstance(x, Call) if x.instance[0] != "S"}
+    calls = [*made.values()]
+    reads = [(a, b) for k, a in enumerate(calls) for b in calls[k + 1 :] if a.instance in _read(b)]
+    assert len(reads) > 5
+    rng = random.Random(5)
+    for first, second in rng.sample(reads, 3):
+        other = {first.instance: second, second.instance: first}
+        body = tuple(other.get(x.instance, x) if isinstance(x, Call) else x for x in main.body)
+        files = d.write(replace(unit, blocks=(*unit.blocks[:-1], replace(main, body=body))))
+        assert not compare_dialect(controller, d, files).proved, (first.instance, second.instance)
+
+
+def _read(call: Call) -> set[str]:
+    return {str(x).partition(".")[0] for _, x in call.params}
+
+
+@pytest.mark.parametrize("dialect", ALL)
+def test_the_text_says_in_which_block_what_belongs_to_a_signal_is_computed(dialect: str) -> None:
+    _, _, controller = built("mine11")
+    text = "".join(write_st(controller, BY_NAME[dialect], []).values())
+    (line,) = re.findall(r"^.*signal X1: (B\d+ .*)$", text, re.MULTILINE)
+    assert re.search(r"B\d+ ATI_X1; B\d+ .*N_X_X1; S01 X_X1", line)
+    blocks = dict(re.findall(r"(B\d+) ([^;]*)", line))
+    assert sum("ATI_X1" in names.split() for names in blocks.values()) == 1
 
 
 @pytest.mark.parametrize("name", SHIPPED)
@@ -239,11 +272,13 @@ def test_a_text_that_defines_its_own_timer_or_what_nobody_calls_is_refuted(diale
 
 def test_scl_marks_its_variables_and_quotes_its_blocks() -> None:
     text = next(iter(write_st(built("fig2_2")[2], BY_NAME["scl1500"], []).values()))
-    assert "FUNCTION_BLOCK \"IL_fig2_2_B01\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n" in text
+    assert "FUNCTION \"IL_fig2_2_B01\" : Void\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n" in text
     assert "TON_RT_DP {InstructionName := 'TON_TIME'; LibVersion := '1.0'} : TON_TIME;" in text
-    assert "\n  #B01(" in text and re.search(r"#T\d+\.RT_DP", text)
-    assert 'DATA_BLOCK "DB_IL_fig2_2"\n{ S7_Optimized_Access' in text
-    assert text.endswith('\n"IL_fig2_2"\nBEGIN\nEND_DATA_BLOCK\n')
+    assert '\n  "IL_fig2_2_B01"();' in text and '\n  "IL_fig2_2_D".RT_DP := #TON_RT_DP.Q;' in text
+    assert (
+        'DATA_BLOCK "DB_IL_fig2_2_T01"\n{ S7_Optimized_Access' in text
+        and "\nNON_RETAIN\n(* inputs *)\nSTRUCT\n" in text
+    )
 
 
 @pytest.mark.parametrize("name", ["fig2_2", "cn6502", "terminus_slip"])

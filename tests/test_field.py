@@ -393,6 +393,37 @@ def test_the_command_runs_proves_and_stops(ready: Ready) -> None:
         east.kill()
 
 
+def test_a_scada_asks_for_a_route_and_the_run_says_who_did(ready: Ready) -> None:
+    west, east = Station(ready, "west"), Station(ready, "east")
+    port, seen = free_port(), list[int]()
+
+    def scada() -> None:
+        client = ModbusTcpClient("127.0.0.1", port=port, timeout=2, retries=0)
+        until = time.monotonic() + 10
+        while not client.connect() and time.monotonic() < until:
+            time.sleep(0.05)
+        while not client.read_input_registers(2, count=1).registers[0] and time.monotonic() < until:
+            time.sleep(0.05)
+        client.write_registers(0, [1, 1, 1])
+        time.sleep(0.3)
+        seen.extend(client.read_input_registers(3, count=2).registers)
+        client.close()
+
+    other = threading.Thread(target=scada)
+    other.start()
+    try:
+        path = ready.proved.checked.path
+        args = ["run", path, "--modbus", f"west=127.0.0.1:{west.port}", "--modbus", f"east=127.0.0.1:{east.port}"]
+        more = ["--operator-modbus", str(port), "--operator-requests", "--cycles", "60", "--cycle", "40"]
+        done = CliRunner().invoke(cli, [*args, *more])
+        other.join(10)
+        assert done.exit_code == 0 and "modbus 127.0.0.1:" in done.output and " asks: set " in done.output, done.output
+        assert seen == [1, 2]
+    finally:
+        west.kill()
+        east.kill()
+
+
 def test_the_panel_works_real_substations_and_leaves_them_restrictive(ready: Ready) -> None:
     """With Modbus there is no railway to play with, and the end is restrictive."""
     assert ready.allocation is not None

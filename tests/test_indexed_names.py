@@ -43,7 +43,6 @@ READ = {
     "st/dialects/awl.py": "printed texts",
     "st/dialects/ladder.py": "names of blocks, XML",
     "st/dialects/classic.py": "names of blocks and files",
-    "st/dialects/scl300.py": "printed texts",
     "st/shared.py": "names of blocks",
     "st/index.py": "names of blocks",
     "st/dialects/symbols.py": "addresses and notes in a table of symbols",

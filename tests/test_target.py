@@ -103,7 +103,7 @@ def test_an_s7_1500_has_memory_for_data_apart() -> None:
     ]
     layout, _, controller = built("fig2_2")
     own, other = estimated(layout, controller, True), estimated(layout, controller)
-    assert sum(own.code.values()) > 3 * sum(other.code.values()) and own.largest[0] == "IL_fig2_2"
+    assert sum(own.code.values()) > 3 * sum(other.code.values()) and own.largest[0] == "IL_fig2_2_B03"
     sink = Sink()
     made, source = load_text("fig2_2.yaml", f"{TEXT}\ntarget: {{cpu: s7-1510sp-1pn}}\n", sink)
     assert made is not None

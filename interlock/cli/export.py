@@ -1,4 +1,4 @@
-"""`interlock export`: the system for other engines."""
+"""`interlock export`: the system for other engines, and registers for a SCADA."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from interlock.app.export import aiger_file
+from interlock.app.export import aiger_file, registers_file
 from interlock.app.own import NotOurs, write_own
 from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, put_json, show, told
 
@@ -16,16 +16,21 @@ from interlock.cli.common import FINDINGS, OK, failed, force_option, format_opti
 @click.argument("layout", type=click.Path())
 @click.option("--aiger", "engine", flag_value="aiger", default="aiger", help="Binary AIGER (the default).")
 @click.option(
+    "--registers", "engine", flag_value="registers", help="The registers of `run --operator-modbus`, as a table (CSV)."
+)
+@click.option(
     "-o", "--output", type=click.Path(path_type=Path, dir_okay=False), required=True, help="The file to write."
 )
 @force_option
 @format_option
 def command(layout: str, engine: str, output: Path, force: bool, form: str) -> None:
-    """Write controller, physics and claims as a circuit; its output is true when some claim is violated."""
-    del engine
-    if output.suffix != ".aig":
+    """Write controller, physics and claims as a circuit; its output is true when some claim is violated.  With
+    --registers: what stands where for a SCADA that reads the operator's place."""
+    if engine == "aiger" and output.suffix != ".aig":
         raise click.UsageError(f"{output}: a circuit in binary AIGER is called NAME.aig")
-    checked, data = aiger_file(layout)
+    if engine == "registers" and output.suffix != ".csv":
+        raise click.UsageError(f"{output}: a table of registers is called NAME.csv")
+    checked, data = (aiger_file if engine == "aiger" else registers_file)(layout)
     if data is None:
         show(checked.diagnostics, checked.source.texts, form)
         sys.exit(FINDINGS)
@@ -34,6 +39,13 @@ def command(layout: str, engine: str, output: Path, force: bool, form: str) -> N
     except (NotOurs, OSError) as error:
         failed(told(error, output), form)
         sys.exit(FINDINGS)
+    if engine == "registers":
+        rows = data.count(b"\n") - 1
+        if form == "json":
+            put_json({"ok": True, "file": str(output), "bytes": size, "rows": rows})
+        else:
+            click.echo(f"{output}: {rows} rows, {size} bytes")
+        sys.exit(OK)
     variables = int(data.split(maxsplit=6)[1])
     if form == "json":
         put_json({"ok": True, "file": str(output), "bytes": size, "variables": variables})

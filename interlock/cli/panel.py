@@ -17,8 +17,10 @@ import click
 
 from interlock.app.run import Ready
 from interlock.cli.common import told
+from interlock.cli.operator_place import answering
+from interlock.field.operator_place import DOES, Reply
 from interlock.field.plc import Link
-from interlock.panel.desk import Desk
+from interlock.panel.desk import Desk, Person
 from interlock.panel.recorder import Recorder
 from interlock.panel.server import Access, listening, serve
 
@@ -48,8 +50,11 @@ def run_panel(
     access: Access,
     record: Path | None,
     form: str,
+    place: tuple[str, int] | None = None,
+    requests: bool = False,
 ) -> None:
-    """Serve the panel until interrupted."""
+    """Serve the panel until interrupted; `place`: where the operator's place listens on Modbus, and `requests` whether
+    it may ask."""
     gc.enable()  # off in the short-lived commands; this one runs on
     assert ready.layout is not None
     record = record or Path(f"{ready.layout.name}-{datetime.now():%Y%m%d-%H%M%S}.log")
@@ -66,8 +71,16 @@ def run_panel(
     _say({"record": str(record)}, form)
     for ending in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(ending, _end)
+    about = dict(DOES.values())
+
+    def ask(who: str, what: str, name: str, reply: Reply) -> None:
+        desk.ask(Person(who, True), {"do": what, about[what]: name}, lambda told: reply(bool(told["ok"])))
+
     try:
-        serve(desk, access, sock)
+        with answering(ready, place, ask if requests else None) as server:
+            if server is not None:
+                desk.publish = server.publish
+            serve(desk, access, sock)
     finally:
         ms = round(desk.longest_s * 1000, 1)
         _say({"stopped": "every output that could be reached is restrictive", "ms": ms, "of": cycle_ms}, form)

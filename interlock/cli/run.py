@@ -18,8 +18,11 @@ import click
 
 from interlock.app.run import BadCommand, Operator, Ready, prepare, refused, run
 from interlock.cli.common import exit_code, format_option, progress, proof_body, show_proof
+from interlock.cli.operator_place import answering, parsed
+from interlock.dispatch.arbiter import Full
 from interlock.field.alone import InUse, hold
 from interlock.field.modbus import ModbusLink
+from interlock.field.operator_place import Reply
 from interlock.field.plc import Cycle, Link
 from interlock.field.polling import Beside
 
@@ -87,6 +90,18 @@ def _end(number: int, frame: object) -> None:
     help="With --panel: the log in which everything is recorded, continued if it exists; else NAME-DATE-TIME.log.",
 )
 @click.option(
+    "--operator-modbus",
+    "operator_modbus",
+    metavar="[HOST:]PORT",
+    help="The operator's place on Modbus TCP: words of routes and outputs; without a host on this computer only.",
+)
+@click.option(
+    "--operator-requests",
+    "requests",
+    is_flag=True,
+    help="With --operator-modbus: requests may be written, too, by whoever reaches it.",
+)
+@click.option(
     "--cycle", "cycle_ms", type=click.IntRange(10, 1000), default=100, show_default=True, help="Cycle time in ms."
 )
 @click.option("--cycles", type=click.IntRange(1), default=None, help="Stop after this many cycles (otherwise: Ctrl-C).")
@@ -100,6 +115,8 @@ def command(
     token: str,
     look_token: str,
     record: Path | None,
+    operator_modbus: str | None,
+    requests: bool,
     cycle_ms: int,
     cycles: int | None,
     form: str,
@@ -115,6 +132,11 @@ def command(
     if not modbus and not panel:
         raise click.UsageError("say --modbus SUBSTATION=HOST:PORT for each substation, or --panel")
     if modbus:
+        _needs("pymodbus", "Modbus", "field")
+    if requests and operator_modbus is None:
+        raise click.UsageError("--operator-requests goes with --operator-modbus [HOST:]PORT")
+    place = None if operator_modbus is None else parsed(operator_modbus)
+    if place is not None:
         _needs("pymodbus", "Modbus", "field")
     sock = None
     if panel:
@@ -136,14 +158,17 @@ def command(
     if sock is not None:
         from interlock.cli.panel import run_panel
 
-        run_panel(ready, links, cycle_ms, sock, tokens, record, form)
+        run_panel(ready, links, cycle_ms, sock, tokens, record, form, place, requests)
         return
     assert links is not None
-    typed: queue.SimpleQueue[str] = queue.SimpleQueue()
+    typed: queue.SimpleQueue[tuple[str, str, Reply]] = queue.SimpleQueue()
 
     def listen() -> None:
         for line in sys.stdin:
-            typed.put(line)
+            typed.put(("", line, lambda taken: None))
+
+    def asked(who: str, what: str, name: str, reply: Reply) -> None:
+        typed.put((who, f"{what} {name}", reply))
 
     gc.enable()  # off in the short-lived commands; this one runs on
     threading.Thread(target=listen, daemon=True).start()
@@ -151,12 +176,17 @@ def command(
     operator = Operator(ready)
 
     def ask(last: Cycle | None, dt_ms: int) -> Mapping[str, int]:
-        line = "" if typed.empty() else typed.get().strip()
-        if line:
+        who, line, reply = ("", "", lambda taken: None) if typed.empty() else typed.get()
+        if line := line.strip():
+            if who:
+                say({"asked": line, "who": who})
+            taken = True
             try:
                 operator.type(line)
-            except BadCommand as error:
+            except (BadCommand, Full) as error:
+                taken = False
                 say({"refused": str(error)})
+            reply(taken)
             if "=" in line:
                 say({"held": dict(sorted(operator.held.items()))})
         found = operator.inputs(last, dt_ms)
@@ -171,8 +201,13 @@ def command(
     said: tuple[object, ...] = ()
     longest = 0.0
     try:
-        with closing(run(ready, links, cycle_ms, cycles, ask, poll=Beside())) as cycles_run:
+        with (
+            answering(ready, place, asked if requests else None) as server,
+            closing(run(ready, links, cycle_ms, cycles, ask, poll=Beside())) as cycles_run,
+        ):
             for result, took in cycles_run:
+                if server is not None:
+                    server.publish(result)
                 longest = max(longest, took)
                 if (result.valid, result.lost) != said:
                     said = (result.valid, result.lost)
@@ -202,6 +237,8 @@ def _text(event: dict[str, Any]) -> None:
             click.echo(f"  route {route} is refused: {text} ({rule})")
         case {"refused": text} | {"voyage": text}:
             click.echo(f"  {text}")
+        case {"asked": line, "who": who}:
+            click.echo(f"  {who} asks: {line}")
         case {"held": held}:
             click.echo(f"  held: {', '.join(f'{n}={v}' for n, v in held.items()) or 'nothing'}")
         case {"inputs": state, "lost": lost}:

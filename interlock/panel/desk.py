@@ -100,6 +100,8 @@ class Desk:
         self._ran_ms = 0
         self._other = self._rest(None)
         self._stop = threading.Event()
+        self.publish: Callable[[Cycle | None], None] = lambda cycle: None
+        """Told of every cycle, and of one without power (None)."""
         self.ended: Callable[[], None] = lambda: None
         """Called when the cycles have ended."""
         self.broken = ""
@@ -181,6 +183,7 @@ class Desk:
             self.field.step(self.cycle_ms / 1000, {})
             if self.recorder is not None:
                 self.recorder.cycle(None)
+            self.publish(None)
             self._tell(self.picture.dark(), None)
             self.clock.sleep(max(0.0, self.cycle_ms / 1000 - (self.clock.now() - began)))
 
@@ -217,6 +220,7 @@ class Desk:
             self._hazards = len(hazards)
         if self.recorder is not None:
             self.recorder.cycle(cycle)
+        self.publish(cycle)
         self._tell(self.picture.of(cycle), cycle)
         self.longest_s = max(self.longest_s, time.monotonic() - self._began)
 

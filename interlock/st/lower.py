@@ -1,19 +1,19 @@
 """From the controller to Structured Text.
 
-The steps are cut into small function blocks in their order; a block gets what it reads as inputs and gives what it
+The steps are cut into small function blocks, in an order in which what belongs to one place of the railway stands
+together as far as the scan allows; a block gets what it reads as inputs and gives what it
 computes as outputs.  Timers stand in blocks of their own, and so do words.  State lives in blocks that are called last,
 so that every equation of a scan sees the old state.  The main block calls them all in one fixed order.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
-from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Step, Timer
+from interlock.logic.controller import Controller, Equation, Input, Join, StateVar, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
-from interlock.logic.names import Name as NameOf
 from interlock.logic.names import computed
-from interlock.logic.order import by_place
+from interlock.logic.order import together
 from interlock.logic.words import UNKNOWN, Value, Word, Words
 from interlock.model.portable import portable
 from interlock.st.ast import (
@@ -40,18 +40,14 @@ MAX_ROWS = 400  # the strictest guide found allows 500
 MAX_STATE = 120
 
 
-Order = Callable[[Sequence[Step], Mapping[NameOf, Equation]], list[Step]]
-"""The steps of a scan and the equations of next values in an order in which each comes after what it reads."""
-
-
-def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS, order: Order = by_place) -> Unit:
+def lower_st(controller: Controller, header: Sequence[str], rows: int = MAX_ROWS) -> Unit:
     """The whole text of a controller as a tree; `rows`: of equations and declarations in a computing block."""
     prefix = f"IL_{portable(controller.name)}"
     ranges = {i.name for i in controller.inputs if i.size}
     following = {
         e.name: Equation(computed(e.name), e.join, e.terms, e.group, f"next: {e.note}") for e in controller.next
     }
-    pieces = _cut(order(controller.steps, following), rows)
+    pieces = _cut(together(controller.steps, following), rows)
     blocks: list[Block] = []
     where: dict[str, Name] = {i.name: Name((i.name,)) for i in controller.inputs}
     body: list[Statement] = []
@@ -130,13 +126,14 @@ def _saying(name: str, piece: Sequence[Word], named: _Named, words: Words) -> Bl
     where: dict[str, Name] = {n: named[n][0] for n in [*reads, *made]}
     extra: list[Declaration] = []
     body: list[Statement] = []
+    told: set[Value] = set()
     for w in piece:
         arms: list[tuple[Expression, tuple[Statement, ...]]] = []
         for c in w.cases:
             x = c.condition
             condition = where[x.name] if x.op is VAR else _short(x, where, extra, body)
-            arms.append((condition, (_said(where[w.name], c.value, where, words),)))
-        last = _said(where[w.name], w.otherwise, where, words)
+            arms.append((condition, (_said(where[w.name], c.value, where, words, told),)))
+        last = _said(where[w.name], w.otherwise, where, words, told)
         body.append(If(*arms[0], (last,), tuple(arms[1:])) if arms else last)
     return Block(
         name,
@@ -148,10 +145,12 @@ def _saying(name: str, piece: Sequence[Word], named: _Named, words: Words) -> Bl
     )
 
 
-def _said(target: Name, value: Value, where: Mapping[str, Name], words: Words) -> Assign:
-    """A word gets a code, with its sentence, or the value of another word."""
+def _said(target: Name, value: Value, where: Mapping[str, Name], words: Words, told: set[Value]) -> Assign:
+    """A word gets a code, with its sentence where the block has it first, or the value of another word."""
     if isinstance(value, int):
-        return Assign(target, Int(value), words.said(value) if value else "")
+        note = words.said(value) if value and value not in told else ""
+        told.add(value)
+        return Assign(target, Int(value), note)
     return Assign(target, where[value])
 
 
@@ -222,7 +221,7 @@ def _computing(name: str, equations: Sequence[Equation], named: _Named) -> Block
     return Block(
         name,
         tuple([named[n][1] for n in reads]),
-        tuple([Declaration(e.name, "BOOL", None, e.note) for e in equations]),
+        tuple([Declaration(e.name, "BOOL") for e in equations]),  # its meaning stands where it is computed
         tuple(extra),
         tuple(body),
         ", ".join(dict.fromkeys(e.group for e in equations)),

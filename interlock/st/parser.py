@@ -100,8 +100,6 @@ class _Reader:
     def __init__(self, text: str, style: Style) -> None:
         self.text = text
         self.style = style
-        marks = " ".join(style.attributes)
-        self._attributes = _tokens(marks, 0, len(marks))[:-1]
         self._windows = [0, *(m.end() for m in _CLOSED.finditer(text)), len(text)]
         self.tokens: list[str] = []
         self.at = 0
@@ -184,11 +182,6 @@ class _Reader:
         if not blocks:
             self._fail("FUNCTION_BLOCK")
         task = self._task() if self._is("CONFIGURATION") else None
-        if self.style.instance:
-            main = blocks[-1].name
-            wanted = ["DATA_BLOCK", self.style.block(self.style.instance + main), *self._attributes]
-            for token in (*wanted, self.style.block(main), "BEGIN", "END_DATA_BLOCK"):
-                self._take(token)
         self.end()
         return Unit(tuple(blocks), task=task)
 
@@ -229,8 +222,6 @@ class _Reader:
         kind = self.tokens[self.at].upper()
         self.at += 1
         name = self._block_name()
-        for token in self._attributes:
-            self._take(token)
         parts = self.declarations()
         if self.style.begin:
             self._word("BEGIN")

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import chain
+
 from interlock.model.portable import readable
 from interlock.st.ast import (
     HEADLINE,
@@ -39,18 +42,25 @@ def comment(text: str, room: int | None = None) -> str:
     return f"(* {text} *)"
 
 
+def wrapped(line: str) -> Iterator[str]:
+    """A long line of a comment in pieces."""
+    room = MAX_COLUMNS - 10
+    while len(line) > room:
+        cut = line.rfind(" ", 0, room)
+        cut = cut if cut > 0 else room
+        yield line[:cut]
+        line = f"    {line[cut:].lstrip()}"
+    yield line
+
+
 def print_unit(unit: Unit, style: Style = IEC) -> str:
     """The whole file, newline at the end."""
-    out = [comment(line) for line in unit.header]
+    out = [comment(line) for line in (*unit.header, *chain.from_iterable(map(wrapped, unit.index)))]
     for block in unit.blocks:
         out.append("")
         out.extend(print_block(block, style))
     if unit.task is not None:
         out += ["", *_task(unit.task)]
-    if style.instance:
-        main = unit.blocks[-1].name
-        out += ["", f"DATA_BLOCK {style.block(style.instance + main)}", *style.attributes]
-        out += [style.block(main), "BEGIN", "END_DATA_BLOCK"]
     return "\n".join(out) + "\n"
 
 
@@ -73,7 +83,7 @@ def print_block(b: Block, style: Style = IEC) -> list[str]:
 
 def _head(b: Block, style: Style) -> list[str]:
     note = [comment(b.note, HEADLINE)] if b.note else []
-    return [f"{b.kind} {style.block(b.name)}", *style.attributes, *note]
+    return [f"{b.kind} {style.block(b.name)}", *note]
 
 
 def _begin(style: Style) -> list[str]:

@@ -113,7 +113,8 @@ def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
     kinds = {b.name: b for b in callees}
     types = {d.name: d.type for d in main.locals}
     data = {d.name: main.name + INPUTS for d in main.inputs} | {d.name: main.name + OUTPUTS for d in main.outputs}
-    inner = [d for b in callees for d in b.outputs if d.name not in data]
+    notes = {s.target.parts[-1]: s.note for b in callees for s in b.body if isinstance(s, Assign)}
+    inner = [replace(d, note=d.note or notes.get(d.name, "")) for b in callees for d in b.outputs if d.name not in data]
     data |= {d.name: main.name + INNER for d in inner}
 
     def place(n: Name) -> Name:

@@ -11,19 +11,15 @@ class Style:
 
     local: mark before a variable inside a body (`#` in SCL).
     quoted: names of blocks stand in double quotes.
-    attributes: lines after the name of a block.
     begin: BEGIN stands before the body.
     timer: the type of an on-delay timer; timer_note: what stands between its name and the colon.
-    instance: the name of a data block for the last block follows it, with this prefix.
     """
 
     local: str = ""
     quoted: bool = False
-    attributes: tuple[str, ...] = ()
     begin: bool = False
     timer: str = "TON"
     timer_note: str = ""
-    instance: str = ""
 
     def block(self, name: str) -> str:
         """The name of a block as it is written."""

@@ -24,10 +24,11 @@ def _code(x: Expr, outer: str = "") -> str:
     return f"({body})" if outer else body
 
 
-def _equation(e: Equation, name: str) -> str:
+def _equation(e: Equation, name: str, note: str = "") -> str:
     op = " and " if e.join is Join.ALL else " or "
     terms = [_code(t.expr, op) for t in e.terms] or [str(e.join is Join.ALL)]
-    return f"        {name} = {op.join(terms)}  # {_plain(e.note)}"
+    said = f"  # {_plain(note)}" if note else ""
+    return f"        {name} = {op.join(terms)}{said}"
 
 
 def _plain(text: str) -> str:
@@ -212,11 +213,10 @@ def runtime_py(controller: Controller, header: Sequence[str]) -> str:
     lines += [f"        {s.name} = old[{s.name!r}]" for s in c.state]
     for step in c.steps:
         if isinstance(step, Equation):
-            lines.append(_equation(step, step.name))
+            lines.append(_equation(step, step.name, step.note))
         else:
-            lines.append(
-                f"        {step.name} = self._timer({step.name!r}, {step.input}, dt_ms)  # {_plain(step.note)}"
-            )
+            lines.append(f"        {step.name} = self._timer({step.name!r}, {step.input}, dt_ms)")
+    # what a bit of state or a timer means stands in the tables above
     lines += [_equation(e, f"N_{e.name}") for e in c.next]
     lines += _words(c)
     lines.append("        self.state = {")

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
-from interlock.logic.order import by_place, together
 from interlock.st.ast import Unit
 from interlock.st.dialects import awl, iec, ladder, plcopen, scl300, scl1500, twincat
 from interlock.st.dialects.dialect import Dialect, Files, Unsupported
@@ -49,9 +48,8 @@ def delivered(controller: Controller, allocation: Allocation, dialect: Dialect, 
 
 def core(controller: Controller, dialect: Dialect, header: Sequence[str]) -> Unit:
     """The interlocking of a dialect as a tree of function blocks."""
-    unit = lower_st(controller, header, dialect.rows, together if dialect.places else by_place)
-    if dialect.places:
-        unit = replace(unit, index=index(controller, unit))
+    unit = lower_st(controller, header, dialect.rows)
+    unit = replace(unit, index=index(controller, unit))
     return with_restart(unit) if dialect.restart else unit
 
 

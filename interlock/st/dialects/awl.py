@@ -27,10 +27,10 @@ from interlock.st.ast import (
     Statement,
     Time,
 )
-from interlock.st.dialects.classic import Language, wrapped
+from interlock.st.dialects.classic import Language
 from interlock.st.dialects.dialect import Dialect, Unsupported
 from interlock.st.parser import NotInSubset, parse_unit
-from interlock.st.printer import declarations, print_expression
+from interlock.st.printer import declarations, print_expression, wrapped
 from interlock.st.program import Runs
 from interlock.st.shared import Frame, frame, shared
 from interlock.st.style import Style
@@ -493,5 +493,4 @@ DIALECT = Dialect(
     restart=True,
     runs=Runs.CYCLE,
     form=shared,
-    places=True,
 )

@@ -1,4 +1,4 @@
-"""The files for STEP 7 classic (S7-300, S7-400): data blocks, functions, organization blocks, the symbol table.
+"""The files for Siemens: data blocks, functions, organization blocks; for STEP 7 classic the symbol table.
 
 Variables lie in data blocks (`interlock.st.shared`), so that no block hands one to another: an FB that hands thousands
 of values to others is larger than these controllers allow.  The forms are those of public manuals (S7-SCL and STL for
@@ -9,17 +9,17 @@ block; Programming with STEP 7: the symbol table); the tool was not at hand.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from interlock.st.ast import Block, Task, Unit
+from interlock.st.ast import Block, Declaration, Task, Unit
 from interlock.st.dialects.dialect import Files
 from interlock.st.dialects.symbols import read_symbols, symbol_table
 from interlock.st.parser import NotInSubset
-from interlock.st.printer import MAX_COLUMNS
+from interlock.st.printer import wrapped
 from interlock.st.program import Runs
 from interlock.st.restart import RESTART
-from interlock.st.shared import INPUTS, OPERATOR, Frame, flat, frame, shared
+from interlock.st.shared import INPUTS, OPERATOR, Frame, flat, frame, names_in, shared
 
 _ABSOLUTE = re.compile(r"(?:[TCZMIQEA]|DB|DI|FB|FC|OB|SFB|SFC|UDT|P[IQEA])[BWDX]?[0-9]+")
 """What STEP 7 takes for an address, a timer or a block, whoever declares it."""
@@ -27,11 +27,12 @@ _ABSOLUTE = re.compile(r"(?:[TCZMIQEA]|DB|DI|FB|FC|OB|SFB|SFC|UDT|P[IQEA])[BWDX]
 
 @dataclass(frozen=True)
 class Language:
-    """How a language of STEP 7 classic is written.
+    """How a language of Siemens is written.
 
     suffix: of a source.  comment: a line of it.  block: the lines of a block.  cycle, startup: the lines of OB1, which
     calls a function, and of OB100, which sets a variable.  read: the blocks of a source, given what is defined
-    elsewhere.  uncommented: its text without comments.
+    elsewhere.  uncommented: its text without comments.  tags: for TIA Portal, where addresses stand in a table of tags
+    beside the text, and data blocks forget their values over a restart.
     """
 
     suffix: str
@@ -41,6 +42,7 @@ class Language:
     startup: Callable[[str, str], list[str]]
     read: Callable[[str, Sequence[Block]], list[Block]]
     uncommented: Callable[[str], str]
+    tags: bool = False
 
     def write(self, unit: Unit) -> dict[str, str]:
         """The interlocking; with a mapping program that too, the organization blocks, and the symbol table."""
@@ -52,12 +54,11 @@ class Language:
         files = {f"{name}{self.suffix}": self._text([*head, *index], core, known)}
         if not rest:
             return files
-        assert unit.task is not None and unit.task.startup == RESTART
+        assert unit.task == self._task(f"IL_{name}_IO")
         *program, wires = rest
         files[f"{name}_io{self.suffix}"] = self._text(head, program, known)
         files[f"{name}_ob{self.suffix}"] = "\n".join([*head, "", *self._organization(f"IL_{name}"), ""])
-        files[f"{name}.sdf"] = symbol_table((*core, *program), wires)
-        return files
+        return files if self.tags else files | {f"{name}.sdf": symbol_table((*core, *program), wires)}
 
     def _text(self, head: Sequence[str], blocks: Sequence[Block], known: Frame) -> str:
         lines = [*head]
@@ -66,7 +67,12 @@ class Language:
         return "\n".join([*lines, ""])
 
     def _organization(self, main: str) -> list[str]:
-        return [*self.cycle(f"{main}_IO"), "", *self.startup(main + OPERATOR, RESTART)]
+        cycle = self.cycle(f"{main}_IO")
+        return cycle if self.tags else [*cycle, "", *self.startup(main + OPERATOR, RESTART)]
+
+    def _task(self, program: str) -> Task:
+        """OB1 runs the program; OB100 tells it of a restart, where data outlive one."""
+        return Task("", "", Runs.CYCLE.value, 0, "", program, "" if self.tags else RESTART)
 
     def read_files(self, files: Files) -> Unit:
         """What the files do, as in all dialects; a mapping program is last."""
@@ -76,26 +82,35 @@ class Language:
         core = self.read(files[sources[0]], ())
         name = core[0].name.removeprefix("IL_").removesuffix(INPUTS)
         if len(files) == 1:
-            _no_addresses(core)
+            self._check_names(core)
             return flat(Unit(tuple(core)))
-        expected = {f"{name}{x}" for x in (self.suffix, f"_io{self.suffix}", f"_ob{self.suffix}", ".sdf")}
+        suffixes = (self.suffix, f"_io{self.suffix}", f"_ob{self.suffix}", *(() if self.tags else (".sdf",)))
+        expected = {f"{name}{x}" for x in suffixes}
         if set(files) != expected:
             raise NotInSubset(f"files are not {', '.join(sorted(expected))}")
         program = self.read(files[f"{name}_io{self.suffix}"], core)
-        _no_addresses((*core, *program))
+        self._check_names((*core, *program))
         _, mine, rest = _parted((*core, *program))
         if [*mine] != core or [*rest] != program:
             raise NotInSubset("blocks that do not stand in their own file")
         ob = self.uncommented(files[f"{name}_ob{self.suffix}"])
         if ob != self.uncommented("\n".join([*self._organization(f"IL_{name}"), ""])):
             raise NotInSubset("organization blocks that do something else")
-        wires = Block("", (), (), read_symbols(files[f"{name}.sdf"], (*core, *program)), (), kind="WIRES")
-        return flat(Unit((*core, *program, wires), task=organized(f"IL_{name}_IO")))
+        tagged = _terminals(program)
+        held = tagged if self.tags else read_symbols(files[f"{name}.sdf"], (*core, *program))
+        wires = Block("", (), (), held, (), kind="WIRES")
+        return flat(Unit((*core, *program, wires), task=self._task(f"IL_{name}_IO")))
+
+    def _check_names(self, blocks: Sequence[Block]) -> None:
+        if not self.tags:
+            _no_addresses(blocks)
 
 
-def organized(program: str) -> Task:
-    """OB1 runs the program; OB100 tells it of a restart."""
-    return Task("", "", Runs.CYCLE.value, 0, "", program, RESTART)
+def _terminals(program: Sequence[Block]) -> tuple[Declaration, ...]:
+    """What the functions of a mapping program name that no block holds: terminals, without an address."""
+    functions = [b for b in program if b.kind == "FUNCTION"]
+    names = dict.fromkeys(n.parts[0] for b in functions for s in b.body for n in names_in(s) if len(n.parts) == 1)
+    return tuple(Declaration(n, "BOOL") for n in names)
 
 
 def _parted(blocks: Sequence[Block]) -> tuple[str, Sequence[Block], Sequence[Block]]:
@@ -107,23 +122,9 @@ def _parted(blocks: Sequence[Block]) -> tuple[str, Sequence[Block], Sequence[Blo
     return main.removeprefix("IL_"), blocks[:at], blocks[at:]
 
 
-def wrapped(line: str) -> Iterator[str]:
-    """A long line of a comment in pieces."""
-    room = MAX_COLUMNS - 10
-    while len(line) > room:
-        cut = line.rfind(" ", 0, room)
-        cut = cut if cut > 0 else room
-        yield line[:cut]
-        line = f"    {line[cut:].lstrip()}"
-    yield line
-
-
 def _no_addresses(blocks: Sequence[Block]) -> None:
     """Raise `NotInSubset` at a name that STEP 7 would take for an address."""
     for b in blocks:
         for d in (*b.inputs, *b.outputs, *b.locals):
             if _ABSOLUTE.fullmatch(d.name.upper()):
                 raise NotInSubset(f"{b.name}: {d.name} is an address in STEP 7")
-
-
-__all__ = ["Language", "wrapped"]

@@ -32,8 +32,6 @@ class Dialect:
     rows: most rows of a computing block.  restart: the tool keeps variables over a restart, so that the main block
     has an input RESTART that sets every state variable to its initial value.  runs: what runs the mapping program.
     tags: its addresses stand in a table of tags beside the text.  form: what becomes of a unit before it is written.
-    places: the text is ordered so that what belongs to one place of the railway stands together as far as the order of
-    the scan allows, since it costs nothing to read what another block computes.
     """
 
     name: str
@@ -45,7 +43,6 @@ class Dialect:
     runs: Runs = Runs.CONFIGURATION
     tags: bool = False
     form: Callable[[Unit], Unit] = as_it_is
-    places: bool = False
 
 
 def one_file(suffix: str, style: Style) -> tuple[Callable[[Unit], dict[str, str]], Callable[[Files], Unit]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Mapping
+from dataclasses import replace
 from types import MappingProxyType
 from xml.sax.saxutils import escape, quoteattr
 
@@ -94,8 +95,9 @@ class PlcOpen:
             "    <dataTypes/>",
             "    <pous>",
         ]
+        index = "\n".join(("", *unit.index)) if unit.index else ""
         for b in unit.blocks:
-            lines += self._pou(b)
+            lines += self._pou(replace(b, note=b.note + index) if b.name == main else b)
         lines += [
             "    </pous>",
             "  </types>",

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import re
 import uuid
+from collections.abc import Sequence
 from xml.sax.saxutils import quoteattr
 
 from interlock.st.ast import Block, Task, Unit
 from interlock.st.dialects.dialect import Dialect, Files
 from interlock.st.dialects.strict import Rule, expect, parse
 from interlock.st.parser import NotInSubset, parse_block
-from interlock.st.printer import body, comment, declarations
+from interlock.st.printer import body, comment, declarations, wrapped
 from interlock.st.program import Runs
 
 _RULES = {
@@ -41,7 +42,7 @@ def _identity(what: str) -> str:
     return "{" + str(uuid.uuid5(_SPACE, what)) + "}"
 
 
-def _file(b: Block, header: tuple[str, ...]) -> str:
+def _file(b: Block, header: Sequence[str]) -> str:
     note = [comment(b.note)] if b.note else []
     head = [*map(comment, header), f"{b.kind} {b.name}", *note, *declarations(b)]
     identity = _identity(b.name)
@@ -63,7 +64,10 @@ def _file(b: Block, header: tuple[str, ...]) -> str:
 
 def write(unit: Unit) -> dict[str, str]:
     """A file for each block, and one for the task."""
-    files = {f"{b.name}.TcPOU": _file(b, unit.header) for b in unit.blocks}
+    main = next(b.name for b in reversed(unit.blocks) if b.kind == "FUNCTION_BLOCK")
+    index = [x for line in unit.index for x in wrapped(line)]
+    heads = {b.name: [*unit.header, *(index if b.name == main else ())] for b in unit.blocks}
+    files = {f"{b.name}.TcPOU": _file(b, heads[b.name]) for b in unit.blocks}
     return files if unit.task is None else files | {f"{unit.task.name}.TcTTO": _task_file(unit.task)}
 
 

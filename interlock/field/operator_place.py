@@ -1,0 +1,258 @@
+"""The operator's place on Modbus TCP: what is said of routes, and every output, for a SCADA that reads registers.
+
+Input registers and discrete inputs are read; requests are written into holding registers, if that is allowed at all:
+what and which, and a number that changes.  A request is told to whoever runs the controller, with who asks, and goes
+the way of every other command.  Modbus knows no user and no password: the address from which somebody asks is all
+there is.  Values that are older than `FRESH_S`, or of no scan, are told as unknown.  Needs the extra `field`.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextvars
+import csv
+import io
+import threading
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from interlock.field.plc import Cycle
+from interlock.logic.controller import Controller
+from interlock.logic.words import UNKNOWN
+
+FORM = 1
+"""The form of these registers."""
+FIRST = 16
+"""The input register of the route with the lowest number; those before it are about the controller."""
+FRESH_S = 2.0
+"""Seconds after which the values of a scan are not told any more (our choice): the controller has stopped."""
+WAITING, TAKEN, REFUSED, NOT_KNOWN = 1, 2, 3, 4
+ANSWERS = {
+    0: "no request yet",
+    WAITING: "waits for the next scan",
+    TAKEN: "taken; what becomes of it is said by the word of the route",
+    REFUSED: "refused",
+    NOT_KNOWN: "no such request",
+}
+SET, CANCEL, SWING = 1, 2, 3
+DOES = {SET: ("set", "route"), CANCEL: ("cancel", "signal"), SWING: ("swing", "signal")}
+"""What can be asked for: the word of the command, and what it is about."""
+REQUEST = 3
+"""Holding registers of a request: its number, what, which."""
+
+_HEAD = (
+    ("form of these registers", "FORM"),
+    ("cycles since the controller started, modulo 65536: it stands still when the controller does", "CYCLE"),
+    ("1 while the inputs are valid and a scan is not older than 2 s", "VALID"),
+    ("number of the last request that was seen", "SEEN"),
+    (f"what became of it: {'; '.join(f'{k} {v}' for k, v in ANSWERS.items())}", "ANSWER"),
+    ("1 where requests may be written", "MAY_ASK"),
+)
+HEADINGS = ("Kind", "Address", "Name", "Meaning")
+Reply = Callable[[bool], None]
+Ask = Callable[[str, str, str, Reply], None]
+"""Told who asks, what (`set`, `cancel`, `swing`) and for which route or signal, and whom to tell what became of it."""
+_peer: contextvars.ContextVar[str] = contextvars.ContextVar("peer", default="unknown")
+
+
+@dataclass(frozen=True)
+class Registers:
+    """Where everything stands."""
+
+    words: Sequence[tuple[int, str, str]]
+    """Number, variable and route of each word, in the order of their registers."""
+    bits: Sequence[tuple[str, str]]
+    """Outputs and their meaning, in the order of their discrete inputs."""
+    requests: dict[tuple[int, int], str]
+    """What and which: the route or the signal."""
+
+    def table(self) -> list[tuple[str, str, str, str]]:
+        """A row for each register, discrete input and request."""
+        rows = [("input register", str(k), name, text) for k, (text, name) in enumerate(_HEAD)]
+        for k, (_, name, route) in enumerate(self.words, FIRST):
+            rows.append(
+                ("input register", str(k), name, f"word of route {route}: io/words.csv says what a value means")
+            )
+        rows += [("discrete input", str(k), name, note) for k, (name, note) in enumerate(self.bits)]
+        asked = (
+            (
+                0,
+                "REQUEST",
+                "a number other than before: the request in the next two registers is carried out once",
+            ),
+            (1, "WHAT", "what is asked for"),
+            (2, "WHICH", "for which"),
+        )
+        rows += [("holding register", str(k), name, text) for k, name, text in asked]
+        for (what, which), name in self.requests.items():
+            rows.append(("request", f"{what} {which}", f"{DOES[what][0]} {name}", f"WHAT {what}, WHICH {which}"))
+        return rows
+
+    def csv(self) -> str:
+        """The same as a file."""
+        out = io.StringIO()
+        csv.writer(out, lineterminator="\n").writerows([HEADINGS, *self.table()])
+        return out.getvalue()
+
+
+def registers(controller: Controller) -> Registers:
+    """The registers of a controller; outputs with a wire stand among the others."""
+    symbols, words = controller.symbols, controller.words
+    routes = {r.number: str(r.id) for r in symbols.routes}
+    requests = {(SET, n): name for n, name in sorted(routes.items())}
+    requests |= {(CANCEL, k): str(g) for k, g in enumerate(symbols.cancel, 1)}
+    requests |= {(SWING, k): str(g) for k, g in enumerate(symbols.swing_request, 1)}
+    return Registers(
+        [(n, str(words.routes[n]), routes[n]) for n in sorted(words.routes)],
+        [(str(o.name), o.note) for o in controller.outputs],
+        requests,
+    )
+
+
+@dataclass(frozen=True)
+class _Image:
+    """What is told: of one scan, or of none."""
+
+    cycle: int = 0
+    valid: bool = False
+    words: tuple[int, ...] = ()
+    bits: tuple[bool, ...] = ()
+    at: float = float("-inf")
+
+
+class OperatorPlace:
+    """A server in a thread of its own; `publish` after each cycle, `ask` is told of requests (None: none are taken)."""
+
+    def __init__(
+        self,
+        registers: Registers,
+        host: str,
+        port: int,
+        ask: Ask | None = None,
+        now: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self.registers, self.place, self.asks, self._now = registers, (host, port), ask, now
+        self._image = _Image()
+        self._request = (0, 0)  # the number of the last request, and what became of it
+        self._ready = threading.Event()
+        self._failed = ""
+        self._thread = threading.Thread(target=self._run, name="operator's place", daemon=True)
+
+    def start(self) -> None:
+        """Begin to answer.  Raises OSError where that cannot be."""
+        self._thread.start()
+        self._ready.wait(10.0)
+        if self._failed:
+            raise OSError(self._failed)
+
+    def stop(self) -> None:
+        """Answer no more."""
+        if self._thread.is_alive():
+            self._loop.call_soon_threadsafe(self._end.set)
+            self._thread.join(5.0)
+
+    def publish(self, cycle: Cycle | None) -> None:
+        """What a scan has said; None: the controller has no power."""
+        if cycle is None:
+            self._image = _Image(self._image.cycle)
+            return
+        words = cycle.words()
+        self._image = _Image(
+            (self._image.cycle + 1) % 65536,
+            cycle.valid,
+            tuple(words.get(n, UNKNOWN) for n, _, _ in self.registers.words),
+            tuple(bool(cycle.outputs.get(name)) for name, _ in self.registers.bits),
+            self._now(),
+        )
+
+    # --- the thread --------------------------------------------------------------------------------
+
+    def _run(self) -> None:
+        try:
+            asyncio.run(self._serve())
+        except (OSError, RuntimeError) as error:
+            self._failed = str(error) or type(error).__name__
+        finally:
+            self._ready.set()
+
+    async def _serve(self) -> None:
+        from pymodbus.server import ModbusTcpServer
+        from pymodbus.server.requesthandler import ServerRequestHandler
+        from pymodbus.simulator import DataType, SimData, SimDevice
+
+        class Handler(ServerRequestHandler):
+            async def handle_request(self) -> None:
+                found = self.transport.get_extra_info("peername") if self.transport else None
+                _peer.set(f"{found[0]}:{found[1]}" if found else "unknown")
+                await super().handle_request()  # type: ignore[no-untyped-call]
+
+        class Server(ModbusTcpServer):
+            def callback_new_connection(self) -> Handler:
+                return Handler(self, self.trace_packet, self.trace_pdu, self.trace_connect)  # type: ignore[no-untyped-call]
+
+        self._loop, self._end = asyncio.get_running_loop(), asyncio.Event()
+        counts = (16, max(16, len(self.registers.bits)), REQUEST, FIRST + len(self.registers.words))
+        types = (DataType.BITS, DataType.BITS, DataType.REGISTERS, DataType.REGISTERS)
+        coils, inputs, holding, words = (
+            [SimData(0, values=[False] * n if t is DataType.BITS else [0] * n, datatype=t)]
+            for n, t in zip(counts, types, strict=True)
+        )
+        device = SimDevice(0, simdata=(coils, inputs, holding, words), action=self._act)
+        server = Server(device, address=self.place)
+        await server.serve_forever(background=True)
+        self._ready.set()
+        try:
+            await self._end.wait()
+        finally:
+            await server.shutdown()  # type: ignore[no-untyped-call]
+
+    async def _act(
+        self, function: int, start: int, address: int, count: int, held: list[int], values: list[Any] | None
+    ) -> Any:
+        """Before anything is read or written: put what is so now in its place, or take a request."""
+        from pymodbus.constants import ExcCodes
+
+        del start, count
+        image = self._fresh()
+        if values:
+            if self.asks is None or function not in (6, 16):
+                return ExcCodes.ILLEGAL_FUNCTION
+            if address + len(values) > REQUEST:
+                return ExcCodes.ILLEGAL_ADDRESS
+            wanted = held[:REQUEST]
+            wanted[address : address + len(values)] = values
+            if wanted[0] != held[0]:
+                self._take(wanted, image)
+        elif function == 2:
+            bits = [*image.bits, *[False] * (16 * len(held))]
+            held[:] = [sum(bit << n for n, bit in enumerate(bits[16 * k : 16 * k + 16])) for k in range(len(held))]
+        elif function == 4:
+            head = (FORM, image.cycle, int(image.valid), *self._request, int(self.asks is not None))
+            told = [*head, *[0] * (FIRST - len(head)), *image.words]
+            held[:] = [*told, *[0] * (len(held) - len(told))]
+        return None
+
+    def _fresh(self) -> _Image:
+        """What is so now; nothing, where the last scan is too old."""
+        image = self._image
+        return image if self._now() - image.at <= FRESH_S else _Image(image.cycle)
+
+    def _take(self, wanted: Sequence[int], image: _Image) -> None:
+        """A request, which is told on once: nothing is asked of a controller whose inputs are not valid."""
+        number, what, which = wanted
+        name = self.registers.requests.get((what, which))
+        if name is None or not image.valid or self.asks is None:
+            self._request = (number, NOT_KNOWN if name is None else REFUSED)
+            return
+        self._request = (number, WAITING)
+
+        def reply(taken: bool) -> None:
+            if self._request[0] == number:
+                self._request = (number, TAKEN if taken else REFUSED)
+
+        self.asks(f"modbus {_peer.get()}", DOES[what][0], name, reply)
+
+
+__all__ = ["DOES", "OperatorPlace", "Registers", "registers"]

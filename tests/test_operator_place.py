@@ -1,0 +1,190 @@
+"""The operator's place on Modbus: what a client on the loopback reads and asks, and who is told to have asked."""
+
+from __future__ import annotations
+
+import csv
+import queue
+import socket
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from pymodbus.client import ModbusTcpClient
+
+from interlock.app.run import Ready, prepare
+from interlock.cli.main import cli
+from interlock.field.operator_place import FIRST, NOT_KNOWN, REFUSED, TAKEN, Ask, OperatorPlace, registers
+from interlock.field.plc import Cycle
+from interlock.panel.desk import Desk, Person
+from tests.layouts import built
+
+WORDS = {1: 1, 2: 3, 3: 10_001, 4: 2}
+"""What is said of the four routes."""
+
+
+def free_port() -> int:
+    with socket.socket() as s:
+        s.bind(("127.0.0.1", 0))
+        port: int = s.getsockname()[1]
+        return port
+
+
+@contextmanager
+def served(ask: Ask | None = None, clock: list[float] | None = None) -> Iterator[tuple[OperatorPlace, ModbusTcpClient]]:
+    """The registers of fig2_2, and a client of them."""
+    now = time.monotonic if clock is None else lambda: clock[0]
+    place = OperatorPlace(registers(built("fig2_2")[2]), "127.0.0.1", free_port(), ask, now)
+    place.start()
+    client = ModbusTcpClient("127.0.0.1", port=place.place[1], timeout=2, retries=0)
+    try:
+        assert client.connect()
+        yield place, client
+    finally:
+        client.close()
+        place.stop()
+
+
+def said(valid: bool = True) -> Cycle:
+    return Cycle({}, {"YP_X2": True}, valid, (), words=lambda: WORDS)
+
+
+def words_of(client: ModbusTcpClient) -> list[int]:
+    return list(client.read_input_registers(FIRST, count=4).registers)
+
+
+def head_of(client: ModbusTcpClient) -> dict[str, int]:
+    read = client.read_input_registers(0, count=6).registers
+    return dict(zip(("form", "cycle", "valid", "seen", "answer", "may ask"), read, strict=True))
+
+
+def test_a_client_reads_words_outputs_and_whether_the_controller_lives() -> None:
+    clock = [0.0]
+    with served(clock=clock) as (place, client):
+        assert words_of(client) == [0, 0, 0, 0] and head_of(client)["valid"] == 0  # before the first scan
+        place.publish(said())
+        assert words_of(client) == [1, 3, 10_001, 2]
+        assert head_of(client) == {"form": 1, "cycle": 1, "valid": 1, "seen": 0, "answer": 0, "may ask": 0}
+        bits = client.read_discrete_inputs(0, count=len(place.registers.bits)).bits
+        lit = [name for (name, _), bit in zip(place.registers.bits, bits, strict=False) if bit]
+        assert lit == ["YP_X2"]
+        clock[0] = 2.1  # no scan for two seconds: what was said of routes is not so any more
+        assert words_of(client) == [0, 0, 0, 0] and head_of(client)["valid"] == 0
+        assert not any(client.read_discrete_inputs(0, count=16).bits)
+        place.publish(said())
+        place.publish(None)  # no power
+        assert words_of(client) == [0, 0, 0, 0] and head_of(client)["cycle"] == 2
+
+
+def test_nothing_can_be_written_unless_it_is_allowed() -> None:
+    with served() as (place, client):
+        place.publish(said())
+        for answer in (
+            client.write_registers(0, [1, 1, 1]),
+            client.write_register(0, 1),
+            client.write_coil(0, True),
+            client.write_coils(0, [True]),
+            client.mask_write_register(address=0, and_mask=0, or_mask=1),
+            client.readwrite_registers(read_address=0, read_count=1, write_address=0, values=[1]),
+        ):
+            assert answer.isError()
+        assert client.read_holding_registers(0, count=3).registers == [0, 0, 0]
+
+
+def test_a_request_is_told_once_with_who_asks_and_answered() -> None:
+    told: queue.SimpleQueue[tuple[str, str, str]] = queue.SimpleQueue()
+
+    def ask(who: str, what: str, name: str, reply: object) -> None:
+        told.put((who, what, name))
+        assert callable(reply)
+        reply(name != "X1-B")
+
+    with served(ask) as (place, client):
+        mine = f"modbus 127.0.0.1:{client.socket.getsockname()[1]}"
+        assert not client.write_registers(0, [7, 1, 3]).isError()
+        assert head_of(client)["answer"] == REFUSED and told.empty()  # no valid scan yet
+        place.publish(said())
+        client.write_registers(0, [7, 1, 3])  # the same number again is no new request
+        assert told.empty()
+        client.write_registers(0, [8, 1, 3])
+        assert told.get(timeout=2) == (mine, "set", "X2-C")
+        assert (head_of(client)["seen"], head_of(client)["answer"]) == (8, TAKEN)
+        client.write_registers(1, [2, 1])
+        assert told.empty()  # the number stands as it was
+        client.write_register(0, 9)
+        assert told.get(timeout=2) == (mine, "cancel", "X1")
+        client.write_registers(0, [10, 1, 2])
+        assert told.get(timeout=2)[1:] == ("set", "X1-B") and head_of(client)["answer"] == REFUSED
+        for wrong in ([11, 1, 99], [12, 9, 1], [13, 0, 0]):
+            client.write_registers(0, wrong)
+            assert head_of(client)["answer"] == NOT_KNOWN
+        assert told.empty() and client.write_coil(0, True).isError()
+        assert client.mask_write_register(address=0, and_mask=0, or_mask=99).isError()
+        place.publish(said(valid=False))
+        client.write_registers(0, [14, 1, 3])
+        assert head_of(client)["answer"] == REFUSED and told.empty()
+
+
+@pytest.fixture(scope="module")
+def ready() -> Ready:
+    return prepare("layouts/fig2_2.yaml")
+
+
+def test_at_the_panel_a_request_goes_through_its_queue_and_is_noted(ready: Ready) -> None:
+    assert ready.controller is not None
+    desk = Desk(ready)
+
+    def ask(who: str, what: str, name: str, reply: object) -> None:
+        assert callable(reply)
+        desk.ask(Person(who, True), {"do": what, "signal": name}, lambda answer: reply(answer["ok"]))
+
+    place = OperatorPlace(registers(ready.controller), "127.0.0.1", free_port(), ask)
+    desk.publish = place.publish
+    place.start()
+    desk.start()
+    client = ModbusTcpClient("127.0.0.1", port=place.place[1], timeout=2, retries=0)
+    try:
+        assert client.connect()
+        until = time.monotonic() + 10
+        while not head_of(client)["valid"] and time.monotonic() < until:
+            time.sleep(0.05)
+        client.write_registers(0, [1, 2, 1])  # cancel at X1, from which no route is set
+        while head_of(client)["answer"] == 1 and time.monotonic() < until:
+            time.sleep(0.05)
+        assert head_of(client)["answer"] == REFUSED
+        time.sleep(0.3)
+        (noted,) = [e for e in desk.events if e.kind == "refusal"]
+        assert noted.who.startswith("modbus 127.0.0.1:") and "no route from X1 is set" in noted.text
+    finally:
+        client.close()
+        place.stop()
+        desk.stop()
+
+
+def test_a_port_that_is_taken_is_told() -> None:
+    with served() as (place, _):
+        second = OperatorPlace(place.registers, *place.place)
+        with pytest.raises(OSError):
+            second.start()
+        second.stop()
+
+
+def test_the_table_of_registers_is_written(tmp_path: Path) -> None:
+    file = tmp_path / "fig2_2.csv"
+    done = CliRunner().invoke(cli, ["export", "layouts/fig2_2.yaml", "--registers", "-o", str(file)])
+    assert done.exit_code == 0, done.output
+    rows = list(csv.DictReader(file.open(encoding="utf-8")))
+    at = {(r["Kind"], r["Name"]): r["Address"] for r in rows}
+    assert at["input register", "YX_R1"] == str(FIRST) and at["holding register", "REQUEST"] == "0"
+    assert at["request", "set X2-C"] == "1 3" and ("discrete input", "YP_X2") in at
+    assert len({(r["Kind"], r["Address"]) for r in rows}) == len(rows)
+    wrong = CliRunner().invoke(cli, ["export", "layouts/fig2_2.yaml", "--registers", "-o", str(tmp_path / "x.aig")])
+    assert wrong.exit_code == 2
+
+
+@pytest.mark.parametrize("more", [["--operator-requests"], ["--operator-modbus", "x"], ["--operator-modbus", "h:0"]])
+def test_a_place_that_cannot_be_is_told(more: list[str]) -> None:
+    done = CliRunner().invoke(cli, ["run", "layouts/fig2_2.yaml", "--panel", *more])
+    assert done.exit_code == 2 and "--operator-modbus [HOST:]PORT" in done.output
