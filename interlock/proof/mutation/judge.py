@@ -139,7 +139,7 @@ class Judge:
         if not changed or any(n.family not in FLANKS for n in changed):
             return ""
         ways = {n.at for n in changed if n.family in WAYS}
-        machines = sorted({str(n.at[0]) for n in changed if n.family not in WAYS})
+        machines = sorted({str(n.at[0]) for n in changed if n.family not in (*WAYS, names.SWINGS_TO)})
         nowhere = {x for m in machines for p in Position for lies in (names.LIES(m, p),) for x in (lies, lies.next)}
         about = [
             (n, x)
