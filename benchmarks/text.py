@@ -100,9 +100,10 @@ def whole(tracks: int = 124) -> None:
     assert found.proved and runtime.proved
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024 / 1024
     print(
-        f"At {routes} routes, one process, processor time: {sum(map(len, files.values())) / 1e6:.1f} MB of text emitted in "
-        f"{emitted - began:.1f} s, read back and proved in {proved - emitted:.1f} s ({found.compared} functions); the "
-        f"Python runtime emitted, read and proved in {done - proved:.1f} s; {memory:.2f} GiB."
+        f"At {routes} routes, one process, processor time: {sum(map(len, files.values())) / 1e6:.1f} MB of text "
+        f"emitted in {emitted - began:.1f} s, read back and proved in {proved - emitted:.1f} s "
+        f"({found.compared} functions); the Python runtime emitted, read and proved in {done - proved:.1f} s; "
+        f"{memory:.2f} GiB."
     )
 
 
