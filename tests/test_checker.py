@@ -7,6 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+import yaml
 
 from interlock.checker.check import agree, check, report
 from interlock.checker.drawing import loaded
@@ -283,3 +284,11 @@ def test_verified_is_said_when_all_was_compared(made: Path, capsys: pytest.Captu
     assert report(layout, folder) == 0
     told = capsys.readouterr().out
     assert "VERIFIED" in told and "events and next values of the world" in told
+
+
+@pytest.mark.parametrize("text", ["name: a\nname: b\n", "points: {1: {toe: a}, 1: {toe: b}}\n"])
+def test_a_key_that_stands_twice_is_read_by_nobody(text: str) -> None:
+    """Of two equal keys a reader of YAML believes the last; the product refuses such a layout, and so does the second
+    reading, in layouts and in the specification."""
+    with pytest.raises(yaml.YAMLError, match="stands twice"):
+        loaded(text)

@@ -33,9 +33,28 @@ class Unread(Exception):
     """The layout has something of which this reader knows nothing."""
 
 
+class _Plain(yaml.BaseLoader):
+    """Every scalar as the text that it is.  A key stands once: of two equal ones YAML's reader would believe the last."""
+
+    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Any, Any]:
+        """As the base does.
+
+        Raises yaml.YAMLError where a key stands twice.
+        """
+        seen: set[str] = set()
+        for key, _ in node.value:
+            if key.value in seen:
+                raise yaml.constructor.ConstructorError(None, None, f"the key {key.value} stands twice", key.start_mark)
+            seen.add(key.value)
+        return super().construct_mapping(node, deep)
+
+
 def loaded(text: str) -> Any:
-    """YAML with every scalar as the text that it is."""
-    return yaml.load(text, yaml.BaseLoader)
+    """YAML with every scalar as the text that it is.
+
+    Raises yaml.YAMLError where it is none, or a key stands twice.
+    """
+    return yaml.load(text, _Plain)
 
 
 @dataclass(frozen=True)
