@@ -34,7 +34,7 @@ class Unread(Exception):
 
 
 class _Plain(yaml.BaseLoader):
-    """Every scalar as the text that it is.  A key stands once: of two equal ones YAML's reader would believe the last."""
+    """Every scalar as the text that it is; a key stands once, as of two equal ones the last would be believed."""
 
     def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Any, Any]:
         """As the base does.
