@@ -190,6 +190,14 @@ def test_an_overlap_that_swings_waits_for_the_slowest_machine() -> None:
         assert {d.code for d in sink.diagnostics if d.severity == "error"} == codes
 
 
+def test_no_overlap_swings_where_machines_wait_for_each_other() -> None:
+    """A machine that waits for its start could turn under a train that has come in meanwhile."""
+    sink = Sink()
+    load_text("swing.yaml", text_of("swing") + "principles: {point_start_gap_s: 0.5}\n", sink)
+    assert {d.code for d in sink.diagnostics if d.severity == "error"} == {"IL3024"}
+    assert "one after the other" in sink.diagnostics[-1].message
+
+
 # --- slips ---------------------------------------------------------------------------------------------
 
 ARMS = "arms: [[nw.end, se.start], [sw.end, ne.start]]"

@@ -250,7 +250,7 @@ class Lengths:
         """A train needs longer through the section before a signal than its swinging overlap may take to turn."""
         told = (self.r.body.get("overlaps") or {}).get(g.name) or {}
         s = self.before(g)
-        if told.get("swing") not in ("yes", "true") or s is None:
+        if told.get("swing") not in ("yes", "true") or s is None or self.d.rule("point_start_gap_s") > 0:
             return False
         metres = min((w.length for w in self.r.ways[s] if w.exit == g.node), default=0.0)
         return metres / (self.kmh(s) / 3.6) >= self.d.rule("output_delay_s") + max(

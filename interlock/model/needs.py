@@ -92,8 +92,13 @@ def _restart(layout: Layout) -> int:
 
 
 def _turns_in_time(layout: Layout, g: SignalId, speed: Callable[[SectionId], float]) -> bool:
-    """No train comes through the section before a signal while points that were driven before it came in turn."""
+    """No train comes through the section before a signal while points that were commanded before it came in turn.
+
+    With `point_start_gap_s` a machine may wait for others to start, and begin to turn before a train that has come in.
+    """
     rules, signal, topo = layout.principles, layout.signal[g], topology(layout)
+    if rules.point_start_gap_s > 0:
+        return False
     before = topo.beyond(layout.section_of(signal.into), signal.node)
     ways = [] if before is None else [t for t in topo.traversals[before] if t.exit == signal.node]
     metres = min((sum(layout.edge[e].length for e in t.edges) for t in ways), default=0.0)

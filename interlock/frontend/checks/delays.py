@@ -58,13 +58,26 @@ def check_delays(ctx: Context, layout: Layout) -> None:
             ctx.sink.add("IL3023", text, None, f"state at least {-(-least.run // 1000)} s", about=where)
     for o in layout.overlaps:
         if o.swing and o.signal not in least.swings:
-            ctx.add(
-                "IL3024",
-                f"the overlap of {o.signal} cannot swing: a train runs through the section before the signal in less "
-                f"than the {rules.output_delay_s + layout.longest_supervision_s:g} s for which its points may turn",
-                ctx.at_key("overlaps", o.signal),
-                "give up `swing`, lower the `speed` of that section, or shorten `point_supervision_s`",
-            )
+            why, fix = _not_in_time(layout)
+            text = f"the overlap of {o.signal} cannot swing: {why}"
+            ctx.add("IL3024", text, ctx.at_key("overlaps", o.signal), f"give up `swing`, {fix}")
+
+
+def _not_in_time(layout: Layout) -> tuple[str, str]:
+    """Why a train could meet points of an overlap that swings while they turn, and what else helps."""
+    rules = layout.principles
+    if rules.point_start_gap_s > 0:
+        return (
+            f"machines start one after the other, {rules.point_start_gap_s:g} s apart, so that its points may begin to "
+            "turn when a train has come into the section before the signal",
+            "or state `point_start_gap_s: 0` in `principles`, where the supply bears that all machines start at once",
+        )
+    turning = rules.output_delay_s + layout.longest_supervision_s
+    return (
+        "a train runs through the section before the signal in less than the "
+        f"{turning:g} s for which its points may turn",
+        "lower the `speed` of that section, or shorten `point_supervision_s`",
+    )
 
 
 def _signals(ctx: Context, layout: Layout) -> None:
