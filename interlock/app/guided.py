@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import ceil, floor, inf
 
-from interlock.app.setting import Setting
+from interlock.app.setting import CYCLE_MS, Setting
 from interlock.app.worked import Trip
 from interlock.dispatch.assign import Assigner
 from interlock.dispatch.orders import Derived
@@ -37,9 +37,8 @@ LEAD_S = 3
 STUCK_MS = 300_000
 """When nothing was granted for so long though a train is held back by the plan, the rules take over for as long."""
 
-RELEASE_S, ASK_S = 4.0, 2.0
-"""Seconds from the tail's leaving a section until it is released and told, and from asking for a route until it is set
-(three and a half and two and a half scans)."""
+RELEASED_MS, ASKED_MS = 2 * CYCLE_MS, 4 * CYCLE_MS
+"""Milliseconds from a section's release until it is told, and from asking for a route until its points are driven."""
 
 
 @dataclass
@@ -68,6 +67,10 @@ class Guide:
         """Milliseconds since the shift began."""
         self._order: dict[str, int] = {}
         self._at: dict[str, int] = {}
+        self._users: dict[str, list[str]] = {}
+        """By section: which trains use it by the plan, in order."""
+        self._used: set[tuple[str, str]] = set()
+        """Trains with sections that were set for them since the plan was made."""
         self._held: dict[str, int] = {}
         self._turn: dict[str, int] = {}
         self._index: dict[str, int] = {}
@@ -92,17 +95,28 @@ class Guide:
         if (self._stale or self._due()) and now_ms - self._made_ms >= AGAIN_MS:
             self._make()
 
+    def granted(self, run: str, sections: Sequence[str]) -> None:
+        """A route was set for a run."""
+        self.granted_ms = self.now_ms
+        self._stale = True
+        for train in [t for t, trip in self.trips.items() if trip.run.name == run]:
+            self._used |= {(train, x) for x in sections}
+            if self.trips[train].phase == "away":  # another may come for its loading place
+                self.assigner.leaves(train)
+
     def waits(self, run: Run, step: Step) -> str:
-        """Why a train waits by the plan; empty: it may go."""
-        if self.plan is None:
-            return ""
+        """Why a train waits by the plan: others use a section of the step before it; empty: it may go."""
         train = next((t for t, trip in self.trips.items() if trip.run is run), "")
-        at = self._at.get(train)
-        if at is None or at - LEAD_S * 1000 <= self.now_ms:
-            self._held.pop(train, None)
-            return ""
-        self._held.setdefault(train, self.now_ms)
-        return f"another train goes first by the plan, until {at // 1000} s"
+        for x in dict.fromkeys(str(s) for r in step.routes for s in r.section_ids):
+            users = [] if self.plan is None else self._users.get(x, [])
+            if train in users:
+                before = users[: users.index(train)]
+                first = next((o for o in before if (o, x) not in self._used and not self._caught(o)), None)
+                if first is not None:
+                    self._held.setdefault(train, self.now_ms)
+                    return f"another train goes first by the plan: {first} through {x}"
+        self._held.pop(train, None)
+        return ""
 
     def order(self, train: str) -> tuple[bool, Derived | None]:
         """Whether the plan decides about an idle train, and the order that it takes now; None: not yet."""
@@ -114,6 +128,10 @@ class Guide:
         if self._order[train] - LEAD_S * 1000 > self.now_ms:
             return True, None
         return True, self.setting.derived[k]
+
+    def _caught(self, train: str) -> bool:
+        """No completion plan takes a train on: nobody waits for it."""
+        return train in self.trips and self.trips[train].run.caught
 
     def _holds_back(self) -> bool:
         """A train has been held back by nothing but the plan for as long as nothing was granted."""
@@ -140,9 +158,16 @@ class Guide:
                 self._turn[name], self._order[name] = s.turn.order, at
             else:
                 self._at[name] = at
-        for name in self.trips:  # what is not in the plan any more is not held back by it
-            self._at.setdefault(name, 0)
+        self._sequence(found, names)
         self.plan = found if found.starts else None
+
+    def _sequence(self, found: Staged, names: Sequence[str]) -> None:
+        """In which order trains use the sections.  One that is not in the plan waits for nobody."""
+        sections = {n: x for x, n in self._index.items()}
+        holds = [(s, h.begin, h.resource) for s in found.starts for h in s.piece.holds if h.begin is not None]
+        self._users, self._used = {}, set()
+        for _, train, x in sorted((s.at + begin, s.train, x) for s, begin, x in holds):
+            self._users.setdefault(sections[x], []).append(names[train])
 
     def _fleet(self) -> tuple[Fleet, list[str]]:
         file, derived = self.setting.orders.file, self.setting.derived
@@ -280,10 +305,15 @@ class _Movement:
         return self.build.length / self.speed
 
     @property
+    def released(self) -> float:
+        """Seconds from the tail's leaving a section until another train may have it."""
+        return self.principles.release_delay_s + RELEASED_MS / 1000
+
+    @property
     def sets_off(self) -> float:
         """Seconds from asking for a route until the train has as good as run at full speed from its place."""
         gathers = self.speed / (2 * self.build.acceleration)
-        return ASK_S + self.principles.point_run_s + self.build.reaction + SETS_OFF_S + gathers
+        return ASKED_MS / 1000 + self.principles.point_run_s + self.build.reaction + SETS_OFF_S + gathers
 
     def _hold(self, section: str, begin: float | None, end: float) -> None:
         old = self.held.get(section)
@@ -296,13 +326,13 @@ class _Movement:
         """It comes from the waiting place, over the approach section."""
         line = next(b for b in self.guide.setting.track.beyond if b.name == boundary)
         self.seconds = line.approach_m / self.speed + self.speed / (2 * self.build.acceleration)
-        self._hold(f"before {boundary}", 0, self.seconds + self.tail + RELEASE_S)
+        self._hold(f"before {boundary}", 0, self.seconds + self.tail + self.released)
 
     def begins(self, section: str) -> None:
         """It stands wholly in a loading place, and changes direction."""
         self.inside = section in self.inner
         self.seconds = self.sets_off + max(0.0, self.metres[section] - self.build.length) / self.speed
-        self._hold(section, None, self.seconds + self.tail + RELEASE_S)
+        self._hold(section, None, self.seconds + self.tail + self.released)
 
     def stands(self, trip: Trip, load: str, boundary: str) -> None:
         """It is under way: where it was reported last, and what is set for it from there."""
@@ -314,21 +344,31 @@ class _Movement:
             metres = next(b for b in self.guide.setting.track.beyond if b.name == boundary).approach_m
             since = self.guide.now_ms if where is None else where.since_ms
             self._comes(metres, since, bool(ahead))
-            self._hold(f"before {boundary}", None, self.seconds + self.tail + RELEASE_S)
+            self._hold(f"before {boundary}", None, self.seconds + self.tail + self.released)
         else:
-            last = [str(x) for stage in run.granted[: run.at] for x in stage.sections]
-            k = len(last) - 1 - last[::-1].index(where.section) if where.section in last else len(last) - 1
-            ahead = [*last[k + 1 :], *ahead]
+            path = [str(x) for stage in run.granted for x in stage.sections]
+            since = sum(len(stage.sections) for stage in run.granted[: max(0, run.at - 1)])
+            if where.section not in path[since:]:
+                path, since = [where.section, *ahead], 0
+            here = path.index(where.section, since)
+            ahead = path[here + 1 :]
             self._comes(self.metres[where.section], where.since_ms, bool(ahead))
-            covered = 0.0
-            for x in last[: k + 1][::-1]:
-                if covered < self.build.length + self.metres[where.section]:
-                    self._hold(x, None, self.seconds + self.tail + RELEASE_S)
-                covered += self.metres[x]
+            self._behind(path[: here + 1], where)
         for x in ahead:
             self.seconds += self.metres[x] / self.speed
-            self._hold(x, None, self.seconds + self.tail + RELEASE_S)
+            self._hold(x, None, self.seconds + self.tail + self.released)
         self.inside = any(x in self.inner for x in self.held)
+
+    def _behind(self, path: Sequence[str], where: Where) -> None:
+        """It holds the section in which its head is, and those behind it until its tail has left them."""
+        self._hold(path[-1], None, self.seconds + self.tail + self.released)
+        ran = (self.guide.now_ms - where.since_ms) / 1000
+        metres = 0.0
+        for x in path[-2::-1]:
+            if metres > self.build.length:
+                break
+            self._hold(x, None, max(0.0, self.tail + metres / self.speed - ran) + self.released)
+            metres += self.metres[x]
 
     def _comes(self, metres: float, since_ms: int, goes_on: bool) -> None:
         """To the end of the section in which it was reported last."""
@@ -338,10 +378,10 @@ class _Movement:
     def runs(self, sections: Sequence[tuple[str, float]]) -> None:
         """Over a route, which is asked for while its signal is just not in sight yet."""
         sight = self.speed / (2 * self.build.braking) + SIGHT_M / self.speed + self.build.reaction
-        asked = max(0.0, self.seconds - sight - self.principles.point_run_s - ASK_S)
+        asked = max(0.0, self.seconds - sight - self.principles.point_run_s - ASKED_MS / 1000)
         for section, metres in sections:
             self.seconds += metres / self.speed
-            self._hold(section, asked, self.seconds + self.tail + RELEASE_S)
+            self._hold(section, asked, self.seconds + self.tail + self.released)
 
     def arrives(self, section: str) -> None:
         """It comes to a stand at the end of its loading place."""
