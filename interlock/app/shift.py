@@ -13,7 +13,8 @@ from random import Random
 from typing import Any
 
 from interlock.app.attending import DOUBT, OPERATOR_S, Attendant
-from interlock.app.guided import Guide, Where
+from interlock.app.guided import Guide
+from interlock.app.movement import Where
 from interlock.app.setting import CYCLE_MS, Setting
 from interlock.app.standing import ways_under
 from interlock.app.worked import Options, Trip, Worked
@@ -24,7 +25,7 @@ from interlock.dispatch.describer import Describer
 from interlock.dispatch.dispatcher import waiting
 from interlock.dispatch.orders import Derived
 from interlock.dispatch.plan.railway import NoVoyage, TooManyPlaces
-from interlock.model.elements import SectionId
+from interlock.model.elements import RouteId, SectionId
 from interlock.record.log import END, Chain
 from interlock.simulate.agenda import Agenda
 from interlock.simulate.mishaps import Mishaps
@@ -172,7 +173,7 @@ class Shift:
             self.worked.refused += d.refused - before
         for train, route in d.asked[asked:]:
             if self.guide is not None:
-                self.guide.granted(train, [str(x) for x in self.setting.railway.table.route[route].section_ids])
+                self.guide.granted(train, [str(x) for x in self.dispatcher.stages[RouteId(route)].sections])
             self._say("granted", train=train, route=route)
         for text in d.said[said:]:
             if text.startswith(("no plan", "UNKNOWN")) or "taken back" in text:
