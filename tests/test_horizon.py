@@ -9,8 +9,9 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from interlock.app.guided import Guide
+from interlock.app.guided import Guide, demanded
 from interlock.app.horizon import by_stages, compared, horizon
+from interlock.app.movement import Demands
 from interlock.app.setting import prepared
 from interlock.app.shifts import one
 from interlock.app.worked import Options, summary
@@ -71,12 +72,21 @@ def test_a_plan_by_stages_keeps_every_rule_of_the_problem(tmp_path: Path, trains
     assert h.turns - plan.cost == turns and (trains < 5 or inside(h.problem, plan) <= 4)
 
 
-def test_a_plan_orders_the_requests_of_a_shift(tmp_path: Path) -> None:
-    """Five trains, two hours: one more than in turn; nothing stands, nobody is held back for good; the same again."""
-    file, planned = fleet_of(tmp_path, 5), Options(2, steady=True, planned=True)
-    done, rules = one(HEISHAN, file, 0, planned), one(HEISHAN, file, 0, Options(2, keep=False, steady=True))
-    assert done.trains > rules.trains and done.plans > 20 and not any(summary(done).values())
-    assert one(HEISHAN, file, 0, planned).log == done.log
+@pytest.mark.parametrize(("trains", "tipped", "rules"), [(5, 10, 8), (6, 11, 9), (7, 12, 9), (8, 12, 9)])
+def test_a_plan_orders_the_requests_of_a_shift(tmp_path: Path, trains: int, tipped: int, rules: int) -> None:
+    """Two hours, beside orders in turn; nothing stands, nobody is held back for good; the same again."""
+    file, planned = fleet_of(tmp_path, trains), Options(2, steady=True, planned=True)
+    done, plain = one(HEISHAN, file, 0, planned), one(HEISHAN, file, 0, Options(2, keep=False, steady=True))
+    assert (done.trains, plain.trains) == (tipped, rules)
+    assert done.plans > 20 and not done.by_rules and not any(summary(done).values())
+    assert trains > 5 or one(HEISHAN, file, 0, planned).log == done.log
+
+
+def test_what_the_controller_demands_costs_trains(tmp_path: Path) -> None:
+    """Eight trains, two hours: 13 by a plan that knows no delays, 12 once setting a route takes its time."""
+    setting = prepared(HEISHAN, fleet_of(tmp_path, 8))
+    plain = demanded(setting, 2, Demands(False, False, False, False), (50,))
+    assert (len(plain.tipped), len(demanded(setting, 2, Demands(), (50,)).tipped)) == (13, 12)
 
 
 def test_a_plan_that_leads_nowhere_is_given_up_for_the_rules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -85,7 +95,8 @@ def test_a_plan_that_leads_nowhere_is_given_up_for_the_rules(tmp_path: Path, mon
 
     def never(self: Guide) -> None:
         make(self)
-        self._at = {t: at if self.trips[t].phase != "away" else 1 << 40 for t, at in self._at.items()}
+        away = [t for t, trip in self.trips.items() if trip.phase == "away"]
+        self._users = {x: ["nobody", *away] for x in ("s3", "s6", "s7", "s9")}
 
     monkeypatch.setattr(Guide, "_make", never)
     done = one(HEISHAN, fleet_of(tmp_path, 2), 0, Options(2, steady=True, planned=True, keep=False))

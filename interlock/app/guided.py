@@ -1,26 +1,25 @@
 """A shift whose requests are ordered by a plan of the next hour, made anew whenever something has happened.
 
 The plan knows what a dispatcher knows: orders, where trains were reported last and since when, the minutes of the
-file, the trains that zones admit.  It says which idle train takes which order and when a train sets out; until then
-nothing is asked for it.  Whatever it says is asked for as before, only if a completion plan exists after it.  Where
-there is no plan, or nothing has gone on for a while, the rules order the requests, and that is counted.
+file, the trains that zones admit.  It says which idle train takes which order and when it sets out, and in which order
+trains use each section: who comes later waits, by the order and not by the clock, since plans are late.  Whatever it
+says is asked for as before, only if a completion plan exists after it.  Where there is no plan, or nothing has gone on
+for a while, the rules order the requests, and that is counted.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from math import ceil, floor, inf
+from math import ceil, floor
 
+from interlock.app.movement import Demands, Movement, Where
 from interlock.app.setting import Setting
 from interlock.app.worked import Trip
 from interlock.dispatch.assign import Assigner
 from interlock.dispatch.orders import Derived
 from interlock.dispatch.plan.railway import Journey, Place, Step
 from interlock.dispatch.run import Run
-from interlock.planning.stages import NEVER, Fleet, Hold, Piece, Staged, Turn, Under, staged
-from interlock.simulate.track import LEAVES_M
-from interlock.simulate.yard import SETS_OFF_S, SIGHT_M
+from interlock.planning.stages import NEVER, Fleet, Staged, Turn, Under, staged
 
 WINDOW_S = 5400
 """Seconds for which is planned (our choice): more than two turns of heishan."""
@@ -37,23 +36,19 @@ LEAD_S = 3
 STUCK_MS = 300_000
 """When nothing was granted for so long though a train is held back by the plan, the rules take over for as long."""
 
-RELEASE_S, ASK_S = 4.0, 2.0
-"""Seconds from the tail's leaving a section until it is released and told, and from asking for a route until it is set
-(three and a half and two and a half scans)."""
-
-
-@dataclass
-class Where:
-    """Where a train was reported last, and since when."""
-
-    section: str
-    since_ms: int
-
 
 class Guide:
     """Of one shift.  `trips`: trains with orders; `where`: where each was reported last."""
 
-    def __init__(self, setting: Setting, trips: Mapping[str, Trip], assigner: Assigner, end_ms: int) -> None:
+    def __init__(
+        self,
+        setting: Setting,
+        trips: Mapping[str, Trip],
+        assigner: Assigner,
+        end_ms: int,
+        demands: Demands = Demands(),  # noqa: B008 - frozen
+    ) -> None:
+        self.demands = demands
         self.setting, self.trips, self.assigner, self.end_ms = setting, trips, assigner, end_ms
         self.where: dict[str, Where] = {}
         self.ready: dict[str, int] = {}
@@ -68,6 +63,10 @@ class Guide:
         """Milliseconds since the shift began."""
         self._order: dict[str, int] = {}
         self._at: dict[str, int] = {}
+        self._users: dict[str, list[str]] = {}
+        """By section: which trains use it by the plan, in order."""
+        self._used: set[tuple[str, str]] = set()
+        """Trains with sections that were set for them since the plan was made."""
         self._held: dict[str, int] = {}
         self._turn: dict[str, int] = {}
         self._index: dict[str, int] = {}
@@ -92,17 +91,28 @@ class Guide:
         if (self._stale or self._due()) and now_ms - self._made_ms >= AGAIN_MS:
             self._make()
 
+    def granted(self, run: str, sections: Sequence[str]) -> None:
+        """A route was set for a run."""
+        self.granted_ms = self.now_ms
+        self._stale = True
+        for train in [t for t, trip in self.trips.items() if trip.run.name == run]:
+            self._used |= {(train, x) for x in sections}
+            if self.trips[train].phase == "away":  # another may come for its loading place
+                self.assigner.leaves(train)
+
     def waits(self, run: Run, step: Step) -> str:
-        """Why a train waits by the plan; empty: it may go."""
-        if self.plan is None:
-            return ""
+        """Why a train waits by the plan: others use a section of the step before it; empty: it may go."""
         train = next((t for t, trip in self.trips.items() if trip.run is run), "")
-        at = self._at.get(train)
-        if at is None or at - LEAD_S * 1000 <= self.now_ms:
-            self._held.pop(train, None)
-            return ""
-        self._held.setdefault(train, self.now_ms)
-        return f"another train goes first by the plan, until {at // 1000} s"
+        for x in dict.fromkeys(str(s) for r in step.routes for s in r.section_ids):
+            users = [] if self.plan is None else self._users.get(x, [])
+            if train in users:
+                before = users[: users.index(train)]
+                first = next((o for o in before if (o, x) not in self._used and not self._caught(o)), None)
+                if first is not None:
+                    self._held.setdefault(train, self.now_ms)
+                    return f"another train goes first by the plan: {first} through {x}"
+        self._held.pop(train, None)
+        return ""
 
     def order(self, train: str) -> tuple[bool, Derived | None]:
         """Whether the plan decides about an idle train, and the order that it takes now; None: not yet."""
@@ -114,6 +124,10 @@ class Guide:
         if self._order[train] - LEAD_S * 1000 > self.now_ms:
             return True, None
         return True, self.setting.derived[k]
+
+    def _caught(self, train: str) -> bool:
+        """No completion plan takes a train on: nobody waits for it."""
+        return train in self.trips and self.trips[train].run.caught
 
     def _holds_back(self) -> bool:
         """A train has been held back by nothing but the plan for as long as nothing was granted."""
@@ -127,7 +141,7 @@ class Guide:
 
     def _make(self) -> None:
         self._made_ms, self._stale = self.now_ms, False
-        fleet, names = self._fleet()
+        fleet, names = self.fleet()
         window = min(WINDOW_S, max(60, (self.end_ms - self.now_ms) // 1000))
         found = staged(fleet, window, WIDTH)
         self.plans += 1
@@ -140,11 +154,19 @@ class Guide:
                 self._turn[name], self._order[name] = s.turn.order, at
             else:
                 self._at[name] = at
-        for name in self.trips:  # what is not in the plan any more is not held back by it
-            self._at.setdefault(name, 0)
+        self._sequence(found, names)
         self.plan = found if found.starts else None
 
-    def _fleet(self) -> tuple[Fleet, list[str]]:
+    def _sequence(self, found: Staged, names: Sequence[str]) -> None:
+        """In which order trains use the sections.  One that is not in the plan waits for nobody."""
+        sections = {n: x for x, n in self._index.items()}
+        holds = [(s, h.begin, h.resource) for s in found.starts for h in s.piece.holds if h.begin is not None]
+        self._users, self._used = {}, set()
+        for _, train, x in sorted((s.at + begin, s.train, x) for s, begin, x in holds):
+            self._users.setdefault(sections[x], []).append(names[train])
+
+    def fleet(self) -> tuple[Fleet, list[str]]:
+        """All trains as they are now, with their names."""
         file, derived = self.setting.orders.file, self.setting.derived
         kinds: dict[object, int] = {}
         turns: list[tuple[Turn, ...]] = []
@@ -218,17 +240,16 @@ class Guide:
         d, file = self.setting.derived[k], self.setting.orders.file
         load, tip = file.places[d.order.from_], file.places[d.order.to]
         tippler = self.name(d.order.to) if tip.capacity == 1 else None
-        inner = {str(s) for z in self.setting.layout.zones for s in z.sections}
-        made = _Movement(self, train, inner)
+        made = Movement(self.setting, train, self.demands)
         outside = trip is None or not trip.came
         waits = file.places[file.fleet[train].at].at
         if outside:
             made.approaches(waits)
         elif trip is not None:
-            made.stands(trip, load.at, waits)
+            made.stands(trip, self.where.get(train), self.now_ms, load.at, waits)
         phase = "to load" if trip is None else trip.phase
         work = round(60 * (load.minutes or 0))
-        first: list[tuple[_Movement, int]] = []
+        first: list[tuple[Movement, int]] = []
         there = phase != "to load"
         journey = d.journeys[train] if trip is None else trip.run.journey
         steps: list[tuple[Step | None, Place]] = [(None, place), *self._steps(journey, place)]
@@ -239,11 +260,11 @@ class Guide:
             if not there and after.leg:
                 made.arrives(load.at)
                 first.append((made, work))
-                there, made = True, _Movement(self, train, inner)
+                there, made = True, Movement(self.setting, train, self.demands)
                 made.begins(load.at)
-        piece = made.piece(None, 0)
+        piece = made.piece(self.name, None, 0)
         for movement, seconds in reversed(first):
-            piece = movement.piece(piece, seconds)
+            piece = movement.piece(self.name, piece, seconds)
         return Turn(k, piece, round(60 * (tip.minutes or 0)), round(60 * tip.back), tippler)
 
     def _steps(self, journey: Journey, place: Place) -> list[tuple[Step | None, Place]]:
@@ -260,105 +281,8 @@ class Guide:
         return self._index.setdefault(resource, len(self._index))
 
 
-class _Movement:
-    """What a train holds, second by second, while it runs without a stop."""
-
-    def __init__(self, guide: Guide, train: str, inner: set[str]) -> None:
-        self.guide, self.inner = guide, inner
-        self.build = guide.setting.orders.file.fleet[train]
-        self.speed = self.build.speed / 3.6
-        self.principles = guide.setting.layout.principles
-        self.metres = {str(k[0]): m for k, m in guide.setting.railway.metres.items()}
-        self.seconds = 0.0
-        """Until its head is where the last section so far ends."""
-        self.held: dict[str, tuple[float | None, float]] = {}
-        self.inside = False
-
-    @property
-    def tail(self) -> float:
-        """Seconds that the train takes to pass a place."""
-        return self.build.length / self.speed
-
-    @property
-    def sets_off(self) -> float:
-        """Seconds from asking for a route until the train has as good as run at full speed from its place."""
-        gathers = self.speed / (2 * self.build.acceleration)
-        return ASK_S + self.principles.point_run_s + self.build.reaction + SETS_OFF_S + gathers
-
-    def _hold(self, section: str, begin: float | None, end: float) -> None:
-        old = self.held.get(section)
-        if old is not None:
-            begin = None if begin is None or old[0] is None else min(begin, old[0])
-            end = max(end, old[1])
-        self.held[section] = begin, end
-
-    def approaches(self, boundary: str) -> None:
-        """It comes from the waiting place, over the approach section."""
-        line = next(b for b in self.guide.setting.track.beyond if b.name == boundary)
-        self.seconds = line.approach_m / self.speed + self.speed / (2 * self.build.acceleration)
-        self._hold(f"before {boundary}", 0, self.seconds + self.tail + RELEASE_S)
-
-    def begins(self, section: str) -> None:
-        """It stands wholly in a loading place, and changes direction."""
-        self.inside = section in self.inner
-        self.seconds = self.sets_off + max(0.0, self.metres[section] - self.build.length) / self.speed
-        self._hold(section, None, self.seconds + self.tail + RELEASE_S)
-
-    def stands(self, trip: Trip, load: str, boundary: str) -> None:
-        """It is under way: where it was reported last, and what is set for it from there."""
-        run, where = trip.run, self.guide.where.get(trip.train)
-        ahead = [str(x) for stage in run.granted[run.at :] for x in stage.sections]
-        if trip.phase != "to load" and (where is None or where.section == load):
-            self.begins(load)
-        elif where is None or where.section not in self.metres:
-            metres = next(b for b in self.guide.setting.track.beyond if b.name == boundary).approach_m
-            since = self.guide.now_ms if where is None else where.since_ms
-            self._comes(metres, since, bool(ahead))
-            self._hold(f"before {boundary}", None, self.seconds + self.tail + RELEASE_S)
-        else:
-            last = [str(x) for stage in run.granted[: run.at] for x in stage.sections]
-            k = len(last) - 1 - last[::-1].index(where.section) if where.section in last else len(last) - 1
-            ahead = [*last[k + 1 :], *ahead]
-            self._comes(self.metres[where.section], where.since_ms, bool(ahead))
-            covered = 0.0
-            for x in last[: k + 1][::-1]:
-                if covered < self.build.length + self.metres[where.section]:
-                    self._hold(x, None, self.seconds + self.tail + RELEASE_S)
-                covered += self.metres[x]
-        for x in ahead:
-            self.seconds += self.metres[x] / self.speed
-            self._hold(x, None, self.seconds + self.tail + RELEASE_S)
-        self.inside = any(x in self.inner for x in self.held)
-
-    def _comes(self, metres: float, since_ms: int, goes_on: bool) -> None:
-        """To the end of the section in which it was reported last."""
-        left = metres - (self.guide.now_ms - since_ms) / 1000 * self.speed
-        self.seconds = left / self.speed if left > 0 else 1.0 if goes_on else self.sets_off
-
-    def runs(self, sections: Sequence[tuple[str, float]]) -> None:
-        """Over a route, which is asked for while its signal is just not in sight yet."""
-        sight = self.speed / (2 * self.build.braking) + SIGHT_M / self.speed + self.build.reaction
-        asked = max(0.0, self.seconds - sight - self.principles.point_run_s - ASK_S)
-        for section, metres in sections:
-            self.seconds += metres / self.speed
-            self._hold(section, asked, self.seconds + self.tail + RELEASE_S)
-
-    def arrives(self, section: str) -> None:
-        """It comes to a stand at the end of its loading place."""
-        self.seconds += self.speed / (2 * self.build.braking)
-        begin, _ = self.held[section]
-        self.held[section] = begin, inf
-
-    def piece(self, onward: Piece | None, work: int) -> Piece:
-        """The same for planning."""
-        if onward is None:
-            self.seconds += LEAVES_M / self.speed
-        inner = [self.held[x] for x in self.held if x in self.inner]
-        begins = [b for b, _ in inner if b is not None]
-        holds = [
-            Hold(self.guide.name(x), None if b is None else floor(b), None if e == inf else ceil(e))
-            for x, (b, e) in self.held.items()
-        ]
-        leaves = ceil(max(e for _, e in inner)) if inner and onward is None else None
-        enters = floor(min(begins)) if begins and not self.inside else None
-        return Piece(tuple(holds), ceil(self.seconds), work, enters, leaves, self.inside, onward)
+def demanded(setting: Setting, hours: float, demands: Demands, widths: Sequence[int]) -> Staged:
+    """The best plan from the beginning of a shift with work of fixed length, as the guide counts movements."""
+    assigner = Assigner(setting.orders.file, setting.derived)
+    fleet, _ = Guide(setting, {}, assigner, round(3_600_000 * hours), demands).fleet()
+    return min((staged(fleet, floor(3600 * hours), w) for w in widths), key=lambda s: (-len(s.tipped), s.tipped[-1:]))

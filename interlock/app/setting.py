@@ -21,6 +21,9 @@ from interlock.model.portable import portable
 from interlock.simulate.run import load as load_runtime
 from interlock.simulate.track import Track
 
+CYCLE_MS = 500
+"""Milliseconds from scan to scan of a shift."""
+
 
 @dataclass(frozen=True)
 class Setting:

@@ -13,8 +13,9 @@ from random import Random
 from typing import Any
 
 from interlock.app.attending import DOUBT, OPERATOR_S, Attendant
-from interlock.app.guided import Guide, Where
-from interlock.app.setting import Setting
+from interlock.app.guided import Guide
+from interlock.app.movement import Where
+from interlock.app.setting import CYCLE_MS, Setting
 from interlock.app.standing import ways_under
 from interlock.app.worked import Options, Trip, Worked
 from interlock.dispatch import Dispatcher
@@ -24,7 +25,7 @@ from interlock.dispatch.describer import Describer
 from interlock.dispatch.dispatcher import waiting
 from interlock.dispatch.orders import Derived
 from interlock.dispatch.plan.railway import NoVoyage, TooManyPlaces
-from interlock.model.elements import SectionId
+from interlock.model.elements import RouteId, SectionId
 from interlock.record.log import END, Chain
 from interlock.simulate.agenda import Agenda
 from interlock.simulate.mishaps import Mishaps
@@ -32,9 +33,6 @@ from interlock.simulate.scans import Scans
 from interlock.simulate.yard import Build, Rolling, Yard
 
 TO_BE_LOADED = "it is to be loaded"
-
-CYCLE_MS = 500
-"""Milliseconds from scan to scan."""
 
 LOOKS_S = 10.0
 """Seconds after which the dispatcher looks at a panel on which nothing has changed."""
@@ -110,6 +108,8 @@ class Shift:
         end = self._zero_ms + round(3_600_000 * hours)
         self.agenda.after(OPERATOR_S, self.attendant.operate)
         self.mishaps.begin()
+        if self.guide is not None:
+            self.guide.look(0)
         self._give()
         self._advance(end)
         self._end()
@@ -171,10 +171,9 @@ class Shift:
             self.yard.write(name, value)  # taken back by whoever has looked
         if d.refused != before:
             self.worked.refused += d.refused - before
-        if len(d.asked) > asked and self.guide is not None:
-            self.guide.granted_ms = self._now
-            self.guide.happened()
         for train, route in d.asked[asked:]:
+            if self.guide is not None:
+                self.guide.granted(train, [str(x) for x in self.dispatcher.stages[RouteId(route)].sections])
             self._say("granted", train=train, route=route)
         for text in d.said[said:]:
             if text.startswith(("no plan", "UNKNOWN")) or "taken back" in text:
@@ -357,7 +356,7 @@ class Shift:
     def _gone(self, r: Rolling, where: str) -> None:
         trip = self.trips[r.name]
         place = trip.order.order.to
-        self.assigner.loaded(r.name)
+        self.assigner.leaves(r.name)
         if trip.phase != "away" or self.file.places[place].at != where:
             self.worked.wrong_places += 1
             self._alarm(f"{r.name} leaves over {where}, and is ordered to {self.file.places[place].at}")

@@ -90,9 +90,10 @@ class Assigner:
         self.given[order.name] = self.given.get(order.name, 0) + 1
         self.busy[train] = order.order.from_
 
-    def loaded(self, train: str) -> None:
-        """A train has left its loading place."""
-        self.busy.pop(train, None)
+    def leaves(self, *trains: str) -> None:
+        """Trains leave their loading places for certain: a route is set for them."""
+        for train in trains:
+            self.busy.pop(train, None)
 
     def why(self, train: str) -> str:
         """Why an idle train has no order."""
