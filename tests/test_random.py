@@ -155,3 +155,55 @@ def test_a_signal_to_which_no_train_comes_is_refused() -> None:
     assert [(d.code, d.message) for d in sink.diagnostics] == [
         ("IL3019", "no train comes to M: the only direction of l1 leads away from it")
     ]
+
+
+BALLOON = """
+interlock: 1
+name: balloon
+boundaries:
+  W: {approach: ap 100}
+  W11: {approach: ap12 100, trains: out}
+  W13: {approach: ap14 100, trains: out}
+buffers: [B10, B15]
+tracks:
+  t1: [W, s2 90]
+points:
+  P3: {section: s2, reverse: t1.end, legs: 250}
+  P4: {section: s2, normal: P3.toe, reverse: P3.normal}
+  P5: {section: s2, toe: P4.toe}
+  P6: {section: s7, reverse: P5.reverse, legs: 5, normal: B10, toe: W11}
+  P8: {section: s9, toe: P5.normal, normal: W13, reverse: B15}
+signals:
+  X: {from: W, into: s2, kind: combined}
+  G17: {from: s2, into: s9, kind: combined}
+"""
+ONE_WAY = """
+interlock: 1
+name: one_way
+boundaries:
+  W: {approach: ap 100}
+  E: {approach: ap26 100, trains: out}
+buffers: [B]
+tracks:
+  t1: [W, s2 20]
+  t5: [s6 250, E]
+  t11: [s12 5, s13 90, B]
+points:
+  P3: {section: s4, reverse: t1.end, legs: 12, toe: t5.start, normal: t11.start}
+sections:
+  s12: {one_way: backward}
+signals:
+  X: {from: W, into: s2}
+  G28: {from: s2, into: s4}
+  G32: {from: s12, into: s4}
+"""
+
+
+@pytest.mark.parametrize("text", [BALLOON, ONE_WAY], ids=["balloon", "one_way"])
+def test_what_a_long_run_over_random_layouts_showed(text: str) -> None:
+    """No train comes through one section over a point in both of its positions (R8); a vehicle may stand foul of a
+    point where trains run in one direction only (R7)."""
+    made = grown(text)
+    assert made is not None and not made[2].has_errors
+    assert audit(made[0], made[1]) == ()
+    assert agree(*told(text), specification.shipped()).left == ()

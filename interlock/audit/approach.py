@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from interlock.model.elements import BoundaryKind, EdgeId, NodeId, SectionId, SignalId
+from collections.abc import Mapping
+
+from interlock.model.elements import BoundaryKind, EdgeId, NodeId, Position, SectionId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.principles import Caution
 
@@ -27,9 +29,18 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
         """Metres in which a train stands that runs as fast as it may here."""
         return unaware(section) + speed(section) ** 2 / (2 * rules.braking_ms2)
 
-    def back(edge: EdgeId, node: NodeId, run: float, stop: float, told: bool, been: frozenset[SectionId]) -> None:
+    def back(
+        edge: EdgeId,
+        node: NodeId,
+        run: float,
+        stop: float,
+        told: bool,
+        been: frozenset[SectionId],
+        lie: Mapping[NodeId, Position],
+    ) -> None:
         """Away from the signal over an edge that ends at `node`.  No train comes over it against its one way; its
-        section, in which one may stand after a restart, counts all the same."""
+        section, in which one may stand after a restart, counts all the same.  `lie`: points under the train in this
+        section, none of which moves while it comes through."""
         e = layout.edge[edge]
         found.add(e.section)
         if e.one_way and e.b != node:
@@ -50,9 +61,11 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
             return
         for x in onward:
             s = layout.section_of(x)
-            if s == e.section or s not in been:
-                least = max(stop, run + unaware(s)) if leaves and here else stop
-                back(x, at, run, least, told, been | {s})
+            least = max(stop, run + unaware(s)) if leaves and here else stop
+            led = _led(layout, edge, x, at)
+            under = dict(lie) if s == e.section else {}
+            if all(under.get(m, p) is p for m, p in led.items()) and (s == e.section or s not in been):
+                back(x, at, run, least, told, been | {s}, under | led if s == e.section else {})
 
     boundary = layout.boundary_at.get(g.node)
     if boundary is not None:
@@ -65,13 +78,21 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
         return None
     for edge in behind:
         found.add(layout.section_of(edge))
-        back(edge, g.node, 0.0, 0.0, not announces, frozenset({first, layout.section_of(edge)}))
+        back(edge, g.node, 0.0, 0.0, not announces, frozenset({first, layout.section_of(edge)}), {})
     return frozenset(found)
 
 
 def _tellers(layout: Layout) -> set[tuple[NodeId, EdgeId]]:
     """Where a main signal tells what the next one shows: not one that may be passed at identifier light."""
     return {(s.node, s.into) for s in layout.signals if s.main and s.id not in layout.identifiers}
+
+
+def _led(layout: Layout, edge: EdgeId, other: EdgeId, node: NodeId) -> dict[NodeId, Position]:
+    """How the point at a node lies that leads from one edge to another; nothing where there is none."""
+    point = layout.point_at.get(node)
+    if point is None:
+        return {}
+    return {node: Position.NORMAL if point.normal in (edge, other) else Position.REVERSE}
 
 
 def _onward(layout: Layout, edge: EdgeId, node: NodeId) -> list[EdgeId]:

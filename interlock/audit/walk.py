@@ -76,17 +76,18 @@ def past_signals(layout: Layout, ahead: list[Trip], beyond: list[Trip]) -> list[
 
 
 def steps(
-    layout: Layout, at: Move, frozen: Frozen | None = None
+    layout: Layout, at: Move, frozen: Frozen | None = None, against: bool = False
 ) -> Iterator[tuple[Move, tuple[MachineId, Position] | None]]:
     """Where a vehicle can go next, and the position that a point takes or needs for it.
 
-    A frozen point leads a facing vehicle one way only; a trailing vehicle runs through any point.
+    A frozen point leads a facing vehicle one way only; a trailing vehicle runs through any point.  `against`: also
+    where no train runs in that direction.
     """
     for e in layout.edges_at[at.node]:
         if e.id == at.edge:
             continue
         ahead = Move(e.id, e.b if e.a == at.node else e.a)
-        if e.one_way and ahead.node != e.b:
+        if e.one_way and ahead.node != e.b and not against:
             continue
         needs: tuple[MachineId, Position] | None = None
         crossing = layout.crossing_at.get(at.node)
@@ -259,7 +260,8 @@ def _overruns(
 
 
 def distances(layout: Layout, node: NodeId, leg: EdgeId, limit: float) -> dict[tuple[EdgeId, NodeId], float]:
-    """Metres from a point's node, out over one leg, to the near node of every edge nearer than a limit."""
+    """Metres from a point's node, out over one leg, to the near node of every edge nearer than a limit: vehicles may
+    stand there in whatever direction trains run."""
     out: dict[tuple[EdgeId, NodeId], float] = {}
     todo: list[tuple[EdgeId, NodeId, float]] = [(leg, node, 0.0)]
     while todo:
@@ -270,7 +272,9 @@ def distances(layout: Layout, node: NodeId, leg: EdgeId, limit: float) -> dict[t
         far = layout.far(edge, near)
         if far != node:
             reached = gone + layout.edge[edge].length
-            todo.extend((m.edge, far, reached) for m, _ in steps(layout, Move(edge, far)) if reached < limit)
+            todo.extend(
+                (m.edge, far, reached) for m, _ in steps(layout, Move(edge, far), against=True) if reached < limit
+            )
     return out
 
 
