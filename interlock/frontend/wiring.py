@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from pydantic_core import PydanticCustomError
 
 from interlock.diag import Span
+from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.kilometres import Kilometres, Measured, Stretch, has_positions, is_section, measured
@@ -178,7 +179,7 @@ class Wirer:
                 if not self.ctx.sink.has_errors:
                     self.ctx.add(
                         "IL3017",
-                        f"the track {name} has no section",
+                        f"the {called('track', name)} has no section",
                         self.ctx.at_key("tracks", name),
                         "give it a section with a length, or join the boundary to the point directly",
                     )
