@@ -79,6 +79,15 @@ def _wide(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: 
                 yield f"the full-width sign `{c}` means nothing here", Span(file, i + 1, k + 1), f"write {plain}"
 
 
+def _no_break(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """A space that a word processor keeps from being broken: to YAML it is a letter."""
+    for i in _lines(lines, error):
+        found = re.search("(?::|^ *)(\u00a0+)", lines[i])
+        if found is not None:
+            span = Span(file, i + 1, found.start(1) + 1, len(found[1]))
+            yield "a no-break space stands where a space is wanted", span, "write a plain space"
+
+
 def _unclosed_quote(
     file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None
 ) -> Iterator[Found]:
@@ -116,12 +125,19 @@ def _unclosed_bracket(
 
 def _no_space(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
     """`name:halt`, `X3:{...`."""
-    for i in _lines(lines, error):
+    for i in [*_lines(lines, error), *_text_before(lines, error)]:
         found = _NO_SPACE.search(lines[i])
         if found is not None:
             key, rest = found[1], lines[i][found.end() :].strip()
             span = Span(file, i + 1, found.start(1) + 1, len(key) + 1)
             yield f"a space is missing after `{key}:`", span, f"write `{key}: {rest[:40]}`"
+
+
+def _text_before(lines: Sequence[str], error: yaml.MarkedYAMLError) -> Iterator[int]:
+    """The line above one whose colon is not wanted: `interlock:1` is a text, which goes on below."""
+    above = [k for k in range(min(_line(error), len(lines))) if lines[k].strip() and lines[k].lstrip()[0] != "#"]
+    if above and "mapping values are not allowed" in (error.problem or "") and re.match(r"\w+:\S+$", lines[above[-1]]):
+        yield above[-1]
 
 
 def _apostrophe(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
@@ -141,6 +157,10 @@ def _apostrophe(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, qu
 
 def _dash(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
     i = _line(error)
+    mixed = error.context_mark is not None and "expected '-' indicator" in (error.problem or "")
+    if mixed and i < len(lines) and error.context_mark is not None and re.match(r"\s*[^\s:]+:\s", lines[i]):
+        above = error.context_mark.line  # where the list began
+        i = above if re.match(r"\s*-\s+[^\s:]+:\s", lines[above]) else i
     if i < len(lines) and re.match(r"\s*-\s", lines[i]):
         rest = lines[i].lstrip()[1:].strip()
         span = Span(file, i + 1, lines[i].index("-") + 1)
@@ -235,6 +255,7 @@ def _depth(line: str) -> int:
 
 _RULES = (
     _wide,
+    _no_break,
     _unclosed_quote,
     _no_comma,
     _mismatch,

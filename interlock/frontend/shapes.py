@@ -191,7 +191,7 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
         return "write one text"
     if want == "a list":
         return (
-            f"write `{key}: [{node.text}]`, in brackets"
+            f"write `{key}: [{_bare(node.text)}]`, in square brackets"
             if isinstance(node, Scalar) and node.text
             else f"write `{key}: [...]`"
         )
@@ -207,6 +207,11 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
         shown = named[1].text if named is not None and isinstance(named[1], Scalar) else "name"
         return f"write `{shown}: {{...}}` lines below `{key}`: the name of each before its values, no dashes"
     return f"write `{key}: {{key: value, ...}}`; `interlock explain IL1012` shows the shapes"
+
+
+def _bare(text: str) -> str:
+    """A text without brackets of another kind around it."""
+    return text[1:-1].strip() if text[:1] + text[-1:] in ("()", "<>") else text
 
 
 def node_at(root: Node, path: Loc) -> Node:
