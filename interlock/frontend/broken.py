@@ -88,6 +88,33 @@ def _no_break(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quot
             yield "a no-break space stands where a space is wanted", span, "write a plain space"
 
 
+def _other_sign(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """`X3 = {...`, and a comment that begins with `//`: signs of programming languages."""
+    for k in range(min(_line(error) + 1, len(lines))):
+        begun = re.match(r"\s*(//|;|--\s)", lines[k])
+        if begun is not None:
+            span = Span(file, k + 1, begun.start(1) + 1, len(begun[1].rstrip()))
+            yield "a comment begins with `#`", span, f"write `#` for `{begun[1].rstrip()}`"
+    for i in _lines(lines, error):
+        found = re.match(r"\s*([A-Za-z0-9_/-]+)\s*(=)\s*([{\[].*)$", lines[i])
+        if found is not None:
+            span = Span(file, i + 1, found.start(2) + 1)
+            yield "a colon is wanted here, not `=`", span, f"write `{found[1]}: {found[3][:40].rstrip()}`"
+        comment = re.search(r"[}\]]\s+(//|;|--)", lines[i])
+        if comment is not None:
+            span = Span(file, i + 1, comment.start(1) + 1, len(comment[1]))
+            yield "a comment begins with `#`", span, f"write `#` for `{comment[1]}`"
+
+
+def _closed_room(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """`signals: {}` with entries below."""
+    above = [k for k in range(min(_line(error), len(lines))) if lines[k].strip() and lines[k].lstrip()[0] != "#"]
+    found = re.match(r"\s*(\S+):\s*(\{\s*\}|\[\s*\])\s*(?:#.*)?$", lines[above[-1]]) if above else None
+    if found is not None and _line(error) < len(lines) and _depth(lines[_line(error)]) > _depth(lines[above[-1]]):
+        span = Span(file, above[-1] + 1, found.start(2) + 1, len(found[2]))
+        yield f"`{found[1]}` ends here, and entries follow below it", span, f"write `{found[1]}:` alone in the line"
+
+
 def _unclosed_quote(
     file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None
 ) -> Iterator[Found]:
@@ -256,6 +283,8 @@ def _depth(line: str) -> int:
 _RULES = (
     _wide,
     _no_break,
+    _other_sign,
+    _closed_room,
     _unclosed_quote,
     _no_comma,
     _mismatch,

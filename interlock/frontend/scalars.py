@@ -43,7 +43,7 @@ def _spaced(text: str) -> bool:
 def name_fix(text: str) -> str:
     """How a name could be written: composed, without curly quotes, with `_` for what cannot stand in it."""
     if not text:
-        return "write the name, or remove the key"
+        return "write the name after the colon"
     if _spaced(text):
         return f"write `{'_'.join(text.split())}` or `{'-'.join(text.split())}`, the same wherever the name stands"
     composed = unicodedata.normalize("NFC", text)
