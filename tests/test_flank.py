@@ -9,15 +9,18 @@ from pathlib import Path
 import pytest
 
 from interlock.audit import audit
+from interlock.derivation.flank import told
 from interlock.diag import Sink
+from interlock.diag.called import called
 from interlock.logic.lower import lower
+from interlock.model.elements import Position
 from interlock.model.layout import Layout
 from interlock.model.principles import PROFILES
 from interlock.proof.engines.limits import Limits
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
-from interlock.table.rows import InterlockingTable, PointDemand, Role
+from interlock.table.rows import InterlockingTable, PointDemand, Provider, ProviderKind, Role
 from tests.layouts import grown
 
 SCISSORS = {
@@ -137,3 +140,18 @@ def test_flank_space_that_is_not_asked_for_is_seen_by_claim_and_audit() -> None:
     assert any(f.column == "space" for f in audit(layout, weak))
     result = prove(System(layout, lower(layout, weak)), Limits(search_depth=0))
     assert "S-FLANK-SPACE" in {c.id for c in result.claims if c.verdict is not Verdict.PROVED}
+
+
+def test_a_name_that_says_its_kind_is_told_without_it() -> None:
+    """Not `signal signal5`, in whatever case; a name that is the bare word keeps its kind before it."""
+    assert called("signal", "S5") == "signal S5"
+    assert (called("signal", "Signal_5"), called("signal", "signal")) == ("Signal_5", "signal signal")
+    providers = (
+        Provider(ProviderKind.POINT, "point7", Position.REVERSE),
+        Provider(ProviderKind.SIGNAL, "signal5"),
+        Provider(ProviderKind.BUFFER, "B"),
+    )
+    assert told(providers) == (
+        "point7 R turns vehicles away and signal5 at stop, clear of the fouling point and the track ends at B"
+    )
+    assert told((Provider(ProviderKind.SIGNAL, "S5"),)) == "signal S5 at stop, clear of the fouling point"

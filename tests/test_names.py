@@ -134,3 +134,72 @@ def test_a_layout_in_five_scripts_is_compiled_proved_and_written_in_ascii() -> N
     assert {"Kind": "section", "Name": "22ｲT", "Name in PLC text": portable("22ｲT")} in rows
     assert f"CLR_{portable('22ｲT')}" in files["io/channels.csv"].decode()
     assert "22ｲT" in files["table.csv"].decode()
+
+
+ALIKE = """interlock: 1
+name: demo
+boundaries:
+  W: {{approach: wa 600}}
+  E: {{trains: out}}
+tracks:
+  main: [W, q1 200, q2 200, q3 200, E]
+signals:
+  {0}: {{from: W, into: q1}}
+  {1}: {{from: q1, into: q2}}
+  {2}: {{from: q2, into: q3}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ("S10", "S1O"),
+        ("S1", "SI"),
+        ("S1", "Sl"),
+        ("Sl1", "S11"),
+        ("\uff331", "S1"),
+        ("A1", "\u04101"),
+        ("\u0421\u041d2", "CH2"),
+        ("\u03912", "\u04102"),
+        ("22\uff72", "22\u30a4"),
+        ("S\u2161", "SII"),
+        ("SII_1", "SII_I"),
+    ],
+)
+def test_names_of_one_kind_that_look_alike_are_told(one: str, other: str) -> None:
+    sink = Sink()
+    layout, _ = load_text("t", ALIKE.format(one, other, "Z"), sink)
+    (found,) = sink.diagnostics
+    assert layout is not None and (found.code, found.severity) == ("IL7010", Severity.WARNING)
+    assert f"the signal {other} looks like the signal {one} of line 9" in found.message
+    assert found.span is not None and found.span.line == 10
+
+    allowed = f"allow: [{{lint: IL7010, at: [{other}], reason: as on the signs}}]\n"
+    sink = Sink()
+    load_text("t", ALIKE.format(one, other, "Z") + allowed, sink)
+    assert sink.diagnostics == ()
+
+
+@pytest.mark.parametrize(
+    ("one", "other"), [("SII", "S11"), ("SIII", "S111"), ("q1O", "S10"), ("S-1", "S1"), ("S2", "SZ"), ("SIIa", "S11a")]
+)
+def test_names_that_differ_otherwise_are_not_told(one: str, other: str) -> None:
+    """Roman and Arabic numbers of tracks; another kind (`q10` is a section); signs between; letters that only rhyme."""
+    sink = Sink()
+    load_text("t", ALIKE.replace("q1", "q10").format(one, other, "Z"), sink)
+    assert sink.diagnostics == ()
+
+
+def test_two_of_three_names_that_look_alike_are_told() -> None:
+    """`S1l` looks like both others, which are Roman and Arabic; two warnings would be one too many."""
+    sink = Sink()
+    load_text("t", ALIKE.format("SII", "S11", "S1l"), sink)
+    (found,) = sink.diagnostics
+    assert found.message.startswith("the signal S1l looks like the signal SII of line 9: digit one here")
+
+
+@pytest.mark.parametrize("path", sorted(Path("layouts").glob("*.yaml")), ids=lambda p: p.stem)
+def test_no_shipped_layout_has_names_that_look_alike(path: Path) -> None:
+    sink = Sink()
+    load_text(path.name, path.read_text("utf-8"), sink)
+    assert not sink.has("IL7010")

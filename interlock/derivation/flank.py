@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from math import inf
 
+from interlock.diag.called import called
 from interlock.model.elements import (
     BoundaryKind,
     Crossing,
@@ -254,14 +255,16 @@ def told(providers: Sequence[Provider]) -> str:
         signals = f"signals {', '.join(stops[:-1])} and {stops[-1]} at stop, clear of the fouling point"
         return " and ".join([*([told(others)] if others else []), signals])
     words = {
-        ProviderKind.POINT: "point {} turns vehicles away",
-        ProviderKind.SIGNAL: "signal {} at stop, clear of the fouling point",
+        ProviderKind.POINT: "{} turns vehicles away",
+        ProviderKind.SIGNAL: "{} at stop, clear of the fouling point",
         ProviderKind.BUFFER: "the track ends at {}",
         ProviderKind.BOUNDARY: "no train comes in at {}",
         ProviderKind.ONE_WAY: "{} runs one way only",
         ProviderKind.WAIVED: "waived: {}",
     }
-    return " and ".join(words[p.kind].format(p) for p in providers) or "a closed ring, nothing comes from outside"
+    movable = (ProviderKind.POINT, ProviderKind.SIGNAL)
+    named = [words[p.kind].format(called(p.kind, str(p)) if p.kind in movable else p) for p in providers]
+    return " and ".join(named) or "a closed ring, nothing comes from outside"
 
 
 def cell(r: Requester, providers: tuple[Provider, ...]) -> FlankCell:

@@ -28,6 +28,7 @@ from interlock.derivation.practice import check_practice
 from interlock.derivation.routes import Path, find_routes
 from interlock.derivation.voyages import derive_voyages
 from interlock.diag import Element, Sink
+from interlock.diag.called import called
 from interlock.model.elements import BufferKind, MachineId, Position, RouteId, SignalId
 from interlock.model.layout import Layout
 from interlock.model.overlap import entry_speed
@@ -240,7 +241,7 @@ def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
     for s in layout.sections:
         if not s.approach and s.id not in used:
             fix = "add a signal, or check the directions"
-            sink.add("IL3012", f"no route uses section {s.id}", None, fix, about=Element("sections", s.id))
+            sink.add("IL3012", f"no route uses {called('section', s.id)}", None, fix, about=Element("sections", s.id))
     for p in paths:
         if layout.profile == "mine" and len(p.ways) > LONG_ROUTE:
             sink.add(

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from interlock.derivation.routes import Path
 from interlock.diag import Element, Sink
+from interlock.diag.called import called
 from interlock.model.elements import BoundaryKind, EdgeId, NodeId
 from interlock.model.layout import Layout
 from interlock.model.plain import Plain, Plains, plains
@@ -64,8 +65,8 @@ def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
             routes = _listed(p.id for p in those)
             sink.add(
                 "IL7002",
-                f"the track {name} has no starting signal towards {end}: trains leave it there and pass on into the "
-                f"points ({routes})",
+                f"the {called('track', str(name))} has no starting signal towards {end}: trains leave it there "
+                f"and pass on into the points ({routes})",
                 None,
                 f"add a signal `from: {name}` into the section before {end}",
                 about=Element("sections", str(name)),
@@ -76,7 +77,8 @@ def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
             for path in those:
                 sink.add(
                     "IL7003",
-                    f"route {path.id} runs through a whole station: past the track {name}, where no signal stands",
+                    f"route {path.id} runs through a whole station: past the {called('track', str(name))}, "
+                    "where no signal stands",
                     None,
                     f"add starting signals at both ends of {name}",
                     about=Element("signals", path.entry),
@@ -158,7 +160,8 @@ def _check_waiting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
         points, metres = behind
         sink.add(
             "IL7007",
-            f"signal {g.id} stands {metres:g} m behind {points}: a train that waits before it stands on the points",
+            f"{called('signal', g.id)} stands {metres:g} m behind {points}: "
+            "a train that waits before it stands on the points",
             None,
             "move it further on by a section as long as a train, or before the points",
             about=Element("signals", g.id),

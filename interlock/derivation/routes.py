@@ -15,6 +15,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from interlock.diag import Element, Sink
+from interlock.diag.called import called
 from interlock.model.elements import (
     BoundaryKind,
     BufferKind,
@@ -167,7 +168,7 @@ def find_routes(layout: Layout, sink: Sink) -> tuple[Path, ...]:
         if not kept and g.id not in layout.boards:
             sink.add(
                 "IL4003",
-                f"no route leads from signal {g.id}",
+                f"no route leads from {called('signal', g.id)}",
                 None,
                 "check its direction (`from`, `into`) and where the track goes",
                 about=Element("signals", g.id),
@@ -300,7 +301,7 @@ def _overlaps(layout: Layout, f: _Found, name: str, sink: Sink) -> list[tuple[in
     if not fits:
         sink.add(
             "IL4008",
-            f"route {name} finds no overlap beyond {f.exit}: wanted is {_wanted(layout, f.exit)}",
+            f"{called('route', name)} finds no overlap beyond {f.exit}: wanted is {_wanted(layout, f.exit)}",
             None,
             f"shorten it: `overlaps: {{{f.exit}: {{length: ...}}}}`; 0 for none",
             about=Element("signals", f.signal.id),

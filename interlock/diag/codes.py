@@ -140,6 +140,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL7005": (_W, "a length that is hardly meant"),
     "IL7006": (_W, "an approach shorter than the braking distance"),
     "IL7007": (_W, "a signal directly behind points"),
+    "IL7010": (_W, "two names that look alike"),
 }
 
 LINTS: tuple[str, ...] = tuple(code for code in CODES if code.startswith("IL7"))

@@ -79,6 +79,42 @@ def _wide(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: 
                 yield f"the full-width sign `{c}` means nothing here", Span(file, i + 1, k + 1), f"write {plain}"
 
 
+def _no_break(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """A space that a word processor keeps from being broken: to YAML it is a letter."""
+    for i in _lines(lines, error):
+        found = re.search("(?::|^ *)(\u00a0+)", lines[i])
+        if found is not None:
+            span = Span(file, i + 1, found.start(1) + 1, len(found[1]))
+            yield "a no-break space stands where a space is wanted", span, "write a plain space"
+
+
+def _other_sign(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """`X3 = {...`, and a comment that begins with `//`: signs of programming languages."""
+    for k in range(min(_line(error) + 1, len(lines))):
+        begun = re.match(r"\s*(//|;|--\s)", lines[k])
+        if begun is not None:
+            span = Span(file, k + 1, begun.start(1) + 1, len(begun[1].rstrip()))
+            yield "a comment begins with `#`", span, f"write `#` for `{begun[1].rstrip()}`"
+    for i in _lines(lines, error):
+        found = re.match(r"\s*([A-Za-z0-9_/-]+)\s*(=)\s*([{\[].*)$", lines[i])
+        if found is not None:
+            span = Span(file, i + 1, found.start(2) + 1)
+            yield "a colon is wanted here, not `=`", span, f"write `{found[1]}: {found[3][:40].rstrip()}`"
+        comment = re.search(r"[}\]]\s+(//|;|--)", lines[i])
+        if comment is not None:
+            span = Span(file, i + 1, comment.start(1) + 1, len(comment[1]))
+            yield "a comment begins with `#`", span, f"write `#` for `{comment[1]}`"
+
+
+def _closed_room(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
+    """`signals: {}` with entries below."""
+    above = [k for k in range(min(_line(error), len(lines))) if lines[k].strip() and lines[k].lstrip()[0] != "#"]
+    found = re.match(r"\s*(\S+):\s*(\{\s*\}|\[\s*\])\s*(?:#.*)?$", lines[above[-1]]) if above else None
+    if found is not None and _line(error) < len(lines) and _depth(lines[_line(error)]) > _depth(lines[above[-1]]):
+        span = Span(file, above[-1] + 1, found.start(2) + 1, len(found[2]))
+        yield f"`{found[1]}` ends here, and entries follow below it", span, f"write `{found[1]}:` alone in the line"
+
+
 def _unclosed_quote(
     file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None
 ) -> Iterator[Found]:
@@ -116,12 +152,19 @@ def _unclosed_bracket(
 
 def _no_space(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
     """`name:halt`, `X3:{...`."""
-    for i in _lines(lines, error):
+    for i in [*_lines(lines, error), *_text_before(lines, error)]:
         found = _NO_SPACE.search(lines[i])
         if found is not None:
             key, rest = found[1], lines[i][found.end() :].strip()
             span = Span(file, i + 1, found.start(1) + 1, len(key) + 1)
             yield f"a space is missing after `{key}:`", span, f"write `{key}: {rest[:40]}`"
+
+
+def _text_before(lines: Sequence[str], error: yaml.MarkedYAMLError) -> Iterator[int]:
+    """The line above one whose colon is not wanted: `interlock:1` is a text, which goes on below."""
+    above = [k for k in range(min(_line(error), len(lines))) if lines[k].strip() and lines[k].lstrip()[0] != "#"]
+    if above and "mapping values are not allowed" in (error.problem or "") and re.match(r"\w+:\S+$", lines[above[-1]]):
+        yield above[-1]
 
 
 def _apostrophe(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
@@ -141,6 +184,10 @@ def _apostrophe(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, qu
 
 def _dash(file: str, lines: Sequence[str], error: yaml.MarkedYAMLError, quoted: Span | None) -> Iterator[Found]:
     i = _line(error)
+    mixed = error.context_mark is not None and "expected '-' indicator" in (error.problem or "")
+    if mixed and i < len(lines) and error.context_mark is not None and re.match(r"\s*[^\s:]+:\s", lines[i]):
+        above = error.context_mark.line  # where the list began
+        i = above if re.match(r"\s*-\s+[^\s:]+:\s", lines[above]) else i
     if i < len(lines) and re.match(r"\s*-\s", lines[i]):
         rest = lines[i].lstrip()[1:].strip()
         span = Span(file, i + 1, lines[i].index("-") + 1)
@@ -235,6 +282,9 @@ def _depth(line: str) -> int:
 
 _RULES = (
     _wide,
+    _no_break,
+    _other_sign,
+    _closed_room,
     _unclosed_quote,
     _no_comma,
     _mismatch,

@@ -7,22 +7,45 @@ import re
 from interlock.diag import Sink, Span
 
 _BOMS = {b"\xff\xfe": "utf-16", b"\xfe\xff": "utf-16", b"\x00\x00\xfe\xff": "utf-32"}
-_NAMES = {"utf-16": "UTF-16", "utf-32": "UTF-32", "gb18030": "GBK", "cp1252": "Windows-1252 (Western European)"}
+_NAMES = {
+    "utf-16": "UTF-16",
+    "utf-16le": "UTF-16",
+    "utf-16be": "UTF-16",
+    "utf-32": "UTF-32",
+    "gb18030": "GBK",
+    "cp1252": "Windows-1252 (Western European)",
+}
 _KINDS = {b"%PDF": "a PDF", b"PK\x03\x04": "a workbook or another zip", b"\x89PNG": "a picture", b"AC10": "a drawing"}
+
+
+def _without_mark(data: bytes) -> str | None:
+    """UTF-16 without a byte order mark: every other byte of its first line is zero."""
+    head = data[:64]
+    for coding, zeros in (("utf-16le", head[1::2]), ("utf-16be", head[::2])):
+        if (
+            len(zeros) > 3
+            and len(data) % 2 == 0
+            and zeros.count(0) > 0.9 * len(zeros)
+            and head.count(0) == zeros.count(0)
+        ):
+            return coding
+    return None
 
 
 def decode(path: str, data: bytes, sink: Sink) -> tuple[str | None, str]:
     """The text, or None with IL1002; and what to show of the file: the text as its author probably sees it."""
+    unmarked, at = _without_mark(data), 0
     try:
         text = _lines(data.decode("utf-8-sig"))
-        return text, text
+        if unmarked is None:
+            return text, text
     except UnicodeDecodeError as error:
         at = error.start
     for head, kind in _KINDS.items():
         if data.startswith(head):
             _report(sink, f"{path} is not UTF-8 text: it is {kind}", Span(path, 0, 0), "a layout is a text file")
             return None, ""
-    coding = _coding(data)
+    coding = _coding(data) or unmarked
     if coding is None:
         said = f"{path} is not UTF-8 text: byte {at} can stand in no text"
         _report(sink, said, Span(path, 0, 0), "a PDF, a spreadsheet or a drawing is not a layout")

@@ -15,6 +15,7 @@ from itertools import pairwise
 from pydantic_core import PydanticCustomError
 
 from interlock.diag import Element, Span
+from interlock.diag.called import called
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Port
 from interlock.frontend.scalars import KILOMETRE, MAX_LENGTH_M, NAME, number_text, position, written_km
@@ -94,7 +95,7 @@ class Kilometres:
                 spec = self.ctx.file.signals[name]
                 assert spec.km is not None
                 span = self.ctx.at("signals", name, "km")
-                self._put(self.tracks[track], joint, Position(spec.km, f"signal {name}", span))
+                self._put(self.tracks[track], joint, Position(spec.km, called("signal", name), span))
         for name, t in self.tracks.items():
             self._points(name, t)
             self._lengths(name, t)
@@ -123,7 +124,7 @@ class Kilometres:
             if len({frozenset(self._place(x)) for x in found}) == 1:
                 yield name, found
                 continue
-            text = f"the position of signal {name} says nothing of a length: its joint lies " + (
+            text = f"the position of {called('signal', name)} says nothing of a length: its joint lies " + (
                 f"at {len(found)} places of tracks" if found else "at no section of a track"
             )
             fix = "leave `km` out, and give positions in the tracks: `[q1, 12+345.6, q2]`"
@@ -175,7 +176,7 @@ class Kilometres:
         for k, (a, b) in enumerate(pairwise(known)):
             if rising[k] is not rising[0] or abs(t.posts[b].metres - t.posts[a].metres) <= APART:
                 there = t.posts[b]
-                text = f"track {name}: {written_km(there.metres)} ({there.said}) does not lie beyond "
+                text = f"{called('track', name)}: {written_km(there.metres)} ({there.said}) does not lie beyond "
                 text += f"{written_km(t.posts[a].metres)} ({t.posts[a].said})"
                 self.ctx.add("IL3028", text, there.span, "along a track positions rise, or fall, all the way")
                 return
@@ -183,7 +184,7 @@ class Kilometres:
             self._between(t, a, b)
         for s in t.stretches:
             if s.length is None and not self.ctx.sink.has_errors:
-                text = f"section {s.section} has no length, and the positions of its ends do not give it"
+                text = f"{called('section', s.section)} has no length, and the positions of its ends do not give it"
                 fix = f"write `{s.section} 100`, or a position at either side: `[12+000, {s.section}, 12+100]`"
                 self.ctx.add("IL3029", text, s.span, fix)
 
@@ -200,7 +201,9 @@ class Kilometres:
             self.ctx.add("IL3028", text, those[0].span, "correct a position or a length, or leave the length out")
         if len(free) == 1:
             if not APART < rest <= MAX_LENGTH_M:
-                text = f"{where} there is no room for section {free[0].section}: {round(rest, 3):g} m are left"
+                text = (
+                    f"{where} there is no room for {called('section', free[0].section)}: {round(rest, 3):g} m are left"
+                )
                 self.ctx.add("IL3028", text, free[0].span, "correct a position or a length")
             else:
                 free[0].length = round(rest, 3)

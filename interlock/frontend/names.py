@@ -1,11 +1,12 @@
 """Pass 1: names.  Within a room no two elements may share a name, not even in another case (PLC text ignores case).
 
-Output: diagnostics IL2002, IL2010.
+Output: diagnostics IL2002, IL2010; names that look alike: `alike.py`, IL7010.
 """
 
 from __future__ import annotations
 
 from interlock.diag import Span
+from interlock.frontend.alike import check_alike
 from interlock.frontend.context import Context
 from interlock.frontend.parts import points_of
 from interlock.model.portable import portable
@@ -55,7 +56,8 @@ MOVED = ("point", "machine", "derailer", "level crossing", "interlock")
 def check_names(ctx: Context, sections: dict[str, Span]) -> None:
     """Report names used twice within a room.  A track's name never leaves the layout, so it only needs to differ
     from what else can be joined: points, crossings, boundaries and buffers."""
-    elements = [d for d in _declared(ctx) if d[0] != "track"] + [("section", n, s) for n, s in sections.items()]
+    declared = _declared(ctx)
+    elements = [d for d in declared if d[0] != "track"] + [("section", n, s) for n, s in sections.items()]
     machines: dict[str, Span] = {}
     for name, p in ctx.file.points.items():
         if p.machine:
@@ -72,6 +74,7 @@ def check_names(ctx: Context, sections: dict[str, Span]) -> None:
                 before = seen.setdefault(name.lower(), (kind, name, span))
                 if before[2] != span:
                     _clash(ctx, (kind, name, span), before)
+    check_alike(ctx, [*elements, *(d for d in declared if d[0] == "track")])
     joinable = {n: (k, n, s) for k, n, s in elements if k in ROOMS[1]}
     for name in ctx.file.tracks:
         if name in joinable:

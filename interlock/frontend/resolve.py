@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from interlock.diag import Span
+from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.parts import points_of
@@ -62,10 +63,10 @@ def check_signal_names(ctx: Context, wiring: Wiring) -> None:
                     continue  # the item is reported: a space is missing in it
                 if value in wiring.approaches:
                     hint = "an entry signal stands at the boundary: write the boundary's name after `from`"
-                    ctx.add("IL2004", f"signal {name}: {value} is the approach section, outside", span, hint)
+                    ctx.add("IL2004", f"{called('signal', name)}: {value} is the approach section, outside", span, hint)
                 else:
                     kind = "section or boundary" if key == "from" else "section"
-                    _unknown(ctx, kind, value, span, names, f"signal {name}")
+                    _unknown(ctx, kind, value, span, names, called("signal", name))
 
 
 def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
@@ -90,7 +91,7 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
             near = f" next to {spec.at}" if spec.at else ""
             ctx.add(
                 "IL3005",
-                f"signal {name} stands at no joint: {spec.from_} and {spec.into} do not meet{near}",
+                f"{called('signal', name)} stands at no joint: {spec.from_} and {spec.into} do not meet{near}",
                 ctx.at("signals", name, "into"),
                 f"{spec.into} meets: " + ", ".join(_neighbours(wiring, at, spec.into)),
             )
@@ -98,7 +99,7 @@ def resolve_signals(ctx: Context, wiring: Wiring) -> tuple[Signal, ...]:
         if len(places) > 1:
             ctx.add(
                 "IL3006",
-                f"signal {name}: {spec.from_} and {spec.into} meet in {len(places)} places",
+                f"{called('signal', name)}: {spec.from_} and {spec.into} meet in {len(places)} places",
                 ctx.at("signals", name, "into"),
                 "add `at: POINT`, naming a point next to the joint meant",
             )
@@ -208,15 +209,17 @@ def resolve_conditions(ctx: Context, wiring: Wiring) -> tuple[Condition, ...]:
     for name, spec in ctx.file.conditions.items():
         for i, s in enumerate(spec.over):
             if s not in wiring.sections:
-                _unknown(ctx, "section", s, ctx.at("conditions", name, "over", i), wiring.sections, f"condition {name}")
+                _unknown(
+                    ctx, "section", s, ctx.at("conditions", name, "over", i), wiring.sections, called("condition", name)
+                )
         for i, g in enumerate(spec.signals):
             if g not in ctx.file.signals:
                 at = ctx.at("conditions", name, "signals", i)
-                _unknown(ctx, "signal", g, at, ctx.file.signals, f"condition {name}")
+                _unknown(ctx, "signal", g, at, ctx.file.signals, called("condition", name))
         for i, b in enumerate(spec.exits):
             if b not in ctx.file.boundaries:
                 at = ctx.at("conditions", name, "exits", i)
-                _unknown(ctx, "boundary", b, at, ctx.file.boundaries, f"condition {name}")
+                _unknown(ctx, "boundary", b, at, ctx.file.boundaries, called("condition", name))
         out.append(
             Condition(
                 ConditionId(name),
@@ -282,7 +285,7 @@ def _two_in_one(ctx: Context, name: str, first: str) -> None:
     kinds = {ctx.file.signals[n].kind for n in (first, name)}
     both = "shunt" in kinds and kinds & {"main", "combined"}
     fix = f"one signal gives both: `{first}: {{..., kind: combined}}`; remove {name}" if both else "remove one of them"
-    text = f"signal {name} stands where {first} stands, in the same direction"
+    text = f"{called('signal', name)} stands where {first} stands, in the same direction"
     ctx.add("IL3007", text, ctx.at_key("signals", name), f"{fix}, or turn it round: swap `from` and `into`")
 
 

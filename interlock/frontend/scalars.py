@@ -25,13 +25,27 @@ def _name(value: object) -> object:
     if not isinstance(value, str):
         raise PydanticCustomError("shape", "a name is expected")
     if not NAME.fullmatch(value):
-        text = "'{v}' cannot be a name: use letters, digits and single _ - / between them"
-        raise PydanticCustomError("name", text, {"v": value, "fix": name_fix(value)})
+        raise PydanticCustomError("name", "{said}", {"v": value, "said": no_name(value), "fix": name_fix(value)})
     return value
+
+
+def no_name(text: str) -> str:
+    """Why a text cannot be a name."""
+    why = "a name has no space in it" if _spaced(text) else "use letters, digits and single _ - / between them"
+    return f"'{text}' cannot be a name: {why}" if text else "the name is missing"
+
+
+def _spaced(text: str) -> bool:
+    """Whether a text would be a name but for its spaces."""
+    return len(words := text.split()) > 1 and all(NAME.fullmatch(w) for w in words)
 
 
 def name_fix(text: str) -> str:
     """How a name could be written: composed, without curly quotes, with `_` for what cannot stand in it."""
+    if not text:
+        return "write the name after the colon"
+    if _spaced(text):
+        return f"write `{'_'.join(text.split())}` or `{'-'.join(text.split())}`, the same wherever the name stands"
     composed = unicodedata.normalize("NFC", text)
     bare = composed.strip("\u201c\u201d\u2018\u2019\u300c\u300d")
     if bare != text and NAME.fullmatch(bare):

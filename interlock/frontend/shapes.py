@@ -112,6 +112,14 @@ def _unknown_key(root: Node, path: Loc, known: tuple[str, ...], sink: Sink) -> s
             said = f"{'.'.join(map(str, (*path[:-1], name)))}: '{text}' is not a number"
             sink.add("IL1013", said, place, number_fix(text), cause="a decimal comma", note=text)
             return None
+    before, equals, rest = (part.strip() for part in key.partition("="))
+    if equals and before in known:  # `from = q3`
+        fix = f"write `{before}: {rest}`"
+        sink.add("IL1011", f"a colon is wanted after `{before}`, not `=`", span, fix, cause="equals", note=f"`{key}`")
+        return before
+    if key.startswith(("//", ";", "--")):
+        sink.add("IL1011", "a comment begins with `#`", span, "write `#` before it", cause="comment", note=f"`{key}`")
+        return None
     if key.lower() in known:
         said = f"unknown key `{key}`: keys are written in small letters"
         sink.add("IL1011", said, span, f"write `{key.lower()}`", cause="capitals", note=f"`{key}`")
@@ -191,7 +199,7 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
         return "write one text"
     if want == "a list":
         return (
-            f"write `{key}: [{node.text}]`, in brackets"
+            f"write `{key}: [{_bare(node.text)}]`, in square brackets"
             if isinstance(node, Scalar) and node.text
             else f"write `{key}: [...]`"
         )
@@ -201,12 +209,17 @@ def _shape_fix(path: Loc, want: str, node: Node) -> str:
             if len(path) < 2
             else f"write `{key}: {{}}`"
         )
-    if isinstance(node, Sequence):
+    if isinstance(node, Sequence) and len(path) < 2:
         first = node.items[0] if node.items else node
         named = first.items.get("name") if isinstance(first, Mapping) else None
         shown = named[1].text if named is not None and isinstance(named[1], Scalar) else "name"
         return f"write `{shown}: {{...}}` lines below `{key}`: the name of each before its values, no dashes"
     return f"write `{key}: {{key: value, ...}}`; `interlock explain IL1012` shows the shapes"
+
+
+def _bare(text: str) -> str:
+    """A text without brackets of another kind around it."""
+    return text[1:-1].strip() if text[:1] + text[-1:] in ("()", "<>") else text
 
 
 def node_at(root: Node, path: Loc) -> Node:

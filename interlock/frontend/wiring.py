@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from pydantic_core import PydanticCustomError
 
 from interlock.diag import Span
+from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.kilometres import Kilometres, Measured, Stretch, has_positions, is_section, measured
@@ -22,6 +23,7 @@ from interlock.frontend.scalars import (
     MAX_LENGTH_M,
     NAME,
     name_fix,
+    no_name,
     number,
     number_fix,
     number_text,
@@ -67,17 +69,26 @@ def section_and_length(ctx: Context, text: str, span: Span, example: str = "q1")
             ctx.add(
                 "IL1013", f"the length of {words[0]}, '{text_}', is not a number", span, fix, cause=cause, note=text
             )
+        elif len(words) > 2 and number_text(words[-1]) and all(NAME.fullmatch(w) for w in words[:-1]):
+            fix = " or ".join(f"`{sign.join(words[:-1])} {words[-1]}`" for sign in "_-")
+            said = no_name(" ".join(words[:-1]))
+            ctx.add("IL1016", said, span, f"write {fix}, and the name so wherever it stands")
+        elif ";" in text:
+            fix = f"write `{', '.join(part.strip() for part in text.split(';'))}`"
+            ctx.add("IL1012", f"'{text}': what follows one another is divided by commas", span, fix)
         else:
             ctx.add("IL1012", f"'{text}': a section and its length are expected here", span, fix)
         return None
     name, length = match.groups()
     if not NAME.fullmatch(name):
-        ctx.add("IL1016", f"'{name}' cannot be a name", span, name_fix(name))
+        ctx.add("IL1016", no_name(name), span, name_fix(name))
         return None
     try:
         metres = number(length)
     except PydanticCustomError:
         fix = number_fix(length) or "write metres as a plain decimal number, for instance 350 or 12.5"
+        if number_text(name) and NAME.fullmatch(length):
+            fix = f"write `{length} {name}`: the section stands before its length"
         said = f"the length of {name}, '{length}', is not a number"
         ctx.add("IL1013", said, span, fix, cause=slip_of(length), note=text)
         return None
@@ -178,7 +189,7 @@ class Wirer:
                 if not self.ctx.sink.has_errors:
                     self.ctx.add(
                         "IL3017",
-                        f"the track {name} has no section",
+                        f"the {called('track', name)} has no section",
                         self.ctx.at_key("tracks", name),
                         "give it a section with a length, or join the boundary to the point directly",
                     )
@@ -326,6 +337,9 @@ class Wirer:
                 return None
         if name in f.boundaries or name in f.buffers or name in f.traps:
             self.ctx.add("IL2003", f"{name} has only one end", span, f"write `{name}`")
+            return None
+        if len(name.split()) > 1:
+            self.ctx.add("IL1016", no_name(name), span, name_fix(name))
             return None
         hint = did_you_mean(name, self._joinable)
         self.ctx.add("IL2001", f"there is no track, point, boundary or buffer {name}", span, hint)

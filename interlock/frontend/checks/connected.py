@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from interlock.diag.called import called
 from interlock.frontend.context import Context
 from interlock.model.elements import Edge, NodeId
 from interlock.model.layout import Layout
@@ -46,7 +47,7 @@ def check_connected(ctx: Context, layout: Layout) -> None:
         if count > 1:
             ctx.add(
                 "IL3009",
-                f"section {section} is split into {count} pieces that do not touch",
+                f"{called('section', section)} is split into {count} pieces that do not touch",
                 ctx.at(*_place(ctx, section)),
                 "a detector watches one piece of track: name each piece",
             )
@@ -56,7 +57,7 @@ def check_connected(ctx: Context, layout: Layout) -> None:
         if not any(e.a in reached for e in edges):
             ctx.add(
                 "IL3010",
-                f"no train can reach section {section}: it is joined to no boundary",
+                f"no train can reach {called('section', section)}: it is joined to no boundary",
                 ctx.at(*_place(ctx, section)),
                 "join it to the rest of the layout, or remove it",
             )

@@ -7,6 +7,7 @@ that have just passed them: they wait on the points, and those out of the track 
 from __future__ import annotations
 
 from interlock.diag import Element
+from interlock.diag.called import called
 from interlock.frontend.context import Context
 from interlock.model.layout import Layout
 from interlock.model.plain import plains
@@ -22,7 +23,7 @@ def check_facing(ctx: Context, layout: Layout) -> None:
         spec = ctx.file.signals[g.id]
         ctx.add(
             "IL7001",
-            f"signal {g.id} looks the wrong way: it is read by trains that have just passed {behind[0]}, "
+            f"{called('signal', g.id)} looks the wrong way: it is read by trains that have just passed {behind[0]}, "
             f"and none is read by those that come out of {spec.into}",
             ctx.at_key("signals", g.id),
             f"turn it round: `{g.id}: {{from: {spec.into}, into: {spec.from_}}}`",

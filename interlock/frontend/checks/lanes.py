@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from interlock.diag.called import called
 from interlock.frontend.context import Context
 from interlock.model.elements import Lane
 from interlock.model.layout import Layout
@@ -15,7 +16,7 @@ def check_lanes(ctx: Context, layout: Layout) -> None:
         if s.lane is Lane.INCLINED and s.id not in guarded:
             ctx.add(
                 "IL3021",
-                f"section {s.id} is inclined, and no route over it asks for hoist, rope or barrier",
+                f"{called('section', s.id)} is inclined, and no route over it asks for hoist, rope or barrier",
                 ctx.at("sections", s.id, "lane"),
                 f"say what must hold: `conditions: {{HOIST: {{text: hoist stopped, over: [{s.id}]}}}}`",
             )

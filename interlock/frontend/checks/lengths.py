@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.diag import Element, Span
+from interlock.diag.called import called
 from interlock.frontend.context import Context
 from interlock.frontend.scalars import NAME
 from interlock.model.elements import EdgeId
@@ -41,7 +42,7 @@ def _stated(ctx: Context) -> Iterator[tuple[str, float, tuple[float, float], Spa
             if len(item.split()) == 2:
                 section, metres = item.split()
                 of = Element("sections", section)
-                yield f"section {section}", float(metres), (SHORT_M, LONG_M), ctx.at("tracks", track, i), of
+                yield called("section", section), float(metres), (SHORT_M, LONG_M), ctx.at("tracks", track, i), of
     for name, b in f.boundaries.items():
         if b.approach is not None:
             section, metres = b.approach.split()
@@ -71,7 +72,7 @@ def _computed(ctx: Context, layout: Layout) -> Iterator[tuple[str, float, tuple[
             if len(words) == 1:
                 metres = layout.edge[EdgeId(f"{track}.{count}")].length
                 at, about = ctx.at("tracks", track, i), Element("sections", words[0])
-                yield f"section {words[0]}", metres, (SHORT_M, LONG_M), at, about
+                yield called("section", words[0]), metres, (SHORT_M, LONG_M), at, about
             count += 1
 
 

@@ -1,0 +1,94 @@
+"""Names that look alike: on a screen or a drawing one is taken for the other.
+
+Output: warnings IL7010.  A layout may mean it so: `allow`, with a reason.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Iterable
+
+from interlock.diag import Element, Span
+from interlock.diag.called import called
+from interlock.frontend.context import Context
+
+# letters of other alphabets that are drawn as Latin ones (Unicode Technical Standard 39 names many more)
+_CYRILLIC = dict(
+    zip(
+        "\u0410\u0412\u0415\u0405\u0406\u0408\u041a\u041c\u041d\u041e\u0420\u0421\u0422\u0425\u0423\u0417\u04c0"
+        "\u0430\u0435\u043e\u0440\u0441\u0445\u0443\u0456\u0458\u0455",
+        "ABESIJKMHOPCTXY3Iaeopcxyijs",
+        strict=True,
+    )
+)
+_GREEK = dict(
+    zip(
+        "\u0391\u0392\u0395\u0396\u0397\u0399\u039a\u039c\u039d\u039f\u03a1\u03a4\u03a5\u03a7\u03bf\u03bd",
+        "ABEZHIKMNOPTYXov",
+        strict=True,
+    )
+)
+_LATIN = str.maketrans(_CYRILLIC | _GREEK)
+_DRAWN = str.maketrans("OIl", "011")
+
+
+def latin(name: str) -> str:
+    """A name in the letters as which it is drawn: full-width signs as narrow ones, look-alikes of others as Latin."""
+    return unicodedata.normalize("NFKC", name).translate(_LATIN)
+
+
+def drawn(name: str) -> str:
+    """What two names have in common that look alike."""
+    return latin(name).translate(_DRAWN)
+
+
+def numerals(a: str, b: str) -> bool:
+    """Whether two names differ in Roman and Arabic numbers of tracks alone: SII of track II, S11 of track 11."""
+    if len(a) != len(b):
+        return False
+    differ = [i for i, pair in enumerate(zip(a, b, strict=True)) if pair[0] != pair[1]]
+    runs = [(_run(a, i), _run(b, i), {a[i], b[i]}) for i in differ]
+    return bool(runs) and all(x is not None and x == y and signs == {"I", "1"} for x, y, signs in runs)
+
+
+def _run(name: str, at: int) -> tuple[int, int] | None:
+    """From where to where a sign is repeated; None where it stands alone."""
+    first, last = at, at
+    while first and name[first - 1] == name[at]:
+        first -= 1
+    while last + 1 < len(name) and name[last + 1] == name[at]:
+        last += 1
+    return (first, last) if last > first else None
+
+
+def check_alike(ctx: Context, elements: Iterable[tuple[str, str, Span]]) -> None:
+    """Report each name that looks like an earlier one of its kind.  Upper and lower case are told apart elsewhere."""
+    seen: dict[tuple[str, str], list[tuple[str, Span]]] = {}
+    for kind, name, span in elements:
+        before = seen.setdefault((kind, drawn(name)), [])
+        alike = next(
+            (x for x in before if x[0].lower() != name.lower() and not numerals(latin(x[0]), latin(name))), None
+        )
+        before.append((name, span))
+        if alike is not None:
+            ctx.add(
+                "IL7010",
+                f"the {called(kind, name)} looks like the {called(kind, alike[0])} of line {alike[1].line}"
+                f"{_difference(name, alike[0])}",
+                span,
+                "rename one of them, so that nobody takes one for the other",
+                about=Element({"boundary": "boundaries"}.get(kind, f"{kind.replace(' ', '_')}s"), name),
+                cause=f"{kind} {name}",
+            )
+
+
+def _difference(a: str, b: str) -> str:
+    """The first sign in which two names of one length differ, by its names."""
+    for x, y in zip(a, b, strict=False):
+        if x != y:
+            return f": {_sign(x)} here, {_sign(y)} there"
+    return ""
+
+
+def _sign(sign: str) -> str:
+    return unicodedata.name(sign, f"U+{ord(sign):04X}").lower()
