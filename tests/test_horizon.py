@@ -10,8 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from interlock.app.guided import Guide, demanded
-from interlock.app.horizon import by_stages, compared, horizon
-from interlock.app.movement import Demands
+from interlock.app.horizon import Compared, by_stages, compared, horizon
 from interlock.app.setting import prepared
 from interlock.app.shifts import one
 from interlock.app.worked import Options, summary
@@ -22,6 +21,7 @@ from interlock.planning.problem import Plan, Problem
 from interlock.planning.rules import soonest
 from interlock.planning.verify import verified
 from tests.campaigns import horizon as campaign
+from tests.campaigns.horizon import Cost
 from tests.campaigns.shift import HEISHAN, fleet_of
 
 
@@ -83,10 +83,11 @@ def test_a_plan_orders_the_requests_of_a_shift(tmp_path: Path, trains: int, tipp
 
 
 def test_what_the_controller_demands_costs_trains(tmp_path: Path) -> None:
-    """Eight trains, two hours: 13 by a plan that knows no delays, 12 once setting a route takes its time."""
+    """Eight trains, two hours: 13 by a plan that knows of one demand alone, or of none, 12 by one that knows all."""
     setting = prepared(HEISHAN, fleet_of(tmp_path, 8))
-    plain = demanded(setting, 2, Demands(False, False, False, False), (50,))
-    assert (len(plain.tipped), len(demanded(setting, 2, Demands(), (50,)).tipped)) == (13, 12)
+    tipped = {k: len(demanded(setting, 2, d, (50,)).tipped) for k, d in campaign.DEMANDS.items()}
+    assert {k for k, n in tipped.items() if n == 13} == {"nothing", "rides", "release", "setting", "routes"}
+    assert tipped["all"] == tipped["all but setting"] == 12
 
 
 def test_a_plan_that_leads_nowhere_is_given_up_for_the_rules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -156,4 +157,15 @@ def test_the_campaign(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     out = tmp_path / "page.md"
     monkeypatch.setattr("sys.argv", ["horizon", "--hours", "1", "--seconds", "1", "--fleets", "2", "-o", str(out)])
     assert campaign.main() == 0
-    assert "| 2 | 2 | **2** |" in out.read_text("utf-8")
+    text = out.read_text("utf-8")
+    assert "| 2 | 2 | **2** |" in text and "of the best plan that is known with fleets of 2.\n" in text
+
+
+def test_the_campaign_tells_where_the_aim_is_missed_and_by_how_much() -> None:
+    best, demands = Compared(12, 16, "stages", 1.0), {"all": Cost(11, 90), "all but setting": Cost(11, 30)}
+    near, missed = campaign.close({2: (12, best, demands), 6: (11, best, demands)})
+    assert near.endswith("with fleets of 2.")
+    assert missed.startswith("With 6 it is 11 of 12, 0.92; with demands the best plan found brings out 11, not proved")
+    assert missed.endswith("comes 90 s after the end, 60 s of it by the setting of routes.")
+    _, unknown = campaign.close({6: (11, best, demands | {"all": Cost(11, None)})})
+    assert unknown.endswith("brings out 11, not proved best.")

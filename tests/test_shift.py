@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import re
@@ -281,17 +282,22 @@ def test_a_wrong_controller_comes_to_harm_in_a_shift(tmp_path: Path, kind: str) 
 
 
 def test_a_decision_is_quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """With eight trains, between a scan and what is written after it, in processor time."""
+    """With eight trains, between a scan and what is written after it, in processor time of its thread.  The garbage
+    collector is off, as in every command: it walks what all tests before have left, 0.18 s for 3 million lists."""
     took, step = [0.0], Dispatcher.step
 
     def timed(self: Dispatcher, seen: Mapping[str, int], dt_ms: int) -> dict[str, int]:
-        began = time.process_time()
+        began = time.thread_time()
         found = step(self, seen, dt_ms)
-        took.append(time.process_time() - began)
+        took.append(time.thread_time() - began)
         return found
 
     monkeypatch.setattr(Dispatcher, "step", timed)
-    one(HEISHAN, fleet_of(tmp_path, 8), 1, Options(hours=2.0))
+    gc.disable()
+    try:
+        one(HEISHAN, fleet_of(tmp_path, 8), 1, Options(hours=2.0))
+    finally:
+        gc.enable()
     assert max(took) < 0.05 and len(took) > 500
 
 

@@ -2,9 +2,10 @@
 
     python -m tests.campaigns.shift [--shifts N] [--few N] [--way WAY] [--fleet N] [-j N] [--kept FILE] [-o FILE]
 
-Every train has more to do than it can.  Beside the dispatcher as it is stand two other ways of giving orders, the same
-without the rule (a route only if a completion plan exists after it), and the same with faults far more often than on a
-railway.  Rows that are kept in a file are not made again: a campaign that was broken off goes on.
+Every train has more to do than it can.  Beside the dispatcher as it is stand two other ways of giving orders, requests
+ordered by a plan (`simulate --planned`), the same without the rule (a route only if a completion plan exists after it),
+and the same with faults far more often than on a railway.  Rows that are kept in a file are not made again: a campaign
+that was broken off goes on.
 """
 
 from __future__ import annotations
@@ -58,6 +59,7 @@ WAYS = (
     Way("orders in turn", Options(keep=False)),
     Way("the nearest first", Options(how=Assigning.NEAREST, keep=False), often=False),
     Way("fixed cross-cuts", Options(how=Assigning.FIXED, keep=False), often=False),
+    Way("by a plan", Options(planned=True, keep=False), often=False),
     Way("in turn, with faults", Options(faults=TRIAL, keep=False)),
     Way("in turn, without the rule", Options(rule=False, keep=False), clean=False),
 )
