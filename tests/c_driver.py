@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -19,7 +19,7 @@ from interlock.simulate.track import Track
 from interlock.table.rows import InterlockingTable
 
 WARNINGS = (
-    *("-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-Wconversion", "-Wshadow", "-Wstrict-prototypes"),
+    *("-pedantic", "-Wall", "-Wextra", "-Werror", "-Wconversion", "-Wshadow", "-Wstrict-prototypes"),
     *("-Wmissing-prototypes", "-Wundef", "-Wcast-qual"),
 )
 RESTART, SCAN = b"\0", b"\1"
@@ -125,14 +125,25 @@ def driven(layout: Layout, table: InterlockingTable, controller: Controller, sca
     return pair, total.movements
 
 
-def built_by_gcc(controller: Controller, files: Mapping[str, str], folder: Path) -> Path:
+def built_by_gcc(
+    controller: Controller, files: Mapping[str, str], folder: Path, warnings: Sequence[str] = WARNINGS
+) -> Path:
     """The program that a test can feed; raises CalledProcessError at any warning."""
     p = fixed(controller).prefix
     name = p.removeprefix("IL_")
     for file, text in {**files, "driver.c": _DRIVER.format(p=p, name=name)}.items():
         (folder / file).write_text(text)
     program = folder / "driver"
-    command = ["gcc", *WARNINGS, "-O1", "-o", str(program), str(folder / f"{name}.c"), str(folder / "driver.c")]
+    command = [
+        "gcc",
+        "-std=c99",
+        *warnings,
+        "-O1",
+        "-o",
+        str(program),
+        str(folder / f"{name}.c"),
+        str(folder / "driver.c"),
+    ]
     subprocess.run(command, check=True, capture_output=True, timeout=300)
     return program
 

@@ -38,19 +38,24 @@ def compare_c(controller: Controller, files: Mapping[str, str]) -> Translation:
 
 _PIECE = re.compile(r'"(?:[^"\\\n]|\\[0-7]{3})*"|/\*.*?\*/|[\\\'"%?]|/[/*]|<:|:>', re.DOTALL)
 _REPLACED = re.compile(r"(U?INT\w*|SIZE|PTRDIFF|WCHAR|WINT|SIG_ATOMIC)_(MAX|MIN|C)|_\w*|errno|asm|unix|linux")
+LONGEST_MS = 2**32 - 1  # uint32_t
+_FUNCTION = re.compile(r"(part|timers|words)_[0-9]{3,}|report")  # a name of C's library is none
 _OWN_TYPES = "typedef _Bool bool; typedef signed short int16_t; typedef unsigned int uint32_t;"
 
 
 def _uncommented(text: str) -> str:
-    """Without comments; what the preprocessor would take for something else than it looks like is refused."""
+    """Without comments; what the preprocessor would take for something else than it looks like is refused.
+
+    A backslash in a comment is: compilers join lines even where blanks follow it, so `*\\ ` and `/` end a comment.
+    """
 
     def put(found: re.Match[str]) -> str:
         piece = found[0]
-        if piece.startswith("/*") and len(piece) > 3:
+        if piece.startswith("/*") and len(piece) > 3 and "\\" not in piece:
             return " " + "\n" * piece.count("\n")
         if piece.startswith('"') and len(piece) > 1:
             return piece
-        raise BadC(f"{piece} stands outside strings and comments")
+        raise BadC(f"{piece[:40]!r} stands outside strings and comments, or a backslash in a comment")
 
     if not text.isascii() or any(ch < " " and ch != "\n" for ch in text):
         raise BadC("a character that is no plain text")
@@ -115,8 +120,9 @@ class _Reader:
             elif kind == "Decl" and x.init is not None and type(x.type).__name__ == "ArrayDecl":
                 self._table(x)
             elif kind == "FuncDef" and x.decl.name != "on_delay":
-                if x.decl.name in self.functions:
-                    raise self._bad(x, f"{x.decl.name} is defined twice")
+                emitted = _FUNCTION.fullmatch(x.decl.name) or x.decl.name in (f"{self.p}_init", f"{self.p}_scan")
+                if not emitted or x.decl.name in self.functions:
+                    raise self._bad(x, f"{x.decl.name} is no function that is emitted, or is defined twice")
                 self.functions[x.decl.name] = x
             else:
                 left.append(_tree(x))
@@ -239,8 +245,8 @@ class _Reader:
         statements = self._statements(name)
         if [_tree(x) for x in statements[: len(wanted)]] != [_tree(x) for x in wanted]:
             raise BadC("a scan does not begin as it should")
-        for i in c.inputs:
-            self.values[f"in.{i.name}"] = self.values[f"{p}_in.{i.name}"]
+        for i in c.inputs:  # from here on the copy alone is read: after a stalled cycle it alone is lost
+            self.values[f"in.{i.name}"] = self.values.pop(f"{p}_in.{i.name}")
         self._call(name, statements[len(wanted) :])
         if self.called != set(self.functions) - {f"{p}_init"}:
             raise BadC("a function that no scan calls")
@@ -360,7 +366,8 @@ class _Reader:
         timer, on, preset, ms = args
         own = type(timer).__name__ == "UnaryOp" and timer.op == "&" and self._place(timer.expr) == f"delay.{name}"
         number = str(getattr(preset, "value", "")).removesuffix("u")
-        if not own or not _plain(number) or getattr(ms, "name", None) != "ms" or name in self.algebra.timers:
+        fits = _plain(number) and int(number) <= LONGEST_MS
+        if not own or not fits or getattr(ms, "name", None) != "ms" or name in self.algebra.timers:
             raise self._bad(x, "a timer that is not called with its own memory, once")
         self.algebra.timers[name] = (self._value(on), int(number))
         return var(spelled(name))

@@ -42,17 +42,18 @@ def _names(fixed: str) -> frozenset[str]:
 
 
 TABLES = ("INPUTS", "STATE", "TIMERS", "OUTPUTS", "ROUTES", "CANCELLED_AFTER", "SAID")
-RESERVED = _names(FIXED) | {"bool", "OUTPUTS", "Controller"}
+RESERVED = _names(FIXED) | {"bool", "OUTPUTS", "Controller", "__debug__"}
 
 
 _ASSIGNED = re.compile(r"^ {8}([A-Za-z_][A-Za-z0-9_]*) = ([^#\n]*?)(?:  #.*)?$")
 _ENTRY = re.compile(r"^ {12}'([A-Za-z_][A-Za-z0-9_]*)': bool\((.*)\),$")
 _TAKEN = re.compile(r"^(read|old|self\.state)\['([A-Za-z_][A-Za-z0-9_]*)'\]$")
 _WORD = re.compile(r"^ {12}([A-Za-z_][A-Za-z0-9_]*) = self\._first\(([^#\n]*)\)(?:  #.*)?$")
-_TOLD = re.compile(r"^ {16}([0-9]+): ([A-Za-z_][A-Za-z0-9_]*),$")
+_TOLD = re.compile(r"^ {16}(0|[1-9][0-9]*): ([A-Za-z_][A-Za-z0-9_]*),$")
 _TIMED = re.compile(r"^self\._timer\('([A-Za-z_][A-Za-z0-9_]*)', ([A-Za-z_][A-Za-z0-9_]*), dt_ms\)$")
 _TOKEN = re.compile(r"==|[()]|[A-Za-z0-9_]+")
 DEEP = 60  # brackets in brackets; Python itself reads 200
+_CODING = re.compile(r"[ \t\f]*#.*?coding[:=]")  # in the first two lines (PEP 263), whatever encoding it names
 _END = ""
 
 
@@ -66,6 +67,8 @@ class _Reader:
         self.routes = controller.words.routes
         self.sizes: dict[str, int] = {i.name: i.size for i in controller.inputs}
         head, fixed, own = text.partition(FIXED)
+        if any(_CODING.match(line) for line in head.split("\n")[:2]):
+            raise BadRuntime("a comment that Python takes for the encoding of the file: it would read other characters")
         self.lines = own.split("\n")  # and nowhere else: what Python takes for the end of a line is not printable
         self.at = 0
         self.before = head.count("\n") + FIXED.count("\n")
@@ -74,13 +77,15 @@ class _Reader:
             raise BadRuntime("the parts of the module")
         tables = [_table(x, n) for x, n in zip(rest, TABLES, strict=False)]
         inputs, self.state, self.presets, self.restrictive, routes, timers, codes = tables
-        if inputs != {i.name: (i.restrictive, i.size or 2) for i in controller.inputs}:
+        if not _same(inputs, {i.name: (i.restrictive, i.size or 2) for i in controller.inputs}):
             raise BadRuntime("INPUTS are not those of the controller")
-        if self.restrictive != {o.name: o.restrictive for o in controller.outputs}:
+        if set(self.state) != {s.name for s in controller.state}:
+            raise BadRuntime("STATE has not the names of the controller")
+        if not _same(self.restrictive, {o.name: o.restrictive for o in controller.outputs}):
             raise BadRuntime("OUTPUTS are not those of the controller")
-        if routes != route_numbers(controller):
+        if not _same(routes, route_numbers(controller)):
             raise BadRuntime("ROUTES are not those of the controller")
-        if (timers, codes) != (cancelled_after(controller), said(controller)):
+        if not (_same(timers, cancelled_after(controller)) and _same(codes, said(controller))):
             raise BadRuntime("CANCELLED_AFTER or SAID are not those of the controller")
         if ast.dump(rest[-1]) != ast.dump(ast.parse(FIXED).body[0]):
             raise BadRuntime("the fixed part of the class is changed")
@@ -270,6 +275,11 @@ class _Reader:
 
 def _is_docstring(x: ast.stmt) -> bool:
     return isinstance(x, ast.Expr) and isinstance(x.value, ast.Constant) and isinstance(x.value.value, str)
+
+
+def _same(a: Mapping[Any, object], b: Mapping[Any, object]) -> bool:
+    """Whether keys and values are the same as written: 1.0 and True equal 1, and the scan does not take them for it."""
+    return {repr(k): repr(v) for k, v in a.items()} == {repr(k): repr(v) for k, v in b.items()}
 
 
 def _table(x: ast.stmt, name: str) -> dict[Any, object]:

@@ -1,0 +1,148 @@
+"""Edits of the emitted Python runtime that change what Python does, not only what is seen: none is accepted."""
+
+from __future__ import annotations
+
+import re
+import types
+from functools import cache
+
+import pytest
+
+from interlock.emit.python.runtime import runtime_py
+from interlock.logic.controller import Controller
+from interlock.proof.equivalence.python_text import compare_runtime
+from tests.layouts import built
+
+
+@cache
+def emitted() -> tuple[Controller, str]:
+    controller = built("fig2_2")[2]
+    return controller, runtime_py(controller, ["made for a test"])
+
+
+END = r"\Z"
+SCAN = r"(        old = self\.state\n)"
+"""After which the equations begin."""
+
+MODULE = [
+    (r"\A", "# coding: utf-7\n"),
+    (r"\A", "# -*- coding: latin-1 -*-\n"),
+    (r"\A", "# vim: set fileencoding=unicode_escape :\n"),
+    (r"\A# made for a test", "#coding=utf-16"),
+    (r"\n\n\nclass", "\n\n\n@cached\nclass"),
+    (r"\n\n\nclass", "\n\n\nimport os\n\n\nclass"),
+    (r"\n\n\nclass", "\n\n\nfrom other import STATE\n\n\nclass"),
+    (r"\n\n\nclass", "\n\n\nSTATE['K_DP'] = False\n\n\nclass"),
+    (r"\n\n\nclass", "\nSTATE = {}\n\n\nclass"),
+    (r"\n\n\nclass", "\nmin = max\n\n\nclass"),
+    (r"\n\n\nclass", "\n\n\ndef isinstance(a, b): return True\n\n\nclass"),
+    (r"\n\n\nclass", "; True\n\n\nclass"),
+    (r"class Controller:", "class Controller(dict):"),
+    (r"class Controller:", "class Controller(metaclass=Other):"),
+    (END, "Controller.cycle_max_ms = 10**9\n"),
+    (END, "Controller.scan = None\n"),
+    (END, "TIMERS = dict.fromkeys(TIMERS, 0)\n"),
+    (END, "\nclass Controller(Controller):\n    cycle_max_ms = 10**9\n"),
+    (END, "\n    def __getattr__(self, name):\n        return True\n"),
+    (END, "\n    def _timer(self, name, on, dt_ms):\n        return on\n"),
+    (END, "\n    def __setattr__(self, name, value):\n        pass\n"),
+    (END, "    cycle_max_ms = 10**9\n"),
+    (END, "# end\x0cController = None\n"),
+    (END, "#\rController = None\n"),
+]
+
+TABLES = [
+    (r"'VALID': \(0, 2\)", "'VALID': (0.0, 2)"),
+    (r"'VALID': \(0, 2\)", "'VALID': (False, 2)"),
+    (r"('REQ': \(\d+, \d+)\)", r"\1.0)"),
+    (r"('REQ': \(\d+, )\d+\)", r"\1 10**6)"),
+    (r"ROUTES = \{\n    ('[^']*'): 1,", r"ROUTES = {\n    \1: 1.0,"),
+    (r"ROUTES = \{\n    ('[^']*'): 1,", r"ROUTES = {\n    \1: True,"),
+    (r"STATE = \{\n", "STATE = {\n    'OTHER': 5,\n"),
+    (r"STATE = \{\n", "STATE = {\n    **{},\n"),
+    (r"'K_DP': True", "'K_DP': 1"),
+    (r"'K_DP': True", "'K_DP': not False"),
+    (r"'YP_X1': False", "'YP_X1': 0"),
+    (r"(TIMERS = \{\n    '\w+': \d+)", r"\1.0"),
+    (r"(TIMERS = \{\n    '\w+': )\d+", r"\1'9'"),
+    (r"(TIMERS = \{\n    '\w+': )\d+", r"\1float('inf')"),
+    (r"(CANCELLED_AFTER = \{\n    )1:", r"\g<1>1.0:"),
+    (r"(SAID = \{\n    )0:", r"\g<1>False:"),
+    (r"\nTIMERS = ", "\nTIMERS: dict = "),
+    (r"\nTIMERS = ", "\nTIMERS = STATE = "),
+]
+
+FIXED_PART = [
+    (r"say=False\):", "say=True):"),
+    (r"dt_ms, say=False", "dt_ms=0, say=False"),
+    (r"def __init__\(self\):", "def __init__(self, state={}):"),
+    (r"dict\(STATE\)", "STATE"),
+    (r"before is None", "before == None"),
+    (r"before is None", "not before"),
+    (r"if not on:", "if on is False:"),
+    (r"cycle_max_ms = \d+", "cycle_max_ms = 1e9"),
+    (r"raise TypeError\(f'input[^\n]*", "continue"),
+    (
+        r"            value = int\(value\)",
+        "            try:\n                value = int(value)\n            except: pass",
+    ),
+    (r"        if dt_ms > self\.cycle_max_ms:", "        if (dt_ms := 0) > self.cycle_max_ms:"),
+    (r"        unknown = ", "        global STATE\n        unknown = "),
+    (r"        if dt_ms > self", "\tif dt_ms > self"),
+]
+
+COMPUTED = [
+    (SCAN, r"\1        old = dict(STATE)\n"),
+    (SCAN, r"\1        self = Controller()\n"),
+    (SCAN, r"\1        dt_ms = True\n"),
+    (SCAN, r"\1        bool = True\n"),
+    (SCAN, r"\1        __debug__ = True\n"),
+    (SCAN, r"\1        global STATE\n"),
+    (SCAN, r"\1        import os\n"),
+    (SCAN, r"\1        return dict(OUTPUTS)\n"),
+    (SCAN, r"\1        old['K_DP'] = False\n"),
+    (SCAN, r"\1\n"),
+    (r"        VALID = read\['VALID'\]", "        VALID = inputs['VALID']"),
+    (r"        VALID = read\['VALID'\]", "        VALID = read.get('VALID')"),
+    (r"        VALID = read\['VALID'\]", "        VALID = LREQ = read['VALID']"),
+    (r"        VALID = read\['VALID'\]", "        VALID: int = read['VALID']"),
+    (r"        VALID = read\['VALID'\]", "\tVALID = read['VALID']"),
+    (r"        VALID = read\['VALID'\]", "        VALID = read['VALID'] if VALID else 1"),
+    (r"        VALID = read\['VALID'\]", "        VALID = 1"),
+    (r"REQ == 1\)", "REQ is 1)"),
+    (r"REQ == 1\)", "REQ := 1)"),
+    (r"REQ == 1\)", "REQ == 1.0)"),
+    (r"REQ == 1\)", "REQ == 1 == 1)"),
+    (r"REQ == 1\)", "REQ == 0b1)"),
+    (r"REQ == 1\)", "REQ == \uff11)"),
+    (r", dt_ms\)\n", ", 2 * dt_ms)\n"),
+    (r", dt_ms\)\n", ", dt_ms=dt_ms)\n"),
+    (r"( = self\._timer\()'(\w+)'", r"\1'\2' ''"),
+    (r"bool\(N_K_DP\)", "N_K_DP"),
+    (r"bool\(N_K_DP\)", "bool(N_K_DP) or True"),
+    (r"bool\(N_K_DP\)", "bool([N_K_DP])"),
+    (r"\n                1: ", "\n                01: "),
+    (r"        if say:", "        if not say:"),
+    (r"        self\.state = \{", "        self.state |= {"),
+]
+
+
+@pytest.mark.parametrize(("old", "new"), [*MODULE, *TABLES, *FIXED_PART, *COMPUTED])
+def test_no_edit_that_python_takes_otherwise_is_accepted(old: str, new: str) -> None:
+    controller, text = emitted()
+    changed = re.sub(old, new, text, count=1)
+    assert changed != text and not compare_runtime(controller, changed).proved
+
+
+def test_the_encoding_that_a_comment_names_lets_a_comment_run() -> None:
+    """What everybody reads as a comment returns before anything is computed; without the first line it does not."""
+    controller, text = emitted()
+    noted = text.replace(
+        "        VALID = read['VALID']\n", "        VALID = read['VALID']  # \\n        return OUTPUTS\n"
+    )
+    assert noted != text and compare_runtime(controller, noted).proved
+    for top, runs in (("# unicode_escape", False), ("# coding: unicode_escape", True)):
+        module = types.ModuleType("runtime")
+        exec(compile(f"{top}\n{noted}".encode(), "runtime.py", "exec"), module.__dict__)
+        assert (module.Controller().scan({}, 100) is module.OUTPUTS) is runs
+        assert compare_runtime(controller, f"{top}\n{noted}").proved is not runs
