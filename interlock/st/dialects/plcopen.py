@@ -11,7 +11,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 from interlock.st.ast import Block, Bool, Declaration, Expression, Int, Task, Unit
 from interlock.st.dialects.dialect import Dialect, Files, Unsupported
-from interlock.st.dialects.strict import Rule, expect, parse
+from interlock.st.dialects.strict import DECLARATION, Rule, expect, parse
 from interlock.st.parser import NotInSubset, parse_block
 from interlock.st.printer import body
 
@@ -82,7 +82,7 @@ class PlcOpen:
         main = next(b.name for b in reversed(unit.blocks) if b.kind == "FUNCTION_BLOCK")
         note = " ".join(unit.header)
         lines = [
-            '<?xml version="1.0" encoding="utf-8"?>',
+            DECLARATION,
             f'<project xmlns="{self.space}" xmlns:xhtml="{XHTML}">',
             f'  <fileHeader companyName="interlock" productName="interlock" productVersion="1" '
             f'creationDateTime="{_WHEN}" contentDescription={quoteattr(note)}/>',

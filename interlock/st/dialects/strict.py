@@ -18,8 +18,16 @@ class Rule:
     text: bool = False
 
 
+DECLARATION = '<?xml version="1.0" encoding="utf-8"?>'
+
+
 def parse(text: str) -> ElementTree.Element:
-    """The root of a file without a document type; raises `NotInSubset`."""
+    """The root of a file in UTF-8 without a document type; raises `NotInSubset`.
+
+    The characters are decoded already: of a file that names another encoding a tool would read others.
+    """
+    if not text.startswith(DECLARATION):
+        raise NotInSubset("another declaration than of XML 1.0 in UTF-8")
     if "<!DOCTYPE" in text or "<!ENTITY" in text:
         raise NotInSubset("a document type declaration")
     whole = ElementTree.TreeBuilder(insert_comments=True, insert_pis=True)  # a tool may read a text as far as these

@@ -12,7 +12,7 @@ from xml.sax.saxutils import quoteattr
 
 from interlock.st.ast import Block, Task, Unit
 from interlock.st.dialects.dialect import Dialect, Files
-from interlock.st.dialects.strict import Rule, expect, parse
+from interlock.st.dialects.strict import DECLARATION, Rule, expect, parse
 from interlock.st.parser import NotInSubset, parse_block
 from interlock.st.printer import body, comment, declarations, wrapped
 from interlock.st.program import Runs
@@ -48,7 +48,7 @@ def _file(b: Block, header: Sequence[str]) -> str:
     identity = _identity(b.name)
     return "\n".join(
         [
-            '<?xml version="1.0" encoding="utf-8"?>',
+            DECLARATION,
             _OBJECT,
             f'  <POU Name={quoteattr(b.name)} Id="{identity}" SpecialFunc="None">',
             "    <Declaration><![CDATA[" + "\n".join(head) + "\n]]></Declaration>",
@@ -75,7 +75,7 @@ def _task_file(t: Task) -> str:
     """A task that runs a program; its interval is told in microseconds."""
     return "\n".join(
         [
-            '<?xml version="1.0" encoding="utf-8"?>',
+            DECLARATION,
             _OBJECT,
             f"  <Task Name={quoteattr(t.name)} Id={quoteattr(_identity(t.name))}>",
             f"    <CycleTime>{1000 * t.interval_ms}</CycleTime>",
