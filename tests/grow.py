@@ -260,9 +260,9 @@ class Grown:
             "principles: {main_closes: whole-movement, shunt_closes: whole-movement}",
         ]
         rule = self.rng.choice(rules)
-        if swings:  # slow trains, or no overlap could swing in time
+        if swings:  # slow trains, and machines that start at once, or no overlap could swing in time
             slow = "line_speed_kmh: 10, restart_delay_s: 36000, output_delay_s: 0.1"
-            slow += ", point_run_s: 0.1, point_supervision_s: 0.2"
+            slow += ", point_run_s: 0.1, point_supervision_s: 0.2, point_start_gap_s: 0"
             rule = f"{rule[:-1]}, {slow}}}" if rule else f"principles: {{{slow}}}"
         return rule
 

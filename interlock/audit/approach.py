@@ -8,6 +8,11 @@ from interlock.model.elements import BoundaryKind, EdgeId, NodeId, Position, Sec
 from interlock.model.layout import Layout
 from interlock.model.principles import Caution
 
+Been = frozenset[SectionId]
+"""Sections through which the walk has come."""
+Lie = Mapping[NodeId, Position]
+"""How the points lie over which a train comes through a section."""
+
 
 def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] | None:
     """The sections of the approach; None where the signal is always approach locked."""
@@ -29,18 +34,9 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
         """Metres in which a train stands that runs as fast as it may here."""
         return unaware(section) + speed(section) ** 2 / (2 * rules.braking_ms2)
 
-    def back(
-        edge: EdgeId,
-        node: NodeId,
-        run: float,
-        stop: float,
-        told: bool,
-        been: frozenset[SectionId],
-        lie: Mapping[NodeId, Position],
-    ) -> None:
+    def back(edge: EdgeId, node: NodeId, run: float, stop: float, told: bool, been: Been, lie: Lie) -> None:
         """Away from the signal over an edge that ends at `node`.  No train comes over it against its one way; its
-        section, in which one may stand after a restart, counts all the same.  `lie`: points under the train in this
-        section, none of which moves while it comes through."""
+        section, in which one may stand after a restart, counts all the same.  No point moves under the train."""
         e = layout.edge[edge]
         found.add(e.section)
         if e.one_way and e.b != node:
@@ -61,24 +57,22 @@ def approach_sections(layout: Layout, signal: SignalId) -> frozenset[SectionId] 
             return
         for x in onward:
             s = layout.section_of(x)
-            least = max(stop, run + unaware(s)) if leaves and here else stop
-            led = _led(layout, edge, x, at)
-            under = dict(lie) if s == e.section else {}
-            if all(under.get(m, p) is p for m, p in led.items()) and (s == e.section or s not in been):
-                back(x, at, run, least, told, been | {s}, under | led if s == e.section else {})
+            under = _under(layout, edge, x, at, lie) if s == e.section else {}
+            if under is not None and (s == e.section or s not in been):
+                least = max(stop, run + unaware(s)) if leaves and here else stop
+                back(x, at, run, least, told, been | {s}, under)
 
     boundary = layout.boundary_at.get(g.node)
     if boundary is not None:
         if boundary.approach is None or boundary.approach_m < stops(boundary.approach):
             return None
         return frozenset({boundary.approach})
-    first = layout.section_of(g.into)
     behind = [e.id for e in layout.edges_at[g.node] if e.id != g.into]
     if not behind:
         return None
     for edge in behind:
-        found.add(layout.section_of(edge))
-        back(edge, g.node, 0.0, 0.0, not announces, frozenset({first, layout.section_of(edge)}), {})
+        been = frozenset({layout.section_of(g.into), layout.section_of(edge)})
+        back(edge, g.node, 0.0, 0.0, not announces, been, {})
     return frozenset(found)
 
 
@@ -87,12 +81,14 @@ def _tellers(layout: Layout) -> set[tuple[NodeId, EdgeId]]:
     return {(s.node, s.into) for s in layout.signals if s.main and s.id not in layout.identifiers}
 
 
-def _led(layout: Layout, edge: EdgeId, other: EdgeId, node: NodeId) -> dict[NodeId, Position]:
-    """How the point at a node lies that leads from one edge to another; nothing where there is none."""
+def _under(layout: Layout, edge: EdgeId, other: EdgeId, node: NodeId, lie: Lie) -> Lie | None:
+    """How points lie under a train that has come from one edge to another; None where it came over this one before, in
+    its other position."""
     point = layout.point_at.get(node)
     if point is None:
-        return {}
-    return {node: Position.NORMAL if point.normal in (edge, other) else Position.REVERSE}
+        return lie
+    position = Position.NORMAL if point.normal in (edge, other) else Position.REVERSE
+    return {**lie, node: position} if lie.get(node, position) is position else None
 
 
 def _onward(layout: Layout, edge: EdgeId, node: NodeId) -> list[EdgeId]:
