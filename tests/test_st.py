@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import random
 import re
 from collections.abc import Sequence
@@ -25,7 +26,7 @@ from interlock.st.ast import Assign, Expression, Nary, Not
 from interlock.st.lower import MAX_OPERANDS, lower_st
 from interlock.st.meaning import Symbol, Symbols
 from interlock.st.parser import NotInSubset, parse_block, parse_unit
-from interlock.st.printer import MAX_COLUMNS, comment, print_unit
+from interlock.st.printer import MAX_COLUMNS, comment, print_unit, wrapped
 from tests.layouts import SHIPPED, built
 
 
@@ -285,3 +286,11 @@ def test_a_comment_cannot_be_ended_by_a_name() -> None:
     assert comment("a ＊） b （＊ c") == "(* a * ) b ( * c *)", "full-width signs are read as these"
     assert comment("a ]]> b ］］＞ c") == "(* a ] ]> b ] ]> c *)", "a text in XML may end so"
     assert len(comment("门" * 100, 40)) == 46, "a sign may be read as several"
+
+
+def test_an_index_line_ends_however_long_its_words_are() -> None:
+    """A name has no limit of length; a word that does not fit on a line is cut, and nothing of it is lost."""
+    for whole in (f"element {'a' * 500}: x, y", "b" * 139 + " c", f"    {'d' * 300}", " ".join(["word"] * 100)):
+        pieces = list(itertools.islice(wrapped(whole), 20))
+        assert len(pieces) < 20 and all(len(p) <= 140 for p in pieces)
+        assert "".join(pieces).replace(" ", "") == whole.replace(" ", "")

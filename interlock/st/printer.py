@@ -43,13 +43,13 @@ def comment(text: str, room: int | None = None) -> str:
 
 
 def wrapped(line: str) -> Iterator[str]:
-    """A long line of a comment in pieces."""
-    room = MAX_COLUMNS - 10
+    """A long line of a comment in pieces, those after the first indented; a word that is longer is cut."""
+    room, indent = MAX_COLUMNS - 10, "    "
     while len(line) > room:
-        cut = line.rfind(" ", 0, room)
-        cut = cut if cut > 0 else room
+        cut = line.rfind(" ", len(indent), room)
+        cut = cut if cut > len(indent) else room
         yield line[:cut]
-        line = f"    {line[cut:].lstrip()}"
+        line = f"{indent}{line[cut:].lstrip()}"
     yield line
 
 
