@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import struct
 import subprocess
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -24,6 +25,15 @@ WARNINGS = (
 )
 RESTART, SCAN = b"\0", b"\1"
 HARSH = Faults(inputs=0.01, stall=0.02, power=0.002)
+
+
+def edited(files: Mapping[str, str], old: str, new: str | Callable[[re.Match[str]], str]) -> list[dict[str, str]]:
+    """All files with one edit in one of them, for each in which the pattern is found; at least one."""
+    changed = [{**files, n: re.sub(old, new, t, count=1)} for n, t in files.items()]
+    found = [x for x in changed if x != files]
+    assert found, old
+    return found
+
 
 _DRIVER = """\
 #include <stdio.h>

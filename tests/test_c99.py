@@ -20,7 +20,7 @@ from interlock.logic.names import spelled
 from interlock.logic.words import Words
 from interlock.proof.equivalence import c_text
 from interlock.proof.equivalence.c_text import BadC, compare_c
-from tests.c_driver import answers, built_by_gcc, driven
+from tests.c_driver import answers, built_by_gcc, driven, edited
 from tests.layouts import SHIPPED, built
 
 SCANS = 600
@@ -169,13 +169,7 @@ def test_a_c_file_that_says_something_else_of_a_route_is_refuted(old: str, new: 
 @pytest.mark.parametrize(("old", "new"), CHANGES)
 def test_a_changed_c_file_is_refuted(old: str, new: str | Callable[[re.Match[str]], str]) -> None:
     controller, files = smallest()
-    some = False
-    for name, text in files.items():
-        changed = re.sub(old, new, text, count=1)
-        if changed != text:
-            some = True
-            assert not compare_c(controller, {**files, name: changed}).proved, name
-    assert some
+    assert not any(compare_c(controller, x).proved for x in edited(files, old, new))
 
 
 def test_a_byte_of_a_c_file_changed_is_refused_or_c_reads_the_same() -> None:

@@ -10,7 +10,7 @@ import pytest
 from interlock.emit.c99.runtime import runtime_c
 from interlock.logic.controller import Timer
 from interlock.proof.equivalence.c_text import compare_c
-from tests.c_driver import answers, built_by_gcc, driven
+from tests.c_driver import answers, built_by_gcc, driven, edited
 from tests.layouts import built
 from tests.test_c99 import smallest
 
@@ -151,13 +151,7 @@ COMPUTED = [
 @pytest.mark.parametrize(("old", "new"), [*PREPROCESSED, *DECLARED, *COMPUTED])
 def test_no_edit_that_c_takes_otherwise_is_accepted(old: str, new: str) -> None:
     controller, files = smallest()
-    some = False
-    for name, text in files.items():
-        changed = re.sub(old, new, text, count=1)
-        if changed != text:
-            some = True
-            assert not compare_c(controller, {**files, name: changed}).proved, name
-    assert some
+    assert not any(compare_c(controller, x).proved for x in edited(files, old, new))
 
 
 def test_a_time_that_no_timer_can_count_is_refused() -> None:

@@ -297,7 +297,9 @@ class OverlapSpec(_Part):
         "a successive route (延续进路): as far as the next main signal, a boundary or the end", False
     )
     swing: YesNo = key(
-        "another alternative may take its place while a route leads to the signal, no train close", False
+        "another alternative may take its place while a route leads to the signal, no train close; not where machines "
+        "start one after the other (`point_start_gap_s`, profile `cn`)",
+        False,
     )
     entry_speed: Speed | None = key(
         "km/h: no train to the signal is shown more; where nothing else says the length, it follows from this; without "
