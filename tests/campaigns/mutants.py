@@ -41,6 +41,7 @@ MORE = {
     "tests/layouts_for_tests/boards.yaml": ("board-passed",),
     "tests/layouts_for_tests/identifier.yaml": tuple(k.name for k in KINDS if k.name.startswith("identifier-")),
     "tests/layouts_for_tests/entry_speeds.yaml": ("entry-speed-forgotten",),
+    "tests/layouts_for_tests/added.yaml": ("declared-not-excluded", "added-point-not-detected"),
 }
 
 FATES = (Fate.KILLED, Fate.STRICT, Fate.REDUNDANT)
