@@ -16,8 +16,12 @@ from interlock.logic.lower import lower
 from interlock.model.elements import Position
 from interlock.model.layout import Layout
 from interlock.model.principles import PROFILES
+from interlock.proof.claims.catalogue import claims
+from interlock.proof.claims.kinds import Facts
 from interlock.proof.engines.limits import Limits
+from interlock.proof.induction.search import search
 from interlock.proof.induction.verdict import Verdict
+from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
 from interlock.table.rows import InterlockingTable, PointDemand, Provider, ProviderKind, Role
@@ -155,3 +159,14 @@ def test_a_name_that_says_its_kind_is_told_without_it() -> None:
         "point7 R turns vehicles away and signal5 at stop, clear of the fouling point and the track ends at B"
     )
     assert told((Provider(ProviderKind.SIGNAL, "S5"),)) == "signal S5 at stop, clear of the fouling point"
+
+
+def test_what_has_overrun_a_signal_is_protected_on_its_flanks_whatever_the_controller_holds() -> None:
+    layout, table, _ = derived("tests/layouts_for_tests/overlap_flank")
+    weaken = next(k for k in KINDS if k.name == "overlap-flank-not-held")
+    for controller, harm in ((lower(layout, table), False), (next(weaken.make(layout, table))[1], True)):
+        system = System(layout, controller)
+        asked = [c for c in claims(Facts(system)) if c.id == "T-FLANK" and "overrun from XN1" in c.place]
+        assert {c.place[:4] for c in asked} == {"x:1:", "x:3:"}  # along it, and against it
+        run = search(system, asked, 9, 60)
+        assert (run is not None) == harm

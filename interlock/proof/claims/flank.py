@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, implies, neg, var
-from interlock.logic.plant import accepted, came, lamp, lies, o, rests
+from interlock.logic.plant import accepted, came, lamp, lies, o, overran, rests
 from interlock.model.elements import (
     BoundaryKind,
     BufferKind,
@@ -67,6 +67,16 @@ def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
             for name, danger in _dangers(f, f.topo.traversals[s][n - 1]):
                 place = f"{s}:{n}:{name} as overlap {option[1]} of {option[0]}"
                 yield "T-FLANK", place, implies(firm, neg(danger))
+    for s in f.topo.sections:
+        for g in f.overrun(s):
+            for t in f.topo.traversals[s]:
+                there = conj((overran(g, s), came(s, t.entry), *_points_lie(f, t)))
+                for name, danger in _dangers(f, t):
+                    yield "T-FLANK", f"{s}:{t.number}:{name} overrun from {g}", implies(there, neg(danger))
+
+
+def _points_lie(f: Facts, t: Traversal) -> Iterator[Expr]:
+    return (lies(f.layout.point[p].machine, x) for p, x in t.points)
 
 
 def _dangers(f: Facts, t: Traversal) -> Iterator[tuple[str, Expr]]:
