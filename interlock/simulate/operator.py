@@ -36,6 +36,7 @@ class Operator:
         self.numbers = [n for n in NUMBERS if n in inputs]
         self.cancels = [f"CAN_{portable(s)}" for s in world.track.signals]
         self.cancels = [n if n in inputs else "" for n in self.cancels]
+        self.stops = [f"YS_{portable(s)}" for s in world.track.signals]
         self.routes = [routes.get(s, ()) for s in world.track.signals]
         self.releases = [n for n in inputs if n.startswith("REL_")]
         self.blocks = [n for n in inputs if n.startswith("BLK_")]
@@ -43,6 +44,7 @@ class Operator:
         self.looked = [n for n in inputs if n.startswith("TC_")]
         self.automatic = [n for n in inputs if n.startswith("AUTO_")]
         self.prey, self.caught, self.reach = NONE, False, 50.0
+        self.bait, self.age, self.ripe, self.sprung, self.near = NONE, 0, 0, 0, 0.6
         self.held: dict[str, int] = {}
         for n in self.blocks:
             world.inputs[n] = 0
@@ -71,7 +73,11 @@ class Operator:
             elif rng.random() < (0.5 if name == "REQ" else 0.05):
                 inputs[name] = self._wish(name)
                 self.held[name] = rng.choice((0, 0, 1, 3)) if rng.random() < 0.998 else 400
-        (self._harm if self.hostile else self._play)()
+        if self.hostile:
+            self._takes_back(outputs)
+            self._harm()
+        else:
+            self._play()
         if not self.hostile or rng.random() < 0.5:
             self._works(outputs)
         for line in self.world.lines:
@@ -81,7 +87,7 @@ class Operator:
         """A number to ask for: mostly a route before which a train waits."""
         rng = self.rng
         if self.hostile and name == "REQ" and rng.random() < 0.6:
-            number = self._lures()
+            number = self._baits() or self._lures()
             if number:
                 return number
         if rng.random() < 0.95:
@@ -103,6 +109,40 @@ class Operator:
             return 0
         numbers = self.routes[prey.ahead[1] if rng.random() < 0.5 else prey.ahead[0]]
         return rng.choice(numbers) if numbers else 0
+
+    def _baits(self) -> int:
+        """A route is set long before a train comes to it; once it is taken back under one, others are asked for."""
+        rng = self.rng
+        if self.bait == NONE and rng.random() < 0.2:
+            met = {g for t in self.world.trains for g in t.ahead}
+            free = [g for g, numbers in enumerate(self.routes) if numbers and self.cancels[g] and g not in met]
+            if free:
+                self.bait, self.age, self.sprung = rng.choice(free), 0, 0
+                self.ripe = rng.choice((20, 200, 400, 600))
+                return rng.choice(self.routes[self.bait])
+        if self.sprung:
+            others = [n for g, numbers in enumerate(self.routes) if g != self.bait for n in numbers]
+            return rng.choice(others) if others else 0
+        return 0
+
+    def _takes_back(self, outputs: Mapping[str, int]) -> None:
+        """The route that was set long ago is cancelled under a train that was told that its signal is open, when it
+        cannot stop any more."""
+        if self.bait == NONE:
+            return
+        self.age += 1
+        late = (
+            t.target == self.bait and t.accepted and t.gap < self.near * t.speed**2 / (2 * t.brakes)
+            for t in self.world.trains
+        )
+        if self.sprung:
+            self.sprung -= 1
+            self.bait = self.bait if self.sprung else NONE
+        elif self.age > self.ripe + 400 or (self.age == 20 and outputs.get(self.stops[self.bait])):
+            self.bait = NONE
+        elif self.age > self.ripe and any(late):
+            self.hold(self.cancels[self.bait], 1, 2)
+            self.sprung, self.near = 40, self.rng.choice((0.3, 0.6, 0.9))
 
     def _springs(self) -> None:
         """The signal after the next is cancelled under a train that was told that it is open."""
@@ -129,7 +169,7 @@ class Operator:
                     self.hold(name, 1, 2)
         elif what < 0.08:
             wanted = {g for t in self.world.trains if t.called or t.gap < 300.0 for g in t.ahead}
-            idle = [g for g in range(len(self.cancels)) if g not in wanted and self.cancels[g]]
+            idle = [g for g in range(len(self.cancels)) if g not in wanted and g != self.bait and self.cancels[g]]
             for g in rng.sample(idle, min(3, len(idle))):
                 self.hold(self.cancels[g], 1, 1)
 
@@ -150,8 +190,10 @@ class Operator:
                 continue
             close = t.accepted and t.gap < 300.0
             if rng.random() < (0.01 if close else 0.002):
-                self.hold(self.cancels[rng.choice(t.ahead)], 1, rng.choice((1, 1, 2, 20, 400)))
-        self._some([n for n in self.cancels if n], 0.002, 4)
+                g = rng.choice(t.ahead)
+                if g != self.bait:
+                    self.hold(self.cancels[g], 1, rng.choice((1, 1, 2, 20, 400)))
+        self._some([n for g, n in enumerate(self.cancels) if n and g != self.bait], 0.002, 4)
         self.world.inputs["RELALL"] = 1
         self._some(self.releases, 0.1, 1000)
         self._some(self.blocks, 0.0005, 20)
