@@ -12,6 +12,7 @@ from click.testing import CliRunner
 
 from interlock.app.check import check_file
 from interlock.app.init import yard
+from interlock.audit import audit
 from interlock.cli.availability import command
 from interlock.logic.lower import lower
 from interlock.model.principles import PROFILES
@@ -21,7 +22,7 @@ from interlock.proof.witnesses.availability import Manner, Trial, availability, 
 from interlock.proof.witnesses.opening import OPEN, steps
 from interlock.proof.witnesses.routes import witnesses
 from interlock.proof.witnesses.together import How
-from interlock.table.rows import Because, Exclusion
+from interlock.table.rows import Because, Exclusion, HostileRoutes, TraversalRow
 from tests.campaigns.availability import derived, space_to_the_point, under, weakened
 from tests.layouts import SHIPPED, built, grown
 
@@ -160,6 +161,26 @@ def test_a_train_that_stands_foul_of_the_other_route_is_told_and_the_pair_is_dri
     (pair,) = [p for p in found.pairs if p.apart]
     assert found.shown and (pair.first, pair.second, pair.manner, pair.runs) == ("G-W", "H-N", Manner.ALONE, 1)
     assert pair.apart == "H-N: the request is refused: not s4: the joint s4|s6 is foul of point P"
+
+
+def test_a_point_held_for_a_flank_that_decides_whether_a_joint_is_foul_makes_a_pair_hostile() -> None:
+    """The train of S1-A in s10 would take the signal of S2-B back, since P11 lies R for the flank of S1-A."""
+    layout, table, controller = built("../tests/layouts_for_tests/foul_flank")
+    (hostile,) = table.route["S2-B"].hostile  # type: ignore[index]
+    assert (hostile.route, str(hostile.kind), hostile.how.rule) == ("S1-A", "foul", "R6.10")
+    assert hostile.witness.endswith("the joint s17|s10 is foul of point P16, unless P11 lies N")
+    system = System(layout, controller)
+    assert availability(system, table).shown and prove(system).proved
+
+    def without(t: TraversalRow) -> TraversalRow:
+        return replace(t, exclusions=tuple(x for x in t.exclusions if "P16" not in x.because.text))
+
+    weak = replace(table, locks=tuple(map(without, table.locks)))
+    bare = tuple(replace(r, hostile=HostileRoutes((), 0, {}.__getitem__)) for r in table.routes)
+    told = {(f.route, f.column) for f in audit(layout, replace(table, routes=bare))}
+    assert {("S1-A", "hostile"), ("S2-B", "hostile")} <= told
+    found = availability(System(layout, lower(layout, weak)), replace(weak, routes=bare))
+    assert [(p.first, p.second) for p in found.pairs if p.failure] == [("S1-A", "S2-B")]
 
 
 def test_a_pair_of_which_one_refuses_the_other_fails_though_a_train_stands_in_the_way_as_well() -> None:

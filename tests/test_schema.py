@@ -103,7 +103,7 @@ def test_what_the_language_refuses_the_schema_refuses() -> None:
         {"points": {"1": {"toe": "west.end"}}},
         {"points": {"1": {"section": "1DG", "toe": "west.middle"}}},
         {"points": {"1": {"section": "1DG", "legs": -4}}},
-        {"tracks": {"west": ["W", "IAG long"]}},
+        {"tracks": {"west": ["W", "IAG  long"]}},
         {"signals": {"X": {"from": "W", "into": "IAG", "kind": "home"}}},
         {"zones": {"Z": {"sections": ["IG"], "trains": 0}}},
         {"principles": {"flank_space": "perhaps"}},

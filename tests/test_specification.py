@@ -25,7 +25,7 @@ CLAIMS_TEXT = (FOLDER / "claims.yaml").read_text("utf-8")
 PLANT_TEXT = (FOLDER / "plant.yaml").read_text("utf-8")
 OTHERS = (
     *("balloon", "closing", "closing_next", "devices", "foul_beyond"),
-    *("overlap_head", "scripts", "speeds", "token", "trap_beyond", "undetected"),
+    *("overlap_head", "scripts", "spaces", "speeds", "token", "trap_beyond", "undetected"),
 )
 """Layouts with what no shipped one has; the others are for the campaign of certificates."""
 

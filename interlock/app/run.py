@@ -77,9 +77,9 @@ class Operator:
     def type(self, line: str) -> None:
         """Take one line of input.  Raises `BadCommand`."""
         assert self._ready.controller is not None
-        words = line.split()
-        if words[:1] == ["voyage"]:
-            self._voyage(words[1:])
+        verb, rest = spoken(line)
+        if verb == "voyage":
+            self._voyage(rest)
             return
         found = operate(self._ready, line)
         number = found.get(self._ready.controller.symbols.request)
@@ -90,16 +90,20 @@ class Operator:
         else:
             self._once |= found
 
-    def _voyage(self, words: list[str]) -> None:
-        if len(words) == 1 and (words[0] in self.voyages or ":" in words[0]):
+    def _voyage(self, told: str) -> None:
+        ended = told.removesuffix(" end") if told.endswith(" end") else ""
+        under_way = {r.name for r in (*self.dispatcher.runs, *self.dispatcher.pending)}
+        if told in self.voyages and ended in {*self.voyages, *under_way}:
+            raise BadCommand(f"there are voyages {ended} and {told}: name one of them otherwise")
+        if told in self.voyages or (":" in told and not ended):
             try:
-                if words[0] in self.voyages:
-                    self.dispatcher.begin(words[0])
+                if told in self.voyages:
+                    self.dispatcher.begin(told)
                 else:
-                    self.dispatcher.carry_out(*errand(self.dispatcher.railway, words[0], 0.0))
+                    self.dispatcher.carry_out(*errand(self.dispatcher.railway, told, 0.0))
             except (NoVoyage, TooManyPlaces, BadOrder) as error:
                 raise BadCommand(str(error)) from error
-        elif len(words) != 2 or words[1] != "end" or not self.dispatcher.end(words[0]):
+        elif not ended or not self.dispatcher.end(ended):
             known = ", ".join(self.voyages) or "this layout names none"
             how = "write voyage NAME, voyage NUMBER:ORIGIN>DESTINATION, or voyage NAME end for one under way"
             raise BadCommand(f"{how}; voyages: {known}")
@@ -134,30 +138,36 @@ def refused(ready: Ready, before: Cycle | None, cycle: Cycle) -> dict[str, str]:
     return {"route": str(route), "refused": said.text, "rule": said.rule}
 
 
+def spoken(line: str) -> tuple[str, str]:
+    """The verb of a line that an operator typed, and the rest: a name, which may have single spaces."""
+    verb, *rest = line.split() or [""]
+    return verb, " ".join(rest)
+
+
 def operate(ready: Ready, line: str) -> dict[str, int]:
     """The operator's inputs that a line asks for.  Raises `BadCommand`."""
     assert ready.table is not None and ready.controller is not None and ready.allocation is not None
-    words = line.split()
+    verb, name = spoken(line)
     inputs: dict[str, Input] = {i.name: i for i in ready.controller.inputs if i.name in ready.allocation.written}
-    if len(words) == 2 and words[0] == "set":
-        row = next((r for r in ready.table.routes if words[1] in (r.id, *r.names)), None)
+    if name and verb == "set":
+        row = next((r for r in ready.table.routes if name in (r.id, *r.names)), None)
         if row is None:
-            raise BadCommand(f"there is no route {words[1]}")
+            raise BadCommand(f"there is no route {name}")
         return {ready.controller.symbols.request: row.number}
-    if len(words) == 2 and words[0] == "swing":
-        number = next((k for g, k in ready.controller.symbols.swing_request.items() if g == words[1]), None)
+    if name and verb == "swing":
+        number = next((k for g, k in ready.controller.symbols.swing_request.items() if g == name), None)
         if number is None:
-            raise BadCommand(f"the overlap of {words[1]} cannot swing")
+            raise BadCommand(f"the overlap of {name} cannot swing")
         return {ready.controller.symbols.request: number}
-    if len(words) == 2 and words[0] == "cancel":
-        name = next((n for g, n in ready.controller.symbols.cancel.items() if g == words[1]), None)
-        if name is None:
-            raise BadCommand(f"no route begins at {words[1]}")
-        return {name: 1}
-    if words == ["release"]:
+    if name and verb == "cancel":
+        cancel = next((n for g, n in ready.controller.symbols.cancel.items() if g == name), None)
+        if cancel is None:
+            raise BadCommand(f"no route begins at {name}")
+        return {cancel: 1}
+    if verb == "release" and not name:
         return {"RELALL": 1}
-    if len(words) == 1 and "=" in words[0]:
-        written, _, value = words[0].partition("=")
+    if "=" in verb and not name:
+        written, _, value = verb.partition("=")
         given = inputs.get(written)
         if given is not None and value.isdigit() and int(value) < (given.size - 1 if given.size else 2):
             return {written: int(value)}

@@ -7,18 +7,18 @@ area touches a leg or arm that the route does not use.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise, product
 
 from interlock.audit.added import added, chosen, declared
 from interlock.audit.approach import approach_sections
 from interlock.audit.aspect import aspect
-from interlock.audit.flank import Movements, crossovers_to_lie_normal, flank_space, open_flanks, pairs
+from interlock.audit.flank import Movements, crossovers_to_lie_normal, flank_space, open_flanks
+from interlock.audit.foul import Foul, foul_neighbours
 from interlock.audit.walk import (
     Move,
     Trip,
-    distances,
     left_standing,
     overlap_way,
     overruns,
@@ -26,9 +26,9 @@ from interlock.audit.walk import (
     standing_place,
     trips,
 )
-from interlock.model.elements import EdgeId, MachineId, NodeId, Position, RouteId, SectionId, Signal, SignalId
+from interlock.model.elements import MachineId, NodeId, Position, RouteId, SectionId, Signal, SignalId
 from interlock.model.layout import Layout
-from interlock.table.rows import InterlockingTable, RouteRow
+from interlock.table.rows import InterlockingTable, Role, RouteRow
 
 
 @dataclass(frozen=True)
@@ -159,8 +159,8 @@ def _row(layout: Layout, r: RouteRow, trip: Trip) -> Iterator[Finding]:
         where = f"a train may come from {', '.join(sorted(come))}" if come is not None else "it is always locked"
         yield Finding(r.id, "approach", where)
     foul = foul_neighbours(layout, trip)
-    if {(c.section, c.when) for c in r.foul} != {(s, w) for s, w, _ in foul}:
-        told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w, _ in foul)
+    if {(c.section, c.when) for c in r.foul} != {(s, w) for s, w, *_ in foul}:
+        told = sorted(f"{s}{f' with {w[0]} {w[1]}' if w else ''}" for s, w, *_ in foul)
         yield Finding(r.id, "foul", f"foul sections are {', '.join(told) or 'none'}")
     taken = {*trip.sections, *_sections(layout, trip.over)}
     secured = {d.id for d in layout.devices if set(d.over) & taken}
@@ -276,51 +276,6 @@ def frozen_machines(r: RouteRow) -> set[MachineId]:
 
 _DIGITS = bytes.maketrans(b"\0\1", b"01")
 
-Foul = tuple[SectionId, tuple[MachineId, Position] | None, NodeId]
-
-
-def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
-    """Sections that begin too near to a point of the path, on its unused leg, or to a diamond on its other arm; the
-    point that leads there, and where."""
-    out: set[Foul] = set()
-    for a, b in pairs(trip):
-        for unused, own, needed in _beside(layout, a, b):
-            for (edge, near), gone in distances(layout, a.node, unused, needed).items():
-                behind = {layout.section_of(e.id) for e in layout.edges_at[near] if e.id != edge}
-                section = layout.section_of(edge)
-                if section not in own | behind and gone < needed:
-                    out.add((section, _way_out(layout, edge, near), near))
-    return out
-
-
-def _beside(layout: Layout, a: Move, b: Move) -> Iterator[tuple[EdgeId, set[SectionId], float]]:
-    """The edges on which a vehicle near the node would stand in the way, the sections in which it would be seen
-    anyway, and how far it must stay away."""
-    point, margin = layout.point_at.get(a.node), layout.principles.clearance_m
-    if point is not None:
-        unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
-        yield unused, {layout.section_of(point.toe)}, point.fouling + margin
-    crossing = layout.crossing_at.get(a.node)
-    if crossing is not None:
-        here = {layout.section_of(a.edge)}
-        for e in next(arm for arm in crossing.arms if a.edge not in arm):
-            yield e, here | {layout.section_of(e)}, layout.principles.fouling_m + margin
-
-
-def _way_out(layout: Layout, edge: EdgeId, near: NodeId) -> tuple[MachineId, Position] | None:
-    """The first point beyond, within the section, that must lie so for a vehicle to come to `near`."""
-    section = layout.section_of(edge)
-    for _ in layout.edges:
-        near = layout.far(edge, near)
-        p = layout.point_at.get(near)
-        if p is not None:
-            return None if edge == p.toe else (p.machine, Position.NORMAL if edge == p.normal else Position.REVERSE)
-        further = [e.id for e in layout.edges_at[near] if e.id != edge and e.section == section]
-        if near in layout.crossing_at or len(further) != 1:
-            return None
-        edge = further[0]
-    return None
-
 
 @dataclass(frozen=True)
 class _Ground:
@@ -339,6 +294,7 @@ class _Ground:
     over: frozenset[SectionId]
     over_moves: frozenset[Move]
     over_nodes: frozenset[NodeId]
+    ways: dict[SectionId, frozenset[Move]]
 
 
 def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
@@ -357,14 +313,35 @@ def _ground(layout: Layout, row: RouteRow, trip: Trip) -> _Ground:
         frozenset(_sections(layout, trip.over)),
         frozenset(trip.over),
         frozenset(m.node for m in trip.over[:-1] if m.node in layout.crossing_at),
+        _by_section(layout, (*trip.moves, *trip.over)),
     )
+
+
+def _by_section(layout: Layout, moves: Iterable[Move]) -> dict[SectionId, frozenset[Move]]:
+    found: dict[SectionId, set[Move]] = {}
+    for m in moves:
+        found.setdefault(layout.section_of(m.edge), set()).add(m)
+    return {s: frozenset(those) for s, those in found.items()}
+
+
+HeldOver = Mapping[tuple[SectionId, frozenset[Move]], Collection[tuple[MachineId, Position]]]
+
+
+def _held_over(grounds: Sequence[_Ground]) -> HeldOver:
+    """By section and way through it the machines that some route over it holds, but for what the author added."""
+    found: dict[tuple[SectionId, frozenset[Move]], set[tuple[MachineId, Position]]] = {}
+    for g in grounds:
+        holds = {(p.machine, p.position) for p in g.row.points if p.role is not Role.ADDED}
+        for way in g.ways.items():
+            found.setdefault(way, set()).update(holds)
+    return found
 
 
 def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip]) -> Iterator[Finding]:
     grounds = [_ground(layout, r, matched[r.id]) for r in table.routes if r.id in matched]
     number = {g.row.id: i for i, g in enumerate(grounds)}
     pairs, certain = _meeting(grounds)
-    size, own = len(grounds), _onward(grounds, number, pairs, certain)
+    size, own, held = len(grounds), _onward(grounds, number, pairs, certain), _held_over(grounds)
     lists = bytearray(size * size)  # row by row whom it lists, column by column who lists it
     for i, g in enumerate(grounds):
         for j in map(number.get, g.row.hostile.routes):
@@ -377,7 +354,7 @@ def _hostile(layout: Layout, table: InterlockingTable, matched: dict[str, Trip])
         for j in _bits((pairs[i] | listed[i] | told) & ~agreed & -(1 << i + 1)):
             b = grounds[j]
             parts = [[x, *([grounds[own[k]]] if k in own else [])] for k, x in ((i, a), (j, b))]
-            why = next((w for x, y in product(*parts) if (w := _cannot_both(layout, x, y)) is not None), None)
+            why = next((w for x, y in product(*parts) if (w := _cannot_both(layout, x, y, held)) is not None), None)
             if own.get(i) == j or own.get(j) == i:
                 why = None
             if why is None and declared(layout, matched[a.row.id], matched[b.row.id]):
@@ -479,7 +456,7 @@ Clash = tuple[str, Collection[str]]
 """What two routes cannot share, and where."""
 
 
-def _cannot_both(layout: Layout, a: _Ground, b: _Ground) -> Clash | None:
+def _cannot_both(layout: Layout, a: _Ground, b: _Ground, held: HeldOver) -> Clash | None:
     if a.entry == b.entry:
         return "both begin at", frozenset({a.entry})
     if not a.sections.isdisjoint(b.sections):
@@ -501,8 +478,13 @@ def _cannot_both(layout: Layout, a: _Ground, b: _Ground) -> Clash | None:
             if a.positions[m] is not b.positions[m]:
                 return "two positions of machine", frozenset({m})
     for x, y in ((a, b), (b, a)):
-        for section, when, near in x.foul:
-            if section in y.sections | y.over and (when is None or near in y.touched):
+        for section, when, near, of in x.foul:
+            if section in y.sections | y.over and (
+                when is None
+                or near in y.touched
+                or when in held[section, y.ways[section]]
+                or when in held[of, x.ways[of]]
+            ):
                 return "foul of", frozenset({section})
     return None
 

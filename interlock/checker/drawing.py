@@ -15,7 +15,7 @@ from typing import Any
 
 import yaml
 
-from interlock.checker.kilometres import Measures, Parts, parted
+from interlock.checker.kilometres import Measures, Parts, item_parts, parted
 from interlock.verify import Rejected, need
 
 _KEYS = """
@@ -187,11 +187,11 @@ class _Drawer:
         yield from (self.body.get(key) or {}).items()
 
     def _track(self, items: list[str]) -> tuple[str, Parts, dict[int, float], str]:
-        words = [x.split() for x in items]
         ends = {*self.drawn.boundaries, *self.drawn.buffers}
-        outer = (w[0] if len(w) == 1 and "+" not in w[0] else "" for w in (words[0], words[-1]))
-        first, last = (x if x in ends or "." in x else "" for x in outer)
-        return first, *parted(words, ends), last
+        stated = [(x.strip(), "") if x.strip() in ends else item_parts(x) for x in items]
+        outer = ("" if metres else name for name, metres in (stated[0], stated[-1]))
+        first, last = (x if x in ends or ("." in x and "+" not in x) else "" for x in outer)
+        return first, *parted(stated, ends), last
 
     # --- what is joined to what: `track.start`, `point.toe`, `crossing.1a`, the name of a boundary or buffer ---
 

@@ -22,6 +22,11 @@ def leaf(name: str) -> Formula:
     return ("v", name)
 
 
+def spaced(name: str) -> str:
+    """A name as the layout has it: a written system has one word for it, with a sign of its own for a space."""
+    return name.replace("\u2423", " ")
+
+
 def no(x: Formula) -> Formula:
     """NOT."""
     return FALSE if x == TRUE else TRUE if x == FALSE else x[1] if x[0] == "!" else ("!", x)
@@ -153,7 +158,7 @@ def read(text: str) -> Formula:
             sign, name = word.startswith("!"), word.lstrip("!")
             if not name or len(word) - len(name) > 1:
                 raise Rejected(f"malformed formula {text[:60]}")
-            x = TRUE if name == "T" else FALSE if name == "F" else leaf(name)
+            x = TRUE if name == "T" else FALSE if name == "F" else leaf(spaced(name))
             stack[-1][2].append(no(x) if sign else x)
     need(len(stack) == 1 and len(stack[0][2]) == 1, f"malformed formula {text[:60]}")
     return stack[0][2][0]

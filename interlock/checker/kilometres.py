@@ -7,6 +7,7 @@ to it begins a leg further on.  Positions must agree with each other and with th
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from itertools import pairwise
 from typing import Any
@@ -24,18 +25,26 @@ def place(text: str) -> float:
     return round(float(whole) * 1000 + float(rest), 3)
 
 
-def parted(words: Iterable[list[str]], ends: Iterable[str]) -> tuple[Parts, dict[int, float]]:
+def item_parts(text: str) -> tuple[str, str]:
+    """A section's name, in which spaces may be, and its length in metres: the last word, where that is a number."""
+    words = text.rsplit(maxsplit=1)
+    if len(words) == 2 and re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)", words[1]):
+        return words[0].lstrip(), words[1]
+    return text.strip(), ""
+
+
+def parted(stated: Iterable[tuple[str, str]], ends: Iterable[str]) -> tuple[Parts, dict[int, float]]:
     """The sections of a track with the lengths that are stated, and the positions between them."""
     parts: Parts = []
     places: dict[int, float] = {}
-    for w in words:
-        if len(w) == 2:
-            parts.append((w[0], float(w[1])))
-        elif "+" in w[0]:
-            need(len(parts) not in places, f"{w[0]} follows a position")
-            places[len(parts)] = place(w[0])
-        elif w[0] not in ends and "." not in w[0]:
-            parts.append((w[0], None))
+    for name, metres in stated:
+        if metres:
+            parts.append((name, float(metres)))
+        elif "+" in name:
+            need(len(parts) not in places, f"{name} follows a position")
+            places[len(parts)] = place(name)
+        elif name not in ends and "." not in name:
+            parts.append((name, None))
     return parts, places
 
 
@@ -61,7 +70,7 @@ class Measures:
 
     def _signal(self, name: str, v: Mapping[str, Any]) -> None:
         """Every joint between the two sections of a signal; it stands at one, which two tracks may share."""
-        there = set()
+        there: set[tuple[str, ...]] = set()
         for t, (parts, _) in self.tracks.items():
             (first, port), (last, other) = self.sides[t]
             row = [first, *(s for s, _ in parts), last]
@@ -71,7 +80,7 @@ class Measures:
                 if {row[i], row[i + 1]} == {v["from"], v["into"]} and not aside:
                     self._agree(t, i, place(v["km"]))
                     own = f"{t}.{'start' if i == 0 else 'end'}"
-                    there.add(f"{t} {i}" if ports is None else " ".join(sorted((own, ports))))
+                    there.add((t, str(i)) if ports is None else tuple(sorted((own, ports))))
         need(len(there) == 1, f"the position of signal {name} is that of no joint, or of several")
 
     def lengths(self, track: str) -> list[tuple[str, float]]:

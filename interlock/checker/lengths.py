@@ -8,6 +8,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from interlock.checker.drawing import Edge
+from interlock.checker.kilometres import item_parts
 from interlock.checker.railway import Demand, Path, Railway, Signal, Way
 
 
@@ -283,9 +284,9 @@ class Lengths:
             b = self.r.boundaries[node]
             if b.get("trains") == "out" and len(seen) > 1:
                 return None
-            words = b.get("approach", "").split()
-            far = bool(words) and gone + float(words[1]) >= max(needed, self._metres_to_act(g, words[0], tells))
-            return Approach(words[0] if far else None)
+            name, metres = item_parts(b.get("approach", ""))
+            far = bool(name) and gone + float(metres) >= max(needed, self._metres_to_act(g, name, tells))
+            return Approach(name if far else None)
         s = self.r.beyond(ahead, node)
         if s is None or s in seen:
             return None

@@ -15,6 +15,7 @@ from itertools import pairwise
 from typing import Any
 
 from interlock.checker.drawing import Drawing, Edge, Unread, drawing
+from interlock.checker.kilometres import item_parts
 from interlock.verify import need
 
 
@@ -111,7 +112,7 @@ class Path:
 
 def safe(name: str) -> str:
     """A layout's name as part of a variable: what the page of the language says under "Names in PLC text"."""
-    text = re.sub("[-/]", "_", name)
+    text = re.sub("[-/ ]", "_", name)
     return text if re.fullmatch("[A-Za-z0-9_]{1,14}", text) else _read(name, text)
 
 
@@ -142,7 +143,7 @@ class Railway:
         self.drawn: Drawing = drawing(body)
         d = self.drawn
         self.boundaries, self.buffers, self.points = d.boundaries, d.buffers, d.points
-        self.approach = {b: v["approach"].split()[0] for b, v in self.boundaries.items() if v.get("approach")}
+        self.approach = {b: item_parts(v["approach"])[0] for b, v in self.boundaries.items() if v.get("approach")}
         self.sections = sorted({e.section for e in d.edges.values()})
         self.told: Mapping[str, Mapping[str, str]] = body.get("sections") or {}
         self.undetected = sorted(s for s in self.sections if self._told(s, "detected") in ("no", "false"))

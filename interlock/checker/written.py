@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from interlock.checker.formula import Formula, read
+from interlock.checker.formula import Formula, read, spaced
 from interlock.verify import need
 
 WORDS = {"assumed": 2, "sentence": 2, "state": 1, "ini": 1, "def": 2, "asm": 2, "timer": 3, "val": 2, "lemma": 1}
@@ -34,12 +34,14 @@ def written(text: str) -> Written:
         kind, _, rest = line.partition(" ")
         need(kind in WORDS, f"the written system has an unknown line {line[:60]}")
         said = rest.split(" ", WORDS[kind] - 1)
+        if kind not in ("sentence", "assumed"):
+            said[:-1] = map(spaced, said[:-1])
         need(len(said) == WORDS[kind], f"the written system has a line without all its words: {line[:60]}")
         if kind in ("sentence", "assumed"):
             book = w.sentences if kind == "sentence" else w.assumed
             need(book.setdefault(said[0], said[1]) == said[1], f"{said[0]} has two sentences")
         elif kind == "state":
-            w.state.append(said[0])
+            w.state.append(spaced(said[0]))
         elif kind == "ini":
             w.initial.append(read(said[0]))
         elif kind == "def":

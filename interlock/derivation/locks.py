@@ -34,6 +34,9 @@ from interlock.table.rows import (
 )
 
 Locks = Mapping[TraversalKey, TraversalRow]
+Held = Mapping[TraversalKey, frozenset[tuple[MachineId, Position]]]
+"""By way, machines with positions."""
+NOTHING_HELD: Held = {}
 
 
 def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[TraversalRow, ...]:
@@ -67,6 +70,9 @@ def derive_locks(layout: Layout, paths: Sequence[Path], sink: Sink) -> tuple[Tra
         mine = cells.get(key, {})
         flank = tuple(cell(r, mine[r]) for r in requesters(layout, used[key]) if r in mine)
         rows[key] = _row(layout, used[key], flank, used, fouls)
+    if any(f.when is not None for f in fouls):
+        held = _held(paths, rows)
+        rows = {key: _row(layout, used[key], row.flank, used, fouls, held) for key, row in rows.items()}
     report_flanks(layout, paths, places, settled, options, sink)
     if not any(_space(layout, used[key], row.flank, frozenset()) for key, row in rows.items()):
         return tuple(rows.values())
@@ -111,6 +117,27 @@ def route_demands(path: Path, locks: Locks) -> tuple[PointDemand, ...]:
     return tuple(found.values())
 
 
+def _held(paths: Sequence[Path], locks: Locks) -> Held:
+    """By way the machines that some route over it holds, in which position."""
+    found: dict[TraversalKey, frozenset[tuple[MachineId, Position]]] = {}
+    for p in paths:
+        holds = frozenset((d.machine, d.position) for d in route_demands(p, locks))
+        for t in (*p.ways, *p.overlap):
+            found[t.key] = found.get(t.key, frozenset()) | holds
+    return found
+
+
+def _at_joint(f: FoulJoint, t: Traversal, held: Held) -> bool:
+    """A train on a way of the neighbour counts as standing at a foul joint: its way leads there, or the point that
+    decides is held towards the joint (R7), for the flank of the train's own route."""
+    return f.touches(t) or (t.section == f.neighbour and f.when in held.get(t.key, ()))
+
+
+def _apart_at(f: FoulJoint, t: Traversal, o: Traversal, held: Held) -> bool:
+    """Whether a way that a joint fouls, and one of the neighbour, exclude each other."""
+    return f.fouls(t) and (_at_joint(f, o, held) or (o.section == f.neighbour and f.when in held.get(t.key, ())))
+
+
 def _space(
     layout: Layout, t: Traversal, flank: tuple[FlankCell, ...], busy: frozenset[SectionId]
 ) -> tuple[SpaceCell, ...]:
@@ -137,6 +164,7 @@ def _row(
     flank: tuple[FlankCell, ...],
     used: Mapping[TraversalKey, Traversal],
     fouls: tuple[FoulJoint, ...],
+    held: Held = NOTHING_HELD,
 ) -> TraversalRow:
     demands = {
         layout.point[p].machine: PointDemand(
@@ -167,13 +195,12 @@ def _row(
         why = Because("R7", f"the joint {f.section}|{f.neighbour} is foul of {f.name}{unless}")
         if f.fouls(t):
             foul_cells.append(FoulCell(f.neighbour, f.section, f.when, why))
-            touching = tuple(
-                sorted(n for (s, n), o in used.items() if s == f.neighbour and f.node in (o.entry, o.exit))
-            )
-            exclusions.append(Exclusion(f.neighbour, f.when is None, () if f.when is None else touching, why))
-        if f.touches(t):
-            numbers = tuple(sorted(n for (s, n), o in used.items() if s == f.section and f.fouls(o)))
-            exclusions.append(Exclusion(f.section, False, numbers, why))
+            there = tuple(sorted(n for (s, n), o in used.items() if s == f.neighbour and _apart_at(f, t, o, held)))
+            exclusions.append(Exclusion(f.neighbour, f.when is None, () if f.when is None else there, why))
+        if t.section == f.neighbour:
+            numbers = tuple(sorted(n for (s, n), o in used.items() if s == f.section and _apart_at(f, o, t, held)))
+            if numbers or f.touches(t):
+                exclusions.append(Exclusion(f.section, False, numbers, why))
     return TraversalRow(
         t.section,
         t.number,

@@ -32,6 +32,7 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL1018": (_E, "the file is nested too deeply"),
     "IL1019": (_E, "YAML tags are not part of the layout language"),
     "IL1020": (_I, "more problems than are shown"),
+    "IL1021": (_E, "a section and its length that can be read in two ways"),
     # 2: names and references
     "IL2001": (_E, "a reference to something that does not exist"),
     "IL2002": (_E, "a name is used for two things"),

@@ -5,6 +5,7 @@ in                      the voyage `in` of the layout
 12:W>E+q4+q6            over sections q4 and q6
 12:W>s8_xc3>OUT         to section s8_xc3, where it changes direction if it must, then to OUT
 12:q9/X6>W              begins in the layout, standing in q9 before signal X6
+12:Gleis 3>22 T+E 1     names may have spaces; spaces around the signs say nothing
 """
 
 from __future__ import annotations
@@ -12,11 +13,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from interlock.diag.called import called
 from interlock.dispatch.plan.railway import OUTSIDE, Errand, Leg, Railway
 from interlock.model.elements import BoundaryKind, SectionId, SignalId
 from interlock.table.rows import TraversalKey, VoyageRow
 
 _COMMAND = re.compile(r"(?P<train>[^:>]+):(?P<start>[^:>]+)(?P<legs>(>[^:>]+)+)")
+
+_SIGN = re.compile(r"\s*([:>+/])\s*")
 
 
 class BadOrder(Exception):
@@ -37,7 +41,7 @@ def errand(railway: Railway, command: str, length_m: float, train: str = "") -> 
         return Errand(train or command, length_m, voyage_start(railway, voyages[command]), (leg,)), voyages[
             command
         ].priority
-    found = _COMMAND.fullmatch(command)
+    found = _COMMAND.fullmatch(_SIGN.sub(r"\1", command.strip()))
     if found is None:
         text = f"'{command}' is neither a voyage nor a command NUMBER:ORIGIN>DESTINATION"
         raise BadOrder("IL6004", text, tuple(voyages), command)
@@ -55,13 +59,15 @@ def voyage_start(railway: Railway, row: VoyageRow) -> tuple[TraversalKey, ...]:
 
 def _start(railway: Railway, word: str) -> tuple[TraversalKey, ...]:
     layout = railway.layout
-    section, _, signal = word.partition("/")
-    if not signal:
-        known = [str(b.node) for b in layout.boundaries if b.kind is not BoundaryKind.OUT]
-        if section not in known:
-            raise BadOrder("IL6004", f"no train comes in at {section}", known, section)
-        return ((SectionId(section), OUTSIDE),)
+    known = [str(b.node) for b in layout.boundaries if b.kind is not BoundaryKind.OUT]
     sections = [str(s.id) for s in layout.sections if not s.approach]
+    parts = word.split("/")  # names have a `/`, too
+    divided = [("/".join(parts[:k]), "/".join(parts[k:])) for k in range(1, len(parts))]
+    if word in known:
+        return ((SectionId(word), OUTSIDE),)
+    if not divided:
+        raise BadOrder("IL6004", f"no train comes in at {word}", known, word)
+    section, signal = next((x for x in divided if x[0] in sections and x[1] in layout.signal), divided[0])
     if section not in sections:
         raise BadOrder("IL6004", f"there is no section {section}", sections, section)
     if signal not in layout.signal:
@@ -69,7 +75,7 @@ def _start(railway: Railway, word: str) -> tuple[TraversalKey, ...]:
     node = layout.signal[SignalId(signal)].node
     ways = [t.key for t in railway.topo.traversals[SectionId(section)] if t.exit == node]
     if not ways:
-        raise BadOrder("IL6004", f"signal {signal} does not stand at an end of {section}", (), signal)
+        raise BadOrder("IL6004", f"{called('signal', signal)} does not stand at an end of {section}", (), signal)
     return (min(ways, key=lambda k: (k not in railway.table.lock, k)),)
 
 

@@ -32,6 +32,8 @@ def resolve_demanded(ctx: Context, wiring: Wiring) -> tuple[Demanded, ...]:
     machines: Mapping[str, MachineId] = {p.id: p.machine for p in wiring.points}
     out = []
     for i, x in enumerate(ctx.file.demand):
+        if not machines and ctx.sink.has_errors:
+            continue  # there is no graph yet
         if x.point not in machines:
             text = f"a demand names {x.point}, which is no point"
             ctx.add("IL2001", text, ctx.at("demand", i, "point"), did_you_mean(x.point, machines))

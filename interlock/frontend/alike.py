@@ -42,6 +42,17 @@ def drawn(name: str) -> str:
     return latin(name).translate(_DRAWN)
 
 
+def _keys(name: str) -> list[str]:
+    """The texts of which names that look alike have one in common: a space may look like none, or like a `_`."""
+    text = drawn(name)
+    return [text.replace(" ", sign) for sign in ("", "_")] if " " in text else [text]
+
+
+def _close(name: str) -> str:
+    """A name in the letters as which it is drawn, without spaces."""
+    return latin(name).replace(" ", "")
+
+
 def numerals(a: str, b: str) -> bool:
     """Whether two names differ in Roman and Arabic numbers of tracks alone: SII of track II, S11 of track 11."""
     if len(a) != len(b):
@@ -65,11 +76,13 @@ def check_alike(ctx: Context, elements: Iterable[tuple[str, str, Span]]) -> None
     """Report each name that looks like an earlier one of its kind.  Upper and lower case are told apart elsewhere."""
     seen: dict[tuple[str, str], list[tuple[str, Span]]] = {}
     for kind, name, span in elements:
-        before = seen.setdefault((kind, drawn(name)), [])
+        rooms = [seen.setdefault((kind, key), []) for key in _keys(name)]
+        before = [x for room in rooms for x in room]
         alike = next(
-            (x for x in before if x[0].lower() != name.lower() and not numerals(latin(x[0]), latin(name))), None
+            (x for x in before if x[0].lower() != name.lower() and not numerals(_close(x[0]), _close(name))), None
         )
-        before.append((name, span))
+        for room in rooms:
+            room.append((name, span))
         if alike is not None:
             ctx.add(
                 "IL7010",

@@ -18,7 +18,7 @@ from interlock.diag import Element, Span
 from interlock.diag.called import called
 from interlock.frontend.context import Context
 from interlock.frontend.ports import Port
-from interlock.frontend.scalars import KILOMETRE, MAX_LENGTH_M, NAME, number_text, position, written_km
+from interlock.frontend.scalars import KILOMETRE, MAX_LENGTH_M, NAME, item_parts, number_text, position, written_km
 from interlock.frontend.schema import LayoutFile
 
 APART = 0.0005  # metres by which two positions of one place may differ: half a millimetre
@@ -59,7 +59,7 @@ def has_positions(f: LayoutFile) -> bool:
 
 def is_section(item: str) -> bool:
     """Whether an item of a track can be a section by itself."""
-    return NAME.fullmatch(item) is not None and not number_text(item)
+    return NAME.fullmatch(item) is not None and not number_text(item) and not item_parts(item)[1]
 
 
 def measured(ctx: Context, track: Measured, item: str, span: Span) -> bool:

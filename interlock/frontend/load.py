@@ -224,7 +224,7 @@ def load_text(file: str, text: str, sink: Sink) -> tuple[Layout | None, Source]:
 
 def _check_sections(ctx: Context, wiring: Wiring) -> None:
     for name in ctx.file.sections:
-        if name not in wiring.sections:
+        if name not in wiring.sections and not ctx.sink.has("IL1021"):
             ctx.add(
                 "IL2004",
                 f"there is no section {name}",

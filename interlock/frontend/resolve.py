@@ -13,7 +13,7 @@ from interlock.diag.suggest import did_you_mean
 from interlock.frontend.context import Context
 from interlock.frontend.parts import points_of
 from interlock.frontend.ports import Wiring
-from interlock.frontend.scalars import number_text
+from interlock.frontend.scalars import item_parts, number_text
 from interlock.frontend.schema import ChoiceSpec, RouteSpec, SignalSpec
 from interlock.model.elements import (
     Choice,
@@ -51,7 +51,9 @@ def _edges_at(wiring: Wiring) -> dict[NodeId, list[Edge]]:
 
 def check_signal_names(ctx: Context, wiring: Wiring) -> None:
     """Report signals that name no section; runs even when the graph does not stand yet."""
-    mentioned = {item.split()[0] for items in ctx.file.tracks.values() for item in items if item.strip()}
+    items = [item for those in ctx.file.tracks.values() for item in those if item.strip()]
+    unclear = [item.split() for item in items if item_parts(item)[0] not in wiring.sections]  # and reported
+    mentioned = {" ".join(words[:k]) for words in unclear for k in range(1, max(2, len(words)))}
     unread = [m for m in mentioned if m not in wiring.sections and m not in ctx.file.boundaries]
     sections = (wiring.sections.keys() | mentioned) - ctx.file.boundaries.keys()
     known = sections | ctx.file.boundaries.keys()

@@ -13,8 +13,10 @@ from typing import Annotated
 from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
-NAME = re.compile(r"[^\W_]+#?([_/-][^\W_]+#?)*")
-"""Letters and digits of any script, a `#` after them, and single signs between."""
+_UNSEEN = "\u115f\u1160\u3164\uffa0"  # letters to Unicode, and drawn as nothing
+_WORD = rf"[^\W_{_UNSEEN}]+#?"
+NAME = re.compile(rf"{_WORD}([ _/-]{_WORD})*")
+"""Letters and digits of any script, a `#` after them, and single signs or spaces between."""
 MAX_LENGTH_M = 100_000.0
 ADDRESS = re.compile(r"([IQ])(\d{1,4})\.([0-7])")
 """I or Q, byte, bit."""
@@ -31,29 +33,49 @@ def _name(value: object) -> object:
 
 def no_name(text: str) -> str:
     """Why a text cannot be a name."""
-    why = "a name has no space in it" if _spaced(text) else "use letters, digits and single _ - / between them"
-    return f"'{text}' cannot be a name: {why}" if text else "the name is missing"
+    if not text.strip():
+        return "the name is missing"
+    why = _unseen(text) or "use letters, digits and single spaces or _ - / between them"
+    return f"'{text}' cannot be a name: {why}"
 
 
-def _spaced(text: str) -> bool:
-    """Whether a text would be a name but for its spaces."""
-    return len(words := text.split()) > 1 and all(NAME.fullmatch(w) for w in words)
+def _unseen(text: str) -> str:
+    """What a name has in it that nobody sees; empty where it has nothing of that kind."""
+    for sign in text:
+        if sign != " " and (sign in _UNSEEN or unicodedata.category(sign) in ("Zs", "Zl", "Zp", "Cc", "Cf")):
+            called = "tab" if sign == "\t" else unicodedata.name(sign, f"U+{ord(sign):04X}").lower()
+            return f"it has a {called} in it"
+    if text != text.strip():
+        return "it begins or ends with a space"
+    return "two spaces stand beside each other" if "  " in text else ""
+
+
+def _seen(text: str) -> str:
+    """A text with plain single spaces for those of other kinds, and without what nobody sees."""
+    kept = (s for s in text if s.isspace() or (s not in _UNSEEN and unicodedata.category(s) not in ("Cc", "Cf")))
+    return " ".join("".join(kept).split())
 
 
 def name_fix(text: str) -> str:
     """How a name could be written: composed, without curly quotes, with `_` for what cannot stand in it."""
-    if not text:
+    if not text.strip():
         return "write the name after the colon"
-    if _spaced(text):
-        return f"write `{'_'.join(text.split())}` or `{'-'.join(text.split())}`, the same wherever the name stands"
+    if _unseen(text) and NAME.fullmatch(_seen(text)):
+        return f"write `{_seen(text)}`" + (", with plain single spaces" if " " in _seen(text) else "")
     composed = unicodedata.normalize("NFC", text)
     bare = composed.strip("\u201c\u201d\u2018\u2019\u300c\u300d")
     if bare != text and NAME.fullmatch(bare):
         return f"write `{bare}`, " + ("in composed letters" if bare == composed else "without the curly quotes")
-    near = re.sub(r"[^\w/-]+", "_", bare).strip("_-/")
+    near = re.sub(r"[^\w /-]+", "_", _seen(bare)).strip("_-/ ")
     if NAME.fullmatch(near):
         return f"write it like `{near}`"
-    return "letters and digits of any script, single _ - / between them, # after them; `title` takes any text"
+    return "letters and digits of any script, single spaces or _ - / between them, # after them; `title` takes any text"
+
+
+def item_parts(text: str) -> tuple[str, str]:
+    """The name and the length that an item of a track states, `Gleis 3 850`: the last word, where it is a number."""
+    name, *length = text.strip().rsplit(None, 1) or [""]
+    return (name, length[0]) if length and number_text(length[0]) else (text.strip(), "")
 
 
 def number(text: str) -> float:
@@ -225,7 +247,7 @@ def choice(kind: str, known: tuple[str, ...]) -> BeforeValidator:
 # JSON Schema sees what a YAML reader makes of a scalar: a name may look like a number, a text like anything
 _TEXT_SCHEMA = {"type": ["string", "number", "boolean", "null"]}
 _LETTER = r"[0-9A-Za-z\u00AA-\uFFFF]"  # every script; patterns of JSON Schema know no classes of letters
-_PLAIN = f"{_LETTER}+#?(?:[_/-]{_LETTER}+#?)*"
+_PLAIN = f"{_LETTER}+#?(?:[ _/-]{_LETTER}+#?)*"
 _NAME_SCHEMA = {"type": ["string", "integer"], "pattern": f"^{_PLAIN}$"}
 _ENDS = "start|end|toe|normal|reverse|1a|1b|2a|2b|outer|inner"
 _END_SCHEMA = {"type": ["string", "integer"], "pattern": rf"^{_PLAIN}(?:\.(?:{_ENDS}))?$"}

@@ -43,7 +43,7 @@ _FIX = {
     "IL1013": "write metres or seconds as a plain decimal number, for instance 350 or 12.5",
     "IL1014": "give a length above 0 and at most 100 km, or a time above 0 and at most a day",
     "IL1015": "this release reads `interlock: 1`",
-    "IL1016": "letters and digits of any script, single _ - / between them, # after them; `title` takes any text",
+    "IL1016": "letters and digits, single spaces or _ - / between them, # after them; `title` takes any text",
     "IL2009": "say why",
 }
 _REASON = {

@@ -10,8 +10,6 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from pydantic_core import PydanticCustomError
-
 from interlock.diag import Span
 from interlock.diag.called import called
 from interlock.diag.suggest import did_you_mean
@@ -20,15 +18,15 @@ from interlock.frontend.kilometres import Kilometres, Measured, Stretch, has_pos
 from interlock.frontend.parts import build_derailer, build_slip
 from interlock.frontend.ports import Port, Wiring
 from interlock.frontend.scalars import (
-    MAX_LENGTH_M,
     NAME,
+    item_parts,
     name_fix,
     no_name,
-    number,
     number_fix,
     number_text,
     slip_of,
 )
+from interlock.frontend.spaces import section_and_length, spoken_of, sure, sure_approach
 from interlock.model.elements import (
     BlockKind,
     Boundary,
@@ -48,56 +46,10 @@ from interlock.model.elements import (
 )
 from interlock.model.principles import Principles
 
-_ITEM = re.compile(r"(\S+)\s+(\S+)")
-
 
 def _after_comma(items: Sequence[str], i: int) -> bool:
     """Whether an item is what follows the decimal comma of the length before it: `[q3 600,5]` are two items."""
-    return i > 0 and items[i].strip().isdigit() and re.fullmatch(r"\S+\s+\d+", items[i - 1].strip()) is not None
-
-
-def section_and_length(ctx: Context, text: str, span: Span, example: str = "q1") -> tuple[str, float] | None:
-    """'q1 400' as section and metres; reports IL1012, IL1013, IL1014, IL1016.  `example`: a name for a fix."""
-    match = _ITEM.fullmatch(text.strip())
-    if match is None:
-        fix, words = f"write `section length`, for instance `{example} 400`", text.split()
-        if len(words) == 1 and number_text(words[0]):
-            fix = f"name the section before its length, for instance `{example} {words[0]}`"
-        if len(words) == 3 and slip_of("".join(words[1:])):
-            text_, cause = " ".join(words[1:]), slip_of("".join(words[1:]))
-            fix = number_fix(text_).replace("write ", f"write `{words[0]} ", 1).replace(":", "`:", 1)
-            ctx.add(
-                "IL1013", f"the length of {words[0]}, '{text_}', is not a number", span, fix, cause=cause, note=text
-            )
-        elif len(words) > 2 and number_text(words[-1]) and all(NAME.fullmatch(w) for w in words[:-1]):
-            fix = " or ".join(f"`{sign.join(words[:-1])} {words[-1]}`" for sign in "_-")
-            said = no_name(" ".join(words[:-1]))
-            ctx.add("IL1016", said, span, f"write {fix}, and the name so wherever it stands")
-        elif ";" in text:
-            fix = f"write `{', '.join(part.strip() for part in text.split(';'))}`"
-            ctx.add("IL1012", f"'{text}': what follows one another is divided by commas", span, fix)
-        else:
-            ctx.add("IL1012", f"'{text}': a section and its length are expected here", span, fix)
-        return None
-    name, length = match.groups()
-    if not NAME.fullmatch(name):
-        ctx.add("IL1016", no_name(name), span, name_fix(name))
-        return None
-    try:
-        metres = number(length)
-    except PydanticCustomError:
-        fix = number_fix(length) or "write metres as a plain decimal number, for instance 350 or 12.5"
-        if number_text(name) and NAME.fullmatch(length):
-            fix = f"write `{length} {name}`: the section stands before its length"
-        said = f"the length of {name}, '{length}', is not a number"
-        ctx.add("IL1013", said, span, fix, cause=slip_of(length), note=text)
-        return None
-    if not 0 < metres <= MAX_LENGTH_M:
-        ctx.add(
-            "IL1014", f"{length} m is not a possible length of {name}", span, "give a length above 0 and at most 100 km"
-        )
-        return None
-    return name, metres
+    return i > 0 and items[i].strip().isdigit() and re.fullmatch(r".*\S\s+\d+", items[i - 1].strip()) is not None
 
 
 class Wirer:
@@ -114,6 +66,7 @@ class Wirer:
         self._joinable = [*f.tracks, *f.points, *f.crossings, *f.slips, *f.derailers, *f.boundaries]
         self._joinable += [*f.buffers, *f.traps]
         self._positions = has_positions(f)
+        self._spoken_of = spoken_of(f, self._positions)
         self.lengths: dict[str, tuple[str, float]] = {}
         """Approach section and its metres, by boundary."""
 
@@ -142,7 +95,7 @@ class Wirer:
                 continue
             span = self.ctx.at("boundaries", name, "approach")
             got = section_and_length(self.ctx, b.approach, span, f"ap_{name}")
-            if got is not None:
+            if got is not None and sure_approach(self.ctx, b.approach, span, self._spoken_of):
                 if got[0] in self.out.approaches:
                     self.ctx.add(
                         "IL2002",
@@ -163,11 +116,14 @@ class Wirer:
                 span = self.ctx.at("tracks", name, i)
                 if measured(self.ctx, track, item.strip(), span):
                     continue
-                if self._positions and item not in ends and is_section(item):
+                if not sure(self.ctx, name, i, self._spoken_of):
+                    continue
+                whole = " " not in item or item in self._spoken_of.sections
+                if self._positions and item not in ends and is_section(item) and whole:
                     track.stretches.append(Stretch(item, None, span))
                     self.out.sections.setdefault(item, span)
                     continue
-                if len(item.split()) < 2:
+                if self._alone(item.strip(), ends):
                     if self._decimals(items, i, span):
                         continue
                     port = self._terminal(item.strip(), ends, span, first=i == 0, last=i == len(items) - 1)
@@ -198,12 +154,18 @@ class Wirer:
                 self._join(Port("track", name, "start"), head, self.ctx.at("tracks", name, 0))
             self.tracks[name] = track
 
+    def _alone(self, item: str, ends: set[str]) -> bool:
+        """Whether an item of a track is a name without a length, in which spaces may be."""
+        name, metres = item_parts(item)
+        known = item in self._spoken_of.sections or name.partition(".")[0] in self._joinable
+        return len(item.split()) < 2 or item in ends or (not metres and known)
+
     def _decimals(self, items: Sequence[str], i: int, span: Span) -> bool:
         """Report `q3 600,5`, which YAML reads as two items, at what stands after the comma."""
         if not _after_comma(items, i):
             return False
         text = f"{items[i - 1].strip()},{items[i].strip()}"
-        name, length = text.split()
+        name, length = text.rsplit(None, 1)
         self.ctx.add(
             "IL1013",
             f"the length of {name}, '{length}', is not a number",
@@ -338,7 +300,7 @@ class Wirer:
         if name in f.boundaries or name in f.buffers or name in f.traps:
             self.ctx.add("IL2003", f"{name} has only one end", span, f"write `{name}`")
             return None
-        if len(name.split()) > 1:
+        if not NAME.fullmatch(name):
             self.ctx.add("IL1016", no_name(name), span, name_fix(name))
             return None
         hint = did_you_mean(name, self._joinable)

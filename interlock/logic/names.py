@@ -6,8 +6,8 @@ wants to know to what a name belongs reads its fields.  A name is its own text, 
 looked up as any other.
 
 Names of the controller are portable (letters, digits, single underscores; at most 24 characters); those of the world
-and of the proof have dots and layout names as they are.  A name can be made of another: its value one step later, what
-the world chooses when it could happen, what the proof remembers of it, and a second copy of it.
+and of the proof have dots and layout names as they are, but for spaces.  A name can be made of another: its value one
+step later, what the world chooses when it could happen, what the proof remembers of it, and a second copy of it.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from enum import Enum, StrEnum
 from functools import partial
 from string import digits
 
-from interlock.model.portable import portable
+from interlock.model.portable import joined, portable
 
 Part = str | int
 
@@ -197,7 +197,7 @@ class Family:
         """The name of the variable at some element."""
         found = _names.get((self, at))
         if found is None:
-            parts = [portable(x) if isinstance(x, str) else x for x in at] if self.portable else at
+            parts = [x if isinstance(x, int) else portable(x) if self.portable else joined(x) for x in at]
             found = _names[self, at] = Name._made(self.pattern.format(*parts), self, at)
         return found
 

@@ -16,12 +16,21 @@ _CHECK = 4
 _SIGNS = "abcdefghijkmnpqrstuvwxyz23456789"  # 32, none like another
 
 
+SPACE = "\u2423"
+"""Stands for a space of a layout's name where the name is to be one word; no layout name has it."""
+
+
+def joined(name: str) -> str:
+    """A layout's name in one word, and otherwise as it is."""
+    return name.replace(" ", SPACE)
+
+
 def portable(name: str) -> str:
-    """The name with `-` and `/` as `_`, if that is short and ASCII; else its first letters and digits and a check.
+    """The name with `-`, `/` and spaces as `_`, if short and ASCII; else its first letters and digits and a check.
 
     `22ｲT` is written `22IT_` with four signs of its digest.  Names that become equal are reported by the front end.
     """
-    plain = name.replace("-", "_").replace("/", "_")
+    plain = name.replace("-", "_").replace("/", "_").replace(" ", "_")
     if len(plain) <= LONGEST and plain.isascii() and "#" not in plain:
         return plain
     return _shortened(name, plain)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from interlock.app.run import Ready
+from interlock.diag.called import called
 from interlock.field.plc import Cycle
 from interlock.panel.reasons import Moment, Reason, Reasons
 
@@ -33,7 +34,7 @@ def causes(ready: Ready, cycle: Cycle) -> Causes:
                 out[f"{what} lamp {g}"] = (f"the {what} lamp of {g} is out", (f"g:{g}",))
     for s, name in y.healthy.items():
         if cycle.valid and not cycle.inputs.get(name, 0):
-            out[f"detector {s}"] = (f"the detector of section {s} is out of order", (f"s:{s}",))
+            out[f"detector {s}"] = (f"the detector of {called('section', s)} is out of order", (f"s:{s}",))
     return out
 
 
@@ -46,4 +47,8 @@ def fallen_back(
     was, now = before.memory.state, cycle.memory.state
     for r in y.routes:
         if was.get(r.proceed) and not now.get(r.proceed) and now.get(r.active) and not now.get(y.cancelling[r.entry]):
-            yield f"signal {r.entry} has returned to stop", (f"g:{r.entry}",), tuple(reasons.of_loss(r.number, moment))
+            yield (
+                f"{called('signal', r.entry)} has returned to stop",
+                (f"g:{r.entry}",),
+                tuple(reasons.of_loss(r.number, moment)),
+            )

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from interlock.app.run import BadCommand, Operator, Ready
+from interlock.diag.called import called
 from interlock.dispatch.arbiter import Full
 from interlock.field.plc import Cycle
 from interlock.model.elements import MachineId, Position
@@ -105,12 +106,12 @@ class Buttons:
         """Release a section by hand: held until it is free."""
         name = self.symbols.release.get(section)  # type: ignore[call-overload]
         if name is None:
-            raise Refused(f"section {section} is never locked")
+            raise Refused(f"{called('section', section)} is never locked")
         locked = self.symbols.locked_by[section]  # type: ignore[index]
         if not any(last.memory.state.get(n) for n in locked):
-            raise Refused(f"section {section} is not locked", f"s:{section}")
+            raise Refused(f"{called('section', section)} is not locked", f"s:{section}")
         if not last.inputs.get(self.symbols.clear.get(section, ""), 0):  # type: ignore[call-overload]
-            raise Refused(f"section {section} is occupied", f"s:{section}")
+            raise Refused(f"{called('section', section)} is occupied", f"s:{section}")
         self._hold(name, RELEASE_S, lambda c: not any(c.memory.state.get(n) for n in locked))
 
     def release_all(self, last: Cycle) -> None:
@@ -135,7 +136,7 @@ class Buttons:
         """Bar a section to routes, or free it."""
         name = self.symbols.blocked.get(section)  # type: ignore[call-overload]
         if name is None:
-            raise Refused(f"section {section} cannot be blocked")
+            raise Refused(f"{called('section', section)} cannot be blocked")
         self._typed(f"{name}={int(on)}")
 
     def turn(self, machine: str, to: str, last: Cycle) -> None:

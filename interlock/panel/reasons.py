@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
+from interlock.diag.called import called
 from interlock.field.plc import Memory
 from interlock.logic.controller import Controller, Equation, Input, Step, Symbols, Timer
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr, evaluate
@@ -125,7 +126,7 @@ class Reasons:
         section, way = self.locks[lock]
         routes = self.holders(section, way, moment.before.state)
         of = f" for route {', '.join(routes)}" if routes else " for a train that has passed its signal"
-        return f"section {section} is locked{of}"
+        return f"{called('section', section)} is locked{of}"
 
     def holders(self, section: str, way: int, state: Mapping[str, bool]) -> tuple[str, ...]:
         """The routes that are set over a way."""

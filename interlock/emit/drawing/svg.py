@@ -45,6 +45,11 @@ def _path(line: list[Spot]) -> str:
     return "M" + " L".join(f"{_n(x)} {_n(y)}" for x, y in line)
 
 
+def _id(text: str) -> str:
+    """An id in quotes: HTML allows no space in one, so that a no-break space, which no name has, stands for it."""
+    return quoteattr(text.replace(" ", "\u00a0"))
+
+
 def plan_svg(layout: Layout, drawing: Drawing | None = None) -> str:
     """The plan as a document of its own."""
     d = drawing or place(layout)
@@ -70,19 +75,17 @@ def _tracks(d: Drawing) -> list[str]:
     out = []
     for n, tip, _ in d.outside:
         boundary = layout.boundary_at[n]
-        name = f' id="section-{escape(boundary.approach)}"' if boundary.approach else ""
+        name = f" id={_id(f'section-{boundary.approach}')}" if boundary.approach else ""
         out.append(f'<g{name} class="section approach"><path class="track outside" d="{_path([d.at[n], tip])}"/></g>')
     for s in layout.sections:
         edges = [e for e in layout.edges if e.section == s.id]
         if not edges:
             continue
         kind = "track" + (" inclined" if s.lane is Lane.INCLINED else "") + ("" if s.detected else " blind")
-        paths = "".join(
-            f'<path id={quoteattr(f"edge-{e.id}")} class="{kind}" d="{_path(d.edges[e.id])}"/>' for e in edges
-        )
+        paths = "".join(f'<path id={_id(f"edge-{e.id}")} class="{kind}" d="{_path(d.edges[e.id])}"/>' for e in edges)
         hit = f'<path class="hit" d="{" ".join(_path(d.edges[e.id]) for e in edges)}"/>'
         arrows = "".join(_arrow(d, e.id) for e in edges if e.one_way)
-        out.append(f'<g id={quoteattr(f"section-{s.id}")} class="section">{hit}{paths}{arrows}</g>')
+        out.append(f'<g id={_id(f"section-{s.id}")} class="section">{hit}{paths}{arrows}</g>')
     return out
 
 
@@ -102,7 +105,7 @@ def _joints(d: Drawing) -> list[str]:
         dx, dy = (0.0, 7.0) if abs(slope) < 0.05 else (5.0 if slope < 0 else -5.0, 5.0)
         ring = f'<circle class="foul" cx="{_n(x)}" cy="{_n(y)}" r="7"/>' if n in fouls else ""
         tick = f'<path class="mark" d="M{_n(x - dx)} {_n(y - dy)} L{_n(x + dx)} {_n(y + dy)}"/>'
-        out.append(f'<g id={quoteattr(f"joint-{n}")} class="joint">{tick}{ring}</g>')
+        out.append(f'<g id={_id(f"joint-{n}")} class="joint">{tick}{ring}</g>')
     return out
 
 
@@ -119,7 +122,7 @@ def _points(d: Drawing) -> list[str]:
         gap, uy = _gap((x, y), bend(d, p.id), 14 if p.reverse in d.plan.rails else 5)
         words = _words(told[p.id]) if p.id in told else ""
         inner = f"{words}{gap}{_machine(p, x, y, uy)}{_fouling(d, p)}"
-        parts[p.id] = f'<g id={quoteattr(f"point-{p.id}")} class="point">{inner}</g>'
+        parts[p.id] = f'<g id={_id(f"point-{p.id}")} class="point">{inner}</g>'
     return [parts[k] for k in sorted(parts)]
 
 
@@ -160,7 +163,7 @@ def _double(d: Drawing, s: DoubleSlip) -> str:
                 ux, vy = _towards(b.at, b.towards(normal))
                 paths.append(_path([b.at, (b.at[0] + LIES * ux, b.at[1] + LIES * vy)]))
         data = f'data-n="{" ".join(lies[True])}" data-r="{" ".join(lies[False])}"'
-        out.append(f'<g id={quoteattr(f"point-{p.id}")} class="point" {data}>{inner}</g>')
+        out.append(f'<g id={_id(f"point-{p.id}")} class="point" {data}>{inner}</g>')
     return "\n".join(out)
 
 
@@ -187,7 +190,7 @@ def _crossings(d: Drawing) -> list[str]:
     out = []
     for c in d.layout.crossings:
         x, y = d.at[c.node]
-        out.append(f'<circle id={quoteattr(f"crossing-{c.id}")} class="mark" cx="{_n(x)}" cy="{_n(y)}" r="4"/>')
+        out.append(f'<circle id={_id(f"crossing-{c.id}")} class="mark" cx="{_n(x)}" cy="{_n(y)}" r="4"/>')
     return out
 
 
@@ -196,7 +199,7 @@ def _ends(d: Drawing) -> list[str]:
     for n, (x, y), right in d.outside:
         way = 5 if right else -5
         tip = f'<path class="mark" d="M{_n(x - way)} {_n(y - 5)} L{_n(x)} {_n(y)} L{_n(x - way)} {_n(y + 5)}"/>'
-        out.append(f'<g id={quoteattr(f"boundary-{n}")} class="boundary">{tip}</g>')
+        out.append(f'<g id={_id(f"boundary-{n}")} class="boundary">{tip}</g>')
     for b in d.layout.buffers:
         x, y = d.at[b.node]
         left = all(_beside(d.edges[e.id], (x, y)) > x for e in d.layout.edges_at[b.node])
@@ -209,7 +212,7 @@ def _ends(d: Drawing) -> list[str]:
             mark = (
                 f"M{_n(x - 4)} {_n(y - 4)} L{_n(x + 4)} {_n(y + 4)} M{_n(x - 4)} {_n(y + 4)} L{_n(x + 4)} {_n(y - 4)}"
             )
-        out.append(f'<g id={quoteattr(f"buffer-{b.node}")} class="buffer"><path class="mark" d="{mark}"/></g>')
+        out.append(f'<g id={_id(f"buffer-{b.node}")} class="buffer"><path class="mark" d="{mark}"/></g>')
     return out
 
 
@@ -229,9 +232,7 @@ def _devices(d: Drawing) -> list[str]:
             else:
                 marks.append(f"M{_n(x - 9)} {_n(y - 9)} h18 v18 h-18 Z")
         path = f'<path class="mark" d="{" ".join(marks)}"/>'
-        out.append(
-            f'<g id={quoteattr(f"device-{device.id}")} class="device"><title>{escape(device.id)}</title>{path}</g>'
-        )
+        out.append(f'<g id={_id(f"device-{device.id}")} class="device"><title>{escape(device.id)}</title>{path}</g>')
     return out
 
 
@@ -242,7 +243,7 @@ def _signals(d: Drawing) -> list[str]:
         x, y, ahead = d.distants[k.id]
         my = y + (-14 if ahead is leftward else 14)
         box = f'<path class="mast" d="M{_n(x)} {_n(y)} L{_n(x)} {_n(my)} M{_n(x - 5)} {_n(my)} l5 -5 l5 5 l-5 5 Z"/>'
-        out.append(f'<g id={quoteattr(f"signal-{k.id}")} class="signal distant">{box}</g>')
+        out.append(f'<g id={_id(f"signal-{k.id}")} class="signal distant">{box}</g>')
     return out
 
 
@@ -261,7 +262,7 @@ def _signal(layout: Layout, g: Signal, x: float, y: float, ahead: bool, leftward
         f'<circle class="lamp {kind}" cx="{_n(x + way * (16 + 9 * k))}" cy="{_n(my)}" r="4.2"/>'
         for k, kind in enumerate(lamps)
     )
-    return f'<g id={quoteattr(f"signal-{g.id}")} class="signal {g.kind}"><path class="mast" d="{mast}"/>{heads}</g>'
+    return f'<g id={_id(f"signal-{g.id}")} class="signal {g.kind}"><path class="mast" d="{mast}"/>{heads}</g>'
 
 
 def _texts(d: Drawing) -> list[str]:

@@ -6,7 +6,7 @@ let at = 0, timer = null;
 
 function views(k) {
   const out = new Map();
-  for (const name of data.states[data.shown[k]]) for (const v of data.views[name] || []) out.set(v.join(" "), v);
+  for (const name of data.states[data.shown[k]]) for (const v of data.views[name] || []) out.set(v.join("\n"), v);
   return out;
 }
 
@@ -20,7 +20,7 @@ function show(k) {
   for (const e of document.querySelectorAll("#plan .train")) e.remove();
   const marks = new Map();
   for (const [key, [kind, id, what]] of now) {
-    const e = document.getElementById(kind + "-" + id);
+    const e = document.getElementById((kind + "-" + id).replaceAll(" ", "\u00a0")); // no id has a space in it
     if (!e) continue;
     marks.set(e, (marks.get(e) || "") + " " + what);
     if (!before.has(key) && at) e.classList.add("changed");

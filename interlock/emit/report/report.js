@@ -17,9 +17,11 @@ for (const r of data.routes) { // what is said once of each way, put together fo
 }
 let chosen = -1;
 
+function drawn(id) { return document.getElementById(id.replaceAll(" ", "\u00a0")); } // no id has a space in it
+
 function lit(kind, ids, prefix) {
   for (const id of ids) {
-    const e = document.getElementById(prefix + id);
+    const e = drawn(prefix + id);
     if (e) e.classList.add(kind);
   }
 }
@@ -89,7 +91,7 @@ function resize(to) {
 }
 
 function boxesOf(edges) {
-  return edges.map((e) => document.getElementById("edge-" + e)).filter(Boolean).map((e) => e.getBoundingClientRect());
+  return edges.map((e) => drawn("edge-" + e)).filter(Boolean).map((e) => e.getBoundingClientRect());
 }
 
 // on a plan that fits only when it is small, a chosen route fills the frame

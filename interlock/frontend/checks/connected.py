@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from interlock.diag.called import called
 from interlock.frontend.context import Context
+from interlock.frontend.scalars import item_parts
 from interlock.model.elements import Edge, NodeId
 from interlock.model.layout import Layout
 
@@ -13,7 +14,7 @@ from interlock.model.layout import Layout
 def _place(ctx: Context, section: str) -> tuple[str | int, ...]:
     for track, items in ctx.file.tracks.items():
         for i, item in enumerate(items):
-            if item.split()[0] == section:
+            if item_parts(item)[0] == section:
                 return ("tracks", track, i)
     for point, spec in ctx.file.points.items():
         if spec.section == section:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from interlock.diag import Element, Span
 from interlock.diag.called import called
 from interlock.frontend.context import Context
-from interlock.frontend.scalars import NAME
+from interlock.frontend.scalars import NAME, item_parts
 from interlock.model.elements import EdgeId
 from interlock.model.layout import Layout
 
@@ -37,15 +37,16 @@ def check_lengths(ctx: Context, layout: Layout) -> None:
 def _stated(ctx: Context) -> Iterator[tuple[str, float, tuple[float, float], Span, Element]]:
     """Every stated length: what it is of, metres, the usual range, place and element."""
     f = ctx.file
+    ends = {*f.boundaries, *f.buffers, *f.traps}
     for track, items in f.tracks.items():
         for i, item in enumerate(items):
-            if len(item.split()) == 2:
-                section, metres = item.split()
+            section, metres = item_parts(item)
+            if metres and section and item.strip() not in ends:
                 of = Element("sections", section)
                 yield called("section", section), float(metres), (SHORT_M, LONG_M), ctx.at("tracks", track, i), of
     for name, b in f.boundaries.items():
         if b.approach is not None:
-            section, metres = b.approach.split()
+            section, metres = item_parts(b.approach)
             at = ctx.at("boundaries", name, "approach")
             yield f"approach section {section}", float(metres), (SHORT_M, LONG_M), at, Element("boundaries", name)
     for room, kind in (("points", "point"), ("crossings", "diamond"), ("slips", "slip"), ("derailers", "derailer")):
@@ -66,13 +67,13 @@ def _computed(ctx: Context, layout: Layout) -> Iterator[tuple[str, float, tuple[
     for track, items in f.tracks.items():
         count = 0
         for i, item in enumerate(items):
-            words = item.split()
-            if len(words) == 1 and (words[0] in ends or not NAME.fullmatch(words[0])):
+            section, stated = item_parts(item)
+            if item.strip() in ends or not NAME.fullmatch(section):
                 continue
-            if len(words) == 1:
+            if not stated:
                 metres = layout.edge[EdgeId(f"{track}.{count}")].length
-                at, about = ctx.at("tracks", track, i), Element("sections", words[0])
-                yield called("section", words[0]), metres, (SHORT_M, LONG_M), at, about
+                at, about = ctx.at("tracks", track, i), Element("sections", section)
+                yield called("section", section), metres, (SHORT_M, LONG_M), at, about
             count += 1
 
 

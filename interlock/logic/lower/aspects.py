@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from interlock.diag.called import called
 from interlock.logic import names
 from interlock.logic.controller import Join, Output, Term
 from interlock.logic.expr import Expr, conj, disj, neg, var
@@ -86,34 +87,45 @@ def outputs(d: Draft) -> None:
         routes = d.routes_from[signal.id]
         if not routes:
             continue
+        said = called("signal", signal.id)
         mains = disj((_opens(d, signal.id, names.SHOWING), *_passing(routes, RouteKind.MAIN)))
         whites = [var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.SHUNT]
         shunts = disj([*whites, *_passing(routes, RouteKind.SHUNT)])
         if signal.main and d.layout.opens(signal.id, False):
             clear = _clear(d, signal.id)
-            d.outputs.append(Output(names.CLEAR_ASPECT(signal.id), clear, False, f"signal {signal.id}: clear (green)"))
+            d.outputs.append(Output(names.CLEAR_ASPECT(signal.id), clear, False, f"{said}: clear (green)"))
             if cautions(d):
                 caution = conj((mains, neg(clear)))
                 d.outputs.append(
-                    Output(names.CAUTION_ASPECT(signal.id), caution, False, f"signal {signal.id}: caution (yellow)")
+                    Output(
+                        names.CAUTION_ASPECT(signal.id),
+                        caution,
+                        False,
+                        f"{said}: caution (yellow)",
+                    )
                 )
         for kmh, name in speeds(d, signal.id).items():
             over = [r for r in routes if r.kind is RouteKind.MAIN and r.speed.kmh == kmh]
             shown = disj([*(var(names.SHOWING(r.number)) for r in over), *_passing(over, RouteKind.MAIN)])
-            d.outputs.append(Output(name, shown, False, f"signal {signal.id}: speed indicator {kmh} km/h"))
+            d.outputs.append(Output(name, shown, False, f"{said}: speed indicator {kmh} km/h"))
         if signal.shunt:
-            d.outputs.append(Output(names.SHUNT_ASPECT(signal.id), shunts, False, f"signal {signal.id}: shunt (white)"))
+            d.outputs.append(Output(names.SHUNT_ASPECT(signal.id), shunts, False, f"{said}: shunt (white)"))
         calls = [var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.CALL_ON]
         if calls:
             d.outputs.append(
-                Output(names.CALL_ASPECT(signal.id), disj(calls), False, f"signal {signal.id}: call-on, beside stop")
+                Output(
+                    names.CALL_ASPECT(signal.id),
+                    disj(calls),
+                    False,
+                    f"{said}: call-on, beside stop",
+                )
             )
         identified = disj(var(names.SHOWING(r.number)) for r in routes if r.kind is RouteKind.IDENTIFIER)
         if d.identifies(signal.id):
-            note = f"signal {signal.id}: identifier light, neither stop nor proceed"
+            note = f"{said}: identifier light, neither stop nor proceed"
             d.outputs.append(Output(names.IDENTIFIER_ASPECT(signal.id), identified, False, note))
         stop = neg(disj((mains, shunts, identified)))
-        d.outputs.append(Output(names.STOP_ASPECT(signal.id), stop, True, f"signal {signal.id}: stop"))
+        d.outputs.append(Output(names.STOP_ASPECT(signal.id), stop, True, f"{said}: stop"))
     for distant in d.layout.distants:
         clear = _clear(d, distant.of)
         d.outputs.append(

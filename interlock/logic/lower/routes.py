@@ -12,6 +12,7 @@ section before the signal is firmly locked towards it: for the train that is on 
 
 from __future__ import annotations
 
+from interlock.diag.called import called
 from interlock.logic import names
 from interlock.logic.controller import Input, Join, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
@@ -36,7 +37,7 @@ def inputs(d: Draft) -> None:
         for passed in filter(d.identifies, d.routes_from):
             d.inputs.append(Input(names.IDENTIFIER_LAMP(passed), f"identifier lamp of {passed} intact, or not lit"))
     for c in d.layout.conditions:
-        d.inputs.append(Input(names.CONDITION(c.id), f"external condition {c.id}: {c.text or 'holds'}"))
+        d.inputs.append(Input(names.CONDITION(c.id), f"external {called('condition', c.id)}: {c.text or 'holds'}"))
 
 
 def _berth_terms(d: Draft, r: RouteRow) -> list[Term]:

@@ -8,6 +8,7 @@ that automatic release is off and the lock is released by hand.
 
 from __future__ import annotations
 
+from interlock.diag.called import called
 from interlock.logic import names
 from interlock.logic.controller import Input, Join, Output, Term
 from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
@@ -22,13 +23,14 @@ def inputs(d: Draft) -> None:
     for s in d.layout.sections:
         if s.id in d.layout.undetected:
             continue
-        d.inputs.append(Input(names.CLEAR(s.id), f"section {s.id} reported clear"))
+        d.inputs.append(Input(names.CLEAR(s.id), f"{called('section', s.id)} reported clear"))
     for s_, name in d.healthy.items():
         d.inputs.append(Input(name, f"detector of {s_} healthy"))
     for s_ in d.sections:
-        d.inputs.append(Input(names.RELEASE_BY_HAND(s_), f"operator: release section {s_} (hold until released)"))
+        said = f"operator: release {called('section', s_)} (hold until released)"
+        d.inputs.append(Input(names.RELEASE_BY_HAND(s_), said))
     for s_ in d.lockable:
-        d.inputs.append(Input(names.BLOCKED(s_), f"operator: section {s_} is blocked", restrictive=1))
+        d.inputs.append(Input(names.BLOCKED(s_), f"operator: {called('section', s_)} is blocked", restrictive=1))
     d.inputs.append(
         Input(names.RELEASE_ALL, "operator: release all clear sections after a restart or a loss of inputs")
     )

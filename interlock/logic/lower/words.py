@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import chain
 
+from interlock.diag.called import called
 from interlock.logic import names
 from interlock.logic.controller import Equation, Join, Term
 from interlock.logic.expr import AND, FALSE, NOT, OR, TRUE, VAR, Expr, conj, disj, neg, var
@@ -87,7 +88,7 @@ class _Writer:
         if held is not None:
             said = self._text(x, t)
             if x.op is VAR and self._name(x).family is names.LONG_CLEAR:
-                said = f"section {self._name(x).at[0]} is occupied, or not clear for long enough"
+                said = f"{called('section', str(self._name(x).at[0]))} is occupied, or not clear for long enough"
             return self._code(x, f"{self._called(held)} cannot move: {said}", "R10", (f"m:{held}", *self._at(x)), held)
         if x.op is VAR:
             name = self._name(x)
@@ -124,7 +125,7 @@ class _Writer:
 
     def _called(self, m: MachineId) -> str:
         """A machine in a sentence: points, or a crossing or bridge by its name alone."""
-        return str(m) if m in self.d.layout.device else f"points {m}"
+        return str(m) if m in self.d.layout.device else called("points", m)
 
     def _text(self, x: Expr, t: Term) -> str:
         """What is said of a condition that does not hold."""

@@ -6,6 +6,7 @@ a lock in rear does not count beside it.  ZNk_i_j: at least j of the first i sec
 
 from __future__ import annotations
 
+from interlock.diag.called import called
 from interlock.logic import names
 from interlock.logic.controller import Join, Output, Term
 from interlock.logic.expr import FALSE, Expr, conj, disj, neg, var
@@ -67,7 +68,7 @@ def outputs(d: Draft) -> None:
     for k, z in enumerate(d.layout.zones, 1):
         name = names.ZONE_FULL(z.id)
         full = [Term(_at_least(d, k, z.trains), "full")]
-        d.kept(name, True, f"zone {z.id} is full", Join.ALL, full, f"zone {z.id}")
+        d.kept(name, True, f"{called('zone', z.id)} is full", Join.ALL, full, f"zone {z.id}")
         d.outputs.append(
-            Output(names.ZONE_FULL_SHOWN(z.id), disj((var(name),)), True, f"indication: zone {z.id} is full")
+            Output(names.ZONE_FULL_SHOWN(z.id), disj((var(name),)), True, f"indication: {called('zone', z.id)} is full")
         )

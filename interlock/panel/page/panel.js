@@ -259,6 +259,14 @@ function others() {
   $("more").hidden = !lines.length;
 }
 
+// one name, or two: names may have spaces, so that every way to divide the words is tried
+function readings(words) {
+  const named = text => [text, [...plan.keys.keys()].filter(k => k.slice(2) === text)];
+  const all = words.map((_, i) => [words.slice(0, i + 1).join(" "), words.slice(i + 1).join(" ")].filter(Boolean).map(named));
+  const known = all.filter(parts => parts.every(([, keys]) => keys.length));
+  return known.length ? known : [all.find(([first]) => first[1].length) ?? all[words.length - 1]];
+}
+
 // --- keys and buttons ---
 $("ack").addEventListener("click", () => ask({do: "acknowledge", alarm: ""}));
 $("in").addEventListener("click", () => plan.zoom(0.8));
@@ -276,15 +284,16 @@ $("test").addEventListener("click", async () => {
 $("line").addEventListener("submit", e => {
   e.preventDefault();
   const order = $("typed").value.trim();
-  if (/^[^:>\s]+:[^\s]+>[^\s]+$/.test(order)) { $("typed").value = ""; ask({do: "voyage", name: order}); return; }
-  const words = order.split(/\s+/), keys = words.map(w => [...plan.keys.keys()].filter(k => k.slice(2) === w));
-  const lost = words.find((w, k) => !keys[k].length);
-  if (lost) { say("Unknown", [[`nothing on the plan is called ${lost}`, []]]); return; }
+  if (/^[^:>]+:[^:>]+(>[^:>]+)+$/.test(order)) { $("typed").value = ""; ask({do: "voyage", name: order}); return; }
+  const [keys, ...others] = readings(order.split(/\s+/));
+  if (others.length) { say("Not clear", [[`${order} can be read in ${others.length + 1} ways: choose on the plan`, []]]); return; }
+  const lost = keys.find(([, known]) => !known.length);
+  if (lost) { say("Unknown", [[`nothing on the plan is called ${lost[0]}`, []]]); return; }
   $("typed").value = "";
   if (chosen) choose(chosen);
-  const signal = keys[0].find(k => k[0] === "g") ?? keys[0][0];
-  choose(signal);
-  if (keys.length > 1) choose(keys[1].find(k => exits().includes(k)) ?? keys[1][0]);
+  const from = keys[0][1], to = keys[1]?.[1];
+  choose(from.find(k => k[0] === "g") ?? from[0]);
+  if (to) choose(to.find(k => exits().includes(k)) ?? to[0]);
 });
 document.addEventListener("keydown", e => {
   if (e.key === "Escape") { $("typed").blur(); if (chosen) choose(chosen); else { $("said").replaceChildren(); plan.mark("shown", []); } return; }

@@ -1,6 +1,6 @@
 // The plan: shows what the server says of each element, zooms, tells what was clicked.
 const NS = "http://www.w3.org/2000/svg";
-const by = id => document.getElementById(id);
+const by = id => document.getElementById(id.replaceAll(" ", "\u00a0")); // no id has a space in it
 const make = (tag, attributes, into) => {
   const e = document.createElementNS(NS, tag);
   for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
@@ -34,7 +34,10 @@ export class Plan {
     for (const [m, one] of Object.entries(still.machines)) this.lies[m] = one.points.map(p => this.point(p)).filter(Boolean);
     for (const g of Object.keys(still.signals)) this.key(`g:${g}`, by(`signal-${g}`), `signal ${g}`, 9);
     for (const [b, one] of Object.entries(still.boundaries)) this.key(`b:${b}`, by(`boundary-${b}`), `boundary ${one.label}`, 12);
-    for (const e of svg.querySelectorAll(".buffer")) this.key(`x:${e.id.slice(7)}`, e, `end of track ${e.id.slice(7)}`, 10);
+    for (const e of svg.querySelectorAll(".buffer")) {
+      const name = e.id.slice(7).replaceAll("\u00a0", " ");
+      this.key(`x:${name}`, e, `end of track ${name}`, 10);
+    }
     for (const t of svg.querySelectorAll("text[data-of]")) {
       const kind = {section: "s", signal: "g", point: "m"}[[...t.classList].find(c => ["section", "signal", "point"].includes(c))];
       if (!kind) continue;

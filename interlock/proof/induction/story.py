@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from interlock.diag.called import called
 from interlock.logic import names
 from interlock.logic.expr import evaluate
 from interlock.model.elements import Position
@@ -126,9 +127,9 @@ def _changes(system: System, old: dict[str, int], new: dict[str, int]) -> list[s
         now, before = (any(x[n] for n in r.open_while) for x in (new, old))
         if now and not before:
             what = "its identifier light" if r.identifier else "proceed"
-            out.append(f"signal {r.entry} shows {what} for route {r.id}")
+            out.append(f"{called('signal', r.entry)} shows {what} for route {r.id}")
         if before and not now:
-            out.append(f"signal {r.entry} returns to stop")
+            out.append(f"{called('signal', r.entry)} returns to stop")
     for b, token in system.symbols.token.items():
         if new[token.have] and not old[token.have]:
             out.append(f"the direction at {b} is ours")

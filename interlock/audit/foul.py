@@ -1,0 +1,55 @@
+"""What stands foul of a path beyond a joint, by distances from the track alone (R7)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from interlock.audit.flank import pairs
+from interlock.audit.walk import Move, Trip, distances
+from interlock.model.elements import EdgeId, MachineId, NodeId, Position, SectionId
+from interlock.model.layout import Layout
+
+Foul = tuple[SectionId, tuple[MachineId, Position] | None, NodeId, SectionId]
+
+
+def foul_neighbours(layout: Layout, trip: Trip) -> set[Foul]:
+    """Sections that begin too near to a point of the path, on its unused leg, or to a diamond on its other arm; the
+    point that leads there, where, and the section of the path."""
+    out: set[Foul] = set()
+    for a, b in pairs(trip):
+        for unused, own, needed in _beside(layout, a, b):
+            for (edge, near), gone in distances(layout, a.node, unused, needed).items():
+                behind = {layout.section_of(e.id) for e in layout.edges_at[near] if e.id != edge}
+                section = layout.section_of(edge)
+                if section not in own | behind and gone < needed:
+                    out.add((section, _way_out(layout, edge, near), near, layout.section_of(a.edge)))
+    return out
+
+
+def _beside(layout: Layout, a: Move, b: Move) -> Iterator[tuple[EdgeId, set[SectionId], float]]:
+    """The edges on which a vehicle near the node would stand in the way, the sections in which it would be seen
+    anyway, and how far it must stay away."""
+    point, margin = layout.point_at.get(a.node), layout.principles.clearance_m
+    if point is not None:
+        unused = next(e for e in (point.normal, point.reverse) if e not in (a.edge, b.edge))
+        yield unused, {layout.section_of(point.toe)}, point.fouling + margin
+    crossing = layout.crossing_at.get(a.node)
+    if crossing is not None:
+        here = {layout.section_of(a.edge)}
+        for e in next(arm for arm in crossing.arms if a.edge not in arm):
+            yield e, here | {layout.section_of(e)}, layout.principles.fouling_m + margin
+
+
+def _way_out(layout: Layout, edge: EdgeId, near: NodeId) -> tuple[MachineId, Position] | None:
+    """The first point beyond, within the section, that must lie so for a vehicle to come to `near`."""
+    section = layout.section_of(edge)
+    for _ in layout.edges:
+        near = layout.far(edge, near)
+        p = layout.point_at.get(near)
+        if p is not None:
+            return None if edge == p.toe else (p.machine, Position.NORMAL if edge == p.normal else Position.REVERSE)
+        further = [e.id for e in layout.edges_at[near] if e.id != edge and e.section == section]
+        if near in layout.crossing_at or len(further) != 1:
+            return None
+        edge = further[0]
+    return None
