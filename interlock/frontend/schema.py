@@ -243,7 +243,8 @@ class SectionSpec(_Part):
     )
     detected: YesNo = key("no: a siding without detection, which always counts as occupied", True)
     berth: YesNo = key(
-        "no: shunting movements come into it only when it is clear, and lock it for themselves alone (R2); without it, "
+        "no: shunting movements come into it only when it is clear, and lock it for themselves alone (R2); before a "
+        "boundary they end in it all the same; without it, "
         "vehicles may stand in it where it is plain and left only on a signal",
         True,
     )
