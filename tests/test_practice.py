@@ -128,10 +128,24 @@ def test_an_allowance_has_a_reason_and_an_effect(tmp_path: Path) -> None:
     for text, code in (
         (allow.replace(", reason: trains come slowly out of the works", ""), "IL1010"),
         (allow.replace("trains come slowly out of the works", "''"), "IL2009"),
-        (allow.replace("IL7006", "IL3012"), "IL1017"),
+        (allow.replace("IL7006", "IL3025"), "IL1017"),
         (allow.replace("at: [W]", "at: []"), "IL1012"),
     ):
         assert {d.code for d in checked(tmp_path, short + text).diagnostics} == {code}
+
+
+def test_sidings_that_no_route_uses_are_told_at_once_and_may_be_meant_so(tmp_path: Path) -> None:
+    text = STARTER.replace("loop: [q4 600]", "loop: [q4 600]\n  spur: [P3.reverse, y1 80, y2 80, B]\n  rest: [q7 100]")
+    text = text.replace(
+        "reverse: loop.end}", "reverse: rest.end}\n  P3: {section: t9, toe: loop.end, normal: rest.start}"
+    )
+    text = text.replace("X4: {from: q4, into: q5}", "X4: {from: q7, into: q5}")
+    text += "buffers: [B]\nexclude:\n  - {to: B, reason: wagons are pushed in by hand}\n"
+    (one,) = (d for d in checked(tmp_path, text).diagnostics if d.code == "IL3012")
+    assert one.message == "no route uses section y1" and len(one.also) == 1
+    reason = "reason: wagons are pushed in by hand"
+    allow = f"allow:\n  - {{lint: IL3012, at: [y1, y2], {reason}}}\n"
+    assert "IL3012" not in {d.code for d in checked(tmp_path, text + allow).diagnostics}
 
 
 def test_an_allowance_changes_no_digest(tmp_path: Path) -> None:

@@ -359,5 +359,6 @@ class Railway:
             x.get("from", c.name) == c.name
             and x.get("to", p.last.exit) in ends
             and set(x.get("via") or ()) <= {w.section for w in p.ways}
+            and not set(x.get("not_via") or ()) & {w.section for w in p.ways}
             and x.get("kind") in (None, "shunt" if c.shunt else "main")
         )

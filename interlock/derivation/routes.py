@@ -3,8 +3,8 @@
 A call-on route runs like a train route; it exists where its signal can call on.
 A train route follows the signal's direction to the next main signal of that direction, a boundary or a buffer.
 A shunt route ends at the next signal of either kind, at a buffer, or in the first berth: a plain section that is left
-only on a signal, where vehicles may stand.  It never leaves over a boundary; before one it ends in a road that is no berth
-only because the layout says so.
+only on a signal, where vehicles may stand.  It never leaves over a boundary; before one it ends in a road that is no
+berth only because the layout says so.
 Past a signal with an identifier light a train route may lead on, to where one that begins there ends: it is made of the
 path to that signal and of a route of kind identifier beyond it.
 A path that meets itself, or that needs one machine in two positions, cannot be run and is reported.

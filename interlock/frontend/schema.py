@@ -243,8 +243,7 @@ class SectionSpec(_Part):
     )
     detected: YesNo = key("no: a siding without detection, which always counts as occupied", True)
     berth: YesNo = key(
-        "no: shunting movements come into it only when it is clear, and lock it for themselves alone (R2); before a "
-        "boundary they end in it all the same; without it, "
+        "no: shunting movements come into it only when it is clear, and lock it for themselves alone (R2); without it, "
         "vehicles may stand in it where it is plain and left only on a signal",
         True,
     )
@@ -333,6 +332,7 @@ class ChoiceSpec(_Part):
     from_: Name | None = key("the signal at which they begin; without it, any", None, name="from")
     to: Name | None = key("the signal, boundary, buffer or last section where they end; without it, any", None)
     via: list[Name] = key("sections over which they lead", [])
+    not_via: list[Name] = key("sections over none of which they lead", [])
     kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
         "train routes or shunt routes; without it, both", None
     )

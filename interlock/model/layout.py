@@ -325,7 +325,8 @@ class Layout:
 
     def to_text(self) -> str:
         """One readable, canonical text form."""
-        facts = {k: v for k, v in asdict(self).items() if k != "pins" and (v or k not in _ONLY_STATED)}
+        stated = asdict(self, dict_factory=lambda found: {k: v for k, v in found if v or k != "not_via"})
+        facts = {k: v for k, v in stated.items() if k != "pins" and (v or k not in _ONLY_STATED)}
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 
