@@ -111,8 +111,8 @@ class Layout:
     """Seconds of supervision of machines that have a time of their own."""
     unlisted: tuple[str, ...] = ()
     """Names of routes that are not printed."""
-    named_kinds: tuple[tuple[str, bool], ...] = ()
-    """Names of routes of which the kind is stated: whether it is a shunt route."""
+    named_kinds: tuple[tuple[str, bool | None], ...] = ()
+    """Names of routes of which the kind is stated: whether it is a shunt route; None: a call-on route."""
     no_berths: tuple[SectionId, ...] = ()
     """Roads that would be berths, and into which shunting movements are to come only when they are clear."""
     hands: tuple[tuple[PointId, Hand], ...] = ()
