@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -85,6 +86,11 @@ def test_a_station_without_signals_is_run_through(tmp_path: Path) -> None:
     (one,) = [d for d in checked(tmp_path, text).diagnostics if d.code in LINTS]
     assert one.code == "IL7003" and one.about is not None and one.about.name == "XW"
     assert len(one.also) == 5  # three tracks, two directions
+
+
+def test_a_long_crossover_between_two_lines_is_no_station(tmp_path: Path) -> None:
+    text = Path("tests/stations/railml.yaml").read_text("utf-8")
+    assert "k: [Sw12.reverse, ne24 170, Sw13.reverse]" in text and lints(tmp_path, text) == []
 
 
 def test_a_platform_that_trains_cannot_leave(tmp_path: Path) -> None:
@@ -176,3 +182,17 @@ def test_in_a_balloon_loop_both_ways_are_told_apart(tmp_path: Path) -> None:
     """Both ends of its track are one set of points."""
     assert lints(tmp_path, RING) == []
     assert lints(tmp_path, RING.replace("S1: {from: r2, into: T}", "S1: {from: T, into: r2}")) == [("IL7001", "S1")]
+
+
+def test_the_fix_of_a_restart_delay_is_one_that_helps(tmp_path: Path) -> None:
+    """Lower speeds make it worse: what ran at a power cut takes longer to the next signal."""
+    text = STARTER.replace("q3 600", "q3 2600").replace("q4 600", "q4 2600")
+    (one,) = (d for d in checked(tmp_path, text).diagnostics if d.code == "IL3023")
+    assert "at half of 80 km/h" in one.message and "speed" not in str(one.fix)
+    slower = text.replace("name: starter\n", "name: starter\nprinciples: {line_speed_kmh: 60}\n")
+    (other,) = (d for d in checked(tmp_path, slower).diagnostics if d.code == "IL3023")
+    assert "at half of 60 km/h" in other.message
+    delays = [float(re.search(r"and ([\d.]+) s are needed", d.message)[1]) for d in (one, other)]  # type: ignore[index]
+    assert delays[0] < delays[1]
+    stated = text.replace("name: starter\n", f"name: starter\n{re.search(r'`(principles: .*?)`', str(one.fix))[1]}\n")  # type: ignore[index]
+    assert "IL3023" not in {d.code for d in checked(tmp_path, stated).diagnostics}
