@@ -23,7 +23,7 @@ from interlock.table.rows import InterlockingTable, Role, RouteRow
 from tests.layouts import grown
 
 HERE = Path(__file__).resolve().parent / "stations"
-STATIONS = ("komano", "swtbahn", "cranz")
+STATIONS = ("komano", "shinnozaki", "akayama", "hbg", "railml", "swtbahn", "cranz")
 COLUMNS = ("route", "ends", "points", "clear", "locked", "hostile", "delay")
 ROLES = {Role.PATH: "", Role.DEVICE: "", Role.FLANK: " (flank)", Role.ADDED: " (added)", Role.OVERLAP: " (overlap)"}
 
@@ -192,12 +192,12 @@ def _row(s: Station, name: str) -> Iterator[Difference]:
     theirs = s.points(row)
     for d in _both(name, "points", theirs, set(roles)):
         yield Difference(name, d.column, d.side, d.item + (roles[d.item] if d.side == "derived" else ""))
-    pieces = {"clear": {str(c.section) for c in r.sections}, "locked": set(map(str, r.section_ids))}
+    pieces = {"clear": {str(c.section) for c in (*r.sections, *r.foul)}, "locked": set(map(str, r.section_ids))}
     for column, mine in pieces.items():
         if column in s.columns:
             yield from _both(name, column, s.words(row, "clear" if column == "clear" else column), s.sections(mine))
     if "delay" in s.columns:
-        yield from _both(name, "delay", {f"{row['delay']} s"}, {f"{r.approach.delay_s:g} s"})
+        yield from _both(name, "delay", {f"{row['delay']} s"} if row["delay"] else set(), {f"{r.approach.delay_s:g} s"})
     if "hostile" in s.columns:
         named: dict[RouteId, str] = {x.id: n for n, x in s.derived.items()}
         mine = {named[h] for h in r.hostile.routes if h in named}

@@ -55,6 +55,30 @@ def made(text: str) -> tuple[Layout, InterlockingTable]:
     return layout, table
 
 
+DETOUR = Path("tests/layouts_for_tests/detour.yaml").read_text("utf-8")
+NOT_LONG, NOT_SHORT = "via: [r1]", "not_via: [r1]"
+
+
+@pytest.mark.parametrize(("which", "left"), [(NOT_LONG, "t1 t2 m2"), (NOT_SHORT, "t1 r1 r2 t2 m2")])
+def test_either_of_two_ways_is_excluded(which: str, left: str) -> None:
+    text = f"{DETOUR}exclude:\n  - {{from: S, {which}, reason: one way is enough}}\n"
+    layout, table = made(text)
+    assert [" ".join(r.section_ids) for r in table.routes if r.entry == "S" and r.kind == "main"] == [left]
+    assert prove(System(layout, lower(layout, table)), Limits(search_s=0)).proved
+    assert agree(*told(text), specification.shipped()).left == ()
+
+
+def test_a_route_that_is_hostile_or_demands_a_point_is_told_by_what_it_does_not_pass() -> None:
+    more = "hostile:\n  - {one: {from: S, not_via: [r1]}, other: {from: X}, reason: tight}\n"
+    more += "demand:\n  - {point: 2, lies: normal, routes: {from: X, not_via: [r1]}, reason: overrun}\n"
+    _, table = made(DETOUR + more)
+    barred = {r.id for r in table.routes if r.barred and r.entry == "S"}
+    assert barred == {r.id for r in table.routes if r.entry == "S" and "r1" not in r.section_ids} != set()
+    assert agree(*told(DETOUR + more), specification.shipped()).left == ()
+    with pytest.raises(Rejected):
+        agree(loaded(DETOUR + more.replace("not_via", "via")), *told(DETOUR + more)[1:], specification.shipped())
+
+
 def test_additions_stand_in_the_table_with_their_reasons() -> None:
     _, table = made(TEXT)
     cell = {c.key: c for c in COLUMNS}

@@ -20,6 +20,28 @@ from tests.layouts import grown
 from tests.written import told
 
 YARD = Path("tests/layouts_for_tests/shunt_yard.yaml").read_text("utf-8")
+TURN = """
+interlock: 1
+name: turn
+boundaries:
+  W: {trains: in, approach: wa 600}
+  E: {trains: TRAINS}
+tracks:
+  one: [W, g1 250, 1.normal]
+  two: [B, g2 250, 1.reverse]
+  out: [1.toe, line 200, E]
+buffers: [B]
+points:
+  1: {section: t1}
+signals:
+  A: {from: W, into: g1}
+  N: {from: g1, into: t1, kind: combined}
+  D: {from: line, into: t1, kind: shunt}
+  M: {from: g2, into: t1, kind: shunt}
+sections:
+  line: {berth: no}
+"""
+"""Shunting movements turn on the running line, before the boundary, once it is clear."""
 DENIED = YARD + "sections:\n  g1: {berth: no}\n  l2: {berth: no}\n"
 
 
@@ -36,6 +58,22 @@ def test_shunting_movements_need_a_road_clear_that_is_no_berth() -> None:
     assert clear(YARD, "D2-E1") == ["p1"] and clear(DENIED, "D2-E1") == ["p1", "g1"]
     assert clear(YARD, "S2-D3.s") == ["p1"] and clear(DENIED, "S2-D3.s") == ["p1", "l2"]
     assert clear(DENIED, "D2-E2") == clear(YARD, "D2-E2") == ["p1"], "g2 stays a berth"
+
+
+@pytest.mark.parametrize("trains", ["out", "in", "both, block: token"])
+def test_shunting_movements_end_before_a_boundary_in_clear_track(trains: str) -> None:
+    text = TURN.replace("TRAINS", trains)
+    if trains != "out":
+        text = text.replace("  D:", "  Z: {from: E, into: line}\n  D:")
+    made = grown(text)
+    assert made is not None and not any("a shunting movement" in d.message for d in made[2].diagnostics)
+    layout, table, _ = made
+    assert audit(layout, table) == ()
+    route = table.route[RouteId("N-line.s")]
+    assert [c.section for c in route.sections] == ["t1", "line"] == list(route.section_ids) and route.berth is None
+    assert {"M-line", "N-line.s"} <= {str(r.id) for r in table.routes}
+    assert prove(System(layout, lower(layout, table)), limits=Limits(search_s=0)).proved
+    assert agree(*told(text), specification.shipped()).left == ()
 
 
 def test_it_is_proved_and_the_second_checker_agrees() -> None:

@@ -48,6 +48,15 @@ def test_train_route_and_shunt_route_between_the_same_ends_have_names_of_their_o
     assert names(text.replace(", kind: main", "")) == (named, []), "without a kind, the train route"
 
 
+def test_a_call_on_route_has_a_name_of_its_own() -> None:
+    both = "  X4: {from: q4, into: q5, call_on: yes}\nroutes:\n  run: {from: X4, to: E}\n"
+    assert names(both) == ({"run": "X4-E"}, [])
+    named, said = names(both + "  called: {from: X4, to: E, kind: call-on}\n  main: {from: X4, to: E, kind: main}\n")
+    assert (named, said) == ({"run": "X4-E", "main": "X4-E", "called": "X4-E.c"}, [])
+    _, (none,) = names(both + "  called: {from: X2, to: X4, kind: call-on}\n")
+    assert none == "IL2007 there is no call-on route from X2 to X4 (named called)"
+
+
 def test_a_name_fits_the_only_kind_there_is() -> None:
     assert names("routes:\n  a: {from: X2, to: X3}\n") == ({"a": "X2-X3.s"}, [])
     assert names("routes:\n  a: {from: X2, to: X3, kind: main}\n") == (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -87,6 +88,11 @@ def test_a_station_without_signals_is_run_through(tmp_path: Path) -> None:
     assert len(one.also) == 5  # three tracks, two directions
 
 
+def test_a_long_crossover_between_two_lines_is_no_station(tmp_path: Path) -> None:
+    text = Path("tests/stations/railml.yaml").read_text("utf-8")
+    assert "k: [Sw12.reverse, ne24 170, Sw13.reverse]" in text and lints(tmp_path, text) == []
+
+
 def test_a_platform_that_trains_cannot_leave(tmp_path: Path) -> None:
     text = Path("layouts/terminus.yaml").read_text("utf-8")
     assert lints(tmp_path, text.replace("  S12: {from: P2, into: T3}\n", "")) == [("IL7004", "P2")]
@@ -128,10 +134,24 @@ def test_an_allowance_has_a_reason_and_an_effect(tmp_path: Path) -> None:
     for text, code in (
         (allow.replace(", reason: trains come slowly out of the works", ""), "IL1010"),
         (allow.replace("trains come slowly out of the works", "''"), "IL2009"),
-        (allow.replace("IL7006", "IL3012"), "IL1017"),
+        (allow.replace("IL7006", "IL3025"), "IL1017"),
         (allow.replace("at: [W]", "at: []"), "IL1012"),
     ):
         assert {d.code for d in checked(tmp_path, short + text).diagnostics} == {code}
+
+
+def test_sidings_that_no_route_uses_are_told_at_once_and_may_be_meant_so(tmp_path: Path) -> None:
+    text = STARTER.replace("loop: [q4 600]", "loop: [q4 600]\n  spur: [P3.reverse, y1 80, y2 80, B]\n  rest: [q7 100]")
+    text = text.replace(
+        "reverse: loop.end}", "reverse: rest.end}\n  P3: {section: t9, toe: loop.end, normal: rest.start}"
+    )
+    text = text.replace("X4: {from: q4, into: q5}", "X4: {from: q7, into: q5}")
+    text += "buffers: [B]\nexclude:\n  - {to: B, reason: wagons are pushed in by hand}\n"
+    (one,) = (d for d in checked(tmp_path, text).diagnostics if d.code == "IL3012")
+    assert one.message == "no route uses section y1" and len(one.also) == 1
+    reason = "reason: wagons are pushed in by hand"
+    allow = f"allow:\n  - {{lint: IL3012, at: [y1, y2], {reason}}}\n"
+    assert "IL3012" not in {d.code for d in checked(tmp_path, text + allow).diagnostics}
 
 
 def test_an_allowance_changes_no_digest(tmp_path: Path) -> None:
@@ -162,3 +182,17 @@ def test_in_a_balloon_loop_both_ways_are_told_apart(tmp_path: Path) -> None:
     """Both ends of its track are one set of points."""
     assert lints(tmp_path, RING) == []
     assert lints(tmp_path, RING.replace("S1: {from: r2, into: T}", "S1: {from: T, into: r2}")) == [("IL7001", "S1")]
+
+
+def test_the_fix_of_a_restart_delay_is_one_that_helps(tmp_path: Path) -> None:
+    """Lower speeds make it worse: what ran at a power cut takes longer to the next signal."""
+    text = STARTER.replace("q3 600", "q3 2600").replace("q4 600", "q4 2600")
+    (one,) = (d for d in checked(tmp_path, text).diagnostics if d.code == "IL3023")
+    assert "at half of 80 km/h" in one.message and "speed" not in str(one.fix)
+    slower = text.replace("name: starter\n", "name: starter\nprinciples: {line_speed_kmh: 60}\n")
+    (other,) = (d for d in checked(tmp_path, slower).diagnostics if d.code == "IL3023")
+    assert "at half of 60 km/h" in other.message
+    delays = [float(re.search(r"and ([\d.]+) s are needed", d.message)[1]) for d in (one, other)]  # type: ignore[index]
+    assert delays[0] < delays[1]
+    stated = text.replace("name: starter\n", f"name: starter\n{re.search(r'`(principles: .*?)`', str(one.fix))[1]}\n")  # type: ignore[index]
+    assert "IL3023" not in {d.code for d in checked(tmp_path, stated).diagnostics}

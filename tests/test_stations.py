@@ -269,3 +269,12 @@ def test_slips_of_layouts_that_grow_at_random(kind: str) -> None:
             assert proved(layout, table), seed
         seen += 1
     assert seen > 1
+
+
+def test_machines_of_a_slip_that_are_named_the_other_way_round_are_told_how() -> None:
+    sink = Sink()
+    text = text_of("slip").replace("start]]}", "start]], machines: [7b, 7a]}")
+    load_text("slip.yaml", text, sink)
+    told_ = [d for d in sink.diagnostics if d.code == "IL2002"]
+    assert len(told_) == 2 and all("blades: near" in str(d.fix) for d in told_)
+    assert {d.span.line for d in told_ if d.span} == {text[: text.index("machines")].count("\n") + 1}

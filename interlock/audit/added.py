@@ -16,6 +16,7 @@ def chosen(x: Choice, t: Trip) -> bool:
         (x.entry is None or x.entry == t.entry)
         and (x.exit is None or x.exit in (t.exit, t.sections[-1]))
         and all(s in t.sections for s in x.via)
+        and not any(s in t.sections for s in x.not_via)
         and (x.shunt is None or x.shunt == t.shunt)
     )
 

@@ -110,6 +110,12 @@ def signal_facing(layout: Layout, node: NodeId, onto: EdgeId) -> Signal | None:
     return layout.signal_facing.get((node, onto))
 
 
+def turning_place(layout: Layout, section: SectionId) -> bool:
+    """Whether shunting movements end in a section before a boundary, although the layout says that it is no berth."""
+    under = any(section in d.over for d in layout.devices)
+    return left_standing(layout, section) and section in layout.no_berths and not under
+
+
 @of_layout
 def standing_place(layout: Layout, section: SectionId) -> bool:
     """Whether shunting movements end in a section and may find vehicles there: none that a device lies over, none that
@@ -150,6 +156,7 @@ def trips(layout: Layout, g: Signal, shunt: bool) -> list[Trip]:
         section = layout.section_of(here.edge)
         leaves_section = boundary is not None or any(e.section != section for e in layout.edges_at[here.node])
         place = shunt and leaves_section and standing_place(layout, section)
+        place = place or (shunt and boundary is not None and turning_place(layout, section))
         if boundary is not None and not place and (shunt or boundary.kind is BoundaryKind.IN):
             continue
         if here.node in layout.buffer_at and layout.buffer_at[here.node].kind != "stop":

@@ -261,8 +261,16 @@ class Railway:
     def berths(self) -> frozenset[str]:
         """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing, nor
         where the layout says no."""
-        denied = {s for s in self.told if self._told(s, "berth") in ("no", "false")}
-        return self.standing - denied - {s for over in self.devices.values() for s in over}
+        return self.standing - self._denied - {s for over in self.devices.values() for s in over}
+
+    @cached_property
+    def turning(self) -> frozenset[str]:
+        """Roads that the layout denies to be berths: before a boundary shunting movements end in them, too."""
+        return self.standing & self._denied - {s for over in self.devices.values() for s in over}
+
+    @property
+    def _denied(self) -> frozenset[str]:
+        return frozenset(s for s in self.told if self._told(s, "berth") in ("no", "false"))
 
     @cached_property
     def machines(self) -> dict[str, list[str]]:
@@ -300,7 +308,8 @@ class Railway:
     def paths(self, c: Calling) -> list[Path]:
         """Every path to the next signal that the movement obeys, to a boundary or the end of the track.
 
-        A shunting movement obeys every signal, ends in the first berth, and does not leave over a boundary.
+        A shunting movement obeys every signal, ends in the first berth, and does not leave over a boundary: it ends
+        before one in a road that the layout denies to be a berth, and elsewhere there is no path.
         """
         return self._paths[c]
 
@@ -311,7 +320,8 @@ class Railway:
             for w in self.from_end(section, entry):
                 ways, ahead = (*before, w), self.beyond(section, w.exit)
                 berth = c.shunt and section in self.berths
-                if ahead is None and c.shunt and not berth and w.exit in self.boundaries:
+                ends = berth or section in self.turning
+                if ahead is None and c.shunt and not ends and w.exit in self.boundaries:
                     continue
                 if ahead is None or (w.exit, ahead) in stops or berth:
                     yield Path(ways, berth and len(ways) > 1)
@@ -322,7 +332,7 @@ class Railway:
 
     def excluded(self, c: Calling, p: Path) -> bool:
         """No route runs over this path: none can, or the author does not want one."""
-        out = self.boundaries.get(p.last.exit, {}).get("trains", "both") != "in"
+        out = c.shunt or self.boundaries.get(p.last.exit, {}).get("trains", "both") != "in"
         leads_on = out and p.last.exit not in (self.body.get("traps") or ())
         runs = (leads_on or p.berth) and self._opens(c) and self._can_be_run(p)
         return not runs or any(self.chosen(x, c, p) for x in self.body.get("exclude") or ())
@@ -350,5 +360,6 @@ class Railway:
             x.get("from", c.name) == c.name
             and x.get("to", p.last.exit) in ends
             and set(x.get("via") or ()) <= {w.section for w in p.ways}
+            and not set(x.get("not_via") or ()) & {w.section for w in p.ways}
             and x.get("kind") in (None, "shunt" if c.shunt else "main")
         )

@@ -15,22 +15,24 @@ from interlock.model.elements import NamedRoute, RouteId
 from interlock.model.layout import Layout
 from interlock.table.rows import RouteKind
 
+_KINDS = {False: RouteKind.MAIN, True: RouteKind.SHUNT, None: RouteKind.CALL_ON}
+
 
 def derive_names(layout: Layout, paths: Sequence[Path], sink: Sink) -> dict[RouteId, tuple[str, ...]]:
     """The names of each route that has any; without a kind, a name is the train route's where there is one."""
     out: dict[RouteId, tuple[str, ...]] = {}
-    shunt = dict(layout.named_kinds)
+    stated = {name: _KINDS[shunt] for name, shunt in layout.named_kinds}
     for n in layout.named_routes:
         fits = [p for p in paths if _fits(n, p)]
-        kinds = {p.kind is RouteKind.SHUNT for p in fits}
-        of = shunt.get(n.name, kinds == {True})
-        fits = [p for p in fits if (p.kind is RouteKind.SHUNT) is of]
+        kinds = {p.kind for p in fits}
+        of = {stated[n.name]} if n.name in stated else kinds - {RouteKind.SHUNT} or kinds
+        fits = [p for p in fits if p.kind in of]
         at = Element("routes", n.name)
         if fits:
             meant = _one(n, fits, f"the name {n.name}", sink, at)
             out[meant.id] = (*out.get(meant.id, ()), n.name)
         else:
-            kind = {None: "", True: "shunt ", False: "train "}[shunt.get(n.name)]
+            kind = f"{stated[n.name].replace('main', 'train')} " if n.name in stated else ""
             _none(n, paths, f"there is no {kind}route from {n.entry} to {n.exit} (named {n.name})", sink, at)
     return out
 

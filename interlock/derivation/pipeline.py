@@ -240,8 +240,9 @@ def _notes(layout: Layout, paths: tuple[Path, ...], sink: Sink) -> None:
     used |= {layout.section_of(e.id) for n in by_hand for e in layout.edges_at[n]}
     for s in layout.sections:
         if not s.approach and s.id not in used:
-            fix = "add a signal, or check the directions"
-            sink.add("IL3012", f"no route uses {called('section', s.id)}", None, fix, about=Element("sections", s.id))
+            fix = "add a signal, or check the directions; where vehicles are moved by hand: `allow`, with a reason"
+            text, at = f"no route uses {called('section', s.id)}", Element("sections", s.id)
+            sink.add("IL3012", text, None, fix, about=at, cause="unused", note=str(s.id))
     for p in paths:
         if layout.profile == "mine" and len(p.ways) > LONG_ROUTE:
             sink.add(

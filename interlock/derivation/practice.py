@@ -13,10 +13,11 @@ from interlock.diag.called import called
 from interlock.model.elements import BoundaryKind, EdgeId, NodeId
 from interlock.model.layout import Layout
 from interlock.model.plain import Plain, Plains, plains
+from interlock.model.traversal import onward_edges
 from interlock.table.rows import ExitKind, RouteKind
 
 STATION_TRACK_M = 100.0
-"""Shorter plain track between the legs of points is a crossover, not a track of a station (our choice)."""
+"""Shorter plain track between the legs of points is no track of a station (our choice)."""
 TRAIN_M = 100.0
 """A train that waits so far beyond points stands clear of them (our choice)."""
 
@@ -73,7 +74,7 @@ def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
                 cause="starting",
                 note=f"{name} towards {end}",
             )
-        elif not back and stretch.metres >= STATION_TRACK_M and _by_legs(found, stretch):
+        elif not back and stretch.metres >= STATION_TRACK_M and _beside(found, stretch):
             for path in those:
                 sink.add(
                     "IL7003",
@@ -87,11 +88,26 @@ def _check_starting(found: Plains, paths: Sequence[Path], sink: Sink) -> None:
                 )
 
 
-def _by_legs(found: Plains, stretch: Plain) -> bool:
-    """Whether a stretch lies between the legs of two points: from a toe on it is a line, or part of a ladder."""
-    ends = ((stretch.nodes[0], stretch.edges[0]), (stretch.nodes[-1], stretch.edges[-1]))
-    points = [(found.layout.point_at.get(n), e) for n, e in ends]
-    return all(p is not None and p.toe != e.id for p, e in points)
+def _beside(found: Plains, stretch: Plain) -> bool:
+    """Whether a stretch is one of several ways between two points: it lies between a leg of each (from a toe on it is a
+    line, or part of a ladder), and another way joins their other legs.  Where none does, it joins two lines."""
+    first, last = (found.layout.point_at.get(stretch.nodes[k]) for k in (0, -1))
+    if first is None or last is None:
+        return False
+    other = {p.node: {p.normal, p.reverse} - {e.id for e in stretch.edges} for p in (first, last)}
+    if first.toe == stretch.edges[0].id or last.toe == stretch.edges[-1].id:
+        return False
+    todo, seen = [(e, first.node) for e in other[first.node]], set[tuple[EdgeId, NodeId]]()
+    while todo:
+        edge, node = todo.pop()
+        ahead = found.layout.far(edge, node)
+        if (edge, node) in seen:
+            continue
+        seen.add((edge, node))
+        if ahead == last.node and edge in other[last.node]:
+            return True
+        todo += [(e, ahead) for e in onward_edges(found.layout, ahead, edge)]
+    return False
 
 
 def _check_places(found: Plains, paths: Sequence[Path], sink: Sink) -> None:

@@ -3,7 +3,8 @@
 A call-on route runs like a train route; it exists where its signal can call on.
 A train route follows the signal's direction to the next main signal of that direction, a boundary or a buffer.
 A shunt route ends at the next signal of either kind, at a buffer, or in the first berth: a plain section that is left
-only on a signal, where vehicles may stand.  It never leaves over a boundary.
+only on a signal, where vehicles may stand.  It never leaves over a boundary; before one it ends in a road that is no
+berth only because the layout says so.
 Past a signal with an identifier light a train route may lead on, to where one that begins there ends: it is made of the
 path to that signal and of a route of kind identifier beyond it.
 A path that meets itself, or that needs one machine in two positions, cannot be run and is reported.
@@ -377,7 +378,7 @@ def _search(layout: Layout, topo: Topology, g: Signal, kind: RouteKind) -> Itera
             ahead = stops.get((t.exit, onward)) if onward is not None else None
             if ahead is not None:
                 yield ExitKind.SIGNAL, ahead, path
-            elif berth:
+            elif berth or (onward is None and kind is RouteKind.SHUNT and section in topo.turning):
                 yield ExitKind.BERTH, section, path
             elif onward is None:
                 leaves = layout.boundary_at[t.exit].kind is not BoundaryKind.IN and kind is not RouteKind.SHUNT

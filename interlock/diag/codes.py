@@ -144,8 +144,8 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL7010": (_W, "two names that look alike"),
 }
 
-LINTS: tuple[str, ...] = tuple(code for code in CODES if code.startswith("IL7"))
-"""The warnings of usual practice, which `allow` can take away."""
+LINTS: tuple[str, ...] = ("IL3012", *(code for code in CODES if code.startswith("IL7")))
+"""The warnings of usual practice, which `allow` can take away; that a section is used by no route, too."""
 
 
 def severity_of(code: str) -> Severity:

@@ -49,6 +49,7 @@ def unlisted(ctx: Context) -> tuple[str, ...]:
     return tuple(sorted(name for name, x in ctx.file.routes.items() if not x.listed))
 
 
-def named_kinds(ctx: Context) -> tuple[tuple[str, bool], ...]:
-    """Names of routes of which the kind is stated: whether it is a shunt route."""
-    return tuple(sorted((name, x.kind == "shunt") for name, x in ctx.file.routes.items() if x.kind is not None))
+def named_kinds(ctx: Context) -> tuple[tuple[str, bool | None], ...]:
+    """Names of routes of which the kind is stated: whether it is a shunt route; None: a call-on route."""
+    shunt = {"main": False, "shunt": True, "call-on": None}
+    return tuple((name, shunt[x.kind]) for name, x in sorted(ctx.file.routes.items()) if x.kind is not None)

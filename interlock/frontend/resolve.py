@@ -355,12 +355,13 @@ def resolve_choice(ctx: Context, wiring: Wiring, spec: ChoiceSpec, at: tuple[str
         _unknown(ctx, "signal", spec.from_, ctx.at(*at, "from"), ctx.file.signals, what)
     if spec.to is not None and not _is_end(ctx, wiring, spec.to):
         _unknown(ctx, "signal, boundary or buffer", spec.to, ctx.at(*at, "to"), _ends(ctx, wiring), what)
-    for k, s in enumerate(spec.via):
-        if s not in wiring.sections:
-            _unknown(ctx, "section", s, ctx.at(*at, "via", k), wiring.sections, what)
+    for key, sections in (("via", spec.via), ("not_via", spec.not_via)):
+        for k, s in enumerate(sections):
+            if s not in wiring.sections:
+                _unknown(ctx, "section", s, ctx.at(*at, key, k), wiring.sections, what)
     entry = SignalId(spec.from_) if spec.from_ else None
     shunt = None if spec.kind is None else spec.kind == "shunt"
-    return Choice(entry, spec.to, tuple(map(SectionId, spec.via)), shunt)
+    return Choice(entry, spec.to, tuple(map(SectionId, spec.via)), tuple(map(SectionId, spec.not_via)), shunt)
 
 
 def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:
@@ -368,7 +369,7 @@ def resolve_excludes(ctx: Context, wiring: Wiring) -> tuple[Exclude, ...]:
     out = []
     for i, spec in enumerate(ctx.file.exclude):
         x = resolve_choice(ctx, wiring, spec, ("exclude", i), "an exclusion")
-        out.append(Exclude(x.entry, x.exit, x.via, x.shunt, spec.reason))
+        out.append(Exclude(x.entry, x.exit, x.via, x.not_via, x.shunt, spec.reason))
     return tuple(out)
 
 

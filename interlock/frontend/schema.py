@@ -185,7 +185,7 @@ class CrossingSpec(_Part):
     xy: XY | None = place()
 
 
-_KINDS = (*SignalKind, "board", "limit")
+_KINDS, _ROUTE_KINDS = (*SignalKind, "board", "limit"), ("main", "shunt", "call-on")
 
 
 class SignalSpec(_Part):
@@ -332,6 +332,7 @@ class ChoiceSpec(_Part):
     from_: Name | None = key("the signal at which they begin; without it, any", None, name="from")
     to: Name | None = key("the signal, boundary, buffer or last section where they end; without it, any", None)
     via: list[Name] = key("sections over which they lead", [])
+    not_via: list[Name] = key("sections over none of which they lead", [])
     kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
         "train routes or shunt routes; without it, both", None
     )
@@ -373,8 +374,8 @@ class RouteSpec(_Part):
 class NamedSpec(RouteSpec):
     """A name for one derived route."""
 
-    kind: Annotated[Literal["main", "shunt"] | None, choice("kind of route", ("main", "shunt"))] = key(
-        "whether the train route or the shunt route is meant; without it, the train route where there is one", None
+    kind: Annotated[Literal["main", "shunt", "call-on"] | None, choice("kind of route", _ROUTE_KINDS)] = key(
+        "whether the train, shunt or call-on route is meant; without it, the train route where there is one", None
     )
     listed: YesNo = key("no: it exists, is controlled and proved as any, and printed tables only count it", True)
 

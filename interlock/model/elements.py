@@ -414,6 +414,7 @@ class Choice:
     entry: SignalId | None
     exit: str | None
     via: tuple[SectionId, ...]
+    not_via: tuple[SectionId, ...]
     shunt: bool | None
 
     def fits(self, entry: SignalId, ends: Collection[str], sections: Collection[SectionId], shunt: bool) -> bool:
@@ -422,6 +423,7 @@ class Choice:
             self.entry in (None, entry)
             and (self.exit is None or self.exit in ends)
             and all(s in sections for s in self.via)
+            and not any(s in sections for s in self.not_via)
             and self.shunt in (None, shunt)
         )
 

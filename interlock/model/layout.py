@@ -111,8 +111,8 @@ class Layout:
     """Seconds of supervision of machines that have a time of their own."""
     unlisted: tuple[str, ...] = ()
     """Names of routes that are not printed."""
-    named_kinds: tuple[tuple[str, bool], ...] = ()
-    """Names of routes of which the kind is stated: whether it is a shunt route."""
+    named_kinds: tuple[tuple[str, bool | None], ...] = ()
+    """Names of routes of which the kind is stated: whether it is a shunt route; None: a call-on route."""
     no_berths: tuple[SectionId, ...] = ()
     """Roads that would be berths, and into which shunting movements are to come only when they are clear."""
     hands: tuple[tuple[PointId, Hand], ...] = ()
@@ -325,7 +325,8 @@ class Layout:
 
     def to_text(self) -> str:
         """One readable, canonical text form."""
-        facts = {k: v for k, v in asdict(self).items() if k != "pins" and (v or k not in _ONLY_STATED)}
+        stated = asdict(self, dict_factory=lambda found: {k: v for k, v in found if v or k != "not_via"})
+        facts = {k: v for k, v in stated.items() if k != "pins" and (v or k not in _ONLY_STATED)}
         return json.dumps(facts, indent=1, sort_keys=True, ensure_ascii=False)
 
 

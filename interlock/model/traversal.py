@@ -77,6 +77,8 @@ class Topology:
         self.berths: frozenset[SectionId] = self.standing - under - set(layout.no_berths)
         """Where shunting movements end and may find vehicles: not under a door, on a bridge, or over a crossing, nor
         where the layout says no."""
+        self.turning: frozenset[SectionId] = self.standing - under - self.berths
+        """Roads that the layout denies to be berths: before a boundary shunting movements end in them, too."""
 
     def is_end(self, node: NodeId) -> bool:
         """Whether sections end at this node."""

@@ -12,6 +12,8 @@ def check_delays(ctx: Context, layout: Layout) -> None:
     """Compare what the principles order with what speeds, braking and reaction need; the claim D-PRESET does it too."""
     rules, least = layout.principles, needs(layout)
     why = f"{rules.output_delay_s:g} s until stop is seen, {rules.reaction_s:g} s of reaction, and braking"
+    halt = "until whatever ran at a power cut stands at a signal at stop: the longest way to one"
+    halt += f", at half of {rules.line_speed_kmh:g} km/h"
     _signals(ctx, layout)
     timed = dict(layout.signal_releases)
     trains = [least.stop[g.id] for g in layout.signals if g.main and g.id not in timed]
@@ -23,7 +25,7 @@ def check_delays(ctx: Context, layout: Layout) -> None:
         ("approach_release_s", trains, f"until a train that saw proceed stands or has passed: {why}"),
         ("shunt_release_s", shunts, f"until a shunting movement that saw proceed stands or has passed: {why}"),
         ("overlap_release_s", overlapped, f"until a train before the signal stands: {why}"),
-        ("restart_delay_s", [least.restart], f"until whatever ran at a power cut stands at a signal at stop: {why}"),
+        ("restart_delay_s", [least.restart], f"{halt}, {why}"),
         ("point_supervision_s", [least.run] if layout.points else [], "for a machine to run"),
         ("token_delay_s", tokens, "as agreed with the neighbour"),
     )
@@ -32,11 +34,12 @@ def check_delays(ctx: Context, layout: Layout) -> None:
         need = max(found, default=0)
         if round(own * 1000) < need:
             at = ("principles", name) if getattr(ctx.file.principles, name) is not None else ("name",)
+            slower = "" if name == "restart_delay_s" else ", or the lower speeds that are run there"
             ctx.add(
                 "IL3023",
                 f"{name} is {own:g} s, and {need / 1000:.1f} s are needed {words}",
                 ctx.at_key(*at),
-                f"state `principles: {{{name}: {-(-need // 1000)}}}`, or the lower speeds that are run there",
+                f"state `principles: {{{name}: {-(-need // 1000)}}}`{slower}",
             )
     for g, own in layout.overlap_releases:
         if round(own * 1000) < least.stand[g]:

@@ -12,6 +12,7 @@ def check_machines(ctx: Context, layout: Layout) -> None:
     """Report machines with more than two ends, and machines that bear another point's name."""
     named = {str(q) for q in layout.point}
     of_slip = {p: name for name, s in ctx.file.slips.items() if one_motor(s) for p in points_of(name, s)}
+    halves = {p: name for name, s in ctx.file.slips.items() if not one_motor(s) for p in points_of(name, s)}
     for name, slip in sorted(ctx.file.slips.items()):
         if "blades" in slip.model_fields_set and (slip.single is not None or one_motor(slip)):
             why = (
@@ -29,9 +30,10 @@ def check_machines(ctx: Context, layout: Layout) -> None:
             )
         for p in ends:
             if str(machine) in named and str(machine) != str(p.id):
-                ctx.add(
-                    "IL2002",
-                    f"the machine of {p.id} bears the name of the point {machine}",
-                    ctx.at("points", p.id, "machine"),
-                    "give the pair a name of its own, for instance 201",
-                )
+                swapped = halves.get(str(p.id))
+                if swapped is not None and swapped == halves.get(str(machine)):
+                    where = ctx.at("slips", swapped, "machines")
+                    fix = "`blades: near` names them the other way round, by the ends at which their blades lie"
+                else:
+                    where, fix = ctx.at("points", p.id, "machine"), "give the pair a name of its own, for instance 201"
+                ctx.add("IL2002", f"the machine of {p.id} bears the name of the point {machine}", where, fix)

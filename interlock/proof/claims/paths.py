@@ -31,7 +31,8 @@ class SignalPath:
 def signal_paths(f: Facts, g: SignalId, shunt: bool = False) -> list[SignalPath]:
     """Every path from a signal to the next one that the movement obeys, a boundary or a buffer.
 
-    A shunting movement obeys every signal, stops in the first berth, and does not leave over a boundary.
+    A shunting movement obeys every signal, stops in the first berth, and does not leave over a boundary: it ends before
+    one in a road that the layout denies to be a berth, and elsewhere there is no path.
     """
     known = f.paths.get((g, shunt))
     if known is None:
@@ -49,7 +50,8 @@ def _search_paths(f: Facts, g: SignalId, shunt: bool) -> list[SignalPath]:
             path = (*ways, t)
             ahead = f.topo.beyond(section, t.exit)
             stands = shunt and f.berth(section)
-            if ahead is None and shunt and not stands and t.exit in f.layout.boundary_at:
+            ends = stands or section in f.topo.turning
+            if ahead is None and shunt and not ends and t.exit in f.layout.boundary_at:
                 continue
             if ahead is None or (t.exit, ahead) in stops or stands:
                 found.append(SignalPath(g, shunt, path, section if stands and len(path) > 1 else None))
