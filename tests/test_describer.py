@@ -21,7 +21,7 @@ def ground(name: str) -> tuple[object, ...]:
 
 
 class Yard:
-    """Sections of a layout that are occupied by hand, and a describer that sees them.  `ways`: of routes that are set."""
+    """Sections of a layout that are occupied by hand, and a describer that sees them.  `ways`: routes that are set."""
 
     def __init__(self, fleet: tuple[str, ...] = ("7", "8", "9"), name: str = "mine11") -> None:
         layout, _, controller = ground(name)

@@ -311,6 +311,7 @@ def test_orders_are_given_in_turn_by_distance_or_always_the_same() -> None:
     assert given(Assigning.IN_TURN) == ["b", "a", "c", ""], "the one that is due comes first; three places"
     assert given(Assigning.NEAREST) == ["a", "b", "c", ""]
     assert given(Assigning.FIXED) == ["a", "b", "c", ""]
+    assert given(Assigning.FIXED_FAR) == ["c", "b", "a", ""]
     a = Assigner(setting.orders.file, setting.derived)
     assert a.next("1") and a.next("2") and a.next("3") and a.why("4") == "no place to load is free"
 

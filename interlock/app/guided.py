@@ -166,7 +166,7 @@ class Guide:
             self._users.setdefault(sections[x], []).append(names[train])
 
     def fleet(self) -> tuple[Fleet, list[str]]:
-        """All trains as they are now, with their names; of those alike that have no order, who has waited longest first."""
+        """All trains as they are now, with their names; of trains alike who has been ready longest comes first."""
         file, derived = self.setting.orders.file, self.setting.derived
         kinds: dict[object, int] = {}
         turns: list[tuple[Turn, ...]] = []

@@ -3,6 +3,7 @@
     in_turn    the order that has the largest part of its trains still to go, the one that is due first before others
     nearest    the nearest loading place that has room (document D, rule 2b), by metres from the waiting place
     fixed      each train always the same order, the first for the first train and so on (a yardstick, not a proposal)
+    fixed_far  the same from the last order on: at heishan the trains work in the cross-cuts that lie farthest
 
 A loading place takes no more trains than it has room for, counting those that are on their way.
 """
@@ -24,6 +25,7 @@ class Assigning(StrEnum):
     IN_TURN = "in_turn"
     NEAREST = "nearest"
     FIXED = "fixed"
+    FIXED_FAR = "fixed_far"
 
 
 def metres_to(journey: Journey, section: str) -> float:
@@ -69,8 +71,9 @@ class Assigner:
         taken = list(self.busy.values())
         may = [o for o in self.orders if train in o.journeys]
         free = [o for o in may if self.left(o) > 0 and taken.count(o.order.from_) < self._room(o)]
-        if self.how is Assigning.FIXED:
-            own = self.orders[list(self.file.fleet).index(train) % len(self.orders)]
+        if self.how in (Assigning.FIXED, Assigning.FIXED_FAR):
+            row = self.orders if self.how is Assigning.FIXED else self.orders[::-1]
+            own = row[list(self.file.fleet).index(train) % len(row)]
             free = [o for o in free if o is own]
         if not free:
             return None
