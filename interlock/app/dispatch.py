@@ -10,11 +10,11 @@ from interlock.app.check import Checked, derive_file
 from interlock.app.dispatching import Coming, Ground, Outcome
 from interlock.app.replay import GONE, BadPlan, Plan, PlanTrain, Replay, Replayed, from_text
 from interlock.diag import Diagnostic, Sink
-from interlock.diag.suggest import did_you_mean
+from interlock.diag.suggest import Suggestion, did_you_mean
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
 from interlock.dispatch.language import beside, load
-from interlock.dispatch.orders import Derivation, Derived
+from interlock.dispatch.orders import Derivation, Derived, read_alike
 from interlock.dispatch.plan.explore import Explored, TooManyStates, explore
 from interlock.dispatch.plan.problem import Built, Move, build
 from interlock.dispatch.plan.railway import OUTSIDE, Errand, Journey, NoVoyage, Railway, TooManyPlaces
@@ -200,12 +200,17 @@ def _setting(railway: Railway, commands: Sequence[str], length_m: float, sink: S
     for c in commands:
         try:
             one = errand(railway, c, length_m)[0]
-            if any(e.train == one.train for e in errands):
-                raise BadOrder("IL6004", f"{one.train} is commanded twice", (), one.train)
+            same = next((e.train for e in errands if read_alike(e.train) == read_alike(one.train)), None)
+            if same is not None:
+                code, text = ("IL6015", f"{one.train} reads like {same}")
+                if one.train == same:
+                    code, text = "IL6004", f"{one.train} is commanded twice"
+                how = "give each train a number of its own, or one command with both ways: 12:W>q4>E"
+                raise BadOrder(code, text, (), "", how)
             railway.draft(one)
             errands.append(one)
         except BadOrder as error:
-            fix = did_you_mean(error.word, error.known) or ("known: " + ", ".join(error.known) if error.known else "")
+            fix: str | Suggestion = error.fix or (did_you_mean(error.word, error.known) if error.known else "")
             sink.add(error.code, f"{c}: {error.text}", None, fix)
         except (NoVoyage, TooManyPlaces) as error:
             sink.add("IL6005", f"{c}: {error}", None, "name another destination, or a place on the way")
@@ -216,10 +221,9 @@ def _shift(
     railway: Railway, file: str, sink: Sink, texts: dict[str, str]
 ) -> tuple[Setting | None, tuple[Derived, ...]]:
     """The fleet of a dispatch file, each train with one order, in turn."""
-    orders = load(file, railway.layout, sink)
+    orders = load(file, railway.layout, sink, texts)
     if orders is None:
         return None, ()
-    texts[orders.name] = orders.text
     derived = Derivation(railway, orders, sink).run()
     if not sink.has_errors and not derived:
         sink.add("IL6003", f"{file} has no orders", orders.root.span, "add `fleet`, `places` and `orders`")
@@ -240,7 +244,8 @@ def replay_file(path: str, plan: str) -> tuple[Checked, tuple[Diagnostic, ...], 
         replay = Replay(checked.layout, controller, System(checked.layout, controller).plant)
         return checked, (), replay.check([from_text(text)])[0]
     except (OSError, UnicodeDecodeError) as error:
-        sink.add("IL6006", f"{plan}: {getattr(error, 'strerror', None) or 'it is not UTF-8 text'}", None, "")
+        why = getattr(error, "strerror", None) or "it is not UTF-8 text"
+        sink.add("IL6006", f"{plan}: {why}", None, "name a file that --plan has written")
     except BadPlan as error:
         sink.add("IL6006", f"{plan}: {error}", None, "make it again with --plan")
     return checked, sink.diagnostics, None

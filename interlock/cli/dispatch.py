@@ -13,6 +13,7 @@ from interlock.cli.common import (
     FINDINGS,
     NOT_PROVED,
     OK,
+    Amount,
     failed,
     force_option,
     format_option,
@@ -23,6 +24,7 @@ from interlock.cli.common import (
     without_rule_option,
 )
 from interlock.diag import render
+from interlock.dispatch.language import beside
 from interlock.dispatch.plan.search import Verdict
 from interlock.dispatch.policy import Policy
 
@@ -32,9 +34,7 @@ POLICIES = [str(p) for p in Policy]
 @click.command("dispatch")
 @click.argument("layout")
 @click.argument("commands", nargs=-1, metavar="[COMMAND]...")
-@click.option(
-    "--length", type=click.FloatRange(1, 2000), default=60.0, show_default=True, help="Length of each train in metres."
-)
+@click.option("--length", type=Amount(1, 2000), default=60.0, show_default=True, help="Length of each train in metres.")
 @click.option("--timings", type=click.IntRange(0, 10_000), default=0, help="Run the commands this many times.")
 @click.option(
     "--gap", type=click.IntRange(1, 1000), default=5, show_default=True, help="Scans between one timing and the next."
@@ -85,7 +85,11 @@ def command(
     )
     if plan is not None and found.plan is not None:
         target = Path(plan)
+        read = [Path(layout), Path(orders or beside(layout))]
         try:
+            if target.exists() and any(f.exists() and target.samefile(f) for f in read):
+                failed(f"{plan} is what is read: choose another file with --plan", form)
+                sys.exit(FINDINGS)
             if target.exists() and not force and not _is_plan(target):
                 failed(f"{plan} exists and is no completion plan; --force overwrites it", form)
                 sys.exit(FINDINGS)

@@ -15,8 +15,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from interlock.dispatch.language import DispatchFile
-from interlock.dispatch.orders import Derived
-from interlock.dispatch.plan.railway import Journey, Place
+from interlock.dispatch.orders import Derived, metres_to
 
 
 class Assigning(StrEnum):
@@ -26,23 +25,6 @@ class Assigning(StrEnum):
     NEAREST = "nearest"
     FIXED = "fixed"
     FIXED_FAR = "fixed_far"
-
-
-def metres_to(journey: Journey, section: str) -> float:
-    """Metres of route from a journey's start until a train has come into a section; by the shortest way."""
-    best: dict[Place, float] = {journey.start: 0.0}
-    todo, found = [journey.start], float("inf")
-    while todo:
-        place = min(todo, key=lambda p: best[p])
-        todo.remove(place)
-        for s in journey.steps[place]:
-            metres = best[place] + sum(r.length for r in s.routes)
-            if any(section in r.section_ids for r in s.routes):
-                found = min(found, metres)
-            elif metres < best.get(s.after, float("inf")):
-                best[s.after] = metres
-                todo.append(s.after)
-    return found
 
 
 @dataclass
