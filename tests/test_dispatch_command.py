@@ -40,6 +40,27 @@ def test_trains_that_cannot_all_go_are_named() -> None:
     assert code == 1 and "no plan exists, shown by exhaustive search: " in text and text.rstrip().endswith("are caught")
 
 
+@pytest.mark.parametrize(
+    ("arguments", "code", "told"),
+    [
+        (("1:W>E", "--failed", "P1:N"), 0, "  1          X1-X3\n"),
+        (("1:W>E", "--failed", "P1:R"), 0, "  1          X1-X5\n"),
+        (("1:W>E", "--failed", "P1"), 1, "exhaustive search: 1 is caught, with P1 in the way\n"),
+        (("1:W>E", "--occupied", "q4"), 0, "  1          X1-X3\n"),
+        (("1:W>E", "2:E>W", "--occupied", "q4"), 1, "exhaustive search: 1 and 2 are caught, with q4 in the way\n"),
+        (("1:W>q3", "2:E>q10", "3:W>E", "--failed", "P2"), 1,
+         "exhaustive search: 2 and 3 are caught, with P2 in the way\nthe others: can all go on\n"),
+        (("1:W>E", "--failed", "P9"), 1, "error[IL6004]: P9: there is no machine or position of this name"),
+        (("1:W>E", "--occupied", "q99"), 1, "error[IL6004]: there is no section q99"),
+        (("1:W>E", "--occupied", "q4", "--explore"), 2, "a plan is made, and nothing is run or explored"),
+    ],
+)  # fmt: skip
+def test_with_a_failed_point_or_a_lost_detection(arguments: tuple[str, ...], code: int, told: str) -> None:
+    done, text = run("layouts/mine11.yaml", *arguments)
+    assert done == code and told in text, text
+    assert done != 0 or "replayed on the controller with its plant, where nothing has failed: each" in text
+
+
 def test_a_plan_is_written_and_replayed(tmp_path: Path) -> None:
     file = tmp_path / "plan.json"
     assert run("layouts/mine11.yaml", "in", "out", "--plan", str(file))[0] == 0

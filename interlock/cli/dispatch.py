@@ -43,6 +43,14 @@ POLICIES = [str(p) for p in Policy]
 @click.option("--policy", type=click.Choice(POLICIES), help="Who goes first on a single line that two voyages share.")
 @click.option("--explore", "exploring", is_flag=True, help="Explore every state; tell the shortest deadlock.")
 @without_rule_option
+@click.option(
+    "--failed",
+    "failing",
+    multiple=True,
+    metavar="MACHINE",
+    help="Plan with points that are not detected: P1, or stay: P1:N.",
+)
+@click.option("--occupied", multiple=True, metavar="SECTION", help="Plan with a section that is reported occupied.")
 @click.option("--plan", type=click.Path(dir_okay=False), help="Write the completion plan to this file.")
 @click.option("--orders", type=click.Path(), help="The dispatch file; by default LAYOUT with the ending .dispatch.")
 @click.option("--replay", type=click.Path(dir_okay=False), help="Replay this plan file instead.")
@@ -58,6 +66,8 @@ def command(
     policy: str | None,
     exploring: bool,
     without_rule: bool,
+    failing: tuple[str, ...],
+    occupied: tuple[str, ...],
     plan: str | None,
     orders: str | None,
     replay: str | None,
@@ -71,6 +81,8 @@ def command(
     """
     if replay is not None:
         sys.exit(_replay(layout, replay, form))
+    if (failing or occupied) and (timings or exploring):
+        raise click.UsageError("with --failed and --occupied a plan is made, and nothing is run or explored")
     found = dispatch(
         layout,
         commands,
@@ -82,6 +94,8 @@ def command(
         look_ahead=look_ahead,
         file=orders,
         policy=policy,
+        failed=failing,
+        occupied=occupied,
     )
     if plan is not None and found.plan is not None:
         target = Path(plan)
@@ -173,10 +187,17 @@ def _print(found: Dispatched, form: str) -> None:
             click.echo(f"  {train:10} {route}")
         r = found.replayed
         held = f"fails: {r.wrong}" if r.wrong else f"each granted within {r.grant} scans, open within {r.opened} more"
-        click.echo(f"replayed on the controller with its plant: {held}")
+        where = ", where nothing has failed" if found.faults else ""
+        click.echo(f"replayed on the controller with its plant{where}: {held}")
     elif said == Verdict.NONE:
-        names = " and ".join(found.caught)
-        click.echo(f"{click.style('NONE', fg='red')}  no plan exists, shown by exhaustive search: {names} are caught")
+        names = " and ".join(found.caught) + (" is caught" if len(found.caught) == 1 else " are caught")
+        why = f", with {', '.join(found.faults)} in the way" if found.faults else ""
+        click.echo(f"{click.style('NONE', fg='red')}  no plan exists, shown by exhaustive search: {names}{why}")
+        if len(found.caught) < len(found.errands):
+            can = (
+                "can all go on" if found.others is Verdict.PLAN else "UNKNOWN: whether they can go on was not found out"
+            )
+            click.echo(f"the others: {can}")
     else:
         click.echo(f"{click.style(said, fg='yellow')}  whether a plan exists was not found out")
     x = found.explored
