@@ -16,23 +16,24 @@ from tests.test_dispatch import Panel
 
 
 @lru_cache
-def mine() -> tuple[object, ...]:
-    return built("mine11")
+def ground(name: str) -> tuple[object, ...]:
+    return built(name)
 
 
 class Yard:
-    """Sections of mine11 that are occupied by hand, and a describer that sees them."""
+    """Sections of a layout that are occupied by hand, and a describer that sees them.  `ways`: routes that are set."""
 
-    def __init__(self, fleet: tuple[str, ...] = ("7", "8", "9")) -> None:
-        layout, _, controller = mine()
+    def __init__(self, fleet: tuple[str, ...] = ("7", "8", "9"), name: str = "mine11") -> None:
+        layout, _, controller = ground(name)
         self.symbols = controller.symbols  # type: ignore[attr-defined]
         self.d = Describer(layout, self.symbols, frozenset(fleet))  # type: ignore[arg-type]
         self.d.expected = {SectionId("ap_W"): ["7", "8"], SectionId("ap_E"): ["9"]}
         self.at: dict[str, list[str]] = {}
+        self.ways: list[tuple[SectionId, ...]] = []
 
     def see(self) -> None:
         occupied = {s for x in self.at.values() for s in x}
-        self.d.step({n: int(s not in occupied) for s, n in self.symbols.clear.items()})
+        self.d.step({n: int(s not in occupied) for s, n in self.symbols.clear.items()}, self.ways)
 
     def drive(self, train: str, *sections: str) -> None:
         """Into each section with the head, then out of the one before with the tail."""
@@ -59,6 +60,58 @@ def test_numbers_step_with_their_trains() -> None:
     y.at.pop("7")
     y.see()
     assert y.d.where("7") is None and y.d.alarms == {}, "it has left"
+
+
+def adit(*expected: str) -> Yard:
+    """Heishan: train 2 has come to the points behind the approach section, on which others are expected."""
+    y = Yard(("2", "5", "6"), "heishan")
+    y.d.expected = {SectionId("s1_wait"): ["2"]}
+    y.drive("2", "s1_wait", "s2", "s3")
+    y.d.expected[SectionId("s1_wait")] = list(expected)
+    y.ways = [(SectionId("s3"), SectionId("s2"), SectionId("s2_out"))]
+    y.drive("2", "s2")
+    return y
+
+
+def test_a_train_comes_in_beside_one_that_runs_elsewhere() -> None:
+    """The one that runs out was taken for the one that came in, and every number after it was that of another train."""
+    y = adit("5", "6")
+    y.drive("5", "s1_wait")
+    y.drive("2", "s2_out")
+    assert y.d.alarms == {} and (y.d.where("5"), y.d.where("2")) == ("s1_wait", "s2_out")
+    assert y.d.expected[SectionId("s1_wait")] == ["6"]
+
+
+def test_a_train_that_nobody_expects_beside_one_that_runs_elsewhere_is_told() -> None:
+    y = adit()
+    y.drive("x", "s1_wait")
+    assert y.d.alarms == {"?s1_wait": "no number in s1_wait"} and y.d.where("2") == "s2"
+
+
+def test_two_that_may_have_come_into_an_approach_section_are_named() -> None:
+    """No route leads the one on: it may have run back."""
+    y = adit("5")
+    y.ways = []
+    y.drive("x", "s1_wait")
+    assert set(y.d.alarms) == {"2", "5"}
+    y = adit()
+    y.ways = []
+    y.at["2"].append("s1_wait")
+    y.see()
+    assert y.d.where("2") == "s1_wait" and y.d.alarms == {}, "nobody else is expected"
+
+
+def test_a_number_that_is_confirmed_is_not_expected_any_more() -> None:
+    """Else one mistake makes every number after it that of another train."""
+    y = adit()
+    y.drive("5", "s1_wait")
+    y.d.expected[SectionId("s1_wait")] = ["5", "6"]
+    assert y.d.confirm(SectionId("s1_wait"), "5") and y.d.expected[SectionId("s1_wait")] == ["6"]
+    y = adit()
+    y.drive("5", "s1_wait")
+    y.d.expected[SectionId("s1_wait")] = ["5", "6"]
+    y.d.read(SectionId("s1_wait"), "5")
+    assert y.d.alarms == {} and y.d.expected[SectionId("s1_wait")] == ["6"]
 
 
 def test_swapped_numbers_name_both() -> None:

@@ -14,6 +14,8 @@ import pytest
 
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import errand
+from interlock.dispatch.plan.explore import explore
+from interlock.dispatch.plan.problem import build, in_the_way
 from interlock.dispatch.plan.railway import Railway
 from interlock.emit.python.runtime import runtime_py
 from interlock.logic.controller import Controller
@@ -42,6 +44,8 @@ class Panel:
         self.read = dict(self.inputs)
         self.table, self.asked = table, []  # type: tuple[InterlockingTable, list[int]]
         self.failing = ""
+        self.sticks: dict[str, str] = {}
+        """Machines that do not leave a position."""
         self.driven: dict[str, tuple[int, int]] = {}
         self.run(1, RELALL=0)
         while any(self.shown[n] for n in self.shown if n.startswith("YL_")):
@@ -63,6 +67,7 @@ class Panel:
                     self._drive(n[3:], n[1])
 
     def _drive(self, machine: str, to: str) -> None:
+        to = self.sticks.get(machine, to)
         before, left = self.driven.get(machine, ("", 0))
         left = left - 1 if before == to else 2
         self.driven[machine] = (to, left)  # type: ignore[assignment]
@@ -198,6 +203,61 @@ def test_a_point_that_fails_makes_another_plan() -> None:
     p.failing = ""
     p.run(400)
     assert p.opened() & {"X1"}
+
+
+def driven_to_the_points(falsely: tuple[str, ...] = (), stays: str = "") -> Panel:
+    """Train 7 on mine11 from W before P1, bound for E over any way.  falsely: sections reported occupied; stays: a
+    position that P1 does not leave."""
+    p = panel("mine11")
+    p.sticks = {"P1": stays} if stays else {}
+    p.dispatcher.carry_out(errand(p.dispatcher.railway, "7:W>E", 60.0)[0])
+    for at in (("ap_W",), ("ap_W", "q1"), ("q1",)):
+        p.stand(*at, *falsely)
+        p.run(20)
+    p.run(400)
+    return p
+
+
+OVER_Q4 = ["7: X7-X1 is open", "7: X1-X5 is open"]
+OVER_Q3 = ["7: X7-X1 is open", "7: X1-X3 is open"]
+
+
+@pytest.mark.parametrize(
+    ("falsely", "stays", "said"),
+    [
+        ((), "", OVER_Q4),
+        ((), "R", OVER_Q4),
+        ((), "N", [*OVER_Q3[:1], "7: X1-X5 is taken back, since P1 is not detected", *OVER_Q3[1:]]),
+        (("q4",), "", OVER_Q3),
+        (("q3",), "", OVER_Q4),
+        (("q2",), "", [*OVER_Q3[:1], "no plan exists: 7 cannot go on, with q2 in the way"]),
+        (("q3", "q4"), "", [*OVER_Q3[:1], "no plan exists: 7 cannot go on, with q3, q4 in the way"]),
+        (("q9",), "N", ["7: X7-X1 is open", "7: X1-X5 is taken back, since P1 is not detected",
+                        "no plan exists: 7 cannot go on, with P1, q9 in the way"]),
+    ],
+)  # fmt: skip
+def test_a_failed_point_or_a_lost_detection_makes_another_plan_or_says_who_is_caught(
+    falsely: tuple[str, ...], stays: str, said: list[str]
+) -> None:
+    """What is told, word for word; where no plan is said to exist, every state was searched by something else."""
+    p = driven_to_the_points(falsely, stays)
+    assert p.dispatcher.said == said
+    assert p.opened() == ({"X1"} if said[-1].endswith("is open") else set())
+    if said[-1].startswith("no plan"):
+        run, things = p.dispatcher.runs[0], p.dispatcher._holding.obstacles
+        built = build([run.journey.nodes(), in_the_way(things)])
+        start = sum(x[key] for x, key in zip(built.bits, (run.place, "in the way"), strict=True))
+        assert start in explore(built.problem, start).unsafe
+
+
+def test_what_was_not_searched_to_its_end_is_unknown_and_nothing_is_asked() -> None:
+    p = panel("mine11")
+    p.dispatcher._holding.budget = 0
+    p.dispatcher.carry_out(errand(p.dispatcher.railway, "7:W>E", 60.0)[0])
+    p.stand("ap_W")
+    p.run(60)
+    assert p.dispatcher.said == ["UNKNOWN: whether all trains can go on was not found out"] and p.asked == []
+    assert p.dispatcher.runs[0].reason == "X7-X1: whether all could go on then was not found out"
 
 
 def test_combined_shunt_routes_are_asked_for_from_the_far_end() -> None:

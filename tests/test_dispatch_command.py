@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+from functools import lru_cache
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
+from interlock.app.dispatch import dispatch
+from interlock.app.replay import to_text
 from interlock.cli.dispatch import command
 from interlock.diag.codes import CODES
 
@@ -37,6 +40,27 @@ def test_trains_that_cannot_all_go_are_named() -> None:
     assert code == 1 and "no plan exists, shown by exhaustive search: " in text and text.rstrip().endswith("are caught")
 
 
+@pytest.mark.parametrize(
+    ("arguments", "code", "told"),
+    [
+        (("1:W>E", "--failed", "P1:N"), 0, "  1          X1-X3\n"),
+        (("1:W>E", "--failed", "P1:R"), 0, "  1          X1-X5\n"),
+        (("1:W>E", "--failed", "P1"), 1, "exhaustive search: 1 is caught, with P1 in the way\n"),
+        (("1:W>E", "--occupied", "q4"), 0, "  1          X1-X3\n"),
+        (("1:W>E", "2:E>W", "--occupied", "q4"), 1, "exhaustive search: 1 and 2 are caught, with q4 in the way\n"),
+        (("1:W>q3", "2:E>q10", "3:W>E", "--failed", "P2"), 1,
+         "exhaustive search: 2 and 3 are caught, with P2 in the way\nthe others: can all go on\n"),
+        (("1:W>E", "--failed", "P9"), 1, "error[IL6004]: P9: there is no machine or position of this name"),
+        (("1:W>E", "--occupied", "q99"), 1, "error[IL6004]: there is no section q99"),
+        (("1:W>E", "--occupied", "q4", "--explore"), 2, "a plan is made, and nothing is run or explored"),
+    ],
+)  # fmt: skip
+def test_with_a_failed_point_or_a_lost_detection(arguments: tuple[str, ...], code: int, told: str) -> None:
+    done, text = run("layouts/mine11.yaml", *arguments)
+    assert done == code and told in text, text
+    assert done != 0 or "replayed on the controller with its plant, where nothing has failed: each" in text
+
+
 def test_a_plan_is_written_and_replayed(tmp_path: Path) -> None:
     file = tmp_path / "plan.json"
     assert run("layouts/mine11.yaml", "in", "out", "--plan", str(file))[0] == 0
@@ -50,6 +74,48 @@ def test_a_plan_is_written_and_replayed(tmp_path: Path) -> None:
     assert run("layouts/mine11.yaml", "--replay", str(tmp_path / "none"))[0] == 1
     file.write_bytes(b"\xff\xfe\x00")
     assert "[IL6006]" in run("layouts/mine11.yaml", "--replay", str(file))[1]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('"length_m": 60.0', '"length_m": NaN', "length_m: a number of metres is expected, 1 to 2000, not NaN"),
+        ('"length_m": 60.0', '"length_m": -60', "not -60"),
+        ('"length_m": 60.0', '"length_m": "60 m"', 'not "60 m"'),
+        ('"length_m": 60.0', f'"length_m": {"9" * 5000}', "a number or a nesting that no plan has"),
+        ('"comes": 0', '"comes": -1', "trains[0].comes: a whole number is expected, not -1"),
+        ('"name": "out"', '"name": "in"', "train in is there twice"),
+        ('"moves": [', '"moves": 5, "was": [', "moves: a list is expected"),
+        ('"trains": [', '"trains": [null, ', "trains[0]: `comes` is missing"),
+        ('"X7-X1"', '"X99-X1"', "over X99-X1, which is no route of the layout"),
+        ('"moves": [', '"moves": [["77", "X7-X1"], ', "for 77, which is no train of the plan"),
+        ('"interlock_plan": 1', '"interlock_plan": 2', "version 2 of plan files is not read here"),
+        ('"interlock_plan": 1', '"plan": 1', "the key `interlock_plan` is missing"),
+        ('"start": "W"', '"start": 5', "trains[0].start: a boundary, or a list of ways, is expected, not 5"),
+        ("{", "[" * 60_000 + "{", "a number or a nesting that no plan has"),
+        ('"trains"', "trains", "line 4, column 2: this is no plan file"),
+    ],
+)  # fmt: skip
+def test_a_plan_that_was_changed_is_told_with_its_place(tmp_path: Path, old: str, new: str, said: str) -> None:
+    file = tmp_path / "plan.json"
+    file.write_text(written_plan().replace(old, new, 1), "utf-8")
+    code, text = run("layouts/mine11.yaml", "--replay", str(file))
+    assert code == 1 and "[IL6006]" in text and said in text and "fix: make it again with --plan" in text, text
+
+
+@lru_cache
+def written_plan() -> str:
+    found = dispatch("layouts/mine11.yaml", ["in", "out"])
+    assert found.plan is not None
+    return to_text(found.plan)
+
+
+def test_a_plan_overwrites_nothing_that_is_read(tmp_path: Path) -> None:
+    layout = tmp_path / "mine11.yaml"
+    layout.write_bytes(Path("layouts/mine11.yaml").read_bytes())
+    before = layout.read_bytes()
+    code, text = run(str(layout), "in", "--plan", str(layout), "--force")
+    assert code == 1 and "is what is read" in text and layout.read_bytes() == before
 
 
 def test_results_as_data() -> None:
@@ -72,6 +138,9 @@ def test_results_as_data() -> None:
         (("layouts/mine11.yaml", "1:W>Q"), "IL6004"),
         (("layouts/mine11.yaml", "in", "in"), "IL6004"),
         (("layouts/mine11.yaml", "1:W>E>W"), "IL6005"),
+        (("layouts/mine11.yaml", "01:W>E", "1:E>W"), "IL6015"),
+        (("layouts/mine11.yaml", "1:W>E+"), "IL6004"),
+        (("layouts/mine11.yaml", "1：W>E"), "IL6004"),
         (("layouts/nothing.yaml", "in"), "IL1001"),
         (("layouts/rejected/no_provider.yaml", "in"), ""),
     ],

@@ -15,6 +15,7 @@ from interlock.app.setting import prepared
 from interlock.app.shifts import one
 from interlock.app.worked import Options, summary
 from interlock.cli.simulate import command
+from interlock.dispatch.assign import Assigner
 from interlock.planning.displib import write
 from interlock.planning.planner import schedule
 from interlock.planning.problem import Plan, Problem
@@ -80,6 +81,16 @@ def test_a_plan_orders_the_requests_of_a_shift(tmp_path: Path, trains: int, tipp
     assert (done.trains, plain.trains) == (tipped, rules)
     assert done.plans > 20 and not done.by_rules and not any(summary(done).values())
     assert trains > 5 or one(HEISHAN, file, 0, planned).log == done.log
+
+
+def test_of_trains_alike_the_one_that_has_waited_longest_sets_out_first(tmp_path: Path) -> None:
+    """The last of the fleet stood outside for four and a half hours: another one like it was always ready, too."""
+    setting = prepared(HEISHAN, fleet_of(tmp_path, 8))
+    guide = Guide(setting, {}, Assigner(setting.orders.file, setting.derived), 8 * 3_600_000)
+    guide.ready = {str(k): 1000 * (9 - k) for k in range(1, 9)}  # 8 has been back for the longest time
+    guide.look(600_000)
+    first = sorted(guide._order, key=lambda n: guide._order[n])
+    assert len(first) == 8 and first == list("87654321")
 
 
 def test_what_the_controller_demands_costs_trains(tmp_path: Path) -> None:

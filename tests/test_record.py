@@ -176,3 +176,16 @@ def test_a_log_cut_in_the_middle_is_told_with_code_and_place(tmp_path: Path) -> 
     assert code == 1 and "error[IL6011]" in text and f"{file}:4: this event does not follow" in text
     assert "the 3 events before it hold" in text
     assert run(str(tmp_path / "none.log"))[0] == 1
+
+
+def test_a_log_without_events_or_with_other_line_ends_is_told(tmp_path: Path) -> None:
+    file = tmp_path / "shift.log"
+    file.write_bytes(b"")
+    code, text = run(str(file))
+    assert code == 1 and "error[IL6011]" in text and "there is no whole event in it" in text
+    log = Log.create(tmp_path / "own.log")
+    log.add(0, "begin")
+    log.add(5, "end")
+    file.write_bytes((tmp_path / "own.log").read_bytes().replace(b"\n", b"\r\n"))
+    code, text = run(str(file))
+    assert code == 1 and f"{file}:1: its lines end with CR LF" in text

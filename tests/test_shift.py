@@ -311,6 +311,7 @@ def test_orders_are_given_in_turn_by_distance_or_always_the_same() -> None:
     assert given(Assigning.IN_TURN) == ["b", "a", "c", ""], "the one that is due comes first; three places"
     assert given(Assigning.NEAREST) == ["a", "b", "c", ""]
     assert given(Assigning.FIXED) == ["a", "b", "c", ""]
+    assert given(Assigning.FIXED_FAR) == ["c", "b", "a", ""]
     a = Assigner(setting.orders.file, setting.derived)
     assert a.next("1") and a.next("2") and a.next("3") and a.why("4") == "no place to load is free"
 
@@ -329,7 +330,7 @@ def test_means_and_how_sure_they_are() -> None:
 SHIPPED = Path("layouts/heishan.dispatch").read_text("utf-8")
 NOBODY = SHIPPED.replace(SHIPPED.partition("fleet:")[2].partition("\nplaces:")[0], "").replace("fleet:", "fleet: {}")
 MANY = "".join(f"  {k}: {{length: 60, at: house}}\n" for k in range(10, 510))
-BAD = {
+BAD: dict[str, str | bytes] = {
     "an unknown locomotive": SHIPPED.replace("trains: 6, ore: rich}", "trains: 6, ore: rich, only: [99]}"),
     "an order for a blocked place": SHIPPED + "\nblocked: [c3]\n",
     "a fleet of 0": NOBODY,
@@ -340,6 +341,35 @@ BAD = {
     "a file of another layout": SHIPPED.replace("layout: heishan", "layout: mine11"),
     "a tippler inside": SHIPPED.replace("at: OUT, minutes: 6", "at: s2_out, minutes: 6"),
     "a fleet that waits inside": SHIPPED.replace("at: W, capacity: 8", "at: s2_out, capacity: 4"),
+    "minutes with a unit": SHIPPED.replace("minutes: 20", "minutes: 20 min", 1),
+    "minutes as hours and minutes": SHIPPED.replace("minutes: 20", "minutes: 0:20", 1),
+    "minutes in digits of full width": SHIPPED.replace("minutes: 20", "minutes: ２０", 1),
+    "minutes of less than nothing": SHIPPED.replace("minutes: 20", "minutes: -20", 1),
+    "no minutes": SHIPPED.replace(", minutes: 20", "", 1),
+    "a speed that is no number": SHIPPED.replace("speed: 10", "speed: .nan", 1),
+    "a speed in m/s": SHIPPED.replace("speed: 10", "speed: 2.8 m/s", 1),
+    "a speed far too low": SHIPPED.replace("speed: 10", "speed: 0.05", 1),
+    "an acceleration far too low": SHIPPED.replace("at: house}", "at: house, acceleration: 0.0001}", 1),
+    "a train in millimetres": SHIPPED.replace("length: 60", "length: 60000", 1),
+    "a train too long for its places": SHIPPED.replace("length: 60", "length: 500", 1),
+    "a tonnage as text": SHIPPED.replace("tonnes: 480", "tonnes: sixty"),
+    "a tonnage with its unit": SHIPPED.replace("tonnes: 480", "tonnes: 480 t"),
+    "a tonnage as a power": SHIPPED.replace("tonnes: 480", "tonnes: 4.8e2"),
+    "a locomotive twice": SHIPPED.replace("  2: {length", "  1: {length"),
+    "two numbers that read alike": SHIPPED.replace("  2: {length", "  01: {length"),
+    "a locomotive named twice": SHIPPED.replace("trains: 6, ore: rich}", "trains: 6, ore: rich, only: [1, 1]}"),
+    "a place twice": SHIPPED.replace("  c2: {kind", "  c1: {kind"),
+    "two places in one section": SHIPPED.replace("at: s5_xc2", "at: s4_xc1"),
+    "a place that loads another ore": SHIPPED.replace("trains: 6, ore: rich}", "trains: 6, ore: lean}"),
+    "an order from the tippler": SHIPPED.replace("from: c1, to: crush", "from: crush, to: c1"),
+    "an order by when in the past": SHIPPED.replace("by: 6", "by: -1"),
+    "an order by a time of day": SHIPPED.replace("by: 6", "by: '14:00'"),
+    "an order by when after the shift": SHIPPED.replace("by: 6", "by: 12"),
+    "a blocked section on every way": SHIPPED + "\nblocked: [s7]\n",
+    "shares of more than the blend": SHIPPED.replace("ore: rich}", "ore: rich, share: 0.7}"),
+    "a file of another version": SHIPPED.replace("dispatch: 1", "dispatch: 2"),
+    "a layout": Path("layouts/heishan.yaml").read_text("utf-8"),
+    "a title in GBK": SHIPPED.replace("shift_h: 8", "title: 黑山\nshift_h: 8").encode("gbk"),
     "a file cut off": SHIPPED[:700],
     "an empty file": "",
 }
@@ -349,12 +379,19 @@ def test_bad_input_has_a_code_and_a_place_and_asks_for_nothing(tmp_path: Path) -
     """Each with its screen, in shift_screens.txt."""
     file, out, screens = tmp_path / "x.dispatch", tmp_path / "out", ""
     for name, text in BAD.items():
-        file.write_text(text, "utf-8")
+        file.write_bytes(text.encode() if isinstance(text, str) else text)
         done = CliRunner().invoke(command, [HEISHAN, "--dispatch", str(file), "-o", str(out)], catch_exceptions=False)
         assert done.exit_code == 1 and "Traceback" not in done.output and not out.exists(), name
         assert re.search(r"\[IL\d{4}\]", done.output) and re.search(r"x\.dispatch:\d+:\d+", done.output), done.output
         screens += f"--- {name}\n{done.output.replace(str(tmp_path) + '/', '')}"
     assert screens == Path("tests/shift_screens.txt").read_text("utf-8")
+
+
+@pytest.mark.parametrize("option", ["--hours", "--optimum"])
+def test_what_is_not_a_number_is_within_no_bounds(option: str) -> None:
+    for value in ("nan", "inf", "-1", "0"):
+        done = CliRunner().invoke(command, [HEISHAN, option, value, "--steady"], catch_exceptions=False)
+        assert done.exit_code == 2 and "not in the range" in done.output, done.output
 
 
 def test_the_command_writes_records_and_tells_its_counts(tmp_path: Path) -> None:

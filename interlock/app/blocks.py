@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from interlock.app.check import Checked, derive_file
 from interlock.diag import Diagnostic, Sink
@@ -22,6 +22,8 @@ class Blocks:
     lengths: tuple[Length, ...] = ()
     braking: Braking | None = None
     advice: tuple[str, ...] = ()
+    texts: Mapping[str, str] = field(default_factory=dict)
+    """That of a dispatch file with problems."""
 
     @property
     def ok(self) -> bool:
@@ -31,7 +33,7 @@ class Blocks:
     @property
     def sources(self) -> Mapping[str, str]:
         """The texts, by file, for rendering diagnostics."""
-        own = {} if self.orders is None else {self.orders.name: self.orders.text}
+        own = self.texts if self.orders is None else {self.orders.name: self.orders.text}
         return {**self.checked.source.texts, **own}
 
     @property
@@ -45,10 +47,10 @@ def block_lengths(path: str, dispatch: str | None, rounding: str | None) -> Bloc
     checked = derive_file(path)
     if not checked.ok or checked.layout is None:
         return Blocks(checked, None, checked.diagnostics)
-    sink = Sink()
-    orders = load(dispatch or beside(path), checked.layout, sink)
+    sink, texts = Sink(), dict[str, str]()
+    orders = load(dispatch or beside(path), checked.layout, sink, texts)
     if orders is None:
-        return Blocks(checked, None, sink.diagnostics)
+        return Blocks(checked, None, sink.diagnostics, texts=texts)
     traffic = orders.file.traffic
     if traffic is None:
         sink.add("IL6003", "the file says nothing of the traffic", orders.root.span, "add the key `traffic`")

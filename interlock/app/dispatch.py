@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -10,17 +10,19 @@ from interlock.app.check import Checked, derive_file
 from interlock.app.dispatching import Coming, Ground, Outcome
 from interlock.app.replay import GONE, BadPlan, Plan, PlanTrain, Replay, Replayed, from_text
 from interlock.diag import Diagnostic, Sink
-from interlock.diag.suggest import did_you_mean
+from interlock.diag.suggest import Suggestion, did_you_mean
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.commands import BadOrder, errand
 from interlock.dispatch.language import beside, load
-from interlock.dispatch.orders import Derivation, Derived
+from interlock.dispatch.orders import Derivation, Derived, read_alike
 from interlock.dispatch.plan.explore import Explored, TooManyStates, explore
-from interlock.dispatch.plan.problem import Built, Move, build
+from interlock.dispatch.plan.problem import Built, Draft, Move, build, in_the_way
 from interlock.dispatch.plan.railway import OUTSIDE, Errand, Journey, NoVoyage, Railway, TooManyPlaces
 from interlock.dispatch.plan.search import Answer, Planner, Verdict
 from interlock.dispatch.policy import Policy
 from interlock.logic.lower import lower
+from interlock.model.elements import Position
+from interlock.model.layout import Layout
 from interlock.proof.system.transition import System
 
 
@@ -35,6 +37,8 @@ class Dispatched:
     plan: Plan | None = None
     replayed: Replayed | None = None
     caught: tuple[str, ...] = ()
+    others: Verdict = Verdict.PLAN
+    """Whether all that are not caught can go on while those that are stay where they are."""
     explored: Explored | None = None
     story: tuple[str, ...] = ()
     shown: str = ""
@@ -42,6 +46,8 @@ class Dispatched:
     outcomes: list[Outcome] = field(default_factory=list)
     rule: bool = True
     derived: tuple[Derived, ...] = ()
+    faults: tuple[str, ...] = ()
+    """Machines that are not detected and sections reported occupied, with which it was planned."""
     texts: dict[str, str] = field(default_factory=dict)
 
     @property
@@ -58,12 +64,37 @@ class Dispatched:
 class Setting:
     """A layout's railway with the errands of some commands."""
 
-    def __init__(self, railway: Railway, errands: Sequence[Errand]) -> None:
+    def __init__(self, railway: Railway, errands: Sequence[Errand], obstacles: frozenset[object] = frozenset()) -> None:
         self.railway, self.errands = railway, tuple(errands)
         self.journeys: list[Journey] = [railway.draft(e) for e in errands]
-        before = [[e.train for e in errands[:k] if e.start == x.start] for k, x in enumerate(errands)]
-        nodes = [j.nodes(b) for j, b in zip(self.journeys, before, strict=True)]
-        self.built: Built = build(nodes, railway.zones)
+        self.obstacles = obstacles
+        self.built: Built = self._built(())
+
+    def _built(self, caught: Collection[str]) -> Built:
+        """The problem of all trains; those that are caught stay where they are."""
+        drafts: list[Draft] = []
+        for k, (e, j) in enumerate(zip(self.errands, self.journeys, strict=True)):
+            if e.train in caught:
+                drafts.append(self.railway.still(e.train, j.start, e.start[-1][1] == OUTSIDE))
+            else:
+                drafts.append(j.nodes([x.train for x in self.errands[:k] if x.start == e.start]))
+        if self.obstacles:
+            drafts.append(in_the_way(self.obstacles))
+        return build(drafts, self.railway.zones)
+
+    def caught(self, answer: Answer) -> tuple[tuple[str, ...], Verdict]:
+        """All trains that no plan takes on, one reason after the other, and whether the others can all go on."""
+        found: list[str] = []
+        built = self.built
+        while answer.verdict is Verdict.NONE:
+            pairs = zip(self.errands, built.problem.nodes, strict=False)
+            new = [e.train for e, bits in pairs if any(b & answer.caught for b in bits) and e.train not in found]
+            if not new:
+                break
+            found += new
+            built = self._built(found)
+            answer = Planner(built.problem).solve(built.start)
+        return tuple(e.train for e in self.errands if e.train in found), answer.verdict
 
     def routes(self, moves: Sequence[Move]) -> tuple[tuple[str, str], ...]:
         """Moves as train and route."""
@@ -139,9 +170,12 @@ def dispatch(
     look_ahead: int = 1,
     file: str | None = None,
     policy: str | None = None,
+    failed: Sequence[str] = (),
+    occupied: Sequence[str] = (),
 ) -> Dispatched:
     """Carry out commands, or the orders of a dispatch file (by default that beside the layout), one for each train of
-    the fleet; `timings`: run them so many times, each train `gap` scans later from run to run."""
+    the fleet; `timings`: run them so many times, each train `gap` scans later from run to run.  failed: machines that
+    are not detected (`P1`), or do not leave a position (`P1:N`); occupied: sections that are reported so."""
     checked = derive_file(path)
     if not checked.ok or checked.layout is None or checked.table is None:
         return Dispatched(checked, checked.diagnostics)
@@ -149,13 +183,14 @@ def dispatch(
     railway = Railway(table, layout)
     derived: tuple[Derived, ...] = ()
     texts: dict[str, str] = {}
+    obstacles = _obstacles(layout, failed, occupied, sink)
     if commands:
-        setting = _setting(railway, commands, length_m, sink)
+        setting = _setting(railway, commands, length_m, obstacles, sink)
     else:
-        setting, derived = _shift(railway, file or beside(path), sink, texts)
+        setting, derived = _shift(railway, file or beside(path), obstacles, sink, texts)
     if setting is None:
         return Dispatched(checked, sink.diagnostics, texts=texts)
-    found = Dispatched(checked, (), setting.errands, rule=rule, derived=derived)
+    found = Dispatched(checked, (), setting.errands, rule=rule, derived=derived, faults=(*failed, *occupied))
     controller = lower(layout, table)
     replay = Replay(layout, controller, System(layout, controller).plant)
     found.answer = Planner(setting.built.problem).solve(setting.built.start)
@@ -163,9 +198,7 @@ def dispatch(
     if found.answer.verdict is Verdict.PLAN:
         found.plan = setting.plan(layout.digest, found.answer.plan)
         (found.replayed,) = replay.check([found.plan])
-    found.caught = tuple(
-        t for t, bits in zip(p.trains, p.nodes, strict=True) if any(b & found.answer.caught for b in bits)
-    )
+    found.caught, found.others = setting.caught(found.answer)
     if exploring:
         try:
             found.explored = explore(p, setting.built.start)
@@ -195,38 +228,62 @@ def _run(errands: Sequence[Errand], k: int, gap: int, voyages: Sequence[str]) ->
     return [Coming(e, 0, at, voyage=v) for e, at, v in zip(errands, due, named, strict=False)]
 
 
-def _setting(railway: Railway, commands: Sequence[str], length_m: float, sink: Sink) -> Setting | None:
+def _obstacles(layout: Layout, failed: Sequence[str], occupied: Sequence[str], sink: Sink) -> frozenset[object]:
+    """What stands in the way of plans, as a panel would show it."""
+    things: set[object] = set()
+    machines = {str(m.machine) for m in layout.points}
+    for word in failed:
+        machine, _, at = word.partition(":")
+        if machine not in machines or at not in ("", "N", "R"):
+            fix = did_you_mean(machine, machines) if machine not in machines else "write P1, P1:N or P1:R"
+            sink.add("IL6004", f"{word}: there is no machine or position of this name", None, fix)
+        things |= {("lies", machine, x.other) for x in Position if x != at}
+    sections = {str(s.id) for s in layout.sections if not s.approach}
+    for word in occupied:
+        if word not in sections:
+            sink.add("IL6004", f"there is no section {word}", None, did_you_mean(word, sections))
+        things.add(("section", word))
+    return frozenset(things)
+
+
+def _setting(
+    railway: Railway, commands: Sequence[str], length_m: float, obstacles: frozenset[object], sink: Sink
+) -> Setting | None:
     errands: list[Errand] = []
     for c in commands:
         try:
             one = errand(railway, c, length_m)[0]
-            if any(e.train == one.train for e in errands):
-                raise BadOrder("IL6004", f"{one.train} is commanded twice", (), one.train)
+            same = next((e.train for e in errands if read_alike(e.train) == read_alike(one.train)), None)
+            if same is not None:
+                code, text = ("IL6015", f"{one.train} reads like {same}")
+                if one.train == same:
+                    code, text = "IL6004", f"{one.train} is commanded twice"
+                how = "give each train a number of its own, or one command with both ways: 12:W>q4>E"
+                raise BadOrder(code, text, (), "", how)
             railway.draft(one)
             errands.append(one)
         except BadOrder as error:
-            fix = did_you_mean(error.word, error.known) or ("known: " + ", ".join(error.known) if error.known else "")
+            fix: str | Suggestion = error.fix or (did_you_mean(error.word, error.known) if error.known else "")
             sink.add(error.code, f"{c}: {error.text}", None, fix)
         except (NoVoyage, TooManyPlaces) as error:
             sink.add("IL6005", f"{c}: {error}", None, "name another destination, or a place on the way")
-    return None if sink.has_errors else Setting(railway, errands)
+    return None if sink.has_errors else Setting(railway, errands, obstacles)
 
 
 def _shift(
-    railway: Railway, file: str, sink: Sink, texts: dict[str, str]
+    railway: Railway, file: str, obstacles: frozenset[object], sink: Sink, texts: dict[str, str]
 ) -> tuple[Setting | None, tuple[Derived, ...]]:
     """The fleet of a dispatch file, each train with one order, in turn."""
-    orders = load(file, railway.layout, sink)
+    orders = load(file, railway.layout, sink, texts)
     if orders is None:
         return None, ()
-    texts[orders.name] = orders.text
     derived = Derivation(railway, orders, sink).run()
     if not sink.has_errors and not derived:
         sink.add("IL6003", f"{file} has no orders", orders.root.span, "add `fleet`, `places` and `orders`")
     if sink.has_errors:
         return None, derived
     errands = [derived[k % len(derived)].journeys[n].errand for k, n in enumerate(orders.file.fleet)]
-    return Setting(railway, errands), derived
+    return Setting(railway, errands, obstacles), derived
 
 
 def replay_file(path: str, plan: str) -> tuple[Checked, tuple[Diagnostic, ...], Replayed | None]:
@@ -240,7 +297,8 @@ def replay_file(path: str, plan: str) -> tuple[Checked, tuple[Diagnostic, ...], 
         replay = Replay(checked.layout, controller, System(checked.layout, controller).plant)
         return checked, (), replay.check([from_text(text)])[0]
     except (OSError, UnicodeDecodeError) as error:
-        sink.add("IL6006", f"{plan}: {getattr(error, 'strerror', None) or 'it is not UTF-8 text'}", None, "")
+        why = getattr(error, "strerror", None) or "it is not UTF-8 text"
+        sink.add("IL6006", f"{plan}: {why}", None, "name a file that --plan has written")
     except BadPlan as error:
         sink.add("IL6006", f"{plan}: {error}", None, "make it again with --plan")
     return checked, sink.diagnostics, None

@@ -166,15 +166,16 @@ class Guide:
             self._users.setdefault(sections[x], []).append(names[train])
 
     def fleet(self) -> tuple[Fleet, list[str]]:
-        """All trains as they are now, with their names."""
+        """All trains as they are now, with their names; of trains alike who has been ready longest comes first."""
         file, derived = self.setting.orders.file, self.setting.derived
         kinds: dict[object, int] = {}
         turns: list[tuple[Turn, ...]] = []
         trains: list[Under] = []
-        names = list(file.fleet)
+        names = sorted(file.fleet, key=lambda n: self.ready.get(n, 0))
         held: set[int] = set()
         free: dict[int, int] = {}
-        for name, build in file.fleet.items():
+        for name in names:
+            build = file.fleet[name]
             may = [k for k, d in enumerate(derived) if name in d.journeys]
             alike = build.length, build.speed, build.at, tuple(may)
             if alike not in kinds:

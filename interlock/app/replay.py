@@ -84,23 +84,70 @@ def from_text(text: str) -> Plan:
     """Read a plan.  Raises `BadPlan`."""
     try:
         body: Any = json.loads(text)
-    except ValueError as error:
-        raise BadPlan(f"this is no plan file: {error}") from error
-    try:
-        if body["interlock_plan"] != 1:
-            raise BadPlan(f"version {body['interlock_plan']} of plan files is not read here")
-        trains = tuple(
-            PlanTrain(str(t["name"]), float(t["length_m"]), _start(t["start"]), str(t["ends"]), int(t["comes"]))
-            for t in body["trains"]
-        )
-        moves = tuple((str(a), str(b)) for a, b in body["moves"])
-        return Plan(str(body["layout"]), trains, moves)
-    except (KeyError, TypeError, ValueError) as error:
-        raise BadPlan(f"this is no plan file: {type(error).__name__} {error}") from error
+    except json.JSONDecodeError as error:
+        raise BadPlan(f"line {error.lineno}, column {error.colno}: this is no plan file: {error.msg}") from error
+    except (ValueError, RecursionError) as error:
+        raise BadPlan("this is no plan file: it has a number or a nesting that no plan has") from error
+    if not isinstance(body, dict) or "interlock_plan" not in body:
+        raise BadPlan("this is no plan file: the key `interlock_plan` is missing")
+    if body["interlock_plan"] != 1:
+        raise BadPlan(f"version {body['interlock_plan']} of plan files is not read here")
+    trains, moves = _list(body, "trains"), _list(body, "moves")
+    plan = Plan(
+        str(body.get("layout", "")),
+        tuple(_train(t, f"trains[{k}]") for k, t in enumerate(trains)),
+        tuple(_pair(m, f"moves[{k}]") for k, m in enumerate(moves)),
+    )
+    names = [t.name for t in plan.trains]
+    twice = next((n for n in names if names.count(n) > 1), None)
+    if twice is not None:
+        raise BadPlan(f"train {twice} is there twice")
+    return plan
 
 
-def _start(value: Any) -> str | tuple[tuple[str, int], ...]:
-    return value if isinstance(value, str) else tuple((str(s), int(n)) for s, n in value)
+def _list(body: Mapping[str, Any], key: str) -> list[Any]:
+    if not isinstance(body.get(key), list):
+        raise BadPlan(f"{key}: a list is expected")
+    return list(body[key])
+
+
+def _train(value: Any, where: str) -> PlanTrain:
+    """A train of a plan file.  Raises `BadPlan`."""
+    missing = {"name", "length_m", "start", "ends", "comes"} - (value.keys() if isinstance(value, dict) else set())
+    if missing:
+        raise BadPlan(f"{where}: `{min(missing)}` is missing")
+    length, comes, start = value["length_m"], value["comes"], value["start"]
+    if isinstance(length, bool) or not isinstance(length, int | float) or not 1 <= length <= 2000:
+        raise BadPlan(f"{where}.length_m: a number of metres is expected, 1 to 2000, not {_short(length)}")
+    if isinstance(comes, bool) or not isinstance(comes, int) or comes < 0:
+        raise BadPlan(f"{where}.comes: a whole number is expected, not {_short(comes)}")
+    if not isinstance(start, str | list):
+        raise BadPlan(f"{where}.start: a boundary, or a list of ways, is expected, not {_short(start)}")
+    under = start if isinstance(start, str) else tuple(_way(w, f"{where}.start[{k}]") for k, w in enumerate(start))
+    return PlanTrain(str(value["name"]), float(length), under, str(value["ends"]), comes)
+
+
+def _way(value: Any, where: str) -> tuple[str, int]:
+    section, number = _two(value, where)
+    if not isinstance(number, int):
+        raise BadPlan(f"{where}: the number of a way is expected, not {_short(number)}")
+    return str(section), number
+
+
+def _pair(value: Any, where: str) -> tuple[str, str]:
+    train, route = _two(value, where)
+    return str(train), str(route)
+
+
+def _two(value: Any, where: str) -> tuple[Any, Any]:
+    if not isinstance(value, list) or len(value) != 2:
+        raise BadPlan(f"{where}: a list of two is expected, not {_short(value)}")
+    return value[0], value[1]
+
+
+def _short(value: Any) -> str:
+    text = json.dumps(value, ensure_ascii=False)
+    return text if len(text) <= 40 else text[:37] + "..."
 
 
 class Replay:

@@ -117,26 +117,27 @@ def distances(layout: Layout) -> dict[str, list[float]]:
 
 def prepare(
     path: str, file: str | None = None
-) -> tuple[Checked, tuple[Diagnostic, ...], Setting | None, Orders | None]:
-    """A layout and its dispatch file (by default that beside it), or what is wrong with them."""
+) -> tuple[Checked, tuple[Diagnostic, ...], Setting | None, Mapping[str, str]]:
+    """A layout and its dispatch file (by default that beside it), or what is wrong with them; the texts of both."""
     checked = derive_file(path)
+    texts = dict(checked.source.texts)
     if not checked.ok or checked.layout is None or checked.table is None:
-        return checked, checked.diagnostics, None, None
+        return checked, checked.diagnostics, None, texts
     layout, sink = checked.layout, Sink()
-    orders = load(file or beside(path), layout, sink)
+    orders = load(file or beside(path), layout, sink, texts)
     if orders is None:
-        return checked, sink.diagnostics, None, None
+        return checked, sink.diagnostics, None, texts
     railway = Railway(checked.table, layout)
     derived = Derivation(railway, orders, sink).run()
     _simulable(orders, layout, derived, sink)
     if sink.has_errors:
-        return checked, sink.diagnostics, None, orders
+        return checked, sink.diagnostics, None, texts
     controller = lower(layout, checked.table)
     names = load_runtime(runtime_py(controller, []))
     release = {s.id: n for s in layout.sections if (n := f"REL_{portable(s.id)}") in names["INPUTS"]}
     confirms = tuple(n for n in names["INPUTS"] if n.startswith("TC_"))
     made = Setting(layout, railway, controller.symbols, names, Track.of(layout), orders, derived, release, confirms)
-    return checked, (), made, orders
+    return checked, (), made, texts
 
 
 def _simulable(orders: Orders, layout: Layout, derived: tuple[Derived, ...], sink: Sink) -> None:
@@ -154,6 +155,10 @@ def _simulable(orders: Orders, layout: Layout, derived: tuple[Derived, ...], sin
                 where = "inside the layout" if inside else "beyond a boundary"
                 text = f"in a simulated shift {name} must lie {where}"
                 sink.add("IL6012", text, orders.at("orders", d.name, key), "see the page of shifts")
+    for name in dict.fromkeys(n for d in derived for n in (d.order.from_, d.order.to)):
+        if orders.file.places[name].minutes is None:
+            place = orders.at("places", name, key=True)
+            sink.add("IL6003", f"{name} does not say how long a train is there", place, "add `minutes`")
     for number in orders.file.fleet:
         if any(j.errand.start[0][1] != OUTSIDE for d in derived for n, j in d.journeys.items() if n == number):
             text = f"in a simulated shift train {number} must wait outside a boundary"

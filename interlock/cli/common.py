@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import shutil
 import sys
 import time
@@ -52,6 +53,16 @@ jobs_option = click.option(
     show_default=True,
     help="Processes: layouts side by side, or the parts of one.",
 )
+
+
+class Amount(click.FloatRange):
+    """A number within bounds; "not a number" lies within none."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        found = super().convert(value, param, ctx)
+        if isinstance(found, float) and not math.isfinite(found):
+            self.fail(f"{value} is not in the range {self._describe_range()}.", param, ctx)
+        return found
 
 
 force_option = click.option("--force", is_flag=True, help="Overwrite a file that interlock has not written.")

@@ -13,6 +13,7 @@ from interlock.cli.common import (
     FINDINGS,
     NOT_PROVED,
     OK,
+    Amount,
     failed,
     force_option,
     format_option,
@@ -23,6 +24,7 @@ from interlock.cli.common import (
     without_rule_option,
 )
 from interlock.diag import render
+from interlock.dispatch.language import beside
 from interlock.dispatch.plan.search import Verdict
 from interlock.dispatch.policy import Policy
 
@@ -32,9 +34,7 @@ POLICIES = [str(p) for p in Policy]
 @click.command("dispatch")
 @click.argument("layout")
 @click.argument("commands", nargs=-1, metavar="[COMMAND]...")
-@click.option(
-    "--length", type=click.FloatRange(1, 2000), default=60.0, show_default=True, help="Length of each train in metres."
-)
+@click.option("--length", type=Amount(1, 2000), default=60.0, show_default=True, help="Length of each train in metres.")
 @click.option("--timings", type=click.IntRange(0, 10_000), default=0, help="Run the commands this many times.")
 @click.option(
     "--gap", type=click.IntRange(1, 1000), default=5, show_default=True, help="Scans between one timing and the next."
@@ -43,6 +43,14 @@ POLICIES = [str(p) for p in Policy]
 @click.option("--policy", type=click.Choice(POLICIES), help="Who goes first on a single line that two voyages share.")
 @click.option("--explore", "exploring", is_flag=True, help="Explore every state; tell the shortest deadlock.")
 @without_rule_option
+@click.option(
+    "--failed",
+    "failing",
+    multiple=True,
+    metavar="MACHINE",
+    help="Plan with points that are not detected: P1, or stay: P1:N.",
+)
+@click.option("--occupied", multiple=True, metavar="SECTION", help="Plan with a section that is reported occupied.")
 @click.option("--plan", type=click.Path(dir_okay=False), help="Write the completion plan to this file.")
 @click.option("--orders", type=click.Path(), help="The dispatch file; by default LAYOUT with the ending .dispatch.")
 @click.option("--replay", type=click.Path(dir_okay=False), help="Replay this plan file instead.")
@@ -58,6 +66,8 @@ def command(
     policy: str | None,
     exploring: bool,
     without_rule: bool,
+    failing: tuple[str, ...],
+    occupied: tuple[str, ...],
     plan: str | None,
     orders: str | None,
     replay: str | None,
@@ -71,6 +81,8 @@ def command(
     """
     if replay is not None:
         sys.exit(_replay(layout, replay, form))
+    if (failing or occupied) and (timings or exploring):
+        raise click.UsageError("with --failed and --occupied a plan is made, and nothing is run or explored")
     found = dispatch(
         layout,
         commands,
@@ -82,10 +94,16 @@ def command(
         look_ahead=look_ahead,
         file=orders,
         policy=policy,
+        failed=failing,
+        occupied=occupied,
     )
     if plan is not None and found.plan is not None:
         target = Path(plan)
+        read = [Path(layout), Path(orders or beside(layout))]
         try:
+            if target.exists() and any(f.exists() and target.samefile(f) for f in read):
+                failed(f"{plan} is what is read: choose another file with --plan", form)
+                sys.exit(FINDINGS)
             if target.exists() and not force and not _is_plan(target):
                 failed(f"{plan} exists and is no completion plan; --force overwrites it", form)
                 sys.exit(FINDINGS)
@@ -169,10 +187,17 @@ def _print(found: Dispatched, form: str) -> None:
             click.echo(f"  {train:10} {route}")
         r = found.replayed
         held = f"fails: {r.wrong}" if r.wrong else f"each granted within {r.grant} scans, open within {r.opened} more"
-        click.echo(f"replayed on the controller with its plant: {held}")
+        where = ", where nothing has failed" if found.faults else ""
+        click.echo(f"replayed on the controller with its plant{where}: {held}")
     elif said == Verdict.NONE:
-        names = " and ".join(found.caught)
-        click.echo(f"{click.style('NONE', fg='red')}  no plan exists, shown by exhaustive search: {names} are caught")
+        names = " and ".join(found.caught) + (" is caught" if len(found.caught) == 1 else " are caught")
+        why = f", with {', '.join(found.faults)} in the way" if found.faults else ""
+        click.echo(f"{click.style('NONE', fg='red')}  no plan exists, shown by exhaustive search: {names}{why}")
+        if len(found.caught) < len(found.errands):
+            can = (
+                "can all go on" if found.others is Verdict.PLAN else "UNKNOWN: whether they can go on was not found out"
+            )
+            click.echo(f"the others: {can}")
     else:
         click.echo(f"{click.style(said, fg='yellow')}  whether a plan exists was not found out")
     x = found.explored

@@ -11,6 +11,7 @@ import click
 from interlock.app.prove import prove_file
 from interlock.app.proved import Proved
 from interlock.cli.common import (
+    Amount,
     each,
     exit_code,
     format_option,
@@ -37,7 +38,7 @@ from interlock.proof.engines.limits import Limits
 )
 @click.option(
     "--search-seconds",
-    type=click.FloatRange(0.1, 36000),
+    type=Amount(0.1, 36000),
     default=60.0,
     show_default=True,
     help="Seconds to search for a counterexample to one claim.",

@@ -40,6 +40,9 @@ def command(
         except OSError as error:
             failed(told(error, file), form)
             sys.exit(FINDINGS)
+    for name in [n for n, r in found.items() if r.problem is None and not r.events]:
+        failed(f"{name}: there is no whole event in it", form, "IL6011", "take the log from where it was copied from")
+        sys.exit(FINDINGS)
     damaged = {n: r for n, r in found.items() if r.problem is not None}
     for name, r in damaged.items():
         assert r.problem is not None

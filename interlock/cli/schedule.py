@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from interlock.cli.common import FINDINGS, NOT_PROVED, OK, failed, force_option, format_option, put_json
+from interlock.cli.common import FINDINGS, NOT_PROVED, OK, Amount, failed, force_option, format_option, put_json
 from interlock.planning.displib import BadFile, read, write
 from interlock.planning.planner import Planned, schedule
 from interlock.planning.solver import installed
@@ -21,9 +21,7 @@ KEYS = {"objective_value", "events"}
 @click.command("schedule")
 @click.argument("problem", type=click.Path(path_type=Path, dir_okay=False))
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False), help="Write the solution here.")
-@click.option(
-    "--seconds", type=click.FloatRange(0, 86400), default=60, show_default=True, help="Stop after this many seconds."
-)
+@click.option("--seconds", type=Amount(0, 86400), default=60, show_default=True, help="Stop after this many seconds.")
 @click.option("--workers", type=click.IntRange(1, 64), default=1, show_default=True, help="Threads of the solver.")
 @click.option(
     "--seed", type=click.IntRange(0), default=0, show_default=True, help="Seed of everything that is drawn at random."

@@ -17,6 +17,7 @@ from interlock.app.worked import Options, Worked, summary
 from interlock.cli.common import (
     FINDINGS,
     OK,
+    Amount,
     failed,
     force_option,
     format_option,
@@ -40,7 +41,7 @@ from interlock.simulate.mishaps import TRIAL, Rates
 )
 @click.option("--shifts", type=click.IntRange(1, 100_000), default=1, show_default=True, help="Number of shifts.")
 @click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Seed of the first shift.")
-@click.option("--hours", type=click.FloatRange(0, 240, min_open=True), help="Hours of a shift, instead of the file's.")
+@click.option("--hours", type=Amount(0, 240, min_open=True), help="Hours of a shift, instead of the file's.")
 @click.option("--assign", type=click.Choice([str(a) for a in Assigning]), default="in_turn", show_default=True,
               help="Which order an idle train takes.")  # fmt: skip
 @look_ahead_option
@@ -50,7 +51,7 @@ from interlock.simulate.mishaps import TRIAL, Rates
 )
 @click.option("--steady", is_flag=True, help="Let work take exactly the minutes in the file.")
 @click.option("--planned", is_flag=True, help="Let a plan of the next hour and a half order the requests.")
-@click.option("--optimum", type=click.FloatRange(0, min_open=True), metavar="SECONDS",
+@click.option("--optimum", type=Amount(0, min_open=True), metavar="SECONDS",
               help="Plan the same hours for this many seconds, and compare (with --steady).")  # fmt: skip
 @click.option("-o", "--output", type=click.Path(path_type=Path, file_okay=False), help="A folder for the records.")
 @click.option("--dask", metavar="ADDRESS", help="A Dask cluster that does the work, instead of processes here.")
@@ -83,10 +84,9 @@ def command(
     """
     if optimum is not None and not steady:
         raise click.UsageError("--optimum compares with work of fixed length: it needs --steady")
-    checked, problems, setting, orders = prepare(layout, file)
+    _, problems, setting, texts = prepare(layout, file)
     if setting is None:
-        sources = checked.source.texts
-        show(problems, sources | ({orders.name: orders.text} if orders else {}), form)
+        show(problems, dict(texts), form)
         sys.exit(FINDINGS)
     options = Options(
         hours,

@@ -133,6 +133,9 @@ CODES: dict[str, tuple[Severity, str]] = {
     "IL6011": (_E, "an event log that was cut or changed"),
     "IL6012": (_E, "a shift that is not simulated"),
     "IL6013": (_E, "an order for a blocked place"),
+    "IL6014": (_E, "two places of one kind in one section"),
+    "IL6015": (_E, "two locomotive numbers that read alike"),
+    "IL6016": (_E, "an order whose every way is blocked"),
     # 7: usual practice, from which a layout may depart: `allow`, with a reason
     "IL7001": (_W, "a signal that looks the wrong way"),
     "IL7002": (_W, "a track between points without a starting signal"),

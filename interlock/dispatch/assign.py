@@ -3,6 +3,7 @@
     in_turn    the order that has the largest part of its trains still to go, the one that is due first before others
     nearest    the nearest loading place that has room (document D, rule 2b), by metres from the waiting place
     fixed      each train always the same order, the first for the first train and so on (a yardstick, not a proposal)
+    fixed_far  the same from the last order on: at heishan the trains work in the cross-cuts that lie farthest
 
 A loading place takes no more trains than it has room for, counting those that are on their way.
 """
@@ -14,8 +15,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from interlock.dispatch.language import DispatchFile
-from interlock.dispatch.orders import Derived
-from interlock.dispatch.plan.railway import Journey, Place
+from interlock.dispatch.orders import Derived, metres_to
 
 
 class Assigning(StrEnum):
@@ -24,23 +24,7 @@ class Assigning(StrEnum):
     IN_TURN = "in_turn"
     NEAREST = "nearest"
     FIXED = "fixed"
-
-
-def metres_to(journey: Journey, section: str) -> float:
-    """Metres of route from a journey's start until a train has come into a section; by the shortest way."""
-    best: dict[Place, float] = {journey.start: 0.0}
-    todo, found = [journey.start], float("inf")
-    while todo:
-        place = min(todo, key=lambda p: best[p])
-        todo.remove(place)
-        for s in journey.steps[place]:
-            metres = best[place] + sum(r.length for r in s.routes)
-            if any(section in r.section_ids for r in s.routes):
-                found = min(found, metres)
-            elif metres < best.get(s.after, float("inf")):
-                best[s.after] = metres
-                todo.append(s.after)
-    return found
+    FIXED_FAR = "fixed_far"
 
 
 @dataclass
@@ -69,8 +53,9 @@ class Assigner:
         taken = list(self.busy.values())
         may = [o for o in self.orders if train in o.journeys]
         free = [o for o in may if self.left(o) > 0 and taken.count(o.order.from_) < self._room(o)]
-        if self.how is Assigning.FIXED:
-            own = self.orders[list(self.file.fleet).index(train) % len(self.orders)]
+        if self.how in (Assigning.FIXED, Assigning.FIXED_FAR):
+            row = self.orders if self.how is Assigning.FIXED else self.orders[::-1]
+            own = row[list(self.file.fleet).index(train) % len(row)]
             free = [o for o in free if o is own]
         if not free:
             return None

@@ -11,6 +11,7 @@ in                      the voyage `in` of the layout
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Sequence
 
 from interlock.diag.called import called
@@ -24,11 +25,11 @@ _SIGN = re.compile(r"\s*([:>+/])\s*")
 
 
 class BadOrder(Exception):
-    """A command that cannot be carried out: `code`, what is wrong, what would be known."""
+    """A command that cannot be carried out: `code`, what is wrong, what would be known, or else what to do."""
 
-    def __init__(self, code: str, text: str, known: Sequence[str] = (), word: str = "") -> None:
+    def __init__(self, code: str, text: str, known: Sequence[str] = (), word: str = "", fix: str = "") -> None:
         super().__init__(text)
-        self.code, self.text, self.known, self.word = code, text, tuple(known), word
+        self.code, self.text, self.known, self.word, self.fix = code, text, tuple(known), word, fix
 
 
 def errand(railway: Railway, command: str, length_m: float, train: str = "") -> tuple[Errand, int]:
@@ -44,9 +45,17 @@ def errand(railway: Railway, command: str, length_m: float, train: str = "") -> 
     found = _COMMAND.fullmatch(_SIGN.sub(r"\1", command.strip()))
     if found is None:
         text = f"'{command}' is neither a voyage nor a command NUMBER:ORIGIN>DESTINATION"
-        raise BadOrder("IL6004", text, tuple(voyages), command)
+        raise BadOrder("IL6004", text, tuple(voyages), command, _written(command))
     legs = tuple(_leg(railway, x) for x in found["legs"].split(">")[1:])
     return Errand(train or found["train"], length_m, _start(railway, found["start"]), legs), 0
+
+
+def _written(command: str) -> str:
+    """How a command that is none could be written; empty where nobody can tell."""
+    plain = "".join(unicodedata.normalize("NFKC", command).split())
+    if plain != command and _COMMAND.fullmatch(plain):
+        return f"write {plain}"
+    return f"write the locomotive's number before it: 12:{command}" if _COMMAND.fullmatch(f"12:{command}") else ""
 
 
 def voyage_start(railway: Railway, row: VoyageRow) -> tuple[TraversalKey, ...]:
@@ -82,6 +91,8 @@ def _start(railway: Railway, word: str) -> tuple[TraversalKey, ...]:
 def _leg(railway: Railway, text: str) -> Leg:
     layout = railway.layout
     to, *via = text.split("+")
+    if "" in via:
+        raise BadOrder("IL6004", f"no section is named after a + of '{text}'", (), "", "name it, or leave out the +")
     sections = [str(s.id) for s in layout.sections if not s.approach]
     places = [*sections, *(str(b.node) for b in layout.boundaries), *(str(g.id) for g in layout.signals)]
     places += [str(b.node) for b in layout.buffers]

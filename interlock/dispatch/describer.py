@@ -87,24 +87,27 @@ class Describer:
                     self._vanished(t, s)
 
     def _heads(self, s: SectionId) -> list[Described]:
+        """The trains that may have come into a section: at the edge none that a route leads elsewhere."""
         beside = [t for t in self.trains if t.under and t.under[-1] in self.next_to.get(s, ())]
         led = [t for t in beside if (t.under[-1], s) in self._leads]
-        return led if len(led) == 1 else beside
+        if len(led) == 1:
+            return led
+        elsewhere = {a for a, b in self._leads if b != s}
+        return beside if s not in self.edge else [t for t in beside if t.under[-1] not in elsewhere]
 
     def _enter(self, s: SectionId) -> None:
         heads = self._heads(s)
-        if len(heads) == 1:
+        row = self.expected.get(s, []) if s in self.edge else []
+        doubt = f"it may have come into {s}, or another train has"
+        if len(heads) > 1 or (heads and row and (heads[0].under[-1], s) not in self._leads):
+            for number in (*(t.number for t in heads), *row[:1]):
+                self.alarm(number, doubt)
+            heads = [] if row else heads
+        if heads:
             heads[0].under.append(s)
             heads[0].since.append(s)
-        elif len(heads) > 1:
-            for t in heads:
-                self.alarm(t.number, f"it may have come into {s}, or another train has")
-            heads[0].under.append(s)
-        elif s in self.edge:
-            row = self.expected.get(s, [])
-            self.trains.append(Described(row.pop(0) if row else self._unknown(s), [s], None, [s]))
         else:
-            self.trains.append(Described(self._unknown(s), [s], None, [s]))
+            self.trains.append(Described(row.pop(0) if row else self._unknown(s), [s], None, [s]))
 
     def _unknown(self, s: SectionId) -> str:
         number = f"{UNKNOWN}{s}"
@@ -138,7 +141,7 @@ class Describer:
             self.alarm(number, f"read in {section}, which is clear")
         elif here.number.startswith(UNKNOWN):
             self.alarms.pop(here.number, None)
-            here.number = number
+            self._is_here(here, number)
         elif here.number != number:
             self.alarm(here.number, f"in {section} the number {number} was read")
             self.alarm(number, f"read in {section}, where {here.number} is described")
@@ -155,9 +158,16 @@ class Describer:
         self.alarms.pop(here.number, None)
         for t in [t for t in self.trains if t.number == number and t is not here]:
             t.number = self._unknown(t.under[-1])
-        here.number = number
+        self._is_here(here, number)
         self.alarms.pop(number, None)
         return True
+
+    def _is_here(self, t: Described, number: str) -> None:
+        """A train has this number, and is not to come any more."""
+        t.number = number
+        for row in self.expected.values():
+            if number in row:
+                row.remove(number)
 
     def counted(self, section: SectionId, wagons: int) -> None:
         """A counter in a section has counted the wagons of the train there."""

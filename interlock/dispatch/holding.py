@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from interlock.dispatch.plan.problem import Built, Draft, Move, build
+from interlock.dispatch.plan.problem import Built, Draft, Move, build, in_the_way
 from interlock.dispatch.plan.railway import Railway, Step
 from interlock.dispatch.plan.search import Answer, Planner, Verdict
 from interlock.dispatch.policy import enters
@@ -140,12 +140,17 @@ class Holding:
                 return
             caught = [r for r in self.runs if r.name in self._names(answer.caught) and not r.caught]
             if answer.verdict is Verdict.UNKNOWN or not caught:
-                self._said.append("UNKNOWN: whether all trains can go on was not found out")
+                self._tell("UNKNOWN: whether all trains can go on was not found out")
                 return
             names = ", ".join(r.name for r in caught)
-            self._said.append(f"no plan exists: {names} cannot go on{self._because()}")
+            self._tell(f"no plan exists: {names} cannot go on{self._because()}")
             for r in caught:
                 r.caught = True
+
+    def _tell(self, text: str) -> None:
+        """Once, until something else is said."""
+        if self._said[-1:] != [text]:
+            self._said.append(text)
 
     def _because(self) -> str:
         things = sorted(str(x[1]) for x in self.obstacles if isinstance(x, tuple))
@@ -155,21 +160,13 @@ class Holding:
         drafts: list[Draft] = []
         for k, run in enumerate(self.runs):
             if run.caught:
-                held = Draft(run.name, run.place)
                 back = run.places[run.at].under if run.ahead and run.cancelling else ()
-                queue = {("queue", run.name)} if run.coming else set[object]()
-                held.holds[run.place] = self.railway.holds(run.place.under) | self.railway.holds(back) | queue
-                held.home.add(run.place)
-                held.inside[run.place] = self.railway.inside(run.place.under)
-                drafts.append(held)
+                drafts.append(self.railway.still(run.name, run.place, run.coming, back))
             else:
                 same = [r.name for r in self.runs[:k] if r.coming and r.journey.start.under == run.journey.start.under]
                 drafts.append(run.journey.nodes(same))
         if self.obstacles:
-            strange = Draft("in the way", "in the way")
-            strange.holds["in the way"] = self.obstacles
-            strange.home.add("in the way")
-            drafts.append(strange)
+            drafts.append(in_the_way(self.obstacles))
         self.built = build(drafts, self.railway.zones)
         self.planner = Planner(self.built.problem, self.budget)
         self._answers = {}

@@ -6,6 +6,7 @@ Input: a YAML text.  Output: a `DispatchFile`, or diagnostics IL1004-IL1019 (sha
 from __future__ import annotations
 
 import re
+import unicodedata
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -16,7 +17,7 @@ from pydantic_core import PydanticCustomError
 from interlock.diag import Sink, Span
 from interlock.diag.suggest import did_you_mean
 from interlock.frontend.load import read
-from interlock.frontend.scalars import Amount, Name, Text, choice, number, version
+from interlock.frontend.scalars import Amount, Name, Text, choice, number, slip_of, version
 from interlock.frontend.validate import plain, report_shape, span_of
 from interlock.frontend.yaml_tree import Mapping, Node, parse
 from interlock.model.layout import Layout
@@ -30,13 +31,45 @@ class _Part(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
+_UNITS: dict[str, dict[str, float]] = {
+    "minutes": {"min": 1, "minutes": 1, "h": 60, "s": 1 / 60},
+    "hours": {"h": 1, "hours": 1, "min": 1 / 60},
+    "tonnes": {"t": 1, "tonnes": 1, "kt": 1000, "kg": 0.001},
+    "km/h": {"km/h": 1, "kmh": 1, "m/s": 3.6},
+    "metres": {"m": 1, "km": 1000, "ft": 0.3048},
+    "seconds": {"s": 1, "min": 60},
+    "m/s^2": {"m/s2": 1, "m/s^2": 1},
+}
+"""By the word of a quantity: units that are written with it, and how many of its own each is."""
+
+
+def _as_number(text: str, what: str) -> float:
+    """A number in ASCII; the fix of one that is none names the unit of this quantity."""
+    plain = unicodedata.normalize("NFKC", text)
+    try:
+        if not text.isascii():
+            number(plain)
+            fix = f"write {plain}, in ASCII digits"
+            raise PydanticCustomError("number", "'{v}' is not a number", {"v": text, "fix": fix})
+        return number(text)
+    except PydanticCustomError as error:
+        if not text.isascii() or slip_of(text) == "a decimal comma":
+            raise
+        known = _UNITS.get(what.split()[0], {})
+        found = re.fullmatch(r"([+-]?\d+(?:\.\d+)?)\s*(\S+)", text)
+        fix = f"write {what} as a plain decimal number, for instance 1.5"
+        if found is not None and found[2].lower() in known:
+            fix = f"write {float(found[1]) * known[found[2].lower()]:.10g}: {what}, without the unit"
+        raise PydanticCustomError("number", "'{v}' is not a number", {"v": text, "fix": fix}) from error
+
+
 def _between(low: float, high: float, what: str) -> BeforeValidator:
-    """A number above `low` and at most `high`."""
+    """A number above `low` and at most `high`; `what`: the word of its unit, and more."""
 
     def check(value: object) -> float:
         if not isinstance(value, str):
             raise PydanticCustomError("number", "a number is expected")
-        x = number(value)
+        x = _as_number(value, what)
         if not low < x <= high:
             fix = f"{what}: above {low:g} and at most {high:g}"
             raise PydanticCustomError("range", "{v} is out of range", {"v": value, "fix": fix})
@@ -78,7 +111,7 @@ class TrafficSpec(_Part):
 
 
 def _count(value: object) -> int:
-    if not isinstance(value, str) or not re.fullmatch(r"\d{1,4}", value) or not 1 <= int(value) <= MOST_TRAINS:
+    if not isinstance(value, str) or not re.fullmatch(r"[0-9]{1,4}", value) or not 1 <= int(value) <= MOST_TRAINS:
         fix = f"write a whole number, 1 to {MOST_TRAINS}"
         raise PydanticCustomError("range", "{v} is out of range", {"v": str(value), "fix": fix})
     return int(value)
@@ -86,7 +119,7 @@ def _count(value: object) -> int:
 
 Count = Annotated[int, BeforeValidator(_count)]
 Metres = Annotated[float, _between(0, 2000, "metres of a train")]
-Rate = Annotated[float, _between(0, 5, "m/s^2")]
+Rate = Annotated[float, _between(0.01, 5, "m/s^2")]
 Seconds = Annotated[float, _between(0, 60, "seconds")]
 
 LEADS = ("hauled", "propelled")
@@ -132,10 +165,18 @@ class OrderSpec(_Part):
     only: Annotated[list[Name], Field(description="locomotives that may carry it out; empty: all")] = []
 
 
+def _version(value: object) -> object:
+    try:
+        return version(value)
+    except PydanticCustomError as error:
+        fix = "this release reads `dispatch: 1`"
+        raise PydanticCustomError("version", "version {v} is not supported", {"v": str(value), "fix": fix}) from error
+
+
 class DispatchFile(_Part):
     """What is moved on a layout, by which trains."""
 
-    dispatch: Annotated[int, BeforeValidator(version)]
+    dispatch: Annotated[int, BeforeValidator(_version)]
     layout: Name
     title: Text = ""
     shift_h: Hours = 8.0
@@ -174,9 +215,15 @@ def beside(layout: str) -> str:
     return str(Path(layout).with_suffix(SUFFIX))
 
 
-def load(path: str, layout: Layout, sink: Sink) -> Orders | None:
-    """Read a dispatch file for a layout; None with every problem reported."""
+def load(path: str, layout: Layout, sink: Sink, texts: dict[str, str]) -> Orders | None:
+    """Read a dispatch file for a layout; None with every problem reported.  Its text is added to `texts`."""
+    if not Path(path).exists():
+        fix = "write it beside the layout, or name another one; `docs/dispatch.md` has its keys"
+        sink.add("IL1001", f"there is no dispatch file {path}", None, fix)
+        return None
     text, _ = read(path, sink)
+    if text is not None:
+        texts[path] = text
     return None if text is None else load_text(path, text, layout, sink)
 
 

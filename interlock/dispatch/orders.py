@@ -8,6 +8,7 @@ can be left again; there is standing room for the fleet; tippler and loading pla
 from __future__ import annotations
 
 import math
+import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -29,6 +30,28 @@ class Derived:
     trains: int
 
 
+def metres_to(journey: Journey, section: str) -> float:
+    """Metres of route from a journey's start until a train has come into a section; by the shortest way."""
+    best: dict[Place, float] = {journey.start: 0.0}
+    todo, found = [journey.start], float("inf")
+    while todo:
+        place = min(todo, key=lambda p: best[p])
+        todo.remove(place)
+        for s in journey.steps[place]:
+            metres = best[place] + sum(r.length for r in s.routes)
+            if any(section in r.section_ids for r in s.routes):
+                found = min(found, metres)
+            elif metres < best.get(s.after, float("inf")):
+                best[s.after] = metres
+                todo.append(s.after)
+    return found
+
+
+def read_alike(number: str) -> str:
+    """What people read of a locomotive number: without zeros before it, in one case, in plain digits."""
+    return unicodedata.normalize("NFKC", number).casefold().lstrip("0")
+
+
 class Derivation:
     """Orders against a railway; problems go into the sink with their places."""
 
@@ -42,11 +65,13 @@ class Derivation:
     def run(self) -> tuple[Derived, ...]:
         """All orders; none where names are wrong."""
         self._names()
+        self._twice()
         if self.sink.has_errors:
             return ()
         found = tuple(d for n, o in self.file.orders.items() for d in self._derive(n, o))
         self._rooms()
         self._hours()
+        self._turns(found)
         return found
 
     # --- names ---------------------------------------------------------------------------------
@@ -65,7 +90,6 @@ class Derivation:
             known = [*file.places, *sorted(self.sections)]
             if word not in known:
                 self._unknown(f"there is no place or section {word}", word, known, "blocked", i)
-        ores = sorted({x for p in file.places.values() for x in p.ores})
         for name, order in file.orders.items():
             for key, word, kind in (("from", order.from_, "loading"), ("to", order.to, "tipping")):
                 known = [n for n, p in file.places.items() if p.kind == kind]
@@ -83,14 +107,45 @@ class Derivation:
                 if word in file.blocked or at in file.blocked:
                     here = self.orders.at("orders", name, key)
                     self.sink.add("IL6013", f"order {name} is for {word}, which is blocked", here, "open it, or wait")
-            if order.ore is not None and order.from_ in file.places and order.ore not in file.places[order.from_].ores:
-                text = f"{order.from_} does not load {order.ore}"
-                self._unknown(text, order.ore, ores, "orders", name, "ore")
+            loads = file.places.get(order.from_)
+            if order.ore is not None and loads is not None and loads.kind == "loading" and order.ore not in loads.ores:
+                self._ore(name, order)
             if (order.trains is None) == (order.tonnes is None):
                 here = self.orders.at("orders", name, key=True)
                 self.sink.add("IL6003", f"order {name} says neither or both of trains and tonnes", here, "say one")
         if file.orders and not file.fleet:
             self.sink.add("IL6003", "there are orders and no fleet", self.orders.at("orders", key=True), "add `fleet`")
+
+    def _ore(self, name: str, order: OrderSpec) -> None:
+        """Ordered from a place that does not load it."""
+        ores = {x for p in self.file.places.values() for x in p.ores}
+        there = [n for n, p in self.file.places.items() if order.ore in p.ores]
+        text = f"{order.from_} does not load {order.ore}"
+        own = f"it is loaded at {', '.join(there)}" if there else did_you_mean(order.ore or "", ores)
+        self.sink.add("IL6002", text, self.orders.at("orders", name, "ore"), own)
+
+    def _twice(self) -> None:
+        """One thing under two names, or one name twice."""
+        file, at = self.file, self.orders.at
+        numbers: dict[str, str] = {}
+        for number in file.fleet:
+            first = numbers.setdefault(read_alike(number), number)
+            if first != number:
+                text = f"{number} and {first} read as one locomotive number"
+                self.sink.add("IL6015", text, at("fleet", number, key=True), "number one of them otherwise")
+        for name, order in file.orders.items():
+            for i, number in enumerate(order.only):
+                if number in order.only[:i]:
+                    self.sink.add("IL6015", f"{number} is named twice", at("orders", name, "only", i), "name it once")
+        places: dict[tuple[str, str], str] = {}
+        for name, p in file.places.items():
+            if p.kind not in ("loading", "tipping") or p.at not in self.sections:
+                continue
+            first = places.setdefault((p.kind, p.at), name)
+            if first != name:
+                text = f"{name} lies in {p.at}, where {first} is a {p.kind} place already"
+                fix = "make one place of them, with the `capacity` and `ores` of both, or name another section"
+                self.sink.add("IL6014", text, at("places", name, "at"), fix)
 
     def _unknown(self, text: str, word: str, known: list[str], *path: str | int) -> None:
         self.sink.add("IL6002", text, self.orders.at(*path), did_you_mean(word, known) or "known: " + ", ".join(known))
@@ -120,9 +175,30 @@ class Derivation:
                 why = f"order {name}: {error}"
                 self.sink.add("IL6005", why, self.orders.at("orders", name, key=True), "see `interlock draw`")
                 return
+            if not self._open(name, journeys[number]):
+                return
         carried = min(t.tonnes for t in self.file.fleet.values())
         trains = order.trains or math.ceil((order.tonnes or 0) / carried)
         yield Derived(name, order, journeys, trains)
+
+    def _open(self, name: str, journey: Journey) -> bool:
+        """Some chain of routes leads past whatever is blocked."""
+        places = self.file.places
+        blocked = {places[b].at if b in places else b for b in self.file.blocked}
+        todo, came, met = [journey.start], {journey.start}, set[str]()
+        while todo:
+            steps = journey.steps[todo.pop()]
+            if not steps:
+                return True
+            for s in steps:
+                on = {str(x) for r in s.routes for x in r.section_ids} & blocked
+                met |= on
+                if not on and s.after not in came:
+                    came.add(s.after)
+                    todo.append(s.after)
+        text = f"order {name} has no way that does not lead through {', '.join(sorted(met))}, which is blocked"
+        self.sink.add("IL6016", text, self.orders.at("orders", name, key=True), "open it, or leave the order out")
+        return False
 
     # --- room and time -------------------------------------------------------------------------
 
@@ -139,8 +215,10 @@ class Derivation:
                 self.sink.add("IL6008", text, self.orders.at("places", name, key=True), "put a signal at its end")
             metres = max((self.railway.metres[k] for (k,) in ways), default=0.0)
             if p.capacity * longest > metres:
-                text = f"{name} is to hold {p.capacity} trains of {longest:g} m, and {p.at} has {metres:g} m"
-                self.sink.add("IL6009", text, self.orders.at("places", name), "lower its capacity")
+                trains = f"{p.capacity} trains" if p.capacity > 1 else "a train"
+                text = f"{name} is to hold {trains} of {longest:g} m, and {p.at} has {metres:g} m"
+                fix = "lower its capacity" if p.capacity > 1 else "take shorter trains"
+                self.sink.add("IL6009", text, self.orders.at("places", name), fix)
         room = sum(p.capacity for p in self.file.places.values())
         if self.file.places and len(self.file.fleet) > room:
             text = f"{len(self.file.fleet)} trains have {room} places to stand"
@@ -158,8 +236,11 @@ class Derivation:
             for place in (o.from_, o.to):
                 needed[place] = needed.get(place, 0.0) + trains * (self.file.places[place].minutes or 0.0) / 60
             hours = trains * (self.file.places[o.from_].minutes or 0.0) / 60
+            name = next(n for n, x in self.file.orders.items() if x is o)
+            if o.by is not None and o.by > self.file.shift_h:
+                text = f"order {name} is due after {o.by:g} h, and the shift has {self.file.shift_h:g} h"
+                self.sink.add("IL6010", text, self.orders.at("orders", name, "by"), "`by` counts from its beginning")
             if o.by is not None and hours > o.by:
-                name = next(n for n, x in self.file.orders.items() if x is o)
                 text = f"order {name} takes {hours:.2f} h of loading and is due after {o.by:g} h"
                 self.sink.add(
                     "IL6010", text, self.orders.at("orders", name, "by"), "give it more time, or fewer trains"
@@ -168,3 +249,20 @@ class Derivation:
             if hours > self.file.shift_h * self.file.places[place].capacity:
                 text = f"{place} works {hours:.2f} h for these orders, in a shift of {self.file.shift_h:g} h"
                 self.sink.add("IL6010", text, self.orders.at("places", place, key=True), "order less, or spread it")
+        shares = [(n, o.share) for n, o in self.file.orders.items() if o.share is not None]
+        total = sum(x for _, x in shares)
+        if total > 1 + 1e-9:
+            text = f"the shares of {', '.join(n for n, _ in shares)} add up to {total:g}, more than the whole blend"
+            self.sink.add("IL6010", text, self.orders.at("orders", shares[-1][0], "share"), "write parts of 1")
+
+    def _turns(self, found: tuple[Derived, ...]) -> None:
+        """A train that runs to its loading place at full speed without a stop is there within the shift."""
+        for number, train in self.file.fleet.items():
+            own = [d for d in found if number in d.journeys]
+            far = [(metres_to(d.journeys[number], self.file.places[d.order.from_].at), d.name, d) for d in own]
+            for metres, _, d in sorted(far, reverse=True, key=lambda f: f[:2])[:1]:
+                hours = metres / 1000 / train.speed
+                if hours > self.file.shift_h:
+                    text = f"at {train.speed:g} km/h train {number} takes {hours:.1f} h to {d.order.from_}"
+                    fix = f"the shift has {self.file.shift_h:g} h; speeds are km/h"
+                    self.sink.add("IL6010", text, self.orders.at("fleet", number, "speed"), fix)

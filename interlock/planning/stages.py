@@ -13,6 +13,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cached_property
+from typing import NamedTuple
 
 NEVER = 1 << 40
 
@@ -42,10 +44,20 @@ class Piece:
     inside: bool = False
     onward: Piece | None = None
 
-    @property
+    @cached_property
     def rest(self) -> int:
         """Seconds from its setting out until the train is before the tippler, at the soonest."""
         return self.seconds + (0 if self.onward is None else self.work + self.onward.rest)
+
+    @cached_property
+    def needs(self) -> tuple[tuple[int, int], ...]:
+        """What it comes to hold, and how many seconds after its setting out."""
+        return tuple((h.resource, h.begin) for h in self.holds if h.begin is not None)
+
+    @cached_property
+    def keeps(self) -> tuple[tuple[int, int], ...]:
+        """What it holds, and how many seconds after its setting out it gives it up (`NEVER`: its next piece does)."""
+        return tuple((h.resource, NEVER if h.end is None else h.end) for h in self.holds)
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,8 +102,7 @@ class Fleet:
     shares: tuple[float | None, ...] = ()
 
 
-@dataclass(frozen=True)
-class Start:
+class Start(NamedTuple):
     """A train sets out on a piece of a turn."""
 
     at: int
@@ -109,8 +120,7 @@ class Staged:
     states: int
 
 
-@dataclass(frozen=True)
-class _State:
+class _State(NamedTuple):
     """After some stages.  `waiting`: trains under way, (ready, train, turn, piece); `idle`: (ready, train)."""
 
     free: tuple[int, ...]
@@ -122,11 +132,14 @@ class _State:
     tipped: tuple[int, ...]
 
 
-@dataclass(frozen=True)
-class _Node:
+class _Node(NamedTuple):
     cost: float
     state: _State
     by: tuple[_Node, Start] | None = None
+
+
+def _ready(waiting: tuple[int, int, Turn, Piece]) -> int:
+    return waiting[0]
 
 
 @dataclass
@@ -136,9 +149,16 @@ class _Search:
     width: int
     least: int = field(init=False)
     """Seconds of the shortest turn."""
+    entry: tuple[tuple[tuple[int, int], ...], ...] = field(init=False)
+    """By kind: what it holds first, and how many seconds after its setting out."""
+    blends: bool = field(init=False)
+    """An order is to have a share."""
     looked: int = 0
 
     def __post_init__(self) -> None:
+        firsts = [of[0].first.holds[:2] if of else () for of in self.fleet.turns]
+        self.blends = any(part is not None for part in self.fleet.shares)
+        self.entry = tuple(tuple((h.resource, h.begin or 0) for h in first) for first in firsts)
         turns = [t for of in self.fleet.turns for t in of]
         self.least = min((t.first.rest + t.tips + t.back for t in turns), default=1)
 
@@ -158,12 +178,12 @@ class _Search:
         return _State(f.free, (), tuple(waiting), tuple(sorted(idle)), f.left, given, tuple(tipped))
 
     def _soonest(self, s: _State, piece: Piece, ready: int) -> int:
-        at = ready
-        for h in piece.holds:
-            if h.begin is not None and s.free[h.resource] - h.begin > at:
-                at = s.free[h.resource] - h.begin
+        at, free = ready, s.free
+        for x, begin in piece.needs:
+            if free[x] - begin > at:
+                at = free[x] - begin
         if piece.enters is not None:
-            room = self.fleet.limit - sum(w[3].inside for w in s.waiting)
+            room = self.fleet.limit - sum([w[3].inside for w in s.waiting])
             if room <= 0:
                 return NEVER
             if len(s.exits) >= room:
@@ -173,14 +193,14 @@ class _Search:
     def _after(self, s: _State, start: Start) -> _State:
         piece, at = start.piece, start.at
         free = list(s.free)
-        for h in piece.holds:
-            free[h.resource] = NEVER if h.end is None else at + h.end
+        for x, end in piece.keeps:
+            free[x] = NEVER if end == NEVER else at + end
         exits = s.exits if piece.leaves is None else tuple(sorted((*s.exits, at + piece.leaves)))
-        waiting = tuple(w for w in s.waiting if w[1] != start.train)
-        idle = tuple(x for x in s.idle if x[1] != start.train)
+        waiting = tuple([w for w in s.waiting if w[1] != start.train])
+        idle = tuple([x for x in s.idle if x[1] != start.train])
         left, given, tipped = s.left, s.given, s.tipped
-        k = start.turn.order
         if piece is start.turn.first:
+            k = start.turn.order
             left = (*left[:k], left[k] - 1, *left[k + 1 :])
             given = (*given[:k], given[k] + 1, *given[k + 1 :])
         there = at + piece.seconds
@@ -221,22 +241,26 @@ class _Search:
     def cost(self, s: _State) -> float:
         """When each train will be ready, less what was tipped in time, and more for a blend that is missed."""
         total, free = 0.0, list(s.free)
-        for ready, _, turn, piece in sorted(s.waiting, key=lambda w: w[0]):
-            done = self._tips(free, turn, self._free(s, piece, ready) + piece.rest)
+        for ready, _, turn, piece in sorted(s.waiting, key=_ready):
+            at = ready
+            for x, begin in piece.needs:
+                if at < s.free[x] - begin < NEVER // 2:
+                    at = s.free[x] - begin
+            done = self._tips(free, turn, at + piece.rest)
             total += done + turn.back - (self.least if done <= self.end else 0)
         for ready, k in s.idle:
-            turns = self.fleet.turns[self.fleet.trains[k].kind]
-            first = turns[0].first.holds[:2] if turns else ()
-            total += max([ready, *(s.free[h.resource] - (h.begin or 0) for h in first if s.free[h.resource] < NEVER)])
-        total -= self.least * sum(t <= self.end for t in s.tipped)
+            at = ready
+            for x, begin in self.entry[self.fleet.trains[k].kind]:
+                if at < s.free[x] - begin and s.free[x] < NEVER:
+                    at = s.free[x] - begin
+            total += at
+        total -= self.least * sum([t <= self.end for t in s.tipped])
         return total + 0.5 * self.least * self._missed(s)
-
-    def _free(self, s: _State, piece: Piece, ready: int) -> int:
-        found = [s.free[h.resource] - h.begin for h in piece.holds if h.begin is not None]
-        return max([ready, *(x for x in found if x < NEVER // 2)])
 
     def _missed(self, s: _State) -> float:
         """Trains by which the blend is missed, more than one of each order."""
+        if not self.blends:
+            return 0.0
         total = sum(s.given)
         parts = zip(s.given, self.fleet.shares, strict=False)
         return sum(max(0.0, abs(n - part * total) - 1.0) for n, part in parts if part is not None)

@@ -25,6 +25,8 @@ from typing import Any
 END = "end"
 """The kind of the last event of a log whose writer came to its end."""
 
+NO_EVENT = "this is no event of a log"
+
 Event = dict[str, Any]
 
 _TAIL = re.compile(rb'(?s)(.*),"chain":"([0-9a-f]{64})"\}')
@@ -87,7 +89,8 @@ def read(data: bytes) -> Recorded:
     for k, line in enumerate(lines, 1):
         found = _TAIL.fullmatch(line)
         if found is None:
-            return Recorded(tuple(events), chain, 0, Problem(k, "this is no event of a log"))
+            text = "its lines end with CR LF: some tool has changed them" if line.endswith(b"}\r") else NO_EVENT
+            return Recorded(tuple(events), chain, 0, Problem(k, text))
         body, digest = found[1], found[2].decode()
         if link(chain.digest, body) != digest:
             text = "this event does not follow the one before it: something was changed, or lines are missing"
@@ -97,7 +100,7 @@ def read(data: bytes) -> Recorded:
         except ValueError:
             event = None
         if not isinstance(event, dict) or event.get("n") != chain.number or not {"t", "kind"} <= event.keys():
-            return Recorded(tuple(events), chain, 0, Problem(k, "this is no event of a log"))
+            return Recorded(tuple(events), chain, 0, Problem(k, NO_EVENT))
         events.append(event)
         chain = Chain(chain.number + 1, digest)
     return Recorded(tuple(events), chain, len(rest))

@@ -59,6 +59,7 @@ WAYS = (
     Way("orders in turn", Options(keep=False)),
     Way("the nearest first", Options(how=Assigning.NEAREST, keep=False), often=False),
     Way("fixed cross-cuts", Options(how=Assigning.FIXED, keep=False), often=False),
+    Way("fixed, from the far end", Options(how=Assigning.FIXED_FAR, keep=False), often=False),
     Way("by a plan", Options(planned=True, keep=False), often=False),
     Way("in turn, with faults", Options(faults=TRIAL, keep=False)),
     Way("in turn, without the rule", Options(rule=False, keep=False), clean=False),
@@ -72,7 +73,8 @@ def row(way: Way, trains: int, done: list[Worked], seconds: float) -> tuple[str,
     wait = max(w.longest_wait_s for w in done) / 60
     text = (
         f"| {way.name} | {trains} | {len(done)} | {m.value:.2f} ± {m.half:.2f} | **{found['standstills']}** | "
-        f"{found['wrong places']} | {found['hazards'] + found['passed at stop']} | {sum(w.refused for w in done):,} | "
+        f"{found['wrong places']} | {found['hazards'] + found['passed at stop']} | "
+        f"{sum(len(w.alarms) for w in done)} | {sum(w.refused for w in done):,} | "
         f"{sum(w.movements for w in done):,} | {wait:.0f} | {seconds / len(done):.2f} |"
     )
     return text, way.clean and any(found.values())
@@ -97,7 +99,8 @@ TOLD = (
     "(all of it ours: document D gives no lengths and no times, and nothing is fitted to its 30 and 38 trains a "
     "shift).  *Trains*: tipped in a shift, mean with its 95 % confidence interval.  *Standstills*: shifts in which "
     "all trains with orders stood for ever.  *Wrong place*: trains in a cross-cut that is not theirs, or out over "
-    "another boundary.  *Harm*: hazards and signals passed at stop.  *Held back*: requests that the rule did not "
+    "another boundary.  *Harm*: hazards and signals passed at stop.  *Alarms*: of the train describer and of the "
+    "dispatcher; empty: not counted then.  *Held back*: requests that the rule did not "
     "make.  *Wait*: the longest of a train for one cause, in minutes.  *s*: processor seconds a shift."
 )
 
@@ -109,20 +112,21 @@ STOOD = (
 
 
 def page(kept: list[tuple[str, str]]) -> str:
-    """The page: of each way and fleet the row of the most shifts, of those the latest."""
+    """The page: of each way, fleet and number of shifts the latest row."""
     rows = []
     for way in WAYS:
         for trains in FLEETS:
             found = [(c, r) for c, r in kept if r.startswith(f"| {way.name} | {trains} |")]
-            rows += [f"{r} {c} |" for c, r in sorted(found, key=lambda f: int(f[1].split("|")[3]))[-1:]]
+            latest = {int(r.split("|")[3]): f"{r} {c} |" for c, r in found}
+            rows += [latest[n] for n in sorted(latest)]
     made = (
         f"`python -m tests.campaigns.shift`, each row with as many shifts as it says, from seed 0 on, at the "
         f"commit that it names, {processor()}, {os.cpu_count()} cores, Python {platform.python_version()}."
     )
     head = (
-        "| orders | fleet | shifts | trains | standstills | wrong place | harm | held back | passed | wait | s "
-        "| commit |",
-        "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---|",
+        "| orders | fleet | shifts | trains | standstills | wrong place | harm | alarms | held back | passed | wait "
+        "| s | commit |",
+        "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---|",
     )
     texts = (*_wrapped(made), "", *_wrapped(TOLD), "", *head, *rows, "", *_wrapped(STOOD), "")
     return "\n".join(["# Shifts", "", *texts])

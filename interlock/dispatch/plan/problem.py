@@ -107,6 +107,14 @@ class Draft:
         return found[::-1]
 
 
+def in_the_way(things: frozenset[object]) -> Draft:
+    """What stands in the way of every train, and never moves."""
+    strange = Draft("in the way", "in the way")
+    strange.holds["in the way"] = things
+    strange.home.add("in the way")
+    return strange
+
+
 @dataclass(frozen=True)
 class Built:
     """A problem with the bit of every node of every train, and the state in which all stand at their starts."""

@@ -214,6 +214,16 @@ class Railway:
         ahead = self.topo.beyond(section, joint)
         return [] if ahead is None else self._from.get((joint, ahead), [])
 
+    def still(self, name: str, place: Place, coming: bool, back: Iterable[TraversalKey] = ()) -> Draft:
+        """A train that goes nowhere.  coming: it is outside yet; back: where it stands besides, until its route is
+        taken back."""
+        found = Draft(name, place)
+        queue = {("queue", name)} if coming else set[object]()
+        found.holds[place] = self.holds(place.under) | self.holds(back) | queue
+        found.home.add(place)
+        found.inside[place] = self.inside(place.under)
+        return found
+
     def draft(self, errand: Errand) -> Journey:
         """Where an errand can lead.  Raises `NoVoyage`, `TooManyPlaces`."""
         start = Place(0, frozenset(), None, errand.start)
