@@ -82,7 +82,7 @@ def _strokes(root: ElementTree.Element) -> Iterator[Stroke]:
 
 
 def _box(text: ElementTree.Element) -> Box:
-    """Where a name stands: widths as in Helvetica, rounded up to one for each kind of letter."""
+    """Where a name stands: widths as in Helvetica, rounded up to one for each kind of letter (W and M apart)."""
     kind = text.get("class", "")
     size = {"length": 9.0, "title": 14.0}.get(kind, 11.0)
     wide = size * sum(map(_width, str(text.text))) * (1.06 if kind == "section" else 1.0)
@@ -96,6 +96,8 @@ def _box(text: ElementTree.Element) -> Box:
 def _width(letter: str) -> float:
     if ord(letter) > 0x2E80:
         return 1.0
+    if letter in "WMm":
+        return 0.95 if letter == "W" else 0.84
     return 0.69 if letter.isupper() else 0.556 if letter.isdigit() else 0.52 if letter.isalpha() else 0.4
 
 

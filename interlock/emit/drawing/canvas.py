@@ -17,6 +17,7 @@ SIGNAL = 34  # of a signal's symbol
 MARGIN, TOP = 40, 84
 BLADES = 40.0  # from the middle of a slip's diamond to its blades
 ARC = 1.5 * UNIT  # the largest radius of a track that turns back
+WIDE = {"W": 11.0, "M": 9.8, "m": 9.8}  # of letters that are much wider than the others, bold ones too
 
 Spot = tuple[float, float]
 Box = tuple[float, float, float, float]
@@ -24,7 +25,7 @@ Box = tuple[float, float, float, float]
 
 def width(text: str) -> float:
     """Pixels of a name at the size in which it is drawn."""
-    return sum(11.5 if ord(c) > 0x2E80 else 6.4 for c in text)
+    return sum(11.5 if ord(c) > 0x2E80 else WIDE.get(c, 6.4) for c in text)
 
 
 @dataclass(frozen=True)
