@@ -251,6 +251,7 @@ function others() {
   for (const z of still.zones) add(`zone ${z}: ${state[`z:${z}`]?.[0] ? "full" : "has room"}`);
   for (const v of still.voyages) add(`voyage ${v}`, "Begin", {do: "voyage", name: v});
   for (const [name, reason] of s.voyages) add(`${name} is under way${reason ? `: ${reason}` : ""}`, "End", {do: "voyage", name, end: true});
+  for (const [number, under] of s.numbers) add(`train ${number} is in ${under.join(", ")}`);
   if (still.simulated) for (const n of still.stations) {
     const on = !failed("station", n);
     add(`substation ${n}: ${on ? "reports" : "cable cut"}`, on ? "Cut its cable" : "Mend its cable", {do: "fail", kind: "station", name: n, on});
@@ -277,6 +278,8 @@ $("line").addEventListener("submit", e => {
   e.preventDefault();
   const order = $("typed").value.trim();
   if (/^[^:>\s]+:[^\s]+>[^\s]+$/.test(order)) { $("typed").value = ""; ask({do: "voyage", name: order}); return; }
+  const stands = /^([^@\s]+)@(\S+)$/.exec(order);
+  if (stands) { $("typed").value = ""; ask({do: "train", name: stands[1], section: stands[2]}); return; }
   const words = order.split(/\s+/), keys = words.map(w => [...plan.keys.keys()].filter(k => k.slice(2) === w));
   const lost = words.find((w, k) => !keys[k].length);
   if (lost) { say("Unknown", [[`nothing on the plan is called ${lost}`, []]]); return; }
