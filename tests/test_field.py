@@ -358,6 +358,57 @@ def test_commands_are_for_one_cycle_and_values_stay(ready: Ready) -> None:
     assert operator.inputs(quiet, 100)["BLK_q1"] == 0 and not operator.held
 
 
+def test_numbers_step_with_the_sections_of_real_substations(ready: Ready) -> None:
+    """A train is commanded, comes in and runs on: its number is told at each step.  One that comes from nowhere is an
+    alarm, and one whose detection is lost is, too: nothing is asked for it until somebody has looked."""
+    operator = Operator(ready)
+    with running(ready) as (plc, west, east):
+        until_released(ready, plc)
+        last: Cycle | None = None
+        told: list[str] = []
+
+        def cycles(count: int = 4) -> None:
+            nonlocal last
+            for _ in range(count):
+                time.sleep(0.03)
+                last = plc.cycle(operator.inputs(last, 100), 100)
+                told.extend(operator.news())
+
+        cycles()
+        west.put("CLR_q3", 0)
+        cycles()
+        assert told == [], "nobody has named a number: no train is in doubt"
+        west.put("CLR_q3", 1)
+        operator.type("voyage 7:W>E")
+        west.put("CLR_ap_W", 0)
+        cycles(30)
+        assert "train 7 is in ap_W" in told and west.lamp("YP_X7"), told
+        west.put("CLR_q1", 0)
+        cycles(2)
+        west.put("CLR_ap_W", 1)
+        cycles(12)
+        assert [x for x in told if x.startswith("train")] == ["train 7 is in ap_W", "train 7 is in q1"]
+        assert operator.numbers.sections == {"7": ["q1"]} and not operator.numbers.alarms
+        west.put("CLR_q1", 1)  # its detection is lost
+        cycles()
+        lost = "ALARM, train 7: it is lost: q1 became clear, and nothing beside it is occupied"
+        assert told[-2:] == ["train 7 has left", lost]
+        assert operator.dispatcher.held["7"].startswith("its number is in doubt")
+        west.put("CLR_q1", 0)
+        cycles()
+        assert "ALARM, train ?q1: something stands in q1 that came from nowhere" in told
+        asked = len(operator.dispatcher.asked)
+        cycles(10)
+        assert len(operator.dispatcher.asked) == asked
+        for line, why in (("train 7 q9", "q9 is clear"), ("train 7 q99", "no section q99"), ("train 7", "write train")):
+            with pytest.raises(BadCommand, match=why):
+                operator.type(line)
+        operator.type("train 7 q1")
+        cycles(2)
+        assert not operator.numbers.alarms and "7" not in operator.dispatcher.held
+        assert operator.numbers.sections == {"7": ["q1"]}
+
+
 def test_no_connection_is_told_not_thrown(ready: Ready) -> None:
     assert ready.allocation is not None
     link = ModbusLink(ready.allocation, "west", "127.0.0.1", free_port())

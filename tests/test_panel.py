@@ -236,6 +236,8 @@ def test_a_lost_substation_is_an_alarm_and_closes_everything(at_work: tuple[Desk
         {"do": "fail", "kind": "tea", "name": "x", "on": True},
         {"do": "remind", "at": "g:nothing", "text": "x"},
         {"do": "voyage", "name": "none"},
+        {"do": "train", "name": "12", "section": "s99"},
+        {"do": "train", "name": "12", "section": ""},
         {},
     ],
 )
@@ -456,5 +458,10 @@ def test_a_command_with_a_locomotive_number_is_carried_out_route_by_route(at_wor
         assert next(e["who"] for e in b.events if "XB-XC1" in e["text"]) == "dispatcher"
         b.until(lambda: not b.rest["sys"]["voyages"])
         assert b.state["s:s4_xc1"][0] == 1
+        b.until(lambda: b.rest["sys"]["numbers"] == [["12", ["s4_xc1"]]])
+        assert "train 12 is in s2" in kinds(b.events, "note")
+        assert b.ask("train", name="14", section="s4_xc1")["ok"]
+        b.until(lambda: b.rest["sys"]["numbers"] == [["14", ["s4_xc1"]]])
         b.ask("take away", train="12")
         b.until(lambda: b.state["s:s4_xc1"][0] == 0)
+        b.until(lambda: any("train 14: it is lost: s4_xc1 became clear" in a[1] for a in b.rest["alarms"]))

@@ -8,11 +8,9 @@ from functools import partial
 from interlock.app.setting import Setting
 from interlock.app.worked import Trip
 from interlock.dispatch import Dispatcher
-from interlock.dispatch.describer import Describer
+from interlock.dispatch.describer import DOUBT, Describer
 from interlock.model.elements import SectionId
 from interlock.simulate.yard import Yard
-
-DOUBT = "its number is in doubt"
 
 OPERATOR_S = 60.0
 """Seconds from one look of the operator at what was left locked to the next."""

@@ -194,14 +194,13 @@ def dispatch(
     controller = lower(layout, table)
     replay = Replay(layout, controller, System(layout, controller).plant)
     found.answer = Planner(setting.built.problem).solve(setting.built.start)
-    p = setting.built.problem
     if found.answer.verdict is Verdict.PLAN:
         found.plan = setting.plan(layout.digest, found.answer.plan)
         (found.replayed,) = replay.check([found.plan])
     found.caught, found.others = setting.caught(found.answer)
     if exploring:
         try:
-            found.explored = explore(p, setting.built.start)
+            found.explored = explore(setting.built.problem, setting.built.start)
         except TooManyStates as error:
             sink.add("IL6007", f"{error}: UNKNOWN which of them lead nowhere", None, "command fewer trains")
             found.diagnostics = sink.diagnostics

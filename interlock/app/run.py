@@ -7,6 +7,7 @@ from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass
 
 from interlock.app.check import derive_file
+from interlock.app.numbers import Numbers
 from interlock.app.prove import prove_derived
 from interlock.app.proved import Proved
 from interlock.dispatch import Dispatcher
@@ -73,6 +74,7 @@ class Operator:
             priorities=rules.priorities,
             wait_ms=round(1000 * rules.priority_wait_s),
         )
+        self.numbers = Numbers(ready.layout, symbols, self.dispatcher)
 
     def type(self, line: str) -> None:
         """Take one line of input.  Raises `BadCommand`."""
@@ -80,6 +82,9 @@ class Operator:
         verb, rest = spoken(line)
         if verb == "voyage":
             self._voyage(rest)
+            return
+        if verb == "train":
+            self._train(rest)
             return
         found = operate(self._ready, line)
         number = found.get(self._ready.controller.symbols.request)
@@ -98,28 +103,44 @@ class Operator:
         if told in self.voyages or (":" in told and not ended):
             try:
                 if told in self.voyages:
-                    self.dispatcher.begin(told)
+                    run = self.dispatcher.begin(told)
                 else:
-                    self.dispatcher.carry_out(*errand(self.dispatcher.railway, told, 0.0))
+                    run = self.dispatcher.carry_out(*errand(self.dispatcher.railway, told, 0.0))
+                if told not in self.voyages or self.numbers.kept:
+                    self.numbers.expects(run)
             except (NoVoyage, TooManyPlaces, BadOrder) as error:
                 raise BadCommand(str(error)) from error
-        elif not ended or not self.dispatcher.end(ended):
+        elif ended and self.dispatcher.end(ended):
+            self.numbers.ends(ended)
+        else:
             known = ", ".join(self.voyages) or "this layout names none"
             how = "write voyage NAME, voyage NUMBER:ORIGIN>DESTINATION, or voyage NAME end for one under way"
             raise BadCommand(f"{how}; voyages: {known}")
+
+    def _train(self, told: str) -> None:
+        """Somebody says which train stands in a section."""
+        assert self._ready.layout is not None
+        number, _, section = told.partition(" ")
+        if not section:
+            raise BadCommand("write train NUMBER SECTION for a train that stands there")
+        if all(str(s.id) != section for s in self._ready.layout.sections):
+            raise BadCommand(f"there is no section {section}")
+        if not self.numbers.stands(number, section):
+            raise BadCommand(f"{section} is clear: no train stands there")
 
     def inputs(self, last: Cycle | None, dt_ms: int) -> dict[str, int]:
         """What the next cycle reads, `dt_ms` milliseconds after the last; commands are used up."""
         assert self._ready.allocation is not None
         seen = {} if last is None else {**last.inputs, **last.outputs}
+        self.numbers.cycle(seen, last is not None and last.valid)
         asked = self.dispatcher.step(seen, dt_ms)
         found = dict.fromkeys(self._ready.allocation.written, 0) | asked | self.held | self._once
         self._once = {}
         return found
 
     def news(self) -> list[str]:
-        """What became of the voyages since this was last asked."""
-        said = list(self.dispatcher.said)
+        """What became of the voyages, and of the numbers of trains, since this was last asked."""
+        said = [*self.dispatcher.said, *self.numbers.news()]
         self.dispatcher.said.clear()
         return said
 
@@ -172,7 +193,8 @@ def operate(ready: Ready, line: str) -> dict[str, int]:
         if given is not None and value.isdigit() and int(value) < (given.size - 1 if given.size else 2):
             return {written: int(value)}
     raise BadCommand(
-        "write set ROUTE, swing SIGNAL, voyage NAME, voyage NAME end, cancel SIGNAL, release, or VARIABLE=VALUE"
+        "write set ROUTE, swing SIGNAL, voyage NAME, voyage NAME end, train NUMBER SECTION, cancel SIGNAL, release, "
+        "or VARIABLE=VALUE"
     )
 
 

@@ -12,7 +12,7 @@ from functools import partial
 from random import Random
 from typing import Any
 
-from interlock.app.attending import DOUBT, OPERATOR_S, Attendant
+from interlock.app.attending import OPERATOR_S, Attendant
 from interlock.app.guided import Guide
 from interlock.app.movement import Where
 from interlock.app.setting import CYCLE_MS, Setting
@@ -21,7 +21,7 @@ from interlock.app.worked import Options, Trip, Worked
 from interlock.dispatch import Dispatcher
 from interlock.dispatch.assign import Assigner
 from interlock.dispatch.causes import cause
-from interlock.dispatch.describer import Describer
+from interlock.dispatch.describer import DOUBT, Describer
 from interlock.dispatch.dispatcher import waiting
 from interlock.dispatch.orders import Derived
 from interlock.dispatch.plan.railway import NoVoyage, TooManyPlaces

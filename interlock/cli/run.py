@@ -126,6 +126,8 @@ def command(
     A line of input is a command for one cycle: set ROUTE, swing SIGNAL, cancel SIGNAL or release.
     Voyage NAME opens the routes of a voyage one after the other, each when its train stands before it, until it is done
     or voyage NAME end gives it up; voyage 12:W>E does so for locomotive 12 from W to E.
+    From then on numbers step with the sections that are reported occupied, and what does not fit is an alarm; nothing
+    is asked for its train until train 12 q4 says where it stands.
     VARIABLE=VALUE (for instance BLK_q1=1) stays until it is set otherwise.  Every change of an output is printed.  A
     standard computer is no safety PLC: for trials, not for a railway.
     """

@@ -20,6 +20,9 @@ from interlock.model.elements import SectionId
 from interlock.model.layout import Layout
 from interlock.model.traversal import topology
 
+DOUBT = "its number is in doubt"
+"""Why nothing is asked for a train with an alarm."""
+
 UNKNOWN = "?"
 """The number of a train of which nothing is known; several of them are told apart by where they are."""
 

@@ -178,3 +178,7 @@ class Buttons:
     def voyage(self, name: str, end: bool) -> None:
         """Carry out a voyage, or give it up."""
         self._typed(f"voyage {name}{' end' if end else ''}")
+
+    def train(self, number: str, section: str) -> None:
+        """Say which train stands in a section."""
+        self._typed(f"train {number} {section}")

@@ -209,6 +209,7 @@ class Desk:
         self._ran_ms += self._dt_ms
         if self._ran_ms > SETTLES_MS:
             found = causes(self.ready, cycle)
+            found |= {f"train {n}": told for n, told in self.operator.numbers.alarms.items()}
             if self.recorder is not None and self.recorder.lost:
                 found["record"] = (self.recorder.lost, ())
             for a in self.alarms.stand(found, stamp()):
@@ -278,6 +279,7 @@ class Desk:
                 "minutes": int(self.clock.now() // 60) if self.field is not None else 0,
                 "failed": [] if self.field is None else sorted(map(list, self.field.failed)),
                 "voyages": [[r.name, r.reason] for r in (*dispatcher.runs, *dispatcher.pending)],
+                "numbers": [[n, under] for n, under in self.operator.numbers.sections.items()],
             },
             "alarms": [a.told() for a in self.alarms.all.values()],
             "reminders": {k: list(v) for k, v in self.reminders.items()},
@@ -383,6 +385,9 @@ class Desk:
             case "voyage":
                 b.voyage(str(c["name"]), bool(c.get("end")))
                 return f"{'give up' if c.get('end') else 'begin'} voyage {c['name']}"
+            case "train":
+                b.train(str(c["name"]), str(c["section"]))
+                return f"train {c['name']} stands in {c['section']}"
             case "acknowledge":
                 for a in self.alarms.acknowledge(str(c.get("alarm", "")), who.name):
                     self._note(Event("acknowledged", f"seen: {a.text}", who.name, a.at))

@@ -251,6 +251,7 @@ function others() {
   for (const z of still.zones) add(`zone ${z}: ${state[`z:${z}`]?.[0] ? "full" : "has room"}`);
   for (const v of still.voyages) add(`voyage ${v}`, "Begin", {do: "voyage", name: v});
   for (const [name, reason] of s.voyages) add(`${name} is under way${reason ? `: ${reason}` : ""}`, "End", {do: "voyage", name, end: true});
+  for (const [number, under] of s.numbers) add(`train ${number} is in ${under.join(", ")}`);
   if (still.simulated) for (const n of still.stations) {
     const on = !failed("station", n);
     add(`substation ${n}: ${on ? "reports" : "cable cut"}`, on ? "Cut its cable" : "Mend its cable", {do: "fail", kind: "station", name: n, on});
@@ -285,6 +286,8 @@ $("line").addEventListener("submit", e => {
   e.preventDefault();
   const order = $("typed").value.trim();
   if (/^[^:>]+:[^:>]+(>[^:>]+)+$/.test(order)) { $("typed").value = ""; ask({do: "voyage", name: order}); return; }
+  const stands = /^([^@\s]+)@(.+)$/.exec(order);
+  if (stands) { $("typed").value = ""; ask({do: "train", name: stands[1], section: stands[2].trim()}); return; }
   const [keys, ...others] = readings(order.split(/\s+/));
   if (others.length) { say("Not clear", [[`${order} can be read in ${others.length + 1} ways: choose on the plan`, []]]); return; }
   const lost = keys.find(([, known]) => !known.length);
