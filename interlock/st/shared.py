@@ -77,14 +77,14 @@ def renamed(x: Expression, name: Callable[[Name], Expression]) -> Expression:
     return replace(x, left=renamed(x.left, name), right=renamed(x.right, name)) if isinstance(x, Compare) else x
 
 
-def _put(s: Statement, name: Callable[[Name], Name]) -> Statement:
+def put(s: Statement, name: Callable[[Name], Name]) -> Statement:
     """A statement with other names."""
     if isinstance(s, Assign):
         return replace(s, target=name(s.target), value=renamed(s.value, name))
     if isinstance(s, Call):
         return replace(s, params=tuple((n, renamed(x, name)) for n, x in s.params))
-    arms = [(renamed(c, name), tuple(_put(t, name) for t in then)) for c, then in s.arms]
-    return If(*arms[0], tuple(_put(t, name) for t in s.otherwise), tuple(arms[1:]))
+    arms = [(renamed(c, name), tuple(put(t, name) for t in then)) for c, then in s.arms]
+    return If(*arms[0], tuple(put(t, name) for t in s.otherwise), tuple(arms[1:]))
 
 
 def instance(block: str) -> str:
@@ -98,22 +98,25 @@ def instance(block: str) -> str:
 def shared(unit: Unit) -> Unit:
     """An interlocking, which may end with its mapping program, in this form."""
     if unit.blocks[-1].kind != "PROGRAM":
-        return replace(unit, blocks=tuple(_interlocking(unit.blocks)))
+        return replace(unit, blocks=tuple(in_data_blocks(unit.blocks)))
     *blocks, program = unit.blocks
     types = {d.name: d.type for d in program.locals}
     main = types[INSTANCE]
     helpers = [b for b in blocks if b.name in types.values() and b.name != main]
-    core = _interlocking([b for b in blocks if b not in helpers])
+    core = in_data_blocks([b for b in blocks if b not in helpers])
     return replace(unit, blocks=(*core, *helpers, *_mapping(program, main)))
 
 
-def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
-    """Data blocks, the blocks in the order in which they are called, group blocks, and the one that calls these."""
+def in_data_blocks(blocks: Sequence[Block], told: bool = True) -> Iterator[Block]:
+    """Data blocks, the blocks in the order in which they are called, group blocks, and the one that calls these.
+
+    told: what a variable means stands at its place in a data block, too, not only where it is computed.
+    """
     *callees, main = blocks
     kinds = {b.name: b for b in callees}
     types = {d.name: d.type for d in main.locals}
     data = {d.name: main.name + INPUTS for d in main.inputs} | {d.name: main.name + OUTPUTS for d in main.outputs}
-    notes = {s.target.parts[-1]: s.note for b in callees for s in b.body if isinstance(s, Assign)}
+    notes = {s.target.parts[-1]: s.note for b in callees for s in b.body if told and isinstance(s, Assign)}
     inner = [replace(d, note=d.note or notes.get(d.name, "")) for b in callees for d in b.outputs if d.name not in data]
     data |= {d.name: main.name + INNER for d in inner}
 
@@ -130,7 +133,7 @@ def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
             made, called = _placed(b, data)
             yield from made
             calls.append(Call(called, (), b.note[:HEADLINE]))
-    settings = [_put(s, place) for s in main.body if isinstance(s, Assign)]
+    settings = [put(s, place) for s in main.body if isinstance(s, Assign)]
     settings = [s for s in settings if not (isinstance(s, Assign) and s.target == s.value)]  # written where it is made
     for k, part in enumerate(_parts(settings, MOST), 1):
         yield Block(f"{main.name}_Y{k:02d}", (), (), (), tuple(part), "outputs", "FUNCTION")
@@ -149,7 +152,7 @@ def _placed(b: Block, data: Mapping[str, str]) -> tuple[list[Block], str]:
     def place(n: Name) -> Name:
         return n if n.parts[0] in own else Name((data[n.parts[0]], n.parts[0]))
 
-    body = tuple(_put(s, place) for s in b.body)
+    body = tuple(put(s, place) for s in b.body)
     if all(d.type != "TON" for d in b.locals):
         return [Block(b.name, (), (), b.locals, body, b.note, "FUNCTION")], b.name
     kept = Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), "", "INSTANCE")
@@ -181,7 +184,7 @@ def _mapping(program: Block, main: str) -> Iterator[Block]:
     body: list[Statement] = []
     out: list[Statement] = []
     for s in program.body:
-        made = _put(s, place)
+        made = put(s, place)
         if isinstance(s, Call) and s.instance == INSTANCE:
             assert isinstance(made, Call)
             carried = [Assign(Name((main + INPUTS, n)), x) for n, x in made.params]
@@ -355,7 +358,7 @@ class _Core(_Walk):
             own[d.name] = d.name if d.type == "TON" else f"{b.name} {d.name}"
             self.locals.append(replace(d, name=own[d.name]))
 
-        def put(n: Name) -> Name:
+        def place(n: Name) -> Name:
             first, last = n.parts[0], n.parts[-1]
             if first in own and (len(n.parts) == 1 or last == "Q"):
                 return Name((own[first], *n.parts[1:]))
@@ -375,9 +378,9 @@ class _Core(_Walk):
             elif isinstance(s, Call):
                 if s.instance not in own:
                     raise NotInSubset(f"{b.name} calls {s.instance}")
-                self.body.append(_put(s, put))
+                self.body.append(put(s, place))
             else:
-                made = _put(s, put)
+                made = put(s, place)
                 given = {d.name for d in self.inputs}
                 if wrong := [str(n) for n in writes(made) if str(n) in given]:
                     raise NotInSubset(f"{b.name} writes {wrong[0]}, which is an input")
@@ -429,11 +432,11 @@ class _Program(_Walk):
                 if s.instance not in self.instances:
                     raise NotInSubset(f"{b.name} calls {s.instance}")
                 self.once(s.instance)
-                self.body.append(_put(replace(s, instance=s.instance.removeprefix("DB_")), self._name))
+                self.body.append(put(replace(s, instance=s.instance.removeprefix("DB_")), self._name))
             else:
                 if any(len(n.parts) == 2 and n.parts[0] != self.main + OPERATOR for n in writes(s)):
                     raise NotInSubset(f"{b.name} writes what is not the operator's")
-                self.body.append(_put(s, self._name))
+                self.body.append(put(s, self._name))
 
     def _name(self, n: Name) -> Name:
         first, last = n.parts[0], n.parts[-1]

@@ -21,12 +21,13 @@ from interlock.st.dialects import Dialect, Files
 from interlock.st.parser import NotInSubset, parse_unit
 from interlock.st.program import BEAT, INSTANCE, Runs, io_task, parted, watch_name, watches
 from interlock.st.restart import RESTART
+from interlock.st.structures import plain
 
 
 def compare_program(controller: Controller, a: Allocation, text: str) -> tuple[Difference, ...]:
     """What is wrong with a mapping program in the portable dialect; empty when nothing is."""
     try:
-        unit = parse_unit(text)
+        unit = plain(parse_unit(text))
     except NotInSubset as error:
         return (Difference("text", f"cannot be read: {error}"),)
     return compare_mapping(controller, a, unit)
