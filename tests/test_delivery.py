@@ -158,7 +158,10 @@ STL = [
 
 
 def _marked(text: str) -> str:
-    """As TIA Portal has it: a block's own variables marked, attributes after its name."""
+    """As TIA Portal has it: a block's own variables marked, attributes after its name, the station's name before those
+    of terminals and instances."""
+    text = re.sub(r'"(CLR_S[AB]|Y[NR]_P1)"(?!\.)', r'"fig2_2_\1"', text)
+    text = re.sub(r'"DB_(CYC|W_main)"', r'"DB_IL_fig2_2_\1"', text)
     text = text.replace(" : VOID\n", " : Void\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n")
     return text.replace("HB AND ", "#HB AND ").replace("HB OR ", "#HB OR ")
 
@@ -207,8 +210,10 @@ CHANGES = {
         ("NON_RETAIN\n", ""),
         ("NON_RETAIN\n", "RETAIN\n"),
         ("VERSION : 0.1\n", ""),
-        ('  "DB_W_main"(', '  "IL_fig2_2_WATCH"."DB_W_main"('),
-        ('  "DB_W_main"(', '  "DB_CYC"('),
+        ('  "DB_IL_fig2_2_W_main"(', '  "IL_fig2_2_WATCH"."DB_IL_fig2_2_W_main"('),
+        ('  "DB_IL_fig2_2_W_main"(', '  "DB_IL_fig2_2_CYC"('),
+        ('"fig2_2_CLR_SA"', '"CLR_SA"'),
+        ('"fig2_2_CLR_SA"', '"fig2_1_CLR_SA"'),
         ("#T_1 := ", "T_1 := "),
         ("#TON_RT_DP.Q", '"TON_RT_DP".Q'),
         ('"IL_fig2_2_D".OCC_DP := ', "#OCC_DP := "),
@@ -273,7 +278,7 @@ def test_a_changed_delivery_is_refuted(dialect: str) -> None:
 def test_a_table_of_tags_is_read_from_its_workbook() -> None:
     layout, _, a = smallest()
     book = tags_xlsx(layout, a)
-    assert read_tags(book) == {c.variable: c.located for c in a.wires}
+    assert read_tags(book, "fig2_2_") == {c.variable: c.located for c in a.wires}
     files = files_of("scl1500")
 
     def edited(old: str, new: str) -> bytes:
@@ -284,10 +289,33 @@ def test_a_table_of_tags_is_read_from_its_workbook() -> None:
         return out.getvalue()
 
     assert wrong("scl1500", files, edited("nothing", "else")) == ()
-    for old, new in (("%I0.1", "%I0.7"), ("%I0.1", "%M0.1"), ("Bool", "Int"), (">CLR_SA<", ">CLR_XX<"), ("Name", "N")):
+    for old, new in (
+        ("%I0.1", "%I0.7"),
+        ("%I0.1", "%M0.1"),
+        ("Bool", "Int"),
+        (">fig2_2_CLR_SA<", ">fig2_2_CLR_XX<"),
+        (">fig2_2_CLR_SA<", ">CLR_SA<"),
+        (">fig2_2_CLR_SA<", ">fig2_2_CLR_SB<"),
+        ("Name", "N"),
+    ):
         assert wrong("scl1500", files, edited(old, new)), old
     with pytest.raises(BadTags):
-        read_tags(b"no workbook")
+        read_tags(b"no workbook", "")
+
+
+def test_two_stations_in_one_controller_have_no_name_in_common() -> None:
+    """Of an S7-1500: blocks, data blocks, instances and tags; but for OB1, of which one calls both."""
+    found = []
+    for name in ("fig2_1", "fig2_2"):
+        layout, _, controller = built(name)
+        a = allocate(layout, controller)
+        text = "".join(write_delivery(controller, a, BY_NAME["scl1500"], []).values())
+        own = set(re.findall(r'^(?:DATA_BLOCK|FUNCTION|FUNCTION_BLOCK) "(\w+)"', text, re.MULTILINE))
+        tags = {f"{name}_{n}" for n in read_tags(tags_xlsx(layout, a), f"{name}_")}
+        assert len(own) > 20 and len(tags) > 10 and not own & tags
+        assert all(x in own | tags | {"Main"} for x in re.findall(r'"(\w+)"', text))
+        found.append(own | tags)
+    assert not found[0] & found[1]
 
 
 def run_of(unit: Unit) -> tuple[Execution[int], Numbers]:

@@ -326,7 +326,7 @@ def test_the_lists_say_the_same_as_the_allocation() -> None:
     sheet = openpyxl.load_workbook(io.BytesIO(tags_xlsx(layout, a)))["PLC Tags"]
     tags = list(sheet.iter_rows(values_only=True))
     assert tags[0][:4] == ("Name", "Path", "Data Type", "Logical Address")
-    assert {t[0]: t[3] for t in tags[1:]} == {c.variable: f"%{c.address}" for c in a.wires}
+    assert {t[0]: t[3] for t in tags[1:]} == {f"cn6502_{c.variable}": f"%{c.address}" for c in a.wires}
     assert all(re.fullmatch(r"%[IQ]\d+\.[0-7]", str(t[3])) for t in tags[1:])
     equipment = dict(csv.reader(io.StringIO(equipment_csv(layout, a))))
     assert equipment["point machine"] == str(len(layout.machines))

@@ -62,16 +62,17 @@ def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
         if b.kind == "DATA_BLOCK":
             yield replace(b, kind="STRUCT")
         elif b.kind != "INSTANCE":
-            calls = [known.instances.get(s.instance, s.instance) for s in b.body if _hands(s, b)]
+            called = [s.instance for s in b.body if isinstance(s, Call) and _hands(s, b)]
+            calls = [known.instances.get(n, n) for n in called]
             used = {variables.get(n.parts[0], "") for s in b.body for n in names_in(s)}
             used |= {n for c in calls for n in handed[c]}
             handed[b.name] = (GIVEN, SHOWN) if b.name == main else tuple(n for n in NAMES if n in used)
             yield _handing(b, main, handed, known.instances, variables)
 
 
-def _hands(s: Statement, b: Block) -> bool:
-    """Whether a statement of a block calls another."""
-    return isinstance(s, Call) and all(d.name != s.instance for d in b.locals)
+def _hands(s: Call, b: Block) -> bool:
+    """Whether a call in a block is of another block, not of a timer of its own."""
+    return all(d.name != s.instance for d in b.locals)
 
 
 def _handing(
