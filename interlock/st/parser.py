@@ -128,9 +128,8 @@ class _Reader:
         self.tokens: list[str] = []
         self.at = 0
         self._names: dict[str, Name] = {}
-        self._variables: dict[str, Name] = {}
-        self._inverse: dict[str, Not] = {}
-        self._instances: dict[str, str] = {}
+        self._variables: dict[str, tuple[Name, Not]] = {}
+        self._members: dict[str, dict[str, tuple[Name, Not]]] = {}
         self._good: dict[str, str] = {}
         self._plain: dict[str, Declaration] = {}
         self._scan()
@@ -346,6 +345,11 @@ class _Reader:
         if known is not None and self.tokens[self.at + 1] == ":=" and not self.style.local:
             self.at += 2
             return self._assigned(self._single(known))
+        if self.tokens[self.at + 1] == ".":
+            member = self._member(self.tokens[self.at], self.tokens[self.at + 2])
+            if member is not None and self.tokens[self.at + 3] == ":=":
+                self.at += 4
+                return self._assigned(member[0])
         if self._is("IF"):
             return self.branch()
         name = self._variable()
@@ -428,15 +432,12 @@ class _Reader:
     def _known(self) -> Expression | None:
         """A name that was met before, negated or not, or an output of an instance: most of a text; or None."""
         tokens, at = self.tokens, self.at
-        token, after = tokens[at], tokens[at + 1]
-        found: Expression | None
-        if token == "NOT":
-            found = self._inverse.get(after)
-            if found is None and after in self._variables:
-                found = self._inverse[after] = Not(self._variables[after])
-            at += 2
-        elif after == "." and token in self._instances and tokens[at + 2] in self._good:
-            found = Name((self._instances[token], tokens[at + 2]))
+        negated = tokens[at] == "NOT"
+        at += negated
+        token = tokens[at]
+        found: tuple[Name, Not] | None
+        if tokens[at + 1] == ".":
+            found = self._member(token, tokens[at + 2])
             at += 3
         else:
             found = self._variables.get(token)
@@ -444,6 +445,17 @@ class _Reader:
         if found is None or tokens[at] not in _AFTER:
             return None
         self.at = at
+        return found[negated]
+
+    def _member(self, token: str, member: str) -> tuple[Name, Not] | None:
+        """A member of what was met before, as it is and negated; or None."""
+        known = self._members.get(token)
+        if known is None or member not in self._good:
+            return None
+        found = known.get(member)
+        if found is None:
+            name = Name((known[""][0].parts[0], member))
+            found = known[member] = name, Not(name)
         return found
 
     def _exclusive(self) -> Expression:
@@ -494,7 +506,8 @@ class _Reader:
             return Time(int(digits[: len(digits) - len(unit)]) * _UNITS[unit])
         name = self.qualified(self._variable())
         if len(name.parts) == 1:
-            self._variables[token] = name
-        else:
-            self._instances[token] = name.parts[0]
+            self._variables[token] = name, Not(name)
+        elif token not in self._members:
+            first = Name(name.parts[:1])
+            self._members[token] = {"": (first, Not(first))}
         return name

@@ -73,16 +73,16 @@ def renamed(x: Expression, name: Callable[[Name], Expression]) -> Expression:
     if isinstance(x, Not):
         return Not(renamed(x.arg, name))
     if isinstance(x, Nary):
-        return replace(x, args=tuple([renamed(a, name) for a in x.args]))
-    return replace(x, left=renamed(x.left, name), right=renamed(x.right, name)) if isinstance(x, Compare) else x
+        return Nary(x.op, tuple([renamed(a, name) for a in x.args]), x.notes)
+    return Compare(x.op, renamed(x.left, name), renamed(x.right, name)) if isinstance(x, Compare) else x
 
 
 def put(s: Statement, name: Callable[[Name], Name]) -> Statement:
     """A statement with other names."""
     if isinstance(s, Assign):
-        return replace(s, target=name(s.target), value=renamed(s.value, name))
+        return Assign(name(s.target), renamed(s.value, name), s.note)
     if isinstance(s, Call):
-        return replace(s, params=tuple((n, renamed(x, name)) for n, x in s.params))
+        return Call(s.instance, tuple([(n, renamed(x, name)) for n, x in s.params]), s.note)
     arms = [(renamed(c, name), tuple(put(t, name) for t in then)) for c, then in s.arms]
     return If(*arms[0], tuple(put(t, name) for t in s.otherwise), tuple(arms[1:]))
 
@@ -344,6 +344,7 @@ class _Core(_Walk):
         self.members = {d.name: main + x for x in (INPUTS, OUTPUTS, INNER) for d in self.data[main + x]}
         if len(self.members) != len(self.inputs) + len(self.outputs) + len(inner):
             raise NotInSubset("two variables of one name")
+        self.given = {d.name for d in self.inputs}
         self.locals = list(inner)
         self.timing: set[str] = set()
         self.body: list[Statement] = []
@@ -390,8 +391,7 @@ class _Core(_Walk):
                 self.body.append(put(s, place))
             else:
                 made = put(s, place)
-                given = {d.name for d in self.inputs}
-                if wrong := [str(n) for n in writes(made) if str(n) in given]:
+                if wrong := [str(n) for n in writes(made) if str(n) in self.given]:
                     raise NotInSubset(f"{b.name} writes {wrong[0]}, which is an input")
                 self.body.append(made)
 

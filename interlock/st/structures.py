@@ -165,6 +165,7 @@ class _Released:
         self.structures = {d.name: d.type for d in (*b.handed, *held)}
         self.instances = {d.name: d.type for d in b.locals if d.type in blocks}
         self.own = [d for d in b.locals if d not in held and d.name not in self.instances]
+        self.mine = {d.name for d in self.own}
         names = [d.name.upper() for d in (*b.handed, *b.locals)]
         handed = {d.name for d in b.handed}
         expected = tuple(Declaration(n, types[n]) for n in NAMES if n in handed)
@@ -201,7 +202,7 @@ class _Released:
         first = n.parts[0]
         if first in self.structures and len(n.parts) == 2:
             return Name((self.structures[first], n.parts[1]))
-        if first in {d.name for d in self.own}:
+        if first in self.mine:
             return n
         raise NotInSubset(f"{self.b.name}: {n} is not declared")
 
