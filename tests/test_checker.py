@@ -72,31 +72,84 @@ VAR_OUTPUT Q : BOOL; END_VAR
 END_FUNCTION_BLOCK
 """
 """A delay that is over at once: a compiler takes it for the timer."""
+BESIDE = """FUNCTION_BLOCK BESIDE
+VAR_IN_OUT INP : IL_fig2_2_I; END_VAR
+END_FUNCTION_BLOCK
+"""
 
 EDITS = {
-    "an output": ("YP_X1 := S01.S_R1 OR S01.S_R2;", "YP_X1 := S01.S_R1;", "YP_X1"),
-    "outputs swapped": ("YN_P1 := S01.CN_P1;", "YN_P1 := S01.CR_P1;", "YN_P1"),
-    "a next value": ("N_K_DP := K_DP", "N_K_DP := NOT K_DP", "K_DP"),
-    "a wire": ("OCC_DP := NOT CLR_DP", "OCC_DP := CLR_DP", "OCC_DP"),
+    "an output": ("YP_X1 := D.S_R1 OR D.S_R2;", "YP_X1 := D.S_R1;", "YP_X1"),
+    "outputs swapped": ("YN_P1 := D.CN_P1;", "YN_P1 := D.CR_P1;", "YN_P1"),
+    "a next value": ("D.N_K_DP := D.K_DP", "D.N_K_DP := NOT D.K_DP", "K_DP"),
+    "a wire": ("OCC_DP := NOT INP.CLR_DP", "OCC_DP := INP.CLR_DP", "OCC_DP"),
     "an initial value": ("K_DP : BOOL := TRUE; (* DP: restart", "K_DP : BOOL := FALSE; (* DP: restart", "K_DP"),
     "the start of an output": ("YS_X1 : BOOL := TRUE", "YS_X1 : BOOL := FALSE", "YS_X1"),
-    "a preset": ("(IN := RTI_DP, PT := T#3s)", "(IN := RTI_DP, PT := T#1ms)", "RT_DP has 1 ms in the text, 3000 ms"),
-    "the input of a timer": ("IN := ATI_X1,", "IN := ATI_X2,", "AT_X1 waits for ATI_X2"),
-    "what a block is given": ("CLR_DP := CLR_DP, VALID", "CLR_DP := VALID, VALID", "OCC_DP"),
-    "a statement twice": ("YN_P1 := S01.CN_P1;", "YN_P1 := S01.CN_P1; YN_P1 := FALSE;", "YN_P1 is written twice"),
-    "a statement that is not known": ("YN_P1 := S01.CN_P1;", "IF VALID THEN YN_P1 := TRUE; END_IF;", "expected"),
-    "a statement left out": ("YN_P1 := S01.CN_P1;", "", "YN_P1 is never written"),
+    "the start of a word": ("YX_R1 : INT := 0", "YX_R1 : INT := 1", "YX_R1 does not begin with 0"),
+    "a preset": (
+        "(IN := D.RTI_DP, PT := T#3s)",
+        "(IN := D.RTI_DP, PT := T#1ms)",
+        "RT_DP has 1 ms in the text, 3000 ms",
+    ),
+    "the input of a timer": ("IN := D.ATI_X1,", "IN := D.ATI_X2,", "AT_X1 waits for ATI_X2"),
+    "a structure that is not handed": ("B01(INP := INP, D := D)", "B01(INP := INP)", "without one of its structures"),
+    "another structure": ("B01(INP := INP, D := D)", "B01(INP := OUTP, D := D)", "B01 is handed something else"),
+    "a structure of another type": ("  INP : IL_fig2_2_I;", "  INP : IL_fig2_2_Q;", "no structure of that name"),
+    "a structure of one's own": (
+        "VAR_IN_OUT\n  INP : IL_fig2_2_I;\n  D : IL_fig2_2_D;\nEND_VAR\nVAR\n",
+        "VAR_IN_OUT\n  INP : IL_fig2_2_I;\nEND_VAR\nVAR\n  D : IL_fig2_2_D;\n",
+        "B01 is called without one of its structures",
+    ),
+    "a fourth structure": (
+        "FUNCTION_BLOCK",
+        "TYPE OTHER :\nSTRUCT\n  ZZ : BOOL;\nEND_STRUCT;\nEND_TYPE\nFUNCTION_BLOCK",
+        "the structures are not those of the main block",
+    ),
+    "a member in two structures": ("  YS_X1 : BOOL", "  RSTI : BOOL", "a member of one name"),
+    "a member twice": ("  YS_X1 : BOOL", "  YP_X1 : BOOL", "declares YP_X1 twice"),
+    "an input that is written": ("  D.RSTI := D.PWR;", "  D.RSTI := D.PWR;\n  INP.VALID := TRUE;", "which is an input"),
+    "a block called twice": ("  T01(D := D);", "  T01(D := D);\n  T01(D := D);", "T01"),
+    "a block not called": ("  T01(D := D);\n", "", "D.RT_DP is read before it is computed"),
+    "another instance of a block": ("T01 : IL_fig2_2_T01;", "T01 : IL_fig2_2_B02;", "T01 is called without"),
+    "the last block not called": ("  Y01(OUTP := OUTP, D := D);\n", "", "Y01 of IL_fig2_2_G01 is never called"),
+    "blocks in another order": (
+        "  T01(D := D);\n  B02(INP := INP, D := D);",
+        "  B02(INP := INP, D := D);\n  T01(D := D);",
+        "is no state",
+    ),
+    "state committed too early": (
+        "  B03(INP := INP, D := D);",
+        "  S01(D := D);\n  B03(INP := INP, D := D);",
+        "read before it is computed",
+    ),
+    "a statement twice": (
+        "OUTP.YN_P1 := D.CN_P1;",
+        "OUTP.YN_P1 := D.CN_P1; OUTP.YN_P1 := FALSE;",
+        "YN_P1 is written twice",
+    ),
+    "a statement that is not known": (
+        "OUTP.YN_P1 := D.CN_P1;",
+        "IF INP.VALID THEN OUTP.YN_P1 := TRUE; END_IF;",
+        "expected",
+    ),
+    "an output by cases": (
+        "OUTP.YN_P1 := D.CN_P1;",
+        "IF D.CN_P1 THEN OUTP.YN_P1 := 1; ELSE OUTP.YN_P1 := 0; END_IF;",
+        "is no word",
+    ),
+    "a statement left out": ("OUTP.YN_P1 := D.CN_P1;", "", "YN_P1 is never written"),
+    "an output that is read": ("OUTP.YR_P1 := D.CR_P1;", "OUTP.YR_P1 := OUTP.YA_P1;", "is no state"),
     "a timer of its own": ("FUNCTION_BLOCK", f"{OWN_TIMER}FUNCTION_BLOCK", "the text defines TON itself"),
     "the same in small letters": ("FUNCTION_BLOCK", f"{OWN_TIMER.lower()}FUNCTION_BLOCK", "expected"),
-    "a block beside": ("FUNCTION_BLOCK", f"{OWN_TIMER.replace('TON', 'TOFF')}FUNCTION_BLOCK", "used by nobody"),
+    "a block beside": ("FUNCTION_BLOCK", f"{BESIDE}FUNCTION_BLOCK", "used by nobody"),
+    "parameters": ("FUNCTION_BLOCK", f"{OWN_TIMER.replace('TON', 'TOFF')}FUNCTION_BLOCK", "expected"),
     "a variable called as a type": ("  T_1 : BOOL;", "  TON : BOOL;", "the text defines TON itself"),
     "NOT before a number": (
-        "VALID (* inputs valid *)\n    AND (REQ = 0);",
-        "NOT (NOT VALID OR NOT REQ = 0);",
+        "INP.VALID (* inputs valid *)\n    AND (INP.REQ = 0);",
+        "NOT (NOT INP.VALID OR NOT INP.REQ = 0);",
         "a number",
     ),
-    "a comment within a comment": ("RSTI := PWR;", "RSTI := PWR; (* (* *)", "is not known here"),
-    "a line that only some compilers end": ("RSTI := PWR;", "RSTI :=\u2028PWR;", "is not known here"),
+    "a comment within a comment": ("D.RSTI := D.PWR;", "D.RSTI := D.PWR; (* (* *)", "is not known here"),
+    "a line that only some compilers end": ("D.RSTI := D.PWR;", "D.RSTI :=\u2028D.PWR;", "is not known here"),
     "a duration that no compiler takes": ("T#3s", "T#1s2s", "malformed duration T#1s2s"),
 }
 
@@ -110,7 +163,7 @@ def test_an_edit_of_the_text_is_refused_by_name(copy: Path, which: str) -> None:
 
 def test_one_changed_output_equation(copy: Path) -> None:
     """An alarm, of which no claim but an indication's speaks: with the written system changed accordingly."""
-    edit(files(copy)[2], "YP_X3 := S01.S_R4;", "YP_X3 := S01.S_R4 AND S01.F_DP;")
+    edit(files(copy)[2], "YP_X3 := D.S_R4;", "YP_X3 := D.S_R4 AND D.F_DP;")
     assert refused(copy) == "the text computes the next value of YP_X3 otherwise than the written system"
 
 
@@ -127,7 +180,7 @@ def test_which_text_was_read_is_told(copy: Path) -> None:
     aside.parent.mkdir(parents=True)
     shutil.copy(text, aside)
     edit(folder / "manifest.json", "../../generated/fig2_2/st/iec/fig2_2.st", "../../aside/fig2_2/st/iec/fig2_2.st")
-    edit(text, "YP_X1 := S01.S_R1 OR S01.S_R2;", "YP_X1 := TRUE;")
+    edit(text, "YP_X1 := D.S_R1 OR D.S_R2;", "YP_X1 := TRUE;")
     signed(folder)
     said = check(layout, folder).compared[-1]
     assert str(aside.resolve()) in said and "no mapping program" in said
@@ -250,7 +303,7 @@ def test_a_delay_that_is_too_short_is_refused(made: Path, timer: str) -> None:
     layout, folder, file = files(made)
     system, text = (folder / "system.txt").read_text("utf-8"), file.read_text("utf-8")
     source, preset = written(system).timers[timer]
-    shorter = re.sub(rf"(IN := {source}, PT := )T#\w+\)", rf"\1T#{preset - 1}ms)", text)
+    shorter = re.sub(rf"(IN := D\.{source}, PT := )T#\w+\)", rf"\1T#{preset - 1}ms)", text)
     written_so = system.replace(f"timer {timer} {source} {preset}", f"timer {timer} {source} {preset - 1}")
     with pytest.raises(Rejected, match="D-PRESET lacks"):
         agree(loaded(layout.read_text("utf-8")), written_so, shorter, shipped())

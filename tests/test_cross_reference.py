@@ -33,7 +33,7 @@ def test_a_row_tells_place_meaning_terminal_and_blocks() -> None:
     files = sheets("fig2_2", "iec", "scl300")
     row = rows(files, "scl300")["DN_P1"]
     assert list(row.values())[2:] == ["machine P1 detected normal", "I0.5", "IN01", "B01 IN01"]
-    assert rows(files, "iec")["DN_P1"] == {**row, "Written in": "", "Read in": "B01"}
+    assert rows(files, "iec")["DN_P1"] == {**row, "Written in": "IO", "Read in": "B01 IO"}
     lock = rows(files, "iec")["L_DP_1"]
     assert lock["Place"] == "section DP" and lock["Written in"] == "S01" and "B01" in lock["Read in"]
     assert rows(files, "scl300")["REQ"]["Terminal"] == "operator"

@@ -49,8 +49,8 @@ XML = [
     ('address="%IX0.1"', 'address="%IX0.2"'),
     ('address="%IX0.1"', 'address="%MX0.1"'),
     (' address="%IX0.1"', ""),
-    ("CLR_SA := CLR_SA", "CLR_SA := CLR_SB"),
-    ("YN_P1 := RUN.YN_P1", "YN_P1 := RUN.YR_P1"),
+    ("INP.CLR_SA := CLR_SA", "INP.CLR_SA := CLR_SB"),
+    ("YN_P1 := OUTP.YN_P1", "YN_P1 := OUTP.YR_P1"),
     ("VALID := CYC.OK AND W_main.OK", "VALID := CYC.OK"),
     ('interval="T#100ms"', 'interval="T#900ms"'),
     ('interval="T#100ms"', 'interval="T#100ms" single="x"'),
@@ -59,9 +59,9 @@ XML = [
     ('pouType="program"', 'pouType="function"'),
     ("<configurations>", "<configurations><configuration/>"),
     ("HB AND LAST", "HB OR LAST"),
-    ("  YS_X1 := RUN.YS_X1;\n", ""),
-    ("YS_X1 := RUN", "YS_X1 := <!-- only some read on -->RUN"),
-    ("YS_X1 := RUN", "YS_X1 := <?only some read on?>RUN"),
+    ("  YS_X1 := OUTP.YS_X1;\n", ""),
+    ("YS_X1 := OUTP", "YS_X1 := <!-- only some read on -->OUTP"),
+    ("YS_X1 := OUTP", "YS_X1 := <?only some read on?>OUTP"),
     (
         'name="YP_X1"><type><BOOL/></type><initialValue><simpleValue value="FALSE"/>',
         'name="YP_X1"><type><BOOL/></type><initialValue><simpleValue value="TRUE"/>',
@@ -96,6 +96,7 @@ CLASSIC = [
     ('  "IL_fig2_2_S01"();', '  IL_fig2_2_D.OCC_DP := TRUE;\n  "IL_fig2_2_S01"();'),
     ("BLK_DP : BOOL := TRUE", "BLK_DP : BOOL := FALSE"),
     ("  REQ : INT := 0;", "  REQ : BOOL := FALSE;"),
+    ("  OCC_DP : BOOL;", "  OCC_DP : INT;"),
     ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR_TEMP\n"),
     ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR_TEMP\n  T_1 : BOOL;\n  T_1 : BOOL;\n"),
     ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR\n  T_1 : BOOL;\n"),
@@ -147,6 +148,7 @@ STL = [
     ("#TON_RT_DP.Q;", "#TON_RT_SA.Q;"),
     ("BLK_DP : BOOL := TRUE", "BLK_DP : BOOL := FALSE"),
     ("  REQ : INT := 0;", "  REQ : BOOL := FALSE;"),
+    ("  OCC_DP : BOOL;", "  OCC_DP : INT;"),
     ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR_TEMP\n"),
     ("VAR_TEMP\n  T_1 : BOOL;\n", "VAR\n  T_1 : BOOL;\n"),
     ("END_FUNCTION\n", 'END_FUNCTION\nFUNCTION "other" : VOID\nBEGIN\nNETWORK\nEND_FUNCTION\n'),
@@ -156,7 +158,10 @@ STL = [
 
 
 def _marked(text: str) -> str:
-    """As TIA Portal has it: a block's own variables marked, attributes after its name."""
+    """As TIA Portal has it: a block's own variables marked, attributes after its name, the station's name before those
+    of terminals and instances."""
+    text = re.sub(r'"(CLR_S[AB]|Y[NR]_P1)"(?!\.)', r'"fig2_2_\1"', text)
+    text = re.sub(r'"DB_(CYC|W_main)"', r'"DB_IL_fig2_2_\1"', text)
     text = text.replace(" : VOID\n", " : Void\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n")
     return text.replace("HB AND ", "#HB AND ").replace("HB OR ", "#HB OR ")
 
@@ -166,12 +171,37 @@ CHANGES = {
     "plcopen": XML[:4],
     "twincat": [
         ("CLR_SA AT %IX0.2", "CLR_SA AT %IX0.7"),
-        ("CLR_SA := CLR_SA", "CLR_SA := CLR_SB"),
+        ("INP.CLR_SA := CLR_SA", "INP.CLR_SA := CLR_SB"),
         ("<CycleTime>100000<", "<CycleTime>900000<"),
         ("<Priority>20<", "<Priority>1<"),
         ("<Name>IL_fig2_2_IO<", "<Name>IL_fig2_2<"),
         ("<PouCall>", "<PouCall><Name>MAIN</Name>"),
         ("  YX_R1 : INT := 0;", "  YX_R1 : INT := 1;"),
+        ("  REQ : INT := 0;", "  REQ : BOOL := FALSE;"),
+        ("  OCC_DP : BOOL;", "  OCC_DP : INT;"),
+        ("  INP : IL_fig2_2_I;", "  INP : IL_fig2_2_D;"),
+        ("  INP : IL_fig2_2_I; (* inputs *)", "  INP : IL_fig2_2_I := 1;"),
+        ("RUN(INP := INP, OUTP := OUTP)", "RUN(INP := INP)"),
+        ("RUN(INP := INP, OUTP := OUTP)", "RUN(OUTP := OUTP, INP := INP)"),
+        ("RUN(INP := INP, OUTP := OUTP);", "RUN(INP := INP, OUTP := OUTP);\n  INP.VALID := TRUE;"),
+        ("RUN(INP := INP, OUTP := OUTP);", "RUN(INP := INP, OUTP := OUTP);\n  OUTP.YS_X1 := FALSE;"),
+        ("RUN(INP := INP, OUTP := OUTP);", "RUN(INP := INP, OUTP := OUTP);\n  RUN(INP := INP, OUTP := OUTP);"),
+        ("  INP.VALID := VALID;", "  INP.VALID := INP.CLR_DP;"),
+        ("  INP.VALID := VALID;", "  VALID := INP.VALID;"),
+        ("  T01(D := D);", "  T01(D := D);\n  T01(D := D);"),
+        ("  T01(D := D);", ""),
+        ("  T01(D := D);", "  IF D.K_DP THEN T01(D := D); END_IF;"),
+        ("  B01(INP := INP, D := D);", "  B01(INP := OUTP, D := D);"),
+        ("  B01(INP := INP, D := D);", "  B01(INP := INP);"),
+        ("  B01 : IL_fig2_2_B01;", "  B01 : IL_fig2_2_B02;"),
+        ("  D : IL_fig2_2_D;\n  G01", "  D : IL_fig2_2_D;\n  X : IL_fig2_2_D;\n  G01"),
+        ("  D.RSTI := D.PWR;", "  IL_fig2_2_D.RSTI := D.PWR;"),
+        ("  D.RSTI := D.PWR;", "  D.RSTI := PWR;"),
+        ("  D.RSTI := D.PWR;", "  D.RSTI := D.PWR;\n  INP.VALID := TRUE;"),
+        ("  YS_X1 : BOOL := TRUE;", "  YS_X1 : BOOL := FALSE;"),
+        ("  YS_X1 : BOOL := TRUE;", "  YS_X1 : BOOL := TRUE;\n  ys_x1 : BOOL;"),
+        ("  YS_X1 : BOOL := TRUE;", "  YS_X1 : BOOL := TRUE;\n  RSTI : BOOL;"),
+        ("TYPE IL_fig2_2_Q", "TYPE IL_fig2_2_X"),
         ("  YX_R1 : INT := 0;", "  YX_R1 : BOOL := FALSE;"),
         ("  YX_R1 : INT := 0;", ""),
     ],
@@ -180,8 +210,10 @@ CHANGES = {
         ("NON_RETAIN\n", ""),
         ("NON_RETAIN\n", "RETAIN\n"),
         ("VERSION : 0.1\n", ""),
-        ('  "DB_W_main"(', '  "IL_fig2_2_WATCH"."DB_W_main"('),
-        ('  "DB_W_main"(', '  "DB_CYC"('),
+        ('  "DB_IL_fig2_2_W_main"(', '  "IL_fig2_2_WATCH"."DB_IL_fig2_2_W_main"('),
+        ('  "DB_IL_fig2_2_W_main"(', '  "DB_IL_fig2_2_CYC"('),
+        ('"fig2_2_CLR_SA"', '"CLR_SA"'),
+        ('"fig2_2_CLR_SA"', '"fig2_1_CLR_SA"'),
         ("#T_1 := ", "T_1 := "),
         ("#TON_RT_DP.Q", '"TON_RT_DP".Q'),
         ('"IL_fig2_2_D".OCC_DP := ', "#OCC_DP := "),
@@ -189,9 +221,12 @@ CHANGES = {
     "awl": STL,
     "ladder": [
         *XML,
-        ("<variable>CLR_DP</variable>", "<variable>CLR_SA</variable>"),
-        ("<variable>CLR_DP</variable>", "<variable>TRUE</variable>"),
-        ("<variable>CLR_DP</variable>", "<variable>nobody</variable>"),
+        ("<variable>INP.CLR_DP</variable>", "<variable>INP.CLR_SA</variable>"),
+        ("<variable>INP.CLR_DP</variable>", "<variable>TRUE</variable>"),
+        ("<variable>INP.CLR_DP</variable>", "<variable>nobody</variable>"),
+        ("<variable>INP.CLR_DP</variable>", "<variable>CLR_DP</variable>"),
+        ("<variable>INP.CLR_DP</variable>", "<variable>D.CLR_DP</variable>"),
+        ("<variable>INP.CLR_DP</variable>", "<variable>INP.D.CLR_DP</variable>"),
         ('negated="true"', 'negated="false"'),
         ('<contact localId="3" width="20" height="20">', '<contact localId="3" width="20" height="20" negated="true">'),
         ('<coil localId="4" width="20" height="20">', '<coil localId="4" width="20" height="20" negated="true">'),
@@ -243,7 +278,7 @@ def test_a_changed_delivery_is_refuted(dialect: str) -> None:
 def test_a_table_of_tags_is_read_from_its_workbook() -> None:
     layout, _, a = smallest()
     book = tags_xlsx(layout, a)
-    assert read_tags(book) == {c.variable: c.located for c in a.wires}
+    assert read_tags(book, "fig2_2_") == {c.variable: c.located for c in a.wires}
     files = files_of("scl1500")
 
     def edited(old: str, new: str) -> bytes:
@@ -254,10 +289,33 @@ def test_a_table_of_tags_is_read_from_its_workbook() -> None:
         return out.getvalue()
 
     assert wrong("scl1500", files, edited("nothing", "else")) == ()
-    for old, new in (("%I0.1", "%I0.7"), ("%I0.1", "%M0.1"), ("Bool", "Int"), (">CLR_SA<", ">CLR_XX<"), ("Name", "N")):
+    for old, new in (
+        ("%I0.1", "%I0.7"),
+        ("%I0.1", "%M0.1"),
+        ("Bool", "Int"),
+        (">fig2_2_CLR_SA<", ">fig2_2_CLR_XX<"),
+        (">fig2_2_CLR_SA<", ">CLR_SA<"),
+        (">fig2_2_CLR_SA<", ">fig2_2_CLR_SB<"),
+        ("Name", "N"),
+    ):
         assert wrong("scl1500", files, edited(old, new)), old
     with pytest.raises(BadTags):
-        read_tags(b"no workbook")
+        read_tags(b"no workbook", "")
+
+
+def test_two_stations_in_one_controller_have_no_name_in_common() -> None:
+    """Of an S7-1500: blocks, data blocks, instances and tags; but for OB1, of which one calls both."""
+    found = []
+    for name in ("fig2_1", "fig2_2"):
+        layout, _, controller = built(name)
+        a = allocate(layout, controller)
+        text = "".join(write_delivery(controller, a, BY_NAME["scl1500"], []).values())
+        own = set(re.findall(r'^(?:DATA_BLOCK|FUNCTION|FUNCTION_BLOCK) "(\w+)"', text, re.MULTILINE))
+        tags = {f"{name}_{n}" for n in read_tags(tags_xlsx(layout, a), f"{name}_")}
+        assert len(own) > 20 and len(tags) > 10 and not own & tags
+        assert all(x in own | tags | {"Main"} for x in re.findall(r'"(\w+)"', text))
+        found.append(own | tags)
+    assert not found[0] & found[1]
 
 
 def run_of(unit: Unit) -> tuple[Execution[int], Numbers]:

@@ -25,6 +25,7 @@ from interlock.st.lower import lower_st
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.parser import NotInSubset, parse_block, parse_unit
 from interlock.st.restart import RESTART
+from interlock.st.structures import structured
 from tests.campaigns.text_edits import alike, one_edit, python
 from tests.layouts import SHIPPED, built
 from tests.test_equal import random_inputs
@@ -293,8 +294,9 @@ def test_plcopen_xml_fits_the_classes_that_were_made_from_its_schema(name: str) 
     )
     text = write_st(controller, BY_NAME["plcopen"], ["made for a test"])[f"{name}.xml"]
     project = XmlParser(config=strict).from_string(text, Project)
-    blocks = lower_st(controller, []).blocks
-    assert [p.name for p in project.types.pous.pou] == [b.name for b in blocks]
+    blocks = structured(lower_st(controller, [])).blocks
+    assert [p.name for p in project.types.pous.pou] == [b.name for b in blocks if b.kind != "STRUCT"]
+    assert [t.name for t in project.types.data_types.data_type] == [b.name for b in blocks if b.kind == "STRUCT"]
     older = write_st(controller, BY_NAME["codesys"], ["made for a test"])[f"{name}.xml"].replace("tc6_0200", "tc6_0201")
     whole = '<xhtml xmlns="http://www.w3.org/1999/xhtml">'
     assert older.replace(whole, "<xhtml:p>").replace("</xhtml>", "</xhtml:p>") == text

@@ -19,10 +19,8 @@ from interlock.proof.induction.search import search
 from interlock.proof.mutation.weakenings import KINDS
 from interlock.proof.system.transition import System
 from interlock.sim.run import Simulator
-from interlock.st.lower import lower_st
+from interlock.st.dialects import BY_NAME, write_st
 from interlock.st.meaning import Execution, Numbers
-from interlock.st.parser import parse_unit
-from interlock.st.printer import print_unit
 from tests.layouts import SHIPPED, built
 
 
@@ -36,7 +34,8 @@ class Three:
         exec(compile(runtime_py(controller, []), "runtime.py", "exec"), module.__dict__)
         self.runtime = module.Controller()
         self.numbers = Numbers()
-        self.text: Execution[int] = Execution(parse_unit(print_unit(lower_st(controller, []))), self.numbers)
+        iec = BY_NAME["iec"]
+        self.text: Execution[int] = Execution(iec.read(write_st(controller, iec, [])), self.numbers)
 
     def over(self, timers: dict[str, bool]) -> None:
         """Set timers to have run for their whole preset, or not yet to run."""

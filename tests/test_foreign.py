@@ -17,6 +17,8 @@ import pytest
 from interlock.st.ast import Unit
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.parser import parse_unit
+from interlock.st.program import joined, parted
+from interlock.st.structures import plain
 from tests.foreign.bundle import Bundle, bundle
 from tests.foreign.planted import TEXTS, early_timer
 from tests.foreign.recording import Recording, record, scramble
@@ -68,9 +70,8 @@ def interpreted(source: str, recording: Recording) -> list[bytes]:
 
 
 def _unit(source: str) -> Unit:
-    at = source.rindex("(* Interlocking")  # the heading of the mapping program
-    core, mapping = parse_unit(source[:at]), parse_unit(source[at:])
-    return Unit((*mapping.blocks[:-1], *core.blocks, mapping.blocks[-1]))
+    core, mapping = parted(plain(parse_unit(source)))
+    return joined(core, mapping)
 
 
 def _told(unit: Unit, recording: Recording, cells: dict[str, int]) -> bytes:

@@ -25,9 +25,11 @@ from interlock.proof.equivalence.cabinet import compare_program
 from interlock.st.ast import Unit
 from interlock.st.dialects import BY_NAME, write_st
 from interlock.st.lint import lint
+from interlock.st.lower import lower_st
 from interlock.st.meaning import Execution, Numbers
 from interlock.st.printer import print_unit
 from interlock.st.program import CYCLE_MAX_MS, HEARTBEAT_MS, cycle, io_program, watch
+from interlock.st.structures import structured
 from tests.layouts import SHIPPED, built
 
 MINE = open("layouts/mine11.yaml", encoding="utf-8").read()  # noqa: SIM115
@@ -80,8 +82,8 @@ def test_substations_and_stated_addresses() -> None:
     west = [c.byte for c in a.channels if c.substation == "west" and c.direction == "I" and c.slot]
     east = [c.byte for c in a.channels if c.substation == "east" and c.direction == "I"]
     assert max(west) < min(east)
-    assert compare_program(controller, a, print_unit(io_program(controller, a, []))) == ()
-    text = print_unit(io_program(controller, a, []))
+    assert compare_program(controller, a, print_unit(structured(io_program(controller, a, [])))) == ()
+    text = print_unit(structured(io_program(controller, a, [])))
     assert "VALID := CYC.OK AND W_west.OK AND W_east.OK;" in text and "CLR_q1 AT %IX0.3 : BOOL;" in text
 
 
@@ -132,9 +134,9 @@ def test_the_mapping_program_is_proved_and_passes_our_checks(name: str) -> None:
     layout, _, controller = built(name)
     a = allocate(layout, controller)
     unit = io_program(controller, a, ["made for a test"])
-    text = print_unit(unit)
+    text = print_unit(structured(unit))
     assert compare_program(controller, a, text) == ()
-    core = BY_NAME["iec"].read(write_st(controller, BY_NAME["iec"], []))
+    core = lower_st(controller, [])
     whole = Unit((*unit.blocks[:2], *core.blocks, unit.blocks[2]))
     assert {f.rule for f in lint(whole) if f.block not in [b.name for b in unit.blocks[:2]]} <= {
         "ST-SIZE",
@@ -147,15 +149,15 @@ def test_the_mapping_program_is_proved_and_passes_our_checks(name: str) -> None:
 def test_a_changed_mapping_is_refuted() -> None:
     layout, _, controller = built("mine11")
     a = allocate(layout, controller)
-    text = print_unit(io_program(controller, a, []))
+    text = print_unit(structured(io_program(controller, a, [])))
     changes = [
         ("%IX0.3", "%IX0.4"),
-        ("CLR_q1 := CLR_q1", "CLR_q1 := CLR_q2"),
-        ("YN_P1 := RUN.YN_P1", "YN_P1 := RUN.YR_P1"),
+        ("INP.CLR_q1 := CLR_q1", "INP.CLR_q1 := CLR_q2"),
+        ("YN_P1 := OUTP.YN_P1", "YN_P1 := OUTP.YR_P1"),
         ("VALID := CYC.OK AND W_main.OK", "VALID := W_main.OK"),
         ("INTERVAL := T#100ms", "INTERVAL := T#10s"),
         ("TURN1 := TURN0", "TURN1 := TURN2"),
-        ("  YS_X1 := RUN.YS_X1;\n", ""),
+        ("  YS_X1 := OUTP.YS_X1;\n", ""),
         ("BLK_q1 : BOOL := TRUE", "BLK_q1 : BOOL := FALSE"),
         ("T#1s", "T#100s"),
         ("W_main(HB := HB_main)", "W_main(HB := CLR_q1)"),
@@ -217,7 +219,7 @@ def test_health_is_declared_proved_and_read_restrictive() -> None:
     assert [c.variable for c in a.heartbeats] == ["HB_west", "HB_east"]
     assert {c.variable: c.address for c in a.diagnoses}["OK_mid"] == "I90.0"
     assert [c.variable for c in a.sent] == ["HO_west", "HO_east"]
-    text = print_unit(io_program(controller, a, []))
+    text = print_unit(structured(io_program(controller, a, [])))
     assert "VALID := CYC.OK AND W_west.OK AND W_east.OK AND OK_west AND OK_mid;" in text
     assert "W_west : IL_mine11_H500;" in text and "W_east : IL_mine11_WATCH;" in text
     assert compare_program(controller, a, text) == ()
@@ -324,7 +326,7 @@ def test_the_lists_say_the_same_as_the_allocation() -> None:
     sheet = openpyxl.load_workbook(io.BytesIO(tags_xlsx(layout, a)))["PLC Tags"]
     tags = list(sheet.iter_rows(values_only=True))
     assert tags[0][:4] == ("Name", "Path", "Data Type", "Logical Address")
-    assert {t[0]: t[3] for t in tags[1:]} == {c.variable: f"%{c.address}" for c in a.wires}
+    assert {t[0]: t[3] for t in tags[1:]} == {f"cn6502_{c.variable}": f"%{c.address}" for c in a.wires}
     assert all(re.fullmatch(r"%[IQ]\d+\.[0-7]", str(t[3])) for t in tags[1:])
     equipment = dict(csv.reader(io.StringIO(equipment_csv(layout, a))))
     assert equipment["point machine"] == str(len(layout.machines))

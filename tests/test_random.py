@@ -15,12 +15,11 @@ from interlock.diag import Sink
 from interlock.frontend import load_text
 from interlock.logic.lower import lower
 from interlock.proof.engines.limits import Limits
-from interlock.proof.equivalence.structured_text import compare_st
+from interlock.proof.equivalence.structured_text import compare_dialect
 from interlock.proof.induction.verdict import Verdict
 from interlock.proof.prover import prove
 from interlock.proof.system.transition import System
-from interlock.st.lower import lower_st
-from interlock.st.printer import print_unit
+from interlock.st.dialects import BY_NAME, write_st
 from tests.grow import grow
 from tests.grow_all import grow_all, words
 from tests.layouts import built, grown
@@ -107,7 +106,7 @@ def test_random_layouts_are_proved_and_their_text_equals_the_controller(seed: in
     result = prove(System(layout, controller), Limits(search_s=10))
     assert {c.verdict for c in result.claims} == {Verdict.PROVED}
     assert result.dropped == ()
-    assert compare_st(controller, print_unit(lower_st(controller, []))).proved
+    assert compare_dialect(controller, BY_NAME["iec"], write_st(controller, BY_NAME["iec"], [])).proved
 
 
 @pytest.mark.parametrize("seed", [8, 27, 43, 95, 128])
@@ -130,7 +129,7 @@ def test_voyages_and_automatic_working_on_random_layouts_are_proved(seed: int) -
     controller = lower(layout, table)
     result = prove(System(layout, controller), Limits(search_s=10))
     assert {c.verdict for c in result.claims} == {Verdict.PROVED} and not result.dropped
-    assert compare_st(controller, print_unit(lower_st(controller, []))).proved
+    assert compare_dialect(controller, BY_NAME["iec"], write_st(controller, BY_NAME["iec"], [])).proved
 
 
 @pytest.mark.parametrize(

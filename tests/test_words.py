@@ -185,7 +185,7 @@ def test_a_name_that_was_read_from_a_text_before_is_known() -> None:
 
 def assigned(text: str, name: str, old: str, new: str) -> str:
     """The text with another value in the first place that gives one to a word: `NAME := VALUE;`, `L VALUE; T NAME;`."""
-    block = r'(?:#|"\w+"\.)?'  # of the data, where there is one
+    block = r'(?:#|"\w+"\.|(?:OUTP|D)\.)?'  # of the data, where there is one
     named = re.search(rf"{block}\b{new}\b", text) if not new.isdigit() else None
     said = named[0] if named else new
     text, done = re.subn(rf"(\b{name} := ){block}{old};", rf"\g<1>{said};", text, count=1)
@@ -221,14 +221,16 @@ def test_the_second_checker_refuses_whoever_reads_a_word() -> None:
     assert set(execute(text, state, wires).words) == {w.name for w in c.words.words}
     route, other = c.words.routes[1], c.words.routes[2]
     for old, new, said in (
-        (f"{route} := W01.{route};", f"{route} := W01.{other};", "no word of this name"),
-        (f"{route} := W01.{route};", f"{route} := REQ;", "no word of this name"),
-        ("  YS_X1 := ", f"  YS_X1 := W01.{route} OR ", "where TRUE or FALSE is meant"),
-        ("  YS_X1 := ", f"  YS_X1 := (W01.{route} = 3) OR ", "no number"),
-        (f"    {route} := 3;", f"    {other} := 3;", "several variables"),
-        (f"    {route} := 3;", f"    {route} := 40000;", "no INT"),
-        (f"    {route} := 3;", f"    {route} := 3; {route} := 5;", "at once"),
-        (f"    {route} := 3;", f"    {route} := RT_DP;", "neither a code nor a word"),
+        ("  OUTP.YS_X1 := ", f"  OUTP.YS_X1 := OUTP.{route} OR ", "where TRUE or FALSE is meant"),
+        ("  OUTP.YS_X1 := ", f"  OUTP.YS_X1 := (OUTP.{route} = 3) OR ", "no number"),
+        ("  OUTP.YA_P1 := D.AL_P1;", f"  OUTP.YA_P1 := OUTP.{route};", "written with a number"),
+        ("  OUTP.YA_P1 := D.AL_P1;", f"  OUTP.YA_P1 := D.AL_P1;\n  OUTP.{other} := 3;", "written twice"),
+        ("  OUTP.YA_P1 := D.AL_P1;", "  OUTP.YA_P1 := INP.REQ;", "INP.REQ is not known"),
+        (f"    OUTP.{route} := 3;", f"    OUTP.{other} := 3;", "several variables"),
+        (f"    OUTP.{route} := 3;", f"    OUTP.{route} := 40000;", "no INT"),
+        (f"    OUTP.{route} := 3;", f"    OUTP.{route} := 3; OUTP.{route} := 5;", "at once"),
+        (f"    OUTP.{route} := 3;", f"    OUTP.{route} := D.RT_DP;", "neither a code nor a word"),
+        (f"    OUTP.{route} := 3;", f"    OUTP.{route} := INP.REQ;", "neither a code nor a word"),
         (f"  {route} : INT := 0;", f"  {route} : INT := 1;", "begin with 0"),
     ):
         assert text.count(old) >= 1, old
@@ -237,9 +239,9 @@ def test_the_second_checker_refuses_whoever_reads_a_word() -> None:
 
 
 def test_if_without_else_says_nothing_to_the_checker() -> None:
-    head = "FUNCTION_BLOCK A\nVAR_INPUT X : BOOL; END_VAR\nVAR_OUTPUT W : INT; END_VAR\n"
+    head = "FUNCTION_BLOCK A\nVAR X : BOOL; W : INT; END_VAR\n"
     whole = "IF X THEN W := 1; ELSIF NOT X THEN W := 2; ELSE W := 3; END_IF;\nEND_FUNCTION_BLOCK\n"
-    assert Reader(head + whole).unit()[0].body[0][0] == "if"
+    assert Reader(head + whole).unit().blocks[0].body[0][0] == "if"
     for other in (whole.replace(" ELSE W := 3;", ""), whole.replace("W := 2;", "", 1), whole.replace("END_IF;", ";")):
         with pytest.raises(Rejected):
             Reader(head + other).unit()

@@ -24,6 +24,7 @@ from interlock.st.dialects import DIALECTS, Dialect, delivered, write_delivery, 
 from interlock.st.index import HEADINGS, cross_reference
 from interlock.st.printer import print_unit
 from interlock.st.program import io_program
+from interlock.st.structures import structured
 from interlock.st.telegram import telegram_unit
 
 C99 = "c99"
@@ -105,7 +106,10 @@ def _with_pins(layout: Layout, header: list[str]) -> list[str]:
 def _mapping(layout: Layout, controller: Controller, header: list[str]) -> Written:
     allocation = allocate(layout, controller)
     header = _with_pins(layout, header)
-    text, place = print_unit(io_program(controller, allocation, header)), f"st/iec/{portable(layout.name)}_io.st"
+    text, place = (
+        print_unit(structured(io_program(controller, allocation, header))),
+        f"st/iec/{portable(layout.name)}_io.st",
+    )
     return TextVerdict(place, compare_program(controller, allocation, text)), {place: text.encode()}
 
 

@@ -1,8 +1,9 @@
 """What one call of the main function block computes: wires, next values, outputs and timers.
 
-The statements are taken in their order.  A variable that the certificate knows by name stands for itself once it is
-written; any other is what was written to it.  What is read before it is written in a scan has the value of the scan
-before, so it must be state.
+All values lie in three structures: the main block is handed inputs and outputs, and holds the third; each block is
+handed those that it uses, under the same names, and is called once.  The statements are taken in the order of calls.
+A variable that the certificate knows by name stands for itself once it is written; any other is what was written to
+it.  What is read before it is written in a scan has the value of the scan before, so it must be state.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from interlock.checker.formula import FALSE, TRUE, Formula, every, leaf, no, some
-from interlock.checker.structured_text import Block, Expression, Reader
+from interlock.checker.structured_text import Block, Expression, Reader, Variable
 from interlock.verify import Rejected, need
 
 PRIME = "'"
@@ -40,148 +41,172 @@ Word = tuple[tuple[Formula, int | str], ...]
 """Conditions and codes, or other words, in order; the last condition is TRUE."""
 
 
+@dataclass
+class _Own:
+    """A block that is carried out: what its own variables hold, and its timers that were called, but not read."""
+
+    block: Block
+    values: dict[str, Value] = field(default_factory=dict)
+    timers: dict[str, tuple[Value, int]] = field(default_factory=dict)
+
+
 class Execution:
     """The main block and those that it calls, carried out once with formulas for values."""
 
     def __init__(self, text: str, state: Container[str], defined: Container[str]) -> None:
         """`state`, `defined`: the names of state variables and of definitions in the certificate."""
-        blocks = Reader(text).unit()
-        self.kinds = {b.name: b for b in blocks}
-        self.main = blocks[-1]
+        unit = Reader(text).unit()
+        self.kinds = {b.name: b for b in unit.blocks}
         self.state, self.defined = state, defined
         self.found = Scan()
-        self.called: dict[str, dict[str, Value]] = {}
-        self._main()
+        self.values: dict[str, Value] = {}
+        """What members of structures hold, by their names, once they are written in this scan."""
+        self.called: set[str] = set()
+        self._main(unit.blocks[-1], unit.structures)
 
-    def _main(self) -> None:
-        main, found = self.main, self.found
-        env: dict[str, Value] = {}
-        for name, v in main.inputs.items():
+    def _main(self, main: Block, structures: dict[str, dict[str, Variable]]) -> None:
+        handed = list(main.handed.items())
+        held = [(n, v) for n, v in main.locals.items() if v.type in structures]
+        three = [*handed, *held]
+        need(len(handed) == 2 and len(held) == 1, "the main block is not handed two structures, or holds not one")
+        need(all(v.initial is None for _, v in three), "a structure begins otherwise than it is declared")
+        self.types = {n: v.type for n, v in three}
+        need(set(self.types.values()) == set(structures), "the structures are not those of the main block")
+        self.given, self.shown, self.held = (structures[v.type] for _, v in three)
+        self.members = {n: structures[v.type] for n, v in three}
+        names = [m.upper() for members in structures.values() for m in members]
+        need(len(set(names)) == len(names), "two structures have a member of one name")
+        self._begin()
+        self._carry(main)
+        need(self.called == set(self.kinds), "a function block is used by nobody")
+        left = [n for n in self.shown if n not in self.values]
+        need(not left, f"{min(left, default='')} is never written")
+
+    def _begin(self) -> None:
+        """Inputs, and what outputs and words are before the first scan."""
+        found = self.found
+        for name, v in self.given.items():
             need(v.type in ("BOOL", "INT"), f"{name} is an input of type {v.type}")
             found.inputs[name] = v.type
-            env[name] = leaf(name) if v.type == "BOOL" else ("number", name)
-        for name, v in main.outputs.items():
+            self.values[name] = leaf(name) if v.type == "BOOL" else ("number", name)
+        for name, v in self.shown.items():
             need(v.type in ("BOOL", "INT"), f"{name} is an output of type {v.type}")
             if v.type == "INT":
                 need(v.initial in (None, ("int", 0)), f"{name} does not begin with 0: nothing is known")
-                continue
-            found.outputs[name] = found.initial[name] = self._start(name, v.initial)
-        self.instances = {n: self._kind(n, v.type) for n, v in main.locals.items()}
-        used = [b.name for b in self.instances.values()]
-        need(len(set(used)) == len(used), "a function block is used twice")
-        need(len(used) == len(self.kinds) - 1, "a function block is used by nobody")
-        written: set[str] = set()
-        for statement in main.body:
-            if statement[0] == "call":
-                self._call(statement[1], statement[2], env)
-                continue
-            _, name, x = statement
-            need(statement[0] == "assign", "the main block decides something by IF")
-            need(name in main.outputs and name not in written, f"{name} is written twice, or is no output")
-            written.add(name)
-            value = self._value(x, env)
-            if main.outputs[name].type == "INT":
-                need(value == ("word", name), f"{name} shows what is no word of this name")
             else:
-                self._define(name, value)
-        need(written == set(main.outputs), f"{min(set(main.outputs) - written, default='')} is never written")
-        need(set(self.called) == set(self.instances), "a function block is never called")
-
-    def _kind(self, name: str, type_: str) -> Block:
-        need(type_ in self.kinds and type_ != self.main.name, f"{name} is of an unknown type {type_}")
-        return self.kinds[type_]
+                found.outputs[name] = found.initial[name] = self._start(name, v.initial)
+        for name, v in self.held.items():
+            need(v.type in ("BOOL", "INT"), f"{name} is of type {v.type}")
 
     @staticmethod
     def _start(name: str, x: Expression | None) -> bool:
         need(x is None or x[0] == "bool", f"{name} has an initial value that is not TRUE or FALSE")
         return False if x is None else bool(x[1])
 
-    def _call(self, instance: str, given: dict[str, Expression], outer: dict[str, Value]) -> None:
-        """Carry out a function block once; its inputs are all given, so that no old one remains."""
-        block = self.instances.get(instance)
-        if block is None or instance in self.called:
-            raise Rejected(f"{instance} is called twice, or is no function block")
-        need(list(given) == list(block.inputs), f"{instance} is called without one of its inputs, or with another")
-        env = {name: self._value(x, outer) for name, x in given.items()}
-        for name, v in block.inputs.items():
-            number = env[name][0] in ("number", "word")
-            need(v.type == ("INT" if number else "BOOL"), f"{name} of {instance} has another type")
-        timers: dict[str, tuple[Value, int]] = {}
+    def _carry(self, block: Block) -> None:
+        """Carry out a function block once."""
+        need(block.name not in self.called, f"{block.name} is called twice")
+        self.called.add(block.name)
+        for n, v in block.handed.items():
+            known = self.types.get(n) == v.type and v.initial is None
+            need(known, f"{block.name} is handed {n}, which is no structure of that name")
+        b = _Own(block)
+        inner = {n: v.type for n, v in block.locals.items() if v.type in self.kinds}
         for statement in block.body:
-            if statement[0] == "call":
-                self._time(block, statement[1], statement[2], env, timers)
-                continue
-            if statement[0] == "if":
-                self._say(block, statement[1], env)
-                continue
-            _, name, x = statement
-            need(name in block.outputs or name in block.locals, f"{instance} writes {name}, which is not its own")
-            need(name not in env, f"{instance} writes {name} twice")
-            variable = block.outputs.get(name) or block.locals[name]
-            need(variable.type == "BOOL", f"{name} is of type {variable.type}")
-            if x[0] == "name" and len(x[1]) == 2 and x[1][0] in timers and x[1][1] == "Q":
-                self._timer(block, name, *timers.pop(x[1][0]))
-                env[name] = leaf(name)
-                continue
-            value = self._value(x, env)
-            if name in block.outputs:
-                if name in self.state:
-                    self.found.initial[name] = self._start(name, variable.initial)
-                value = self._define(name, value)
-            env[name] = value
-        need(not timers, f"{instance} has a timer whose output nobody reads")
-        left = [n for n in block.outputs if n not in env]
-        need(not left, f"{instance} never writes {left[:1]}")
-        self.called[instance] = {n: env[n] for n in block.outputs}
+            if statement[0] == "call" and statement[1] in inner:
+                self._call(block, self.kinds[inner.pop(statement[1])], statement[1], statement[2])
+            elif statement[0] == "call":
+                self._time(b, statement[1], statement[2])
+            elif statement[0] == "if":
+                self._say(b, statement[1])
+            else:
+                self._assign(b, statement[1], statement[2])
+        need(not inner, f"{min(inner, default='')} of {block.name} is never called")
+        need(not b.timers, f"{block.name} has a timer whose output nobody reads")
 
-    def _say(self, block: Block, arms: list[tuple[Expression, list[tuple[Any, ...]]]], env: dict[str, Value]) -> None:
+    def _call(self, outer: Block, block: Block, instance: str, given: dict[str, Expression]) -> None:
+        """A block gets the structures that it declares, each under its own name."""
+        mine = {*outer.handed, *(n for n, v in outer.locals.items() if self.types.get(n) == v.type)}
+        need(list(given) == list(block.handed), f"{instance} is called without one of its structures, or with another")
+        need(all(x == ("name", (n,)) and n in mine for n, x in given.items()), f"{instance} is handed something else")
+        self._carry(block)
+
+    def _assign(self, b: _Own, target: tuple[str, ...], x: Expression) -> None:
+        """A member of a structure, or a variable of the block's own, is written."""
+        name = target[-1]
+        where = f"{b.block.name} writes {'.'.join(target)}"
+        if len(target) == 1:
+            need(name in b.block.locals and b.block.locals[name].type == "BOOL", f"{where}, which is not its own")
+            need(name not in b.values, f"{where} twice")
+            b.values[name] = self._bool(x, b)
+            return
+        variable = self._written(b, target)
+        need(variable.type == "BOOL", f"{name} is of type {variable.type}")
+        if x[0] == "name" and len(x[1]) == 2 and x[1][0] in b.timers and x[1][1] == "Q":
+            self._timer(name, *b.timers.pop(x[1][0]))
+            self.values[name] = leaf(name)
+            return
+        value = self._value(x, b)
+        if name in self.shown:
+            self._define(name, value)
+            self.values[name] = value
+            return
+        if name in self.state:
+            self.found.initial[name] = self._start(name, variable.initial)
+        self.values[name] = self._define(name, value)
+
+    def _written(self, b: _Own, target: tuple[str, ...]) -> Variable:
+        """The member that may be written now; an input never, anything else once."""
+        structure, name = target[0], target[-1]
+        where = f"{b.block.name} writes {'.'.join(target)}"
+        need(
+            len(target) == 2 and structure in b.block.handed and name in self.members[structure], f"{where}: not known"
+        )
+        need(name not in self.given, f"{where}, which is an input")
+        need(name not in self.values, f"{name} is written twice")
+        return self.members[structure][name]
+
+    def _say(self, b: _Own, arms: list[tuple[Expression, list[tuple[Any, ...]]]]) -> None:
         """A number gets the code, or the word, of the first condition that holds."""
         said: list[tuple[Formula, int | str]] = []
         targets = set()
         for condition, body in arms:
-            need(len(body) == 1 and body[0][0] == "assign", f"{block.name}: more than one thing is said at once")
+            need(len(body) == 1 and body[0][0] == "assign", f"{b.block.name}: more than one thing is said at once")
             targets.add(body[0][1])
-            said.append((self._bool(condition, env), self._code(block, body[0][2], env)))
-        need(len(targets) == 1, f"{block.name}: an IF writes several variables")
-        (name,) = targets
-        need(name in block.outputs and block.outputs[name].type == "INT", f"{name} of {block.name} is no word")
-        need(name not in env and name not in self.found.words, f"{block.name} writes {name} twice")
+            said.append((self._bool(condition, b), self._code(b, body[0][2])))
+        need(len(targets) == 1, f"{b.block.name}: an IF writes several variables")
+        (target,) = targets
+        name = target[-1]
+        need(self._written(b, target).type == "INT", f"{name} of {b.block.name} is no word")
         need(name not in self.state and name not in self.defined, f"{name} is a word, and in the written system")
         need(said[-1][0] == TRUE, f"{name} is not written where no condition holds")
         self.found.words[name] = tuple(said)
-        env[name] = ("word", name)
+        self.values[name] = ("word", name)
 
-    def _code(self, block: Block, x: Expression, env: dict[str, Value]) -> int | str:
+    def _code(self, b: _Own, x: Expression) -> int | str:
         if x[0] == "int":
-            need(0 <= x[1] <= LARGEST, f"{block.name}: {x[1]} is no INT")
+            need(0 <= x[1] <= LARGEST, f"{b.block.name}: {x[1]} is no INT")
             return int(x[1])
-        value = self._value(x, env)
-        need(value[0] == "word", f"{block.name}: a word gets what is neither a code nor a word")
+        value = self._value(x, b)
+        need(value[0] == "word", f"{b.block.name}: a word gets what is neither a code nor a word")
         return str(value[1])
 
-    @staticmethod
-    def _time(
-        block: Block,
-        name: str,
-        given: dict[str, Expression],
-        env: dict[str, Value],
-        timers: dict[str, tuple[Value, int]],
-    ) -> None:
+    def _time(self, b: _Own, name: str, given: dict[str, Expression]) -> None:
         """A call of an on-delay timer, which is read next."""
-        known = name in block.locals and block.locals[name].type == "TON" and name not in timers
-        need(known and set(given) == {"IN", "PT"}, f"{block.name} calls {name}, which is no timer of its own")
+        known = name in b.block.locals and b.block.locals[name].type == "TON" and name not in b.timers
+        need(known and set(given) == {"IN", "PT"}, f"{b.block.name} calls {name}, which is no timer of its own")
         source, preset = given["IN"], given["PT"]
         need(preset[0] == "time", f"the preset of {name} is no duration")
-        need(source[0] == "name" and len(source[1]) == 1 and source[1][0] in env, f"the input of {name} is no name")
-        timers[name] = (env[source[1][0]], preset[1])
+        need(source[0] == "name", f"the input of {name} is no name")
+        b.timers[name] = (self._read(source[1], b), preset[1])
 
-    def _timer(self, block: Block, name: str, source: Value, preset: int) -> None:
-        need(name in block.outputs and name not in self.found.timers, f"{name} is no timer of its own")
+    def _timer(self, name: str, source: Value, preset: int) -> None:
+        need(name in self.held and name not in self.found.timers, f"{name} is no timer of its own")
         need(source[0] == "v", f"the input of the timer {name} is no wire")
         self.found.timers[name] = (source[1], preset)
 
     def _define(self, name: str, x: Value) -> Value:
-        """A value is written to an output of a block; what stands for it from now on."""
+        """A value is written to a member; what stands for it from now on."""
         need(x[0] not in NUMBERS, f"{name} is written with a number")
         own = name + PRIME if name in self.state else name
         if own == name and name not in self.defined:
@@ -190,41 +215,41 @@ class Execution:
         self.found.definitions[own] = x
         return leaf(own)
 
-    def _value(self, x: Expression, env: dict[str, Value]) -> Value:
+    def _value(self, x: Expression, b: _Own) -> Value:
         """What an expression is worth at this point of the scan."""
         kind = x[0]
         if kind == "bool":
             return TRUE if x[1] else FALSE
         if kind == "name":
-            return self._read(x[1], env)
+            return self._read(x[1], b)
         if kind == "not":
-            return no(self._bool(x[1], env))
+            return no(self._bool(x[1], b))
         if kind == "and":
-            return every([self._bool(y, env) for y in x[1]])
+            return every([self._bool(y, b) for y in x[1]])
         if kind == "or":
-            return some([self._bool(y, env) for y in x[1]])
+            return some([self._bool(y, b) for y in x[1]])
         if kind == "=" and x[2][0] == "int":
-            number = self._value(x[1], env)
+            number = self._value(x[1], b)
             need(number[0] == "number", "a comparison with what is no number")
             return leaf(f"{number[1]}={x[2][1]}")
         raise Rejected(f"an expression that is not known here: {kind}")
 
-    def _bool(self, x: Expression, env: dict[str, Value]) -> Formula:
-        found = self._value(x, env)
+    def _bool(self, x: Expression, b: _Own) -> Formula:
+        found = self._value(x, b)
         need(found[0] not in NUMBERS, "a number where TRUE or FALSE is meant")
         return found
 
-    def _read(self, name: tuple[str, ...], env: dict[str, Value]) -> Value:
+    def _read(self, name: tuple[str, ...], b: _Own) -> Value:
         if len(name) == 1:
-            need(name[0] in env, f"{name[0]} is read before it is written")
-            return env[name[0]]
-        instance, member = name[0], name[-1]
-        block = self.instances.get(instance)
-        if len(name) != 2 or block is None or member not in block.outputs:
+            need(name[0] in b.values, f"{name[0]} is read before it is written")
+            return b.values[name[0]]
+        structure, member = name[0], name[-1]
+        if len(name) != 2 or structure not in b.block.handed or member not in self.members[structure]:
             raise Rejected(f"{'.'.join(name)} is not known")
-        if instance in self.called:
-            return self.called[instance][member]
-        need(member in self.state, f"{'.'.join(name)} is read before it is computed, and is no state")
+        if member in self.values:
+            return self.values[member]
+        known = member in self.held and member in self.state
+        need(known, f"{'.'.join(name)} is read before it is computed, and is no state")
         return leaf(member)
 
 

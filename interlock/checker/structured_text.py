@@ -32,6 +32,11 @@ KEYWORDS = frozenset(
         "VAR_INPUT",
         "VAR_OUTPUT",
         "END_VAR",
+        "VAR_IN_OUT",
+        "TYPE",
+        "STRUCT",
+        "END_STRUCT",
+        "END_TYPE",
         "RETAIN",
         "CONSTANT",
     }
@@ -67,27 +72,29 @@ class Variable:
 
 @dataclass
 class Block:
-    """A function block: inputs, outputs and locals in order, and what it does."""
+    """A function block: what it is handed and its own variables in order, and what it does.  It has no parameters."""
 
     name: str
-    parts: dict[str, dict[str, Variable]] = field(
-        default_factory=lambda: {"VAR_INPUT": {}, "VAR_OUTPUT": {}, "VAR": {}}
-    )
+    parts: dict[str, dict[str, Variable]] = field(default_factory=lambda: {"VAR_IN_OUT": {}, "VAR": {}})
     body: list[tuple[Any, ...]] = field(default_factory=list)
-    """`("assign", name, expression)`, `("call", instance, {argument: expression})`, or
+    """`("assign", (word, ...), expression)`, `("call", instance, {argument: expression})`, or
     `("if", [(condition, [statement, ...]), ...])`, of which the last condition is TRUE, for ELSE."""
 
     @property
-    def inputs(self) -> dict[str, Variable]:
-        return self.parts["VAR_INPUT"]
-
-    @property
-    def outputs(self) -> dict[str, Variable]:
-        return self.parts["VAR_OUTPUT"]
+    def handed(self) -> dict[str, Variable]:
+        return self.parts["VAR_IN_OUT"]
 
     @property
     def locals(self) -> dict[str, Variable]:
         return self.parts["VAR"]
+
+
+@dataclass
+class Text:
+    """What stands in a text: structures by name with their members, function blocks."""
+
+    structures: dict[str, dict[str, Variable]]
+    blocks: list[Block]
 
 
 def milliseconds(text: str) -> int:
@@ -140,14 +147,31 @@ class Reader:
         need(name.upper() not in STANDARD, f"the text defines {name} itself")
         return name
 
-    def unit(self) -> list[Block]:
-        """All function blocks, each with a name of its own."""
-        blocks = []
+    def unit(self) -> Text:
+        """Structures, then function blocks, each with a name of its own."""
+        found = Text({}, [])
+        named: list[str] = []
         while self.tokens[self.at][0] != "end":
-            blocks.append(self.block())
-        named = [b.name.upper() for b in blocks]
-        need(blocks != [] and len(set(named)) == len(named), "the text has no function block, or two of one name")
-        return blocks
+            if self.word() == "TYPE" and not found.blocks:
+                name, members = self.structure()
+                found.structures[name] = members
+            else:
+                found.blocks.append(self.block())
+                name = found.blocks[-1].name
+            named.append(name.upper())
+        need(found.blocks != [] and len(set(named)) == len(named), "the text has no function block, or a name twice")
+        return found
+
+    def structure(self) -> tuple[str, dict[str, Variable]]:
+        """A structure and its members."""
+        self.take("TYPE")
+        name = self.own()
+        self.take(":")
+        self.take("STRUCT")
+        members = self.declared(name, set(), "END_STRUCT")
+        self.take(";")
+        self.take("END_TYPE")
+        return name, members
 
     def block(self) -> Block:
         """One function block."""
@@ -155,20 +179,26 @@ class Reader:
         block = Block(self.own())
         taken: set[str] = set()
         while self.word() in block.parts:
-            part = block.parts[self.take(*block.parts)]
-            while self.word() != "END_VAR":
-                name = self.own()
-                need(name.upper() not in taken, f"{block.name} declares {name} twice")
-                taken.add(name.upper())
-                self.take(":")
-                type_ = self.kind("name")
-                part[name] = Variable(type_, self.initial())
-                self.take(";")
-            self.take("END_VAR")
+            part = self.take(*block.parts)
+            block.parts[part] |= self.declared(block.name, taken, "END_VAR")
         while self.word() != "END_FUNCTION_BLOCK":
             block.body.append(self.statement())
         self.take("END_FUNCTION_BLOCK")
         return block
+
+    def declared(self, where: str, taken: set[str], end: str) -> dict[str, Variable]:
+        """Declarations up to a word; none of a name that is taken, in small letters or large."""
+        found: dict[str, Variable] = {}
+        while self.word() != end:
+            name = self.own()
+            need(name.upper() not in taken, f"{where} declares {name} twice")
+            taken.add(name.upper())
+            self.take(":")
+            type_ = self.kind("name")
+            found[name] = Variable(type_, self.initial())
+            self.take(";")
+        self.take(end)
+        return found
 
     def initial(self) -> Expression | None:
         """The initial value of a declaration, if it has one."""
@@ -182,10 +212,15 @@ class Reader:
         if self.word() == "IF":
             return self.branch()
         name = self.kind("name")
+        parts = [name]
+        while self.word() == ".":
+            self.take(".")
+            parts.append(self.kind("name"))
         if self.take(":=", "(") == ":=":
             value = self.expression()
             self.take(";")
-            return ("assign", name, value)
+            return ("assign", tuple(parts), value)
+        need(len(parts) == 1, f"{'.'.join(parts)} is called")
         given: dict[str, Expression] = {}
         while self.word() != ")":
             if given:

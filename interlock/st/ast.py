@@ -122,7 +122,9 @@ HEADLINE = 100
 
 @dataclass(frozen=True)
 class Block:
-    """A function block, or a program (`kind`)."""
+    """A function block, a program, or a structure whose members are its locals (`kind`).
+
+    handed: structures that lie elsewhere (VAR_IN_OUT)."""
 
     name: str
     inputs: tuple[Declaration, ...]
@@ -131,6 +133,7 @@ class Block:
     body: tuple[Statement, ...]
     note: str = field(default="", compare=False)
     kind: str = "FUNCTION_BLOCK"
+    handed: tuple[Declaration, ...] = ()
 
     @cached_property
     def input_names(self) -> frozenset[str]:

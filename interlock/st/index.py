@@ -6,7 +6,7 @@ from interlock.logic.cabinet import Allocation
 from interlock.logic.controller import Controller
 from interlock.logic.names import computed
 from interlock.model.portable import portable
-from interlock.st.ast import Unit
+from interlock.st.ast import Name, Unit
 from interlock.st.shared import reads, writes
 
 
@@ -46,14 +46,20 @@ def cross_reference(controller: Controller, a: Allocation, unit: Unit) -> list[t
     written: dict[str, dict[str, None]] = {n: {} for n in meaning}
     read: dict[str, dict[str, None]] = {n: {} for n in meaning}
     prefix = f"IL_{portable(controller.name)}"
+    station = f"{portable(controller.name)}_"  # before a terminal, where a controller holds several interlockings
+
+    def known(n: Name) -> str:
+        last = n.parts[-1]
+        return last if last in meaning else last.removeprefix(station)
+
     for b in unit.blocks:
         own = {d.name for d in b.locals if d.type != "BOOL" or d.name not in meaning}
         block = b.name.removeprefix(f"{prefix}_") if b.name != prefix else prefix
         for n in (n for s in b.body for n in writes(s)):
-            written.get(n.parts[-1], {})[block] = None
+            written.get(known(n), {})[block] = None
         for n in (n for s in b.body for n in reads(s)):
             if n.parts[0] not in own or len(n.parts) > 1:
-                read.get(n.parts[-1], {})[block] = None
+                read.get(known(n), {})[block] = None
     place = {str(c.variable): c.element for c in a.wires} | places(controller)
     terminal = {c.variable: c.address for c in a.wires} | dict.fromkeys((*a.written, *a.read), "operator")
     terminal |= {str(n): "operator" for n in controller.words.routes.values()}

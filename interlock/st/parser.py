@@ -1,8 +1,9 @@
 """Structured Text back to the tree: one regular expression for the tokens, one function for each rule.
 
-    unit        = block+
+    unit        = (structure | block)+
+    structure   = TYPE name : STRUCT (name : name [:= expr] ;)* END_STRUCT ; END_TYPE
     block       = FUNCTION_BLOCK name part* statement* END_FUNCTION_BLOCK, or the same with PROGRAM
-    part        = (VAR_INPUT | VAR_OUTPUT | VAR) (name [AT address] : name [:= expr] ;)* END_VAR
+    part        = (VAR_INPUT | VAR_OUTPUT | VAR_IN_OUT | VAR) (name [AT address] : name [:= expr] ;)* END_VAR
     statement   = name := expr ; | name ( [name := expr {, name := expr}] ) ; | IF expr THEN body {ELSIF expr THEN body}
                   [ELSE body] END_IF ;
     expr        = xor {OR xor}        xor = and {XOR and}        and = comparison {AND comparison}
@@ -50,12 +51,13 @@ _TOKEN = re.compile(
     re.VERBOSE | re.DOTALL,
 )
 _WELL = re.compile(_GOOD, re.VERBOSE)
-_CLOSED = re.compile(r"^END_(?:FUNCTION_BLOCK|PROGRAM)[ \t]*\n", re.MULTILINE)
+_CLOSED = re.compile(r"^END_(?:FUNCTION_BLOCK|PROGRAM|TYPE)[ \t]*\n", re.MULTILINE)
 _COMPARE = frozenset(("=", "<>", "<", ">", "<=", ">="))
 _JOINING = ("AND", "OR", "XOR")
 _OPERATORS = (*_JOINING, "NOT", "TRUE", "FALSE")
-_DECLARING = ("VAR_INPUT", "VAR_OUTPUT", "VAR")
-_BLOCKS = ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK", "PROGRAM", "END_PROGRAM")
+_DECLARING = ("VAR_INPUT", "VAR_OUTPUT", "VAR", "VAR_IN_OUT")
+_STRUCTURES = ("TYPE", "STRUCT", "END_STRUCT", "END_TYPE")
+_BLOCKS = ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK", "PROGRAM", "END_PROGRAM", *_STRUCTURES)
 _RESERVED = frozenset((*_DECLARING, *_BLOCKS, "AT", "END_VAR", "IF", "THEN", "ELSIF", "ELSE", "END_IF", *_OPERATORS))
 _ENDING = frozenset((";", ",", ")"))
 _AFTER = _ENDING | {"AND", "OR"}
@@ -76,14 +78,36 @@ def parse_unit(text: str, style: Style = IEC) -> Unit:
 def parse_block(name: str, declarations: str, body: str, kind: str = "FUNCTION_BLOCK") -> Block:
     """A block, or a program (`kind`), whose declarations and statements come in two texts; raises `NotInSubset`."""
     head = _Reader(declarations, IEC)
-    parts = head.declarations()
+    *parts, handed = head.declarations()
     head.end()
     rest = _Reader(body, IEC)
     statements = rest.body(_END)
     rest.end()
-    if kind != "PROGRAM" and any(d.address for part in parts for d in part):
+    return _made(name, kind, (*parts, handed), statements)
+
+
+def parse_structure(text: str, end: str = "END_STRUCT;") -> Block:
+    """A structure that is a text of its own, which closes as `end` has it; raises `NotInSubset`."""
+    whole = text.rstrip("\n").replace(f"\n{end}\nEND_TYPE", "\nEND_STRUCT;\nEND_TYPE")
+    head = _Reader(whole, IEC)
+    if not head.next_is("TYPE"):
+        raise NotInSubset("no structure")
+    found = head.structure()
+    head.end()
+    return found
+
+
+_Parts = tuple[tuple[Declaration, ...], ...]
+
+
+def _made(name: str, kind: str, parts: _Parts, body: tuple[Statement, ...]) -> Block:
+    """A block of its parts, in the order in which they are listed above."""
+    inputs, outputs, locals_, handed = parts
+    if any(d.address for part in (inputs, outputs, handed) for d in part):
+        raise NotInSubset(f"{name}: an address of what is handed on")
+    if kind != "PROGRAM" and any(d.address for d in locals_):
         raise NotInSubset(f"{name}: an address in a function block")
-    return Block(name, *parts, statements, kind=kind)
+    return Block(name, inputs, outputs, locals_, body, kind=kind, handed=handed)
 
 
 def _tokens(text: str, begin: int, end: int) -> list[str]:
@@ -104,9 +128,8 @@ class _Reader:
         self.tokens: list[str] = []
         self.at = 0
         self._names: dict[str, Name] = {}
-        self._variables: dict[str, Name] = {}
-        self._inverse: dict[str, Not] = {}
-        self._instances: dict[str, str] = {}
+        self._variables: dict[str, tuple[Name, Not]] = {}
+        self._members: dict[str, dict[str, tuple[Name, Not]]] = {}
         self._good: dict[str, str] = {}
         self._plain: dict[str, Declaration] = {}
         self._scan()
@@ -173,8 +196,8 @@ class _Reader:
     def unit(self) -> Unit:
         blocks = []
         while True:
-            while self._is("FUNCTION_BLOCK") or self._is("PROGRAM"):
-                blocks.append(self.block())
+            while self._is("FUNCTION_BLOCK") or self._is("PROGRAM") or self._is("TYPE"):
+                blocks.append(self.structure() if self._is("TYPE") else self.block())
             if len(self._windows) == 1:
                 break
             self._end_of_window()
@@ -227,11 +250,30 @@ class _Reader:
             self._word("BEGIN")
         body = self.body(f"END_{kind}")
         self.at += 1
-        if kind != "PROGRAM" and any(d.address for part in parts for d in part):
-            raise NotInSubset(f"{name}: an address in a function block")
-        return Block(name, *parts, body, kind=kind)
+        return _made(name, kind, parts, body)
 
-    def declarations(self) -> tuple[tuple[Declaration, ...], tuple[Declaration, ...], tuple[Declaration, ...]]:
+    def next_is(self, keyword: str) -> bool:
+        """Whether a keyword is next."""
+        return self._is(keyword)
+
+    def structure(self) -> Block:
+        """A structure; its members are plain."""
+        self.at += 1
+        name = self._name()
+        self._take(":")
+        self._word("STRUCT")
+        members = []
+        while not self._is("END_STRUCT"):
+            members.append(self.declaration())
+        self.at += 1
+        self._take(";")
+        self._word("END_TYPE")
+        if not members or any(d.address or d.type not in ("BOOL", "INT") for d in members):
+            raise NotInSubset(f"{name} is empty, or has a member that is neither BOOL nor INT")
+        return Block(name, (), (), tuple(members), (), kind="STRUCT")
+
+    def declarations(self) -> _Parts:
+        """What is declared: inputs, outputs, a block's own, what is handed on."""
         parts: dict[str, list[Declaration]] = {kind: [] for kind in _DECLARING}
         while self.tokens[self.at].upper() in parts:
             part = parts[self.tokens[self.at].upper()]
@@ -244,8 +286,7 @@ class _Reader:
                 else:
                     part.append(self.declaration())
             self.at += 1
-        inputs, outputs, locals_ = (tuple(parts[kind]) for kind in _DECLARING)
-        return inputs, outputs, locals_
+        return tuple(tuple(parts[kind]) for kind in _DECLARING)
 
     def declaration(self) -> Declaration:
         name = self._name()
@@ -304,6 +345,11 @@ class _Reader:
         if known is not None and self.tokens[self.at + 1] == ":=" and not self.style.local:
             self.at += 2
             return self._assigned(self._single(known))
+        if self.tokens[self.at + 1] == ".":
+            member = self._member(self.tokens[self.at], self.tokens[self.at + 2])
+            if member is not None and self.tokens[self.at + 3] == ":=":
+                self.at += 4
+                return self._assigned(member[0])
         if self._is("IF"):
             return self.branch()
         name = self._variable()
@@ -386,15 +432,12 @@ class _Reader:
     def _known(self) -> Expression | None:
         """A name that was met before, negated or not, or an output of an instance: most of a text; or None."""
         tokens, at = self.tokens, self.at
-        token, after = tokens[at], tokens[at + 1]
-        found: Expression | None
-        if token == "NOT":
-            found = self._inverse.get(after)
-            if found is None and after in self._variables:
-                found = self._inverse[after] = Not(self._variables[after])
-            at += 2
-        elif after == "." and token in self._instances and tokens[at + 2] in self._good:
-            found = Name((self._instances[token], tokens[at + 2]))
+        negated = tokens[at] == "NOT"
+        at += negated
+        token = tokens[at]
+        found: tuple[Name, Not] | None
+        if tokens[at + 1] == ".":
+            found = self._member(token, tokens[at + 2])
             at += 3
         else:
             found = self._variables.get(token)
@@ -402,6 +445,17 @@ class _Reader:
         if found is None or tokens[at] not in _AFTER:
             return None
         self.at = at
+        return found[negated]
+
+    def _member(self, token: str, member: str) -> tuple[Name, Not] | None:
+        """A member of what was met before, as it is and negated; or None."""
+        known = self._members.get(token)
+        if known is None or member not in self._good:
+            return None
+        found = known.get(member)
+        if found is None:
+            name = Name((known[""][0].parts[0], member))
+            found = known[member] = name, Not(name)
         return found
 
     def _exclusive(self) -> Expression:
@@ -452,7 +506,8 @@ class _Reader:
             return Time(int(digits[: len(digits) - len(unit)]) * _UNITS[unit])
         name = self.qualified(self._variable())
         if len(name.parts) == 1:
-            self._variables[token] = name
-        else:
-            self._instances[token] = name.parts[0]
+            self._variables[token] = name, Not(name)
+        elif token not in self._members:
+            first = Name(name.parts[:1])
+            self._members[token] = {"": (first, Not(first))}
         return name

@@ -78,7 +78,15 @@ def _task(t: Task) -> list[str]:
 
 def print_block(b: Block, style: Style = IEC) -> list[str]:
     """The lines of a block."""
+    if b.kind == "STRUCT":
+        return structure(b)
     return [*_head(b, style), *declarations(b, style), *_begin(style), *body(b, style), f"END_{b.kind}"]
+
+
+def structure(b: Block, end: str = "END_STRUCT;") -> list[str]:
+    """The lines of a structure."""
+    note = [comment(b.note, HEADLINE)] if b.note else []
+    return [f"TYPE {b.name} :", *note, "STRUCT", *declarations(b)[1:-1], end, "END_TYPE"]
 
 
 def _head(b: Block, style: Style) -> list[str]:
@@ -96,7 +104,8 @@ def declarations(b: Block, style: Style = IEC) -> list[str]:
     # one VAR part may not mix variables with and without an address
     located = tuple(d for d in b.locals if d.address)
     plain = tuple(d for d in b.locals if not d.address)
-    parts = (("VAR_INPUT", b.inputs), ("VAR_OUTPUT", b.outputs), ("VAR", located), ("VAR", plain))
+    handed = ("VAR_IN_OUT", b.handed)
+    parts = (("VAR_INPUT", b.inputs), ("VAR_OUTPUT", b.outputs), handed, ("VAR", located), ("VAR", plain))
     for title, part in parts:
         if part:
             out += [title, *(_declaration(d, style) for d in part), "END_VAR"]

@@ -73,18 +73,18 @@ def renamed(x: Expression, name: Callable[[Name], Expression]) -> Expression:
     if isinstance(x, Not):
         return Not(renamed(x.arg, name))
     if isinstance(x, Nary):
-        return replace(x, args=tuple([renamed(a, name) for a in x.args]))
-    return replace(x, left=renamed(x.left, name), right=renamed(x.right, name)) if isinstance(x, Compare) else x
+        return Nary(x.op, tuple([renamed(a, name) for a in x.args]), x.notes)
+    return Compare(x.op, renamed(x.left, name), renamed(x.right, name)) if isinstance(x, Compare) else x
 
 
-def _put(s: Statement, name: Callable[[Name], Name]) -> Statement:
+def put(s: Statement, name: Callable[[Name], Name]) -> Statement:
     """A statement with other names."""
     if isinstance(s, Assign):
-        return replace(s, target=name(s.target), value=renamed(s.value, name))
+        return Assign(name(s.target), renamed(s.value, name), s.note)
     if isinstance(s, Call):
-        return replace(s, params=tuple((n, renamed(x, name)) for n, x in s.params))
-    arms = [(renamed(c, name), tuple(_put(t, name) for t in then)) for c, then in s.arms]
-    return If(*arms[0], tuple(_put(t, name) for t in s.otherwise), tuple(arms[1:]))
+        return Call(s.instance, tuple([(n, renamed(x, name)) for n, x in s.params]), s.note)
+    arms = [(renamed(c, name), tuple(put(t, name) for t in then)) for c, then in s.arms]
+    return If(*arms[0], tuple(put(t, name) for t in s.otherwise), tuple(arms[1:]))
 
 
 def instance(block: str) -> str:
@@ -95,25 +95,36 @@ def instance(block: str) -> str:
 # --- from parameters to data blocks --------------------------------------------------------------
 
 
-def shared(unit: Unit) -> Unit:
-    """An interlocking, which may end with its mapping program, in this form."""
+def label(main: str) -> str:
+    """What stands before the name of a terminal, where a controller holds several interlockings."""
+    return f"{main.removeprefix('IL_')}_"
+
+
+def shared(unit: Unit, several: bool = False) -> Unit:
+    """An interlocking, which may end with its mapping program, in this form.
+
+    several: a controller may hold several, so that instances and terminals bear its name, too.
+    """
     if unit.blocks[-1].kind != "PROGRAM":
-        return replace(unit, blocks=tuple(_interlocking(unit.blocks)))
+        return replace(unit, blocks=tuple(in_data_blocks(unit.blocks)))
     *blocks, program = unit.blocks
     types = {d.name: d.type for d in program.locals}
     main = types[INSTANCE]
     helpers = [b for b in blocks if b.name in types.values() and b.name != main]
-    core = _interlocking([b for b in blocks if b not in helpers])
-    return replace(unit, blocks=(*core, *helpers, *_mapping(program, main)))
+    core = in_data_blocks([b for b in blocks if b not in helpers])
+    return replace(unit, blocks=(*core, *helpers, *_mapping(program, main, several)))
 
 
-def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
-    """Data blocks, the blocks in the order in which they are called, group blocks, and the one that calls these."""
+def in_data_blocks(blocks: Sequence[Block], told: bool = True) -> Iterator[Block]:
+    """Data blocks, the blocks in the order in which they are called, group blocks, and the one that calls these.
+
+    told: what a variable means stands at its place in a data block, too, not only where it is computed.
+    """
     *callees, main = blocks
     kinds = {b.name: b for b in callees}
     types = {d.name: d.type for d in main.locals}
     data = {d.name: main.name + INPUTS for d in main.inputs} | {d.name: main.name + OUTPUTS for d in main.outputs}
-    notes = {s.target.parts[-1]: s.note for b in callees for s in b.body if isinstance(s, Assign)}
+    notes = {s.target.parts[-1]: s.note for b in callees for s in b.body if told and isinstance(s, Assign)}
     inner = [replace(d, note=d.note or notes.get(d.name, "")) for b in callees for d in b.outputs if d.name not in data]
     data |= {d.name: main.name + INNER for d in inner}
 
@@ -130,7 +141,7 @@ def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
             made, called = _placed(b, data)
             yield from made
             calls.append(Call(called, (), b.note[:HEADLINE]))
-    settings = [_put(s, place) for s in main.body if isinstance(s, Assign)]
+    settings = [put(s, place) for s in main.body if isinstance(s, Assign)]
     settings = [s for s in settings if not (isinstance(s, Assign) and s.target == s.value)]  # written where it is made
     for k, part in enumerate(_parts(settings, MOST), 1):
         yield Block(f"{main.name}_Y{k:02d}", (), (), (), tuple(part), "outputs", "FUNCTION")
@@ -149,7 +160,7 @@ def _placed(b: Block, data: Mapping[str, str]) -> tuple[list[Block], str]:
     def place(n: Name) -> Name:
         return n if n.parts[0] in own else Name((data[n.parts[0]], n.parts[0]))
 
-    body = tuple(_put(s, place) for s in b.body)
+    body = tuple(put(s, place) for s in b.body)
     if all(d.type != "TON" for d in b.locals):
         return [Block(b.name, (), (), b.locals, body, b.note, "FUNCTION")], b.name
     kept = Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), "", "INSTANCE")
@@ -160,13 +171,14 @@ def _parts(xs: Sequence[Statement], most: int) -> list[Sequence[Statement]]:
     return [xs[i : i + most] for i in range(0, len(xs), most)]
 
 
-def _mapping(program: Block, main: str) -> Iterator[Block]:
+def _mapping(program: Block, main: str, several: bool) -> Iterator[Block]:
     """Instances, the operator's variables, the blocks that carry wires in and out, the program, and the terminals."""
     instances = {d.name: d.type for d in program.locals if d.type not in PLAIN and d.name != INSTANCE}
     operators = tuple(d for d in program.locals if d.type in PLAIN and not d.address)
-    wires = tuple(d for d in program.locals if d.address)
+    own, before = (f"{main}_", label(main)) if several else ("", "")
+    wires = tuple(replace(d, name=before + d.name) for d in program.locals if d.address)
     for n, kind in instances.items():
-        yield Block(instance(n), (), (), (Declaration("OF", kind),), (), "", "INSTANCE")
+        yield Block(instance(own + n), (), (), (Declaration("OF", kind),), (), "", "INSTANCE")
     yield Block(main + OPERATOR, (), (), operators, (), "the operator's place", "DATA_BLOCK")
     data = {d.name: main + OPERATOR for d in operators}
 
@@ -175,13 +187,13 @@ def _mapping(program: Block, main: str) -> Iterator[Block]:
         if first == INSTANCE:
             return Name((main + OUTPUTS, n.parts[1]))
         if first in instances:
-            return Name((instance(first), *n.parts[1:]))
-        return Name((data[first], first)) if first in data else n
+            return Name((instance(own + first), *n.parts[1:]))
+        return Name((data[first], first) if first in data else (before + first,))
 
     body: list[Statement] = []
     out: list[Statement] = []
     for s in program.body:
-        made = _put(s, place)
+        made = put(s, place)
         if isinstance(s, Call) and s.instance == INSTANCE:
             assert isinstance(made, Call)
             carried = [Assign(Name((main + INPUTS, n)), x) for n, x in made.params]
@@ -191,7 +203,7 @@ def _mapping(program: Block, main: str) -> Iterator[Block]:
             body.append(Call(main, ()))
         elif isinstance(s, Call):
             assert isinstance(made, Call)
-            body.append(replace(made, instance=instance(s.instance)))
+            body.append(replace(made, instance=instance(own + s.instance)))
         elif isinstance(s, Assign) and isinstance(s.value, Name) and s.value.parts[0] == INSTANCE:
             out.append(made)
         else:
@@ -209,9 +221,9 @@ def _mapping(program: Block, main: str) -> Iterator[Block]:
 # --- and back ------------------------------------------------------------------------------------
 
 
-def flat(unit: Unit) -> Unit:
+def flat(unit: Unit, several: bool = False) -> Unit:
     """What a unit of this form does, as one function block, and its mapping program if there is one; raises
-    `NotInSubset`.
+    `NotInSubset`.  several: as in `shared`.
 
     The blocks' statements stand in the order in which they are carried out; what is temporary in a block has a name
     that no text can have, so that nobody else reads it.
@@ -234,7 +246,7 @@ def flat(unit: Unit) -> Unit:
         return Unit((block,), task=unit.task)
     if len(programs) != 1 or len(rest) != 1:
         raise NotInSubset("not one mapping program with its terminals")
-    program = _Program(unit, main, called, rest[0].locals).block(programs[0])
+    program = _Program(unit, main, called, rest[0].locals, several).block(programs[0])
     _all_called(unit, called | {programs[0].name})
     helpers = [b for b in unit.blocks if b.kind == "FUNCTION_BLOCK" and b.name not in core.timing]
     return Unit((*helpers, block, program), task=unit.task)
@@ -332,6 +344,7 @@ class _Core(_Walk):
         self.members = {d.name: main + x for x in (INPUTS, OUTPUTS, INNER) for d in self.data[main + x]}
         if len(self.members) != len(self.inputs) + len(self.outputs) + len(inner):
             raise NotInSubset("two variables of one name")
+        self.given = {d.name for d in self.inputs}
         self.locals = list(inner)
         self.timing: set[str] = set()
         self.body: list[Statement] = []
@@ -355,7 +368,7 @@ class _Core(_Walk):
             own[d.name] = d.name if d.type == "TON" else f"{b.name} {d.name}"
             self.locals.append(replace(d, name=own[d.name]))
 
-        def put(n: Name) -> Name:
+        def place(n: Name) -> Name:
             first, last = n.parts[0], n.parts[-1]
             if first in own and (len(n.parts) == 1 or last == "Q"):
                 return Name((own[first], *n.parts[1:]))
@@ -375,11 +388,10 @@ class _Core(_Walk):
             elif isinstance(s, Call):
                 if s.instance not in own:
                     raise NotInSubset(f"{b.name} calls {s.instance}")
-                self.body.append(_put(s, put))
+                self.body.append(put(s, place))
             else:
-                made = _put(s, put)
-                given = {d.name for d in self.inputs}
-                if wrong := [str(n) for n in writes(made) if str(n) in given]:
+                made = put(s, place)
+                if wrong := [str(n) for n in writes(made) if str(n) in self.given]:
                     raise NotInSubset(f"{b.name} writes {wrong[0]}, which is an input")
                 self.body.append(made)
 
@@ -387,9 +399,11 @@ class _Core(_Walk):
 class _Program(_Walk):
     """The mapping program as it is in all forms."""
 
-    def __init__(self, unit: Unit, main: str, called: set[str], wires: Sequence[Declaration]) -> None:
+    def __init__(self, unit: Unit, main: str, called: set[str], wires: Sequence[Declaration], several: bool) -> None:
         super().__init__(unit, main, called)
-        self.wires, self.terminals = wires, {d.name for d in wires}
+        self.own, self.before = (f"DB_{main}_", label(main)) if several else ("DB_", "")
+        self.terminals = {d.name for d in wires}
+        self.wires = [replace(d, name=self._after(d.name, self.before)) for d in wires]
         self.operators = self.data.get(main + OPERATOR, ())
         self.held = {d.name for d in self.operators}
         self.given: list[tuple[str, Expression]] = []
@@ -401,12 +415,19 @@ class _Program(_Walk):
         if self.given:
             raise NotInSubset("an input is written after the interlocking was called")
         names = {d.name for d in (*self.wires, *self.operators)}
-        used = {n.removeprefix("DB_"): kind for n, kind in self.instances.items() if kind in self._helpers()}
+        used = {self._after(n, self.own): kind for n, kind in self.instances.items() if kind in self._helpers()}
         if len(names) != len(self.wires) + len(self.operators) or names & {*used, INSTANCE}:
             raise NotInSubset("two variables of one name")
         instances = (*(Declaration(n, kind) for n, kind in used.items()), Declaration(INSTANCE, self.main))
         locals_ = (*self.wires, *self.operators, *instances)
         return Block(program.name, (), (), locals_, tuple(self.body), kind="PROGRAM")
+
+    @staticmethod
+    def _after(name: str, before: str) -> str:
+        """A name without what must stand before it."""
+        if not name.startswith(before):
+            raise NotInSubset(f"{name} does not begin with {before}")
+        return name.removeprefix(before)
 
     def _helpers(self) -> set[str]:
         return {self.instances[n] for n in self.instances if n.removeprefix("DB_") not in self.blocks}
@@ -429,20 +450,20 @@ class _Program(_Walk):
                 if s.instance not in self.instances:
                     raise NotInSubset(f"{b.name} calls {s.instance}")
                 self.once(s.instance)
-                self.body.append(_put(replace(s, instance=s.instance.removeprefix("DB_")), self._name))
+                self.body.append(put(replace(s, instance=self._after(s.instance, self.own)), self._name))
             else:
                 if any(len(n.parts) == 2 and n.parts[0] != self.main + OPERATOR for n in writes(s)):
                     raise NotInSubset(f"{b.name} writes what is not the operator's")
-                self.body.append(_put(s, self._name))
+                self.body.append(put(s, self._name))
 
     def _name(self, n: Name) -> Name:
         first, last = n.parts[0], n.parts[-1]
         if len(n.parts) == 1 and first in self.terminals:
-            return n
+            return Name((first.removeprefix(self.before),))
         if first == self.main + OPERATOR and last in self.held:
             return Name((last,))
         if first == self.main + OUTPUTS:
             return Name((INSTANCE, last))
         if first in self.instances:
-            return Name((first.removeprefix("DB_"), last))
+            return Name((self._after(first, self.own), last))
         raise NotInSubset(f"{n} is not declared")

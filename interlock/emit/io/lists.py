@@ -148,7 +148,9 @@ _TIA = (
 
 
 def tags_xlsx(layout: Layout, a: Allocation) -> bytes:
-    """A tag table that TIA Portal's tag import asks for; from a public description, tried in no tool."""
+    """A tag table that TIA Portal's tag import asks for; from a public description, tried in no tool.
+
+    A tag bears the station's name, so that a controller may hold several."""
     out = io.BytesIO()
     with xlsxwriter.Workbook(out, {"in_memory": True}) as book:
         book.set_properties({"created": datetime(2000, 1, 1)})
@@ -156,7 +158,18 @@ def tags_xlsx(layout: Layout, a: Allocation) -> bytes:
         for x, title in enumerate(_TIA):
             sheet.write_string(0, x, title)
         for y, c in enumerate(a.wires, 1):
-            row = (c.variable, f"IL_{layout.name}", "Bool", f"%{c.address}", c.note, "True", "True", "False", "", "")
+            row = (
+                f"{portable(layout.name)}_{c.variable}",
+                f"IL_{layout.name}",
+                "Bool",
+                f"%{c.address}",
+                c.note,
+                "True",
+                "True",
+                "False",
+                "",
+                "",
+            )
             for x, value in enumerate(row):
                 sheet.write_string(y, x, value)
     return reproducible(out.getvalue())

@@ -21,12 +21,14 @@ from interlock.st.dialects import Dialect, Files
 from interlock.st.parser import NotInSubset, parse_unit
 from interlock.st.program import BEAT, INSTANCE, Runs, io_task, parted, watch_name, watches
 from interlock.st.restart import RESTART
+from interlock.st.shared import label
+from interlock.st.structures import plain
 
 
 def compare_program(controller: Controller, a: Allocation, text: str) -> tuple[Difference, ...]:
     """What is wrong with a mapping program in the portable dialect; empty when nothing is."""
     try:
-        unit = parse_unit(text)
+        unit = plain(parse_unit(text))
     except NotInSubset as error:
         return (Difference("text", f"cannot be read: {error}"),)
     return compare_mapping(controller, a, unit)
@@ -42,7 +44,7 @@ def compare_delivery(
     """What is wrong with a dialect's files, the interlocking and its mapping program; `book`: its table of tags."""
     try:
         core, io = parted(dialect.read(files))
-        tags = read_tags(book or b"") if dialect.tags else None
+        tags = read_tags(book or b"", label(f"IL_{portable(controller.name)}")) if dialect.tags else None
     except (NotInSubset, BadTags, KeyError, ValueError) as error:
         return (Difference("text", f"cannot be read: {error}"),)
     mapping = compare_mapping(controller, a, io, dialect.runs, dialect.restart, tags)

@@ -73,13 +73,18 @@ def compare_unit(controller: Controller, unit: Unit, restart: bool) -> Translati
 
 
 def _beginning(controller: Controller, unit: Unit) -> Iterator[Difference]:
-    """What is wrong with the outputs before the first scan, and with blocks that no other calls."""
+    """What is wrong with the outputs before the first scan, with types, and with blocks that no other calls."""
     start: dict[str, int] = {o.name: int(o.restrictive) for o in controller.outputs}
     start |= dict.fromkeys(controller.words.routes.values(), UNKNOWN)
     for d in unit.blocks[-1].outputs:
         first = int(getattr(d.initial, "value", 0))
         if first != start.get(d.name, first):
             yield Difference(d.name, "begins with another value")
+    numbers = {str(w.name) for w in controller.words.words} | {i.name for i in controller.inputs if i.size}
+    for b in unit.blocks:
+        for d in (*b.inputs, *b.outputs, *b.locals):
+            if d.type in ("BOOL", "INT") and (d.type == "INT") != (d.name in numbers):
+                yield Difference(d.name, f"is of type {d.type}")
     used = {d.type.upper() for b in unit.blocks for d in b.locals}
     for b in unit.blocks[:-1]:
         if b.name.upper() not in used:

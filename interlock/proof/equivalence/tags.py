@@ -14,8 +14,9 @@ class BadTags(Exception):
     """The workbook is not a table of tags as it is written."""
 
 
-def read_tags(data: bytes) -> dict[str, str]:
-    """The addresses by name, as IEC writes them, of bits of inputs and outputs.  Raises `BadTags`."""
+def read_tags(data: bytes, before: str) -> dict[str, str]:
+    """The addresses by variable, as IEC writes them, of bits of inputs and outputs; `before` stands before the name of
+    each.  Raises `BadTags`."""
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as book:
             strings = ["".join(t.itertext()) for t in _parsed(book, "xl/sharedStrings.xml").iter(f"{_MAIN}si")]
@@ -31,9 +32,12 @@ def read_tags(data: bytes) -> dict[str, str]:
     found: dict[str, str] = {}
     for row in rows[1:]:
         place = re.fullmatch(r"%([IQ])([0-9]+\.[0-7])", row.get("D", ""))
-        if place is None or row.get("C") != "Bool" or row.get("A", "") in ("", *found):
-            raise BadTags(f"{row.get('A')}: no bit of an input or output, or there twice")
-        found[row["A"]] = f"%{place[1]}X{place[2]}"
+        if place is None or row.get("C") != "Bool" or not (name := row.get("A", "")).startswith(before):
+            raise BadTags(f"{row.get('A')}: no bit of an input or output of this station")
+        variable = name.removeprefix(before)
+        if variable in ("", *found):
+            raise BadTags(f"{name} is there twice")
+        found[variable] = f"%{place[1]}X{place[2]}"
     return found
 
 

@@ -62,7 +62,7 @@ def _replaced(pattern: str, new: Callable[[re.Match[str]], tuple[str, ...]]) -> 
 
 def _swapped_name(text: str, python: bool) -> list[Place]:
     """Another variable of the same sort in the place of one."""
-    found = _matches(rf"(?<![\w.\"'#])#?(?:{_SORTS})_\w+(?=[ )\n;,])", text, python)
+    found = _matches(rf"(?<![\w.\"'#])#?(?:D\.|INP\.)?(?:{_SORTS})_\w+(?=[ )\n;,])", text, python)
     names = sorted({m.group() for m in found})
     out = []
     for n, m in enumerate(found):
@@ -74,13 +74,13 @@ def _swapped_name(text: str, python: bool) -> list[Place]:
 
 def _dropped_statement(text: str, python: bool) -> list[Place]:
     """One whole statement less."""
-    pattern = r"\n        \w+ = [^\n]*" if python else r"\n  #?\w+ := [^;]*;"
+    pattern = r"\n        \w+ = [^\n]*" if python else r"\n  #?[\w.]+ := [^;]*;"
     return [Place(m.start(), m.end(), ("",)) for m in re.finditer(pattern, text) if " : " not in m.group()]
 
 
 def _exchanged_statements(text: str, python: bool) -> list[Place]:
     """Two neighbouring statements in the other order."""
-    one = r"(\n        \w+ = [^\n]*)" if python else r"(\n  #?\w+ := [^;\n(]*;)"
+    one = r"(\n        \w+ = [^\n]*)" if python else r"(\n  #?[\w.]+ := [^;\n(]*;)"
     return [Place(m.start(), m.end(), (m[2] + m[1],)) for m in re.finditer(one + one, text)]
 
 
@@ -94,7 +94,7 @@ ST_EDITS: dict[str, Edit] = {
     "text-not-dropped": _replaced(r"\bNOT ", lambda m: ("",)),
     "text-not-added": _replaced(r"(?<=AND )(?=#?[A-Z])(?!NOT)", lambda m: ("NOT ",)),
     "text-operand-swapped": _swapped_name,
-    "text-operand-dropped": _replaced(r"\s+AND (?:NOT )?#?[A-Z]\w*(?=[\s;)])", lambda m: ("",)),
+    "text-operand-dropped": _replaced(r"\s+AND (?:NOT )?#?[A-Z][\w.]*(?=[\s;)])", lambda m: ("",)),
     "text-statement-dropped": _dropped_statement,
     "text-statements-exchanged": _exchanged_statements,
     "text-initial-value": _replaced(r"(?:TRUE|FALSE)(?=;|\")", lambda m: _other(m.group(), "TRUE", "FALSE")),

@@ -32,7 +32,7 @@ class Language:
     suffix: of a source.  comment: a line of it.  block: the lines of a block.  cycle, startup: the lines of OB1, which
     calls a function, and of OB100, which sets a variable.  read: the blocks of a source, given what is defined
     elsewhere.  uncommented: its text without comments.  tags: for TIA Portal, where addresses stand in a table of tags
-    beside the text, and data blocks forget their values over a restart.
+    beside the text, data blocks forget their values over a restart, and a controller may hold several interlockings.
     """
 
     suffix: str
@@ -46,7 +46,7 @@ class Language:
 
     def write(self, unit: Unit) -> dict[str, str]:
         """The interlocking; with a mapping program that too, the organization blocks, and the symbol table."""
-        made = shared(unit)
+        made = shared(unit, several=self.tags)
         name, core, rest = _parted(made.blocks)
         known = frame(made.blocks)
         head = [self.comment(x) for x in unit.header]
@@ -83,7 +83,7 @@ class Language:
         name = core[0].name.removeprefix("IL_").removesuffix(INPUTS)
         if len(files) == 1:
             self._check_names(core)
-            return flat(Unit(tuple(core)))
+            return flat(Unit(tuple(core)), self.tags)
         suffixes = (self.suffix, f"_io{self.suffix}", f"_ob{self.suffix}", *(() if self.tags else (".sdf",)))
         expected = {f"{name}{x}" for x in suffixes}
         if set(files) != expected:
@@ -99,7 +99,7 @@ class Language:
         tagged = _terminals(program)
         held = tagged if self.tags else read_symbols(files[f"{name}.sdf"], (*core, *program))
         wires = Block("", (), (), held, (), kind="WIRES")
-        return flat(Unit((*core, *program, wires), task=self._task(f"IL_{name}_IO")))
+        return flat(Unit((*core, *program, wires), task=self._task(f"IL_{name}_IO")), self.tags)
 
     def _check_names(self, blocks: Sequence[Block]) -> None:
         if not self.tags:

@@ -9,6 +9,7 @@ from interlock.st.ast import Unit
 from interlock.st.parser import parse_unit
 from interlock.st.printer import print_unit
 from interlock.st.program import Runs
+from interlock.st.structures import plain, structured
 from interlock.st.style import Style
 
 Files = Mapping[str, str]
@@ -46,13 +47,15 @@ class Dialect:
 
 
 def one_file(suffix: str, style: Style) -> tuple[Callable[[Unit], dict[str, str]], Callable[[Files], Unit]]:
-    """A dialect that is one text file, named after the main block."""
+    """A dialect that is one text file with structures, named after the last block: the interlocking, or its mapping
+    program, or both."""
 
     def write(unit: Unit) -> dict[str, str]:
-        return {f"{unit.blocks[-1].name.removeprefix('IL_')}{suffix}": print_unit(unit, style)}
+        name = unit.blocks[-1].name.removeprefix("IL_")
+        return {f"{name}{suffix}": print_unit(structured(unit), style)}
 
     def read(files: Files) -> Unit:
         (text,) = files.values()
-        return parse_unit(text, style)
+        return plain(parse_unit(text, style))
 
     return write, read

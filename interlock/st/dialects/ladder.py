@@ -28,16 +28,16 @@ from interlock.st.ast import (
     Not,
     Statement,
     Time,
-    Unit,
 )
 from interlock.st.dialects.dialect import Dialect, Unsupported
 from interlock.st.dialects.plcopen import XHTML, PlcOpen, rules
 from interlock.st.dialects.strict import Rule
 from interlock.st.parser import NotInSubset, parse_block
 from interlock.st.printer import print_expression
+from interlock.st.structures import structured
 
-_DRAWN = re.compile(r"IL_\w+_[BTS][0-9]+", re.ASCII)
-"""Blocks of equations, timers, state."""
+_DRAWN = re.compile(r"IL_\w+_[BTSY][0-9]+", re.ASCII)
+"""Blocks of equations, timers, state, outputs."""
 WIDE, HIGH = 120, 40
 """From contact to contact, from row to row."""
 SIDE = 60
@@ -330,7 +330,7 @@ class _Reader:
         return x
 
     def _rung(self, coil: _Element) -> Iterator[Statement]:
-        target, ends = Name((self._name(coil.variable),)), coil.inputs[""]
+        target, ends = self._name(coil.variable), coil.inputs[""]
         first = self.found.get(ends[0][0]) if len(ends) == 1 else None
         if first is not None and first.tag == "block" and not coil.negated:
             yield from self._block(self._take(ends[0][0], "block"), ends[0][1], target)
@@ -350,7 +350,7 @@ class _Reader:
             x = self._take(number, "contact") if found == [] else self._take(number, "contact", "leftPowerRail")
             if x.tag == "leftPowerRail":
                 break
-            own = Name((self._name(x.variable),))
+            own = self._name(x.variable)
             found.append(Not(own) if x.negated else own)
             if len(x.inputs[""]) != 1 or x.inputs[""][0][1]:
                 raise self._bad(f"a contact {own} behind several others")
@@ -361,7 +361,7 @@ class _Reader:
     def _block(self, b: _Element, output: str, target: Name) -> Iterator[Statement]:
         ends = {n: x[0] for n, x in b.inputs.items() if len(x) == 1 and not x[0][1]}
         if b.kind == "TON" and output == "Q" and set(ends) == {"IN", "PT"}:
-            timer = self._name(b.instance)
+            timer = str(self._name(b.instance))
             on, preset = self._row(ends["IN"][0]), self._take(ends["PT"][0], "inVariable")
             given = re.fullmatch(r"T#([0-9]+)(m?s)", preset.variable)
             if not isinstance(on, Name) or given is None or preset.negated:
@@ -374,14 +374,14 @@ class _Reader:
             if left.negated or right.negated or not right.variable.isdigit():
                 raise self._bad(f"a comparison of {left.variable} with {right.variable}")
             self._take(ends["EN"][0], "leftPowerRail")
-            yield Assign(target, Compare("=", Name((self._name(left.variable),)), Int(int(right.variable))))
+            yield Assign(target, Compare("=", self._name(left.variable), Int(int(right.variable))))
         else:
             raise self._bad(f"a block {b.kind} that is not written")
 
-    def _name(self, text: str) -> str:
-        if not re.fullmatch(r"[A-Za-z_]\w*", text, re.ASCII) or text.upper() in ("TRUE", "FALSE"):
+    def _name(self, text: str) -> Name:
+        if not re.fullmatch(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)?", text, re.ASCII) or text.upper() in ("TRUE", "FALSE"):
             raise self._bad(f"{text!r} is no variable")
-        return text
+        return Name(tuple(text.split(".")))
 
 
 class Ladder(PlcOpen):
@@ -393,10 +393,8 @@ class Ladder(PlcOpen):
         xhtml, own = f"{{{XHTML}}}p", f"{{{self.space}}}content"
         self.rules[own] = replace(self.rules[own], children=xhtml)
 
-    def write(self, unit: Unit) -> dict[str, str]:
-        """One project file."""
-        drawn = tuple(rungs(b) if _DRAWN.fullmatch(b.name) else b for b in unit.blocks)
-        return super().write(replace(unit, blocks=drawn))
+    def _pou(self, b: Block) -> list[str]:
+        return super()._pou(rungs(b) if _DRAWN.fullmatch(b.name) else b)
 
     def _body(self, b: Block) -> list[str]:
         if not _DRAWN.fullmatch(b.name):
@@ -414,4 +412,4 @@ class Ladder(PlcOpen):
 
 _LADDER = Ladder()
 
-DIALECT = Dialect("ladder", "PLCopen XML TC6 2.01, equations in ladder", _LADDER.write, _LADDER.read)
+DIALECT = Dialect("ladder", "PLCopen XML TC6 2.01, equations in ladder", _LADDER.write, _LADDER.read, form=structured)

@@ -12,11 +12,12 @@ from xml.sax.saxutils import escape, quoteattr
 from interlock.st.ast import Block, Bool, Declaration, Expression, Int, Task, Unit
 from interlock.st.dialects.dialect import Dialect, Files, Unsupported
 from interlock.st.dialects.strict import DECLARATION, Rule, expect, parse
-from interlock.st.parser import NotInSubset, parse_block
+from interlock.st.parser import NotInSubset, parse_block, parse_structure
 from interlock.st.printer import body
+from interlock.st.structures import plain, structured
 
 XHTML = "http://www.w3.org/1999/xhtml"
-_PARTS = (("inputVars", "VAR_INPUT"), ("outputVars", "VAR_OUTPUT"), ("localVars", "VAR"))
+_PARTS = (("inputVars", "VAR_INPUT"), ("outputVars", "VAR_OUTPUT"), ("inOutVars", "VAR_IN_OUT"), ("localVars", "VAR"))
 _KINDS = {"FUNCTION_BLOCK": "functionBlock", "PROGRAM": "program"}
 _RUN = ("resource", "task", "pouInstance")
 _WHEN = "2000-01-01T00:00:00"  # the same bytes for the same controller
@@ -36,6 +37,10 @@ def rules(space: str, shown: str, more: Mapping[str, Rule] = MappingProxyType({}
         **dict.fromkeys(("fbd", "ld", "sfc"), Rule(children="scaling")),
         "scaling": Rule("x y"),
         "types": Rule(children="dataTypes pous"),
+        "dataTypes": Rule(children="dataType*"),
+        "dataType": Rule("name", "baseType documentation"),
+        "baseType": Rule(children="struct"),
+        "struct": Rule(children="variable*"),
         "pous": Rule(children="pou*"),
         "pou": Rule("name pouType", f"interface body {note}"),
         "interface": Rule(children=" ".join(p for p, _ in _PARTS)),
@@ -54,7 +59,7 @@ def rules(space: str, shown: str, more: Mapping[str, Rule] = MappingProxyType({}
         "resource": Rule("name", "task"),
         "task": Rule("name interval priority", "pouInstance"),
         "pouInstance": Rule("name typeName"),
-        **dict.fromkeys(("dataTypes", "BOOL", "INT"), Rule()),
+        **dict.fromkeys(("BOOL", "INT"), Rule()),
         shown: Rule(text=True),
     }
 
@@ -80,6 +85,7 @@ class PlcOpen:
     def write(self, unit: Unit) -> dict[str, str]:
         """One project file with a POU for each block, and the configuration that runs a program."""
         main = next(b.name for b in reversed(unit.blocks) if b.kind == "FUNCTION_BLOCK")
+        blocks = structured(unit).blocks
         note = " ".join(unit.header)
         lines = [
             DECLARATION,
@@ -92,11 +98,15 @@ class PlcOpen:
             "    </coordinateInfo>",
             "  </contentHeader>",
             "  <types>",
-            "    <dataTypes/>",
+            "    <dataTypes>",
+            *(line for b in blocks if b.kind == "STRUCT" for line in self._structure(b)),
+            "    </dataTypes>",
             "    <pous>",
         ]
         index = "\n".join(("", *unit.index)) if unit.index else ""
-        for b in unit.blocks:
+        for b in blocks:
+            if b.kind == "STRUCT":
+                continue
             lines += self._pou(replace(b, note=b.note + index) if b.name == main else b)
         lines += [
             "    </pous>",
@@ -118,7 +128,18 @@ class PlcOpen:
             raise NotInSubset("no PLCopen XML project of this version")
         found = root.find(self._path("instances/configurations/configuration"))
         task = self._task(found) if found is not None else None
-        return Unit(tuple(self._block(p) for p in root.findall(self._path("types/pous/pou"))), task=task)
+        structures = [self._members(x) for x in root.findall(self._path("types/dataTypes/dataType"))]
+        blocks = [self._block(p) for p in root.findall(self._path("types/pous/pou"))]
+        return plain(Unit((*structures, *blocks), task=task))
+
+    def _members(self, x: ElementTree.Element) -> Block:
+        """A structure; its members are plain."""
+        name, members = x.get("name", ""), x.findall(self._path("baseType/struct/variable"))
+        if not re.fullmatch(r"\w+", name, re.ASCII):
+            raise NotInSubset(f"a data type without a name: {name!r}")
+        return parse_structure(
+            "\n".join([f"TYPE {name} : STRUCT", *map(self._variable, members), "END_STRUCT;", "END_TYPE"])
+        )
 
     def _task(self, configuration: ElementTree.Element) -> Task:
         """The one task of a configuration, and the program that it runs."""
@@ -179,9 +200,15 @@ class PlcOpen:
         where = f" AT {address}" if address is not None else ""
         return f"{words[0]}{where} : {words[1]}" + (f" := {words[2]};" if words[2:] else ";")
 
+    def _structure(self, b: Block) -> list[str]:
+        members = [f"      {self._declared(d)}" for d in b.locals]
+        note = f"<documentation>{self._text(b.note)}</documentation>"
+        head = f'      <dataType name="{b.name}"><baseType><struct>'
+        return [head, *members, f"      </struct></baseType>{note}</dataType>"]
+
     def _pou(self, b: Block) -> list[str]:
         lines = [f'      <pou name="{b.name}" pouType="{_KINDS[b.kind]}">', "        <interface>"]
-        for (tag, _), part in zip(_PARTS, (b.inputs, b.outputs, b.locals), strict=True):
+        for (tag, _), part in zip(_PARTS, (b.inputs, b.outputs, b.handed, b.locals), strict=True):
             if part:
                 lines += [f"          <{tag}>", *(self._declared(d) for d in part), f"          </{tag}>"]
         return [
@@ -233,5 +260,7 @@ def _literal(x: Expression) -> str:
 
 _TC6_201, _TC6_200 = PlcOpen("0201", False), PlcOpen("0200", True)
 
-DIALECT = Dialect("plcopen", "PLCopen XML TC6 2.01: Beremiz and others", _TC6_201.write, _TC6_201.read)
-CODESYS = Dialect("codesys", "CODESYS V3 and TwinCAT, PLCopen XML TC6 2.00", _TC6_200.write, _TC6_200.read)
+DIALECT = Dialect("plcopen", "PLCopen XML TC6 2.01: Beremiz and others", _TC6_201.write, _TC6_201.read, form=structured)
+CODESYS = Dialect(
+    "codesys", "CODESYS V3 and TwinCAT, PLCopen XML TC6 2.00", _TC6_200.write, _TC6_200.read, form=structured
+)

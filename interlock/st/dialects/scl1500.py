@@ -6,6 +6,7 @@ Its data blocks forget their values over a restart, as they are declared; `#` ma
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from interlock.st.dialects.dialect import Dialect
 from interlock.st.dialects.siemens import Scl
@@ -31,5 +32,5 @@ DIALECT = Dialect(
     LANGUAGE.read_files,
     runs=Runs.CYCLE,
     tags=True,
-    form=shared,
+    form=partial(shared, several=True),
 )

@@ -1,4 +1,5 @@
-"""TwinCAT 3: one .TcPOU file for each block, declarations and statements apart; a .TcTTO file for the task.
+"""TwinCAT 3: one .TcPOU file for each block, declarations and statements apart; a .TcDUT file for each structure, a
+.TcTTO file for the task.
 
 The form of the task's file is that of public projects; no TwinCAT was at hand.
 """
@@ -13,12 +14,14 @@ from xml.sax.saxutils import quoteattr
 from interlock.st.ast import Block, Task, Unit
 from interlock.st.dialects.dialect import Dialect, Files
 from interlock.st.dialects.strict import DECLARATION, Rule, expect, parse
-from interlock.st.parser import NotInSubset, parse_block
-from interlock.st.printer import body, comment, declarations, wrapped
+from interlock.st.parser import NotInSubset, parse_block, parse_structure
+from interlock.st.printer import body, comment, declarations, structure, wrapped
 from interlock.st.program import Runs
+from interlock.st.structures import plain, structured
 
 _RULES = {
-    "TcPlcObject": Rule("Version ProductVersion", "POU"),
+    "TcPlcObject": Rule("Version ProductVersion", "POU DUT"),
+    "DUT": Rule("Name Id", "Declaration"),
     "POU": Rule("Name Id SpecialFunc", "Declaration Implementation"),
     "Declaration": Rule(text=True),
     "Implementation": Rule(children="ST"),
@@ -30,7 +33,9 @@ _TASK_RULES = {
     "PouCall": Rule(children="Name"),
     **dict.fromkeys(("CycleTime", "Priority", "Name", "TaskFBGuid"), Rule(text=True)),
 }
-_HEAD = re.compile(r"(?:\(\*(?:[^*]|\*(?!\)))*\*\)\s*)*(FUNCTION_BLOCK|PROGRAM) (\w+)\n")
+_HEAD = re.compile(r"(?:\(\*(?:[^*]|\*(?!\)))*\*\)\s*)*(FUNCTION_BLOCK|PROGRAM|TYPE) (\w+)(?: :)?\n")
+_END = "END_STRUCT"
+"""How a structure closes here: without a semicolon."""
 _OBJECT = '<TcPlcObject Version="1.1.0.1" ProductVersion="3.1.4024.0">'
 PRIORITY = 20  # that of the task in a new project
 
@@ -62,12 +67,32 @@ def _file(b: Block, header: Sequence[str]) -> str:
     )
 
 
+def _structure(b: Block, header: Sequence[str]) -> str:
+    return "\n".join(
+        [
+            DECLARATION,
+            _OBJECT,
+            f'  <DUT Name={quoteattr(b.name)} Id="{_identity(b.name)}">',
+            "    <Declaration><![CDATA["
+            + "\n".join([*map(comment, header), *structure(b, _END)])
+            + "\n]]></Declaration>",
+            "  </DUT>",
+            "</TcPlcObject>",
+            "",
+        ]
+    )
+
+
 def write(unit: Unit) -> dict[str, str]:
-    """A file for each block, and one for the task."""
+    """A file for each structure, one for each block, and one for the task."""
     main = next(b.name for b in reversed(unit.blocks) if b.kind == "FUNCTION_BLOCK")
     index = [x for line in unit.index for x in wrapped(line)]
-    heads = {b.name: [*unit.header, *(index if b.name == main else ())] for b in unit.blocks}
-    files = {f"{b.name}.TcPOU": _file(b, heads[b.name]) for b in unit.blocks}
+    files: dict[str, str] = {}
+    for b in structured(unit).blocks:
+        if b.kind == "STRUCT":
+            files[f"{b.name}.TcDUT"] = _structure(b, unit.header)
+        else:
+            files[f"{b.name}.TcPOU"] = _file(b, [*unit.header, *(index if b.name == main else ())])
     return files if unit.task is None else files | {f"{unit.task.name}.TcTTO": _task_file(unit.task)}
 
 
@@ -92,16 +117,12 @@ def _task_file(t: Task) -> str:
 
 
 def read(files: Files) -> Unit:
-    """The blocks of all files; the one that no other declares an instance of comes last."""
+    """The blocks of all files."""
     tasks = [_task(name, text) for name, text in files.items() if name.endswith(".TcTTO")]
     if len(tasks) > 1:
         raise NotInSubset("more than one task")
     blocks = [_block(name, text) for name, text in sorted(files.items()) if not name.endswith(".TcTTO")]
-    used = {d.type for b in blocks for d in b.locals}
-    mains = [b for b in blocks if b.name not in used]
-    if len(mains) != 1:
-        raise NotInSubset(f"{len(mains)} blocks that no other block calls")
-    return Unit((*(b for b in blocks if b is not mains[0]), mains[0]), task=tasks[0] if tasks else None)
+    return plain(Unit(tuple(blocks), task=tasks[0] if tasks else None))
 
 
 def _task(name: str, text: str) -> Task:
@@ -119,14 +140,30 @@ def _task(name: str, text: str) -> Task:
 def _block(name: str, text: str) -> Block:
     root = parse(text)
     expect(root, _RULES)
-    pou = root.find("POU")
+    dut, pou = root.find("DUT"), root.find("POU")
+    if dut is not None and pou is None and root.tag == "TcPlcObject":
+        return _members(name, dut.get("Name", ""), root.findtext("DUT/Declaration", ""))
     declared, implemented = root.findtext("POU/Declaration"), root.findtext("POU/Implementation/ST")
-    if root.tag != "TcPlcObject" or pou is None or declared is None or implemented is None:
+    if root.tag != "TcPlcObject" or dut is not None or pou is None or declared is None or implemented is None:
         raise NotInSubset(f"{name}: no POU with declaration and implementation")
     own, head = pou.get("Name", ""), _HEAD.match(declared)
-    if head is None or head[2] != own or name != f"{own}.TcPOU" or pou.get("SpecialFunc") != "None":
+    if (
+        head is None
+        or head[1] == "TYPE"
+        or head[2] != own
+        or name != f"{own}.TcPOU"
+        or pou.get("SpecialFunc") != "None"
+    ):
         raise NotInSubset(f"{name}: the names of file, object and block differ, or more than comments stand before")
     return parse_block(own, declared[head.end() :], implemented, head[1])
 
 
-DIALECT = Dialect("twincat", "Beckhoff TwinCAT 3, .TcPOU files", write, read, runs=Runs.TASK)
+def _members(name: str, own: str, declared: str) -> Block:
+    """A structure."""
+    head = _HEAD.match(declared)
+    if head is None or head[1] != "TYPE" or head[2] != own or name != f"{own}.TcDUT":
+        raise NotInSubset(f"{name}: the names of file, object and structure differ, or more than comments stand before")
+    return parse_structure(declared[head.start(1) :], _END)
+
+
+DIALECT = Dialect("twincat", "Beckhoff TwinCAT 3, .TcPOU files", write, read, runs=Runs.TASK, form=structured)

@@ -1,0 +1,244 @@
+"""The same text with its variables in three structures: a block is handed what it reads and writes as a whole.
+
+A main block that hands each value on grows with the station.  Here inputs, outputs and words, and all that is computed
+or kept are members of a structure each (`_I`, `_Q`, `_D`); every block gets those that it uses as VAR_IN_OUT, and none
+a value.  What belongs where, and which group calls what, is as in the data blocks of `interlock.st.shared`, by way of
+which a text is also read back.  The main block gets inputs and outputs from whoever calls it, and holds the rest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from interlock.st.ast import HEADLINE, Assign, Block, Call, Declaration, Expression, Name, Statement, Unit
+from interlock.st.meaning import STANDARD
+from interlock.st.parser import NotInSubset
+from interlock.st.program import INSTANCE
+from interlock.st.shared import (
+    INNER,
+    INPUTS,
+    OUTPUTS,
+    flat,
+    frame,
+    in_data_blocks,
+    instance,
+    names_in,
+    put,
+    renamed,
+    writes,
+)
+
+GIVEN, SHOWN, HELD = "INP", "OUTP", "D"
+"""By which names the blocks know the structures: inputs, outputs and words, all else."""
+NAMES = {GIVEN: INPUTS, SHOWN: OUTPUTS, HELD: INNER}
+"""With what each structure is called after the main block."""
+
+
+# --- from parameters to structures ---------------------------------------------------------------
+
+
+def structured(unit: Unit) -> Unit:
+    """An interlocking, its mapping program, or both, in this form."""
+    *blocks, last = unit.blocks
+    if last.kind != "PROGRAM":
+        return replace(unit, blocks=tuple(_interlocking(unit.blocks)))
+    types = {d.name: d.type for d in last.locals}
+    main = types[INSTANCE]
+    watches = [b for b in blocks if b.name in types.values() and b.name != main]
+    core = [b for b in blocks if b not in watches]
+    made = _interlocking(core) if core else ()
+    return replace(unit, blocks=(*made, *watches, _program(last, main)))
+
+
+def _interlocking(blocks: Sequence[Block]) -> Iterator[Block]:
+    """Structures, the blocks in the order in which they are called, groups, and the main block."""
+    made = list(in_data_blocks(blocks, told=False))
+    main = made[-1].name
+    known = frame(made)
+    variables = {main + ending: name for name, ending in NAMES.items()}
+    handed: dict[str, tuple[str, ...]] = {}
+    for b in made:
+        if b.kind == "DATA_BLOCK":
+            yield replace(b, kind="STRUCT")
+        elif b.kind != "INSTANCE":
+            called = [s.instance for s in b.body if isinstance(s, Call) and _hands(s, b)]
+            calls = [known.instances.get(n, n) for n in called]
+            used = {variables.get(n.parts[0], "") for s in b.body for n in names_in(s)}
+            used |= {n for c in calls for n in handed[c]}
+            handed[b.name] = (GIVEN, SHOWN) if b.name == main else tuple(n for n in NAMES if n in used)
+            yield _handing(b, main, handed, known.instances, variables)
+
+
+def _hands(s: Call, b: Block) -> bool:
+    """Whether a call in a block is of another block, not of a timer of its own."""
+    return all(d.name != s.instance for d in b.locals)
+
+
+def _handing(
+    b: Block,
+    main: str,
+    handed: Mapping[str, Sequence[str]],
+    instances: Mapping[str, str],
+    variables: Mapping[str, str],
+) -> Block:
+    """A block with its structures, and with an instance of each block that it calls."""
+    inner: list[Declaration] = [Declaration(HELD, main + INNER)] if b.name == main else []
+    body: list[Statement] = []
+    for s in b.body:
+        if isinstance(s, Call) and _hands(s, b):
+            kind = instances.get(s.instance, s.instance)
+            own = kind.removeprefix(f"{main}_")
+            inner.append(Declaration(own, kind, None, s.note))
+            body.append(Call(own, tuple((n, Name((n,))) for n in handed[kind])))
+        else:
+            body.append(put(s, lambda n: Name((variables.get(n.parts[0], n.parts[0]), *n.parts[1:]))))
+    declared = tuple(Declaration(n, main + NAMES[n]) for n in handed[b.name])
+    note = b.note[:HEADLINE] if b.name != main else b.note
+    return Block(b.name, (), (), (*b.locals, *inner), tuple(body), note, handed=declared)
+
+
+def _program(program: Block, main: str) -> Block:
+    """The mapping program: it writes the inputs, calls the interlocking, reads the outputs."""
+    body: list[Statement] = []
+    for s in program.body:
+        if isinstance(s, Call) and s.instance == INSTANCE:
+            body += [Assign(Name((GIVEN, n)), x) for n, x in s.params]
+            body.append(Call(INSTANCE, tuple((n, Name((n,))) for n in (GIVEN, SHOWN))))
+        else:
+            body.append(put(s, lambda n: Name((SHOWN, *n.parts[1:])) if n.parts[0] == INSTANCE else n))
+    own = (Declaration(GIVEN, main + INPUTS, None, "inputs"), Declaration(SHOWN, main + OUTPUTS, None, "outputs"))
+    return replace(program, locals=(*program.locals, *own), body=tuple(body))
+
+
+# --- and back ------------------------------------------------------------------------------------
+
+
+def plain(unit: Unit) -> Unit:
+    """What a unit of this form does, as one function block with parameters, with its mapping program, or the mapping
+    program alone; raises `NotInSubset`."""
+    names = [b.name.upper() for b in unit.blocks]
+    if twice := [n for n in names if names.count(n) > 1 or n in STANDARD]:
+        raise NotInSubset(f"{twice[0]} is there twice, or a type that every tool has")
+    programs = [b for b in unit.blocks if b.kind == "PROGRAM"]
+    structures = {b.name: b for b in unit.blocks if b.kind == "STRUCT"}
+    helpers: list[Block] = []
+    main = ""
+    if programs:
+        types = {d.name: d.type for d in programs[0].locals}
+        main = types.get(INSTANCE, "")
+        watches = {t for n, t in types.items() if n != INSTANCE}
+        helpers = [b for b in unit.blocks if b.name in watches and b.kind == "FUNCTION_BLOCK"]
+    core = [b for b in unit.blocks if b.kind == "FUNCTION_BLOCK" and b not in helpers]
+    if len(programs) > 1 or any(b.handed for b in helpers):
+        raise NotInSubset("two programs, or a watch that is handed a structure")
+    program = [_mapping(programs[0], main)] if programs else []
+    if programs and not core and not structures:
+        return replace(unit, blocks=(*helpers, *program))
+    main = next(iter(structures), "")[: -len(INPUTS)]
+    if set(structures) != {main + x for x in NAMES.values()}:
+        raise NotInSubset("structures are not those of inputs, outputs and all else")
+    (block,) = flat(Unit(tuple(_released(main, structures, core)))).blocks
+    return Unit((*helpers, block, *program), task=unit.task)
+
+
+def _released(main: str, structures: Mapping[str, Block], core: Sequence[Block]) -> Iterator[Block]:
+    """The blocks with their structures as data blocks, of which nobody hands anything on."""
+    for ending in NAMES.values():
+        yield replace(structures[main + ending], kind="DATA_BLOCK")
+    blocks = {b.name: b for b in core}
+    for b in core:
+        timed = any(d.type == "TON" for d in b.locals)
+        made = _Released(b, main, blocks).block()
+        yield replace(made, kind="FUNCTION_BLOCK" if timed else "FUNCTION")
+        if timed:
+            yield Block(instance(b.name), (), (), (Declaration("OF", b.name),), (), kind="INSTANCE")
+
+
+class _Released:
+    """A block of this form on its way back."""
+
+    def __init__(self, b: Block, main: str, blocks: Mapping[str, Block]) -> None:
+        self.b, self.blocks = b, blocks
+        types = {n: main + ending for n, ending in NAMES.items()}
+        held = [d for d in b.locals if b.name == main and d == Declaration(HELD, types[HELD])]
+        self.structures = {d.name: d.type for d in (*b.handed, *held)}
+        self.instances = {d.name: d.type for d in b.locals if d.type in blocks}
+        self.own = [d for d in b.locals if d not in held and d.name not in self.instances]
+        self.mine = {d.name for d in self.own}
+        names = [d.name.upper() for d in (*b.handed, *b.locals)]
+        handed = {d.name for d in b.handed}
+        expected = tuple(Declaration(n, types[n]) for n in NAMES if n in handed)
+        if (
+            b.inputs
+            or b.outputs
+            or b.handed != expected
+            or len(set(names)) != len(names)
+            or (b.name == main) != bool(held)
+            or any(d.initial is not None or d.address for d in b.locals)
+        ):
+            raise NotInSubset(f"{b.name}: declared otherwise than as a block of this form")
+
+    def block(self) -> Block:
+        """It, with names of members and calls as in a unit with data blocks."""
+        body = tuple(map(self._statement, self.b.body))
+        called = [s.instance for s in self.b.body if isinstance(s, Call)]
+        if left := [n for n in self.instances if called.count(n) != 1]:
+            raise NotInSubset(f"{self.b.name}: {left[0]} is not called once")
+        return Block(self.b.name, (), (), tuple(self.own), body)
+
+    def _statement(self, s: Statement) -> Statement:
+        if not isinstance(s, Call) or s.instance not in self.instances:
+            return put(s, self._name)
+        kind = self.blocks[self.instances[s.instance]]
+        if s.params != tuple((d.name, Name((d.name,))) for d in kind.handed) or {d.name for d in kind.handed} - set(
+            self.structures
+        ):
+            raise NotInSubset(f"{self.b.name}: {s.instance} is handed something else than its structures")
+        timed = any(d.type == "TON" for d in kind.locals)
+        return Call(instance(kind.name) if timed else kind.name, ())
+
+    def _name(self, n: Name) -> Name:
+        first = n.parts[0]
+        if first in self.structures and len(n.parts) == 2:
+            return Name((self.structures[first], n.parts[1]))
+        if first in self.mine:
+            return n
+        raise NotInSubset(f"{self.b.name}: {n} is not declared")
+
+
+def _mapping(program: Block, main: str) -> Block:
+    """The mapping program with the inputs as parameters of its one call of the interlocking."""
+    held = {GIVEN: main + INPUTS, SHOWN: main + OUTPUTS}
+    mine = [d for d in program.locals if d.name in held]
+    if sorted((d.name, d.type, d.initial, d.address) for d in mine) != [(n, t, None, "") for n, t in held.items()]:
+        raise NotInSubset(f"{program.name}: inputs and outputs are not declared as structures")
+    if program.inputs or program.outputs or program.handed:
+        raise NotInSubset(f"{program.name} is given something, or gives something")
+
+    def name(n: Name) -> Name:
+        if n.parts[0] == SHOWN and len(n.parts) == 2:
+            return Name((INSTANCE, n.parts[1]))
+        if n.parts[0] in (GIVEN, SHOWN, INSTANCE):
+            raise NotInSubset(f"{program.name}: {n} is read or written")
+        return n
+
+    body: list[Statement] = []
+    given: list[tuple[str, Expression]] = []
+    for s in program.body:
+        if isinstance(s, Assign) and s.target.parts[0] == GIVEN and len(s.target.parts) == 2:
+            given.append((s.target.parts[1], renamed(s.value, name)))
+        elif isinstance(s, Call) and s.instance == INSTANCE:
+            if s.params != tuple((n, Name((n,))) for n in (GIVEN, SHOWN)):
+                raise NotInSubset(f"{program.name}: the interlocking is handed something else than its structures")
+            body.append(Call(INSTANCE, tuple(given)))
+            given = []
+        elif given:
+            raise NotInSubset(f"{program.name}: something stands between the inputs and the call of the interlocking")
+        elif any(n.parts[0] == SHOWN for n in writes(s)):
+            raise NotInSubset(f"{program.name} writes an output of the interlocking")
+        else:
+            body.append(put(s, name))
+    if given:
+        raise NotInSubset(f"{program.name}: an input is written after the interlocking was called")
+    return replace(program, locals=tuple(d for d in program.locals if d.name not in held), body=tuple(body))
