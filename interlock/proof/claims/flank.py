@@ -68,11 +68,11 @@ def flank(f: Facts) -> Iterator[tuple[str, str, Expr]]:
                 place = f"{s}:{n}:{name} as overlap {option[1]} of {option[0]}"
                 yield "T-FLANK", place, implies(firm, neg(danger))
     for s in f.topo.sections:
-        for g in f.overrun(s):
+        for h in f.overrun(s):
             for t in f.topo.traversals[s]:
-                there = conj((overran(g, s), came(s, t.entry), *_points_lie(f, t)))
+                there = conj((overran(h, s), came(s, t.entry), *_points_lie(f, t)))
                 for name, danger in _dangers(f, t):
-                    yield "T-FLANK", f"{s}:{t.number}:{name} overrun from {g}", implies(there, neg(danger))
+                    yield "T-FLANK", f"{s}:{t.number}:{name} overrun from {h}", implies(there, neg(danger))
 
 
 def _points_lie(f: Facts, t: Traversal) -> Iterator[Expr]:
