@@ -118,30 +118,27 @@ class Clauses:
         """The clauses with smaller numbers that force what is needed, in their order."""
         if self._contradiction is not None and self._contradiction < below:
             return [self._contradiction]
-        end, forced = len(trail), self._forced
-        at = dict(zip(trail, range(end), strict=True))
-        alone = {x for x in clause if forced.get(x, below) < below}
-        wanted = [x for x in clause if x in alone or x in at][:1]
+        forced, clauses = self._forced, self.clauses
+        at = dict(zip(trail, range(len(trail)), strict=True))
+        wanted = next(([x] for x in clause if x in at or forced.get(x, below) < below), [])
         last: list[int] = []
         if not wanted:
-            last = [self._forcing(trail[-1], at, end, below)]
-            wanted = [-x for x in self.clauses[last[0]]]
-        assumed = {-x for x in clause}
+            last = [self._forcing(trail[-1], at, len(trail), below)]
+            wanted = [-x for x in clauses[last[0]]]
+        known = {-x for x in clause}
         found: list[tuple[int, int]] = []
-        seen: set[int] = set()
         while wanted:
             x = wanted.pop()
-            if x in seen or x in assumed:
+            if x in known:
                 continue
-            seen.add(x)
-            unit = forced.get(x, below)
-            if unit < below:
-                found.append((-1, unit))
-                continue
-            place = at[x]
-            number = self._forcing(x, at, place, below)
+            known.add(x)
+            number = forced.get(x, below)
+            place = -1
+            if number >= below:
+                place = at[x]
+                number = self._forcing(x, at, place, below)
+                wanted += [-y for y in clauses[number] if y != x and -y not in known]
             found.append((place, number))
-            wanted += [-y for y in self.clauses[number] if y != x]
         found.sort()
         return [*(number for _, number in found), *last]
 
