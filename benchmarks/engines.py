@@ -4,7 +4,7 @@ Every engine decides the same system in a process of its own, one after the othe
 
     induction   this package's proof: invariants per element, whole formula, MiniSat
     with z3     the same with Z3
-    shapes      small obligations in shapes with refutations (what `certify` writes), from nothing
+    hints       small obligations, each shown by unit propagation (what `certify` writes)
     verify      `interlock verify` on that certificate
     k-induction Z3, the claims alone as invariant, k up to 4
     spacer      Z3's Spacer on the whole system
@@ -80,10 +80,10 @@ def _base(system: System) -> FactBase:
     return FactBase(system, strengthening(facts), claims(facts), start_claim(system))
 
 
-def by_shapes(system: System) -> str:
-    """Small obligations, each shape with its refutation."""
+def by_hints(system: System) -> str:
+    """Small obligations, each with the clauses that show it."""
     proof = prove_locally(_base(system))
-    return "open" if proof.open else f"proved, {len(proof.obligations)} in {len(proof.shapes)} shapes"
+    return "open" if proof.open else f"proved, {len(proof.obligations)}"
 
 
 def certificate(system: System, folder: Path) -> None:
@@ -205,7 +205,7 @@ def rows(kind: str, size: int, limit: float) -> list[Row]:
     """All engines on one layout."""
     out = [timed("induction", by_induction, kind, size, limit)]
     out.append(timed("with z3", by_induction_with_z3, kind, size, limit))
-    out.append(timed("shapes", by_shapes, kind, size, limit * 4))
+    out.append(timed("hints", by_hints, kind, size, limit * 4))
     with tempfile.TemporaryDirectory() as folder:
         system, _ = system_of(kind, size)
         certificate(system, Path(folder))
@@ -230,7 +230,7 @@ def rows(kind: str, size: int, limit: float) -> list[Row]:
 COLOURS = {
     "induction": "#0b6e4f",
     "with z3": "#6fae3b",
-    "shapes": "#1f5fbf",
+    "hints": "#1f5fbf",
     "verify": "#7a3fb0",
     "k-induction": "#8a8a8a",
     "spacer": "#b0460b",

@@ -5,9 +5,9 @@ This file needs Python's standard library alone and no other file of the package
 1. compares the SHA-256 of every file that the manifest names, and of the manifest itself;
 2. builds the facts and the goals again from the system: a definition gives its halves, an invariant is a fact of the
    old state and two goals (it holds at the restart; it holds after a step), a lemma or claim is a goal of every step;
-3. checks the refutation of every shape, clause by clause, by unit propagation along the given hints;
-4. checks that every goal, in order, is an instance of its shape, with facts of the right sort: for a goal of the step
-   all of the above, and the goals of the step that stand before it.
+3. checks every lemma and goal, in order, by unit propagation along the given hints: with all of its literals false,
+   each clause that is named forces a literal, and the last one is left with none.  What may be named: for a goal of the
+   step all of the above, for the others the initial condition; and lemmas and goals of the step that stand before it.
 
 Then, by induction over the steps, every claim holds in every step of every run of the written system.
 That the system is the railway and its controller is not checked here: read it, or derive it again.
@@ -21,7 +21,6 @@ import lzma
 import sys
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
-from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -224,7 +223,7 @@ class System:
         self.invariants = len(invariants)
 
 
-# --- shapes ----------------------------------------------------------------------------------------
+# --- clauses ---------------------------------------------------------------------------------------
 
 
 class Form:
@@ -234,21 +233,9 @@ class Form:
     which must hold.  Operands are numbers of leaves, and after these of the `defs`, negative when negated.
     """
 
-    def __init__(self, text: str) -> None:
-        self.text = sys.intern(text)
+    def __init__(self, text: str, arity: int) -> None:
         x = read(text)
-        found: set[str] = set()
-        todo = [x]
-        while todo:
-            y = todo.pop()
-            if y[0] == "v":
-                found.add(y[1])
-            elif y[0] == "!":
-                todo.append(y[1])
-            elif y[0] in "&|":
-                todo.extend(y[1])
-        self.arity = len(found)
-        need(found == {str(n) for n in range(1, self.arity + 1)}, "a pattern's leaves are not numbered")
+        self.arity = arity
         self.defs: list[tuple[int, list[int]]] = []
         self.lits = [self._number(y) for y in (() if x == FALSE else x[1] if x[0] == "|" else (x,))]
 
@@ -257,21 +244,12 @@ class Form:
             return int(x[1])
         if x[0] == "!":
             return -self._number(x[1])
-        need(x[0] in "&|", "a constant in a shape")
-        args = [self._number(y) for y in x[1]]
-        self.defs.append((1 if x[0] == "|" else -1, args))
+        args = [self._number(y) for y in x[1]] if x[0] in "&|" else []  # a constant: all of nothing, or one of it
+        self.defs.append((1 if x[0] in "|F" else -1, args))
         return self.arity + len(self.defs)
 
 
-class Part:
-    """A fact of shapes: a form, and the shape's number for each of its leaves."""
-
-    __slots__ = ("clause", "form", "numbers", "text")
-
-    def __init__(self, form: Form, numbers: list[int]) -> None:
-        self.form, self.text, self.numbers = form, form.text, numbers
-        need(len(numbers) == form.arity and 0 not in numbers, "a shape's fact has a wrong number of leaves")
-        self.clause = None if form.defs else frozenset(values(form.lits, [0, *numbers]))
+form_of = lru_cache(None)(Form)
 
 
 def values(lits: Iterable[int], value: list[int]) -> list[int]:
@@ -279,42 +257,37 @@ def values(lits: Iterable[int], value: list[int]) -> list[int]:
     return [value[x] if x > 0 else -value[-x] for x in lits]
 
 
-class Shape:
-    """A shape as read: the goal, the facts, and the steps."""
+class Known:
+    """Facts as clauses by number, and what was shown to follow from them."""
 
-    def __init__(self, goal: Form, parts: list[Part]) -> None:
-        self.goal, self.parts = goal, parts
-        self.texts = [goal.text, *[p.text for p in parts]]
-        self.numbers = [*range(1, goal.arity + 1), *chain.from_iterable([p.numbers for p in parts])]
-        self.steps: list[tuple[list[int], list[int]]] = []
+    def __init__(self, facts: Iterable[Clause]) -> None:
+        self.clauses: list[frozenset[int]] = []
+        self._leaves: dict[str, int] = {}
+        self._nodes: dict[tuple[int, ...], int] = {}
+        for c in facts:
+            self.clauses.append(self.literals(c))
 
-    def check(self) -> None:
-        """The negated goal and the facts are contradictory."""
-        goal, clauses = self.goal, list[frozenset[int]]()
-        self._top = max(self.numbers, default=0)
-        for x in self._lits(goal, range(1, goal.arity + 1), clauses):
-            clauses.append(frozenset((-x,)))
-        for p in self.parts:
-            clauses.append(p.clause if p.clause is not None else frozenset(self._lits(p.form, p.numbers, clauses)))
-        for learned, hints in self.steps:
-            self._follows(learned, hints, clauses)
-            clauses.append(frozenset(learned))
-        need(bool(self.steps) and self.steps[-1][0] == [], "a shape's refutation does not end")
-
-    def _lits(self, f: Form, numbers: Iterable[int], clauses: list[frozenset[int]]) -> list[int]:
-        """The literals of a form, after clauses that say what the conjunctions and disjunctions within it mean."""
-        value = [0, *numbers]
-        for sign, lits in f.defs:
+    def literals(self, said: Clause) -> frozenset[int]:
+        """A clause with numbers: leaves have them in order of appearance, and what stands for a conjunction or a
+        disjunction is a new one, after clauses that say what it means."""
+        text, names = said
+        form, leaves, nodes = form_of(text, len(names)), self._leaves, self._nodes
+        value = [0]
+        for name in names:
+            value.append(leaves.get(name) or leaves.setdefault(name, len(leaves) + len(nodes) + 1))
+        for sign, lits in form.defs:
             args = [sign * x for x in values(lits, value)]
-            self._top += 1
-            value.append(self._top)
-            clauses.append(frozenset((-sign * self._top, *args)))
-            clauses.extend([frozenset((sign * self._top, -x)) for x in args])
-        return values(f.lits, value)
+            node = nodes.get((sign, *args))
+            if node is None:
+                node = nodes[sign, *args] = len(leaves) + len(nodes) + 1
+                self.clauses.append(frozenset((-sign * node, *args)))
+                self.clauses.extend([frozenset((sign * node, -x)) for x in args])
+            value.append(node)
+        return frozenset(values(form.lits, value))
 
-    @staticmethod
-    def _follows(lits: list[int], hints: list[int], clauses: list[frozenset[int]]) -> None:
-        false = set(lits)
+    def check(self, clause: Iterable[int], hints: list[int]) -> None:
+        """With all of the clause false each hint leaves one literal that is true, and the last of them none."""
+        false, clauses = set(clause), self.clauses
         need(min(hints, default=0) >= 0 and max(hints, default=-1) < len(clauses), "a hint names no clause")
         for h in hints:
             left = clauses[h] - false
@@ -326,48 +299,15 @@ class Shape:
                 false.add(-x)
         raise Rejected("the hints do not lead to a contradiction")
 
-
-def numbers_of(text: str) -> list[int]:
-    """Numbers with commas between them."""
-    return list(map(int, text.split(","))) if text else []
-
-
-def shapes_and_goals(text: str) -> tuple[list[Shape], Iterator[list[int]], int]:
-    """Shapes, and for each goal the number of its shape and those of the facts."""
-    lines = text.split("\n")
-    need(lines[0] == "interlock-proof 3" and lines[-1] == "", "proof.txt is of another kind")
-    forms: list[Form] = []
-    parts: list[Part] = []
-    shapes: list[Shape] = []
-    for n, line in enumerate(lines[1:], 1):
-        kind, _, rest = line.partition(" ")
-        if kind == "pattern":
-            forms.append(Form(rest))
-            continue
-        if kind == "steps":
-            words = [word.split(":") for word in rest.split(" ")]
-            shapes[-1].steps += [(numbers_of(lits), numbers_of(hints)) for lits, hints in words]
-            continue
-        numbers = list(map(int, rest.split()))
-        need("-" not in rest, "a number is negative")
-        if kind == "part":
-            parts.append(Part(forms[numbers[0]], numbers[1:]))
-        elif kind == "shape":
-            shapes.append(Shape(forms[numbers[0]], [parts[k] for k in numbers[1:]]))
-        elif kind == "goals":
-            need(numbers == [len(lines) - n - 2], "proof.txt has a wrong number of goals")
-            return shapes, (list(map(int, x.split())) for x in lines[n + 1 : -1]), numbers[0]
-        else:
-            raise Rejected(f"unknown line {line[:60]}")
-    raise Rejected("proof.txt has no goals")
-
-
-def instance(shape: Shape, said: list[Clause]) -> None:
-    """A goal and its facts are the shape's clauses under one renaming of its numbers."""
-    need([text for text, _ in said] == shape.texts, "a goal and its facts are no instance of their shape")
-    leaves = list(chain.from_iterable([names for _, names in said]))
-    name = dict(zip(shape.numbers, leaves, strict=True))
-    need([name[n] for n in shape.numbers] == leaves, "a renaming contradicts itself")
+    def lemma(self, line: str) -> None:
+        """A clause that follows, and by what."""
+        clause, _, hints = line.partition(":")
+        said = list(map(int, clause.split()))
+        need(
+            all(0 < abs(x) <= len(self._leaves) + len(self._nodes) for x in said), "a literal of a lemma has no meaning"
+        )
+        self.check(said, list(map(int, hints.split())))
+        self.clauses.append(frozenset(said))
 
 
 # --- the whole -------------------------------------------------------------------------------------
@@ -393,19 +333,25 @@ def verify(folder: Path) -> str:
     """A summary in one line; raises Rejected, OSError or ValueError."""
     files = check_files(folder)
     system = System((folder / "system.txt").read_text("utf-8"))
-    shapes, chosen, count = shapes_and_goals(lzma.decompress((folder / "proof.txt.xz").read_bytes()).decode())
-    for shape in shapes:
-        shape.check()
-    need(count == len(system.goals), "not every goal has its proof")
-    for (goal, step), numbers in zip(system.goals, chosen, strict=True):
-        facts = system.steps if step else system.initial
-        need(min(numbers) >= 0 and max(numbers[1:], default=0) < len(facts), "a number is out of its range")
-        instance(shapes[numbers[0]], [goal, *[facts[n] for n in numbers[1:]]])
-        if step:
-            facts.append(goal)
+    lines = lzma.decompress((folder / "proof.txt.xz").read_bytes()).decode().split("\n")
+    need(lines[0] == "interlock-proof 4" and lines[-1] == "", "proof.txt is of another kind")
+    start, steps = Known(system.initial), Known(system.steps)
+    rest = iter(lines[1:-1])
+    for goal, of_step in system.goals:
+        known = steps if of_step else start
+        clause = known.literals(goal)
+        line = next(rest, None)
+        while line is not None and ":" in line:
+            known.lemma(line)
+            line = next(rest, None)
+        need(line is not None, "not every goal has its proof")
+        known.check(clause, list(map(int, (line or "").split())))
+        if of_step:
+            known.clauses.append(clause)
+    need(next(rest, None) is None, "proof.txt goes on after the last goal")
     return (
         f"the written system keeps its {len(system.claims)} claims at {sum(system.claims.values())} places: "
-        f"{system.invariants} invariants, {count} obligations in {len(shapes)} shapes, {len(files)} files"
+        f"{system.invariants} invariants, {len(system.goals)} obligations, {len(files)} files"
     )
 
 

@@ -10,7 +10,7 @@ from typing import Any, cast
 
 from interlock.app.certify import certify_file
 from interlock.app.compile import compile_file
-from interlock.logic.expr import FALSE, TRUE, Expr, conj, disj, neg, var
+from interlock.logic.expr import FALSE, TRUE, Expr, Op, var
 from interlock.proof.certificate.bundle import proof_bytes
 from interlock.proof.certificate.engine import prove_locally
 from interlock.proof.certificate.facts import Fact, FactBase, Goal, GoalKind, Kind
@@ -68,12 +68,13 @@ def _clause(c: tuple[str, tuple[str, ...]]) -> Expr:
     text, leaves = c
 
     def made(x: tuple[Any, ...]) -> Expr:
+        """As written: nothing is left out, not even a constant."""
         if x[0] == "v":
             return var(leaves[int(x[1]) - 1])
         if x[0] == "!":
-            return neg(made(x[1]))
+            return Expr(Op.NOT, (made(x[1]),))
         if x[0] in "&|":
-            return (conj if x[0] == "&" else disj)(made(y) for y in x[1])
+            return Expr(Op.AND if x[0] == "&" else Op.OR, tuple(made(y) for y in x[1]))
         return TRUE if x[0] == "T" else FALSE
 
     return made(read(text))

@@ -19,7 +19,6 @@ from interlock.logic.lower import lower
 from interlock.proof.certificate.bundle import MANIFEST, NEEDED, PROOF, SYSTEM, manifest_text, proof_bytes, system_text
 from interlock.proof.certificate.engine import prove_locally
 from interlock.proof.certificate.facts import FactBase
-from interlock.proof.certificate.library import Library
 from interlock.proof.certificate.needed import needs, needs_text
 from interlock.proof.claims import Facts, claims, strengthening
 from interlock.proof.induction.verdict import Progress, quiet
@@ -85,26 +84,23 @@ def _certified(path: str, outputs: Path, proofs: Path, check: bool, progress: Pr
     # the texts themselves, and the manifest, which ties every other output by its digest
     own = {n: data for n, data in emitted.items() if n.startswith(("st/", f"{C99}/")) or n == OUTPUTS}
     tied |= {os.path.relpath(outputs / layout.name / n, target): data for n, data in own.items()}
-    error: Exception | None = None
-    # shapes that are known already are a hint: where a certificate with them is rejected, it is made without them
-    for library in (None,) if check else (Library.shipped(), Library()):
-        try:
-            if library is not None:
-                local = prove_locally(base, library, lambda done, total: progress("obligations", done, total))
-                if local.open:
-                    g = local.open[0]
-                    note = Diagnostic("IL5002", Severity.ERROR, f"no certificate: {g.kind} of {g.source} is open", span)
-                    return Certified(proved, notes=(note,))
-                texts[PROOF] = proof_bytes(local)
-                texts[NEEDED] = needs_text(needs(local, system.controller)).encode()
-                manifest = manifest_text(layout.name, {**texts, **tied})
-                write_folder(target, {**texts, MANIFEST: manifest.encode()})
-            progress("verifying the certificate", 0, 0)
-            summary = verify(target)
-            if (target / SYSTEM).read_bytes() != texts[SYSTEM]:
-                raise Rejected("another system")
-            return Certified(proved, summary)
-        except (Rejected, OSError, ValueError, KeyError, IndexError) as found:
-            error = found
+    try:
+        if not check:
+            local = prove_locally(base, lambda done, total: progress("obligations", done, total))
+            if local.open:
+                g = local.open[0]
+                note = Diagnostic("IL5002", Severity.ERROR, f"no certificate: {g.kind} of {g.source} is open", span)
+                return Certified(proved, notes=(note,))
+            texts[PROOF] = proof_bytes(local)
+            texts[NEEDED] = needs_text(needs(local, system.controller)).encode()
+            manifest = manifest_text(layout.name, {**texts, **tied})
+            write_folder(target, {**texts, MANIFEST: manifest.encode()})
+        progress("verifying the certificate", 0, 0)
+        summary = verify(target)
+        if (target / SYSTEM).read_bytes() != texts[SYSTEM]:
+            raise Rejected("another system")
+        return Certified(proved, summary)
+    except (Rejected, OSError, ValueError, KeyError, IndexError) as found:
+        error = found
     note = Diagnostic("IL5007", Severity.ERROR, f"{target}: {error}", span, f"run `interlock certify {path}`")
     return Certified(proved, notes=(note,))

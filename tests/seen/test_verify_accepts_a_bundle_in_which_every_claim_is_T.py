@@ -29,9 +29,8 @@ def emptied(top: Path) -> Path:
     start = len(System("\n".join(x for x in told if not x.startswith("start ")) + "\n").goals)
     last = len(System(after).goals) - start
     proof = lzma.decompress((folder / "proof.txt.xz").read_bytes()).decode().splitlines()
-    at = next(n for n, x in enumerate(proof) if x.startswith("goals "))
-    kept = [*proof[at + 1 : len(proof) - last - gone], *proof[len(proof) - last :]]
-    proof[at:] = [f"goals {len(kept)}", *kept]
+    ends = [0, *(n for n, x in enumerate(proof) if n and ":" not in x)]  # a goal, with its lemmas before it
+    proof = [*proof[: ends[-1 - last - gone] + 1], *proof[ends[-1 - last] + 1 :]]
     (folder / "system.txt").write_text(after, encoding="utf-8")
     (folder / "proof.txt.xz").write_bytes(lzma.compress(("\n".join(proof) + "\n").encode()))
     manifest = json.loads((folder / "manifest.json").read_text("utf-8"))

@@ -1,8 +1,7 @@
-"""Proof by small obligations: one goal, the few facts that it needs, proved once for each shape.
+"""Proof by small obligations: one goal, and the few clauses that show it.
 
-`facts` says what may be used, `shapes` how equal obligations are told,
-`engine` how a goal is decided, `refute` how a shape gets its refutation, `bundle` what is written for
-`interlock verify`.
+`facts` says what may be used, `clauses` how it is numbered, `refute` how a goal is shown, `engine` what is written of
+it, `bundle` all that is written for `interlock verify`.
 """
 
 from interlock.proof.certificate.engine import LocalProof, prove_locally

@@ -1,7 +1,7 @@
 """What is written for `interlock verify`: the system, the proof, and a manifest that ties them to every file.
 
 system.txt   definitions, assumptions, timers, initial condition, invariants, claims with their sentences, one a line
-proof.txt    the shapes with their refutations, then for every goal its shape and facts; compressed (.xz)
+proof.txt    for every goal the clauses that show it, and before it the lemmas among them; compressed (.xz)
 needed.txt   which term of the controller each claim rests on
 manifest.json   SHA-256 of both, of the layout file and of every emitted file, and of the manifest itself
 
@@ -13,14 +13,13 @@ from __future__ import annotations
 import hashlib
 import json
 import lzma
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from interlock import __version__
 from interlock.logic.expr import AND, EQ, FALSE, NOT, TRUE, VAR, Expr
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.proof.certificate.engine import LocalProof
 from interlock.proof.certificate.facts import FactBase
-from interlock.proof.certificate.shapes import Part
 from interlock.proof.claims import CLAIMS
 
 SYSTEM, PROOF, NEEDED, MANIFEST = "system.txt", "proof.txt.xz", "needed.txt", "manifest.json"
@@ -77,32 +76,23 @@ def _word(place: str) -> str:
 
 
 def proof_bytes(proof: LocalProof) -> bytes:
-    """Shapes and obligations, compressed; raises ValueError when some goal is open."""
+    """The proof, compressed; raises ValueError when some goal is open."""
     return lzma.compress(proof_text(proof).encode(), preset=1)
 
 
 def proof_text(proof: LocalProof) -> str:
-    """Patterns, shapes and obligations; raises ValueError when some goal is open."""
+    """A line for each lemma and goal; raises ValueError when some goal is open."""
     if proof.open:
         raise ValueError("some goal is not proved")
-    patterns: dict[str, int] = {}
-    parts: dict[Part, int] = {}
-    shapes: list[str] = []
-    numbers: dict[int, int] = {}
-    for shape in proof.shapes:
-        numbers[shape.number] = len(numbers)
-        facts = [parts.setdefault(p, len(parts)) for p in shape.parts]
-        shapes.append(f"shape {' '.join(map(str, (_pattern(shape.goal, patterns), *facts)))}")
-        shapes.append(f"steps {shape.steps}")
-    told = [" ".join(map(str, (_pattern(p.text, patterns), *[n + 1 for n in p.leaves]))) for p in parts]
-    lines = ["interlock-proof 3", *(f"pattern {x}" for x in patterns), *(f"part {x}" for x in told), *shapes]
-    lines.append(f"goals {len(proof.obligations)}")
-    lines += [" ".join(map(str, (numbers[o.shape.number], *o.facts))) for o in proof.obligations]
+    lines = ["interlock-proof 4"]
+    for o in proof.obligations:
+        lines += [f"{_words(lemma.clause)}:{_words(lemma.hints)}" for lemma in o.lemmas]
+        lines.append(_words(o.hints))
     return "\n".join(lines) + "\n"
 
 
-def _pattern(text: str, patterns: dict[str, int]) -> int:
-    return patterns.setdefault(text.split(":", 1)[1], len(patterns))
+def _words(numbers: Iterable[int]) -> str:
+    return " ".join(map(str, numbers))
 
 
 def manifest_text(name: str, files: Mapping[str, bytes]) -> str:

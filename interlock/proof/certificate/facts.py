@@ -75,13 +75,6 @@ class Fact:
     source: str
     clause: Expr
 
-    @property
-    def tag(self) -> str:
-        """The sort of its source, without the name of an element."""
-        if self.kind is Kind.DEFINITION and isinstance(self.source, Name):
-            return self.source.stem
-        return f"{self.kind} {self.source.split(' ')[0].split(':')[0]}"
-
 
 class GoalKind(StrEnum):
     """What a goal is part of: the base case, the step, a claim, or the claim about the restart."""
@@ -100,11 +93,6 @@ class Goal:
     index: int
     clause: Expr
     source: str = ""
-
-    @property
-    def tag(self) -> str:
-        """The sort of its source, without the name of an element."""
-        return f"{self.kind} {self.source.split(':')[0]}"
 
     @property
     def of_step(self) -> bool:

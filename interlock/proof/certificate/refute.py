@@ -1,189 +1,157 @@
-"""A refutation with hints (LRAT without deletions) for a shape.
+"""Refutations with hints (LRAT without deletions): for each clause that follows, the clauses that show it.
 
-The clauses of a shape: one unit for each part of the negated goal, then each fact.  A part that is no literal gets a
-variable of its own, defined by clauses that come before the clause in which it stands, parts first.  A SAT solver
-writes the learned clauses; propagation in their order finds the hints, and what no later clause needs is left out.
+A clause is shown by *unit propagation*: with all of its literals false, clause after clause forces a literal, until
+one has none left.  MiniSat says in which order literals are forced, and for each that is needed a clause is looked up
+that forces it.  Where propagation alone shows nothing Glucose looks for a proof and writes the clauses that it learns:
+each of them is shown by propagation, and with them the goal.
+
+**Theorem.**  A clause that is shown so follows, and so does all that is shown with it.  (Reverse unit propagation:
+Goldberg and Novikov, 2003; hints: Cruz-Filipe and others, *Efficient Certified RAT Verification*, 2017.)
 """
 
 from __future__ import annotations
 
-from pysat.solvers import Glucose4
+from collections import deque
+from collections.abc import Iterator, Sequence
+from itertools import chain
 
-from interlock.proof.certificate.shapes import Shape, Step
+import pysolvers
+from pysat.solvers import Glucose4, Minisat22
 
-Clause = tuple[int, ...]
+from interlock.proof.certificate.clauses import Clause
+
+Trail = list[int]
+"""Literals in the order in which they are forced; the last one of a contradiction is false in a clause without any."""
 
 
-class Encoder:
-    """Clauses of patterns; leaves are the numbers that the caller gives, further variables follow."""
+class Clauses:
+    """Clauses by number, and what follows from them."""
 
-    def __init__(self, leaves: int) -> None:
-        self.count = leaves
+    def __init__(self) -> None:
         self.clauses: list[Clause] = []
+        self._with: dict[int, list[int]] = {}
+        self._often: dict[int, int] = {}
+        """The clause that forced a literal when it was last looked up."""
+        self._forced: dict[int, int] = {}
+        """Literals that are true whatever is assumed, and the clause of each alone."""
+        self._contradiction: int | None = None
+        self._lemmas: dict[int, tuple[Trail, Clause] | Sequence[int]] = {}
+        """What was learnt, and how it is shown: hints, once somebody needed them."""
+        self._propagates = Minisat22()
+        self._searches = Glucose4(with_proof=True)
+        self._read = 0
 
-    def clause(self, text: str, leaves: tuple[int, ...]) -> None:
-        """The pattern as one clause."""
-        text = text.split(":", 1)[1]
-        self.clauses.append(tuple(dict.fromkeys(self._disjuncts(text, leaves))))
+    def add(self, clause: Clause) -> int:
+        """A clause that is given, or that was shown; its number."""
+        self._searches.add_clause(clause)
+        return self._add(clause)
 
-    def negated(self, text: str, leaves: tuple[int, ...]) -> None:
-        """The negation of the pattern as units."""
-        text = text.split(":", 1)[1]
-        for lit in self._disjuncts(text, leaves):
-            self.clauses.append((-lit,))
+    def _add(self, clause: Clause) -> int:
+        number = self._note(clause)
+        self._propagates.add_clause(clause)
+        todo = deque([number])
+        while todo:  # what is forced by itself now
+            todo += self._forces(todo.popleft())
+        return number
 
-    def _disjuncts(self, text: str, leaves: tuple[int, ...]) -> list[int]:
-        if text == "F":
-            return []
-        sign, op, items = parse(text)
-        if op == "|" and not sign:
-            return [self._literal(x, leaves) for x in items]
-        return [self._literal(text, leaves)]
-
-    def _literal(self, text: str, leaves: tuple[int, ...]) -> int:
-        sign, op, items = parse(text)
-        if op == "":
-            return -leaves[int(items[0]) - 1] if sign else leaves[int(items[0]) - 1]
-        args = [self._literal(x, leaves) for x in items]
-        self.count += 1
-        new = self.count
-        if op == "|":
-            self.clauses.append((-new, *args))
-            self.clauses.extend((new, -a) for a in args)
-        else:
-            self.clauses.append((new, *(-a for a in args)))
-            self.clauses.extend((-new, a) for a in args)
-        return -new if sign else new
-
-
-def parse(text: str) -> tuple[bool, str, list[str]]:
-    """Sign, operator ('' for a leaf) and parts of a pattern's text."""
-    sign = text.startswith("!")
-    body = text[1:] if sign else text
-    if not body.startswith("("):
-        return sign, "", [body]
-    items, depth, start = [], 0, 3
-    inner = body[3:-1]
-    start = 0
-    for i, c in enumerate(inner):
-        if c == "(":
-            depth += 1
-        elif c == ")":
-            depth -= 1
-        elif c == " " and not depth:
-            items.append(inner[start:i])
-            start = i + 1
-    items.append(inner[start:])
-    return sign, body[1], items
-
-
-def clauses_of(shape: Shape) -> tuple[int, list[Clause]]:
-    """The number of variables and the clauses of a shape."""
-    leaves = max([shape.arity, *(n + 1 for p in shape.parts for n in p.leaves)])
-    out = Encoder(leaves)
-    out.negated(shape.goal, tuple(range(1, shape.arity + 1)))
-    for p in shape.parts:
-        out.clause(p.text, tuple(n + 1 for n in p.leaves))
-    return out.count, out.clauses
-
-
-def refutation(shape: Shape) -> tuple[Step, ...] | None:
-    """Steps that end in the empty clause, or None when the shape is satisfiable."""
-    _, clauses = clauses_of(shape)
-    propagation = Propagation(clauses)
-    if (hints := propagation.hints(())) is not None:
-        return (((), hints),)
-    with Glucose4(bootstrap_with=clauses, with_proof=True) as solver:
-        if solver.solve() is not False:
-            return None
-        lines = solver.get_proof() or []
-    learned = [tuple(map(int, x.split()[:-1])) for x in lines if not x.startswith("d")]
-    if not learned or learned[-1]:
-        learned.append(())
-    base = len(clauses)
-    steps: list[Step] = []
-    for lits in learned:
-        hints = propagation.hints(lits)
-        if hints is None:
-            return None
-        steps.append((lits, hints))
-        propagation.add(lits)
-        if not lits:
-            break
-    return _needed(base, steps)
-
-
-class Propagation:
-    """Unit propagation over a growing list of clauses, by counting what is not yet false."""
-
-    def __init__(self, clauses: list[Clause]) -> None:
-        self.clauses: list[Clause] = []
-        self.sizes: list[int] = []
-        self.units: list[int] = []
-        self.with_: dict[int, list[int]] = {}
-        for c in clauses:
-            self.add(c)
-
-    def add(self, clause: Clause) -> None:
-        """One more clause, without a literal twice."""
-        n = len(self.clauses)
+    def _note(self, clause: Clause) -> int:
+        number = len(self.clauses)
         self.clauses.append(clause)
-        self.sizes.append(len(clause))
-        if len(clause) == 1:
-            self.units.append(n)
         for x in clause:
-            self.with_.setdefault(x, []).append(n)
+            self._with.setdefault(x, []).append(number)
+        return number
 
-    def hints(self, lits: Clause) -> tuple[int, ...] | None:
-        """The clauses, in order, that become unit and at last false when the literals are false."""
-        true: set[int] = set()
-        reason: dict[int, int] = {}
-        order: list[int] = []
-        left = self.sizes.copy()
-        todo = [-x for x in lits]
-        forced = [(self.clauses[n][0], n) for n in self.units]
-        while True:
-            for x, n in forced:
-                if -x in true:
-                    return self._trace(n, reason, order)
-                if x not in true and x not in reason:
-                    reason[x] = n
-                    order.append(n)
-                    todo.append(x)
-            forced = []
-            if not todo:
+    def _forces(self, number: int) -> Sequence[int]:
+        """The clauses to look at next if it forces a literal whatever is assumed: a lemma says that literal alone."""
+        forced, clause = self._forced, self.clauses[number]
+        free = [x for x in clause if -x not in forced]
+        if len(free) > 1 or (free and free[0] in forced):
+            return ()
+        shown = number
+        if len(clause) != len(free):
+            shown = self._note(tuple(free))
+            self._lemmas[shown] = [*(forced[-x] for x in clause if -x in forced), number]
+        if not free:
+            self._contradiction = shown if self._contradiction is None else self._contradiction
+            return ()
+        forced[free[0]] = shown
+        return self._with.get(-free[0], ())
+
+    def show(self, clause: Clause) -> list[int] | None:
+        """The numbers of clauses that show the clause, in their order; None when it does not follow."""
+        found = self._propagate(clause)
+        if found is None:
+            if self._searches.solve(assumptions=[-x for x in clause]) is not False:
                 return None
-            x = todo.pop()
-            if x in true:
+            for learnt in self._learnt():
+                trail = self._propagate(learnt)
+                if trail is not None:
+                    self._lemmas[self._add(learnt)] = trail, learnt
+            found = self._propagate(clause)
+        return None if found is None else self._hints(found, clause, len(self.clauses))
+
+    def lemma(self, number: int) -> Sequence[int] | None:
+        """The numbers of clauses, all of them smaller, that show a lemma; None when the clause was given or a goal."""
+        how = self._lemmas.get(number)
+        if isinstance(how, tuple):
+            trail, clause = how
+            how = self._lemmas[number] = self._hints(trail, clause, number)
+        return how
+
+    def _propagate(self, clause: Clause) -> Trail | None:
+        """What is forced when the clause is false, if that ends in a contradiction."""
+        holds, trail = self._propagates.propagate([-x for x in reversed(clause)])
+        return None if holds else trail
+
+    def _learnt(self) -> Iterator[Clause]:
+        """The clauses that the search has learnt since they were last read."""
+        proof = self._searches.prfile
+        pysolvers.flushpr(self._searches.prfp)
+        proof.seek(self._read)
+        lines = proof.read()
+        self._read += len(lines)
+        for line in lines.decode("ascii").splitlines():
+            if not line.startswith("d"):
+                yield tuple(map(int, line.split()[:-1]))
+
+    def _hints(self, trail: Trail, clause: Clause, below: int) -> list[int]:
+        """The clauses with smaller numbers that force what is needed, in their order."""
+        if self._contradiction is not None and self._contradiction < below:
+            return [self._contradiction]
+        forced, clauses = self._forced, self.clauses
+        at = dict(zip(trail, range(len(trail)), strict=True))
+        wanted = next(([x] for x in clause if x in at or forced.get(x, below) < below), [])
+        last: list[int] = []
+        if not wanted:
+            last = [self._forcing(trail[-1], at, len(trail), below)]
+            wanted = [-x for x in clauses[last[0]]]
+        known = {-x for x in clause}
+        found: list[tuple[int, int]] = []
+        while wanted:
+            x = wanted.pop()
+            if x in known:
                 continue
-            true.add(x)
-            for n in self.with_.get(-x, ()):
-                left[n] -= 1
-                if left[n] == 0:
-                    return self._trace(n, reason, order)
-                if left[n] == 1:
-                    free = next((y for y in self.clauses[n] if -y not in true), None)
-                    if free is None:
-                        return self._trace(n, reason, order)
-                    if free not in true:
-                        forced.append((free, n))
+            known.add(x)
+            number = forced.get(x, below)
+            place = -1
+            if number >= below:
+                place = at[x]
+                number = self._forcing(x, at, place, below)
+                wanted += [-y for y in clauses[number] if y != x and -y not in known]
+            found.append((place, number))
+        found.sort()
+        return [*(number for _, number in found), *last]
 
-    def _trace(self, last: int, reason: dict[int, int], order: list[int]) -> tuple[int, ...]:
-        needed = {last}
-        todo = list(self.clauses[last])
-        while todo:
-            n = reason.get(-todo.pop())
-            if n is not None and n not in needed:
-                needed.add(n)
-                todo += self.clauses[n]
-        return (*(n for n in order if n in needed and n != last), last)
-
-
-def _needed(base: int, steps: list[Step]) -> tuple[Step, ...]:
-    """Only the steps that the empty clause needs, numbered anew."""
-    used = {len(steps) - 1}
-    for i in range(len(steps) - 1, -1, -1):
-        if i in used:
-            used |= {h - base for h in steps[i][1] if h >= base}
-    numbers = {base + i: base + k for k, i in enumerate(sorted(used))}
-    return tuple((lits, tuple(numbers.get(h, h) for h in hints)) for i, (lits, hints) in enumerate(steps) if i in used)
+    def _forcing(self, x: int, at: dict[int, int], place: int, below: int) -> int:
+        """A clause with a smaller number in which all but a literal are false before a place in the trail."""
+        forced, clauses = self._forced.get, self.clauses
+        often = self._often.get(x, below)
+        for number in chain((often,), self._with[x]):
+            if number < below:
+                for y in clauses[number]:
+                    if at.get(-y, place) >= place and y != x and forced(-y, below) >= below:
+                        break
+                else:
+                    self._often[x] = number
+                    return number
+        raise AssertionError("a literal was forced by no clause")
