@@ -344,7 +344,7 @@ def test_an_independent_parser_reads_twincat_files(tmp_path_factory: pytest.Temp
     folder = tmp_path_factory.mktemp("twincat")
     layout, _, controller = built("fig2_2")
     files = write_delivery(controller, allocate(layout, controller), BY_NAME["twincat"], ["made for a test"])
-    for name in ("IL_fig2_2_B01.TcPOU", "IL_fig2_2_T01.TcPOU", "IL_fig2_2_IO.TcPOU"):
+    for name in ("IL_fig2_2_Q.TcDUT", "IL_fig2_2_B01.TcPOU", "IL_fig2_2_T01.TcPOU", "IL_fig2_2_IO.TcPOU"):
         text = files[name]
         path = folder / name
         path.write_text(text)
