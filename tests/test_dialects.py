@@ -236,7 +236,11 @@ def test_a_dialect_is_not_read_as_another() -> None:
         ("twincat", "FUNCTION_BLOCK", "{attribute 'call_after_init'}\nFUNCTION_BLOCK"),
         ("twincat", "</Declaration>", "</Declaration><Action/>"),
         ("twincat", "</POU>", "</POU><GVL/>"),
-        ("twincat", "VAR_INPUT\n", "VAR_INPUT\n  extra AT %IX0.0 : BOOL;\n"),
+        ("twincat", "VAR_IN_OUT\n", "VAR_IN_OUT\n  extra AT %IX0.0 : BOOL;\n"),
+        ("twincat", "VAR_IN_OUT\n", "VAR_INPUT\n  extra : BOOL;\nEND_VAR\nVAR_IN_OUT\n"),
+        ("plcopen", "<struct>", '<struct><variable name="x" address="%IX0.0"><type><BOOL/></type></variable>'),
+        ("plcopen", "<struct>", '<struct><variable name="x"><type><derived name="y"/></type></variable>'),
+        ("plcopen", "</dataTypes>", '<dataType name="x"><baseType><INT/></baseType></dataType></dataTypes>'),
     ],
 )
 def test_a_reader_refuses_what_a_tool_might_act_on(dialect: str, old: str, new: str) -> None:
@@ -327,9 +331,9 @@ def test_ladder_fits_the_classes_too_and_has_a_rung_for_each_equation() -> None:
     strict = ParserConfig(fail_on_unknown_properties=True, fail_on_unknown_attributes=True)
     text = write_st(controller, BY_NAME["ladder"], ["made for a test"])["mine11.xml"]
     assert XmlParser(config=strict).from_string(text, Project)
-    coils = re.findall(r"<coil .*?<variable>(\w+)</variable>", text)
+    coils = re.findall(r"<coil .*?<variable>(?:D\.|OUTP\.)?(\w+)</variable>", text)
     drawn = [c for c in coils if not c.startswith("T_")]
-    steps = [*controller.steps, *controller.state]
+    steps = [*controller.steps, *controller.state, *controller.outputs]
     assert len(drawn) == len(steps) + len(controller.next) and {str(s.name) for s in steps} <= set(drawn)
     assert len(re.findall('typeName="TON"', text)) == len(controller.timers)
 
@@ -340,7 +344,7 @@ def test_an_independent_parser_reads_twincat_files(tmp_path_factory: pytest.Temp
     folder = tmp_path_factory.mktemp("twincat")
     layout, _, controller = built("fig2_2")
     files = write_delivery(controller, allocate(layout, controller), BY_NAME["twincat"], ["made for a test"])
-    for name in ("IL_fig2_2_B01.TcPOU", "IL_fig2_2_T01.TcPOU", "IL_fig2_2_IO.TcPOU"):
+    for name in ("IL_fig2_2_Q.TcDUT", "IL_fig2_2_B01.TcPOU", "IL_fig2_2_T01.TcPOU", "IL_fig2_2_IO.TcPOU"):
         text = files[name]
         path = folder / name
         path.write_text(text)
