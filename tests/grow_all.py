@@ -155,6 +155,7 @@ def words(text: str) -> frozenset[str]:
     found |= {"tracks end to end" for x in tracks if re.search(r"\.end$", str(x))}
     found |= {"identifier" for g in signals if "identifier" in g}
     found |= {"listed: no" for x in (body.get("routes") or {}).values() if "listed" in x}
+    found |= {"names with spaces" for g in body.get("signals") or {} if " " in g}
     found |= {"names of other scripts" for g in body.get("signals") or {} if not g.isascii()}
     return frozenset(found)
 
@@ -292,6 +293,16 @@ def without_idle(text: str, sink: Sink) -> str:
     return "".join(x for x in text.splitlines(keepends=True) if not x.startswith(dropped)) if dropped else text
 
 
+def spaced(text: str, sign: str) -> str:
+    """A layout with a space after the first word of its names, `Gl G34`, where these began with a sign."""
+    text = text.replace(sign, "Gl ")
+    body = loaded(text)
+    names = dict.fromkeys(x.rsplit(None, 1)[0] for items in body["tracks"].values() for x in items if x.count(" ") > 1)
+    more = "".join(f"  {n}: {{}}\n" for n in names if n not in (body.get("sections") or {}))
+    head, key, rest = f"\n{text}".partition("\nsections:\n")
+    return (head + key + more + rest if key else f"{text}sections:\n{more}").lstrip("\n")
+
+
 def grow_all(seed: int) -> str:
     """The text of a layout with every kind of element; most, not all, are valid."""
     rng = random.Random(f"all {seed}")
@@ -300,6 +311,8 @@ def grow_all(seed: int) -> str:
     g.pair_machines()
     g.place_signals()
     text = g.text()
+    if g.script[0] in "Ж\u00e9" and random.Random(f"spaces {seed}").random() < 0.5:
+        text = spaced(text, g.script[0])
     found = grown(text)
     for _ in range(3):
         if found is not None and any(d.code == "IL4003" for d in found[2].diagnostics):

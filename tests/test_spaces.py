@@ -30,7 +30,7 @@ from interlock.logic import names
 from interlock.logic.cabinet import allocate
 from interlock.logic.lower import lower
 from interlock.logic.sentences import sentence
-from interlock.model.portable import portable
+from interlock.model.portable import beside, portable
 from interlock.proof.equivalence.c_text import compare_c
 from interlock.proof.equivalence.cabinet import compare_delivery
 from interlock.st.dialects import BY_NAME, DIALECTS, write_delivery
@@ -399,3 +399,7 @@ def test_a_name_that_says_its_kind_is_told_without_it(made: tuple[Ready, dict[st
     assert "section 22 T is occupied" in said and "section Sperr" not in said
     assert sentence(names.CLEAR("section4"), False) == "section4 is occupied"
     assert sentence(names.TRAILED("Points 2"), True) == "Points 2 were trailed: look at them, and confirm it"
+
+
+def test_names_in_one_cell_are_told_apart() -> None:
+    assert beside(("AB", "BC")) == "AB BC" and beside(("22 T", "23 T")) == "22 T, 23 T"

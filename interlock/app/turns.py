@@ -32,7 +32,7 @@ class Way:
         build, load, tip = file.fleet[train], file.places[order.order.from_], file.places[order.order.to]
         self.speed, self.length = build.speed / 3.6, build.length
         journey = order.journeys[train]
-        inner = {str(s) for z in setting.layout.zones if slot.startswith(f"{z.id} ") for s in z.sections}
+        inner = {str(s) for z in setting.layout.zones if slot.rpartition(" ")[0] == z.id for s in z.sections}
         line = next(b for b in setting.track.beyond if b.name == file.places[build.at].at)
         found = [Operation(self._seconds(line.approach_m))]
         for section, metres, turned in _sections(journey):

@@ -63,8 +63,8 @@ class Wirer:
         self.tracks: dict[str, Measured] = {}
         f = ctx.file
         self._read_into = dict.fromkeys(n for g in f.signals.values() for n in (g.from_, g.into) if not n.isdigit())
-        self._joinable = [*f.tracks, *f.points, *f.crossings, *f.slips, *f.derailers, *f.boundaries]
-        self._joinable += [*f.buffers, *f.traps]
+        joinable = [*f.tracks, *f.points, *f.crossings, *f.slips, *f.derailers, *f.boundaries, *f.buffers, *f.traps]
+        self._joinable = dict.fromkeys(joinable)
         self._positions = has_positions(f)
         self._spoken_of = spoken_of(f, self._positions)
         self.lengths: dict[str, tuple[str, float]] = {}

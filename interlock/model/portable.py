@@ -8,6 +8,7 @@ depends on the name alone, so that no other element changes it.
 from __future__ import annotations
 
 import unicodedata
+from collections.abc import Iterable
 from functools import lru_cache
 from hashlib import sha256
 
@@ -23,6 +24,12 @@ SPACE = "\u2423"
 def joined(name: str) -> str:
     """A layout's name in one word, and otherwise as it is."""
     return name.replace(" ", SPACE)
+
+
+def beside(names: Iterable[str]) -> str:
+    """Names beside each other in a cell: divided by spaces, and by commas where one of them has a space itself."""
+    those = tuple(names)
+    return (", " if any(" " in n for n in those) else " ").join(those)
 
 
 def portable(name: str) -> str:

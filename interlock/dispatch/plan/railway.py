@@ -18,6 +18,7 @@ from functools import cached_property
 from interlock.dispatch.plan.problem import Draft
 from interlock.model.elements import NodeId, RouteId, SectionId
 from interlock.model.layout import Layout
+from interlock.model.portable import beside
 from interlock.model.traversal import topology
 from interlock.table.rows import ExitKind, InterlockingTable, RouteKind, RouteRow, TraversalKey
 
@@ -71,7 +72,7 @@ class Place:
     under: tuple[TraversalKey, ...]
 
     def __str__(self) -> str:
-        return " ".join(s for s, _ in self.under) or GONE
+        return beside(s for s, _ in self.under) or GONE
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from interlock.logic.controller import Controller
 from interlock.logic.words import SAID
 from interlock.model.elements import Position, Work
 from interlock.model.layout import Layout
-from interlock.model.portable import portable
+from interlock.model.portable import beside, portable
 
 CROSS_REFERENCE = "io/xref_"
 """What the names of files begin with that tell where each variable is written and read."""
@@ -87,7 +87,7 @@ def words_csv(controller: Controller) -> str:
     rows += [(name, "", f"route {ids[number]}", "", "") for number, name in controller.words.routes.items()]
     rows += [("", code, text, "", "") for code, text in SAID.items()]
     for r in controller.words.reasons.values():
-        rows.append(("", r.code, r.text, r.rule, " ".join(x.partition(":")[2] for x in r.at)))
+        rows.append(("", r.code, r.text, r.rule, beside(x.partition(":")[2] for x in r.at)))
     return _csv(rows)
 
 

@@ -12,6 +12,7 @@ from collections.abc import Callable
 
 from interlock.model.elements import Hand, MachineId, Position, RouteId
 from interlock.model.layout import Layout
+from interlock.model.portable import beside
 from interlock.table.national.reading import ON_PATH, Opposing, Reading
 from interlock.table.national.sheet import Field, Heading, Sheet, by_way, filled
 from interlock.table.printed import PrintedRoute
@@ -87,7 +88,7 @@ def _held_by(x: Reading, name: Naming, found: dict[str, list[RouteId]]) -> tuple
 def _tracks(x: Reading, o: Opposing) -> str:
     other = x.table.route[o.hostile.route]
     after = f" [or {o.berth} occ {x.overlap_release_s(other):g} s]" if o.by_overlap else ""
-    return " ".join(o.tracks) + after
+    return beside(o.tracks) + after
 
 
 def _normal(x: Reading, name: Naming, r: RouteRow) -> tuple[str, ...]:
@@ -273,5 +274,5 @@ def _held(x: Reading, r: RouteRow, p: PointDemand) -> str:
     if asking & set(over) and r.overlap is not None:
         ahead = [*path, *over[: 1 + max(i for i, s in enumerate(over) if s in asking)]]
         after = "" if last >= 0 else f" [or {path[-1]} occ {x.overlap_release_s(r):g} s]"
-        return " ".join(dict.fromkeys(ahead)) + after
-    return " ".join(dict.fromkeys(path[: last + 1] if last >= 0 else path))
+        return beside(dict.fromkeys(ahead)) + after
+    return beside(dict.fromkeys(path[: last + 1] if last >= 0 else path))
