@@ -362,7 +362,7 @@ def test_numbers_step_with_the_sections_of_real_substations(ready: Ready) -> Non
     """A train is commanded, comes in and runs on: its number is told at each step.  One that comes from nowhere is an
     alarm, and one whose detection is lost is, too: nothing is asked for it until somebody has looked."""
     operator = Operator(ready)
-    with running(ready) as (plc, west, east):
+    with running(ready) as (plc, west, _):
         until_released(ready, plc)
         last: Cycle | None = None
         told: list[str] = []
