@@ -19,6 +19,7 @@ import hashlib
 import json
 import lzma
 import sys
+import unicodedata
 from collections.abc import Iterable, Iterator, Mapping
 from functools import lru_cache
 from pathlib import Path
@@ -210,6 +211,7 @@ class System:
             need(set(leaves) <= set(later), f"the invariant {form[:40]} speaks of more than the state")
         self.steps += base
         for name, size in parts["val"]:
+            need(int(size) <= min(len(lines), 9999), f"{name} has more values than anything here can speak of")
             values = [f"{name}={k}" for k in range(int(size))]
             need({*names, *later}.isdisjoint(values), f"{name} is no input, and so may have two values")
             self.steps += [(sys.intern("(| !1 !2)"), (a, b)) for i, a in enumerate(values) for b in values[i + 1 :]]
@@ -313,27 +315,33 @@ class Known:
 # --- the whole -------------------------------------------------------------------------------------
 
 
-def check_files(folder: Path) -> dict[str, str]:
-    """The manifest's digests agree with the files; returns the manifest's files."""
+def check_files(folder: Path) -> dict[str, bytes]:
+    """The manifest's digests agree with the files; returns what was read, so that nothing is read twice."""
     need((folder / "manifest.json").is_file(), "no certificate: there is no manifest.json in this folder")
     raw = (folder / "manifest.json").read_bytes()
     manifest = json.loads(raw)
+    need({*manifest} == {"schema", "layout", "tool", "files", "own"}, "manifest.json is of another kind")
     own = manifest.pop("own", None)
     need(own == hashlib.sha256(json.dumps(manifest, sort_keys=True).encode()).hexdigest(), "the manifest was changed")
     again = json.dumps({**manifest, "own": own}, indent=1, ensure_ascii=False) + "\n"
     need(again.encode() == raw, "the manifest was changed")
     files: dict[str, str] = manifest["files"]
     need({"system.txt", "proof.txt.xz"} <= set(files), "the manifest names no proof")
+    alike = {unicodedata.normalize("NFC", path).casefold() for path in files}
+    need(len(alike) == len(files), "two names of the manifest are one name on some computers")
+    found = {path: (folder / path).read_bytes() for path in files if (folder / path).is_file()}  # no pipe, no device
     for path, digest in files.items():
-        need(hashlib.sha256((folder / path).read_bytes()).hexdigest() == digest, f"{path} is not the file proved")
-    return files
+        need(path in found and hashlib.sha256(found[path]).hexdigest() == digest, f"{path} is not the file proved")
+    return found
 
 
-def verify(folder: Path) -> str:
-    """A summary in one line; raises Rejected, OSError or ValueError."""
-    files = check_files(folder)
-    system = System((folder / "system.txt").read_text("utf-8"))
-    lines = lzma.decompress((folder / "proof.txt.xz").read_bytes()).decode().split("\n")
+def verify(folder: Path, files: dict[str, bytes] | None = None) -> str:
+    """A summary in one line; raises Rejected, OSError or ValueError.  files: what `check_files` has read."""
+    files = check_files(folder) if files is None else files
+    system, reader = System(files["system.txt"].decode()), lzma.LZMADecompressor()
+    proof = reader.decompress(files["proof.txt.xz"], 50_000_000 + 200 * len(files["system.txt"]))
+    need(reader.eof, "proof.txt.xz is not whole, or larger than its system can need")
+    lines = proof.decode().split("\n")
     need(lines[0] == "interlock-proof 4" and lines[-1] == "", "proof.txt is of another kind")
     start, steps = Known(system.initial), Known(system.steps)
     rest = iter(lines[1:-1])
@@ -355,16 +363,8 @@ def verify(folder: Path) -> str:
     )
 
 
-ERRORS = (
-    Rejected,
-    OSError,
-    ValueError,
-    LookupError,
-    TypeError,
-    AttributeError,
-    RecursionError,
-    lzma.LZMAError,
-)
+MALFORMED = (ValueError, LookupError, TypeError, AttributeError, ArithmeticError, lzma.LZMAError)
+ERRORS = (Rejected, OSError, RuntimeError, MemoryError, *MALFORMED)
 """What a certificate that is not one may raise."""
 
 

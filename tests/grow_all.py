@@ -14,7 +14,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from interlock.checker.drawing import loaded
+from interlock.checker.reading import loaded
 from interlock.diag import Sink
 from interlock.model.layout import Layout
 from interlock.model.overlap import overlap_paths

@@ -14,7 +14,7 @@ import pytest
 from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
-from interlock.checker.drawing import loaded
+from interlock.checker.reading import loaded
 from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.emit.tables.export import table_csv

@@ -9,7 +9,7 @@ import pytest
 from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
-from interlock.checker.drawing import loaded
+from interlock.checker.reading import loaded
 from interlock.logic.lower import lower
 from interlock.model.elements import RouteId
 from interlock.proof.engines.limits import Limits

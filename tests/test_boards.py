@@ -10,7 +10,7 @@ import pytest
 from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
-from interlock.checker.drawing import loaded
+from interlock.checker.reading import loaded
 from interlock.emit.drawing.svg import plan_svg
 from interlock.emit.io import equipment_csv
 from interlock.logic.cabinet import allocate

@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 from interlock.checker.check import agree, check, report
-from interlock.checker.drawing import loaded
+from interlock.checker.reading import loaded
 from interlock.checker.specification import shipped
 from interlock.checker.written import written
 from interlock.verify import Rejected

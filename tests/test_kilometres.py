@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 import yaml
 
-from interlock.checker.drawing import drawing, loaded
+from interlock.checker.drawing import drawing
+from interlock.checker.reading import loaded
 from interlock.derivation import derive
 from interlock.diag import Sink
 from interlock.frontend import load_text

@@ -12,9 +12,9 @@ import pytest
 from interlock.audit import audit
 from interlock.checker import specification
 from interlock.checker.check import agree
-from interlock.checker.drawing import loaded
 from interlock.checker.lengths import Lengths
 from interlock.checker.railway import Railway
+from interlock.checker.reading import loaded
 from interlock.derivation import derive
 from interlock.diag import Severity, Sink
 from interlock.emit.python.runtime import runtime_py

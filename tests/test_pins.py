@@ -308,3 +308,25 @@ def test_editors_accept_the_file_that_is_written(pinned: str) -> None:
     jsonschema.validate(body, schema)
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate({**body, "cards": {"main": {"1": "A0"}}}, schema)
+
+
+def test_channels_exchanged_in_the_file_of_pins_are_told_until_somebody_takes_them(tmp_path: Path) -> None:
+    layout = tmp_path / "fig2_2.yaml"
+    layout.write_text(Path("layouts/fig2_2.yaml").read_text("utf-8"), "utf-8")
+    pins = layout.with_suffix(".pins")
+
+    def told(verb: str, *args: str) -> bool:
+        return "IL5011" in CliRunner().invoke(cli, [verb, str(layout), *args]).output
+
+    told("pin")
+    assert not told("check")
+    one, other = "YN_P1: Q0.0, YR_P1: Q0.1", "YN_P1: Q0.1, YR_P1: Q0.0"
+    text = pins.read_text("utf-8")
+    assert one in text
+    pins.write_text(text.replace(one, other), "utf-8")
+    assert told("check")
+    told("pin")
+    assert told("check")
+    told("pin", "--force")
+    assert other in pins.read_text("utf-8")
+    assert not told("check")

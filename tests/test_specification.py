@@ -11,8 +11,8 @@ import pytest
 
 from interlock.checker import specification
 from interlock.checker.check import agree
-from interlock.checker.drawing import loaded
 from interlock.checker.moves import World
+from interlock.checker.reading import loaded
 from interlock.checker.specification import FOLDER, Specification
 from interlock.logic.plant import ASSUMPTIONS
 from interlock.model.principles import KNOBS, PROFILES

@@ -64,6 +64,7 @@ def test_the_checker_is_short_and_stands_alone() -> None:
         "pathlib",
         "sys",
         "typing",
+        "unicodedata",
     }
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from interlock.app.texts import writers
-from interlock.checker.drawing import loaded
+from interlock.checker.reading import loaded
 from interlock.logic.lower import lower
 from interlock.model.portable import portable
 from interlock.proof.certificate.bundle import system_text

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from interlock.app.own import is_changed
 from interlock.diag import Diagnostic, Severity, Sink
 from interlock.frontend import Source, load
+from interlock.frontend.pins import beside
 from interlock.model.elements import RouteId
 from interlock.model.layout import Layout
 from interlock.table.rows import InterlockingTable
@@ -101,11 +104,23 @@ def _addresses(layout: Layout, table: InterlockingTable, source: Source, sink: S
             fix = "see io/channels.csv of a compiled layout for the variables with a wire"
             sink.add("IL2015", str(error), source.at("addresses", error.variable), fix)
             return
+    _changed_by_hand(source, sink)
     new = [c for c in made.wires if c.variable not in layout.pins.by_variable]
     if layout.pins and new:
         shown = ", ".join(f"{c.variable} {c.address}" for c in new[:8]) + (" ..." if len(new) > 8 else "")
         said = f"{shown}: not pinned yet, so that the next change may move {'it' if len(new) == 1 else 'them'}"
         sink.add("IL2023", said, source.at("name"), f"run `interlock pin {source.file}` when it is wired so")
+
+
+def _changed_by_hand(source: Source, sink: Sink) -> None:
+    """Channels that were exchanged in the file of pins are exchanged in every text, and nothing else can tell."""
+    file = Path(beside(source.file))
+    if source.pins is not None and file.is_file() and is_changed(file.read_bytes()):
+        said = (
+            f"{file.name} was changed by hand since interlock wrote it: what was moved there is expected on other wires"
+        )
+        fix = f"compare it with the cabinet; `interlock pin {source.file} --force` then takes it as it is"
+        sink.add("IL5011", said, source.at("name"), fix)
 
 
 def _contradicted(layout: Layout, clash: Clash, source: Source, sink: Sink) -> None:

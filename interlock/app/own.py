@@ -26,6 +26,11 @@ def is_ours(data: bytes) -> bool:
     return found is not None and hashlib.sha256(data[: found.start()]).hexdigest().encode() == found[1]
 
 
+def is_changed(data: bytes) -> bool:
+    """Whether these bytes were written by interlock, and are no longer as it wrote them."""
+    return MARK in data and not is_ours(data)
+
+
 def write_own(target: Path, data: bytes, source: Path, force: bool = False) -> int:
     """Write a file with its mark; the number of bytes.  Raises `NotOurs`, and OSError.
 

@@ -6,7 +6,9 @@ stands alone, too.  Each module has its half of the question:
 structured_text  what the emitted text says, statement by statement
 scan             what one call of it computes
 controller       whether the certificate's written system says the same
-railway          what the layout file says
+reading          YAML, without what has two meanings
+language         whether the layout file is one
+railway          what it says
 words, moves     what the words of the specification mean for it
 schema           what its sentences say
 claims           whether the system assumes and claims what the specification asks for this layout

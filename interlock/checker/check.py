@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import hashlib
-import lzma
+from collections.abc import Collection
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 import yaml
 
 from interlock.checker import claims, controller, plant
-from interlock.checker.drawing import Unread, loaded
+from interlock.checker.drawing import Unread
 from interlock.checker.moves import World
 from interlock.checker.railway import Railway, safe
+from interlock.checker.reading import loaded
 from interlock.checker.scan import execute
 from interlock.checker.specification import Specification, shipped
 from interlock.checker.written import written
-from interlock.verify import Rejected, check_files, need, verify
+from interlock.verify import ERRORS, Rejected, check_files, need, verify, why
 
 
 @dataclass(frozen=True)
@@ -30,15 +31,17 @@ class Checked:
 
 def check(layout: Path, folder: Path) -> Checked:
     """Raises Rejected where the three do not agree, OSError where a file cannot be read."""
-    body = _body(layout)
+    raw = layout.read_bytes()
+    body = _body(layout, raw.decode("utf-8-sig"))
     files = check_files(folder)
-    own = hashlib.sha256(layout.read_bytes()).hexdigest()
-    need(own in files.values(), f"the certificate is of another layout: {layout} is none of its files")
-    proof = verify(folder)
-    text = _text(folder, files, str(body["name"]))
-    system = (folder / "system.txt").read_text("utf-8")
-    found = agree(body, system, text.read_text("utf-8"), shipped())
-    read = f"read: {text.resolve()}, and of the outputs nothing else: no mapping program, no other dialect"
+    own = hashlib.sha256(raw).digest()
+    of_it = any(hashlib.sha256(x).digest() == own for x in files.values())
+    need(of_it, f"the certificate is of another layout: {layout} is none of its files")
+    proof = verify(folder, files)
+    text = _text(files, str(body["name"]))
+    system = files["system.txt"].decode()
+    found = agree(body, system, files[text].decode(), shipped())
+    read = f"read: {(folder / text).resolve()}, and of the outputs nothing else: no mapping program, no other dialect"
     return Checked((proof, *found.compared, read), found.left)
 
 
@@ -61,29 +64,31 @@ def agree(body: dict[str, Any], system: str, text: str, spec: Specification) -> 
     return Checked((said, told, moves, names), (f"the claims {', '.join(silent)}",) if silent else ())
 
 
-def _body(layout: Path) -> dict[str, Any]:
+def _body(layout: Path, text: str) -> dict[str, Any]:
     try:
-        body = loaded(layout.read_text("utf-8"))
+        body = loaded(text)
     except yaml.YAMLError as e:
-        raise Rejected(f"{layout} is no YAML") from e
+        what = getattr(e, "problem", None) or "it cannot be read"
+        raise Rejected(f"{layout} is no YAML, or none with one meaning: {what}") from e
     if not isinstance(body, dict) or not isinstance(body.get("name"), str):
         raise Rejected(f"{layout} is no layout with a name")
     return body
 
 
-def _text(folder: Path, files: dict[str, str], name: str) -> Path:
+def _text(files: Collection[str], name: str) -> str:
     """The emitted Structured Text that the manifest names."""
-    found = [n for n in files if n.endswith(f"{name}/st/iec/{safe(name)}.st")]
+    wanted = (name, "st", "iec", f"{safe(name)}.st")
+    found = [n for n in files if PurePosixPath(n).parts[-4:] == wanted]
     need(len(found) == 1, f"the certificate names no Structured Text of {name}, or several")
-    return folder / found[0]
+    return found[0]
 
 
 def report(layout: Path, folder: Path) -> int:
     """Say in words what was found; 0 VERIFIED, 1 REJECTED, 3 when something was not compared."""
     try:
         found = check(layout, folder)
-    except (Rejected, OSError, ValueError, KeyError, IndexError, TypeError, RecursionError, lzma.LZMAError) as e:
-        print(f"{layout} {folder}: REJECTED  {e if isinstance(e, Rejected) else f'{type(e).__name__}: {e}'}")
+    except ERRORS as e:
+        print(f"{layout} {folder}: REJECTED  {why(e)}")
         return 1
     print(f"{layout} {folder}: {'VERIFIED' if not found.left else 'CHECKED'}")
     for line in found.compared:

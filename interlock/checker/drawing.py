@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import yaml
-
 from interlock.checker.kilometres import Measures, Parts, item_parts, parted
+from interlock.checker.language import admitted
+from interlock.checker.reading import loaded
 from interlock.verify import Rejected, need
 
 _KEYS = """
@@ -31,30 +31,6 @@ PRINCIPLES = Path(__file__).parent.parent / "spec" / "principles.yaml"
 
 class Unread(Exception):
     """The layout has something of which this reader knows nothing."""
-
-
-class _Plain(yaml.BaseLoader):
-    """Every scalar as the text that it is; a key stands once, as of two equal ones the last would be believed."""
-
-    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Any, Any]:
-        """As the base does.
-
-        Raises yaml.YAMLError where a key stands twice.
-        """
-        seen: set[str] = set()
-        for key, _ in node.value:
-            if key.value in seen:
-                raise yaml.constructor.ConstructorError(None, None, f"the key {key.value} stands twice", key.start_mark)
-            seen.add(key.value)
-        return super().construct_mapping(node, deep)
-
-
-def loaded(text: str) -> Any:
-    """YAML with every scalar as the text that it is.
-
-    Raises yaml.YAMLError where it is none, or a key stands twice.
-    """
-    return yaml.load(text, _Plain)
 
 
 @dataclass(frozen=True)
@@ -143,7 +119,9 @@ def drawing(body: Mapping[str, Any]) -> Drawing:
     strange = sorted(set(body) - KEYS)
     if strange:
         raise Unread(", ".join(strange))
-    return _Drawer(body).drawn
+    rules = _rules(body)
+    admitted(body)
+    return _Drawer(body, rules).drawn
 
 
 def _rules(body: Mapping[str, Any]) -> dict[str, str]:
@@ -158,9 +136,9 @@ def _rules(body: Mapping[str, Any]) -> dict[str, str]:
 
 
 class _Drawer:
-    def __init__(self, body: Mapping[str, Any]) -> None:
+    def __init__(self, body: Mapping[str, Any], rules: Mapping[str, str]) -> None:
         self.body = body
-        self.drawn = d = Drawing(body, _rules(body))
+        self.drawn = d = Drawing(body, rules)
         d.boundaries = {b: v or {} for b, v in self._part("boundaries")}
         d.buffers = {*(body.get("buffers") or ()), *(body.get("traps") or ())}
         self.tracks = {name: self._track(items) for name, items in self._part("tracks")}
@@ -232,7 +210,11 @@ class _Drawer:
             return self.tracks[name][1][0 if end == "start" else -1][0]
         if name in (self.body.get("crossings") or {}):
             return str(self.body["crossings"][name]["arms"][int(end[0]) - 1]["section"])
-        return next(str(v["section"]) for k in ("points", "slips", "derailers") for p, v in self._part(k) if p == name)
+        parts = (v for k in ("points", "slips", "derailers") for p, v in self._part(k) if p == name)
+        found = next(parts, None)
+        if found is None:
+            raise Rejected(f"the layout knows no {name}")
+        return str(found["section"])
 
     def _node(self, port: str) -> str:
         other = self.mates.get(port)

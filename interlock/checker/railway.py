@@ -16,6 +16,7 @@ from typing import Any
 
 from interlock.checker.drawing import Drawing, Edge, Unread, drawing
 from interlock.checker.kilometres import item_parts
+from interlock.checker.language import elements
 from interlock.verify import need
 
 
@@ -163,7 +164,14 @@ class Railway:
             for part in ("level_crossings", "interlocks")
             for k, v in (body.get(part) or {}).items()
         }
+        self._distinct()
         self._limits()
+
+    def _distinct(self) -> None:
+        """No variable is of two elements; to a compiler small and capital letters are the same."""
+        machines = {p.machine for p in self.points.values()} | set(self.devices)
+        for kind, those in {**elements(self.body), "machine": machines}.items():
+            need(len({safe(n).upper() for n in those}) == len(those), f"two names of a {kind} are one name in the text")
 
     def _limits(self) -> None:
         """What is read but could mean more than this reader knows."""

@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from interlock.checker.drawing import loaded
+from interlock.checker.reading import loaded
 from interlock.checker.schema import explained
 
 FOLDER = Path(__file__).parent.parent / "spec"

@@ -7,7 +7,7 @@ from collections import Counter
 
 import click
 
-from interlock.app.own import NotOurs
+from interlock.app.own import NotOurs, is_ours
 from interlock.app.pin import Change, NotReserved, Repinned, pin_file
 from interlock.cli.common import FINDINGS, OK, failed, force_option, format_option, put_json, show, told
 from interlock.diag import Severity
@@ -44,7 +44,8 @@ def command(layout: str, names: tuple[str, ...], yes: bool, force: bool, form: s
         _print(found)
     if found.moves and not yes:
         _refuse(found, "channels of elements that are kept would move: nothing is written without --yes", form)
-    changed = bool(found.changes) or found.first
+    taken = force and not found.first and not is_ours(found.file.read_bytes())
+    changed = bool(found.changes) or found.first or taken
     if changed:
         try:
             found.write(force)
