@@ -11,11 +11,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from interlock.checker.kilometres import item_parts
 from interlock.checker.reading import loaded
 from interlock.verify import need
 
 FORMS = Path(__file__).parent.parent / "spec" / "language.yaml"
-NAME = re.compile(r"[^\W_]+#?([_/-][^\W_]+#?)*")
+NAME = re.compile(r"[^\W_]+#?([ _/-][^\W_]+#?)*")
 NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)")
 WHOLE = re.compile(r"[+-]?[0-9]{1,9}")
 KM = re.compile(r"[0-9]{1,4}\+[0-9]{3}(\.[0-9]{1,3})?")
@@ -116,11 +117,12 @@ def elements(body: Mapping[str, Any]) -> dict[str, set[str]]:
 def _sections(body: Mapping[str, Any]) -> set[str]:
     ends = {*(body.get("boundaries") or ()), *(body.get("buffers") or ()), *(body.get("traps") or ())}
     parts = (x for t in (body.get("tracks") or {}).values() for x in t if x not in ends)
-    found = {x.split()[0] for x in parts if " " in x or not ("+" in x or "." in x)}
+    said = ((x, *item_parts(x)) for x in parts)
+    found = {name for x, name, metres in said if metres or not ("+" in x or "." in x)}
     found |= {str(v["section"]) for k in ("points", "slips", "derailers") for v in (body.get(k) or {}).values()}
     found |= {str(arm["section"]) for v in (body.get("crossings") or {}).values() for arm in v["arms"]}
     outside = [(v or {}).get("approach", "") for v in (body.get("boundaries") or {}).values()]
-    return found | {x.split()[0] for x in outside if x}
+    return found | {item_parts(x)[0] for x in outside if x}
 
 
 def _name(x: Any, where: str) -> None:
@@ -138,13 +140,13 @@ def _number(x: str, rest: list[str], form: re.Pattern[str], where: str) -> None:
 
 def _stretch(x: str, where: str, alone: bool) -> None:
     """A section and its length; within a track also a name, an end or a position by itself."""
-    name, *length = x.split()
-    bare = alone and not length
+    name, metres = item_parts(x)
+    bare = alone and not metres
     if bare and KM.fullmatch(name):
         return
     part, dot, end = name.partition(".")
     _name(part, where)
     need(not dot or (bare and end in ENDS), f"{where}: {x!r} is no part of a track")
-    need(bare or len(length) == 1, f"{where}: {x!r} is no section with its length")
-    for metres in length:
+    need(bare or metres, f"{where}: {x!r} is no section with its length")
+    if metres:
         _number(metres, [">0", str(LONGEST)], NUMBER, where)
